@@ -1,0 +1,61 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "viscera/coordinates/binding.h"
+#include "viscera/coordinates/handle_set.h"
+#include "viscera/coordinates/parameters.h"
+#include "viscera/core/progress.h"
+
+namespace viscera::coordinates {
+
+/// What a user can expect of a system, as badges and for choosing what to offer.
+struct Traits {
+  bool needsCage = false;          ///< Wants `HandleSet::cage`.
+  bool needsTetrahedra = false;    ///< Fills the organ with tetrahedra first.
+  bool positive = false;           ///< No coordinate is ever negative.
+  bool interpolates = false;       ///< A point at a handle follows it exactly.
+  bool closedFormGradient = false; ///< `CoordinateGradients` without differences.
+  bool usesGroups = false;         ///< Looks at `HandleSet::groups`.
+};
+
+/// The derivatives of the coordinates at points: `values` is `(points * handles) x 3`, row `p * handles + i` holds
+/// the gradient of coordinate i at point p, 1/mm. Rows of points in `failures` are zero.
+struct CoordinateGradients {
+  Points values;
+  std::vector<int> failures;
+  bool closedForm = false; ///< False: central differences.
+};
+
+/// Values, threads: everything about a binding that is not geometry.
+struct BindOptions {
+  ParameterValues parameters;
+  Threads threads;
+};
+
+/// A recipe for coordinates. Stateless; every member may be called from several threads.
+class CoordinateSystem {
+public:
+  virtual ~CoordinateSystem() = default;
+
+  virtual std::string id() const = 0;      ///< As on the command line: "s-celestial".
+  virtual std::string name() const = 0;    ///< As in the window: "S-Celestial".
+  virtual std::string summary() const = 0; ///< One line for a user.
+  virtual Traits traits() const = 0;
+  virtual std::vector<Parameter> parameters() const = 0;
+
+  /// Computes the coordinates of `points` (`n x 3`). Points without an answer (outside the handles' hull, say) are
+  /// listed in the report's failures. Throws `DataError` for handles that no point could use (fewer than four, all in
+  /// one plane, two at one place, not finite), `UsageError` for a parameter out of range, `Cancelled`.
+  virtual std::unique_ptr<Binding> bind(const HandleSet& handles, const Points& points, const BindOptions& options,
+                                        Progress& progress) const = 0;
+
+  /// Derivatives of the coordinates at `points`. The standard implementation takes central differences of `bind`
+  /// at a step of 1e-5 of the handles' size; systems with a closed form override it.
+  virtual CoordinateGradients gradients(const HandleSet& handles, const Points& points, const BindOptions& options,
+                                        Progress& progress) const;
+};
+
+} // namespace viscera::coordinates

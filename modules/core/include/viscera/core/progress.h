@@ -1,0 +1,38 @@
+#pragma once
+
+#include <atomic>
+#include <functional>
+#include <mutex>
+#include <string>
+
+namespace viscera {
+
+/// The line between a long job and whoever waits for it: the job reports, the other side may cancel.
+/// Every member may be called from any thread.
+class Progress {
+public:
+  /// Called with a fraction in [0, 1] and the name of the present step; calls never overlap.
+  using Listener = std::function<void(double fraction, const std::string& step)>;
+
+  Progress() = default;
+  explicit Progress(Listener listener);
+
+  /// Tells the listener, at most once per per mille of progress or per new step name.
+  void report(double fraction, const std::string& step = {});
+
+  /// Asks the job to stop; it ends with `Cancelled` at its next look.
+  void cancel() { cancelled_.store(true, std::memory_order_relaxed); }
+  bool cancelled() const { return cancelled_.load(std::memory_order_relaxed); }
+
+  /// Throws `Cancelled` when somebody has cancelled.
+  void throwIfCancelled() const;
+
+private:
+  Listener listener_;
+  std::mutex mutex_;
+  double lastFraction_ = -1;
+  std::string lastStep_;
+  std::atomic<bool> cancelled_{false};
+};
+
+} // namespace viscera

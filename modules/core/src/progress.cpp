@@ -1,0 +1,31 @@
+#include "viscera/core/progress.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "viscera/core/error.h"
+
+namespace viscera {
+namespace {
+constexpr double kSmallestStep = 1e-3;
+}
+
+Progress::Progress(Listener listener) : listener_(std::move(listener)) {}
+
+void Progress::report(double fraction, const std::string& step) {
+  if (!listener_) return;
+  const double clamped = std::clamp(fraction, 0.0, 1.0);
+  const std::lock_guard lock(mutex_);
+  const bool newStep = !step.empty() && step != lastStep_;
+  if (!newStep && std::abs(clamped - lastFraction_) < kSmallestStep && clamped < 1) return;
+  lastFraction_ = clamped;
+  if (newStep) lastStep_ = step;
+  listener_(clamped, lastStep_);
+}
+
+void Progress::throwIfCancelled() const {
+  if (cancelled()) throw Cancelled();
+}
+
+} // namespace viscera

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "viscera/core/arrays.h"
+
+namespace viscera::sequences {
+
+/// A named part of a cycle, for the line under the timeline.
+struct Phase {
+  std::string name;  ///< "ejection"
+  double begin = 0;  ///< Fraction of the cycle, [0, 1).
+  double end = 1;
+};
+
+/// Motion over time: a pose of the handles at every instant. Immutable; may be asked from several threads.
+class Sequence {
+public:
+  virtual ~Sequence() = default;
+
+  virtual std::string id() const = 0;   ///< "heartbeat"
+  virtual std::string name() const = 0; ///< "Heartbeat"
+
+  /// The handles at rest, `n x 3` mm: what organs are bound to.
+  virtual const Points& restHandles() const = 0;
+
+  /// The rate, in cycles (beats, waves) a minute, for which it was made, and the range in which it may be played.
+  virtual double standardRatePerMinute() const = 0;
+  virtual double lowestRatePerMinute() const = 0;
+  virtual double highestRatePerMinute() const = 0;
+
+  /// Fills `pose` (resized to `n x 3`) at `seconds` since the start when played at `ratePerMinute`. Periodic with
+  /// 60 / rate. O(n).
+  virtual void poseAt(double seconds, double ratePerMinute, Points& pose) const = 0;
+
+  /// The parts of one cycle at that rate, in order, covering [0, 1].
+  virtual std::vector<Phase> phases(double ratePerMinute) const = 0;
+};
+
+} // namespace viscera::sequences

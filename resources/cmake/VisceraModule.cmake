@@ -1,0 +1,47 @@
+# How every Viscera module is built: one shared library, the same warnings, headers under include/viscera/<name>.
+set(CMAKE_CXX_STANDARD 20)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_POSITION_INDEPENDENT_CODE ON)
+set(CMAKE_RUNTIME_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/bin")
+set(CMAKE_LIBRARY_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/lib")
+set(CMAKE_INSTALL_RPATH "$ORIGIN/../${CMAKE_INSTALL_LIBDIR}:$ORIGIN")
+if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
+  set(CMAKE_BUILD_TYPE Release CACHE STRING "Build type" FORCE)
+endif()
+
+find_program(VISCERA_CCACHE ccache)
+if(VISCERA_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
+  set(CMAKE_C_COMPILER_LAUNCHER "${VISCERA_CCACHE}")
+  set(CMAKE_CXX_COMPILER_LAUNCHER "${VISCERA_CCACHE}")
+endif()
+
+# Warnings of our own code; third-party headers come in as SYSTEM.
+function(viscera_warnings target)
+  target_compile_options(${target} PRIVATE
+    $<$<COMPILE_LANGUAGE:CXX>:-Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Woverloaded-virtual>
+    $<$<AND:$<COMPILE_LANGUAGE:CXX>,$<BOOL:${VISCERA_WERROR}>>:-Werror>)
+endfunction()
+
+# viscera_module(<name> SOURCES a.cpp ... [USES targets-in-public-headers...] [PRIVATELY targets...])
+# makes the shared library viscera_<name> (alias Viscera::<name>) from files under src/,
+# whose public headers are in include/viscera/<name>/.
+function(viscera_module name)
+  cmake_parse_arguments(ARG "" "" "SOURCES;USES;PRIVATELY" ${ARGN})
+  list(TRANSFORM ARG_SOURCES PREPEND "src/")
+  add_library(viscera_${name} SHARED ${ARG_SOURCES})
+  add_library(Viscera::${name} ALIAS viscera_${name})
+  set_target_properties(viscera_${name} PROPERTIES
+    EXPORT_NAME ${name} VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR})
+  target_compile_features(viscera_${name} PUBLIC cxx_std_20)
+  target_include_directories(viscera_${name} PUBLIC
+    $<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/include>
+    $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>
+    PRIVATE src)
+  target_link_libraries(viscera_${name} PUBLIC ${ARG_USES} PRIVATE ${ARG_PRIVATELY})
+  viscera_warnings(viscera_${name})
+  install(TARGETS viscera_${name} EXPORT VisceraTargets
+    RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR}
+    LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
+  install(DIRECTORY include/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+endfunction()
