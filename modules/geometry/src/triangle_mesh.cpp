@@ -1,0 +1,40 @@
+#include "viscera/geometry/triangle_mesh.h"
+
+#include <string>
+
+#include "viscera/core/error.h"
+
+namespace viscera::geometry {
+
+VertexTriangles vertexTriangles(Eigen::Index vertexCount, const Triangles& triangles) {
+  VertexTriangles around;
+  around.first.assign(static_cast<std::size_t>(vertexCount) + 1, 0);
+  for (Eigen::Index t = 0; t < triangles.rows(); ++t)
+    for (int k = 0; k < 3; ++k) ++around.first[static_cast<std::size_t>(triangles(t, k)) + 1];
+  for (std::size_t v = 1; v < around.first.size(); ++v) around.first[v] += around.first[v - 1];
+
+  around.items.resize(static_cast<std::size_t>(triangles.size()));
+  std::vector<std::int32_t> next(around.first.begin(), around.first.end() - 1);
+  for (Eigen::Index t = 0; t < triangles.rows(); ++t)
+    for (int k = 0; k < 3; ++k) {
+      auto& slot = next[static_cast<std::size_t>(triangles(t, k))];
+      around.items[static_cast<std::size_t>(slot++)] = static_cast<std::int32_t>(t);
+    }
+  return around;
+}
+
+void requireValid(const TriangleMesh& mesh, const std::string& where) {
+  for (Eigen::Index v = 0; v < mesh.points.rows(); ++v)
+    if (!mesh.points.row(v).allFinite())
+      throw DataError("vertex " + std::to_string(v) + " has a coordinate that is not a finite number", where,
+                      "export the surface again");
+  for (Eigen::Index t = 0; t < mesh.triangles.rows(); ++t)
+    for (int k = 0; k < 3; ++k)
+      if (mesh.triangles(t, k) < 0 || mesh.triangles(t, k) >= mesh.points.rows())
+        throw DataError("triangle " + std::to_string(t) + " refers to vertex " +
+                            std::to_string(mesh.triangles(t, k)) + ", but there are " +
+                            std::to_string(mesh.points.rows()),
+                        where, "export the surface again");
+}
+
+} // namespace viscera::geometry
