@@ -39,6 +39,10 @@ function(viscera_module name)
     $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>
     PRIVATE src)
   target_link_libraries(viscera_${name} PUBLIC ${ARG_USES} PRIVATE ${ARG_PRIVATELY})
+  # A symbol that nobody defines is found when the library is linked, not when it is used.
+  if(NOT CMAKE_CXX_FLAGS MATCHES "-fsanitize")
+    target_link_options(viscera_${name} PRIVATE LINKER:--no-undefined)
+  endif()
   viscera_warnings(viscera_${name})
   install(TARGETS viscera_${name} EXPORT VisceraTargets
     RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR}

@@ -7,7 +7,8 @@ namespace {
 
 std::string joined(const std::string& what, const std::string& where, const std::string& tryThis) {
   std::string text = where.empty() ? what : where + ": " + what;
-  if (!tryThis.empty()) text += " (" + tryThis + ")";
+  if (!tryThis.empty())
+    text += " (" + tryThis + ")";
   return text;
 }
 

@@ -14,18 +14,22 @@ constexpr double kSmallestStep = 1e-3;
 Progress::Progress(Listener listener) : listener_(std::move(listener)) {}
 
 void Progress::report(double fraction, const std::string& step) {
-  if (!listener_) return;
+  if (!listener_)
+    return;
   const double clamped = std::clamp(fraction, 0.0, 1.0);
   const std::lock_guard lock(mutex_);
   const bool newStep = !step.empty() && step != lastStep_;
-  if (!newStep && std::abs(clamped - lastFraction_) < kSmallestStep && clamped < 1) return;
+  if (!newStep && std::abs(clamped - lastFraction_) < kSmallestStep && clamped < 1)
+    return;
   lastFraction_ = clamped;
-  if (newStep) lastStep_ = step;
+  if (newStep)
+    lastStep_ = step;
   listener_(clamped, lastStep_);
 }
 
 void Progress::throwIfCancelled() const {
-  if (cancelled()) throw Cancelled();
+  if (cancelled())
+    throw Cancelled();
 }
 
 } // namespace viscera

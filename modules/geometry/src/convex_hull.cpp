@@ -18,7 +18,8 @@ namespace {
 
 constexpr double kFlat = 1e-9;
 
-/// Owns Qhull's state and its memory. Qhull reports by longjmp inside `qh_new_qhull`, which returns a code to us.
+/// Owns Qhull's state and its memory. Qhull reports by longjmp inside `qh_new_qhull`, which returns a code to
+/// us.
 class Qhull {
 public:
   Qhull() { qh_zero(&state_, stderr); }
@@ -36,7 +37,8 @@ public:
     std::FILE* silent = std::tmpfile();
     const int code = qh_new_qhull(&state_, 3, static_cast<int>(points.rows()), points.data(), False, command,
                                   nullptr, silent);
-    if (silent != nullptr) std::fclose(silent);
+    if (silent != nullptr)
+      std::fclose(silent);
     return code == 0;
   }
   qhT* state() { return &state_; }
@@ -81,21 +83,25 @@ ConvexHull::ConvexHull(const Points& points) : diagonal_(boundsOf(points).diagon
     const bool known = std::any_of(planes.begin(), planes.end(), [&](const Eigen::Vector4d& p) {
       return (p.head<3>() - normal).norm() < kFlat && std::abs(p[3] - plane[3]) < kFlat * diagonal_;
     });
-    if (!known) planes.push_back(plane);
+    if (!known)
+      planes.push_back(plane);
     Eigen::Vector3i corners;
     int k = 0;
     vertexT *vertex = nullptr, **vertexp = nullptr;
     FOREACHvertex_(facet->vertices) {
-      if (k < 3) corners[k++] = qh_pointid(qh, vertex->point);
+      if (k < 3)
+        corners[k++] = qh_pointid(qh, vertex->point);
     }
     const Vec3 a = points.row(corners[0]).transpose();
     const Vec3 b = points.row(corners[1]).transpose();
     const Vec3 c = points.row(corners[2]).transpose();
-    if ((b - a).cross(c - a).dot(normal) < 0) std::swap(corners[1], corners[2]);
+    if ((b - a).cross(c - a).dot(normal) < 0)
+      std::swap(corners[1], corners[2]);
     triangles.push_back(corners);
   }
   planes_.resize(static_cast<Eigen::Index>(planes.size()), 4);
-  for (std::size_t i = 0; i < planes.size(); ++i) planes_.row(static_cast<Eigen::Index>(i)) = planes[i].transpose();
+  for (std::size_t i = 0; i < planes.size(); ++i)
+    planes_.row(static_cast<Eigen::Index>(i)) = planes[i].transpose();
   triangles_.resize(static_cast<Eigen::Index>(triangles.size()), 3);
   for (std::size_t i = 0; i < triangles.size(); ++i)
     triangles_.row(static_cast<Eigen::Index>(i)) = triangles[i].transpose();
@@ -108,7 +114,8 @@ double ConvexHull::signedDistance(const Vec3& point) const {
 std::vector<int> ConvexHull::outside(const Points& points, double margin) const {
   std::vector<int> list;
   for (Eigen::Index i = 0; i < points.rows(); ++i)
-    if (signedDistance(points.row(i).transpose()) > margin) list.push_back(static_cast<int>(i));
+    if (signedDistance(points.row(i).transpose()) > margin)
+      list.push_back(static_cast<int>(i));
   return list;
 }
 

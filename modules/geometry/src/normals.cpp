@@ -35,7 +35,8 @@ void vertexNormals(const Points& points, const Triangles& triangles, const Verte
       for (auto i = around.first[std::size_t(v)]; i < around.first[std::size_t(v) + 1]; ++i)
         sum += faces.row(around.items[std::size_t(i)]).transpose();
       const float length = sum.norm();
-      if (length > 0) sum /= length;
+      if (length > 0)
+        sum /= length;
       normals.row(v) = sum.transpose();
     }
   });

@@ -34,11 +34,15 @@ void countEdges(const Triangles& triangles, SurfaceReport& report) {
   const auto uses = sortedEdgeUses(triangles);
   for (std::size_t begin = 0; begin < uses.size();) {
     std::size_t end = begin + 1;
-    while (end < uses.size() && uses[end].edge == uses[begin].edge) ++end;
+    while (end < uses.size() && uses[end].edge == uses[begin].edge)
+      ++end;
     const auto count = end - begin;
-    if (count == 1) ++report.boundaryEdges;
-    else if (count > 2) ++report.nonManifoldEdges;
-    else if (uses[begin].forward == uses[begin + 1].forward) ++report.misorientedEdges;
+    if (count == 1)
+      ++report.boundaryEdges;
+    else if (count > 2)
+      ++report.nonManifoldEdges;
+    else if (uses[begin].forward == uses[begin + 1].forward)
+      ++report.misorientedEdges;
     begin = end;
   }
 }
@@ -65,11 +69,14 @@ void countComponents(const TriangleMesh& mesh, SurfaceReport& report) {
   for (Eigen::Index t = 0; t < mesh.triangles.rows(); ++t) {
     sets.join(mesh.triangles(t, 0), mesh.triangles(t, 1));
     sets.join(mesh.triangles(t, 1), mesh.triangles(t, 2));
-    for (int k = 0; k < 3; ++k) used[static_cast<std::size_t>(mesh.triangles(t, k))] = true;
+    for (int k = 0; k < 3; ++k)
+      used[static_cast<std::size_t>(mesh.triangles(t, k))] = true;
   }
   for (Eigen::Index v = 0; v < mesh.points.rows(); ++v) {
-    if (!used[static_cast<std::size_t>(v)]) ++report.unusedVertices;
-    else if (sets.root(static_cast<std::int32_t>(v)) == v) ++report.components;
+    if (!used[static_cast<std::size_t>(v)])
+      ++report.unusedVertices;
+    else if (sets.root(static_cast<std::int32_t>(v)) == v)
+      ++report.components;
   }
 }
 
@@ -82,7 +89,8 @@ int countDegenerate(const TriangleMesh& mesh) {
     const Vec3 b = mesh.points.row(i[1]).transpose();
     const Vec3 c = mesh.points.row(i[2]).transpose();
     const bool repeated = i[0] == i[1] || i[1] == i[2] || i[2] == i[0];
-    if (repeated || (b - a).cross(c - a).norm() / 2 <= kSmallestRelativeArea * size * size) ++count;
+    if (repeated || (b - a).cross(c - a).norm() / 2 <= kSmallestRelativeArea * size * size)
+      ++count;
   }
   return count;
 }
@@ -117,12 +125,14 @@ std::vector<std::string> faults(const SurfaceReport& report) {
     list.push_back(counted(report.degenerateTriangles, "triangle has", "triangles have") + " no area");
   if (report.components > 1)
     list.push_back("the surface consists of " + std::to_string(report.components) + " separate pieces");
-  if (report.closed() && report.volumeMm3 < 0) list.push_back("the surface is inside out");
+  if (report.closed() && report.volumeMm3 < 0)
+    list.push_back("the surface is inside out");
   return list;
 }
 
 bool orientOutward(TriangleMesh& mesh) {
-  if (volume(mesh.points, mesh.triangles) >= 0) return false;
+  if (volume(mesh.points, mesh.triangles) >= 0)
+    return false;
   mesh.triangles.col(1).swap(mesh.triangles.col(2));
   return true;
 }

@@ -10,8 +10,10 @@ VertexTriangles vertexTriangles(Eigen::Index vertexCount, const Triangles& trian
   VertexTriangles around;
   around.first.assign(static_cast<std::size_t>(vertexCount) + 1, 0);
   for (Eigen::Index t = 0; t < triangles.rows(); ++t)
-    for (int k = 0; k < 3; ++k) ++around.first[static_cast<std::size_t>(triangles(t, k)) + 1];
-  for (std::size_t v = 1; v < around.first.size(); ++v) around.first[v] += around.first[v - 1];
+    for (int k = 0; k < 3; ++k)
+      ++around.first[static_cast<std::size_t>(triangles(t, k)) + 1];
+  for (std::size_t v = 1; v < around.first.size(); ++v)
+    around.first[v] += around.first[v - 1];
 
   around.items.resize(static_cast<std::size_t>(triangles.size()));
   std::vector<std::int32_t> next(around.first.begin(), around.first.end() - 1);

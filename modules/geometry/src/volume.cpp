@@ -12,14 +12,16 @@ constexpr Eigen::Index kBlock = 2048;
 /// Sums neighbours in a tree: the order is fixed and the error grows only with the logarithm of the count.
 double pairwiseSum(std::vector<double> values) {
   for (std::size_t n = values.size(); n > 1; n = (n + 1) / 2) {
-    for (std::size_t i = 0; i < n / 2; ++i) values[i] = values[2 * i] + values[2 * i + 1];
-    if (n % 2 == 1) values[n / 2] = values[n - 1];
+    for (std::size_t i = 0; i < n / 2; ++i)
+      values[i] = values[2 * i] + values[2 * i + 1];
+    if (n % 2 == 1)
+      values[n / 2] = values[n - 1];
   }
   return values.empty() ? 0.0 : values.front();
 }
 
-/// Six times the signed volume of the tetrahedra from `origin` to triangles [begin, end). Four running sums, so that
-/// the additions do not wait for one another.
+/// Six times the signed volume of the tetrahedra from `origin` to triangles [begin, end). Four running sums,
+/// so that the additions do not wait for one another.
 double blockSum(const Points& points, const Triangles& triangles, const Vec3& origin, Eigen::Index begin,
                 Eigen::Index end) {
   double sums[4] = {0, 0, 0, 0};
@@ -40,7 +42,8 @@ double blockSum(const Points& points, const Triangles& triangles, const Vec3& or
 } // namespace
 
 double volume(const Points& points, const Triangles& triangles, Threads threads) {
-  if (triangles.rows() == 0) return 0;
+  if (triangles.rows() == 0)
+    return 0;
   const Vec3 origin = points.row(triangles(0, 0)).transpose();
   std::vector<double> blocks(static_cast<std::size_t>((triangles.rows() + kBlock - 1) / kBlock));
   parallelRanges(triangles.rows(), kBlock, threads, [&](Eigen::Index begin, Eigen::Index end) {
@@ -56,8 +59,8 @@ void volumeGradient(const Points& points, const Triangles& triangles, const Vert
   parallelRanges(points.rows(), kBlock, threads, [&](Eigen::Index begin, Eigen::Index end) {
     const double* data = points.data();
     for (Eigen::Index v = begin; v < end; ++v) {
-      // Relative to the vertex itself the products stay as small as its triangles, so nothing cancels; the sum over a
-      // closed fan is the same from any origin.
+      // Relative to the vertex itself the products stay as small as its triangles, so nothing cancels; the
+      // sum over a closed fan is the same from any origin.
       const double* p = data + 3 * v;
       double x = 0, y = 0, z = 0;
       for (auto i = around.first[std::size_t(v)]; i < around.first[std::size_t(v) + 1]; ++i) {

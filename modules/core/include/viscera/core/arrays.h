@@ -3,6 +3,7 @@
 #include <cstdint>
 
 #include <Eigen/Core>
+#include <Eigen/Geometry>
 
 /// The arrays that every module shares. Row major, so that VTK can look at the same memory without a copy.
 namespace viscera {
@@ -35,7 +36,8 @@ struct Bounds {
 
 /// The bounding box of `n x 3` points; zero for no points. O(n).
 inline Bounds boundsOf(const Points& points) {
-  if (points.rows() == 0) return {};
+  if (points.rows() == 0)
+    return {};
   return {points.colwise().minCoeff().transpose(), points.colwise().maxCoeff().transpose()};
 }
 

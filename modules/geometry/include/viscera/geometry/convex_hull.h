@@ -9,14 +9,15 @@ namespace viscera::geometry {
 /// The convex hull of a set of points, by Qhull. Immutable; may be asked from several threads.
 class ConvexHull {
 public:
-  /// `points` is `n x 3`, mm. Throws `DataError` for fewer than four points, for points that all lie in one plane
-  /// (flat to 1e-9 of their size) or that are not finite. O(n log n).
+  /// `points` is `n x 3`, mm. Throws `DataError` for fewer than four points, for points that all lie in one
+  /// plane (flat to 1e-9 of their size) or that are not finite. O(n log n).
   explicit ConvexHull(const Points& points);
 
   /// Outward triangles, indices into the points given.
   const Triangles& triangles() const { return triangles_; }
 
-  /// `f x 4` facet planes: outward unit normal and offset, `n.p + offset <= 0` inside. Coplanar triangles share one.
+  /// `f x 4` facet planes: outward unit normal and offset, `n.p + offset <= 0` inside. Coplanar triangles
+  /// share one.
   const Eigen::Matrix<double, Eigen::Dynamic, 4, Eigen::RowMajor>& planes() const { return planes_; }
 
   /// Largest signed distance to a facet's plane in mm: negative inside, positive outside. O(f).

@@ -9,13 +9,14 @@ namespace viscera::geometry {
 
 /// What a triangle surface is worth as an organ.
 struct SurfaceReport {
-  int boundaryEdges = 0;        ///< Edges with one triangle: the surface is open there.
-  int nonManifoldEdges = 0;     ///< Edges with three triangles or more.
-  int misorientedEdges = 0;     ///< Edges that both their triangles run through in the same direction.
-  int degenerateTriangles = 0;  ///< Triangles with a repeated vertex or an area below 1e-12 of the squared size.
-  int unusedVertices = 0;       ///< Vertices of no triangle.
-  int components = 0;           ///< Pieces connected through shared vertices.
-  double volumeMm3 = 0;         ///< Signed; meaningless when open.
+  int boundaryEdges = 0;    ///< Edges with one triangle: the surface is open there.
+  int nonManifoldEdges = 0; ///< Edges with three triangles or more.
+  int misorientedEdges = 0; ///< Edges that both their triangles run through in the same direction.
+  int degenerateTriangles =
+      0;                  ///< Triangles with a repeated vertex or an area below 1e-12 of the squared size.
+  int unusedVertices = 0; ///< Vertices of no triangle.
+  int components = 0;     ///< Pieces connected through shared vertices.
+  double volumeMm3 = 0;   ///< Signed; meaningless when open.
   double areaMm2 = 0;
 
   bool closed() const { return boundaryEdges == 0; }
@@ -26,7 +27,8 @@ struct SurfaceReport {
 /// Counts all of it. Expects valid indices (`requireValid`). O(m log m).
 SurfaceReport checkSurface(const TriangleMesh& mesh);
 
-/// The report's faults as sentences for a user ("12 boundary edges: the surface is open"); empty when there are none.
+/// The report's faults as sentences for a user ("12 boundary edges: the surface is open"); empty when there
+/// are none.
 std::vector<std::string> faults(const SurfaceReport& report);
 
 /// Turns all triangles around when the signed volume is negative; true when it did. O(m).

@@ -6,7 +6,8 @@
 
 namespace viscera::geometry {
 
-/// A triangle surface. An organ's surface is closed and its triangles are counter-clockwise seen from outside.
+/// A triangle surface. An organ's surface is closed and its triangles are counter-clockwise seen from
+/// outside.
 struct TriangleMesh {
   Points points;       ///< `n x 3`, mm, LPS.
   Triangles triangles; ///< `m x 3` indices into `points`.
@@ -23,8 +24,8 @@ struct VertexTriangles {
 /// The triangles around each of `vertexCount` vertices. O(n + m).
 VertexTriangles vertexTriangles(Eigen::Index vertexCount, const Triangles& triangles);
 
-/// Throws `DataError` that names the first offending element when a coordinate is not finite or a triangle's index
-/// is out of range. `where` names the mesh in the message. O(n + m).
+/// Throws `DataError` that names the first offending element when a coordinate is not finite or a triangle's
+/// index is out of range. `where` names the mesh in the message. O(n + m).
 void requireValid(const TriangleMesh& mesh, const std::string& where);
 
 } // namespace viscera::geometry

@@ -3,17 +3,19 @@
 #include "viscera/core/parallel.h"
 #include "viscera/geometry/triangle_mesh.h"
 
-/// The volume that a closed triangle surface encloses, by the divergence theorem (thesis 5.1.1). The thesis integrates
-/// each triangle by a quadrature of four points; the closed form `1/6 p1.(p2 x p3)` is equal to it up to rounding.
+/// The volume that a closed triangle surface encloses, by the divergence theorem (thesis 5.1.1). The thesis
+/// integrates each triangle by a quadrature of four points; the closed form `1/6 p1.(p2 x p3)` is equal to it
+/// up to rounding.
 namespace viscera::geometry {
 
-/// Signed volume in mm^3: positive for an outward surface. Meaningless for an open one. Sums fixed blocks of triangles
-/// in a fixed order, relative to the first point: bitwise independent of the number of threads. O(m).
+/// Signed volume in mm^3: positive for an outward surface. Meaningless for an open one. Sums fixed blocks of
+/// triangles in a fixed order, relative to the first point: bitwise independent of the number of threads.
+/// O(m).
 double volume(const Points& points, const Triangles& triangles, Threads threads = {});
 
 /// Derivative of `volume` with respect to every vertex: fills `gradient` (resized to `n x 3`, mm^2) with
-/// `1/6 sum p2 x p3` over the triangles around each vertex. Exact for closed surfaces, whose gradient does not depend
-/// on the origin. Bitwise independent of the number of threads. O(m).
+/// `1/6 sum p2 x p3` over the triangles around each vertex. Exact for closed surfaces, whose gradient does
+/// not depend on the origin. Bitwise independent of the number of threads. O(m).
 void volumeGradient(const Points& points, const Triangles& triangles, const VertexTriangles& around,
                     Points& gradient, Threads threads = {});
 
