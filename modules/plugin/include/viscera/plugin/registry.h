@@ -1,0 +1,45 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "viscera/coordinates/coordinate_system.h"
+
+namespace viscera::plugin {
+
+/// The coordinate systems that a program offers, each with where it comes from. Ids are unique. Reading from
+/// several threads is safe while nobody adds.
+class Registry {
+public:
+  /// A system and its source: `kBuiltIn` or the file of the plugin that brought it.
+  struct Entry {
+    std::shared_ptr<const coordinates::CoordinateSystem> system;
+    std::string source;
+  };
+
+  static constexpr const char* kBuiltIn = "built-in";
+
+  /// Adds a system behind those there are. Throws `UsageError` that says why it is refused, and leaves the
+  /// registry as it was: no system, an id that could not be typed on a command line (small letters, digits
+  /// and single dashes), an id that is taken (by whom), or parameters whose names repeat or whose standard
+  /// value is out of range.
+  void add(std::shared_ptr<const coordinates::CoordinateSystem> system, const std::string& source);
+
+  /// The system with that id. Throws `UsageError` that lists the ids there are.
+  std::shared_ptr<const coordinates::CoordinateSystem> find(const std::string& id) const;
+
+  /// Whether there is a system with that id.
+  bool contains(const std::string& id) const;
+
+  /// Every system in the order in which it was added.
+  const std::vector<Entry>& list() const { return entries_; }
+
+private:
+  std::vector<Entry> entries_;
+};
+
+/// A registry that holds `coordinates::builtInSystems()`, each with the source `Registry::kBuiltIn`.
+Registry builtInRegistry();
+
+} // namespace viscera::plugin

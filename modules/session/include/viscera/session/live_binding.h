@@ -1,0 +1,106 @@
+#pragma once
+
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "viscera/coordinates/binding.h"
+#include "viscera/core/parallel.h"
+#include "viscera/deformation/deformer.h"
+#include "viscera/plugin/registry.h"
+#include "viscera/session/document.h"
+#include "viscera/session/job_queue.h"
+
+namespace viscera::session {
+
+/// How an organ and the handles stand to each other.
+struct BindingStatus {
+  enum class State {
+    unbound, ///< Too few handles for any coordinates: the organ is at rest.
+    binding, ///< A worker is at it. The organ follows the binding before, when there is one.
+    bound,
+    stale,  ///< Somebody cancelled: the organ follows the binding before, when there is one, else it is at
+            ///< rest.
+    failed, ///< These handles cannot hold the organ: it is at rest, `message` says why.
+  };
+  State state = State::unbound;
+  std::string message; ///< For a user: what is wrong and what to try. Empty when bound.
+  int outsideHull = 0; ///< Failed: vertices outside the handles' hull; `addEnclosingHandles` would mend it.
+  coordinates::BindingReport report; ///< Of the binding in use; `report.seconds` is the time on the badge.
+};
+
+/// What one organ's volume is and was. Meaningless for an open surface.
+struct OrganVolume {
+  bool closed = false;
+  double restMl = 0;
+  double nowMl = 0;
+  double changeMl() const { return nowMl - restMl; }
+  double relativeChange() const { return restMl != 0 ? (nowMl - restMl) / restMl : 0; }
+};
+
+/// What happened to one organ.
+struct LiveEvent {
+  OrganId organ;
+  bool moved = false;    ///< `points` has other values.
+  bool replaced = false; ///< `points` is another array: whoever looks at its memory must look again.
+  bool status = false;   ///< `status` is new.
+};
+
+/// Keeps every organ of a document bound to its handles and in the pose that is shown. Edits of the rest
+/// handles, of the system and its parameters bind anew, at once when that takes less than a frame, else on
+/// the job queue in a slot of each organ ("bind/<id>"), with the old binding in use until the new one is
+/// there. It never changes the document. For the document's thread.
+class LiveBinding {
+public:
+  struct Options {
+    /// Binding anew is done at once when it is expected to take no longer, all organs together, s. 0: always
+    /// on the queue; infinity: never, for programs without an event loop.
+    double frameSeconds = 1.0 / 60.0;
+    Threads threads;
+  };
+
+  /// All three must live longer.
+  LiveBinding(Document& document, const plugin::Registry& registry, JobQueue& jobs, Options options);
+  LiveBinding(Document& document, const plugin::Registry& registry, JobQueue& jobs);
+  ~LiveBinding();
+  LiveBinding(const LiveBinding&) = delete;
+  LiveBinding& operator=(const LiveBinding&) = delete;
+
+  /// Which pose the organs take: the document's (the one to begin with), rest (editing handles at rest), or
+  /// another one
+  /// (`n x 3` in the order of the rig), for playing a sequence without touching the document. A given pose is
+  /// dropped for the document's when the rig changes. Throws `DataError` for a pose of another size or not
+  /// finite.
+  void showDocumentPose();
+  void showRest();
+  void showPose(const Points& pose);
+  /// Where the handles are shown, `n x 3`, in the order of the rig.
+  const Points& shownPose() const { return shownPose_; }
+
+  /// The organ's vertices now, `n x 3`. The reference holds until an event with `replaced`, or the organ is
+  /// removed.
+  const Points& points(OrganId organ) const;
+  /// The bound organ, or null when it is shown at rest because there is no binding.
+  deformation::Deformer* deformer(OrganId organ);
+  BindingStatus status(OrganId organ) const;
+  /// Volume at rest and now. Computed when asked for, O(triangles) after a move.
+  OrganVolume volume(OrganId organ);
+  /// The influence of a handle on every vertex, or empty when the organ is not bound to it.
+  Values influence(OrganId organ, HandleId handle) const;
+
+  /// Tries again for organs that are stale.
+  void rebind();
+  /// Whether any organ waits for a worker.
+  bool busy() const;
+
+  /// Tells what happened to an organ, after it.
+  [[nodiscard]] Subscription onEvent(std::function<void(const LiveEvent&)> observer);
+
+private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+  Points shownPose_;
+};
+
+} // namespace viscera::session

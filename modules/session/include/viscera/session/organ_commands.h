@@ -1,0 +1,29 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "viscera/session/command.h"
+
+namespace viscera::session {
+
+/// An organ on its way into a document.
+struct NewOrgan {
+  Organ organ; ///< From `makeOrgan`; its id is given when it is added, `parent` may name one there is.
+  int parentInBatch = -1; ///< Or the index of its parent among the organs added with it.
+};
+
+/// Adds organs behind those there are, in order. A name that is taken gets a number ("Liver 2").
+Command addOrgans(std::vector<NewOrgan> organs);
+
+/// Removes organs and the cavities inside them. Throws `UsageError` for an organ that is not there.
+Command removeOrgans(std::vector<OrganId> organs);
+
+/// Sets how an organ is shown. Throws `UsageError` for a colour or an opacity outside [0, 1]. Commands for
+/// the same organ that follow each other join one step until `UndoStack::seal`.
+Command setOrganLook(OrganId organ, OrganLook look);
+
+/// Gives an organ another name. Throws `UsageError` for an empty one.
+Command renameOrgan(OrganId organ, std::string name);
+
+} // namespace viscera::session

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "viscera/coordinates/handle_set.h"
+#include "viscera/core/arrays.h"
+#include "viscera/session/ids.h"
+
+namespace viscera::session {
+
+/// One handle at rest.
+struct Handle {
+  HandleId id;
+  std::string label;        ///< "H-1"; unique in the rig.
+  Vec3 rest = Vec3::Zero(); ///< mm, LPS.
+  bool locked = false;      ///< A locked handle is moved by no command, neither at rest nor in the pose.
+  bool visible = true;
+  std::string description; ///< Free text, kept for the files that have it.
+
+  friend bool operator==(const Handle&, const Handle&) = default;
+};
+
+/// A named set of handles. A handle may be in several groups (regions that overlap) or in none.
+struct Group {
+  GroupId id;
+  std::string name;              ///< Unique in the rig.
+  Vec3 color = {1.0, 0.5, 0.2};  ///< Red green blue, 0 to 1.
+  std::vector<HandleId> handles; ///< Each once, in the order of the rig.
+
+  friend bool operator==(const Group&, const Group&) = default;
+};
+
+/// The handles that all organs of a document share. The order of the handles is that of the rows of every
+/// pose.
+struct Rig {
+  std::vector<Handle> handles;
+  std::vector<Group> groups;
+
+  /// Rest positions, `n x 3` mm.
+  Points restPositions() const;
+  /// The row of a handle, or -1.
+  int indexOf(HandleId id) const;
+  /// The place of a group in `groups`, or -1.
+  int indexOf(GroupId id) const;
+  /// The handle with that label, or -1.
+  int indexOf(const std::string& label) const;
+  /// The first group that a handle is in (it gives the handle its colour), or null.
+  const Group* groupOf(HandleId id) const;
+
+  friend bool operator==(const Rig&, const Rig&) = default;
+};
+
+/// The rig as a coordinate system takes it: positions and groups, without a cage.
+coordinates::HandleSet handleSet(const Rig& rig);
+
+} // namespace viscera::session
