@@ -1,0 +1,89 @@
+# shellcheck shell=bash
+# What run.sh and test.sh share: the packages a machine needs, and the one build directory. Sourced, not run.
+# Everything said here goes to stderr, so that the output of `./run.sh info FILE --json` stays one JSON object.
+
+
+packages_to_build() {
+  printf '%s\n' cmake ninja-build g++ ccache \
+    libeigen3-dev libqhull-dev nlohmann-json3-dev libcli11-dev \
+    libvtk9-dev libvtk9-qt-dev qtbase5-dev libqt5svg5-dev \
+    libegl-dev libgl-dev libegl1 libgl1-mesa-dri
+}
+
+packages_to_test() {
+  printf '%s\n' libgtest-dev libgmock-dev libbenchmark-dev \
+    xvfb xauth xdotool clang-format-14
+}
+
+say() { printf '%s\n' "$*" >&2; }
+
+fail() {
+  say "$1"
+  exit "${2:-1}"
+}
+
+# Sets `missing` to those of the packages named that are not installed.
+find_missing() {
+  local package status
+  missing=()
+  for package in "$@"; do
+    status=$(dpkg-query --show --showformat='${db:Status-Status}' "$package" 2>/dev/null) || status=absent
+    [ "$status" = installed ] || missing+=("$package")
+  done
+}
+
+# Whether apt-get's lists are there and name every package asked for.
+lists_know() {
+  local package
+  for package in "$@"; do
+    [ -n "$(apt-cache show --no-all-versions "$package" 2>/dev/null)" ] || return 1
+  done
+}
+
+# Runs apt-get without questions, through sudo when not root.
+apt() {
+  local -a as_root=()
+  [ "$(id -u)" -eq 0 ] || as_root=(sudo)
+  "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get --quiet --yes "$@" >&2
+}
+
+# install_packages NAME...: says which of the packages are missing and installs them.
+install_packages() {
+  if ! command -v apt-get >/dev/null || ! command -v dpkg-query >/dev/null; then
+    say "This is not Debian or Ubuntu, so nothing is installed. The build needs what these packages hold: $*"
+    return 0
+  fi
+  local -a missing
+  find_missing "$@"
+  [ "${#missing[@]}" -gt 0 ] || return 0
+  say "Installing the packages that are missing: ${missing[*]}"
+  if [ "$(id -u)" -ne 0 ]; then
+    command -v sudo >/dev/null ||
+      fail "Only root can install them and there is no sudo. As root: apt-get install ${missing[*]}" 69
+    say "(with sudo, which may ask for your password)"
+  fi
+  if ! lists_know "${missing[@]}"; then
+    say "apt-get's package lists are missing or old: apt-get update"
+    apt update
+  fi
+  # Lists from another day may name versions that the mirror no longer has; fresh ones mend that.
+  if ! apt install --no-install-recommends "${missing[@]}"; then
+    say "Once more, with fresh package lists"
+    apt update
+    apt install --no-install-recommends "${missing[@]}" || fail "apt-get could not install: ${missing[*]}" 69
+  fi
+}
+
+# use_shared_cache SOURCE_DIRECTORY: ccache finds the same source again in another build directory and wherever the project lies.
+use_shared_cache() {
+  export CCACHE_BASEDIR=$1 CCACHE_NOHASHDIR=1
+}
+
+# configure_and_build SOURCE_DIRECTORY BUILD_DIRECTORY [CMAKE_OPTION...]
+configure_and_build() {
+  local source_directory=$1 build_directory=$2
+  shift 2
+  use_shared_cache "$source_directory"
+  cmake -S "$source_directory" -B "$build_directory" -G Ninja -DCMAKE_BUILD_TYPE=Release "$@" >&2
+  cmake --build "$build_directory" >&2
+}

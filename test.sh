@@ -1,0 +1,67 @@
+#!/usr/bin/env bash
+# Builds and runs every test of Viscera, installing what that needs on Debian 12 or Ubuntu 24.04. Ends with the summary
+# of ctest; the exit status is 0 only when everything passed.
+#   ./test.sh                 everything
+#   ./test.sh CTEST_OPTION... a part: ./test.sh -R geometry, ./test.sh -L gui
+set -euo pipefail
+root=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")" && pwd)
+readonly root
+# shellcheck source=resources/scripts/prepare.sh
+source "$root/resources/scripts/prepare.sh"
+
+readonly build=$root/build/release
+jobs=$(nproc)
+readonly jobs
+
+# A virtual display for the tests of the window, on a number that is free; ended with the script.
+display_pid=
+stop_display() {
+  kill "$display_pid" 2>/dev/null || return 0
+  wait "$display_pid" 2>/dev/null || true
+}
+
+start_display() {
+  local number_file=$build/display
+  : >"$number_file"
+  Xvfb -displayfd 3 -screen 0 1920x1200x24 -nolisten tcp 3>"$number_file" >"$build/xvfb.log" 2>&1 &
+  display_pid=$!
+  trap stop_display EXIT
+  local waited
+  for ((waited = 0; waited < 300; ++waited)); do
+    [ ! -s "$number_file" ] || break
+    kill -0 "$display_pid" 2>/dev/null || break
+    sleep 0.1
+  done
+  [ -s "$number_file" ] || fail "Xvfb did not start; it says: $(cat "$build/xvfb.log")"
+  DISPLAY=:$(<"$number_file")
+  export DISPLAY
+  unset WAYLAND_DISPLAY XAUTHORITY
+}
+
+# Tests neither read nor change the settings of whoever runs them; pictures are drawn by Mesa's software renderer, the
+# same on every machine.
+use_own_environment() {
+  local home=$build/test_home
+  rm -rf -- "$home/config" "$home/state"
+  mkdir -p "$home"/{config,state,cache,runtime}
+  chmod 700 "$home/runtime"
+  export XDG_CONFIG_HOME=$home/config XDG_STATE_HOME=$home/state XDG_CACHE_HOME=$home/cache
+  export XDG_RUNTIME_DIR=$home/runtime LIBGL_ALWAYS_SOFTWARE=1 QT_QPA_PLATFORM=xcb
+}
+
+mapfile -t packages < <(packages_to_build && packages_to_test)
+install_packages "${packages[@]}"
+
+if [ "$#" -eq 0 ]; then
+  say "== The numerical modules alone, without VTK and Qt"
+  use_shared_cache "$root"
+  (cd "$root" && cmake --preset core-only && cmake --build --preset core-only) >&2
+  ctest --test-dir "$root/build/core-only" --parallel "$jobs" --output-on-failure --no-tests=error
+fi
+
+say "== Everything"
+configure_and_build "$root" "$build" \
+  -DVISCERA_WERROR=ON -DVISCERA_BUILD_TESTS=ON -DVISCERA_BUILD_BENCHMARKS=ON
+use_own_environment
+start_display
+ctest --test-dir "$build" --parallel "$jobs" --output-on-failure --no-tests=error "$@"
