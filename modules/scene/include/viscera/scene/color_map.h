@@ -1,0 +1,47 @@
+#pragma once
+
+#include <string>
+
+#include <vtkSmartPointer.h>
+
+#include "viscera/core/arrays.h"
+
+class vtkLookupTable;
+
+namespace viscera::scene {
+
+/// A scale of colours for numbers. Both maps rise evenly in lightness (or away from the middle) and can be
+/// told apart by readers who are colour-blind.
+struct ColorMap {
+  std::string name; ///< "viridis"
+  Colors colors;    ///< `k x 3`, from the lowest value to the highest, k >= 2.
+};
+
+/// The numbers at the two ends of a map.
+struct ValueRange {
+  double low = 0;
+  double high = 1;
+};
+
+/// Dark blue over green to yellow, for amounts (influence, stress): 256 colours interpolated between samples
+/// of matplotlib's viridis (Smith and van der Walt, CC0).
+ColorMap viridis();
+
+/// Blue over light grey to red, for signed values: 256 colours computed in Msh space after Moreland,
+/// "Diverging Color Maps for Scientific Visualization", 2009, DOI 10.1007/978-3-642-10520-3_9.
+ColorMap diverging();
+
+/// The two maps by name; throws `UsageError` that lists them for any other.
+ColorMap colorMapByName(const std::string& name);
+
+/// From the smallest to the largest finite value; widened a little when they are equal, {0, 1} when there is
+/// none. O(n).
+ValueRange rangeOf(const Values& values);
+/// The smallest range symmetric about zero that holds every finite value: for `diverging`. O(n).
+ValueRange symmetricRangeOf(const Values& values);
+
+/// A lookup table with those colours; values beyond the range take the end colours, values that are not
+/// numbers grey.
+vtkSmartPointer<vtkLookupTable> lookupTable(const ColorMap& map, ValueRange range);
+
+} // namespace viscera::scene

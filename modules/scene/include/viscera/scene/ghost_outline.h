@@ -1,0 +1,39 @@
+#pragma once
+
+#include <memory>
+
+#include "viscera/geometry/triangle_mesh.h"
+
+class vtkProp;
+class vtkRenderer;
+
+namespace viscera::scene {
+
+/// The outline of a surface as a thin translucent line that follows the camera: the rest shape behind a pose.
+/// Belongs to the thread that renders.
+///
+/// The line is where the interpolated normal is perpendicular to the line of sight (Hertzmann and Zorin,
+/// "Illustrating Smooth Surfaces", 2000, DOI 10.1145/344779.345074), so it is smooth where the triangles are
+/// coarse.
+class GhostOutline {
+public:
+  explicit GhostOutline(std::shared_ptr<const geometry::TriangleMesh> mesh);
+  ~GhostOutline();
+  GhostOutline(const GhostOutline&) = delete;
+  GhostOutline& operator=(const GhostOutline&) = delete;
+
+  /// Draws in `renderer` from now on, and follows its camera. Null: nowhere.
+  void setRenderer(vtkRenderer* renderer);
+  void setColor(const Vec3& color);
+  void setOpacity(double opacity);
+  void setVisible(bool visible);
+  bool visible() const;
+
+  vtkProp* prop() const;
+
+private:
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
+};
+
+} // namespace viscera::scene

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "viscera/scene/color_map.h"
+#include "viscera/scene/theme.h"
+
+class vtkRenderer;
+
+namespace viscera::scene {
+
+/// A scale bar of colours with title, unit and at most six ticks at round numbers, at the right edge of a
+/// view. Keeps its size in logical pixels, and follows the window's size and DPI. Belongs to the thread that
+/// renders.
+class Legend {
+public:
+  Legend();
+  ~Legend();
+  Legend(const Legend&) = delete;
+  Legend& operator=(const Legend&) = delete;
+
+  /// Draws in `renderer` from now on. Null: nowhere.
+  void setRenderer(vtkRenderer* renderer);
+  void setTheme(const Theme& theme);
+
+  /// What the colours mean: "Influence of H-7", unit "%" or empty.
+  void show(const std::string& title, const std::string& unit, const ColorMap& map, ValueRange range);
+  void hide();
+  bool visible() const;
+
+private:
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
+};
+
+/// Round numbers (1, 2 or 5 times a power of ten apart) inside a range: at most `most` of them, ascending.
+std::vector<double> niceTicks(ValueRange range, int most = 6);
+
+/// A tick's label with just the digits that tell it from its neighbours: "0.25", "-3", "1.2e-06".
+std::string tickLabel(double value, double spacing);
+
+} // namespace viscera::scene

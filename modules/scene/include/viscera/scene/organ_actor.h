@@ -1,0 +1,89 @@
+#pragma once
+
+#include <memory>
+
+#include <vtkSmartPointer.h>
+
+#include "viscera/core/parallel.h"
+#include "viscera/geometry/normals.h"
+#include "viscera/geometry/triangle_mesh.h"
+#include "viscera/scene/color_map.h"
+
+class vtkActor;
+class vtkPlane;
+class vtkPolyData;
+
+namespace viscera::scene {
+
+/// One organ's surface on the screen. VTK looks at the mesh's own memory: points, triangles, vertex colours,
+/// normals and scalars are never copied on the processor's side. Belongs to the thread that renders.
+///
+/// An organ that is posed by a `deformation::Deformer` shows the deformer's points; the aliasing constructor
+/// of `shared_ptr` keeps the deformer alive as long as they are drawn:
+///
+///     actor.setPoints(std::shared_ptr<const Points>(deformer, &deformer->points()));
+///     deformer->setPose(pose);
+///     actor.pointsChanged();
+class OrganActor {
+public:
+  /// Draws `mesh`, with its vertex colours when it has some. O(n + m) once.
+  explicit OrganActor(std::shared_ptr<const geometry::TriangleMesh> mesh, Threads threads = {});
+  ~OrganActor();
+  OrganActor(const OrganActor&) = delete;
+  OrganActor& operator=(const OrganActor&) = delete;
+
+  const geometry::TriangleMesh& mesh() const;
+
+  /// Draws these points (`n x 3`, mm; as many as the mesh has) in place of the mesh's own, without a copy;
+  /// null goes back to the mesh's own. Implies `pointsChanged`.
+  void setPoints(std::shared_ptr<const Points> points);
+  const Points& points() const;
+
+  /// Computes the normals of the points as they are now and tells VTK that both have changed. Call after
+  /// every change of the points, before the next render. Follows an array that has moved in memory. O(n + m),
+  /// on several threads.
+  void pointsChanged();
+
+  /// The normals that are drawn, `n x 3`.
+  const geometry::Normals& normals() const;
+  /// The box of the points that are drawn. O(n).
+  Bounds bounds() const;
+
+  /// One colour, red green blue, 0 to 1: used where neither vertex colours nor scalars are shown.
+  void setColor(const Vec3& color);
+  Vec3 color() const;
+  /// Shows or hides the mesh's own vertex colours. Nothing happens when it has none.
+  void setVertexColorsShown(bool shown);
+  bool vertexColorsShown() const;
+
+  /// 0 to 1; below 1 the surface is drawn translucent and does not hide handles.
+  void setOpacity(double opacity);
+  double opacity() const;
+  void setVisible(bool visible);
+  bool visible() const;
+  /// Selected organs are drawn a little lighter.
+  void setSelected(bool selected);
+  bool selected() const;
+
+  /// Cuts away what lies on the negative side of a plane (`normal` need not be unit). Replaces an earlier
+  /// plane.
+  void setClipPlane(const Vec3& origin, const Vec3& normal);
+  void clearClipPlane();
+
+  /// Colours the surface by one number a vertex (an influence, a stress), without a copy. Throws `UsageError`
+  /// when their count is not the mesh's.
+  void showScalars(std::shared_ptr<const Values> values, const ColorMap& map, ValueRange range);
+  /// Call when the numbers behind `showScalars` have changed. O(1).
+  void scalarsChanged();
+  void hideScalars();
+  bool scalarsShown() const;
+
+  vtkActor* actor() const;
+  vtkPolyData* polyData() const;
+
+private:
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
+};
+
+} // namespace viscera::scene

@@ -1,0 +1,95 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "viscera/scene/constraint_glyph.h"
+#include "viscera/scene/legend.h"
+#include "viscera/scene/organ_actor.h"
+#include "viscera/scene/surface_pick.h"
+#include "viscera/scene/theme.h"
+
+class vtkRenderer;
+class vtkRenderWindow;
+class vtkRenderWindowInteractor;
+class vtkVisceraHandleSetRepresentation;
+class vtkVisceraHandleSetWidget;
+
+namespace viscera::scene {
+
+/// Where the camera looks from. In the anterior view the reader faces the patient: the patient's left is on
+/// the right.
+enum class StandardView { anterior, posterior, left, right, superior, inferior };
+
+/// "anterior" and so on. Throws `UsageError` that lists them for anything else.
+StandardView standardViewFromName(const std::string& name);
+std::string nameOf(StandardView view);
+
+/// The 3D view: renderer, lights, background, camera, orientation cube, scale bar, legend, handles. It draws
+/// into any vtkRenderWindow (Qt's, a plain one, a surfaceless one) and reads the density of the screen from
+/// the window's DPI (72 DPI is one device pixel a logical pixel). Belongs to the thread that renders.
+class OrganView {
+public:
+  OrganView();
+  ~OrganView();
+  OrganView(const OrganView&) = delete;
+  OrganView& operator=(const OrganView&) = delete;
+
+  /// Draws in `window`: adds the renderers and chooses how edges are smoothed (multisampling on a graphics
+  /// processor, FXAA on a software renderer, where eight samples cost five times the frame). Null leaves the
+  /// present window; the window has to outlive the view or be left first.
+  void setWindow(vtkRenderWindow* window);
+  vtkRenderWindow* window() const;
+  /// Gives the interactor our mouse (left rotates, middle or Shift+left pans, right drag or wheel zooms; no
+  /// single-letter keys) and enables the handle widget on it. Null: none.
+  void setInteractor(vtkRenderWindowInteractor* interactor);
+  vtkRenderer* renderer() const;
+
+  void setTheme(const Theme& theme);
+  const Theme& theme() const;
+
+  /// Organs in the view; they hide handles while opaque. Adding one twice or removing an unknown one does
+  /// nothing.
+  void add(std::shared_ptr<OrganActor> organ);
+  void remove(const std::shared_ptr<OrganActor>& organ);
+  void clear();
+  const std::vector<std::shared_ptr<OrganActor>>& organs() const;
+  /// Box of the visible organs; of all handles when there is none. O(vertices).
+  Bounds bounds() const;
+
+  /// Puts the camera to look at the middle of what is shown, and frames it.
+  void lookFrom(StandardView view);
+  void lookFrom(StandardView view, const Bounds& bounds);
+  /// Keeps the direction of sight and brings the box into the picture with a small margin.
+  void frame(const Bounds& bounds);
+  void frame();
+
+  vtkVisceraHandleSetRepresentation* handles() const;
+  vtkVisceraHandleSetWidget* handleWidget() const;
+  ConstraintGlyph& constraint();
+  Legend& legend();
+
+  void setOrientationCubeShown(bool shown);
+  void setScaleBarShown(bool shown);
+
+  /// Edge smoothing by FXAA; `setWindow` sets a default.
+  void setFxaa(bool on);
+
+  /// What is under a display position (device pixels from the lower left corner).
+  std::optional<SurfacePick> pick(double x, double y) const;
+
+private:
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
+};
+
+/// Device pixels in a logical pixel: the window's DPI over 72, at least 1.
+double pixelRatioOf(vtkRenderWindow* window);
+
+/// Whether a window renders on the processor (llvmpipe, softpipe, swrast, SWR). The window's context has to
+/// exist: call it after the first render or `Start()`.
+bool rendersInSoftware(vtkRenderWindow* window);
+
+} // namespace viscera::scene

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <vector>
+
+#include <vtkSmartPointer.h>
+
+class vtkImageData;
+class vtkRenderWindow;
+
+namespace viscera::scene {
+
+/// Renders `window` and returns the picture: 8 bits, three components, first row at the bottom as VTK has it.
+vtkSmartPointer<vtkImageData> grabPicture(vtkRenderWindow* window);
+
+/// Writes a PNG: to a temporary file beside it first, then renamed. Throws `CannotCreateError`. May be called
+/// from any thread with a picture of its own.
+void writePng(const std::filesystem::path& file, vtkImageData* picture);
+
+/// Renders and writes in one call.
+void savePicture(vtkRenderWindow* window, const std::filesystem::path& file);
+
+/// Reads a PNG as `grabPicture` would have given it. Throws `NoInputError` or `DataError`.
+vtkSmartPointer<vtkImageData> readPng(const std::filesystem::path& file);
+
+/// How two pictures differ.
+struct PictureDifference {
+  double mean = 0;      ///< Mean absolute difference over pixels and channels, 0 to 255.
+  double differing = 0; ///< Part of the pixels in which a channel differs by more than the threshold, 0 to 1.
+};
+
+/// Compares pictures of one size; of different sizes `differing` is 1 and `mean` 255.
+PictureDifference comparePictures(vtkImageData* a, vtkImageData* b, int threshold = 24);
+
+} // namespace viscera::scene

@@ -1,0 +1,68 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "viscera/scene/color_map.h"
+#include "viscera/scene/theme.h"
+
+class vtkRenderWindow;
+class vtkRenderWindowInteractor;
+
+namespace viscera::scene {
+
+/// One curve of a chart.
+struct ChartLine {
+  std::string name;              ///< "LV"
+  Vec3 color = {0.3, 0.7, 0.75}; ///< Red green blue, 0 to 1.
+  bool hasNormalBand = false;    ///< Whether `normal` is drawn as a pale band behind the curve.
+  ValueRange normal;             ///< What healthy people have, in the chart's unit.
+};
+
+/// Curves over time that grow while a sequence plays: volumes in ml, usually. Draws into any vtkRenderWindow,
+/// which it has for itself. Nothing is drawn until the window is rendered: the caller decides how often (some
+/// 10 Hz is enough; a frame costs about 30 ms in software). Belongs to the thread that renders.
+class VolumeChart {
+public:
+  VolumeChart();
+  ~VolumeChart();
+  VolumeChart(const VolumeChart&) = delete;
+  VolumeChart& operator=(const VolumeChart&) = delete;
+
+  /// Draws in `window`. Null leaves the present one.
+  void setWindow(vtkRenderWindow* window);
+  void setTheme(const Theme& theme);
+  /// "Time", "s", "Volume", "ml".
+  void setAxes(const std::string& xTitle, const std::string& xUnit, const std::string& yTitle,
+               const std::string& yUnit);
+
+  /// Starts over with these curves, all empty.
+  void setLines(const std::vector<ChartLine>& lines);
+  void setLineShown(int line, bool shown);
+  int lineCount() const;
+
+  /// Adds one point to every curve; `values` has one number a curve (not a number: a gap). Times that go back
+  /// drop what came after them: a sequence that starts again. Amortised O(lines).
+  void append(double seconds, const Values& values);
+  void clear();
+  int pointCount() const;
+
+  /// How much of the past is kept and shown, s; older points are dropped. Default 10.
+  void setTimeSpan(double seconds);
+  /// A fixed time axis, for a cycle that is known as a whole; `append` then drops nothing.
+  void setTimeRange(ValueRange seconds);
+
+  /// A vertical line at a time, s.
+  void setCursor(double seconds);
+  void hideCursor();
+
+  /// Brings the axes up to date with the points; called by the caller before it renders. O(points).
+  void update();
+
+private:
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
+};
+
+} // namespace viscera::scene

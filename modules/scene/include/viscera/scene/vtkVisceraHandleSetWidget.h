@@ -1,0 +1,82 @@
+#pragma once
+
+#include <vtkAbstractWidget.h>
+#include <vtkCommand.h>
+
+#include "viscera/scene/handle_event.h"
+
+class vtkVisceraHandleSetRepresentation;
+
+/**
+ * One widget for all handles of a view.
+ *
+ * Left drag moves the handle under the cursor, or the whole selection when it is part of it. A click selects
+ * it alone; with Shift or Ctrl it joins or leaves the selection. Escape during a drag puts everything back.
+ * Where no handle is under the cursor the events go on to the camera. The widget never renders on a mouse
+ * move that changes nothing.
+ *
+ * Events (call data: `viscera::scene::HandleEvent`), in the order of one drag:
+ *
+ *   HandleHoveredEvent    another handle, or none, is under the cursor
+ *   SelectionChangedEvent only if the click changed it
+ *   HandleGrabbedEvent    a handle is in the hand; the place to set a constraint plane
+ *   HandleMovedEvent      for every mouse move that changed positions; the listener may set other positions
+ *   HandleReleasedEvent   the drag is over, or
+ *   HandleCancelledEvent  it was cancelled: positions are restored, and one HandleMovedEvent came before
+ *
+ * VTK's own StartInteraction, Interaction and EndInteraction events come with them. The last frame's work
+ * (deforming, volume, chart) belongs into the listener of HandleMovedEvent; the widget renders once after it.
+ */
+class vtkVisceraHandleSetWidget : public vtkAbstractWidget {
+public:
+  static vtkVisceraHandleSetWidget* New();
+  vtkTypeMacro(vtkVisceraHandleSetWidget, vtkAbstractWidget);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  enum {
+    HandleHoveredEvent = vtkCommand::UserEvent + 7100,
+    HandleGrabbedEvent,
+    HandleMovedEvent,
+    HandleReleasedEvent,
+    HandleCancelledEvent,
+    SelectionChangedEvent
+  };
+
+  void SetRepresentation(vtkVisceraHandleSetRepresentation* representation);
+  vtkVisceraHandleSetRepresentation* GetHandleSet();
+  void CreateDefaultRepresentation() override;
+  /// Disabling cancels a drag.
+  void SetEnabled(int enabled) override;
+
+  /// Whether the widget asks the interactor to render after a change (on by default). Off: the listeners do.
+  vtkSetMacro(RenderOnChange, bool);
+  vtkGetMacro(RenderOnChange, bool);
+
+  bool IsDragging() const { return Dragging; }
+  /// As Escape. Nothing happens when nothing is dragged.
+  void CancelDrag();
+  /// Replaces the selection and tells the listeners when it changed.
+  void Select(std::vector<int> selection);
+
+protected:
+  vtkVisceraHandleSetWidget();
+  ~vtkVisceraHandleSetWidget() override;
+
+private:
+  vtkVisceraHandleSetWidget(const vtkVisceraHandleSetWidget&) = delete;
+  void operator=(const vtkVisceraHandleSetWidget&) = delete;
+
+  static void PressAction(vtkAbstractWidget* widget);
+  static void MoveAction(vtkAbstractWidget* widget);
+  static void ReleaseAction(vtkAbstractWidget* widget);
+  static void EscapeAction(vtkAbstractWidget* widget);
+  void Hover(int x, int y);
+  void Drag(int x, int y);
+  void EndDrag(bool cancelled);
+  void Tell(unsigned long event);
+  void RenderAfterChange();
+
+  bool RenderOnChange = true;
+  bool Dragging = false;
+  bool Moved = false;
+};
