@@ -1,0 +1,43 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <iosfwd>
+
+namespace viscera {
+
+/// A file on its way: written under another name in the same folder, and renamed when it is complete. A
+/// cancelled job, an error or a full disk leave what was there before, and nothing half-written. For one
+/// thread.
+///
+/// A target that is there and is no regular file (`/dev/stdout`, a pipe) cannot be renamed over: it is
+/// written to directly.
+class AtomicFile {
+public:
+  /// Creates the temporary file, empty. Throws `CannotCreateError` when the folder does not exist or may not
+  /// be written to, or when `target` is a folder.
+  explicit AtomicFile(std::filesystem::path target);
+  /// Removes the temporary file unless `commit` was called.
+  ~AtomicFile();
+  AtomicFile(const AtomicFile&) = delete;
+  AtomicFile& operator=(const AtomicFile&) = delete;
+
+  /// What to write to. It ends like the target, for writers that choose the format by the name.
+  const std::filesystem::path& temporary() const { return temporary_; }
+
+  /// Brings the contents to the disk and gives them the target's name. The writer has closed the file and
+  /// checked that everything was written. Throws `CannotCreateError`.
+  void commit();
+
+private:
+  std::filesystem::path target_;
+  std::filesystem::path temporary_;
+  bool direct_ = false;
+  bool committed_ = false;
+};
+
+/// Writes a whole file by `write`, which gets a binary stream, or leaves what was there before. Throws
+/// `CannotCreateError` when the stream fails (a full disk), and whatever `write` throws.
+void writeAtomically(const std::filesystem::path& target, const std::function<void(std::ostream&)>& write);
+
+} // namespace viscera
