@@ -26,6 +26,13 @@ public:
     return AnyId{++last_};
   }
 
+  /// Never hands out `id` any more: it came with a document that was loaded.
+  template <class AnyId>
+  void reserve(AnyId id) {
+    if (id.value > last_)
+      last_ = id.value;
+  }
+
 private:
   std::int64_t last_ = 0;
 };

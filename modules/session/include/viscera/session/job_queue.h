@@ -37,8 +37,7 @@ struct JobInfo {
 /// the constructor.
 class JobQueue {
 public:
-  /// Runs a function later on the main thread. Called from any thread; must not call the function at once,
-  /// except from the main thread.
+  /// Runs a function later on the main thread. Called from any thread; never calls the function at once.
   using Post = std::function<void(std::function<void()>)>;
 
   /// `workers` threads, at least one. More than one is rarely useful: the work itself uses all of the

@@ -76,8 +76,10 @@ public:
   void showRest();
   void showPose(const Points& pose);
   /// Where the handles are shown, `n x 3`, in the order of the rig.
-  const Points& shownPose() const { return shownPose_; }
+  const Points& shownPose() const;
 
+  /// What follows throws `UsageError` for an organ that the document does not have.
+  ///
   /// The organ's vertices now, `n x 3`. The reference holds until an event with `replaced`, or the organ is
   /// removed.
   const Points& points(OrganId organ) const;
@@ -94,13 +96,14 @@ public:
   /// Whether any organ waits for a worker.
   bool busy() const;
 
-  /// Tells what happened to an organ, after it.
+  /// Tells what happened to an organ, after everything that one change did. An organ that is new to the
+  /// document is told with `replaced` and `status`, possibly before other observers of the document know of
+  /// it.
   [[nodiscard]] Subscription onEvent(std::function<void(const LiveEvent&)> observer);
 
 private:
   struct Impl;
   std::unique_ptr<Impl> impl_;
-  Points shownPose_;
 };
 
 } // namespace viscera::session

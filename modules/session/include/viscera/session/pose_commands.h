@@ -21,9 +21,4 @@ Command resetPose();
 /// These handles back to rest, exactly, unless they are locked.
 Command resetHandles(std::vector<HandleId> handles);
 
-/// Chooses the coordinates and their parameters, checked by whoever knows the systems: `LiveBinding` shows
-/// what a system does not accept. Commands for the same system that follow each other join one step until
-/// `UndoStack::seal`.
-Command setSystem(SystemChoice choice);
-
 } // namespace viscera::session

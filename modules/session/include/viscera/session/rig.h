@@ -51,6 +51,9 @@ struct Rig {
   friend bool operator==(const Rig&, const Rig&) = default;
 };
 
+/// What a user calls these handles: "handle H-3", or "5 handles".
+std::string describe(const Rig& rig, const std::vector<HandleId>& handles);
+
 /// The rig as a coordinate system takes it: positions and groups, without a cage.
 coordinates::HandleSet handleSet(const Rig& rig);
 

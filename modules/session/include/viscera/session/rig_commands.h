@@ -7,7 +7,7 @@
 #include "viscera/core/arrays.h"
 #include "viscera/session/command.h"
 
-/// Commands that change the handles at rest and their groups. All of them throw `DataError` for positions
+/// Commands that change the handles at rest. All of them throw `DataError` for positions
 /// that are not finite and for two handles at one place (closer than `kSamePlace` of the rig's size), and
 /// `UsageError` for handles and groups that are not there.
 namespace viscera::session {
@@ -68,22 +68,6 @@ struct HandleEdit {
   std::optional<bool> locked;
   std::optional<bool> visible;
 };
-Command editHandles(std::vector<HandleId> handles, HandleEdit edit);
-
-/// Adds a group of handles that are there. Throws `UsageError` for a name that is empty or taken.
-Command addGroup(std::string name, Vec3 color, std::vector<HandleId> handles);
-/// Removes a group; its handles stay.
-Command removeGroup(GroupId group);
-/// A name, a colour, other members. What is not given stays. Colours that follow each other join one step
-/// until `UndoStack::seal`.
-struct GroupEdit {
-  std::optional<std::string> name;
-  std::optional<Vec3> color;
-  std::optional<std::vector<HandleId>> handles;
-};
-Command editGroup(GroupId group, GroupEdit edit);
-/// Puts handles into a group, or takes them out of it.
-Command addToGroup(GroupId group, std::vector<HandleId> handles);
-Command removeFromGroup(GroupId group, std::vector<HandleId> handles);
+Command editHandles(std::vector<HandleId> handles, HandleEdit change);
 
 } // namespace viscera::session

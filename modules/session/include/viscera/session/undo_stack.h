@@ -66,7 +66,7 @@ private:
     DocumentState after;
   };
 
-  void push(Entry entry);
+  void push(Entry entry, bool merge);
   bool merges(const Command& command) const;
 
   Document& document_;

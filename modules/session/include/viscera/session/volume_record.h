@@ -9,7 +9,7 @@ namespace viscera::session {
 /// Volumes over time, for the chart and for tables: one row an instant, one column a surface. For one thread.
 class VolumeRecord {
 public:
-  /// Keeps the last `capacity` rows; 0 keeps all.
+  /// Keeps the last `capacity` rows at least, twice as many at most; 0 keeps all.
   explicit VolumeRecord(std::vector<std::string> names = {}, std::size_t capacity = 0);
 
   /// Adds a row; `milliliters` has one number for each name. A time that is not later than the last one
