@@ -1,0 +1,61 @@
+#include "binding_target.h"
+
+#include <algorithm>
+
+#include "viscera/core/error.h"
+
+namespace viscera::session {
+namespace {
+
+/// Fewer handles span no volume.
+constexpr std::size_t kFewestHandles = 4;
+
+bool sameGroups(const coordinates::HandleSet& a, const coordinates::HandleSet& b) {
+  return std::equal(a.groups.begin(), a.groups.end(), b.groups.begin(), b.groups.end(),
+                    [](const coordinates::HandleGroup& x, const coordinates::HandleGroup& y) {
+                      return x.name == y.name && x.handles == y.handles;
+                    });
+}
+
+} // namespace
+
+BindingTarget makeTarget(const DocumentState& state, const plugin::Registry& registry) {
+  BindingTarget target;
+  target.parameters = state.system->parameters;
+  target.handles = handleSet(*state.rig);
+  for (const Handle& handle : state.rig->handles)
+    target.ids.push_back(handle.id);
+  try {
+    target.system = registry.find(state.system->id);
+    target.parameters.requireWithin(target.system->parameters());
+  } catch (const Error& error) {
+    target.system.reset();
+    target.problem = error.what();
+  }
+  return target;
+}
+
+bool sameBinding(const BindingTarget& a, const BindingTarget& b) {
+  const bool groupsMatter =
+      (a.system && a.system->traits().usesGroups) || (b.system && b.system->traits().usesGroups);
+  return a.system == b.system && a.problem == b.problem && a.ids == b.ids &&
+         a.handles.positions == b.handles.positions && a.parameters.all() == b.parameters.all() &&
+         (!groupsMatter || sameGroups(a.handles, b.handles));
+}
+
+std::optional<BindingFailure> whyNot(const BindingTarget& target) {
+  const std::size_t count = target.ids.size();
+  if (count == 0)
+    return BindingFailure{BindingStatus::State::unbound, {}, 0};
+  if (count < kFewestHandles) {
+    const std::size_t missing = kFewestHandles - count;
+    return BindingFailure{
+        BindingStatus::State::unbound,
+        "An organ needs at least four handles around it: add " + std::to_string(missing) + " more", 0};
+  }
+  if (!target.system)
+    return BindingFailure{BindingStatus::State::failed, target.problem, 0};
+  return std::nullopt;
+}
+
+} // namespace viscera::session

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "viscera/coordinates/coordinate_system.h"
+#include "viscera/plugin/registry.h"
+#include "viscera/session/document.h"
+#include "viscera/session/live_binding.h"
+
+namespace viscera::session {
+
+/// Everything about a binding but the organ: what all organs of a document are to be bound to.
+struct BindingTarget {
+  std::shared_ptr<const coordinates::CoordinateSystem> system; ///< Null when there is none of that id.
+  std::string problem;                                         ///< Why there is none.
+  coordinates::ParameterValues parameters;
+  coordinates::HandleSet handles;
+  std::vector<HandleId> ids; ///< Of the rows of `handles.positions`.
+};
+
+BindingTarget makeTarget(const DocumentState& state, const plugin::Registry& registry);
+
+/// Whether a binding to one is as good as a binding to the other. Groups count only where the system looks at
+/// them.
+bool sameBinding(const BindingTarget& a, const BindingTarget& b);
+
+/// Why an organ has no binding, in the words of its status.
+struct BindingFailure {
+  BindingStatus::State state = BindingStatus::State::failed;
+  std::string message;
+  int outsideHull = 0;
+};
+
+/// What is wrong with a target before any organ is looked at, if anything.
+std::optional<BindingFailure> whyNot(const BindingTarget& target);
+
+} // namespace viscera::session

@@ -1,0 +1,174 @@
+#include "viscera/session/open_files.h"
+
+#include <algorithm>
+#include <cctype>
+#include <map>
+#include <set>
+#include <tuple>
+#include <utility>
+
+#include "viscera/core/error.h"
+#include "viscera/geometry/convex_hull.h"
+#include "viscera/medical_io/surface_file.h"
+
+namespace viscera::session {
+namespace {
+
+std::string lowerName(const std::filesystem::path& file) {
+  std::string name = file.filename().string();
+  std::transform(name.begin(), name.end(), name.begin(), [](unsigned char c) { return std::tolower(c); });
+  return name;
+}
+
+bool endsWith(const std::string& text, const std::string& ending) {
+  return text.size() >= ending.size() &&
+         text.compare(text.size() - ending.size(), ending.size(), ending) == 0;
+}
+
+void requireKnown(const std::filesystem::path& file) {
+  const auto& extensions = medical_io::surfaceExtensions();
+  const std::string name = lowerName(file);
+  if (isHandleFile(file) || std::any_of(extensions.begin(), extensions.end(),
+                                        [&](const std::string& e) { return endsWith(name, e); }))
+    return;
+  std::string known = ".mrk.json";
+  for (const std::string& extension : extensions)
+    known += ", " + extension;
+  throw UsageError("Nothing is known about files of this kind", file.string(), "use one of " + known);
+}
+
+void addWarnings(std::vector<std::string>& all, const std::filesystem::path& file,
+                 const std::vector<std::string>& warnings) {
+  for (const std::string& warning : warnings)
+    all.push_back(file.filename().string() + ": " + warning);
+}
+
+/// "LV" for "lv", "Outer wall" for "outer wall": the definitions' names are written small.
+std::string displayName(std::string name) {
+  constexpr std::size_t kLongestAbbreviation = 3;
+  const std::size_t upper = name.size() <= kLongestAbbreviation ? name.size() : 1;
+  for (std::size_t i = 0; i < upper; ++i)
+    name[i] = static_cast<char>(std::toupper(static_cast<unsigned char>(name[i])));
+  std::replace(name.begin(), name.end(), '_', ' ');
+  return name;
+}
+
+} // namespace
+
+bool isHandleFile(const std::filesystem::path& file) {
+  return endsWith(lowerName(file), ".mrk.json");
+}
+
+Organ readOrgan(const std::filesystem::path& file) {
+  medical_io::SurfaceFile surface = medical_io::readSurface(file);
+  const std::string name = surface.name.empty() ? file.stem().string() : surface.name;
+  Organ organ = makeOrgan(name, std::move(surface.mesh));
+  organ.file = file;
+  std::vector<std::string> warnings = std::move(surface.warnings);
+  if (!surface.spaceStated)
+    warnings.push_back("the file does not say which axes it uses; left-posterior-superior is assumed");
+  organ.warnings.insert(organ.warnings.begin(), warnings.begin(), warnings.end());
+  return organ;
+}
+
+OpenedFiles openFiles(const std::vector<std::filesystem::path>& files, Progress& progress) {
+  if (files.empty())
+    throw UsageError("There is no file to open");
+  if (std::count_if(files.begin(), files.end(), isHandleFile) > 1)
+    throw UsageError("Two handle files cannot be opened at a time", {}, "choose one of them");
+  for (const auto& file : files)
+    requireKnown(file);
+  OpenedFiles opened;
+  std::vector<NewOrgan> organs;
+  std::vector<Command> commands;
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    progress.report(static_cast<double>(i) / static_cast<double>(files.size()), files[i].filename().string());
+    progress.throwIfCancelled();
+    if (isHandleFile(files[i])) {
+      const medical_io::HandleFile handles = medical_io::readHandles(files[i]);
+      addWarnings(opened.warnings, files[i], handles.warnings);
+      NewRig rig = rigFrom(handles, files[i].string());
+      opened.handles = static_cast<int>(rig.handles.size());
+      commands.push_back(replaceRig(std::move(rig)));
+    } else {
+      organs.push_back({readOrgan(files[i]), -1});
+      addWarnings(opened.warnings, files[i], organs.back().organ.warnings);
+    }
+  }
+  opened.organs = static_cast<int>(organs.size());
+  if (!organs.empty())
+    commands.insert(commands.begin(), addOrgans(std::move(organs)));
+  const std::string name = files.size() == 1 ? "Open " + files.front().filename().string()
+                                             : "Open " + std::to_string(files.size()) + " files";
+  opened.command = combined(name, std::move(commands));
+  progress.report(1);
+  return opened;
+}
+
+NewRig rigFrom(const medical_io::HandleFile& file, const std::string& where) {
+  NewRig rig;
+  std::map<std::tuple<double, double, double>, int> known;
+  for (const medical_io::HandleGroupRecord& list : file.groups) {
+    NewGroup group{list.name, list.color, {}};
+    std::set<int> inList;
+    for (const medical_io::HandleRecord& record : list.handles) {
+      const Vec3& p = record.position;
+      const auto [found, isNew] =
+          known.emplace(std::tuple(p.x(), p.y(), p.z()), static_cast<int>(rig.handles.size()));
+      if (isNew)
+        rig.handles.push_back(
+            {p, std::nullopt, record.label, record.description, record.locked, record.visible});
+      if (!inList.insert(found->second).second)
+        throw DataError("Two handles are at one place",
+                        where + ", handles " + rig.handles[static_cast<std::size_t>(found->second)].label +
+                            " and " + record.label,
+                        "remove one of them from the file");
+      group.handles.push_back(found->second);
+    }
+    rig.groups.push_back(std::move(group));
+  }
+  Points positions(static_cast<Eigen::Index>(rig.handles.size()), 3);
+  for (std::size_t i = 0; i < rig.handles.size(); ++i)
+    positions.row(static_cast<Eigen::Index>(i)) = rig.handles[i].rest.transpose();
+  try {
+    geometry::ConvexHull hull(positions);
+  } catch (const DataError& error) {
+    throw DataError(error.problem(), where, error.tryThis());
+  }
+  return rig;
+}
+
+medical_io::HandleFile handleFile(const Rig& rig) {
+  medical_io::HandleFile file;
+  const auto record = [](const Handle& handle) {
+    return medical_io::HandleRecord{handle.label, handle.rest, handle.description, handle.locked,
+                                    handle.visible};
+  };
+  for (const Group& group : rig.groups) {
+    medical_io::HandleGroupRecord list{group.name, group.color, {}};
+    for (const HandleId id : group.handles)
+      list.handles.push_back(record(rig.handles[static_cast<std::size_t>(rig.indexOf(id))]));
+    file.groups.push_back(std::move(list));
+  }
+  medical_io::HandleGroupRecord others;
+  others.name = "Handles";
+  for (const Handle& handle : rig.handles)
+    if (!rig.groupOf(handle.id))
+      others.handles.push_back(record(handle));
+  if (!others.handles.empty())
+    file.groups.push_back(std::move(others));
+  return file;
+}
+
+std::vector<NewOrgan> organsFrom(const organs::SampleOrgan& sample) {
+  std::vector<NewOrgan> list;
+  for (const organs::SampleSurface& surface : sample.surfaces) {
+    const bool outer = list.empty();
+    NewOrgan item{makeOrgan(displayName(outer ? sample.name : surface.name), surface.mesh), outer ? -1 : 0};
+    item.organ.look.color = surface.color;
+    list.push_back(std::move(item));
+  }
+  return list;
+}
+
+} // namespace viscera::session

@@ -1,0 +1,115 @@
+#include "viscera/session/organ_commands.h"
+
+#include <algorithm>
+#include <set>
+#include <utility>
+
+#include "edit.h"
+
+namespace viscera::session {
+namespace {
+
+bool hasName(const OrganList& organs, const std::string& name) {
+  return std::any_of(organs.begin(), organs.end(),
+                     [&name](const auto& organ) { return organ->name == name; });
+}
+
+/// The state with one organ replaced by what `change` makes of it.
+DocumentState withOrgan(DocumentState state, OrganId id, const std::function<void(Organ&)>& change) {
+  OrganList organs = *state.organs;
+  const auto found =
+      std::find_if(organs.begin(), organs.end(), [id](const auto& organ) { return organ->id == id; });
+  if (found == organs.end())
+    throw UsageError("There is no such organ any more", "organ " + std::to_string(id.value));
+  Organ changed = **found;
+  change(changed);
+  *found = std::make_shared<const Organ>(std::move(changed));
+  state.organs = std::make_shared<const OrganList>(std::move(organs));
+  return state;
+}
+
+DocumentState added(DocumentState state, IdSource& ids, const std::vector<NewOrgan>& newOrgans) {
+  OrganList organs = *state.organs;
+  const auto present = organs.size();
+  for (const NewOrgan& item : newOrgans) {
+    if (!item.organ.mesh)
+      throw UsageError("An organ needs a surface", item.organ.name);
+    Organ organ = item.organ;
+    organ.id = ids.next<OrganId>();
+    organ.name =
+        edit::freeName(organ.name, [&organs](const std::string& name) { return hasName(organs, name); });
+    if (item.parentInBatch >= 0) {
+      const std::size_t parent = present + static_cast<std::size_t>(item.parentInBatch);
+      if (parent >= organs.size())
+        throw UsageError("A cavity has to come after the organ that it is in", organ.name);
+      organ.parent = organs[parent]->id;
+    } else if (organ.parent && !state.organ(organ.parent)) {
+      throw UsageError("The organ that this cavity is in is not there any more", organ.name);
+    }
+    organs.push_back(std::make_shared<const Organ>(std::move(organ)));
+  }
+  state.organs = std::make_shared<const OrganList>(std::move(organs));
+  return state;
+}
+
+DocumentState removed(DocumentState state, const std::vector<OrganId>& ids) {
+  std::set<OrganId> gone;
+  for (const OrganId id : ids) {
+    if (!state.organ(id))
+      throw UsageError("There is no such organ any more", "organ " + std::to_string(id.value));
+    gone.insert(id);
+  }
+  OrganList organs;
+  // A cavity comes after the organ that it is in, so one pass finds cavities of cavities too.
+  for (const auto& organ : *state.organs) {
+    if (gone.count(organ->id) || gone.count(organ->parent))
+      gone.insert(organ->id);
+    else
+      organs.push_back(organ);
+  }
+  state.organs = std::make_shared<const OrganList>(std::move(organs));
+  return state;
+}
+
+} // namespace
+
+Command addOrgans(std::vector<NewOrgan> organs) {
+  const std::string name =
+      organs.size() == 1 ? "Add " + organs.front().organ.name : edit::counted("Add", organs.size(), "organ");
+  return {name,
+          [organs = std::move(organs)](const DocumentState& state, IdSource& ids) {
+            return added(state, ids, organs);
+          },
+          {}};
+}
+
+Command removeOrgans(std::vector<OrganId> organs) {
+  const std::string name = edit::counted("Remove", organs.size(), "organ");
+  return {
+      name,
+      [organs = std::move(organs)](const DocumentState& state, IdSource&) { return removed(state, organs); },
+      {}};
+}
+
+Command setOrganLook(OrganId organ, OrganLook look) {
+  return {"Change look",
+          [organ, look](const DocumentState& state, IdSource&) {
+            edit::requireColor(look.color);
+            if (!(look.opacity >= 0 && look.opacity <= 1))
+              throw UsageError("An opacity has to lie between 0 and 1");
+            return withOrgan(state, organ, [&look](Organ& changed) { changed.look = look; });
+          },
+          "look/" + std::to_string(organ.value)};
+}
+
+Command renameOrgan(OrganId organ, std::string name) {
+  return {"Rename organ",
+          [organ, name = std::move(name)](const DocumentState& state, IdSource&) {
+            if (name.empty())
+              throw UsageError("An organ needs a name");
+            return withOrgan(state, organ, [&name](Organ& changed) { changed.name = name; });
+          },
+          {}};
+}
+
+} // namespace viscera::session

@@ -1,0 +1,146 @@
+#include "viscera/session/undo_stack.h"
+
+#include <utility>
+
+namespace viscera::session {
+namespace {
+
+/// Lets `after` use the parts of `before` that it only copied, so that equal states are equal by address.
+void shareEqualParts(const DocumentState& before, DocumentState& after) {
+  // Each part is compared within an otherwise equal state, so that the one definition of "identical" decides.
+  const auto share = [&](auto part) {
+    DocumentState mixed = before;
+    mixed.*part = after.*part;
+    if (identical(before, mixed))
+      after.*part = before.*part;
+  };
+  share(&DocumentState::organs);
+  share(&DocumentState::rig);
+  share(&DocumentState::pose);
+  share(&DocumentState::system);
+}
+
+} // namespace
+
+UndoStack::UndoStack(Document& document) : document_(document), saved_(document.state()) {}
+
+void UndoStack::perform(const Command& command) {
+  const DocumentState before = document_.state();
+  DocumentState after = command.apply(before, document_.ids_);
+  shareEqualParts(before, after);
+  if (after == before)
+    return;
+  if (!stepOpen_)
+    push({command.name, command.mergeKey, before, after}, merges(command));
+  document_.replace(std::move(after), stepOpen_);
+  changed_.emit();
+}
+
+bool UndoStack::merges(const Command& command) const {
+  // What was saved has to stay reachable by undo, so the step that ended there is left alone.
+  return !sealed_ && !command.mergeKey.empty() && position_ > 0 && position_ == entries_.size() &&
+         entries_.back().mergeKey == command.mergeKey && !(entries_.back().after == saved_);
+}
+
+void UndoStack::push(Entry entry, bool merge) {
+  if (merge) {
+    entries_.back().after = std::move(entry.after);
+  } else {
+    entries_.erase(entries_.begin() + static_cast<std::ptrdiff_t>(position_), entries_.end());
+    entries_.push_back(std::move(entry));
+    position_ = entries_.size();
+  }
+  sealed_ = false;
+}
+
+void UndoStack::beginStep(const std::string& name) {
+  endStep();
+  stepBefore_ = document_.state();
+  stepName_ = name;
+  stepOpen_ = true;
+  changed_.emit();
+}
+
+void UndoStack::endStep() {
+  if (!stepOpen_)
+    return;
+  stepOpen_ = false;
+  DocumentState after = document_.state();
+  shareEqualParts(stepBefore_, after);
+  if (!(after == stepBefore_))
+    push({stepName_, {}, stepBefore_, after}, false);
+  stepBefore_ = {};
+  seal();
+  document_.replace(std::move(after), false);
+  changed_.emit();
+}
+
+void UndoStack::cancelStep() {
+  if (!stepOpen_)
+    return;
+  stepOpen_ = false;
+  document_.replace(std::exchange(stepBefore_, {}), false);
+  changed_.emit();
+}
+
+void UndoStack::undo() {
+  if (!canUndo())
+    return;
+  --position_;
+  seal();
+  document_.replace(entries_[position_].before, false);
+  changed_.emit();
+}
+
+void UndoStack::redo() {
+  if (!canRedo())
+    return;
+  ++position_;
+  seal();
+  document_.replace(entries_[position_ - 1].after, false);
+  changed_.emit();
+}
+
+std::string UndoStack::undoName() const {
+  return canUndo() ? entries_[position_ - 1].name : std::string();
+}
+
+std::string UndoStack::redoName() const {
+  return canRedo() ? entries_[position_].name : std::string();
+}
+
+std::vector<std::string> UndoStack::names() const {
+  std::vector<std::string> list;
+  for (const Entry& entry : entries_)
+    list.push_back(entry.name);
+  return list;
+}
+
+void UndoStack::markSaved() {
+  endStep();
+  saved_ = document_.state();
+  changed_.emit();
+}
+
+bool UndoStack::isClean() const {
+  return document_.state() == saved_;
+}
+
+void UndoStack::reset(DocumentState state) {
+  stepOpen_ = false;
+  stepBefore_ = {};
+  entries_.clear();
+  position_ = 0;
+  for (const auto& organ : *state.organs)
+    document_.ids_.reserve(organ->id);
+  for (const Handle& handle : state.rig->handles)
+    document_.ids_.reserve(handle.id);
+  for (const Group& group : state.rig->groups)
+    document_.ids_.reserve(group.id);
+  seal();
+  saved_ = state;
+  document_.replace(std::move(state), false);
+  changed_.emit();
+}
+
+} // namespace viscera::session
