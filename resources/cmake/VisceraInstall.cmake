@@ -12,3 +12,17 @@ install(FILES
   "${PROJECT_BINARY_DIR}/VisceraConfigVersion.cmake"
   DESTINATION "${viscera_config_dir}")
 install(EXPORT VisceraTargets NAMESPACE Viscera:: DESTINATION "${viscera_config_dir}")
+install(FILES "${PROJECT_SOURCE_DIR}/LICENSE" DESTINATION ${CMAKE_INSTALL_DOCDIR})
+
+# What a desktop needs to know the program.
+if(VISCERA_WITH_APP)
+  set(viscera_desktop_dir "${PROJECT_SOURCE_DIR}/resources/desktop")
+  install(FILES "${viscera_desktop_dir}/org.viscera.Viscera.desktop"
+    DESTINATION "${CMAKE_INSTALL_DATADIR}/applications")
+  install(FILES "${viscera_desktop_dir}/org.viscera.Viscera.svg"
+    DESTINATION "${CMAKE_INSTALL_DATADIR}/icons/hicolor/scalable/apps")
+  install(FILES "${viscera_desktop_dir}/org.viscera.Viscera.mime.xml"
+    DESTINATION "${CMAKE_INSTALL_DATADIR}/mime/packages" RENAME org.viscera.Viscera.xml)
+  install(FILES "${viscera_desktop_dir}/org.viscera.Viscera.metainfo.xml"
+    DESTINATION "${CMAKE_INSTALL_DATADIR}/metainfo")
+endif()
