@@ -1,27 +1,37 @@
 #pragma once
 
-#include <vector>
+#include <cstdlib>
+#include <memory>
 
 #include "viscera/core/arrays.h"
 #include "viscera/core/parallel.h"
 
 namespace viscera::coordinates {
 
-/// A `points x handles` matrix of coordinates, stored in tiles of 16 points by all handles: the layout in which a pose
-/// costs least (see docs/performance.md), and in which one handle's column is still read in whole cache lines.
+/// A `points x handles` matrix of coordinates, stored in tiles of 16 points by all handles: the layout in
+/// which a pose costs least (see docs/performance.md), and in which one handle's column is still read in
+/// whole cache lines. The products run as AVX-512, AVX2 or plain code, chosen by what the processor has when
+/// the program runs.
 class TiledWeights {
 public:
   static constexpr int kTile = 16;
 
+  /// All zero. O(points x handles) memory, whose pages the first writer brings in: a parallel solver does
+  /// that in parallel. Throws `std::bad_alloc`.
   TiledWeights(Eigen::Index points, Eigen::Index handles);
+  TiledWeights(const TiledWeights& other);
+  TiledWeights(TiledWeights&& other) noexcept = default;
+  TiledWeights& operator=(const TiledWeights& other);
+  TiledWeights& operator=(TiledWeights&& other) noexcept = default;
 
   Eigen::Index points() const { return points_; }
   Eigen::Index handles() const { return handles_; }
   Eigen::Index tiles() const { return (points_ + kTile - 1) / kTile; }
 
-  /// The tile's `handles x 16` numbers, handle by handle; the last tile is padded with zeros.
-  double* tile(Eigen::Index tile) { return data_.data() + tile * kTile * handles_; }
-  const double* tile(Eigen::Index tile) const { return data_.data() + tile * kTile * handles_; }
+  /// The tile's `handles x 16` numbers, handle by handle, aligned to a cache line; the last tile is padded
+  /// with zeros, and whoever writes it keeps them zero.
+  double* tile(Eigen::Index tile) { return data_ + tile * kTile * handles_; }
+  const double* tile(Eigen::Index tile) const { return data_ + tile * kTile * handles_; }
 
   double operator()(Eigen::Index point, Eigen::Index handle) const {
     return tile(point / kTile)[handle * kTile + point % kTile];
@@ -30,18 +40,25 @@ public:
     tile(point / kTile)[handle * kTile + point % kTile] = value;
   }
 
-  /// `points = W pose`, resized to `points x 3`.
+  /// `points = W pose`, resized to `points x 3`; `pose` is `handles x 3`. Bitwise independent of the number
+  /// of threads.
   void multiply(const Points& pose, Points& points, Threads threads) const;
-  /// `points += column(handle) delta^T`.
+  /// `points += column(handle) delta^T`. O(points).
   void addColumn(Eigen::Index handle, const Vec3& delta, Points& points, Threads threads) const;
-  /// `out = W^T rows` (`handles x 3`), summed in a fixed order.
+  /// `out = W^T rows` (`handles x 3`), summed in a fixed order that does not depend on the number of threads.
   void multiplyTransposed(const Points& rows, Points& out, Threads threads) const;
+  /// `points` numbers.
   Values column(Eigen::Index handle) const;
 
 private:
+  struct Free {
+    void operator()(double* memory) const { std::free(memory); }
+  };
+
   Eigen::Index points_;
   Eigen::Index handles_;
-  std::vector<double> data_;
+  std::unique_ptr<double, Free> memory_;
+  double* data_ = nullptr; ///< Inside `memory_`, at a multiple of a cache line.
 };
 
 } // namespace viscera::coordinates

@@ -1,0 +1,67 @@
+#pragma once
+
+#include <vector>
+
+#include "viscera/coordinates/coordinate_system.h"
+#include "viscera/coordinates/handle_checks.h"
+#include "viscera/coordinates/tiled_weights.h"
+
+namespace viscera::coordinates {
+
+struct CelestialFunction;
+
+/// How a celestial system weighs its handles beyond the thesis, see `CelestialSystem`.
+struct CelestialOptions {
+  double locality = 0; ///< The exponent k >= 0.
+  double softness = 0; ///< The length e >= 0, mm.
+  Threads threads;
+};
+
+/// The coordinates of points and the solutions x of their convex problems.
+template <int Dim>
+struct CelestialSolution {
+  TiledWeights weights;      ///< Rows of failed points are zero.
+  PointsOf<Dim> x;           ///< `n x Dim`; zero for failed points and for those exactly at a handle.
+  std::vector<int> failures; ///< Points outside the handles' hull (or not finite), ascending.
+};
+
+/// What the point-based celestial coordinates (thesis 4.3, 4.4) have in common: for each point p the minimum
+/// of the convex `F(x) = sum m_i phi(q_i . x)` over the handles' directions `q_i = (v_i - p) / D_i`, with the
+/// coordinates `w_i = m_i phi'(q_i . x) / D_i` divided by their sum; only phi differs. Exists and is unique
+/// inside the handles' hull, where a damped Newton method finds it from x = 0. A point that lies on the
+/// hull's boundary to rounding is bound as well (the coordinates are the limit); one outside has no
+/// coordinates and is listed among the failures.
+///
+/// Beyond the thesis: the locality k gives handles the prior weight `m_i = (D_i / min D)^-k`, floored at
+/// 1e-24, so that nearer handles count more; the softness e puts `D_i = sqrt(|v_i - p|^2 + e^2)` for the
+/// distance, which makes the coordinates infinitely smooth inside the hull at the price of no longer
+/// interpolating handles. Both are 0 in the thesis. Identity (1e-13 of the handles' size), unity and
+/// positivity hold for any values.
+///
+/// All of it is rotation invariant. A point's coordinates are bitwise the same whatever other points are
+/// bound with it. Cost of binding: about 5 ns per (point x handle) on two cores (docs/performance.md).
+class CelestialSystem : public CoordinateSystem {
+public:
+  Traits traits() const final;
+
+  /// Locality and softness.
+  std::vector<Parameter> parameters() const override;
+
+  std::unique_ptr<Binding> bind(const HandleSet& handles, const Points& points, const BindOptions& options,
+                                Progress& progress) const final;
+
+  /// In closed form, by the implicit function theorem. Points at a handle have no derivative without softness
+  /// (there is a kink): they are among the failures.
+  CoordinateGradients gradients(const HandleSet& handles, const Points& points, const BindOptions& options,
+                                Progress& progress) const final;
+
+  /// The coordinates in Dim = 2 or 3 dimensions. Throws as `bind` does.
+  template <int Dim>
+  CelestialSolution<Dim> solve(const PointsOf<Dim>& handles, const PointsOf<Dim>& points,
+                               const CelestialOptions& options, Progress& progress) const;
+
+protected:
+  virtual const CelestialFunction& function() const = 0;
+};
+
+} // namespace viscera::coordinates

@@ -1,0 +1,329 @@
+#pragma once
+
+#include "celestial/celestial_kernels.h"
+#include "simd/pack_math.h"
+
+namespace viscera::coordinates::simd::VISCERA_ISA {
+
+constexpr int kTile = 16;
+
+/// Newton steps for one point. Points on the hull's boundary, where |x| has to grow by a factor of about 1.5
+/// a step, take some 40.
+constexpr long long kMostIterations = 120;
+
+/// Once the relative gradient is this small the next Newton step squares it away; writing the coordinates
+/// then looks at what is left, so that most points save one evaluation.
+constexpr double kQuadratic = 1e-7;
+
+/// A solution that rounding keeps from the tolerance is taken when it is within this factor of it.
+constexpr double kRoundingSlack = 100;
+
+/// Part of the decrease that the gradient promises which a step has to reach (Armijo).
+constexpr double kSufficientDecrease = 1e-4;
+
+/// Changes of F below this part of it drown in rounding.
+constexpr double kValueRounding = 1e-13;
+
+/// Smallest prior weight. Anything positive keeps the coordinates exact; the floor bounds |x|, and with it
+/// the number of steps, where a point is very near to a handle.
+constexpr double kLeastPrior = 1e-24;
+
+/// A point is outside when x separates it from all handles by this angle or more. Looked at every so many
+/// steps (a power of two).
+constexpr double kSeparation = 1e-12;
+constexpr long long kSeparationPeriod = 8;
+
+/// Every so many steps (a power of two), see `PackSolver::recenter`.
+constexpr long long kCenterPeriod = 16;
+
+template <int Dim>
+Pack dot(const Pack (&a)[Dim], const Pack (&b)[Dim]) {
+  Pack sum = a[0] * b[0];
+  for (int axis = 1; axis < Dim; ++axis)
+    sum += a[axis] * b[axis];
+  return sum;
+}
+
+/// Sums over the handles at one x: F, its gradient and Hessian, and sum beta.
+template <int Dim>
+struct Sums {
+  Pack value{};
+  Pack total{};
+  Pack gradient[Dim]{};
+  Pack hessian[Dim * (Dim + 1) / 2]{}; ///< Lower triangle by rows.
+};
+
+/// The minimum of F for as many points as a pack has lanes, see celestial_kernels.h. Every lane goes its own
+/// way: what is computed for it does not depend on its neighbours.
+template <class Function, int Dim, bool Prior>
+class PackSolver {
+public:
+  /// `points` is `Dim x 16`, of which the first lanes are used; `scratch` holds `kCelestialScratch` numbers a
+  /// handle.
+  PackSolver(const CelestialProblem& problem, const double* points, double* scratch)
+      : problem_(problem), scratch_(scratch) {
+    look(points);
+    if constexpr (Prior)
+      weighByDistance();
+  }
+
+  /// Writes the coordinates to the first columns of `tile` (`handles x 16`). Gives the lanes without a
+  /// solution.
+  Mask solve(double* tile) {
+    Mask active = usable_ & (interpolated_ == 0);
+    failed_ = usable_ == 0;
+    for (;;) {
+      minimise(active);
+      active = writeCoordinates(tile);
+      if (bits(active) == 0)
+        break;
+      recenter(active);
+      steps_ -= active; // Counts as a step, so that lanes that rounding keeps open come to an end.
+    }
+    return failed_;
+  }
+
+  /// The minimum x, zero for failed lanes: `Dim x 16`, of which the first lanes are written.
+  void writeSolutions(double* solutions) const {
+    for (int axis = 0; axis < Dim; ++axis)
+      store(solutions + axis * kTile, select(failed_, Pack{}, center_[axis] + x_[axis]));
+  }
+
+private:
+  // Of each handle the scratch memory holds Dim packs of q, then these.
+  static constexpr int kInverse = Dim * kWidth;     ///< 1 / D.
+  static constexpr int kOffset = kInverse + kWidth; ///< q . center.
+  static constexpr int kWeight = kOffset + kWidth;  ///< m, where there is a prior.
+  static constexpr int kStride = kWeight + (Prior ? kWidth : 0);
+
+  double* handle(long index) const { return scratch_ + index * kStride; }
+
+  static Pack inverseRoot(Pack value) { return 1.0 / squareRoot(value); }
+
+  /// Fills the scratch memory with the handles as seen from the points.
+  void look(const double* points) {
+    Pack point[Dim], nearest = splat(kFarAway);
+    for (int axis = 0; axis < Dim; ++axis)
+      point[axis] = load(points + axis * kTile);
+    for (long index = 0; index < problem_.count; ++index) {
+      Pack offset[Dim];
+      for (int axis = 0; axis < Dim; ++axis)
+        offset[axis] = problem_.handles[axis * problem_.count + index] - point[axis];
+      const Pack squared = dot(offset, offset);
+      const Pack inverse = inverseRoot(squared + problem_.softnessSquared);
+      for (int axis = 0; axis < Dim; ++axis)
+        store(handle(index) + axis * kWidth, offset[axis] * inverse);
+      store(handle(index) + kInverse, inverse);
+      store(handle(index) + kOffset, Pack{});
+      const Mask nearer = squared < nearest;
+      nearest = select(nearer, squared, nearest);
+      nearestHandle_ = select(nearer, splat(static_cast<double>(index)), nearestHandle_);
+    }
+    usable_ = nearest < kFarAway; // Not so for a point that is not finite.
+    if (problem_.softnessSquared == 0)
+      interpolated_ = nearest <= problem_.samePlaceSquared;
+    nearestInverse_ = inverseRoot(nearest + problem_.softnessSquared);
+  }
+
+  void weighByDistance() {
+    for (long index = 0; index < problem_.count; ++index) {
+      const Pack ratio = larger(load(handle(index) + kInverse) / nearestInverse_, splat(1e-300));
+      const Pack weight = exponential(problem_.locality * logarithm(ratio));
+      store(handle(index) + kWeight, larger(weight, splat(kLeastPrior)));
+    }
+  }
+
+  /// q . x of a handle.
+  Pack along(const double* from) const {
+    Pack t = load(from + kOffset);
+    for (int axis = 0; axis < Dim; ++axis)
+      t += load(from + axis * kWidth) * x_[axis];
+    return t;
+  }
+
+  /// Moves the origin of x_ to where the lanes stand. Near the hull's boundary |x| is huge, and steps of its
+  /// last digit would be too coarse for the handles of the nearby face. The rounding of `q . center` is
+  /// harmless: it acts like a slightly different prior weight.
+  void recenter(Mask lanes) {
+    for (long index = 0; index < problem_.count; ++index) {
+      double* to = handle(index) + kOffset;
+      store(to, select(lanes, along(handle(index)), load(to)));
+    }
+    for (int axis = 0; axis < Dim; ++axis) {
+      center_[axis] = select(lanes, center_[axis] + x_[axis], center_[axis]);
+      x_[axis] = select(lanes, Pack{}, x_[axis]);
+    }
+  }
+
+  Pack distanceFromZero() const {
+    Pack whole[Dim];
+    for (int axis = 0; axis < Dim; ++axis)
+      whole[axis] = center_[axis] + x_[axis];
+    return squareRoot(dot(whole, whole));
+  }
+
+  Sums<Dim> evaluate() const {
+    Sums<Dim> sums;
+    for (long index = 0; index < problem_.count; ++index) {
+      const double* from = handle(index);
+      auto phi = Function::evaluate(along(from));
+      if constexpr (Prior) {
+        const Pack weight = load(from + kWeight);
+        phi = {phi.value * weight, phi.first * weight, phi.second * weight};
+      }
+      sums.value += phi.value;
+      sums.total += phi.first;
+      for (int row = 0, entry = 0; row < Dim; ++row) {
+        const Pack q = load(from + row * kWidth);
+        sums.gradient[row] += phi.first * q;
+        const Pack scaled = phi.second * q;
+        for (int column = 0; column <= row; ++column, ++entry)
+          sums.hessian[entry] += scaled * load(from + column * kWidth);
+      }
+    }
+    return sums;
+  }
+
+  /// -H^-1 g by an LDL^T factorisation whose pivots are kept positive.
+  static void newtonStep(const Sums<Dim>& sums, Pack (&step)[Dim]) {
+    Pack lower[Dim][Dim], pivot[Dim], trace{};
+    for (int row = 0; row < Dim; ++row)
+      trace += sums.hessian[row * (row + 1) / 2 + row];
+    for (int row = 0; row < Dim; ++row) {
+      step[row] = -sums.gradient[row];
+      pivot[row] = sums.hessian[row * (row + 1) / 2 + row];
+      for (int column = 0; column < row; ++column) {
+        Pack entry = sums.hessian[row * (row + 1) / 2 + column];
+        for (int k = 0; k < column; ++k)
+          entry -= lower[row][k] * lower[column][k] * pivot[k];
+        lower[row][column] = entry / pivot[column];
+        step[row] -= lower[row][column] * step[column];
+        pivot[row] -= lower[row][column] * entry;
+      }
+      pivot[row] = larger(pivot[row], trace * 1e-20);
+    }
+    for (int row = Dim - 1; row >= 0; --row) {
+      step[row] = step[row] / pivot[row];
+      for (int below = row + 1; below < Dim; ++below)
+        step[row] -= lower[below][row] * step[below];
+    }
+  }
+
+  /// No step is longer than 2 (1 + |x|): far from the solution the quadratic model says little.
+  void shorten(Pack (&step)[Dim]) const {
+    const Pack length = squareRoot(dot(step, step));
+    const Pack most = 2.0 + 2.0 * distanceFromZero();
+    const Pack factor = select(length > most, most / length, splat(1));
+    for (Pack& each : step)
+      each *= factor;
+  }
+
+  /// Lanes whose x separates their point from every handle: they are outside the hull.
+  Mask separated() const {
+    Pack most = splat(-kFarAway);
+    for (long index = 0; index < problem_.count; ++index)
+      most = larger(most, along(handle(index)));
+    return most < -kSeparation * distanceFromZero();
+  }
+
+  /// Newton steps, halved until F decreases, for the lanes of `active`, until each is as good as solved or
+  /// has failed.
+  void minimise(Mask active) {
+    Pack base[Dim]{}, step[Dim]{}, bound = splat(kFarAway), slope{}, scale = splat(1);
+    while (bits(active) != 0) {
+      const Sums<Dim> sums = evaluate();
+      const Mask better = sums.value <= bound + kSufficientDecrease * scale * slope;
+      const Pack error2 = dot(sums.gradient, sums.gradient), total2 = sums.total * sums.total;
+      // Half of what is asked for when the coordinates are written, whose sums round differently.
+      active &= ~(better & (error2 <= 0.25 * problem_.tolerance * problem_.tolerance * total2));
+      if (bits(active) == 0)
+        return;
+
+      const Mask accepted = active & better;
+      Pack next[Dim];
+      newtonStep(sums, next);
+      shorten(next);
+      slope = select(accepted, dot(sums.gradient, next), slope);
+      bound = select(accepted, sums.value * (1 + kValueRounding), bound);
+      scale = select(accepted, splat(1), select(active, scale * 0.5, scale));
+      for (int axis = 0; axis < Dim; ++axis) {
+        base[axis] = select(accepted, x_[axis], base[axis]);
+        step[axis] = select(accepted, next[axis], step[axis]);
+        x_[axis] = select(active, base[axis] + scale * step[axis], x_[axis]);
+      }
+      steps_ -= active; // Minus -1.
+      active &= ~(accepted & (error2 <= kQuadratic * kQuadratic * total2));
+      active = withoutHopeless(active);
+
+      const Mask due = active & accepted & ((steps_ & (kCenterPeriod - 1)) == 0);
+      if (bits(due) != 0) {
+        recenter(due);
+        for (int axis = 0; axis < Dim; ++axis)
+          base[axis] = select(due, -step[axis], base[axis]);
+        bound = select(due, splat(kFarAway), bound); // F at the base has changed by rounding.
+      }
+    }
+  }
+
+  /// `active` without the lanes that are outside the hull, or have used up their steps.
+  Mask withoutHopeless(Mask active) {
+    exhausted_ |= active & (steps_ >= kMostIterations);
+    active &= ~exhausted_;
+    const Mask due = active & ((steps_ & (kSeparationPeriod - 1)) == 0);
+    if (bits(due) == 0)
+      return active;
+    const Mask outside = due & separated();
+    failed_ |= outside;
+    return active & ~outside;
+  }
+
+  /// Writes the normalised coordinates at x_, zero for failed lanes. Gives the lanes that need further steps;
+  /// those that no step improves and that are not good enough join the failed ones.
+  Mask writeCoordinates(double* tile) {
+    Pack total{}, weights{}, gradient[Dim]{};
+    for (long index = 0; index < problem_.count; ++index) {
+      const double* from = handle(index);
+      Pack beta = Function::first(along(from));
+      if constexpr (Prior)
+        beta *= load(from + kWeight);
+      total += beta;
+      for (int axis = 0; axis < Dim; ++axis)
+        gradient[axis] += beta * load(from + axis * kWidth);
+      const Pack weight = beta * load(from + kInverse);
+      weights += weight;
+      store(tile + index * kTile, weight);
+    }
+    const Pack error = squareRoot(dot(gradient, gradient)), allowed = problem_.tolerance * total;
+    const Mask open = ~(interpolated_ | failed_ | (error <= allowed));
+    failed_ |= open & exhausted_ & ~(error <= kRoundingSlack * allowed);
+    const Mask remaining = open & ~exhausted_;
+    if (bits(remaining) == 0)
+      normalise(tile, weights);
+    return remaining;
+  }
+
+  void normalise(double* tile, Pack weights) const {
+    const Pack factor = 1.0 / weights;
+    for (long index = 0; index < problem_.count; ++index) {
+      const Pack indicator = select(nearestHandle_ == static_cast<double>(index), splat(1), Pack{});
+      const Pack value = select(interpolated_, indicator, load(tile + index * kTile) * factor);
+      store(tile + index * kTile, select(failed_, Pack{}, value));
+    }
+  }
+
+  static constexpr double kFarAway = 1e300;
+
+  const CelestialProblem& problem_;
+  double* scratch_;
+  Pack center_[Dim]{};
+  Pack x_[Dim]{}; ///< From `center_`.
+  Pack nearestHandle_{};
+  Pack nearestInverse_{};
+  Mask interpolated_{};
+  Mask usable_{};
+  Mask failed_{};
+  Mask exhausted_{};
+  Mask steps_{}; ///< How many each lane has taken.
+};
+
+} // namespace viscera::coordinates::simd::VISCERA_ISA

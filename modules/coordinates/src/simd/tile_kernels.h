@@ -1,0 +1,32 @@
+#pragma once
+
+/// The loops over tiles of weights, compiled for several instruction sets. Tiles hold 16 points, see
+/// `TiledWeights`.
+namespace viscera::coordinates::simd {
+
+/// Independent partial sums that `TileKernels::addTransposed` keeps for each number.
+inline constexpr int kSumLanes = 8;
+
+struct TileKernels {
+  /// Rows 0 to 15 of `points` (16 x 3) become the tile times `pose` (`handles x 3`).
+  void (*multiply)(const double* tile, const double* pose, long handles, double* points);
+
+  /// `points` (16 x 3) grow by the tile's column (16) times `delta` (3).
+  void (*addColumn)(const double* column, const double* delta, double* points);
+
+  /// `sums` (`handles x 3 x kSumLanes`) grow by the tile's columns times `rows` (16 x 3). Lane l takes the
+  /// rows l and l + 8, in this order, whatever the instruction set.
+  void (*addTransposed)(const double* tile, const double* rows, long handles, double* sums);
+};
+
+namespace baseline {
+extern const TileKernels kTileKernels;
+}
+namespace avx2 {
+extern const TileKernels kTileKernels;
+}
+namespace avx512 {
+extern const TileKernels kTileKernels;
+}
+
+} // namespace viscera::coordinates::simd

@@ -1,0 +1,111 @@
+#include "viscera/coordinates/tiled_weights.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cstdint>
+#include <cstring>
+#include <new>
+#include <vector>
+
+#include "simd/tile_kernels.h"
+#include "simd/usable_kernels.h"
+
+namespace viscera::coordinates {
+namespace {
+
+constexpr int kTile = TiledWeights::kTile;
+constexpr std::size_t kCacheLine = 64;
+constexpr Eigen::Index kTilesPerRange = 64;
+
+const simd::TileKernels& kernels() {
+  static const simd::TileKernels& fastest = *VISCERA_USABLE_KERNELS(kTileKernels).front();
+  return fastest;
+}
+
+/// Calls `body(tile, rows)` with `rows` pointing to the tile's 16 rows of `points` inside a range of tiles.
+/// The last, incomplete tile gets a copy, zero where there are no points, which is written back when `Rows`
+/// may be changed.
+template <class Rows, class Body>
+void forTiles(Eigen::Index begin, Eigen::Index end, Rows& points, const Body& body) {
+  const Eigen::Index whole = std::min(end, points.rows() / kTile);
+  for (Eigen::Index tile = begin; tile < whole; ++tile)
+    body(tile, points.data() + tile * kTile * 3);
+  if (whole == end)
+    return;
+  double last[kTile * 3] = {};
+  const std::size_t bytes = static_cast<std::size_t>(points.rows() - whole * kTile) * 3 * sizeof(double);
+  std::memcpy(last, points.data() + whole * kTile * 3, bytes);
+  body(whole, last);
+  if constexpr (!std::is_const_v<Rows>)
+    std::memcpy(points.data() + whole * kTile * 3, last, bytes);
+}
+
+} // namespace
+
+TiledWeights::TiledWeights(Eigen::Index points, Eigen::Index handles) : points_(points), handles_(handles) {
+  const std::size_t size = static_cast<std::size_t>(tiles() * kTile * handles_) * sizeof(double);
+  memory_.reset(static_cast<double*>(std::calloc(size + kCacheLine, 1)));
+  if (!memory_)
+    throw std::bad_alloc();
+  const auto address = reinterpret_cast<std::uintptr_t>(memory_.get());
+  data_ = memory_.get() + (kCacheLine - address % kCacheLine) % kCacheLine / sizeof(double);
+}
+
+TiledWeights::TiledWeights(const TiledWeights& other) : TiledWeights(other.points_, other.handles_) {
+  std::copy_n(other.data_, tiles() * kTile * handles_, data_);
+}
+
+TiledWeights& TiledWeights::operator=(const TiledWeights& other) {
+  if (this != &other)
+    *this = TiledWeights(other);
+  return *this;
+}
+
+void TiledWeights::multiply(const Points& pose, Points& points, Threads threads) const {
+  assert(pose.rows() == handles_);
+  points.resize(points_, 3);
+  parallelRanges(tiles(), kTilesPerRange, threads, [&](Eigen::Index begin, Eigen::Index end) {
+    forTiles(begin, end, points, [&](Eigen::Index index, double* rows) {
+      kernels().multiply(tile(index), pose.data(), handles_, rows);
+    });
+  });
+}
+
+void TiledWeights::addColumn(Eigen::Index handle, const Vec3& delta, Points& points, Threads threads) const {
+  assert(points.rows() == points_ && handle >= 0 && handle < handles_);
+  parallelRanges(tiles(), kTilesPerRange, threads, [&](Eigen::Index begin, Eigen::Index end) {
+    forTiles(begin, end, points, [&](Eigen::Index index, double* rows) {
+      kernels().addColumn(tile(index) + handle * kTile, delta.data(), rows);
+    });
+  });
+}
+
+void TiledWeights::multiplyTransposed(const Points& rows, Points& out, Threads threads) const {
+  assert(rows.rows() == points_);
+  const std::size_t numbers = static_cast<std::size_t>(handles_) * 3;
+  const std::size_t ranges = static_cast<std::size_t>((tiles() + kTilesPerRange - 1) / kTilesPerRange);
+  std::vector<double> partial(ranges * numbers);
+  parallelRanges(tiles(), kTilesPerRange, threads, [&](Eigen::Index begin, Eigen::Index end) {
+    std::vector<double> lanes(numbers * simd::kSumLanes);
+    forTiles(begin, end, rows, [&](Eigen::Index index, const double* tileRows) {
+      kernels().addTransposed(tile(index), tileRows, handles_, lanes.data());
+    });
+    double* sums = partial.data() + static_cast<std::size_t>(begin / kTilesPerRange) * numbers;
+    for (std::size_t number = 0; number < numbers; ++number)
+      for (int lane = 0; lane < simd::kSumLanes; ++lane)
+        sums[number] += lanes[number * simd::kSumLanes + lane];
+  });
+  out.setZero(handles_, 3);
+  for (std::size_t range = 0; range < ranges; ++range)
+    out += Eigen::Map<const Points>(partial.data() + range * numbers, handles_, 3);
+}
+
+Values TiledWeights::column(Eigen::Index handle) const {
+  assert(handle >= 0 && handle < handles_);
+  Values values(points_);
+  for (Eigen::Index point = 0; point < points_; ++point)
+    values[point] = (*this)(point, handle);
+  return values;
+}
+
+} // namespace viscera::coordinates
