@@ -1,0 +1,45 @@
+#pragma once
+
+#include <bit>
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+#include "file_bytes.h"
+
+namespace viscera::medical_io {
+
+/// Walks through binary data and never past its end.
+class ByteCursor {
+public:
+  /// `data` is a part of `file`, which is named in errors and outlives the cursor.
+  ByteCursor(const FileBytes& file, std::string_view data, std::endian order)
+      : file_(file), data_(data), order_(order) {}
+
+  std::size_t remaining() const { return data_.size() - at_; }
+  std::endian order() const { return order_; }
+
+  /// The next value; `part` names what is read when the data end before it. Throws `DataError`.
+  template <typename T>
+  T take(std::string_view part) {
+    return loadValue<T>(takeBytes(sizeof(T), part).data(), order_);
+  }
+
+  /// The next `count` bytes. Throws `DataError` when there are fewer.
+  std::string_view takeBytes(std::uint64_t count, std::string_view part) {
+    if (count > remaining())
+      file_.fail("the file is cut off: " + std::string(part) + " should have " + std::to_string(count) +
+                 " bytes, but only " + std::to_string(remaining()) + " are left");
+    const std::string_view taken = data_.substr(at_, static_cast<std::size_t>(count));
+    at_ += static_cast<std::size_t>(count);
+    return taken;
+  }
+
+private:
+  const FileBytes& file_;
+  std::string_view data_;
+  std::endian order_;
+  std::size_t at_ = 0;
+};
+
+} // namespace viscera::medical_io

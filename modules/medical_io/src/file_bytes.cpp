@@ -1,0 +1,81 @@
+#include "file_bytes.h"
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <fstream>
+#include <new>
+#include <system_error>
+
+#include "viscera/core/error.h"
+
+namespace viscera::medical_io {
+namespace {
+
+constexpr std::array<std::string_view, 5> kDoubleExtensions = {".mrk.json", ".sequence.json", ".nii.gz",
+                                                               ".seg.nrrd", ".seg.nhdr"};
+
+void requireReadable(const std::filesystem::path& file) {
+  std::error_code error;
+  const std::filesystem::file_status status = std::filesystem::status(file, error);
+  if (!std::filesystem::exists(status))
+    throw NoInputError("there is no such file", file.string(), "check the name and the folder");
+  if (std::filesystem::is_directory(status))
+    throw NoInputError("is a folder, not a file", file.string(), "name a file in it");
+  if (!std::filesystem::is_regular_file(status))
+    throw NoInputError("is not a regular file", file.string(), "copy its contents to a file first");
+}
+
+} // namespace
+
+void FileBytes::fail(const std::string& problem, const std::string& tryThis) const {
+  throw DataError(problem, name(), tryThis);
+}
+
+FileBytes readWholeFile(const std::filesystem::path& file) {
+  requireReadable(file);
+  errno = 0;
+  std::ifstream stream(file, std::ios::binary | std::ios::ate);
+  if (!stream)
+    throw NoInputError("cannot be opened: " + std::generic_category().message(errno), file.string(),
+                       "check that you may read it");
+  FileBytes result{file, {}};
+  try {
+    result.bytes.resize(static_cast<std::size_t>(std::max<std::streamoff>(stream.tellg(), 0)));
+  } catch (const std::bad_alloc&) {
+    result.fail("does not fit into memory", "reduce the surface first");
+  }
+  stream.seekg(0);
+  stream.read(result.bytes.data(), static_cast<std::streamsize>(result.bytes.size()));
+  if (stream.gcount() != static_cast<std::streamsize>(result.bytes.size()))
+    throw NoInputError("cannot be read to its end", file.string(), "check the disk or the connection");
+  if (result.bytes.empty())
+    result.fail("the file is empty");
+  return result;
+}
+
+std::string lowered(std::string_view text) {
+  std::string result(text);
+  std::transform(result.begin(), result.end(), result.begin(),
+                 [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+  return result;
+}
+
+std::string extensionOf(const std::filesystem::path& file) {
+  const std::string name = lowered(file.filename().string());
+  for (const std::string_view extension : kDoubleExtensions)
+    if (name.size() > extension.size() && name.ends_with(extension))
+      return std::string(extension);
+  return lowered(file.extension().string());
+}
+
+std::string stemOf(const std::filesystem::path& file) {
+  const std::string name = file.filename().string();
+  return name.substr(0, name.size() - extensionOf(file).size());
+}
+
+std::string counted(std::uint64_t count, std::string_view one, std::string_view many) {
+  return std::to_string(count) + " " + std::string(count == 1 ? one : many);
+}
+
+} // namespace viscera::medical_io

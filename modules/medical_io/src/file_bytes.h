@@ -1,0 +1,72 @@
+#pragma once
+
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+namespace viscera::medical_io {
+
+/// A whole file in memory. Every size that a header claims is compared with what is really there before
+/// anything is allocated for it.
+struct FileBytes {
+  std::filesystem::path file;
+  std::string bytes;
+
+  std::string_view view() const { return bytes; }
+  std::string name() const { return file.string(); }
+  /// Throws `DataError` for this file.
+  [[noreturn]] void fail(const std::string& problem,
+                         const std::string& tryThis = "export or copy the file again") const;
+};
+
+/// Reads a regular file. Throws `NoInputError` when it is missing, a folder or not readable, `DataError` when
+/// it is empty or does not fit into memory.
+FileBytes readWholeFile(const std::filesystem::path& file);
+
+/// Lower-case ASCII copy.
+std::string lowered(std::string_view text);
+
+/// The extension in lower case with its dot; ".mrk.json", ".nii.gz", ".seg.nrrd" and ".sequence.json" count
+/// as one.
+std::string extensionOf(const std::filesystem::path& file);
+
+/// The file's name without that extension.
+std::string stemOf(const std::filesystem::path& file);
+
+/// "1 triangle", "12 triangles".
+std::string counted(std::uint64_t count, std::string_view one, std::string_view many);
+
+/// `count * size` without overflow: the largest number when it would.
+inline std::uint64_t saturatedProduct(std::uint64_t count, std::uint64_t size) {
+  return size != 0 && count > UINT64_MAX / size ? UINT64_MAX : count * size;
+}
+
+/// One value of type T at `data`, which may be unaligned, in the byte order given.
+template <typename T>
+T loadValue(const char* data, std::endian order) {
+  unsigned char raw[sizeof(T)];
+  std::memcpy(raw, data, sizeof(T));
+  if (order != std::endian::native)
+    for (std::size_t i = 0; i < sizeof(T) / 2; ++i)
+      std::swap(raw[i], raw[sizeof(T) - 1 - i]);
+  T value;
+  std::memcpy(&value, raw, sizeof(T));
+  return value;
+}
+
+/// Appends a value in little-endian order.
+template <typename T>
+void appendValue(std::string& out, T value) {
+  char raw[sizeof(T)];
+  std::memcpy(raw, &value, sizeof(T));
+  if constexpr (std::endian::native == std::endian::big)
+    for (std::size_t i = 0; i < sizeof(T) / 2; ++i)
+      std::swap(raw[i], raw[sizeof(T) - 1 - i]);
+  out.append(raw, sizeof(T));
+}
+
+} // namespace viscera::medical_io

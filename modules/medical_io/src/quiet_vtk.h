@@ -1,0 +1,33 @@
+#pragma once
+
+#include <string>
+
+#include <vtkNew.h>
+
+class vtkObject;
+class vtkCallbackCommand;
+
+namespace viscera::medical_io {
+
+/// Collects what a VTK object reports instead of letting VTK print it on stderr. Watches until it is
+/// destroyed.
+class QuietVtk {
+public:
+  explicit QuietVtk(vtkObject* watched);
+  ~QuietVtk();
+  QuietVtk(const QuietVtk&) = delete;
+  QuietVtk& operator=(const QuietVtk&) = delete;
+
+  bool failed() const { return !error_.empty(); }
+  /// The first error, without VTK's file and line.
+  const std::string& error() const { return error_; }
+
+private:
+  vtkObject* watched_;
+  vtkNew<vtkCallbackCommand> command_;
+  unsigned long errorTag_ = 0;
+  unsigned long warningTag_ = 0;
+  std::string error_;
+};
+
+} // namespace viscera::medical_io

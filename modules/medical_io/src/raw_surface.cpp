@@ -1,0 +1,233 @@
+#include "raw_surface.h"
+
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <unordered_map>
+#include <utility>
+
+#include "file_bytes.h"
+#include "surface_warnings.h"
+#include "triangulate_polygon.h"
+#include "viscera/core/error.h"
+
+namespace viscera::medical_io {
+namespace {
+
+/// Larger numbers of polygon corners do not come from an organ, but a few kilobytes of glTF can ask for them.
+constexpr std::size_t kMostCorners = 600'000'000;
+
+/// 1000 km: a coordinate beyond is a damaged number, and its cube would not be a volume any more.
+constexpr double kFarthestMm = 1e9;
+
+constexpr std::int32_t kNone = -1;
+constexpr auto kExportAgain = "export the surface again";
+
+class Assembly {
+public:
+  Assembly(RawSurface&& raw, const std::filesystem::path& file)
+      : raw_(std::move(raw)), file_(file.string()) {}
+
+  SurfaceFile run() {
+    checkSizes();
+    markUsed();
+    checkCoordinates();
+    mergePoints();
+    cutPolygons();
+    compact();
+    if (raw_.space == Space::ras)
+      turnRasIntoLps();
+    return finish();
+  }
+
+private:
+  [[noreturn]] void fail(const std::string& problem, const char* tryThis = kExportAgain) const {
+    throw DataError(problem, file_, tryThis);
+  }
+
+  void checkSizes() const {
+    if (raw_.polygonCount() == 0)
+      fail("holds no triangles" + std::string(raw_.pointCount() > 0 ? ", only points" : ""),
+           "export it as a surface of triangles");
+    if (raw_.pointCount() > std::numeric_limits<std::int32_t>::max() || raw_.corners.size() > kMostCorners)
+      fail("is too large: " + std::to_string(raw_.pointCount()) + " points", "reduce the surface first");
+  }
+
+  void markUsed() {
+    const auto count = static_cast<std::int64_t>(raw_.pointCount());
+    target_.assign(raw_.pointCount(), kNone);
+    std::size_t at = 0;
+    for (std::size_t polygon = 0; polygon < raw_.polygonCount(); ++polygon)
+      for (; at < raw_.ends[polygon]; ++at) {
+        const std::int64_t point = raw_.corners[at];
+        if (point < 0 || point >= count)
+          fail("polygon " + std::to_string(polygon) + " refers to point " + std::to_string(point) +
+               ", but there are " + std::to_string(count) + " (counted from 0)");
+        target_[static_cast<std::size_t>(point)] = 0;
+      }
+  }
+
+  void checkCoordinates() const {
+    for (std::size_t point = 0; point < target_.size(); ++point)
+      for (std::size_t axis = 0; axis < 3 && target_[point] != kNone; ++axis) {
+        const double value = raw_.coordinates[3 * point + axis];
+        if (!std::isfinite(value))
+          fail("point " + std::to_string(point) + " has a coordinate that is not a finite number");
+        if (std::abs(value) > kFarthestMm)
+          fail("point " + std::to_string(point) + " lies more than 1000 km away: the file is damaged");
+      }
+  }
+
+  void mergePoints() {
+    struct Hash {
+      std::size_t operator()(const std::array<double, 3>& p) const {
+        std::uint64_t hash = 0;
+        for (const double value : p) {
+          std::uint64_t bits = 0;
+          std::memcpy(&bits, &value, sizeof bits);
+          hash = (hash ^ bits) * 0x9E3779B97F4A7C15ULL;
+          hash ^= hash >> 29U;
+        }
+        return static_cast<std::size_t>(hash);
+      }
+    };
+    std::unordered_map<std::array<double, 3>, std::int32_t, Hash> places;
+    places.reserve(target_.size());
+    std::size_t used = 0;
+    for (std::size_t point = 0; point < target_.size(); ++point) {
+      if (target_[point] == kNone)
+        continue;
+      ++used;
+      // Adding zero makes -0 and 0, which are equal, the same bits.
+      const std::array<double, 3> place = {raw_.coordinates[3 * point] + 0.0,
+                                           raw_.coordinates[3 * point + 1] + 0.0,
+                                           raw_.coordinates[3 * point + 2] + 0.0};
+      const auto [found, isNew] = places.try_emplace(place, static_cast<std::int32_t>(kept_.size()));
+      target_[point] = found->second;
+      if (isNew)
+        kept_.push_back(point);
+    }
+    merged_ = used - kept_.size();
+    unused_ = target_.size() - used;
+    points_.resize(static_cast<Eigen::Index>(kept_.size()), 3);
+    for (std::size_t i = 0; i < kept_.size(); ++i)
+      for (std::size_t axis = 0; axis < 3; ++axis)
+        points_(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(axis)) =
+            raw_.coordinates[3 * kept_[i] + axis];
+  }
+
+  void cutPolygons() {
+    triangles_.reserve(raw_.polygonCount());
+    std::vector<std::int32_t> polygon;
+    std::size_t at = 0;
+    for (const std::size_t end : raw_.ends) {
+      polygon.clear();
+      for (; at < end; ++at) {
+        const std::int32_t corner = target_[static_cast<std::size_t>(raw_.corners[at])];
+        if (polygon.empty() || polygon.back() != corner)
+          polygon.push_back(corner);
+      }
+      while (polygon.size() > 1 && polygon.back() == polygon.front())
+        polygon.pop_back();
+      if (polygon.size() < 3)
+        ++dropped_;
+      else if (!triangulatePolygon(polygon, points_, triangles_))
+        ++fans_;
+    }
+    dropped_ +=
+        std::erase_if(triangles_, [](const auto& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; });
+    if (triangles_.empty())
+      fail("holds no triangle that has three different corners", "check its scale and its number format");
+  }
+
+  /// Points may have lost their last triangle.
+  void compact() {
+    std::vector<std::int32_t> place(kept_.size(), kNone);
+    for (const auto& triangle : triangles_)
+      for (const std::int32_t corner : triangle)
+        place[static_cast<std::size_t>(corner)] = 0;
+    std::int32_t next = 0;
+    for (std::int32_t& p : place)
+      if (p != kNone)
+        p = next++;
+    unused_ += kept_.size() - static_cast<std::size_t>(next);
+
+    mesh_.points.resize(next, 3);
+    if (!raw_.colors.empty())
+      mesh_.colors.resize(next, 3);
+    for (std::size_t i = 0; i < place.size(); ++i) {
+      if (place[i] == kNone)
+        continue;
+      mesh_.points.row(place[i]) = points_.row(static_cast<Eigen::Index>(i));
+      for (std::size_t k = 0; k < 3 && !raw_.colors.empty(); ++k)
+        mesh_.colors(place[i], static_cast<Eigen::Index>(k)) = raw_.colors[3 * kept_[i] + k];
+    }
+    mesh_.triangles.resize(static_cast<Eigen::Index>(triangles_.size()), 3);
+    for (std::size_t t = 0; t < triangles_.size(); ++t)
+      for (std::size_t k = 0; k < 3; ++k)
+        mesh_.triangles(static_cast<Eigen::Index>(t), static_cast<Eigen::Index>(k)) =
+            place[static_cast<std::size_t>(triangles_[t][k])];
+  }
+
+  /// Half a turn around the axis from foot to head: nothing is mirrored, triangles keep their orientation.
+  void turnRasIntoLps() {
+    // Subtracted from zero, so that 0 does not become -0.
+    mesh_.points.leftCols<2>() = (0.0 - mesh_.points.leftCols<2>().array()).matrix();
+  }
+
+  SurfaceFile finish() {
+    SurfaceFile result;
+    result.name = raw_.name.empty() ? stemOf(file_) : raw_.name;
+    result.space = raw_.space.value_or(Space::lps);
+    result.spaceStated = raw_.space.has_value();
+    result.warnings = std::move(raw_.warnings);
+    auto& warnings = result.warnings;
+    if (merged_ > 0 && raw_.pointsAreShared)
+      warnings.push_back(counted(merged_, "point that repeats", "points that repeat") + " another merged");
+    if (dropped_ > 0)
+      warnings.push_back(counted(dropped_, "triangle", "triangles") + " with a repeated corner dropped");
+    if (unused_ > 0)
+      warnings.push_back(counted(unused_, "point", "points") + " without a triangle dropped");
+    if (fans_ > 0)
+      warnings.push_back(counted(fans_, "polygon", "polygons") +
+                         " cut into fans, which is wrong where they are not convex");
+    result.mesh = std::move(mesh_);
+    appendSurfaceWarnings(result);
+    return result;
+  }
+
+  RawSurface raw_;
+  std::string file_;
+  std::vector<std::int32_t> target_; ///< For every point of the file its merged point, or kNone when unused.
+  std::vector<std::size_t> kept_;    ///< For every merged point the file's first point at its place.
+  Points points_;                    ///< The merged points.
+  std::vector<std::array<std::int32_t, 3>> triangles_;
+  geometry::TriangleMesh mesh_;
+  std::size_t merged_ = 0;
+  std::size_t unused_ = 0;
+  std::size_t dropped_ = 0;
+  std::size_t fans_ = 0;
+};
+
+} // namespace
+
+void RawSurface::addStrip(std::span<const std::int64_t> strip) {
+  for (std::size_t k = 0; k + 2 < strip.size(); ++k) {
+    const std::int64_t a = strip[k];
+    const std::int64_t b = strip[k + 1];
+    const std::int64_t c = strip[k + 2];
+    if (a == b || b == c || c == a)
+      continue;
+    if (k % 2 == 0)
+      addTriangle(a, b, c);
+    else
+      addTriangle(b, a, c);
+  }
+}
+
+SurfaceFile assembleSurface(RawSurface&& raw, const std::filesystem::path& file) {
+  return Assembly(std::move(raw), file).run();
+}
+
+} // namespace viscera::medical_io

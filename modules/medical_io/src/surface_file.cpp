@@ -1,0 +1,111 @@
+#include "viscera/medical_io/surface_file.h"
+
+#include <algorithm>
+#include <array>
+#include <new>
+#include <string_view>
+
+#include "file_bytes.h"
+#include "file_signature.h"
+#include "raw_surface.h"
+#include "surface_formats.h"
+#include "viscera/core/atomic_file.h"
+#include "viscera/core/error.h"
+
+namespace viscera::medical_io {
+namespace {
+
+struct Format {
+  std::string_view extension;
+  Signature signature;
+  RawSurface (*read)(const FileBytes&);
+  void (*write)(std::ostream&, const geometry::TriangleMesh&, const WriteSurface&);
+};
+
+const std::array<Format, 4>& formats() {
+  static const std::array<Format, 4> kFormats = {{
+      {".stl", Signature::stl, readStl, writeStl},
+      {".obj", Signature::obj, readObj, writeObj},
+      {".vtk", Signature::legacyVtk, readLegacyVtk, writeLegacyVtk},
+      {".vtp", Signature::vtp, readVtp, writeVtp},
+  }};
+  return kFormats;
+}
+
+const Format* formatOf(const std::filesystem::path& file) {
+  const std::string extension = extensionOf(file);
+  const auto& all = formats();
+  const auto found =
+      std::find_if(all.begin(), all.end(), [&](const Format& f) { return f.extension == extension; });
+  return found == all.end() ? nullptr : &*found;
+}
+
+std::string extensionList(bool writable) {
+  std::string list;
+  for (const Format& format : formats())
+    if (!writable || format.write != nullptr)
+      list += (list.empty() ? "" : ", ") + std::string(format.extension);
+  return list;
+}
+
+/// Names the real kind of a file whose name promises another. A file of no recognisable kind goes to the
+/// reader that its name asks for, which says what is wrong.
+void requireKind(const FileBytes& file, const Format& format) {
+  const Signature found = signatureOf(file);
+  if (found == Signature::unknown || found == format.signature)
+    return;
+  const std::string_view usual = usualExtension(found);
+  file.fail("is named " + std::string(format.extension) + " but looks like " + std::string(describe(found)),
+            usual.empty() ? "export it as a surface" : "rename it to end in " + std::string(usual));
+}
+
+geometry::TriangleMesh inSpace(const geometry::TriangleMesh& mesh, Space space) {
+  geometry::TriangleMesh result = mesh;
+  if (space == Space::ras)
+    result.points.leftCols<2>() = (0.0 - result.points.leftCols<2>().array()).matrix();
+  return result;
+}
+
+} // namespace
+
+SurfaceFile readSurface(const std::filesystem::path& file) {
+  const FileBytes bytes = readWholeFile(file);
+  const Format* format = formatOf(file);
+  if (format == nullptr) {
+    const Signature found = signatureOf(bytes);
+    bytes.fail("the ending \"" + extensionOf(file) + "\" is none of a surface file" +
+                   (found == Signature::unknown ? "" : "; it looks like " + std::string(describe(found))),
+               "known endings: " + extensionList(false));
+  }
+  requireKind(bytes, *format);
+  try {
+    return assembleSurface(format->read(bytes), file);
+  } catch (const std::bad_alloc&) {
+    bytes.fail("does not fit into memory", "reduce the surface first");
+  }
+}
+
+void writeSurface(const std::filesystem::path& file, const geometry::TriangleMesh& mesh,
+                  const WriteSurface& options) {
+  const Format* format = formatOf(file);
+  if (format == nullptr || format->write == nullptr)
+    throw CannotCreateError("surfaces cannot be written as \"" + extensionOf(file) + "\"", file.string(),
+                            "use one of " + extensionList(true));
+  geometry::requireValid(mesh, file.string());
+  if (mesh.triangles.rows() == 0)
+    throw DataError("there is no triangle to write", file.string(), "choose a surface that has some");
+  const geometry::TriangleMesh written = inSpace(mesh, options.space);
+  writeAtomically(file, [&](std::ostream& out) { format->write(out, written, options); });
+}
+
+const std::vector<std::string>& surfaceExtensions() {
+  static const std::vector<std::string> kExtensions = [] {
+    std::vector<std::string> list;
+    for (const Format& format : formats())
+      list.emplace_back(format.extension);
+    return list;
+  }();
+  return kExtensions;
+}
+
+} // namespace viscera::medical_io

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <iosfwd>
+#include <string>
+
+#include "file_bytes.h"
+#include "raw_surface.h"
+#include "viscera/medical_io/surface_file.h"
+
+/// The formats, one source a format in surface_formats/. Readers check every size against the bytes that are
+/// there and throw `DataError`; none prints, and none returns a part of a damaged file. Writers get a valid
+/// mesh whose coordinates are already in `options.space`.
+namespace viscera::medical_io {
+
+RawSurface readStl(const FileBytes& file);
+RawSurface readObj(const FileBytes& file);
+RawSurface readPly(const FileBytes& file);
+RawSurface readOff(const FileBytes& file);
+RawSurface readLegacyVtk(const FileBytes& file);
+RawSurface readVtp(const FileBytes& file);
+/// GLB, or the JSON of a GLTF, whose buffers are beside it.
+RawSurface readGltf(const FileBytes& file);
+
+void writeStl(std::ostream& out, const geometry::TriangleMesh& mesh, const WriteSurface& options);
+void writeObj(std::ostream& out, const geometry::TriangleMesh& mesh, const WriteSurface& options);
+void writePly(std::ostream& out, const geometry::TriangleMesh& mesh, const WriteSurface& options);
+void writeOff(std::ostream& out, const geometry::TriangleMesh& mesh, const WriteSurface& options);
+void writeLegacyVtk(std::ostream& out, const geometry::TriangleMesh& mesh, const WriteSurface& options);
+void writeVtp(std::ostream& out, const geometry::TriangleMesh& mesh, const WriteSurface& options);
+void writeGlb(std::ostream& out, const geometry::TriangleMesh& mesh, const WriteSurface& options);
+
+} // namespace viscera::medical_io

@@ -1,0 +1,176 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <ostream>
+#include <string>
+#include <string_view>
+
+#include "space_tag.h"
+#include "surface_formats.h"
+#include "text_scanner.h"
+
+// Own reader: VTK's keeps single precision, knows neither comments nor vertex colours, and splits corners at
+// texture seams, which opens a closed surface.
+namespace viscera::medical_io {
+namespace {
+
+/// Words of the format that say nothing about the shape.
+constexpr std::array<std::string_view, 12> kIgnored = {
+    "vt", "vn", "s", "usemtl", "mtllib", "usemap", "maplib", "shadow_obj", "trace_obj", "lod", "bevel", "vp"};
+constexpr std::array<std::string_view, 4> kNotSurface = {"p", "l", "curv", "surf"};
+
+class ObjReader {
+public:
+  explicit ObjReader(const FileBytes& file) : scanner_(file, file.view()) {}
+
+  RawSurface run() {
+    while (scanner_.remaining() > 0)
+      readLine(scanner_.line());
+    finishColors();
+    if (objects_ > 1) {
+      raw_.name.clear();
+      raw_.warnings.push_back("the file's " + std::to_string(objects_) +
+                              " objects were joined to one surface");
+    }
+    if (other_ > 0)
+      raw_.warnings.push_back(counted(other_, "line", "lines") +
+                              " with points, curves or free-form surfaces ignored");
+    return std::move(raw_);
+  }
+
+private:
+  template <typename List>
+  static bool contains(const List& list, std::string_view word) {
+    return std::find(list.begin(), list.end(), word) != list.end();
+  }
+
+  void readLine(std::string_view line) {
+    // A backslash at its end continues a line.
+    if (line.ends_with('\\')) {
+      joined_ = line;
+      while (joined_.ends_with('\\') && scanner_.remaining() > 0) {
+        joined_.back() = ' ';
+        joined_ += scanner_.line();
+      }
+      line = joined_;
+    }
+    const std::string_view word = takeWord(line);
+    if (word == "v")
+      readVertex(line);
+    else if (word == "f" || word == "fo")
+      readFace(line);
+    else if (word == "o" || word == "g")
+      readName(word, trimmed(line));
+    else if (word.starts_with('#'))
+      readComment(std::string(word) + std::string(line));
+    else if (contains(kNotSurface, word))
+      ++other_;
+    else if (!word.empty() && !contains(kIgnored, word))
+      readUnknown(word);
+  }
+
+  void readVertex(std::string_view line) {
+    std::array<double, 7> values{};
+    std::size_t count = 0;
+    for (std::string_view word = takeWord(line); !word.empty() && count < values.size();
+         word = takeWord(line)) {
+      const auto value = parseNumber(word);
+      if (!value)
+        scanner_.fail(inQuotes(word) + " stands where a coordinate should");
+      values[count++] = *value;
+    }
+    if (count < 3)
+      scanner_.fail("a point has fewer than three coordinates");
+    raw_.addPoint(values[0], values[1], values[2]);
+    if (count >= 6)
+      colors_.insert(colors_.end(), values.begin() + 3, values.begin() + 6);
+  }
+
+  void readFace(std::string_view line) {
+    const std::size_t first = raw_.corners.size();
+    for (std::string_view word = takeWord(line); !word.empty(); word = takeWord(line)) {
+      const auto number = parseInteger(word.substr(0, word.find('/')));
+      const auto points = static_cast<std::int64_t>(raw_.pointCount());
+      if (!number || *number == 0)
+        scanner_.fail(inQuotes(word) + " stands where a point's number should");
+      // Negative numbers count back from the last point so far.
+      const std::int64_t corner = *number > 0 ? *number - 1 : points + *number;
+      if (corner < 0)
+        scanner_.fail("a face refers to point " + std::to_string(*number) + ", but there are only " +
+                      std::to_string(points) + " before it");
+      raw_.corners.push_back(corner);
+    }
+    if (raw_.corners.size() - first < 3)
+      scanner_.fail("a face has fewer than three corners");
+    raw_.endPolygon();
+  }
+
+  void readName(std::string_view word, std::string_view name) {
+    if (word == "o")
+      ++objects_;
+    if (!name.empty() && (word == "o" || raw_.name.empty()) && name != "default")
+      raw_.name = name;
+  }
+
+  void readComment(std::string_view comment) {
+    if (!raw_.space)
+      raw_.space = findSpace(comment, raw_.warnings);
+  }
+
+  void readUnknown(std::string_view word) {
+    const bool text = std::all_of(word.begin(), word.end(), [](char c) { return c > ' ' && c <= '~'; });
+    if (!text || raw_.pointCount() == 0)
+      scanner_.fail(inQuotes(word) + " is no statement of an OBJ file");
+    ++other_;
+  }
+
+  /// Colours go from 0 to 1, in some programs to 255.
+  void finishColors() {
+    if (colors_.size() != raw_.coordinates.size() || colors_.empty())
+      return;
+    const double top = *std::max_element(colors_.begin(), colors_.end());
+    const double scale = top > 1.0 ? 1.0 : 255.0;
+    raw_.colors.reserve(colors_.size());
+    for (const double value : colors_)
+      raw_.colors.push_back(static_cast<std::uint8_t>(
+          value >= 0 ? std::min(std::lround(std::min(value, 256.0) * scale), 255L) : 0));
+  }
+
+  TextScanner scanner_;
+  RawSurface raw_;
+  std::string joined_;
+  std::vector<double> colors_;
+  std::uint64_t objects_ = 0;
+  std::uint64_t other_ = 0;
+};
+
+} // namespace
+
+RawSurface readObj(const FileBytes& file) {
+  return ObjReader(file).run();
+}
+
+void writeObj(std::ostream& out, const geometry::TriangleMesh& mesh, const WriteSurface& options) {
+  std::string text = "# " + writtenComment(options) + "\n";
+  const std::string name = nameInComment(writtenComment(options));
+  if (!name.empty())
+    text += "o " + name + "\n";
+  for (Eigen::Index v = 0; v < mesh.points.rows(); ++v) {
+    text += 'v';
+    for (int axis = 0; axis < 3; ++axis)
+      appendNumber(text += ' ', mesh.points(v, axis));
+    for (int k = 0; k < 3 && mesh.colors.rows() > 0; ++k)
+      appendNumber(text += ' ', static_cast<double>(mesh.colors(v, k)) / 255.0);
+    text += '\n';
+  }
+  for (Eigen::Index t = 0; t < mesh.triangles.rows(); ++t) {
+    text += 'f';
+    for (int k = 0; k < 3; ++k)
+      appendNumber(text += ' ', std::int64_t{mesh.triangles(t, k)} + 1);
+    text += '\n';
+  }
+  out.write(text.data(), static_cast<std::streamsize>(text.size()));
+}
+
+} // namespace viscera::medical_io

@@ -1,0 +1,461 @@
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <ostream>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <vtkNew.h>
+#include <vtkPolyData.h>
+#include <vtkPolyDataWriter.h>
+
+#include "quiet_vtk.h"
+#include "space_tag.h"
+#include "surface_formats.h"
+#include "text_scanner.h"
+#include "viscera/core/error.h"
+#include "vtk_poly_data.h"
+
+// Own reader: VTK's walks through the cells of a damaged file without looking where they end, which is a
+// crash, and allocates what the header promises.
+namespace viscera::medical_io {
+namespace {
+
+struct ValueType {
+  std::string_view name;
+  std::size_t bytes; ///< In a binary file; 0 for strings.
+  double (*load)(const char*);
+  std::int64_t (*loadInteger)(const char*); ///< Null for types that cannot be indices.
+};
+
+template <typename T>
+double loadAsDouble(const char* data) {
+  return static_cast<double>(loadValue<T>(data, std::endian::big));
+}
+template <typename T>
+std::int64_t loadAsInteger(const char* data) {
+  return static_cast<std::int64_t>(loadValue<T>(data, std::endian::big));
+}
+template <typename T>
+constexpr ValueType whole(std::string_view name) {
+  return {name, sizeof(T), loadAsDouble<T>, loadAsInteger<T>};
+}
+
+constexpr std::array<ValueType, 16> kTypes = {{
+    whole<std::uint8_t>("unsigned_char"),
+    whole<std::int8_t>("char"),
+    whole<std::int8_t>("signed_char"),
+    whole<std::uint16_t>("unsigned_short"),
+    whole<std::int16_t>("short"),
+    whole<std::uint32_t>("unsigned_int"),
+    whole<std::int32_t>("int"),
+    whole<std::uint64_t>("unsigned_long"),
+    whole<std::int64_t>("long"),
+    whole<std::int64_t>("vtktypeint64"),
+    whole<std::uint64_t>("vtktypeuint64"),
+    whole<std::int32_t>("vtkidtype"),
+    {"float", 4, loadAsDouble<float>, nullptr},
+    {"double", 8, loadAsDouble<double>, nullptr},
+    {"string", 0, nullptr, nullptr},
+    {"utf8_string", 0, nullptr, nullptr},
+}};
+
+/// Attributes of which every element has a fixed number of values, behind "KEYWORD name type".
+struct FixedAttribute {
+  std::string_view keyword;
+  std::uint64_t components;
+};
+constexpr std::array<FixedAttribute, 9> kFixedAttributes = {{{"vectors", 3},
+                                                             {"normals", 3},
+                                                             {"tensors", 9},
+                                                             {"tensors6", 6},
+                                                             {"global_ids", 1},
+                                                             {"pedigree_ids", 1},
+                                                             {"edge_flags", 1},
+                                                             {"rationalweights", 1},
+                                                             {"higherorderdegrees", 3}}};
+
+class LegacyVtkReader {
+public:
+  explicit LegacyVtkReader(const FileBytes& file) : file_(file), scanner_(file, file.view()) {}
+
+  RawSurface run() {
+    readHeader();
+    while (!scanner_.atEnd() && readSection()) {
+    }
+    if (raw_.colors.size() != raw_.coordinates.size())
+      raw_.colors.clear();
+    if (ignoredCells_ > 0)
+      raw_.warnings.push_back(counted(ignoredCells_, "line or point cell", "line or point cells") +
+                              " ignored");
+    return std::move(raw_);
+  }
+
+private:
+  void readHeader() {
+    std::string_view first = scanner_.line();
+    if (!first.starts_with("# vtk DataFile"))
+      file_.fail("does not begin with \"# vtk DataFile\": it is no legacy VTK file", "check its ending");
+    const std::size_t version = first.find_first_of("0123456789");
+    offsetsApart_ = version != first.npos && parseNumber(trimmed(first.substr(version))).value_or(0) >= 5.0;
+    const std::string_view title = scanner_.line();
+    raw_.space = findSpace(title, raw_.warnings);
+    raw_.name = nameInComment(title);
+    const std::string mode = lowered(trimmed(scanner_.line()));
+    if (mode != "ascii" && mode != "binary")
+      scanner_.fail(inQuotes(mode) + " stands where ASCII or BINARY should");
+    binary_ = mode == "binary";
+  }
+
+  /// False when the rest of the file is not understood and not needed.
+  bool readSection() {
+    const std::string_view word = scanner_.word();
+    const std::string keyword = lowered(word);
+    if (keyword == "dataset")
+      readDatasetType();
+    else if (keyword == "points")
+      readPoints();
+    else if (keyword == "polygons" || keyword == "triangle_strips" || keyword == "lines" ||
+             keyword == "vertices")
+      readCells(keyword);
+    else if (keyword == "metadata")
+      skipMetadata();
+    else if (keyword == "field")
+      readField();
+    else if (keyword == "point_data" || keyword == "cell_data")
+      beginAttributes(keyword == "point_data");
+    else if (attributes_ && readAttribute(keyword))
+      return true;
+    else if (attributes_)
+      return stopAt(word);
+    else
+      scanner_.fail(inQuotes(word) + " is no section of a legacy VTK surface");
+    return true;
+  }
+
+  bool stopAt(std::string_view word) {
+    raw_.warnings.push_back("values from the section " + inQuotes(word) +
+                            " on were not understood and ignored");
+    return false;
+  }
+
+  void readDatasetType() {
+    const std::string_view type = scanner_.word();
+    if (lowered(type) != "polydata")
+      file_.fail("holds a VTK dataset of type " + inQuotes(type) + ", not a surface (POLYDATA)",
+                 "extract its surface first");
+  }
+
+  const ValueType& readType() {
+    const std::string_view word = scanner_.word();
+    const std::string name = lowered(word);
+    const auto found =
+        std::find_if(kTypes.begin(), kTypes.end(), [&](const ValueType& t) { return t.name == name; });
+    if (found == kTypes.end())
+      scanner_.fail(inQuotes(word) + " is no type of numbers");
+    return *found;
+  }
+
+  /// Binary data begin in the line behind the words that announce them.
+  std::string_view binaryData(std::uint64_t count, const ValueType& type) {
+    scanner_.line();
+    const std::uint64_t bytes = saturatedProduct(count, type.bytes);
+    if (bytes > scanner_.remaining())
+      scanner_.fail("the file is cut off: " + std::to_string(count) + " numbers follow, but only " +
+                    counted(scanner_.remaining(), "byte", "bytes"));
+    const std::string_view data = scanner_.rest().substr(0, static_cast<std::size_t>(bytes));
+    scanner_.moveTo(scanner_.position() + data.size());
+    return data;
+  }
+
+  void requireRoom(std::uint64_t count) const {
+    if (count > scanner_.remaining())
+      scanner_.fail("the file is cut off: " + std::to_string(count) + " numbers follow, but only " +
+                    counted(scanner_.remaining(), "byte", "bytes"));
+  }
+
+  std::vector<double> readNumbers(std::uint64_t count, const ValueType& type) {
+    if (type.bytes == 0)
+      scanner_.fail("texts stand where numbers should");
+    std::vector<double> values;
+    if (binary_) {
+      const std::string_view data = binaryData(count, type);
+      values.reserve(static_cast<std::size_t>(count));
+      for (std::size_t at = 0; at < data.size(); at += type.bytes)
+        values.push_back(type.load(data.data() + at));
+      return values;
+    }
+    requireRoom(count);
+    values.reserve(static_cast<std::size_t>(count));
+    for (std::uint64_t i = 0; i < count; ++i)
+      values.push_back(scanner_.number("a number"));
+    return values;
+  }
+
+  std::vector<std::int64_t> readIntegers(std::uint64_t count, const ValueType& type) {
+    if (type.loadInteger == nullptr)
+      scanner_.fail("point numbers are of a type that is not whole");
+    std::vector<std::int64_t> values;
+    if (binary_) {
+      const std::string_view data = binaryData(count, type);
+      values.reserve(static_cast<std::size_t>(count));
+      for (std::size_t at = 0; at < data.size(); at += type.bytes)
+        values.push_back(type.loadInteger(data.data() + at));
+      return values;
+    }
+    requireRoom(count);
+    values.reserve(static_cast<std::size_t>(count));
+    for (std::uint64_t i = 0; i < count; ++i)
+      values.push_back(scanner_.integer("a point's number"));
+    return values;
+  }
+
+  void skipNumbers(std::uint64_t count, const ValueType& type) {
+    if (binary_) {
+      binaryData(count, type);
+      return;
+    }
+    requireRoom(count);
+    for (std::uint64_t i = 0; i < count; ++i)
+      scanner_.number("a number");
+  }
+
+  void readPoints() {
+    if (!raw_.coordinates.empty())
+      scanner_.fail("there is a second list of points");
+    const std::uint64_t count = scanner_.count("the number of points", 3);
+    raw_.coordinates = readNumbers(saturatedProduct(count, 3), readType());
+  }
+
+  static const ValueType& intType() { return kTypes[6]; }
+
+  void readCells(const std::string& keyword) {
+    const std::uint64_t count = scanner_.count("the number of cells", 0);
+    const std::uint64_t size = scanner_.count("the size of the cells", 1);
+    if (offsetsApart_)
+      readCellsByOffsets(keyword, count, size);
+    else
+      readCellsBySizes(keyword, count, readIntegers(size, intType()));
+  }
+
+  void readCellsBySizes(const std::string& keyword, std::uint64_t count,
+                        const std::vector<std::int64_t>& list) {
+    std::uint64_t cells = 0;
+    for (std::size_t at = 0; at < list.size(); ++cells) {
+      const std::int64_t size = list[at++];
+      if (size < 0 || static_cast<std::uint64_t>(size) > list.size() - at)
+        scanner_.fail("cell " + std::to_string(cells) + " claims " + std::to_string(size) + " points, but " +
+                      std::to_string(list.size() - at) + " numbers are left");
+      addCell(keyword, std::span(list).subspan(at, static_cast<std::size_t>(size)));
+      at += static_cast<std::size_t>(size);
+    }
+    if (cells != count)
+      scanner_.fail(std::to_string(count) + " cells were announced, but there are " + std::to_string(cells));
+  }
+
+  void readCellsByOffsets(const std::string& keyword, std::uint64_t count, std::uint64_t size) {
+    if (count == 0)
+      return;
+    requireWord("offsets");
+    const std::vector<std::int64_t> offsets = readIntegers(count, readType());
+    requireWord("connectivity");
+    const std::vector<std::int64_t> list = readIntegers(size, readType());
+    if (offsets.front() != 0 || offsets.back() != static_cast<std::int64_t>(list.size()) ||
+        !std::is_sorted(offsets.begin(), offsets.end()))
+      scanner_.fail("the cells' offsets do not fit their points");
+    for (std::size_t cell = 0; cell + 1 < offsets.size(); ++cell)
+      addCell(keyword, std::span(list).subspan(static_cast<std::size_t>(offsets[cell]),
+                                               static_cast<std::size_t>(offsets[cell + 1] - offsets[cell])));
+  }
+
+  void requireWord(std::string_view expected) {
+    const std::string_view word = scanner_.word();
+    if (lowered(word) != expected)
+      scanner_.fail(inQuotes(word) + " stands where " + std::string(expected) + " should");
+  }
+
+  void addCell(const std::string& keyword, std::span<const std::int64_t> cell) {
+    if (keyword == "polygons") {
+      raw_.corners.insert(raw_.corners.end(), cell.begin(), cell.end());
+      raw_.endPolygon();
+    } else if (keyword == "triangle_strips") {
+      raw_.addStrip(cell);
+    } else {
+      ++ignoredCells_;
+    }
+  }
+
+  /// Runs to the next empty line.
+  void skipMetadata() {
+    scanner_.line();
+    while (scanner_.remaining() > 0 && !trimmed(scanner_.line()).empty()) {
+    }
+  }
+
+  void beginAttributes(bool ofPoints) {
+    attributes_ = true;
+    ofPoints_ = ofPoints;
+    elements_ = scanner_.count("the number of values", 0);
+    if (ofPoints && elements_ != raw_.pointCount())
+      scanner_.fail("there are values for " + counted(elements_, "point", "points") +
+                    ", but the surface has " + std::to_string(raw_.pointCount()));
+  }
+
+  /// False for a keyword that is none.
+  bool readAttribute(const std::string& keyword) {
+    const auto fixed = std::find_if(kFixedAttributes.begin(), kFixedAttributes.end(),
+                                    [&](const FixedAttribute& a) { return a.keyword == keyword; });
+    if (fixed != kFixedAttributes.end()) {
+      scanner_.word();
+      const ValueType& type = readType();
+      skipNumbers(saturatedProduct(elements_, fixed->components), type);
+    } else if (keyword == "scalars") {
+      readScalars();
+    } else if (keyword == "color_scalars") {
+      scanner_.word();
+      const std::uint64_t components = scanner_.count("the number of colour channels", 0);
+      // In text colours go from 0 to 1.
+      readColors(elements_, components, binary_ ? kTypes[0] : kTypes[12], binary_ ? 1.0 : 255.0);
+    } else if (keyword == "lookup_table") {
+      scanner_.word();
+      skipNumbers(saturatedProduct(scanner_.count("the size of a colour table", 0), 4), kTypes[0]);
+    } else if (keyword == "texture_coordinates") {
+      scanner_.word();
+      const std::uint64_t components = scanner_.count("the number of texture axes", 0);
+      const ValueType& type = readType();
+      skipNumbers(saturatedProduct(elements_, components), type);
+    } else {
+      return false;
+    }
+    return true;
+  }
+
+  void readScalars() {
+    scanner_.word();
+    const ValueType& type = readType();
+    const std::size_t behindType = scanner_.position();
+    const std::optional<std::int64_t> components = parseInteger(scanner_.word());
+    if (!components)
+      scanner_.moveTo(behindType);
+    const std::size_t behindComponents = scanner_.position();
+    if (lowered(scanner_.word()) == "lookup_table")
+      scanner_.word();
+    else
+      scanner_.moveTo(behindComponents);
+    if (components.value_or(1) < 1)
+      scanner_.fail("the number of components is not positive");
+    readColors(elements_, static_cast<std::uint64_t>(components.value_or(1)), type, 1.0);
+  }
+
+  /// Keeps values that can be colours of points: three or four bytes each.
+  void readColors(std::uint64_t tuples, std::uint64_t components, const ValueType& type, double scale) {
+    const std::uint64_t count = saturatedProduct(tuples, components);
+    const bool bytes = type.name == "unsigned_char" || scale != 1.0;
+    if (!ofPoints_ || !bytes || components < 3 || components > 4 || !raw_.colors.empty() ||
+        tuples != raw_.pointCount()) {
+      skipValues(count, type);
+      return;
+    }
+    const std::vector<double> values = readNumbers(count, type);
+    for (std::size_t i = 0; i < values.size(); ++i)
+      if (i % components < 3)
+        raw_.colors.push_back(toByte(values[i] * scale));
+  }
+
+  static std::uint8_t toByte(double value) {
+    return static_cast<std::uint8_t>(value > 0 ? std::min(value, 255.0) + 0.5 : 0.0);
+  }
+
+  void readField() {
+    scanner_.word();
+    const std::uint64_t arrays = scanner_.count("the number of arrays", 1);
+    for (std::uint64_t i = 0; i < arrays; ++i) {
+      std::string_view name = scanner_.word();
+      while (lowered(name) == "metadata") {
+        skipMetadata();
+        name = scanner_.word();
+      }
+      if (name.empty())
+        scanner_.failAtEnd("an array's name");
+      if (name == "NULL_ARRAY")
+        continue;
+      const std::uint64_t components = scanner_.count("the number of components", 0);
+      const std::uint64_t tuples = scanner_.count("the number of values", 0);
+      const ValueType& type = readType();
+      if (attributes_ && type.bytes != 0)
+        readColors(tuples, components, type, 1.0);
+      else if (type.bytes == 0)
+        readTexts(name, saturatedProduct(components, tuples));
+      else
+        skipValues(saturatedProduct(components, tuples), type);
+    }
+  }
+
+  void skipValues(std::uint64_t count, const ValueType& type) {
+    if (type.bytes == 0)
+      readTexts({}, count);
+    else
+      skipNumbers(count, type);
+  }
+
+  void readTexts(std::string_view array, std::uint64_t count) {
+    scanner_.line();
+    requireRoom(count);
+    for (std::uint64_t i = 0; i < count; ++i) {
+      const std::string_view text = binary_ ? binaryText() : scanner_.line();
+      if (array == "SPACE" && !raw_.space)
+        raw_.space = findSpace("SPACE=" + std::string(text), raw_.warnings);
+    }
+  }
+
+  /// The two highest bits of a text's length say how many bytes the length has.
+  std::string_view binaryText() {
+    requireRoom(1);
+    const auto first = static_cast<unsigned char>(scanner_.rest().front());
+    const std::size_t lengthBytes = std::size_t{8} >> (first >> 6U);
+    requireRoom(lengthBytes);
+    std::uint64_t length = first & 0x3FU;
+    for (std::size_t i = 1; i < lengthBytes; ++i)
+      length = length << 8U | static_cast<unsigned char>(scanner_.rest()[i]);
+    scanner_.moveTo(scanner_.position() + lengthBytes);
+    requireRoom(length);
+    const std::string_view text = scanner_.rest().substr(0, static_cast<std::size_t>(length));
+    scanner_.moveTo(scanner_.position() + text.size());
+    return text;
+  }
+
+  const FileBytes& file_;
+  TextScanner scanner_;
+  RawSurface raw_;
+  bool binary_ = false;
+  bool offsetsApart_ = false; ///< Since version 5 cells have an array of offsets instead of their sizes.
+  bool attributes_ = false;
+  bool ofPoints_ = false;
+  std::uint64_t elements_ = 0;
+  std::uint64_t ignoredCells_ = 0;
+};
+
+} // namespace
+
+RawSurface readLegacyVtk(const FileBytes& file) {
+  return LegacyVtkReader(file).run();
+}
+
+void writeLegacyVtk(std::ostream& out, const geometry::TriangleMesh& mesh, const WriteSurface& options) {
+  vtkNew<vtkPolyDataWriter> writer;
+  const QuietVtk quiet(writer);
+  const auto data = polyDataOf(mesh);
+  writer->SetInputData(data);
+  writer->SetHeader(writtenComment(options).c_str());
+  writer->SetFileTypeToBinary();
+  // 5.x, the default, cannot be read by programs of before 2020.
+  writer->SetFileVersion(vtkPolyDataWriter::VTK_LEGACY_READER_VERSION_4_2);
+  writer->WriteToOutputStringOn();
+  if (writer->Write() == 0 || quiet.failed())
+    throw CannotCreateError("VTK could not write the surface: " + quiet.error());
+  out.write(writer->GetOutputString(), writer->GetOutputStringLength());
+}
+
+} // namespace viscera::medical_io

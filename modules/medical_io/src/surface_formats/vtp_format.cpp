@@ -1,0 +1,235 @@
+#include <algorithm>
+#include <cstdint>
+#include <optional>
+#include <ostream>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include <vtkFieldData.h>
+#include <vtkNew.h>
+#include <vtkPolyData.h>
+#include <vtkStringArray.h>
+#include <vtkXMLPolyDataWriter.h>
+
+#include "quiet_vtk.h"
+#include "space_tag.h"
+#include "surface_formats.h"
+#include "surface_formats/vtp_data_array.h"
+#include "text_scanner.h"
+#include "viscera/core/error.h"
+#include "vtk_poly_data.h"
+#include "xml_tree.h"
+
+// VTK's expat, base64 and decompressors do the work, but not its reader: that one allocates what damaged
+// headers promise and gives the part that it could read of a file that was cut off.
+namespace viscera::medical_io {
+namespace {
+
+constexpr std::string_view kAppendedTag = "<AppendedData";
+
+class VtpReader {
+public:
+  explicit VtpReader(const FileBytes& file) : file_(file) { storage_.file = &file; }
+
+  RawSurface run() {
+    tree_ = parse();
+    checkRoot();
+    const XmlElement* data = tree_.root.child("PolyData");
+    if (data == nullptr)
+      file_.fail("holds no PolyData", "export it as a surface");
+    readFields(*data);
+    for (const XmlElement& child : data->children)
+      if (child.name == "Piece")
+        readPiece(child);
+    if (!everyPieceHasColors_)
+      raw_.colors.clear();
+    if (ignoredCells_ > 0)
+      raw_.warnings.push_back(counted(ignoredCells_, "line or point cell", "line or point cells") +
+                              " ignored");
+    return std::move(raw_);
+  }
+
+private:
+  /// Raw appended data are no XML: the document is parsed up to them.
+  XmlTree parse() {
+    std::string_view document = file_.view();
+    const std::size_t tag = document.find(kAppendedTag);
+    if (tag == document.npos)
+      return parseXml(document);
+    const std::size_t tagEnd = document.find('>', tag);
+    const std::size_t begin = tagEnd == document.npos ? tagEnd : document.find('_', tagEnd);
+    if (begin == document.npos)
+      file_.fail("the file is cut off before its data");
+    const std::string_view opening = document.substr(tag, tagEnd - tag);
+    storage_.appendedIsBase64 = opening.find("raw") == opening.npos;
+    storage_.appended = document.substr(begin + 1);
+    if (file_.view().rfind("</VTKFile>") == file_.view().npos)
+      file_.fail("the file is cut off: its end is missing");
+    return parseXml(std::string(document.substr(0, tagEnd + 1)) + "</AppendedData></VTKFile>");
+  }
+
+  void checkRoot() {
+    if (!tree_.error.empty())
+      file_.fail("is no complete XML: " + tree_.error);
+    const XmlElement& root = tree_.root;
+    if (root.name != "VTKFile" || root.attribute("type") != "PolyData")
+      file_.fail("holds " + inQuotes(root.attribute("type")) + ", not a VTK surface (PolyData)",
+                 "extract its surface first");
+    storage_.order = root.attribute("byte_order") == "BigEndian" ? std::endian::big : std::endian::little;
+    storage_.headerBytes = root.attribute("header_type") == "UInt64" ? 8 : 4;
+    storage_.compressor = root.attribute("compressor");
+  }
+
+  void readFields(const XmlElement& data) {
+    const XmlElement* fields = data.child("FieldData");
+    if (fields == nullptr)
+      return;
+    for (const XmlElement& array : fields->children) {
+      if (array.attribute("type") != "String")
+        continue;
+      if (array.attribute("Name") == "SPACE")
+        raw_.space = findSpace("SPACE=" + readVtpText(storage_, array), raw_.warnings);
+      else if (array.attribute("Name") == "Name")
+        raw_.name = readVtpText(storage_, array);
+    }
+  }
+
+  std::uint64_t count(const XmlElement& piece, std::string_view key) const {
+    const std::string_view text = piece.attribute(key);
+    const std::optional<std::int64_t> value = text.empty() ? 0 : parseInteger(text);
+    if (!value || *value < 0)
+      file_.fail(std::string(key) + " is " + inQuotes(text) + ", which is no number of things");
+    return static_cast<std::uint64_t>(*value);
+  }
+
+  void readPiece(const XmlElement& piece) {
+    const std::uint64_t points = count(piece, "NumberOfPoints");
+    const std::uint64_t before = raw_.pointCount();
+    if (points > 0)
+      readPoints(piece, points);
+    readCells(piece, "Polys", count(piece, "NumberOfPolys"), before, points);
+    readCells(piece, "Strips", count(piece, "NumberOfStrips"), before, points);
+    ignoredCells_ += count(piece, "NumberOfLines") + count(piece, "NumberOfVerts");
+    readColors(piece, points);
+  }
+
+  void readPoints(const XmlElement& piece, std::uint64_t points) {
+    const XmlElement* element = piece.child("Points");
+    const XmlElement* array = element == nullptr ? nullptr : element->child("DataArray");
+    if (array == nullptr)
+      file_.fail("holds a piece without points");
+    const std::vector<double> values = readVtpNumbers(storage_, *array);
+    if (values.size() != saturatedProduct(points, 3))
+      file_.fail("announces " + std::to_string(points) + " points, but holds " +
+                 std::to_string(values.size()) + " coordinates");
+    raw_.coordinates.insert(raw_.coordinates.end(), values.begin(), values.end());
+  }
+
+  const XmlElement& cellArray(const XmlElement& cells, std::string_view name) const {
+    for (const XmlElement& array : cells.children)
+      if (array.attribute("Name") == name)
+        return array;
+    file_.fail("has cells without the array " + inQuotes(name));
+  }
+
+  void readCells(const XmlElement& piece, std::string_view kind, std::uint64_t cells, std::uint64_t before,
+                 std::uint64_t points) {
+    if (cells == 0)
+      return;
+    const XmlElement* element = piece.child(kind);
+    if (element == nullptr)
+      file_.fail("announces cells of the kind " + std::string(kind) + ", but has none");
+    std::vector<std::int64_t> list = readVtpIntegers(storage_, cellArray(*element, "connectivity"));
+    const std::vector<std::int64_t> ends = readVtpIntegers(storage_, cellArray(*element, "offsets"));
+    if (ends.size() != cells || ends.front() < 0 || !std::is_sorted(ends.begin(), ends.end()) ||
+        ends.back() != static_cast<std::int64_t>(list.size()))
+      file_.fail("the offsets of its cells (" + std::string(kind) + ") do not fit their points");
+    for (std::int64_t& point : list) {
+      if (point < 0 || static_cast<std::uint64_t>(point) >= points)
+        file_.fail("a cell refers to point " + std::to_string(point) + ", but there are " +
+                   std::to_string(points) + " (counted from 0)");
+      point += static_cast<std::int64_t>(before);
+    }
+    std::int64_t begin = 0;
+    for (const std::int64_t end : ends) {
+      const auto cell =
+          std::span(list).subspan(static_cast<std::size_t>(begin), static_cast<std::size_t>(end - begin));
+      begin = end;
+      if (kind == "Strips") {
+        raw_.addStrip(cell);
+        continue;
+      }
+      raw_.corners.insert(raw_.corners.end(), cell.begin(), cell.end());
+      raw_.endPolygon();
+    }
+  }
+
+  static bool holdsColors(const XmlElement& array) {
+    const std::string_view components = array.attribute("NumberOfComponents");
+    return array.attribute("type") == "UInt8" && (components == "3" || components == "4");
+  }
+
+  /// The active scalars when they can be colours, or else the first array that can.
+  void readColors(const XmlElement& piece, std::uint64_t points) {
+    const XmlElement* data = piece.child("PointData");
+    const XmlElement* chosen = nullptr;
+    if (data == nullptr) {
+      everyPieceHasColors_ = everyPieceHasColors_ && points == 0;
+      return;
+    }
+    for (const XmlElement& array : data->children)
+      if (holdsColors(array) && (chosen == nullptr || array.attribute("Name") == data->attribute("Scalars")))
+        chosen = &array;
+    if (chosen == nullptr) {
+      everyPieceHasColors_ = everyPieceHasColors_ && points == 0;
+      return;
+    }
+    const std::uint64_t components = chosen->attribute("NumberOfComponents") == "3" ? 3 : 4;
+    const std::vector<std::int64_t> values = readVtpIntegers(storage_, *chosen);
+    if (values.size() != saturatedProduct(points, components))
+      file_.fail("has " + std::to_string(values.size()) + " colour values for " + std::to_string(points) +
+                 " points");
+    for (std::size_t i = 0; i < values.size(); ++i)
+      if (i % components < 3)
+        raw_.colors.push_back(static_cast<std::uint8_t>(values[i]));
+  }
+
+  const FileBytes& file_;
+  VtpStorage storage_;
+  XmlTree tree_;
+  RawSurface raw_;
+  bool everyPieceHasColors_ = true;
+  std::uint64_t ignoredCells_ = 0;
+};
+
+void addField(vtkPolyData* data, const char* name, const std::string& text) {
+  vtkNew<vtkStringArray> array;
+  array->SetName(name);
+  array->InsertNextValue(text);
+  data->GetFieldData()->AddArray(array);
+}
+
+} // namespace
+
+RawSurface readVtp(const FileBytes& file) {
+  return VtpReader(file).run();
+}
+
+void writeVtp(std::ostream& out, const geometry::TriangleMesh& mesh, const WriteSurface& options) {
+  vtkNew<vtkXMLPolyDataWriter> writer;
+  const QuietVtk quiet(writer);
+  const auto data = polyDataOf(mesh);
+  addField(data, "SPACE", std::string(spaceName(options.space)));
+  if (!options.name.empty())
+    addField(data, "Name", options.name);
+  writer->SetInputData(data);
+  writer->SetDataModeToAppended();
+  writer->WriteToOutputStringOn();
+  if (writer->Write() == 0 || quiet.failed())
+    throw CannotCreateError("VTK could not write the surface: " + quiet.error());
+  const std::string text = writer->GetOutputString();
+  out.write(text.data(), static_cast<std::streamsize>(text.size()));
+}
+
+} // namespace viscera::medical_io

@@ -1,0 +1,159 @@
+#include "text_scanner.h"
+
+#include <algorithm>
+#include <charconv>
+#include <limits>
+
+namespace viscera::medical_io {
+namespace {
+
+bool isSpace(char c) {
+  return c == ' ' || c == '\t' || c == '\n' || c == '\r' || c == '\v' || c == '\f';
+}
+
+constexpr std::size_t kLongestQuote = 40;
+
+} // namespace
+
+std::optional<double> parseNumber(std::string_view token) {
+  if (token.starts_with('+'))
+    token.remove_prefix(1);
+  double value = 0;
+  const auto [end, error] = std::from_chars(token.data(), token.data() + token.size(), value);
+  if (end != token.data() + token.size() || token.empty() || error == std::errc::invalid_argument)
+    return std::nullopt;
+  if (error == std::errc::result_out_of_range) {
+    // Too small is as good as zero; too large is reported later as a coordinate that is not finite.
+    const bool tiny = token.find("e-") != token.npos || token.find("E-") != token.npos;
+    return tiny ? 0.0 : std::numeric_limits<double>::infinity();
+  }
+  return value;
+}
+
+std::optional<std::int64_t> parseInteger(std::string_view token) {
+  if (token.starts_with('+'))
+    token.remove_prefix(1);
+  std::int64_t value = 0;
+  const auto [end, error] = std::from_chars(token.data(), token.data() + token.size(), value);
+  if (token.empty() || error != std::errc() || end != token.data() + token.size())
+    return std::nullopt;
+  return value;
+}
+
+std::string_view trimmed(std::string_view text) {
+  while (!text.empty() && isSpace(text.front()))
+    text.remove_prefix(1);
+  while (!text.empty() && isSpace(text.back()))
+    text.remove_suffix(1);
+  return text;
+}
+
+std::string_view takeWord(std::string_view& line) {
+  std::size_t begin = 0;
+  while (begin < line.size() && isSpace(line[begin]))
+    ++begin;
+  std::size_t end = begin;
+  while (end < line.size() && !isSpace(line[end]))
+    ++end;
+  const std::string_view word = line.substr(begin, end - begin);
+  line.remove_prefix(end);
+  return word;
+}
+
+void appendNumber(std::string& out, double value) {
+  char buffer[32];
+  const auto [end, error] = std::to_chars(buffer, buffer + sizeof buffer, value);
+  out.append(buffer, end);
+}
+
+void appendNumber(std::string& out, std::int64_t value) {
+  char buffer[32];
+  const auto [end, error] = std::to_chars(buffer, buffer + sizeof buffer, value);
+  out.append(buffer, end);
+}
+
+void TextScanner::skipSpace() {
+  while (at_ < text_.size() && isSpace(text_[at_]))
+    ++at_;
+}
+
+bool TextScanner::atEnd() {
+  skipSpace();
+  return at_ == text_.size();
+}
+
+std::string_view TextScanner::word() {
+  skipSpace();
+  start_ = at_;
+  while (at_ < text_.size() && !isSpace(text_[at_]))
+    ++at_;
+  return text_.substr(start_, at_ - start_);
+}
+
+std::string_view TextScanner::peek() {
+  const std::size_t at = at_;
+  const std::string_view next = word();
+  at_ = at;
+  return next;
+}
+
+std::string_view TextScanner::line() {
+  start_ = at_;
+  const std::size_t end = std::min(text_.find('\n', at_), text_.size());
+  std::string_view result = text_.substr(at_, end - at_);
+  at_ = std::min(end + 1, text_.size());
+  if (result.ends_with('\r'))
+    result.remove_suffix(1);
+  return result;
+}
+
+double TextScanner::number(std::string_view part) {
+  const std::string_view token = word();
+  if (token.empty())
+    failAtEnd(part);
+  const std::optional<double> value = parseNumber(token);
+  if (!value)
+    fail(inQuotes(token) + " stands where " + std::string(part) + " should");
+  return *value;
+}
+
+std::int64_t TextScanner::integer(std::string_view part) {
+  const std::string_view token = word();
+  if (token.empty())
+    failAtEnd(part);
+  const std::optional<std::int64_t> value = parseInteger(token);
+  if (!value)
+    fail(inQuotes(token) + " stands where " + std::string(part) + " should");
+  return *value;
+}
+
+std::uint64_t TextScanner::count(std::string_view part, std::uint64_t bytesEach) {
+  const std::int64_t value = integer(part);
+  if (value < 0)
+    fail(std::string(part) + " is negative");
+  if (saturatedProduct(static_cast<std::uint64_t>(value), bytesEach) > remaining() + bytesEach)
+    fail(std::string(part) + " is " + std::to_string(value) + ", more than the " +
+         std::to_string(remaining()) + " bytes that are left can hold");
+  return static_cast<std::uint64_t>(value);
+}
+
+void TextScanner::fail(const std::string& problem) const {
+  const std::size_t at = static_cast<std::size_t>(text_.data() - file_.bytes.data()) + start_;
+  const auto lines =
+      std::count(file_.bytes.begin(),
+                 file_.bytes.begin() + static_cast<std::ptrdiff_t>(std::min(at, file_.bytes.size())), '\n');
+  file_.fail("line " + std::to_string(lines + 1) + ": " + problem);
+}
+
+void TextScanner::failAtEnd(std::string_view part) const {
+  fail("the file is cut off: it ends where " + std::string(part) + " should stand");
+}
+
+std::string inQuotes(std::string_view text) {
+  std::string result = "\"";
+  for (const char c : text.substr(0, kLongestQuote))
+    result += c >= ' ' && c <= '~' ? c : '?';
+  return result + (text.size() > kLongestQuote ? "...\"" : "\"");
+}
+
+} // namespace viscera::medical_io

@@ -1,0 +1,70 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "file_bytes.h"
+
+namespace viscera::medical_io {
+
+/// The number that `token` is as a whole ("1", "-2.5e3", "nan", "inf"), read independently of the locale.
+std::optional<double> parseNumber(std::string_view token);
+/// The whole number that `token` is as a whole; nothing when it is none or does not fit.
+std::optional<std::int64_t> parseInteger(std::string_view token);
+/// `text` without white space around it.
+std::string_view trimmed(std::string_view text);
+/// The first white-space separated word of `line`, which is shortened by it; empty at the end.
+std::string_view takeWord(std::string_view& line);
+/// The shortest text that reads back as the same number.
+void appendNumber(std::string& out, double value);
+void appendNumber(std::string& out, std::int64_t value);
+
+/// Walks through text by words or by lines and knows where it is for messages.
+class TextScanner {
+public:
+  /// `text` is a part of `file`, which is named in errors and outlives the scanner.
+  /// A byte order mark at its beginning is skipped.
+  TextScanner(const FileBytes& file, std::string_view text)
+      : file_(file), text_(text), at_(text.starts_with("\xef\xbb\xbf") ? 3 : 0) {}
+
+  bool atEnd();
+  /// The next word; empty at the end.
+  std::string_view word();
+  /// The rest of the line, without its end; empty at the end of the text.
+  std::string_view line();
+  /// The next word without moving on.
+  std::string_view peek();
+
+  /// The next word as a number; `part` names what is read. Throws `DataError` with the line's number.
+  double number(std::string_view part);
+  std::int64_t integer(std::string_view part);
+  /// A number of things that is not negative and of which each takes `bytesEach` bytes or more of what is
+  /// left.
+  std::uint64_t count(std::string_view part, std::uint64_t bytesEach);
+
+  std::size_t position() const { return at_; }
+  void moveTo(std::size_t position) { at_ = position; }
+  std::size_t remaining() const { return text_.size() - at_; }
+  std::string_view rest() const { return text_.substr(at_); }
+
+  /// Throws `DataError` that names the line last read from.
+  [[noreturn]] void fail(const std::string& problem) const;
+  /// The same for a text that ends too early.
+  [[noreturn]] void failAtEnd(std::string_view part) const;
+
+private:
+  void skipSpace();
+
+  const FileBytes& file_;
+  std::string_view text_;
+  std::size_t at_ = 0;
+  std::size_t start_ = 0; ///< Of the word or line last read.
+};
+
+/// `text` shortened and made printable, in quotes, for messages.
+std::string inQuotes(std::string_view text);
+
+} // namespace viscera::medical_io

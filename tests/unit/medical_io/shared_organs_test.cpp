@@ -1,0 +1,79 @@
+#include <filesystem>
+
+#include <gtest/gtest.h>
+
+#include "viscera/geometry/surface_check.h"
+#include "viscera/medical_io/surface_file.h"
+
+namespace viscera::medical_io {
+namespace {
+
+const std::filesystem::path kOrgans = VISCERA_SHARED_ORGANS;
+
+#define SKIP_WITHOUT(file)                                                                                   \
+  if (!std::filesystem::exists(file))                                                                        \
+  GTEST_SKIP() << (file).filename() << " is not there; it is not part of the project"
+
+bool warnsOf(const SurfaceFile& surface, const std::string& words) {
+  for (const std::string& warning : surface.warnings)
+    if (warning.find(words) != std::string::npos)
+      return true;
+  return false;
+}
+
+TEST(SharedOrgans, LiverOfTriangleStripsIsClosedAndManifold) {
+  const auto file = kOrgans / "liver.vtk";
+  SKIP_WITHOUT(file);
+  const SurfaceFile liver = readSurface(file);
+  const geometry::SurfaceReport report = geometry::checkSurface(liver.mesh);
+  // 33,950 points in the file, some of them twice: without merging the surface would have slits.
+  EXPECT_EQ(liver.mesh.points.rows(), 33568);
+  EXPECT_TRUE(warnsOf(liver, "382 points that repeat another merged"));
+  EXPECT_EQ(report.boundaryEdges, 0);
+  EXPECT_EQ(report.nonManifoldEdges, 0);
+  EXPECT_EQ(report.misorientedEdges, 0);
+  EXPECT_EQ(report.degenerateTriangles, 0);
+  // Euler: a closed manifold in one piece has an even characteristic of 2 or less; here n - 3/2 m + m.
+  const Eigen::Index characteristic = liver.mesh.points.rows() - liver.mesh.triangles.rows() / 2;
+  EXPECT_EQ(report.components, 1);
+  EXPECT_LE(characteristic, 2);
+  EXPECT_EQ(characteristic % 2, 0);
+  EXPECT_FALSE(liver.spaceStated);
+  EXPECT_EQ(liver.name, "liver");
+}
+
+TEST(SharedOrgans, LiverOf238MillilitresIsQuestioned) {
+  const auto file = kOrgans / "liver.vtk";
+  SKIP_WITHOUT(file);
+  const SurfaceFile liver = readSurface(file);
+  EXPECT_NEAR(std::abs(geometry::checkSurface(liver.mesh).volumeMm3) / kMm3PerMl, 238, 1);
+  EXPECT_TRUE(warnsOf(liver, "not life-sized"));
+}
+
+TEST(SharedOrgans, LeftKidneyOfTriangleStripsIsClosedAndManifold) {
+  const auto file = kOrgans / "kidney_left.vtk";
+  SKIP_WITHOUT(file);
+  const SurfaceFile kidney = readSurface(file);
+  const geometry::SurfaceReport report = geometry::checkSurface(kidney.mesh);
+  EXPECT_EQ(kidney.mesh.points.rows(), 9968 - 69) << "69 points are in the file twice";
+  EXPECT_TRUE(report.closed());
+  EXPECT_TRUE(report.manifold());
+  EXPECT_EQ(kidney.mesh.triangles.rows(), 2 * kidney.mesh.points.rows() - 4)
+      << "a kidney is a ball to topology";
+}
+
+TEST(SharedOrgans, BunnyKeepsItsUsedVerticesAndItsHoles) {
+  const auto file = kOrgans / "bunny.obj";
+  SKIP_WITHOUT(file);
+  const SurfaceFile bunny = readSurface(file);
+  // Of its 35,947 points 1,113 belong to no triangle.
+  EXPECT_EQ(bunny.mesh.points.rows(), 35947 - 1113);
+  EXPECT_TRUE(warnsOf(bunny, "1113 points without a triangle dropped"));
+  EXPECT_EQ(bunny.mesh.triangles.rows(), 69451);
+  EXPECT_EQ(geometry::checkSurface(bunny.mesh).boundaryEdges, 223);
+  EXPECT_TRUE(warnsOf(bunny, "boundary edges"));
+  EXPECT_TRUE(warnsOf(bunny, "metres")) << "it is 0.25 units across";
+}
+
+} // namespace
+} // namespace viscera::medical_io
