@@ -10,11 +10,13 @@ namespace viscera::medical_io {
 
 /// One handle of a file.
 struct HandleRecord {
-  std::string label; ///< "H-1"; unique within the file after reading.
+  std::string label;            ///< "H-1"; after reading no two different handles have the same.
   Vec3 position = Vec3::Zero(); ///< mm, LPS.
   std::string description;
   bool locked = false;
   bool visible = true;
+
+  friend bool operator==(const HandleRecord&, const HandleRecord&) = default;
 };
 
 /// One markup list: a group of handles with one colour.
@@ -27,20 +29,27 @@ struct HandleGroupRecord {
 /// A rig of handles as 3D Slicer keeps it: one markup list a group.
 struct HandleFile {
   std::vector<HandleGroupRecord> groups;
-  std::vector<std::string> warnings;
+  std::vector<std::string> warnings; ///< What was mended or left out, one sentence each.
 
+  /// The number of records; a handle that several groups share counts once for each.
   Eigen::Index count() const;
   /// All positions in order of groups, `n x 3`.
   Points positions() const;
   std::vector<std::string> labels() const;
 };
 
-/// Reads `.mrk.json` (markups schema 1.0.x: Fiducial lists, LPS or RAS, mm). Throws `NoInputError`, and `DataError`
-/// naming file, list and point for anything that is not such a file or has a position that is missing or not finite.
+/// Reads `.mrk.json` (3D Slicer markups schema 1.0: point lists) and `.fcsv` (its older table); positions in
+/// RAS or in another unit than mm are converted, bits of LPS mm positions are kept. Points that Slicer has
+/// not placed, and markups of other types, are left out with a warning. Handles without a label, or with one
+/// that another handle has, get a new one; the same label at the same place in two lists is one handle in two
+/// groups and keeps it. Throws `NoInputError` when the file is missing or not readable, and `DataError`
+/// naming file, list and point for anything that is not such a file, is cut off, holds no point, or has a
+/// position that is missing or not finite.
 HandleFile readHandles(const std::filesystem::path& file);
 
-/// Writes `.mrk.json`, LPS, full double precision: reading it back gives the same bits. Atomic. Throws
-/// `CannotCreateError`.
+/// Writes `.mrk.json`, LPS mm, full double precision: reading it back gives the same bits. Atomic. Throws
+/// `CannotCreateError` when it cannot be written or does not end in `.json`, `DataError` naming the handle
+/// for a position that is not finite.
 void writeHandles(const std::filesystem::path& file, const HandleFile& handles);
 
 } // namespace viscera::medical_io

@@ -6,7 +6,8 @@
 
 #include "viscera/geometry/triangle_mesh.h"
 
-/// Files in and out. Everything inside Viscera is LPS millimetres; what a file says otherwise is converted here.
+/// Files in and out. Everything inside Viscera is LPS millimetres; what a file says otherwise is converted
+/// here.
 namespace viscera::medical_io {
 
 /// The axes in which a file's coordinates are written.
@@ -21,9 +22,10 @@ struct SurfaceFile {
   std::vector<std::string> warnings; ///< What was mended or looks odd, one sentence each.
 };
 
-/// Reads STL, OBJ, PLY, OFF, VTK (polygons and strips), VTP, GLB or GLTF, by its extension. Throws `NoInputError` when
-/// the file is missing or not readable, `DataError` naming file and reason when it is empty, truncated, of another
-/// kind than its name says, holds no triangle, or has coordinates that are not finite.
+/// Reads STL, OBJ, PLY, OFF, VTK (polygons and strips), VTP, GLB or GLTF, by its extension. Throws
+/// `NoInputError` when the file is missing or not readable, `DataError` naming file and reason when it is
+/// empty, truncated, of another kind than its name says, holds no triangle, or has coordinates that are not
+/// finite.
 SurfaceFile readSurface(const std::filesystem::path& file);
 
 /// Options of `writeSurface`.
@@ -32,8 +34,9 @@ struct WriteSurface {
   std::string name; ///< Written where the format has a place for it.
 };
 
-/// Writes by extension (STL, OBJ, PLY, OFF, VTK, VTP, GLB): first to a temporary name beside it, then renamed, so that
-/// nothing half-written is left. Colours go along where the format has them. Throws `CannotCreateError`.
+/// Writes by extension (STL, OBJ, PLY, OFF, VTK, VTP, GLB): first to a temporary name beside it, then
+/// renamed, so that nothing half-written is left. Colours go along where the format has them. Throws
+/// `CannotCreateError`.
 void writeSurface(const std::filesystem::path& file, const geometry::TriangleMesh& mesh,
                   const WriteSurface& options = {});
 

@@ -1,0 +1,143 @@
+#include "viscera/medical_io/handle_file.h"
+
+#include <new>
+#include <string>
+#include <unordered_map>
+#include <unordered_set>
+
+#include "file_bytes.h"
+#include "file_signature.h"
+#include "handle_formats.h"
+#include "text_scanner.h"
+#include "viscera/core/atomic_file.h"
+#include "viscera/core/error.h"
+
+namespace viscera::medical_io {
+namespace {
+
+/// Gives labels to handles that have none, or one that a handle at another place, or in the same list, has.
+class LabelMender {
+public:
+  explicit LabelMender(HandleFile& file) : file_(file) {
+    for (const HandleGroupRecord& group : file.groups)
+      for (const HandleRecord& handle : group.handles)
+        taken_.insert(handle.label);
+  }
+
+  void run() {
+    for (HandleGroupRecord& group : file_.groups) {
+      std::unordered_set<std::string> inGroup;
+      for (std::size_t i = 0; i < group.handles.size(); ++i) {
+        mend(group, i, inGroup);
+        inGroup.insert(group.handles[i].label);
+      }
+    }
+    if (named_ > 0)
+      file_.warnings.push_back(counted(named_, "handle", "handles") + " without a label got one");
+    if (renamed_ > 0)
+      file_.warnings.push_back(counted(renamed_, "handle", "handles") +
+                               " whose label another one has got a new one");
+  }
+
+private:
+  void mend(HandleGroupRecord& group, std::size_t number, const std::unordered_set<std::string>& inGroup) {
+    HandleRecord& handle = group.handles[number];
+    if (handle.label.empty()) {
+      handle.label = freeLabel(group.name, number + 1);
+      ++named_;
+    } else {
+      const auto [known, isNew] = places_.try_emplace(handle.label, handle.position);
+      if (isNew || (known->second == handle.position && !inGroup.contains(handle.label)))
+        return;
+      handle.label = freeLabel(handle.label, 2);
+      ++renamed_;
+    }
+    places_.emplace(handle.label, handle.position);
+  }
+
+  /// "base-2", or the next number that is free; remembers where it stopped, so that many equal labels stay
+  /// cheap.
+  std::string freeLabel(const std::string& base, std::size_t first) {
+    std::size_t& next = next_.try_emplace(base, first).first->second;
+    next = std::max(next, first);
+    for (;;) {
+      std::string label = base + "-" + std::to_string(next++);
+      if (taken_.insert(label).second)
+        return label;
+    }
+  }
+
+  HandleFile& file_;
+  std::unordered_set<std::string> taken_;
+  std::unordered_map<std::string, Vec3> places_;
+  std::unordered_map<std::string, std::size_t> next_;
+  std::size_t named_ = 0;
+  std::size_t renamed_ = 0;
+};
+
+HandleFile readAny(const FileBytes& file) {
+  const std::string extension = extensionOf(file.file);
+  const Signature found = signatureOf(file);
+  if (extension == ".fcsv" || found == Signature::fcsv)
+    return readFcsv(file);
+  const bool json = extension == ".json" || extension == ".mrk.json";
+  if (!json && found != Signature::markups)
+    file.fail("is no handle file" +
+                  (found == Signature::unknown ? "" : "; it looks like " + std::string(describe(found))),
+              "handles come from .mrk.json or .fcsv files");
+  return readMarkups(file);
+}
+
+} // namespace
+
+Eigen::Index HandleFile::count() const {
+  Eigen::Index total = 0;
+  for (const HandleGroupRecord& group : groups)
+    total += static_cast<Eigen::Index>(group.handles.size());
+  return total;
+}
+
+Points HandleFile::positions() const {
+  Points points(count(), 3);
+  Eigen::Index row = 0;
+  for (const HandleGroupRecord& group : groups)
+    for (const HandleRecord& handle : group.handles)
+      points.row(row++) = handle.position.transpose();
+  return points;
+}
+
+std::vector<std::string> HandleFile::labels() const {
+  std::vector<std::string> list;
+  for (const HandleGroupRecord& group : groups)
+    for (const HandleRecord& handle : group.handles)
+      list.push_back(handle.label);
+  return list;
+}
+
+HandleFile readHandles(const std::filesystem::path& file) {
+  const FileBytes bytes = readWholeFile(file);
+  try {
+    HandleFile result = readAny(bytes);
+    if (result.count() == 0)
+      bytes.fail("holds no points", "place some points and save them again");
+    LabelMender(result).run();
+    return result;
+  } catch (const std::bad_alloc&) {
+    bytes.fail("does not fit into memory");
+  }
+}
+
+void writeHandles(const std::filesystem::path& file, const HandleFile& handles) {
+  if (lowered(file.extension().string()) != ".json")
+    throw CannotCreateError("handles cannot be written as \"" + extensionOf(file) + "\"", file.string(),
+                            "let its name end in .mrk.json");
+  for (const HandleGroupRecord& group : handles.groups)
+    for (const HandleRecord& handle : group.handles)
+      if (!handle.position.allFinite())
+        throw DataError("the position of the handle " + inQuotes(handle.label) + " in " +
+                            inQuotes(group.name) + " is not finite",
+                        file.string(), "reset the pose");
+  writeAtomically(file, [&](std::ostream& out) { writeMarkups(out, handles); });
+}
+
+} // namespace viscera::medical_io

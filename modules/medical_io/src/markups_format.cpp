@@ -1,0 +1,237 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <ostream>
+#include <string>
+#include <string_view>
+
+#include <nlohmann/json.hpp>
+
+#include "handle_formats.h"
+#include "text_scanner.h"
+
+namespace viscera::medical_io {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr auto kSchema = "https://raw.githubusercontent.com/slicer/slicer/master/Modules/Loadable/Markups/"
+                         "Resources/Schema/markups-schema-v1.0.3.json#";
+
+struct Unit {
+  std::string_view name;
+  double mm;
+};
+constexpr std::array<Unit, 5> kUnits = {{{"mm", 1}, {"cm", 10}, {"m", 1000}, {"um", 1e-3}, {"[in_i]", 25.4}}};
+
+class MarkupsReader {
+public:
+  explicit MarkupsReader(const FileBytes& file) : file_(file) {}
+
+  HandleFile run() {
+    const Json document = parse();
+    const auto lists = document.is_object() ? document.find("markups") : document.end();
+    if (!document.is_object() || lists == document.end() || !lists->is_array())
+      file_.fail("holds no \"markups\": it is no 3D Slicer markups file",
+                 "save the points from Slicer as .mrk.json");
+    for (std::size_t i = 0; i < lists->size(); ++i)
+      readList((*lists)[i], i);
+    return std::move(result_);
+  }
+
+private:
+  Json parse() const {
+    try {
+      return Json::parse(file_.bytes);
+    } catch (const Json::exception& error) {
+      // nlohmann's "[json.exception...] parse error at line 3, column 5: ..." without its prefix.
+      const std::string_view text = error.what();
+      const std::size_t end = text.find("] ");
+      file_.fail("is no complete JSON: " + std::string(end == text.npos ? text : text.substr(end + 2)));
+    }
+  }
+
+  static std::string text(const Json& object, const char* key) {
+    const auto found = object.find(key);
+    return found != object.end() && found->is_string() ? found->get<std::string>() : std::string();
+  }
+
+  static bool flag(const Json& object, const char* key, bool otherwise) {
+    const auto found = object.find(key);
+    return found != object.end() && found->is_boolean() ? found->get<bool>() : otherwise;
+  }
+
+  void readList(const Json& list, std::size_t number) {
+    if (!list.is_object())
+      file_.fail("markup list " + std::to_string(number + 1) + " is no JSON object");
+    HandleGroupRecord group;
+    group.name = text(list, "name");
+    if (group.name.empty())
+      group.name = "List " + std::to_string(number + 1);
+    const std::string type = text(list, "type");
+    if (type != "Fiducial") {
+      result_.warnings.push_back("the markup " + inQuotes(group.name) + " of type " + inQuotes(type) +
+                                 " is no list of points and was left out");
+      return;
+    }
+    const auto display = list.find("display");
+    const Json noDisplay = Json::object();
+    const Json& shown = display != list.end() && display->is_object() ? *display : noDisplay;
+    readColor(shown, group);
+    const Frame frame = readFrame(list, group.name);
+    const bool listLocked = flag(list, "locked", false);
+    const bool listVisible = flag(shown, "visibility", true);
+    const auto points = list.find("controlPoints");
+    if (points != list.end() && !points->is_array())
+      file_.fail("list " + inQuotes(group.name) + ": its points are no JSON array");
+    for (std::size_t i = 0; points != list.end() && i < points->size(); ++i)
+      readPoint((*points)[i], i, frame, group);
+    for (HandleRecord& handle : group.handles) {
+      handle.locked = handle.locked || listLocked;
+      handle.visible = handle.visible && listVisible;
+    }
+    result_.groups.push_back(std::move(group));
+  }
+
+  /// Slicer draws selected points, as all are by default, in `selectedColor`.
+  static void readColor(const Json& display, HandleGroupRecord& group) {
+    for (const char* key : {"selectedColor", "color"}) {
+      const auto color = display.find(key);
+      if (color == display.end() || !color->is_array() || color->size() != 3)
+        continue;
+      for (std::size_t k = 0; k < 3; ++k)
+        if ((*color)[k].is_number())
+          group.color[static_cast<Eigen::Index>(k)] = std::clamp((*color)[k].get<double>(), 0.0, 1.0);
+      return;
+    }
+  }
+
+  struct Frame {
+    bool ras = false;
+    double mm = 1;
+  };
+
+  Frame readFrame(const Json& list, const std::string& name) {
+    Frame frame;
+    const auto system = list.find("coordinateSystem");
+    if (system != list.end()) {
+      // Numbers are what Slicer's first versions wrote.
+      const std::string value = system->is_string() ? system->get<std::string>() : system->dump();
+      if (value != "LPS" && value != "RAS" && value != "0" && value != "1")
+        file_.fail("list " + inQuotes(name) + ": its coordinate system " + inQuotes(value) +
+                       " is not LPS or RAS",
+                   "save the points from Slicer in LPS");
+      frame.ras = value == "RAS" || value == "0";
+    }
+    const std::string unit = text(list, "coordinateUnits");
+    const auto known =
+        std::find_if(kUnits.begin(), kUnits.end(), [&](const Unit& u) { return u.name == unit; });
+    if (known != kUnits.end())
+      frame.mm = known->mm;
+    else if (!unit.empty())
+      result_.warnings.push_back("list " + inQuotes(name) + " has the unit " + inQuotes(unit) +
+                                 ", which Viscera does not know; mm are assumed");
+    if (frame.mm != 1)
+      result_.warnings.push_back("list " + inQuotes(name) + " was converted from " + unit + " to mm");
+    return frame;
+  }
+
+  void readPoint(const Json& point, std::size_t number, const Frame& frame, HandleGroupRecord& group) {
+    const std::string where = "list " + inQuotes(group.name) + ", point " + std::to_string(number + 1);
+    if (!point.is_object())
+      file_.fail(where + " is no JSON object");
+    const std::string status = text(point, "positionStatus");
+    if (!status.empty() && status != "defined") {
+      result_.warnings.push_back(where + " has no place (" + status + ") and was left out");
+      return;
+    }
+    HandleRecord handle;
+    handle.label = text(point, "label");
+    handle.description = text(point, "description");
+    handle.locked = flag(point, "locked", false);
+    handle.visible = flag(point, "visibility", true);
+    handle.position = readPosition(point, where, frame);
+    group.handles.push_back(std::move(handle));
+  }
+
+  Vec3 readPosition(const Json& point, const std::string& where, const Frame& frame) const {
+    const auto position = point.find("position");
+    if (position == point.end() || !position->is_array() || position->size() != 3)
+      file_.fail(where + " has no position of three numbers");
+    Vec3 mm;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const Json& value = (*position)[axis];
+      if (!value.is_number() || !std::isfinite(value.get<double>()))
+        file_.fail(where + " has a coordinate that is not a finite number");
+      mm[static_cast<Eigen::Index>(axis)] = value.get<double>();
+    }
+    if (frame.mm != 1)
+      mm *= frame.mm;
+    if (!mm.allFinite())
+      file_.fail(where + " is too far away");
+    return frame.ras ? lpsFromRas(mm) : mm;
+  }
+
+  const FileBytes& file_;
+  HandleFile result_;
+};
+
+Json pointJson(const HandleRecord& handle, std::size_t number) {
+  return {{"id", std::to_string(number + 1)},
+          {"label", handle.label},
+          {"description", handle.description},
+          {"associatedNodeID", ""},
+          {"position", {handle.position.x(), handle.position.y(), handle.position.z()}},
+          {"orientation", {1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0}},
+          {"selected", true},
+          {"locked", handle.locked},
+          {"visibility", handle.visible},
+          {"positionStatus", "defined"}};
+}
+
+Json listJson(const HandleGroupRecord& group) {
+  Json points = Json::array();
+  for (std::size_t i = 0; i < group.handles.size(); ++i)
+    points.push_back(pointJson(group.handles[i], i));
+  const Json color = {group.color.x(), group.color.y(), group.color.z()};
+  return {{"type", "Fiducial"},
+          {"name", group.name},
+          {"coordinateSystem", "LPS"},
+          {"coordinateUnits", "mm"},
+          {"locked", false},
+          {"fixedNumberOfControlPoints", false},
+          {"labelFormat", "%N-%d"},
+          {"lastUsedControlPointNumber", group.handles.size()},
+          {"controlPoints", std::move(points)},
+          {"measurements", Json::array()},
+          {"display",
+           {{"visibility", true},
+            {"opacity", 1.0},
+            {"color", color},
+            {"selectedColor", color},
+            {"propertiesLabelVisibility", false},
+            {"pointLabelsVisibility", false},
+            {"textScale", 3.0},
+            {"glyphType", "Sphere3D"},
+            {"glyphScale", 3.0},
+            {"glyphSize", 5.0},
+            {"useGlyphScale", true}}}};
+}
+
+} // namespace
+
+HandleFile readMarkups(const FileBytes& file) {
+  return MarkupsReader(file).run();
+}
+
+void writeMarkups(std::ostream& out, const HandleFile& handles) {
+  Json lists = Json::array();
+  for (const HandleGroupRecord& group : handles.groups)
+    lists.push_back(listJson(group));
+  const Json document = {{"@schema", kSchema}, {"markups", std::move(lists)}};
+  // A label that is no UTF-8 must not keep the rig from being saved.
+  out << document.dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
+}
+
+} // namespace viscera::medical_io
