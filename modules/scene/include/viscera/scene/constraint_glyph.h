@@ -28,6 +28,10 @@ public:
   void hide();
   bool visible() const;
 
+  /// Has to be called after organs were added to the renderer: the disc is blended over them. `OrganView`
+  /// does it.
+  void drawAfterOrgans();
+
 private:
   struct Parts;
   std::unique_ptr<Parts> parts_;

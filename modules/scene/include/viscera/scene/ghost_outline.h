@@ -4,7 +4,6 @@
 
 #include "viscera/geometry/triangle_mesh.h"
 
-class vtkProp;
 class vtkRenderer;
 
 namespace viscera::scene {
@@ -29,7 +28,9 @@ public:
   void setVisible(bool visible);
   bool visible() const;
 
-  vtkProp* prop() const;
+  /// Has to be called after organs were added to the renderer: what lies behind them is drawn fainter.
+  /// `OrganView` does it.
+  void drawAfterOrgans();
 
 private:
   struct Parts;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "viscera/scene/constraint_glyph.h"
+#include "viscera/scene/ghost_outline.h"
 #include "viscera/scene/legend.h"
 #include "viscera/scene/organ_actor.h"
 #include "viscera/scene/surface_pick.h"
@@ -56,6 +57,11 @@ public:
   void remove(const std::shared_ptr<OrganActor>& organ);
   void clear();
   const std::vector<std::shared_ptr<OrganActor>>& organs() const;
+
+  /// Outlines of rest shapes, in the theme's text colour.
+  void addGhost(std::shared_ptr<GhostOutline> ghost);
+  void removeGhost(const std::shared_ptr<GhostOutline>& ghost);
+
   /// Box of the visible organs; of all handles when there is none. O(vertices).
   Bounds bounds() const;
 

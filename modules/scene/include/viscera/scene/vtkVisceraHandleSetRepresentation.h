@@ -22,8 +22,9 @@ class vtkActor;
 class vtkVisceraHandleSetRepresentation : public vtkWidgetRepresentation {
 public:
   static vtkVisceraHandleSetRepresentation* New();
-  vtkTypeMacro(vtkVisceraHandleSetRepresentation, vtkWidgetRepresentation);
-  void PrintSelf(ostream& os, vtkIndent indent) override;
+  vtkTypeMacro(vtkVisceraHandleSetRepresentation, vtkWidgetRepresentation)
+
+      void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /// Interaction states: nothing, or a handle, under the cursor.
   enum { Outside = 0, OnHandle = 1 };

@@ -30,8 +30,9 @@ class vtkVisceraHandleSetRepresentation;
 class vtkVisceraHandleSetWidget : public vtkAbstractWidget {
 public:
   static vtkVisceraHandleSetWidget* New();
-  vtkTypeMacro(vtkVisceraHandleSetWidget, vtkAbstractWidget);
-  void PrintSelf(ostream& os, vtkIndent indent) override;
+  vtkTypeMacro(vtkVisceraHandleSetWidget, vtkAbstractWidget)
+
+      void PrintSelf(ostream& os, vtkIndent indent) override;
 
   enum {
     HandleHoveredEvent = vtkCommand::UserEvent + 7100,
@@ -69,8 +70,11 @@ private:
   static void PressAction(vtkAbstractWidget* widget);
   static void MoveAction(vtkAbstractWidget* widget);
   static void ReleaseAction(vtkAbstractWidget* widget);
+  static void LeaveAction(vtkAbstractWidget* widget);
   static void EscapeAction(vtkAbstractWidget* widget);
   void Hover(int x, int y);
+  void SetHovered(int handle);
+  void BeginDrag(int x, int y);
   void Drag(int x, int y);
   void EndDrag(bool cancelled);
   void Tell(unsigned long event);
@@ -79,4 +83,5 @@ private:
   bool RenderOnChange = true;
   bool Dragging = false;
   bool Moved = false;
+  bool AloneOnRelease = false;
 };

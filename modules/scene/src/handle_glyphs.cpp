@@ -1,0 +1,116 @@
+#include "handle_glyphs.h"
+
+#include <cmath>
+
+#include <vtkFloatArray.h>
+#include <vtkGlyph3DMapper.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkProperty.h>
+#include <vtkSphereSource.h>
+#include <vtkUnsignedCharArray.h>
+#include <vtkViewport.h>
+
+namespace viscera::scene {
+namespace {
+
+/// A ball of 10 pixels is off a circle by a fifth of a pixel with so many sides.
+constexpr int kSides = 18;
+constexpr double kGhostOpacity = 0.28;
+constexpr const char* kRadii = "radius";
+
+} // namespace
+
+HandleGlyphs::Layer::Layer(vtkSphereSource* ball) {
+  points->SetDataTypeToDouble();
+  radii->SetName(kRadii);
+  colors->SetNumberOfComponents(3);
+  colors->SetName("color");
+  data->SetPoints(points);
+  data->GetPointData()->SetScalars(colors);
+  data->GetPointData()->AddArray(radii);
+  mapper->SetInputData(data);
+  mapper->SetSourceConnection(ball->GetOutputPort());
+  mapper->SetScaling(true);
+  mapper->SetScaleModeToScaleByMagnitude();
+  mapper->SetScaleArray(kRadii);
+  mapper->SetScaleFactor(1);
+  mapper->SetScalarModeToUsePointData();
+  mapper->SetColorModeToDirectScalars();
+  mapper->SetOrient(false);
+}
+
+HandleGlyphs::Layer::~Layer() = default;
+
+void HandleGlyphs::Layer::resize(vtkIdType count) {
+  points->SetNumberOfPoints(count);
+  radii->SetNumberOfTuples(count);
+  colors->SetNumberOfTuples(count);
+}
+
+void HandleGlyphs::Layer::put(vtkIdType i, const Vec3& position, double radius, const Vec3& color) {
+  points->SetPoint(i, position.data());
+  radii->SetValue(i, static_cast<float>(radius));
+  for (int c = 0; c < 3; ++c)
+    colors->SetTypedComponent(i, c, static_cast<unsigned char>(std::lround(255 * color[c])));
+}
+
+void HandleGlyphs::Layer::changed() {
+  points->Modified();
+  radii->Modified();
+  colors->Modified();
+  data->Modified();
+  mapper->Update(); // The glyph mapper draws nothing when its input has changed since the last update.
+}
+
+HandleGlyphs::HandleGlyphs() : balls_(ball_), rims_(ball_) {
+  ball_->SetRadius(1);
+  ball_->SetThetaResolution(kSides);
+  ball_->SetPhiResolution(kSides * 2 / 3);
+  actor_->SetMapper(balls_.mapper);
+  actor_->GetProperty()->SetAmbient(0.12);
+  actor_->GetProperty()->SetDiffuse(0.9);
+  actor_->GetProperty()->SetSpecular(0.35);
+  actor_->GetProperty()->SetSpecularPower(30);
+  actor_->GetProperty()->BackfaceCullingOn();
+  rimActor_->SetMapper(rims_.mapper);
+  rimActor_->GetProperty()->LightingOff();
+  rimActor_->GetProperty()->FrontfaceCullingOn();
+  ghostActor_->SetMapper(balls_.mapper);
+  ghostActor_->setBehindOnly(true);
+  ghostActor_->GetProperty()->LightingOff();
+  ghostActor_->GetProperty()->SetOpacity(kGhostOpacity);
+  ghostActor_->GetProperty()->BackfaceCullingOn();
+}
+
+HandleGlyphs::~HandleGlyphs() = default;
+
+void HandleGlyphs::set(const std::vector<HandleGlyph>& glyphs) {
+  const auto count = static_cast<vtkIdType>(glyphs.size());
+  balls_.resize(count);
+  rims_.resize(count);
+  for (vtkIdType i = 0; i < count; ++i) {
+    const auto& glyph = glyphs[std::size_t(i)];
+    balls_.put(i, glyph.position, glyph.radius, glyph.color);
+    rims_.put(i, glyph.position, glyph.rimRadius, glyph.rimColor);
+  }
+  balls_.changed();
+  rims_.changed();
+}
+
+int HandleGlyphs::render(vtkViewport* viewport) {
+  if (balls_.points->GetNumberOfPoints() == 0)
+    return 0;
+  ghostActor_->RenderOpaqueGeometry(viewport);
+  rimActor_->RenderOpaqueGeometry(viewport);
+  return actor_->RenderOpaqueGeometry(viewport);
+}
+
+void HandleGlyphs::release(vtkWindow* window) {
+  for (vtkActor* actor : {static_cast<vtkActor*>(actor_.Get()), static_cast<vtkActor*>(rimActor_.Get()),
+                          static_cast<vtkActor*>(ghostActor_.Get())})
+    actor->ReleaseGraphicsResources(window);
+}
+
+} // namespace viscera::scene

@@ -1,0 +1,185 @@
+#include "image_sinks.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <cstdio>
+#include <string>
+#include <system_error>
+#include <vector>
+
+#include <unistd.h>
+#include <vtkImageData.h>
+#include <vtkNew.h>
+#include <vtkOggTheoraWriter.h>
+
+#include "viscera/core/atomic_file.h"
+#include "viscera/core/error.h"
+#include "viscera/scene/picture.h"
+
+#include "ffmpeg_process.h"
+
+namespace viscera::scene {
+namespace fs = std::filesystem;
+namespace {
+
+[[noreturn]] void cannotWrite(const fs::path& file) {
+  throw CannotCreateError("the movie cannot be written", file.string(),
+                          "check that there is room on the disk");
+}
+
+/// Numbered PNG files. A folder that was not there is removed again on failure; one that was keeps its other
+/// files.
+class PngFolder : public ImageSink {
+public:
+  explicit PngFolder(fs::path folder) : folder_(std::move(folder)) {
+    std::error_code failure;
+    madeFolder_ = fs::create_directories(folder_, failure);
+    if (failure || !fs::is_directory(folder_) || access(folder_.c_str(), W_OK) != 0)
+      throw CannotCreateError("the folder for the frames cannot be written", folder_.string());
+  }
+  void write(vtkImageData* frame) override {
+    char name[32];
+    std::snprintf(name, sizeof name, "frame_%05zu.png", files_.size());
+    files_.push_back(folder_ / name);
+    writePng(files_.back(), frame);
+  }
+  void close() override {}
+  void discard() noexcept override {
+    std::error_code ignored;
+    for (const auto& file : files_)
+      fs::remove(file, ignored);
+    if (madeFolder_)
+      fs::remove(folder_, ignored); // Only succeeds when it is empty.
+  }
+
+private:
+  fs::path folder_;
+  bool madeFolder_ = false;
+  std::vector<fs::path> files_;
+};
+
+class OggTheora : public ImageSink {
+public:
+  OggTheora(const fs::path& file, const MovieOptions& options)
+      : movie_(file), file_(std::make_unique<AtomicFile>(file)) {
+    writer_->SetFileName(file_->temporary().c_str());
+    writer_->SetRate(std::max(1, static_cast<int>(std::lround(options.framesPerSecond))));
+    writer_->SetQuality(options.quality);
+    writer_->SetSubsampling(1); // 4:2:0: players refuse the writer's default.
+    writer_->GlobalWarningDisplayOff();
+  }
+  void write(vtkImageData* frame) override {
+    writer_->SetInputData(frame);
+    if (!started_)
+      writer_->Start();
+    started_ = true;
+    writer_->Write();
+    if (writer_->GetError())
+      cannotWrite(movie_);
+  }
+  void close() override {
+    end();
+    file_->commit();
+  }
+  void discard() noexcept override {
+    end();
+    file_.reset();
+  }
+
+private:
+  void end() {
+    if (started_)
+      writer_->End();
+    started_ = false;
+  }
+  fs::path movie_;
+  std::unique_ptr<AtomicFile> file_;
+  vtkNew<vtkOggTheoraWriter> writer_;
+  bool started_ = false;
+};
+
+/// MP4 and GIF by the program ffmpeg, which reads raw frames from its standard input.
+class Ffmpeg : public ImageSink {
+public:
+  Ffmpeg(const fs::path& file, const MovieOptions& options, bool gif)
+      : movie_(file), file_(std::make_unique<AtomicFile>(file)), options_(options), gif_(gif) {
+    if (!ffmpegInstalled())
+      throw CannotCreateError("the program ffmpeg is needed for this kind of movie and is not installed",
+                              file.string(), "install ffmpeg, or write an .ogv");
+  }
+  void write(vtkImageData* frame) override {
+    const int* size = frame->GetDimensions();
+    if (!process_)
+      process_ = std::make_unique<FfmpegProcess>(arguments(size[0], size[1]), movie_);
+    process_->write(frame->GetScalarPointer(), std::size_t(size[0]) * std::size_t(size[1]) * 3);
+  }
+  void close() override {
+    if (process_)
+      process_->finish();
+    file_->commit();
+  }
+  void discard() noexcept override {
+    process_.reset();
+    file_.reset();
+  }
+
+private:
+  std::vector<std::string> arguments(int width, int height) const {
+    const std::string size = std::to_string(width) + "x" + std::to_string(height);
+    std::vector<std::string> list = {"ffmpeg",
+                                     "-nostdin",
+                                     "-loglevel",
+                                     "error",
+                                     "-y",
+                                     "-f",
+                                     "rawvideo",
+                                     "-pixel_format",
+                                     "rgb24",
+                                     "-video_size",
+                                     size,
+                                     "-framerate",
+                                     std::to_string(options_.framesPerSecond),
+                                     "-i",
+                                     "pipe:0"};
+    // VTK's first row is the lowest. H.264 with 4:2:0 needs even sizes.
+    const std::vector<std::string> coding =
+        gif_ ? std::vector<std::string>{"-vf", "vflip,split[a][b];[a]palettegen[p];[b][p]paletteuse", "-f",
+                                        "gif"}
+             : std::vector<std::string>{
+                   "-vf",       "vflip,pad=ceil(iw/2)*2:ceil(ih/2)*2",
+                   "-pix_fmt",  "yuv420p",
+                   "-crf",      std::to_string(28 - 5 * std::clamp(options_.quality, 0, 2)),
+                   "-movflags", "+faststart",
+                   "-f",        "mp4"};
+    list.insert(list.end(), coding.begin(), coding.end());
+    list.push_back("file:" + fs::absolute(file_->temporary()).string());
+    return list;
+  }
+
+  fs::path movie_;
+  std::unique_ptr<AtomicFile> file_;
+  MovieOptions options_;
+  bool gif_;
+  std::unique_ptr<FfmpegProcess> process_;
+};
+
+} // namespace
+
+std::unique_ptr<ImageSink> imageSink(const fs::path& file, const MovieOptions& options) {
+  if (!(options.framesPerSecond > 0) || !std::isfinite(options.framesPerSecond))
+    throw UsageError("the frame rate has to be positive", std::to_string(options.framesPerSecond));
+  std::string extension = file.extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  if (extension.empty())
+    return std::make_unique<PngFolder>(file);
+  if (extension == ".ogv")
+    return std::make_unique<OggTheora>(file, options);
+  if (extension == ".mp4" || extension == ".gif")
+    return std::make_unique<Ffmpeg>(file, options, extension == ".gif");
+  throw UsageError("movies of this kind cannot be written", file.string(),
+                   "use .ogv, .mp4, .gif, or a folder for PNG frames");
+}
+
+} // namespace viscera::scene

@@ -1,0 +1,244 @@
+#include "viscera/scene/legend.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include <vtkActor2D.h>
+#include <vtkCellArray.h>
+#include <vtkCellData.h>
+#include <vtkNew.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkPolyDataMapper2D.h>
+#include <vtkProperty2D.h>
+#include <vtkRenderWindow.h>
+#include <vtkRenderer.h>
+#include <vtkSmartPointer.h>
+#include <vtkTextActor.h>
+#include <vtkTextProperty.h>
+#include <vtkUnsignedCharArray.h>
+
+#include "viscera/scene/organ_view.h"
+
+#include "before_render.h"
+
+namespace viscera::scene {
+namespace {
+
+/// Logical pixels.
+constexpr double kBarWidth = 14;
+constexpr double kBarHeight = 240;
+constexpr double kRight = 76; ///< From the bar's left edge to the window's right edge.
+constexpr double kTick = 5;
+constexpr double kGap = 6;
+constexpr double kTitleGap = 14;
+constexpr double kTitleRight = 18;
+constexpr int kFontSize = 12;
+constexpr int kTitleFontSize = 13;
+/// The bar takes at most this part of the view's height.
+constexpr double kMostOfView = 0.5;
+constexpr int kMostTicks = 6;
+
+void setColor(vtkTextActor* actor, const Vec3& color) {
+  actor->GetTextProperty()->SetColor(color.x(), color.y(), color.z());
+}
+
+/// A 2D actor over polygons or lines given in pixels.
+struct Shape {
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkPolyData> data;
+  vtkNew<vtkActor2D> actor;
+  Shape() {
+    data->SetPoints(points);
+    vtkNew<vtkPolyDataMapper2D> mapper;
+    mapper->SetInputData(data);
+    actor->SetMapper(mapper);
+  }
+};
+
+} // namespace
+
+std::vector<double> niceTicks(ValueRange range, int most) {
+  const double span = range.high - range.low;
+  if (!(span > 0) || !std::isfinite(span))
+    return {range.low};
+  const double slack = 1e-9 * span; // An end that is a round number up to rounding counts.
+  double power = std::pow(10, std::floor(std::log10(span / most)));
+  for (;; power *= 10)
+    for (const double step : {power, 2 * power, 5 * power}) {
+      const double first = std::ceil((range.low - slack) / step),
+                   last = std::floor((range.high + slack) / step);
+      if (last - first + 1 > most)
+        continue;
+      std::vector<double> ticks;
+      for (double k = first; k <= last; ++k)
+        ticks.push_back(k == 0 ? 0.0 : k * step);
+      return ticks;
+    }
+}
+
+std::string tickLabel(double value, double spacing) {
+  char label[32];
+  const double largest = std::max(std::abs(value), std::abs(spacing));
+  if (largest != 0 && (largest >= 1e5 || spacing < 1e-4)) {
+    std::snprintf(label, sizeof label, "%.3g", value);
+    return label;
+  }
+  // The small push keeps a spacing such as 0.1 from asking for a digit too many.
+  const int decimals =
+      spacing > 0 ? std::max(0, -static_cast<int>(std::floor(std::log10(spacing) + 1e-9))) : 2;
+  std::snprintf(label, sizeof label, "%.*f", decimals, value);
+  return label;
+}
+
+struct Legend::Parts {
+  ColorMap map = viridis();
+  ValueRange range;
+  bool shown = false;
+  Theme theme = darkTheme();
+
+  Shape bar;
+  Shape lines;
+  vtkNew<vtkTextActor> title;
+  std::vector<double> ticks;
+  std::vector<vtkSmartPointer<vtkTextActor>> labels;
+  BeforeRender beforeRender{[this] { layOut(); }};
+
+  std::vector<vtkActor2D*> actors() const;
+  void layOut();
+  void layOutBar(double left, double bottom, double width, double height);
+  void layOutTicks(double left, double bottom, double width, double height, double ratio);
+  void applyTheme();
+};
+
+std::vector<vtkActor2D*> Legend::Parts::actors() const {
+  std::vector<vtkActor2D*> all = {bar.actor.Get(), lines.actor.Get(), title.Get()};
+  for (const auto& label : labels)
+    all.push_back(label);
+  return all;
+}
+
+void Legend::Parts::layOut() {
+  if (!shown)
+    return;
+  auto* renderer = beforeRender.renderer();
+  const double ratio = pixelRatioOf(renderer->GetRenderWindow());
+  const int* size = renderer->GetSize();
+  const double height = std::min(ratio * kBarHeight, kMostOfView * size[1]);
+  const double left = size[0] - ratio * kRight, bottom = std::floor(0.5 * (size[1] - height));
+  layOutBar(left, bottom, ratio * kBarWidth, height);
+  layOutTicks(left, bottom, ratio * kBarWidth, height, ratio);
+  title->SetPosition(size[0] - ratio * kTitleRight, bottom + height + ratio * kTitleGap);
+}
+
+void Legend::Parts::layOutBar(double left, double bottom, double width, double height) {
+  const Eigen::Index count = map.colors.rows();
+  vtkNew<vtkCellArray> quads;
+  vtkNew<vtkUnsignedCharArray> colors;
+  colors->SetNumberOfComponents(3);
+  bar.points->Reset();
+  for (Eigen::Index i = 0; i <= count; ++i) {
+    const double y = bottom + height * double(i) / double(count);
+    bar.points->InsertNextPoint(left, y, 0);
+    bar.points->InsertNextPoint(left + width, y, 0);
+    if (i == count)
+      break;
+    const vtkIdType quad[] = {2 * i, 2 * i + 1, 2 * i + 3, 2 * i + 2};
+    quads->InsertNextCell(4, quad);
+    colors->InsertNextTypedTuple(map.colors.row(i).data());
+  }
+  bar.points->Modified();
+  bar.data->SetPolys(quads);
+  bar.data->GetCellData()->SetScalars(colors);
+}
+
+void Legend::Parts::layOutTicks(double left, double bottom, double width, double height, double ratio) {
+  vtkNew<vtkCellArray> cells;
+  lines.points->Reset();
+  for (std::size_t i = 0; i < ticks.size(); ++i) {
+    const double part = (ticks[i] - range.low) / (range.high - range.low);
+    const double y = bottom + height * std::clamp(part, 0.0, 1.0);
+    const vtkIdType ends[] = {lines.points->InsertNextPoint(left + width, y, 0),
+                              lines.points->InsertNextPoint(left + width + ratio * kTick, y, 0)};
+    cells->InsertNextCell(2, ends);
+    labels[i]->SetPosition(left + width + ratio * (kTick + kGap), y);
+  }
+  lines.points->Modified();
+  lines.data->SetLines(cells);
+  lines.actor->GetProperty()->SetLineWidth(static_cast<float>(ratio));
+}
+
+void Legend::Parts::applyTheme() {
+  const Vec3& text = theme.text;
+  lines.actor->GetProperty()->SetColor(text.x(), text.y(), text.z());
+  setColor(title, text);
+  for (const auto& label : labels)
+    setColor(label, text);
+}
+
+Legend::Legend() : parts_(std::make_unique<Parts>()) {
+  auto* title = parts_->title->GetTextProperty();
+  title->SetFontFamilyToArial();
+  title->SetFontSize(kTitleFontSize);
+  title->SetJustificationToRight();
+  title->SetVerticalJustificationToBottom();
+  hide();
+}
+
+Legend::~Legend() {
+  setRenderer(nullptr);
+}
+
+void Legend::setRenderer(vtkRenderer* renderer) {
+  auto& p = *parts_;
+  if (auto* old = p.beforeRender.renderer())
+    for (auto* actor : p.actors())
+      old->RemoveActor2D(actor);
+  p.beforeRender.setRenderer(renderer);
+  if (renderer)
+    for (auto* actor : p.actors())
+      renderer->AddActor2D(actor);
+}
+
+void Legend::setTheme(const Theme& theme) {
+  parts_->theme = theme;
+  parts_->applyTheme();
+}
+
+void Legend::show(const std::string& title, const std::string& unit, const ColorMap& map, ValueRange range) {
+  auto& p = *parts_;
+  auto* renderer = p.beforeRender.renderer();
+  setRenderer(nullptr);
+  p.map = map;
+  p.range = range;
+  p.title->SetInput((unit.empty() ? title : title + " (" + unit + ")").c_str());
+  p.ticks = niceTicks(range, kMostTicks);
+  p.labels.clear();
+  const double spacing = p.ticks.size() > 1 ? p.ticks[1] - p.ticks[0] : 0;
+  for (const double tick : p.ticks) {
+    auto label = vtkSmartPointer<vtkTextActor>::New();
+    label->SetInput(tickLabel(tick, spacing).c_str());
+    label->GetTextProperty()->SetFontFamilyToArial();
+    label->GetTextProperty()->SetFontSize(kFontSize);
+    label->GetTextProperty()->SetVerticalJustificationToCentered();
+    p.labels.push_back(label);
+  }
+  p.shown = true;
+  for (auto* actor : p.actors())
+    actor->SetVisibility(true);
+  p.applyTheme();
+  setRenderer(renderer);
+}
+
+void Legend::hide() {
+  parts_->shown = false;
+  for (auto* actor : parts_->actors())
+    actor->SetVisibility(false);
+}
+
+bool Legend::visible() const {
+  return parts_->shown;
+}
+
+} // namespace viscera::scene

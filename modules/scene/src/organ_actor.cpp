@@ -1,0 +1,245 @@
+#include "viscera/scene/organ_actor.h"
+
+#include <string>
+
+#include <vtkActor.h>
+#include <vtkCellArray.h>
+#include <vtkDoubleArray.h>
+#include <vtkFloatArray.h>
+#include <vtkLookupTable.h>
+#include <vtkNew.h>
+#include <vtkPlane.h>
+#include <vtkPlaneCollection.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkProperty.h>
+#include <vtkTypeInt32Array.h>
+#include <vtkUnsignedCharArray.h>
+
+#include "viscera/core/error.h"
+
+namespace viscera::scene {
+namespace {
+
+constexpr double kSpecular = 0.25;
+constexpr double kSpecularPower = 28;
+constexpr double kSelectedAmbient = 0.22;
+constexpr const char* kColorsName = "colors";
+constexpr const char* kScalarsName = "values";
+
+/// Lets a VTK array look at `count` numbers that it neither copies nor frees. VTK's interface is not const.
+template <typename Array, typename Number>
+void look(Array* array, const Number* data, Eigen::Index count) {
+  array->SetArray(const_cast<Number*>(data), count, /*save=*/1);
+  array->Modified();
+}
+
+} // namespace
+
+struct OrganActor::Parts {
+  std::shared_ptr<const geometry::TriangleMesh> mesh;
+  std::shared_ptr<const Points> points;
+  std::shared_ptr<const Values> values;
+  geometry::VertexTriangles around;
+  geometry::Normals normals;
+  Threads threads;
+  bool vertexColors = false;
+  bool selected = false;
+
+  vtkNew<vtkPolyData> data;
+  vtkNew<vtkDoubleArray> pointArray;
+  vtkNew<vtkFloatArray> normalArray;
+  vtkNew<vtkUnsignedCharArray> colorArray;
+  vtkNew<vtkDoubleArray> valueArray;
+  vtkNew<vtkPolyDataMapper> mapper;
+  vtkNew<vtkActor> actor;
+
+  void buildData();
+  void chooseColoring();
+};
+
+void OrganActor::Parts::buildData() {
+  pointArray->SetNumberOfComponents(3);
+  normalArray->SetNumberOfComponents(3);
+  normalArray->SetName("normals");
+  vtkNew<vtkPoints> vtkPointsOfData;
+  vtkPointsOfData->SetData(pointArray);
+  data->SetPoints(vtkPointsOfData);
+  data->GetPointData()->SetNormals(normalArray);
+
+  vtkNew<vtkTypeInt32Array> corners;
+  look(corners.Get(), mesh->triangles.data(), mesh->triangles.size());
+  vtkNew<vtkCellArray> cells;
+  cells->SetData(3, corners);
+  data->SetPolys(cells);
+
+  if (mesh->colors.rows() == mesh->points.rows() && mesh->colors.rows() > 0) {
+    colorArray->SetNumberOfComponents(3);
+    colorArray->SetName(kColorsName);
+    look(colorArray.Get(), mesh->colors.data(), mesh->colors.size());
+    data->GetPointData()->AddArray(colorArray);
+    vertexColors = true;
+  }
+}
+
+void OrganActor::Parts::chooseColoring() {
+  mapper->SetScalarVisibility(values || vertexColors);
+  mapper->SetScalarModeToUsePointFieldData();
+  mapper->SelectColorArray(values ? kScalarsName : kColorsName);
+  // Numbers are interpolated before they become colours; colours have nothing to look up.
+  mapper->SetInterpolateScalarsBeforeMapping(values ? 1 : 0);
+  if (values)
+    mapper->SetColorModeToMapScalars();
+  else
+    mapper->SetColorModeToDirectScalars();
+}
+
+OrganActor::OrganActor(std::shared_ptr<const geometry::TriangleMesh> mesh, Threads threads)
+    : parts_(std::make_unique<Parts>()) {
+  auto& p = *parts_;
+  p.mesh = std::move(mesh);
+  p.threads = threads;
+  p.around = geometry::vertexTriangles(p.mesh->points.rows(), p.mesh->triangles);
+  p.buildData();
+  p.mapper->SetInputData(p.data);
+  p.mapper->UseLookupTableScalarRangeOn();
+  p.actor->SetMapper(p.mapper);
+  auto* look = p.actor->GetProperty();
+  look->SetInterpolationToPhong();
+  look->SetSpecular(kSpecular);
+  look->SetSpecularPower(kSpecularPower);
+  look->SetColor(0.8, 0.45, 0.4);
+  p.chooseColoring();
+  setPoints(nullptr);
+}
+
+OrganActor::~OrganActor() = default;
+
+const geometry::TriangleMesh& OrganActor::mesh() const {
+  return *parts_->mesh;
+}
+
+void OrganActor::setPoints(std::shared_ptr<const Points> points) {
+  if (!points)
+    points = std::shared_ptr<const Points>(parts_->mesh, &parts_->mesh->points);
+  if (points->rows() != parts_->mesh->points.rows())
+    throw UsageError("the points to show are " + std::to_string(points->rows()) + ", the surface has " +
+                     std::to_string(parts_->mesh->points.rows()));
+  parts_->points = std::move(points);
+  pointsChanged();
+}
+
+const Points& OrganActor::points() const {
+  return *parts_->points;
+}
+
+void OrganActor::pointsChanged() {
+  auto& p = *parts_;
+  geometry::vertexNormals(*p.points, p.mesh->triangles, p.around, p.normals, p.threads);
+  look(p.pointArray.Get(), p.points->data(), p.points->size());
+  look(p.normalArray.Get(), p.normals.data(), p.normals.size());
+  p.data->GetPoints()->Modified();
+  p.data->Modified();
+}
+
+const geometry::Normals& OrganActor::normals() const {
+  return parts_->normals;
+}
+
+Bounds OrganActor::bounds() const {
+  return boundsOf(*parts_->points);
+}
+
+void OrganActor::setColor(const Vec3& color) {
+  parts_->actor->GetProperty()->SetColor(color.x(), color.y(), color.z());
+}
+
+Vec3 OrganActor::color() const {
+  return Vec3(parts_->actor->GetProperty()->GetColor());
+}
+
+void OrganActor::setVertexColorsShown(bool shown) {
+  parts_->vertexColors = shown && parts_->colorArray->GetNumberOfTuples() > 0;
+  parts_->chooseColoring();
+}
+
+bool OrganActor::vertexColorsShown() const {
+  return parts_->vertexColors;
+}
+
+void OrganActor::setOpacity(double opacity) {
+  parts_->actor->GetProperty()->SetOpacity(opacity);
+}
+double OrganActor::opacity() const {
+  return parts_->actor->GetProperty()->GetOpacity();
+}
+void OrganActor::setVisible(bool visible) {
+  parts_->actor->SetVisibility(visible);
+}
+bool OrganActor::visible() const {
+  return parts_->actor->GetVisibility() != 0;
+}
+
+void OrganActor::setSelected(bool selected) {
+  parts_->selected = selected;
+  parts_->actor->GetProperty()->SetAmbient(selected ? kSelectedAmbient : 0);
+}
+
+bool OrganActor::selected() const {
+  return parts_->selected;
+}
+
+void OrganActor::setClipPlane(const Vec3& origin, const Vec3& normal) {
+  vtkNew<vtkPlane> plane;
+  plane->SetOrigin(origin.data());
+  plane->SetNormal(normal.normalized().eval().data());
+  clearClipPlane();
+  parts_->mapper->AddClippingPlane(plane);
+}
+
+void OrganActor::clearClipPlane() {
+  parts_->mapper->RemoveAllClippingPlanes();
+}
+
+void OrganActor::showScalars(std::shared_ptr<const Values> values, const ColorMap& map, ValueRange range) {
+  auto& p = *parts_;
+  if (values->size() != p.mesh->points.rows())
+    throw UsageError("the values to show are " + std::to_string(values->size()) + ", the surface has " +
+                     std::to_string(p.mesh->points.rows()) + " vertices");
+  p.values = std::move(values);
+  p.valueArray->SetName(kScalarsName);
+  p.data->GetPointData()->AddArray(p.valueArray);
+  p.mapper->SetLookupTable(lookupTable(map, range));
+  p.chooseColoring();
+  scalarsChanged();
+}
+
+void OrganActor::scalarsChanged() {
+  auto& p = *parts_;
+  if (!p.values)
+    return;
+  look(p.valueArray.Get(), p.values->data(), p.values->size());
+  p.data->Modified();
+}
+
+void OrganActor::hideScalars() {
+  auto& p = *parts_;
+  p.values.reset();
+  p.data->GetPointData()->RemoveArray(kScalarsName);
+  p.chooseColoring();
+}
+
+bool OrganActor::scalarsShown() const {
+  return parts_->values != nullptr;
+}
+
+vtkActor* OrganActor::actor() const {
+  return parts_->actor;
+}
+vtkPolyData* OrganActor::polyData() const {
+  return parts_->data;
+}
+
+} // namespace viscera::scene

@@ -1,0 +1,326 @@
+// GLEW has to come before any other OpenGL header.
+#include <vtk_glew.h>
+
+#include "viscera/scene/organ_view.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstring>
+
+#include <vtkActor.h>
+#include <vtkCamera.h>
+#include <vtkInteractorStyle.h>
+#include <vtkLight.h>
+#include <vtkMath.h>
+#include <vtkNew.h>
+#include <vtkRenderWindow.h>
+#include <vtkRenderWindowInteractor.h>
+#include <vtkRenderer.h>
+#include <vtkWeakPointer.h>
+
+#include "viscera/scene/vtkVisceraHandleSetRepresentation.h"
+#include "viscera/scene/vtkVisceraHandleSetWidget.h"
+
+#include "before_render.h"
+#include "interactor_style.h"
+#include "orientation_cube.h"
+#include "scale_bar.h"
+#include "standard_view.h"
+#include "view_geometry.h"
+
+namespace viscera::scene {
+namespace {
+
+constexpr double kLogicalDpi = 72;
+constexpr double kMargin = 1.12;
+constexpr int kSamplesOnGpu = 4;
+constexpr int kPeelsOnGpu = 8;
+constexpr int kPeelsInSoftware = 4;
+/// What an empty view frames, mm.
+constexpr double kEmptyHalfSize = 100;
+
+/// A light that goes with the camera; x to the right of the picture, y up, z towards the reader.
+void addLight(vtkRenderer* renderer, const Vec3& from, const Vec3& color, double intensity) {
+  vtkNew<vtkLight> light;
+  light->SetLightTypeToCameraLight();
+  light->SetPosition(from.data());
+  light->SetFocalPoint(0, 0, 0);
+  light->SetColor(color.x(), color.y(), color.z());
+  light->SetIntensity(intensity);
+  renderer->AddLight(light);
+}
+
+void addLights(vtkRenderer* renderer) {
+  renderer->SetAutomaticLightCreation(false);
+  addLight(renderer, {-0.45, 0.65, 1.0}, {1.0, 0.975, 0.94}, 0.88); // key
+  addLight(renderer, {0.9, -0.15, 0.75}, {0.88, 0.93, 1.0}, 0.34);  // fill
+  addLight(renderer, {0.35, 0.8, -0.9}, {0.92, 0.96, 1.0}, 0.38);   // back
+}
+
+} // namespace
+
+double pixelRatioOf(vtkRenderWindow* window) {
+  return window ? std::max(1.0, window->GetDPI() / kLogicalDpi) : 1.0;
+}
+
+bool rendersInSoftware(vtkRenderWindow* window) {
+  window->MakeCurrent();
+  const auto* name = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
+  constexpr std::array<const char*, 4> kSoftware = {"llvmpipe", "softpipe", "swrast", "SWR"};
+  return name && std::any_of(kSoftware.begin(), kSoftware.end(),
+                             [name](const char* software) { return std::strstr(name, software); });
+}
+
+struct OrganView::Parts {
+  Theme theme = darkTheme();
+  std::vector<std::shared_ptr<OrganActor>> organs;
+  std::vector<std::shared_ptr<GhostOutline>> ghosts;
+  vtkNew<vtkRenderer> renderer;
+  vtkWeakPointer<vtkRenderWindow> window;
+  bool smoothingChosen = false;
+  vtkNew<vtkVisceraHandleSetRepresentation> handles;
+  vtkNew<vtkVisceraHandleSetWidget> widget;
+  ConstraintGlyph constraint;
+  Legend legend;
+  OrientationCube cube{renderer};
+  ScaleBar scaleBar{renderer};
+  BeforeRender beforeRender{[this] { chooseSmoothing(); }};
+
+  void chooseSmoothing();
+  void orderProps();
+  void putHandlesIntoRenderer();
+};
+
+/// The renderer is known only once the window has a context, so this waits for the first frame.
+void OrganView::Parts::chooseSmoothing() {
+  if (smoothingChosen || !window)
+    return;
+  smoothingChosen = true;
+  const bool software = rendersInSoftware(window);
+  window->SetMultiSamples(software ? 0 : kSamplesOnGpu);
+  renderer->SetUseFXAA(software);
+  renderer->SetMaximumNumberOfPeels(software ? kPeelsInSoftware : kPeelsOnGpu);
+}
+
+/// Organs first, then what is drawn relative to them.
+void OrganView::Parts::orderProps() {
+  for (const auto& ghost : ghosts)
+    ghost->drawAfterOrgans();
+  constraint.drawAfterOrgans();
+  for (const auto& organ : organs)
+    handles->AddOccluder(organ->actor());
+}
+
+/// Without an interactor the widget cannot be enabled, but its handles are to be seen.
+void OrganView::Parts::putHandlesIntoRenderer() {
+  handles->SetRenderer(renderer);
+  renderer->AddViewProp(handles);
+  orderProps();
+}
+
+OrganView::OrganView() : parts_(std::make_unique<Parts>()) {
+  auto& p = *parts_;
+  addLights(p.renderer);
+  p.renderer->GradientBackgroundOn();
+  p.renderer->SetUseDepthPeeling(true);
+  p.renderer->SetOcclusionRatio(0);
+  p.beforeRender.setRenderer(p.renderer);
+  p.legend.setRenderer(p.renderer);
+  p.constraint.setRenderer(p.renderer);
+  p.widget->SetRepresentation(p.handles);
+  p.putHandlesIntoRenderer();
+  setTheme(p.theme);
+  lookFrom(StandardView::anterior);
+}
+
+OrganView::~OrganView() {
+  setInteractor(nullptr);
+  setWindow(nullptr);
+}
+
+void OrganView::setWindow(vtkRenderWindow* window) {
+  auto& p = *parts_;
+  if (p.window) {
+    p.window->RemoveRenderer(p.cube.renderer());
+    p.window->RemoveRenderer(p.renderer);
+  }
+  p.window = window;
+  p.smoothingChosen = false;
+  if (!window)
+    return;
+  window->SetAlphaBitPlanes(1); // Depth peeling needs them.
+  window->SetMultiSamples(0);
+  window->SetNumberOfLayers(2);
+  window->AddRenderer(p.renderer);
+  window->AddRenderer(p.cube.renderer());
+}
+
+vtkRenderWindow* OrganView::window() const {
+  return parts_->window;
+}
+
+void OrganView::setInteractor(vtkRenderWindowInteractor* interactor) {
+  auto& p = *parts_;
+  p.widget->SetEnabled(0);
+  p.widget->SetInteractor(nullptr);
+  if (interactor) {
+    const auto style = newInteractorStyle();
+    style->SetDefaultRenderer(p.renderer);
+    interactor->SetInteractorStyle(style);
+    p.widget->SetInteractor(interactor);
+    p.widget->SetDefaultRenderer(p.renderer);
+    p.widget->SetCurrentRenderer(p.renderer);
+    p.widget->SetEnabled(1);
+  }
+  p.putHandlesIntoRenderer();
+}
+
+vtkRenderer* OrganView::renderer() const {
+  return parts_->renderer;
+}
+
+void OrganView::setTheme(const Theme& theme) {
+  auto& p = *parts_;
+  p.theme = theme;
+  p.renderer->SetBackground(theme.backgroundBottom.data());
+  p.renderer->SetBackground2(theme.backgroundTop.data());
+  p.handles->SetTheme(theme);
+  p.constraint.setTheme(theme);
+  p.legend.setTheme(theme);
+  p.cube.setTheme(theme);
+  p.scaleBar.setTheme(theme);
+  for (const auto& ghost : p.ghosts)
+    ghost->setColor(theme.text);
+}
+
+const Theme& OrganView::theme() const {
+  return parts_->theme;
+}
+
+void OrganView::add(std::shared_ptr<OrganActor> organ) {
+  auto& p = *parts_;
+  if (std::find(p.organs.begin(), p.organs.end(), organ) != p.organs.end())
+    return;
+  p.renderer->AddActor(organ->actor());
+  p.organs.push_back(std::move(organ));
+  p.orderProps();
+}
+
+void OrganView::remove(const std::shared_ptr<OrganActor>& organ) {
+  auto& p = *parts_;
+  if (std::erase(p.organs, organ) == 0)
+    return;
+  p.handles->RemoveOccluder(organ->actor());
+  p.renderer->RemoveActor(organ->actor());
+}
+
+void OrganView::clear() {
+  while (!parts_->organs.empty()) {
+    const auto last = parts_->organs.back();
+    remove(last);
+  }
+}
+
+const std::vector<std::shared_ptr<OrganActor>>& OrganView::organs() const {
+  return parts_->organs;
+}
+
+void OrganView::addGhost(std::shared_ptr<GhostOutline> ghost) {
+  auto& p = *parts_;
+  if (std::find(p.ghosts.begin(), p.ghosts.end(), ghost) != p.ghosts.end())
+    return;
+  ghost->setRenderer(p.renderer);
+  ghost->setColor(p.theme.text);
+  p.ghosts.push_back(std::move(ghost));
+  p.orderProps();
+}
+
+void OrganView::removeGhost(const std::shared_ptr<GhostOutline>& ghost) {
+  if (std::erase(parts_->ghosts, ghost) > 0)
+    ghost->setRenderer(nullptr);
+}
+
+Bounds OrganView::bounds() const {
+  std::optional<Bounds> all;
+  for (const auto& organ : parts_->organs) {
+    if (!organ->visible())
+      continue;
+    const Bounds box = organ->bounds();
+    all = all ? Bounds{all->low.cwiseMin(box.low), all->high.cwiseMax(box.high)} : box;
+  }
+  if (all)
+    return *all;
+  if (parts_->handles->GetNumberOfHandles() > 0)
+    return boundsOf(parts_->handles->GetPositions());
+  return {Vec3::Constant(-kEmptyHalfSize), Vec3::Constant(kEmptyHalfSize)};
+}
+
+void OrganView::lookFrom(StandardView view) {
+  lookFrom(view, bounds());
+}
+
+void OrganView::lookFrom(StandardView view, const Bounds& bounds) {
+  const auto directions = directionsOf(view);
+  auto* camera = parts_->renderer->GetActiveCamera();
+  const Vec3 position = -directions.forward;
+  camera->SetFocalPoint(0, 0, 0);
+  camera->SetPosition(position.data());
+  camera->SetViewUp(directions.up.data());
+  frame(bounds);
+}
+
+void OrganView::frame() {
+  frame(bounds());
+}
+
+void OrganView::frame(const Bounds& bounds) {
+  auto* renderer = parts_->renderer.Get();
+  auto* camera = renderer->GetActiveCamera();
+  const auto view = viewGeometry(renderer);
+  const int* size = renderer->GetSize();
+  const double aspect = size[0] > 0 && size[1] > 0 ? double(size[0]) / size[1] : 1;
+  const double tangent = std::tan(vtkMath::RadiansFromDegrees(camera->GetViewAngle()) / 2);
+  double distance = framingDistance(bounds, {view.forward, view.up}, tangent, aspect, kMargin);
+  if (!(distance > 0))
+    distance = kEmptyHalfSize;
+  const Vec3 center = bounds.center(), position = center - distance * view.forward;
+  camera->SetFocalPoint(center.data());
+  camera->SetPosition(position.data());
+  camera->SetViewUp(view.up.data());
+  camera->SetParallelScale(distance * tangent);
+  renderer->ResetCameraClippingRange();
+}
+
+vtkVisceraHandleSetRepresentation* OrganView::handles() const {
+  return parts_->handles;
+}
+vtkVisceraHandleSetWidget* OrganView::handleWidget() const {
+  return parts_->widget;
+}
+ConstraintGlyph& OrganView::constraint() {
+  return parts_->constraint;
+}
+Legend& OrganView::legend() {
+  return parts_->legend;
+}
+void OrganView::setOrientationCubeShown(bool shown) {
+  parts_->cube.setShown(shown);
+}
+void OrganView::setScaleBarShown(bool shown) {
+  parts_->scaleBar.setShown(shown);
+}
+
+void OrganView::setFxaa(bool on) {
+  parts_->renderer->SetUseFXAA(on);
+  parts_->smoothingChosen = true;
+}
+
+std::optional<SurfacePick> OrganView::pick(double x, double y) const {
+  std::vector<OrganActor*> organs;
+  for (const auto& organ : parts_->organs)
+    organs.push_back(organ.get());
+  return pickSurface(rayThrough(parts_->renderer, x, y), organs);
+}
+
+} // namespace viscera::scene

@@ -1,0 +1,92 @@
+#include "viscera/scene/picture.h"
+
+#include <algorithm>
+#include <cstdlib>
+
+#include <vtkImageData.h>
+#include <vtkNew.h>
+#include <vtkPNGReader.h>
+#include <vtkPNGWriter.h>
+#include <vtkRenderWindow.h>
+#include <vtkUnsignedCharArray.h>
+
+#include "viscera/core/atomic_file.h"
+#include "viscera/core/error.h"
+
+namespace viscera::scene {
+namespace {
+
+/// Level 1 is three times as fast as zlib's default and a few per cent larger.
+constexpr int kPngCompression = 1;
+
+} // namespace
+
+vtkSmartPointer<vtkImageData> grabPicture(vtkRenderWindow* window) {
+  window->Render();
+  const int* size = window->GetSize();
+  vtkNew<vtkUnsignedCharArray> pixels;
+  pixels->SetNumberOfComponents(3);
+  window->GetPixelData(0, 0, size[0] - 1, size[1] - 1, /*front=*/0, pixels);
+  auto picture = vtkSmartPointer<vtkImageData>::New();
+  picture->SetDimensions(size[0], size[1], 1);
+  picture->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
+  std::copy_n(pixels->GetPointer(0), pixels->GetNumberOfValues(),
+              static_cast<unsigned char*>(picture->GetScalarPointer()));
+  return picture;
+}
+
+void writePng(const std::filesystem::path& file, vtkImageData* picture) {
+  AtomicFile output(file);
+  vtkNew<vtkPNGWriter> writer;
+  writer->SetInputData(picture);
+  writer->SetFileName(output.temporary().c_str());
+  writer->SetCompressionLevel(kPngCompression);
+  writer->GlobalWarningDisplayOff();
+  writer->Write();
+  if (writer->GetErrorCode() != 0)
+    throw CannotCreateError("the picture cannot be written", file.string(),
+                            "check that there is room on the disk");
+  output.commit();
+}
+
+void savePicture(vtkRenderWindow* window, const std::filesystem::path& file) {
+  writePng(file, grabPicture(window));
+}
+
+vtkSmartPointer<vtkImageData> readPng(const std::filesystem::path& file) {
+  if (!std::filesystem::exists(file))
+    throw NoInputError("the picture does not exist", file.string());
+  vtkNew<vtkPNGReader> reader;
+  if (!reader->CanReadFile(file.c_str()))
+    throw DataError("this is not a PNG picture", file.string());
+  reader->SetFileName(file.c_str());
+  reader->Update();
+  auto* picture = reader->GetOutput();
+  if (picture->GetScalarType() != VTK_UNSIGNED_CHAR || picture->GetNumberOfScalarComponents() != 3)
+    throw DataError("the picture is not of three channels of 8 bits", file.string());
+  return picture;
+}
+
+PictureDifference comparePictures(vtkImageData* a, vtkImageData* b, int threshold) {
+  const int* sizeA = a->GetDimensions();
+  const int* sizeB = b->GetDimensions();
+  if (sizeA[0] != sizeB[0] || sizeA[1] != sizeB[1])
+    return {255, 1};
+  const auto* pixelsA = static_cast<const unsigned char*>(a->GetScalarPointer());
+  const auto* pixelsB = static_cast<const unsigned char*>(b->GetScalarPointer());
+  const std::size_t count = std::size_t(sizeA[0]) * std::size_t(sizeA[1]);
+  double sum = 0;
+  std::size_t differing = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    int most = 0;
+    for (std::size_t c = 0; c < 3; ++c) {
+      const int difference = std::abs(int(pixelsA[3 * i + c]) - int(pixelsB[3 * i + c]));
+      sum += difference;
+      most = std::max(most, difference);
+    }
+    differing += most > threshold;
+  }
+  return {sum / (3.0 * double(count)), double(differing) / double(count)};
+}
+
+} // namespace viscera::scene

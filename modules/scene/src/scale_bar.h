@@ -1,0 +1,37 @@
+#pragma once
+
+#include <vtkNew.h>
+
+#include "viscera/scene/theme.h"
+
+#include "before_render.h"
+
+class vtkActor2D;
+class vtkPoints;
+class vtkTextActor;
+
+namespace viscera::scene {
+
+/// A line of a round number of millimetres at the bottom of a view. With a perspective camera it is right in
+/// the plane of the camera's focal point.
+class ScaleBar {
+public:
+  explicit ScaleBar(vtkRenderer* renderer);
+  ~ScaleBar();
+
+  void setTheme(const Theme& theme);
+  void setShown(bool shown);
+
+private:
+  void follow();
+
+  vtkNew<vtkPoints> points_;
+  vtkNew<vtkActor2D> line_;
+  vtkNew<vtkTextActor> text_;
+  BeforeRender beforeRender_;
+};
+
+/// The longest length of 1, 2 or 5 times a power of ten that is at most `most` (> 0).
+double roundLength(double most);
+
+} // namespace viscera::scene

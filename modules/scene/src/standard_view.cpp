@@ -1,0 +1,73 @@
+#include "standard_view.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "viscera/core/error.h"
+
+namespace viscera::scene {
+namespace {
+
+constexpr std::array<std::pair<StandardView, const char*>, 6> kNames = {
+    {{StandardView::anterior, "anterior"},
+     {StandardView::posterior, "posterior"},
+     {StandardView::left, "left"},
+     {StandardView::right, "right"},
+     {StandardView::superior, "superior"},
+     {StandardView::inferior, "inferior"}}};
+
+} // namespace
+
+StandardView standardViewFromName(const std::string& name) {
+  for (const auto& [view, text] : kNames)
+    if (name == text)
+      return view;
+  throw UsageError("there is no view of this name", name,
+                   "use anterior, posterior, left, right, superior or inferior");
+}
+
+std::string nameOf(StandardView view) {
+  for (const auto& [named, text] : kNames)
+    if (named == view)
+      return text;
+  return {};
+}
+
+ViewDirections directionsOf(StandardView view) {
+  const Vec3 toLeft = Vec3::UnitX(), toBack = Vec3::UnitY(), toHead = Vec3::UnitZ();
+  switch (view) {
+  case StandardView::anterior:
+    return {toBack, toHead};
+  case StandardView::posterior:
+    return {-toBack, toHead};
+  case StandardView::left:
+    return {-toLeft, toHead};
+  case StandardView::right:
+    return {toLeft, toHead};
+  case StandardView::superior:
+    return {-toHead, -toBack};
+  case StandardView::inferior:
+    return {toHead, -toBack};
+  }
+  return {toBack, toHead};
+}
+
+double framingDistance(const Bounds& bounds, const ViewDirections& directions, double tangent, double aspect,
+                       double margin) {
+  const Vec3 right = directions.forward.cross(directions.up);
+  double distance = 0;
+  for (int corner = 0; corner < 8; ++corner) {
+    const Vec3 point(corner & 1 ? bounds.high.x() : bounds.low.x(),
+                     corner & 2 ? bounds.high.y() : bounds.low.y(),
+                     corner & 4 ? bounds.high.z() : bounds.low.z());
+    const Vec3 fromCenter = point - bounds.center();
+    const double needed =
+        std::max(std::abs(fromCenter.dot(directions.up)), std::abs(fromCenter.dot(right)) / aspect);
+    distance = std::max(distance, margin * needed / tangent - fromCenter.dot(directions.forward));
+  }
+  return distance;
+}
+
+} // namespace viscera::scene

@@ -1,0 +1,362 @@
+#include "viscera/scene/volume_chart.h"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include <vtkAxis.h>
+#include <vtkBrush.h>
+#include <vtkChartLegend.h>
+#include <vtkChartXY.h>
+#include <vtkContextActor.h>
+#include <vtkContextScene.h>
+#include <vtkDoubleArray.h>
+#include <vtkNew.h>
+#include <vtkPen.h>
+#include <vtkPlot.h>
+#include <vtkRenderWindow.h>
+#include <vtkRenderer.h>
+#include <vtkStringArray.h>
+#include <vtkTable.h>
+#include <vtkTextProperty.h>
+#include <vtkWeakPointer.h>
+
+#include "viscera/scene/legend.h"
+#include "viscera/scene/organ_view.h"
+
+namespace viscera::scene {
+namespace {
+
+constexpr double kDefaultSpan = 10;
+constexpr float kLineWidth = 2;
+constexpr float kCursorWidth = 1.5;
+constexpr unsigned char kBandAlpha = 36;
+constexpr int kFontSize = 12;
+/// Room above and below the curves, as a part of their range.
+constexpr double kRoom = 0.08;
+constexpr int kMostTicks = 6;
+
+unsigned char byte(double part) {
+  return static_cast<unsigned char>(std::lround(255 * std::clamp(part, 0.0, 1.0)));
+}
+
+void setPen(vtkPen* pen, const Vec3& color, double opacity) {
+  pen->SetColor(byte(color.x()), byte(color.y()), byte(color.z()), byte(opacity));
+}
+
+void addColumn(vtkTable* table, const std::string& name) {
+  vtkNew<vtkDoubleArray> column;
+  column->SetName(name.c_str());
+  table->AddColumn(column);
+}
+
+/// Both ends of a plot that has two points.
+void setRow(vtkTable* table, vtkIdType row, std::initializer_list<double> values) {
+  vtkIdType column = 0;
+  for (const double value : values)
+    vtkDoubleArray::SafeDownCast(table->GetColumn(column++))->SetValue(row, value);
+}
+
+/// One curve, its band, and the tables that VTK draws them from.
+struct Curve {
+  ChartLine line;
+  std::vector<double> values;
+  vtkPlot* plot = nullptr;
+  vtkPlot* band = nullptr;
+  vtkNew<vtkTable> table;
+  vtkNew<vtkTable> bandTable;
+  bool shown = true;
+};
+
+} // namespace
+
+struct VolumeChart::Parts {
+  vtkNew<vtkRenderer> renderer;
+  vtkNew<vtkContextActor> actor;
+  vtkNew<vtkChartXY> chart;
+  vtkWeakPointer<vtkRenderWindow> window;
+  Theme theme = lightTheme();
+  std::vector<std::unique_ptr<Curve>> curves;
+  std::vector<double> times;
+  double span = kDefaultSpan;
+  std::optional<ValueRange> fixedRange;
+  std::optional<double> cursor;
+  vtkNew<vtkTable> cursorTable;
+  vtkPlot* cursorPlot = nullptr;
+
+  void build();
+  void applyTheme();
+  void makePlots();
+  void forgetBefore(double seconds);
+  ValueRange timeRange() const;
+  ValueRange valueRange() const;
+  void fillCurve(Curve& curve, ValueRange range);
+  void fillCursor(ValueRange values);
+};
+
+void VolumeChart::Parts::build() {
+  chart->SetAutoSize(true);
+  chart->SetShowLegend(true);
+  chart->SetRenderEmpty(true);
+  chart->GetLegend()->SetHorizontalAlignment(vtkChartLegend::RIGHT);
+  chart->GetLegend()->SetVerticalAlignment(vtkChartLegend::TOP);
+  chart->GetLegend()->SetLabelSize(kFontSize);
+  chart->GetLegend()->GetPen()->SetLineType(vtkPen::NO_PEN);
+  for (const int which : {vtkAxis::BOTTOM, vtkAxis::LEFT}) {
+    auto* axis = chart->GetAxis(which);
+    axis->SetBehavior(vtkAxis::FIXED);
+    axis->GetLabelProperties()->SetFontSize(kFontSize);
+    axis->GetTitleProperties()->SetFontSize(kFontSize);
+    axis->GetTitleProperties()->BoldOff();
+  }
+  actor->GetScene()->AddItem(chart);
+  actor->GetScene()->SetRenderer(renderer);
+  renderer->AddViewProp(actor);
+  for (const char* name : {"time", "cursor"})
+    addColumn(cursorTable, name);
+  cursorTable->SetNumberOfRows(2);
+}
+
+void VolumeChart::Parts::applyTheme() {
+  const Vec3& text = theme.text;
+  renderer->SetBackground(theme.backgroundBottom.data());
+  for (const int which : {vtkAxis::BOTTOM, vtkAxis::LEFT}) {
+    auto* axis = chart->GetAxis(which);
+    axis->GetLabelProperties()->SetColor(text.x(), text.y(), text.z());
+    axis->GetTitleProperties()->SetColor(text.x(), text.y(), text.z());
+    setPen(axis->GetPen(), theme.muted, 1);
+    setPen(axis->GetGridPen(), theme.muted, 0.22);
+  }
+  chart->GetLegend()->GetLabelProperties()->SetColor(text.x(), text.y(), text.z());
+  const Vec3& back = theme.backgroundBottom;
+  chart->GetLegend()->GetBrush()->SetColor(byte(back.x()), byte(back.y()), byte(back.z()), 190);
+  chart->GetBackgroundBrush()->SetOpacity(0);
+  if (cursorPlot)
+    setPen(cursorPlot->GetPen(), theme.text, 0.8);
+}
+
+/// Bands first, so that every curve is in front of all of them.
+void VolumeChart::Parts::makePlots() {
+  chart->ClearPlots();
+  for (auto& curve : curves) {
+    if (!curve->line.hasNormalBand)
+      continue;
+    for (const char* name : {"time", "low", "high"})
+      addColumn(curve->bandTable, name);
+    curve->bandTable->SetNumberOfRows(2);
+    curve->band = chart->AddPlot(vtkChart::AREA);
+    curve->band->SetInputData(curve->bandTable, 0, 1);
+    curve->band->SetInputArray(2, "high");
+    const Vec3& c = curve->line.color;
+    curve->band->SetColor(byte(c.x()), byte(c.y()), byte(c.z()), kBandAlpha);
+    curve->band->GetPen()->SetLineType(vtkPen::NO_PEN);
+    curve->band->SetLegendVisibility(false);
+    curve->band->SetTooltipLabelFormat("");
+  }
+  for (auto& curve : curves) {
+    addColumn(curve->table, "time");
+    addColumn(curve->table, curve->line.name);
+    curve->plot = chart->AddPlot(vtkChart::LINE);
+    curve->plot->SetInputData(curve->table, 0, 1);
+    curve->plot->SetLabel(curve->line.name);
+    curve->plot->SetWidth(kLineWidth);
+    setPen(curve->plot->GetPen(), curve->line.color, 1);
+  }
+  cursorPlot = chart->AddPlot(vtkChart::LINE);
+  cursorPlot->SetInputData(cursorTable, 0, 1);
+  cursorPlot->SetLegendVisibility(false);
+  cursorPlot->SetWidth(kCursorWidth);
+  cursorPlot->SetVisible(cursor.has_value());
+  applyTheme();
+}
+
+void VolumeChart::Parts::forgetBefore(double seconds) {
+  const auto keep = std::lower_bound(times.begin(), times.end(), seconds) - times.begin();
+  times.erase(times.begin(), times.begin() + keep);
+  for (auto& curve : curves)
+    curve->values.erase(curve->values.begin(), curve->values.begin() + keep);
+}
+
+ValueRange VolumeChart::Parts::timeRange() const {
+  if (fixedRange)
+    return *fixedRange;
+  const double last = times.empty() ? 0 : times.back();
+  return last <= span ? ValueRange{0, span} : ValueRange{last - span, last};
+}
+
+ValueRange VolumeChart::Parts::valueRange() const {
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+  const auto include = [&](double value) {
+    if (!std::isfinite(value))
+      return;
+    low = std::min(low, value);
+    high = std::max(high, value);
+  };
+  for (const auto& curve : curves) {
+    if (!curve->shown)
+      continue;
+    std::for_each(curve->values.begin(), curve->values.end(), include);
+    if (curve->line.hasNormalBand) {
+      include(curve->line.normal.low);
+      include(curve->line.normal.high);
+    }
+  }
+  if (low > high)
+    return {0, 1};
+  const double room = high > low ? kRoom * (high - low) : std::max(1.0, 0.05 * std::abs(high));
+  return {low >= 0 ? std::max(0.0, low - room) : low - room, high + room};
+}
+
+void VolumeChart::Parts::fillCurve(Curve& curve, ValueRange range) {
+  const auto count = static_cast<vtkIdType>(times.size());
+  curve.table->SetNumberOfRows(count);
+  std::copy(times.begin(), times.end(),
+            vtkDoubleArray::SafeDownCast(curve.table->GetColumn(0))->GetPointer(0));
+  std::copy(curve.values.begin(), curve.values.end(),
+            vtkDoubleArray::SafeDownCast(curve.table->GetColumn(1))->GetPointer(0));
+  curve.table->Modified();
+  // A single point is no line, and VTK draws garbage for an empty table.
+  curve.plot->SetVisible(curve.shown && count >= 2);
+  if (!curve.band)
+    return;
+  setRow(curve.bandTable, 0, {range.low, curve.line.normal.low, curve.line.normal.high});
+  setRow(curve.bandTable, 1, {range.high, curve.line.normal.low, curve.line.normal.high});
+  curve.bandTable->Modified();
+  curve.band->SetVisible(curve.shown);
+}
+
+void VolumeChart::Parts::fillCursor(ValueRange values) {
+  if (!cursorPlot)
+    return;
+  cursorPlot->SetVisible(cursor.has_value());
+  setRow(cursorTable, 0, {cursor.value_or(0), values.low});
+  setRow(cursorTable, 1, {cursor.value_or(0), values.high});
+  cursorTable->Modified();
+}
+
+VolumeChart::VolumeChart() : parts_(std::make_unique<Parts>()) {
+  parts_->build();
+  parts_->makePlots();
+  setAxes("Time", "s", "Volume", "ml");
+  update();
+}
+
+VolumeChart::~VolumeChart() {
+  setWindow(nullptr);
+}
+
+void VolumeChart::setWindow(vtkRenderWindow* window) {
+  auto& p = *parts_;
+  if (p.window)
+    p.window->RemoveRenderer(p.renderer);
+  p.window = window;
+  if (!window)
+    return;
+  window->SetMultiSamples(0); // The chart smooths its lines itself.
+  window->AddRenderer(p.renderer);
+}
+
+void VolumeChart::setTheme(const Theme& theme) {
+  parts_->theme = theme;
+  parts_->applyTheme();
+}
+
+void VolumeChart::setAxes(const std::string& xTitle, const std::string& xUnit, const std::string& yTitle,
+                          const std::string& yUnit) {
+  const auto joined = [](const std::string& title, const std::string& unit) {
+    return unit.empty() ? title : title + " (" + unit + ")";
+  };
+  parts_->chart->GetAxis(vtkAxis::BOTTOM)->SetTitle(joined(xTitle, xUnit));
+  parts_->chart->GetAxis(vtkAxis::LEFT)->SetTitle(joined(yTitle, yUnit));
+}
+
+void VolumeChart::setLines(const std::vector<ChartLine>& lines) {
+  auto& p = *parts_;
+  p.times.clear();
+  p.curves.clear();
+  for (const auto& line : lines) {
+    p.curves.push_back(std::make_unique<Curve>());
+    p.curves.back()->line = line;
+  }
+  p.makePlots();
+  update();
+}
+
+void VolumeChart::setLineShown(int line, bool shown) {
+  parts_->curves.at(std::size_t(line))->shown = shown;
+}
+
+int VolumeChart::lineCount() const {
+  return static_cast<int>(parts_->curves.size());
+}
+
+void VolumeChart::append(double seconds, const Values& values) {
+  auto& p = *parts_;
+  assert(values.size() == lineCount());
+  const auto keep = std::lower_bound(p.times.begin(), p.times.end(), seconds) - p.times.begin();
+  p.times.resize(std::size_t(keep));
+  p.times.push_back(seconds);
+  for (std::size_t i = 0; i < p.curves.size(); ++i) {
+    p.curves[i]->values.resize(std::size_t(keep));
+    p.curves[i]->values.push_back(values[Eigen::Index(i)]);
+  }
+  // Throwing away half as much again as is shown at a time keeps the cost per point constant.
+  if (!p.fixedRange && p.times.front() < seconds - 1.5 * p.span)
+    p.forgetBefore(seconds - p.span);
+}
+
+void VolumeChart::clear() {
+  parts_->times.clear();
+  for (auto& curve : parts_->curves)
+    curve->values.clear();
+}
+
+int VolumeChart::pointCount() const {
+  return static_cast<int>(parts_->times.size());
+}
+
+void VolumeChart::setTimeSpan(double seconds) {
+  assert(seconds > 0);
+  parts_->span = seconds;
+  parts_->fixedRange.reset();
+}
+
+void VolumeChart::setTimeRange(ValueRange seconds) {
+  parts_->fixedRange = seconds;
+}
+
+void VolumeChart::setCursor(double seconds) {
+  parts_->cursor = seconds;
+}
+
+void VolumeChart::hideCursor() {
+  parts_->cursor.reset();
+}
+
+void VolumeChart::update() {
+  auto& p = *parts_;
+  const ValueRange times = p.timeRange(), values = p.valueRange();
+  for (auto& curve : p.curves)
+    p.fillCurve(*curve, times);
+  p.fillCursor(values);
+  for (const auto& [which, range] : {std::pair{vtkAxis::BOTTOM, times}, std::pair{vtkAxis::LEFT, values}}) {
+    auto* axis = p.chart->GetAxis(which);
+    axis->SetRange(range.low, range.high);
+    const auto ticks = niceTicks(range, kMostTicks);
+    const double spacing = ticks.size() > 1 ? ticks[1] - ticks[0] : 0;
+    vtkNew<vtkDoubleArray> positions;
+    vtkNew<vtkStringArray> labels;
+    for (const double tick : ticks) {
+      positions->InsertNextValue(tick);
+      labels->InsertNextValue(tickLabel(tick, spacing));
+    }
+    axis->SetCustomTickPositions(positions, labels);
+  }
+  p.chart->RecalculateBounds();
+  p.actor->GetScene()->SetDirty(true);
+}
+
+} // namespace viscera::scene

@@ -1,0 +1,512 @@
+#include "viscera/scene/vtkVisceraHandleSetRepresentation.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+#include <vtkActor.h>
+#include <vtkCallbackCommand.h>
+#include <vtkNew.h>
+#include <vtkObjectFactory.h>
+#include <vtkPropCollection.h>
+#include <vtkProperty.h>
+#include <vtkRenderWindow.h>
+#include <vtkRenderer.h>
+#include <vtkSmartPointer.h>
+
+#include "viscera/scene/organ_view.h"
+
+#include "handle_glyphs.h"
+#include "ray_mesh.h"
+#include "view_geometry.h"
+
+using viscera::Bounds;
+using viscera::Colors;
+using viscera::Points;
+using viscera::Vec3;
+using namespace viscera::scene;
+
+namespace {
+
+/// Logical pixels: the dark line around every handle, and the light rim of a selected one.
+constexpr double kOutlinePixels = 1.0;
+constexpr double kRimPixels = 3.0;
+/// From here on an actor lets the handles behind it be seen.
+constexpr double kOpaque = 0.999;
+/// Below this sine of the angle between ray and plane the point where they meet runs away from the cursor.
+constexpr double kGrazing = 0.15;
+const Vec3 kDefaultColor(0.95, 0.75, 0.25);
+
+/// A handle near the cursor.
+struct Candidate {
+  int handle;
+  bool onBall; ///< The cursor is on the ball itself, not beside it.
+  double rank; ///< Depth on the ball, pixel distance beside it.
+  Vec3 seen;   ///< The point of the ball that is seen there.
+};
+
+} // namespace
+
+struct vtkVisceraHandleSetRepresentation::Parts {
+  Points positions = Points(0, 3);
+  Colors colors = Colors(0, 3);
+  std::vector<char> shown;
+  std::vector<char> locked;
+  std::vector<int> selection;
+  int active = -1;
+  std::vector<vtkSmartPointer<vtkActor>> occluders;
+
+  double radius = 10, activeRadius = 12, pickRadius = 12;
+  Theme theme = darkTheme();
+  bool constrained = false;
+  Vec3 constraint = Vec3::UnitZ();
+
+  std::vector<int> dragged;
+  Points dragStart = Points(0, 3);
+  double grabOffset[2] = {0, 0};
+
+  HandleGlyphs glyphs;
+  vtkNew<vtkCallbackCommand> beforeRender;
+  unsigned long beforeRenderTag = 0;
+  double bounds[6] = {1, -1, 1, -1, 1, -1};
+
+  Vec3 position(int i) const { return positions.row(i).transpose(); }
+  bool isSelected(int i) const { return std::binary_search(selection.begin(), selection.end(), i); }
+  double radiusPixels(int i, double ratio) const { return ratio * (i == active ? activeRadius : radius); }
+  bool hidden(const ViewGeometry& view, const Vec3& seen) const;
+  std::vector<Candidate> candidates(const ViewGeometry& view, double ratio, int x, int y) const;
+  HandleGlyph glyph(const ViewGeometry& view, double ratio, int i) const;
+};
+
+/// Whether an opaque occluder is between the eye and a point.
+bool vtkVisceraHandleSetRepresentation::Parts::hidden(const ViewGeometry& view, const Vec3& seen) const {
+  const auto at = view.project(seen);
+  const Ray ray = view.ray(at.x, at.y);
+  const double distance = (seen - ray.origin).dot(ray.direction);
+  return std::any_of(occluders.begin(), occluders.end(), [&](const auto& actor) {
+    if (!actor->GetVisibility() || actor->GetProperty()->GetOpacity() < kOpaque)
+      return false;
+    const ActorMesh mesh(actor);
+    return nearestHit(ray, mesh.view(), distance).has_value();
+  });
+}
+
+/// The handles that a click at a display position could mean, the likeliest first.
+std::vector<Candidate> vtkVisceraHandleSetRepresentation::Parts::candidates(const ViewGeometry& view,
+                                                                            double ratio, int x,
+                                                                            int y) const {
+  std::vector<Candidate> found;
+  for (int i = 0; i < positions.rows(); ++i) {
+    if (!shown[std::size_t(i)])
+      continue;
+    const auto at = view.project(position(i));
+    if (at.depth <= 0)
+      continue;
+    const double ball = radiusPixels(i, ratio), reach = std::max(ball, ratio * pickRadius);
+    const double dx = x - at.x, dy = y - at.y, away = std::hypot(dx, dy);
+    if (away > reach)
+      continue;
+    // The nearest point of the ball's disc, lifted onto the ball's front.
+    const double inward = away > ball ? ball / away : 1;
+    const double along = std::min(away, ball);
+    const double lift = std::sqrt(std::max(0.0, ball * ball - along * along)) * view.worldPerPixel(at.depth);
+    const double depth = std::max(at.depth - lift, 1e-3 * at.depth);
+    const bool onBall = away <= ball;
+    found.push_back(
+        {i, onBall, onBall ? depth : away, view.unproject(at.x + inward * dx, at.y + inward * dy, depth)});
+  }
+  std::sort(found.begin(), found.end(), [](const Candidate& a, const Candidate& b) {
+    return a.onBall != b.onBall ? a.onBall : a.rank < b.rank;
+  });
+  return found;
+}
+
+HandleGlyph vtkVisceraHandleSetRepresentation::Parts::glyph(const ViewGeometry& view, double ratio,
+                                                            int i) const {
+  HandleGlyph glyph;
+  glyph.position = position(i);
+  const double depth = (glyph.position - view.eye).dot(view.forward);
+  if (!shown[std::size_t(i)] || depth <= 0)
+    return glyph;
+  const double pixel = view.worldPerPixel(depth);
+  const double pixels = radiusPixels(i, ratio);
+  const bool selected = isSelected(i);
+  glyph.radius = pixel * pixels;
+  glyph.rimRadius = pixel * (pixels + ratio * (selected ? kRimPixels : kOutlinePixels));
+  glyph.color = colors.row(i).transpose().cast<double>() / 255;
+  glyph.rimColor = selected ? theme.rim : Vec3(0.25 * glyph.color);
+  if (i == active)
+    glyph.color = (glyph.color + 0.25 * (Vec3::Ones() - glyph.color)).eval();
+  return glyph;
+}
+
+vtkStandardNewMacro(vtkVisceraHandleSetRepresentation);
+
+vtkVisceraHandleSetRepresentation::vtkVisceraHandleSetRepresentation()
+    : Internals(std::make_unique<Parts>()) {
+  InteractionState = Outside;
+  Internals->beforeRender->SetClientData(this);
+  Internals->beforeRender->SetCallback([](vtkObject*, unsigned long, void* self, void*) {
+    static_cast<vtkVisceraHandleSetRepresentation*>(self)->BuildRepresentation();
+  });
+}
+
+vtkVisceraHandleSetRepresentation::~vtkVisceraHandleSetRepresentation() {
+  SetRenderer(nullptr);
+}
+
+void vtkVisceraHandleSetRepresentation::PrintSelf(ostream& os, vtkIndent indent) {
+  Superclass::PrintSelf(os, indent);
+  os << indent << "Handles: " << GetNumberOfHandles() << "\n";
+  os << indent << "Active: " << Internals->active << "\n";
+  os << indent << "Selected: " << Internals->selection.size() << "\n";
+  os << indent << "Occluders: " << Internals->occluders.size() << "\n";
+}
+
+// ---- handles
+
+void vtkVisceraHandleSetRepresentation::SetPositions(const Points& positions) {
+  auto& p = *Internals;
+  if (positions.rows() != p.positions.rows()) {
+    const auto count = std::size_t(positions.rows());
+    p.shown.assign(count, 1);
+    p.locked.assign(count, 0);
+    p.selection.clear();
+    p.dragged.clear();
+    p.dragStart.resize(0, 3);
+    p.active = -1;
+    InteractionState = Outside;
+    p.colors.resize(positions.rows(), 3);
+    p.positions = positions;
+    SetColor(kDefaultColor);
+    return;
+  }
+  p.positions = positions;
+  Modified();
+}
+
+const Points& vtkVisceraHandleSetRepresentation::GetPositions() const {
+  return Internals->positions;
+}
+
+void vtkVisceraHandleSetRepresentation::SetPosition(int handle, const Vec3& position) {
+  assert(handle >= 0 && handle < GetNumberOfHandles());
+  Internals->positions.row(handle) = position.transpose();
+  Modified();
+}
+
+Vec3 vtkVisceraHandleSetRepresentation::GetPosition(int handle) const {
+  assert(handle >= 0 && handle < GetNumberOfHandles());
+  return Internals->position(handle);
+}
+
+int vtkVisceraHandleSetRepresentation::GetNumberOfHandles() const {
+  return static_cast<int>(Internals->positions.rows());
+}
+
+void vtkVisceraHandleSetRepresentation::SetColors(const Colors& colors) {
+  assert(colors.rows() == GetNumberOfHandles());
+  Internals->colors = colors;
+  Modified();
+}
+
+void vtkVisceraHandleSetRepresentation::SetColor(const Vec3& color) {
+  Internals->colors.rowwise() = (255 * color).array().round().cast<std::uint8_t>().matrix().transpose();
+  Modified();
+}
+
+void vtkVisceraHandleSetRepresentation::SetHandleShown(int handle, bool shown) {
+  Internals->shown.at(std::size_t(handle)) = shown;
+  Modified();
+}
+
+bool vtkVisceraHandleSetRepresentation::GetHandleShown(int handle) const {
+  return Internals->shown.at(std::size_t(handle)) != 0;
+}
+
+void vtkVisceraHandleSetRepresentation::SetHandleLocked(int handle, bool locked) {
+  Internals->locked.at(std::size_t(handle)) = locked;
+}
+
+bool vtkVisceraHandleSetRepresentation::GetHandleLocked(int handle) const {
+  return Internals->locked.at(std::size_t(handle)) != 0;
+}
+
+void vtkVisceraHandleSetRepresentation::SetSelection(std::vector<int> selection) {
+  std::sort(selection.begin(), selection.end());
+  selection.erase(std::unique(selection.begin(), selection.end()), selection.end());
+  std::erase_if(selection, [this](int i) { return i < 0 || i >= GetNumberOfHandles(); });
+  if (selection == Internals->selection)
+    return;
+  Internals->selection = std::move(selection);
+  Modified();
+}
+
+const std::vector<int>& vtkVisceraHandleSetRepresentation::GetSelection() const {
+  return Internals->selection;
+}
+
+bool vtkVisceraHandleSetRepresentation::IsSelected(int handle) const {
+  return Internals->isSelected(handle);
+}
+
+void vtkVisceraHandleSetRepresentation::ToggleSelected(int handle) {
+  auto selection = Internals->selection;
+  if (IsSelected(handle))
+    std::erase(selection, handle);
+  else
+    selection.push_back(handle);
+  SetSelection(std::move(selection));
+}
+
+void vtkVisceraHandleSetRepresentation::SetActiveHandle(int handle) {
+  assert(handle >= -1 && handle < GetNumberOfHandles());
+  InteractionState = handle >= 0 ? OnHandle : Outside;
+  if (handle == Internals->active)
+    return;
+  Internals->active = handle;
+  Modified();
+}
+
+int vtkVisceraHandleSetRepresentation::GetActiveHandle() const {
+  return Internals->active;
+}
+
+// ---- occluders and picking
+
+void vtkVisceraHandleSetRepresentation::AddOccluder(vtkActor* actor) {
+  auto& occluders = Internals->occluders;
+  if (std::find(occluders.begin(), occluders.end(), actor) == occluders.end())
+    occluders.emplace_back(actor);
+  if (Renderer)
+    drawLast(Renderer, this); // Ghosts are what lies behind what was drawn before.
+}
+
+void vtkVisceraHandleSetRepresentation::RemoveOccluder(vtkActor* actor) {
+  std::erase(Internals->occluders, actor);
+}
+
+void vtkVisceraHandleSetRepresentation::RemoveAllOccluders() {
+  Internals->occluders.clear();
+}
+
+int vtkVisceraHandleSetRepresentation::Pick(int x, int y) {
+  if (!Renderer || GetNumberOfHandles() == 0)
+    return -1;
+  const auto view = viewGeometry(Renderer);
+  for (const auto& candidate : Internals->candidates(view, pixelRatioOf(Renderer->GetRenderWindow()), x, y))
+    if (!Internals->hidden(view, candidate.seen))
+      return candidate.handle;
+  return -1;
+}
+
+bool vtkVisceraHandleSetRepresentation::IsHandleVisible(int handle) {
+  if (!Renderer || !GetHandleShown(handle))
+    return false;
+  const auto view = viewGeometry(Renderer);
+  const Vec3 center = GetPosition(handle);
+  const double depth = view.project(center).depth;
+  return depth > 0 && !Internals->hidden(view, center - GetWorldRadius(handle) * view.forward);
+}
+
+std::vector<int> vtkVisceraHandleSetRepresentation::HandlesInBox(int x0, int y0, int x1, int y1,
+                                                                 bool visibleOnly) {
+  std::vector<int> inside;
+  if (!Renderer)
+    return inside;
+  const auto [left, right] = std::minmax(x0, x1);
+  const auto [low, high] = std::minmax(y0, y1);
+  const auto view = viewGeometry(Renderer);
+  for (int i = 0; i < GetNumberOfHandles(); ++i) {
+    const auto at = view.project(GetPosition(i));
+    if (GetHandleShown(i) && at.depth > 0 && at.x >= left && at.x <= right && at.y >= low && at.y <= high &&
+        (!visibleOnly || IsHandleVisible(i)))
+      inside.push_back(i);
+  }
+  return inside;
+}
+
+int vtkVisceraHandleSetRepresentation::ComputeInteractionState(int x, int y, int) {
+  SetActiveHandle(Pick(x, y));
+  return InteractionState;
+}
+
+// ---- dragging
+
+void vtkVisceraHandleSetRepresentation::SetConstraintPlane(const Vec3& normal) {
+  assert(normal.norm() > 0);
+  Internals->constrained = true;
+  Internals->constraint = normal.normalized();
+}
+
+void vtkVisceraHandleSetRepresentation::ClearConstraintPlane() {
+  Internals->constrained = false;
+}
+
+bool vtkVisceraHandleSetRepresentation::GetConstraintPlane(Vec3& normal) const {
+  if (Internals->constrained)
+    normal = Internals->constraint;
+  return Internals->constrained;
+}
+
+void vtkVisceraHandleSetRepresentation::StartWidgetInteraction(double eventPosition[2]) {
+  auto& p = *Internals;
+  p.dragged.clear();
+  if (p.active < 0 || !Renderer)
+    return;
+  const auto group = p.isSelected(p.active) ? p.selection : std::vector<int>{p.active};
+  std::copy_if(group.begin(), group.end(), std::back_inserter(p.dragged),
+               [&](int i) { return !p.locked[std::size_t(i)]; });
+  p.dragStart.resize(Eigen::Index(p.dragged.size()), 3);
+  for (std::size_t k = 0; k < p.dragged.size(); ++k)
+    p.dragStart.row(Eigen::Index(k)) = p.positions.row(p.dragged[k]);
+  const auto at = viewGeometry(Renderer).project(p.position(p.active));
+  p.grabOffset[0] = eventPosition[0] - at.x;
+  p.grabOffset[1] = eventPosition[1] - at.y;
+}
+
+bool vtkVisceraHandleSetRepresentation::SolveDrag(const double eventPosition[2], Vec3& position) {
+  auto& p = *Internals;
+  const auto grabbed = std::find(p.dragged.begin(), p.dragged.end(), p.active);
+  if (grabbed == p.dragged.end())
+    return false;
+  const Vec3 start = p.dragStart.row(grabbed - p.dragged.begin()).transpose();
+  const auto view = viewGeometry(Renderer);
+  const double startDepth = (start - view.eye).dot(view.forward);
+  if (startDepth <= 0)
+    return false;
+  const double x = eventPosition[0] - p.grabOffset[0], y = eventPosition[1] - p.grabOffset[1];
+  position = view.unproject(x, y, startDepth);
+  if (!p.constrained)
+    return true;
+
+  const Ray ray = view.ray(x, y);
+  const double sine = p.constraint.dot(ray.direction);
+  if (std::abs(sine) < kGrazing) { // Seen from the edge: follow the cursor as far as the plane allows.
+    position -= p.constraint.dot(position - start) * p.constraint;
+    return true;
+  }
+  const double distance = p.constraint.dot(start - ray.origin) / sine;
+  position = ray.origin + distance * ray.direction;
+  return distance > 0 && (position - view.eye).dot(view.forward) > 0;
+}
+
+void vtkVisceraHandleSetRepresentation::WidgetInteraction(double eventPosition[2]) {
+  auto& p = *Internals;
+  Vec3 position;
+  if (!SolveDrag(eventPosition, position))
+    return;
+  const auto grabbed = std::find(p.dragged.begin(), p.dragged.end(), p.active) - p.dragged.begin();
+  const Vec3 delta = position - p.dragStart.row(grabbed).transpose();
+  for (std::size_t k = 0; k < p.dragged.size(); ++k)
+    p.positions.row(p.dragged[k]) = p.dragStart.row(Eigen::Index(k)) + delta.transpose();
+  Modified();
+}
+
+const std::vector<int>& vtkVisceraHandleSetRepresentation::GetDraggedHandles() const {
+  return Internals->dragged;
+}
+
+const Points& vtkVisceraHandleSetRepresentation::GetDragStart() const {
+  return Internals->dragStart;
+}
+
+void vtkVisceraHandleSetRepresentation::RestoreDrag() {
+  auto& p = *Internals;
+  for (std::size_t k = 0; k < p.dragged.size(); ++k)
+    p.positions.row(p.dragged[k]) = p.dragStart.row(Eigen::Index(k));
+  Modified();
+}
+
+// ---- looks
+
+void vtkVisceraHandleSetRepresentation::SetHandleRadius(double pixels) {
+  Internals->radius = pixels;
+  Modified();
+}
+double vtkVisceraHandleSetRepresentation::GetHandleRadius() const {
+  return Internals->radius;
+}
+
+void vtkVisceraHandleSetRepresentation::SetActiveRadius(double pixels) {
+  Internals->activeRadius = pixels;
+  Modified();
+}
+double vtkVisceraHandleSetRepresentation::GetActiveRadius() const {
+  return Internals->activeRadius;
+}
+
+void vtkVisceraHandleSetRepresentation::SetPickRadius(double pixels) {
+  Internals->pickRadius = pixels;
+}
+double vtkVisceraHandleSetRepresentation::GetPickRadius() const {
+  return Internals->pickRadius;
+}
+
+void vtkVisceraHandleSetRepresentation::SetTheme(const Theme& theme) {
+  Internals->theme = theme;
+  Modified();
+}
+
+double vtkVisceraHandleSetRepresentation::GetWorldRadius(int handle) {
+  if (!Renderer)
+    return 0;
+  return Internals->glyph(viewGeometry(Renderer), pixelRatioOf(Renderer->GetRenderWindow()), handle).radius;
+}
+
+// ---- drawing
+
+void vtkVisceraHandleSetRepresentation::SetRenderer(vtkRenderer* renderer) {
+  auto& p = *Internals;
+  if (Renderer && p.beforeRenderTag)
+    Renderer->RemoveObserver(p.beforeRenderTag);
+  p.beforeRenderTag = 0;
+  Superclass::SetRenderer(renderer);
+  if (Renderer)
+    p.beforeRenderTag = Renderer->AddObserver(vtkCommand::StartEvent, p.beforeRender);
+}
+
+void vtkVisceraHandleSetRepresentation::BuildRepresentation() {
+  if (!Renderer)
+    return;
+  const auto view = viewGeometry(Renderer);
+  const double ratio = pixelRatioOf(Renderer->GetRenderWindow());
+  std::vector<HandleGlyph> glyphs;
+  glyphs.reserve(std::size_t(GetNumberOfHandles()));
+  for (int i = 0; i < GetNumberOfHandles(); ++i)
+    glyphs.push_back(Internals->glyph(view, ratio, i));
+  Internals->glyphs.set(glyphs);
+  BuildTime.Modified();
+}
+
+double* vtkVisceraHandleSetRepresentation::GetBounds() {
+  auto& p = *Internals;
+  if (p.positions.rows() == 0)
+    return nullptr;
+  const Bounds box = viscera::boundsOf(p.positions);
+  for (int c = 0; c < 3; ++c) {
+    p.bounds[2 * c] = box.low[c];
+    p.bounds[2 * c + 1] = box.high[c];
+  }
+  return p.bounds;
+}
+
+void vtkVisceraHandleSetRepresentation::GetActors(vtkPropCollection* collection) {
+  Internals->glyphs.actor()->GetActors(collection);
+}
+
+void vtkVisceraHandleSetRepresentation::ReleaseGraphicsResources(vtkWindow* window) {
+  Internals->glyphs.release(window);
+}
+
+int vtkVisceraHandleSetRepresentation::RenderOpaqueGeometry(vtkViewport* viewport) {
+  return Internals->glyphs.render(viewport);
+}
+
+int vtkVisceraHandleSetRepresentation::RenderTranslucentPolygonalGeometry(vtkViewport*) {
+  return 0;
+}
+
+vtkTypeBool vtkVisceraHandleSetRepresentation::HasTranslucentPolygonalGeometry() {
+  return 0;
+}
