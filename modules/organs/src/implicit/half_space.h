@@ -1,0 +1,26 @@
+#pragma once
+
+#include "implicit/implicit_node.h"
+
+namespace viscera::organs {
+
+/// All that lies behind a plane. Only useful inside an intersection or a subtraction.
+class HalfSpace final : public ImplicitNode {
+public:
+  /// `normal` points out of the half space; any length but zero.
+  HalfSpace(const Vec3& point, const Vec3& normal)
+      : ImplicitNode(unlimited()), point_(point), normal_(normal.normalized()) {}
+
+  double distance(const Vec3& point) const override { return (point - point_).dot(normal_); }
+
+  /// Half the width in mm of the box that stands for "everywhere".
+  static constexpr double kUnlimited = 1e6;
+
+private:
+  static Extent unlimited() { return {Vec3::Constant(-kUnlimited), Vec3::Constant(kUnlimited)}; }
+
+  Vec3 point_;
+  Vec3 normal_;
+};
+
+} // namespace viscera::organs

@@ -1,0 +1,50 @@
+#include "implicit/implicit_node.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace viscera::organs {
+namespace {
+constexpr double kDifferenceStep = 0.05; // mm; the finest detail of a definition is ten times wider
+constexpr double kLongestStep = 3.0;     // mm; distances are only trusted near the surface
+constexpr double kSmallestSlope2 = 0.05; // squared; keeps steps finite where blends flatten the field
+constexpr double kOnSurface = 1e-4;      // mm
+} // namespace
+
+Shade ImplicitNode::shade(const Vec3& point) const {
+  return finished(shadeUnfinished(point));
+}
+
+Shade ImplicitNode::finished(Shade shade) const {
+  if (finish_.paint)
+    shade.color = *finish_.paint;
+  if (finish_.edgeScale)
+    shade.edgeScale = *finish_.edgeScale;
+  return shade;
+}
+
+Vec3 gradient(const ImplicitNode& node, const Vec3& point) {
+  Vec3 slope;
+  for (int axis = 0; axis < 3; ++axis) {
+    const Vec3 step = kDifferenceStep * Vec3::Unit(axis);
+    slope[axis] = (node.distance(point + step) - node.distance(point - step)) / (2 * kDifferenceStep);
+  }
+  return slope;
+}
+
+Vec3 projected(const ImplicitNode& node, Vec3 point, int steps) {
+  for (int step = 0; step < steps; ++step) {
+    const double distance = node.distance(point);
+    if (std::abs(distance) < kOnSurface)
+      break;
+    const Vec3 slope = gradient(node, point);
+    Vec3 move = -distance / std::max(slope.squaredNorm(), kSmallestSlope2) * slope;
+    const double length = move.norm();
+    if (length > kLongestStep)
+      move *= kLongestStep / length;
+    point += move;
+  }
+  return point;
+}
+
+} // namespace viscera::organs

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <vector>
+
+#include "implicit/implicit_node.h"
+
+namespace viscera::organs {
+
+/// What is inside all children, with rounded edges of `blend` mm. Looks like the first child.
+class Intersection final : public ImplicitNode {
+public:
+  /// At least one child.
+  Intersection(std::vector<NodePtr> children, double blend);
+  double distance(const Vec3& point) const override;
+
+private:
+  Shade shadeUnfinished(const Vec3& point) const override;
+  double cut(double distance, const Vec3& point) const;
+
+  std::vector<NodePtr> children_;
+  double blend_;
+};
+
+} // namespace viscera::organs

@@ -1,0 +1,20 @@
+#pragma once
+
+#include "implicit/implicit_node.h"
+
+namespace viscera::organs {
+
+/// The child grown (or, with a negative distance, shrunk) by `distance` mm.
+class Offset final : public ImplicitNode {
+public:
+  Offset(NodePtr child, double distance);
+  double distance(const Vec3& point) const override { return child_->distance(point) - offset_; }
+
+private:
+  Shade shadeUnfinished(const Vec3& point) const override;
+
+  NodePtr child_;
+  double offset_;
+};
+
+} // namespace viscera::organs

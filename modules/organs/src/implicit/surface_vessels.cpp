@@ -1,0 +1,52 @@
+#include "implicit/surface_vessels.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "implicit/smooth_blend.h"
+
+namespace viscera::organs {
+namespace {
+
+constexpr double kSeam = 0.35; // mm on either side of the edge of a vessel's colour
+
+Extent extentOf(const NodePtr& base, const std::vector<NodePtr>& vessels, double blend) {
+  Extent extent = base->extent();
+  for (const NodePtr& vessel : vessels)
+    extent.include(vessel->extent());
+  return extent.grown(0.25 * blend);
+}
+
+} // namespace
+
+SurfaceVessels::SurfaceVessels(NodePtr base, std::vector<NodePtr> vessels, double blend)
+    : ImplicitNode(extentOf(base, vessels, blend)), base_(std::move(base)), vessels_(std::move(vessels)),
+      blend_(blend) {}
+
+bool SurfaceVessels::cannotMatter(const ImplicitNode& vessel, const Vec3& point, double distance) const {
+  return vessel.extent().distance(point) > std::max(distance, 0.0) + blend_ + kSeam;
+}
+
+double SurfaceVessels::distance(const Vec3& point) const {
+  double result = base_->distance(point);
+  for (const NodePtr& vessel : vessels_)
+    if (!cannotMatter(*vessel, point, result))
+      result = smoothMin(result, vessel->distance(point), blend_);
+  return result;
+}
+
+Shade SurfaceVessels::shadeUnfinished(const Vec3& point) const {
+  Shade result = base_->shade(point);
+  for (const NodePtr& vessel : vessels_) {
+    if (cannotMatter(*vessel, point, result.distance))
+      continue;
+    const Shade other = vessel->shade(point);
+    const double share = smoothStep(-kSeam, kSeam, result.distance - other.distance);
+    result.color += share * (other.color - result.color);
+    result.edgeScale += share * (other.edgeScale - result.edgeScale);
+    result.distance = smoothMin(result.distance, other.distance, blend_);
+  }
+  return result;
+}
+
+} // namespace viscera::organs
