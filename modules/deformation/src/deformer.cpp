@@ -1,0 +1,85 @@
+#include "viscera/deformation/deformer.h"
+
+#include <cassert>
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include "viscera/core/error.h"
+#include "viscera/geometry/volume.h"
+
+namespace viscera::deformation {
+
+Deformer::Deformer(std::shared_ptr<const geometry::TriangleMesh> rest,
+                   std::shared_ptr<const coordinates::Binding> binding, Points restHandles, Threads threads)
+    : rest_(std::move(rest)), binding_(std::move(binding)),
+      around_(geometry::vertexTriangles(rest_->points.rows(), rest_->triangles)),
+      restHandles_(std::move(restHandles)), threads_(threads), pose_(restHandles_), points_(rest_->points),
+      restVolume_(geometry::volume(rest_->points, rest_->triangles, threads)) {
+  assert(binding_->pointCount() == rest_->points.rows());
+  assert(binding_->handleCount() == restHandles_.rows());
+}
+
+void Deformer::setPose(const Points& pose) {
+  if (pose.rows() != restHandles_.rows())
+    throw DataError("the pose has " + std::to_string(pose.rows()) + " handles, the organ is bound to " +
+                        std::to_string(restHandles_.rows()),
+                    "pose", "use a pose of the same handles");
+  for (Eigen::Index handle = 0; handle < pose.rows(); ++handle)
+    if (!pose.row(handle).allFinite())
+      throw DataError("the position is not finite", "handle " + std::to_string(handle),
+                      "place the handle again");
+  pose_ = pose;
+  binding_->deform(pose_, points_, threads_);
+  changed();
+}
+
+void Deformer::moveHandle(int handle, const Vec3& position) {
+  assert(handle >= 0 && handle < pose_.rows());
+  if (!position.allFinite())
+    throw DataError("the position is not finite", "handle " + std::to_string(handle),
+                    "place the handle again");
+  const Vec3 delta = position - pose_.row(handle).transpose();
+  binding_->moveHandle(pose_, handle, delta, points_, threads_);
+  pose_.row(handle) = position.transpose();
+  changed();
+}
+
+void Deformer::reset() {
+  pose_ = restHandles_;
+  points_ = rest_->points;
+  changed();
+}
+
+const geometry::Normals& Deformer::normals() {
+  if (!normalsValid_)
+    geometry::vertexNormals(points_, rest_->triangles, around_, normals_, threads_);
+  normalsValid_ = true;
+  return normals_;
+}
+
+double Deformer::volumeMm3() {
+  if (!volumeValid_)
+    volume_ = geometry::volume(points_, rest_->triangles, threads_);
+  volumeValid_ = true;
+  return volume_;
+}
+
+const Points& Deformer::volumeGradient() {
+  if (!gradientValid_) {
+    geometry::volumeGradient(points_, rest_->triangles, around_, pointGradient_, threads_);
+    binding_->pullBack(pose_, pointGradient_, handleGradient_, threads_);
+  }
+  gradientValid_ = true;
+  return handleGradient_;
+}
+
+double Deformer::maxDisplacementMm() const {
+  return points_.rows() == 0 ? 0 : std::sqrt((points_ - rest_->points).rowwise().squaredNorm().maxCoeff());
+}
+
+void Deformer::changed() {
+  normalsValid_ = volumeValid_ = gradientValid_ = false;
+}
+
+} // namespace viscera::deformation
