@@ -1,0 +1,54 @@
+#include "viscera/deformation/bind_organ.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "shapes.h"
+#include "viscera/coordinates/celestial/s_celestial.h"
+#include "viscera/core/error.h"
+#include "viscera/deformation/place_handles.h"
+
+namespace viscera::deformation {
+namespace {
+
+coordinates::HandleSet handlesAt(const Points& positions) {
+  coordinates::HandleSet handles;
+  handles.positions = positions;
+  return handles;
+}
+
+} // namespace
+
+TEST(BindOrgan, AcceptsAnOrganInsideItsHandles) {
+  const auto organ = tests::sphere(3, 40);
+  Progress progress;
+  const auto binding = bindOrgan(coordinates::SCelestial(), handlesAt(enclosingHandles(organ.points)),
+                                 organ.points, {}, progress);
+  EXPECT_EQ(binding->pointCount(), organ.points.rows());
+  EXPECT_TRUE(binding->report().failures.empty());
+}
+
+TEST(BindOrgan, SaysHowManyVerticesAreOutsideAndByHowMuch) {
+  const auto organ = tests::sphere(2, 10);
+  Points handles = enclosingHandles(organ.points, 0);
+  handles.col(2) = handles.col(2).cwiseMin(9.0); // Cuts the cap above z = 9 off; its top is 1 mm higher.
+  int above = 0, first = -1;
+  for (Eigen::Index v = 0; v < organ.points.rows(); ++v)
+    if (organ.points(v, 2) > 9 + 1e-9) {
+      ++above;
+      first = first < 0 ? static_cast<int>(v) : first;
+    }
+  ASSERT_GT(above, 0);
+  Progress progress;
+  try {
+    bindOrgan(coordinates::SCelestial(), handlesAt(handles), organ.points, {}, progress);
+    FAIL() << "vertices outside the hull were accepted";
+  } catch (const DataError& error) {
+    EXPECT_THAT(error.problem(), testing::HasSubstr(std::to_string(above) + " lie outside"));
+    EXPECT_THAT(error.problem(), testing::HasSubstr("by up to 1 mm"));
+    EXPECT_EQ(error.where(), "vertex " + std::to_string(first));
+    EXPECT_THAT(error.tryThis(), testing::HasSubstr("enclosing"));
+  }
+}
+
+} // namespace viscera::deformation
