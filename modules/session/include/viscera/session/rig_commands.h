@@ -17,10 +17,10 @@ inline constexpr double kSamePlace = 1e-9;
 
 /// A handle on its way into a document.
 struct NewHandle {
-  Vec3 rest = Vec3::Zero();  ///< mm, LPS.
-  std::optional<Vec3> posed; ///< Where it is in the present pose; at rest when not given.
-  std::string label;         ///< Empty: the next free "H-n". One that is taken gets a number.
-  std::string description;
+  Vec3 rest = Vec3::Zero();                 ///< mm, LPS.
+  std::optional<Vec3> posed = std::nullopt; ///< Where it is in the present pose; at rest when not given.
+  std::string label = {};                   ///< Empty: the next free "H-n". One that is taken gets a number.
+  std::string description = {};
   bool locked = false;
   bool visible = true;
 };

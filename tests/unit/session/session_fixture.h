@@ -1,0 +1,55 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "shapes.h"
+#include "viscera/session/document.h"
+#include "viscera/session/group_commands.h"
+#include "viscera/session/organ_commands.h"
+#include "viscera/session/pose_commands.h"
+#include "viscera/session/rig_commands.h"
+#include "viscera/session/system_commands.h"
+#include "viscera/session/undo_stack.h"
+
+/// What the tests of the session start from.
+namespace viscera::session::tests {
+
+inline NewOrgan ball(const std::string& name, double radius = 30, int levels = 3,
+                     const Vec3& center = Vec3::Zero()) {
+  return {makeOrgan(name, viscera::tests::sphere(levels, radius, center)), -1};
+}
+
+/// The corners of a cube around the balls, and a few handles on a larger sphere.
+inline std::vector<NewHandle> cubeHandles(double half = 60) {
+  std::vector<NewHandle> handles;
+  for (int i = 0; i < 8; ++i)
+    handles.push_back({Vec3((i & 1) ? half : -half, (i & 2) ? half : -half, (i & 4) ? half : -half)});
+  handles.push_back({Vec3(0, 0, 40)});
+  handles.push_back({Vec3(40, 3, -1)});
+  return handles;
+}
+
+inline Points row(double x, double y, double z) {
+  Points points(1, 3);
+  points << x, y, z;
+  return points;
+}
+
+/// A document with one ball and ten handles, at rest.
+struct Session {
+  Document document;
+  UndoStack undo{document};
+
+  Session() {
+    undo.perform(addOrgans({ball("Ball")}));
+    undo.perform(addHandles(cubeHandles()));
+    undo.reset(document.state());
+  }
+
+  HandleId handle(std::size_t row) const { return document.rig().handles.at(row).id; }
+  OrganId organ(std::size_t place = 0) const { return document.organs().at(place)->id; }
+};
+
+} // namespace viscera::session::tests

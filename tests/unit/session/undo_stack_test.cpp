@@ -1,0 +1,208 @@
+#include "viscera/session/undo_stack.h"
+
+#include <gtest/gtest.h>
+
+#include "session_fixture.h"
+#include "viscera/core/error.h"
+
+namespace viscera::session {
+namespace {
+
+using tests::row;
+using tests::Session;
+
+TEST(UndoStack, TakesAStepBackAndDoesItAgainExactly) {
+  Session s;
+  const DocumentState before = s.document.state();
+  s.undo.perform(moveHandles({s.handle(8)}, row(1, 2, 50)));
+  const DocumentState after = s.document.state();
+  ASSERT_FALSE(identical(before, after));
+  EXPECT_EQ(s.undo.undoName(), "Move handle");
+  s.undo.undo();
+  EXPECT_TRUE(identical(s.document.state(), before));
+  EXPECT_EQ(s.undo.redoName(), "Move handle");
+  s.undo.redo();
+  EXPECT_TRUE(identical(s.document.state(), after));
+  EXPECT_FALSE(s.undo.canRedo());
+}
+
+TEST(UndoStack, MakesOneStepOfADragOfAHundredMoves) {
+  Session s;
+  const DocumentState before = s.document.state();
+  s.undo.beginStep("Move handle H-9");
+  for (int i = 1; i <= 100; ++i)
+    s.undo.perform(moveHandles({s.handle(8)}, row(0.1 * i, 0, 40)));
+  s.undo.endStep();
+  EXPECT_EQ(s.undo.names(), std::vector<std::string>{"Move handle H-9"});
+  EXPECT_EQ(s.document.pose().row(8), row(0.1 * 100, 0, 40));
+  s.undo.undo();
+  EXPECT_TRUE(identical(s.document.state(), before));
+  EXPECT_FALSE(s.undo.canUndo());
+}
+
+TEST(UndoStack, LeavesNothingOfACancelledDrag) {
+  Session s;
+  s.undo.perform(moveHandles({s.handle(9)}, row(41, 3, 0)));
+  s.undo.undo();
+  const DocumentState before = s.document.state();
+  s.undo.beginStep("Move handle H-9");
+  for (int i = 1; i <= 100; ++i)
+    s.undo.perform(moveHandles({s.handle(8)}, row(0.1 * i, 0, 40)));
+  s.undo.cancelStep();
+  EXPECT_EQ(s.document.state(), before);
+  EXPECT_FALSE(s.undo.canUndo());
+  EXPECT_TRUE(s.undo.canRedo()) << "the step that had been taken back before the drag is gone";
+  EXPECT_TRUE(s.undo.isClean());
+}
+
+TEST(UndoStack, MakesNoStepOfADragThatComesBackToWhereItBegan) {
+  Session s;
+  s.undo.beginStep("Move handle");
+  s.undo.perform(moveHandles({s.handle(8)}, row(9, 9, 40)));
+  s.undo.perform(moveHandles({s.handle(8)}, row(0, 0, 40)));
+  s.undo.endStep();
+  EXPECT_FALSE(s.undo.canUndo());
+  EXPECT_TRUE(s.undo.isClean());
+}
+
+TEST(UndoStack, MakesNoStepOfACommandThatChangesNothing) {
+  Session s;
+  s.undo.perform(resetPose());
+  s.undo.perform(setSystem(s.document.system()));
+  s.undo.perform(setOrganLook(s.organ(), s.document.organs()[0]->look));
+  EXPECT_FALSE(s.undo.canUndo());
+}
+
+TEST(UndoStack, RefusesUndoDuringADrag) {
+  Session s;
+  s.undo.perform(moveHandles({s.handle(9)}, row(41, 3, 0)));
+  s.undo.beginStep("Move handle");
+  s.undo.perform(moveHandles({s.handle(8)}, row(9, 9, 40)));
+  EXPECT_FALSE(s.undo.canUndo());
+  s.undo.undo();
+  EXPECT_EQ(s.document.pose().row(8), row(9, 9, 40));
+  s.undo.endStep();
+  EXPECT_EQ(s.undo.position(), 2u);
+}
+
+TEST(UndoStack, JoinsASliderIntoOneStepUntilItIsLetGo) {
+  Session s;
+  OrganLook look = s.document.organs()[0]->look;
+  for (const double opacity : {0.9, 0.8, 0.7}) {
+    look.opacity = opacity;
+    s.undo.perform(setOrganLook(s.organ(), look));
+  }
+  EXPECT_EQ(s.undo.names().size(), 1u);
+  s.undo.seal();
+  look.opacity = 0.5;
+  s.undo.perform(setOrganLook(s.organ(), look));
+  EXPECT_EQ(s.undo.names().size(), 2u);
+  s.undo.undo();
+  EXPECT_EQ(s.document.organs()[0]->look.opacity, 0.7);
+  s.undo.undo();
+  EXPECT_EQ(s.document.organs()[0]->look.opacity, 1);
+}
+
+TEST(UndoStack, DoesNotJoinAcrossAnotherCommandOrAnotherOrgan) {
+  Session s;
+  s.undo.perform(setParameter("locality", 1));
+  s.undo.perform(setParameter("locality", 2));
+  s.undo.perform(setParameter("softness", 2));
+  s.undo.perform(setParameter("locality", 3));
+  EXPECT_EQ(s.undo.names().size(), 3u);
+}
+
+TEST(UndoStack, KeepsTheSavedStateReachable) {
+  Session s;
+  s.undo.perform(setParameter("locality", 1));
+  s.undo.markSaved();
+  EXPECT_TRUE(s.undo.isClean());
+  s.undo.perform(setParameter("locality", 2));
+  EXPECT_FALSE(s.undo.isClean());
+  s.undo.undo();
+  EXPECT_TRUE(s.undo.isClean());
+  s.undo.undo();
+  EXPECT_FALSE(s.undo.isClean());
+  s.undo.redo();
+  EXPECT_TRUE(s.undo.isClean());
+}
+
+TEST(UndoStack, ForgetsWhatCouldBeDoneAgainAfterANewCommand) {
+  Session s;
+  s.undo.perform(moveHandles({s.handle(8)}, row(1, 0, 40)));
+  s.undo.undo();
+  s.undo.perform(moveHandles({s.handle(8)}, row(2, 0, 40)));
+  EXPECT_FALSE(s.undo.canRedo());
+  EXPECT_EQ(s.undo.names().size(), 1u);
+}
+
+TEST(UndoStack, LeavesEverythingAsItWasWhenACommandThrows) {
+  Session s;
+  s.undo.perform(moveHandles({s.handle(8)}, row(1, 0, 40)));
+  const DocumentState before = s.document.state();
+  const Command half = combined("Half", {resetPose(), moveHandles({HandleId{-1}}, row(0, 0, 0))});
+  EXPECT_THROW(s.undo.perform(half), UsageError);
+  EXPECT_EQ(s.document.state(), before);
+  EXPECT_EQ(s.undo.names().size(), 1u);
+}
+
+TEST(UndoStack, DoesACombinedCommandAsOneStep) {
+  Session s;
+  s.undo.perform(combined("Both", {moveHandles({s.handle(8)}, row(1, 0, 40)), setParameter("locality", 2)}));
+  EXPECT_EQ(s.undo.undoName(), "Both");
+  s.undo.undo();
+  EXPECT_TRUE(atRest(s.document.state()));
+  EXPECT_TRUE(s.document.system().parameters.all().empty());
+}
+
+TEST(UndoStack, NeverGivesAnIdTwice) {
+  Session s;
+  s.undo.perform(addHandles({{Vec3(1, 2, 70)}}));
+  const HandleId first = s.document.rig().handles.back().id;
+  s.undo.undo();
+  s.undo.perform(addHandles({{Vec3(1, 2, 71)}}));
+  EXPECT_NE(s.document.rig().handles.back().id, first);
+}
+
+TEST(UndoStack, KeepsIdsOfALoadedDocumentApartFromNewOnes) {
+  Session loaded;
+  Document document;
+  UndoStack undo(document);
+  undo.reset(loaded.document.state());
+  undo.perform(addHandles({{Vec3(1, 2, 70)}}));
+  const HandleId added = document.rig().handles.back().id;
+  EXPECT_GT(added.value, loaded.document.rig().handles.back().id.value);
+  EXPECT_EQ(document.rig().indexOf(added), 10);
+}
+
+TEST(UndoStack, TellsObserversOfADragThatMoreFollowsAndThenThatItEnded) {
+  Session s;
+  std::vector<bool> interactive;
+  std::vector<bool> posed;
+  const Subscription subscription = s.document.onChange([&](const Change& change) {
+    interactive.push_back(change.interactive);
+    posed.push_back(change.pose());
+    EXPECT_FALSE(change.organs() || change.rig() || change.system());
+  });
+  s.undo.beginStep("Drag");
+  s.undo.perform(moveHandles({s.handle(8)}, row(1, 0, 40)));
+  s.undo.perform(moveHandles({s.handle(8)}, row(2, 0, 40)));
+  s.undo.endStep();
+  EXPECT_EQ(interactive, (std::vector<bool>{true, true, false}));
+  EXPECT_EQ(posed, (std::vector<bool>{true, true, false}));
+}
+
+TEST(UndoStack, StopsTellingWhenTheSubscriptionEnds) {
+  Session s;
+  int calls = 0;
+  {
+    const Subscription subscription = s.undo.onChange([&calls] { ++calls; });
+    s.undo.perform(moveHandles({s.handle(8)}, row(1, 0, 40)));
+  }
+  EXPECT_EQ(calls, 1);
+  s.undo.undo();
+  EXPECT_EQ(calls, 1);
+}
+
+} // namespace
+} // namespace viscera::session
