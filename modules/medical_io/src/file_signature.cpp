@@ -15,7 +15,7 @@ struct Kind {
   std::string_view description;
   std::string_view extension;
 };
-constexpr std::array<Kind, 22> kKinds = {{
+constexpr std::array<Kind, 20> kKinds = {{
     {Signature::unknown, "nothing that Viscera knows", ""},
     {Signature::stl, "an STL surface", ".stl"},
     {Signature::obj, "an OBJ surface", ".obj"},
@@ -28,8 +28,6 @@ constexpr std::array<Kind, 22> kKinds = {{
     {Signature::gltf, "a glTF scene", ".gltf"},
     {Signature::markups, "a 3D Slicer markups file", ".mrk.json"},
     {Signature::fcsv, "a 3D Slicer fiducial table", ".fcsv"},
-    {Signature::sequence, "a Viscera sequence", ".sequence.json"},
-    {Signature::session, "a Viscera session", ".viscera"},
     {Signature::otherJson, "a JSON file", ".json"},
     {Signature::nifti, "a NIfTI image", ".nii"},
     {Signature::nrrd, "an NRRD image", ".nrrd"},
@@ -77,10 +75,6 @@ Signature jsonSignature(std::string_view whole) {
   const auto has = [&](std::string_view key) { return whole.find(key) != whole.npos; };
   if (has("\"markups\"") && has("\"controlPoints\""))
     return Signature::markups;
-  if (has("viscera-session"))
-    return Signature::session;
-  if (has("viscera-sequence") || (has("\"keyframes\"") && has("\"handles\"")))
-    return Signature::sequence;
   if (has("\"asset\"") && (has("\"meshes\"") || has("\"nodes\"")))
     return Signature::gltf;
   return Signature::otherJson;

@@ -20,8 +20,6 @@ enum class Signature {
   gltf,
   markups,
   fcsv,
-  sequence,
-  session,
   otherJson,
   nifti,
   nrrd,

@@ -117,7 +117,9 @@ private:
     const auto system = list.find("coordinateSystem");
     if (system != list.end()) {
       // Numbers are what Slicer's first versions wrote.
-      const std::string value = system->is_string() ? system->get<std::string>() : system->dump();
+      const std::string value = system->is_string()            ? system->get<std::string>()
+                                : system->is_number_unsigned() ? std::to_string(system->get<unsigned>())
+                                                               : std::string();
       if (value != "LPS" && value != "RAS" && value != "0" && value != "1")
         file_.fail("list " + inQuotes(name) + ": its coordinate system " + inQuotes(value) +
                        " is not LPS or RAS",

@@ -22,12 +22,16 @@ struct Format {
   void (*write)(std::ostream&, const geometry::TriangleMesh&, const WriteSurface&);
 };
 
-const std::array<Format, 4>& formats() {
-  static const std::array<Format, 4> kFormats = {{
+const std::array<Format, 8>& formats() {
+  static const std::array<Format, 8> kFormats = {{
       {".stl", Signature::stl, readStl, writeStl},
       {".obj", Signature::obj, readObj, writeObj},
+      {".ply", Signature::ply, readPly, writePly},
+      {".off", Signature::off, readOff, writeOff},
       {".vtk", Signature::legacyVtk, readLegacyVtk, writeLegacyVtk},
       {".vtp", Signature::vtp, readVtp, writeVtp},
+      {".glb", Signature::glb, readGltf, writeGlb},
+      {".gltf", Signature::gltf, readGltf, nullptr},
   }};
   return kFormats;
 }

@@ -1,0 +1,290 @@
+#include "surface_formats/gltf_document.h"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+
+#include "base64.h"
+#include "byte_cursor.h"
+#include "text_scanner.h"
+#include "viscera/core/error.h"
+
+namespace viscera::medical_io {
+namespace {
+
+constexpr std::uint32_t kJsonChunk = 0x4E4F534A;
+constexpr std::uint32_t kBinaryChunk = 0x004E4942;
+
+struct ComponentType {
+  std::uint64_t code;
+  std::size_t bytes;
+  double largest; ///< What a normalised integer is divided by; 0 for floats.
+  double (*load)(const char*);
+};
+
+template <typename T>
+double loadLittle(const char* data) {
+  return static_cast<double>(loadValue<T>(data, std::endian::little));
+}
+
+constexpr std::array<ComponentType, 6> kComponentTypes = {{{5120, 1, 127, loadLittle<std::int8_t>},
+                                                           {5121, 1, 255, loadLittle<std::uint8_t>},
+                                                           {5122, 2, 32767, loadLittle<std::int16_t>},
+                                                           {5123, 2, 65535, loadLittle<std::uint16_t>},
+                                                           {5125, 4, 4294967295.0, loadLittle<std::uint32_t>},
+                                                           {5126, 4, 0, loadLittle<float>}}};
+
+struct Shape {
+  std::string_view name;
+  std::size_t components;
+};
+constexpr std::array<Shape, 7> kShapes = {
+    {{"SCALAR", 1}, {"VEC2", 2}, {"VEC3", 3}, {"VEC4", 4}, {"MAT2", 4}, {"MAT3", 9}, {"MAT4", 16}}};
+
+/// Extensions that change how a surface looks, but not what shape it has.
+constexpr std::array<std::string_view, 4> kHarmless = {"KHR_materials", "KHR_texture",
+                                                       "KHR_mesh_quantization", "KHR_lights"};
+
+const ComponentType* componentType(std::uint64_t code) {
+  const auto found = std::find_if(kComponentTypes.begin(), kComponentTypes.end(),
+                                  [&](const ComponentType& t) { return t.code == code; });
+  return found == kComponentTypes.end() ? nullptr : &*found;
+}
+
+/// "%20" becomes a space.
+std::string decodedUri(std::string_view uri) {
+  std::string result;
+  for (std::size_t i = 0; i < uri.size(); ++i) {
+    const auto digit = [&](std::size_t at) {
+      const std::size_t value = std::string_view("0123456789abcdef").find(lowered(uri.substr(at, 1)));
+      return value == std::string_view::npos ? -1 : static_cast<int>(value);
+    };
+    if (uri[i] == '%' && i + 2 < uri.size() && digit(i + 1) >= 0 && digit(i + 2) >= 0) {
+      result += static_cast<char>(16 * digit(i + 1) + digit(i + 2));
+      i += 2;
+    } else {
+      result += uri[i];
+    }
+  }
+  return result;
+}
+
+} // namespace
+
+GltfDocument::GltfDocument(const FileBytes& file) : file_(file) {
+  if (file.view().starts_with("glTF"))
+    parseGlb();
+  else
+    parseJson(file.view());
+  requireUnderstood();
+  loadBuffers();
+}
+
+void GltfDocument::parseGlb() {
+  ByteCursor cursor(file_, file_.view(), std::endian::little);
+  cursor.takeBytes(4, "the header");
+  const auto version = cursor.take<std::uint32_t>("the header");
+  if (version != 2)
+    file_.fail("is glTF version " + std::to_string(version) + ", but only 2 can be read",
+               "export it as glTF 2.0");
+  const std::uint64_t length = cursor.take<std::uint32_t>("the header");
+  if (length > file_.bytes.size())
+    file_.fail("the file is cut off: it should have " + std::to_string(length) + " bytes, but has " +
+               std::to_string(file_.bytes.size()));
+  if (length < file_.bytes.size())
+    warnings_.push_back(counted(file_.bytes.size() - length, "byte", "bytes") + " after the end ignored");
+  const auto jsonLength = cursor.take<std::uint32_t>("the first chunk's header");
+  if (cursor.take<std::uint32_t>("the first chunk's header") != kJsonChunk)
+    file_.fail("its first chunk is no JSON: the file is damaged");
+  parseJson(cursor.takeBytes(jsonLength, "the JSON chunk"));
+  while (cursor.remaining() >= 8 && !hasBinary_) {
+    const auto chunkLength = cursor.take<std::uint32_t>("a chunk's header");
+    const auto type = cursor.take<std::uint32_t>("a chunk's header");
+    const std::string_view chunk = cursor.takeBytes(chunkLength, "a chunk");
+    if (type != kBinaryChunk)
+      continue;
+    binary_ = chunk;
+    hasBinary_ = true;
+  }
+}
+
+void GltfDocument::parseJson(std::string_view text) {
+  try {
+    json_ = Json::parse(text);
+  } catch (const Json::exception& error) {
+    const std::string_view what = error.what();
+    const std::size_t end = what.find("] ");
+    file_.fail("is no complete JSON: " + std::string(end == what.npos ? what : what.substr(end + 2)));
+  }
+  if (!json_.is_object())
+    file_.fail("its JSON is no object: it is no glTF file");
+}
+
+void GltfDocument::requireUnderstood() const {
+  const auto asset = json_.find("asset");
+  if (asset == json_.end() || !asset->is_object())
+    file_.fail("its JSON has no \"asset\": it is no glTF file");
+  if (!text(*asset, "version").starts_with("2."))
+    file_.fail("is glTF version " + inQuotes(text(*asset, "version")) + ", but only 2 can be read",
+               "export it as glTF 2.0");
+  const auto required = json_.find("extensionsRequired");
+  if (required == json_.end() || !required->is_array())
+    return;
+  for (const Json& extension : *required) {
+    const std::string name = extension.is_string() ? extension.get<std::string>() : std::string();
+    const bool harmless = std::any_of(kHarmless.begin(), kHarmless.end(),
+                                      [&](std::string_view prefix) { return name.starts_with(prefix); });
+    if (!harmless)
+      file_.fail("needs the glTF extension " + inQuotes(name) + ", which Viscera does not know",
+                 "export it without compression");
+  }
+}
+
+void GltfDocument::loadBuffers() {
+  const auto list = json_.find("buffers");
+  if (list == json_.end() || !list->is_array())
+    return;
+  // Reserved, so that the views stay valid.
+  loaded_.reserve(list->size());
+  for (std::size_t i = 0; i < list->size(); ++i) {
+    const Json& buffer = (*list)[i];
+    if (!buffer.is_object())
+      fail("buffer " + std::to_string(i) + " is no JSON object");
+    const std::string uri = text(buffer, "uri");
+    if (uri.empty() && i == 0 && hasBinary_) {
+      buffers_.push_back(binary_);
+    } else if (uri.empty()) {
+      fail("buffer " + std::to_string(i) + " has no data");
+    } else {
+      loaded_.push_back(loadUri(uri));
+      buffers_.push_back(loaded_.back());
+    }
+    const std::uint64_t length = whole(buffer, "byteLength");
+    if (length > buffers_.back().size())
+      fail("the file is cut off: buffer " + std::to_string(i) + " should have " + std::to_string(length) +
+           " bytes, but has " + std::to_string(buffers_.back().size()));
+  }
+}
+
+std::string GltfDocument::loadUri(const std::string& uri) const {
+  if (uri.starts_with("data:")) {
+    const std::size_t comma = uri.find(";base64,");
+    const std::optional<std::string> bytes =
+        comma == uri.npos ? std::nullopt : decodeBase64(std::string_view(uri).substr(comma + 8));
+    if (!bytes)
+      fail("a buffer within the file is no valid base64");
+    return *bytes;
+  }
+  const std::filesystem::path relative = decodedUri(uri);
+  if (uri.find("://") != uri.npos || relative.is_absolute())
+    fail("a buffer is at " + inQuotes(uri) + ", but only files beside it are read");
+  try {
+    return readWholeFile(file_.file.parent_path() / relative).bytes;
+  } catch (const Error& error) {
+    fail("its buffer " + inQuotes(relative.string()) + " cannot be read: " + error.problem());
+  }
+}
+
+const GltfDocument::Json& GltfDocument::entry(const char* list, std::uint64_t index) const {
+  const auto found = json_.find(list);
+  const std::size_t size = found != json_.end() && found->is_array() ? found->size() : 0;
+  if (index >= size || !(*found)[static_cast<std::size_t>(index)].is_object())
+    fail("refers to number " + std::to_string(index) + " of \"" + list + "\", but there are " +
+         std::to_string(size) + " (counted from 0)");
+  return (*found)[static_cast<std::size_t>(index)];
+}
+
+std::uint64_t GltfDocument::whole(const Json& object, const char* key, std::uint64_t otherwise) const {
+  const auto found = object.find(key);
+  if (found == object.end())
+    return otherwise;
+  // Not printed: a damaged file may have put a document of any depth there.
+  if (!found->is_number_unsigned())
+    fail("\"" + std::string(key) + "\" is no number of things");
+  return found->get<std::uint64_t>();
+}
+
+std::uint64_t GltfDocument::whole(const Json& object, const char* key) const {
+  if (!object.contains(key))
+    fail("\"" + std::string(key) + "\" is missing");
+  return whole(object, key, 0);
+}
+
+std::string GltfDocument::text(const Json& object, const char* key) {
+  const auto found = object.find(key);
+  return found != object.end() && found->is_string() ? found->get<std::string>() : std::string();
+}
+
+GltfDocument::View GltfDocument::view(std::uint64_t accessor) const {
+  const std::string where = "accessor " + std::to_string(accessor);
+  const Json& json = entry("accessors", accessor);
+  if (json.contains("sparse") || !json.contains("bufferView"))
+    fail(where + " is sparse, which Viscera does not read");
+
+  View result;
+  result.componentType = whole(json, "componentType");
+  const ComponentType* type = componentType(result.componentType);
+  const std::string shape = text(json, "type");
+  const auto known =
+      std::find_if(kShapes.begin(), kShapes.end(), [&](const Shape& s) { return s.name == shape; });
+  if (type == nullptr || known == kShapes.end())
+    fail(where + " has an unknown type");
+  result.components = known->components;
+  const auto normalized = json.find("normalized");
+  result.normalized = normalized != json.end() && normalized->is_boolean() && normalized->get<bool>();
+
+  const Json& bufferView = entry("bufferViews", whole(json, "bufferView"));
+  result.data = dataOf(bufferView, whole(json, "byteOffset", 0), where);
+  const std::size_t elementBytes = type->bytes * result.components;
+  const std::uint64_t stride = whole(bufferView, "byteStride", elementBytes);
+  const std::uint64_t count = whole(json, "count");
+  const bool fits = count == 0 || (elementBytes <= result.data.size() &&
+                                   saturatedProduct(count - 1, stride) <= result.data.size() - elementBytes);
+  if (stride < elementBytes || !fits)
+    fail(where + " should have " + std::to_string(count) + " elements, more than its buffer holds");
+  result.stride = static_cast<std::size_t>(stride);
+  result.count = static_cast<std::size_t>(count);
+  return result;
+}
+
+std::string_view GltfDocument::dataOf(const Json& bufferView, std::uint64_t offset,
+                                      const std::string& where) const {
+  const std::uint64_t buffer = whole(bufferView, "buffer");
+  if (buffer >= buffers_.size())
+    fail(where + " refers to buffer " + std::to_string(buffer) + ", but there are " +
+         std::to_string(buffers_.size()));
+  const std::string_view bytes = buffers_[static_cast<std::size_t>(buffer)];
+  const std::uint64_t begin = whole(bufferView, "byteOffset", 0);
+  const std::uint64_t length = whole(bufferView, "byteLength");
+  if (begin > bytes.size() || length > bytes.size() - begin || offset > length)
+    fail(where + " lies behind the end of its buffer: the file is cut off or damaged");
+  return bytes.substr(static_cast<std::size_t>(begin + offset), static_cast<std::size_t>(length - offset));
+}
+
+std::vector<double> GltfDocument::numbers(std::uint64_t accessor, std::size_t& components) const {
+  const View data = view(accessor);
+  const ComponentType& type = *componentType(data.componentType);
+  components = data.components;
+  std::vector<double> values;
+  values.reserve(data.count * data.components);
+  for (std::size_t i = 0; i < data.count; ++i)
+    for (std::size_t k = 0; k < data.components; ++k) {
+      const double value = type.load(data.data.data() + i * data.stride + k * type.bytes);
+      values.push_back(data.normalized && type.largest > 0 ? std::max(value / type.largest, -1.0) : value);
+    }
+  return values;
+}
+
+std::vector<std::int64_t> GltfDocument::indices(std::uint64_t accessor) const {
+  const View data = view(accessor);
+  if (data.components != 1 || data.componentType == 5126)
+    fail("accessor " + std::to_string(accessor) + " should hold point numbers");
+  const ComponentType& type = *componentType(data.componentType);
+  std::vector<std::int64_t> values;
+  values.reserve(data.count);
+  for (std::size_t i = 0; i < data.count; ++i)
+    values.push_back(static_cast<std::int64_t>(type.load(data.data.data() + i * data.stride)));
+  return values;
+}
+
+} // namespace viscera::medical_io

@@ -1,0 +1,71 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include "file_bytes.h"
+
+namespace viscera::medical_io {
+
+/// A glTF 2.0 file: its JSON, its buffers, and numbers out of them. Every index and size is checked. All
+/// members throw `DataError` for what is damaged.
+class GltfDocument {
+public:
+  using Json = nlohmann::json;
+
+  /// Parses a GLB or the JSON of a GLTF and loads its buffers: the binary chunk, data URIs, and files beside
+  /// it. `file` outlives the document.
+  explicit GltfDocument(const FileBytes& file);
+
+  const Json& json() const { return json_; }
+  const std::vector<std::string>& warnings() const { return warnings_; }
+
+  /// Entry `index` of the top-level array `list`.
+  const Json& entry(const char* list, std::uint64_t index) const;
+  /// The member of an object that is a whole number not below 0; `otherwise` when it is absent.
+  std::uint64_t whole(const Json& object, const char* key, std::uint64_t otherwise) const;
+  /// The same for a member that has to be there.
+  std::uint64_t whole(const Json& object, const char* key) const;
+  /// The member that is a text; empty when it is absent.
+  static std::string text(const Json& object, const char* key);
+
+  /// An accessor's numbers, element by element, normalised integers as fractions. `components` gets how many
+  /// an element has.
+  std::vector<double> numbers(std::uint64_t accessor, std::size_t& components) const;
+  /// A scalar accessor of whole numbers.
+  std::vector<std::int64_t> indices(std::uint64_t accessor) const;
+
+  [[noreturn]] void fail(const std::string& problem) const { file_.fail(problem); }
+
+private:
+  struct View {
+    std::string_view data;
+    std::size_t stride = 0;
+    std::size_t count = 0;
+    std::size_t components = 0;
+    std::uint64_t componentType = 0;
+    bool normalized = false;
+  };
+
+  void parseGlb();
+  void parseJson(std::string_view text);
+  void requireUnderstood() const;
+  void loadBuffers();
+  std::string loadUri(const std::string& uri) const;
+  View view(std::uint64_t accessor) const;
+  std::string_view dataOf(const Json& bufferView, std::uint64_t offset, const std::string& where) const;
+
+  const FileBytes& file_;
+  Json json_;
+  std::string_view binary_;
+  bool hasBinary_ = false;
+  std::vector<std::string> loaded_;       ///< Buffers that are not in the file itself.
+  std::vector<std::string_view> buffers_; ///< All buffers.
+  std::vector<std::string> warnings_;
+};
+
+} // namespace viscera::medical_io

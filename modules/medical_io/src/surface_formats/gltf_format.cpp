@@ -1,0 +1,445 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <ostream>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <Eigen/Geometry>
+#include <nlohmann/json.hpp>
+
+#include "space_tag.h"
+#include "surface_formats.h"
+#include "surface_formats/gltf_document.h"
+#include "text_scanner.h"
+#include "viscera/core/error.h"
+#include "viscera/geometry/normals.h"
+
+// Own reader: VTK's looks at neither the sizes of a damaged file nor `extras`, and its writer knows no vertex
+// colours.
+//
+// glTF is in metres with y up. A file that Viscera writes holds LPS (or RAS) millimetres in its vertices, a
+// node whose matrix turns them upright in metres for other programs, and `"extras": {"SPACE": "LPS", "unit":
+// "mm"}` in its asset; with that mark, vertices are taken as they are and nodes are ignored. Without it
+// nobody can know what a scene's axes mean: nodes are applied, numbers are taken as LPS mm, and a warning
+// says so.
+namespace viscera::medical_io {
+namespace {
+
+using Json = nlohmann::json;
+using Matrix = Eigen::Matrix4d;
+
+constexpr int kTriangles = 4;
+constexpr int kStrip = 5;
+constexpr int kFan = 6;
+
+/// A node may be below another one only once, so that as many steps as there are nodes are enough; the number
+/// of triangles that a scene of instances may unfold to is limited.
+constexpr std::size_t kMostCorners = 300'000'000;
+
+double encodedFromLinear(double linear) {
+  return linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1 / 2.4) - 0.055;
+}
+
+double linearFromEncoded(double encoded) {
+  return encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4);
+}
+
+class GltfReader {
+public:
+  explicit GltfReader(const FileBytes& file) : document_(file) {}
+
+  RawSurface run() {
+    raw_.warnings = document_.warnings();
+    readMark();
+    if (marked_)
+      readAllMeshes();
+    else
+      readScene();
+    if (raw_.colors.size() != raw_.coordinates.size())
+      raw_.colors.clear();
+    if (names_.size() == 1)
+      raw_.name = names_.front();
+    if (names_.size() > 1)
+      raw_.warnings.push_back("the file's " + std::to_string(names_.size()) +
+                              " meshes were joined to one surface");
+    if (skipped_ > 0)
+      raw_.warnings.push_back(counted(skipped_, "set", "sets") + " of points or lines ignored");
+    if (!marked_)
+      raw_.warnings.push_back("glTF does not say which axes a patient's are: its numbers are taken as LPS "
+                              "millimetres, though the "
+                              "format's convention is metres with y up");
+    return std::move(raw_);
+  }
+
+private:
+  void readMark() {
+    const Json& asset = document_.json().at("asset");
+    const auto extras = asset.find("extras");
+    if (extras == asset.end() || !extras->is_object())
+      return;
+    const std::string space = GltfDocument::text(*extras, "SPACE");
+    if (!space.empty())
+      raw_.space = findSpace("SPACE=" + space, raw_.warnings);
+    marked_ = raw_.space.has_value() && GltfDocument::text(*extras, "unit") == "mm";
+    if (!marked_)
+      raw_.space.reset();
+  }
+
+  std::size_t sizeOf(const char* list) const {
+    const auto found = document_.json().find(list);
+    return found != document_.json().end() && found->is_array() ? found->size() : 0;
+  }
+
+  void readAllMeshes() {
+    for (std::size_t mesh = 0; mesh < sizeOf("meshes"); ++mesh)
+      readMesh(mesh, Matrix::Identity());
+  }
+
+  /// The roots of the scene to show; of a file without scenes, all nodes that are below no other one.
+  std::vector<std::uint64_t> roots() const {
+    if (sizeOf("scenes") > 0)
+      return children(document_.entry("scenes", document_.whole(document_.json(), "scene", 0)), "nodes");
+    std::vector<bool> isChild(sizeOf("nodes"));
+    for (std::size_t node = 0; node < isChild.size(); ++node)
+      for (const std::uint64_t child : children(document_.entry("nodes", node), "children"))
+        if (child < isChild.size())
+          isChild[static_cast<std::size_t>(child)] = true;
+    std::vector<std::uint64_t> list;
+    for (std::size_t node = 0; node < isChild.size(); ++node)
+      if (!isChild[node])
+        list.push_back(node);
+    return list;
+  }
+
+  std::vector<std::uint64_t> children(const Json& object, const char* key) const {
+    std::vector<std::uint64_t> list;
+    const auto found = object.find(key);
+    for (std::size_t i = 0; found != object.end() && i < found->size(); ++i) {
+      const Json& child = found->is_array() ? (*found)[i] : *found;
+      if (!child.is_number_unsigned())
+        document_.fail("a node's children are not numbers");
+      list.push_back(child.get<std::uint64_t>());
+    }
+    return list;
+  }
+
+  void readScene() {
+    if (sizeOf("nodes") == 0) {
+      readAllMeshes();
+      return;
+    }
+    std::vector<bool> seen(sizeOf("nodes"));
+    std::vector<std::pair<std::uint64_t, Matrix>> open;
+    for (const std::uint64_t root : roots())
+      open.emplace_back(root, Matrix::Identity());
+    std::reverse(open.begin(), open.end());
+    while (!open.empty()) {
+      const auto [number, above] = open.back();
+      open.pop_back();
+      const Json& node = document_.entry("nodes", number);
+      if (seen[static_cast<std::size_t>(number)])
+        document_.fail("node " + std::to_string(number) + " is in the scene twice");
+      seen[static_cast<std::size_t>(number)] = true;
+      const Matrix here = above * transformOf(node);
+      if (node.contains("mesh"))
+        readMesh(document_.whole(node, "mesh"), here);
+      if (node.contains("skin"))
+        raw_.warnings.push_back("node " + std::to_string(number) + " is moved by bones, which are ignored");
+      for (const std::uint64_t child : children(node, "children"))
+        open.emplace_back(child, here);
+    }
+  }
+
+  template <std::size_t count>
+  bool readArray(const Json& node, const char* key, std::array<double, count>& values) const {
+    const auto found = node.find(key);
+    if (found == node.end())
+      return false;
+    if (!found->is_array() || found->size() != count)
+      document_.fail("a node's \"" + std::string(key) + "\" does not have " + std::to_string(count) +
+                     " numbers");
+    for (std::size_t i = 0; i < count; ++i) {
+      if (!(*found)[i].is_number())
+        document_.fail("a node's \"" + std::string(key) + "\" holds something that is no number");
+      values[i] = (*found)[i].get<double>();
+    }
+    return true;
+  }
+
+  Matrix transformOf(const Json& node) const {
+    std::array<double, 16> matrix{};
+    if (readArray(node, "matrix", matrix))
+      return Eigen::Map<const Matrix>(matrix.data());
+    std::array<double, 3> translation = {0, 0, 0};
+    std::array<double, 4> rotation = {0, 0, 0, 1};
+    std::array<double, 3> scale = {1, 1, 1};
+    readArray(node, "translation", translation);
+    readArray(node, "rotation", rotation);
+    readArray(node, "scale", scale);
+    Eigen::Affine3d transform = Eigen::Affine3d::Identity();
+    transform.translate(Vec3(translation[0], translation[1], translation[2]));
+    transform.rotate(Eigen::Quaterniond(rotation[3], rotation[0], rotation[1], rotation[2]).normalized());
+    transform.scale(Vec3(scale[0], scale[1], scale[2]));
+    return transform.matrix();
+  }
+
+  void readMesh(std::uint64_t number, const Matrix& transform) {
+    const Json& mesh = document_.entry("meshes", number);
+    const auto primitives = mesh.find("primitives");
+    if (primitives == mesh.end() || !primitives->is_array())
+      document_.fail("mesh " + std::to_string(number) + " has no primitives");
+    names_.push_back(GltfDocument::text(mesh, "name"));
+    for (const Json& primitive : *primitives)
+      readPrimitive(primitive, number, transform);
+  }
+
+  void readPrimitive(const Json& primitive, std::uint64_t mesh, const Matrix& transform) {
+    const auto attributes = primitive.is_object() ? primitive.find("attributes") : primitive.end();
+    if (!primitive.is_object() || attributes == primitive.end() || !attributes->is_object())
+      document_.fail("mesh " + std::to_string(mesh) + " has a primitive without attributes");
+    const std::uint64_t mode = document_.whole(primitive, "mode", kTriangles);
+    if (mode < kTriangles || mode > kFan) {
+      ++skipped_;
+      return;
+    }
+    const std::size_t before = raw_.pointCount();
+    readPositions(*attributes, transform);
+    readColors(*attributes, raw_.pointCount() - before);
+    std::vector<std::int64_t> list = cornersOf(primitive, raw_.pointCount() - before, mesh);
+    for (std::int64_t& corner : list)
+      corner += static_cast<std::int64_t>(before);
+    if (raw_.corners.size() + 3 * list.size() > kMostCorners)
+      document_.fail("unfolds to too many triangles");
+    addTriangles(list, mode, transform.topLeftCorner<3, 3>().determinant() < 0);
+  }
+
+  void readPositions(const Json& attributes, const Matrix& transform) {
+    std::size_t components = 0;
+    const std::vector<double> values = document_.numbers(document_.whole(attributes, "POSITION"), components);
+    if (components != 3)
+      document_.fail("its points have " + std::to_string(components) + " coordinates, not 3");
+    if (raw_.coordinates.size() + values.size() > kMostCorners)
+      document_.fail("unfolds to too many points");
+    const bool moved = !transform.isIdentity(0);
+    for (std::size_t i = 0; i < values.size(); i += 3) {
+      Vec3 point(values[i], values[i + 1], values[i + 2]);
+      if (moved)
+        point = (transform * point.homogeneous()).head<3>();
+      raw_.addPoint(point.x(), point.y(), point.z());
+    }
+  }
+
+  /// Colours are linear in glTF.
+  void readColors(const Json& attributes, std::size_t points) {
+    if (!attributes.contains("COLOR_0"))
+      return;
+    std::size_t components = 0;
+    const std::vector<double> values = document_.numbers(document_.whole(attributes, "COLOR_0"), components);
+    if ((components != 3 && components != 4) || values.size() != components * points)
+      document_.fail("its colours do not fit its points");
+    for (std::size_t i = 0; i < values.size(); ++i)
+      if (i % components < 3)
+        raw_.colors.push_back(static_cast<std::uint8_t>(
+            values[i] > 0 ? 255 * encodedFromLinear(std::min(values[i], 1.0)) + 0.5 : 0.0));
+  }
+
+  std::vector<std::int64_t> cornersOf(const Json& primitive, std::size_t points, std::uint64_t mesh) const {
+    std::vector<std::int64_t> list;
+    if (primitive.contains("indices")) {
+      list = document_.indices(document_.whole(primitive, "indices"));
+    } else {
+      for (std::size_t i = 0; i < points; ++i)
+        list.push_back(static_cast<std::int64_t>(i));
+    }
+    for (const std::int64_t corner : list)
+      if (static_cast<std::uint64_t>(corner) >= points)
+        document_.fail("mesh " + std::to_string(mesh) + " refers to point " + std::to_string(corner) +
+                       ", but there are " + std::to_string(points) + " (counted from 0)");
+    return list;
+  }
+
+  void addTriangles(std::span<const std::int64_t> list, std::uint64_t mode, bool mirrored) {
+    const std::size_t first = raw_.corners.size();
+    if (mode == kTriangles && list.size() % 3 != 0)
+      document_.fail("a list of triangles ends within one");
+    if (mode == kTriangles)
+      for (std::size_t i = 0; i + 2 < list.size(); i += 3)
+        raw_.addTriangle(list[i], list[i + 1], list[i + 2]);
+    else if (mode == kStrip)
+      raw_.addStrip(list);
+    else
+      for (std::size_t i = 1; i + 1 < list.size(); ++i)
+        raw_.addTriangle(list[0], list[i], list[i + 1]);
+    // A mirroring node turns triangles inside out.
+    for (std::size_t i = first; mirrored && i + 2 < raw_.corners.size(); i += 3)
+      std::swap(raw_.corners[i + 1], raw_.corners[i + 2]);
+  }
+
+  GltfDocument document_;
+  RawSurface raw_;
+  std::vector<std::string> names_;
+  bool marked_ = false;
+  std::uint64_t skipped_ = 0;
+};
+
+/// From patient millimetres to metres with y to the head and z to the front, column by column.
+Json uprightMatrix(Space space) {
+  const double side = space == Space::lps ? 0.001 : -0.001;
+  return {side, 0, 0, 0, 0, 0, -side, 0, 0, 0.001, 0, 0, 0, 0, 0, 1};
+}
+
+/// The binary chunk and the JSON that describes it, written side by side.
+class GlbBuilder {
+public:
+  GlbBuilder(const geometry::TriangleMesh& mesh, const WriteSurface& options)
+      : mesh_(mesh), options_(options) {}
+
+  std::string run() {
+    addPositions();
+    addNormals();
+    if (mesh_.colors.rows() > 0)
+      addColors();
+    addIndices();
+    const std::string json = padded(document().dump(-1, ' ', false, Json::error_handler_t::replace), ' ');
+    const std::uint64_t size = 12 + 8 + json.size() + 8 + binary_.size();
+    if (size > std::numeric_limits<std::uint32_t>::max())
+      throw CannotCreateError("the surface is too large for GLB, which ends at 4 GB", {}, "write PLY or VTP");
+    std::string glb = "glTF";
+    appendValue(glb, std::uint32_t{2});
+    appendValue(glb, static_cast<std::uint32_t>(size));
+    appendChunk(glb, "JSON", json);
+    appendChunk(glb, std::string("BIN\0", 4), binary_);
+    return glb;
+  }
+
+private:
+  static std::string padded(std::string text, char with) {
+    text.resize((text.size() + 3) / 4 * 4, with);
+    return text;
+  }
+
+  static void appendChunk(std::string& glb, const std::string& type, const std::string& data) {
+    appendValue(glb, static_cast<std::uint32_t>(data.size()));
+    glb += type;
+    glb += data;
+  }
+
+  /// Describes what was appended to the binary chunk since `begin` and gives the accessor's number.
+  std::size_t describe(std::size_t begin, Json accessor, int target) {
+    views_.push_back(
+        {{"buffer", 0}, {"byteOffset", begin}, {"byteLength", binary_.size() - begin}, {"target", target}});
+    accessor["bufferView"] = views_.size() - 1;
+    accessors_.push_back(std::move(accessor));
+    return accessors_.size() - 1;
+  }
+
+  static constexpr int kVertexData = 34962;
+  static constexpr int kIndexData = 34963;
+  static constexpr int kFloat = 5126;
+  static constexpr int kUnsignedShort = 5123;
+  static constexpr int kUnsignedInt = 5125;
+
+  void addPositions() {
+    const std::size_t begin = binary_.size();
+    Eigen::Array3f low = Eigen::Array3f::Constant(std::numeric_limits<float>::max());
+    Eigen::Array3f high = -low;
+    for (Eigen::Index v = 0; v < mesh_.points.rows(); ++v) {
+      const Eigen::Array3f point = mesh_.points.row(v).transpose().cast<float>().array();
+      low = low.min(point);
+      high = high.max(point);
+      for (int axis = 0; axis < 3; ++axis)
+        appendValue(binary_, point[axis]);
+    }
+    attributes_["POSITION"] = describe(begin,
+                                       {{"componentType", kFloat},
+                                        {"count", mesh_.points.rows()},
+                                        {"type", "VEC3"},
+                                        {"min", {low[0], low[1], low[2]}},
+                                        {"max", {high[0], high[1], high[2]}}},
+                                       kVertexData);
+  }
+
+  void addNormals() {
+    const std::size_t begin = binary_.size();
+    const geometry::Normals normals = geometry::vertexNormals(mesh_);
+    for (Eigen::Index v = 0; v < normals.rows(); ++v) {
+      // The format wants unit vectors, even where there is no normal.
+      const bool none = normals.row(v).isZero(0);
+      for (int axis = 0; axis < 3; ++axis)
+        appendValue(binary_, none ? (axis == 2 ? 1.0F : 0.0F) : normals(v, axis));
+    }
+    attributes_["NORMAL"] = describe(
+        begin, {{"componentType", kFloat}, {"count", normals.rows()}, {"type", "VEC3"}}, kVertexData);
+  }
+
+  /// 16 bits, so that linear values bring every byte back.
+  void addColors() {
+    const std::size_t begin = binary_.size();
+    for (Eigen::Index v = 0; v < mesh_.colors.rows(); ++v) {
+      for (int k = 0; k < 3; ++k)
+        appendValue(binary_, static_cast<std::uint16_t>(
+                                 std::lround(65535 * linearFromEncoded(mesh_.colors(v, k) / 255.0))));
+      appendValue(binary_, std::uint16_t{65535});
+    }
+    attributes_["COLOR_0"] = describe(begin,
+                                      {{"componentType", kUnsignedShort},
+                                       {"normalized", true},
+                                       {"count", mesh_.colors.rows()},
+                                       {"type", "VEC4"}},
+                                      kVertexData);
+  }
+
+  void addIndices() {
+    const std::size_t begin = binary_.size();
+    for (Eigen::Index t = 0; t < mesh_.triangles.rows(); ++t)
+      for (int k = 0; k < 3; ++k)
+        appendValue(binary_, static_cast<std::uint32_t>(mesh_.triangles(t, k)));
+    indices_ = describe(
+        begin, {{"componentType", kUnsignedInt}, {"count", mesh_.triangles.size()}, {"type", "SCALAR"}},
+        kIndexData);
+  }
+
+  Json document() const {
+    const Json material = {{"pbrMetallicRoughness", {{"metallicFactor", 0.0}, {"roughnessFactor", 0.6}}},
+                           {"doubleSided", true}};
+    const Json primitive = {{"attributes", attributes_}, {"indices", indices_}, {"material", 0}};
+    return {{"asset",
+             {{"version", "2.0"},
+              {"generator", "Viscera"},
+              {"extras", {{"SPACE", spaceName(options_.space)}, {"unit", "mm"}}}}},
+            {"scene", 0},
+            {"scenes", Json::array({{{"nodes", {0}}}})},
+            {"nodes", Json::array({{{"mesh", 0}, {"matrix", uprightMatrix(options_.space)}}})},
+            {"meshes", Json::array({{{"name", options_.name}, {"primitives", Json::array({primitive})}}})},
+            {"materials", Json::array({material})},
+            {"accessors", accessors_},
+            {"bufferViews", views_},
+            {"buffers", Json::array({{{"byteLength", binary_.size()}}})}};
+  }
+
+  const geometry::TriangleMesh& mesh_;
+  const WriteSurface& options_;
+  std::string binary_;
+  Json attributes_ = Json::object();
+  Json views_ = Json::array();
+  Json accessors_ = Json::array();
+  std::size_t indices_ = 0;
+};
+
+} // namespace
+
+RawSurface readGltf(const FileBytes& file) {
+  return GltfReader(file).run();
+}
+
+void writeGlb(std::ostream& out, const geometry::TriangleMesh& mesh, const WriteSurface& options) {
+  const std::string glb = GlbBuilder(mesh, options).run();
+  out.write(glb.data(), static_cast<std::streamsize>(glb.size()));
+}
+
+} // namespace viscera::medical_io

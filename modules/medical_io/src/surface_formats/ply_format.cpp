@@ -1,0 +1,297 @@
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <optional>
+#include <ostream>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "byte_cursor.h"
+#include "space_tag.h"
+#include "surface_formats.h"
+#include "text_scanner.h"
+
+// Own reader: VTK's keeps single precision, allocates what the header promises and reads on behind the end of
+// a file that was cut off.
+namespace viscera::medical_io {
+namespace {
+
+struct ValueType {
+  std::array<std::string_view, 2> names;
+  std::size_t bytes;
+  double (*take)(ByteCursor&);
+  double fullColor; ///< The value of a colour channel at its brightest.
+};
+
+template <typename T>
+double takeNumber(ByteCursor& cursor) {
+  return static_cast<double>(cursor.take<T>("a value"));
+}
+
+constexpr std::array<ValueType, 8> kTypes = {{
+    {{"char", "int8"}, 1, takeNumber<std::int8_t>, 127},
+    {{"uchar", "uint8"}, 1, takeNumber<std::uint8_t>, 255},
+    {{"short", "int16"}, 2, takeNumber<std::int16_t>, 32767},
+    {{"ushort", "uint16"}, 2, takeNumber<std::uint16_t>, 65535},
+    {{"int", "int32"}, 4, takeNumber<std::int32_t>, 255},
+    {{"uint", "uint32"}, 4, takeNumber<std::uint32_t>, 255},
+    {{"float", "float32"}, 4, takeNumber<float>, 1},
+    {{"double", "float64"}, 8, takeNumber<double>, 1},
+}};
+
+struct Property {
+  std::string name;
+  const ValueType* type = nullptr;
+  const ValueType* listCount = nullptr; ///< Null: a single value.
+};
+
+struct Element {
+  std::string name;
+  std::uint64_t count = 0;
+  std::vector<Property> properties;
+
+  std::optional<std::size_t> find(std::string_view name1, std::string_view name2 = {}) const {
+    for (std::size_t i = 0; i < properties.size(); ++i)
+      if (properties[i].name == name1 || (!name2.empty() && properties[i].name == name2))
+        return i;
+    return std::nullopt;
+  }
+  /// The fewest bytes of one such element in a binary file.
+  std::uint64_t leastBytes() const {
+    std::uint64_t bytes = 0;
+    for (const Property& p : properties)
+      bytes += p.listCount != nullptr ? p.listCount->bytes : p.type->bytes;
+    return bytes;
+  }
+};
+
+/// What is read of an element: one number a property, and the contents of one of its lists.
+struct Row {
+  std::vector<double> values;
+  std::vector<std::int64_t> list;
+};
+
+class PlyReader {
+public:
+  explicit PlyReader(const FileBytes& file) : file_(file), text_(file, file.view()) {}
+
+  RawSurface run() {
+    readHeader();
+    ByteCursor bytes(file_, text_.rest(), order_);
+    for (const Element& element : elements_) {
+      requireRoom(element, bytes);
+      // Elements that the header gives no properties are not in the file, however many it claims.
+      for (std::uint64_t i = 0; i < element.count && !element.properties.empty(); ++i) {
+        readRow(element, i, bytes);
+        take(element);
+      }
+      if (element.name == "face" || element.name == "tristrips")
+        haveFaces_ = true;
+    }
+    if (!haveFaces_)
+      file_.fail("holds points, but no faces", "export it as a surface of triangles");
+    return std::move(raw_);
+  }
+
+private:
+  void readHeader() {
+    if (trimmed(text_.line()) != "ply")
+      file_.fail("does not begin with \"ply\": it is no PLY file", "check its ending");
+    for (;;) {
+      if (text_.remaining() == 0)
+        text_.failAtEnd("\"end_header\"");
+      std::string_view line = text_.line();
+      const std::string_view word = takeWord(line);
+      if (word == "end_header")
+        break;
+      if (word == "format")
+        readFormat(line);
+      else if (word == "element")
+        readElement(line);
+      else if (word == "property")
+        readProperty(line);
+      else if (word == "comment" || word == "obj_info")
+        readComment(trimmed(line));
+      else if (!word.empty())
+        text_.fail(inQuotes(word) + " is no word of a PLY header");
+    }
+    if (!formatKnown_)
+      file_.fail("its header does not say its format");
+  }
+
+  void readFormat(std::string_view line) {
+    const std::string_view format = takeWord(line);
+    binary_ = format != "ascii";
+    order_ = format == "binary_big_endian" ? std::endian::big : std::endian::little;
+    if (binary_ && format != "binary_big_endian" && format != "binary_little_endian")
+      text_.fail("the format " + inQuotes(format) + " is not known");
+    formatKnown_ = true;
+  }
+
+  void readElement(std::string_view line) {
+    Element element;
+    element.name = takeWord(line);
+    const std::string_view number = takeWord(line);
+    const std::optional<std::int64_t> count = parseInteger(number);
+    if (!count || *count < 0)
+      text_.fail(inQuotes(number) + " is no number of elements");
+    element.count = static_cast<std::uint64_t>(*count);
+    elements_.push_back(std::move(element));
+  }
+
+  const ValueType& typeNamed(std::string_view name) const {
+    for (const ValueType& type : kTypes)
+      if (type.names[0] == name || type.names[1] == name)
+        return type;
+    text_.fail(inQuotes(name) + " is no type of a PLY file");
+  }
+
+  void readProperty(std::string_view line) {
+    if (elements_.empty())
+      text_.fail("a property stands before the first element");
+    Property property;
+    std::string_view type = takeWord(line);
+    if (type == "list") {
+      property.listCount = &typeNamed(takeWord(line));
+      type = takeWord(line);
+    }
+    property.type = &typeNamed(type);
+    property.name = takeWord(line);
+    elements_.back().properties.push_back(std::move(property));
+  }
+
+  void readComment(std::string_view comment) {
+    if (!raw_.space)
+      raw_.space = findSpace(comment, raw_.warnings);
+    if (raw_.name.empty())
+      raw_.name = nameInComment(comment);
+  }
+
+  void requireRoom(const Element& element, const ByteCursor& bytes) const {
+    const std::uint64_t left = binary_ ? bytes.remaining() : text_.remaining() + 1;
+    const std::uint64_t each = binary_ ? element.leastBytes() : 2 * element.properties.size();
+    if (saturatedProduct(element.count, each) > left)
+      file_.fail("the file is cut off: its header promises " + std::to_string(element.count) + " of " +
+                 inQuotes(element.name) + ", more than the " + counted(left, "byte", "bytes") +
+                 " that are left can hold");
+  }
+
+  double next(const ValueType& type, ByteCursor& bytes) {
+    return binary_ ? type.take(bytes) : text_.number("a value");
+  }
+
+  /// A number as an index. -1 ends a strip; what can be no index becomes -2, which is refused later.
+  static std::int64_t asIndex(double value) {
+    return value >= -1 && value < 9e15 && value == std::floor(value) ? static_cast<std::int64_t>(value) : -2;
+  }
+
+  void readRow(const Element& element, std::uint64_t number, ByteCursor& bytes) {
+    const std::optional<std::size_t> wanted = element.find("vertex_indices", "vertex_index");
+    row_.values.assign(element.properties.size(), 0.0);
+    row_.list.clear();
+    for (std::size_t p = 0; p < element.properties.size(); ++p) {
+      const Property& property = element.properties[p];
+      if (property.listCount == nullptr) {
+        row_.values[p] = next(*property.type, bytes);
+        continue;
+      }
+      const double count = next(*property.listCount, bytes);
+      const std::uint64_t left = binary_ ? bytes.remaining() / property.type->bytes : text_.remaining();
+      if (!(count >= 0 && count <= static_cast<double>(left)))
+        file_.fail("the file is cut off or damaged: a list of " + inQuotes(element.name) + " " +
+                   std::to_string(number) + " should have more values than are left");
+      for (std::uint64_t i = 0; i < static_cast<std::uint64_t>(count); ++i) {
+        const double value = next(*property.type, bytes);
+        if (p == wanted)
+          row_.list.push_back(asIndex(value));
+      }
+    }
+  }
+
+  void take(const Element& element) {
+    if (element.name == "vertex")
+      takeVertex(element);
+    else if (element.name == "face")
+      takeFace(element);
+    else if (element.name == "tristrips")
+      takeStrips();
+  }
+
+  void takeVertex(const Element& element) {
+    const auto x = element.find("x");
+    const auto y = element.find("y");
+    const auto z = element.find("z");
+    if (!x || !y || !z)
+      file_.fail("its points have no x, y and z");
+    raw_.addPoint(row_.values[*x], row_.values[*y], row_.values[*z]);
+    const std::array channels = {element.find("red", "diffuse_red"), element.find("green", "diffuse_green"),
+                                 element.find("blue", "diffuse_blue")};
+    if (!channels[0] || !channels[1] || !channels[2])
+      return;
+    for (const auto& channel : channels) {
+      const double scaled = row_.values[*channel] * 255.0 / element.properties[*channel].type->fullColor;
+      raw_.colors.push_back(static_cast<std::uint8_t>(scaled > 0 ? std::min(scaled, 255.0) + 0.5 : 0.0));
+    }
+  }
+
+  void takeFace(const Element& element) {
+    if (!element.find("vertex_indices", "vertex_index"))
+      file_.fail("its faces have no vertex_indices");
+    raw_.corners.insert(raw_.corners.end(), row_.list.begin(), row_.list.end());
+    raw_.endPolygon();
+  }
+
+  /// One list with all strips; -1 ends a strip.
+  void takeStrips() {
+    auto begin = row_.list.begin();
+    while (begin != row_.list.end()) {
+      const auto end = std::find(begin, row_.list.end(), -1);
+      raw_.addStrip(std::span<const std::int64_t>(begin, end));
+      begin = end == row_.list.end() ? end : end + 1;
+    }
+  }
+
+  const FileBytes& file_;
+  TextScanner text_;
+  RawSurface raw_;
+  std::vector<Element> elements_;
+  Row row_;
+  std::endian order_ = std::endian::little;
+  bool binary_ = false;
+  bool formatKnown_ = false;
+  bool haveFaces_ = false;
+};
+
+} // namespace
+
+RawSurface readPly(const FileBytes& file) {
+  return PlyReader(file).run();
+}
+
+void writePly(std::ostream& out, const geometry::TriangleMesh& mesh, const WriteSurface& options) {
+  const bool colored = mesh.colors.rows() > 0;
+  std::string bytes = "ply\nformat binary_little_endian 1.0\ncomment " + writtenComment(options) +
+                      "\nelement vertex " + std::to_string(mesh.points.rows()) +
+                      "\nproperty double x\nproperty double y\nproperty double z\n";
+  if (colored)
+    bytes += "property uchar red\nproperty uchar green\nproperty uchar blue\n";
+  bytes += "element face " + std::to_string(mesh.triangles.rows()) +
+           "\nproperty list uchar int vertex_indices\nend_header\n";
+  for (Eigen::Index v = 0; v < mesh.points.rows(); ++v) {
+    for (int axis = 0; axis < 3; ++axis)
+      appendValue(bytes, mesh.points(v, axis));
+    for (int k = 0; k < 3 && colored; ++k)
+      appendValue(bytes, mesh.colors(v, k));
+  }
+  for (Eigen::Index t = 0; t < mesh.triangles.rows(); ++t) {
+    appendValue(bytes, std::uint8_t{3});
+    for (int k = 0; k < 3; ++k)
+      appendValue(bytes, mesh.triangles(t, k));
+  }
+  out.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+}
+
+} // namespace viscera::medical_io
