@@ -31,6 +31,8 @@ public:
   const Points& points() const { return points_; }
   const geometry::TriangleMesh& rest() const { return *rest_; }
   const coordinates::Binding& binding() const { return *binding_; }
+  std::shared_ptr<const geometry::TriangleMesh> sharedRest() const { return rest_; }
+  std::shared_ptr<const coordinates::Binding> sharedBinding() const { return binding_; }
 
   /// Vertex normals of the present points, computed when first asked for after a change.
   const geometry::Normals& normals();

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "viscera/coordinates/handle_set.h"
+#include "viscera/core/arrays.h"
+
+/// Groups of handles to start from, for localised coordinates; a user edits them afterwards. Every group's
+/// hull holds its part of the organ, so that no vertex lies in no region; where the handles there are cannot
+/// do that, eight corners of a box around the part are added. All of it is deterministic.
+namespace viscera::deformation {
+
+/// Groups over the given handles followed by `added`: row i of `added` is handle `given + i`.
+struct Grouping {
+  Points added; ///< `m x 3` mm, may be empty.
+  std::vector<coordinates::HandleGroup> groups;
+};
+
+/// Splits along the organ's longest axis into `count` parts; neighbours share a stretch of `overlap` (0 to 1)
+/// of a part's length. Handles are `n x 3`, `organPoints` `v x 3`. Throws `UsageError` for a count below 1 or
+/// an overlap out of range, `DataError` for no points. O(v + n).
+Grouping groupsAlongAxis(const Points& handles, const Points& organPoints, int count, double overlap = 0.25);
+
+/// Clusters the handles by nearness into `count` groups (k-means from farthest-point seeds); a handle about
+/// as near to a second cluster as to its own belongs to both. Throws as above, and `DataError` for fewer
+/// handles than groups.
+Grouping groupsByCluster(const Points& handles, const Points& organPoints, int count);
+
+/// One group an organ: the handles nearer to it than to any other. Throws `DataError` for an organ without
+/// points.
+Grouping groupsByOrgan(const Points& handles, const std::vector<Points>& organs,
+                       const std::vector<std::string>& names);
+
+} // namespace viscera::deformation

@@ -1,0 +1,85 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "viscera/coordinates/binding.h"
+#include "viscera/deformation/restoration_model.h"
+#include "viscera/geometry/triangle_mesh.h"
+
+namespace viscera::deformation {
+
+/// A surface whose volume is to have a certain value in every pose.
+struct LockedSurface {
+  std::string name; ///< For messages.
+  std::shared_ptr<const geometry::TriangleMesh> rest;
+  std::shared_ptr<const coordinates::Binding>
+      binding; ///< All surfaces of a lock are bound to the same handles.
+  double targetMm3 = 0;
+};
+
+/// What came of an attempt to give a pose the locked volumes.
+struct RestoredPose {
+  Points pose;               ///< `n x 3`; the wanted pose when it failed.
+  bool restored = false;     ///< The volumes are met to `VolumeLock::kRelativeTolerance`.
+  double largestShiftMm = 0; ///< How far a compensating handle had to move.
+  double relativeError = 0;  ///< max |V - V*| / V* over the surfaces.
+  std::string reason;        ///< Why it failed, for the user; empty when restored.
+};
+
+/// Keeps the volume of surfaces exactly constant, or at prescribed values, while their handles move.
+///
+/// Linear coordinates make the volume affine in the common translation of any set of handles (the
+/// thesis's 5.1.3 for one handle; for several because det(u, u, .) = 0), so such a drag is projected onto a
+/// plane and stays exact. Any other change of pose is followed by a compensation: the free handles move along
+/// a direction U, and as the volume of `H + s U` is a cubic in s whose coefficients follow from two sums over
+/// the triangles, its root is exact as well. Several surfaces at once, and coordinates that are not linear in
+/// the pose, are finished by Newton steps.
+///
+/// Immutable but for the targets; const members may be called from several threads.
+class VolumeLock {
+public:
+  static constexpr double kRelativeTolerance = 1e-10;
+
+  /// Throws `DataError` for an open surface (it names the number of boundary edges), or for a target that is
+  /// not positive. O(m log m).
+  explicit VolumeLock(std::vector<LockedSurface> surfaces, Threads threads = {});
+
+  const std::vector<LockedSurface>& surfaces() const { return surfaces_; }
+  void setTarget(std::size_t surface, double targetMm3);
+
+  /// Present volumes at `pose`, mm^3, one a surface.
+  std::vector<double> volumes(const Points& pose) const;
+
+  /// How much the volumes change when the handles `selection` move together: `surfaces x 3`, mm^2. For one
+  /// surface the row is the normal of the plane in which the selection may move.
+  Points translationGradient(const Points& pose, const std::vector<int>& selection) const;
+
+  /// The translation nearest to `wanted` (mm) that gives the selection, moved from `pose`, the locked
+  /// volumes. With one surface a plane of translations is allowed, with two a line; handles without influence
+  /// move freely.
+  Vec3 nearestTranslation(const Points& pose, const std::vector<int>& selection, const Vec3& wanted) const;
+
+  /// Moves the handles `free` (ascending) by the least amount, as `model` measures it, that gives `wanted`
+  /// the locked volumes. Fails, and says why, when that takes more than `limitMm`.
+  RestoredPose restore(const Points& wanted, const std::vector<int>& free, const RestorationModel& model,
+                       double limitMm) const;
+
+private:
+  struct Surface {
+    geometry::VertexTriangles around;
+  };
+
+  void shape(std::size_t surface, const Points& pose, Points& points) const;
+  Points gradient(std::size_t surface, const Points& pose) const;
+  double relativeError(const Points& pose) const;
+  double cubicStep(const Points& pose, const Points& direction, double limitMm) const;
+  bool newtonStep(Points& pose, const std::vector<int>& free, const RestorationModel& model) const;
+
+  std::vector<LockedSurface> surfaces_;
+  std::vector<Surface> topology_;
+  Threads threads_;
+};
+
+} // namespace viscera::deformation

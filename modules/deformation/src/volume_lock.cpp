@@ -1,0 +1,214 @@
+#include "viscera/deformation/volume_lock.h"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cmath>
+#include <utility>
+
+#include <Eigen/QR>
+
+#include "cubic_root.h"
+#include "viscera/core/error.h"
+#include "viscera/geometry/surface_check.h"
+#include "viscera/geometry/volume.h"
+
+namespace viscera::deformation {
+namespace {
+
+constexpr int kMostNewtonSteps = 20;
+/// A selection whose gradient is this much smaller than the surface cannot change the volume.
+constexpr double kNoInfluence = 1e-12;
+/// The polynomial's root is as good as rounding allows; more Newton steps than this only follow noise.
+constexpr double kRoundingOfVolume = 1e-13;
+
+void requireLockable(const LockedSurface& surface) {
+  const auto report = geometry::checkSurface(*surface.rest);
+  if (!report.closed())
+    throw DataError("the surface is open (" + std::to_string(report.boundaryEdges) +
+                        " boundary edges), so it has no volume that could be locked",
+                    surface.name, "close its holes first");
+  if (!(surface.targetMm3 > 0) || !std::isfinite(surface.targetMm3))
+    throw DataError("a locked volume must be positive", surface.name,
+                    "turn the surface outward, or choose a target above 0 ml");
+}
+
+double longestRow(const Points& rows) {
+  return rows.rows() == 0 ? 0.0 : rows.rowwise().norm().maxCoeff();
+}
+
+double innerProduct(const Points& a, const Points& b) {
+  return a.cwiseProduct(b).sum();
+}
+
+} // namespace
+
+VolumeLock::VolumeLock(std::vector<LockedSurface> surfaces, Threads threads)
+    : surfaces_(std::move(surfaces)), threads_(threads) {
+  for (const auto& surface : surfaces_) {
+    assert(surface.rest->points.rows() == surface.binding->pointCount());
+    assert(surface.binding->handleCount() == surfaces_.front().binding->handleCount());
+    requireLockable(surface);
+    topology_.push_back({geometry::vertexTriangles(surface.rest->points.rows(), surface.rest->triangles)});
+  }
+}
+
+void VolumeLock::setTarget(std::size_t surface, double targetMm3) {
+  LockedSurface changed = surfaces_.at(surface);
+  changed.targetMm3 = targetMm3;
+  requireLockable(changed);
+  surfaces_[surface] = std::move(changed);
+}
+
+void VolumeLock::shape(std::size_t surface, const Points& pose, Points& points) const {
+  surfaces_[surface].binding->deform(pose, points, threads_);
+}
+
+std::vector<double> VolumeLock::volumes(const Points& pose) const {
+  std::vector<double> result;
+  Points points;
+  for (std::size_t k = 0; k < surfaces_.size(); ++k) {
+    shape(k, pose, points);
+    result.push_back(geometry::volume(points, surfaces_[k].rest->triangles, threads_));
+  }
+  return result;
+}
+
+double VolumeLock::relativeError(const Points& pose) const {
+  const auto now = volumes(pose);
+  double worst = 0;
+  for (std::size_t k = 0; k < surfaces_.size(); ++k)
+    worst = std::max(worst, std::abs(now[k] - surfaces_[k].targetMm3) / surfaces_[k].targetMm3);
+  return worst;
+}
+
+Points VolumeLock::gradient(std::size_t surface, const Points& pose) const {
+  const auto& locked = surfaces_[surface];
+  Points points, ofPoints, ofHandles;
+  shape(surface, pose, points);
+  geometry::volumeGradient(points, locked.rest->triangles, topology_[surface].around, ofPoints, threads_);
+  locked.binding->pullBack(pose, ofPoints, ofHandles, threads_);
+  return ofHandles;
+}
+
+Points VolumeLock::translationGradient(const Points& pose, const std::vector<int>& selection) const {
+  Points rows = Points::Zero(static_cast<Eigen::Index>(surfaces_.size()), 3);
+  for (std::size_t k = 0; k < surfaces_.size(); ++k) {
+    const Points handles = gradient(k, pose);
+    for (const int handle : selection)
+      rows.row(static_cast<Eigen::Index>(k)) += handles.row(handle);
+  }
+  return rows;
+}
+
+Vec3 VolumeLock::nearestTranslation(const Points& pose, const std::vector<int>& selection,
+                                    const Vec3& wanted) const {
+  Points rows = translationGradient(pose, selection);
+  const auto now = volumes(pose);
+  Values missing(rows.rows());
+  for (Eigen::Index k = 0; k < rows.rows(); ++k) {
+    const auto& locked = surfaces_[static_cast<std::size_t>(k)];
+    missing[k] = locked.targetMm3 - now[static_cast<std::size_t>(k)];
+    // In units of one millimetre's change of a typical organ, so that surfaces of different sizes count
+    // alike.
+    const double scale = std::pow(locked.targetMm3, 2.0 / 3);
+    const bool influential = rows.row(k).norm() > kNoInfluence * scale;
+    rows.row(k) *= influential ? 1 / scale : 0;
+    missing[k] *= influential ? 1 / scale : 0;
+  }
+  // The smallest correction d with A (wanted + d) = missing.
+  const Eigen::MatrixXd constraints = rows;
+  return wanted + Vec3(constraints.completeOrthogonalDecomposition().solve(missing - constraints * wanted));
+}
+
+/// The step along `direction` that gives the only surface its target; NaN when there is none within
+/// `limitMm`.
+double VolumeLock::cubicStep(const Points& pose, const Points& direction, double limitMm) const {
+  const auto& locked = surfaces_.front();
+  const auto& triangles = locked.rest->triangles;
+  const auto& around = topology_.front().around;
+  Points points, moved, gradientAtPoints, gradientAtMotion;
+  shape(0, pose, points);
+  shape(0, pose + direction, moved);
+  const Points motion = moved - points;
+  // V is a cubic form of the points: V(P + sQ) = V(P) + s DV(P)[Q] + s^2 DV(Q)[P] + s^3 V(Q).
+  geometry::volumeGradient(points, triangles, around, gradientAtPoints, threads_);
+  geometry::volumeGradient(motion, triangles, around, gradientAtMotion, threads_);
+  const std::array<double, 4> cubic = {
+      geometry::volume(points, triangles, threads_) - locked.targetMm3,
+      innerProduct(gradientAtPoints, motion),
+      innerProduct(gradientAtMotion, points),
+      geometry::volume(motion, triangles, threads_),
+  };
+  const double longest = longestRow(direction);
+  if (longest == 0)
+    return std::nan("");
+  return nearestCubicRoot(cubic, limitMm / longest).value_or(std::nan(""));
+}
+
+/// One Newton step of all volumes at once, in the span of the surfaces' restoring directions; false when
+/// singular.
+bool VolumeLock::newtonStep(Points& pose, const std::vector<int>& free, const RestorationModel& model) const {
+  const auto count = static_cast<Eigen::Index>(surfaces_.size());
+  const auto now = volumes(pose);
+  std::vector<Points> gradients, directions;
+  for (std::size_t k = 0; k < surfaces_.size(); ++k) {
+    gradients.push_back(gradient(k, pose));
+    directions.push_back(model.direction(pose, gradients.back(), free));
+  }
+  Eigen::MatrixXd system(count, count);
+  Values missing(count);
+  for (Eigen::Index k = 0; k < count; ++k) {
+    missing[k] = surfaces_[std::size_t(k)].targetMm3 - now[std::size_t(k)];
+    for (Eigen::Index j = 0; j < count; ++j)
+      system(k, j) = innerProduct(gradients[std::size_t(k)], directions[std::size_t(j)]);
+  }
+  const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> solver(system);
+  if (!solver.isInvertible())
+    return false;
+  const Values steps = solver.solve(missing);
+  for (Eigen::Index j = 0; j < count; ++j)
+    pose += steps[j] * directions[std::size_t(j)];
+  return pose.allFinite();
+}
+
+RestoredPose VolumeLock::restore(const Points& wanted, const std::vector<int>& free,
+                                 const RestorationModel& model, double limitMm) const {
+  RestoredPose result{wanted, false, 0, relativeError(wanted), {}};
+  const auto fail = [&](const std::string& reason) {
+    result.reason = reason;
+    return result;
+  };
+  Points pose = wanted;
+  double error = result.relativeError;
+  if (error > kRoundingOfVolume && free.empty())
+    return fail("no handle is left to compensate the change of volume");
+  if (error > kRoundingOfVolume && surfaces_.size() == 1) {
+    const Points direction = model.direction(pose, gradient(0, pose), free);
+    const double step = cubicStep(pose, direction, limitMm);
+    if (!std::isfinite(step))
+      return fail("no compensation within " + std::to_string(std::lround(limitMm)) +
+                  " mm restores the volume");
+    pose += step * direction;
+    error = relativeError(pose);
+  }
+  // Rounding, several surfaces, or coordinates that are not linear: Newton's steps double the digits.
+  for (int i = 0; i < kMostNewtonSteps && error > kRoundingOfVolume; ++i) {
+    Points next = pose;
+    if (!newtonStep(next, free, model))
+      break;
+    const double nextError = relativeError(next);
+    if (!(nextError < error))
+      break;
+    pose = std::move(next);
+    error = nextError;
+  }
+  const double shift = longestRow(pose - wanted);
+  if (!(error <= kRelativeTolerance))
+    return fail("the handles that may compensate cannot restore the volume");
+  if (shift > limitMm)
+    return fail("restoring the volume would move a handle by " + std::to_string(std::lround(shift)) + " mm");
+  return {std::move(pose), true, shift, error, {}};
+}
+
+} // namespace viscera::deformation

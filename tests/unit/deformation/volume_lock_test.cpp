@@ -1,0 +1,251 @@
+#include "viscera/deformation/volume_lock.h"
+
+#include <cmath>
+#include <numeric>
+#include <random>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "shapes.h"
+#include "viscera/coordinates/built_in_systems.h"
+#include "viscera/core/error.h"
+#include "viscera/deformation/place_handles.h"
+#include "viscera/deformation/selection_motion.h"
+#include "viscera/geometry/volume.h"
+
+namespace viscera::deformation {
+namespace {
+
+constexpr double kAllowedError = 1e-9;
+
+/// A closed organ-like surface, its handles and a lock at its rest volume.
+struct Locked {
+  explicit Locked(const Vec3& stretch = {60, 45, 35}) {
+    auto mesh = tests::sphere(4);
+    mesh.points = mesh.points * stretch.asDiagonal();
+    rest = std::make_shared<geometry::TriangleMesh>(std::move(mesh));
+    handles = placeHandles(*rest, {24, true, 0.05, 0.15});
+    coordinates::HandleSet set;
+    set.positions = handles;
+    Progress progress;
+    binding = coordinates::builtInSystems().front()->bind(set, rest->points, {}, progress);
+    volume = geometry::volume(rest->points, rest->triangles);
+  }
+  VolumeLock lock() const { return VolumeLock({surface()}); }
+  LockedSurface surface() const { return {"organ", rest, binding, volume}; }
+
+  std::shared_ptr<const geometry::TriangleMesh> rest;
+  std::shared_ptr<const coordinates::Binding> binding;
+  Points handles;
+  double volume = 0;
+};
+
+double relativeError(const VolumeLock& lock, const Points& pose) {
+  double worst = 0;
+  const auto volumes = lock.volumes(pose);
+  for (std::size_t k = 0; k < volumes.size(); ++k)
+    worst = std::max(worst, std::abs(volumes[k] / lock.surfaces()[k].targetMm3 - 1));
+  return worst;
+}
+
+std::vector<int> allBut(Eigen::Index count, const std::vector<int>& taken) {
+  std::vector<int> rest;
+  for (int i = 0; i < count; ++i)
+    if (std::find(taken.begin(), taken.end(), i) == taken.end())
+      rest.push_back(i);
+  return rest;
+}
+
+class RandomDrags {
+public:
+  explicit RandomDrags(unsigned seed) : random_(seed) {}
+  Vec3 direction() {
+    std::normal_distribution<double> normal;
+    return Vec3(normal(random_), normal(random_), normal(random_)).normalized();
+  }
+  double between(double low, double high) {
+    return std::uniform_real_distribution<double>(low, high)(random_);
+  }
+  std::vector<int> selection(int count, Eigen::Index handles) {
+    std::vector<int> all(static_cast<std::size_t>(handles));
+    std::iota(all.begin(), all.end(), 0);
+    std::shuffle(all.begin(), all.end(), random_);
+    all.resize(static_cast<std::size_t>(count));
+    std::sort(all.begin(), all.end());
+    return all;
+  }
+
+private:
+  std::mt19937 random_;
+};
+
+TEST(VolumeLock, DragsOfOneHandleKeepTheVolumeOnALongWalk) {
+  const Locked organ;
+  const auto lock = organ.lock();
+  RandomDrags drags(3);
+  Points pose = organ.handles;
+  for (int i = 0; i < 500; ++i) {
+    const auto one = drags.selection(1, pose.rows());
+    pose = translated(pose, one, lock.nearestTranslation(pose, one, drags.between(0, 6) * drags.direction()));
+    ASSERT_LT(relativeError(lock, pose), kAllowedError) << "after drag " << i;
+  }
+}
+
+TEST(VolumeLock, ATranslatedSelectionKeepsTheVolumeAtAnyLength) {
+  const Locked organ;
+  const auto lock = organ.lock();
+  RandomDrags drags(4);
+  for (int i = 0; i < 300; ++i) {
+    const auto five = drags.selection(5, organ.handles.rows());
+    const Vec3 by = lock.nearestTranslation(organ.handles, five, drags.between(0, 60) * drags.direction());
+    ASSERT_LT(relativeError(lock, translated(organ.handles, five, by)), kAllowedError);
+  }
+}
+
+TEST(VolumeLock, TheAllowedTranslationIsTheNearestOfThePlane) {
+  const Locked organ;
+  const auto lock = organ.lock();
+  RandomDrags drags(5);
+  for (int i = 0; i < 50; ++i) {
+    const auto one = drags.selection(1, organ.handles.rows());
+    const Vec3 wanted = 20 * drags.direction();
+    const Vec3 normal = lock.translationGradient(organ.handles, one).row(0).transpose().normalized();
+    const Vec3 allowed = lock.nearestTranslation(organ.handles, one, wanted);
+    EXPECT_NEAR(normal.dot(allowed), 0, 1e-9);
+    EXPECT_NEAR((allowed - wanted).cross(normal).norm(), 0, 1e-9);
+  }
+}
+
+TEST(VolumeLock, TheGradientAgreesWithCentralDifferences) {
+  const Locked organ;
+  const auto lock = organ.lock();
+  const double step = 1e-3;
+  for (int handle = 0; handle < organ.handles.rows(); ++handle) {
+    const Vec3 gradient = lock.translationGradient(organ.handles, {handle}).row(0).transpose();
+    Vec3 differences;
+    for (int k = 0; k < 3; ++k) {
+      const Vec3 by = step * Vec3::Unit(k);
+      differences[k] = (lock.volumes(translated(organ.handles, {handle}, by))[0] -
+                        lock.volumes(translated(organ.handles, {handle}, -by))[0]) /
+                       (2 * step);
+    }
+    EXPECT_LT((gradient - differences).norm(), 1e-6 * gradient.norm());
+  }
+}
+
+TEST(VolumeLock, RotationsAndScalingsAreCompensatedExactly) {
+  const Locked organ;
+  const auto lock = organ.lock();
+  RandomDrags drags(6);
+  for (int i = 0; i < 200; ++i) {
+    const auto five = drags.selection(5, organ.handles.rows());
+    const Vec3 center = selectionCenter(organ.handles, five);
+    const Points wanted = i % 2 == 0
+                              ? rotated(organ.handles, five, center, drags.direction(), drags.between(-1, 1))
+                              : scaled(organ.handles, five, center, Vec3::Constant(drags.between(0.6, 1.5)));
+    const auto restored = lock.restore(wanted, allBut(organ.handles.rows(), five), LeastDisplacement(), 40);
+    ASSERT_TRUE(restored.restored) << restored.reason;
+    EXPECT_LT(relativeError(lock, restored.pose), kAllowedError);
+    for (const int handle : five)
+      EXPECT_EQ(restored.pose.row(handle), wanted.row(handle));
+  }
+}
+
+TEST(VolumeLock, TheCompensationFollowsARotationWithoutAJump) {
+  const Locked organ;
+  const auto lock = organ.lock();
+  const std::vector<int> five = {8, 10, 12, 14, 16};
+  const Vec3 center = selectionCenter(organ.handles, five);
+  const auto largestStep = [&](int steps) {
+    Points before = organ.handles;
+    double largest = 0;
+    for (int i = 1; i <= steps; ++i) {
+      const Points wanted = rotated(organ.handles, five, center, Vec3::UnitZ(), 1.2 * i / steps);
+      const auto restored =
+          lock.restore(wanted, allBut(organ.handles.rows(), five), LeastDisplacement(), 100);
+      EXPECT_TRUE(restored.restored) << restored.reason;
+      largest = std::max(largest, (restored.pose - before).rowwise().norm().maxCoeff());
+      before = restored.pose;
+    }
+    return largest;
+  };
+  EXPECT_NEAR(largestStep(50) / largestStep(100), 2, 0.2);
+}
+
+TEST(VolumeLock, OnlyTheHandlesThatMayCompensateMove) {
+  const Locked organ;
+  const auto lock = organ.lock();
+  const Points wanted = scaled(organ.handles, {9}, Vec3::Zero(), Vec3::Constant(1.2));
+  const auto restored = lock.restore(wanted, {11, 20}, LeastDisplacement(), 100);
+  ASSERT_TRUE(restored.restored) << restored.reason;
+  for (const int handle : allBut(organ.handles.rows(), {11, 20}))
+    EXPECT_EQ(restored.pose.row(handle), wanted.row(handle));
+  EXPECT_GT(restored.largestShiftMm, 0);
+}
+
+TEST(VolumeLock, ReachesATargetVolume) {
+  const Locked organ;
+  auto lock = organ.lock();
+  for (const double factor : {0.8, 0.95, 1.1, 1.3}) {
+    lock.setTarget(0, factor * organ.volume);
+    const auto restored =
+        lock.restore(organ.handles, allBut(organ.handles.rows(), {}), LeastDisplacement(), 40);
+    ASSERT_TRUE(restored.restored) << restored.reason;
+    EXPECT_NEAR(lock.volumes(restored.pose)[0], factor * organ.volume, kAllowedError * organ.volume);
+  }
+}
+
+TEST(VolumeLock, SaysWhyATargetIsOutOfReachAndKeepsThePose) {
+  const Locked organ;
+  auto lock = organ.lock();
+  lock.setTarget(0, 50 * organ.volume);
+  const auto restored =
+      lock.restore(organ.handles, allBut(organ.handles.rows(), {}), LeastDisplacement(), 10);
+  EXPECT_FALSE(restored.restored);
+  EXPECT_THAT(restored.reason, testing::HasSubstr("10 mm"));
+  EXPECT_EQ(restored.pose, organ.handles);
+  EXPECT_THAT(lock.restore(organ.handles, {}, LeastDisplacement(), 10).reason,
+              testing::HasSubstr("no handle"));
+}
+
+TEST(VolumeLock, KeepsTwoSurfacesAtOnce) {
+  const Locked organ;
+  auto inner = std::make_shared<geometry::TriangleMesh>(*organ.rest);
+  inner->points = 0.5 * inner->points.array().matrix();
+  coordinates::HandleSet set;
+  set.positions = organ.handles;
+  Progress progress;
+  const LockedSurface cavity{"cavity", inner,
+                             coordinates::builtInSystems().front()->bind(set, inner->points, {}, progress),
+                             geometry::volume(inner->points, inner->triangles)};
+  const VolumeLock lock({organ.surface(), cavity});
+  RandomDrags drags(8);
+  for (int i = 0; i < 50; ++i) {
+    const auto one = drags.selection(1, organ.handles.rows());
+    const Vec3 by = lock.nearestTranslation(organ.handles, one, 15 * drags.direction());
+    EXPECT_LT(relativeError(lock, translated(organ.handles, one, by)), kAllowedError);
+    const auto five = drags.selection(5, organ.handles.rows());
+    const Points wanted = rotated(organ.handles, five, Vec3::Zero(), drags.direction(), 0.3);
+    const auto restored = lock.restore(wanted, allBut(organ.handles.rows(), five), LeastDisplacement(), 60);
+    ASSERT_TRUE(restored.restored) << restored.reason;
+    EXPECT_LT(relativeError(lock, restored.pose), kAllowedError);
+  }
+}
+
+TEST(VolumeLock, RefusesAnOpenSurfaceWithTheNumberOfItsEdges) {
+  Locked organ;
+  auto open = std::make_shared<geometry::TriangleMesh>(*organ.rest);
+  open->triangles.conservativeResize(open->triangles.rows() - 1, 3);
+  auto surface = organ.surface();
+  surface.rest = open;
+  try {
+    VolumeLock lock({surface});
+    FAIL();
+  } catch (const DataError& error) {
+    EXPECT_THAT(error.what(), testing::HasSubstr("3 boundary edges"));
+  }
+}
+
+} // namespace
+} // namespace viscera::deformation
