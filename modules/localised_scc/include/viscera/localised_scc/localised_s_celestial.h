@@ -1,0 +1,41 @@
+#pragma once
+
+#include "viscera/coordinates/coordinate_system.h"
+
+namespace viscera::localised_scc {
+
+/// Localised Celestial coordinates (thesis 4.5), id `localised-s-celestial`. A point of one region has that
+/// region's coordinates, a point of a swapping zone those of the zone's super-region, and within the offset
+/// of a zone the two are blended. Handles of other groups have weight exactly 0. With one group it is the
+/// inner system itself.
+///
+/// Departs from the thesis where its zones are ambiguous; see `RegionLayout`.
+class LocalisedSCelestial final : public coordinates::CoordinateSystem {
+public:
+  /// `inner` are the systems that a user may choose inside the regions, positive ones without a cage; the
+  /// first is the standard one. At least one.
+  explicit LocalisedSCelestial(std::vector<std::shared_ptr<const coordinates::CoordinateSystem>> inner);
+
+  std::string id() const override { return "localised-s-celestial"; }
+  std::string name() const override { return "Localised S-Celestial"; }
+  std::string summary() const override;
+  coordinates::Traits traits() const override;
+  std::vector<coordinates::Parameter> parameters() const override;
+
+  /// Points in no region are failures, as are those for which the inner system has no answer.
+  std::unique_ptr<coordinates::Binding> bind(const coordinates::HandleSet& handles, const Points& points,
+                                             const coordinates::BindOptions& options,
+                                             Progress& progress) const override;
+
+  /// By the product rule from the inner system's gradients and the blend's.
+  coordinates::CoordinateGradients gradients(const coordinates::HandleSet& handles, const Points& points,
+                                             const coordinates::BindOptions& options,
+                                             Progress& progress) const override;
+
+private:
+  const coordinates::CoordinateSystem& innerFor(const coordinates::ParameterValues& values) const;
+
+  std::vector<std::shared_ptr<const coordinates::CoordinateSystem>> inner_;
+};
+
+} // namespace viscera::localised_scc

@@ -1,0 +1,30 @@
+#include <QObject>
+
+#include "viscera/coordinates/built_in_systems.h"
+#include "viscera/localised_scc/localised_s_celestial.h"
+#include "viscera/plugin/coordinate_system_plugin.h"
+
+namespace viscera::localised_scc {
+
+/// Brings the localised coordinates into a program, with every built-in system inside that is positive and
+/// needs nothing but handles.
+class LocalisedSccPlugin final : public QObject, public plugin::CoordinateSystemPlugin {
+  Q_OBJECT
+  Q_PLUGIN_METADATA(IID VISCERA_COORDINATE_SYSTEM_PLUGIN_IID FILE "localised_scc.json")
+  Q_INTERFACES(viscera::plugin::CoordinateSystemPlugin)
+
+public:
+  std::vector<std::shared_ptr<const coordinates::CoordinateSystem>> systems() const override {
+    std::vector<std::shared_ptr<const coordinates::CoordinateSystem>> inner;
+    for (const auto& system : coordinates::builtInSystems()) {
+      const auto traits = system->traits();
+      if (traits.positive && !traits.needsCage && !traits.needsTetrahedra && !traits.usesGroups)
+        inner.push_back(system);
+    }
+    return {std::make_shared<LocalisedSCelestial>(std::move(inner))};
+  }
+};
+
+} // namespace viscera::localised_scc
+
+#include "localised_scc_plugin.moc"

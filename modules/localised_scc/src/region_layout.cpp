@@ -1,0 +1,222 @@
+#include "viscera/localised_scc/region_layout.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "blend.h"
+#include "viscera/core/error.h"
+
+namespace viscera::localised_scc {
+namespace {
+
+/// What counts as touching, as a part of the handles' diagonal.
+constexpr double kTouching = 1e-9;
+/// The bound itself is excluded (h < d_k).
+constexpr double kBelowBound = 0.999;
+
+Points rowsOf(const Points& points, const std::vector<int>& rows) {
+  Points chosen(static_cast<Eigen::Index>(rows.size()), 3);
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    chosen.row(static_cast<Eigen::Index>(i)) = points.row(rows[i]);
+  return chosen;
+}
+
+std::vector<int> sortedUnique(std::vector<int> list) {
+  std::sort(list.begin(), list.end());
+  list.erase(std::unique(list.begin(), list.end()), list.end());
+  return list;
+}
+
+Region makeRegion(const coordinates::HandleGroup& group, const Points& positions, double tolerance) {
+  const std::string where = "group '" + group.name + "'";
+  const std::vector<int> handles = sortedUnique(group.handles);
+  for (const int handle : handles)
+    if (handle < 0 || handle >= positions.rows())
+      throw DataError("refers to handle " + std::to_string(handle) + ", but there are " +
+                          std::to_string(positions.rows()),
+                      where);
+  if (handles.size() < 4)
+    throw DataError("has " + std::to_string(handles.size()) + " handles; a region needs at least 4", where,
+                    "add handles to it");
+  auto hull = geometry::ConvexPolytope::hullOf(rowsOf(positions, handles), tolerance);
+  if (hull.dimension() < 3)
+    throw DataError("all its handles lie in one plane, so its region is flat", where,
+                    "add a handle off that plane");
+  return {group.name, handles, std::move(hull), 0, 0};
+}
+
+/// Groups indices that are joined, directly or through others.
+class Components {
+public:
+  explicit Components(std::size_t count) : parent_(count) {
+    std::iota(parent_.begin(), parent_.end(), std::size_t(0));
+  }
+  std::size_t root(std::size_t i) const {
+    while (parent_[i] != i)
+      i = parent_[i];
+    return i;
+  }
+  void join(std::size_t a, std::size_t b) {
+    parent_[std::max(root(a), root(b))] = std::min(root(a), root(b));
+  }
+
+private:
+  std::vector<std::size_t> parent_;
+};
+
+std::vector<SwappingZone::Part> pairwiseIntersections(const std::vector<Region>& regions) {
+  std::vector<SwappingZone::Part> parts;
+  for (int i = 0; i < static_cast<int>(regions.size()); ++i)
+    for (int j = i + 1; j < static_cast<int>(regions.size()); ++j)
+      if (auto common = regions[std::size_t(i)].hull.intersection(regions[std::size_t(j)].hull))
+        parts.push_back({i, j, std::move(*common)});
+  return parts;
+}
+
+} // namespace
+
+RegionLayout::RegionLayout(const coordinates::HandleSet& handles, double offset) {
+  assert(offset > 0);
+  tolerance_ = kTouching * boundsOf(handles.positions).diagonal();
+  if (!handles.positions.allFinite() || !(tolerance_ > 0))
+    throw DataError("the handles have no extent or a position that is not a finite number");
+  makeRegions(handles);
+  makeZones(handles);
+  boundOffsets(handles, offset);
+}
+
+void RegionLayout::makeRegions(const coordinates::HandleSet& handles) {
+  std::vector<coordinates::HandleGroup> groups = handles.groups;
+  if (groups.empty()) {
+    std::vector<int> all(static_cast<std::size_t>(handles.positions.rows()));
+    std::iota(all.begin(), all.end(), 0);
+    groups.push_back({"all handles", std::move(all)});
+  }
+  std::vector<bool> used(static_cast<std::size_t>(handles.positions.rows()), false);
+  for (const auto& group : groups) {
+    regions_.push_back(makeRegion(group, handles.positions, tolerance_));
+    for (const int handle : regions_.back().handles)
+      used[static_cast<std::size_t>(handle)] = true;
+  }
+  const auto idle = std::count(used.begin(), used.end(), false);
+  if (idle > 0)
+    notes_.push_back(std::to_string(idle) + " handles are in no group and move nothing");
+}
+
+void RegionLayout::makeZones(const coordinates::HandleSet& handles) {
+  auto parts = pairwiseIntersections(regions_);
+  Components components(parts.size());
+  for (std::size_t a = 0; a < parts.size(); ++a)
+    for (std::size_t b = a + 1; b < parts.size(); ++b)
+      if (parts[a].common.intersection(parts[b].common))
+        components.join(a, b);
+
+  for (std::size_t root = 0; root < parts.size(); ++root) {
+    if (components.root(root) != root)
+      continue;
+    std::vector<SwappingZone::Part> members;
+    std::vector<int> regions, zoneHandles;
+    for (std::size_t a = root; a < parts.size(); ++a) {
+      if (components.root(a) != root)
+        continue;
+      for (const int region : {parts[a].first, parts[a].second}) {
+        regions.push_back(region);
+        const auto& own = regions_[std::size_t(region)].handles;
+        zoneHandles.insert(zoneHandles.end(), own.begin(), own.end());
+      }
+      members.push_back(std::move(parts[a]));
+    }
+    zoneHandles = sortedUnique(std::move(zoneHandles));
+    auto superRegion = geometry::ConvexPolytope::hullOf(rowsOf(handles.positions, zoneHandles), tolerance_);
+    zones_.push_back({std::move(members), sortedUnique(std::move(regions)), std::move(zoneHandles),
+                      std::move(superRegion)});
+  }
+}
+
+void RegionLayout::boundOffsets(const coordinates::HandleSet& handles, double offset) {
+  for (int i = 0; i < static_cast<int>(regions_.size()); ++i) {
+    Region& region = regions_[std::size_t(i)];
+    region.offsetBound = std::numeric_limits<double>::infinity();
+    for (const auto& zone : zones_) {
+      for (const int handle : region.handles) {
+        const Vec3 v = handles.positions.row(handle).transpose();
+        double distance = std::numeric_limits<double>::infinity();
+        for (const auto& part : zone.parts)
+          if (part.first == i || part.second == i)
+            distance = std::min(distance, (part.common.closestPoint(v) - v).norm());
+        if (distance > 4 * tolerance_)
+          region.offsetBound = std::min(region.offsetBound, distance);
+      }
+    }
+    region.offset = std::min(offset, kBelowBound * region.offsetBound);
+    if (region.offset < offset)
+      notes_.push_back("the offset of region '" + region.name + "' is cut to " +
+                       std::to_string(region.offset).substr(0, 5) +
+                       " mm, the distance of its nearest handle from a zone");
+  }
+}
+
+const std::vector<int>& RegionLayout::handlesOf(int set) const {
+  const auto index = static_cast<std::size_t>(set);
+  return index < regions_.size() ? regions_[index].handles : zones_[index - regions_.size()].handles;
+}
+
+/// The zone that holds a point of all regions `containing` (two or more); -1 when rounding alone put it in
+/// several.
+int RegionLayout::zoneAt(const std::vector<int>& containing) const {
+  const auto inside = [&](int region) {
+    return std::find(containing.begin(), containing.end(), region) != containing.end();
+  };
+  for (std::size_t k = 0; k < zones_.size(); ++k)
+    for (const auto& part : zones_[k].parts)
+      if (inside(part.first) && inside(part.second))
+        return static_cast<int>(k);
+  return -1;
+}
+
+std::vector<RegionLayout::Share> RegionLayout::shares(const Vec3& point) const {
+  std::vector<int> containing;
+  for (int i = 0; i < static_cast<int>(regions_.size()); ++i)
+    if (regions_[std::size_t(i)].hull.contains(point))
+      containing.push_back(i);
+  if (containing.empty())
+    return {};
+  const int regionCount = static_cast<int>(regions_.size());
+  if (containing.size() > 1)
+    if (const int zone = zoneAt(containing); zone >= 0)
+      return {{regionCount + zone, 1, Vec3::Zero()}};
+
+  const int own = containing.front();
+  const double offset = regions_[std::size_t(own)].offset;
+  std::vector<int> sets;
+  std::vector<BlendValue> blends;
+  for (std::size_t k = 0; k < zones_.size(); ++k) {
+    double distance = offset;
+    Vec3 away = Vec3::Zero();
+    for (const auto& part : zones_[k].parts) {
+      if ((part.first != own && part.second != own) || part.common.signedDistance(point) >= distance)
+        continue;
+      const Vec3 from = point - part.common.closestPoint(point);
+      if (from.norm() >= distance)
+        continue;
+      distance = from.norm();
+      away = distance > 0 ? Vec3(from / distance) : from;
+    }
+    if (distance >= offset)
+      continue;
+    sets.push_back(regionCount + static_cast<int>(k));
+    blends.push_back(blendAt(distance, away, offset));
+  }
+  sets.push_back(own);
+  const auto parts = partition(blends);
+  std::vector<Share> result;
+  for (std::size_t k = 0; k < sets.size(); ++k)
+    if (parts[k].value > 0)
+      result.push_back({sets[k], parts[k].value, parts[k].gradient});
+  return result;
+}
+
+} // namespace viscera::localised_scc
