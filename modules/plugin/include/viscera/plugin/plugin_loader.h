@@ -1,0 +1,39 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "viscera/plugin/registry.h"
+
+namespace viscera::plugin {
+
+/// What a plugin says of itself; read from the file without running any of its code.
+struct PluginManifest {
+  std::string id;
+  std::string name;
+  std::string version;
+  std::string summary;
+};
+
+/// What became of one file.
+struct PluginReport {
+  std::filesystem::path file;
+  PluginManifest manifest;          ///< Empty when it has none.
+  std::vector<std::string> systems; ///< Ids that were added to the registry.
+  std::string problem;              ///< Why it, or one of its systems, was left out; empty when all is well.
+};
+
+/// Folders and files in the order in which they are searched: `given` (from `--plugin-path`), then those of
+/// the environment variable `VISCERA_PLUGIN_PATH` (separated by colons), then `installed` where it exists.
+std::vector<std::filesystem::path> pluginSearchPath(const std::vector<std::filesystem::path>& given,
+                                                    const std::filesystem::path& installed);
+
+/// Loads every plugin of the search path (a folder: its shared libraries, by name) and adds its systems to
+/// `registry` with the file as their source. Never throws: each file fails alone, with its reason, and the
+/// others go on. A file that was named itself is reported when it is missing; a folder that does not exist is
+/// reported once.
+std::vector<PluginReport> loadPlugins(const std::vector<std::filesystem::path>& searchPath,
+                                      Registry& registry);
+
+} // namespace viscera::plugin

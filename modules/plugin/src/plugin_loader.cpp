@@ -1,0 +1,124 @@
+#include "viscera/plugin/plugin_loader.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <sstream>
+#include <system_error>
+
+#include <QJsonObject>
+#include <QLibrary>
+#include <QPluginLoader>
+
+#include "guarded_system.h"
+#include "viscera/core/error.h"
+#include "viscera/plugin/coordinate_system_plugin.h"
+
+namespace viscera::plugin {
+namespace {
+
+namespace fs = std::filesystem;
+
+const QString kIid = QStringLiteral(VISCERA_COORDINATE_SYSTEM_PLUGIN_IID);
+const QString kIidName = kIid.section('/', 0, 0);
+
+PluginManifest manifestOf(const QJsonObject& metaData) {
+  const QJsonObject own = metaData.value("MetaData").toObject();
+  const auto text = [&](const char* key) { return own.value(QLatin1String(key)).toString().toStdString(); };
+  return {text("id"), text("name"), text("version"), text("summary")};
+}
+
+/// Why a file with this metadata must not be loaded; empty when it may.
+std::string objection(const QJsonObject& metaData, const PluginManifest& manifest) {
+  const QString iid = metaData.value("IID").toString();
+  if (iid.isEmpty())
+    return "it is not a Viscera plugin, or it is damaged";
+  if (iid.section('/', 0, 0) != kIidName)
+    return "it is a plugin for another program (" + iid.toStdString() + ")";
+  if (iid != kIid)
+    return "it was made for version " + iid.section('/', 1).toStdString() +
+           " of the plugin interface, this program has " + kIid.section('/', 1).toStdString();
+  if (manifest.id.empty() || manifest.name.empty() || manifest.version.empty())
+    return "its manifest lacks id, name or version";
+  return {};
+}
+
+/// Adds what the plugin brings; a system that is refused does not keep the others out.
+void addSystems(const CoordinateSystemPlugin& plugin, Registry& registry, PluginReport& report) {
+  for (const auto& system : plugin.systems()) {
+    try {
+      registry.add(system ? guarded(system, report.file.string()) : system, report.file.string());
+      report.systems.push_back(system->id());
+    } catch (const Error& error) {
+      report.problem = error.what();
+    }
+  }
+}
+
+PluginReport loadOne(const fs::path& file, Registry& registry) {
+  PluginReport report;
+  report.file = file;
+  try {
+    if (!fs::exists(file)) {
+      report.problem = "there is no such file";
+      return report;
+    }
+    QPluginLoader loader(QString::fromStdString(file.string()));
+    const QJsonObject metaData = loader.metaData();
+    report.manifest = manifestOf(metaData);
+    report.problem = objection(metaData, report.manifest);
+    if (!report.problem.empty())
+      return report;
+    auto* plugin = qobject_cast<CoordinateSystemPlugin*>(loader.instance());
+    if (plugin == nullptr) {
+      report.problem = "it cannot be loaded: " + loader.errorString().toStdString();
+      return report;
+    }
+    addSystems(*plugin, registry, report);
+  } catch (const std::exception& error) {
+    report.problem = std::string("it failed while loading: ") + error.what();
+  } catch (...) {
+    report.problem = "it failed while loading";
+  }
+  return report;
+}
+
+std::vector<fs::path> librariesIn(const fs::path& folder) {
+  std::vector<fs::path> files;
+  std::error_code ignored;
+  for (const auto& entry : fs::directory_iterator(folder, ignored))
+    if (QLibrary::isLibrary(QString::fromStdString(entry.path().string())))
+      files.push_back(entry.path());
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+} // namespace
+
+std::vector<fs::path> pluginSearchPath(const std::vector<fs::path>& given, const fs::path& installed) {
+  std::vector<fs::path> path = given;
+  if (const char* environment = std::getenv("VISCERA_PLUGIN_PATH")) {
+    std::istringstream list(environment);
+    for (std::string item; std::getline(list, item, ':');)
+      if (!item.empty())
+        path.emplace_back(item);
+  }
+  std::error_code ignored;
+  if (!installed.empty() && fs::is_directory(installed, ignored))
+    path.push_back(installed);
+  return path;
+}
+
+std::vector<PluginReport> loadPlugins(const std::vector<fs::path>& searchPath, Registry& registry) {
+  std::vector<PluginReport> reports;
+  for (const auto& place : searchPath) {
+    std::error_code ignored;
+    if (fs::is_directory(place, ignored))
+      for (const auto& file : librariesIn(place))
+        reports.push_back(loadOne(file, registry));
+    else
+      reports.push_back(loadOne(place, registry));
+  }
+  return reports;
+}
+
+} // namespace viscera::plugin

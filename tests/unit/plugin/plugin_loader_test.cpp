@@ -1,0 +1,112 @@
+#include "viscera/plugin/plugin_loader.h"
+
+#include <cstdlib>
+#include <fstream>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "viscera/core/error.h"
+
+namespace viscera::plugin {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+const fs::path kGood = fs::path(VISCERA_BINARY_DIR) / "lib/viscera/plugins/localised_scc_plugin.so";
+const fs::path kFaulty = fs::path(VISCERA_BINARY_DIR) / "tests/plugins";
+
+class PluginLoaderTest : public testing::Test {
+protected:
+  void SetUp() override {
+    folder_ = fs::path(testing::TempDir()) /
+              (std::string("viscera_") + testing::UnitTest::GetInstance()->current_test_info()->name());
+    fs::remove_all(folder_);
+    fs::create_directories(folder_);
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  PluginReport load(const fs::path& file) { return loadPlugins({file}, registry_).at(0); }
+
+  fs::path folder_;
+  Registry registry_ = builtInRegistry();
+};
+
+TEST_F(PluginLoaderTest, BringsTheLocalisedCoordinatesWithTheirFileAsTheSource) {
+  const auto report = load(kGood);
+  EXPECT_EQ(report.problem, "");
+  EXPECT_THAT(report.systems, ElementsAre("localised-s-celestial"));
+  EXPECT_EQ(report.manifest.name, "Localised S-Celestial");
+  EXPECT_EQ(registry_.list().back().source, kGood.string());
+  EXPECT_TRUE(registry_.find("localised-s-celestial")->traits().usesGroups);
+}
+
+TEST_F(PluginLoaderTest, NamesAFileThatIsMissing) {
+  EXPECT_THAT(load(folder_ / "nowhere.so").problem, HasSubstr("no such file"));
+}
+
+TEST_F(PluginLoaderTest, TurnsDownAFileThatIsNoPlugin) {
+  std::ofstream(folder_ / "text.so") << "This is not a library.";
+  EXPECT_THAT(load(folder_ / "text.so").problem, HasSubstr("not a Viscera plugin"));
+}
+
+TEST_F(PluginLoaderTest, TurnsDownATruncatedPlugin) {
+  fs::copy_file(kGood, folder_ / "half.so");
+  fs::resize_file(folder_ / "half.so", fs::file_size(kGood) / 2);
+  const auto report = load(folder_ / "half.so");
+  EXPECT_NE(report.problem, "");
+  EXPECT_THAT(report.systems, IsEmpty());
+}
+
+TEST_F(PluginLoaderTest, TurnsDownAPluginOfAnotherInterfaceVersionByItsManifestAlone) {
+  const auto report = load(kFaulty / "plugin_old.so");
+  EXPECT_THAT(report.problem, HasSubstr("version 0"));
+  EXPECT_EQ(report.manifest.id, "faulty");
+}
+
+TEST_F(PluginLoaderTest, SurvivesAPluginThatThrows) {
+  EXPECT_THAT(load(kFaulty / "plugin_throws.so").problem, HasSubstr("no disk in drive"));
+}
+
+TEST_F(PluginLoaderTest, RefusesADuplicateIdButKeepsTheOtherSystems) {
+  const auto report = load(kFaulty / "plugin_duplicate.so");
+  EXPECT_THAT(report.problem, HasSubstr("s-celestial"));
+  EXPECT_THAT(report.systems, ElementsAre("failing"));
+}
+
+TEST_F(PluginLoaderTest, AForeignExceptionInASystemArrivesAsAnErrorThatNamesThePlugin) {
+  load(kFaulty / "plugin_duplicate.so");
+  Progress progress;
+  try {
+    registry_.find("failing")->bind({}, Points(0, 3), {}, progress);
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_EQ(error.exitCode(), 70);
+    EXPECT_THAT(error.what(), testing::AllOf(HasSubstr("plugin_duplicate"), HasSubstr("out of cheese")));
+  }
+}
+
+TEST_F(PluginLoaderTest, OneBadPluginDoesNotKeepTheOthersOut) {
+  fs::copy_file(kFaulty / "plugin_throws.so", folder_ / "a_throws.so");
+  std::ofstream(folder_ / "b_text.so") << "no library";
+  fs::copy_file(kGood, folder_ / "c_good.so");
+  const auto reports = loadPlugins({folder_}, registry_);
+  ASSERT_EQ(reports.size(), 3u);
+  EXPECT_NE(reports[0].problem, "");
+  EXPECT_NE(reports[1].problem, "");
+  EXPECT_EQ(reports[2].problem, "");
+  EXPECT_TRUE(registry_.contains("localised-s-celestial"));
+}
+
+TEST_F(PluginLoaderTest, SearchesWhatIsGivenThenTheEnvironmentThenTheInstallation) {
+  ::setenv("VISCERA_PLUGIN_PATH", "/first:/second", 1);
+  EXPECT_THAT(pluginSearchPath({"/given"}, folder_), ElementsAre("/given", "/first", "/second", folder_));
+  ::unsetenv("VISCERA_PLUGIN_PATH");
+  EXPECT_THAT(pluginSearchPath({}, folder_ / "absent"), IsEmpty());
+}
+
+} // namespace
+} // namespace viscera::plugin
