@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
@@ -30,8 +31,9 @@ public:
   std::unique_ptr<deformation::Deformer> deformer; ///< Null: at rest.
   std::shared_ptr<const BindingTarget> boundTo;    ///< What `deformer` was bound to; null without one.
   std::shared_ptr<const BindingTarget>
-      attempted;     ///< The last target that was tried, with success or without.
-  LiveEvent pending; ///< What has not been told yet.
+      attempted;           ///< The last target that was tried, with success or without.
+  std::int64_t ticket = 0; ///< Of the last job that was asked to bind it.
+  LiveEvent pending;       ///< What has not been told yet.
 
   /// The slot of the job queue in which it is bound.
   std::string slot() const { return "bind/" + std::to_string(organ->id.value); }

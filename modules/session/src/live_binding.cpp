@@ -39,6 +39,7 @@ struct LiveBinding::Impl {
   std::map<OrganId, BoundOrgan> organs;
   std::shared_ptr<const BindingTarget> target;   ///< What every organ is to be bound to; never null.
   std::map<std::string, double> secondsOfSystem; ///< Measured, per (vertex x handle).
+  std::int64_t lastTicket = 0;
   Shown shown = Shown::document;
   Points shownPose = Points(0, 3);
   Signal<const LiveEvent&> events;
@@ -54,8 +55,7 @@ struct LiveBinding::Impl {
   double expectedSeconds(const BoundOrgan& organ) const;
   void bindNow(BoundOrgan& organ);
   void bindLater(BoundOrgan& organ);
-  void arrived(OrganId id, const std::shared_ptr<const BindingTarget>& tried,
-               const geometry::TriangleMesh* mesh, JobResult<BindingResult> result);
+  void arrived(OrganId id, std::int64_t ticket, JobResult<BindingResult> result);
   void take(BoundOrgan& organ, BindingResult result);
   void poseAll(bool interactive);
   void tell();
@@ -149,26 +149,25 @@ void LiveBinding::Impl::bindNow(BoundOrgan& organ) {
 
 void LiveBinding::Impl::bindLater(BoundOrgan& organ) {
   organ.setState(State::binding);
+  organ.ticket = ++lastTicket;
   const auto work = [item = organ.organ, wanted = target, threads = options.threads](Progress& progress) {
     return bindToTarget(*item, *wanted, threads, progress);
   };
-  const auto done = [weak = std::weak_ptr<Impl*>(self), id = organ.organ->id, wanted = target,
-                     mesh = organ.organ->mesh](JobResult<BindingResult> result) {
+  const auto done = [weak = std::weak_ptr<Impl*>(self), id = organ.organ->id,
+                     ticket = organ.ticket](JobResult<BindingResult> result) {
     if (const auto alive = weak.lock())
-      (*alive)->arrived(id, wanted, mesh.get(), std::move(result));
+      (*alive)->arrived(id, ticket, std::move(result));
   };
   jobs.submit<BindingResult>("Binding " + organ.organ->name, organ.slot(), work, done);
 }
 
-/// A result from the queue, perhaps for an organ or a target that nobody wants any more.
-void LiveBinding::Impl::arrived(OrganId id, const std::shared_ptr<const BindingTarget>& tried,
-                                const geometry::TriangleMesh* mesh, JobResult<BindingResult> result) {
+/// A result from the queue, perhaps for an organ or a target that nobody wants any more: each job has its
+/// ticket.
+void LiveBinding::Impl::arrived(OrganId id, std::int64_t ticket, JobResult<BindingResult> result) {
   const auto found = organs.find(id);
-  if (found == organs.end() || found->second.attempted != tried || found->second.organ->mesh.get() != mesh)
+  if (found == organs.end() || found->second.ticket != ticket || found->second.status.state != State::binding)
     return;
   BoundOrgan& organ = found->second;
-  if (organ.status.state != State::binding)
-    return;
   if (result.value)
     take(organ, std::move(*result.value));
   else if (result.error)
@@ -219,6 +218,7 @@ LiveBinding::LiveBinding(Document& document, const plugin::Registry& registry, J
   impl_->matchPose();
   impl_->bindWaiting();
   impl_->poseAll(false);
+  impl_->tell(); // Nobody listens yet; what is told later is news.
   impl_->subscription = document.onChange([this](const Change& change) { impl_->onChange(change); });
 }
 

@@ -66,7 +66,7 @@ TEST_F(OpenFiles, BringOrgansAndHandlesAsOneStep) {
   UndoStack undo(document);
   Progress progress;
   const OpenedFiles opened = openFiles(
-      {surface("liver.ply", 30), handles("rig.mrk.json", corners()), surface("kidney.stl", 20)}, progress);
+      {surface("liver.vtp", 30), handles("rig.mrk.json", corners()), surface("kidney.stl", 20)}, progress);
   EXPECT_EQ(opened.organs, 2);
   EXPECT_EQ(opened.handles, 10);
   EXPECT_TRUE(document.organs().empty()) << "reading alone must not change a document";
@@ -88,7 +88,7 @@ TEST_F(OpenFiles, BringOrgansAndHandlesAsOneStep) {
 }
 
 TEST_F(OpenFiles, FailAsAWholeWhenOneOfThemFails) {
-  const fs::path good = surface("liver.ply", 30);
+  const fs::path good = surface("liver.vtp", 30);
   std::ofstream(folder_ / "empty.stl").close();
   EXPECT_THAT(refusal<DataError>({good, folder_ / "empty.stl"}), HasSubstr("empty.stl"));
   EXPECT_THAT(refusal<NoInputError>({good, folder_ / "missing.stl"}), HasSubstr("missing.stl"));
@@ -111,14 +111,14 @@ TEST_F(OpenFiles, RefuseHandlesThatNothingCanBeBoundTo) {
 TEST_F(OpenFiles, CanBeCancelled) {
   Progress progress;
   progress.cancel();
-  EXPECT_THROW(openFiles({surface("liver.ply", 30)}, progress), Cancelled);
+  EXPECT_THROW(openFiles({surface("liver.vtp", 30)}, progress), Cancelled);
 }
 
 TEST_F(OpenFiles, WarnOfTheSizeWithTheFilesName) {
   Progress progress;
-  const OpenedFiles opened = openFiles({surface("metres.ply", 0.05)}, progress);
+  const OpenedFiles opened = openFiles({surface("metres.vtp", 0.05)}, progress);
   EXPECT_THAT(opened.warnings,
-              ::testing::Contains(::testing::AllOf(HasSubstr("metres.ply"), HasSubstr("implausible"))));
+              ::testing::Contains(::testing::AllOf(HasSubstr("metres.vtp"), HasSubstr("implausible"))));
 }
 
 TEST_F(OpenFiles, KeepHandlesInSeveralGroupsThroughAFile) {

@@ -165,8 +165,9 @@ TEST_P(RandomCommands, AreTakenBackAndDoneAgainToTheLastBit) {
 
   while (s.undo.canUndo()) {
     s.undo.undo();
-    if (s.undo.position() > 0)
+    if (s.undo.position() > 0) {
       ASSERT_TRUE(identical(s.document.state(), seen.at(s.undo.position()))) << "step " << s.undo.position();
+    }
   }
   EXPECT_EQ(s.undo.position(), 0u);
   EXPECT_TRUE(identical(s.document.state(), begin));
