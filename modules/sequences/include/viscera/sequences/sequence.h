@@ -9,9 +9,16 @@ namespace viscera::sequences {
 
 /// A named part of a cycle, for the line under the timeline.
 struct Phase {
-  std::string name;  ///< "ejection"
-  double begin = 0;  ///< Fraction of the cycle, [0, 1).
+  std::string name; ///< "ejection"
+  double begin = 0; ///< Fraction of the cycle, [0, 1).
   double end = 1;
+};
+
+/// Handles that move together and that a user finds together.
+struct HandleGroup {
+  std::string name;             ///< "Epicardium"
+  Vec3 color = {1.0, 0.5, 0.2}; ///< Red green blue, 0 to 1.
+  std::vector<int> handles;     ///< Rows of the rest handles, ascending.
 };
 
 /// Motion over time: a pose of the handles at every instant. Immutable; may be asked from several threads.
@@ -25,13 +32,17 @@ public:
   /// The handles at rest, `n x 3` mm: what organs are bound to.
   virtual const Points& restHandles() const = 0;
 
-  /// The rate, in cycles (beats, waves) a minute, for which it was made, and the range in which it may be played.
+  /// The handles by group: each is in one. Empty: they are all alike.
+  virtual std::vector<HandleGroup> groups() const { return {}; }
+
+  /// The rate, in cycles (beats, waves) a minute, for which it was made, and the range in which it may be
+  /// played.
   virtual double standardRatePerMinute() const = 0;
   virtual double lowestRatePerMinute() const = 0;
   virtual double highestRatePerMinute() const = 0;
 
-  /// Fills `pose` (resized to `n x 3`) at `seconds` since the start when played at `ratePerMinute`. Periodic with
-  /// 60 / rate. O(n).
+  /// Fills `pose` (resized to `n x 3`) at `seconds` since the start when played at `ratePerMinute`. Periodic
+  /// with 60 / rate. O(n).
   virtual void poseAt(double seconds, double ratePerMinute, Points& pose) const = 0;
 
   /// The parts of one cycle at that rate, in order, covering [0, 1].

@@ -1,0 +1,103 @@
+#include "viscera/sequences/curve.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include "viscera/core/error.h"
+
+namespace viscera::sequences {
+namespace {
+
+void requireKeys(const std::vector<Key>& keys, std::size_t fewest) {
+  if (keys.size() < fewest)
+    throw DataError("a curve needs at least " + std::to_string(fewest) + " keys", "curve");
+  for (std::size_t i = 0; i < keys.size(); ++i) {
+    if (!std::isfinite(keys[i].at) || !std::isfinite(keys[i].value))
+      throw DataError("the key is not a finite number", "curve key " + std::to_string(i + 1));
+    if (i > 0 && keys[i].at <= keys[i - 1].at)
+      throw DataError("the key does not lie after the one before it", "curve key " + std::to_string(i + 1),
+                      "sort the keys and remove doubles");
+  }
+}
+
+/// The slope at a knot between two chords: 0 at an extremum, else their weighted harmonic mean.
+double monotoneSlope(double lengthBefore, double chordBefore, double lengthAfter, double chordAfter) {
+  if (chordBefore * chordAfter <= 0)
+    return 0;
+  const double weightBefore = lengthBefore + 2 * lengthAfter;
+  const double weightAfter = 2 * lengthBefore + lengthAfter;
+  return (weightBefore + weightAfter) / (weightBefore / chordBefore + weightAfter / chordAfter);
+}
+
+} // namespace
+
+Curve Curve::through(std::vector<Key> keys) {
+  requireKeys(keys, 2);
+  Curve curve;
+  for (const Key& key : keys)
+    curve.knots_.push_back({key.at, key.value, 0});
+  for (std::size_t i = 1; i + 1 < keys.size(); ++i) {
+    const double before = keys[i].at - keys[i - 1].at;
+    const double after = keys[i + 1].at - keys[i].at;
+    curve.knots_[i].slope = monotoneSlope(before, (keys[i].value - keys[i - 1].value) / before, after,
+                                          (keys[i + 1].value - keys[i].value) / after);
+  }
+  return curve;
+}
+
+Curve Curve::periodic(std::vector<Key> keys, double period, double rise) {
+  requireKeys(keys, 1);
+  if (!std::isfinite(rise) || !(period > keys.back().at - keys.front().at))
+    throw DataError("the keys do not fit into one period", "curve", "give keys of one period only");
+  Curve curve;
+  curve.period_ = period;
+  curve.rise_ = rise;
+  keys.push_back({keys.front().at + period, keys.front().value + rise});
+  const std::size_t spans = keys.size() - 1;
+  const auto length = [&](std::size_t i) { return keys[i + 1].at - keys[i].at; };
+  const auto chord = [&](std::size_t i) { return (keys[i + 1].value - keys[i].value) / length(i); };
+  for (std::size_t i = 0; i <= spans; ++i) {
+    const std::size_t before = (i + spans - 1) % spans;
+    const std::size_t after = i % spans;
+    const double slope = monotoneSlope(length(before), chord(before), length(after), chord(after));
+    curve.knots_.push_back({keys[i].at, keys[i].value, slope});
+  }
+  return curve;
+}
+
+Curve::Place Curve::find(double x) const {
+  double rise = 0;
+  if (period_ > 0) {
+    const double turns = std::floor((x - knots_.front().at) / period_);
+    x -= turns * period_;
+    rise = turns * rise_;
+  }
+  x = std::clamp(x, knots_.front().at, knots_.back().at);
+  const auto next = std::upper_bound(knots_.begin() + 1, knots_.end() - 1, x,
+                                     [](double value, const Knot& knot) { return value < knot.at; });
+  const Knot& knot = *(next - 1);
+  const double length = next->at - knot.at;
+  return {&knot, length, (x - knot.at) / length, rise};
+}
+
+double Curve::at(double x) const {
+  const auto [knot, length, u, rise] = find(x);
+  const Knot& next = knot[1];
+  const double v = 1 - u;
+  return rise + v * v * ((1 + 2 * u) * knot->value + u * length * knot->slope) +
+         u * u * ((1 + 2 * v) * next.value - v * length * next.slope);
+}
+
+double Curve::slopeAt(double x) const {
+  if (period_ == 0 && (x < knots_.front().at || x > knots_.back().at))
+    return 0;
+  const auto [knot, length, u, rise] = find(x);
+  const Knot& next = knot[1];
+  const double v = 1 - u;
+  return 6 * u * v * (next.value - knot->value) / length + v * (1 - 3 * u) * knot->slope +
+         u * (1 - 3 * v) * next.slope;
+}
+
+} // namespace viscera::sequences
