@@ -1,0 +1,75 @@
+#pragma once
+
+#include "viscera/core/arrays.h"
+#include "viscera/sequences/heart_rig.h"
+
+namespace viscera::sequences {
+
+/// Where in its beat a heart is.
+struct HeartState {
+  double emptying = 0;          ///< 0 at the end of diastole, 1 at the end of systole.
+  double leftPart = 1;          ///< What the left ventricle holds, as a part of what it holds at rest.
+  double rightPart = 1;         ///< The same of the right one.
+  double twist = 0;             ///< Part of the largest twist.
+  double atrialContraction = 0; ///< 0 to 1.
+  /// The left cavity's radius as a multiple of what its volume asks for. Calibration finds it; 1 before.
+  double leftGain = 1;
+  /// What is added to the right cavity's thickness, as a part of that at rest. Calibration finds it; 0
+  /// before.
+  double rightShift = 0;
+};
+
+/// How far the parts of a heart move.
+struct HeartExcursions {
+  double leftDescent =
+      15; ///< Of the base at the left ventricle, mm (16.4 mm: doi 10.1152/ajpheart.01376.2006).
+  double rightDescent = 20;        ///< Of the base at the right ventricle, mm (23.4 mm, same source).
+  double baseTwist = -0.070;       ///< Turn at the base, rad.
+  double apexTwist = 0.175;        ///< Turn at the apex, rad.
+  double atrialContraction = 0.12; ///< Part by which an atrium narrows when it contracts.
+  /// Part by which it widens while the ventricles empty. So chosen that the whole heart loses 8 to 9 % of its
+  /// volume in systole (8.2 %, 4.8 to 10.6: doi 10.1152/ajpheart.01125.2003).
+  double atrialFilling = 0.14;
+};
+
+/// Moves the handles of a heart from state to state.
+///
+/// The base descends towards the apex, which stays; the left cavity narrows; the wall of the left ventricle
+/// thickens so that its volume stays (rho'^2 = (f rho_en)^2 + (rho^2 - rho_en^2) / lambda, with f the
+/// cavity's scale and lambda the shortening of the long axis); the right ventricle's free wall follows the
+/// septum and comes closer to it, least near its outflow; the ventricles twist; the atria lengthen with the
+/// descent, fill, and contract; the vessels give way near their roots. Immutable; thread-safe.
+class HeartMotion {
+public:
+  explicit HeartMotion(HeartRig rig, const HeartExcursions& excursions = {});
+
+  const HeartRig& rig() const { return rig_; }
+  const HeartExcursions& excursions() const { return excursions_; }
+
+  /// Fills `pose` (resized to `n x 3`). O(n).
+  void pose(const HeartState& state, Points& pose) const;
+
+  /// The length of the ventricle's long axis as a part of that at rest (lambda).
+  double shortening(const HeartState& state) const;
+
+  /// The scale of the left cavity's radius (f) at which an ellipsoid, so shortened, holds the state's volume.
+  double leftScale(const HeartState& state) const;
+
+  /// The distance from the axis to which a point of the left ventricle's wall moves that rests at `rho` and
+  /// `c`, mm.
+  double wallRho(const HeartState& state, double rho, double c) const;
+
+  /// How far towards the apex a point of the ventricles moves that rests at `phi` and `c`, mm.
+  double descent(const HeartState& state, double phi, double c) const;
+
+private:
+  Vec3 moved(const HeartHandle& handle, const HeartState& state) const;
+  Vec3 movedVentricular(const HeartHandle& handle, const HeartState& state) const;
+  Vec3 movedAtrial(const HeartHandle& handle, const HeartState& state) const;
+  double ventricularRho(const HeartHandle& handle, const HeartState& state) const;
+
+  HeartRig rig_;
+  HeartExcursions excursions_;
+};
+
+} // namespace viscera::sequences

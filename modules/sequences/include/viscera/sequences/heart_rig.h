@@ -1,0 +1,107 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "viscera/core/arrays.h"
+#include "viscera/sequences/heart_frame.h"
+#include "viscera/sequences/sequence.h"
+
+namespace viscera::sequences {
+
+/// Which part of the heart a handle moves with.
+enum class HeartRole {
+  leftEndocardium, ///< On the wall of the left ventricle's cavity.
+  epicardium,      ///< A little outside the ventricles.
+  rightFreeWall,   ///< On the outer wall of the right ventricle's cavity.
+  septum,          ///< On the right side of the wall between the ventricles.
+  atrium,          ///< A little outside an atrium.
+  vessel,          ///< Around a great vessel.
+  farCorner,       ///< A corner of the box that keeps the whole organ inside the handles' hull.
+};
+
+/// A surface of revolution about the heart's long axis: an ellipse, of which the base cuts off the top.
+struct HeartShell {
+  double radius = 0;     ///< Largest distance from the axis, mm.
+  double center = 0;     ///< Where along the axis (c, mm) that is.
+  double halfLength = 0; ///< Half the length of the whole ellipse, mm.
+
+  /// The distance from the axis at `c`; 0 beyond the ends.
+  double radiusAt(double c) const;
+  double apex() const { return center + halfLength; }
+};
+
+/// Negative inside, about the distance in mm near the surface.
+using HeartSurface = std::function<double(const Vec3& point)>;
+
+/// One atrium.
+struct AtriumAnatomy {
+  HeartSurface surface;
+  Vec3 center = Vec3::Zero();  ///< Towards this point it contracts, mm.
+  std::vector<Vec3> appendage; ///< Where handles go along its ear, mm.
+};
+
+/// Handles around a great vessel.
+struct VesselRing {
+  Vec3 center = Vec3::Zero();
+  Vec3 axis = Vec3::UnitZ();
+  double radius = 0; ///< mm; 0 for one handle at the centre.
+  int count = 1;
+  double follow = 0; ///< The part of the base's descent in which the vessel takes part here, 0 to 1.
+};
+
+/// What has to be known of a heart to put handles around it.
+struct HeartAnatomy {
+  HeartFrame frame;
+  HeartShell endocardium; ///< The left ventricle's cavity.
+  HeartShell epicardium;  ///< The left ventricle from outside, the septum's right side included.
+  double baseEpicardium =
+      0;                   ///< Where the ventricles begin along the axis (c, mm), a little behind the valves.
+  double length = 0;       ///< From the base to where the long axis ends, mm.
+  HeartSurface ventricles; ///< Both from outside.
+  HeartSurface rightCavity;  ///< The right ventricle's cavity.
+  HeartSurface greatVessels; ///< All of them: what moves little, and where no other handle is put.
+  std::vector<AtriumAnatomy> atria;
+  std::vector<VesselRing> vessels;
+  Bounds box; ///< Of the far corners.
+};
+
+/// One handle, its place and its part in the beat.
+struct HeartHandle {
+  HeartRole role = HeartRole::farCorner;
+  Vec3 position = Vec3::Zero(); ///< At rest, mm, LPS.
+  HeartPoint place;             ///< The same in the frame.
+  double surfaceRho = 0;        ///< Distance from the axis of the surface that it moves with, mm.
+  Vec3 center = Vec3::Zero();   ///< What it contracts towards, if in an atrium.
+  double follow = 1;            ///< As in `VesselRing`.
+};
+
+/// How close handles stand.
+struct HeartRigOptions {
+  double spacing = 20;    ///< Along the rings around the ventricles, mm.
+  double offset = 8;      ///< Between the ventricles and the handles outside them, mm.
+  int atrialHandles = 24; ///< Directions tried around each atrium.
+};
+
+/// The handles of a heart, those of one role in one piece.
+struct HeartRig {
+  HeartAnatomy anatomy;
+  std::vector<HeartHandle> handles;
+
+  /// `n x 3`, the rest pose.
+  Points restHandles() const;
+  /// The rows of the handles of one role, ascending.
+  std::vector<int> handlesOf(HeartRole role) const;
+  /// One group a role, in the order of the handles.
+  std::vector<HandleGroup> groups() const;
+};
+
+/// Places the handles: rings around the long axis on the endocardium and outside the epicardium, rows on the
+/// right ventricle's free wall and on the septum, points around the atria, rings around the vessels, far
+/// corners. Where a ray does not meet its surface there is no handle. Deterministic; some 10 ms. Throws
+/// `DataError` when the surfaces are not where the frame says, so that a ventricle gets fewer than eight
+/// handles.
+HeartRig makeHeartRig(HeartAnatomy anatomy, const HeartRigOptions& options = {});
+
+} // namespace viscera::sequences

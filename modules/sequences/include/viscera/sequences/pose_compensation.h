@@ -1,0 +1,36 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include "viscera/core/arrays.h"
+
+namespace viscera::sequences {
+
+/// Lets handles go further than the motion says, so that the organ goes as far.
+///
+/// Coordinates with softness do not interpolate: what an organ does at a handle is an average of that handle
+/// and its neighbours, and a motion that differs from handle to handle comes out flattened. With W the
+/// coordinates of the handles' own rest places (row p: those of handle p), displacements u of the handles
+/// move the organ there by W u. This applies the first terms of the inverse of W, u' = sum_k (I - W)^k u (Van
+/// Cittert's deconvolution): few terms sharpen what is smooth and leave alone what would ring. Rigid and
+/// linear motions pass unchanged, since W reproduces them. Immutable; thread-safe.
+class PoseCompensation {
+public:
+  /// Leaves poses as they are.
+  PoseCompensation() = default;
+
+  /// `selfWeights` is `n x n`; every row sums to 1. `terms` beyond the first, 0 to 16. O(terms n^3). Throws
+  /// `DataError` when the matrix is not square, not finite, or has a row that does not sum to 1.
+  explicit PoseCompensation(const Eigen::MatrixXd& selfWeights, int terms = 3);
+
+  /// Changes `pose` (`n x 3`) of handles that rest at `rest`. O(n^2).
+  void apply(const Points& rest, Points& pose) const;
+
+  /// The number of handles, 0 for one that does nothing.
+  Eigen::Index handleCount() const { return matrix_.rows(); }
+
+private:
+  Eigen::MatrixXd matrix_;
+};
+
+} // namespace viscera::sequences

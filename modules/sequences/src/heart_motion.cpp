@@ -1,0 +1,111 @@
+#include "viscera/sequences/heart_motion.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace viscera::sequences {
+namespace {
+
+/// The direction, seen from the long axis, in which the right ventricle's base lies, rad.
+constexpr double kRightBase = 0.436;
+/// The right ventricle's own wall, mm.
+constexpr double kRightWall = 4;
+/// Near the outflow the right ventricle narrows less: by this part of the way, fading over this length (mm).
+constexpr double kOutflowEase = 0.4;
+constexpr double kOutflowLength = 22;
+/// Farther than this from an atrium's centre (mm), in its ear, contraction moves handles less and less.
+constexpr double kAtrialBody = 32;
+
+double square(double x) {
+  return x * x;
+}
+
+} // namespace
+
+HeartMotion::HeartMotion(HeartRig rig, const HeartExcursions& excursions)
+    : rig_(std::move(rig)), excursions_(excursions) {}
+
+double HeartMotion::shortening(const HeartState& state) const {
+  return 1 - state.emptying * excursions_.leftDescent / rig_.anatomy.length;
+}
+
+double HeartMotion::leftScale(const HeartState& state) const {
+  return std::sqrt(state.leftPart / shortening(state));
+}
+
+double HeartMotion::descent(const HeartState& state, double phi, double c) const {
+  const double right = square(0.5 + 0.5 * std::cos(phi - kRightBase));
+  const double base = excursions_.leftDescent + right * (excursions_.rightDescent - excursions_.leftDescent);
+  return state.emptying * base * std::clamp(1 - c / rig_.anatomy.length, 0.0, 1.0);
+}
+
+double HeartMotion::wallRho(const HeartState& state, double rho, double c) const {
+  const double inner = rig_.anatomy.endocardium.radiusAt(std::max(c, 0.0));
+  const double scale = leftScale(state);
+  if (rho <= inner)
+    return scale * rho;
+  return std::sqrt(square(scale * inner) + (square(rho) - square(inner)) / shortening(state));
+}
+
+double HeartMotion::ventricularRho(const HeartHandle& handle, const HeartState& state) const {
+  const double rho = handle.place.rho;
+  const double c = handle.place.c;
+  if (handle.role == HeartRole::leftEndocardium)
+    return state.leftGain * leftScale(state) * rho;
+  if (handle.role == HeartRole::septum)
+    return wallRho(state, rho, c);
+
+  const HeartAnatomy& anatomy = rig_.anatomy;
+  const double septum = anatomy.epicardium.radiusAt(std::max(c, anatomy.baseEpicardium));
+  const double beyond = handle.surfaceRho - septum;
+  const double gap = rho - handle.surfaceRho;
+  if (beyond <= 0)
+    return wallRho(state, handle.surfaceRho, c) + gap;
+  const bool inside = handle.role == HeartRole::rightFreeWall;
+  const double wall = inside ? 0 : std::min(kRightWall, beyond);
+  const double part = state.rightPart + (inside ? state.rightShift : 0);
+  const double ease = kOutflowEase * std::exp((anatomy.baseEpicardium - std::max(c, anatomy.baseEpicardium)) /
+                                              kOutflowLength);
+  const double scale = part + (1 - part) * ease;
+  return wallRho(state, septum, c) + (beyond - wall) * scale + wall / std::sqrt(shortening(state)) + gap;
+}
+
+Vec3 HeartMotion::movedVentricular(const HeartHandle& handle, const HeartState& state) const {
+  const HeartPoint& from = handle.place;
+  const double along = std::clamp(from.c / rig_.anatomy.length, 0.0, 1.0);
+  const double turn = excursions_.baseTwist + along * (excursions_.apexTwist - excursions_.baseTwist);
+  return rig_.anatomy.frame.toWorld(HeartPoint{ventricularRho(handle, state), from.phi + state.twist * turn,
+                                               from.c + descent(state, from.phi, from.c)});
+}
+
+Vec3 HeartMotion::movedAtrial(const HeartHandle& handle, const HeartState& state) const {
+  const Vec3 outward = handle.position - handle.center;
+  const double widening =
+      excursions_.atrialFilling * state.emptying - excursions_.atrialContraction * state.atrialContraction;
+  const double share = square(std::min(1.0, kAtrialBody / outward.norm()));
+  const double down = handle.follow * descent(state, handle.place.phi, handle.place.c);
+  return handle.position + widening * share * outward + down * rig_.anatomy.frame.towardsApex();
+}
+
+Vec3 HeartMotion::moved(const HeartHandle& handle, const HeartState& state) const {
+  switch (handle.role) {
+  case HeartRole::farCorner:
+    return handle.position;
+  case HeartRole::atrium:
+    return movedAtrial(handle, state);
+  case HeartRole::vessel:
+    return handle.position +
+           handle.follow * descent(state, handle.place.phi, 0) * rig_.anatomy.frame.towardsApex();
+  default:
+    return movedVentricular(handle, state);
+  }
+}
+
+void HeartMotion::pose(const HeartState& state, Points& pose) const {
+  pose.resize(static_cast<Eigen::Index>(rig_.handles.size()), 3);
+  for (Eigen::Index i = 0; i < pose.rows(); ++i)
+    pose.row(i) = moved(rig_.handles[static_cast<std::size_t>(i)], state);
+}
+
+} // namespace viscera::sequences

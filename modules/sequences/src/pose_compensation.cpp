@@ -1,0 +1,36 @@
+#include "viscera/sequences/pose_compensation.h"
+
+#include <cassert>
+#include <string>
+
+#include "viscera/core/error.h"
+
+namespace viscera::sequences {
+namespace {
+/// Unity of the coordinates, with room for those of thousands of handles.
+constexpr double kUnityTolerance = 1e-9;
+} // namespace
+
+PoseCompensation::PoseCompensation(const Eigen::MatrixXd& selfWeights, int terms) {
+  assert(terms >= 0 && terms <= 16);
+  const Eigen::Index n = selfWeights.rows();
+  if (selfWeights.cols() != n || !selfWeights.allFinite())
+    throw DataError("the coordinates of the handles are not a finite square matrix", "pose compensation");
+  for (Eigen::Index row = 0; row < n; ++row)
+    if (std::abs(selfWeights.row(row).sum() - 1) > kUnityTolerance)
+      throw DataError("the coordinates do not sum to 1", "handle " + std::to_string(row + 1));
+  const Eigen::MatrixXd identity = Eigen::MatrixXd::Identity(n, n);
+  matrix_ = identity;
+  for (int term = 0; term < terms; ++term)
+    matrix_ = (identity + matrix_ - selfWeights * matrix_).eval();
+}
+
+void PoseCompensation::apply(const Points& rest, Points& pose) const {
+  if (handleCount() == 0)
+    return;
+  assert(rest.rows() == handleCount() && pose.rows() == handleCount());
+  const Points displacement = pose - rest;
+  pose.noalias() = rest + matrix_ * displacement;
+}
+
+} // namespace viscera::sequences
