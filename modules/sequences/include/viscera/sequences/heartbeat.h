@@ -1,0 +1,54 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "viscera/sequences/heartbeat_calibration.h"
+#include "viscera/sequences/sequence.h"
+
+namespace viscera::sequences {
+
+/// The beating heart: its handles' poses over time, such that the cavities of the heart it was calibrated on
+/// hold what the cycle says, at every instant and rate. Thread-safe.
+class CalibratedHeartbeat final : public Sequence {
+public:
+  /// Throws `DataError` when the calibration's two lists differ in length, are shorter than eight or not
+  /// finite, or when the compensation is for another number of handles.
+  CalibratedHeartbeat(HeartMotion motion, CardiacCycle cycle, PoseCompensation compensation,
+                      const HeartbeatCalibration& calibration);
+
+  std::string id() const override { return "heartbeat"; }
+  std::string name() const override { return "Heartbeat"; }
+  const Points& restHandles() const override { return rest_; }
+  std::vector<HandleGroup> groups() const override { return motion_.rig().groups(); }
+  double standardRatePerMinute() const override { return CardiacCycle::kStandardRateBpm; }
+  double lowestRatePerMinute() const override { return CardiacCycle::kLowestRateBpm; }
+  double highestRatePerMinute() const override { return CardiacCycle::kHighestRateBpm; }
+
+  /// O(n^2) with a compensation, else O(n).
+  void poseAt(double seconds, double ratePerMinute, Points& pose) const override;
+  std::vector<Phase> phases(double ratePerMinute) const override {
+    return CardiacCycle::phases(ratePerMinute);
+  }
+
+  /// What the ventricles hold then.
+  CavityVolumes volumesAt(double seconds, double ratePerMinute) const;
+
+  /// The pose at a reference phase (see `CardiacCycle`).
+  void poseAtPhase(double phase, Points& pose) const;
+  /// The state of the heart at a reference phase, corrections included.
+  HeartState stateAtPhase(double phase) const;
+
+  const CardiacCycle& cycle() const { return cycle_; }
+  const HeartMotion& motion() const { return motion_; }
+
+private:
+  HeartMotion motion_;
+  CardiacCycle cycle_;
+  PoseCompensation compensation_;
+  Curve leftGain_;
+  Curve rightShift_;
+  Points rest_;
+};
+
+} // namespace viscera::sequences
