@@ -29,8 +29,8 @@ double Displacement::bump(const Vec3& point, double distance) const {
   return sum * (1 - smoothStep(reach, 2 * reach, away));
 }
 
-double Displacement::distance(const Vec3& point) const {
-  const double distance = child_->distance(point);
+double Displacement::distanceUpTo(const Vec3& point, double limit) const {
+  const double distance = child_->distanceUpTo(point, limit + 2 * roughness_.amplitude);
   return distance - bump(point, distance);
 }
 

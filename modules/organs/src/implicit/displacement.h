@@ -16,7 +16,7 @@ struct Roughness {
 class Displacement final : public ImplicitNode {
 public:
   Displacement(NodePtr child, const Roughness& roughness);
-  double distance(const Vec3& point) const override;
+  double distanceUpTo(const Vec3& point, double limit) const override;
 
 private:
   Shade shadeUnfinished(const Vec3& point) const override;

@@ -17,7 +17,7 @@ Ellipsoid::Ellipsoid(const Vec3& center, const Vec3& radii, const Eigen::Matrix3
     : ImplicitNode(extentOf(center, radii, axes)), center_(center), radii_(radii), toAxes_(axes.transpose()) {
 }
 
-double Ellipsoid::distance(const Vec3& point) const {
+double Ellipsoid::distanceUpTo(const Vec3& point, double /*limit*/) const {
   const Vec3 scaled = (toAxes_ * (point - center_)).cwiseQuotient(radii_);
   const double level = scaled.norm();
   const double slope = scaled.cwiseQuotient(radii_).norm();

@@ -12,7 +12,7 @@ public:
   /// `axes` holds the directions of the semi-axes as columns, orthonormal; `radii` in mm, positive.
   Ellipsoid(const Vec3& center, const Vec3& radii, const Eigen::Matrix3d& axes);
 
-  double distance(const Vec3& point) const override;
+  double distanceUpTo(const Vec3& point, double limit) const override;
 
 private:
   Vec3 center_;

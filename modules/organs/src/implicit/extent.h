@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <limits>
 
 #include "viscera/core/arrays.h"
@@ -24,8 +25,9 @@ struct Extent {
   Vec3 corner(int index) const;
 
   /// Distance in mm from a point to the box, 0 inside.
-  double distance(const Vec3& point) const {
-    return (low - point).cwiseMax(point - high).cwiseMax(0.0).norm();
+  double distance(const Vec3& point) const { return std::sqrt(distance2(point)); }
+  double distance2(const Vec3& point) const {
+    return (low - point).cwiseMax(point - high).cwiseMax(0.0).squaredNorm();
   }
 };
 

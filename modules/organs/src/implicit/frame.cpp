@@ -27,8 +27,8 @@ Vec3 Frame::local(const Vec3& point) const {
   return turned.cwiseProduct(placement_.mirror) / placement_.scale;
 }
 
-double Frame::distance(const Vec3& point) const {
-  return placement_.scale * child_->distance(local(point));
+double Frame::distanceUpTo(const Vec3& point, double limit) const {
+  return placement_.scale * child_->distanceUpTo(local(point), limit / placement_.scale);
 }
 
 Shade Frame::shadeUnfinished(const Vec3& point) const {

@@ -18,7 +18,7 @@ struct Placement {
 class Frame final : public ImplicitNode {
 public:
   Frame(NodePtr child, const Placement& placement);
-  double distance(const Vec3& point) const override;
+  double distanceUpTo(const Vec3& point, double limit) const override;
 
 private:
   Shade shadeUnfinished(const Vec3& point) const override;

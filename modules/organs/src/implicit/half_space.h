@@ -11,13 +11,13 @@ public:
   HalfSpace(const Vec3& point, const Vec3& normal)
       : ImplicitNode(unlimited()), point_(point), normal_(normal.normalized()) {}
 
-  double distance(const Vec3& point) const override { return (point - point_).dot(normal_); }
-
-  /// Half the width in mm of the box that stands for "everywhere".
-  static constexpr double kUnlimited = 1e6;
+  double distanceUpTo(const Vec3& point, double /*limit*/) const override {
+    return (point - point_).dot(normal_);
+  }
 
 private:
-  static Extent unlimited() { return {Vec3::Constant(-kUnlimited), Vec3::Constant(kUnlimited)}; }
+  /// A box that stands for "everywhere", small enough to be turned and scaled.
+  static Extent unlimited() { return {Vec3::Constant(-1e6), Vec3::Constant(1e6)}; }
 
   Vec3 point_;
   Vec3 normal_;

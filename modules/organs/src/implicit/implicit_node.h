@@ -31,7 +31,14 @@ public:
 
   /// Negative inside, zero on the surface; about the distance in mm near the surface, and never more than
   /// about a third above it further out.
-  virtual double distance(const Vec3& point) const = 0;
+  double distance(const Vec3& point) const { return distanceUpTo(point, kUnlimited); }
+
+  /// The distance where it is below `limit` mm, else any value that is not: cheaper, because what is farther
+  /// need not be looked for.
+  virtual double distanceUpTo(const Vec3& point, double limit) const = 0;
+
+  /// A limit that limits nothing, mm.
+  static constexpr double kUnlimited = 1e9;
 
   /// Distance, colour and edge scale; slower than `distance`.
   Shade shade(const Vec3& point) const;

@@ -11,11 +11,11 @@ class Intersection final : public ImplicitNode {
 public:
   /// At least one child.
   Intersection(std::vector<NodePtr> children, double blend);
-  double distance(const Vec3& point) const override;
+  double distanceUpTo(const Vec3& point, double limit) const override;
 
 private:
   Shade shadeUnfinished(const Vec3& point) const override;
-  double cut(double distance, const Vec3& point) const;
+  double cut(double distance, const Vec3& point, double limit) const;
 
   std::vector<NodePtr> children_;
   double blend_;

@@ -8,7 +8,9 @@ namespace viscera::organs {
 class Offset final : public ImplicitNode {
 public:
   Offset(NodePtr child, double distance);
-  double distance(const Vec3& point) const override { return child_->distance(point) - offset_; }
+  double distanceUpTo(const Vec3& point, double limit) const override {
+    return child_->distanceUpTo(point, limit + offset_) - offset_;
+  }
 
 private:
   Shade shadeUnfinished(const Vec3& point) const override;

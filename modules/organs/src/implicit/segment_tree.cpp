@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
+#include <utility>
 
 namespace viscera::organs {
 namespace {
@@ -17,6 +17,7 @@ SegmentTree::SegmentTree(const std::vector<AxisSample>& samples) {
   for (std::size_t i = 0; i + 1 < samples.size(); ++i) {
     const AxisSample &from = samples[i], &to = samples[i + 1];
     RoundCone cone;
+    cone.segment = static_cast<int>(i);
     cone.start = from.position;
     cone.length = std::max((to.position - from.position).norm(), kShortest);
     cone.direction = (to.position - from.position) / cone.length;
@@ -41,9 +42,15 @@ int SegmentTree::grow(int begin, int end) {
     branch.radius = std::max({branch.radius, cone.radius, cone.radius + cone.rise});
   }
   branches_.push_back(branch);
-  // Neighbours on the axis are neighbours in space: halving the list is as good as sorting it.
   if (end - begin > kLeafSize) {
     const int middle = begin + (end - begin) / 2;
+    int axis = 0;
+    branch.box.size().maxCoeff(&axis);
+    // Along space, not along the tube: the loops of a bowel lie side by side.
+    std::nth_element(cones_.begin() + begin, cones_.begin() + middle, cones_.begin() + end,
+                     [axis](const RoundCone& a, const RoundCone& b) {
+                       return std::pair(a.start[axis], a.segment) < std::pair(b.start[axis], b.segment);
+                     });
     grow(begin, middle);
     const int right = grow(middle, end);
     branches_[static_cast<std::size_t>(index)].right = right;
@@ -61,35 +68,36 @@ void SegmentTree::searchLeaf(const Branch& leaf, const Vec3& point, NearestOnAxi
     const double side = along - t * cone.length;
     const double distance = std::sqrt(away2 + side * side) - (cone.radius + t * cone.rise);
     if (distance < best.distance)
-      best = {i, t, distance};
+      best = {cone.segment, t, distance};
   }
 }
 
-NearestOnAxis SegmentTree::nearest(const Vec3& point) const {
+NearestOnAxis SegmentTree::nearest(const Vec3& point, double limit) const {
   struct Visit {
     int branch;
-    double bound;
+    double axisDistance2; ///< From the box of the axis, squared.
+  };
+  const auto visitTo = [&](int branch) {
+    return Visit{branch, branches_[static_cast<std::size_t>(branch)].box.distance2(point)};
   };
   std::array<Visit, kDeepest> open;
-  int count = 0;
-  open[0] = {0, lowerBound(branches_[0], point)};
-  ++count;
-  NearestOnAxis best{0, 0, std::numeric_limits<double>::max()};
+  std::size_t count = 0;
+  open[count++] = visitTo(0);
+  NearestOnAxis best{-1, 0, limit};
   while (count > 0) {
-    const Visit visit = open[static_cast<std::size_t>(--count)];
-    if (visit.bound >= best.distance)
-      continue;
+    const Visit visit = open[--count];
     const Branch& branch = branches_[static_cast<std::size_t>(visit.branch)];
+    if (isFarther(branch, visit.axisDistance2, best.distance))
+      continue;
     if (branch.right == 0) {
       searchLeaf(branch, point, best);
       continue;
     }
-    Visit near{visit.branch + 1, lowerBound(branches_[static_cast<std::size_t>(visit.branch + 1)], point)};
-    Visit far{branch.right, lowerBound(branches_[static_cast<std::size_t>(branch.right)], point)};
-    if (far.bound < near.bound)
+    Visit near = visitTo(visit.branch + 1), far = visitTo(branch.right);
+    if (far.axisDistance2 < near.axisDistance2)
       std::swap(near, far);
-    open[static_cast<std::size_t>(count++)] = far;
-    open[static_cast<std::size_t>(count++)] = near;
+    open[count++] = far;
+    open[count++] = near;
   }
   return best;
 }

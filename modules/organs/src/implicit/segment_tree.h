@@ -9,7 +9,7 @@ namespace viscera::organs {
 
 /// Where on a sampled axis the tube's surface is nearest.
 struct NearestOnAxis {
-  int segment = 0;     ///< Between samples `segment` and `segment + 1`.
+  int segment = -1;    ///< Between samples `segment` and `segment + 1`; -1 for none.
   double t = 0;        ///< 0 at its start, 1 at its end.
   double distance = 0; ///< From the surface of the round cone, mm, negative inside.
 };
@@ -21,11 +21,13 @@ public:
   explicit SegmentTree(const std::vector<AxisSample>& samples);
 
   /// The round cone whose surface is nearest (deepest, when inside): O(log n) for points near the tube.
-  NearestOnAxis nearest(const Vec3& point) const;
+  /// None when all are at least `limit` mm away.
+  NearestOnAxis nearest(const Vec3& point, double limit) const;
 
 private:
   /// The hull of two balls, with what its distance needs.
   struct RoundCone {
+    int segment;
     Vec3 start;
     Vec3 direction; ///< Unit.
     double length;
@@ -41,12 +43,14 @@ private:
   };
 
   int grow(int begin, int end);
-  double lowerBound(const Branch& branch, const Vec3& point) const {
-    return branch.box.distance(point) - branch.radius;
+  /// Whether nothing in the branch can be nearer than `distance` mm to the point.
+  static bool isFarther(const Branch& branch, double axisDistance2, double distance) {
+    const double reach = distance + branch.radius;
+    return reach <= 0 || axisDistance2 >= reach * reach;
   }
   void searchLeaf(const Branch& leaf, const Vec3& point, NearestOnAxis& best) const;
 
-  std::vector<RoundCone> cones_;
+  std::vector<RoundCone> cones_; ///< In the order of the leaves.
   std::vector<Branch> branches_;
 };
 

@@ -12,15 +12,17 @@ Subtraction::Subtraction(NodePtr body, std::vector<NodePtr> cuts, double blend)
 
 double Subtraction::cut(double distance, const Vec3& point) const {
   for (const NodePtr& other : cuts_) {
-    if (other->extent().distance(point) > kDistanceShortfall * (std::max(-distance, 0.0) + blend_))
+    const double reach = std::max(-distance, 0.0) + blend_;
+    if (other->extent().distance(point) > kDistanceShortfall * reach)
       continue;
-    distance = smoothMax(distance, -other->distance(point), blend_);
+    distance = smoothMax(distance, -other->distanceUpTo(point, reach), blend_);
   }
   return distance;
 }
 
-double Subtraction::distance(const Vec3& point) const {
-  return cut(body_->distance(point), point);
+double Subtraction::distanceUpTo(const Vec3& point, double limit) const {
+  const double ofBody = body_->distanceUpTo(point, limit);
+  return ofBody < limit ? cut(ofBody, point) : ofBody;
 }
 
 Shade Subtraction::shadeUnfinished(const Vec3& point) const {

@@ -10,7 +10,7 @@ namespace viscera::organs {
 class Subtraction final : public ImplicitNode {
 public:
   Subtraction(NodePtr body, std::vector<NodePtr> cuts, double blend);
-  double distance(const Vec3& point) const override;
+  double distanceUpTo(const Vec3& point, double limit) const override;
 
 private:
   Shade shadeUnfinished(const Vec3& point) const override;

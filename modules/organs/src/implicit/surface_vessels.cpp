@@ -27,11 +27,13 @@ bool SurfaceVessels::cannotMatter(const ImplicitNode& vessel, const Vec3& point,
   return vessel.extent().distance(point) > std::max(distance, 0.0) + blend_ + kSeam;
 }
 
-double SurfaceVessels::distance(const Vec3& point) const {
-  double result = base_->distance(point);
-  for (const NodePtr& vessel : vessels_)
-    if (!cannotMatter(*vessel, point, result))
-      result = smoothMin(result, vessel->distance(point), blend_);
+double SurfaceVessels::distanceUpTo(const Vec3& point, double limit) const {
+  double result = base_->distanceUpTo(point, limit + blend_);
+  for (const NodePtr& vessel : vessels_) {
+    const double least = std::min(result, limit);
+    if (!cannotMatter(*vessel, point, least))
+      result = smoothMin(result, vessel->distanceUpTo(point, least + blend_), blend_);
+  }
   return result;
 }
 

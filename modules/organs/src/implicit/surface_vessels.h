@@ -11,7 +11,7 @@ namespace viscera::organs {
 class SurfaceVessels final : public ImplicitNode {
 public:
   SurfaceVessels(NodePtr base, std::vector<NodePtr> vessels, double blend);
-  double distance(const Vec3& point) const override;
+  double distanceUpTo(const Vec3& point, double limit) const override;
 
 private:
   Shade shadeUnfinished(const Vec3& point) const override;

@@ -37,12 +37,20 @@ Extent extentOf(const std::vector<AxisSample>& axis, const TubeShape& shape) {
 Tube::Tube(const std::vector<AxisPoint>& points, TubeShape shape) : Tube(roundAxis(points, shape), shape) {}
 
 Tube::Tube(std::vector<AxisSample> axis, TubeShape shape)
-    : ImplicitNode(extentOf(axis, shape)), axis_(std::move(axis)), shape_(std::move(shape)), tree_(axis_) {}
+    : ImplicitNode(extentOf(axis, shape)), axis_(std::move(axis)), shape_(std::move(shape)), tree_(axis_) {
+  for (const AxisSample& sample : axis_)
+    widest_ = std::max(widest_, sample.radius);
+}
 
 Vec3 Tube::rounded(const Vec3& point) const {
   if (shape_.flattenFactor == 1)
     return point;
   return scaledAlong(point, shape_.flattenDirection, 1 / shape_.flattenFactor);
+}
+
+double Tube::searchLimit(double limit) const {
+  const double swelling = (shape_.relief.largestFactor() - 1) * widest_;
+  return std::max(limit, 0.0) / std::min(shape_.flattenFactor, 1.0) + swelling;
 }
 
 double Tube::reliefDistance(const Vec3& point, const NearestOnAxis& nearest) const {
@@ -89,9 +97,11 @@ double Tube::stretched(const Vec3& away, double distance) const {
   return distance / std::sqrt(1 - along2 + along2 / (factor * factor));
 }
 
-double Tube::distance(const Vec3& world) const {
+double Tube::distanceUpTo(const Vec3& world, double limit) const {
   const Vec3 point = rounded(world);
-  const NearestOnAxis nearest = tree_.nearest(point);
+  const NearestOnAxis nearest = tree_.nearest(point, searchLimit(limit));
+  if (nearest.segment < 0)
+    return limit;
   double result = shape_.relief.plain() ? nearest.distance : reliefDistance(point, nearest);
   const AxisSample& from = axis_[static_cast<std::size_t>(nearest.segment)];
   const AxisSample& to = axis_[static_cast<std::size_t>(nearest.segment) + 1];

@@ -34,7 +34,7 @@ public:
   /// At least two points, positive radii.
   Tube(const std::vector<AxisPoint>& points, TubeShape shape);
 
-  double distance(const Vec3& point) const override;
+  double distanceUpTo(const Vec3& point, double limit) const override;
 
   /// Length of the axis, mm.
   double length() const { return axis_.back().arc; }
@@ -42,6 +42,7 @@ public:
 private:
   Tube(std::vector<AxisSample> axis, TubeShape shape);
   Vec3 rounded(const Vec3& point) const;
+  double searchLimit(double limit) const;
   double reliefDistance(const Vec3& point, const NearestOnAxis& nearest) const;
   double cutFlat(int end, const Vec3& point, double arc, double distance) const;
   double stretched(const Vec3& away, double distance) const;
@@ -49,6 +50,7 @@ private:
   std::vector<AxisSample> axis_; ///< In the space where the tube is round.
   TubeShape shape_;
   SegmentTree tree_;
+  double widest_ = 0; ///< Largest radius of the axis, mm.
 };
 
 } // namespace viscera::organs

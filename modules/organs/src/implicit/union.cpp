@@ -9,7 +9,6 @@ namespace viscera::organs {
 namespace {
 
 constexpr double kNarrowestSeam = 0.5; // mm; a colour step sharper than this only shows the triangles
-constexpr double kFar = 1e9;           // mm
 
 Extent unionExtent(const std::vector<NodePtr>& children, double blend) {
   Extent extent;
@@ -28,19 +27,20 @@ bool Union::cannotMatter(const ImplicitNode& child, const Vec3& point, double di
          kDistanceShortfall * (std::max(distance, 0.0) + blend_ + kNarrowestSeam);
 }
 
-double Union::distance(const Vec3& point) const {
-  double result = kFar;
+double Union::distanceUpTo(const Vec3& point, double limit) const {
+  double result = kUnlimited;
   for (const NodePtr& child : children_) {
-    if (cannotMatter(*child, point, result))
+    const double least = std::min(result, limit);
+    if (cannotMatter(*child, point, least))
       continue;
-    result = smoothMin(result, child->distance(point), blend_);
+    result = smoothMin(result, child->distanceUpTo(point, least + blend_), blend_);
   }
   return result;
 }
 
 Shade Union::shadeUnfinished(const Vec3& point) const {
   const double seam = std::max(0.6 * blend_, kNarrowestSeam);
-  Shade result{kFar};
+  Shade result{kUnlimited};
   bool first = true;
   for (const NodePtr& child : children_) {
     if (cannotMatter(*child, point, result.distance))

@@ -12,7 +12,7 @@ class Union final : public ImplicitNode {
 public:
   /// At least one child.
   Union(std::vector<NodePtr> children, double blend);
-  double distance(const Vec3& point) const override;
+  double distanceUpTo(const Vec3& point, double limit) const override;
 
 private:
   Shade shadeUnfinished(const Vec3& point) const override;

@@ -179,10 +179,11 @@ private:
   double step(const Vec3& point, const Vec3& normal, double longest, Onto onto) const {
     if (onto == Onto::nothing)
       return 0;
-    const double distance = node_.distance(point);
+    const double limit = 2 * longest;
+    const double distance = node_.distanceUpTo(point, limit);
     if (onto == Onto::nearSurface)
       return std::clamp(-0.95 * distance, -longest, longest);
-    const double slope = (node_.distance(point + kSlopeProbe * normal) - distance) / kSlopeProbe;
+    const double slope = (node_.distanceUpTo(point + kSlopeProbe * normal, limit) - distance) / kSlopeProbe;
     const double go = slope > kLeastSlope ? -distance / slope : -0.5 * distance;
     return std::clamp(go, -longest, longest);
   }

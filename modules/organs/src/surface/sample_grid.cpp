@@ -12,7 +12,7 @@ namespace viscera::organs {
 namespace {
 
 constexpr int kCoarsest = 32; // points along an edge of a block
-constexpr int kFinest = 4;
+constexpr int kFinest = 2;
 constexpr double kMostPoints = 1 << 30;
 // A field may exceed the true distance by this factor, and vessels stand out by about this many mm
 // unannounced.
@@ -29,14 +29,15 @@ public:
 
   void fill(const Corner& low, int edge) {
     const Corner high = clipped(low, edge);
-    const double middle = node_.distance(at(low, 0.5 * edge));
+    const double halfDiagonal = 0.5 * std::numbers::sqrt3 * edge * grid_.spacing;
+    const double change = kOvershoot * halfDiagonal + kUnannounced;
+    const double middle = node_.distanceUpTo(at(low, 0.5 * edge), 2 * change);
     if (!std::isfinite(middle))
       throw DataError("the implicit surface is not finite", {}, "check its numbers");
-    const double halfDiagonal = 0.5 * std::numbers::sqrt3 * edge * grid_.spacing;
-    if (std::abs(middle) > kOvershoot * halfDiagonal + kUnannounced)
+    if (std::abs(middle) > change)
       setAll(low, high, middle);
     else if (edge == kFinest)
-      evaluate(low, high);
+      evaluate(low, high, std::max(middle, 0.0) + change);
     else
       divide(low, high, edge / 2);
   }
@@ -76,10 +77,11 @@ private:
     assign(low, high, [same](int, int, int) { return same; });
   }
 
-  void evaluate(const Corner& low, const Corner& high) {
+  /// No value of the block can be above `limit` mm where the surface is near.
+  void evaluate(const Corner& low, const Corner& high, double limit) {
     const double off = kKeepOff * grid_.spacing;
     assign(low, high, [&](int x, int y, int z) {
-      double value = node_.distance(at({x, y, z}, 0));
+      double value = node_.distanceUpTo(at({x, y, z}, 0), limit);
       if (std::abs(value) < off)
         value = value < 0 ? -off : off;
       return static_cast<float>(value);

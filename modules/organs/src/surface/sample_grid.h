@@ -18,7 +18,7 @@ struct SampleGrid {
   std::vector<float> values; ///< mm, negative inside; never nearer to zero than a small share of the spacing.
 };
 
-/// Samples a box around the node's extent. Divides blocks of 32^3 points down to 4^3 wherever the surface may
+/// Samples a box around the node's extent. Divides blocks of 32^3 points down to 2^3 wherever the surface may
 /// pass. Bitwise independent of the number of threads. Throws `DataError` for a field that is not finite, and
 /// for a grid of more than 2^30 points; `Cancelled`.
 SampleGrid sampleGrid(const ImplicitNode& node, double spacing, Threads threads,
