@@ -10,6 +10,7 @@ write_basic_package_version_file(
 install(FILES
   "${PROJECT_BINARY_DIR}/VisceraConfig.cmake"
   "${PROJECT_BINARY_DIR}/VisceraConfigVersion.cmake"
+  "${PROJECT_SOURCE_DIR}/resources/cmake/VisceraPlugin.cmake"
   DESTINATION "${viscera_config_dir}")
 install(EXPORT VisceraTargets NAMESPACE Viscera:: DESTINATION "${viscera_config_dir}")
 install(FILES "${PROJECT_SOURCE_DIR}/LICENSE" DESTINATION ${CMAKE_INSTALL_DOCDIR})
