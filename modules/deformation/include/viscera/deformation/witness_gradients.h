@@ -1,0 +1,63 @@
+#pragma once
+
+#include <vector>
+
+#include "viscera/coordinates/coordinate_system.h"
+#include "viscera/deformation/rotational_stress.h"
+
+namespace viscera::deformation {
+
+/// The distortion at every witness point, one number a witness.
+struct StressMap {
+  Values rotationalStress; ///< rad.
+  Values volumeRatio;      ///< det M.
+  Values stretchMax;
+  Values stretchMin;
+  int folded = 0; ///< Witnesses with det M <= 0.
+};
+
+/// What one line of text says about a map. Folded witnesses count, as the right angle that they nearly always
+/// are.
+struct StressStatistics {
+  double min = 0;          ///< rad.
+  double mean = 0;         ///< rad.
+  double percentile95 = 0; ///< rad.
+  double max = 0;          ///< rad.
+  int folded = 0;
+};
+StressStatistics statisticsOf(const StressMap& map);
+
+/// The derivatives of the coordinates at fixed witness points inside an organ, laid out so that a new pose's
+/// whole map is one pass: `M = sum_i v'_i (grad a_i)^T` (thesis 5.2). Immutable, thread-safe.
+class WitnessGradients {
+public:
+  /// `gradients` of `witnesses` points with respect to `handles` handles; points in its failures get the
+  /// identity.
+  WitnessGradients(const coordinates::CoordinateGradients& gradients, Eigen::Index witnesses,
+                   Eigen::Index handles);
+
+  Eigen::Index witnesses() const { return witnesses_; }
+  Eigen::Index handles() const { return handles_; }
+  bool closedForm() const { return closedForm_; }
+  const std::vector<int>& failures() const { return failures_; }
+
+  /// The deformation gradient of one witness at `pose` (`handles x 3`, mm). O(handles).
+  Eigen::Matrix3d deformationGradient(Eigen::Index witness, const Points& pose) const;
+
+  /// Fills `map` (resized) at `pose`. O(witnesses x handles); bitwise independent of the number of threads.
+  /// Throws `DataError` for a pose of another size.
+  void evaluate(const Points& pose, StressMap& map, Threads threads = {}) const;
+
+private:
+  static constexpr Eigen::Index kTile = 16;
+  const double* tile(Eigen::Index index) const { return data_.data() + index * handles_ * 3 * kTile; }
+
+  Eigen::Index witnesses_;
+  Eigen::Index handles_;
+  bool closedForm_;
+  std::vector<int> failures_;
+  std::vector<bool> failed_;
+  std::vector<double> data_; ///< Tiles of 16 witnesses: handle by handle, x, y, z of the 16 gradients.
+};
+
+} // namespace viscera::deformation

@@ -1,0 +1,96 @@
+#include "viscera/deformation/witness_gradients.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+#include "viscera/core/error.h"
+
+namespace viscera::deformation {
+namespace {
+
+/// Tiles a thread takes at a time.
+constexpr Eigen::Index kTilesATime = 16;
+
+} // namespace
+
+StressStatistics statisticsOf(const StressMap& map) {
+  StressStatistics statistics;
+  statistics.folded = map.folded;
+  if (map.rotationalStress.size() == 0)
+    return statistics;
+  statistics.min = map.rotationalStress.minCoeff();
+  statistics.mean = map.rotationalStress.mean();
+  statistics.max = map.rotationalStress.maxCoeff();
+  Values sorted = map.rotationalStress;
+  const auto rank = static_cast<Eigen::Index>(std::ceil(0.95 * static_cast<double>(sorted.size()))) - 1;
+  std::nth_element(sorted.begin(), sorted.begin() + rank, sorted.end());
+  statistics.percentile95 = sorted[rank];
+  return statistics;
+}
+
+WitnessGradients::WitnessGradients(const coordinates::CoordinateGradients& gradients, Eigen::Index witnesses,
+                                   Eigen::Index handles)
+    : witnesses_(witnesses), handles_(handles), closedForm_(gradients.closedForm),
+      failures_(gradients.failures), failed_(static_cast<std::size_t>(witnesses), false),
+      data_(static_cast<std::size_t>((witnesses + kTile - 1) / kTile * kTile * handles * 3), 0.0) {
+  assert(gradients.values.rows() == witnesses * handles);
+  for (const int witness : failures_)
+    failed_[static_cast<std::size_t>(witness)] = true;
+  for (Eigen::Index w = 0; w < witnesses; ++w)
+    for (Eigen::Index h = 0; h < handles; ++h)
+      for (Eigen::Index axis = 0; axis < 3; ++axis)
+        data_[static_cast<std::size_t>(((w / kTile * handles + h) * 3 + axis) * kTile + w % kTile)] =
+            gradients.values(w * handles + h, axis);
+}
+
+Eigen::Matrix3d WitnessGradients::deformationGradient(Eigen::Index witness, const Points& pose) const {
+  if (failed_[static_cast<std::size_t>(witness)])
+    return Eigen::Matrix3d::Identity();
+  const double* from = tile(witness / kTile) + witness % kTile;
+  Eigen::Matrix3d m = Eigen::Matrix3d::Zero();
+  for (Eigen::Index h = 0; h < handles_; ++h, from += 3 * kTile)
+    for (int row = 0; row < 3; ++row)
+      for (int axis = 0; axis < 3; ++axis)
+        m(row, axis) += pose(h, row) * from[axis * kTile];
+  return m;
+}
+
+void WitnessGradients::evaluate(const Points& pose, StressMap& map, Threads threads) const {
+  if (pose.rows() != handles_)
+    throw DataError("a pose of " + std::to_string(pose.rows()) + " handles does not fit witness points of " +
+                    std::to_string(handles_));
+  for (Values* values : {&map.rotationalStress, &map.volumeRatio, &map.stretchMax, &map.stretchMin})
+    values->resize(witnesses_);
+  // About a fixed handle: the gradients add up to zero, so the origin cancels, and the sums stay small.
+  const Points local = pose.rowwise() - pose.row(0);
+  const Eigen::Index tiles = (witnesses_ + kTile - 1) / kTile;
+  parallelRanges(tiles, kTilesATime, threads, [&](Eigen::Index begin, Eigen::Index end) {
+    for (Eigen::Index t = begin; t < end; ++t) {
+      alignas(64) double m[9][kTile] = {};
+      const double* from = tile(t);
+      for (Eigen::Index h = 0; h < handles_; ++h, from += 3 * kTile)
+        for (int row = 0; row < 3; ++row) {
+          const double v = local(h, row);
+          for (int axis = 0; axis < 3; ++axis)
+            for (Eigen::Index lane = 0; lane < kTile; ++lane)
+              m[3 * row + axis][lane] += v * from[axis * kTile + lane];
+        }
+      for (Eigen::Index lane = 0; lane < kTile && t * kTile + lane < witnesses_; ++lane) {
+        const Eigen::Index w = t * kTile + lane;
+        Eigen::Matrix3d gradient = Eigen::Matrix3d::Identity();
+        if (!failed_[static_cast<std::size_t>(w)])
+          for (int entry = 0; entry < 9; ++entry)
+            gradient(entry / 3, entry % 3) = m[entry][lane];
+        const LocalDistortion distortion = localDistortion(gradient);
+        map.rotationalStress[w] = distortion.rotationalStress;
+        map.volumeRatio[w] = distortion.volumeRatio;
+        map.stretchMax[w] = distortion.stretchMax;
+        map.stretchMin[w] = distortion.stretchMin;
+      }
+    }
+  });
+  map.folded = static_cast<int>((map.volumeRatio.array() <= 0).count());
+}
+
+} // namespace viscera::deformation
