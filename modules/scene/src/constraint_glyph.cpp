@@ -1,6 +1,8 @@
 #include "viscera/scene/constraint_glyph.h"
 
+#include <algorithm>
 #include <array>
+#include <utility>
 
 #include <vtkArrowSource.h>
 #include <vtkMatrix4x4.h>
@@ -25,6 +27,8 @@ constexpr double kArrowLength = 64;
 constexpr double kRimWidth = 1.5;
 constexpr double kDiscOpacity = 0.22;
 constexpr double kRimOpacity = 0.85;
+/// What an organ hides of the plane is this much fainter.
+constexpr double kBehind = 0.4;
 constexpr int kSides = 72;
 const Vec3 kArrowColor(0.96, 0.65, 0.14);
 
@@ -47,12 +51,16 @@ struct ConstraintGlyph::Parts {
   /// Disc, rim and arrow are made around the x axis and put in place by one matrix each.
   vtkNew<BlendedActor> disc;
   vtkNew<BlendedActor> rim;
+  vtkNew<BlendedActor> discBehind;
+  vtkNew<BlendedActor> rimBehind;
   vtkNew<vtkActor> arrow;
   vtkNew<vtkMatrix4x4> discMatrix;
   vtkNew<vtkMatrix4x4> arrowMatrix;
   BeforeRender beforeRender{[this] { follow(); }};
 
-  std::array<vtkActor*, 3> actors() { return {disc.Get(), rim.Get(), arrow.Get()}; }
+  std::array<vtkActor*, 5> actors() {
+    return {discBehind.Get(), rimBehind.Get(), disc.Get(), rim.Get(), arrow.Get()};
+  }
   void build();
   void follow();
   void place(vtkMatrix4x4* matrix, double scale) const;
@@ -67,8 +75,11 @@ void ConstraintGlyph::Parts::build() {
     actor->SetVisibility(false);
     actor->PickableOff();
   };
-  attach(disc, polygon(true)->GetOutputPort(), discMatrix);
-  attach(rim, polygon(false)->GetOutputPort(), discMatrix);
+  const auto inside = polygon(true), around = polygon(false);
+  attach(disc, inside->GetOutputPort(), discMatrix);
+  attach(discBehind, inside->GetOutputPort(), discMatrix);
+  attach(rim, around->GetOutputPort(), discMatrix);
+  attach(rimBehind, around->GetOutputPort(), discMatrix);
   vtkNew<vtkArrowSource> source;
   source->SetShaftResolution(20);
   source->SetTipResolution(20);
@@ -76,10 +87,14 @@ void ConstraintGlyph::Parts::build() {
   source->SetTipRadius(0.08);
   source->SetTipLength(0.26);
   attach(arrow, source->GetOutputPort(), arrowMatrix);
-  disc->GetProperty()->LightingOff();
-  disc->GetProperty()->SetOpacity(kDiscOpacity);
-  rim->GetProperty()->LightingOff();
-  rim->GetProperty()->SetOpacity(kRimOpacity);
+  for (const auto& [actor, opacity] : {std::pair{disc.Get(), kDiscOpacity}, std::pair{rim.Get(), kRimOpacity},
+                                       std::pair{discBehind.Get(), kBehind * kDiscOpacity},
+                                       std::pair{rimBehind.Get(), kBehind * kRimOpacity}}) {
+    actor->GetProperty()->LightingOff();
+    actor->GetProperty()->SetOpacity(opacity);
+  }
+  discBehind->setBehindOnly(true);
+  rimBehind->setBehindOnly(true);
   arrow->GetProperty()->SetColor(kArrowColor.x(), kArrowColor.y(), kArrowColor.z());
   arrow->GetProperty()->SetAmbient(0.3);
 }
@@ -104,7 +119,8 @@ void ConstraintGlyph::Parts::follow() {
   const double pixel = ratio * view.worldPerPixel(std::max((origin - view.eye).dot(view.forward), 0.0));
   place(discMatrix, kDiscRadius * pixel);
   place(arrowMatrix, kArrowLength * pixel);
-  rim->GetProperty()->SetLineWidth(static_cast<float>(kRimWidth * ratio));
+  for (BlendedActor* line : {rim.Get(), rimBehind.Get()})
+    line->GetProperty()->SetLineWidth(static_cast<float>(kRimWidth * ratio));
 }
 
 ConstraintGlyph::ConstraintGlyph() : parts_(std::make_unique<Parts>()) {
@@ -135,8 +151,9 @@ void ConstraintGlyph::drawAfterOrgans() {
 
 void ConstraintGlyph::setTheme(const Theme& theme) {
   const Vec3& c = theme.accent;
-  parts_->disc->GetProperty()->SetColor(c.x(), c.y(), c.z());
-  parts_->rim->GetProperty()->SetColor(c.x(), c.y(), c.z());
+  auto& p = *parts_;
+  for (BlendedActor* actor : {p.disc.Get(), p.rim.Get(), p.discBehind.Get(), p.rimBehind.Get()})
+    actor->GetProperty()->SetColor(c.x(), c.y(), c.z());
 }
 
 void ConstraintGlyph::show(const Vec3& origin, const Vec3& normal) {

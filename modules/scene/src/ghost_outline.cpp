@@ -1,5 +1,6 @@
 #include "viscera/scene/ghost_outline.h"
 
+#include <algorithm>
 #include <vector>
 
 #include <vtkCamera.h>
@@ -18,6 +19,7 @@
 
 #include "before_render.h"
 #include "blended_actor.h"
+#include "depth_grid.h"
 #include "silhouette.h"
 #include "view_geometry.h"
 
@@ -27,12 +29,16 @@ namespace {
 constexpr double kLinePixels = 1.6;
 /// The part of the outline behind the organ is this much fainter.
 constexpr double kBehind = 0.4;
+constexpr int kGridCells = 320;
+/// Depth differences below this part of the diagonal do not hide.
+constexpr double kHiddenTolerance = 0.01;
 
 } // namespace
 
 struct GhostOutline::Parts {
   std::shared_ptr<const geometry::TriangleMesh> mesh;
   geometry::Normals normals;
+  double diagonal = 0;
   std::vector<float> segments;
   double opacity = 0.8;
   vtkMTimeType drawnFor = 0;
@@ -45,11 +51,27 @@ struct GhostOutline::Parts {
   BeforeRender beforeRender{[this] { follow(); }};
 
   void follow();
+  void dropHidden(const ViewGeometry& view);
   void applyOpacity() {
     front->GetProperty()->SetOpacity(opacity);
     behind->GetProperty()->SetOpacity(kBehind * opacity);
   }
 };
+
+/// Leaves out what the rest shape itself hides: only its outline is wanted.
+void GhostOutline::Parts::dropHidden(const ViewGeometry& view) {
+  const DepthGrid depths(*mesh, view, kGridCells);
+  const double tolerance = kHiddenTolerance * diagonal;
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < segments.size(); i += 6) {
+    const Eigen::Map<const Eigen::Vector3f> from(&segments[i]), to(&segments[i + 3]);
+    if (depths.sees((0.5F * (from + to)).cast<double>(), tolerance)) {
+      std::copy_n(&segments[i], 6, &segments[kept]);
+      kept += 6;
+    }
+  }
+  segments.resize(kept);
+}
 
 /// Draws the contour anew when the camera has moved.
 void GhostOutline::Parts::follow() {
@@ -62,6 +84,7 @@ void GhostOutline::Parts::follow() {
   drawnFor = renderer->GetActiveCamera()->GetMTime();
   const auto view = viewGeometry(renderer);
   silhouette(*mesh, normals, {view.eye, view.forward, view.parallel}, segments);
+  dropHidden(view);
 
   const auto count = static_cast<vtkIdType>(segments.size() / 3);
   auto* array = vtkFloatArray::SafeDownCast(points->GetData());
@@ -82,6 +105,7 @@ GhostOutline::GhostOutline(std::shared_ptr<const geometry::TriangleMesh> mesh)
   auto& p = *parts_;
   p.mesh = std::move(mesh);
   p.normals = geometry::vertexNormals(*p.mesh);
+  p.diagonal = boundsOf(p.mesh->points).diagonal();
   p.data->SetPoints(p.points);
   p.mapper->SetInputData(p.data);
   for (BlendedActor* actor : {p.front.Get(), p.behind.Get()}) {

@@ -1,5 +1,6 @@
 #include "handle_glyphs.h"
 
+#include <array>
 #include <cmath>
 
 #include <vtkFloatArray.h>
@@ -15,22 +16,14 @@
 namespace viscera::scene {
 namespace {
 
-/// A ball of 10 pixels is off a circle by a fifth of a pixel with so many sides.
-constexpr int kSides = 18;
-constexpr double kGhostOpacity = 0.28;
+/// A ball of 10 pixels is off a circle by a quarter of a pixel with so many sides.
+constexpr int kSides = 14;
+constexpr double kGhostOpacity = 0.5;
+constexpr double kGhostRimOpacity = 0.35;
 constexpr const char* kRadii = "radius";
 
-} // namespace
-
-HandleGlyphs::Layer::Layer(vtkSphereSource* ball) {
-  points->SetDataTypeToDouble();
-  radii->SetName(kRadii);
-  colors->SetNumberOfComponents(3);
-  colors->SetName("color");
-  data->SetPoints(points);
-  data->GetPointData()->SetScalars(colors);
-  data->GetPointData()->AddArray(radii);
-  mapper->SetInputData(data);
+void configure(vtkGlyph3DMapper* mapper, vtkPolyData* glyphs, vtkSphereSource* ball) {
+  mapper->SetInputData(glyphs);
   mapper->SetSourceConnection(ball->GetOutputPort());
   mapper->SetScaling(true);
   mapper->SetScaleModeToScaleByMagnitude();
@@ -39,6 +32,20 @@ HandleGlyphs::Layer::Layer(vtkSphereSource* ball) {
   mapper->SetScalarModeToUsePointData();
   mapper->SetColorModeToDirectScalars();
   mapper->SetOrient(false);
+}
+
+} // namespace
+
+HandleGlyphs::Layer::Layer(vtkSphereSource* ball) {
+
+  points->SetDataTypeToDouble();
+  radii->SetName(kRadii);
+  colors->SetNumberOfComponents(3);
+  colors->SetName("color");
+  data->SetPoints(points);
+  data->GetPointData()->SetScalars(colors);
+  data->GetPointData()->AddArray(radii);
+  configure(mapper, data, ball);
 }
 
 HandleGlyphs::Layer::~Layer() = default;
@@ -77,11 +84,17 @@ HandleGlyphs::HandleGlyphs() : balls_(ball_), rims_(ball_) {
   rimActor_->SetMapper(rims_.mapper);
   rimActor_->GetProperty()->LightingOff();
   rimActor_->GetProperty()->FrontfaceCullingOn();
-  ghostActor_->SetMapper(balls_.mapper);
-  ghostActor_->setBehindOnly(true);
-  ghostActor_->GetProperty()->LightingOff();
-  ghostActor_->GetProperty()->SetOpacity(kGhostOpacity);
+  configure(ghostMapper_, balls_.data, ball_);
+  ghostActor_->SetMapper(ghostMapper_);
   ghostActor_->GetProperty()->BackfaceCullingOn();
+  configure(ghostRimMapper_, rims_.data, ball_);
+  ghostRimActor_->SetMapper(ghostRimMapper_);
+  ghostRimActor_->GetProperty()->FrontfaceCullingOn();
+  for (BlendedActor* ghost : {ghostActor_.Get(), ghostRimActor_.Get()}) {
+    ghost->setBehindOnly(true);
+    ghost->GetProperty()->LightingOff();
+    ghost->GetProperty()->SetOpacity(ghost == ghostActor_ ? kGhostOpacity : kGhostRimOpacity);
+  }
 }
 
 HandleGlyphs::~HandleGlyphs() = default;
@@ -97,19 +110,23 @@ void HandleGlyphs::set(const std::vector<HandleGlyph>& glyphs) {
   }
   balls_.changed();
   rims_.changed();
+  ghostMapper_->Update();
+  ghostRimMapper_->Update();
 }
 
 int HandleGlyphs::render(vtkViewport* viewport) {
   if (balls_.points->GetNumberOfPoints() == 0)
     return 0;
+  ghostRimActor_->RenderOpaqueGeometry(viewport);
   ghostActor_->RenderOpaqueGeometry(viewport);
   rimActor_->RenderOpaqueGeometry(viewport);
   return actor_->RenderOpaqueGeometry(viewport);
 }
 
 void HandleGlyphs::release(vtkWindow* window) {
-  for (vtkActor* actor : {static_cast<vtkActor*>(actor_.Get()), static_cast<vtkActor*>(rimActor_.Get()),
-                          static_cast<vtkActor*>(ghostActor_.Get())})
+  const std::array<vtkActor*, 4> actors = {actor_.Get(), rimActor_.Get(), ghostActor_.Get(),
+                                           ghostRimActor_.Get()};
+  for (vtkActor* actor : actors)
     actor->ReleaseGraphicsResources(window);
 }
 

@@ -60,9 +60,13 @@ private:
   vtkNew<vtkSphereSource> ball_;
   Layer balls_;
   Layer rims_;
+  /// For the ghosts of both layers: one mapper cannot serve two actors of different opacity.
+  vtkNew<vtkGlyph3DMapper> ghostMapper_;
+  vtkNew<vtkGlyph3DMapper> ghostRimMapper_;
   vtkNew<vtkActor> actor_;
   vtkNew<vtkActor> rimActor_;
   vtkNew<BlendedActor> ghostActor_;
+  vtkNew<BlendedActor> ghostRimActor_;
 };
 
 } // namespace viscera::scene

@@ -19,6 +19,7 @@
 #include <vtkUnsignedCharArray.h>
 
 #include "viscera/core/error.h"
+#include "viscera/geometry/volume.h"
 
 namespace viscera::scene {
 namespace {
@@ -26,6 +27,10 @@ namespace {
 constexpr double kSpecular = 0.25;
 constexpr double kSpecularPower = 28;
 constexpr double kSelectedAmbient = 0.22;
+/// Colours that mean numbers are lit more evenly and shine less, so that they can be read off the legend.
+constexpr double kScalarsAmbient = 0.42;
+constexpr double kScalarsDiffuse = 0.7;
+constexpr double kScalarsSpecular = 0.06;
 constexpr const char* kColorsName = "colors";
 constexpr const char* kScalarsName = "values";
 
@@ -34,6 +39,25 @@ template <typename Array, typename Number>
 void look(Array* array, const Number* data, Eigen::Index count) {
   array->SetArray(const_cast<Number*>(data), count, /*save=*/1);
   array->Modified();
+}
+
+/// Whether every edge has one triangle on each side, run through in opposite directions, and the inside is
+/// inside.
+bool isClosedOutward(const geometry::TriangleMesh& mesh, const geometry::VertexTriangles& around) {
+  const auto hasEdge = [&](std::int32_t from, std::int32_t to) {
+    int found = 0;
+    for (auto k = around.first[std::size_t(from)]; k < around.first[std::size_t(from) + 1]; ++k) {
+      const auto corners = mesh.triangles.row(around.items[std::size_t(k)]);
+      for (int c = 0; c < 3; ++c)
+        found += corners[c] == from && corners[(c + 1) % 3] == to;
+    }
+    return found == 1;
+  };
+  for (Eigen::Index t = 0; t < mesh.triangles.rows(); ++t)
+    for (int c = 0; c < 3; ++c)
+      if (!hasEdge(mesh.triangles(t, (c + 1) % 3), mesh.triangles(t, c)))
+        return false;
+  return geometry::volume(mesh.points, mesh.triangles) > 0;
 }
 
 } // namespace
@@ -47,6 +71,7 @@ struct OrganActor::Parts {
   Threads threads;
   bool vertexColors = false;
   bool selected = false;
+  bool closed = false;
 
   vtkNew<vtkPolyData> data;
   vtkNew<vtkDoubleArray> pointArray;
@@ -58,6 +83,7 @@ struct OrganActor::Parts {
 
   void buildData();
   void chooseColoring();
+  void chooseLook();
 };
 
 void OrganActor::Parts::buildData() {
@@ -94,6 +120,14 @@ void OrganActor::Parts::chooseColoring() {
     mapper->SetColorModeToMapScalars();
   else
     mapper->SetColorModeToDirectScalars();
+  chooseLook();
+}
+
+void OrganActor::Parts::chooseLook() {
+  auto* property = actor->GetProperty();
+  property->SetAmbient((values ? kScalarsAmbient : 0) + (selected ? kSelectedAmbient : 0));
+  property->SetDiffuse(values ? kScalarsDiffuse : 1);
+  property->SetSpecular(values ? kScalarsSpecular : kSpecular);
 }
 
 OrganActor::OrganActor(std::shared_ptr<const geometry::TriangleMesh> mesh, Threads threads)
@@ -102,13 +136,13 @@ OrganActor::OrganActor(std::shared_ptr<const geometry::TriangleMesh> mesh, Threa
   p.mesh = std::move(mesh);
   p.threads = threads;
   p.around = geometry::vertexTriangles(p.mesh->points.rows(), p.mesh->triangles);
+  p.closed = isClosedOutward(*p.mesh, p.around);
   p.buildData();
   p.mapper->SetInputData(p.data);
   p.mapper->UseLookupTableScalarRangeOn();
   p.actor->SetMapper(p.mapper);
   auto* look = p.actor->GetProperty();
   look->SetInterpolationToPhong();
-  look->SetSpecular(kSpecular);
   look->SetSpecularPower(kSpecularPower);
   look->SetColor(0.8, 0.45, 0.4);
   p.chooseColoring();
@@ -184,7 +218,7 @@ bool OrganActor::visible() const {
 
 void OrganActor::setSelected(bool selected) {
   parts_->selected = selected;
-  parts_->actor->GetProperty()->SetAmbient(selected ? kSelectedAmbient : 0);
+  parts_->chooseLook();
 }
 
 bool OrganActor::selected() const {
@@ -229,6 +263,15 @@ void OrganActor::hideScalars() {
   p.values.reset();
   p.data->GetPointData()->RemoveArray(kScalarsName);
   p.chooseColoring();
+}
+
+void OrganActor::cullBackFaces(const Vec3& eye) {
+  auto& p = *parts_;
+  const double* b = p.data->GetBounds();
+  const bool outside = eye.x() < b[0] || eye.x() > b[1] || eye.y() < b[2] || eye.y() > b[3] ||
+                       eye.z() < b[4] || eye.z() > b[5];
+  const bool clipped = p.mapper->GetClippingPlanes() && p.mapper->GetClippingPlanes()->GetNumberOfItems() > 0;
+  p.actor->GetProperty()->SetBackfaceCulling(p.closed && outside && !clipped && opacity() >= 1);
 }
 
 bool OrganActor::scalarsShown() const {

@@ -9,6 +9,7 @@
 #include <cstring>
 
 #include <vtkActor.h>
+#include <vtkCallbackCommand.h>
 #include <vtkCamera.h>
 #include <vtkInteractorStyle.h>
 #include <vtkLight.h>
@@ -34,7 +35,7 @@ namespace {
 
 constexpr double kLogicalDpi = 72;
 constexpr double kMargin = 1.12;
-constexpr int kSamplesOnGpu = 4;
+constexpr int kSamples = 4;
 constexpr int kPeelsOnGpu = 8;
 constexpr int kPeelsInSoftware = 4;
 /// What an empty view frames, mm.
@@ -53,9 +54,9 @@ void addLight(vtkRenderer* renderer, const Vec3& from, const Vec3& color, double
 
 void addLights(vtkRenderer* renderer) {
   renderer->SetAutomaticLightCreation(false);
-  addLight(renderer, {-0.45, 0.65, 1.0}, {1.0, 0.975, 0.94}, 0.88); // key
-  addLight(renderer, {0.9, -0.15, 0.75}, {0.88, 0.93, 1.0}, 0.34);  // fill
-  addLight(renderer, {0.35, 0.8, -0.9}, {0.92, 0.96, 1.0}, 0.38);   // back
+  addLight(renderer, {-0.45, 0.65, 1.0}, {1.0, 0.98, 0.95}, 0.86); // key
+  addLight(renderer, {0.9, -0.15, 0.75}, {0.9, 0.95, 1.0}, 0.42);  // fill
+  addLight(renderer, {0.35, 0.8, -0.9}, {0.92, 0.96, 1.0}, 0.4);   // back
 }
 
 } // namespace
@@ -78,29 +79,57 @@ struct OrganView::Parts {
   std::vector<std::shared_ptr<GhostOutline>> ghosts;
   vtkNew<vtkRenderer> renderer;
   vtkWeakPointer<vtkRenderWindow> window;
-  bool smoothingChosen = false;
+  bool knowsGpu = false;
+  bool software = false;
+  bool fxaa = false;
+  bool moving = false;
+  vtkNew<vtkCallbackCommand> motion;
   vtkNew<vtkVisceraHandleSetRepresentation> handles;
   vtkNew<vtkVisceraHandleSetWidget> widget;
   ConstraintGlyph constraint;
   Legend legend;
   OrientationCube cube{renderer};
   ScaleBar scaleBar{renderer};
-  BeforeRender beforeRender{[this] { chooseSmoothing(); }};
+  BeforeRender beforeRender{[this] { prepareFrame(); }};
+  vtkNew<vtkCallbackCommand> beforeWindow;
+  unsigned long beforeWindowTag = 0;
 
-  void chooseSmoothing();
+  void prepareFrame();
+  void smoothEdges();
+  void watchMotion(vtkObject* source);
   void orderProps();
   void putHandlesIntoRenderer();
 };
 
-/// The renderer is known only once the window has a context, so this waits for the first frame.
-void OrganView::Parts::chooseSmoothing() {
-  if (smoothingChosen || !window)
+/// Multisampling doubles the time of a frame in software (FXAA triples it), so it waits until nothing moves.
+/// Depth peeling draws nothing at all into a multisampled buffer, so there FXAA steps in.
+void OrganView::Parts::smoothEdges() {
+  if (!window)
     return;
-  smoothingChosen = true;
-  const bool software = rendersInSoftware(window);
-  window->SetMultiSamples(software ? 0 : kSamplesOnGpu);
-  renderer->SetUseFXAA(software);
-  renderer->SetMaximumNumberOfPeels(software ? kPeelsInSoftware : kPeelsOnGpu);
+  const bool smooth = !(software && moving);
+  const bool peels = std::any_of(organs.begin(), organs.end(),
+                                 [](const auto& organ) { return organ->visible() && organ->opacity() < 1; });
+  const int samples = smooth && !fxaa && !peels ? kSamples : 0;
+  if (window->GetMultiSamples() != samples)
+    window->SetMultiSamples(samples);
+  renderer->SetUseFXAA(smooth && samples == 0);
+}
+
+void OrganView::Parts::prepareFrame() {
+  if (!knowsGpu) { // Only now the window surely has a context to ask.
+    knowsGpu = true;
+    software = rendersInSoftware(renderer->GetRenderWindow());
+    renderer->SetMaximumNumberOfPeels(software ? kPeelsInSoftware : kPeelsOnGpu);
+  }
+  const Vec3 eye(renderer->GetActiveCamera()->GetPosition());
+  for (const auto& organ : organs)
+    organ->cullBackFaces(eye);
+}
+
+/// While the camera or a handle is moved by the mouse, frames have to come quickly.
+void OrganView::Parts::watchMotion(vtkObject* source) {
+  source->AddObserver(vtkCommand::StartInteractionEvent, motion);
+  source->AddObserver(vtkCommand::EndInteractionEvent, motion);
 }
 
 /// Organs first, then what is drawn relative to them.
@@ -129,6 +158,14 @@ OrganView::OrganView() : parts_(std::make_unique<Parts>()) {
   p.legend.setRenderer(p.renderer);
   p.constraint.setRenderer(p.renderer);
   p.widget->SetRepresentation(p.handles);
+  p.motion->SetClientData(&p);
+  p.motion->SetCallback([](vtkObject*, unsigned long event, void* parts, void*) {
+    static_cast<Parts*>(parts)->moving = event == vtkCommand::StartInteractionEvent;
+  });
+  p.watchMotion(p.widget);
+  p.beforeWindow->SetClientData(&p);
+  p.beforeWindow->SetCallback(
+      [](vtkObject*, unsigned long, void* parts, void*) { static_cast<Parts*>(parts)->smoothEdges(); });
   p.putHandlesIntoRenderer();
   setTheme(p.theme);
   lookFrom(StandardView::anterior);
@@ -142,15 +179,16 @@ OrganView::~OrganView() {
 void OrganView::setWindow(vtkRenderWindow* window) {
   auto& p = *parts_;
   if (p.window) {
+    p.window->RemoveObserver(p.beforeWindowTag);
     p.window->RemoveRenderer(p.cube.renderer());
     p.window->RemoveRenderer(p.renderer);
   }
   p.window = window;
-  p.smoothingChosen = false;
+  p.knowsGpu = false;
   if (!window)
     return;
   window->SetAlphaBitPlanes(1); // Depth peeling needs them.
-  window->SetMultiSamples(0);
+  p.beforeWindowTag = window->AddObserver(vtkCommand::StartEvent, p.beforeWindow);
   window->SetNumberOfLayers(2);
   window->AddRenderer(p.renderer);
   window->AddRenderer(p.cube.renderer());
@@ -167,6 +205,7 @@ void OrganView::setInteractor(vtkRenderWindowInteractor* interactor) {
   if (interactor) {
     const auto style = newInteractorStyle();
     style->SetDefaultRenderer(p.renderer);
+    p.watchMotion(style);
     interactor->SetInteractorStyle(style);
     p.widget->SetInteractor(interactor);
     p.widget->SetDefaultRenderer(p.renderer);
@@ -312,8 +351,11 @@ void OrganView::setScaleBarShown(bool shown) {
 }
 
 void OrganView::setFxaa(bool on) {
-  parts_->renderer->SetUseFXAA(on);
-  parts_->smoothingChosen = true;
+  parts_->fxaa = on;
+}
+
+void OrganView::setMoving(bool moving) {
+  parts_->moving = moving;
 }
 
 std::optional<SurfacePick> OrganView::pick(double x, double y) const {

@@ -31,8 +31,8 @@ OrientationCube::OrientationCube(vtkRenderer* followed)
   cube_->SetYMinusFaceText("A");
   cube_->SetZPlusFaceText("S");
   cube_->SetZMinusFaceText("I");
-  cube_->SetXFaceTextRotation(90);
-  cube_->SetYFaceTextRotation(180);
+  cube_->SetXFaceTextRotation(0);
+  cube_->SetYFaceTextRotation(0);
   cube_->SetZFaceTextRotation(-90);
   cube_->SetFaceTextScale(0.62);
   cube_->GetCubeProperty()->SetAmbient(0.35);

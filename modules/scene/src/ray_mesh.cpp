@@ -16,7 +16,8 @@
 namespace viscera::scene {
 namespace {
 
-constexpr Eigen::Index kTrianglesPerBlock = 16384;
+/// Half a millisecond of work: for less, waking another thread does not pay.
+constexpr Eigen::Index kTrianglesPerBlock = 65536;
 
 /// Moeller and Trumbore, "Fast, Minimum Storage Ray/Triangle Intersection", 1997,
 /// DOI 10.1080/10867651.1997.10487468.

@@ -28,7 +28,7 @@ Theme lightTheme() {
   theme.text = fromHex(0x22272b);
   theme.muted = fromHex(0x6b7781);
   theme.accent = fromHex(0x00798c);
-  theme.rim = fromHex(0xffffff);
+  theme.rim = fromHex(0x005a69);
   theme.dark = false;
   return theme;
 }

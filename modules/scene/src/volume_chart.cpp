@@ -27,6 +27,8 @@
 #include "viscera/scene/legend.h"
 #include "viscera/scene/organ_view.h"
 
+#include "normal_band.h"
+
 namespace viscera::scene {
 namespace {
 
@@ -65,9 +67,8 @@ struct Curve {
   ChartLine line;
   std::vector<double> values;
   vtkPlot* plot = nullptr;
-  vtkPlot* band = nullptr;
+  vtkNew<NormalBand> band;
   vtkNew<vtkTable> table;
-  vtkNew<vtkTable> bandTable;
   bool shown = true;
 };
 
@@ -144,17 +145,12 @@ void VolumeChart::Parts::makePlots() {
   for (auto& curve : curves) {
     if (!curve->line.hasNormalBand)
       continue;
-    for (const char* name : {"time", "low", "high"})
-      addColumn(curve->bandTable, name);
-    curve->bandTable->SetNumberOfRows(2);
-    curve->band = chart->AddPlot(vtkChart::AREA);
-    curve->band->SetInputData(curve->bandTable, 0, 1);
-    curve->band->SetInputArray(2, "high");
     const Vec3& c = curve->line.color;
-    curve->band->SetColor(byte(c.x()), byte(c.y()), byte(c.z()), kBandAlpha);
+    curve->band->GetBrush()->SetColor(byte(c.x()), byte(c.y()), byte(c.z()), kBandAlpha);
     curve->band->GetPen()->SetLineType(vtkPen::NO_PEN);
     curve->band->SetLegendVisibility(false);
-    curve->band->SetTooltipLabelFormat("");
+    curve->band->SetSelectable(false);
+    chart->AddPlot(curve->band);
   }
   for (auto& curve : curves) {
     addColumn(curve->table, "time");
@@ -220,11 +216,7 @@ void VolumeChart::Parts::fillCurve(Curve& curve, ValueRange range) {
   curve.table->Modified();
   // A single point is no line, and VTK draws garbage for an empty table.
   curve.plot->SetVisible(curve.shown && count >= 2);
-  if (!curve.band)
-    return;
-  setRow(curve.bandTable, 0, {range.low, curve.line.normal.low, curve.line.normal.high});
-  setRow(curve.bandTable, 1, {range.high, curve.line.normal.low, curve.line.normal.high});
-  curve.bandTable->Modified();
+  curve.band->setExtent(range, curve.line.normal);
   curve.band->SetVisible(curve.shown);
 }
 

@@ -9,7 +9,6 @@
 #include <vtkNew.h>
 #include <vtkObjectFactory.h>
 #include <vtkPropCollection.h>
-#include <vtkProperty.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
 #include <vtkSmartPointer.h>
@@ -17,7 +16,7 @@
 #include "viscera/scene/organ_view.h"
 
 #include "handle_glyphs.h"
-#include "ray_mesh.h"
+#include "handle_picking.h"
 #include "view_geometry.h"
 
 using viscera::Bounds;
@@ -31,19 +30,9 @@ namespace {
 /// Logical pixels: the dark line around every handle, and the light rim of a selected one.
 constexpr double kOutlinePixels = 1.0;
 constexpr double kRimPixels = 3.0;
-/// From here on an actor lets the handles behind it be seen.
-constexpr double kOpaque = 0.999;
 /// Below this sine of the angle between ray and plane the point where they meet runs away from the cursor.
 constexpr double kGrazing = 0.15;
 const Vec3 kDefaultColor(0.95, 0.75, 0.25);
-
-/// A handle near the cursor.
-struct Candidate {
-  int handle;
-  bool onBall; ///< The cursor is on the ball itself, not beside it.
-  double rank; ///< Depth on the ball, pixel distance beside it.
-  Vec3 seen;   ///< The point of the ball that is seen there.
-};
 
 } // namespace
 
@@ -73,53 +62,8 @@ struct vtkVisceraHandleSetRepresentation::Parts {
   Vec3 position(int i) const { return positions.row(i).transpose(); }
   bool isSelected(int i) const { return std::binary_search(selection.begin(), selection.end(), i); }
   double radiusPixels(int i, double ratio) const { return ratio * (i == active ? activeRadius : radius); }
-  bool hidden(const ViewGeometry& view, const Vec3& seen) const;
-  std::vector<Candidate> candidates(const ViewGeometry& view, double ratio, int x, int y) const;
   HandleGlyph glyph(const ViewGeometry& view, double ratio, int i) const;
 };
-
-/// Whether an opaque occluder is between the eye and a point.
-bool vtkVisceraHandleSetRepresentation::Parts::hidden(const ViewGeometry& view, const Vec3& seen) const {
-  const auto at = view.project(seen);
-  const Ray ray = view.ray(at.x, at.y);
-  const double distance = (seen - ray.origin).dot(ray.direction);
-  return std::any_of(occluders.begin(), occluders.end(), [&](const auto& actor) {
-    if (!actor->GetVisibility() || actor->GetProperty()->GetOpacity() < kOpaque)
-      return false;
-    const ActorMesh mesh(actor);
-    return nearestHit(ray, mesh.view(), distance).has_value();
-  });
-}
-
-/// The handles that a click at a display position could mean, the likeliest first.
-std::vector<Candidate> vtkVisceraHandleSetRepresentation::Parts::candidates(const ViewGeometry& view,
-                                                                            double ratio, int x,
-                                                                            int y) const {
-  std::vector<Candidate> found;
-  for (int i = 0; i < positions.rows(); ++i) {
-    if (!shown[std::size_t(i)])
-      continue;
-    const auto at = view.project(position(i));
-    if (at.depth <= 0)
-      continue;
-    const double ball = radiusPixels(i, ratio), reach = std::max(ball, ratio * pickRadius);
-    const double dx = x - at.x, dy = y - at.y, away = std::hypot(dx, dy);
-    if (away > reach)
-      continue;
-    // The nearest point of the ball's disc, lifted onto the ball's front.
-    const double inward = away > ball ? ball / away : 1;
-    const double along = std::min(away, ball);
-    const double lift = std::sqrt(std::max(0.0, ball * ball - along * along)) * view.worldPerPixel(at.depth);
-    const double depth = std::max(at.depth - lift, 1e-3 * at.depth);
-    const bool onBall = away <= ball;
-    found.push_back(
-        {i, onBall, onBall ? depth : away, view.unproject(at.x + inward * dx, at.y + inward * dy, depth)});
-  }
-  std::sort(found.begin(), found.end(), [](const Candidate& a, const Candidate& b) {
-    return a.onBall != b.onBall ? a.onBall : a.rank < b.rank;
-  });
-  return found;
-}
 
 HandleGlyph vtkVisceraHandleSetRepresentation::Parts::glyph(const ViewGeometry& view, double ratio,
                                                             int i) const {
@@ -293,9 +237,15 @@ void vtkVisceraHandleSetRepresentation::RemoveAllOccluders() {
 int vtkVisceraHandleSetRepresentation::Pick(int x, int y) {
   if (!Renderer || GetNumberOfHandles() == 0)
     return -1;
+  const auto& p = *Internals;
   const auto view = viewGeometry(Renderer);
-  for (const auto& candidate : Internals->candidates(view, pixelRatioOf(Renderer->GetRenderWindow()), x, y))
-    if (!Internals->hidden(view, candidate.seen))
+  const double ratio = pixelRatioOf(Renderer->GetRenderWindow());
+  std::vector<double> radii(std::size_t(GetNumberOfHandles()), 0.0);
+  for (int i = 0; i < GetNumberOfHandles(); ++i)
+    if (p.shown[std::size_t(i)])
+      radii[std::size_t(i)] = p.radiusPixels(i, ratio);
+  for (const auto& candidate : handlesNear(view, p.positions, radii, ratio * p.pickRadius, x, y))
+    if (!isHidden(view, candidate.seen, p.occluders))
       return candidate.handle;
   return -1;
 }
@@ -306,7 +256,7 @@ bool vtkVisceraHandleSetRepresentation::IsHandleVisible(int handle) {
   const auto view = viewGeometry(Renderer);
   const Vec3 center = GetPosition(handle);
   const double depth = view.project(center).depth;
-  return depth > 0 && !Internals->hidden(view, center - GetWorldRadius(handle) * view.forward);
+  return depth > 0 && !isHidden(view, center - GetWorldRadius(handle) * view.forward, Internals->occluders);
 }
 
 std::vector<int> vtkVisceraHandleSetRepresentation::HandlesInBox(int x0, int y0, int x1, int y1,

@@ -38,9 +38,9 @@ public:
   OrganView(const OrganView&) = delete;
   OrganView& operator=(const OrganView&) = delete;
 
-  /// Draws in `window`: adds the renderers and chooses how edges are smoothed (multisampling on a graphics
-  /// processor, FXAA on a software renderer, where eight samples cost five times the frame). Null leaves the
-  /// present window; the window has to outlive the view or be left first.
+  /// Draws in `window` and adds the renderers to it. Edges are smoothed by four samples a pixel; see
+  /// `setMoving` for software renderers. Null leaves the present window; the window has to outlive the view
+  /// or be left first.
   void setWindow(vtkRenderWindow* window);
   vtkRenderWindow* window() const;
   /// Gives the interactor our mouse (left rotates, middle or Shift+left pans, right drag or wheel zooms; no
@@ -80,8 +80,12 @@ public:
   void setOrientationCubeShown(bool shown);
   void setScaleBarShown(bool shown);
 
-  /// Edge smoothing by FXAA; `setWindow` sets a default.
+  /// Smooths edges by FXAA instead of multisampling. Where an organ is translucent FXAA is used in any case.
   void setFxaa(bool on);
+  /// While something moves, a software renderer does not smooth edges: that takes as long as all the rest.
+  /// The view notices the mouse by itself; whoever plays a sequence says so here, and renders once more at
+  /// the end.
+  void setMoving(bool moving);
 
   /// What is under a display position (device pixels from the lower left corner).
   std::optional<SurfacePick> pick(double x, double y) const;

@@ -11,7 +11,7 @@ struct Theme {
   Vec3 text;             ///< Legends, scale bar, axes.
   Vec3 muted;            ///< Grid lines, ghost outlines.
   Vec3 accent;           ///< Selection, cursor, allowed plane.
-  Vec3 rim;              ///< The rim of a selected handle.
+  Vec3 rim;              ///< The rim of a selected handle: far from the background.
   bool dark = true;
 };
 
