@@ -13,10 +13,10 @@
 namespace viscera::medical_io {
 namespace {
 
-using test::contentsOf;
-using test::TemporaryFolder;
 using testing::ElementsAre;
 using testing::HasSubstr;
+using tests::contentsOf;
+using tests::TemporaryFolder;
 
 /// Numbers whose decimal form is long, tiny, huge, or a negative zero.
 HandleFile awkwardRig() {

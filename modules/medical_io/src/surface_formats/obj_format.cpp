@@ -57,9 +57,9 @@ private:
     }
     const std::string_view word = takeWord(line);
     if (word == "v")
-      readVertex(line);
+      readVertex(withoutComment(line));
     else if (word == "f" || word == "fo")
-      readFace(line);
+      readFace(withoutComment(line));
     else if (word == "o" || word == "g")
       readName(word, trimmed(line));
     else if (word.starts_with('#'))
@@ -69,6 +69,8 @@ private:
     else if (!word.empty() && !contains(kIgnored, word))
       readUnknown(word);
   }
+
+  static std::string_view withoutComment(std::string_view line) { return line.substr(0, line.find('#')); }
 
   void readVertex(std::string_view line) {
     std::array<double, 7> values{};

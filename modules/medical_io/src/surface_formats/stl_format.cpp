@@ -105,6 +105,8 @@ void readSolid(TextScanner& scanner, RawSurface& raw) {
       for (int axis = 0; axis < 3; ++axis)
         scanner.word();
     } else if (word != "facet" && word != "outer" && word != "loop" && word != "endfacet") {
+      if (scanner.atEnd())
+        scanner.failAtEnd("\"endsolid\"");
       scanner.fail(inQuotes(word) + " is no word of an STL file");
     }
   }

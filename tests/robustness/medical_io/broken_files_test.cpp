@@ -1,0 +1,273 @@
+#include <algorithm>
+#include <cctype>
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <random>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+
+#include "good_files.h"
+#include "temporary_folder.h"
+#include "viscera/core/error.h"
+#include "viscera/medical_io/file_kind.h"
+#include "viscera/medical_io/handle_file.h"
+#include "viscera/medical_io/surface_file.h"
+
+/// Every file of every format, broken in many ways. Reading in this process: a crash ends the test as failed.
+namespace viscera::medical_io {
+namespace {
+
+using tests::GoodFile;
+using tests::TemporaryFolder;
+
+/// A reader may take a few times a file's size; what a header promises would be gigabytes.
+constexpr long kMostExtraKilobytes = 200 * 1024;
+
+enum class Outcome { read, readLess, refused };
+
+long peakKilobytes() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return usage.ru_maxrss;
+}
+
+/// Triangles or handles; throws what reading throws.
+Eigen::Index sizeOf(const std::filesystem::path& file, bool handles) {
+  if (handles) {
+    const HandleFile read = readHandles(file);
+    EXPECT_TRUE(read.positions().allFinite()) << file;
+    return read.count();
+  }
+  const SurfaceFile read = readSurface(file);
+  EXPECT_NO_THROW(geometry::requireValid(read.mesh, file.string()));
+  EXPECT_GT(read.mesh.triangles.rows(), 0) << file;
+  EXPECT_TRUE(read.mesh.colors.rows() == 0 || read.mesh.colors.rows() == read.mesh.points.rows()) << file;
+  return read.mesh.triangles.rows();
+}
+
+class BrokenFiles : public testing::TestWithParam<GoodFile> {
+protected:
+  void SetUp() override {
+    whole_ = sizeOf(folder_.put(GetParam().name, GetParam().bytes), GetParam().handles);
+    peakBefore_ = peakKilobytes();
+    testing::internal::CaptureStderr();
+  }
+
+  void TearDown() override {
+    EXPECT_EQ(testing::internal::GetCapturedStderr(), "") << "a reader printed something";
+    EXPECT_LT(peakKilobytes() - peakBefore_, kMostExtraKilobytes)
+        << "memory was taken for what a header promised";
+    RecordProperty("files", tried_);
+  }
+
+  const std::string& bytes() const { return GetParam().bytes; }
+
+  Outcome tryReading(const std::string& damaged, const std::string& name) {
+    ++tried_;
+    const std::filesystem::path file = folder_.put(name, damaged);
+    EXPECT_NO_THROW(fileKind(file)) << file;
+    try {
+      const Eigen::Index size = sizeOf(file, GetParam().handles);
+      return size < whole_ ? Outcome::readLess : Outcome::read;
+    } catch (const Error& error) {
+      const std::string what = error.what();
+      EXPECT_NE(what.find(file.string()), std::string::npos) << "the file is not named: " << what;
+      EXPECT_FALSE(error.problem().empty());
+      EXPECT_FALSE(error.tryThis().empty()) << what;
+      EXPECT_EQ(what.find('\n'), std::string::npos) << "one message, one line: " << what;
+      EXPECT_LT(what.size(), 600U) << what;
+      return Outcome::refused;
+    } catch (const std::exception& error) {
+      ADD_FAILURE() << file << " threw something else: " << error.what();
+      return Outcome::refused;
+    }
+  }
+  Outcome tryReading(const std::string& damaged) { return tryReading(damaged, GetParam().name); }
+
+  TemporaryFolder folder_;
+  Eigen::Index whole_ = 0;
+  long peakBefore_ = 0;
+  int tried_ = 0;
+};
+
+TEST_P(BrokenFiles, ThatAreCutOffAreRefused) {
+  std::vector<std::size_t> lengths;
+  for (std::size_t length = 1; length < std::min<std::size_t>(bytes().size(), 100); ++length)
+    lengths.push_back(length);
+  for (std::size_t part = 1; part < 100; ++part)
+    lengths.push_back(bytes().size() * part / 100);
+  for (std::size_t missing = 1; missing < std::min<std::size_t>(bytes().size(), 40); ++missing)
+    lengths.push_back(bytes().size() - missing);
+  for (const std::size_t length : lengths) {
+    const Outcome outcome = tryReading(bytes().substr(0, length));
+    EXPECT_TRUE(outcome != Outcome::readLess || GetParam().partsLookWhole)
+        << "the first " << length << " bytes became a part of the surface";
+  }
+}
+
+TEST_P(BrokenFiles, WithAByteChangedAreReadOrRefused) {
+  std::mt19937 random(20240607);
+  for (int i = 0; i < 300; ++i) {
+    std::string damaged = bytes();
+    // Half of the changes where headers are.
+    const std::size_t range = i % 2 == 0 ? damaged.size() : std::min<std::size_t>(damaged.size(), 400);
+    const std::size_t at = random() % range;
+    damaged[at] = static_cast<char>(static_cast<unsigned char>(damaged[at]) ^ (1U << (random() % 8)));
+    tryReading(damaged);
+  }
+}
+
+TEST_P(BrokenFiles, WithWordsOfExtremeBitsAreReadOrRefused) {
+  std::mt19937 random(7);
+  const std::vector<std::string> words = {std::string(4, '\xff'),          std::string(4, '\0'),
+                                          std::string("\xff\xff\xff\x7f"), std::string("\0\0\0\x80", 4),
+                                          std::string(8, '\xff'),          std::string("\0\0\xc0\x7f", 4)};
+  for (int i = 0; i < 150; ++i) {
+    std::string damaged = bytes();
+    const std::string& word = words[static_cast<std::size_t>(i) % words.size()];
+    if (damaged.size() <= word.size())
+      continue;
+    damaged.replace(random() % (damaged.size() - word.size()), word.size(), word);
+    tryReading(damaged);
+  }
+}
+
+TEST_P(BrokenFiles, WithNumbersThatPromiseTooMuchAreReadOrRefused) {
+  const std::vector<std::string> numbers = {"99999999999999999999999",
+                                            "9223372036854775807",
+                                            "4294967296",
+                                            "2147483648",
+                                            "-1",
+                                            "1e308",
+                                            "nan",
+                                            "0"};
+  // Every number of the first part of the file in turn; data behind it are more of the same.
+  const std::string_view text = std::string_view(bytes()).substr(0, 3000);
+  std::size_t replaced = 0;
+  for (std::size_t at = 0; at < text.size() && replaced < 60;) {
+    const bool begins = std::isdigit(static_cast<unsigned char>(text[at])) != 0;
+    if (!begins) {
+      ++at;
+      continue;
+    }
+    std::size_t end = at;
+    while (end < text.size() && std::isdigit(static_cast<unsigned char>(text[end])) != 0)
+      ++end;
+    std::string damaged = bytes();
+    damaged.replace(at, end - at, numbers[replaced % numbers.size()]);
+    tryReading(damaged);
+    damaged = bytes();
+    damaged.replace(at, end - at, numbers[0]);
+    tryReading(damaged);
+    ++replaced;
+    at = end;
+  }
+}
+
+TEST_P(BrokenFiles, WithPartsMissingTwiceOrZeroedAreReadOrRefused) {
+  std::mt19937 random(11);
+  for (int i = 0; i < 100; ++i) {
+    std::string damaged = bytes();
+    const std::size_t at = random() % damaged.size();
+    const std::size_t length = 1 + random() % std::min<std::size_t>(damaged.size() - at, 200);
+    if (i % 3 == 0)
+      damaged.erase(at, length);
+    else if (i % 3 == 1)
+      damaged.insert(at, damaged.substr(at, length));
+    else
+      damaged.replace(at, length, length, '\0');
+    tryReading(damaged);
+  }
+  tryReading(bytes() + bytes());
+}
+
+TEST_P(BrokenFiles, OfRandomBytesBehindTheRightBeginningAreReadOrRefused) {
+  std::mt19937 random(13);
+  for (int i = 0; i < 60; ++i) {
+    std::string damaged = bytes().substr(0, random() % std::min<std::size_t>(bytes().size(), 500));
+    const std::size_t length = random() % 3000;
+    for (std::size_t k = 0; k < length; ++k)
+      damaged += static_cast<char>(random());
+    tryReading(damaged);
+  }
+}
+
+TEST_P(BrokenFiles, UnderTheNamesOfOtherFormatsAreRefused) {
+  const std::string own = std::filesystem::path(GetParam().name).extension();
+  for (const char* extension : {".stl", ".obj", ".ply", ".off", ".vtk", ".vtp", ".glb", ".gltf"})
+    if (extension != own) {
+      ++tried_;
+      EXPECT_THROW(readSurface(folder_.put(std::string("wrong") + extension, bytes())), DataError)
+          << extension;
+    }
+  if (!GetParam().handles) {
+    EXPECT_THROW(readHandles(folder_.put("wrong.mrk.json", bytes())), DataError);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Formats, BrokenFiles, testing::ValuesIn(tests::goodFiles()), [](const auto& way) {
+  std::string name = way.param.name;
+  std::replace_if(
+      name.begin(), name.end(), [](unsigned char c) { return std::isalnum(c) == 0; }, '_');
+  return name;
+});
+
+TEST(BrokenFile, RandomBytesUnderEveryNameAreRefused) {
+  const TemporaryFolder folder;
+  std::mt19937 random(17);
+  for (const std::string& extension : surfaceExtensions())
+    for (const std::size_t length : {1U, 3U, 4U, 79U, 84U, 85U, 134U, 1000U, 20000U}) {
+      std::string bytes;
+      for (std::size_t k = 0; k < length; ++k)
+        bytes += static_cast<char>(random());
+      EXPECT_THROW(readSurface(folder.put("a" + extension, bytes)), DataError) << extension << " " << length;
+      EXPECT_THROW(readHandles(folder.put("a.mrk.json", bytes)), DataError);
+      EXPECT_THROW(readHandles(folder.put("a.fcsv", bytes)), DataError);
+      std::fill(bytes.begin(), bytes.end(), '\0');
+      EXPECT_THROW(readSurface(folder.put("a" + extension, bytes)), DataError) << extension << " " << length;
+    }
+}
+
+/// Nested far deeper than a call stack: whoever walks through it by calling himself crashes.
+TEST(BrokenFile, DeeplyNestedJsonIsReadOrRefused) {
+  const TemporaryFolder folder;
+  constexpr std::size_t kDepth = 1000000;
+  const std::string deep = std::string(kDepth, '[') + std::string(kDepth, ']');
+  const std::string head = R"({"asset":{"version":"2.0"},)";
+  for (const std::string& text :
+       {deep, deep.substr(0, kDepth), head + R"("nodes":)" + deep + "}", head + R"("scene":)" + deep + "}",
+        head + R"("extensionsRequired":)" + deep + "}", head + R"("meshes":[{"primitives":)" + deep + "}]}"})
+    EXPECT_THROW(readSurface(folder.put("a.gltf", text)), DataError);
+  for (const std::string& text :
+       {deep, R"({"markups":)" + deep + "}",
+        R"({"markups":[{"type":"Fiducial","coordinateSystem":)" + deep + "}]}",
+        R"({"markups":[{"type":"Fiducial","controlPoints":[{"position":)" + deep + "}]}]}"})
+    EXPECT_THROW(readHandles(folder.put("a.mrk.json", text)), DataError);
+}
+
+/// Lines that go on and on, names that never end, polygons of many corners: all in time that grows with the
+/// size.
+TEST(BrokenFile, LongLinesAndPolygonsAreReadOrRefused) {
+  const TemporaryFolder folder;
+  std::string continued = "v 0 0 0\nf 1 ";
+  for (int i = 0; i < 200000; ++i)
+    continued += "\\\n";
+  EXPECT_THROW(readSurface(folder.put("a.obj", continued)), DataError);
+  std::string polygon;
+  std::string corners = "f";
+  for (int i = 1; i <= 100000; ++i) {
+    polygon += "v " + std::to_string(i) + " " + std::to_string(i % 7) + " 0\n";
+    corners += " " + std::to_string(i);
+  }
+  const SurfaceFile fan = readSurface(folder.put("b.obj", polygon + corners));
+  EXPECT_EQ(fan.mesh.triangles.rows(), 100000 - 2);
+  EXPECT_THROW(readSurface(folder.put("c.ply", "ply\ncomment " + std::string(3000000, 'x'))), DataError);
+}
+
+} // namespace
+} // namespace viscera::medical_io

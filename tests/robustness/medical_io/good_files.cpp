@@ -1,0 +1,144 @@
+#include "good_files.h"
+
+#include <cstdlib>
+
+#include <vtkNew.h>
+#include <vtkPolyDataWriter.h>
+#include <vtkSphereSource.h>
+#include <vtkStripper.h>
+#include <vtkXMLPolyDataWriter.h>
+
+#include "shapes.h"
+#include "temporary_folder.h"
+#include "viscera/medical_io/handle_file.h"
+#include "viscera/medical_io/surface_file.h"
+
+namespace viscera::tests {
+namespace {
+
+GoodFile written(const std::string& extension) {
+  const TemporaryFolder folder;
+  geometry::TriangleMesh mesh = sphere(1, 50);
+  mesh.colors.resize(mesh.points.rows(), 3);
+  mesh.colors.setConstant(128);
+  medical_io::writeSurface(folder / ("a" + extension), mesh, {medical_io::Space::ras, "organ"});
+  return {"viscera" + extension, contentsOf(folder / ("a" + extension)), false, extension == ".obj"};
+}
+
+GoodFile legacyVtk(const std::string& name, bool binary, int version, bool strips) {
+  vtkNew<vtkSphereSource> source;
+  source->SetRadius(50);
+  vtkNew<vtkStripper> stripper;
+  stripper->SetInputConnection(source->GetOutputPort());
+  vtkNew<vtkPolyDataWriter> writer;
+  writer->SetInputConnection(strips ? stripper->GetOutputPort() : source->GetOutputPort());
+  writer->SetFileType(binary ? VTK_BINARY : VTK_ASCII);
+  writer->SetFileVersion(version);
+  writer->WriteToOutputStringOn();
+  writer->Write();
+  return {name,
+          std::string(writer->GetOutputString(), static_cast<std::size_t>(writer->GetOutputStringLength()))};
+}
+
+GoodFile vtp(const std::string& name, int mode, bool encoded, bool compressed) {
+  const TemporaryFolder folder;
+  vtkNew<vtkSphereSource> source;
+  source->SetRadius(50);
+  vtkNew<vtkXMLPolyDataWriter> writer;
+  writer->SetInputConnection(source->GetOutputPort());
+  writer->SetDataMode(mode);
+  writer->SetEncodeAppendedData(encoded);
+  writer->SetCompressorType(compressed ? vtkXMLWriter::ZLIB : vtkXMLWriter::NONE);
+  writer->SetFileName((folder / "a.vtp").c_str());
+  writer->Write();
+  return {name, contentsOf(folder / "a.vtp")};
+}
+
+GoodFile textStl() {
+  const geometry::TriangleMesh mesh = box(30, 40, 50);
+  std::string text = "solid organ SPACE=LPS\n";
+  for (Eigen::Index t = 0; t < mesh.triangles.rows(); ++t) {
+    text += "facet normal 0 0 0\n outer loop\n";
+    for (int k = 0; k < 3; ++k) {
+      text += "  vertex";
+      for (int axis = 0; axis < 3; ++axis)
+        text += " " + std::to_string(mesh.points(mesh.triangles(t, k), axis));
+      text += "\n";
+    }
+    text += " endloop\nendfacet\n";
+  }
+  return {"text.stl", text + "endsolid organ\n"};
+}
+
+GoodFile textPly() {
+  const geometry::TriangleMesh mesh = box(30, 40, 50);
+  std::string text =
+      "ply\nformat ascii 1.0\ncomment SPACE=RAS\nelement vertex 8\nproperty float x\nproperty float y\n"
+      "property float z\nelement face 12\nproperty list uchar int vertex_indices\nend_header\n";
+  for (Eigen::Index v = 0; v < mesh.points.rows(); ++v)
+    for (int axis = 0; axis < 3; ++axis)
+      text += std::to_string(mesh.points(v, axis)) + (axis == 2 ? "\n" : " ");
+  for (Eigen::Index t = 0; t < mesh.triangles.rows(); ++t) {
+    text += "3";
+    for (int k = 0; k < 3; ++k)
+      text += " " + std::to_string(mesh.triangles(t, k));
+    text += "\n";
+  }
+  return {"text.ply", text};
+}
+
+/// Its buffer within the file: one triangle, 36 bytes in base64.
+GoodFile gltf() {
+  return {
+      "scene.gltf",
+      R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0,"scale":[2,2,2]}],)"
+      R"("meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}],"accessors":[{"bufferView":0,)"
+      R"("componentType":5126,"count":3,"type":"VEC3"}],"bufferViews":[{"buffer":0,"byteLength":36}],)"
+      R"("buffers":[{"byteLength":36,"uri":"data:application/octet-stream;base64,)"
+      R"(AAAAAAAAAAAAAAAAAADIQgAAAAAAAAAAAAAAAAAAyEIAAAAA"}]})"};
+}
+
+GoodFile markups() {
+  const TemporaryFolder folder;
+  medical_io::HandleFile rig;
+  for (const char* name : {"A", "B"}) {
+    medical_io::HandleGroupRecord group{name, {1, 0.5, 0}, {}};
+    for (int i = 0; i < 5; ++i)
+      group.handles.push_back(
+          {std::string(name) + "-" + std::to_string(i), {i + 0.1, 2.0 * i, -i / 3.0}, "", i == 1});
+    rig.groups.push_back(group);
+  }
+  medical_io::writeHandles(folder / "a.mrk.json", rig);
+  return {"rig.mrk.json", contentsOf(folder / "a.mrk.json"), true};
+}
+
+GoodFile fcsv() {
+  std::string text = "# Markups fiducial file version = 4.11\n# CoordinateSystem = RAS\n"
+                     "# columns = id,x,y,z,ow,ox,oy,oz,vis,sel,lock,label,desc,associatedNodeID\n";
+  for (int i = 0; i < 6; ++i)
+    text += "n," + std::to_string(10 * i) + ",2.5,3,0,0,0,1,1,1,0,F-" + std::to_string(i) + ",\"a, b\",\n";
+  return {"tips.fcsv", text, true, true};
+}
+
+} // namespace
+
+std::vector<GoodFile> goodFiles() {
+  std::vector<GoodFile> list;
+  for (const char* extension : {".stl", ".obj", ".ply", ".off", ".vtk", ".vtp", ".glb"})
+    list.push_back(written(extension));
+  list.push_back(textStl());
+  list.push_back(textPly());
+  list.push_back(gltf());
+  list.push_back(legacyVtk("text.vtk", false, 42, false));
+  list.push_back(legacyVtk("strips.vtk", true, 42, true));
+  list.push_back(legacyVtk("offsets.vtk", true, 51, true));
+  list.push_back(vtp("text.vtp", vtkXMLWriter::Ascii, true, false));
+  list.push_back(vtp("inline.vtp", vtkXMLWriter::Binary, true, true));
+  list.push_back(vtp("raw.vtp", vtkXMLWriter::Appended, false, false));
+  list.push_back(vtp("raw_packed.vtp", vtkXMLWriter::Appended, false, true));
+  list.push_back(markups());
+  list.push_back(fcsv());
+  return list;
+}
+
+} // namespace viscera::tests

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <cstddef>
+#include <ostream>
+#include <string>
+#include <vector>
+
+namespace viscera::tests {
+
+/// A file that can be read, to be broken in every way.
+struct GoodFile {
+  std::string name; ///< Says the way it is stored and ends in its extension.
+  std::string bytes;
+  bool handles = false;
+  /// A part of it can look like a whole: formats that say nowhere how long they are.
+  bool partsLookWhole = false;
+};
+
+inline void PrintTo(const GoodFile& file, std::ostream* out) {
+  *out << file.name;
+}
+
+/// One small file of every format that Viscera reads, in the ways that programs store it.
+std::vector<GoodFile> goodFiles();
+
+} // namespace viscera::tests
