@@ -39,6 +39,9 @@ constexpr int kTitleFontSize = 13;
 /// The bar takes at most this part of the view's height.
 constexpr double kMostOfView = 0.5;
 constexpr int kMostTicks = 6;
+/// Beyond these, labels may be written with an exponent.
+constexpr double kLargestPlain = 1e5;
+constexpr double kSmallestPlain = 1e-4;
 
 void setColor(vtkTextActor* actor, const Vec3& color) {
   actor->GetTextProperty()->SetColor(color.x(), color.y(), color.z());
@@ -81,8 +84,9 @@ std::vector<double> niceTicks(ValueRange range, int most) {
 std::string tickLabel(double value, double spacing) {
   char label[32];
   const double largest = std::max(std::abs(value), std::abs(spacing));
-  if (largest != 0 && (largest >= 1e5 || spacing < 1e-4)) {
-    std::snprintf(label, sizeof label, "%.3g", value);
+  if (largest >= kLargestPlain || spacing < kSmallestPlain) {
+    const int digits = spacing > 0 ? static_cast<int>(std::ceil(std::log10(largest / spacing))) + 2 : 3;
+    std::snprintf(label, sizeof label, "%.*g", std::max(3, digits), value);
     return label;
   }
   // The small push keeps a spacing such as 0.1 from asking for a digit too many.

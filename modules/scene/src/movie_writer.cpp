@@ -132,6 +132,8 @@ void MovieWriter::add(vtkSmartPointer<vtkImageData> frame) {
 
 /// Waits until the worker has ended or somebody has cancelled; true when the movie is complete.
 bool MovieWriter::Parts::waitForWorker(Progress& progress) {
+  if (progress.cancelled())
+    return false;
   std::unique_lock lock(mutex);
   noMore = true;
   changed.notify_all();

@@ -113,6 +113,7 @@ void OrganView::Parts::smoothEdges() {
   if (window->GetMultiSamples() != samples)
     window->SetMultiSamples(samples);
   renderer->SetUseFXAA(smooth && samples == 0);
+  cube.renderer()->SetUseFXAA(smooth && samples == 0);
 }
 
 void OrganView::Parts::prepareFrame() {
@@ -172,6 +173,9 @@ OrganView::OrganView() : parts_(std::make_unique<Parts>()) {
 }
 
 OrganView::~OrganView() {
+  // Whoever listens may be gone already: a drag that ends here is neither announced nor drawn.
+  parts_->widget->RemoveAllObservers();
+  parts_->widget->SetRenderOnChange(false);
   setInteractor(nullptr);
   setWindow(nullptr);
 }
@@ -327,7 +331,7 @@ void OrganView::frame(const Bounds& bounds) {
   camera->SetFocalPoint(center.data());
   camera->SetPosition(position.data());
   camera->SetViewUp(view.up.data());
-  camera->SetParallelScale(distance * tangent);
+  camera->SetParallelScale(framingScale(bounds, {view.forward, view.up}, aspect, kMargin));
   renderer->ResetCameraClippingRange();
 }
 

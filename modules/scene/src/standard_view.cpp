@@ -54,20 +54,39 @@ ViewDirections directionsOf(StandardView view) {
   return {toBack, toHead};
 }
 
-double framingDistance(const Bounds& bounds, const ViewDirections& directions, double tangent, double aspect,
-                       double margin) {
+namespace {
+
+/// Calls `use(height, depth)` for every corner of a box, seen from its middle: how much of the picture's half
+/// height it needs (its half width counted by the aspect), and how much farther than the middle it is.
+template <typename Use>
+void forCorners(const Bounds& bounds, const ViewDirections& directions, double aspect, const Use& use) {
   const Vec3 right = directions.forward.cross(directions.up);
-  double distance = 0;
   for (int corner = 0; corner < 8; ++corner) {
     const Vec3 point(corner & 1 ? bounds.high.x() : bounds.low.x(),
                      corner & 2 ? bounds.high.y() : bounds.low.y(),
                      corner & 4 ? bounds.high.z() : bounds.low.z());
     const Vec3 fromCenter = point - bounds.center();
-    const double needed =
-        std::max(std::abs(fromCenter.dot(directions.up)), std::abs(fromCenter.dot(right)) / aspect);
-    distance = std::max(distance, margin * needed / tangent - fromCenter.dot(directions.forward));
+    use(std::max(std::abs(fromCenter.dot(directions.up)), std::abs(fromCenter.dot(right)) / aspect),
+        fromCenter.dot(directions.forward));
   }
+}
+
+} // namespace
+
+double framingDistance(const Bounds& bounds, const ViewDirections& directions, double tangent, double aspect,
+                       double margin) {
+  double distance = 0;
+  forCorners(bounds, directions, aspect, [&](double height, double depth) {
+    distance = std::max(distance, margin * height / tangent - depth);
+  });
   return distance;
+}
+
+double framingScale(const Bounds& bounds, const ViewDirections& directions, double aspect, double margin) {
+  double scale = 0;
+  forCorners(bounds, directions, aspect,
+             [&](double height, double) { scale = std::max(scale, margin * height); });
+  return scale;
 }
 
 } // namespace viscera::scene

@@ -18,4 +18,7 @@ ViewDirections directionsOf(StandardView view);
 double framingDistance(const Bounds& bounds, const ViewDirections& directions, double tangent, double aspect,
                        double margin);
 
+/// The same for a parallel camera: half the height of the picture, mm.
+double framingScale(const Bounds& bounds, const ViewDirections& directions, double aspect, double margin);
+
 } // namespace viscera::scene

@@ -1,6 +1,6 @@
 #include "viscera/scene/surface_pick.h"
 
-#include <algorithm>
+#include <limits>
 
 #include "ray_mesh.h"
 #include "view_geometry.h"
@@ -38,8 +38,14 @@ std::optional<SurfacePick> pickSurface(const Ray& ray, const std::vector<OrganAc
     normal +=
         pick->weights[std::size_t(c)] * pick->organ->normals().row(corners[c]).transpose().cast<double>();
   }
-  const auto heaviest = std::max_element(pick->weights.begin(), pick->weights.end());
-  pick->vertex = corners[heaviest - pick->weights.begin()];
+  double nearest = std::numeric_limits<double>::infinity();
+  for (int c = 0; c < 3; ++c) {
+    const double away = (pick->organ->points().row(corners[c]).transpose() - pick->position).norm();
+    if (away < nearest) {
+      nearest = away;
+      pick->vertex = corners[c];
+    }
+  }
   pick->normal = normal.norm() > 0 ? normal.normalized() : Vec3(-ray.direction);
   return pick;
 }

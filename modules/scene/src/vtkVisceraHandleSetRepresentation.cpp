@@ -31,7 +31,7 @@ namespace {
 constexpr double kOutlinePixels = 1.0;
 constexpr double kRimPixels = 3.0;
 /// Below this sine of the angle between ray and plane the point where they meet runs away from the cursor.
-constexpr double kGrazing = 0.15;
+constexpr double kGrazing = 0.25;
 const Vec3 kDefaultColor(0.95, 0.75, 0.25);
 
 } // namespace

@@ -1,0 +1,112 @@
+#include <cmath>
+#include <memory>
+
+#include <gtest/gtest.h>
+#include <vtkCamera.h>
+#include <vtkImageData.h>
+
+#include "viscera/scene/volume_chart.h"
+
+#include "picture_check.h"
+#include "shapes.h"
+#include "view_fixture.h"
+
+namespace viscera::scene {
+namespace {
+
+using tests::expectLooksLikeReference;
+using tests::ViewInWindow;
+
+/// Something like a kidney, darker towards its hilum.
+geometry::TriangleMesh bean() {
+  auto mesh = tests::sphere(5, 40);
+  mesh.colors.resize(mesh.points.rows(), 3);
+  for (Eigen::Index i = 0; i < mesh.points.rows(); ++i) {
+    const Vec3 p = mesh.points.row(i).transpose() / 40;
+    const double dent = std::exp(-3 * (p - Vec3(1, -0.3, 0)).squaredNorm());
+    mesh.points.row(i) = 40 * Eigen::RowVector3d(p.x() * (0.75 - 0.5 * dent), 0.6 * p.y(), 1.25 * p.z());
+    mesh.colors.row(i) << std::uint8_t(190 - 90 * dent), std::uint8_t(90 - 50 * dent),
+        std::uint8_t(80 - 40 * dent);
+  }
+  return mesh;
+}
+
+/// Handles around the bean, some of them behind it.
+Points handlesAround() {
+  Points handles(8, 3);
+  handles << 0, -32, 0, 38, -5, 20, -38, -5, -20, 0, -5, 58, 0, -5, -58, 0, 34, 18, 0, 34, -22, 16, -28, -30;
+  return handles;
+}
+
+class ScenePicture : public testing::Test {
+protected:
+  explicit ScenePicture() : window(480, 320) {
+    organ = window.addOrgan(bean());
+    window.view.lookFrom(StandardView::anterior);
+    window.view.renderer()->GetActiveCamera()->Azimuth(-25);
+    window.view.renderer()->GetActiveCamera()->Elevation(12);
+    window.view.frame();
+  }
+  vtkSmartPointer<vtkImageData> picture() { return grabPicture(window.surface.window()); }
+  ViewInWindow window;
+  std::shared_ptr<OrganActor> organ;
+};
+
+TEST_F(ScenePicture, OrganWithItsHandles) {
+  window.view.handles()->SetPositions(handlesAround());
+  window.view.handles()->SetSelection({1, 5});
+  window.view.handles()->SetActiveHandle(7);
+  expectLooksLikeReference(picture(), "organ_and_handles");
+}
+
+TEST_F(ScenePicture, InfluenceMapWithLegend) {
+  const Vec3 handle = handlesAround().row(0).transpose();
+  auto values = std::make_shared<Values>(organ->mesh().points.rows());
+  for (Eigen::Index i = 0; i < values->size(); ++i)
+    (*values)[i] = std::exp(-(organ->mesh().points.row(i).transpose() - handle).squaredNorm() / 1200);
+  organ->showScalars(values, viridis(), {0, 1});
+  window.view.legend().show("Influence", "", viridis(), {0, 1});
+  expectLooksLikeReference(picture(), "influence_map");
+}
+
+TEST_F(ScenePicture, RestShapeAndAllowedPlaneInTheLightTheme) {
+  window.view.setTheme(lightTheme());
+  window.view.addGhost(
+      std::make_shared<GhostOutline>(std::shared_ptr<const geometry::TriangleMesh>(organ, &organ->mesh())));
+  auto posed = std::make_shared<Points>(organ->mesh().points);
+  posed->col(2) = posed->col(2).unaryExpr([](double z) { return z > 0 ? 1.35 * z : 0.85 * z; });
+  organ->setPoints(posed);
+  window.view.frame();
+  window.view.handles()->SetPositions(handlesAround());
+  window.view.handles()->SetSelection({0});
+  window.view.constraint().show(handlesAround().row(0).transpose(), {0.5, -1, 0.6});
+  expectLooksLikeReference(picture(), "rest_shape_and_plane");
+}
+
+TEST_F(ScenePicture, TranslucentWallShowsWhatIsInside) {
+  organ->setOpacity(0.4);
+  window.addOrgan(tests::sphere(4, 14, {-6, 0, 12}))->setColor({0.25, 0.45, 0.8});
+  window.view.handles()->SetPositions(handlesAround());
+  expectLooksLikeReference(picture(), "translucent_wall");
+}
+
+TEST(ChartPicture, CurvesBandsAndCursor) {
+  SurfacelessWindow surface(480, 200);
+  VolumeChart chart;
+  chart.setWindow(surface.window());
+  chart.setTheme(darkTheme());
+  chart.setLines({{"LV", {0.88, 0.36, 0.32}, true, {60, 150}}, {"RV", {0.35, 0.6, 0.92}, false, {}}});
+  chart.setTimeSpan(3);
+  for (int i = 0; i < 100; ++i) {
+    const double squeeze = std::pow(std::max(0.0, std::sin(2 * M_PI * 0.04 * i / 0.8)), 2);
+    Values values(2);
+    values << 130 - 75 * squeeze, 148 - 70 * squeeze;
+    chart.append(0.04 * i, values);
+  }
+  chart.setCursor(3.2);
+  chart.update();
+  expectLooksLikeReference(grabPicture(surface.window()), "chart");
+}
+
+} // namespace
+} // namespace viscera::scene

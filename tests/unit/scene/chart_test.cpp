@@ -1,0 +1,142 @@
+#include <cmath>
+#include <limits>
+
+#include <gtest/gtest.h>
+#include <vtkImageData.h>
+#include <vtkRenderWindow.h>
+
+#include "viscera/scene/picture.h"
+#include "viscera/scene/surfaceless_window.h"
+#include "viscera/scene/volume_chart.h"
+
+namespace viscera::scene {
+namespace {
+
+const ChartLine kRed{"LV", {1, 0, 0}, false, {}};
+const ChartLine kGreen{"RV", {0, 1, 0}, true, {60, 150}};
+
+Values two(double a, double b) {
+  Values values(2);
+  values << a, b;
+  return values;
+}
+
+/// Pixels of a pure colour left of `x`.
+int count(vtkImageData* picture, int channel, int left, int right) {
+  int found = 0;
+  for (int y = 0; y < picture->GetDimensions()[1]; ++y)
+    for (int x = left; x < right; ++x) {
+      const auto* p = static_cast<const unsigned char*>(picture->GetScalarPointer(x, y, 0));
+      found += p[channel] > 180 && p[(channel + 1) % 3] < 90 && p[(channel + 2) % 3] < 90;
+    }
+  return found;
+}
+
+TEST(VolumeChart, KeepsWhatFitsIntoItsTimeSpan) {
+  VolumeChart chart;
+  chart.setLines({kRed, kGreen});
+  chart.setTimeSpan(4);
+  for (int i = 0; i < 1000; ++i)
+    chart.append(0.1 * i, two(i, 2 * i));
+  EXPECT_GE(chart.pointCount(), 40);
+  EXPECT_LE(chart.pointCount(), 62);
+  chart.update();
+}
+
+TEST(VolumeChart, TimeThatGoesBackDropsWhatCameAfterIt) {
+  VolumeChart chart;
+  chart.setLines({kRed, kGreen});
+  for (const double time : {0.0, 1.0, 2.0, 3.0})
+    chart.append(time, two(1, 2));
+  chart.append(1.5, two(1, 2));
+  EXPECT_EQ(chart.pointCount(), 3);
+  chart.append(1.5, two(1, 2));
+  EXPECT_EQ(chart.pointCount(), 3) << "the same time again replaces its point";
+  chart.clear();
+  EXPECT_EQ(chart.pointCount(), 0);
+  EXPECT_EQ(chart.lineCount(), 2);
+}
+
+TEST(VolumeChart, FixedTimeRangeDropsNothing) {
+  VolumeChart chart;
+  chart.setLines({kRed, kGreen});
+  chart.setTimeRange({0, 1});
+  for (int i = 0; i < 500; ++i)
+    chart.append(0.1 * i, two(1, 2));
+  EXPECT_EQ(chart.pointCount(), 500);
+}
+
+TEST(VolumeChart, DrawsItsLinesInTheirColoursAndHidesThemOnRequest) {
+  SurfacelessWindow surface(500, 200);
+  VolumeChart chart;
+  chart.setWindow(surface.window());
+  chart.setTheme(darkTheme());
+  chart.setLines({kRed, kGreen});
+  chart.setTimeRange({0, 10});
+  for (int i = 0; i <= 100; ++i)
+    chart.append(0.1 * i, two(100 + 20 * std::sin(0.3 * i), 120 + 20 * std::cos(0.3 * i)));
+  chart.update();
+  // The legend on the right is left out of the count.
+  const auto both = grabPicture(surface.window());
+  EXPECT_GT(count(both, 0, 60, 400), 150);
+  EXPECT_GT(count(both, 1, 60, 400), 150);
+  chart.setLineShown(0, false);
+  chart.update();
+  EXPECT_EQ(count(grabPicture(surface.window()), 0, 60, 400), 0);
+}
+
+TEST(VolumeChart, NotANumberIsAGap) {
+  SurfacelessWindow surface(500, 200);
+  VolumeChart chart;
+  chart.setWindow(surface.window());
+  chart.setTheme(darkTheme());
+  chart.setLines({kRed});
+  chart.setTimeRange({0, 10});
+  for (int i = 0; i <= 100; ++i)
+    chart.append(0.1 * i, Values::Constant(1, i > 20 ? std::numeric_limits<double>::quiet_NaN() : 50));
+  chart.update();
+  const auto picture = grabPicture(surface.window());
+  EXPECT_GT(count(picture, 0, 60, 120), 20);
+  EXPECT_EQ(count(picture, 0, 200, 400), 0);
+}
+
+TEST(VolumeChart, CursorAndBandAreSeen) {
+  SurfacelessWindow surface(400, 200);
+  VolumeChart chart;
+  chart.setWindow(surface.window());
+  chart.setTheme(lightTheme());
+  chart.setLines({kRed, kGreen});
+  chart.setTimeRange({0, 10});
+  chart.update();
+  const auto without = grabPicture(surface.window());
+  chart.setCursor(5);
+  chart.update();
+  const double cursor = comparePictures(without, grabPicture(surface.window())).differing;
+  EXPECT_GT(cursor, 0.001);
+  EXPECT_LT(cursor, 0.03);
+  chart.hideCursor();
+  chart.setLineShown(1, false);
+  chart.update();
+  EXPECT_GT(comparePictures(without, grabPicture(surface.window()), 4).differing, 0.1)
+      << "the band goes with its line";
+}
+
+TEST(VolumeChart, EmptyAndSinglePointAreOrdinaryStates) {
+  SurfacelessWindow surface(300, 150);
+  VolumeChart chart;
+  chart.setWindow(surface.window());
+  surface.window()->Render();
+  chart.setLines({kRed, kGreen});
+  chart.update();
+  surface.window()->Render();
+  chart.append(0, two(3, 4));
+  chart.update();
+  surface.window()->Render();
+  chart.setLines({});
+  chart.update();
+  surface.window()->Render();
+  EXPECT_EQ(chart.lineCount(), 0);
+}
+
+} // namespace
+} // namespace viscera::scene

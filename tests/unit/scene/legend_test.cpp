@@ -1,0 +1,52 @@
+#include <cmath>
+#include <set>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "viscera/scene/legend.h"
+
+namespace viscera::scene {
+namespace {
+
+TEST(Legend, TicksAreFewRoundInsideTheRangeAndToldApartByTheirLabels) {
+  for (const double low : {-1e6, -37.2, -0.001, 0.0, 1e-9, 0.3, 99.0, 12345.0})
+    for (double span = 1e-7; span < 1e7; span *= 3.7) {
+      if (span < 1e-6 * std::abs(low))
+        continue; // Finer than a label of sensible length can tell.
+      const ValueRange range{low, low + span};
+      const auto ticks = niceTicks(range);
+      ASSERT_GE(ticks.size(), 2U) << low << " + " << span;
+      ASSERT_LE(ticks.size(), 6U);
+      const double step = ticks[1] - ticks[0];
+      std::set<std::string> labels;
+      for (const double tick : ticks) {
+        EXPECT_GE(tick, range.low - 1e-6 * span);
+        EXPECT_LE(tick, range.high + 1e-6 * span);
+        EXPECT_NEAR(tick / step, std::round(tick / step), 1e-3);
+        labels.insert(tickLabel(tick, step));
+      }
+      EXPECT_EQ(labels.size(), ticks.size()) << low << " + " << span;
+      const double mantissa = step / std::pow(10, std::floor(std::log10(step) + 1e-6));
+      EXPECT_TRUE(std::abs(mantissa - 1) < 1e-3 || std::abs(mantissa - 2) < 1e-3 ||
+                  std::abs(mantissa - 5) < 1e-3)
+          << step;
+    }
+}
+
+TEST(Legend, TicksOfUsualRangesAreTheUsualOnes) {
+  EXPECT_EQ(niceTicks({0, 1}), (std::vector<double>{0, 0.2, 2 * 0.2, 3 * 0.2, 4 * 0.2, 1}));
+  EXPECT_EQ(niceTicks({-1, 1}).size(), 5U);
+  EXPECT_EQ(niceTicks({3, 3}).size(), 1U);
+}
+
+TEST(Legend, LabelsHaveJustTheDigitsNeeded) {
+  EXPECT_EQ(tickLabel(0.2, 0.2), "0.2");
+  EXPECT_EQ(tickLabel(0.25, 0.05), "0.25");
+  EXPECT_EQ(tickLabel(-3, 1), "-3");
+  EXPECT_EQ(tickLabel(150, 50), "150");
+  EXPECT_EQ(tickLabel(0, 0.1), "0.0");
+}
+
+} // namespace
+} // namespace viscera::scene

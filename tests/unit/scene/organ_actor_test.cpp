@@ -1,0 +1,124 @@
+#include <memory>
+
+#include <gtest/gtest.h>
+#include <vtkActor.h>
+#include <vtkCellArray.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkProperty.h>
+
+#include "viscera/core/error.h"
+#include "viscera/scene/organ_actor.h"
+
+#include "shapes.h"
+#include "view_fixture.h"
+
+namespace viscera::scene {
+namespace {
+
+std::shared_ptr<geometry::TriangleMesh> ball(int levels = 3) {
+  return std::make_shared<geometry::TriangleMesh>(tests::sphere(levels, 40));
+}
+
+const void* pointsSeen(const OrganActor& actor) {
+  return actor.polyData()->GetPoints()->GetVoidPointer(0);
+}
+
+TEST(OrganActor, VtkLooksAtTheMeshItself) {
+  auto mesh = ball();
+  mesh->colors = Colors::Constant(mesh->points.rows(), 3, 90);
+  const OrganActor actor(mesh);
+  auto* data = actor.polyData();
+  EXPECT_EQ(pointsSeen(actor), mesh->points.data());
+  EXPECT_EQ(data->GetPolys()->GetConnectivityArray()->GetVoidPointer(0), mesh->triangles.data());
+  EXPECT_EQ(data->GetPointData()->GetNormals()->GetVoidPointer(0), actor.normals().data());
+  EXPECT_EQ(data->GetPointData()->GetArray("colors")->GetVoidPointer(0), mesh->colors.data());
+  EXPECT_EQ(data->GetNumberOfPoints(), mesh->points.rows());
+  EXPECT_EQ(data->GetNumberOfPolys(), mesh->triangles.rows());
+}
+
+TEST(OrganActor, VtkLooksAtTheNumbersThatColourIt) {
+  OrganActor actor(ball());
+  const auto values = std::make_shared<Values>(Values::LinSpaced(actor.mesh().points.rows(), 0, 1));
+  actor.showScalars(values, viridis(), {0, 1});
+  EXPECT_EQ(actor.polyData()->GetPointData()->GetArray("values")->GetVoidPointer(0), values->data());
+  EXPECT_TRUE(actor.scalarsShown());
+  actor.hideScalars();
+  EXPECT_EQ(actor.polyData()->GetPointData()->GetArray("values"), nullptr);
+}
+
+TEST(OrganActor, FollowsThePosedPointsWithoutCopyEvenWhenTheyMoveInMemory) {
+  const auto mesh = ball();
+  OrganActor actor(mesh);
+  auto posed = std::make_shared<Points>(2.0 * mesh->points);
+  actor.setPoints(posed);
+  EXPECT_EQ(pointsSeen(actor), posed->data());
+  EXPECT_NEAR(actor.polyData()->GetBounds()[1], 80, 1e-12);
+
+  *posed = Points(3.0 * mesh->points);
+  Points elsewhere = *posed;
+  posed->swap(elsewhere);
+  actor.pointsChanged();
+  EXPECT_EQ(pointsSeen(actor), posed->data());
+  EXPECT_NEAR(actor.polyData()->GetBounds()[1], 120, 1e-12);
+
+  actor.setPoints(nullptr);
+  EXPECT_EQ(pointsSeen(actor), mesh->points.data());
+}
+
+TEST(OrganActor, NormalsAreThoseOfThePointsAsTheyAreNow) {
+  const auto mesh = ball();
+  OrganActor actor(mesh);
+  auto posed = std::make_shared<Points>(mesh->points);
+  actor.setPoints(posed);
+  posed->col(2) *= 0.25;
+  actor.pointsChanged();
+  EXPECT_EQ(actor.normals(), geometry::vertexNormals({*posed, mesh->triangles, {}}));
+}
+
+TEST(OrganActor, KeepsWhatItDrawsAlive) {
+  auto mesh = ball();
+  const double x = mesh->points(5, 0);
+  const OrganActor actor(std::move(mesh));
+  EXPECT_EQ(static_cast<const double*>(pointsSeen(actor))[15], x);
+}
+
+TEST(OrganActor, RefusesPointsAndNumbersOfAnotherCount) {
+  OrganActor actor(ball());
+  EXPECT_THROW(actor.setPoints(std::make_shared<Points>(3, 3)), UsageError);
+  EXPECT_THROW(actor.showScalars(std::make_shared<Values>(7), viridis(), {0, 1}), UsageError);
+}
+
+TEST(OrganActor, LeavesOutTheInsideOnlyWhenItCannotBeSeen) {
+  OrganActor actor(ball());
+  const Vec3 outside(0, -300, 0), inside(0, 0, 0);
+  const auto culls = [&](const Vec3& eye) {
+    actor.cullBackFaces(eye);
+    return actor.actor()->GetProperty()->GetBackfaceCulling() != 0;
+  };
+  EXPECT_TRUE(culls(outside));
+  EXPECT_FALSE(culls(inside));
+  actor.setOpacity(0.5);
+  EXPECT_FALSE(culls(outside));
+  actor.setOpacity(1);
+  actor.setClipPlane(Vec3::Zero(), Vec3::UnitX());
+  EXPECT_FALSE(culls(outside));
+  actor.clearClipPlane();
+  EXPECT_TRUE(culls(outside));
+
+  auto open = ball();
+  open->triangles.conservativeResize(open->triangles.rows() - 1, 3);
+  OrganActor hole(open);
+  hole.cullBackFaces(outside);
+  EXPECT_FALSE(hole.actor()->GetProperty()->GetBackfaceCulling());
+
+  auto inward = ball();
+  inward->triangles.col(0).swap(inward->triangles.col(1));
+  OrganActor turned(inward);
+  turned.cullBackFaces(outside);
+  EXPECT_FALSE(turned.actor()->GetProperty()->GetBackfaceCulling());
+}
+
+} // namespace
+} // namespace viscera::scene

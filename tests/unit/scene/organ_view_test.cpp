@@ -1,0 +1,201 @@
+#include <cmath>
+
+#include <gtest/gtest.h>
+#include <vtkCamera.h>
+#include <vtkImageData.h>
+#include <vtkRenderer.h>
+
+#include "viscera/core/error.h"
+#include "viscera/scene/picture.h"
+
+#include "shapes.h"
+#include "view_fixture.h"
+
+#include "scale_bar.h"
+#include "view_geometry.h"
+
+namespace viscera::scene {
+namespace {
+
+using tests::ViewInWindow;
+
+/// Where the patient's left, back and head are in a picture: x right, y up, and towards the reader.
+struct Expected {
+  StandardView view;
+  Vec3 left, back, head;
+};
+
+class AnatomicalView : public testing::TestWithParam<Expected> {};
+
+TEST_P(AnatomicalView, PutsThePatientsSidesWhereDoctorsExpectThem) {
+  ViewInWindow window(300, 300);
+  window.view.lookFrom(GetParam().view, {Vec3::Constant(-50), Vec3::Constant(50)});
+  const auto center = window.display(Vec3::Zero());
+  const auto seen = [&](const Vec3& direction) {
+    const auto at = window.display(20 * direction);
+    const double nearer = center[2] - at[2];
+    return Vec3(at[0] - center[0], at[1] - center[1],
+                std::abs(nearer) > 1e-9 ? std::copysign(50, nearer) : 0);
+  };
+  const auto points = [](const Vec3& seenDirection, const Vec3& wanted) {
+    return seenDirection.normalized().dot(wanted) > 0.9;
+  };
+  EXPECT_TRUE(points(seen(Vec3::UnitX()), GetParam().left)) << seen(Vec3::UnitX()).transpose();
+  EXPECT_TRUE(points(seen(Vec3::UnitY()), GetParam().back)) << seen(Vec3::UnitY()).transpose();
+  EXPECT_TRUE(points(seen(Vec3::UnitZ()), GetParam().head)) << seen(Vec3::UnitZ()).transpose();
+}
+
+const Vec3 kRight = Vec3::UnitX(), kUp = Vec3::UnitY(), kNear = Vec3::UnitZ();
+INSTANTIATE_TEST_SUITE_P(All, AnatomicalView,
+                         testing::Values(Expected{StandardView::anterior, kRight, -kNear, kUp},
+                                         Expected{StandardView::posterior, -kRight, kNear, kUp},
+                                         Expected{StandardView::left, kNear, kRight, kUp},
+                                         Expected{StandardView::right, -kNear, -kRight, kUp},
+                                         Expected{StandardView::superior, -kRight, -kUp, kNear},
+                                         Expected{StandardView::inferior, kRight, -kUp, -kNear}),
+                         [](const auto& parameters) { return nameOf(parameters.param.view); });
+
+TEST(OrganView, MarkerOnThePatientsLeftIsDrawnOnTheRightOfAnAnteriorPicture) {
+  ViewInWindow window(200, 150);
+  window.addOrgan(tests::sphere(3, 15, {40, 0, 0}))->setColor({1, 0, 0});
+  window.addOrgan(tests::sphere(3, 15, {-40, 0, 0}))->setColor({0, 0, 1});
+  window.view.lookFrom(StandardView::anterior);
+  const auto picture = grabPicture(window.surface.window());
+  double redX = 0, blueX = 0;
+  int red = 0, blue = 0;
+  for (int y = 0; y < 150; ++y)
+    for (int x = 0; x < 200; ++x) {
+      const auto* p = static_cast<const unsigned char*>(picture->GetScalarPointer(x, y, 0));
+      if (p[0] > 120 && p[2] < 60)
+        ++red, redX += x;
+      if (p[2] > 120 && p[0] < 60)
+        ++blue, blueX += x;
+    }
+  ASSERT_GT(red, 100);
+  ASSERT_GT(blue, 100);
+  EXPECT_GT(redX / red, 130);
+  EXPECT_LT(blueX / blue, 70);
+}
+
+TEST(OrganView, FramesTheWholeOrganAndFillsThePictureInAnyShapeOfWindow) {
+  for (const auto& [width, height] : {std::pair{600, 200}, std::pair{200, 600}, std::pair{400, 400}})
+    for (const bool parallel : {false, true}) {
+      ViewInWindow window(width, height);
+      window.view.renderer()->GetActiveCamera()->SetParallelProjection(parallel);
+      window.addOrgan(tests::box(120, 60, 30));
+      for (const auto view : {StandardView::anterior, StandardView::left, StandardView::superior}) {
+        window.view.lookFrom(view);
+        double most = 0;
+        for (int corner = 0; corner < 8; ++corner) {
+          const auto at =
+              window.display(Vec3(corner & 1 ? 120 : 0, corner & 2 ? 60 : 0, corner & 4 ? 30 : 0));
+          most = std::max({most, std::abs(at[0] / width - 0.5), std::abs(at[1] / height - 0.5)});
+        }
+        EXPECT_LT(most, 0.5) << nameOf(view);
+        EXPECT_GT(most, 0.4) << nameOf(view);
+      }
+    }
+}
+
+TEST(OrganView, FrameKeepsTheDirectionOfSight) {
+  ViewInWindow window;
+  window.addOrgan(tests::sphere(2, 40));
+  auto* camera = window.view.renderer()->GetActiveCamera();
+  camera->Azimuth(33);
+  camera->Elevation(12);
+  const Vec3 before(camera->GetDirectionOfProjection());
+  window.view.frame({Vec3(100, 100, 100), Vec3(130, 140, 150)});
+  EXPECT_LT((Vec3(camera->GetDirectionOfProjection()) - before).norm(), 1e-12);
+  EXPECT_LT((Vec3(camera->GetFocalPoint()) - Vec3(115, 120, 125)).norm(), 1e-9);
+}
+
+TEST(OrganView, OurProjectionAgreesWithVtks) {
+  ViewInWindow window(640, 300);
+  window.view.lookFrom(StandardView::anterior, {Vec3::Constant(-80), Vec3::Constant(80)});
+  auto* camera = window.view.renderer()->GetActiveCamera();
+  camera->Azimuth(21);
+  camera->Roll(17);
+  for (const bool parallel : {false, true}) {
+    camera->SetParallelProjection(parallel);
+    const auto view = viewGeometry(window.view.renderer());
+    for (const Vec3& point : {Vec3(10, -30, 44), Vec3(-60, 20, -7), Vec3(0, 0, 0)}) {
+      const auto ours = view.project(point);
+      const auto vtks = window.display(point);
+      EXPECT_NEAR(ours.x, vtks[0], 1e-6);
+      EXPECT_NEAR(ours.y, vtks[1], 1e-6);
+      EXPECT_LT((view.unproject(ours.x, ours.y, ours.depth) - point).norm(), 1e-9);
+    }
+  }
+}
+
+TEST(OrganView, TranslucentOrgansAreDrawnAlthoughEdgesAreSmoothed) {
+  ViewInWindow window(200, 150);
+  const auto organ = window.addOrgan(tests::sphere(4, 40));
+  window.view.lookFrom(StandardView::anterior);
+  organ->setVisible(false);
+  const auto empty = grabPicture(window.surface.window());
+  organ->setVisible(true);
+  organ->setOpacity(0.5);
+  EXPECT_GT(comparePictures(empty, grabPicture(window.surface.window())).differing, 0.1);
+}
+
+TEST(OrganView, SoftwareRenderersSmoothEdgesOnlyWhenNothingMoves) {
+  ViewInWindow window(200, 150);
+  window.addOrgan(tests::sphere(4, 40));
+  window.render();
+  if (!rendersInSoftware(window.surface.window()))
+    GTEST_SKIP() << "a graphics processor draws here";
+  window.view.setMoving(true);
+  window.render();
+  EXPECT_EQ(window.surface.window()->GetMultiSamples(), 0);
+  window.view.setMoving(false);
+  window.render();
+  EXPECT_GT(window.surface.window()->GetMultiSamples(), 1);
+}
+
+TEST(OrganView, LeavesOneWindowForAnother) {
+  ViewInWindow first(100, 100);
+  first.addOrgan(tests::sphere(2, 40));
+  first.render();
+  first.view.setInteractor(nullptr);
+  SurfacelessWindow second(120, 90);
+  first.view.setWindow(second.window());
+  first.view.handles()->SetPositions(Points::Zero(3, 3));
+  EXPECT_GT(grabPicture(second.window())->GetDimensions()[0], 100);
+  first.view.setWindow(nullptr);
+}
+
+TEST(OrganView, ForgetsOrgansThatAreRemoved) {
+  ViewInWindow window;
+  const auto organ = window.addOrgan(tests::sphere(2, 40));
+  window.view.add(organ);
+  EXPECT_EQ(window.view.organs().size(), 1U);
+  window.view.remove(organ);
+  window.view.remove(organ);
+  EXPECT_TRUE(window.view.organs().empty());
+  EXPECT_EQ(organ.use_count(), 1);
+  window.view.handles()->SetPositions(Points::Zero(1, 3));
+  EXPECT_EQ(window.view.bounds().diagonal(), 0);
+}
+
+TEST(StandardViews, NamesAreReadBackAndOthersRefused) {
+  for (const auto view : {StandardView::anterior, StandardView::posterior, StandardView::left,
+                          StandardView::right, StandardView::superior, StandardView::inferior})
+    EXPECT_EQ(standardViewFromName(nameOf(view)), view);
+  EXPECT_THROW(standardViewFromName("front"), UsageError);
+}
+
+TEST(ScaleBar, LengthsAreRoundAndAsLongAsPossible) {
+  for (double most = 0.013; most < 4000; most *= 1.37) {
+    const double length = roundLength(most);
+    EXPECT_LE(length, most);
+    EXPECT_GT(length, 0.4 * most - 1e-12);
+    const double mantissa = length / std::pow(10, std::floor(std::log10(length) + 1e-9));
+    EXPECT_TRUE(std::abs(mantissa - 1) < 1e-6 || std::abs(mantissa - 2) < 1e-6 ||
+                std::abs(mantissa - 5) < 1e-6)
+        << length;
+  }
+}
+
+} // namespace
+} // namespace viscera::scene

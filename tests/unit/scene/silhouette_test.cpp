@@ -1,0 +1,78 @@
+#include <cmath>
+
+#include <gtest/gtest.h>
+#include <vtkImageData.h>
+
+#include "viscera/geometry/normals.h"
+#include "viscera/scene/ghost_outline.h"
+#include "viscera/scene/picture.h"
+
+#include "shapes.h"
+#include "view_fixture.h"
+
+#include "depth_grid.h"
+#include "silhouette.h"
+
+namespace viscera::scene {
+namespace {
+
+TEST(Silhouette, OfABallSeenFromFarAwayIsItsGreatCircle) {
+  const auto mesh = tests::sphere(5, 10);
+  std::vector<float> segments;
+  silhouette(mesh, geometry::vertexNormals(mesh), {{}, Vec3::UnitY(), true}, segments);
+  ASSERT_GT(segments.size(), 6U * 50);
+  double length = 0;
+  for (std::size_t i = 0; i < segments.size(); i += 6) {
+    const Eigen::Map<const Eigen::Vector3f> a(&segments[i]), b(&segments[i + 3]);
+    EXPECT_NEAR(a.y(), 0, 0.05);
+    EXPECT_NEAR(a.norm(), 10, 0.05);
+    length += (a - b).norm();
+  }
+  EXPECT_NEAR(length, 2 * M_PI * 10, 0.1);
+}
+
+TEST(Silhouette, SeenFromNearbyIsTheCircleOfTouchingRays) {
+  const auto mesh = tests::sphere(5, 10);
+  const Vec3 eye(0, -20, 0);
+  std::vector<float> segments;
+  silhouette(mesh, geometry::vertexNormals(mesh), {eye, Vec3::UnitY(), false}, segments);
+  ASSERT_FALSE(segments.empty());
+  for (std::size_t i = 0; i < segments.size(); i += 3)
+    EXPECT_NEAR(segments[i + 1], -5, 0.1) << "the tangent circle is at r^2 / d from the centre";
+}
+
+TEST(DepthGrid, HidesWhatIsBehindTheSurfaceAndNotItsOwnEdge) {
+  const auto mesh = tests::sphere(5, 10);
+  ViewGeometry view;
+  view.eye = Vec3(0, -100, 0);
+  view.halfHeight = 0.2;
+  view.centerX = view.centerY = 500;
+  view.pixelHeight = 1000;
+  const DepthGrid grid(mesh, view, 200);
+  EXPECT_FALSE(grid.sees({0, 10, 0}, 0.2));
+  EXPECT_FALSE(grid.sees({5, 30, 4}, 0.2));
+  EXPECT_TRUE(grid.sees({0, -10, 0}, 0.2));
+  EXPECT_TRUE(grid.sees({9.95, -1, 0}, 0.2)) << "its edge";
+  EXPECT_TRUE(grid.sees({30, 30, 0}, 0.2)) << "beside it";
+  EXPECT_FALSE(grid.sees({0, -200, 0}, 0.2)) << "behind the eye";
+}
+
+TEST(GhostOutline, IsDrawnAroundTheRestShapeAndGoesWhenHidden) {
+  tests::ViewInWindow window(200, 150);
+  window.addOrgan(tests::sphere(4, 25));
+  const auto rest = std::make_shared<const geometry::TriangleMesh>(tests::sphere(4, 40));
+  const auto ghost = std::make_shared<GhostOutline>(rest);
+  window.view.lookFrom(StandardView::anterior, boundsOf(rest->points));
+  const auto without = grabPicture(window.surface.window());
+  window.view.addGhost(ghost);
+  const auto with = grabPicture(window.surface.window());
+  const double part = comparePictures(without, with).differing;
+  EXPECT_GT(part, 0.005);
+  EXPECT_LT(part, 0.1) << "a thin line";
+  ghost->setVisible(false);
+  EXPECT_EQ(comparePictures(without, grabPicture(window.surface.window())).differing, 0);
+  window.view.removeGhost(ghost);
+}
+
+} // namespace
+} // namespace viscera::scene
