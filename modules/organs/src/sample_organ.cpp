@@ -4,11 +4,11 @@
 #include <set>
 #include <utility>
 
-#include "content_hash.h"
 #include "definition/node_builder.h"
 #include "definition/organ_definition.h"
 #include "surface/generate_surface.h"
 #include "surface_cache.h"
+#include "viscera/core/content_hash.h"
 #include "viscera/core/error.h"
 
 namespace viscera::organs {

@@ -9,8 +9,8 @@
 #include <string_view>
 #include <system_error>
 
-#include "content_hash.h"
 #include "viscera/core/atomic_file.h"
+#include "viscera/core/content_hash.h"
 #include "viscera/core/error.h"
 
 namespace viscera::organs {

@@ -137,10 +137,18 @@ void requireFits(const Rig& rig, const sequences::Sequence& sequence) {
 NewRig rigOf(const sequences::Sequence& sequence) {
   NewRig rig;
   rig.handles = newHandles(sequence.restHandles());
-  NewGroup group{sequence.name(), {1.0, 0.5, 0.2}, {}};
-  for (std::size_t i = 0; i < rig.handles.size(); ++i)
-    group.handles.push_back(static_cast<int>(i));
-  rig.groups.push_back(std::move(group));
+  for (const sequences::HandleGroup& group : sequence.groups()) {
+    rig.groups.push_back({group.name, group.color, group.handles});
+    int number = 0;
+    for (const int handle : group.handles)
+      rig.handles[static_cast<std::size_t>(handle)].label = group.name + " " + std::to_string(++number);
+  }
+  if (rig.groups.empty()) {
+    NewGroup all{sequence.name(), {1.0, 0.5, 0.2}, {}};
+    for (std::size_t i = 0; i < rig.handles.size(); ++i)
+      all.handles.push_back(static_cast<int>(i));
+    rig.groups.push_back(std::move(all));
+  }
   return rig;
 }
 

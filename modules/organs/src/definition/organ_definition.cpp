@@ -4,8 +4,8 @@
 #include <iterator>
 #include <set>
 
-#include "content_hash.h"
 #include "definition/fields.h"
+#include "viscera/core/content_hash.h"
 #include "viscera/core/error.h"
 
 namespace viscera::organs {

@@ -78,7 +78,7 @@ private:
 /// (apart by more than 1e-6 of the size). It says to take the sequence's own handles.
 void requireFits(const Rig& rig, const sequences::Sequence& sequence);
 
-/// The sequence's own handles, for `replaceRig`.
+/// The sequence's own handles, for `replaceRig`: in its groups, each handle labelled after its group.
 NewRig rigOf(const sequences::Sequence& sequence);
 
 } // namespace viscera::session

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <string_view>
 
-namespace viscera::organs {
+namespace viscera {
 
 /// The 64-bit FNV-1a hash of `bytes`, continued from the hash of what came before. It tells versions of a
 /// file apart and finds damage; it is no protection against an attacker.
@@ -16,4 +16,4 @@ constexpr std::uint64_t contentHash(std::string_view bytes, std::uint64_t before
   return hash;
 }
 
-} // namespace viscera::organs
+} // namespace viscera

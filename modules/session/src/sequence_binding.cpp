@@ -1,0 +1,88 @@
+#include "sequence_binding.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "viscera/coordinates/built_in_systems.h"
+#include "viscera/core/error.h"
+#include "viscera/deformation/bind_organ.h"
+#include "viscera/geometry/volume.h"
+
+namespace viscera::session {
+namespace {
+
+/// Weights fall with about this power of the distance, so that a handle moves what is near it.
+constexpr double kLocality = 6;
+
+std::shared_ptr<const coordinates::CoordinateSystem> systemOf(const SystemChoice& choice) {
+  for (const auto& system : coordinates::builtInSystems())
+    if (system->id() == choice.id)
+      return system;
+  throw UsageError("there is no coordinate system \"" + choice.id + "\"", "sequence");
+}
+
+} // namespace
+
+SystemChoice softCoordinates(double softnessMm) {
+  SystemChoice choice;
+  choice.parameters.set("locality", kLocality);
+  choice.parameters.set("softness", softnessMm);
+  return choice;
+}
+
+MovedVolume::MovedVolume(std::shared_ptr<const geometry::TriangleMesh> mesh, const Points& restHandles,
+                         const SystemChoice& system, Threads threads)
+    : mesh_(std::move(mesh)), threads_(threads) {
+  coordinates::HandleSet handles;
+  handles.positions = restHandles;
+  Progress progress;
+  binding_ = systemOf(system)->bind(handles, mesh_->points, {system.parameters, threads}, progress);
+  if (!binding_->report().failures.empty())
+    throw DataError(std::to_string(binding_->report().failures.size()) +
+                        " vertices lie outside the hull of the sequence's handles",
+                    "sequence");
+}
+
+double MovedVolume::at(const Points& pose) {
+  binding_->deform(pose, points_, threads_);
+  return geometry::volume(points_, mesh_->triangles, threads_) / kMm3PerMl;
+}
+
+sequences::PoseCompensation compensationFor(const Points& restHandles, const SystemChoice& system,
+                                            Threads threads) {
+  coordinates::HandleSet handles;
+  handles.positions = restHandles;
+  Progress progress;
+  const auto binding = systemOf(system)->bind(handles, restHandles, {system.parameters, threads}, progress);
+  const Eigen::Index n = restHandles.rows();
+  Eigen::MatrixXd weights(n, n);
+  for (Eigen::Index handle = 0; handle < n; ++handle)
+    weights.col(handle) = binding->influence(static_cast<int>(handle));
+  for (const int row : binding->report().failures)
+    weights.row(row) = Eigen::RowVectorXd::Unit(n, row);
+  return sequences::PoseCompensation(weights);
+}
+
+std::shared_ptr<const geometry::TriangleMesh> surfaceOf(const organs::SampleOrgan& organ,
+                                                        const std::string& name) {
+  for (const organs::SampleSurface& surface : organ.surfaces)
+    if (surface.name == name)
+      return surface.mesh;
+  throw DataError("the sample organ has no surface \"" + name + "\"", organ.name,
+                  "restore its definition from the installation");
+}
+
+void runPart(Progress& progress, double from, double to, const std::function<void(Progress& part)>& job) {
+  progress.throwIfCancelled();
+  Progress* running = nullptr;
+  Progress part([&](double fraction, const std::string& step) {
+    progress.report(from + fraction * (to - from), step);
+    if (progress.cancelled())
+      running->cancel();
+  });
+  running = &part;
+  job(part);
+  progress.throwIfCancelled();
+}
+
+} // namespace viscera::session

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "viscera/coordinates/binding.h"
+#include "viscera/core/parallel.h"
+#include "viscera/core/progress.h"
+#include "viscera/geometry/triangle_mesh.h"
+#include "viscera/organs/sample_organ.h"
+#include "viscera/sequences/pose_compensation.h"
+#include "viscera/session/document.h"
+#include "viscera/session/rig_commands.h"
+
+/// What setting up any sequence on a sample organ takes.
+namespace viscera::session {
+
+/// S-Celestial coordinates that are local and smooth.
+SystemChoice softCoordinates(double softnessMm);
+
+/// The volume of a surface while handles move it.
+class MovedVolume {
+public:
+  MovedVolume(std::shared_ptr<const geometry::TriangleMesh> mesh, const Points& restHandles,
+              const SystemChoice& system, Threads threads);
+
+  /// With the handles at `pose`, ml. For one thread at a time.
+  double at(const Points& pose);
+
+private:
+  std::shared_ptr<const geometry::TriangleMesh> mesh_;
+  std::unique_ptr<const coordinates::Binding> binding_;
+  Points points_;
+  Threads threads_;
+};
+
+/// Lets handles overshoot by what these coordinates take back. Handles without coordinates of their own are
+/// left alone.
+sequences::PoseCompensation compensationFor(const Points& restHandles, const SystemChoice& system,
+                                            Threads threads);
+
+/// The surface of that name. Throws `DataError` when the organ has none.
+std::shared_ptr<const geometry::TriangleMesh> surfaceOf(const organs::SampleOrgan& organ,
+                                                        const std::string& name);
+
+/// Runs a part of a job as [from, to] of `progress`; cancelling goes through.
+void runPart(Progress& progress, double from, double to, const std::function<void(Progress& part)>& job);
+
+} // namespace viscera::session
