@@ -64,10 +64,11 @@ Organ readOrgan(const std::filesystem::path& file) {
   const std::string name = surface.name.empty() ? file.stem().string() : surface.name;
   Organ organ = makeOrgan(name, std::move(surface.mesh));
   organ.file = file;
-  std::vector<std::string> warnings = std::move(surface.warnings);
-  if (!surface.spaceStated)
-    warnings.push_back("the file does not say which axes it uses; left-posterior-superior is assumed");
-  organ.warnings.insert(organ.warnings.begin(), warnings.begin(), warnings.end());
+  // Both looked at the surface and say the same of it; only the file knows of units and axes.
+  for (std::string& warning : organ.warnings)
+    if (std::find(surface.warnings.begin(), surface.warnings.end(), warning) == surface.warnings.end())
+      surface.warnings.push_back(std::move(warning));
+  organ.warnings = std::move(surface.warnings);
   return organ;
 }
 

@@ -114,11 +114,16 @@ TEST_F(OpenFiles, CanBeCancelled) {
   EXPECT_THROW(openFiles({surface("liver.vtp", 30)}, progress), Cancelled);
 }
 
-TEST_F(OpenFiles, WarnOfTheSizeWithTheFilesName) {
+TEST_F(OpenFiles, WarnOnceOfEachFaultWithTheFilesName) {
+  geometry::TriangleMesh mesh = viscera::tests::sphere(3, 0.05);
+  mesh.triangles.col(0).swap(mesh.triangles.col(1));
+  medical_io::writeSurface(folder_ / "odd.vtp", mesh);
   Progress progress;
-  const OpenedFiles opened = openFiles({surface("metres.vtp", 0.05)}, progress);
+  const OpenedFiles opened = openFiles({folder_ / "odd.vtp"}, progress);
   EXPECT_THAT(opened.warnings,
-              ::testing::Contains(::testing::AllOf(HasSubstr("metres.vtp"), HasSubstr("implausible"))));
+              ::testing::UnorderedElementsAre(HasSubstr("odd.vtp: the surface is 0.1 mm across"),
+                                              HasSubstr("odd.vtp: the surface is inside out"),
+                                              HasSubstr("turned around")));
 }
 
 TEST_F(OpenFiles, KeepHandlesInSeveralGroupsThroughAFile) {
