@@ -121,7 +121,7 @@ TEST_F(OpenFiles, WarnOnceOfEachFaultWithTheFilesName) {
   Progress progress;
   const OpenedFiles opened = openFiles({folder_ / "odd.vtp"}, progress);
   EXPECT_THAT(opened.warnings,
-              ::testing::UnorderedElementsAre(HasSubstr("odd.vtp: the surface is 0.1 mm across"),
+              ::testing::UnorderedElementsAre(HasSubstr("odd.vtp: the surface is 0.173 mm across"),
                                               HasSubstr("odd.vtp: the surface is inside out"),
                                               HasSubstr("turned around")));
 }

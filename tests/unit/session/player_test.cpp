@@ -26,6 +26,7 @@ public:
   std::string id() const override { return "swing"; }
   std::string name() const override { return "Swing"; }
   const Points& restHandles() const override { return rest_; }
+  std::vector<sequences::HandleGroup> groups() const override { return {{"Top", {1, 0, 0}, {4, 8}}}; }
   double standardRatePerMinute() const override { return 60; }
   double lowestRatePerMinute() const override { return 30; }
   double highestRatePerMinute() const override { return 240; }
@@ -172,6 +173,8 @@ TEST(Player, FitsTheRigThatTheSequenceBringsAndNoOther) {
   EXPECT_THROW(requireFits(s.document.rig(), swing), DataError);
   s.undo.perform(replaceRig(rigOf(swing)));
   EXPECT_NO_THROW(requireFits(s.document.rig(), swing));
+  ASSERT_EQ(s.document.rig().groups.size(), 1u);
+  EXPECT_EQ(s.document.rig().groups[0].handles, (std::vector<HandleId>{s.handle(4), s.handle(8)}));
 }
 
 } // namespace
