@@ -13,6 +13,7 @@ Theme darkTheme() {
   Theme theme;
   theme.backgroundTop = fromHex(0x38424b);
   theme.backgroundBottom = fromHex(0x171b1f);
+  theme.panel = fromHex(0x262c31);
   theme.text = fromHex(0xe6e8ea);
   theme.muted = fromHex(0x8b98a3);
   theme.accent = fromHex(0x4fb3bf);
@@ -25,6 +26,7 @@ Theme lightTheme() {
   Theme theme;
   theme.backgroundTop = fromHex(0xffffff);
   theme.backgroundBottom = fromHex(0xdde4ea);
+  theme.panel = fromHex(0xffffff);
   theme.text = fromHex(0x22272b);
   theme.muted = fromHex(0x6b7781);
   theme.accent = fromHex(0x00798c);

@@ -104,6 +104,7 @@ void VolumeChart::Parts::build() {
   chart->SetRenderEmpty(true);
   chart->GetLegend()->SetHorizontalAlignment(vtkChartLegend::RIGHT);
   chart->GetLegend()->SetVerticalAlignment(vtkChartLegend::TOP);
+  chart->GetLegend()->SetInline(false); // Beside the curves: the newest points are on the right.
   chart->GetLegend()->SetLabelSize(kFontSize);
   chart->GetLegend()->GetPen()->SetLineType(vtkPen::NO_PEN);
   for (const int which : {vtkAxis::BOTTOM, vtkAxis::LEFT}) {
@@ -123,7 +124,7 @@ void VolumeChart::Parts::build() {
 
 void VolumeChart::Parts::applyTheme() {
   const Vec3& text = theme.text;
-  renderer->SetBackground(theme.backgroundBottom.data());
+  renderer->SetBackground(theme.panel.data());
   for (const int which : {vtkAxis::BOTTOM, vtkAxis::LEFT}) {
     auto* axis = chart->GetAxis(which);
     axis->GetLabelProperties()->SetColor(text.x(), text.y(), text.z());
@@ -132,7 +133,7 @@ void VolumeChart::Parts::applyTheme() {
     setPen(axis->GetGridPen(), theme.muted, 0.22);
   }
   chart->GetLegend()->GetLabelProperties()->SetColor(text.x(), text.y(), text.z());
-  const Vec3& back = theme.backgroundBottom;
+  const Vec3& back = theme.panel;
   chart->GetLegend()->GetBrush()->SetColor(byte(back.x()), byte(back.y()), byte(back.z()), 190);
   chart->GetBackgroundBrush()->SetOpacity(0);
   if (cursorPlot)
@@ -331,6 +332,10 @@ void VolumeChart::hideCursor() {
 void VolumeChart::update() {
   auto& p = *parts_;
   const ValueRange times = p.timeRange(), values = p.valueRange();
+  const auto ratio = static_cast<float>(pixelRatioOf(p.window));
+  for (auto& curve : p.curves)
+    curve->plot->SetWidth(ratio * kLineWidth);
+  p.cursorPlot->SetWidth(ratio * kCursorWidth);
   for (auto& curve : p.curves)
     p.fillCurve(*curve, times);
   p.fillCursor(values);

@@ -1,8 +1,10 @@
 #include <cmath>
 
 #include <gtest/gtest.h>
+#include <vtkCallbackCommand.h>
 #include <vtkCamera.h>
 #include <vtkImageData.h>
+#include <vtkNew.h>
 #include <vtkRenderer.h>
 
 #include "viscera/core/error.h"
@@ -163,6 +165,32 @@ TEST(OrganView, LeavesOneWindowForAnother) {
   first.view.handles()->SetPositions(Points::Zero(3, 3));
   EXPECT_GT(grabPicture(second.window())->GetDimensions()[0], 100);
   first.view.setWindow(nullptr);
+}
+
+TEST(OrganView, WheelZoomsWithOneFrameATurnAndLettersDoNothing) {
+  ViewInWindow window;
+  window.addOrgan(tests::sphere(2, 40));
+  window.view.lookFrom(StandardView::anterior);
+  window.render();
+  int frames = 0;
+  vtkNew<vtkCallbackCommand> count;
+  count->SetClientData(&frames);
+  count->SetCallback([](vtkObject*, unsigned long, void* data, void*) { ++*static_cast<int*>(data); });
+  window.view.renderer()->AddObserver(vtkCommand::EndEvent, count);
+  auto* camera = window.view.renderer()->GetActiveCamera();
+  const double before = camera->GetDistance();
+  auto* interactor = window.surface.interactor();
+  interactor->SetEventInformation(200, 150, 0, 0);
+  interactor->InvokeEvent(vtkCommand::MouseWheelForwardEvent);
+  EXPECT_LT(camera->GetDistance(), 0.95 * before);
+  EXPECT_EQ(frames, 1);
+  interactor->InvokeEvent(vtkCommand::MouseWheelBackwardEvent);
+  EXPECT_NEAR(camera->GetDistance(), before, 1e-9 * before);
+  for (const char letter : {'q', 'e', 'w', 's', 'p', '3', 'r', 'f'}) {
+    interactor->SetKeyCode(letter);
+    interactor->InvokeEvent(vtkCommand::CharEvent);
+  }
+  EXPECT_EQ(frames, 2);
 }
 
 TEST(OrganView, ForgetsOrgansThatAreRemoved) {

@@ -8,6 +8,7 @@ namespace viscera::scene {
 struct Theme {
   Vec3 backgroundTop;    ///< Upper end of the background's gradient.
   Vec3 backgroundBottom; ///< Lower end.
+  Vec3 panel;            ///< Behind charts, as the window's panels.
   Vec3 text;             ///< Legends, scale bar, axes.
   Vec3 muted;            ///< Grid lines, ghost outlines.
   Vec3 accent;           ///< Selection, cursor, allowed plane.
