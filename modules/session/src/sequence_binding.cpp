@@ -14,6 +14,9 @@ namespace {
 /// Weights fall with about this power of the distance, so that a handle moves what is near it.
 constexpr double kLocality = 6;
 
+/// A pose of a cavity takes less time than waking other threads, and calibration asks for hundreds.
+constexpr Threads kOneThread{1};
+
 std::shared_ptr<const coordinates::CoordinateSystem> systemOf(const SystemChoice& choice) {
   for (const auto& system : coordinates::builtInSystems())
     if (system->id() == choice.id)
@@ -32,7 +35,7 @@ SystemChoice softCoordinates(double softnessMm) {
 
 MovedVolume::MovedVolume(std::shared_ptr<const geometry::TriangleMesh> mesh, const Points& restHandles,
                          const SystemChoice& system, Threads threads)
-    : mesh_(std::move(mesh)), threads_(threads) {
+    : mesh_(std::move(mesh)) {
   coordinates::HandleSet handles;
   handles.positions = restHandles;
   Progress progress;
@@ -44,8 +47,8 @@ MovedVolume::MovedVolume(std::shared_ptr<const geometry::TriangleMesh> mesh, con
 }
 
 double MovedVolume::at(const Points& pose) {
-  binding_->deform(pose, points_, threads_);
-  return geometry::volume(points_, mesh_->triangles, threads_) / kMm3PerMl;
+  binding_->deform(pose, points_, kOneThread);
+  return geometry::volume(points_, mesh_->triangles, kOneThread) / kMm3PerMl;
 }
 
 sequences::PoseCompensation compensationFor(const Points& restHandles, const SystemChoice& system,

@@ -22,6 +22,7 @@ SystemChoice softCoordinates(double softnessMm);
 /// The volume of a surface while handles move it.
 class MovedVolume {
 public:
+  /// Binds the surface on several threads; measuring is for one.
   MovedVolume(std::shared_ptr<const geometry::TriangleMesh> mesh, const Points& restHandles,
               const SystemChoice& system, Threads threads);
 
@@ -32,7 +33,6 @@ private:
   std::shared_ptr<const geometry::TriangleMesh> mesh_;
   std::unique_ptr<const coordinates::Binding> binding_;
   Points points_;
-  Threads threads_;
 };
 
 /// Lets handles overshoot by what these coordinates take back. Handles without coordinates of their own are

@@ -29,7 +29,7 @@ struct HeartExcursions {
   double atrialContraction = 0.12; ///< Part by which an atrium narrows when it contracts.
   /// Part by which it widens while the ventricles empty. So chosen that the whole heart loses 8 to 9 % of its
   /// volume in systole (8.2 %, 4.8 to 10.6: doi 10.1152/ajpheart.01125.2003).
-  double atrialFilling = 0.14;
+  double atrialFilling = 0.16;
 };
 
 /// Moves the handles of a heart from state to state.
