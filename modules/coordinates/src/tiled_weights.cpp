@@ -2,25 +2,16 @@
 
 #include <algorithm>
 #include <cassert>
-#include <cstdint>
 #include <cstring>
-#include <new>
 #include <vector>
 
-#include "simd/tile_kernels.h"
-#include "simd/usable_kernels.h"
+#include "simd/usable_tile_kernels.h"
 
 namespace viscera::coordinates {
 namespace {
 
 constexpr int kTile = TiledWeights::kTile;
-constexpr std::size_t kCacheLine = 64;
 constexpr Eigen::Index kTilesPerRange = 64;
-
-const simd::TileKernels& kernels() {
-  static const simd::TileKernels& fastest = *VISCERA_USABLE_KERNELS(kTileKernels).front();
-  return fastest;
-}
 
 /// Calls `body(tile, rows)` with `rows` pointing to the tile's 16 rows of `points` inside a range of tiles.
 /// The last, incomplete tile gets a copy, zero where there are no points, which is written back when `Rows`
@@ -42,17 +33,12 @@ void forTiles(Eigen::Index begin, Eigen::Index end, Rows& points, const Body& bo
 
 } // namespace
 
-TiledWeights::TiledWeights(Eigen::Index points, Eigen::Index handles) : points_(points), handles_(handles) {
-  const std::size_t size = static_cast<std::size_t>(tiles() * kTile * handles_) * sizeof(double);
-  memory_.reset(static_cast<double*>(std::calloc(size + kCacheLine, 1)));
-  if (!memory_)
-    throw std::bad_alloc();
-  const auto address = reinterpret_cast<std::uintptr_t>(memory_.get());
-  data_ = memory_.get() + (kCacheLine - address % kCacheLine) % kCacheLine / sizeof(double);
-}
+TiledWeights::TiledWeights(Eigen::Index points, Eigen::Index handles)
+    : points_(points), handles_(handles),
+      data_(allocateZeroed(static_cast<std::size_t>(tiles() * kTile * handles))) {}
 
 TiledWeights::TiledWeights(const TiledWeights& other) : TiledWeights(other.points_, other.handles_) {
-  std::copy_n(other.data_, tiles() * kTile * handles_, data_);
+  std::copy_n(other.tile(0), tiles() * kTile * handles_, tile(0));
 }
 
 TiledWeights& TiledWeights::operator=(const TiledWeights& other) {
@@ -66,7 +52,7 @@ void TiledWeights::multiply(const Points& pose, Points& points, Threads threads)
   points.resize(points_, 3);
   parallelRanges(tiles(), kTilesPerRange, threads, [&](Eigen::Index begin, Eigen::Index end) {
     forTiles(begin, end, points, [&](Eigen::Index index, double* rows) {
-      kernels().multiply(tile(index), pose.data(), handles_, rows);
+      simd::tileKernels().multiply(tile(index), pose.data(), handles_, rows);
     });
   });
 }
@@ -75,7 +61,7 @@ void TiledWeights::addColumn(Eigen::Index handle, const Vec3& delta, Points& poi
   assert(points.rows() == points_ && handle >= 0 && handle < handles_);
   parallelRanges(tiles(), kTilesPerRange, threads, [&](Eigen::Index begin, Eigen::Index end) {
     forTiles(begin, end, points, [&](Eigen::Index index, double* rows) {
-      kernels().addColumn(tile(index) + handle * kTile, delta.data(), rows);
+      simd::tileKernels().addColumn(tile(index) + handle * kTile, delta.data(), rows);
     });
   });
 }
@@ -88,7 +74,7 @@ void TiledWeights::multiplyTransposed(const Points& rows, Points& out, Threads t
   parallelRanges(tiles(), kTilesPerRange, threads, [&](Eigen::Index begin, Eigen::Index end) {
     std::vector<double> lanes(numbers * simd::kSumLanes);
     forTiles(begin, end, rows, [&](Eigen::Index index, const double* tileRows) {
-      kernels().addTransposed(tile(index), tileRows, handles_, lanes.data());
+      simd::tileKernels().addTransposed(tile(index), tileRows, handles_, lanes.data());
     });
     double* sums = partial.data() + static_cast<std::size_t>(begin / kTilesPerRange) * numbers;
     for (std::size_t number = 0; number < numbers; ++number)

@@ -3,45 +3,65 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <cstdint>
+#include <limits>
 #include <utility>
+
+#include "simd/usable_tile_kernels.h"
 
 namespace viscera::coordinates {
 namespace {
 
-constexpr Eigen::Index kGrain = 4096;
+constexpr int kTile = TiledWeights::kTile;
+constexpr Eigen::Index kTilesPerRange = 64;
 
 struct Extremes {
   double identity = 0;
   double unity = 0;
   double least = std::numeric_limits<double>::infinity();
 
-  void add(const Extremes& other) {
-    // Written so that a NaN stays visible: it wins every comparison that it takes part in.
-    if (!(other.identity <= identity))
-      identity = other.identity;
-    if (!(other.unity <= unity))
-      unity = other.unity;
-    if (!(other.least >= least))
-      least = other.least;
+  void add(double identityError, double unityError, double weight) {
+    keep(identity, identityError, identityError > identity);
+    keep(unity, unityError, unityError > unity);
+    keep(least, weight, weight < least);
+  }
+
+private:
+  /// A NaN stays visible: it replaces every number and is replaced by none.
+  static void keep(double& extreme, double value, bool isMore) {
+    if (isMore || std::isnan(value))
+      extreme = value;
   }
 };
 
-Extremes measurePoint(const TiledWeights& weights, Eigen::Index point, const Points& handles,
-                      const Vec3& rest) {
-  Vec3 sum = Vec3::Zero();
-  double unity = 0;
-  Extremes found;
-  for (Eigen::Index handle = 0; handle < weights.handles(); ++handle) {
-    const double weight = weights(point, handle);
-    // Relative to the point, so that an organ far from the origin is not measured by its distance.
-    sum += weight * (handles.row(handle).transpose() - rest);
-    unity += weight;
-    if (!(weight >= found.least))
-      found.least = weight;
+/// Adds the points of a tile to `extremes`; the bits of `failed` leave points out.
+void measureTile(const TiledWeights& weights, const Points& handles, const Points& rest, Eigen::Index tile,
+                 unsigned failed, Extremes& extremes) {
+  const Eigen::Index first = tile * kTile, count = std::min<Eigen::Index>(kTile, rest.rows() - first);
+  double points[3 * kTile] = {}, found[5 * kTile];
+  for (Eigen::Index lane = 0; lane < count; ++lane)
+    for (int axis = 0; axis < 3; ++axis)
+      points[axis * kTile + lane] = rest(first + lane, axis);
+  simd::tileKernels().measure(weights.tile(tile), handles.data(), handles.rows(), points, found);
+  for (Eigen::Index lane = 0; lane < count; ++lane) {
+    if (failed >> lane & 1)
+      continue;
+    const double unity = found[3 * kTile + lane] - 1;
+    // The sums are relative to the point, so that an organ far from the origin is not measured by its
+    // distance.
+    Vec3 error;
+    for (int axis = 0; axis < 3; ++axis)
+      error[axis] = found[axis * kTile + lane] + unity * points[axis * kTile + lane];
+    extremes.add(error.norm(), std::abs(unity), found[4 * kTile + lane]);
   }
-  found.identity = (sum + (unity - 1) * rest).norm();
-  found.unity = std::abs(unity - 1);
-  return found;
+}
+
+/// A bit for each failed point of each tile.
+std::vector<std::uint16_t> failedLanes(const std::vector<int>& failures, Eigen::Index tiles) {
+  std::vector<std::uint16_t> lanes(static_cast<std::size_t>(tiles));
+  for (const int point : failures)
+    lanes[static_cast<std::size_t>(point / kTile)] |= static_cast<std::uint16_t>(1 << point % kTile);
+  return lanes;
 }
 
 } // namespace
@@ -56,22 +76,19 @@ WeightsBinding::WeightsBinding(TiledWeights weights, const Points& restHandles, 
     for (Eigen::Index handle = 0; handle < weights_.handles(); ++handle)
       weights_.set(failures[index], handle, 0);
   }
-  const Eigen::Index count = weights_.points();
-  std::vector<Extremes> ranges(static_cast<std::size_t>((count + kGrain - 1) / kGrain));
-  parallelRanges(count, kGrain, threads, [&](Eigen::Index begin, Eigen::Index end) {
-    Extremes& range = ranges[static_cast<std::size_t>(begin / kGrain)];
-    auto failed = std::lower_bound(failures.begin(), failures.end(), begin);
-    for (Eigen::Index point = begin; point < end; ++point) {
-      if (failed != failures.end() && *failed == point)
-        ++failed;
-      else
-        range.add(measurePoint(weights_, point, restHandles, restPoints.row(point).transpose()));
-    }
+  const std::vector<std::uint16_t> failed = failedLanes(failures, weights_.tiles());
+  std::vector<Extremes> ranges(
+      static_cast<std::size_t>((weights_.tiles() + kTilesPerRange - 1) / kTilesPerRange));
+  parallelRanges(weights_.tiles(), kTilesPerRange, threads, [&](Eigen::Index begin, Eigen::Index end) {
+    Extremes extremes; // Not in the shared array: the threads would take its cache lines from each other.
+    for (Eigen::Index tile = begin; tile < end; ++tile)
+      measureTile(weights_, restHandles, restPoints, tile, failed[static_cast<std::size_t>(tile)], extremes);
+    ranges[static_cast<std::size_t>(begin / kTilesPerRange)] = extremes;
   });
   Extremes all;
   for (const Extremes& range : ranges)
-    all.add(range);
-  const bool anyBound = failures.size() < static_cast<std::size_t>(count);
+    all.add(range.identity, range.unity, range.least);
+  const bool anyBound = failures.size() < static_cast<std::size_t>(weights_.points());
   report_ = {all.identity,        all.unity, anyBound ? all.least : 0,
              std::move(failures), seconds,   threads.resolved()};
 }

@@ -15,6 +15,8 @@ struct FunctionValues {
 /// is 2t^3/3 + t + 2r^3/3 in a form that does not cancel for negative t; u is 1/(r - t) there for the same
 /// reason.)
 struct SFunction {
+  static constexpr FunctionValues kAtZero = {Pack{} + 2.0 / 3.0, Pack{} + 1.0, Pack{} + 2.0};
+
   static FunctionValues evaluate(Pack t) {
     const Pack r = squareRoot(t * t + 1.0);
     const Pack large = larger(t, -t) + r;
@@ -33,6 +35,8 @@ struct SFunction {
 
 /// T-Celestial: phi, phi' and phi'' are all e^t.
 struct TFunction {
+  static constexpr FunctionValues kAtZero = {Pack{} + 1.0, Pack{} + 1.0, Pack{} + 1.0};
+
   static FunctionValues evaluate(Pack t) {
     const Pack power = exponential(t);
     return {power, power, power};

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "celestial/celestial_kernels.h"
+#include "celestial/small_matrices.h"
 #include "simd/pack_math.h"
 
 namespace viscera::coordinates::simd::VISCERA_ISA {
@@ -28,21 +29,17 @@ constexpr double kValueRounding = 1e-13;
 /// the number of steps, where a point is very near to a handle.
 constexpr double kLeastPrior = 1e-24;
 
+/// Where sum beta falls below this, F goes on falling for ever: the point is outside. A solution never has so
+/// little, since the nearest handle's prior weight is 1 and the others' are not below `kLeastPrior`.
+constexpr double kVanished = 1e-100;
+
 /// A point is outside when x separates it from all handles by this angle or more. Looked at every so many
 /// steps (a power of two).
 constexpr double kSeparation = 1e-12;
 constexpr long long kSeparationPeriod = 8;
 
 /// Every so many steps (a power of two), see `PackSolver::recenter`.
-constexpr long long kCenterPeriod = 16;
-
-template <int Dim>
-Pack dot(const Pack (&a)[Dim], const Pack (&b)[Dim]) {
-  Pack sum = a[0] * b[0];
-  for (int axis = 1; axis < Dim; ++axis)
-    sum += a[axis] * b[axis];
-  return sum;
-}
+constexpr long long kCenterPeriod = 8;
 
 /// Sums over the handles at one x: F, its gradient and Hessian, and sum beta.
 template <int Dim>
@@ -62,6 +59,9 @@ public:
   /// handle.
   PackSolver(const CelestialProblem& problem, const double* points, double* scratch)
       : problem_(problem), scratch_(scratch) {
+    for (int row = 0; row < Dim; ++row)
+      for (int axis = 0; axis < Dim; ++axis)
+        frame_[row][axis] = splat(row == axis);
     look(points);
     if constexpr (Prior)
       weighByDistance();
@@ -72,8 +72,8 @@ public:
   Mask solve(double* tile) {
     Mask active = usable_ & (interpolated_ == 0);
     failed_ = usable_ == 0;
-    for (;;) {
-      minimise(active);
+    for (bool atZero = true;; atZero = false) {
+      minimise(active, atZero);
       active = writeCoordinates(tile);
       if (bits(active) == 0)
         break;
@@ -86,7 +86,7 @@ public:
   /// The minimum x, zero for failed lanes: `Dim x 16`, of which the first lanes are written.
   void writeSolutions(double* solutions) const {
     for (int axis = 0; axis < Dim; ++axis)
-      store(solutions + axis * kTile, select(failed_, Pack{}, center_[axis] + x_[axis]));
+      store(solutions + axis * kTile, select(failed_, Pack{}, whole(axis)));
   }
 
 private:
@@ -141,32 +141,67 @@ private:
     return t;
   }
 
-  /// Moves the origin of x_ to where the lanes stand. Near the hull's boundary |x| is huge, and steps of its
-  /// last digit would be too coarse for the handles of the nearby face. The rounding of `q . center` is
-  /// harmless: it acts like a slightly different prior weight.
+  /// Moves the origin of x_ to where the lanes stand, and turns its axes into the Hessian's principal
+  /// directions. Near the hull's boundary |x| is huge, and steps of its last digit would be too coarse for
+  /// the handles of the nearby face, edge or corner; F is as good as flat there in some directions and not in
+  /// others, and along any other axes the small curvatures would drown in the rounding of the large ones. The
+  /// rounding of `q . center` is harmless: it acts like a slightly different prior weight.
   void recenter(Mask lanes) {
+    Pack turn[Dim][Dim];
+    principalDirections(hessian_, turn);
+    for (int row = 0; row < Dim; ++row)
+      for (int axis = 0; axis < Dim; ++axis)
+        turn[row][axis] = select(lanes, turn[row][axis], splat(row == axis));
     for (long index = 0; index < problem_.count; ++index) {
-      double* to = handle(index) + kOffset;
-      store(to, select(lanes, along(handle(index)), load(to)));
+      double* at = handle(index);
+      store(at + kOffset, select(lanes, along(at), load(at + kOffset)));
+      Pack q[Dim];
+      for (int axis = 0; axis < Dim; ++axis)
+        q[axis] = load(at + axis * kWidth);
+      for (int row = 0; row < Dim; ++row)
+        store(at + row * kWidth, dot(turn[row], q));
     }
+    for (int axis = 0; axis < Dim; ++axis)
+      center_[axis] = select(lanes, whole(axis), center_[axis]);
+    turnFrame(turn);
+    for (Pack& each : x_)
+      each = select(lanes, Pack{}, each);
+  }
+
+  void turnFrame(const Pack (&turn)[Dim][Dim]) {
     for (int axis = 0; axis < Dim; ++axis) {
-      center_[axis] = select(lanes, center_[axis] + x_[axis], center_[axis]);
-      x_[axis] = select(lanes, Pack{}, x_[axis]);
+      Pack column[Dim];
+      for (int row = 0; row < Dim; ++row)
+        column[row] = frame_[row][axis];
+      for (int row = 0; row < Dim; ++row)
+        frame_[row][axis] = dot(turn[row], column);
     }
+  }
+
+  /// A component of the whole x, along the original axes.
+  Pack whole(int axis) const {
+    Pack sum = center_[axis];
+    for (int row = 0; row < Dim; ++row)
+      sum += frame_[row][axis] * x_[row];
+    return sum;
   }
 
   Pack distanceFromZero() const {
-    Pack whole[Dim];
+    Pack all[Dim];
     for (int axis = 0; axis < Dim; ++axis)
-      whole[axis] = center_[axis] + x_[axis];
-    return squareRoot(dot(whole, whole));
+      all[axis] = whole(axis);
+    return squareRoot(dot(all, all));
   }
 
+  /// The sums at x_, which is zero for all lanes with AtZero: there phi needs no root and no exponential.
+  template <bool AtZero>
   Sums<Dim> evaluate() const {
     Sums<Dim> sums;
     for (long index = 0; index < problem_.count; ++index) {
       const double* from = handle(index);
-      auto phi = Function::evaluate(along(from));
+      FunctionValues phi = Function::kAtZero;
+      if constexpr (!AtZero)
+        phi = Function::evaluate(along(from));
       if constexpr (Prior) {
         const Pack weight = load(from + kWeight);
         phi = {phi.value * weight, phi.first * weight, phi.second * weight};
@@ -182,31 +217,6 @@ private:
       }
     }
     return sums;
-  }
-
-  /// -H^-1 g by an LDL^T factorisation whose pivots are kept positive.
-  static void newtonStep(const Sums<Dim>& sums, Pack (&step)[Dim]) {
-    Pack lower[Dim][Dim], pivot[Dim], trace{};
-    for (int row = 0; row < Dim; ++row)
-      trace += sums.hessian[row * (row + 1) / 2 + row];
-    for (int row = 0; row < Dim; ++row) {
-      step[row] = -sums.gradient[row];
-      pivot[row] = sums.hessian[row * (row + 1) / 2 + row];
-      for (int column = 0; column < row; ++column) {
-        Pack entry = sums.hessian[row * (row + 1) / 2 + column];
-        for (int k = 0; k < column; ++k)
-          entry -= lower[row][k] * lower[column][k] * pivot[k];
-        lower[row][column] = entry / pivot[column];
-        step[row] -= lower[row][column] * step[column];
-        pivot[row] -= lower[row][column] * entry;
-      }
-      pivot[row] = larger(pivot[row], trace * 1e-20);
-    }
-    for (int row = Dim - 1; row >= 0; --row) {
-      step[row] = step[row] / pivot[row];
-      for (int below = row + 1; below < Dim; ++below)
-        step[row] -= lower[below][row] * step[below];
-    }
   }
 
   /// No step is longer than 2 (1 + |x|): far from the solution the quadratic model says little.
@@ -228,12 +238,17 @@ private:
 
   /// Newton steps, halved until F decreases, for the lanes of `active`, until each is as good as solved or
   /// has failed.
-  void minimise(Mask active) {
+  void minimise(Mask active, bool atZero) {
     Pack base[Dim]{}, step[Dim]{}, bound = splat(kFarAway), slope{}, scale = splat(1);
     while (bits(active) != 0) {
-      const Sums<Dim> sums = evaluate();
+      const Sums<Dim> sums = atZero ? evaluate<true>() : evaluate<false>();
+      for (int entry = 0; entry < Dim * (Dim + 1) / 2; ++entry)
+        hessian_[entry] = sums.hessian[entry];
+      atZero = false;
       const Mask better = sums.value <= bound + kSufficientDecrease * scale * slope;
       const Pack error2 = dot(sums.gradient, sums.gradient), total2 = sums.total * sums.total;
+      failed_ |= active & (sums.total < kVanished);
+      active &= ~failed_;
       // Half of what is asked for when the coordinates are written, whose sums round differently.
       active &= ~(better & (error2 <= 0.25 * problem_.tolerance * problem_.tolerance * total2));
       if (bits(active) == 0)
@@ -241,7 +256,7 @@ private:
 
       const Mask accepted = active & better;
       Pack next[Dim];
-      newtonStep(sums, next);
+      newtonStep(sums.hessian, sums.gradient, next);
       shorten(next);
       slope = select(accepted, dot(sums.gradient, next), slope);
       bound = select(accepted, sums.value * (1 + kValueRounding), bound);
@@ -258,8 +273,10 @@ private:
       const Mask due = active & accepted & ((steps_ & (kCenterPeriod - 1)) == 0);
       if (bits(due) != 0) {
         recenter(due);
-        for (int axis = 0; axis < Dim; ++axis)
-          base[axis] = select(due, -step[axis], base[axis]);
+        for (int axis = 0; axis < Dim; ++axis) {
+          base[axis] = select(due, Pack{}, base[axis]);
+          step[axis] = select(due, Pack{}, step[axis]);
+        }
         bound = select(due, splat(kFarAway), bound); // F at the base has changed by rounding.
       }
     }
@@ -316,7 +333,9 @@ private:
   const CelestialProblem& problem_;
   double* scratch_;
   Pack center_[Dim]{};
-  Pack x_[Dim]{}; ///< From `center_`.
+  Pack frame_[Dim][Dim]; ///< The axes of x_ and of the handles' q, as rows.
+  Pack x_[Dim]{};        ///< From `center_`, along the rows of `frame_`.
+  Pack hessian_[Dim * (Dim + 1) / 2]{};
   Pack nearestHandle_{};
   Pack nearestInverse_{};
   Mask interpolated_{};

@@ -59,9 +59,28 @@ void addTransposed(const double* tile, const double* rows, long handles, double*
   }
 }
 
+void measure(const double* tile, const double* positions, long handles, const double* points, double* found) {
+  for (int first = 0; first < kTile; first += kWidth) {
+    Pack point[3], sum[3] = {}, unity{}, least = splat(1e300);
+    for (int axis = 0; axis < 3; ++axis)
+      point[axis] = load(points + axis * kTile + first);
+    for (long handle = 0; handle < handles; ++handle) {
+      const Pack weight = load(tile + handle * kTile + first);
+      for (int axis = 0; axis < 3; ++axis)
+        sum[axis] += weight * (positions[3 * handle + axis] - point[axis]);
+      unity += weight;
+      least = smaller(weight, least);
+    }
+    for (int axis = 0; axis < 3; ++axis)
+      store(found + axis * kTile + first, sum[axis]);
+    store(found + 3 * kTile + first, unity);
+    store(found + 4 * kTile + first, select(unity == unity, least, unity)); // A NaN stays visible.
+  }
+}
+
 } // namespace
 
 extern const TileKernels kTileKernels;
-const TileKernels kTileKernels = {multiply, addColumn, addTransposed};
+const TileKernels kTileKernels = {multiply, addColumn, addTransposed, measure};
 
 } // namespace viscera::coordinates::simd::VISCERA_ISA

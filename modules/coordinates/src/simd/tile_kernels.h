@@ -17,6 +17,11 @@ struct TileKernels {
   /// `sums` (`handles x 3 x kSumLanes`) grow by the tile's columns times `rows` (16 x 3). Lane l takes the
   /// rows l and l + 8, in this order, whatever the instruction set.
   void (*addTransposed)(const double* tile, const double* rows, long handles, double* sums);
+
+  /// How well the tile reproduces `points` (3 x 16) from `positions` (`handles x 3`): fills `found` (5 x 16)
+  /// with `sum a_i (v_i - p)` (three rows), `sum a_i`, and the smallest a_i.
+  void (*measure)(const double* tile, const double* positions, long handles, const double* points,
+                  double* found);
 };
 
 namespace baseline {

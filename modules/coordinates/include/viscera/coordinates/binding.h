@@ -9,10 +9,10 @@ namespace viscera::coordinates {
 
 /// How well a binding reproduces what it was made from; measured on every bound point when it is made.
 struct BindingReport {
-  double identityError = 0;   ///< max |sum a_i v_i - p| over the points, mm.
-  double unityError = 0;      ///< max |sum a_i - 1|.
-  double minWeight = 0;       ///< The smallest coordinate; negative where the system is not positive.
-  std::vector<int> failures;  ///< Points for which the system has no coordinates, ascending; they do not move.
+  double identityError = 0;  ///< max |sum a_i v_i - p| over the points, mm.
+  double unityError = 0;     ///< max |sum a_i - 1|.
+  double minWeight = 0;      ///< The smallest coordinate; negative where the system is not positive.
+  std::vector<int> failures; ///< Points for which the system has no coordinates, ascending; they do not move.
   double seconds = 0;
   int threads = 1;
 };
@@ -20,8 +20,8 @@ struct BindingReport {
 /// Coordinates of fixed points with respect to fixed rest handles: maps a pose of the handles to points.
 /// Immutable; every member may be called from several threads. A pose is `handleCount x 3`, mm.
 ///
-/// Most systems write a point as `p = sum a_i v_i`; Green coordinates also use the cage's normals. A binding hides the
-/// difference: the members speak of poses and points only.
+/// Most systems write a point as `p = sum a_i v_i`; Green coordinates also use the cage's normals. A binding
+/// hides the difference: the members speak of poses and points only.
 class Binding {
 public:
   virtual ~Binding() = default;
@@ -38,9 +38,9 @@ public:
   virtual void moveHandle(const Points& pose, int handle, const Vec3& delta, Points& points,
                           Threads threads = {}) const = 0;
 
-  /// Given the derivative of a scalar with respect to every point (`pointCount x 3`), fills `handleGradient` (resized
-  /// to `handleCount x 3`) with its derivative with respect to every handle at `pose`. Bitwise independent of the
-  /// number of threads.
+  /// Given the derivative of a scalar with respect to every point (`pointCount x 3`), fills `handleGradient`
+  /// (resized to `handleCount x 3`) with its derivative with respect to every handle at `pose`. Bitwise
+  /// independent of the number of threads.
   virtual void pullBack(const Points& pose, const Points& pointGradient, Points& handleGradient,
                         Threads threads = {}) const = 0;
 

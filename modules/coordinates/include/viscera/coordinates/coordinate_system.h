@@ -21,8 +21,8 @@ struct Traits {
   bool usesGroups = false;         ///< Looks at `HandleSet::groups`.
 };
 
-/// The derivatives of the coordinates at points: `values` is `(points * handles) x 3`, row `p * handles + i` holds
-/// the gradient of coordinate i at point p, 1/mm. Rows of points in `failures` are zero.
+/// The derivatives of the coordinates at points: `values` is `(points * handles) x 3`, row `p * handles + i`
+/// holds the gradient of coordinate i at point p, 1/mm. Rows of points in `failures` are zero.
 struct CoordinateGradients {
   Points values;
   std::vector<int> failures;
@@ -46,16 +46,17 @@ public:
   virtual Traits traits() const = 0;
   virtual std::vector<Parameter> parameters() const = 0;
 
-  /// Computes the coordinates of `points` (`n x 3`). Points without an answer (outside the handles' hull, say) are
-  /// listed in the report's failures. Throws `DataError` for handles that no point could use (fewer than four, all in
-  /// one plane, two at one place, not finite), `UsageError` for a parameter out of range, `Cancelled`.
-  virtual std::unique_ptr<Binding> bind(const HandleSet& handles, const Points& points, const BindOptions& options,
-                                        Progress& progress) const = 0;
+  /// Computes the coordinates of `points` (`n x 3`). Points without an answer (outside the handles' hull,
+  /// say) are listed in the report's failures. Throws `DataError` for handles that no point could use (fewer
+  /// than four, all in one plane, two at one place, not finite), `UsageError` for a parameter out of range,
+  /// `Cancelled`.
+  virtual std::unique_ptr<Binding> bind(const HandleSet& handles, const Points& points,
+                                        const BindOptions& options, Progress& progress) const = 0;
 
-  /// Derivatives of the coordinates at `points`. The standard implementation takes central differences of `bind`
-  /// at a step of 1e-5 of the handles' size; systems with a closed form override it.
-  virtual CoordinateGradients gradients(const HandleSet& handles, const Points& points, const BindOptions& options,
-                                        Progress& progress) const;
+  /// Derivatives of the coordinates at `points`. The standard implementation takes central differences of
+  /// `bind` at a step of 1e-5 of the handles' size; systems with a closed form override it.
+  virtual CoordinateGradients gradients(const HandleSet& handles, const Points& points,
+                                        const BindOptions& options, Progress& progress) const;
 };
 
 } // namespace viscera::coordinates

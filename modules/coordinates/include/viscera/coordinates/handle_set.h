@@ -13,7 +13,8 @@ struct HandleGroup {
   std::vector<int> handles; ///< Rows of `HandleSet::positions`; a handle may be in several groups.
 };
 
-/// What a coordinate system is bound to: the handles at rest, and the structures some systems need beside them.
+/// What a coordinate system is bound to: the handles at rest, and the structures some systems need beside
+/// them.
 struct HandleSet {
   Points positions;                ///< `n x 3`, mm, LPS: the rest pose.
   Triangles cage;                  ///< Triangles over `positions`, outward; empty for systems that need none.

@@ -8,12 +8,12 @@ namespace viscera::coordinates {
 
 /// A number that a user may set on a coordinate system. The window and the command line are made from these.
 struct Parameter {
-  std::string name;     ///< As in `--param name=value`.
+  std::string name; ///< As in `--param name=value`.
   double minimum = 0;
   double maximum = 1;
-  double standard = 0;  ///< The value when none is given.
-  std::string unit;     ///< "mm" or empty.
-  std::string help;     ///< One line.
+  double standard = 0; ///< The value when none is given.
+  std::string unit;    ///< "mm" or empty.
+  std::string help;    ///< One line.
   bool integer = false;
   std::vector<std::string> choices; ///< Not empty: the value is the index of one of these names.
 };

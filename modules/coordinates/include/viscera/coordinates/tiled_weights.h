@@ -1,8 +1,6 @@
 #pragma once
 
-#include <cstdlib>
-#include <memory>
-
+#include "viscera/coordinates/zeroed_memory.h"
 #include "viscera/core/arrays.h"
 #include "viscera/core/parallel.h"
 
@@ -30,8 +28,8 @@ public:
 
   /// The tile's `handles x 16` numbers, handle by handle, aligned to a cache line; the last tile is padded
   /// with zeros, and whoever writes it keeps them zero.
-  double* tile(Eigen::Index tile) { return data_ + tile * kTile * handles_; }
-  const double* tile(Eigen::Index tile) const { return data_ + tile * kTile * handles_; }
+  double* tile(Eigen::Index tile) { return data_.get() + tile * kTile * handles_; }
+  const double* tile(Eigen::Index tile) const { return data_.get() + tile * kTile * handles_; }
 
   double operator()(Eigen::Index point, Eigen::Index handle) const {
     return tile(point / kTile)[handle * kTile + point % kTile];
@@ -51,14 +49,9 @@ public:
   Values column(Eigen::Index handle) const;
 
 private:
-  struct Free {
-    void operator()(double* memory) const { std::free(memory); }
-  };
-
   Eigen::Index points_;
   Eigen::Index handles_;
-  std::unique_ptr<double, Free> memory_;
-  double* data_ = nullptr; ///< Inside `memory_`, at a multiple of a cache line.
+  ZeroedMemory data_;
 };
 
 } // namespace viscera::coordinates

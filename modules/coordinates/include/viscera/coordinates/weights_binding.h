@@ -5,11 +5,12 @@
 
 namespace viscera::coordinates {
 
-/// The binding of every system with `p = sum a_i v_i`. Points that failed keep their rest position in any pose.
+/// The binding of every system with `p = sum a_i v_i`. Points that failed keep their rest position in any
+/// pose.
 class WeightsBinding final : public Binding {
 public:
-  /// Measures the report from the weights, the rest handles and the rest points. `failures` ascending; their rows of
-  /// `weights` are ignored. `seconds` is the time the system took.
+  /// Measures the report from the weights, the rest handles and the rest points. `failures` ascending; their
+  /// rows of `weights` are ignored. `seconds` is the time the system took.
   WeightsBinding(TiledWeights weights, const Points& restHandles, const Points& restPoints,
                  std::vector<int> failures, double seconds, Threads threads);
 
@@ -17,7 +18,8 @@ public:
   Eigen::Index pointCount() const override { return weights_.points(); }
   const BindingReport& report() const override { return report_; }
   void deform(const Points& pose, Points& points, Threads threads) const override;
-  void moveHandle(const Points& pose, int handle, const Vec3& delta, Points& points, Threads threads) const override;
+  void moveHandle(const Points& pose, int handle, const Vec3& delta, Points& points,
+                  Threads threads) const override;
   void pullBack(const Points& pose, const Points& pointGradient, Points& handleGradient,
                 Threads threads) const override;
   Values influence(int handle) const override;

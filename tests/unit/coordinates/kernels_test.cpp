@@ -1,0 +1,103 @@
+#include <gtest/gtest.h>
+
+#include "celestial/celestial_function.h"
+#include "clouds.h"
+#include "simd/usable_tile_kernels.h"
+
+/// Every version of the kernels that this processor can run computes the same, up to the rounding of fused
+/// products.
+namespace viscera::coordinates::simd {
+namespace {
+
+constexpr int kHandles = 13;
+constexpr int kTile = 16;
+
+Eigen::MatrixXd randomNumbers(Eigen::Index rows, Eigen::Index columns, unsigned seed) {
+  const Points cloud = tests::cloud(static_cast<int>((rows * columns + 2) / 3), seed);
+  return Eigen::Map<const Eigen::MatrixXd>(cloud.data(), rows, columns);
+}
+
+struct CelestialCase {
+  const char* name;
+  SolveCelestialTile CelestialKernels::*solve;
+  int dimension;
+  double locality;
+  double softness;
+};
+
+/// Coordinates and solutions of one version; points 0 to 13 are inside the sphere of handles, 14 is outside,
+/// and 15 is at handle 3.
+struct CelestialResult {
+  Eigen::MatrixXd tile{kTile, kHandles};
+  Eigen::MatrixXd x{kTile, 3};
+  unsigned failed = 0;
+};
+
+CelestialResult solveCelestial(const CelestialKernels& kernels, const CelestialCase& each) {
+  const Points handles = tests::onSphere(kHandles);
+  Points points = tests::cloud(kTile, 7, 0.4);
+  points.row(14) << 3, 3, 3;
+  points.row(15) = handles.row(3);
+  const Eigen::MatrixXd handlesByAxis = handles, pointsByAxis = points; // Column by column.
+  const CelestialProblem problem = {handlesByAxis.data(),          kHandles, each.locality,
+                                    each.softness * each.softness, 1e-28,    1e-13};
+  std::vector<double> scratch(kHandles * kCelestialScratch);
+  CelestialResult result;
+  result.x.setZero();
+  result.failed = (kernels.*each.solve)(problem, pointsByAxis.data(), scratch.data(), result.tile.data(),
+                                        result.x.data());
+  return result;
+}
+
+} // namespace
+
+TEST(Kernels, IncludeTheBaselineEverywhere) {
+  EXPECT_GE(usableTileKernels().size(), 1u);
+  EXPECT_EQ(usableTileKernels().size(), usableCelestialKernels().size());
+}
+
+TEST(Kernels, OfTilesAgreeBetweenInstructionSets) {
+  const Eigen::MatrixXd tile = randomNumbers(kTile, kHandles, 1);
+  const Points pose = tests::cloud(kHandles, 2), rows = tests::cloud(kTile, 3);
+  const Vec3 delta(1, -2, 3);
+  Points product(kTile, 3), moved = rows;
+  product = tile * pose;
+  moved += tile.col(4) * delta.transpose();
+  const Points transposed = tile.transpose() * rows;
+  for (const TileKernels* kernels : usableTileKernels()) {
+    Points points(kTile, 3), added = rows;
+    kernels->multiply(tile.data(), pose.data(), kHandles, points.data());
+    EXPECT_TRUE(points.isApprox(product, 1e-14));
+    kernels->addColumn(tile.col(4).data(), delta.data(), added.data());
+    EXPECT_TRUE(added.isApprox(moved, 1e-15));
+    std::vector<double> sums(kHandles * 3 * kSumLanes);
+    kernels->addTransposed(tile.data(), rows.data(), kHandles, sums.data());
+    for (int i = 0; i < kHandles * 3; ++i) {
+      double sum = 0;
+      for (int lane = 0; lane < kSumLanes; ++lane)
+        sum += sums[std::size_t(i * kSumLanes + lane)];
+      EXPECT_NEAR(sum, transposed.data()[i], 1e-14);
+    }
+  }
+}
+
+TEST(Kernels, OfCelestialCoordinatesAgreeBetweenInstructionSets) {
+  for (const CelestialCase& each : {CelestialCase{"S", &CelestialKernels::s3, 3, 0, 0},
+                                    CelestialCase{"S soft", &CelestialKernels::s3, 3, 3, 0.5},
+                                    CelestialCase{"T", &CelestialKernels::t3, 3, 0, 0},
+                                    CelestialCase{"T local", &CelestialKernels::t3, 3, 2, 0},
+                                    CelestialCase{"S flat", &CelestialKernels::s2, 2, 0, 0},
+                                    CelestialCase{"T flat", &CelestialKernels::t2, 2, 1, 0.1}}) {
+    SCOPED_TRACE(each.name);
+    const CelestialResult first = solveCelestial(*usableCelestialKernels().back(), each);
+    EXPECT_EQ(first.failed, 1u << 14);
+    for (const CelestialKernels* kernels : usableCelestialKernels()) {
+      const CelestialResult other = solveCelestial(*kernels, each);
+      EXPECT_EQ(other.failed, first.failed);
+      EXPECT_LT((other.tile - first.tile).cwiseAbs().maxCoeff(), 1e-11);
+      EXPECT_LT((other.x - first.x).cwiseAbs().maxCoeff(), 1e-9 * (1 + first.x.cwiseAbs().maxCoeff()));
+    }
+  }
+}
+
+} // namespace viscera::coordinates::simd
