@@ -12,12 +12,15 @@ constexpr int kTile = 16;
 /// a step, take some 40.
 constexpr long long kMostIterations = 120;
 
-/// Once the relative gradient is this small the next Newton step squares it away; writing the coordinates
-/// then looks at what is left, so that most points save one evaluation.
+/// Once the relative gradient and the Newton step are this small that step squares the gradient away; writing
+/// the coordinates then looks at what is left, so that most points save one evaluation.
 constexpr double kQuadratic = 1e-7;
+constexpr double kShortStep = 1e-3;
 
-/// A solution that rounding keeps from the tolerance is taken when it is within this factor of it.
-constexpr double kRoundingSlack = 100;
+/// After this many steps a solution is good enough within this factor of the tolerance. A point that rounding
+/// has put just outside the hull comes near to the tolerance but not below it, and then leaves again.
+constexpr long long kPatientSteps = 32;
+constexpr double kBoundarySlack = 30;
 
 /// Part of the decrease that the gradient promises which a step has to reach (Armijo).
 constexpr double kSufficientDecrease = 1e-4;
@@ -33,13 +36,18 @@ constexpr double kLeastPrior = 1e-24;
 /// little, since the nearest handle's prior weight is 1 and the others' are not below `kLeastPrior`.
 constexpr double kVanished = 1e-100;
 
+/// Sums above this are the overflow of a step that went too far.
+constexpr double kOverflow = 1e100;
+
 /// A point is outside when x separates it from all handles by this angle or more. Looked at every so many
 /// steps (a power of two).
 constexpr double kSeparation = 1e-12;
 constexpr long long kSeparationPeriod = 8;
 
-/// Every so many steps (a power of two), see `PackSolver::recenter`.
+/// Every so many steps (a power of two) beyond the first ones, which are enough for most points: see
+/// `PackSolver::recenter`.
 constexpr long long kCenterPeriod = 8;
+constexpr long long kFirstCenter = 11;
 
 /// Sums over the handles at one x: F, its gradient and Hessian, and sum beta.
 template <int Dim>
@@ -236,6 +244,11 @@ private:
     return most < -kSeparation * distanceFromZero();
   }
 
+  Pack tolerance() const {
+    return select(steps_ >= kPatientSteps, splat(kBoundarySlack * problem_.tolerance),
+                  splat(problem_.tolerance));
+  }
+
   /// Newton steps, halved until F decreases, for the lanes of `active`, until each is as good as solved or
   /// has failed.
   void minimise(Mask active, bool atZero) {
@@ -250,14 +263,19 @@ private:
       failed_ |= active & (sums.total < kVanished);
       active &= ~failed_;
       // Half of what is asked for when the coordinates are written, whose sums round differently.
-      active &= ~(better & (error2 <= 0.25 * problem_.tolerance * problem_.tolerance * total2));
+      const Pack enough = 0.5 * tolerance();
+      active &= ~(better & (error2 <= enough * enough * total2));
       if (bits(active) == 0)
         return;
 
       const Mask accepted = active & better;
+      const Mask due =
+          accepted & (steps_ >= kFirstCenter) & (((steps_ - kFirstCenter) & (kCenterPeriod - 1)) == 0);
       Pack next[Dim];
       newtonStep(sums.hessian, sums.gradient, next);
       shorten(next);
+      for (Pack& each : next)
+        each = select(due, Pack{}, each); // These lanes stay, to look again along better axes.
       slope = select(accepted, dot(sums.gradient, next), slope);
       bound = select(accepted, sums.value * (1 + kValueRounding), bound);
       scale = select(accepted, splat(1), select(active, scale * 0.5, scale));
@@ -267,17 +285,15 @@ private:
         x_[axis] = select(active, base[axis] + scale * step[axis], x_[axis]);
       }
       steps_ -= active; // Minus -1.
-      active &= ~(accepted & (error2 <= kQuadratic * kQuadratic * total2));
-      active = withoutHopeless(active);
+      const Mask last =
+          (error2 <= kQuadratic * kQuadratic * total2) & (dot(next, next) <= kShortStep * kShortStep);
+      active = withoutHopeless(active & ~(accepted & ~due & last));
 
-      const Mask due = active & accepted & ((steps_ & (kCenterPeriod - 1)) == 0);
       if (bits(due) != 0) {
         recenter(due);
-        for (int axis = 0; axis < Dim; ++axis) {
-          base[axis] = select(due, Pack{}, base[axis]);
-          step[axis] = select(due, Pack{}, step[axis]);
-        }
-        bound = select(due, splat(kFarAway), bound); // F at the base has changed by rounding.
+        for (Pack& each : base)
+          each = select(due, Pack{}, each);
+        bound = select(due, splat(kFarAway), bound); // The same x, but F differs by rounding.
       }
     }
   }
@@ -310,9 +326,11 @@ private:
       weights += weight;
       store(tile + index * kTile, weight);
     }
-    const Pack error = squareRoot(dot(gradient, gradient)), allowed = problem_.tolerance * total;
-    const Mask open = ~(interpolated_ | failed_ | (error <= allowed));
-    failed_ |= open & exhausted_ & ~(error <= kRoundingSlack * allowed);
+    exhausted_ |= steps_ >= kMostIterations;
+    const Pack error = squareRoot(dot(gradient, gradient));
+    const Mask good = (error <= tolerance() * total) & (total < kOverflow);
+    const Mask open = ~(interpolated_ | failed_ | good);
+    failed_ |= open & exhausted_;
     const Mask remaining = open & ~exhausted_;
     if (bits(remaining) == 0)
       normalise(tile, weights);

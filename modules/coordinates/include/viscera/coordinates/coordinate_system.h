@@ -19,6 +19,7 @@ struct Traits {
   bool interpolates = false;       ///< A point at a handle follows it exactly.
   bool closedFormGradient = false; ///< `CoordinateGradients` without differences.
   bool usesGroups = false;         ///< Looks at `HandleSet::groups`.
+  bool rotationInvariant = true;   ///< Turning handles and points together changes nothing but rounding.
 };
 
 /// The derivatives of the coordinates at points: `values` is `(points * handles) x 3`, row `p * handles + i`

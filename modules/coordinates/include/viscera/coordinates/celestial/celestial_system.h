@@ -35,8 +35,8 @@ struct CelestialSolution {
 /// Beyond the thesis: the locality k gives handles the prior weight `m_i = (D_i / min D)^-k`, floored at
 /// 1e-24, so that nearer handles count more; the softness e puts `D_i = sqrt(|v_i - p|^2 + e^2)` for the
 /// distance, which makes the coordinates infinitely smooth inside the hull at the price of no longer
-/// interpolating handles. Both are 0 in the thesis. Identity (1e-13 of the handles' size), unity and
-/// positivity hold for any values.
+/// interpolating handles. Both are 0 in the thesis. Identity (1e-13 of the handles' size, 3e-12 on the hull's
+/// boundary), unity and positivity hold for any values.
 ///
 /// All of it is rotation invariant. A point's coordinates are bitwise the same whatever other points are
 /// bound with it. Cost of binding: about 5 ns per (point x handle) on two cores (docs/performance.md).
