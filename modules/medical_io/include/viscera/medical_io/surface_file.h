@@ -22,21 +22,28 @@ struct SurfaceFile {
   std::vector<std::string> warnings; ///< What was mended or looks odd, one sentence each.
 };
 
-/// Reads STL, OBJ, PLY, OFF, VTK (polygons and strips), VTP, GLB or GLTF, by its extension. Throws
-/// `NoInputError` when the file is missing or not readable, `DataError` naming file and reason when it is
-/// empty, truncated, of another kind than its name says, holds no triangle, or has coordinates that are not
-/// finite.
+/// Reads STL, OBJ, PLY, OFF, VTK (polygons and strips), VTP, GLB or GLTF, by its extension. Equal points are
+/// merged, polygons cut into triangles, triangles with a repeated corner and points without a triangle
+/// dropped; the warnings say so, and what else is odd: open, inside out, a size or volume that no such organ
+/// has. Never scales and never turns a surface around. How axes are stated: docs/file_formats.md.
+///
+/// Throws `NoInputError` when the file is missing or not readable, `DataError` naming file and reason when it
+/// is empty, truncated, of another kind than its name says, holds no triangle, or has coordinates that are
+/// not finite or more than 1000 km away. Prints nothing, and takes memory for what is in the file, not for
+/// what its header promises. O(n + m log m); may be called from several threads.
 SurfaceFile readSurface(const std::filesystem::path& file);
 
 /// Options of `writeSurface`.
 struct WriteSurface {
   Space space = Space::lps;
-  std::string name; ///< Written where the format has a place for it.
+  std::string name; ///< On one line; cut where the format's place for it is short.
 };
 
 /// Writes by extension (STL, OBJ, PLY, OFF, VTK, VTP, GLB): first to a temporary name beside it, then
-/// renamed, so that nothing half-written is left. Colours go along where the format has them. Throws
-/// `CannotCreateError`.
+/// renamed, so that nothing half-written is left. Colours go along where the format has them (all but STL).
+/// STL and GLB are in single precision, the others bring every bit back. Throws `CannotCreateError` when the
+/// file cannot be written or has another ending, `DataError` for a mesh without triangles, with coordinates
+/// that are not finite or with indices out of range. O(n + m).
 void writeSurface(const std::filesystem::path& file, const geometry::TriangleMesh& mesh,
                   const WriteSurface& options = {});
 
