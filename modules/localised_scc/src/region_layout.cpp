@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "blend.h"
+#include "viscera/coordinates/handle_checks.h"
 #include "viscera/core/error.h"
 
 namespace viscera::localised_scc {
@@ -80,9 +81,8 @@ std::vector<SwappingZone::Part> pairwiseIntersections(const std::vector<Region>&
 
 RegionLayout::RegionLayout(const coordinates::HandleSet& handles, double offset) {
   assert(offset > 0);
+  coordinates::requireUsableHandles<3>(handles.positions);
   tolerance_ = kTouching * boundsOf(handles.positions).diagonal();
-  if (!handles.positions.allFinite() || !(tolerance_ > 0))
-    throw DataError("the handles have no extent or a position that is not a finite number");
   makeRegions(handles);
   makeZones(handles);
   boundOffsets(handles, offset);
