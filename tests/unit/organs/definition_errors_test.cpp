@@ -111,6 +111,19 @@ TEST(DefinitionErrors, FindALumenInARoundEnd) {
               AllOf(HasSubstr("lumen"), HasSubstr("round")));
 }
 
+TEST(DefinitionErrors, NameThePathsThatABranchMayStartFrom) {
+  const std::string vessels = R"({"type": "surface_vessels", "base": )" + std::string(kBall) + R"(, "paths": [
+      {"name": "stem", "points": [[21, 2, 3], [15, 16, 3]]},
+      {"from": {"path": "stam", "at": 0.5}, "points": [[1, 22, 3]]}]})";
+  EXPECT_THAT(rootError(vessels), AllOf(HasSubstr("paths[1]"), HasSubstr("\"path\""), HasSubstr("\"stem\"")));
+}
+
+TEST(DefinitionErrors, FindAPathThatShrinksToAPoint) {
+  const std::string vessels = R"({"type": "surface_vessels", "base": )" + std::string(kBall) +
+                              R"(, "paths": [{"points": [[21, 2, 3], [21.2, 2, 3]]}]})";
+  EXPECT_THAT(rootError(vessels), AllOf(HasSubstr("paths[0]"), HasSubstr("\"points\"")));
+}
+
 TEST(DefinitionErrors, FindAxesThatAreNotPerpendicular) {
   EXPECT_THAT(rootError(R"({"type": "frame", "axes": [[1, 0, 0], [1, 1, 0], [0, 0, 1]], "child": )" +
                         std::string(kBall) + "}"),

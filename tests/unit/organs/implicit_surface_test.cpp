@@ -127,6 +127,19 @@ TEST(ImplicitSurfaces, InAFrameAreTurnedMirroredScaledAndMoved) {
   EXPECT_NEAR(placed({100, -20, 10}), 4, 1e-9);
 }
 
+TEST(ImplicitSurfaces, CarryVesselsThatSinkWhereTheyEnd) {
+  const std::string stem = R"({"type": "surface_vessels", "base": )" + std::string(kBall) +
+                           R"(, "paths": [{"r0": 2, "r1": 2, "lift": 0.5, )";
+  const std::string points = R"("points": [[21, 2, 3], [15, 16, 3], [1, 22, 3]]}]})";
+  const ImplicitSurface plain = surfaceOf(stem + points);
+  const ImplicitSurface fading = surfaceOf(stem + R"("fade": [0, 12], )" + points);
+  const Vec3 center = {1, 2, 3}, start = {1, 0, 0}, end = {0, 1, 0};
+  EXPECT_LT(plain(center + 22.5 * start), 0);
+  EXPECT_LT(plain(center + 22.5 * end), 0);
+  EXPECT_LT(fading(center + 22.5 * start), 0);
+  EXPECT_GT(fading(center + 20.2 * end), 0);
+}
+
 TEST(ImplicitSurfaces, BecomeMeshesOfTheirVolume) {
   const double ball = 4.0 / 3 * std::numbers::pi * 20 * 20 * 20;
   EXPECT_NEAR(volumeOf(kBall), ball, 0.01 * ball);

@@ -32,7 +32,7 @@ const std::map<std::string, std::map<std::string, Expected>>& expectedOrgans() {
        {{"outer", {938, 0.02, {{kLow, 3000}, {kMedium, 30000}, {kHigh, 200000}}}},
         {"lv", {130.5, 0.015, {{kLow, 1000}, {kMedium, 6000}, {kHigh, 30000}}}},
         {"rv", {138, 0.03, {{kLow, 1000}, {kMedium, 8000}, {kHigh, 40000}}}}}},
-      {"stomach", {{"outer", {858, 0.015, {{kLow, 3000}, {kMedium, 30000}, {kHigh, 150000}}}}}},
+      {"stomach", {{"outer", {860, 0.015, {{kLow, 3000}, {kMedium, 30000}, {kHigh, 150000}}}}}},
       {"liver", {{"outer", {1609, 0.015, {{kLow, 3000}, {kMedium, 30000}, {kHigh, 130000}}}}}},
       {"kidney_left", {{"outer", {151, 0.03, {{kLow, 3000}, {kMedium, 30000}, {kHigh, 150000}}}}}},
       {"kidney_right", {{"outer", {145, 0.03, {{kLow, 3000}, {kMedium, 30000}, {kHigh, 150000}}}}}},

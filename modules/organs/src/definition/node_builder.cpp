@@ -7,7 +7,9 @@
 
 #include <Eigen/Geometry>
 
+#include "definition/finish_fields.h"
 #include "definition/tube_fields.h"
+#include "definition/vessel_builder.h"
 #include "implicit/displacement.h"
 #include "implicit/ellipsoid.h"
 #include "implicit/frame.h"
@@ -27,8 +29,6 @@ using nlohmann::json;
 constexpr int kHighestLevel = 2;
 constexpr int kMostOctaves = 8;
 constexpr int kMostSeed = 1'000'000;
-constexpr int kMostSmoothing = 100;
-constexpr double kVesselStep = 1.5; // mm; finer than the 3 mm at which vessels are laid on a surface
 constexpr double kSkew = 0.02; // how far from orthonormal written axes may be; they carry two or three digits
 
 /// The rotation of `rotate_deg` (about x, then y, then z) or of `axes` (the local axes in the outer frame).
@@ -49,17 +49,6 @@ Eigen::Matrix3d rotationFrom(Fields& fields) {
   return (Eigen::AngleAxisd(angles.z(), Vec3::UnitZ()) * Eigen::AngleAxisd(angles.y(), Vec3::UnitY()) *
           Eigen::AngleAxisd(angles.x(), Vec3::UnitX()))
       .toRotationMatrix();
-}
-
-Finish finishFrom(Fields& fields) {
-  Finish finish;
-  if (fields.has("paint"))
-    finish.paint = fields.vector("paint");
-  if (fields.has("edge_scale"))
-    finish.edgeScale = fields.positive("edge_scale");
-  if (finish.paint && ((finish.paint->array() < 0).any() || (finish.paint->array() > 1).any()))
-    fields.fail("paint", "is outside 0 to 1", "divide by 255 when the colour is in bytes");
-  return finish;
 }
 
 template <class Node, class... Arguments>
@@ -123,8 +112,6 @@ NodePtr NodeBuilder::build(const Json& content, const std::string& where) {
   fields.ignore("name");
   const bool present = presentAt(fields);
   const Finish finish = finishFrom(fields);
-  fields.ignore("paint");
-  fields.ignore("edge_scale");
   if (!present)
     return nullptr;
   const NewNode node = buildType(fields.text("type"), fields);
@@ -254,44 +241,13 @@ NodeBuilder::NewNode NodeBuilder::displacement(Fields& fields) {
 
 NodeBuilder::NewNode NodeBuilder::surfaceVessels(Fields& fields) {
   NodePtr base = child(fields, "base");
-  std::vector<NodePtr> vessels;
+  VesselBuilder vessels(*base, level_, [this](const Json& content, const std::string& where) {
+    return required(content, where);
+  });
   const Json& paths = fields.list("paths");
-  for (std::size_t i = 0; i < paths.size(); ++i) {
-    Fields path(paths[i], fields.where() + ", paths[" + std::to_string(i) + "]");
-    if (const NewNode node = vessel(*base, path))
-      vessels.push_back(node);
-    path.requireNothingElse();
-  }
-  return made<SurfaceVessels>(std::move(base), std::move(vessels), blend(fields));
-}
-
-NodeBuilder::NewNode NodeBuilder::vessel(const ImplicitNode& base, Fields& fields) {
-  SurfacePath path;
-  path.startRadius = fields.positive("r0", path.startRadius);
-  path.endRadius = fields.positive("r1", path.endRadius);
-  path.lift = fields.number("lift", path.lift);
-  path.smoothing = fields.integer("smooth", path.smoothing, 0, kMostSmoothing);
-  for (const Json& point : fields.list("points", 2))
-    path.points.push_back(vectorFrom(point, fields.where(), "points"));
-  const Finish finish = finishFrom(fields);
-  for (const char* known : {"paint", "edge_scale", "between"})
-    fields.ignore(known);
-  const bool present = presentAt(fields);
-  if (fields.has("between")) {
-    const Json& between = fields.list("between", 2);
-    for (std::size_t side = 0; side < 2; ++side)
-      path.between[side] = required(between[side], fields.where());
-  }
-  if (!present)
-    return nullptr;
-  const std::vector<AxisPoint> axis = axisOnSurface(base, path);
-  if (axis.empty())
-    fields.fail("points", "all end at one place on the surface", "move them nearer to the surface");
-  TubeShape shape;
-  shape.step = kVesselStep;
-  auto node = made<Tube>(axis, shape);
-  node->setFinish(finish);
-  return node;
+  for (std::size_t i = 0; i < paths.size(); ++i)
+    vessels.add(paths[i], fields.where() + ", paths[" + std::to_string(i) + "]");
+  return made<SurfaceVessels>(std::move(base), vessels.take(), blend(fields));
 }
 
 } // namespace viscera::organs

@@ -8,8 +8,6 @@
 #include "definition/fields.h"
 #include "definition/organ_definition.h"
 #include "implicit/implicit_node.h"
-#include "implicit/surface_path.h"
-#include "implicit/tube.h"
 
 namespace viscera::organs {
 
@@ -49,7 +47,6 @@ private:
   NewNode frame(Fields& fields);
   NewNode displacement(Fields& fields);
   NewNode surfaceVessels(Fields& fields);
-  NewNode vessel(const ImplicitNode& base, Fields& fields);
 
   const OrganDefinition& definition_;
   int level_;

@@ -10,6 +10,7 @@ using nlohmann::json;
 
 constexpr double kCoincident = 1e-3; // mm
 constexpr int kMostTaeniae = 12;
+constexpr int kMostFolds = 100;
 constexpr int kMostSeed = 1'000'000;
 
 bool presentAt(Fields& part, int level) {
@@ -74,6 +75,23 @@ void readWaves(Fields& fields, int level, TubeShape& shape) {
   part.requireNothingElse();
 }
 
+void readFolds(Fields& fields, int level, TubeShape& shape) {
+  Fields part(fields.get("folds"), fields.where() + ", folds");
+  Folds folds;
+  folds.count = part.integer("count", folds.count, 1, kMostFolds);
+  folds.depth = part.number("depth", folds.depth);
+  folds.wander = part.number("wander", folds.wander);
+  folds.wavelength = part.positive("wavelength", folds.wavelength);
+  folds.seed = part.integer("seed", folds.seed, 0, kMostSeed);
+  folds.from = part.number("from", folds.from);
+  folds.to = part.number("to", folds.to);
+  if (folds.depth < 0 || folds.depth >= 1)
+    part.fail("depth", "is outside 0 to 1", "it is a share of the radius");
+  if (presentAt(part, level))
+    shape.relief.folds = folds;
+  part.requireNothingElse();
+}
+
 } // namespace
 
 std::vector<AxisPoint> axisFrom(Fields& fields) {
@@ -96,7 +114,7 @@ std::vector<AxisPoint> axisFrom(Fields& fields) {
 
 TubeShape tubeShapeFrom(Fields& fields, int level) {
   TubeShape shape;
-  for (const char* part : {"flatten", "caps", "lumen", "haustra", "waves"})
+  for (const char* part : {"flatten", "caps", "lumen", "haustra", "waves", "folds"})
     fields.ignore(part);
   if (fields.has("flatten")) {
     Fields flatten(fields.get("flatten"), fields.where() + ", flatten");
@@ -112,6 +130,8 @@ TubeShape tubeShapeFrom(Fields& fields, int level) {
     readHaustra(fields, level, shape);
   if (fields.has("waves"))
     readWaves(fields, level, shape);
+  if (fields.has("folds"))
+    readFolds(fields, level, shape);
   shape.rim = fields.number("rim", shape.rim);
   shape.step = fields.positive("step", shape.step);
   return shape;

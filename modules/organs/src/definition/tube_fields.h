@@ -10,8 +10,8 @@ namespace viscera::organs {
 /// The axis of a tube: `points`, each `[x, y, z, radius]`, at least two, neighbours apart.
 std::vector<AxisPoint> axisFrom(Fields& fields);
 
-/// The other fields of a tube: `flatten`, `caps`, `rim`, `lumen`, `haustra`, `waves`, `step`. Parts that say
-/// `lod` are left out below that level (0 low, 1 medium, 2 high).
+/// The other fields of a tube: `flatten`, `caps`, `rim`, `lumen`, `haustra`, `waves`, `folds`, `step`. Parts
+/// that say `lod` are left out below that level (0 low, 1 medium, 2 high).
 TubeShape tubeShapeFrom(Fields& fields, int level);
 
 } // namespace viscera::organs

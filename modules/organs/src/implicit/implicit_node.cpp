@@ -3,23 +3,29 @@
 #include <algorithm>
 #include <cmath>
 
+#include "implicit/value_noise.h"
+
 namespace viscera::organs {
 namespace {
 constexpr double kDifferenceStep = 0.05; // mm; the finest detail of a definition is ten times wider
 constexpr double kLongestStep = 3.0;     // mm; distances are only trusted near the surface
 constexpr double kSmallestSlope2 = 0.05; // squared; keeps steps finite where blends flatten the field
-constexpr double kOnSurface = 1e-4;      // mm
+constexpr int kMottleSeed = 7;
+constexpr double kOnSurface = 1e-4; // mm
 } // namespace
 
 Shade ImplicitNode::shade(const Vec3& point) const {
-  return finished(shadeUnfinished(point));
-}
-
-Shade ImplicitNode::finished(Shade shade) const {
+  Shade shade = shadeUnfinished(point);
   if (finish_.paint)
     shade.color = *finish_.paint;
   if (finish_.edgeScale)
     shade.edgeScale = *finish_.edgeScale;
+  if (finish_.mottle) {
+    const Vec3 scaled = point / finish_.mottle->wavelength;
+    const double noise =
+        0.67 * valueNoise(scaled, kMottleSeed) + 0.33 * valueNoise(2.03 * scaled, kMottleSeed);
+    shade.color *= 1 + finish_.mottle->amount * noise;
+  }
   return shade;
 }
 

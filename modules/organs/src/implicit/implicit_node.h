@@ -15,10 +15,17 @@ struct Shade {
   double edgeScale = 1;          ///< Wanted edge length here relative to the surface's.
 };
 
-/// What a definition may say about the look of a node; it wins over what is below the node.
+/// Unevenness of a colour, as grown tissue has it.
+struct Mottle {
+  double amount = 0.05;   ///< Largest change of brightness, a share.
+  double wavelength = 12; ///< mm
+};
+
+/// What a definition may say about the look of a node; paint and edge scale win over those below the node.
 struct Finish {
   std::optional<Vec3> paint;
   std::optional<double> edgeScale;
+  std::optional<Mottle> mottle;
 };
 
 /// One node of an implicit-surface tree. Immutable once built, so any number of threads may ask it.
@@ -47,8 +54,6 @@ public:
   const Extent& extent() const { return extent_; }
 
   void setFinish(const Finish& finish) { finish_ = finish; }
-  /// Applies this node's finish over `shade`.
-  Shade finished(Shade shade) const;
 
 protected:
   /// `shade` before this node's own finish.

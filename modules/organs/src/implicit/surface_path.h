@@ -13,6 +13,8 @@ struct SurfacePath {
   double startRadius = 2;   ///< mm
   double endRadius = 1;     ///< mm
   double lift = 0.2;        ///< How far the axis lies above the surface, in radii; negative: sunk in.
+  double fadeIn = 0;        ///< Over these first mm of its length it rises out of the surface ...
+  double fadeOut = 0;       ///< ... and over these last it sinks back and thins out.
   int smoothing = 4;        ///< Rounds of smoothing along the surface.
   NodePtr between[2];       ///< When given, the path keeps to the groove where these two are equally far.
 };

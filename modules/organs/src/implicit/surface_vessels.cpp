@@ -8,42 +8,40 @@
 namespace viscera::organs {
 namespace {
 
-constexpr double kSeam = 0.35; // mm on either side of the edge of a vessel's colour
-
-Extent extentOf(const NodePtr& base, const std::vector<NodePtr>& vessels, double blend) {
+Extent extentOf(const NodePtr& base, const std::vector<SurfaceVessel>& vessels, double blend) {
   Extent extent = base->extent();
-  for (const NodePtr& vessel : vessels)
-    extent.include(vessel->extent());
+  for (const SurfaceVessel& vessel : vessels)
+    extent.include(vessel.node->extent());
   return extent.grown(0.25 * blend);
 }
 
 } // namespace
 
-SurfaceVessels::SurfaceVessels(NodePtr base, std::vector<NodePtr> vessels, double blend)
+SurfaceVessels::SurfaceVessels(NodePtr base, std::vector<SurfaceVessel> vessels, double blend)
     : ImplicitNode(extentOf(base, vessels, blend)), base_(std::move(base)), vessels_(std::move(vessels)),
       blend_(blend) {}
 
-bool SurfaceVessels::cannotMatter(const ImplicitNode& vessel, const Vec3& point, double distance) const {
-  return vessel.extent().distance(point) > std::max(distance, 0.0) + blend_ + kSeam;
+bool SurfaceVessels::cannotMatter(const SurfaceVessel& vessel, const Vec3& point, double distance) const {
+  return vessel.node->extent().distance(point) > std::max(distance, 0.0) + blend_ + vessel.seam;
 }
 
 double SurfaceVessels::distanceUpTo(const Vec3& point, double limit) const {
   double result = base_->distanceUpTo(point, limit + blend_);
-  for (const NodePtr& vessel : vessels_) {
+  for (const SurfaceVessel& vessel : vessels_) {
     const double least = std::min(result, limit);
-    if (!cannotMatter(*vessel, point, least))
-      result = smoothMin(result, vessel->distanceUpTo(point, least + blend_), blend_);
+    if (!cannotMatter(vessel, point, least))
+      result = smoothMin(result, vessel.node->distanceUpTo(point, least + blend_), blend_);
   }
   return result;
 }
 
 Shade SurfaceVessels::shadeUnfinished(const Vec3& point) const {
   Shade result = base_->shade(point);
-  for (const NodePtr& vessel : vessels_) {
-    if (cannotMatter(*vessel, point, result.distance))
+  for (const SurfaceVessel& vessel : vessels_) {
+    if (cannotMatter(vessel, point, result.distance))
       continue;
-    const Shade other = vessel->shade(point);
-    const double share = smoothStep(-kSeam, kSeam, result.distance - other.distance);
+    const Shade other = vessel.node->shade(point);
+    const double share = smoothStep(-vessel.seam, vessel.seam, result.distance - other.distance);
     result.color += share * (other.color - result.color);
     result.edgeScale += share * (other.edgeScale - result.edgeScale);
     result.distance = smoothMin(result.distance, other.distance, blend_);

@@ -6,19 +6,24 @@
 
 namespace viscera::organs {
 
-/// A body with vessels or fat on its surface, which melt into it over `blend` mm but keep a sharp change of
-/// colour.
+/// A tube on the surface of a body.
+struct SurfaceVessel {
+  NodePtr node;
+  double seam = 0.35; ///< mm on either side of its edge over which the colours mix.
+};
+
+/// A body with vessels or fat on its surface, which melt into it over `blend` mm.
 class SurfaceVessels final : public ImplicitNode {
 public:
-  SurfaceVessels(NodePtr base, std::vector<NodePtr> vessels, double blend);
+  SurfaceVessels(NodePtr base, std::vector<SurfaceVessel> vessels, double blend);
   double distanceUpTo(const Vec3& point, double limit) const override;
 
 private:
   Shade shadeUnfinished(const Vec3& point) const override;
-  bool cannotMatter(const ImplicitNode& vessel, const Vec3& point, double distance) const;
+  bool cannotMatter(const SurfaceVessel& vessel, const Vec3& point, double distance) const;
 
   NodePtr base_;
-  std::vector<NodePtr> vessels_;
+  std::vector<SurfaceVessel> vessels_;
   double blend_;
 };
 

@@ -9,7 +9,9 @@
 namespace viscera::organs {
 namespace {
 
-constexpr double kLumenEdge = 1.0; // mm; rounds the inner edge of a lumen
+constexpr double kLumenEdgeScale = 0.45; // a wall of 2 mm wants shorter edges than the rest of an organ
+constexpr double kLumenEdge = 1.0;       // mm; rounds the rim of a lumen ...
+constexpr double kLumenCorner = 2.5;     // ... and the corner of its floor
 // Beyond this many mm a relief's radial distance exceeds the true one by too much to be trusted.
 constexpr double kReliefReach = 2.0;
 
@@ -59,13 +61,15 @@ double Tube::reliefDistance(const Vec3& point, const NearestOnAxis& nearest) con
   const Vec3 away = point - (from.position + nearest.t * (to.position - from.position));
   const double radius = from.radius + nearest.t * (to.radius - from.radius);
   const double beyond = away.norm() - radius * shape_.relief.largestFactor();
-  if (beyond > kReliefReach)
+  const double trusted = 1 - smoothStep(0, kReliefReach, beyond);
+  if (trusted <= 0)
     return beyond;
   const Vec3 normal = from.normal + nearest.t * (to.normal - from.normal);
   const Vec3 binormal = from.binormal + nearest.t * (to.binormal - from.binormal);
   const double arc = from.arc + nearest.t * (to.arc - from.arc);
   const double angle = std::atan2(away.dot(binormal), away.dot(normal));
-  return away.norm() - radius * shape_.relief.factor(arc, angle);
+  const double radial = away.norm() - radius * shape_.relief.factor(arc, angle);
+  return beyond + trusted * (radial - beyond);
 }
 
 double Tube::cutFlat(int end, const Vec3& point, double arc, double distance) const {
@@ -82,7 +86,8 @@ double Tube::cutFlat(int end, const Vec3& point, double arc, double distance) co
   const double outside = std::hypot(std::max(side, 0.0), std::max(top, 0.0));
   double result = std::min(std::max(side, top), 0.0) + outside - shape_.rim;
   if (const auto& lumen = shape_.lumen[static_cast<std::size_t>(end)]) {
-    const double hole = std::max(radial - (last.radius - lumen->wall), -(above + lumen->depth));
+    const double hole =
+        smoothMax(radial - (last.radius - lumen->wall), -(above + lumen->depth), kLumenCorner);
     result = smoothMax(result, -hole, kLumenEdge);
   }
   return result;
@@ -112,6 +117,24 @@ double Tube::distanceUpTo(const Vec3& world, double limit) const {
   if (shape_.flattenFactor == 1)
     return result;
   return stretched(point - (from.position + nearest.t * (to.position - from.position)), result);
+}
+
+bool Tube::isNearLumen(int end, const Vec3& point) const {
+  const auto& lumen = shape_.lumen[static_cast<std::size_t>(end)];
+  if (!lumen)
+    return false;
+  const AxisSample& last = end == 0 ? axis_.front() : axis_.back();
+  const double margin = lumen->wall;
+  return (point - last.position).norm() < std::hypot(last.radius, lumen->depth) + margin &&
+         std::abs((point - last.position).dot(last.tangent)) < lumen->depth + margin;
+}
+
+Shade Tube::shadeUnfinished(const Vec3& point) const {
+  Shade shade{distance(point)};
+  const Vec3 inside = rounded(point);
+  if (isNearLumen(0, inside) || isNearLumen(1, inside))
+    shade.edgeScale = kLumenEdgeScale;
+  return shade;
 }
 
 } // namespace viscera::organs

@@ -41,6 +41,8 @@ public:
 
 private:
   Tube(std::vector<AxisSample> axis, TubeShape shape);
+  Shade shadeUnfinished(const Vec3& point) const override;
+  bool isNearLumen(int end, const Vec3& point) const;
   Vec3 rounded(const Vec3& point) const;
   double searchLimit(double limit) const;
   double reliefDistance(const Vec3& point, const NearestOnAxis& nearest) const;

@@ -21,9 +21,24 @@ double pouch(double phase) {
   return std::pow((s * s + kCrease) / (1 + kCrease), kPouchPower);
 }
 
+/// 1 between `from` and `to`, 0 outside, with slopes of `fade` mm inside.
+double presence(double from, double to, double fade, double arc) {
+  return std::min(smoothStep(from, from + fade, arc), 1 - smoothStep(to - fade, to, arc));
+}
+
+double foldedFactor(const Folds& f, double arc, double angle) {
+  const double present = presence(f.from, f.to, f.wavelength, arc);
+  if (present <= 0)
+    return 1;
+  // The noise runs on a circle round the tube, so that the folds close.
+  const Vec3 place(1.5 * std::cos(angle), 1.5 * std::sin(angle), arc / f.wavelength);
+  const double stray = f.wander * valueNoise(place, f.seed);
+  const double strength = 0.6 + 0.4 * valueNoise(0.7 * place, f.seed + 1);
+  return 1 + present * strength * f.depth * std::cos(f.count * angle + 2 * pi * stray);
+}
+
 double haustralFactor(const Haustra& h, double arc, double angle) {
-  const double present =
-      std::min(smoothStep(h.from, h.from + h.period, arc), 1 - smoothStep(h.to - h.period, h.to, arc));
+  const double present = presence(h.from, h.to, h.period, arc);
   if (present <= 0)
     return 1;
   const double turn = angle / (2 * pi) - std::floor(angle / (2 * pi));
@@ -47,6 +62,8 @@ double TubeRelief::factor(double arc, double angle) const {
     result *= 1 + waves->amplitude * std::sin(2 * pi * (arc / waves->period + waves->phase));
   if (haustra)
     result *= haustralFactor(*haustra, arc, angle);
+  if (folds)
+    result *= foldedFactor(*folds, arc, angle);
   return result;
 }
 

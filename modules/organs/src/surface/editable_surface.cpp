@@ -137,22 +137,32 @@ bool EditableSurface::staysUnfolded(Index moved, const Vec3& to, const Wings& go
   return true;
 }
 
+bool EditableSurface::spokesFit(const Edge& edge, const Vec3& place, double longest) const {
+  for (const Index end : {edge.a, edge.b})
+    for (const Index t : around_[at(end)])
+      for (const Index v : corners(t))
+        if (v != edge.a && v != edge.b && (point(v) - place).squaredNorm() > longest * longest)
+          return false;
+  return true;
+}
+
 bool EditableSurface::collapse(const Edge& edge, double longest) {
   if (!exists(edge.a) || !exists(edge.b))
     return false;
   const Wings wing = wings(edge.a, edge.b);
   if (wing.count != 2 || !linkAllowsCollapse(edge, wing))
     return false;
-  const Vec3 middle = 0.5 * (point(edge.a) + point(edge.b));
-  for (const Index end : {edge.a, edge.b})
-    for (const Index t : around_[at(end)])
-      for (const Index v : corners(t))
-        if (v != edge.a && v != edge.b && (point(v) - middle).squaredNorm() > longest * longest)
-          return false;
-  if (!staysUnfolded(edge.a, middle, wing) || !staysUnfolded(edge.b, middle, wing))
+  // Over a sharp rim the middle folds what an end of the edge does not.
+  const std::array<Vec3, 3> places = {0.5 * (point(edge.a) + point(edge.b)), point(edge.a), point(edge.b)};
+  const auto fits = [&](const Vec3& place) {
+    return spokesFit(edge, place, longest) && staysUnfolded(edge.a, place, wing) &&
+           staysUnfolded(edge.b, place, wing);
+  };
+  const auto place = std::find_if(places.begin(), places.end(), fits);
+  if (place == places.end())
     return false;
 
-  points_[at(edge.a)] = middle;
+  points_[at(edge.a)] = *place;
   for (const Index t : wing.triangle) {
     for (const Index v : corners(t))
       detach(t, v);

@@ -40,8 +40,9 @@ public:
   /// Puts a vertex in the middle of an edge and returns it, or -1 when the edge no longer exists.
   Index split(const Edge& edge);
 
-  /// Merges b into a, placed in the middle. Refused (false) when the link condition fails, when a triangle
-  /// would turn by more than 60 degrees, or when an edge of the new vertex would be longer than `longest` mm.
+  /// Merges b into a, placed in the middle or, where that would fold, at an end. Refused (false) when the
+  /// link condition fails, when a triangle would turn by more than 60 degrees, or when an edge of the new
+  /// vertex would be longer than `longest` mm.
   bool collapse(const Edge& edge, double longest);
 
   /// Turns the edge to the other diagonal when that brings the valences nearer to six; refused where the
@@ -67,6 +68,7 @@ private:
   Index opposite(Index triangle, Index a, Index b) const;
   std::vector<Index> neighbours(Index vertex) const;
   bool staysUnfolded(Index moved, const Vec3& to, const Wings& gone) const;
+  bool spokesFit(const Edge& edge, const Vec3& place, double longest) const;
   bool linkAllowsCollapse(const Edge& edge, const Wings& wings) const;
   void detach(Index triangle, Index vertex);
 

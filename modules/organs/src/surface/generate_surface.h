@@ -9,7 +9,7 @@ namespace viscera::organs {
 
 /// Raised whenever the same definition gives another surface than before; cached surfaces of older versions
 /// are then made anew.
-inline constexpr int kGeneratorVersion = 1;
+inline constexpr int kGeneratorVersion = 2;
 
 /// What `generateSurface` aims at.
 struct SurfaceGoal {

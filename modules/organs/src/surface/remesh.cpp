@@ -19,7 +19,7 @@ constexpr double kTriangleArea = 0.433; // of an equilateral triangle with edges
 constexpr int kFewestRounds = 7;
 constexpr int kMostRounds = 16;
 constexpr int kSettlingRounds = 2; // before the count says anything about the length
-constexpr int kFinishingRounds = 3;
+constexpr int kFinishingRounds = 5;
 constexpr double kCountTolerance = 0.02;
 constexpr double kLengthExponent =
     0.4;                         // below 1/2, which would be exact, so that the count does not oscillate
@@ -183,8 +183,10 @@ private:
     const double distance = node_.distanceUpTo(point, limit);
     if (onto == Onto::nearSurface)
       return std::clamp(-0.95 * distance, -longest, longest);
+    // Newton along the normal; in the middle of a thin wall there is no slope, but the distance itself is
+    // free.
     const double slope = (node_.distanceUpTo(point + kSlopeProbe * normal, limit) - distance) / kSlopeProbe;
-    const double go = slope > kLeastSlope ? -distance / slope : -0.5 * distance;
+    const double go = slope > kLeastSlope ? -distance / slope : -distance;
     return std::clamp(go, -longest, longest);
   }
 
