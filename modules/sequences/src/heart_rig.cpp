@@ -34,7 +34,8 @@ constexpr int kFewestOnARing = 5;
 constexpr std::size_t kFewestHandles = 8;
 
 /// The outermost distance from the axis at which the ray (phi, c) is inside.
-std::optional<double> outermost(const HeartFrame& frame, const HeartSurface& surface, double phi, double c) {
+std::optional<double> outermost(const HeartFrame& frame, const AnatomySurface& surface, double phi,
+                                double c) {
   for (double rho = kFarthestRho; rho > 0; rho -= kRayStep)
     if (surface(frame.toWorld(HeartPoint{rho, phi, c})) < 0)
       return rho;

@@ -27,7 +27,7 @@ constexpr double kSoftnessMm = 25;
 /// Where the time goes when nothing is cached.
 constexpr double kOrganPart = 0.8;
 
-sequences::HeartSurface leastOf(std::vector<sequences::HeartSurface> surfaces) {
+sequences::AnatomySurface leastOf(std::vector<sequences::AnatomySurface> surfaces) {
   return [surfaces = std::move(surfaces)](const Vec3& point) {
     double least = surfaces.front()(point);
     for (std::size_t i = 1; i < surfaces.size(); ++i)
@@ -77,8 +77,8 @@ private:
   }
 
   HeartbeatCalibration calibrate(Progress& progress) const {
-    MovedVolume left(surfaceOf(heart_, "lv"), rest_, system_, threads_);
-    MovedVolume right(surfaceOf(heart_, "rv"), rest_, system_, threads_);
+    const MovedVolume left(surfaceOf(heart_, "lv"), rest_, system_, threads_);
+    const MovedVolume right(surfaceOf(heart_, "rv"), rest_, system_, threads_);
     const auto measure = [&](const Points& pose) { return CavityVolumes{left.at(pose), right.at(pose)}; };
     return calibrateHeartbeat(motion_, cycle_, compensation_, measure, progress);
   }

@@ -8,7 +8,7 @@
 namespace viscera::sequences::test {
 
 /// Negative inside an ellipsoid with axes along those of the world; not quite a distance.
-inline HeartSurface ellipsoid(const Vec3& center, const Vec3& radii) {
+inline AnatomySurface ellipsoid(const Vec3& center, const Vec3& radii) {
   return [=](const Vec3& p) {
     const double k = (p - center).cwiseQuotient(radii).norm();
     return (k - 1) * radii.minCoeff();
@@ -22,9 +22,9 @@ inline HeartAnatomy simpleHeart() {
   heart.epicardium = {36, 30, 67};
   heart.baseEpicardium = -6;
   heart.length = 92;
-  const HeartSurface left = ellipsoid({0, 0, 30}, {36, 36, 67});
-  const HeartSurface right = ellipsoid({27, 0, 28}, {40, 44, 57});
-  const HeartSurface rightInside = ellipsoid({27, 0, 28}, {36, 40, 53});
+  const AnatomySurface left = ellipsoid({0, 0, 30}, {36, 36, 67});
+  const AnatomySurface right = ellipsoid({27, 0, 28}, {40, 44, 57});
+  const AnatomySurface rightInside = ellipsoid({27, 0, 28}, {36, 40, 53});
   heart.ventricles = [=](const Vec3& p) { return std::min(left(p), right(p)); };
   heart.rightCavity = [=](const Vec3& p) { return std::max(rightInside(p), -left(p)); };
   heart.greatVessels = ellipsoid({0, 0, -120}, {20, 20, 40});

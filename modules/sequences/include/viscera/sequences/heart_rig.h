@@ -1,10 +1,10 @@
 #pragma once
 
-#include <functional>
 #include <string>
 #include <vector>
 
 #include "viscera/core/arrays.h"
+#include "viscera/sequences/anatomy_surface.h"
 #include "viscera/sequences/heart_frame.h"
 #include "viscera/sequences/sequence.h"
 
@@ -32,12 +32,9 @@ struct HeartShell {
   double apex() const { return center + halfLength; }
 };
 
-/// Negative inside, about the distance in mm near the surface.
-using HeartSurface = std::function<double(const Vec3& point)>;
-
 /// One atrium.
 struct AtriumAnatomy {
-  HeartSurface surface;
+  AnatomySurface surface;
   Vec3 center = Vec3::Zero();  ///< Towards this point it contracts, mm.
   std::vector<Vec3> appendage; ///< Where handles go along its ear, mm.
 };
@@ -57,11 +54,11 @@ struct HeartAnatomy {
   HeartShell endocardium; ///< The left ventricle's cavity.
   HeartShell epicardium;  ///< The left ventricle from outside, the septum's right side included.
   double baseEpicardium =
-      0;                   ///< Where the ventricles begin along the axis (c, mm), a little behind the valves.
-  double length = 0;       ///< From the base to where the long axis ends, mm.
-  HeartSurface ventricles; ///< Both from outside.
-  HeartSurface rightCavity;  ///< The right ventricle's cavity.
-  HeartSurface greatVessels; ///< All of them: what moves little, and where no other handle is put.
+      0;             ///< Where the ventricles begin along the axis (c, mm), a little behind the valves.
+  double length = 0; ///< From the base to where the long axis ends, mm.
+  AnatomySurface ventricles;   ///< Both from outside.
+  AnatomySurface rightCavity;  ///< The right ventricle's cavity.
+  AnatomySurface greatVessels; ///< All of them: what moves little, and where no other handle is put.
   std::vector<AtriumAnatomy> atria;
   std::vector<VesselRing> vessels;
   Bounds box; ///< Of the far corners.

@@ -6,11 +6,11 @@ namespace viscera::sequences {
 
 /// The surfaces of the sample heart that its handles need, each negative inside.
 struct SampleHeartSurfaces {
-  HeartSurface ventricles;
-  HeartSurface rightCavity;
-  HeartSurface rightAtrium;
-  HeartSurface leftAtrium;
-  HeartSurface
+  AnatomySurface ventricles;
+  AnatomySurface rightCavity;
+  AnatomySurface rightAtrium;
+  AnatomySurface leftAtrium;
+  AnatomySurface
       greatVessels; ///< Aorta, pulmonary trunk, caval and pulmonary veins: the least of their values.
 };
 

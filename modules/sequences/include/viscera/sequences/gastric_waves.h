@@ -1,0 +1,60 @@
+#pragma once
+
+#include <vector>
+
+#include "viscera/sequences/sequence.h"
+
+namespace viscera::sequences {
+
+/// Where along a stomach waves run, as arc lengths of its centreline from the top of the fundus, mm.
+struct GastricCourse {
+  double midBody = 101; ///< Where waves arise.
+  double pylorus = 272; ///< Where they end.
+};
+
+/// The ring-shaped contractions that run down the stomach. At the standard rate one arises every 20 s, takes
+/// 38 s, and two are on their way at a time (3.0 +- 0.2 a minute, 1.6 to 2.7 mm/s in the body and faster
+/// towards the pylorus, occlusion 58 +- 14 %: doi 10.1046/j.1365-2982.2001.00285.x, 10.1002/jmri.20738). At
+/// other rates waves run as fast and arise more or less often. Immutable; thread-safe; every member is
+/// O(waves).
+class GastricWaves {
+public:
+  static constexpr double kLowestRate = 1;
+  static constexpr double kStandardRate = 3;
+  static constexpr double kHighestRate = 6;
+
+  /// Throws `DataError` unless the pylorus lies beyond the middle of the body.
+  explicit GastricWaves(const GastricCourse& course = {});
+
+  const GastricCourse& course() const { return course_; }
+
+  /// How long a wave takes from the middle of the body to the pylorus, s.
+  double transitSeconds() const;
+
+  /// Where a wave is `age` seconds after it arose; it forms and fades standing still.
+  double position(double age) const;
+  /// By which part of the radius it narrows the stomach there.
+  double depth(double age) const;
+
+  /// By which part of the radius all waves together narrow the stomach at arc length `s`, below 1. Periodic
+  /// with 60 / rate; continuously differentiable.
+  double constriction(double s, double seconds, double ratePerMinute) const;
+
+  /// Where the waves are that narrow the stomach by more than 5 %, the oldest first.
+  std::vector<double> positions(double seconds, double ratePerMinute) const;
+
+  /// The parts of a cycle, named after the place of the wave that is farthest on its way.
+  std::vector<Phase> phases(double ratePerMinute) const;
+
+private:
+  /// The ages of the waves there are, the oldest first.
+  std::vector<double> ages(double seconds, double ratePerMinute) const;
+  /// The part of the way from the middle of the body to the pylorus, 0 to 1.
+  double progress(double age) const;
+  const char* placeOf(double age) const;
+
+  GastricCourse course_;
+  double length_;
+};
+
+} // namespace viscera::sequences

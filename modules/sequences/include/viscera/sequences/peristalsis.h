@@ -1,0 +1,58 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "viscera/sequences/gastric_waves.h"
+#include "viscera/sequences/pose_compensation.h"
+#include "viscera/sequences/sequence.h"
+#include "viscera/sequences/stomach_rig.h"
+#include "viscera/sequences/volume_keeping.h"
+
+namespace viscera::sequences {
+
+/// Waves that run down the stomach while it keeps its volume: what they press out of the antrum, the upper
+/// stomach takes in.
+///
+/// A ring at arc length s has the factor `[1 - constriction(s, t)] [1 + B beta(s)]` about its centre, beta a
+/// bell over the upper stomach. The handles are affine in B, so the organ's volume is a cubic in B; its root
+/// keeps the volume of the organ that `volume` measures to rounding, at every instant and rate. Thread-safe
+/// as far as `volume` is.
+class Peristalsis final : public Sequence {
+public:
+  /// The volume to keep is that at rest. Throws `DataError` when the compensation is for another number of
+  /// handles, or when the upper stomach cannot take in what a whole cycle at the standard rate presses out.
+  Peristalsis(StomachRig rig, PoseCompensation compensation, VolumeAlong volume);
+
+  std::string id() const override { return "peristalsis"; }
+  std::string name() const override { return "Gastric peristalsis"; }
+  const Points& restHandles() const override { return rest_; }
+  std::vector<HandleGroup> groups() const override { return rig_.groups(); }
+  double standardRatePerMinute() const override { return GastricWaves::kStandardRate; }
+  double lowestRatePerMinute() const override { return GastricWaves::kLowestRate; }
+  double highestRatePerMinute() const override { return GastricWaves::kHighestRate; }
+
+  /// One call of `volume`, and O(n^2). Throws `DataError` when no B keeps the volume.
+  void poseAt(double seconds, double ratePerMinute, Points& pose) const override;
+  std::vector<Phase> phases(double ratePerMinute) const override { return waves_.phases(ratePerMinute); }
+
+  const GastricWaves& waves() const { return waves_; }
+  const StomachRig& rig() const { return rig_; }
+  double keptMl() const { return keptMl_; }
+  /// How much the upper stomach widens at that moment (B).
+  double widening(double seconds, double ratePerMinute) const;
+
+private:
+  /// The compensated poses without widening, and what one of 1 adds.
+  void affinePose(double seconds, double ratePerMinute, Points& narrowed, Points& added) const;
+  double wideningFor(const Points& narrowed, const Points& added, double seconds) const;
+
+  StomachRig rig_;
+  PoseCompensation compensation_;
+  VolumeAlong volume_;
+  GastricWaves waves_;
+  Points rest_;
+  double keptMl_ = 0;
+};
+
+} // namespace viscera::sequences

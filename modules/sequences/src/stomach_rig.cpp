@@ -1,0 +1,147 @@
+#include "viscera/sequences/stomach_rig.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <utility>
+
+#include <Eigen/Geometry>
+
+#include "viscera/core/error.h"
+
+namespace viscera::sequences {
+namespace {
+
+using std::numbers::pi;
+
+constexpr double kFirstRing = 10;  ///< From the top of the fundus, mm.
+constexpr double kPastPylorus = 6; ///< How far beyond the pylorus there are rings, mm.
+constexpr double kRayStep = 0.5;   ///< mm
+constexpr double kFarthest =
+    65; ///< Of the wall from the centreline; a ray along the line goes on for long, mm.
+constexpr double kWider = 1.12; ///< A ring's radius as a multiple of the wall's,
+constexpr double kOffset = 3;   ///< and what is added to it, mm.
+constexpr int kFewestOnARing = 6;
+constexpr int kMostOnARing = 14;
+constexpr int kProbes = 8;
+/// The part of the way from the middle of the body to the pylorus at which the antrum begins.
+constexpr double kAntrum = 0.4;
+
+class RigBuilder {
+public:
+  RigBuilder(StomachRig& rig, const StomachRigOptions& options)
+      : rig_(rig), anatomy_(rig.anatomy), options_(options) {}
+
+  void addRings() {
+    const double last = anatomy_.course.pylorus + kPastPylorus;
+    int ring = 0;
+    for (double s = kFirstRing; s <= last; s += options_.ringDistance, ++ring)
+      addRing(s, ring);
+  }
+
+  void addFixed() {
+    for (const FixedRing& ring : anatomy_.fixed) {
+      const Vec3 axis = ring.axis.normalized();
+      const Vec3 u = axis.unitOrthogonal();
+      const Vec3 v = axis.cross(u);
+      for (int k = 0; k < ring.count; ++k) {
+        const double angle = 2 * pi * k / ring.count;
+        const Vec3 around = ring.radius * (std::cos(angle) * u + std::sin(angle) * v);
+        rig_.handles.push_back({StomachRegion::fixed, ring.center + around, ring.center, 0});
+      }
+    }
+  }
+
+  void addFarCorners() {
+    const Vec3 low = anatomy_.box.low;
+    const Vec3 high = anatomy_.box.high;
+    for (int k = 0; k < 8; ++k) {
+      const Vec3 corner((k & 1) ? high.x() : low.x(), (k & 2) ? high.y() : low.y(),
+                        (k & 4) ? high.z() : low.z());
+      rig_.handles.push_back({StomachRegion::farCorner, corner, corner, 0});
+    }
+  }
+
+private:
+  double wallAt(const CrossSection& section, double angle) const {
+    const Vec3 direction = section.across(angle);
+    double radius = 0;
+    while (radius < kFarthest && anatomy_.surface(section.center + radius * direction) < 0)
+      radius += kRayStep;
+    return radius;
+  }
+
+  void addRing(double s, int ring) {
+    const CrossSection section = anatomy_.centerline.at(s);
+    if (anatomy_.surface(section.center) >= 0)
+      throw DataError("the centreline leaves the stomach " + std::to_string(static_cast<int>(s)) +
+                          " mm below the top of the fundus",
+                      "stomach rig", "move its points into the stomach");
+    double mean = 0;
+    for (int k = 0; k < kProbes; ++k)
+      mean += wallAt(section, 2 * pi * k / kProbes) / kProbes;
+    const int count = std::clamp(static_cast<int>(std::lround(2 * pi * mean / options_.spacing)),
+                                 kFewestOnARing, kMostOnARing);
+    for (int k = 0; k < count; ++k) {
+      // Every other ring is turned by half a step, so that handles do not stand in rows.
+      const double angle = 2 * pi * (k + 0.5 * (ring % 2)) / count;
+      const double radius = kWider * wallAt(section, angle) + kOffset;
+      rig_.handles.push_back(
+          {regionAt(s), section.center + radius * section.across(angle), section.center, s});
+    }
+  }
+
+  StomachRegion regionAt(double s) const {
+    const GastricCourse& course = anatomy_.course;
+    if (s < course.midBody)
+      return s < 0.5 * course.midBody ? StomachRegion::fundus : StomachRegion::body;
+    const double way = (s - course.midBody) / (course.pylorus - course.midBody);
+    return way < kAntrum ? StomachRegion::body : StomachRegion::antrum;
+  }
+
+  StomachRig& rig_;
+  const StomachAnatomy& anatomy_;
+  const StomachRigOptions& options_;
+};
+
+} // namespace
+
+Points StomachRig::restHandles() const {
+  Points points(static_cast<Eigen::Index>(handles.size()), 3);
+  for (Eigen::Index i = 0; i < points.rows(); ++i)
+    points.row(i) = handles[static_cast<std::size_t>(i)].position;
+  return points;
+}
+
+std::vector<HandleGroup> StomachRig::groups() const {
+  // Colours that colour-blind users tell apart (Okabe and Ito).
+  std::vector<std::pair<StomachRegion, HandleGroup>> regions{
+      {StomachRegion::fundus, {"Fundus", {0.90, 0.62, 0.00}, {}}},
+      {StomachRegion::body, {"Body", {0.84, 0.37, 0.00}, {}}},
+      {StomachRegion::antrum, {"Antrum", {0.80, 0.47, 0.65}, {}}},
+      {StomachRegion::fixed, {"Fixed", {0.34, 0.71, 0.91}, {}}},
+      {StomachRegion::farCorner, {"Far corners", {0.60, 0.60, 0.60}, {}}}};
+  for (std::size_t i = 0; i < handles.size(); ++i)
+    for (auto& [region, group] : regions)
+      if (handles[i].region == region)
+        group.handles.push_back(static_cast<int>(i));
+  std::vector<HandleGroup> groups;
+  for (auto& [region, group] : regions)
+    if (!group.handles.empty())
+      groups.push_back(std::move(group));
+  return groups;
+}
+
+StomachRig makeStomachRig(StomachAnatomy anatomy, const StomachRigOptions& options) {
+  if (anatomy.centerline.length() < anatomy.course.pylorus + kPastPylorus)
+    throw DataError("the centreline ends before the pylorus", "stomach rig", "lead it into the duodenum");
+  StomachRig rig{std::move(anatomy), {}};
+  RigBuilder builder(rig, options);
+  builder.addRings();
+  builder.addFixed();
+  builder.addFarCorners();
+  return rig;
+}
+
+} // namespace viscera::sequences

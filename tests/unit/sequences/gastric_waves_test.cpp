@@ -1,0 +1,92 @@
+#include "viscera/sequences/gastric_waves.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "viscera/core/error.h"
+
+namespace viscera::sequences {
+namespace {
+
+const GastricWaves kWaves;
+
+TEST(GastricWaves, takeAboutFortySecondsSoThatTwoAreOnTheirWay) {
+  EXPECT_NEAR(kWaves.transitSeconds(), 37.9, 0.5);
+  for (double t = 0; t < 20; t += 0.5) {
+    const std::size_t count = kWaves.positions(t, 3).size();
+    EXPECT_GE(count, 2u) << t;
+    EXPECT_LE(count, 3u) << t;
+  }
+}
+
+TEST(GastricWaves, runFromTheBodyToThePylorusAndGainSpeedAndDepth) {
+  EXPECT_NEAR(kWaves.position(0), kWaves.course().midBody, 1e-9);
+  EXPECT_NEAR(kWaves.position(kWaves.transitSeconds()), kWaves.course().pylorus, 1e-9);
+  EXPECT_NEAR((kWaves.position(0.01) - kWaves.position(0)) / 0.01, 3.0, 0.01);
+  const double end = kWaves.transitSeconds();
+  EXPECT_NEAR((kWaves.position(end) - kWaves.position(end - 0.01)) / 0.01, 6.5, 0.01);
+  for (double age = 6; age < end - 1; age += 1) {
+    EXPECT_GT(kWaves.position(age + 1) - kWaves.position(age),
+              kWaves.position(age) - kWaves.position(age - 1));
+    EXPECT_GT(kWaves.depth(age + 1), kWaves.depth(age));
+  }
+}
+
+TEST(GastricWaves, meanSpeedAndDeepestOcclusionAreThoseMeasuredInPeople) {
+  const double early = (kWaves.position(12) - kWaves.position(0)) / 12;
+  EXPECT_GT(early, 1.6);
+  EXPECT_LT(early, 4.0);
+  double deepest = 0;
+  for (double age = 0; age < 45; age += 0.1)
+    deepest = std::max(deepest, kWaves.depth(age));
+  EXPECT_NEAR(deepest, 0.58, 0.14);
+}
+
+TEST(GastricWaves, formAndFadeWithoutAJump) {
+  EXPECT_EQ(kWaves.depth(-3), 0);
+  EXPECT_NEAR(kWaves.depth(kWaves.transitSeconds() + 4), 0, 1e-12);
+  for (double t = -5; t < 60; t += 0.01)
+    for (const double s : {90.0, 150.0, 230.0, 268.0})
+      EXPECT_NEAR(kWaves.constriction(s, t, 3), kWaves.constriction(s, t + 1e-3, 3), 2e-3);
+}
+
+TEST(GastricWaves, repeatAtEveryRateAndAriseMoreOftenAtHigherOnes) {
+  for (const double rate : {1.0, 2.7, 3.0, 6.0})
+    for (double t = 0; t < 60; t += 3.7)
+      EXPECT_NEAR(kWaves.constriction(200, t, rate), kWaves.constriction(200, t + 5 * 60 / rate, rate), 1e-9);
+  EXPECT_LE(kWaves.positions(10, 1).size(), 1u);
+  EXPECT_GE(kWaves.positions(10, 6).size(), 4u);
+}
+
+TEST(GastricWaves, leaveTheFundusAloneAndNeverCloseTheStomach) {
+  for (const double rate : {1.0, 3.0, 6.0})
+    for (double t = 0; t < 60; t += 0.5) {
+      EXPECT_LT(kWaves.constriction(20, t, rate), 1e-3);
+      for (double s = 0; s < 300; s += 4)
+        EXPECT_LT(kWaves.constriction(s, t, rate), 0.75);
+    }
+}
+
+TEST(GastricWaves, namesWhereTheOldestWaveIs) {
+  for (const double rate : {1.0, 3.0, 6.0}) {
+    const std::vector<Phase> phases = kWaves.phases(rate);
+    double end = 0;
+    for (const Phase& phase : phases) {
+      EXPECT_EQ(phase.begin, end);
+      EXPECT_GT(phase.end, phase.begin);
+      end = phase.end;
+    }
+    EXPECT_EQ(end, 1);
+    EXPECT_TRUE(std::any_of(phases.begin(), phases.end(),
+                            [](const Phase& phase) { return phase.name == "terminal antral contraction"; }));
+  }
+}
+
+TEST(GastricWaves, refuseACourseThatRunsBackwards) {
+  EXPECT_THROW(GastricWaves(GastricCourse{200, 100}), DataError);
+}
+
+} // namespace
+} // namespace viscera::sequences
