@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include <Eigen/Geometry>
+
 #include "viscera/coordinates/built_in_systems.h"
 #include "viscera/core/error.h"
 #include "viscera/deformation/bind_organ.h"
@@ -46,9 +48,40 @@ MovedVolume::MovedVolume(std::shared_ptr<const geometry::TriangleMesh> mesh, con
                     "sequence");
 }
 
-double MovedVolume::at(const Points& pose) {
-  binding_->deform(pose, points_, kOneThread);
-  return geometry::volume(points_, mesh_->triangles, kOneThread) / kMm3PerMl;
+double MovedVolume::at(const Points& pose) const {
+  Points points;
+  binding_->deform(pose, points, kOneThread);
+  return geometry::volume(points, mesh_->triangles, kOneThread) / kMm3PerMl;
+}
+
+std::array<double, 4> MovedVolume::along(const Points& pose, const Points& direction) const {
+  Points from;
+  Points change;
+  binding_->deform(pose, from, kOneThread);
+  binding_->deform(pose + direction, change, kOneThread);
+  change -= from;
+  const Vec3 origin = from.row(0);
+  std::array<double, 4> sum{};
+  for (Eigen::Index t = 0; t < mesh_->triangles.rows(); ++t) {
+    const auto corner = mesh_->triangles.row(t);
+    const Vec3 p = from.row(corner[0]).transpose() - origin;
+    const Vec3 q = from.row(corner[1]).transpose() - origin;
+    const Vec3 r = from.row(corner[2]).transpose() - origin;
+    const Vec3 u = change.row(corner[0]);
+    const Vec3 v = change.row(corner[1]);
+    const Vec3 w = change.row(corner[2]);
+    // (p + x u) . ((q + x v) x (r + x w)), sorted by powers of x.
+    const Vec3 none = q.cross(r);
+    const Vec3 once = q.cross(w) + v.cross(r);
+    const Vec3 twice = v.cross(w);
+    sum[0] += p.dot(none);
+    sum[1] += p.dot(once) + u.dot(none);
+    sum[2] += p.dot(twice) + u.dot(once);
+    sum[3] += u.dot(twice);
+  }
+  for (double& coefficient : sum)
+    coefficient /= 6 * kMm3PerMl;
+  return sum;
 }
 
 sequences::PoseCompensation compensationFor(const Points& restHandles, const SystemChoice& system,

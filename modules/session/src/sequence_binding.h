@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <functional>
 #include <memory>
 #include <string>
@@ -26,13 +27,15 @@ public:
   MovedVolume(std::shared_ptr<const geometry::TriangleMesh> mesh, const Points& restHandles,
               const SystemChoice& system, Threads threads);
 
-  /// With the handles at `pose`, ml. For one thread at a time.
-  double at(const Points& pose);
+  /// With the handles at `pose` (`n x 3`), ml. May be asked from several threads.
+  double at(const Points& pose) const;
+
+  /// With the handles at `pose + x direction`, as a cubic in x, ml: `sequences::VolumeAlong`.
+  std::array<double, 4> along(const Points& pose, const Points& direction) const;
 
 private:
   std::shared_ptr<const geometry::TriangleMesh> mesh_;
   std::unique_ptr<const coordinates::Binding> binding_;
-  Points points_;
 };
 
 /// Lets handles overshoot by what these coordinates take back. Handles without coordinates of their own are

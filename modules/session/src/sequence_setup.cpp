@@ -3,6 +3,7 @@
 #include "viscera/core/error.h"
 #include "viscera/session/heartbeat_setup.h"
 #include "viscera/session/open_files.h"
+#include "viscera/session/peristalsis_setup.h"
 #include "viscera/session/system_commands.h"
 
 namespace viscera::session {
@@ -17,7 +18,8 @@ struct Maker {
 };
 
 const std::vector<Maker>& makers() {
-  static const std::vector<Maker> list{{{"heartbeat", "Heartbeat", "heart"}, heartbeatSetup}};
+  static const std::vector<Maker> list{{{"heartbeat", "Heartbeat", "heart"}, heartbeatSetup},
+                                       {{"peristalsis", "Gastric peristalsis", "stomach"}, peristalsisSetup}};
   return list;
 }
 
