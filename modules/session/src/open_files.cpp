@@ -14,6 +14,8 @@
 namespace viscera::session {
 namespace {
 
+constexpr std::size_t kFewestHandles = 4; ///< Fewer have no inside.
+
 std::string lowerName(const std::filesystem::path& file) {
   std::string name = file.filename().string();
   std::transform(name.begin(), name.end(), name.begin(), [](unsigned char c) { return std::tolower(c); });
@@ -128,13 +130,16 @@ NewRig rigFrom(const medical_io::HandleFile& file, const std::string& where) {
     }
     rig.groups.push_back(std::move(group));
   }
+  if (rig.handles.size() < kFewestHandles)
+    throw DataError("coordinates need at least four handles, there are " + std::to_string(rig.handles.size()),
+                    where, "add handles, or place them automatically");
   Points positions(static_cast<Eigen::Index>(rig.handles.size()), 3);
   for (std::size_t i = 0; i < rig.handles.size(); ++i)
     positions.row(static_cast<Eigen::Index>(i)) = rig.handles[i].rest.transpose();
   try {
     geometry::ConvexHull hull(positions);
   } catch (const DataError& error) {
-    throw DataError(error.problem(), where, error.tryThis());
+    throw DataError("the handles enclose nothing: " + error.problem(), where, error.tryThis());
   }
   return rig;
 }
