@@ -1,0 +1,49 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include "viscera/core/parallel.h"
+#include "viscera/core/progress.h"
+#include "viscera/organs/sample_organ.h"
+#include "viscera/plugin/registry.h"
+
+namespace CLI {
+class App;
+}
+
+namespace viscera::app::cli {
+
+/// What a command has found out, in both forms, of which the user sees one.
+struct Outcome {
+  nlohmann::ordered_json json;       ///< One object; its keys are those of docs/user_guide.md.
+  std::string text;                  ///< Lines for a reader, each with its line break.
+  std::vector<std::string> warnings; ///< What to be careful about, a sentence each; they go to stderr.
+};
+
+/// What every command works with. Lives as long as the command runs.
+struct Surroundings {
+  Progress& progress;                   ///< Cancelled by Ctrl+C.
+  Threads threads;                      ///< As the user wants it.
+  const organs::SampleLibrary& samples; ///< Where `sample:heart` comes from.
+  const plugin::Registry& systems;      ///< The coordinate systems that `--system` names.
+};
+
+/// One subcommand: `viscera <name>`.
+class Command {
+public:
+  virtual ~Command() = default;
+
+  virtual std::string name() const = 0;
+  virtual std::string summary() const = 0; ///< One line for `viscera --help`.
+
+  /// Adds its options and arguments, tied to its own members. Called once, before `run`.
+  virtual void addOptions(CLI::App& options) = 0;
+
+  /// Does it. Throws `Error`; leaves no half-written file behind.
+  virtual Outcome run(Surroundings& surroundings) = 0;
+};
+
+} // namespace viscera::app::cli

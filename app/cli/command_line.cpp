@@ -1,0 +1,186 @@
+#include "cli/command_line.h"
+
+#include <algorithm>
+#include <exception>
+#include <filesystem>
+#include <memory>
+#include <new>
+#include <ostream>
+#include <string>
+#include <vector>
+
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+
+#include "available_systems.h"
+#include "cli/command.h"
+#include "cli/commands/all_commands.h"
+#include "cli/interrupt.h"
+#include "cli/picture_size.h"
+#include "cli/progress_bar.h"
+#include "viscera/core/error.h"
+
+namespace viscera::app::cli {
+namespace {
+
+constexpr int kUsage = 64;
+constexpr int kInternal = 70;
+constexpr int kMostThreads = 1024;
+
+/// What every subcommand takes.
+struct CommonOptions {
+  bool json = false;
+  int threads = 0;
+  std::vector<std::string> pluginPath;
+
+  void addTo(CLI::App& options) {
+    options.add_flag("--json", json, "Print one JSON object instead of text");
+    options.add_option("--threads", threads, "Threads to use; 0: all of the machine")
+        ->type_name("N")
+        ->check(CLI::Range(0, kMostThreads));
+    options.add_option("--plugin-path", pluginPath, "Folder or file with plugins; may be repeated")
+        ->type_name("PATH")
+        ->expected(1)
+        ->take_all();
+  }
+};
+
+/// What the window takes.
+void addWindowOptions(CLI::App& app, WindowOptions& window, std::string& size) {
+  app.add_option("FILE", window.files, "Organ and handle files to open in the window");
+  app.add_option("--theme", window.theme, "Colours of the window")->check(CLI::IsMember({"dark", "light"}));
+  app.add_option("--mode", window.mode, "What the mouse does to begin with")
+      ->check(CLI::IsMember({"explore", "handles", "deform", "play"}));
+  app.add_option("--window-size", size, "Size of the window in pixels")->type_name("WxH");
+  app.add_option("--screenshot", window.screenshot, "Save a picture of the window as PNG and end")
+      ->type_name("FILE");
+  app.add_flag("--fresh-settings", window.freshSettings, "Neither read nor write the user's settings");
+}
+
+/// One line for a terminal, whatever the message holds.
+std::string oneLine(std::string text) {
+  std::replace(text.begin(), text.end(), '\n', ' ');
+  std::erase(text, '\r');
+  while (!text.empty() && text.back() == ' ')
+    text.pop_back();
+  return text;
+}
+
+int complain(std::ostream& err, int exitCode, const std::string& message) {
+  err << "viscera: " << oneLine(message) << std::endl;
+  return exitCode;
+}
+
+/// Calls `work` and turns whatever it throws into one line and an exit code.
+int guarded(std::ostream& err, const std::function<int()>& work) {
+  try {
+    return work();
+  } catch (const Error& error) {
+    return complain(err, error.exitCode(), error.what());
+  } catch (const std::bad_alloc&) {
+    return complain(err, kInternal, "out of memory (try a smaller model, or close other programs)");
+  } catch (const std::exception& error) {
+    return complain(err, kInternal, std::string("internal error: ") + error.what());
+  } catch (...) {
+    return complain(err, kInternal, "internal error of unknown kind");
+  }
+}
+
+void print(std::ostream& out, const Outcome& outcome, bool json) {
+  if (json)
+    out << outcome.json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) << '\n';
+  else
+    out << outcome.text;
+  out.flush();
+  if (!out)
+    throw CannotCreateError("cannot be written", "standard output");
+}
+
+void warn(std::ostream& err, const std::vector<std::string>& warnings) {
+  for (const std::string& warning : warnings)
+    err << "viscera: warning: " << oneLine(warning) << '\n';
+}
+
+int runCommand(Command& command, const CommonOptions& common, std::ostream& out, std::ostream& err) {
+  return guarded(err, [&] {
+    ProgressBar bar(err, ::isatty(STDERR_FILENO) == 1); // Gone before an error is said.
+    Progress progress([&](double fraction, const std::string& step) { bar.show(fraction, step); });
+    const Interrupt interrupt(progress);
+    const organs::SampleLibrary samples = organs::standardLibrary();
+    const AvailableSystems systems = availableSystems(common.pluginPath);
+    warn(err, systems.problems);
+    Surroundings surroundings{progress, Threads{common.threads}, samples, systems.registry};
+    const Outcome outcome = command.run(surroundings);
+    bar.clear();
+    warn(err, outcome.warnings);
+    print(out, outcome, common.json);
+    return 0;
+  });
+}
+
+void readSize(const std::string& text, WindowOptions& window) {
+  if (text.empty())
+    return;
+  const PictureSize size = pictureSize(text);
+  window.width = size.width;
+  window.height = size.height;
+}
+
+/// A file that is not there is said before a window opens; a word that looks like a mistyped command as such.
+void requireFiles(const std::vector<std::string>& files) {
+  for (const std::string& file : files) {
+    if (std::filesystem::exists(file))
+      continue;
+    if (std::filesystem::path(file).has_extension() || file.find('/') != std::string::npos)
+      throw NoInputError("there is no such file", file, "check the path");
+    throw UsageError("is neither a command nor a file", file, "viscera --help lists the commands");
+  }
+}
+
+/// The subcommand's own name where there is one: "viscera bind".
+std::string nameOf(const CLI::App& app) {
+  const auto chosen = app.get_subcommands();
+  return chosen.empty() ? "viscera" : "viscera " + chosen.front()->get_name();
+}
+
+} // namespace
+
+int runCommandLine(int argc, const char* const* argv, std::ostream& out, std::ostream& err,
+                   const OpenWindow& openWindow) {
+  CLI::App app("Organs deformed by handles, without a cage. Without a command the window opens.", "viscera");
+  app.set_version_flag("--version", "viscera " VISCERA_VERSION);
+  app.require_subcommand(0, 1);
+  WindowOptions window;
+  std::string windowSize;
+  addWindowOptions(app, window, windowSize);
+  CommonOptions common;
+  const std::vector<std::unique_ptr<Command>> commands = allCommands();
+  Command* chosen = nullptr;
+  for (const auto& command : commands) {
+    CLI::App* options = app.add_subcommand(command->name(), command->summary());
+    command->addOptions(*options);
+    common.addTo(*options);
+    options->callback([&chosen, it = command.get()] { chosen = it; });
+  }
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::CallForHelp&) {
+    out << app.help() << std::flush;
+    return 0;
+  } catch (const CLI::CallForVersion& version) {
+    out << version.what() << std::endl;
+    return 0;
+  } catch (const CLI::ParseError& error) {
+    return complain(err, kUsage, std::string(error.what()) + " (try '" + nameOf(app) + " --help')");
+  }
+  if (chosen)
+    return runCommand(*chosen, common, out, err);
+  return guarded(err, [&] {
+    readSize(windowSize, window);
+    requireFiles(window.files);
+    return openWindow(window);
+  });
+}
+
+} // namespace viscera::app::cli

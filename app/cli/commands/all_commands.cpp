@@ -1,0 +1,27 @@
+#include "cli/commands/all_commands.h"
+
+#include "cli/commands/bind_command.h"
+#include "cli/commands/deform_command.h"
+#include "cli/commands/handles_command.h"
+#include "cli/commands/info_command.h"
+#include "cli/commands/play_command.h"
+#include "cli/commands/render_command.h"
+#include "cli/commands/sample_command.h"
+#include "cli/commands/systems_command.h"
+
+namespace viscera::app::cli {
+
+std::vector<std::unique_ptr<Command>> allCommands() {
+  std::vector<std::unique_ptr<Command>> commands;
+  commands.push_back(std::make_unique<InfoCommand>());
+  commands.push_back(std::make_unique<SystemsCommand>());
+  commands.push_back(std::make_unique<SampleCommand>());
+  commands.push_back(std::make_unique<HandlesCommand>());
+  commands.push_back(std::make_unique<BindCommand>());
+  commands.push_back(std::make_unique<DeformCommand>());
+  commands.push_back(std::make_unique<PlayCommand>());
+  commands.push_back(std::make_unique<RenderCommand>());
+  return commands;
+}
+
+} // namespace viscera::app::cli

@@ -1,0 +1,112 @@
+#include "cli/commands/deform_command.h"
+
+#include <chrono>
+#include <cmath>
+
+#include <CLI/CLI.hpp>
+
+#include "cli/listing.h"
+#include "viscera/core/error.h"
+#include "viscera/deformation/bind_organ.h"
+#include "viscera/deformation/restore_volume.h"
+#include "viscera/medical_io/surface_file.h"
+
+namespace viscera::app::cli {
+namespace {
+
+int movedHandles(const Points& rest, const Points& pose) {
+  return static_cast<int>(((pose - rest).rowwise().squaredNorm().array() > 0).count());
+}
+
+} // namespace
+
+void DeformCommand::addOptions(CLI::App& options) {
+  options.add_option("ORGAN", organ_, "A surface file, or sample:NAME[/SURFACE][@RESOLUTION]")->required();
+  options.add_option("--handles", handles_, "The rest handles (.mrk.json)")->type_name("FILE")->required();
+  options
+      .add_option("--pose", pose_, "Where the handles are (.mrk.json), by their labels; others stay at rest")
+      ->type_name("FILE")
+      ->required();
+  system_.addTo(options);
+  CLI::Option* lock =
+      options.add_flag("--lock-volume", lockVolume_,
+                       "Move the handles that the pose leaves at rest so that the volume is kept");
+  options.add_option("--target-ml", targetMl_, "As --lock-volume, but for this volume")
+      ->type_name("ML")
+      ->check(CLI::PositiveNumber)
+      ->excludes(lock);
+  options.add_option("--compensate", compensate_, "Move only these handles to reach the volume")
+      ->type_name("LABEL");
+  options.add_option("-o,--output", output_, "Surface file for the posed organ")->type_name("FILE");
+}
+
+double DeformCommand::targetMl(const deformation::Deformer& deformer) const {
+  return targetMl_.value_or(deformer.restVolumeMm3() / kMm3PerMl);
+}
+
+void DeformCommand::keepVolume(deformation::Deformer& deformer, const RigInput& rig,
+                               const session::Organ& organ) const {
+  if (!lockVolume_ && !targetMl_) {
+    if (!compensate_.empty())
+      throw UsageError("goes with --lock-volume or --target-ml", "--compensate");
+    return;
+  }
+  if (!organ.closed())
+    throw DataError("the surface is open, so it has no volume to keep", organ_, "close its holes first");
+  std::vector<int> compensating;
+  for (const std::string& label : compensate_)
+    compensating.push_back(rig.indexOf(label));
+  if (compensating.empty())
+    compensating = deformation::restingHandles(rig.handles.positions, deformer.pose());
+  deformation::restoreVolume(deformer, targetMl(deformer) * kMm3PerMl, compensating);
+}
+
+Outcome DeformCommand::run(Surroundings& surroundings) {
+  const auto begin = std::chrono::steady_clock::now();
+  const auto system = system_.system(surroundings);
+  const coordinates::BindOptions options = system_.bindOptions(*system, surroundings);
+  Outcome outcome;
+  const RigInput rig = rigInput(handles_, outcome.warnings);
+  const Points pose = poseInput(pose_, rig, outcome.warnings);
+  const session::Organ organ = organInput(organ_, surroundings.samples, surroundings.progress);
+  deformation::Deformer deformer(
+      organ.mesh,
+      deformation::bindOrgan(*system, rig.handles, organ.mesh->points, options, surroundings.progress),
+      rig.handles.positions, surroundings.threads);
+  deformer.setPose(pose);
+  keepVolume(deformer, rig, organ);
+
+  const double restMl = deformer.restVolumeMm3() / kMm3PerMl;
+  const double nowMl = deformer.volumeMm3() / kMm3PerMl;
+  const double error = (nowMl - targetMl(deformer)) / std::abs(targetMl(deformer));
+  const double change = (nowMl - restMl) / std::abs(restMl);
+  const int moved = movedHandles(rig.handles.positions, deformer.pose());
+  if (!output_.empty()) {
+    surroundings.progress.throwIfCancelled();
+    medical_io::writeSurface(output_, {deformer.points(), organ.mesh->triangles, organ.mesh->colors},
+                             {.name = organ.name});
+  }
+  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  outcome.json = {{"organ", organ.name},      {"system", system->id()},
+                  {"closed", organ.closed()}, {"volumeRestMl", restMl},
+                  {"volumeMl", nowMl},        {"relativeVolumeError", error},
+                  {"movedHandles", moved},    {"maxDisplacementMm", deformer.maxDisplacementMm()},
+                  {"seconds", seconds}};
+  Listing listing;
+  if (organ.closed())
+    listing.add("volume at rest", fixed(restMl, 3) + " ml")
+        .add("volume", fixed(nowMl, 3) + " ml (" + (change < 0 ? "" : "+") + fixed(100 * change, 3) + " %)");
+  else
+    listing.add("volume", "none: the surface is open");
+  listing.add("moved handles", std::to_string(moved))
+      .add("largest displacement", fixed(deformer.maxDisplacementMm(), 2) + " mm");
+  if (!output_.empty()) {
+    outcome.json["file"] = output_;
+    listing.add("file", output_);
+  }
+  outcome.text = listing.text();
+  outcome.warnings.insert(outcome.warnings.end(), organ.warnings.begin(), organ.warnings.end());
+  return outcome;
+}
+
+} // namespace viscera::app::cli

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cli/command.h"
+#include "cli/inputs.h"
+#include "cli/system_options.h"
+#include "viscera/deformation/deformer.h"
+
+namespace viscera::app::cli {
+
+/// `viscera deform`: poses an organ and says what became of its volume.
+class DeformCommand final : public Command {
+public:
+  std::string name() const override { return "deform"; }
+  std::string summary() const override { return "Pose an organ by its handles"; }
+  void addOptions(CLI::App& options) override;
+  Outcome run(Surroundings& surroundings) override;
+
+private:
+  /// Moves compensating handles so that the volume is the one asked for. Nothing to do when none is.
+  void keepVolume(deformation::Deformer& deformer, const RigInput& rig, const session::Organ& organ) const;
+  double targetMl(const deformation::Deformer& deformer) const;
+
+  std::string organ_;
+  std::string handles_;
+  std::string pose_;
+  std::string output_;
+  bool lockVolume_ = false;
+  std::optional<double> targetMl_;
+  std::vector<std::string> compensate_;
+  SystemOptions system_;
+};
+
+} // namespace viscera::app::cli

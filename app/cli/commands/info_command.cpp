@@ -1,0 +1,133 @@
+#include "cli/commands/info_command.h"
+
+#include <algorithm>
+
+#include <CLI/CLI.hpp>
+
+#include "cli/inputs.h"
+#include "cli/listing.h"
+#include "viscera/geometry/surface_check.h"
+#include "viscera/medical_io/handle_file.h"
+#include "viscera/medical_io/surface_file.h"
+#include "viscera/session/open_files.h"
+
+namespace viscera::app::cli {
+namespace {
+
+using nlohmann::ordered_json;
+
+constexpr double kMm2PerCm2 = 100.0;
+
+std::string spaceName(medical_io::Space space) {
+  return space == medical_io::Space::ras ? "RAS" : "LPS";
+}
+
+ordered_json boundsJson(const Bounds& bounds) {
+  return {bounds.low.x(), bounds.high.x(), bounds.low.y(), bounds.high.y(), bounds.low.z(), bounds.high.z()};
+}
+
+std::string boundsText(const Bounds& bounds) {
+  const Vec3 size = bounds.high - bounds.low;
+  return fixed(size.x(), 1) + " x " + fixed(size.y(), 1) + " x " + fixed(size.z(), 1) + " mm around (" +
+         fixed(bounds.center().x(), 1) + ", " + fixed(bounds.center().y(), 1) + ", " +
+         fixed(bounds.center().z(), 1) + ")";
+}
+
+std::string yesNo(bool value) {
+  return value ? "yes" : "no";
+}
+
+/// A surface as the file has it, before anything is mended but what reading mends.
+Outcome describe(const medical_io::SurfaceFile& surface, const std::string& file) {
+  const geometry::SurfaceReport report = geometry::checkSurface(surface.mesh);
+  const Bounds bounds = boundsOf(surface.mesh.points);
+  const double volumeMl = report.volumeMm3 / kMm3PerMl;
+  const double areaCm2 = report.areaMm2 / kMm2PerCm2;
+  std::vector<std::string> warnings = surface.warnings;
+  for (std::string& fault : geometry::faults(report))
+    if (std::find(warnings.begin(), warnings.end(), fault) == warnings.end())
+      warnings.push_back(std::move(fault));
+
+  Outcome outcome;
+  outcome.json = {{"kind", "organ"},
+                  {"file", file},
+                  {"name", surface.name},
+                  {"vertices", surface.mesh.points.rows()},
+                  {"triangles", surface.mesh.triangles.rows()},
+                  {"closed", report.closed()},
+                  {"manifold", report.manifold()},
+                  {"components", report.components},
+                  {"outward", report.outward()},
+                  {"boundaryEdges", report.boundaryEdges},
+                  {"nonManifoldEdges", report.nonManifoldEdges},
+                  {"volumeMl", report.closed() ? ordered_json(volumeMl) : ordered_json(nullptr)},
+                  {"areaCm2", areaCm2},
+                  {"boundsMm", boundsJson(bounds)},
+                  {"space", spaceName(surface.space)},
+                  {"spaceStated", surface.spaceStated},
+                  {"warnings", warnings}};
+  outcome.text =
+      Listing()
+          .add("kind", "organ")
+          .add("name", surface.name)
+          .add("vertices", std::to_string(surface.mesh.points.rows()))
+          .add("triangles", std::to_string(surface.mesh.triangles.rows()))
+          .add("closed", yesNo(report.closed()))
+          .add("manifold", yesNo(report.manifold()))
+          .add("components", std::to_string(report.components))
+          .add("outward", yesNo(report.outward()))
+          .add("volume", report.closed() ? fixed(volumeMl, 1) + " ml" : "none: the surface is open")
+          .add("area", significant(areaCm2, 4) + " cm2")
+          .add("size", boundsText(bounds))
+          .add("space",
+               spaceName(surface.space) + (surface.spaceStated ? "" : " (assumed; the file does not say)"))
+          .text();
+  outcome.warnings = std::move(warnings);
+  return outcome;
+}
+
+Outcome describe(const medical_io::HandleFile& handles, const std::string& file) {
+  const Bounds bounds = boundsOf(handles.positions());
+  ordered_json groups = ordered_json::array();
+  Listing listing;
+  listing.add("kind", "handles").add("handles", std::to_string(handles.count()));
+  for (const medical_io::HandleGroupRecord& group : handles.groups) {
+    groups.push_back({{"name", group.name}, {"handles", group.handles.size()}});
+    listing.add("group", group.name + ": " + std::to_string(group.handles.size()));
+  }
+  listing.add("size", boundsText(bounds)).add("space", "LPS");
+  Outcome outcome;
+  outcome.json = {{"kind", "handles"},
+                  {"file", file},
+                  {"handles", handles.count()},
+                  {"groups", groups},
+                  {"labels", handles.labels()},
+                  {"boundsMm", boundsJson(bounds)},
+                  {"space", "LPS"},
+                  {"warnings", handles.warnings}};
+  outcome.text = listing.text();
+  outcome.warnings = handles.warnings;
+  return outcome;
+}
+
+} // namespace
+
+void InfoCommand::addOptions(CLI::App& options) {
+  options.add_option("FILE", file_, "An organ's surface, a handle file, or sample:NAME")->required();
+}
+
+Outcome InfoCommand::run(Surroundings& surroundings) {
+  if (isSample(file_)) {
+    const session::Organ organ = organInput(file_, surroundings.samples, surroundings.progress);
+    medical_io::SurfaceFile surface;
+    surface.mesh = *organ.mesh;
+    surface.name = organ.name;
+    surface.spaceStated = true;
+    return describe(surface, file_);
+  }
+  if (session::isHandleFile(file_))
+    return describe(medical_io::readHandles(file_), file_);
+  return describe(medical_io::readSurface(file_), file_);
+}
+
+} // namespace viscera::app::cli

@@ -1,0 +1,215 @@
+#include "cli/commands/play_command.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <optional>
+#include <ostream>
+
+#include <CLI/CLI.hpp>
+#include <vtkImageData.h>
+
+#include "cli/listing.h"
+#include "viscera/core/atomic_file.h"
+#include "viscera/core/error.h"
+#include "viscera/scene/movie_writer.h"
+#include "viscera/session/cardiac_indices.h"
+
+namespace viscera::app::cli {
+namespace {
+
+constexpr int kMostCycles = 1000;
+constexpr double kHighestRate = 240; ///< Frames a second that a movie is good for.
+constexpr double kWallOpacity = 0.35;
+constexpr double kDrawingShare = 0.9; ///< Of the progress; the rest is closing the movie.
+
+/// The surfaces on a stage, and the writers that take the pictures.
+class Recording {
+public:
+  Recording(const PlayedSequence& played, const StageOptions& options, Threads threads)
+      : stage_(options, threads) {
+    for (const PlayedSurface& surface : played.surfaces) {
+      actors_.push_back(stage_.add(surface.organ, surface.wall ? kWallOpacity : 1));
+      actors_.back()->setPoints(std::shared_ptr<const Points>(surface.deformer, &surface.deformer->points()));
+    }
+    stage_.compose();
+  }
+
+  void addWriter(const std::filesystem::path& target, double framesPerSecond) {
+    writers_.push_back(std::make_unique<scene::MovieWriter>(
+        target, scene::MovieOptions{.framesPerSecond = framesPerSecond}));
+  }
+
+  void addFrame() {
+    for (const auto& actor : actors_)
+      actor->pointsChanged();
+    const vtkSmartPointer<vtkImageData> picture = stage_.picture();
+    for (const auto& writer : writers_)
+      writer->add(picture);
+  }
+
+  void finish(Progress& progress) {
+    for (const auto& writer : writers_)
+      writer->finish(progress);
+  }
+
+private:
+  Stage stage_;
+  std::vector<std::shared_ptr<scene::OrganActor>> actors_;
+  std::vector<std::unique_ptr<scene::MovieWriter>> writers_;
+};
+
+void writeTable(const std::string& file, const session::VolumeRecord& volumes) {
+  writeAtomically(file, [&](std::ostream& stream) {
+    stream << "time_s";
+    for (const std::string& name : volumes.names())
+      stream << ',' << name << "_ml";
+    stream << '\n';
+    for (std::size_t row = 0; row < volumes.rows(); ++row) {
+      stream << fixed(volumes.seconds(row), 6);
+      for (std::size_t column = 0; column < volumes.names().size(); ++column)
+        stream << ',' << fixed(volumes.milliliters(row, column), 6);
+      stream << '\n';
+    }
+  });
+}
+
+double volumeMl(const PlayedSurface& surface) {
+  return surface.deformer->volumeMm3() / kMm3PerMl;
+}
+
+double restMl(const PlayedSurface& surface) {
+  return surface.deformer->restVolumeMm3() / kMm3PerMl;
+}
+
+} // namespace
+
+void PlayCommand::addOptions(CLI::App& options) {
+  options.add_option("SEQUENCE", sequence_, "heartbeat")->required();
+  options.add_option("--organ", organ_, "What to move instead of the sequence's own organ")
+      ->type_name("ORGAN");
+  options.add_option("--handles", handles_, "Handle file; has to hold the sequence's own handles")
+      ->type_name("FILE");
+  options.add_option("--rate", rate_, "Cycles a minute; the sequence's own when not said")
+      ->type_name("PER_MINUTE")
+      ->check(CLI::PositiveNumber);
+  options.add_option("--cycles", cycles_, "How many cycles")
+      ->type_name("N")
+      ->check(CLI::Range(1, kMostCycles))
+      ->capture_default_str();
+  options.add_option("--fps", framesPerSecond_, "Frames a second")
+      ->type_name("F")
+      ->check(CLI::Range(1.0, kHighestRate))
+      ->capture_default_str();
+  options.add_option("--frames", frames_, "Folder for numbered PNG pictures")->type_name("FOLDER");
+  options.add_option("--movie", movie_, "Movie to write: .ogv, or .mp4 and .gif where ffmpeg is installed")
+      ->type_name("FILE");
+  options.add_option("--csv", csv_, "Table of the volumes over time")->type_name("FILE");
+  addStageOptions(options, stage_, size_);
+}
+
+Outcome PlayCommand::run(Surroundings& surroundings) {
+  const auto begin = std::chrono::steady_clock::now();
+  stage_.size = pictureSize(size_);
+  if (!csv_.empty())
+    const AtomicFile writable(csv_); // Said before the work, not after it.
+  PlayedSequence played = playedSequence(sequence_, organ_, handles_, surroundings);
+  const double rate = rateOf(*played.sequence);
+  const int frames = std::max(1, static_cast<int>(std::lround(cycles_ * 60.0 / rate * framesPerSecond_)));
+  const session::VolumeRecord volumes = play(played, rate, frames, surroundings);
+  if (!csv_.empty())
+    writeTable(csv_, volumes);
+  Outcome outcome = report(played, volumes, rate);
+  outcome.warnings = std::move(played.warnings);
+  outcome.json["seconds"] = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  return outcome;
+}
+
+double PlayCommand::rateOf(const sequences::Sequence& sequence) const {
+  if (rate_ == 0)
+    return sequence.standardRatePerMinute();
+  if (rate_ < sequence.lowestRatePerMinute() || rate_ > sequence.highestRatePerMinute())
+    throw UsageError("is not a rate at which " + sequence.id() + " can be played",
+                     "--rate " + significant(rate_, 6),
+                     "from " + significant(sequence.lowestRatePerMinute(), 6) + " to " +
+                         significant(sequence.highestRatePerMinute(), 6) + " a minute");
+  return rate_;
+}
+
+session::VolumeRecord PlayCommand::play(PlayedSequence& played, double rate, int frames,
+                                        Surroundings& surroundings) const {
+  std::vector<std::string> names;
+  for (const PlayedSurface& surface : played.surfaces)
+    names.push_back(surface.name);
+  session::VolumeRecord volumes(names);
+  std::optional<Recording> recording;
+  if (!frames_.empty() || !movie_.empty())
+    recording.emplace(played, stage_, surroundings.threads);
+  if (!frames_.empty())
+    recording->addWriter(std::filesystem::path(frames_) / "",
+                         framesPerSecond_); // A folder, whatever its name.
+  if (!movie_.empty())
+    recording->addWriter(movie_, framesPerSecond_);
+  Points pose;
+  for (int frame = 0; frame < frames; ++frame) {
+    surroundings.progress.throwIfCancelled();
+    const double seconds = frame / framesPerSecond_;
+    played.sequence->poseAt(seconds, rate, pose);
+    std::vector<double> row;
+    for (const PlayedSurface& surface : played.surfaces) {
+      surface.deformer->setPose(pose);
+      row.push_back(volumeMl(surface));
+    }
+    volumes.add(seconds, row);
+    if (recording)
+      recording->addFrame();
+    surroundings.progress.report(kDrawingShare * (frame + 1) / frames, "playing");
+  }
+  if (recording)
+    recording->finish(surroundings.progress);
+  return volumes;
+}
+
+Outcome PlayCommand::report(const PlayedSequence& played, const session::VolumeRecord& volumes,
+                            double rate) const {
+  Outcome outcome;
+  outcome.json = {{"sequence", played.sequence->id()},
+                  {"ratePerMinute", rate},
+                  {"frames", volumes.rows()},
+                  {"cycles", cycles_},
+                  {"framesPerSecond", framesPerSecond_}};
+  Listing listing;
+  listing.add("sequence", played.sequence->name() + ", " + significant(rate, 6) + " a minute")
+      .add("frames", std::to_string(volumes.rows()));
+  double outerChange = 0;
+  for (std::size_t i = 0; i < played.surfaces.size(); ++i) {
+    const PlayedSurface& surface = played.surfaces[i];
+    const std::vector<double> values = volumes.column(i);
+    const auto [low, high] = std::minmax_element(values.begin(), values.end());
+    outcome.json["volumes"][surface.name] = {{"minMl", *low}, {"maxMl", *high}, {"restMl", restMl(surface)}};
+    listing.add(surface.name, fixed(*low, 1) + " to " + fixed(*high, 1) + " ml");
+    if (i == 0)
+      outerChange = std::max(*high - restMl(surface), restMl(surface) - *low) / std::abs(restMl(surface));
+  }
+  outcome.json["maxRelativeOuterChange"] = outerChange;
+  listing.add("outer change", fixed(100 * outerChange, 1) + " % at most");
+  outcome.json["ejectionFraction"] = nullptr;
+  if (const PlayedSurface* ventricle = played.find("lv")) {
+    const session::CardiacIndices indices = session::cardiacIndices(
+        volumes.column(static_cast<std::size_t>(ventricle - played.surfaces.data())), rate);
+    outcome.json["ejectionFraction"] = indices.ejectionFraction;
+    outcome.json["strokeVolumeMl"] = indices.strokeVolumeMl;
+    listing.add("ejection fraction", fixed(indices.ejectionFraction, 3))
+        .add("stroke volume", fixed(indices.strokeVolumeMl, 1) + " ml");
+  }
+  for (const auto& [key, target] :
+       {std::pair("csv", csv_), std::pair("movie", movie_), std::pair("folder", frames_)})
+    if (!target.empty()) {
+      outcome.json[key] = target;
+      listing.add(key, target);
+    }
+  outcome.text = listing.text();
+  return outcome;
+}
+
+} // namespace viscera::app::cli

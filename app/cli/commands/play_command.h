@@ -1,0 +1,42 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "cli/command.h"
+#include "cli/played_sequence.h"
+#include "cli/stage.h"
+#include "viscera/session/volume_record.h"
+
+namespace viscera::app::cli {
+
+/// `viscera play`: plays a sequence, measures it, and records it.
+class PlayCommand final : public Command {
+public:
+  std::string name() const override { return "play"; }
+  std::string summary() const override { return "Play a sequence, measure it and record it"; }
+  void addOptions(CLI::App& options) override;
+  Outcome run(Surroundings& surroundings) override;
+
+private:
+  /// The rate to play at. Throws `UsageError` outside what the sequence allows.
+  double rateOf(const sequences::Sequence& sequence) const;
+  /// Plays every frame, and records those that are asked for.
+  session::VolumeRecord play(PlayedSequence& played, double rate, int frames,
+                             Surroundings& surroundings) const;
+  Outcome report(const PlayedSequence& played, const session::VolumeRecord& volumes, double rate) const;
+
+  std::string sequence_;
+  std::string organ_;
+  std::string handles_;
+  double rate_ = 0; ///< 0: the sequence's own.
+  int cycles_ = 1;
+  double framesPerSecond_ = 25;
+  std::string frames_;
+  std::string movie_;
+  std::string csv_;
+  std::string size_ = "1280x800";
+  StageOptions stage_;
+};
+
+} // namespace viscera::app::cli

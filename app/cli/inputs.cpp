@@ -1,0 +1,141 @@
+#include "cli/inputs.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <utility>
+
+#include "viscera/core/error.h"
+#include "viscera/medical_io/handle_file.h"
+#include "viscera/session/open_files.h"
+
+namespace viscera::app::cli {
+namespace {
+
+constexpr std::string_view kSamplePrefix = "sample:";
+constexpr std::size_t kLabelsNamed = 8;
+
+std::string listed(const std::vector<std::string>& names) {
+  std::string text;
+  for (std::size_t i = 0; i < std::min(names.size(), kLabelsNamed); ++i)
+    text += (i == 0 ? "" : ", ") + names[i];
+  return names.size() > kLabelsNamed ? text + " and " + std::to_string(names.size() - kLabelsNamed) + " more"
+                                     : text;
+}
+
+void requireSize(const session::Organ& organ, const std::string& where) {
+  if (!(boundsOf(organ.mesh->points).diagonal() > 0))
+    throw DataError("all its vertices are at one place", where, "export the surface again");
+}
+
+session::Organ organOf(const organs::SampleOrgan& sample, const organs::SampleSurface& surface) {
+  const bool outer = &surface == &sample.surfaces.front();
+  session::Organ organ =
+      session::makeOrgan(outer ? sample.name : sample.name + "/" + surface.name, surface.mesh);
+  organ.look.color = surface.color;
+  return organ;
+}
+
+} // namespace
+
+SampleReference sampleReference(const std::string& text) {
+  std::string rest = isSample(text) ? text.substr(kSamplePrefix.size()) : text;
+  SampleReference reference;
+  if (const std::size_t at = rest.rfind('@'); at != std::string::npos) {
+    reference.resolution = organs::resolutionFromName(rest.substr(at + 1));
+    rest.resize(at);
+  }
+  if (const std::size_t slash = rest.find('/'); slash != std::string::npos) {
+    reference.surface = rest.substr(slash + 1);
+    rest.resize(slash);
+  }
+  if (rest.empty())
+    throw UsageError("names no sample organ", text, "viscera sample --list shows them");
+  reference.organ = rest;
+  return reference;
+}
+
+bool isSample(const std::string& organ) {
+  return organ.starts_with(kSamplePrefix);
+}
+
+std::vector<session::Organ> organInputs(const std::string& organ, const organs::SampleLibrary& samples,
+                                        Progress& progress) {
+  std::vector<session::Organ> result;
+  if (!isSample(organ)) {
+    result.push_back(session::readOrgan(organ));
+    for (std::string& warning : result.back().warnings)
+      warning = organ + ": " + warning;
+  } else {
+    const SampleReference reference = sampleReference(organ);
+    const organs::SampleOrgan sample =
+        organs::sampleOrgan(samples, reference.organ, reference.resolution, progress);
+    std::vector<std::string> names;
+    for (const organs::SampleSurface& surface : sample.surfaces) {
+      names.push_back(surface.name);
+      if (reference.surface.empty() || reference.surface == surface.name)
+        result.push_back(organOf(sample, surface));
+    }
+    if (result.empty())
+      throw UsageError("has no surface \"" + reference.surface + "\"", organ, "it has " + listed(names));
+  }
+  for (const session::Organ& one : result)
+    requireSize(one, organ);
+  return result;
+}
+
+session::Organ organInput(const std::string& organ, const organs::SampleLibrary& samples,
+                          Progress& progress) {
+  return organInputs(organ, samples, progress).front();
+}
+
+int RigInput::indexOf(const std::string& label) const {
+  const auto found = std::find(labels.begin(), labels.end(), label);
+  if (found == labels.end())
+    throw UsageError("there is no handle \"" + label + "\"", {}, "there are " + listed(labels));
+  return static_cast<int>(found - labels.begin());
+}
+
+RigInput rigInput(const std::filesystem::path& file, std::vector<std::string>& warnings) {
+  const medical_io::HandleFile contents = medical_io::readHandles(file);
+  for (const std::string& warning : contents.warnings)
+    warnings.push_back(file.string() + ": " + warning);
+  const session::NewRig rig = session::rigFrom(contents, file.string());
+  RigInput input;
+  input.handles.positions.resize(static_cast<Eigen::Index>(rig.handles.size()), 3);
+  for (std::size_t i = 0; i < rig.handles.size(); ++i) {
+    input.handles.positions.row(static_cast<Eigen::Index>(i)) = rig.handles[i].rest.transpose();
+    input.labels.push_back(rig.handles[i].label);
+  }
+  for (const session::NewGroup& group : rig.groups)
+    input.handles.groups.push_back({group.name, group.handles});
+  return input;
+}
+
+Points poseInput(const std::filesystem::path& file, const RigInput& rest,
+                 std::vector<std::string>& warnings) {
+  const medical_io::HandleFile contents = medical_io::readHandles(file);
+  for (const std::string& warning : contents.warnings)
+    warnings.push_back(file.string() + ": " + warning);
+  std::map<std::string, int> rows;
+  for (std::size_t i = 0; i < rest.labels.size(); ++i)
+    rows.emplace(rest.labels[i], static_cast<int>(i));
+  Points pose = rest.handles.positions;
+  std::map<std::string, Vec3> seen;
+  for (const medical_io::HandleGroupRecord& group : contents.groups) {
+    for (const medical_io::HandleRecord& handle : group.handles) {
+      const auto row = rows.find(handle.label);
+      if (row == rows.end())
+        throw DataError("handle \"" + handle.label + "\" is not among the rest handles", file.string(),
+                        "the pose has to use the labels of the rest handles: " + listed(rest.labels));
+      const auto [earlier, isNew] = seen.emplace(handle.label, handle.position);
+      if (!isNew && earlier->second != handle.position)
+        throw DataError("handle \"" + handle.label + "\" comes twice, at different places", file.string(),
+                        "remove one of them");
+      pose.row(row->second) = handle.position.transpose();
+    }
+  }
+  return pose;
+}
+
+} // namespace viscera::app::cli

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "viscera/coordinates/handle_set.h"
+#include "viscera/core/progress.h"
+#include "viscera/organs/sample_organ.h"
+#include "viscera/session/organ.h"
+
+/// What commands take as ORGAN and as handle files.
+namespace viscera::app::cli {
+
+/// "sample:heart/lv@high" taken apart.
+struct SampleReference {
+  std::string organ;   ///< "heart"
+  std::string surface; ///< "lv"; empty: the outer one.
+  organs::Resolution resolution = organs::Resolution::medium;
+};
+
+/// Takes `[sample:]NAME[/SURFACE][@RESOLUTION]` apart. Throws `UsageError` for an empty name or a resolution
+/// that there is not.
+SampleReference sampleReference(const std::string& text);
+
+/// Whether ORGAN names a sample organ ("sample:...") and not a file.
+bool isSample(const std::string& organ);
+
+/// Reads the file, or makes the sample organ, that ORGAN names; of a sample organ with cavities the outer
+/// surface unless another one is named. The mesh has a size, else `DataError`; throws also what
+/// `session::readOrgan` and `organs::sampleOrgan` throw, and `UsageError` for a surface that the sample does
+/// not have.
+session::Organ organInput(const std::string& organ, const organs::SampleLibrary& samples, Progress& progress);
+
+/// As above, but all surfaces of a sample organ when none is named.
+std::vector<session::Organ> organInputs(const std::string& organ, const organs::SampleLibrary& samples,
+                                        Progress& progress);
+
+/// The rest handles of a file.
+struct RigInput {
+  coordinates::HandleSet handles;
+  std::vector<std::string> labels; ///< One a handle.
+
+  /// The handle with that label. Throws `UsageError` that names some of those there are.
+  int indexOf(const std::string& label) const;
+};
+
+/// Reads a handle file as rest handles. Throws `NoInputError`, and `DataError` also for handles that nothing
+/// can be bound to: fewer than four, all in one plane, two at one place.
+RigInput rigInput(const std::filesystem::path& file, std::vector<std::string>& warnings);
+
+/// Reads a handle file as a pose of `rest`, `n x 3` mm: handles are matched by label, those that the file
+/// does not have stay at rest. Throws `DataError` for a label that the rest handles do not have or that comes
+/// twice.
+Points poseInput(const std::filesystem::path& file, const RigInput& rest, std::vector<std::string>& warnings);
+
+} // namespace viscera::app::cli

@@ -1,0 +1,29 @@
+#include "cli/picture_size.h"
+
+#include <charconv>
+#include <system_error>
+
+#include "viscera/core/error.h"
+
+namespace viscera::app::cli {
+namespace {
+constexpr int kSmallest = 16;
+constexpr int kLargest = 16384; ///< What OpenGL drivers can be relied on to draw.
+} // namespace
+
+PictureSize pictureSize(const std::string& text) {
+  PictureSize size;
+  const char* end = text.data() + text.size();
+  const auto width = std::from_chars(text.data(), end, size.width);
+  const bool cross = width.ec == std::errc() && width.ptr != end && *width.ptr == 'x';
+  const auto height = cross ? std::from_chars(width.ptr + 1, end, size.height) : width;
+  if (!cross || height.ec != std::errc() || height.ptr != end)
+    throw UsageError("is no size in pixels", text, "for instance 1600x1000");
+  for (int side : {size.width, size.height})
+    if (side < kSmallest || side > kLargest)
+      throw UsageError("is out of range", text,
+                       "each side from " + std::to_string(kSmallest) + " to " + std::to_string(kLargest));
+  return size;
+}
+
+} // namespace viscera::app::cli

@@ -1,0 +1,91 @@
+#include "cli/stage.h"
+
+#include <array>
+
+#include <CLI/CLI.hpp>
+#include <vtkImageData.h>
+
+#include "viscera/scene/picture.h"
+#include "viscera/scene/vtkVisceraHandleSetRepresentation.h"
+
+namespace viscera::app::cli {
+namespace {
+
+/// Handles farther from the organs than this part of their diagonal (the corners of an enclosing box) may lie
+/// outside the picture: the organs are what it is about.
+constexpr double kNear = 0.1;
+
+using Color = Eigen::Matrix<std::uint8_t, 1, 3>;
+
+/// Colours of groups that readers who are colour-blind can tell apart (after Okabe and Ito).
+Color groupColor(std::size_t group) {
+  static constexpr std::array<std::array<std::uint8_t, 3>, 5> kColors{
+      {{230, 159, 0}, {86, 180, 233}, {204, 121, 167}, {240, 228, 66}, {0, 158, 115}}};
+  const auto& color = kColors[group % kColors.size()];
+  return {color[0], color[1], color[2]};
+}
+
+Colors handleColors(const coordinates::HandleSet& handles) {
+  Colors colors = groupColor(0).replicate(handles.positions.rows(), 1);
+  for (std::size_t group = 0; group < handles.groups.size(); ++group)
+    for (int handle : handles.groups[group].handles)
+      colors.row(handle) = groupColor(group);
+  return colors;
+}
+
+Bounds joined(const Bounds& a, const Bounds& b) {
+  return {a.low.cwiseMin(b.low), a.high.cwiseMax(b.high)};
+}
+
+} // namespace
+
+void addStageOptions(CLI::App& options, StageOptions& stage, std::string& size) {
+  options.add_option("--size", size, "Size of the picture in pixels")
+      ->type_name("WxH")
+      ->capture_default_str();
+  options
+      .add_option("--view", stage.view, "From where: anterior, posterior, left, right, superior, inferior")
+      ->type_name("NAME")
+      ->capture_default_str();
+  options.add_option("--theme", stage.theme, "Colours around the organs")
+      ->check(CLI::IsMember({"dark", "light"}))
+      ->capture_default_str();
+}
+
+Stage::Stage(const StageOptions& options, Threads threads)
+    : threads_(threads), side_(scene::standardViewFromName(options.view)),
+      window_(options.size.width, options.size.height) {
+  view_.setWindow(window_.window());
+  view_.setTheme(options.theme == "light" ? scene::lightTheme() : scene::darkTheme());
+}
+
+std::shared_ptr<scene::OrganActor> Stage::add(const session::Organ& organ, double opacity) {
+  auto actor = std::make_shared<scene::OrganActor>(organ.mesh, threads_);
+  actor->setColor(organ.look.color);
+  actor->setOpacity(opacity);
+  view_.add(actor);
+  return actor;
+}
+
+void Stage::showHandles(const RigInput& rig) {
+  view_.handles()->SetPositions(rig.handles.positions);
+  view_.handles()->SetColors(handleColors(rig.handles));
+}
+
+void Stage::compose() {
+  const Bounds organs = view_.bounds();
+  Bounds bounds = organs;
+  for (const auto& row : view_.handles()->GetPositions().rowwise()) {
+    const Vec3 handle = row.transpose();
+    const Vec3 beyond = (organs.low - handle).cwiseMax(handle - organs.high).cwiseMax(0);
+    if (beyond.norm() <= kNear * organs.diagonal())
+      bounds = joined(bounds, {handle, handle});
+  }
+  view_.lookFrom(side_, bounds);
+}
+
+vtkSmartPointer<vtkImageData> Stage::picture() {
+  return scene::grabPicture(window_.window());
+}
+
+} // namespace viscera::app::cli

@@ -1,0 +1,37 @@
+#include "cli/system_options.h"
+
+#include <CLI/CLI.hpp>
+
+#include "viscera/core/error.h"
+
+namespace viscera::app::cli {
+
+void SystemOptions::addTo(CLI::App& options) {
+  options.add_option("--system", id_, "Coordinate system; 'viscera systems' lists them")
+      ->type_name("ID")
+      ->capture_default_str();
+  options.add_option("--param", parameters_, "A parameter of the system; may be repeated")
+      ->type_name("NAME=VALUE")
+      ->expected(1)
+      ->take_all();
+}
+
+std::shared_ptr<const coordinates::CoordinateSystem>
+SystemOptions::system(const Surroundings& surroundings) const {
+  return surroundings.systems.find(id_);
+}
+
+coordinates::BindOptions SystemOptions::bindOptions(const coordinates::CoordinateSystem& system,
+                                                    const Surroundings& surroundings) const {
+  coordinates::BindOptions options;
+  options.threads = surroundings.threads;
+  for (const std::string& text : parameters_) {
+    const std::size_t equals = text.find('=');
+    if (equals == std::string::npos || equals == 0)
+      throw UsageError("is not NAME=VALUE", "--param " + text, "for instance --param locality=2");
+    options.parameters.setFromText(system.parameters(), text.substr(0, equals), text.substr(equals + 1));
+  }
+  return options;
+}
+
+} // namespace viscera::app::cli

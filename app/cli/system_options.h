@@ -1,0 +1,30 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "cli/command.h"
+#include "viscera/coordinates/coordinate_system.h"
+
+namespace viscera::app::cli {
+
+/// The options `--system` and `--param`, which several commands have.
+class SystemOptions {
+public:
+  void addTo(CLI::App& options);
+
+  /// The system asked for. Throws `UsageError` that lists those there are.
+  std::shared_ptr<const coordinates::CoordinateSystem> system(const Surroundings& surroundings) const;
+
+  /// The values given for it, checked, with the threads. Throws `UsageError` for what is not `name=value`,
+  /// and for a name or value that the system does not take.
+  coordinates::BindOptions bindOptions(const coordinates::CoordinateSystem& system,
+                                       const Surroundings& surroundings) const;
+
+private:
+  std::string id_ = "s-celestial";
+  std::vector<std::string> parameters_;
+};
+
+} // namespace viscera::app::cli
