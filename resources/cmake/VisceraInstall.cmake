@@ -1,5 +1,20 @@
 # Installation and export, so that another project can say find_package(Viscera).
 include(CMakePackageConfigHelpers)
+
+# The parts of VTK that our libraries name; whoever uses them has to find the same.
+set(viscera_vtk_components)
+foreach(module IN ITEMS organs medical_io scene)
+  if(TARGET viscera_${module})
+    get_target_property(libraries viscera_${module} LINK_LIBRARIES)
+    list(FILTER libraries INCLUDE REGEX "^VTK::")
+    list(TRANSFORM libraries REPLACE "^VTK::" "")
+    list(APPEND viscera_vtk_components ${libraries})
+  endif()
+endforeach()
+list(REMOVE_DUPLICATES viscera_vtk_components)
+list(SORT viscera_vtk_components)
+list(JOIN viscera_vtk_components " " viscera_vtk_components)
+
 set(viscera_config_dir "${CMAKE_INSTALL_LIBDIR}/cmake/Viscera")
 configure_package_config_file(
   "${PROJECT_SOURCE_DIR}/resources/cmake/VisceraConfig.cmake.in"

@@ -1,0 +1,58 @@
+#include "cli_test.h"
+
+namespace viscera::app::cli {
+
+using CliUsage = CliTest;
+
+TEST_F(CliUsage, HelpAndVersionGoToStandardOutput) {
+  const test::ProcessResult help = run({"--help"});
+  EXPECT_EQ(help.exitCode, kOk);
+  EXPECT_EQ(help.err, "");
+  for (const std::string command :
+       {"info", "systems", "sample", "handles", "bind", "deform", "play", "render"}) {
+    EXPECT_NE(help.out.find(command), std::string::npos) << command;
+    const test::ProcessResult one = run({command, "--help"});
+    EXPECT_EQ(one.exitCode, kOk) << command;
+    EXPECT_NE(one.out.find("--json"), std::string::npos) << command << "\n" << one.out;
+    EXPECT_EQ(one.err, "") << command;
+  }
+  const test::ProcessResult version = run({"--version"});
+  EXPECT_EQ(version.exitCode, kOk);
+  EXPECT_EQ(version.out.rfind("viscera ", 0), 0u) << version.out;
+  EXPECT_EQ(version.err, "");
+}
+
+TEST_F(CliUsage, UnknownOptionsAndCommandsAreUsageErrors) {
+  for (const std::string command :
+       {"info", "systems", "sample", "handles", "bind", "deform", "play", "render"})
+    expectFailure({command, "--no-such-option"}, kUsage, "--help");
+  EXPECT_EQ(run({"--no-such-option"}).exitCode, kUsage);
+  EXPECT_EQ(run({"nosuchcommand"}).exitCode, kUsage);
+}
+
+TEST_F(CliUsage, MissingArgumentsAreUsageErrors) {
+  expectFailure({"info"}, kUsage, "FILE");
+  expectFailure({"bind", "sample:heart"}, kUsage, "--handles");
+  expectFailure({"handles", "sample:heart"}, kUsage, "--output");
+  expectFailure({"sample"}, kUsage, "--list");
+}
+
+TEST_F(CliUsage, NamesThatDoNotExistAreUsageErrorsThatSayWhatThereIs) {
+  expectFailure({"sample", "spleen", "-o", path("s.stl")}, kUsage, "heart");
+  expectFailure({"info", "sample:heart@huge"}, kUsage, "medium");
+  expectFailure({"info", "sample:heart/lvv@low"}, kUsage, "lv");
+  const std::string organ = put("cube.off", cubeOff(4));
+  const std::string handles = put("h.mrk.json", markups(corners(10)));
+  expectFailure({"bind", organ, "--handles", handles, "--system", "nosuch"}, kUsage, "s-celestial");
+  expectFailure({"bind", organ, "--handles", handles, "--param", "nosuch=1"}, kUsage, "locality");
+  expectFailure({"bind", organ, "--handles", handles, "--param", "locality"}, kUsage, "NAME=VALUE");
+  expectFailure({"bind", organ, "--handles", handles, "--param", "locality=-3"}, kUsage, "locality");
+  expectFailure({"bind", organ, "--handles", handles, "--threads", "-1"}, kUsage, "--threads");
+  expectFailure({"render", organ, "-o", path("p.png"), "--view", "sideways"}, kUsage, "anterior");
+  expectFailure({"render", organ, "-o", path("p.png"), "--size", "10"}, kUsage, "1600x1000");
+  expectFailure({"render", organ, handles, "-o", path("p.png"), "--influence", "H-99"}, kUsage, "H-1");
+  expectFailure({"play", "nosuch"}, kUsage, "heartbeat");
+  expectFailure({"play", "heartbeat", "--rate", "1000"}, kUsage, "rate");
+}
+
+} // namespace viscera::app::cli

@@ -1,0 +1,59 @@
+# Run by CTest with -P; the variables in capitals come from CMakeLists.txt.
+cmake_minimum_required(VERSION 3.25)
+
+function(run what)
+  cmake_parse_arguments(PARSE_ARGV 1 ARG "" "OUTPUT" "COMMAND")
+  execute_process(COMMAND ${ARG_COMMAND} RESULT_VARIABLE result OUTPUT_VARIABLE output ERROR_VARIABLE errors)
+  if(NOT result EQUAL 0)
+    message(FATAL_ERROR "${what} failed (${result}):\n${output}\n${errors}")
+  endif()
+  if(ARG_OUTPUT)
+    set(${ARG_OUTPUT} "${output}" PARENT_SCOPE)
+  endif()
+endfunction()
+
+file(REMOVE_RECURSE "${WORK_DIR}")
+set(prefix "${WORK_DIR}/a prefix with spaces")
+run("Installing" COMMAND ${CMAKE_COMMAND} --install "${BUILD_DIR}" --prefix "${prefix}")
+
+foreach(file IN ITEMS
+    bin/viscera
+    include/viscera/core/arrays.h
+    include/viscera/coordinates/coordinate_system.h
+    share/viscera/sample_organs/heart.json
+    share/applications/org.viscera.Viscera.desktop
+    share/mime/packages/org.viscera.Viscera.xml
+    share/metainfo/org.viscera.Viscera.metainfo.xml
+    share/icons/hicolor/scalable/apps/org.viscera.Viscera.svg
+    "${LIBDIR}/cmake/Viscera/VisceraConfig.cmake")
+  if(NOT EXISTS "${prefix}/${file}")
+    message(FATAL_ERROR "${file} is not installed")
+  endif()
+endforeach()
+
+# A stranger's project.
+run("Configuring the other project" COMMAND ${CMAKE_COMMAND} -S "${CONSUMER_DIR}" -B "${WORK_DIR}/consumer"
+  -G "${GENERATOR}" -D "CMAKE_CXX_COMPILER=${CXX_COMPILER}" -D CMAKE_BUILD_TYPE=Release
+  -D "CMAKE_PREFIX_PATH=${prefix}")
+run("Building the other project" COMMAND ${CMAKE_COMMAND} --build "${WORK_DIR}/consumer")
+run("The other project" COMMAND "${WORK_DIR}/consumer/consumer" OUTPUT said)
+message(STATUS "${said}")
+
+# The installed program finds its libraries and its organs without help, and without the build's.
+unset(ENV{LD_LIBRARY_PATH})
+unset(ENV{VISCERA_SAMPLE_ORGANS})
+unset(ENV{DISPLAY})
+run("viscera sample --list" COMMAND "${prefix}/bin/viscera" sample --list OUTPUT organs)
+if(NOT organs MATCHES "heart")
+  message(FATAL_ERROR "the installed program lists no heart:\n${organs}")
+endif()
+run("ldd" COMMAND ldd "${prefix}/bin/viscera" OUTPUT libraries)
+string(FIND "${libraries}" "${BUILD_DIR}/lib/" from_build)
+if(libraries MATCHES "not found" OR NOT from_build EQUAL -1)
+  message(FATAL_ERROR "the installed program does not load the installed libraries:\n${libraries}")
+endif()
+run("viscera systems" COMMAND "${prefix}/bin/viscera" systems OUTPUT systems)
+if(NOT systems MATCHES "s-celestial")
+  message(FATAL_ERROR "the installed program knows no S-Celestial:\n${systems}")
+endif()
+file(REMOVE_RECURSE "${WORK_DIR}")
