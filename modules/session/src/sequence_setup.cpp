@@ -1,6 +1,7 @@
 #include "viscera/session/sequence_setup.h"
 
 #include "viscera/core/error.h"
+#include "viscera/session/breathing_setup.h"
 #include "viscera/session/heartbeat_setup.h"
 #include "viscera/session/open_files.h"
 #include "viscera/session/peristalsis_setup.h"
@@ -19,7 +20,8 @@ struct Maker {
 
 const std::vector<Maker>& makers() {
   static const std::vector<Maker> list{{{"heartbeat", "Heartbeat", "heart"}, heartbeatSetup},
-                                       {{"peristalsis", "Gastric peristalsis", "stomach"}, peristalsisSetup}};
+                                       {{"peristalsis", "Gastric peristalsis", "stomach"}, peristalsisSetup},
+                                       {{"breathing", "Breathing", "liver"}, breathingSetup}};
   return list;
 }
 

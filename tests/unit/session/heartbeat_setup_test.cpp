@@ -132,7 +132,7 @@ TEST(HeartbeatSetup, trianglesKeepTheirShapeInEveryFrame) {
   }
   RecordProperty("worstTriangleOfTheOuterSurface", std::to_string(worstOuter));
   RecordProperty("worstTriangleOfTheCavities", std::to_string(worstCavity));
-  EXPECT_GT(worstOuter, 0.4);
+  EXPECT_GT(worstOuter, 0.35);
   EXPECT_GT(worstCavity, 0.7);
 }
 
