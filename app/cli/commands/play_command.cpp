@@ -14,6 +14,7 @@
 #include "viscera/core/error.h"
 #include "viscera/scene/movie_writer.h"
 #include "viscera/session/cardiac_indices.h"
+#include "viscera/session/sequence_setup.h"
 
 namespace viscera::app::cli {
 namespace {
@@ -74,6 +75,13 @@ void writeTable(const std::string& file, const session::VolumeRecord& volumes) {
   });
 }
 
+std::string sequenceNames() {
+  std::string names;
+  for (const session::SampleSequence& sequence : session::sampleSequences())
+    names += (names.empty() ? "" : " or ") + sequence.id;
+  return names;
+}
+
 double volumeMl(const PlayedSurface& surface) {
   return surface.deformer->volumeMm3() / kMm3PerMl;
 }
@@ -85,7 +93,7 @@ double restMl(const PlayedSurface& surface) {
 } // namespace
 
 void PlayCommand::addOptions(CLI::App& options) {
-  options.add_option("SEQUENCE", sequence_, "heartbeat")->required();
+  options.add_option("SEQUENCE", sequence_, sequenceNames())->required();
   options.add_option("--organ", organ_, "What to move instead of the sequence's own organ")
       ->type_name("ORGAN");
   options.add_option("--handles", handles_, "Handle file; has to hold the sequence's own handles")
