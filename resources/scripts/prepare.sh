@@ -11,7 +11,7 @@ packages_to_build() {
 }
 
 packages_to_test() {
-  printf '%s\n' libgtest-dev libgmock-dev libbenchmark-dev libcgal-dev libcgal-dev \
+  printf '%s\n' libgtest-dev libgmock-dev libbenchmark-dev libcgal-dev \
     xvfb xauth xdotool clang-format-14
 }
 
