@@ -39,7 +39,7 @@ struct CelestialSolution {
 /// boundary), unity and positivity hold for any values.
 ///
 /// All of it is rotation invariant. A point's coordinates are bitwise the same whatever other points are
-/// bound with it. Cost of binding: about 5 ns per (point x handle) on two cores (docs/performance.md).
+/// bound with it. Cost of binding: about 8 ns per (point x handle) of one thread (docs/performance.md).
 class CelestialSystem : public CoordinateSystem {
 public:
   Traits traits() const final;
