@@ -45,7 +45,7 @@ bool cutEars(std::span<const std::int32_t> polygon, const Points& points,
   }
   vtkNew<vtkIdList> ears;
   const bool cut = cutter->Triangulate(ears) != 0;
-  if (!cut || ears->GetNumberOfIds() != static_cast<vtkIdType>(3 * (polygon.size() - 2)))
+  if (!cut || static_cast<std::size_t>(ears->GetNumberOfIds()) != 3 * (polygon.size() - 2))
     return false;
   for (vtkIdType i = 0; i < ears->GetNumberOfIds(); i += 3)
     out.push_back({polygon[static_cast<std::size_t>(ears->GetId(i))],

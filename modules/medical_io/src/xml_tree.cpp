@@ -27,6 +27,7 @@ public:
 
 protected:
   vtkVisceraXmlTree() = default;
+  ~vtkVisceraXmlTree() override = default;
 
   void StartElement(const char* name, const char** attributes) override {
     ++depth_;
