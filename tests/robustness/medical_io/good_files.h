@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstddef>
-#include <ostream>
 #include <string>
 #include <vector>
 
@@ -15,10 +14,6 @@ struct GoodFile {
   /// A part of it can look like a whole: formats that say nowhere how long they are.
   bool partsLookWhole = false;
 };
-
-inline void PrintTo(const GoodFile& file, std::ostream* out) {
-  *out << file.name;
-}
 
 /// One small file of every format that Viscera reads, in the ways that programs store it.
 std::vector<GoodFile> goodFiles();
