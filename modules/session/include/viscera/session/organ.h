@@ -13,6 +13,7 @@ namespace viscera::session {
 /// How an organ is shown. Part of the document: it is saved and undone.
 struct OrganLook {
   Vec3 color = {0.80, 0.45, 0.40}; ///< Red green blue, 0 to 1.
+  bool vertexColors = true;        ///< The mesh's own colours, when it has some, go before `color`.
   double opacity = 1;              ///< 0 to 1.
   bool visible = true;
   bool tracked = true; ///< Its volume is a line of the chart.
