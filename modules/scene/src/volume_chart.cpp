@@ -40,6 +40,9 @@ constexpr int kFontSize = 12;
 /// Room above and below the curves, as a part of their range.
 constexpr double kRoom = 0.08;
 constexpr int kMostTicks = 6;
+/// VTK's numbers for the pair of axes that a plot is drawn against.
+constexpr int kBottomLeft = 0, kBottomRight = 1;
+constexpr std::array kAxes = {vtkAxis::BOTTOM, vtkAxis::LEFT, vtkAxis::RIGHT};
 
 unsigned char byte(double part) {
   return static_cast<unsigned char>(std::lround(255 * std::clamp(part, 0.0, 1.0)));
@@ -72,6 +75,10 @@ struct Curve {
   bool shown = true;
 };
 
+int cornerOf(const Curve& curve) {
+  return curve.line.rightAxis ? kBottomRight : kBottomLeft;
+}
+
 } // namespace
 
 struct VolumeChart::Parts {
@@ -93,7 +100,8 @@ struct VolumeChart::Parts {
   void makePlots();
   void forgetBefore(double seconds);
   ValueRange timeRange() const;
-  ValueRange valueRange() const;
+  /// Of the shown curves at the left axis, or at the right one.
+  ValueRange valueRange(bool right) const;
   void fillCurve(Curve& curve, ValueRange range);
   void fillCursor(ValueRange values);
 };
@@ -107,13 +115,14 @@ void VolumeChart::Parts::build() {
   chart->GetLegend()->SetInline(false); // Beside the curves: the newest points are on the right.
   chart->GetLegend()->SetLabelSize(kFontSize);
   chart->GetLegend()->GetPen()->SetLineType(vtkPen::NO_PEN);
-  for (const int which : {vtkAxis::BOTTOM, vtkAxis::LEFT}) {
+  for (const int which : kAxes) {
     auto* axis = chart->GetAxis(which);
     axis->SetBehavior(vtkAxis::FIXED);
     axis->GetLabelProperties()->SetFontSize(kFontSize);
     axis->GetTitleProperties()->SetFontSize(kFontSize);
     axis->GetTitleProperties()->BoldOff();
   }
+  chart->GetAxis(vtkAxis::RIGHT)->SetTitle("");
   actor->GetScene()->AddItem(chart);
   actor->GetScene()->SetRenderer(renderer);
   renderer->AddViewProp(actor);
@@ -125,12 +134,12 @@ void VolumeChart::Parts::build() {
 void VolumeChart::Parts::applyTheme() {
   const Vec3& text = theme.text;
   renderer->SetBackground(theme.panel.data());
-  for (const int which : {vtkAxis::BOTTOM, vtkAxis::LEFT}) {
+  for (const int which : kAxes) {
     auto* axis = chart->GetAxis(which);
     axis->GetLabelProperties()->SetColor(text.x(), text.y(), text.z());
     axis->GetTitleProperties()->SetColor(text.x(), text.y(), text.z());
     setPen(axis->GetPen(), theme.muted, 1);
-    setPen(axis->GetGridPen(), theme.muted, 0.22);
+    setPen(axis->GetGridPen(), theme.muted, which == vtkAxis::RIGHT ? 0 : 0.22);
   }
   chart->GetLegend()->GetLabelProperties()->SetColor(text.x(), text.y(), text.z());
   const Vec3& back = theme.panel;
@@ -152,6 +161,7 @@ void VolumeChart::Parts::makePlots() {
     curve->band->SetLegendVisibility(false);
     curve->band->SetSelectable(false);
     chart->AddPlot(curve->band);
+    chart->SetPlotCorner(curve->band, cornerOf(*curve));
   }
   for (auto& curve : curves) {
     addColumn(curve->table, "time");
@@ -161,6 +171,7 @@ void VolumeChart::Parts::makePlots() {
     curve->plot->SetLabel(curve->line.name);
     curve->plot->SetWidth(kLineWidth);
     setPen(curve->plot->GetPen(), curve->line.color, 1);
+    chart->SetPlotCorner(curve->plot, cornerOf(*curve));
   }
   cursorPlot = chart->AddPlot(vtkChart::LINE);
   cursorPlot->SetInputData(cursorTable, 0, 1);
@@ -184,7 +195,7 @@ ValueRange VolumeChart::Parts::timeRange() const {
   return last <= span ? ValueRange{0, span} : ValueRange{last - span, last};
 }
 
-ValueRange VolumeChart::Parts::valueRange() const {
+ValueRange VolumeChart::Parts::valueRange(bool right) const {
   double low = std::numeric_limits<double>::infinity(), high = -low;
   const auto include = [&](double value) {
     if (!std::isfinite(value))
@@ -193,7 +204,7 @@ ValueRange VolumeChart::Parts::valueRange() const {
     high = std::max(high, value);
   };
   for (const auto& curve : curves) {
-    if (!curve->shown)
+    if (!curve->shown || curve->line.rightAxis != right)
       continue;
     std::for_each(curve->values.begin(), curve->values.end(), include);
     if (curve->line.hasNormalBand) {
@@ -331,7 +342,7 @@ void VolumeChart::hideCursor() {
 
 void VolumeChart::update() {
   auto& p = *parts_;
-  const ValueRange times = p.timeRange(), values = p.valueRange();
+  const ValueRange times = p.timeRange(), values = p.valueRange(false), right = p.valueRange(true);
   const auto ratio = static_cast<float>(pixelRatioOf(p.window));
   for (auto& curve : p.curves)
     curve->plot->SetWidth(ratio * kLineWidth);
@@ -339,7 +350,8 @@ void VolumeChart::update() {
   for (auto& curve : p.curves)
     p.fillCurve(*curve, times);
   p.fillCursor(values);
-  for (const auto& [which, range] : {std::pair{vtkAxis::BOTTOM, times}, std::pair{vtkAxis::LEFT, values}}) {
+  for (const auto& [which, range] : {std::pair{vtkAxis::BOTTOM, times}, std::pair{vtkAxis::LEFT, values},
+                                     std::pair{vtkAxis::RIGHT, right}}) {
     auto* axis = p.chart->GetAxis(which);
     axis->SetRange(range.low, range.high);
     const auto ticks = niceTicks(range, kMostTicks);
@@ -352,6 +364,8 @@ void VolumeChart::update() {
     }
     axis->SetCustomTickPositions(positions, labels);
   }
+  const auto atRight = [](const auto& curve) { return curve->line.rightAxis && curve->shown; };
+  p.chart->GetAxis(vtkAxis::RIGHT)->SetVisible(std::any_of(p.curves.begin(), p.curves.end(), atRight));
   p.chart->RecalculateBounds();
   p.actor->GetScene()->SetDirty(true);
 }

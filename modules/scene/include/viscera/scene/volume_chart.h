@@ -18,6 +18,7 @@ struct ChartLine {
   Vec3 color = {0.3, 0.7, 0.75}; ///< Red green blue, 0 to 1.
   bool hasNormalBand = false;    ///< Whether `normal` is drawn as a pale band behind the curve.
   ValueRange normal;             ///< What healthy people have, in the chart's unit.
+  bool rightAxis = false;        ///< Drawn against the axis at the right, which has a range of its own.
 };
 
 /// Curves over time that grow while a sequence plays: volumes in ml, usually. Draws into any vtkRenderWindow,
