@@ -1,14 +1,75 @@
 #include "window/run_window.h"
 
 #include <QApplication>
-#include <QMainWindow>
+#include <QTimer>
+
+#include <cstdio>
+#include <memory>
+
+#include "available_systems.h"
+#include "window/application.h"
+#include "window/main_window.h"
+#include "window/picture_session.h"
 
 namespace viscera::app {
+namespace {
 
-int runWindow(int argc, char** argv, const WindowOptions&) {
+constexpr int kServiceUnavailable = 69;
+
+/// Without a display Qt would abort the program.
+bool displayThere() {
+#if defined(Q_OS_LINUX)
+  if (!qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM"))
+    return true;
+  return !qEnvironmentVariableIsEmpty("DISPLAY") || !qEnvironmentVariableIsEmpty("WAYLAND_DISPLAY");
+#else
+  return true;
+#endif
+}
+
+void begin(MainWindow& window, const WindowOptions& options) {
+  window.setMode(modeFromId(QString::fromStdString(options.mode)));
+  if (options.files.empty()) {
+    window.samples().load(QStringLiteral("heart"), true);
+    return;
+  }
+  QStringList files;
+  for (const std::string& file : options.files)
+    files.push_back(QString::fromStdString(file));
+  window.files().open(files);
+}
+
+} // namespace
+
+int runWindow(int argc, char** argv, const WindowOptions& options) {
+  if (!displayThere()) {
+    std::fputs("viscera: there is no display for the window (try `viscera play heartbeat` or `viscera "
+               "render`, which "
+               "need none)\n",
+               stderr);
+    return kServiceUnavailable;
+  }
+  prepareForApplication();
   QApplication application(argc, argv);
-  QMainWindow window;
+  setUpApplication(application);
+  if (!options.screenshot.empty())
+    return takePicture(options);
+
+  Settings settings(options.freshSettings ? QString() : Settings::standardFile());
+  if (!options.theme.empty())
+    settings.setValue("window/theme", QString::fromStdString(options.theme));
+  AvailableSystems systems = availableSystems({});
+  MainWindow window(settings, std::move(systems.registry), session::Player::steadyClock());
+  if (!options.theme.empty())
+    window.setTheme(themeFromName(QString::fromStdString(options.theme)));
+  if (options.width > 0 && options.height > 0)
+    window.resize(options.width, options.height);
   window.show();
+  if (options.files.empty())
+    window.showWelcome(settings.value("window/welcome", true).toBool());
+  for (const std::string& problem : systems.problems)
+    window.workspace().say({Message::Severity::warning, text(problem), {}, 0});
+  QTimer::singleShot(0, &window, [&] { begin(window, options); });
   return QApplication::exec();
 }
 

@@ -9,15 +9,16 @@ namespace viscera::app {
 struct WindowOptions {
   std::vector<std::string> files; ///< Opened after the window shows; none: the sample heart beats.
   std::string theme;              ///< "dark", "light", or empty for the one used last.
-  std::string screenshot;         ///< Not empty: a PNG of the window once everything shows, then the program ends.
-  std::string mode;               ///< "explore", "handles", "deform", "play"; empty: the standard one.
-  int width = 0;                  ///< Of the window in pixels; 0: as it was left last time.
+  std::string screenshot; ///< Not empty: a PNG of the window once everything shows, then the program ends.
+  std::string mode;       ///< "explore", "handles", "deform", "play"; empty: the standard one.
+  int width = 0;          ///< Of the window in pixels; 0: as it was left last time.
   int height = 0;
-  bool freshSettings = false;     ///< True: neither reads nor writes the user's settings (screenshots, tests).
+  bool freshSettings = false; ///< True: neither reads nor writes the user's settings (screenshots, tests).
 };
 
-/// Runs the window until the user closes it and returns the exit code. Makes the QApplication: call it once, from the
-/// main thread, before anything of Qt's. Needs a display: without one it says so on stderr and returns 69.
+/// Runs the window until the user closes it and returns the exit code. Makes the QApplication: call it once,
+/// from the main thread, before anything of Qt's. Needs a display: without one it says so on stderr and
+/// returns 69.
 int runWindow(int argc, char** argv, const WindowOptions& options);
 
 } // namespace viscera::app

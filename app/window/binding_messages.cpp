@@ -1,0 +1,63 @@
+#include "window/binding_messages.h"
+
+#include "viscera/session/rig_commands.h"
+
+namespace viscera::app {
+
+BindingMessages::BindingMessages(Workspace& workspace, MessageBar* bar, QObject* parent)
+    : QObject(parent), workspace_(workspace), bar_(bar) {
+  subscription_ = workspace.live().onEvent([this](const session::LiveEvent& event) {
+    if (event.status)
+      sync();
+  });
+}
+
+void BindingMessages::sync() {
+  using State = session::BindingStatus::State;
+  double seconds = 0;
+  bool allBound = !workspace_.document().organs().empty();
+  for (const auto& organ : workspace_.document().organs()) {
+    const session::BindingStatus status = workspace_.live().status(organ->id);
+    if (status.state == State::failed || status.state == State::stale) {
+      const Message message = messageFor(*organ, status);
+      if (message.text != shown_ || bar_->text().isEmpty())
+        bar_->showMessage(message);
+      shown_ = message.text;
+      return;
+    }
+    allBound = allBound && status.state == State::bound;
+    seconds += status.report.seconds;
+  }
+  if (!allBound)
+    return;
+  // Only our own message: another one may have come since.
+  if (!shown_.isEmpty() && bar_->text() == shown_)
+    bar_->dismiss();
+  shown_.clear();
+  Q_EMIT bound(seconds);
+}
+
+Message BindingMessages::messageFor(const session::Organ& organ, const session::BindingStatus& status) const {
+  Message message;
+  message.severity = Message::Severity::warning;
+  if (status.state == session::BindingStatus::State::stale) {
+    message.text = tr("%1 is not bound to these handles: binding was cancelled.").arg(text(organ.name));
+    message.offers.push_back(
+        {tr("Bind now"), [this] { workspace_.guarded([this] { workspace_.live().rebind(); }); }});
+    return message;
+  }
+  if (status.outsideHull > 0) {
+    message.text = tr("%n {vertex of %1 lies|vertices of %1 lie} outside the handles' hull.", nullptr,
+                      status.outsideHull)
+                       .arg(text(organ.name));
+    message.offers.push_back(
+        {tr("Add enclosing handles"), [this] { workspace_.perform(session::addEnclosingHandles()); }});
+    return message;
+  }
+  message.text = text(status.message);
+  message.offers.push_back(
+      {tr("Undo"), [this] { workspace_.guarded([this] { workspace_.undo().undo(); }); }});
+  return message;
+}
+
+} // namespace viscera::app

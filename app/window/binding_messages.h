@@ -1,0 +1,32 @@
+#pragma once
+
+#include <QObject>
+
+#include "window/widgets/message_bar.h"
+#include "window/workspace.h"
+
+namespace viscera::app {
+
+/// Tells when the handles cannot hold an organ, with what mends it, and takes the message back when it is
+/// mended.
+class BindingMessages final : public QObject {
+  Q_OBJECT
+
+public:
+  BindingMessages(Workspace& workspace, MessageBar* bar, QObject* parent = nullptr);
+
+Q_SIGNALS:
+  /// Everything is bound anew; how long that took.
+  void bound(double seconds);
+
+private:
+  void sync();
+  Message messageFor(const session::Organ& organ, const session::BindingStatus& status) const;
+
+  Workspace& workspace_;
+  MessageBar* bar_;
+  QString shown_;
+  session::Subscription subscription_;
+};
+
+} // namespace viscera::app

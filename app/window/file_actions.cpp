@@ -1,0 +1,192 @@
+#include "window/file_actions.h"
+
+#include <QDesktopServices>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QStandardPaths>
+#include <QUrl>
+
+#include <algorithm>
+
+#include "viscera/medical_io/handle_file.h"
+#include "viscera/medical_io/surface_file.h"
+
+namespace viscera::app {
+namespace {
+
+constexpr const char* kFolderKey = "files/folder";
+constexpr const char* kHandleEnding = ".mrk.json";
+
+QString patterns(const std::vector<std::string>& extensions) {
+  QStringList list;
+  for (const std::string& extension : extensions)
+    list.push_back(QStringLiteral("*") + text(extension));
+  return list.join(QLatin1Char(' '));
+}
+
+std::vector<session::OrganId> idsOf(const session::OrganList& organs) {
+  std::vector<session::OrganId> ids;
+  for (const auto& organ : organs)
+    ids.push_back(organ->id);
+  return ids;
+}
+
+} // namespace
+
+FileActions::FileActions(Workspace& workspace, HandlePlacer& placer, Settings& settings, QWidget* window)
+    : QObject(window), workspace_(workspace), placer_(placer), settings_(settings), window_(window) {}
+
+QString FileActions::folder() const {
+  return settings_.value(kFolderKey, QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation))
+      .toString();
+}
+
+void FileActions::rememberFolder(const QString& file) {
+  settings_.setValue(kFolderKey, QFileInfo(file).absolutePath());
+}
+
+void FileActions::chooseAndOpen() {
+  const QString surfaces = patterns(medical_io::surfaceExtensions());
+  const QString handles = QStringLiteral("*") + QLatin1String(kHandleEnding);
+  const QString filter =
+      tr("Organs and handles (%1 %2);;Organs (%1);;Handles (%2);;All files (*)").arg(surfaces, handles);
+  const QStringList files =
+      QFileDialog::getOpenFileNames(window_, tr("Open organs or handles"), folder(), filter);
+  if (!files.isEmpty())
+    open(files);
+}
+
+void FileActions::open(const QStringList& files) {
+  std::vector<std::filesystem::path> paths;
+  for (const QString& file : files)
+    paths.emplace_back(file.toStdString());
+  const QString name = files.size() == 1
+                           ? tr("Opening %1").arg(QFileInfo(files.front()).fileName())
+                           : tr("Opening %n {file|files}", nullptr, static_cast<int>(files.size()));
+  workspace_.jobs().submit<session::OpenedFiles>(
+      name.toStdString(), "open", [paths](Progress& progress) { return session::openFiles(paths, progress); },
+      [this, files](session::JobResult<session::OpenedFiles> result) {
+        if (result.error)
+          workspace_.report(*result.error);
+        if (result.value)
+          take(*result.value, files);
+      });
+}
+
+void FileActions::take(const session::OpenedFiles& opened, const QStringList& files) {
+  const session::OrganList& present = workspace_.document().organs();
+  // What the program made itself was only there to look at.
+  const bool onlySamples =
+      std::all_of(present.begin(), present.end(), [](const auto& o) { return o->file.empty(); });
+  const bool replaces = opened.organs > 0 && onlySamples;
+  const QString name = tr("Open %1").arg(QFileInfo(files.front()).fileName());
+  const bool done = workspace_.guarded([&] {
+    session::UndoStack& undo = workspace_.undo();
+    undo.beginStep(name.toStdString());
+    try {
+      if (replaces) {
+        if (!present.empty())
+          undo.perform(session::removeOrgans(idsOf(present)));
+        if (opened.handles == 0)
+          undo.perform(session::replaceRig({}));
+      }
+      undo.perform(opened.command);
+      if (opened.organs > 0 && workspace_.document().rig().handles.empty())
+        undo.perform(placer_.command(*workspace_.document().organs().back()));
+    } catch (...) {
+      undo.cancelStep();
+      throw;
+    }
+    undo.endStep();
+  });
+  if (!done)
+    return;
+  settings_.addRecentFiles(files);
+  rememberFolder(files.front());
+  Q_EMIT recentFilesChanged();
+  if (opened.organs > 0)
+    workspace_.selection().setOrgan(workspace_.document().organs().back()->id);
+  Q_EMIT filesOpened();
+  sayWarnings(opened.warnings);
+}
+
+void FileActions::sayWarnings(const std::vector<std::string>& warnings) {
+  if (warnings.empty())
+    return;
+  Message message;
+  message.severity = Message::Severity::warning;
+  message.text = text(warnings.front());
+  if (warnings.size() > 1)
+    message.text +=
+        tr(" (and %n more; the organ's page lists them)", nullptr, static_cast<int>(warnings.size()) - 1);
+  workspace_.say(message);
+}
+
+void FileActions::chooseAndSaveHandles() {
+  QString file = QFileDialog::getSaveFileName(
+      window_, tr("Save handles"), folder() + QStringLiteral("/handles") + QLatin1String(kHandleEnding),
+      tr("Slicer markups (*%1)").arg(QLatin1String(kHandleEnding)));
+  if (file.isEmpty())
+    return;
+  if (!file.endsWith(QLatin1String(kHandleEnding)))
+    file += QLatin1String(kHandleEnding);
+  saveHandles(file);
+}
+
+void FileActions::saveHandles(const QString& file) {
+  const bool done = workspace_.guarded([&] {
+    if (workspace_.document().rig().handles.empty())
+      throw UsageError("there are no handles to save", {}, "place some first");
+    medical_io::writeHandles(file.toStdString(), session::handleFile(workspace_.document().rig()));
+  });
+  if (done)
+    saySaved(tr("Handles"), file);
+}
+
+void FileActions::chooseAndExportOrgan() {
+  const auto organ = workspace_.currentOrgan();
+  if (!organ)
+    return workspace_.say(
+        {Message::Severity::info, tr("There is no organ to export. Open one first."), {}, 6});
+  const QString start = folder() + QLatin1Char('/') + text(organ->name) + QStringLiteral(".vtp");
+  const QString file =
+      QFileDialog::getSaveFileName(window_, tr("Export the organ as it is now"), start,
+                                   tr("Surfaces (%1)").arg(patterns(medical_io::surfaceExtensions())));
+  if (!file.isEmpty())
+    exportOrgan(file);
+}
+
+void FileActions::exportOrgan(const QString& file) {
+  const auto organ = workspace_.currentOrgan();
+  if (!organ)
+    return;
+  geometry::TriangleMesh mesh = *organ->mesh;
+  mesh.points = workspace_.live().points(organ->id);
+  workspace_.jobs().submit<bool>(
+      tr("Exporting %1").arg(text(organ->name)).toStdString(), "export",
+      [mesh = std::move(mesh), path = file.toStdString(), name = organ->name](Progress&) {
+        medical_io::WriteSurface options;
+        options.name = name;
+        medical_io::writeSurface(path, mesh, options);
+        return true;
+      },
+      [this, file, name = text(organ->name)](session::JobResult<bool> result) {
+        if (result.error)
+          workspace_.report(*result.error);
+        if (result.value)
+          saySaved(name, file);
+      });
+}
+
+void FileActions::saySaved(const QString& what, const QString& file) {
+  rememberFolder(file);
+  Message message;
+  message.text = tr("%1 written to %2").arg(what, file);
+  message.seconds = 8;
+  message.offers.push_back({tr("Open folder"), [file] {
+                              QDesktopServices::openUrl(QUrl::fromLocalFile(QFileInfo(file).absolutePath()));
+                            }});
+  workspace_.say(message);
+}
+
+} // namespace viscera::app

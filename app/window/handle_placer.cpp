@@ -1,0 +1,63 @@
+#include "window/handle_placer.h"
+
+#include <algorithm>
+
+#include "viscera/session/rig_commands.h"
+
+namespace viscera::app {
+namespace {
+
+const Vec3 kEnclosingColor(0.45, 0.55, 0.62);
+const Vec3 kSurfaceColor(0.98, 0.72, 0.25);
+constexpr int kCorners = 8;
+
+} // namespace
+
+HandlePlacer::HandlePlacer(Workspace& workspace, QObject* parent) : QObject(parent), workspace_(workspace) {}
+
+void HandlePlacer::setCount(int count) {
+  placement_.count = std::clamp(count, fewest(), most());
+  if (!choosing_)
+    workspace_.guarded([this] { workspace_.undo().beginStep(tr("Place handles").toStdString()); });
+  choosing_ = true;
+  place();
+}
+
+void HandlePlacer::finish() {
+  if (!choosing_)
+    return;
+  choosing_ = false;
+  workspace_.guarded([this] { workspace_.undo().endStep(); });
+}
+
+void HandlePlacer::setEnclosing(bool enclosing) {
+  finish();
+  placement_.enclosing = enclosing;
+  placement_.count = std::clamp(placement_.count, fewest(), most());
+  Q_EMIT placementChanged();
+  place();
+}
+
+void HandlePlacer::place() {
+  const auto organ = workspace_.currentOrgan();
+  if (!organ)
+    return;
+  workspace_.guarded([&] { workspace_.undo().perform(command(*organ)); });
+  Q_EMIT placementChanged();
+}
+
+session::Command HandlePlacer::command(const session::Organ& organ) const {
+  session::NewRig rig;
+  rig.handles = session::newHandles(deformation::placeHandles(*organ.mesh, placement_));
+  const int corners = placement_.enclosing ? kCorners : 0;
+  session::NewGroup enclosing{tr("Enclosing").toStdString(), kEnclosingColor, {}};
+  session::NewGroup surface{tr("Surface").toStdString(), kSurfaceColor, {}};
+  for (int i = 0; i < static_cast<int>(rig.handles.size()); ++i)
+    (i < corners ? enclosing : surface).handles.push_back(i);
+  rig.groups.push_back(std::move(surface));
+  if (corners > 0)
+    rig.groups.push_back(std::move(enclosing));
+  return session::replaceRig(std::move(rig), tr("Place handles").toStdString());
+}
+
+} // namespace viscera::app

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <QObject>
+
+#include "viscera/deformation/place_handles.h"
+#include "window/workspace.h"
+
+namespace viscera::app {
+
+/// Places handles around the organs by itself, live while the user is choosing how many.
+class HandlePlacer final : public QObject {
+  Q_OBJECT
+
+public:
+  explicit HandlePlacer(Workspace& workspace, QObject* parent = nullptr);
+
+  const deformation::Placement& placement() const { return placement_; }
+  /// The fewest and the most that can be asked for.
+  int fewest() const { return placement_.enclosing ? 9 : 4; }
+  int most() const { return 200; }
+
+  /// Takes the choice and places anew; all choices until `finish` are one undo step.
+  void setCount(int count);
+  void setEnclosing(bool enclosing);
+  void finish();
+  /// Places with the present choice.
+  void place();
+  /// The command that places around an organ with the present choice; may throw `DataError`.
+  session::Command command(const session::Organ& organ) const;
+
+Q_SIGNALS:
+  void placementChanged();
+
+private:
+  deformation::Placement placement_;
+  Workspace& workspace_;
+  bool choosing_ = false;
+};
+
+} // namespace viscera::app

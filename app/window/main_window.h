@@ -1,0 +1,129 @@
+#pragma once
+
+#include <QMainWindow>
+
+#include <memory>
+
+#include "window/actions.h"
+#include "window/file_actions.h"
+#include "window/handle_placer.h"
+#include "window/mode.h"
+#include "window/sample_loader.h"
+#include "window/settings.h"
+#include "window/style/theme.h"
+#include "window/timeline/playback.h"
+#include "window/timeline/volume_monitor.h"
+#include "window/workspace.h"
+
+class QStackedWidget;
+
+namespace viscera::app {
+
+class BindingMessages;
+class ClickTool;
+class HandlePanel;
+class HandleScene;
+class ModeRail;
+class OrganPanel;
+class OrganScene;
+class PanelDock;
+class ShortcutCard;
+class StatusLine;
+class TimelineBar;
+class TourCard;
+class ViewArea;
+class ViewWidget;
+class VolumePanel;
+class WelcomeCard;
+
+/// The window: puts the parts together and says which mode is on. What the parts do is in the parts.
+class MainWindow final : public QMainWindow {
+  Q_OBJECT
+
+public:
+  /// `settings` has to outlive the window. `registry` has the coordinate systems to choose from, `clock`
+  /// drives the sequences.
+  MainWindow(Settings& settings, plugin::Registry registry, session::Player::Clock clock,
+             QWidget* parent = nullptr);
+  ~MainWindow() override;
+
+  Workspace& workspace() { return workspace_; }
+  Playback& playback() { return playback_; }
+  FileActions& files() { return *files_; }
+  SampleLoader& samples() { return *samples_; }
+  ViewArea& viewArea() { return *viewArea_; }
+  const Actions& actions() const { return actions_; }
+
+  Mode mode() const { return mode_; }
+  void setTheme(ThemeKind kind);
+  void showWelcome(bool shown);
+  /// Saves a picture of the 3D view; returns its file, empty when it could not be written.
+  QString saveScreenshot();
+  /// Brings the organs into the picture from the front.
+  void frameFromFront();
+
+public Q_SLOTS:
+  void setMode(viscera::app::Mode mode);
+
+protected:
+  void closeEvent(QCloseEvent* event) override;
+
+private:
+  // main_window.cpp
+  void makeDocks();
+  QWidget* makePages();
+  void makeCards();
+  void connectParts();
+  void connectTimeline();
+  void syncTimeline();
+  void restoreLayout();
+  void focusSelection();
+  void escape();
+  // main_window_actions.cpp
+  void makeFileActions();
+  void makeEditActions();
+  void makeViewActions();
+  void makeModeActions();
+  void makeHandleActions();
+  void makeSequenceActions();
+  void makeHelpActions();
+  void syncActions();
+  // main_window_menus.cpp
+  void makeMenus();
+  void fillRecentMenu();
+  void fillSampleMenu();
+  void startTour();
+
+  Settings& settings_;
+  Actions actions_;
+  Workspace workspace_;
+  Playback playback_;
+  VolumeMonitor volumes_;
+  HandlePlacer placer_;
+  FileActions* files_;
+  SampleLoader* samples_;
+  ViewArea* viewArea_;
+  std::unique_ptr<OrganScene> organScene_;
+  std::unique_ptr<HandleScene> handleScene_;
+  std::unique_ptr<ClickTool> clickTool_;
+  BindingMessages* bindingMessages_ = nullptr;
+  ModeRail* rail_ = nullptr;
+  OrganPanel* organPanel_ = nullptr;
+  HandlePanel* handlePanel_ = nullptr;
+  QStackedWidget* pages_ = nullptr;
+  TimelineBar* timeline_ = nullptr;
+  VolumePanel* volumePanel_ = nullptr;
+  StatusLine* status_ = nullptr;
+  WelcomeCard* welcome_ = nullptr;
+  ShortcutCard* shortcuts_ = nullptr;
+  TourCard* tour_ = nullptr;
+  QMenu* recentMenu_ = nullptr;
+  QMenu* sampleMenu_ = nullptr;
+  std::vector<PanelDock*> docks_;
+  QByteArray standardLayout_;
+  ThemeKind theme_ = ThemeKind::dark;
+  Mode mode_ = Mode::explore;
+  std::vector<session::Subscription> subscriptions_;
+};
+
+} // namespace viscera::app

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <QString>
+
+#include <vector>
+
+namespace viscera::app {
+
+/// What the mouse does in the view and which property page shows.
+enum class Mode { explore, handles, deform, play };
+
+/// A mode as the user meets it.
+struct ModeDescription {
+  Mode mode = Mode::explore;
+  const char* id = "";   ///< "explore"; as in settings and options.
+  const char* icon = ""; ///< Of the icon set.
+  int key = 0;           ///< The digit that chooses it; stays the same whatever other modes there are.
+  QString name;          ///< Under the icon.
+  QString hint;          ///< For the status bar: what the mouse does.
+};
+
+/// All modes, in the order of the rail.
+std::vector<ModeDescription> modeDescriptions();
+
+/// The mode of that id, or Explore.
+Mode modeFromId(const QString& id);
+
+} // namespace viscera::app

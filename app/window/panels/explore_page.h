@@ -1,0 +1,31 @@
+#pragma once
+
+#include "window/actions.h"
+#include "window/widgets/page.h"
+#include "window/workspace.h"
+
+namespace viscera::app {
+
+/// Explore: standard views, what the view shows, and what is known of the selected organ.
+class ExplorePage final : public Page {
+  Q_OBJECT
+
+public:
+  ExplorePage(Workspace& workspace, const Actions& actions, QWidget* parent = nullptr);
+
+private:
+  QWidget* makeViews(const Actions& actions);
+  void sync();
+
+  Workspace& workspace_;
+  QLabel* name_ = nullptr;
+  QLabel* volume_ = nullptr;
+  QLabel* size_ = nullptr;
+  QLabel* triangles_ = nullptr;
+  QLabel* surface_ = nullptr;
+  QLabel* file_ = nullptr;
+  QLabel* warnings_ = nullptr;
+  std::vector<session::Subscription> subscriptions_;
+};
+
+} // namespace viscera::app

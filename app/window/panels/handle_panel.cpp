@@ -1,0 +1,194 @@
+#include "window/panels/handle_panel.h"
+
+#include <QAction>
+#include <QCheckBox>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QScopedValueRollback>
+#include <QTimer>
+#include <QToolButton>
+#include <QTreeWidget>
+#include <QTreeWidgetItemIterator>
+
+#include <map>
+
+#include "viscera/session/rig_commands.h"
+#include "window/panels/color_palette.h"
+#include "window/style/icon.h"
+#include "window/widgets/value_slider.h"
+
+namespace viscera::app {
+namespace {
+
+constexpr int kIdRole = Qt::UserRole;
+const QColor kUngrouped(242, 158, 51);
+
+session::HandleId handleOf(const QTreeWidgetItem* item) {
+  return {item->data(0, kIdRole).toLongLong()};
+}
+
+} // namespace
+
+HandlePanel::HandlePanel(Workspace& workspace, HandlePlacer& placer, QWidget* parent)
+    : QWidget(parent), workspace_(workspace), placer_(placer), tools_(new QWidget(this)),
+      list_(new QTreeWidget(this)), empty_(new QLabel(this)) {
+  setObjectName(QStringLiteral("panel"));
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 8, 0, 0);
+  column->setSpacing(4);
+  column->addWidget(makePlacement());
+  auto* row = new QHBoxLayout(tools_);
+  row->setContentsMargins(8, 0, 8, 0);
+  row->setSpacing(4);
+  row->addStretch(1);
+  column->addWidget(tools_);
+  empty_->setText(
+      tr("No handles yet.\nMove the slider above to place some, or click the organ in Handles mode (2)."));
+  empty_->setObjectName(QStringLiteral("muted"));
+  empty_->setWordWrap(true);
+  empty_->setContentsMargins(12, 8, 12, 8);
+  column->addWidget(empty_);
+  list_->setObjectName(QStringLiteral("handleList"));
+  list_->setHeaderHidden(true);
+  list_->setIndentation(14);
+  list_->setUniformRowHeights(true);
+  list_->setSelectionMode(QAbstractItemView::ExtendedSelection);
+  list_->setEditTriggers(QAbstractItemView::EditKeyPressed | QAbstractItemView::DoubleClicked);
+  list_->setMinimumHeight(80);
+  column->addWidget(list_, 1);
+  connect(list_, &QTreeWidget::itemSelectionChanged, this, &HandlePanel::selectFromList);
+  connect(list_, &QTreeWidget::itemChanged, this, &HandlePanel::rename);
+  connect(&placer, &HandlePlacer::placementChanged, this, &HandlePanel::syncPlacement);
+  subscriptions_.push_back(workspace.onChange([this](const session::Change& change) {
+    if (change.rig() &&
+        !(change.interactive && change.before.rig->handles.size() == change.after.rig->handles.size()))
+      rebuild();
+    if (change.organs())
+      syncPlacement();
+  }));
+  subscriptions_.push_back(workspace.selection().onChange([this] { syncSelection(); }));
+  syncPlacement();
+  rebuild();
+}
+
+QWidget* HandlePanel::makePlacement() {
+  auto* box = new QWidget(this);
+  auto* column = new QVBoxLayout(box);
+  column->setContentsMargins(12, 0, 12, 0);
+  column->setSpacing(4);
+  count_ = new ValueSlider(tr("Place automatically"),
+                           {double(placer_.fewest()), double(placer_.most()), 1, 0, QString()}, box);
+  count_->setObjectName(QStringLiteral("handleCount"));
+  count_->setToolTip(
+      tr("Spreads so many handles evenly, a little off the organ's surface; replaces those there are"));
+  enclosing_ = new QCheckBox(tr("Enclosing box"), box);
+  enclosing_->setToolTip(
+      tr("Eight of them are the corners of a box around the organ, so that no part of it lies outside"));
+  column->addWidget(count_);
+  column->addWidget(enclosing_);
+  connect(count_, &ValueSlider::valueChanged, this,
+          [this](double count) { placer_.setCount(static_cast<int>(count)); });
+  connect(count_, &ValueSlider::valueChosen, this, [this] { placer_.finish(); });
+  connect(enclosing_, &QCheckBox::clicked, this, [this](bool on) { placer_.setEnclosing(on); });
+  return box;
+}
+
+void HandlePanel::addTool(QAction* action) {
+  auto* button = new QToolButton(tools_);
+  button->setDefaultAction(action);
+  button->setIconSize(QSize(18, 18));
+  auto* row = static_cast<QHBoxLayout*>(tools_->layout());
+  row->insertWidget(row->count() - 1, button);
+}
+
+void HandlePanel::syncPlacement() {
+  count_->setRange(placer_.fewest(), placer_.most());
+  count_->setValue(placer_.placement().count);
+  enclosing_->setChecked(placer_.placement().enclosing);
+  const bool possible = !workspace_.document().organs().empty();
+  count_->setEnabled(possible);
+  enclosing_->setEnabled(possible);
+}
+
+void HandlePanel::rebuild() {
+  const QScopedValueRollback<bool> quiet(updating_, true);
+  const session::Rig& rig = workspace_.document().rig();
+  std::map<const session::Group*, std::vector<const session::Handle*>> members;
+  for (const session::Handle& handle : rig.handles)
+    members[rig.groupOf(handle.id)].push_back(&handle);
+  list_->clear();
+  for (const session::Group& group : rig.groups)
+    addGroup(text(group.name), asColor(group.color), members[&group]);
+  if (const auto& alone = members[nullptr]; !alone.empty())
+    addGroup(tr("Handles"), kUngrouped, alone);
+  if (list_->topLevelItemCount() == 1)
+    list_->expandAll();
+  empty_->setVisible(rig.handles.empty());
+  list_->setVisible(!rig.handles.empty());
+  syncSelection();
+}
+
+void HandlePanel::addGroup(const QString& name, const QColor& color,
+                           const std::vector<const session::Handle*>& handles) {
+  auto* parent = new QTreeWidgetItem(list_);
+  parent->setText(0, tr("%1 (%2)").arg(name).arg(handles.size()));
+  parent->setIcon(0, swatch(color));
+  for (const session::Handle* handle : handles) {
+    auto* item = new QTreeWidgetItem(parent);
+    item->setFlags(item->flags() | Qt::ItemIsEditable);
+    item->setData(0, kIdRole, static_cast<qlonglong>(handle->id.value));
+    item->setText(0, text(handle->label));
+    if (handle->locked)
+      item->setIcon(0, icon("lock"));
+    item->setToolTip(0, handle->description.empty() ? tr("F2 renames, Delete removes")
+                                                    : text(handle->description));
+  }
+}
+
+void HandlePanel::syncSelection() {
+  const QScopedValueRollback<bool> quiet(updating_, true);
+  const session::HandleId current = workspace_.selection().currentHandle();
+  for (QTreeWidgetItemIterator item(list_); *item; ++item) {
+    const session::HandleId id = handleOf(*item);
+    if (!id)
+      continue;
+    (*item)->setSelected(workspace_.selection().contains(id));
+    if (id == current) {
+      (*item)->parent()->setExpanded(true);
+      list_->scrollToItem(*item);
+    }
+  }
+}
+
+void HandlePanel::selectFromList() {
+  if (updating_)
+    return;
+  std::vector<session::HandleId> ids;
+  for (const QTreeWidgetItem* item : list_->selectedItems()) {
+    if (const session::HandleId id = handleOf(item))
+      ids.push_back(id);
+    // A group stands for all its handles.
+    for (int child = 0; child < item->childCount(); ++child)
+      ids.push_back(handleOf(item->child(child)));
+  }
+  // The row that was clicked is the current one.
+  if (const auto* current = list_->currentItem(); current && current->isSelected())
+    if (const session::HandleId id = handleOf(current); std::erase(ids, id) > 0)
+      ids.push_back(id);
+  workspace_.selection().setHandles(ids);
+}
+
+void HandlePanel::rename(QTreeWidgetItem* item) {
+  if (updating_ || !handleOf(item))
+    return;
+  session::HandleEdit edit;
+  edit.label = item->text(0).trimmed().toStdString();
+  // Later: the list is made anew, and the item that is telling us would be gone.
+  QTimer::singleShot(0, this, [this, id = handleOf(item), edit] {
+    if (!workspace_.perform(session::editHandles({id}, edit)))
+      rebuild();
+  });
+}
+
+} // namespace viscera::app

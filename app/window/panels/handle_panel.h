@@ -1,0 +1,48 @@
+#pragma once
+
+#include <QWidget>
+
+#include "window/handle_placer.h"
+#include "window/workspace.h"
+
+class QCheckBox;
+class QLabel;
+class QToolButton;
+class QTreeWidget;
+class QTreeWidgetItem;
+
+namespace viscera::app {
+
+class ValueSlider;
+
+/// The handles by group, with automatic placement above and what can be done to the selected ones.
+class HandlePanel final : public QWidget {
+  Q_OBJECT
+
+public:
+  HandlePanel(Workspace& workspace, HandlePlacer& placer, QWidget* parent = nullptr);
+
+  /// Adds a button of the panel's tool row for an action of the window.
+  void addTool(QAction* action);
+
+private:
+  QWidget* makePlacement();
+  void rebuild();
+  void addGroup(const QString& name, const QColor& color, const std::vector<const session::Handle*>& handles);
+  void syncSelection();
+  void syncPlacement();
+  void selectFromList();
+  void rename(QTreeWidgetItem* item);
+
+  Workspace& workspace_;
+  HandlePlacer& placer_;
+  ValueSlider* count_ = nullptr;
+  QCheckBox* enclosing_ = nullptr;
+  QWidget* tools_ = nullptr;
+  QTreeWidget* list_ = nullptr;
+  QLabel* empty_ = nullptr;
+  bool updating_ = false;
+  std::vector<session::Subscription> subscriptions_;
+};
+
+} // namespace viscera::app

@@ -1,0 +1,74 @@
+#include "window/panels/handles_page.h"
+
+#include <QLabel>
+
+#include "window/panels/position_box.h"
+#include "window/panels/system_box.h"
+
+namespace viscera::app {
+namespace {
+
+QString nameOf(session::BindingStatus::State state) {
+  using State = session::BindingStatus::State;
+  switch (state) {
+  case State::unbound:
+    return HandlesPage::tr("not bound");
+  case State::binding:
+    return HandlesPage::tr("binding...");
+  case State::bound:
+    return HandlesPage::tr("bound");
+  case State::stale:
+    return HandlesPage::tr("cancelled");
+  case State::failed:
+    return HandlesPage::tr("not possible");
+  }
+  return {};
+}
+
+} // namespace
+
+HandlesPage::HandlesPage(Workspace& workspace, const Actions& actions, QWidget* parent)
+    : Page(parent), workspace_(workspace) {
+  addSection(tr("Coordinates"));
+  add(new SystemBox(workspace, this));
+  addSection(tr("Binding"));
+  state_ = addFact(tr("State"));
+  time_ = addFact(tr("Time"));
+  identity_ = addFact(tr("Rest error"));
+  identity_->setToolTip(tr("How far the bound organ at rest is from the original, at most"));
+  smallest_ = addFact(tr("Smallest weight"));
+  message_ = addRemark(QString());
+  addSection(tr("Handle at rest"));
+  add(new PositionBox(workspace, PositionBox::Of::rest, this));
+  addCheck(actions["handles.influence"]);
+  finish();
+  subscriptions_.push_back(workspace.onChange([this](const session::Change& change) {
+    if (change.organs())
+      sync();
+  }));
+  subscriptions_.push_back(workspace.selection().onChange([this] { sync(); }));
+  subscriptions_.push_back(workspace.live().onEvent([this](const session::LiveEvent& event) {
+    if (event.status)
+      sync();
+  }));
+  sync();
+}
+
+void HandlesPage::sync() {
+  const auto organ = workspace_.currentOrgan();
+  session::BindingStatus status;
+  if (organ)
+    status = workspace_.live().status(organ->id);
+  const bool bound = organ && workspace_.live().deformer(organ->id);
+  const QString none = QStringLiteral("-");
+  state_->setText(nameOf(status.state));
+  time_->setText(bound ? tr("%1 ms, %n {thread|threads}", nullptr, status.report.threads)
+                             .arg(1000 * status.report.seconds, 0, 'f', 1)
+                       : none);
+  identity_->setText(bound ? tr("%1 mm").arg(status.report.identityError, 0, 'g', 2) : none);
+  smallest_->setText(bound ? QString::number(status.report.minWeight, 'g', 2) : none);
+  message_->setText(text(status.message));
+  message_->setVisible(!status.message.empty());
+}
+
+} // namespace viscera::app

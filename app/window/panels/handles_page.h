@@ -1,0 +1,29 @@
+#pragma once
+
+#include "window/actions.h"
+#include "window/widgets/page.h"
+#include "window/workspace.h"
+
+namespace viscera::app {
+
+/// Handles: the coordinates and their parameters, how well the organ is bound, and the place of the current
+/// handle.
+class HandlesPage final : public Page {
+  Q_OBJECT
+
+public:
+  HandlesPage(Workspace& workspace, const Actions& actions, QWidget* parent = nullptr);
+
+private:
+  void sync();
+
+  Workspace& workspace_;
+  QLabel* state_ = nullptr;
+  QLabel* time_ = nullptr;
+  QLabel* identity_ = nullptr;
+  QLabel* smallest_ = nullptr;
+  QLabel* message_ = nullptr;
+  std::vector<session::Subscription> subscriptions_;
+};
+
+} // namespace viscera::app

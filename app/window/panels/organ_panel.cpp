@@ -1,0 +1,234 @@
+#include "window/panels/organ_panel.h"
+
+#include <QContextMenuEvent>
+#include <QHeaderView>
+#include <QLabel>
+#include <QMenu>
+#include <QScopedValueRollback>
+#include <QTreeWidget>
+#include <QVBoxLayout>
+
+#include "viscera/session/organ_commands.h"
+#include "window/panels/color_palette.h"
+#include "window/style/icon.h"
+#include "window/widgets/value_slider.h"
+
+namespace viscera::app {
+namespace {
+
+enum Column { kEye, kName, kVolume, kColumns };
+constexpr int kSwatchWidth = 24;
+
+QTreeWidget* makeList(QWidget* parent) {
+  auto* list = new QTreeWidget(parent);
+  list->setObjectName(QStringLiteral("organList"));
+  list->setColumnCount(kColumns);
+  list->setHeaderHidden(true);
+  list->setTreePosition(kName);
+  list->setIndentation(14);
+  list->setRootIsDecorated(false);
+  list->setItemsExpandable(false);
+  list->setUniformRowHeights(true);
+  list->setEditTriggers(QAbstractItemView::EditKeyPressed);
+  list->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  list->header()->setStretchLastSection(false);
+  list->header()->setMinimumSectionSize(24);
+  list->header()->setSectionResizeMode(kEye, QHeaderView::Fixed);
+  list->header()->setSectionResizeMode(kName, QHeaderView::Stretch);
+  list->header()->setSectionResizeMode(kVolume, QHeaderView::ResizeToContents);
+  list->setColumnWidth(kEye, 32);
+  list->setMinimumHeight(84);
+  return list;
+}
+
+} // namespace
+
+OrganPanel::OrganPanel(Workspace& workspace, VolumeMonitor& volumes, QWidget* parent)
+    : QWidget(parent), workspace_(workspace), volumes_(volumes), list_(makeList(this)),
+      empty_(new QLabel(this)), opacity_(new ValueSlider(tr("Opacity"), {0, 100, 1, 0, tr(" %")}, this)) {
+  setObjectName(QStringLiteral("panel"));
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 4, 0, 8);
+  column->setSpacing(4);
+  empty_->setText(
+      tr("No organ yet.\nOpen a file (Ctrl+O), drop one here, or take a sample organ from the menu."));
+  empty_->setObjectName(QStringLiteral("muted"));
+  empty_->setWordWrap(true);
+  empty_->setContentsMargins(12, 8, 12, 8);
+  column->addWidget(empty_);
+  column->addWidget(list_, 1);
+  auto* inset = new QVBoxLayout;
+  inset->setContentsMargins(12, 0, 12, 0);
+  inset->addWidget(opacity_);
+  column->addLayout(inset);
+  connect(list_, &QTreeWidget::itemClicked, this, &OrganPanel::onClicked);
+  connect(list_, &QTreeWidget::itemChanged, this, &OrganPanel::onChanged);
+  connect(list_, &QTreeWidget::itemDoubleClicked, this, [this](QTreeWidgetItem* item, int clicked) {
+    if (clicked == kName)
+      list_->editItem(item, kName);
+  });
+  connect(list_, &QTreeWidget::currentItemChanged, this, [this](QTreeWidgetItem* item) {
+    if (!updating_ && item)
+      workspace_.selection().setOrgan(organOf(item));
+  });
+  connect(opacity_, &ValueSlider::valueChanged, this, [this](double percent) {
+    if (const auto organ = workspace_.currentOrgan())
+      changeLook(organ->id, [percent](session::OrganLook& look) { look.opacity = percent / 100; });
+  });
+  connect(opacity_, &ValueSlider::valueChosen, this, [this] { workspace_.undo().seal(); });
+  connect(&volumes, &VolumeMonitor::updated, this, &OrganPanel::updateVolumes);
+  subscriptions_.push_back(workspace.onChange([this](const session::Change& change) {
+    if (change.organs())
+      rebuild();
+  }));
+  subscriptions_.push_back(workspace.selection().onChange([this] { syncSelection(); }));
+  rebuild();
+}
+
+void OrganPanel::editName() {
+  const auto organ = workspace_.currentOrgan();
+  if (organ && items_.count(organ->id))
+    list_->editItem(items_[organ->id], kName);
+}
+
+session::OrganId OrganPanel::organOf(const QTreeWidgetItem* item) const {
+  return {item->data(kName, Qt::UserRole).toLongLong()};
+}
+
+void OrganPanel::rebuild() {
+  const QScopedValueRollback<bool> quiet(updating_, true);
+  const session::OrganList& organs = workspace_.document().organs();
+  const bool sameRows =
+      organs.size() == items_.size() &&
+      std::all_of(organs.begin(), organs.end(), [&](const auto& o) { return items_.count(o->id); });
+  if (!sameRows) {
+    items_.clear();
+    list_->clear();
+    for (const auto& organ : organs) {
+      const auto parent = items_.find(organ->parent);
+      auto* item = parent != items_.end() ? new QTreeWidgetItem(parent->second) : new QTreeWidgetItem(list_);
+      item->setFlags(item->flags() | Qt::ItemIsEditable);
+      item->setData(kName, Qt::UserRole, static_cast<qlonglong>(organ->id.value));
+      item->setTextAlignment(kVolume, Qt::AlignRight | Qt::AlignVCenter);
+      items_[organ->id] = item;
+    }
+    list_->expandAll();
+  }
+  for (const auto& organ : organs)
+    updateRow(*organ, items_[organ->id]);
+  empty_->setVisible(organs.empty());
+  list_->setVisible(!organs.empty());
+  opacity_->setVisible(!organs.empty());
+  updateVolumes();
+  syncSelection();
+}
+
+void OrganPanel::updateRow(const session::Organ& organ, QTreeWidgetItem* item) {
+  const QScopedValueRollback<bool> quiet(updating_, true);
+  item->setText(kName, text(organ.name));
+  item->setIcon(kName, swatch(asColor(organ.look.color)));
+  item->setIcon(kEye, icon(organ.look.visible ? "eye" : "eye_off"));
+  item->setToolTip(kEye, organ.look.visible ? tr("Hide (click)") : tr("Show (click)"));
+  QString tip = tr("%1\n%n {triangle|triangles}", nullptr, static_cast<int>(organ.mesh->triangles.rows()))
+                    .arg(text(organ.name));
+  for (const std::string& warning : organ.warnings)
+    tip += QStringLiteral("\n") + text(warning);
+  item->setToolTip(kName, tip + tr("\nDouble click or F2 renames; a click on the square changes the colour"));
+}
+
+void OrganPanel::updateVolumes() {
+  const QScopedValueRollback<bool> quiet(updating_, true);
+  for (const auto& organ : workspace_.document().organs()) {
+    const auto found = items_.find(organ->id);
+    if (found == items_.end())
+      continue;
+    const session::OrganVolume volume = workspace_.live().volume(organ->id);
+    found->second->setText(kVolume, volume.closed ? formatMilliliters(volume.nowMl) : tr("open"));
+    found->second->setToolTip(kVolume, volume.closed ? tr("%1 at rest").arg(formatMilliliters(volume.restMl))
+                                                     : tr("An open surface encloses no volume"));
+  }
+}
+
+void OrganPanel::syncSelection() {
+  const QScopedValueRollback<bool> quiet(updating_, true);
+  const auto selected = items_.find(workspace_.selection().organ());
+  list_->setCurrentItem(selected != items_.end() ? selected->second : nullptr);
+  if (const auto organ = workspace_.currentOrgan())
+    opacity_->setValue(100 * organ->look.opacity);
+}
+
+void OrganPanel::onClicked(QTreeWidgetItem* item, int column) {
+  const session::OrganId organ = organOf(item);
+  if (column == kEye) {
+    changeLook(organ, [](session::OrganLook& look) { look.visible = !look.visible; });
+    workspace_.undo().seal();
+    return;
+  }
+  const QRect row = list_->visualItemRect(item);
+  const int left =
+      list_->visualRect(list_->model()->index(0, kName)).left() + (item->parent() ? list_->indentation() : 0);
+  const QPoint place = list_->viewport()->mapFromGlobal(QCursor::pos());
+  if (column == kName && place.x() < left + kSwatchWidth && row.contains(place))
+    chooseColorOf(organ, list_->viewport()->mapToGlobal(QPoint(left, row.bottom())));
+}
+
+void OrganPanel::onChanged(QTreeWidgetItem* item, int column) {
+  if (updating_ || column != kName)
+    return;
+  const session::OrganId id = organOf(item);
+  // A name that is refused goes back to what it was.
+  if (!workspace_.perform(session::renameOrgan(id, item->text(kName).trimmed().toStdString())))
+    if (const auto organ = workspace_.document().organ(id))
+      updateRow(*organ, item);
+}
+
+void OrganPanel::changeLook(session::OrganId organ, const std::function<void(session::OrganLook&)>& change) {
+  const auto present = workspace_.document().organ(organ);
+  if (!present)
+    return;
+  session::OrganLook look = present->look;
+  change(look);
+  workspace_.perform(session::setOrganLook(organ, look));
+}
+
+void OrganPanel::chooseColorOf(session::OrganId organ, const QPoint& globalPlace) {
+  const auto present = workspace_.document().organ(organ);
+  if (!present)
+    return;
+  chooseColor(
+      this, globalPlace, asColor(present->look.color),
+      [this, organ](const QColor& color) {
+        changeLook(organ, [&](session::OrganLook& look) {
+          look.color = asVec3(color);
+          look.vertexColors = false;
+        });
+      },
+      [this] { workspace_.undo().seal(); });
+}
+
+void OrganPanel::contextMenuEvent(QContextMenuEvent* event) {
+  QTreeWidgetItem* item = list_->itemAt(list_->viewport()->mapFromGlobal(event->globalPos()));
+  if (!item)
+    return;
+  const session::OrganId organ = organOf(item);
+  auto* menu = new QMenu(this);
+  menu->setAttribute(Qt::WA_DeleteOnClose);
+  connect(menu->addAction(icon("focus"), tr("Focus")), &QAction::triggered, this,
+          [this, organ] { Q_EMIT focusRequested(organ); });
+  connect(menu->addAction(icon("rename"), tr("Rename")), &QAction::triggered, this,
+          [this, item] { list_->editItem(item, kName); });
+  connect(menu->addAction(icon("influence"), tr("Colour...")), &QAction::triggered, this,
+          [this, organ, place = event->globalPos()] { chooseColorOf(organ, place); });
+  const auto present = workspace_.document().organ(organ);
+  if (present && present->mesh->colors.rows() > 0 && !present->look.vertexColors)
+    connect(menu->addAction(tr("The organ's own colours")), &QAction::triggered, this, [this, organ] {
+      changeLook(organ, [](session::OrganLook& look) { look.vertexColors = true; });
+      workspace_.undo().seal();
+    });
+  menu->addSeparator();
+  connect(menu->addAction(icon("remove"), tr("Remove organ")), &QAction::triggered, this,
+          [this, organ] { workspace_.perform(session::removeOrgans({organ})); });
+  menu->popup(event->globalPos());
+}
+
+} // namespace viscera::app

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <QWidget>
+
+#include <map>
+
+#include "window/timeline/volume_monitor.h"
+#include "window/workspace.h"
+
+class QLabel;
+class QTreeWidget;
+class QTreeWidgetItem;
+
+namespace viscera::app {
+
+class ValueSlider;
+
+/// The organs of the document: eye, colour, name, volume, and the opacity of the selected one. Cavities stand
+/// under their organ.
+class OrganPanel final : public QWidget {
+  Q_OBJECT
+
+public:
+  OrganPanel(Workspace& workspace, VolumeMonitor& volumes, QWidget* parent = nullptr);
+
+  /// Opens the name of the selected organ for editing.
+  void editName();
+
+Q_SIGNALS:
+  void focusRequested(viscera::session::OrganId organ);
+
+protected:
+  void contextMenuEvent(QContextMenuEvent* event) override;
+
+private:
+  void rebuild();
+  void updateRow(const session::Organ& organ, QTreeWidgetItem* item);
+  void updateVolumes();
+  void syncSelection();
+  void onClicked(QTreeWidgetItem* item, int column);
+  void onChanged(QTreeWidgetItem* item, int column);
+  void changeLook(session::OrganId organ, const std::function<void(session::OrganLook&)>& change);
+  void chooseColorOf(session::OrganId organ, const QPoint& globalPlace);
+  session::OrganId organOf(const QTreeWidgetItem* item) const;
+
+  Workspace& workspace_;
+  VolumeMonitor& volumes_;
+  QTreeWidget* list_;
+  QLabel* empty_;
+  ValueSlider* opacity_;
+  std::map<session::OrganId, QTreeWidgetItem*> items_;
+  bool updating_ = false;
+  std::vector<session::Subscription> subscriptions_;
+};
+
+} // namespace viscera::app

@@ -1,0 +1,145 @@
+#include "window/panels/system_box.h"
+
+#include <QComboBox>
+#include <QLabel>
+#include <QSignalBlocker>
+#include <QVBoxLayout>
+
+#include <cmath>
+
+#include "viscera/session/system_commands.h"
+#include "window/widgets/flow_layout.h"
+#include "window/widgets/value_slider.h"
+
+namespace viscera::app {
+namespace {
+
+/// A step that leaves two to three hundred places on the slider, round in decimals.
+double stepFor(const coordinates::Parameter& parameter) {
+  if (parameter.integer)
+    return 1;
+  return std::pow(10.0, std::floor(std::log10((parameter.maximum - parameter.minimum) / 50)));
+}
+
+} // namespace
+
+SystemBox::SystemBox(Workspace& workspace, QWidget* parent)
+    : QWidget(parent), workspace_(workspace), combo_(new QComboBox(this)), summary_(new QLabel(this)),
+      badges_(new QWidget(this)), column_(new QVBoxLayout(this)) {
+  column_->setContentsMargins(0, 0, 0, 0);
+  column_->setSpacing(8);
+  combo_->setObjectName(QStringLiteral("systems"));
+  combo_->setAccessibleName(tr("Coordinates"));
+  combo_->setToolTip(tr("The coordinates that tie the organs to the handles"));
+  combo_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  for (const plugin::Registry::Entry& entry : workspace.registry().list())
+    combo_->addItem(text(entry.system->name()), text(entry.system->id()));
+  summary_->setObjectName(QStringLiteral("muted"));
+  summary_->setWordWrap(true);
+  new FlowLayout(badges_, 4);
+  QSizePolicy policy(QSizePolicy::Preferred, QSizePolicy::Minimum);
+  policy.setHeightForWidth(true);
+  badges_->setSizePolicy(policy);
+  column_->addWidget(combo_);
+  column_->addWidget(summary_);
+  column_->addWidget(badges_);
+  connect(combo_, QOverload<int>::of(&QComboBox::activated), this, [this](int index) {
+    session::SystemChoice choice;
+    choice.id = combo_->itemData(index).toString().toStdString();
+    workspace_.undo().seal();
+    workspace_.perform(session::setSystem(choice));
+    workspace_.undo().seal();
+  });
+  subscription_ = workspace.onChange([this](const session::Change& change) {
+    if (change.system())
+      sync();
+  });
+  sync();
+}
+
+void SystemBox::sync() {
+  const session::SystemChoice& choice = workspace_.document().system();
+  const QSignalBlocker quiet(combo_);
+  combo_->setCurrentIndex(combo_->findData(text(choice.id)));
+  if (choice.id != shownSystem_ && workspace_.registry().contains(choice.id)) {
+    shownSystem_ = choice.id;
+    const auto system = workspace_.registry().find(choice.id);
+    summary_->setText(text(system->summary()));
+    rebuildBadges(system->traits());
+    rebuildParameters();
+  }
+  for (const auto& read : readers_)
+    read();
+}
+
+void SystemBox::rebuildBadges(const coordinates::Traits& traits) {
+  while (QLayoutItem* item = badges_->layout()->takeAt(0)) {
+    delete item->widget();
+    delete item;
+  }
+  const auto badge = [this](bool shown, const QString& label, const QString& tip) {
+    if (!shown)
+      return;
+    auto* widget = new QLabel(label, badges_);
+    widget->setObjectName(QStringLiteral("traitBadge"));
+    widget->setToolTip(tip);
+    badges_->layout()->addWidget(widget);
+  };
+  badge(!traits.needsCage, tr("no cage"), tr("Handles may stand anywhere around the organ"));
+  badge(traits.needsCage, tr("cage"), tr("Handles have to be the corners of a closed cage"));
+  badge(traits.positive, tr("positive"), tr("No handle ever pushes the organ the other way"));
+  badge(traits.interpolates, tr("interpolating"), tr("A point at a handle follows it exactly"));
+  badge(traits.closedFormGradient, tr("exact gradient"), tr("Stress is computed without differences"));
+  badge(traits.usesGroups, tr("groups"), tr("Handles act by their groups"));
+  badge(traits.needsTetrahedra, tr("tetrahedra"), tr("Fills the organ with tetrahedra first"));
+}
+
+void SystemBox::rebuildParameters() {
+  readers_.clear();
+  delete parameterBox_;
+  parameterBox_ = new QWidget(this);
+  auto* column = new QVBoxLayout(parameterBox_);
+  column->setContentsMargins(0, 4, 0, 0);
+  column->setSpacing(8);
+  for (const coordinates::Parameter& parameter : workspace_.registry().find(shownSystem_)->parameters())
+    column->addWidget(editorFor(parameter));
+  column_->addWidget(parameterBox_);
+  parameterBox_->show();
+}
+
+QWidget* SystemBox::editorFor(const coordinates::Parameter& parameter) {
+  QString name = text(parameter.name);
+  if (!name.isEmpty())
+    name[0] = name[0].toUpper();
+  const auto present = [this, parameter] { return workspace_.document().system().parameters.get(parameter); };
+  if (!parameter.choices.empty()) {
+    auto* combo = new QComboBox(parameterBox_);
+    for (const std::string& choice : parameter.choices)
+      combo->addItem(text(choice));
+    combo->setToolTip(text(parameter.help));
+    combo->setAccessibleName(name);
+    connect(combo, QOverload<int>::of(&QComboBox::activated), this, [this, parameter](int index) {
+      workspace_.perform(session::setParameter(parameter.name, index));
+      workspace_.undo().seal();
+    });
+    readers_.push_back([combo, present] {
+      const QSignalBlocker quiet(combo);
+      combo->setCurrentIndex(static_cast<int>(present()));
+    });
+    return combo;
+  }
+  const double step = stepFor(parameter);
+  const int decimals = std::max(0, static_cast<int>(-std::floor(std::log10(step) + 0.5)));
+  const QString unit = parameter.unit.empty() ? QString() : QLatin1Char(' ') + text(parameter.unit);
+  auto* slider =
+      new ValueSlider(name, {parameter.minimum, parameter.maximum, step, decimals, unit}, parameterBox_);
+  slider->setToolTip(text(parameter.help));
+  connect(slider, &ValueSlider::valueChanged, this, [this, parameter](double value) {
+    workspace_.perform(session::setParameter(parameter.name, value));
+  });
+  connect(slider, &ValueSlider::valueChosen, this, [this] { workspace_.undo().seal(); });
+  readers_.push_back([slider, present] { slider->setValue(present()); });
+  return slider;
+}
+
+} // namespace viscera::app

@@ -1,0 +1,119 @@
+#include "window/sample_loader.h"
+
+#include "viscera/session/open_files.h"
+#include "viscera/session/sequence_setup.h"
+#include "viscera/session/system_commands.h"
+
+namespace viscera::app {
+namespace {
+
+/// Through the wall of an organ with cavities one sees them.
+constexpr double kWallOpacity = 0.3;
+const Vec3 kArterialBlood(0.84, 0.16, 0.14);
+const Vec3 kVenousBlood(0.20, 0.36, 0.80);
+
+std::vector<session::OrganId> idsOf(const session::OrganList& organs) {
+  std::vector<session::OrganId> ids;
+  for (const auto& organ : organs)
+    ids.push_back(organ->id);
+  return ids;
+}
+
+} // namespace
+
+SampleLoader::SampleLoader(Workspace& workspace, HandlePlacer& placer, Playback& playback, QObject* parent)
+    : QObject(parent), workspace_(workspace), placer_(placer), playback_(playback),
+      library_(organs::standardLibrary()) {}
+
+QStringList SampleLoader::names() const {
+  QStringList names;
+  for (const std::string& name : organs::sampleNames(library_))
+    names.push_back(text(name));
+  return names;
+}
+
+void SampleLoader::load(const QString& name, bool play) {
+  workspace_.jobs().submit<Sample>(
+      tr("Sample %1").arg(name).toStdString(), "open",
+      [library = library_, id = name.toStdString()](Progress& progress) {
+        return make(library, id, progress);
+      },
+      [this, name, play](session::JobResult<Sample> result) {
+        if (result.error)
+          workspace_.report(*result.error);
+        if (!result.value)
+          return;
+        take(*result.value, name);
+        if (play && playback_.sequence())
+          playback_.play();
+      });
+}
+
+SampleLoader::Sample SampleLoader::make(const organs::SampleLibrary& library, const std::string& name,
+                                        Progress& progress) {
+  constexpr auto resolution = organs::Resolution::medium;
+  Sample sample;
+  for (const session::SampleSequence& motion : session::sampleSequences()) {
+    if (motion.organ != name)
+      continue;
+    session::SequenceSetup setup = session::setUpSequence(library, motion.id, resolution, progress);
+    sample.organs = session::organsFrom(setup.organ);
+    sample.motion = setup.sequence;
+    sample.rig = std::move(setup.rig);
+    sample.system = std::move(setup.system);
+    break;
+  }
+  if (!sample.motion)
+    sample.organs = session::organsFrom(organs::sampleOrgan(library, name, resolution, progress));
+  dress(sample.organs);
+  return sample;
+}
+
+void SampleLoader::dress(std::vector<session::NewOrgan>& organs) {
+  for (const session::NewOrgan& organ : organs)
+    if (organ.parentInBatch >= 0)
+      organs[organ.parentInBatch].organ.look.opacity = kWallOpacity;
+  for (session::NewOrgan& organ : organs) {
+    session::OrganLook& look = organ.organ.look;
+    const Colors& painted = organ.organ.mesh->colors;
+    if (painted.rows() > 0)
+      look.color = painted.cast<double>().colwise().mean().transpose() / 255.0;
+    // Blood in its textbook colours: they stay apart also through the wall.
+    if (organ.organ.name == "LV")
+      look.color = kArterialBlood;
+    if (organ.organ.name == "RV")
+      look.color = kVenousBlood;
+    look.vertexColors = organ.parentInBatch < 0;
+  }
+}
+
+void SampleLoader::take(const Sample& sample, const QString& name) {
+  playback_.setSequence(nullptr, {});
+  const bool done = workspace_.guarded([&] {
+    session::UndoStack& undo = workspace_.undo();
+    undo.beginStep(tr("Sample %1").arg(name).toStdString());
+    try {
+      const session::OrganList& present = workspace_.document().organs();
+      if (!present.empty())
+        undo.perform(session::removeOrgans(idsOf(present)));
+      undo.perform(session::replaceRig({}));
+      undo.perform(session::setSystem(sample.system));
+      undo.perform(session::addOrgans(sample.organs));
+      undo.perform(sample.motion ? session::replaceRig(sample.rig)
+                                 : placer_.command(*workspace_.document().organs().front()));
+    } catch (...) {
+      undo.cancelStep();
+      throw;
+    }
+    undo.endStep();
+  });
+  if (!done)
+    return;
+  const auto& organ = workspace_.document().organs().front();
+  workspace_.selection().setOrgan(organ->id);
+  if (sample.motion)
+    playback_.setSequence(sample.motion, organ->id);
+  Q_EMIT loaded(name);
+}
+
+} // namespace viscera::app

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <QObject>
+#include <QStringList>
+
+#include <memory>
+
+#include "viscera/organs/sample_organ.h"
+#include "viscera/sequences/sequence.h"
+#include "viscera/session/organ_commands.h"
+#include "viscera/session/rig_commands.h"
+#include "window/handle_placer.h"
+#include "window/timeline/playback.h"
+#include "window/workspace.h"
+
+namespace viscera::app {
+
+/// Brings the sample organs into the document, with the handles and the motion they have. Making one for the
+/// first time takes seconds: it is a task with progress that can be cancelled.
+class SampleLoader final : public QObject {
+  Q_OBJECT
+
+public:
+  SampleLoader(Workspace& workspace, HandlePlacer& placer, Playback& playback, QObject* parent = nullptr);
+
+  /// The samples there are, by name; empty when none are installed.
+  QStringList names() const;
+  /// Takes the place of everything in the document, as one undo step. With `play` its motion starts at once.
+  void load(const QString& name, bool play);
+
+Q_SIGNALS:
+  void loaded(const QString& name);
+
+private:
+  /// What a worker makes.
+  struct Sample {
+    std::vector<session::NewOrgan> organs;
+    std::shared_ptr<const sequences::Sequence> motion;
+    session::NewRig rig; ///< The motion's handles.
+    session::SystemChoice system;
+  };
+
+  static Sample make(const organs::SampleLibrary& library, const std::string& name, Progress& progress);
+  void take(const Sample& sample, const QString& name);
+  static void dress(std::vector<session::NewOrgan>& organs);
+
+  Workspace& workspace_;
+  HandlePlacer& placer_;
+  Playback& playback_;
+  organs::SampleLibrary library_;
+};
+
+} // namespace viscera::app

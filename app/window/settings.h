@@ -1,0 +1,33 @@
+#pragma once
+
+#include <QSettings>
+#include <QString>
+#include <QVariant>
+
+#include <memory>
+
+namespace viscera::app {
+
+/// What the window remembers, as INI under `$XDG_CONFIG_HOME/viscera`. Passed to whoever needs it.
+class Settings {
+public:
+  /// Keeps everything in `file`; an empty name keeps nothing (tests, screenshots).
+  explicit Settings(const QString& file);
+
+  /// `$XDG_CONFIG_HOME/viscera/viscera.ini`
+  static QString standardFile();
+
+  QVariant value(const char* key, const QVariant& standard = {}) const;
+  void setValue(const char* key, const QVariant& value);
+  /// Forgets one value.
+  void remove(const char* key);
+
+  /// The files opened last, the newest first; at most ten, those that are gone left out.
+  QStringList recentFiles() const;
+  void addRecentFiles(const QStringList& files);
+
+private:
+  std::unique_ptr<QSettings> store_;
+};
+
+} // namespace viscera::app

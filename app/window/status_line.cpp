@@ -1,0 +1,104 @@
+#include "window/status_line.h"
+
+#include <QLabel>
+#include <QStatusBar>
+
+#include "window/widgets/elided_label.h"
+#include "window/widgets/job_indicator.h"
+
+namespace viscera::app {
+
+StatusLine::StatusLine(Workspace& workspace, VolumeMonitor& volumes, QStatusBar* bar)
+    : QObject(bar), workspace_(workspace), volume_(new QLabel(bar)), binding_(new QLabel(bar)),
+      hint_(new ElidedLabel(bar)), job_(new JobIndicator(bar)) {
+  bar->setSizeGripEnabled(false);
+  volume_->setObjectName(QStringLiteral("statusVolume"));
+  binding_->setObjectName(QStringLiteral("statusBinding"));
+  hint_->setObjectName(QStringLiteral("muted"));
+  volume_->setContentsMargins(8, 0, 12, 0);
+  binding_->setContentsMargins(0, 0, 12, 0);
+  bar->addWidget(volume_);
+  bar->addWidget(binding_);
+  bar->addWidget(hint_, 1);
+  bar->addPermanentWidget(job_);
+  connect(job_, &JobIndicator::cancelRequested, this, [this] { workspace_.jobs().cancel(shownJob_); });
+  connect(&volumes, &VolumeMonitor::updated, this, &StatusLine::syncVolume);
+  subscriptions_.push_back(workspace.onChange([this](const session::Change&) {
+    syncVolume();
+    syncBinding();
+  }));
+  subscriptions_.push_back(workspace.selection().onChange([this] { syncVolume(); }));
+  subscriptions_.push_back(workspace.live().onEvent([this](const session::LiveEvent& event) {
+    if (event.status)
+      syncBinding();
+  }));
+  subscriptions_.push_back(workspace.jobs().onChange([this] { syncJobs(); }));
+  syncVolume();
+  syncBinding();
+}
+
+void StatusLine::setHint(const QString& hint) {
+  hint_->setFullText(hint);
+}
+
+void StatusLine::syncVolume() {
+  const auto organ = workspace_.currentOrgan();
+  if (!organ)
+    return volume_->setText(tr("No organ"));
+  const session::OrganVolume volume = workspace_.live().volume(organ->id);
+  if (!volume.closed)
+    return volume_->setText(tr("%1: open surface, no volume").arg(text(organ->name)));
+  const double percent = 100 * volume.relativeChange();
+  volume_->setText(tr("%1  %2  (%3%4 %)")
+                       .arg(text(organ->name), formatMilliliters(volume.nowMl),
+                            percent < -0.05 ? QString() : QStringLiteral("+"))
+                       .arg(std::abs(percent) < 0.05 ? 0.0 : percent, 0, 'f', 1));
+}
+
+QString StatusLine::bindingText() const {
+  const std::size_t handles = workspace_.document().rig().handles.size();
+  if (handles == 0)
+    return tr("no handles");
+  QString line = tr("%n {handle|handles}", nullptr, static_cast<int>(handles));
+  const std::string& id = workspace_.document().system().id;
+  if (workspace_.registry().contains(id))
+    line += QStringLiteral(", ") + text(workspace_.registry().find(id)->name());
+  double seconds = 0;
+  for (const auto& organ : workspace_.document().organs()) {
+    const session::BindingStatus status = workspace_.live().status(organ->id);
+    switch (status.state) {
+    case session::BindingStatus::State::binding:
+      return line + tr(", binding...");
+    case session::BindingStatus::State::failed:
+      return line + tr(", not bound");
+    case session::BindingStatus::State::stale:
+      return line + tr(", binding cancelled");
+    case session::BindingStatus::State::unbound:
+      return line;
+    case session::BindingStatus::State::bound:
+      seconds += status.report.seconds;
+    }
+  }
+  if (workspace_.document().organs().empty())
+    return line;
+  return line + tr(", bound in %1 ms").arg(1000 * seconds, 0, 'f', seconds < 0.01 ? 1 : 0);
+}
+
+void StatusLine::syncBinding() {
+  binding_->setText(bindingText());
+}
+
+void StatusLine::syncJobs() {
+  const std::vector<session::JobInfo> jobs = workspace_.jobs().jobs();
+  for (const session::JobInfo& job : jobs) {
+    if (!job.running)
+      continue;
+    shownJob_ = job.id;
+    const QString step = job.step.empty() ? text(job.name) : tr("%1: %2").arg(text(job.name), text(job.step));
+    return job_->showJob(step, job.fraction > 0 ? job.fraction : -1);
+  }
+  shownJob_ = 0;
+  job_->clear();
+}
+
+} // namespace viscera::app

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <QObject>
+
+#include "window/timeline/volume_monitor.h"
+#include "window/workspace.h"
+
+class QLabel;
+class QStatusBar;
+
+namespace viscera::app {
+
+class ElidedLabel;
+class JobIndicator;
+
+/// The status bar: the organ's volume and its change, the handles and how they are bound, the mode's hint,
+/// and the task that runs.
+class StatusLine final : public QObject {
+  Q_OBJECT
+
+public:
+  StatusLine(Workspace& workspace, VolumeMonitor& volumes, QStatusBar* bar);
+
+  void setHint(const QString& hint);
+
+private:
+  void syncVolume();
+  void syncBinding();
+  void syncJobs();
+  QString bindingText() const;
+
+  Workspace& workspace_;
+  QLabel* volume_;
+  QLabel* binding_;
+  ElidedLabel* hint_;
+  JobIndicator* job_;
+  std::int64_t shownJob_ = 0;
+  std::vector<session::Subscription> subscriptions_;
+};
+
+} // namespace viscera::app

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <QColor>
+#include <QPalette>
+#include <QString>
+
+class QApplication;
+
+namespace viscera::app {
+
+enum class ThemeKind { dark, light };
+
+/// "dark" or "light"; anything else is dark.
+ThemeKind themeFromName(const QString& name);
+QString nameOf(ThemeKind kind);
+
+/// The colours from which palette, style sheet, icons, chart and 3D view are made.
+struct Theme {
+  ThemeKind kind = ThemeKind::dark;
+  QColor background; ///< Behind and between the panels.
+  QColor panel;
+  QColor raised; ///< Buttons, cards.
+  QColor field;  ///< Where one types.
+  QColor border;
+  QColor text;
+  QColor muted;
+  QColor disabled;
+  QColor accent;
+  QColor accentText; ///< On `accent`.
+  QColor warning;
+  QColor error;
+  QColor viewTop; ///< The 3D view's gradient.
+  QColor viewBottom;
+};
+
+Theme themeOf(ThemeKind kind);
+
+/// The palette for widgets that no style sheet paints.
+QPalette paletteOf(const Theme& theme);
+
+/// The program's style sheet in the theme's colours.
+QString styleSheetOf(const Theme& theme);
+
+/// Fusion, palette and style sheet for the whole program.
+void applyTheme(QApplication& application, const Theme& theme);
+
+} // namespace viscera::app

@@ -1,0 +1,65 @@
+#pragma once
+
+#include <QObject>
+#include <QTimer>
+
+#include <optional>
+#include <vector>
+
+#include "viscera/scene/color_map.h"
+#include "viscera/session/cardiac_indices.h"
+#include "viscera/session/volume_record.h"
+#include "window/timeline/playback.h"
+#include "window/workspace.h"
+
+namespace viscera::app {
+
+/// Follows the volumes of the organs that are tracked: now, and over the time of a sequence. Tells at most
+/// ten times a second that there is something new.
+class VolumeMonitor final : public QObject {
+  Q_OBJECT
+
+public:
+  /// One organ that is followed.
+  struct Line {
+    session::OrganId organ;
+    QString name;
+    Vec3 color = Vec3::Ones();
+    bool cavity = false; ///< A cavity has stroke volume and ejection fraction.
+    double restMl = 0;
+    double nowMl = 0;
+  };
+
+  VolumeMonitor(Workspace& workspace, Playback& playback, QObject* parent = nullptr);
+
+  const std::vector<Line>& lines() const { return lines_; }
+  /// The record of the sequence as played; one column a line.
+  const session::VolumeRecord& record() const { return record_; }
+  /// Of a cavity, over the last beats; none before one whole beat was played.
+  std::optional<session::CardiacIndices> indices(std::size_t line) const;
+  /// The smallest and the largest volume over the last beats, ml; none before one whole beat was played.
+  std::optional<scene::ValueRange> range(std::size_t line) const;
+  /// Volumes as they are this moment.
+  void refresh();
+
+Q_SIGNALS:
+  /// Other organs are followed: everything that was recorded is gone.
+  void linesChanged();
+  /// New volumes, at most ten times a second.
+  void updated();
+
+private:
+  void rebuild();
+  void sample();
+  /// One line's volumes over the last beats; empty before one whole beat was played.
+  std::vector<double> lastBeats(std::size_t line) const;
+
+  Workspace& workspace_;
+  Playback& playback_;
+  std::vector<Line> lines_;
+  session::VolumeRecord record_;
+  QTimer throttle_;
+  std::vector<session::Subscription> subscriptions_;
+};
+
+} // namespace viscera::app

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <QObject>
+
+#include "window/mode.h"
+#include "window/view/handle_scene.h"
+#include "window/view/organ_scene.h"
+#include "window/view/view_widget.h"
+
+namespace viscera::app {
+
+/// What a click on the view does: selects an organ, or in Handles mode adds a handle a little off the
+/// surface.
+class ClickTool final : public QObject {
+  Q_OBJECT
+
+public:
+  ClickTool(Workspace& workspace, ViewWidget& view, OrganScene& organs, HandleScene& handles,
+            QObject* parent = nullptr);
+
+  void setMode(Mode mode) { mode_ = mode; }
+
+private:
+  void onClick(const QPointF& place, Qt::KeyboardModifiers modifiers);
+  void addHandle(const scene::SurfacePick& pick);
+
+  Workspace& workspace_;
+  ViewWidget& view_;
+  OrganScene& organs_;
+  HandleScene& handles_;
+  Mode mode_ = Mode::explore;
+};
+
+} // namespace viscera::app

@@ -1,0 +1,196 @@
+#include "window/view/handle_scene.h"
+
+#include <QScopedValueRollback>
+
+#include "viscera/scene/handle_event.h"
+#include "viscera/scene/vtkVisceraHandleSetRepresentation.h"
+#include "viscera/scene/vtkVisceraHandleSetWidget.h"
+#include "viscera/session/pose_commands.h"
+#include "viscera/session/rig_commands.h"
+
+namespace viscera::app {
+namespace {
+
+/// Logical pixels: small enough that two hundred handles leave the organ to be seen.
+constexpr double kRadius = 6;
+constexpr double kActiveRadius = 8;
+/// Handles in no group.
+const Vec3 kUngrouped(0.95, 0.62, 0.20);
+
+Colors handleColors(const session::Rig& rig) {
+  Colors colors(static_cast<Eigen::Index>(rig.handles.size()), 3);
+  for (std::size_t row = 0; row < rig.handles.size(); ++row) {
+    const session::Group* group = rig.groupOf(rig.handles[row].id);
+    const Vec3 color = 255.0 * (group ? group->color : kUngrouped);
+    colors.row(static_cast<Eigen::Index>(row)) = color.cast<std::uint8_t>().transpose();
+  }
+  return colors;
+}
+
+} // namespace
+
+HandleScene::HandleScene(Workspace& workspace, scene::OrganView& view, QObject* parent)
+    : QObject(parent), workspace_(workspace), view_(view) {
+  using Widget = vtkVisceraHandleSetWidget;
+  Widget* widget = view.handleWidget();
+  widget->SetRenderOnChange(false);
+  view.handles()->SetHandleRadius(kRadius);
+  view.handles()->SetActiveRadius(kActiveRadius);
+  const auto listen = [&](unsigned long event, std::function<void(const scene::HandleEvent&)> listener) {
+    observers_.push_back(scene::observe(widget, event, std::move(listener)));
+  };
+  listen(Widget::HandleHoveredEvent, [this](const auto&) { Q_EMIT changed(); });
+  listen(Widget::HandleGrabbedEvent, [this](const auto& event) { onGrabbed(event); });
+  listen(Widget::HandleMovedEvent, [this](const auto& event) { onMoved(event); });
+  listen(Widget::HandleReleasedEvent, [this](const auto&) { onReleased(); });
+  listen(Widget::HandleCancelledEvent, [this](const auto&) { onCancelled(); });
+  listen(Widget::SelectionChangedEvent, [this](const auto& event) { onSelected(event); });
+  subscriptions_.push_back(workspace.onChange([this](const session::Change& change) {
+    if (change.rig())
+      syncRig();
+    if (change.rig() || change.pose())
+      syncPositions();
+  }));
+  subscriptions_.push_back(workspace.live().onEvent([this](const session::LiveEvent& event) {
+    if (event.moved)
+      syncPositions();
+  }));
+  subscriptions_.push_back(workspace.selection().onChange([this] { syncSelection(); }));
+  syncRig();
+  syncPositions();
+}
+
+HandleScene::~HandleScene() {
+  for (const unsigned long tag : observers_)
+    view_.handleWidget()->RemoveObserver(tag);
+}
+
+void HandleScene::setMode(Mode mode) {
+  if (dragging())
+    view_.handleWidget()->CancelDrag();
+  mode_ = mode;
+  syncShown();
+  syncPositions();
+}
+
+void HandleScene::setAlwaysShown(bool shown) {
+  alwaysShown_ = shown;
+  syncShown();
+}
+
+bool HandleScene::handleUnderMouse() const {
+  return dragging() || view_.handles()->GetActiveHandle() >= 0;
+}
+
+bool HandleScene::dragging() const {
+  return view_.handleWidget()->IsDragging();
+}
+
+void HandleScene::syncRig() {
+  const session::Rig& rig = workspace_.document().rig();
+  auto* handles = view_.handles();
+  if (handles->GetNumberOfHandles() != static_cast<int>(rig.handles.size()))
+    handles->SetPositions(rig.restPositions());
+  handles->SetColors(handleColors(rig));
+  for (std::size_t row = 0; row < rig.handles.size(); ++row)
+    handles->SetHandleLocked(static_cast<int>(row), rig.handles[row].locked || !editable());
+  syncShown();
+  syncSelection();
+}
+
+void HandleScene::syncShown() {
+  const session::Rig& rig = workspace_.document().rig();
+  auto* handles = view_.handles();
+  const bool shown = editable() || alwaysShown_;
+  for (std::size_t row = 0; row < rig.handles.size(); ++row) {
+    handles->SetHandleShown(static_cast<int>(row), shown && rig.handles[row].visible);
+    handles->SetHandleLocked(static_cast<int>(row), rig.handles[row].locked || !editable());
+  }
+  Q_EMIT changed();
+}
+
+void HandleScene::syncPositions() {
+  if (fromWidget_)
+    return;
+  const Points& shown = workspace_.live().shownPose();
+  if (shown.rows() != static_cast<Eigen::Index>(workspace_.document().rig().handles.size()))
+    return;
+  view_.handles()->SetPositions(shown);
+  Q_EMIT changed();
+}
+
+void HandleScene::syncSelection() {
+  const session::Rig& rig = workspace_.document().rig();
+  std::vector<int> rows;
+  for (const session::HandleId id : workspace_.selection().handles())
+    rows.push_back(rig.indexOf(id));
+  std::sort(rows.begin(), rows.end());
+  view_.handles()->SetSelection(std::move(rows));
+  Q_EMIT changed();
+}
+
+void HandleScene::onSelected(const scene::HandleEvent& event) {
+  const session::Rig& rig = workspace_.document().rig();
+  std::vector<session::HandleId> ids;
+  for (const int row : view_.handles()->GetSelection())
+    ids.push_back(rig.handles[row].id);
+  // The clicked handle goes last: the last one is the current one.
+  if (event.handle >= 0) {
+    const session::HandleId clicked = rig.handles[event.handle].id;
+    if (std::erase(ids, clicked) > 0)
+      ids.push_back(clicked);
+  }
+  workspace_.selection().setHandles(ids);
+}
+
+void HandleScene::onGrabbed(const scene::HandleEvent& event) {
+  const auto& rig = workspace_.document().rig();
+  if (!editable() || event.handle < 0)
+    return;
+  dragFailed_ = false;
+  const QString name = event.moving.size() > 1
+                           ? tr("Move %n {handle|handles}", nullptr, static_cast<int>(event.moving.size()))
+                           : tr("Move handle %1").arg(text(rig.handles[event.handle].label));
+  workspace_.guarded([&] { workspace_.undo().beginStep(name.toStdString()); });
+  Q_EMIT dragStarted();
+}
+
+session::Command HandleScene::moveCommand(const std::vector<int>& rows) const {
+  const session::Rig& rig = workspace_.document().rig();
+  std::vector<session::HandleId> ids;
+  Points positions(static_cast<Eigen::Index>(rows.size()), 3);
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    ids.push_back(rig.handles[rows[i]].id);
+    positions.row(static_cast<Eigen::Index>(i)) = view_.handles()->GetPosition(rows[i]).transpose();
+  }
+  return mode_ == Mode::handles ? session::moveRestHandles(std::move(ids), std::move(positions))
+                                : session::moveHandles(std::move(ids), std::move(positions));
+}
+
+void HandleScene::onMoved(const scene::HandleEvent& event) {
+  if (!editable() || !workspace_.undo().stepOpen())
+    return;
+  const QScopedValueRollback<bool> quiet(fromWidget_, true);
+  try {
+    workspace_.undo().perform(moveCommand(event.moving));
+  } catch (const Error& error) {
+    if (!dragFailed_)
+      workspace_.report(error);
+    dragFailed_ = true;
+  }
+  Q_EMIT changed();
+}
+
+void HandleScene::onReleased() {
+  workspace_.guarded([&] { workspace_.undo().endStep(); });
+  syncPositions();
+  Q_EMIT dragEnded();
+}
+
+void HandleScene::onCancelled() {
+  workspace_.guarded([&] { workspace_.undo().cancelStep(); });
+  syncPositions();
+  Q_EMIT dragEnded();
+}
+
+} // namespace viscera::app

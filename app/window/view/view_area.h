@@ -1,0 +1,37 @@
+#pragma once
+
+#include <QWidget>
+
+#include "window/view/view_widget.h"
+#include "window/widgets/message_bar.h"
+
+class QGridLayout;
+class QLabel;
+class QTimer;
+
+namespace viscera::app {
+
+/// The 3D view with what lies over it: the message bar at the top, a badge, cards.
+class ViewArea final : public QWidget {
+  Q_OBJECT
+
+public:
+  explicit ViewArea(QWidget* parent = nullptr);
+
+  ViewWidget* view() const { return view_; }
+  MessageBar* messages() const { return messages_; }
+
+  /// A short remark at the top left that fades by itself ("bound in 15 ms").
+  void showBadge(const QString& text);
+  /// Puts a card over the view; it keeps its own size and is clipped by nothing.
+  void addCard(QWidget* card, Qt::Alignment alignment);
+
+private:
+  QGridLayout* grid_;
+  ViewWidget* view_;
+  MessageBar* messages_;
+  QLabel* badge_;
+  QTimer* badgeTimer_;
+};
+
+} // namespace viscera::app

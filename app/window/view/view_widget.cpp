@@ -1,0 +1,126 @@
+#include "window/view/view_widget.h"
+
+#include <QDragEnterEvent>
+#include <QElapsedTimer>
+#include <QMimeData>
+#include <QMouseEvent>
+#include <QTimer>
+#include <QUrl>
+
+#include <cmath>
+
+#include <vtkGenericOpenGLRenderWindow.h>
+#include <vtkNew.h>
+#include <vtkRenderWindowInteractor.h>
+
+namespace viscera::app {
+namespace {
+
+/// Logical pixels: a press and a release that are nearer to each other are a click.
+constexpr double kClickDistance = 4;
+/// Logical pixels around the cursor in which a surface is looked for.
+constexpr double kNearDistances[] = {0, 6, 12};
+
+Vec3 asVec3(const QColor& color) {
+  return {color.redF(), color.greenF(), color.blueF()};
+}
+
+QStringList localFiles(const QMimeData* data) {
+  QStringList files;
+  for (const QUrl& url : data->urls())
+    if (url.isLocalFile())
+      files.push_back(url.toLocalFile());
+  return files;
+}
+
+} // namespace
+
+ViewWidget::ViewWidget(QWidget* parent)
+    : QVTKOpenGLNativeWidget(parent), view_(std::make_unique<scene::OrganView>()) {
+  setObjectName(QStringLiteral("view3d"));
+  setAcceptDrops(true);
+  setFocusPolicy(Qt::StrongFocus);
+  setMinimumSize(160, 120);
+  vtkNew<vtkGenericOpenGLRenderWindow> window;
+  setRenderWindow(window);
+  view_->setWindow(window);
+  view_->setInteractor(interactor());
+}
+
+ViewWidget::~ViewWidget() {
+  view_->setInteractor(nullptr);
+  view_->setWindow(nullptr);
+}
+
+void ViewWidget::setTheme(const Theme& theme) {
+  scene::Theme colors = theme.kind == ThemeKind::dark ? scene::darkTheme() : scene::lightTheme();
+  colors.backgroundTop = asVec3(theme.viewTop);
+  colors.backgroundBottom = asVec3(theme.viewBottom);
+  view_->setTheme(colors);
+  scheduleRender();
+}
+
+std::optional<scene::SurfacePick> ViewWidget::pickNear(const QPointF& place) const {
+  const double ratio = devicePixelRatioF();
+  constexpr int kDirections = 8;
+  for (const double distance : kNearDistances) {
+    for (int i = 0; i < (distance > 0 ? kDirections : 1); ++i) {
+      const double angle = 2 * M_PI * i / kDirections;
+      const QPointF there = place + distance * QPointF(std::cos(angle), std::sin(angle));
+      if (auto pick = view_->pick(ratio * there.x(), ratio * (height() - 1 - there.y())))
+        return pick;
+    }
+  }
+  return std::nullopt;
+}
+
+void ViewWidget::scheduleRender() {
+  if (renderScheduled_)
+    return;
+  renderScheduled_ = true;
+  QTimer::singleShot(0, this, &ViewWidget::renderPending);
+}
+
+void ViewWidget::renderPending() {
+  if (!renderScheduled_)
+    return;
+  renderScheduled_ = false;
+  if (!isVisible())
+    return;
+  QElapsedTimer timer;
+  timer.start();
+  renderWindow()->Render();
+  frameSeconds_ = 1e-9 * static_cast<double>(timer.nsecsElapsed());
+  Q_EMIT rendered();
+}
+
+void ViewWidget::mousePressEvent(QMouseEvent* event) {
+  pressing_ = event->button() == Qt::LeftButton;
+  pressed_ = event->localPos();
+  QVTKOpenGLNativeWidget::mousePressEvent(event);
+}
+
+void ViewWidget::mouseReleaseEvent(QMouseEvent* event) {
+  QVTKOpenGLNativeWidget::mouseReleaseEvent(event);
+  if (event->button() != Qt::LeftButton || !pressing_)
+    return;
+  pressing_ = false;
+  const QPointF moved = event->localPos() - pressed_;
+  if (std::hypot(moved.x(), moved.y()) <= kClickDistance)
+    Q_EMIT clicked(event->localPos(), event->modifiers());
+}
+
+void ViewWidget::dragEnterEvent(QDragEnterEvent* event) {
+  if (!localFiles(event->mimeData()).isEmpty())
+    event->acceptProposedAction();
+}
+
+void ViewWidget::dropEvent(QDropEvent* event) {
+  const QStringList files = localFiles(event->mimeData());
+  if (files.isEmpty())
+    return;
+  event->acceptProposedAction();
+  Q_EMIT filesDropped(files);
+}
+
+} // namespace viscera::app

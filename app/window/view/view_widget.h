@@ -1,0 +1,58 @@
+#pragma once
+
+#include <QPointF>
+#include <QVTKOpenGLNativeWidget.h>
+
+#include <memory>
+#include <optional>
+
+#include "viscera/scene/organ_view.h"
+#include "window/style/theme.h"
+
+namespace viscera::app {
+
+/// The 3D view in the window. Renders at most once for all that changed since the event loop last came round,
+/// and tells a click from a drag.
+class ViewWidget final : public QVTKOpenGLNativeWidget {
+  Q_OBJECT
+
+public:
+  explicit ViewWidget(QWidget* parent = nullptr);
+  ~ViewWidget() override;
+
+  scene::OrganView& view() { return *view_; }
+  void setTheme(const Theme& theme);
+
+  /// The surface under a place in the widget, or the nearest one within a few pixels.
+  std::optional<scene::SurfacePick> pickNear(const QPointF& place) const;
+
+  /// How long the last frame took to draw, s.
+  double frameSeconds() const { return frameSeconds_; }
+
+public Q_SLOTS:
+  /// Renders soon, once.
+  void scheduleRender();
+  /// Renders now, if anything is waiting to be rendered.
+  void renderPending();
+
+Q_SIGNALS:
+  void rendered();
+  /// The left button was pressed and released at one place.
+  void clicked(const QPointF& place, Qt::KeyboardModifiers modifiers);
+  void filesDropped(const QStringList& files);
+
+protected:
+  void mousePressEvent(QMouseEvent* event) override;
+  void mouseReleaseEvent(QMouseEvent* event) override;
+  void dragEnterEvent(QDragEnterEvent* event) override;
+  void dropEvent(QDropEvent* event) override;
+
+private:
+  std::unique_ptr<scene::OrganView> view_;
+  QPointF pressed_;
+  bool pressing_ = false;
+  bool renderScheduled_ = false;
+  double frameSeconds_ = 0;
+};
+
+} // namespace viscera::app

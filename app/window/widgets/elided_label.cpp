@@ -1,0 +1,33 @@
+#include "window/widgets/elided_label.h"
+
+#include <QResizeEvent>
+
+namespace viscera::app {
+
+ElidedLabel::ElidedLabel(QWidget* parent) : QLabel(parent) {
+  setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+  setTextFormat(Qt::PlainText);
+}
+
+void ElidedLabel::setFullText(const QString& text) {
+  if (text == full_)
+    return;
+  full_ = text;
+  setToolTip(text);
+  elide();
+}
+
+QSize ElidedLabel::minimumSizeHint() const {
+  return {0, QLabel::minimumSizeHint().height()};
+}
+
+void ElidedLabel::resizeEvent(QResizeEvent* event) {
+  QLabel::resizeEvent(event);
+  elide();
+}
+
+void ElidedLabel::elide() {
+  setText(fontMetrics().elidedText(full_, Qt::ElideRight, contentsRect().width()));
+}
+
+} // namespace viscera::app

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <QLabel>
+
+namespace viscera::app {
+
+/// A line of text that gives way: what does not fit ends in an ellipsis and is in the tooltip.
+class ElidedLabel final : public QLabel {
+  Q_OBJECT
+
+public:
+  explicit ElidedLabel(QWidget* parent = nullptr);
+
+  void setFullText(const QString& text);
+  QString fullText() const { return full_; }
+  QSize minimumSizeHint() const override;
+
+protected:
+  void resizeEvent(QResizeEvent* event) override;
+
+private:
+  void elide();
+
+  QString full_;
+};
+
+} // namespace viscera::app

@@ -1,0 +1,65 @@
+#include "window/widgets/flow_layout.h"
+
+#include <algorithm>
+
+namespace viscera::app {
+
+FlowLayout::FlowLayout(QWidget* parent, int spacing) : QLayout(parent) {
+  setContentsMargins(0, 0, 0, 0);
+  setSpacing(spacing);
+}
+
+FlowLayout::~FlowLayout() {
+  for (QLayoutItem* item : items_)
+    delete item;
+}
+
+QLayoutItem* FlowLayout::itemAt(int index) const {
+  return index >= 0 && index < count() ? items_[index] : nullptr;
+}
+
+QLayoutItem* FlowLayout::takeAt(int index) {
+  QLayoutItem* item = itemAt(index);
+  if (item)
+    items_.erase(items_.begin() + index);
+  return item;
+}
+
+int FlowLayout::heightForWidth(int width) const {
+  return arrange(QRect(0, 0, width, 0), false);
+}
+
+QSize FlowLayout::minimumSize() const {
+  QSize size;
+  for (const QLayoutItem* item : items_)
+    size = size.expandedTo(item->minimumSize());
+  return size;
+}
+
+void FlowLayout::setGeometry(const QRect& rect) {
+  QLayout::setGeometry(rect);
+  arrange(rect, true);
+}
+
+int FlowLayout::arrange(const QRect& rect, bool place) const {
+  int x = rect.left();
+  int y = rect.top();
+  int lineHeight = 0;
+  for (QLayoutItem* item : items_) {
+    if (item->isEmpty())
+      continue;
+    const QSize size = item->sizeHint();
+    if (x > rect.left() && x + size.width() > rect.right() + 1) {
+      x = rect.left();
+      y += lineHeight + spacing();
+      lineHeight = 0;
+    }
+    if (place)
+      item->setGeometry(QRect(QPoint(x, y), size));
+    x += size.width() + spacing();
+    lineHeight = std::max(lineHeight, size.height());
+  }
+  return y + lineHeight - rect.top();
+}
+
+} // namespace viscera::app

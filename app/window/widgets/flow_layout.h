@@ -1,0 +1,33 @@
+#pragma once
+
+#include <QLayout>
+
+#include <vector>
+
+namespace viscera::app {
+
+/// Puts its items in lines like words, as many in each as fit.
+class FlowLayout final : public QLayout {
+public:
+  explicit FlowLayout(QWidget* parent, int spacing);
+  ~FlowLayout() override;
+
+  void addItem(QLayoutItem* item) override { items_.push_back(item); }
+  int count() const override { return static_cast<int>(items_.size()); }
+  QLayoutItem* itemAt(int index) const override;
+  QLayoutItem* takeAt(int index) override;
+  Qt::Orientations expandingDirections() const override { return {}; }
+  bool hasHeightForWidth() const override { return true; }
+  int heightForWidth(int width) const override;
+  QSize sizeHint() const override { return minimumSize(); }
+  QSize minimumSize() const override;
+  void setGeometry(const QRect& rect) override;
+
+private:
+  /// Places the items in `rect`, or only measures; returns the height.
+  int arrange(const QRect& rect, bool place) const;
+
+  std::vector<QLayoutItem*> items_;
+};
+
+} // namespace viscera::app

@@ -1,0 +1,101 @@
+#include "window/widgets/message_bar.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QStyle>
+#include <QTimer>
+#include <QToolButton>
+#include <QVariant>
+
+#include "window/style/icon.h"
+
+namespace viscera::app {
+namespace {
+
+const char* nameOf(Message::Severity severity) {
+  switch (severity) {
+  case Message::Severity::warning:
+    return "warning";
+  case Message::Severity::error:
+    return "error";
+  case Message::Severity::info:
+    break;
+  }
+  return "info";
+}
+
+} // namespace
+
+MessageBar::MessageBar(QWidget* parent)
+    : QFrame(parent), icon_(new QLabel(this)), text_(new QLabel(this)), offersBox_(new QWidget(this)),
+      offers_(new QHBoxLayout(offersBox_)), timer_(new QTimer(this)) {
+  setObjectName(QStringLiteral("messageBar"));
+  auto* row = new QHBoxLayout(this);
+  row->setContentsMargins(12, 8, 8, 8);
+  row->setSpacing(8);
+  text_->setWordWrap(true);
+  text_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  text_->setTextFormat(Qt::PlainText);
+  text_->setMinimumWidth(120);
+  offers_->setContentsMargins(0, 0, 0, 0);
+  offers_->setSpacing(8);
+  auto* closeButton = new QToolButton(this);
+  closeButton->setIcon(viscera::app::icon("close"));
+  closeButton->setToolTip(tr("Close this message (Esc)"));
+  closeButton->setAccessibleName(tr("Close this message"));
+  row->addWidget(icon_, 0);
+  row->addWidget(text_, 1);
+  row->addWidget(offersBox_, 0);
+  row->addWidget(closeButton, 0);
+  timer_->setSingleShot(true);
+  connect(closeButton, &QToolButton::clicked, this, &MessageBar::dismiss);
+  connect(timer_, &QTimer::timeout, this, &MessageBar::dismiss);
+  hide();
+}
+
+void MessageBar::showMessage(const Message& message) {
+  const char* severity = nameOf(message.severity);
+  setProperty("severity", QString::fromLatin1(severity));
+  style()->unpolish(this);
+  style()->polish(this);
+  icon_->setPixmap(viscera::app::icon(severity).pixmap(20, 20));
+  text_->setText(message.text);
+  rebuildOffers(message.offers);
+  timer_->stop();
+  if (message.seconds > 0)
+    timer_->start(1000 * message.seconds);
+  show();
+  raise();
+}
+
+QString MessageBar::text() const {
+  return isHidden() ? QString() : text_->text();
+}
+
+void MessageBar::dismiss() {
+  timer_->stop();
+  hide();
+}
+
+void MessageBar::rebuildOffers(const std::vector<Message::Offer>& offers) {
+  while (QLayoutItem* item = offers_->takeAt(0)) {
+    item->widget()->hide();
+    item->widget()->deleteLater();
+    delete item;
+  }
+  for (const Message::Offer& offer : offers) {
+    auto* button = new QPushButton(offer.label, offersBox_);
+    button->setObjectName(QStringLiteral("offer"));
+    connect(button, &QPushButton::clicked, this, [this, accept = offer.accept] {
+      dismiss();
+      if (accept)
+        accept();
+    });
+    offers_->addWidget(button);
+    button->show();
+  }
+  offersBox_->setVisible(!offers.empty());
+}
+
+} // namespace viscera::app

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <QFrame>
+#include <QString>
+
+#include <functional>
+#include <vector>
+
+class QHBoxLayout;
+class QLabel;
+class QTimer;
+
+namespace viscera::app {
+
+/// Something to tell the user without stopping the work.
+struct Message {
+  enum class Severity { info, warning, error };
+  struct Offer {
+    QString label;
+    std::function<void()> accept; ///< Called when the user takes the offer; the bar closes itself.
+  };
+
+  Severity severity = Severity::info;
+  QString text;              ///< What happened and what to do next.
+  std::vector<Offer> offers; ///< Buttons.
+  int seconds = 0;           ///< Closes by itself after so long; 0: stays until closed.
+};
+
+/// One line over the view with a message and what can be done about it. A new message replaces the old one.
+class MessageBar final : public QFrame {
+  Q_OBJECT
+
+public:
+  explicit MessageBar(QWidget* parent = nullptr);
+
+  void showMessage(const Message& message);
+  /// The text on show; empty when the bar is closed.
+  QString text() const;
+
+public Q_SLOTS:
+  void dismiss();
+
+private:
+  void rebuildOffers(const std::vector<Message::Offer>& offers);
+
+  QLabel* icon_;
+  QLabel* text_;
+  QWidget* offersBox_;
+  QHBoxLayout* offers_;
+  QTimer* timer_;
+};
+
+} // namespace viscera::app

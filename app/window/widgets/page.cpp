@@ -1,0 +1,88 @@
+#include "window/widgets/page.h"
+
+#include <QAction>
+#include <QCheckBox>
+#include <QFormLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+namespace viscera::app {
+
+Page::Page(QWidget* parent) : QWidget(parent), column_(new QVBoxLayout(this)) {
+  column_->setContentsMargins(12, 12, 12, 12);
+  column_->setSpacing(8);
+}
+
+void Page::addSection(const QString& title) {
+  if (column_->count() > 0) {
+    column_->addSpacing(4);
+    auto* line = new QFrame(this);
+    line->setObjectName(QStringLiteral("line"));
+    column_->addWidget(line);
+  }
+  auto* label = new QLabel(title, this);
+  label->setObjectName(QStringLiteral("sectionTitle"));
+  column_->addWidget(label);
+  facts_ = nullptr;
+}
+
+void Page::add(QWidget* widget) {
+  column_->addWidget(widget);
+  facts_ = nullptr;
+}
+
+QLabel* Page::addFact(const QString& name) {
+  if (!facts_) {
+    facts_ = new QFormLayout;
+    facts_->setContentsMargins(0, 0, 0, 0);
+    facts_->setHorizontalSpacing(12);
+    facts_->setVerticalSpacing(4);
+    facts_->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
+    column_->addLayout(facts_);
+  }
+  auto* label = new QLabel(name, this);
+  label->setObjectName(QStringLiteral("muted"));
+  auto* value = new QLabel(this);
+  value->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+  value->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  value->setWordWrap(true);
+  facts_->addRow(label, value);
+  return value;
+}
+
+QLabel* Page::addRemark(const QString& text) {
+  auto* label = new QLabel(text, this);
+  label->setObjectName(QStringLiteral("muted"));
+  label->setWordWrap(true);
+  add(label);
+  return label;
+}
+
+QPushButton* Page::addButton(QAction* action) {
+  auto* button = new QPushButton(action->icon(), action->iconText(), this);
+  const auto sync = [button, action] {
+    button->setEnabled(action->isEnabled());
+    button->setToolTip(action->toolTip());
+  };
+  connect(button, &QPushButton::clicked, action, &QAction::trigger);
+  connect(action, &QAction::changed, button, sync);
+  sync();
+  add(button);
+  return button;
+}
+
+void Page::addCheck(QAction* action) {
+  auto* box = new QCheckBox(action->iconText(), this);
+  box->setToolTip(action->toolTip());
+  box->setChecked(action->isChecked());
+  connect(box, &QCheckBox::clicked, action, &QAction::trigger);
+  connect(action, &QAction::toggled, box, &QCheckBox::setChecked);
+  add(box);
+}
+
+void Page::finish() {
+  column_->addStretch(1);
+}
+
+} // namespace viscera::app

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <QWidget>
+
+class QAction;
+class QFormLayout;
+class QLabel;
+class QPushButton;
+class QToolButton;
+class QVBoxLayout;
+
+namespace viscera::app {
+
+/// A property page: titled sections from top to bottom.
+class Page : public QWidget {
+  Q_OBJECT
+
+public:
+  explicit Page(QWidget* parent = nullptr);
+
+protected:
+  /// Begins a section.
+  void addSection(const QString& title);
+  void add(QWidget* widget);
+  /// A line of a name and a value that can be selected; returns the value.
+  QLabel* addFact(const QString& name);
+  /// A quiet sentence.
+  QLabel* addRemark(const QString& text);
+  /// A button that does an action of the window and shows its name and state.
+  QPushButton* addButton(QAction* action);
+  /// A check box for a checkable action.
+  void addCheck(QAction* action);
+  /// To be called after everything else: what is left stays empty.
+  void finish();
+
+private:
+  QVBoxLayout* column_;
+  QFormLayout* facts_ = nullptr; ///< Of the present section; facts that follow each other line up.
+};
+
+} // namespace viscera::app

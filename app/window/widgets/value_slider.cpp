@@ -1,0 +1,79 @@
+#include "window/widgets/value_slider.h"
+
+#include <QDoubleSpinBox>
+#include <QGridLayout>
+#include <QLabel>
+#include <QSignalBlocker>
+#include <QSlider>
+
+#include <cmath>
+
+namespace viscera::app {
+
+ValueSlider::ValueSlider(const QString& name, const Range& range, QWidget* parent)
+    : QWidget(parent), range_(range), slider_(new QSlider(Qt::Horizontal, this)),
+      field_(new QDoubleSpinBox(this)) {
+  auto* grid = new QGridLayout(this);
+  grid->setContentsMargins(0, 0, 0, 0);
+  grid->setHorizontalSpacing(8);
+  grid->setVerticalSpacing(2);
+  auto* label = new QLabel(name, this);
+  label->setBuddy(field_);
+  field_->setDecimals(range.decimals);
+  field_->setSuffix(range.unit);
+  field_->setSingleStep(range.step);
+  field_->setAlignment(Qt::AlignRight);
+  field_->setButtonSymbols(QAbstractSpinBox::NoButtons);
+  field_->setKeyboardTracking(false);
+  field_->setAccessibleName(name);
+  slider_->setAccessibleName(name);
+  grid->addWidget(label, 0, 0);
+  grid->addWidget(field_, 0, 1, Qt::AlignRight);
+  grid->addWidget(slider_, 1, 0, 1, 2);
+  grid->setColumnStretch(0, 1);
+  setRange(range.minimum, range.maximum);
+  connect(slider_, &QSlider::valueChanged, this, [this](int position) {
+    const QSignalBlocker quiet(field_);
+    field_->setValue(range_.minimum + position * range_.step);
+    Q_EMIT valueChanged(field_->value());
+    if (!slider_->isSliderDown())
+      Q_EMIT valueChosen(field_->value());
+  });
+  connect(slider_, &QSlider::sliderReleased, this, [this] { Q_EMIT valueChosen(field_->value()); });
+  connect(field_, QOverload<double>::of(&QDoubleSpinBox::valueChanged), this, [this](double value) {
+    const QSignalBlocker quiet(slider_);
+    slider_->setValue(sliderPosition(value));
+    Q_EMIT valueChanged(value);
+    Q_EMIT valueChosen(value);
+  });
+}
+
+double ValueSlider::value() const {
+  return field_->value();
+}
+
+void ValueSlider::setValue(double value) {
+  if (slider_->isSliderDown())
+    return;
+  const QSignalBlocker quietField(field_);
+  const QSignalBlocker quietSlider(slider_);
+  field_->setValue(value);
+  slider_->setValue(sliderPosition(value));
+}
+
+void ValueSlider::setRange(double minimum, double maximum) {
+  const QSignalBlocker quietField(field_);
+  const QSignalBlocker quietSlider(slider_);
+  range_.minimum = minimum;
+  range_.maximum = maximum;
+  field_->setRange(minimum, maximum);
+  slider_->setRange(0, sliderPosition(maximum));
+  const int steps = slider_->maximum();
+  slider_->setPageStep(std::max(1, steps / 10));
+}
+
+int ValueSlider::sliderPosition(double value) const {
+  return static_cast<int>(std::lround((value - range_.minimum) / range_.step));
+}
+
+} // namespace viscera::app

@@ -1,0 +1,65 @@
+#include "window/workspace.h"
+
+#include <QMetaObject>
+
+#include <cmath>
+
+namespace viscera::app {
+
+Workspace::Workspace(plugin::Registry registry, QObject* parent)
+    : QObject(parent), undo_(document_), selection_(document_), registry_(std::move(registry)),
+      jobs_([this](std::function<void()> work) {
+        QMetaObject::invokeMethod(this, std::move(work), Qt::QueuedConnection);
+      }),
+      live_(document_, registry_, jobs_) {}
+
+Workspace::~Workspace() = default;
+
+bool Workspace::perform(const session::Command& command) {
+  return guarded([&] { undo_.perform(command); });
+}
+
+bool Workspace::guarded(const std::function<void()>& work) {
+  try {
+    work();
+    return true;
+  } catch (const Cancelled&) {
+    return false;
+  } catch (const Error& error) {
+    report(error);
+  } catch (const std::exception& error) {
+    report(Error(70, error.what(), {}, "this is a fault of the program; please report it"));
+  }
+  return false;
+}
+
+void Workspace::report(const Error& error) {
+  QString sentence = text(error.where().empty() ? error.problem() : error.where() + ": " + error.problem());
+  if (!sentence.isEmpty())
+    sentence[0] = sentence[0].toUpper();
+  if (!error.tryThis().empty()) {
+    QString advice = text(error.tryThis());
+    advice[0] = advice[0].toUpper();
+    sentence += tr(". %1.").arg(advice);
+  }
+  Message message;
+  message.severity = Message::Severity::error;
+  message.text = sentence;
+  say(message);
+}
+
+std::shared_ptr<const session::Organ> Workspace::currentOrgan() const {
+  if (auto selected = document_.organ(selection_.organ()))
+    return selected;
+  for (const auto& organ : document_.organs())
+    if (!organ->parent)
+      return organ;
+  return nullptr;
+}
+
+QString formatMilliliters(double milliliters) {
+  const int decimals = std::abs(milliliters) < 1 ? 3 : std::abs(milliliters) < 1000 ? 1 : 0;
+  return QObject::tr("%1 ml").arg(milliliters, 0, 'f', decimals);
+}
+
+} // namespace viscera::app
