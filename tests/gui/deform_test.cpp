@@ -1,0 +1,112 @@
+#include "window_test.h"
+
+#include <QLabel>
+#include <QTest>
+
+#include "viscera/geometry/volume.h"
+
+namespace viscera::tests {
+namespace {
+
+class DeformMode : public WindowTest {
+protected:
+  void SetUp() override {
+    WindowTest::SetUp();
+    open(sphereFile());
+    key(Qt::Key_3);
+    ASSERT_EQ(window().mode(), app::Mode::deform);
+    organ_ = document().organs().front()->id;
+    handle_ = reachableHandle();
+    ASSERT_GE(handle_, 0);
+  }
+
+  const Points& points() { return window().workspace().live().points(organ_); }
+  QString status() { return window().findChild<QLabel*>(QStringLiteral("statusVolume"))->text(); }
+
+  session::OrganId organ_;
+  int handle_ = -1;
+};
+
+TEST_F(DeformMode, DraggingAHandleMovesTheOrganAndItsVolume) {
+  const Points before = points();
+  const QString statusBefore = status();
+  const QPoint from = onScreen(handleInView(handle_));
+  drag(from, from + QPoint(80, 0));
+  EXPECT_GT((points() - before).rowwise().norm().maxCoeff(), 1);
+  const session::OrganVolume volume = window().workspace().live().volume(organ_);
+  const geometry::TriangleMesh& mesh = *document().organs().front()->mesh;
+  EXPECT_NEAR(volume.nowMl, geometry::volume(points(), mesh.triangles) / kMm3PerMl, 1e-6);
+  EXPECT_GT(std::abs(volume.relativeChange()), 1e-4);
+  EXPECT_NE(status(), statusBefore);
+  // What is drawn is what was computed.
+  EXPECT_EQ(&view().view().organs().front()->points(), &points());
+}
+
+TEST_F(DeformMode, TheHandleStaysUnderTheCursor) {
+  const QPoint from = onScreen(handleInView(handle_));
+  const QPoint to = from + QPoint(50, -40);
+  drag(from, to);
+  const QPoint there = onScreen(handleInView(handle_));
+  EXPECT_LE((there - to).manhattanLength(), 3)
+      << there.x() << ' ' << there.y() << " not " << to.x() << ' ' << to.y();
+}
+
+TEST_F(DeformMode, UndoTakesTheDragBackToTheLastBitAndRedoDoesItAgain) {
+  const Points organBefore = points();
+  const Points poseBefore = document().pose();
+  const QPoint from = onScreen(handleInView(handle_));
+  drag(from, from + QPoint(60, 30));
+  const Points poseAfter = document().pose();
+  ASSERT_NE(poseAfter, poseBefore);
+  EXPECT_EQ(window().workspace().undo().names().size(), 2u) << "one drag is one step";
+  key(Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_EQ(document().pose(), poseBefore);
+  EXPECT_EQ(points(), organBefore);
+  key(Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
+  EXPECT_EQ(document().pose(), poseAfter);
+}
+
+TEST_F(DeformMode, EscapeDuringADragPutsEverythingBack) {
+  const Points before = points();
+  const QPoint from = onScreen(handleInView(handle_));
+  QTest::mouseMove(&view(), from);
+  QTest::mousePress(&view(), Qt::LeftButton, Qt::NoModifier, from);
+  QTest::mouseMove(&view(), from + QPoint(40, 0));
+  QTest::mouseMove(&view(), from + QPoint(60, 0));
+  ASSERT_NE(points(), before);
+  key(Qt::Key_Escape);
+  QTest::mouseRelease(&view(), Qt::LeftButton, Qt::NoModifier, from + QPoint(60, 0));
+  settle();
+  EXPECT_EQ(points(), before);
+  EXPECT_EQ(window().workspace().undo().names().size(), 1u);
+}
+
+TEST_F(DeformMode, ResetPoseGoesBackToRestExactly) {
+  const QPoint from = onScreen(handleInView(handle_));
+  drag(from, from + QPoint(60, 30));
+  key(Qt::Key_R, Qt::ControlModifier);
+  EXPECT_TRUE(session::atRest(document().state()));
+  EXPECT_EQ(points(), document().organs().front()->mesh->points);
+}
+
+TEST_F(DeformMode, ADragBesideTheHandlesTurnsTheCameraAndChangesNothing) {
+  const session::DocumentState before = document().state();
+  const Vec3 handleBefore = handleInView(handle_);
+  const QPoint place = onScreen(handleBefore);
+  drag(QPoint(8, view().height() - 60), QPoint(120, view().height() - 120));
+  EXPECT_TRUE(document().state() == before);
+  EXPECT_NE(onScreen(handleBefore), place);
+}
+
+TEST_F(DeformMode, TheDeformedPoseIsKeptWhileTheHandlesAreLookedAt) {
+  const QPoint from = onScreen(handleInView(handle_));
+  drag(from, from + QPoint(60, 30));
+  const Points posed = points();
+  key(Qt::Key_2);
+  EXPECT_EQ(points(), document().organs().front()->mesh->points) << "Handles mode shows the rest shape";
+  key(Qt::Key_3);
+  EXPECT_LT((points() - posed).cwiseAbs().maxCoeff(), 1e-9);
+}
+
+} // namespace
+} // namespace viscera::tests

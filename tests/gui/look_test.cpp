@@ -1,0 +1,141 @@
+#include "window_test.h"
+
+#include <QAction>
+#include <QApplication>
+#include <QDockWidget>
+#include <QImage>
+#include <QLabel>
+#include <QPushButton>
+#include <QSet>
+#include <QTest>
+
+#include "window/style/icon.h"
+#include "window/style/theme.h"
+
+namespace viscera::tests {
+namespace {
+
+double contrast(const QColor& a, const QColor& b) {
+  const auto luminance = [](const QColor& color) {
+    const auto linear = [](double channel) {
+      return channel <= 0.04045 ? channel / 12.92 : std::pow((channel + 0.055) / 1.055, 2.4);
+    };
+    return 0.2126 * linear(color.redF()) + 0.7152 * linear(color.greenF()) + 0.0722 * linear(color.blueF());
+  };
+  const double lighter = std::max(luminance(a), luminance(b));
+  const double darker = std::min(luminance(a), luminance(b));
+  return (lighter + 0.05) / (darker + 0.05);
+}
+
+class ThemeTest : public testing::TestWithParam<app::ThemeKind> {};
+
+TEST_P(ThemeTest, TextCanBeReadOnEverySurface) {
+  const app::Theme theme = app::themeOf(GetParam());
+  for (const QColor& surface : {theme.background, theme.panel, theme.raised, theme.field}) {
+    EXPECT_GE(contrast(theme.text, surface), 7);
+    EXPECT_GE(contrast(theme.muted, surface), 4.5) << surface.name().toStdString();
+    EXPECT_GE(contrast(theme.accent, surface), 3);
+  }
+  EXPECT_GE(contrast(theme.accentText, theme.accent), 4.5);
+}
+
+TEST_P(ThemeTest, TheStyleSheetHasNoWordLeftUnreplaced) {
+  const QString sheet = app::styleSheetOf(app::themeOf(GetParam()));
+  ASSERT_FALSE(sheet.isEmpty());
+  const QString rules = QString(sheet).remove(0, sheet.indexOf(QStringLiteral("*/")));
+  EXPECT_FALSE(rules.contains(QLatin1Char('@'))) << rules.mid(rules.indexOf('@'), 40).toStdString();
+}
+
+INSTANTIATE_TEST_SUITE_P(Both, ThemeTest, testing::Values(app::ThemeKind::dark, app::ThemeKind::light));
+
+class ModeTest : public WindowTest, public testing::WithParamInterface<int> {};
+
+TEST_P(ModeTest, NothingIsClippedInASmallWindow) {
+  key(static_cast<Qt::Key>(Qt::Key_0 + GetParam()));
+  EXPECT_LE(window().minimumSizeHint().width(), 1280);
+  EXPECT_LE(window().minimumSizeHint().height(), 800);
+  EXPECT_EQ(window().size(), QSize(1280, 800));
+  EXPECT_GE(view().width(), 560);
+  EXPECT_GE(view().height(), 400);
+  for (const QLabel* label : window().findChildren<QLabel*>()) {
+    if (!label->isVisible() || label->text().isEmpty() || label->wordWrap())
+      continue;
+    EXPECT_GE(label->width() + 1, label->minimumSizeHint().width()) << label->text().toStdString();
+  }
+  for (const QPushButton* button : window().findChildren<QPushButton*>()) {
+    if (!button->isVisible())
+      continue;
+    EXPECT_GE(button->width() + 1, button->minimumSizeHint().width()) << button->text().toStdString();
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Keys, ModeTest, testing::Values(1, 2, 3, 5));
+
+TEST_F(WindowTest, TheWindowFitsAScreenAtTwiceTheScale) {
+  // 1600 x 1000 pixels at 200 % are 800 x 500 logical ones.
+  EXPECT_LE(window().minimumSizeHint().width(), 800);
+  EXPECT_LE(window().minimumSizeHint().height(), 500);
+}
+
+TEST_F(WindowTest, TheViewDrawsTheOrganInItsColour) {
+  open(sphereFile());
+  const QImage picture = view().grab().toImage();
+  const QColor middle = picture.pixelColor(picture.width() / 2, picture.height() / 2);
+  EXPECT_GT(middle.red(), middle.blue() + 20) << middle.name().toStdString();
+  QSet<QRgb> colors;
+  for (int x = 0; x < picture.width(); x += 3)
+    colors.insert(picture.pixel(x, picture.height() / 2));
+  EXPECT_GT(colors.size(), 20) << "a shaded organ has many tones";
+}
+
+TEST_F(WindowTest, TheThemeChangesEverythingAndIsRemembered) {
+  ASSERT_EQ(QApplication::palette().color(QPalette::Window), app::themeOf(app::ThemeKind::dark).panel);
+  const QColor darkCorner = view().grab().toImage().pixelColor(5, 5);
+  window().setTheme(app::ThemeKind::light);
+  settle();
+  EXPECT_EQ(QApplication::palette().color(QPalette::Window), app::themeOf(app::ThemeKind::light).panel);
+  EXPECT_GT(view().grab().toImage().pixelColor(5, 5).lightness(), darkCorner.lightness() + 60);
+  reopenWindow();
+  EXPECT_EQ(QApplication::palette().color(QPalette::Window), app::themeOf(app::ThemeKind::light).panel);
+}
+
+TEST_F(WindowTest, AHiddenPanelStaysHiddenUntilTheStandardLayoutIsAskedFor) {
+  auto* volumes = window().findChild<QDockWidget*>(QStringLiteral("volumes"));
+  ASSERT_NE(volumes, nullptr);
+  volumes->close();
+  reopenWindow();
+  volumes = window().findChild<QDockWidget*>(QStringLiteral("volumes"));
+  EXPECT_FALSE(volumes->isVisible());
+  window().actions()["view.layout"]->trigger();
+  EXPECT_TRUE(volumes->isVisible());
+}
+
+TEST_F(WindowTest, QuestionMarkShowsTheShortcutsAndEscapeHidesThem) {
+  const auto shown = [this] {
+    for (const QLabel* label : window().findChildren<QLabel*>())
+      if (label->isVisible() && label->text() == QLatin1String("Mouse and keys"))
+        return true;
+    return false;
+  };
+  EXPECT_FALSE(shown());
+  key(Qt::Key_Question, Qt::ShiftModifier);
+  EXPECT_TRUE(shown());
+  key(Qt::Key_Escape);
+  EXPECT_FALSE(shown());
+}
+
+TEST_F(WindowTest, EveryIconDrawsSomethingAtSixteenPixels) {
+  for (const QAction* action : window().actions().all()) {
+    if (action->icon().isNull())
+      continue;
+    const QImage image = action->icon().pixmap(16, 16).toImage();
+    int drawn = 0;
+    for (int y = 0; y < image.height(); ++y)
+      for (int x = 0; x < image.width(); ++x)
+        drawn += qAlpha(image.pixel(x, y)) > 100;
+    EXPECT_GT(drawn, 8) << action->objectName().toStdString();
+  }
+}
+
+} // namespace
+} // namespace viscera::tests

@@ -1,0 +1,27 @@
+#include <gtest/gtest.h>
+
+#include <QApplication>
+
+#include <cstdio>
+#include <cstring>
+
+#include "window/application.h"
+
+/// The tests need an application and a display; listing them needs neither.
+int main(int argc, char** argv) {
+  bool listing = false;
+  for (int i = 1; i < argc; ++i)
+    listing = listing || std::strcmp(argv[i], "--gtest_list_tests") == 0;
+  testing::InitGoogleTest(&argc, argv);
+  if (listing)
+    return RUN_ALL_TESTS();
+  if (qEnvironmentVariableIsEmpty("DISPLAY")) {
+    std::puts("The tests of the window need a display: ./test.sh starts a virtual one.");
+    return 1;
+  }
+  qputenv("QT_QPA_PLATFORM", "xcb");
+  viscera::app::prepareForApplication();
+  QApplication application(argc, argv);
+  viscera::app::setUpApplication(application);
+  return RUN_ALL_TESTS();
+}

@@ -1,0 +1,104 @@
+#include "window_test.h"
+
+#include <QTest>
+#include <QTreeWidget>
+
+#include <vtkCamera.h>
+#include <vtkRenderer.h>
+
+#include "window/style/theme.h"
+
+namespace viscera::tests {
+namespace {
+
+class ViewTest : public WindowTest {
+protected:
+  void SetUp() override {
+    WindowTest::SetUp();
+    open(sphereFile());
+  }
+  Vec3 sight() {
+    double direction[3];
+    view().view().renderer()->GetActiveCamera()->GetDirectionOfProjection(direction);
+    return {direction[0], direction[1], direction[2]};
+  }
+  QTreeWidget& list() { return *window().findChild<QTreeWidget*>(QStringLiteral("organList")); }
+};
+
+TEST_F(ViewTest, KeypadDigitsLookAlongTheBodysAxes) {
+  key(Qt::Key_1, Qt::KeypadModifier);
+  EXPECT_LT((sight() - Vec3(0, 1, 0)).norm(), 1e-6) << "from the front one looks to the back";
+  key(Qt::Key_1, Qt::KeypadModifier | Qt::ShiftModifier);
+  EXPECT_LT((sight() - Vec3(0, -1, 0)).norm(), 1e-6);
+  key(Qt::Key_3, Qt::KeypadModifier);
+  EXPECT_LT((sight() - Vec3(-1, 0, 0)).norm(), 1e-6) << "from the left one looks to the right";
+  key(Qt::Key_7, Qt::KeypadModifier);
+  EXPECT_LT((sight() - Vec3(0, 0, -1)).norm(), 1e-6);
+  EXPECT_EQ(window().mode(), app::Mode::explore) << "the keypad does not choose modes";
+}
+
+TEST_F(ViewTest, TheOpenedOrganFillsTheView) {
+  const QPoint left = onScreen(Vec3(-60, 0, 0));
+  const QPoint right = onScreen(Vec3(60, 0, 0));
+  const QPoint top = onScreen(Vec3(0, 0, 60));
+  const QPoint bottom = onScreen(Vec3(0, 0, -60));
+  EXPECT_TRUE(view().rect().contains(left) && view().rect().contains(right));
+  EXPECT_TRUE(view().rect().contains(top) && view().rect().contains(bottom));
+  EXPECT_GT(bottom.y() - top.y(), view().height() / 2);
+}
+
+TEST_F(ViewTest, AClickSelectsTheOrganAndOneBesideItNothing) {
+  window().workspace().selection().clear();
+  click(view().rect().center());
+  EXPECT_EQ(window().workspace().selection().organ(), document().organs().front()->id);
+  click(QPoint(5, view().height() / 2));
+  EXPECT_FALSE(window().workspace().selection().organ());
+}
+
+TEST_F(ViewTest, ADragRotatesTheCamera) {
+  const Vec3 before = sight();
+  drag(view().rect().center(), view().rect().center() + QPoint(120, 0));
+  EXPECT_GT((sight() - before).norm(), 0.1);
+  EXPECT_FALSE(document().organs().empty());
+}
+
+TEST_F(ViewTest, TheEyeHidesTheOrganAndUndoShowsItAgain) {
+  const auto index = list().model()->index(0, 0);
+  QTest::mouseClick(list().viewport(), Qt::LeftButton, Qt::NoModifier, list().visualRect(index).center());
+  settle();
+  EXPECT_FALSE(document().organs().front()->look.visible);
+  EXPECT_FALSE(view().view().organs().front()->visible());
+  key(Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_TRUE(view().view().organs().front()->visible());
+}
+
+TEST_F(ViewTest, AnOrganIsRenamedInTheListAndAnEmptyNameIsRefused) {
+  list().topLevelItem(0)->setText(1, QStringLiteral("Left kidney"));
+  settle();
+  EXPECT_EQ(document().organs().front()->name, "Left kidney");
+  list().topLevelItem(0)->setText(1, QString());
+  settle();
+  EXPECT_EQ(document().organs().front()->name, "Left kidney");
+  EXPECT_EQ(list().topLevelItem(0)->text(1), QStringLiteral("Left kidney"));
+  EXPECT_NE(message(), QString());
+}
+
+TEST_F(ViewTest, FocusBringsTheOrganBackIntoThePicture) {
+  view().view().renderer()->GetActiveCamera()->SetFocalPoint(900, 0, 0);
+  view().view().renderer()->GetActiveCamera()->SetPosition(900, -400, 0);
+  ASSERT_FALSE(view().rect().contains(onScreen(Vec3::Zero())));
+  key(Qt::Key_F);
+  EXPECT_TRUE(view().rect().contains(onScreen(Vec3::Zero())));
+}
+
+TEST_F(ViewTest, TheGhostShowsOnlyWhenAskedFor) {
+  const QImage without = view().grab().toImage();
+  key(Qt::Key_G);
+  const QImage with = view().grab().toImage();
+  EXPECT_NE(with, without);
+  key(Qt::Key_G);
+  EXPECT_EQ(view().grab().toImage(), without);
+}
+
+} // namespace
+} // namespace viscera::tests

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <QPoint>
+#include <QTemporaryDir>
+
+#include <functional>
+#include <memory>
+
+#include "viscera/geometry/triangle_mesh.h"
+#include "window/main_window.h"
+#include "window/view/view_area.h"
+
+namespace viscera::tests {
+
+/// A real window of 1280 x 800 on the display, with settings of its own and a clock that the test turns.
+class WindowTest : public testing::Test {
+protected:
+  void SetUp() override;
+  void TearDown() override;
+
+  app::MainWindow& window() { return *window_; }
+  const session::Document& document() { return window_->workspace().document(); }
+  app::ViewWidget& view();
+  /// Closes the window and makes another one with the same settings.
+  void reopenWindow();
+
+  QString path(const QString& name) const { return folder_.filePath(name); }
+  /// Writes a sphere of 60 mm radius as a file and returns its name.
+  QString sphereFile(const QString& name = QStringLiteral("ball.stl"), double radius = 60);
+  /// Opens a file as a user does and waits until its organs are bound.
+  void open(const QString& file);
+
+  /// Handles the window's events until `done` or half a minute has passed; says whether it is done.
+  bool waitUntil(const std::function<bool()>& done);
+  /// Until nothing is loaded, bound or waiting to be drawn.
+  void settle();
+
+  /// Where a point in mm is on the 3D view.
+  QPoint onScreen(const Vec3& point);
+  Vec3 handleInView(int handle);
+  /// Presses the left button, moves in small steps, releases.
+  void drag(const QPoint& from, const QPoint& to);
+  void click(const QPoint& place);
+  void key(Qt::Key key, Qt::KeyboardModifiers modifiers = Qt::NoModifier);
+  QString message();
+
+  /// A handle that the mouse can grab now: the one nearest to the middle of the view, or -1.
+  int reachableHandle();
+
+  double now_ = 0; ///< The sequences' clock, s.
+
+private:
+  QTemporaryDir folder_;
+  std::unique_ptr<app::Settings> settings_;
+  std::unique_ptr<app::MainWindow> window_;
+};
+
+} // namespace viscera::tests
