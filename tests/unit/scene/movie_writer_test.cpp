@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A grey ramp that moves with `step`.
+/// A grey ramp from the lower left to the upper right that gets lighter with `step`.
 vtkSmartPointer<vtkImageData> frame(int step, int width = 96, int height = 64) {
   auto picture = vtkSmartPointer<vtkImageData>::New();
   picture->SetDimensions(width, height, 1);
@@ -25,7 +25,7 @@ vtkSmartPointer<vtkImageData> frame(int step, int width = 96, int height = 64) {
   auto* pixels = static_cast<unsigned char*>(picture->GetScalarPointer());
   for (int i = 0; i < width * height; ++i)
     for (int c = 0; c < 3; ++c)
-      *pixels++ = static_cast<unsigned char>(2 * (i % width) + 8 * step);
+      *pixels++ = static_cast<unsigned char>(i % width + i / width + 4 * step);
   return picture;
 }
 
@@ -108,6 +108,17 @@ TEST_F(Movie, PlayersCountEveryFrameOfEveryFormat) {
     EXPECT_EQ(said, "96,64,15\n") << name;
   }
   EXPECT_EQ(filesLeft(), 3);
+}
+
+TEST_F(Movie, PlayersShowTheFramesTheRightWayUp) {
+  if (!ffmpegInstalled())
+    GTEST_SKIP() << "ffmpeg is not installed";
+  for (const std::string name : {"a.ogv", "a.mp4", "a.gif"}) {
+    write(folder / name, 3);
+    const fs::path seen = folder / (name + ".png");
+    output("ffmpeg -v error -i " + (folder / name).string() + " -frames:v 1 -pix_fmt rgb24 " + seen.string());
+    EXPECT_LT(comparePictures(readPng(seen), frame(0)).mean, 4) << name;
+  }
 }
 
 TEST_F(Movie, WithoutFfmpegItSaysWhatToDoInstead) {
