@@ -99,7 +99,7 @@ private:
     case 1:
       return removeOrgans({anOrgan()});
     case 2:
-      return setOrganLook(anOrgan(), {color(), real(0, 1), number(2) == 0, number(2) == 0});
+      return setOrganLook(anOrgan(), {color(), number(2) == 0, real(0, 1), number(2) == 0, number(2) == 0});
     case 3:
       return renameOrgan(anOrgan(), text);
     case 4:
