@@ -29,9 +29,10 @@ struct PlayedSequence {
   const PlayedSurface* find(const std::string& name) const;
 };
 
-/// Makes a sequence by its name ("heartbeat") with the organ it is made for, or with `organ` (ORGAN of the command line)
-/// when that is not empty; `handles` may name a handle file, which has to hold the sequence's own handles. Throws
-/// `UsageError` that lists the sequences for another name, and what reading and binding throw.
+/// Makes a sequence by its name ("heartbeat") with the organ it is made for, or with `organ` (ORGAN of the
+/// command line) when that is not empty; `handles` may name a handle file, which has to hold the sequence's
+/// own handles. Throws `UsageError` that lists the sequences for another name, and what reading and binding
+/// throw.
 PlayedSequence playedSequence(const std::string& name, const std::string& organ, const std::string& handles,
                               Surroundings& surroundings);
 

@@ -118,7 +118,8 @@ TEST_F(CliBadInput, APoseOfOtherHandles) {
 TEST_F(CliBadInput, OutputsThatCannotBeWritten) {
   const std::string nowhere = path("no such folder/out");
   expectFailure({"bind", organ_, "--handles", handles_, "-o", nowhere + ".npy"}, kCannotCreate, "out.npy");
-  expectFailure({"handles", organ_, "-o", nowhere + ".mrk.json", "--count", "8"}, kCannotCreate, "out.mrk.json");
+  expectFailure({"handles", organ_, "-o", nowhere + ".mrk.json", "--count", "8"}, kCannotCreate,
+                "out.mrk.json");
   expectFailure({"deform", organ_, "--handles", handles_, "--pose", handles_, "-o", nowhere + ".stl"},
                 kCannotCreate, "out.stl");
   expectFailure({"render", organ_, "-o", nowhere + ".png"}, kCannotCreate, "out.png");

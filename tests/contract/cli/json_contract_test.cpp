@@ -175,7 +175,8 @@ TEST_F(CliJson, DeformKeepsOrReachesAVolume) {
   const json one = deform({"--lock-volume", "--compensate", "H-1"});
   EXPECT_NEAR(one["volumeMl"].get<double>(), 1.0, 1e-12);
   EXPECT_EQ(one["movedHandles"], 2);
-  expectFailure({"deform", organ, "--handles", rest, "--pose", pose, "--target-ml", "900"}, kBadData, "volume");
+  expectFailure({"deform", organ, "--handles", rest, "--pose", pose, "--target-ml", "900"}, kBadData,
+                "volume");
 }
 
 TEST_F(CliJson, WeightsAreANumPyFile) {
