@@ -57,8 +57,10 @@ void VolumeMonitor::rebuild() {
 }
 
 void VolumeMonitor::refresh() {
+  // A line may outlive its organ for a moment: who plays may hear of a change before this observer does.
   for (Line& line : lines_)
-    line.nowMl = workspace_.live().volume(line.organ).nowMl;
+    if (workspace_.document().organ(line.organ))
+      line.nowMl = workspace_.live().volume(line.organ).nowMl;
 }
 
 void VolumeMonitor::sample() {

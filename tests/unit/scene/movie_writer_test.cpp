@@ -67,7 +67,10 @@ protected:
     writer.finish(progress);
     EXPECT_EQ(writer.framesWritten(), frames);
   }
-  fs::path folder = fs::path(testing::TempDir()) / "viscera_movie_test";
+  // One a test: ctest runs several at a time.
+  fs::path folder =
+      fs::path(testing::TempDir()) /
+      ("viscera_movie_" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
 };
 
 TEST_F(Movie, FolderGetsOnePictureAFrameInOrder) {
