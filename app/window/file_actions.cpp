@@ -10,11 +10,13 @@
 
 #include "viscera/medical_io/handle_file.h"
 #include "viscera/medical_io/surface_file.h"
+#include "window/panels/color_palette.h"
 
 namespace viscera::app {
 namespace {
 
 constexpr const char* kFolderKey = "files/folder";
+constexpr int kShownWarnings = 3;
 constexpr const char* kHandleEnding = ".mrk.json";
 
 QString patterns(const std::vector<std::string>& extensions) {
@@ -91,6 +93,7 @@ void FileActions::take(const session::OpenedFiles& opened, const QStringList& fi
           undo.perform(session::replaceRig({}));
       }
       undo.perform(opened.command);
+      dressNewOrgans();
       if (opened.organs > 0 && workspace_.document().rig().handles.empty())
         undo.perform(placer_.command(*workspace_.document().organs().back()));
     } catch (...) {
@@ -110,15 +113,33 @@ void FileActions::take(const session::OpenedFiles& opened, const QStringList& fi
   sayWarnings(opened.warnings);
 }
 
+void FileActions::dressNewOrgans() {
+  const session::OrganList organs = workspace_.document().organs();
+  for (const auto& organ : organs) {
+    const auto color = tissueColor(text(organ->name));
+    const bool untouched = organ->look == session::OrganLook();
+    if (!color || !untouched || organ->mesh->colors.rows() > 0)
+      continue;
+    session::OrganLook look = organ->look;
+    look.color = asVec3(*color);
+    workspace_.undo().perform(session::setOrganLook(organ->id, look));
+  }
+}
+
 void FileActions::sayWarnings(const std::vector<std::string>& warnings) {
   if (warnings.empty())
     return;
   Message message;
-  message.severity = Message::Severity::warning;
-  message.text = text(warnings.front());
-  if (warnings.size() > 1)
-    message.text +=
-        tr(" (and %n more; the organ's page lists them)", nullptr, static_cast<int>(warnings.size()) - 1);
+  message.seconds = 15;
+  QStringList lines;
+  for (const std::string& warning : warnings)
+    lines.push_back(text(warning));
+  if (lines.size() > kShownWarnings) {
+    const int more = static_cast<int>(lines.size()) - kShownWarnings;
+    lines = lines.mid(0, kShownWarnings);
+    lines.push_back(tr("%n more on the {page of its organ|pages of their organs} in Explore", nullptr, more));
+  }
+  message.text = lines.join(QLatin1Char('\n'));
   workspace_.say(message);
 }
 

@@ -40,6 +40,8 @@ private:
   QString folder() const;
   void rememberFolder(const QString& file);
   void take(const session::OpenedFiles& opened, const QStringList& files);
+  /// Gives organs that are named after a tissue its colour.
+  void dressNewOrgans();
   void sayWarnings(const std::vector<std::string>& warnings);
   void saySaved(const QString& what, const QString& file);
 

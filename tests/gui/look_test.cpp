@@ -72,6 +72,8 @@ TEST_P(ModeTest, NothingIsClippedInASmallWindow) {
 INSTANTIATE_TEST_SUITE_P(Keys, ModeTest, testing::Values(1, 2, 3, 5));
 
 TEST_F(WindowTest, TheWindowFitsAScreenAtTwiceTheScale) {
+  window().showWelcome(true);
+  settle();
   // 1600 x 1000 pixels at 200 % are 800 x 500 logical ones.
   EXPECT_LE(window().minimumSizeHint().width(), 800);
   EXPECT_LE(window().minimumSizeHint().height(), 500);

@@ -8,6 +8,8 @@
 #include <QToolButton>
 #include <QWidgetAction>
 
+#include <utility>
+
 namespace viscera::app {
 namespace {
 
@@ -32,6 +34,16 @@ constexpr TissueColor kTissues[] = {
     {QT_TRANSLATE_NOOP("Tissue", "Gall"), "#6f8f4e"},
 };
 constexpr int kColumns = 6;
+
+/// Words in the names of files and segments, English and Latin; the first that fits counts.
+constexpr std::pair<const char*, const char*> kWords[] = {
+    {"liver", "#9b4a3c"},    {"hepar", "#9b4a3c"},   {"kidney", "#b0604f"},   {"ren_", "#b0604f"},
+    {"spleen", "#8d4a63"},   {"stomach", "#d99a86"}, {"bowel", "#e0b39a"},    {"colon", "#d8a58c"},
+    {"intestin", "#e0b39a"}, {"duoden", "#dfae94"},  {"pancrea", "#e0b878"},  {"gall", "#6f8f4e"},
+    {"lung", "#e3aaa9"},     {"bone", "#e9e0c9"},    {"vertebra", "#e9e0c9"}, {"rib", "#e9e0c9"},
+    {"aorta", "#cf3a32"},    {"arter", "#cf3a32"},   {"vein", "#4b66b8"},     {"cava", "#4b66b8"},
+    {"portal", "#4b66b8"},   {"heart", "#a8483f"},   {"muscle", "#b5483f"},   {"bladder", "#d9b36a"},
+    {"brain", "#e3c4b8"},    {"tumo", "#c9b13d"}};
 
 void openDialog(QWidget* parent, const QColor& present, const std::function<void(const QColor&)>& chosen,
                 const std::function<void()>& finished) {
@@ -75,6 +87,13 @@ QIcon swatch(const QColor& color) {
     icon.addPixmap(pixmap, QIcon::Selected);
   }
   return icon;
+}
+
+std::optional<QColor> tissueColor(const QString& name) {
+  for (const auto& [word, color] : kWords)
+    if (name.contains(QLatin1String(word), Qt::CaseInsensitive))
+      return QColor(QLatin1String(color));
+  return std::nullopt;
 }
 
 void chooseColor(QWidget* parent, const QPoint& globalPlace, const QColor& present,

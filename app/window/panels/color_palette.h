@@ -4,6 +4,7 @@
 #include <QIcon>
 
 #include <functional>
+#include <optional>
 
 #include "viscera/core/arrays.h"
 
@@ -17,6 +18,9 @@ Vec3 asVec3(const QColor& color);
 
 /// A rounded square of that colour, for lists.
 QIcon swatch(const QColor& color);
+
+/// The colour of the tissue that a name speaks of ("liver_left.vtk" is liver); none for other names.
+std::optional<QColor> tissueColor(const QString& name);
 
 /// Lets the user choose a colour beside what was clicked: tissue colours at once, any other from a dialog
 /// that does not block the window. `chosen` is called for every colour that is tried, `finished` at the end.

@@ -43,7 +43,7 @@ PlayPage::PlayPage(Playback& playback, VolumeMonitor& volumes, const Actions& ac
   table_->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   add(table_);
   output_ = addFact(tr("Cardiac output"));
-  addRemark(tr("Volumes in ml, over the last beats. SV is the stroke volume, EF the ejection fraction."));
+  addRemark(tr("Volumes in ml. SV is the stroke volume, EF the ejection fraction."));
   finish();
   connect(speed_, QOverload<int>::of(&QComboBox::activated), this,
           [this](int index) { playback_.setSpeed(speed_->itemData(index).toDouble()); });

@@ -84,7 +84,7 @@ void TimelineBar::setSequence(const QString& name, const QString& rateUnit, doub
 
 void TimelineBar::clearSequence() {
   setEnabled(false);
-  scrubber_->setPhases({{tr("No motion: the sample heart brings its own (Organ > Sample organs)"), 0, 1}});
+  scrubber_->setPhases({{tr("No motion here: sample organs bring their own (Organ > Sample organs)"), 0, 1}});
   scrubber_->setFraction(0);
   phase_->clear();
 }

@@ -1,14 +1,13 @@
 #include "window/timeline/volume_monitor.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace viscera::app {
 namespace {
 constexpr int kUpdateMilliseconds = 100;
 /// Rows kept: two minutes at 60 frames a second.
 constexpr std::size_t kRows = 7200;
-/// The extremes are looked for in so many of the last beats: frames do not meet them in every beat.
-constexpr double kBeats = 5;
 } // namespace
 
 VolumeMonitor::VolumeMonitor(Workspace& workspace, Playback& playback, QObject* parent)
@@ -22,7 +21,7 @@ VolumeMonitor::VolumeMonitor(Workspace& workspace, Playback& playback, QObject* 
   connect(&playback, &Playback::advanced, this, &VolumeMonitor::sample);
   connect(&playback, &Playback::stateChanged, this, [this] {
     if (!playback_.showing())
-      record_.clear();
+      restart();
   });
   subscriptions_.push_back(workspace.onChange([this](const session::Change& change) {
     if (change.organs())
@@ -52,6 +51,7 @@ void VolumeMonitor::rebuild() {
     return;
   lines_ = std::move(lines);
   record_ = session::VolumeRecord(std::move(names), kRows);
+  extremes_.clear();
   refresh();
   Q_EMIT linesChanged();
 }
@@ -63,41 +63,52 @@ void VolumeMonitor::refresh() {
       line.nowMl = workspace_.live().volume(line.organ).nowMl;
 }
 
+void VolumeMonitor::restart() {
+  record_.clear();
+  extremes_.clear();
+}
+
 void VolumeMonitor::sample() {
   refresh();
+  // Organs that are not bound yet stand still: that is no part of the beat.
+  if (workspace_.live().busy())
+    return;
+  const session::Player& player = playback_.player();
+  if (extremes_.size() != lines_.size() || player.ratePerMinute() != sampledRate_) {
+    constexpr double kNothing = std::numeric_limits<double>::infinity();
+    extremes_.assign(lines_.size(), {kNothing, -kNothing});
+    sampledSince_ = player.playedSeconds();
+    sampledRate_ = player.ratePerMinute();
+  }
   std::vector<double> row;
-  for (const Line& line : lines_)
-    row.push_back(line.nowMl);
-  if (!row.empty())
-    record_.add(playback_.player().playedSeconds(), row);
+  for (std::size_t line = 0; line < lines_.size(); ++line) {
+    const double volume = lines_[line].nowMl;
+    row.push_back(volume);
+    extremes_[line] = {std::min(extremes_[line].low, volume), std::max(extremes_[line].high, volume)};
+  }
+  // The same instant again (another mode, another rate) is no news; a record that is given one begins anew.
+  const bool again = record_.rows() > 0 && record_.seconds(record_.rows() - 1) == player.playedSeconds();
+  if (!row.empty() && !again)
+    record_.add(player.playedSeconds(), row);
   if (!throttle_.isActive())
     throttle_.start();
 }
 
-std::vector<double> VolumeMonitor::lastBeats(std::size_t line) const {
-  const double period = playback_.player().periodSeconds();
-  const std::size_t rows = record_.rows();
-  if (rows < 2 || period <= 0)
-    return {};
-  const double last = record_.seconds(rows - 1);
-  if (last - record_.seconds(0) < period)
-    return {};
-  return record_.column(line, last - kBeats * period);
+bool VolumeMonitor::beatSeen() const {
+  const session::Player& player = playback_.player();
+  return !extremes_.empty() && player.playedSeconds() - sampledSince_ >= player.periodSeconds();
 }
 
 std::optional<scene::ValueRange> VolumeMonitor::range(std::size_t line) const {
-  const std::vector<double> volumes = lastBeats(line);
-  if (volumes.empty())
+  if (!beatSeen())
     return std::nullopt;
-  const auto [low, high] = std::minmax_element(volumes.begin(), volumes.end());
-  return scene::ValueRange{*low, *high};
+  return extremes_[line];
 }
 
 std::optional<session::CardiacIndices> VolumeMonitor::indices(std::size_t line) const {
-  const std::vector<double> volumes = lastBeats(line);
-  if (!lines_[line].cavity || volumes.empty())
+  if (!lines_[line].cavity || !beatSeen())
     return std::nullopt;
-  return session::cardiacIndices(volumes, playback_.player().ratePerMinute());
+  return session::cardiacIndices({extremes_[line].low, extremes_[line].high}, sampledRate_);
 }
 
 } // namespace viscera::app

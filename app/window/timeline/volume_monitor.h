@@ -35,9 +35,9 @@ public:
   const std::vector<Line>& lines() const { return lines_; }
   /// The record of the sequence as played; one column a line.
   const session::VolumeRecord& record() const { return record_; }
-  /// Of a cavity, over the last beats; none before one whole beat was played.
+  /// Of a cavity, since the motion began or its rate changed; none before one whole beat was played.
   std::optional<session::CardiacIndices> indices(std::size_t line) const;
-  /// The smallest and the largest volume over the last beats, ml; none before one whole beat was played.
+  /// The smallest and the largest volume since then, ml; none before one whole beat was played.
   std::optional<scene::ValueRange> range(std::size_t line) const;
   /// Volumes as they are this moment.
   void refresh();
@@ -51,13 +51,18 @@ Q_SIGNALS:
 private:
   void rebuild();
   void sample();
-  /// One line's volumes over the last beats; empty before one whole beat was played.
-  std::vector<double> lastBeats(std::size_t line) const;
+  /// Forgets what was recorded.
+  void restart();
+  /// Whether one whole beat was seen since.
+  bool beatSeen() const;
 
   Workspace& workspace_;
   Playback& playback_;
   std::vector<Line> lines_;
   session::VolumeRecord record_;
+  std::vector<scene::ValueRange> extremes_; ///< For each line; frames do not meet the extremes in every beat.
+  double sampledSince_ = 0;
+  double sampledRate_ = 0;
   QTimer throttle_;
   std::vector<session::Subscription> subscriptions_;
 };

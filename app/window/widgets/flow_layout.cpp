@@ -29,11 +29,20 @@ int FlowLayout::heightForWidth(int width) const {
   return arrange(QRect(0, 0, width, 0), false);
 }
 
+QSize FlowLayout::sizeHint() const {
+  QSize size(-spacing(), 0);
+  for (const QLayoutItem* item : items_) {
+    const QSize hint = item->sizeHint();
+    size = {size.width() + spacing() + hint.width(), std::max(size.height(), hint.height())};
+  }
+  return size.grownBy(contentsMargins());
+}
+
 QSize FlowLayout::minimumSize() const {
   QSize size;
   for (const QLayoutItem* item : items_)
     size = size.expandedTo(item->minimumSize());
-  return size;
+  return size.grownBy(contentsMargins());
 }
 
 void FlowLayout::setGeometry(const QRect& rect) {
@@ -41,7 +50,8 @@ void FlowLayout::setGeometry(const QRect& rect) {
   arrange(rect, true);
 }
 
-int FlowLayout::arrange(const QRect& rect, bool place) const {
+int FlowLayout::arrange(const QRect& outer, bool place) const {
+  const QRect rect = outer.marginsRemoved(contentsMargins());
   int x = rect.left();
   int y = rect.top();
   int lineHeight = 0;
@@ -59,7 +69,7 @@ int FlowLayout::arrange(const QRect& rect, bool place) const {
     x += size.width() + spacing();
     lineHeight = std::max(lineHeight, size.height());
   }
-  return y + lineHeight - rect.top();
+  return y + lineHeight - rect.top() + outer.height() - rect.height();
 }
 
 } // namespace viscera::app
