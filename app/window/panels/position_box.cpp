@@ -31,6 +31,7 @@ PositionBox::PositionBox(Workspace& workspace, Of what, QWidget* parent)
     label->setObjectName(QStringLiteral("muted"));
     auto* field = new QDoubleSpinBox(fieldBox_);
     field->setRange(-kFarthest, kFarthest);
+    field->setButtonSymbols(QAbstractSpinBox::NoButtons);
     field->setDecimals(2);
     field->setSingleStep(1);
     field->setSuffix(tr(" mm"));
