@@ -1,0 +1,72 @@
+#include <benchmark/benchmark.h>
+
+#include "bench_scenes.h"
+#include "viscera/coordinates/celestial/s_celestial.h"
+#include "viscera/deformation/bind_organ.h"
+#include "viscera/deformation/deformer.h"
+
+namespace viscera::deformation {
+namespace {
+
+/// 172,974 vertices bound to 30 handles.
+Deformer largeDeformer(int threads) {
+  const auto organ = std::make_shared<const geometry::TriangleMesh>(bench::largeBlob());
+  coordinates::HandleSet handles;
+  handles.positions = bench::handlesFor(*organ);
+  Progress progress;
+  const auto binding =
+      bindOrgan(coordinates::SCelestial(), handles, organ->points, {{}, {threads}}, progress);
+  return Deformer(organ, binding, handles.positions, {threads});
+}
+
+/// One step of dragging a handle, with all that a frame shows. Argument: threads.
+void drag(benchmark::State& state) {
+  Deformer deformer = largeDeformer(static_cast<int>(state.range(0)));
+  const Vec3 start = deformer.restHandles().row(12).transpose();
+  int step = 0;
+  for (auto _ : state) {
+    deformer.moveHandle(12, start + Vec3(0.1 * (++step % 50), 0, 0));
+    benchmark::DoNotOptimize(deformer.normals().data());
+    benchmark::DoNotOptimize(deformer.volumeMm3());
+    benchmark::DoNotOptimize(deformer.volumeGradient().data());
+  }
+}
+BENCHMARK(drag)->Arg(1)->Arg(2)->ArgName("threads")->Unit(benchmark::kMillisecond)->UseRealTime();
+
+/// The parts of it: moving the points (0), normals (1), volume (2), the volume's gradient (3).
+void dragPart(benchmark::State& state) {
+  Deformer deformer = largeDeformer(static_cast<int>(state.range(0)));
+  const Vec3 start = deformer.restHandles().row(12).transpose();
+  const long part = state.range(1);
+  int step = 0;
+  for (auto _ : state) {
+    const Vec3 to = start + Vec3(0.1 * (++step % 50), 0, 0);
+    if (part > 0)
+      state.PauseTiming();
+    deformer.moveHandle(12, to);
+    if (part > 0)
+      state.ResumeTiming();
+    if (part == 1)
+      benchmark::DoNotOptimize(deformer.normals().data());
+    if (part == 2)
+      benchmark::DoNotOptimize(deformer.volumeMm3());
+    if (part == 3)
+      benchmark::DoNotOptimize(deformer.volumeGradient().data());
+  }
+}
+BENCHMARK(dragPart)
+    ->ArgsProduct({{2}, {0, 1, 2, 3}})
+    ->ArgNames({"threads", "part"})
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
+
+/// Automatic handles on a large organ.
+void placeThirtyHandles(benchmark::State& state) {
+  const geometry::TriangleMesh organ = bench::largeBlob();
+  for (auto _ : state)
+    benchmark::DoNotOptimize(placeHandles(organ));
+}
+BENCHMARK(placeThirtyHandles)->Unit(benchmark::kMillisecond)->UseRealTime();
+
+} // namespace
+} // namespace viscera::deformation
