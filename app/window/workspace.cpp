@@ -7,11 +7,11 @@
 namespace viscera::app {
 
 Workspace::Workspace(plugin::Registry registry, QObject* parent)
-    : QObject(parent), undo_(document_), selection_(document_), registry_(std::move(registry)),
+    : QObject(parent), undo_(document_), registry_(std::move(registry)),
       jobs_([this](std::function<void()> work) {
         QMetaObject::invokeMethod(this, std::move(work), Qt::QueuedConnection);
       }),
-      live_(document_, registry_, jobs_) {}
+      live_(document_, registry_, jobs_), selection_(document_) {}
 
 Workspace::~Workspace() = default;
 

@@ -52,12 +52,14 @@ Q_SIGNALS:
   void messageRaised(const viscera::app::Message& message);
 
 private:
+  // The live binding hears of every change before the selection does: whoever is told that the selection
+  // changed may ask it about any organ of the document.
   session::Document document_;
   session::UndoStack undo_;
-  session::Selection selection_;
   plugin::Registry registry_;
   session::JobQueue jobs_;
   session::LiveBinding live_;
+  session::Selection selection_;
 };
 
 /// "83.4 ml", "938 ml": three or four significant digits.

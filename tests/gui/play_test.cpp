@@ -101,5 +101,23 @@ TEST_F(PlayMode, OpeningAFileTakesThePlaceOfTheSampleAndUndoBringsItBackWithItsM
   EXPECT_NE(window().playback().sequence(), nullptr);
 }
 
+TEST_F(PlayMode, UndoOfOpeningAFileIsHeardByEveryPanelThoughTheSelectionGoesWithIt) {
+  key(Qt::Key_2);
+  ASSERT_EQ(window().mode(), app::Mode::handles);
+  open(sphereFile());
+  session::Selection& selection = window().workspace().selection();
+  ASSERT_TRUE(selection.organ());
+  selection.setHandles({document().rig().handles.front().id});
+  settle();
+  window().workspace().undo().undo();
+  EXPECT_EQ(document().organs().size(), 3u);
+  EXPECT_FALSE(selection.organ());
+  EXPECT_TRUE(selection.handles().empty());
+  selection.setHandles({document().rig().handles.front().id});
+  settle();
+  window().workspace().undo().redo();
+  EXPECT_EQ(document().organs().size(), 1u);
+}
+
 } // namespace
 } // namespace viscera::tests

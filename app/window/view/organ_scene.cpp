@@ -156,7 +156,9 @@ void OrganScene::syncInfluence() {
   std::map<session::OrganId, std::shared_ptr<const Values>> influences;
   scene::ValueRange range{0, 0};
   for (const auto& [id, shown] : shown_) {
-    Values influence = show ? workspace_.live().influence(id, handle) : Values();
+    // What is drawn may outlive its organ for a moment: the selection can change before this observer hears.
+    const bool present = static_cast<bool>(workspace_.document().organ(id));
+    Values influence = show && present ? workspace_.live().influence(id, handle) : Values();
     if (influence.size() == 0)
       continue;
     influence *= kPercent;
