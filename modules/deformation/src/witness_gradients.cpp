@@ -15,33 +15,50 @@ constexpr Eigen::Index kTilesATime = 16;
 } // namespace
 
 StressStatistics statisticsOf(const StressMap& map) {
+  return statisticsOf(map, map.rotationalStress.size());
+}
+
+StressStatistics statisticsOf(const StressMap& map, Eigen::Index count) {
+  assert(count >= 0 && count <= map.rotationalStress.size());
   StressStatistics statistics;
-  statistics.folded = map.folded;
-  if (map.rotationalStress.size() == 0)
+  if (count == 0)
     return statistics;
-  statistics.min = map.rotationalStress.minCoeff();
-  statistics.mean = map.rotationalStress.mean();
-  statistics.max = map.rotationalStress.maxCoeff();
-  Values sorted = map.rotationalStress;
-  const auto rank = static_cast<Eigen::Index>(std::ceil(0.95 * static_cast<double>(sorted.size()))) - 1;
+  Values sorted = map.rotationalStress.head(count);
+  statistics.folded = static_cast<int>((map.volumeRatio.head(count).array() <= 0).count());
+  statistics.min = sorted.minCoeff();
+  statistics.mean = sorted.mean();
+  statistics.max = sorted.maxCoeff();
+  const auto rank = static_cast<Eigen::Index>(std::ceil(0.95 * static_cast<double>(count))) - 1;
   std::nth_element(sorted.begin(), sorted.begin() + rank, sorted.end());
   statistics.percentile95 = sorted[rank];
   return statistics;
 }
 
+WitnessGradients::WitnessGradients(Eigen::Index witnesses, Eigen::Index handles)
+    : witnesses_(witnesses), handles_(handles), failed_(static_cast<std::size_t>(witnesses), false),
+      data_(static_cast<std::size_t>((witnesses + kTile - 1) / kTile * kTile * handles * 3), 0.0) {}
+
 WitnessGradients::WitnessGradients(const coordinates::CoordinateGradients& gradients, Eigen::Index witnesses,
                                    Eigen::Index handles)
-    : witnesses_(witnesses), handles_(handles), closedForm_(gradients.closedForm),
-      failures_(gradients.failures), failed_(static_cast<std::size_t>(witnesses), false),
-      data_(static_cast<std::size_t>((witnesses + kTile - 1) / kTile * kTile * handles * 3), 0.0) {
-  assert(gradients.values.rows() == witnesses * handles);
-  for (const int witness : failures_)
-    failed_[static_cast<std::size_t>(witness)] = true;
-  for (Eigen::Index w = 0; w < witnesses; ++w)
-    for (Eigen::Index h = 0; h < handles; ++h)
+    : WitnessGradients(witnesses, handles) {
+  put(0, gradients, witnesses);
+}
+
+void WitnessGradients::put(Eigen::Index begin, const coordinates::CoordinateGradients& gradients,
+                           Eigen::Index count) {
+  assert(gradients.values.rows() == count * handles_ && begin + count <= witnesses_);
+  closedForm_ = closedForm_ && gradients.closedForm;
+  for (const int failure : gradients.failures) {
+    failures_.push_back(static_cast<int>(begin) + failure);
+    failed_[static_cast<std::size_t>(failures_.back())] = true;
+  }
+  for (Eigen::Index i = 0; i < count; ++i) {
+    const Eigen::Index w = begin + i;
+    for (Eigen::Index h = 0; h < handles_; ++h)
       for (Eigen::Index axis = 0; axis < 3; ++axis)
-        data_[static_cast<std::size_t>(((w / kTile * handles + h) * 3 + axis) * kTile + w % kTile)] =
-            gradients.values(w * handles + h, axis);
+        data_[static_cast<std::size_t>(((w / kTile * handles_ + h) * 3 + axis) * kTile + w % kTile)] =
+            gradients.values(i * handles_ + h, axis);
+  }
 }
 
 Eigen::Matrix3d WitnessGradients::deformationGradient(Eigen::Index witness, const Points& pose) const {

@@ -6,6 +6,7 @@
 
 #include "viscera/coordinates/built_in_systems.h"
 #include "viscera/core/error.h"
+#include "viscera/deformation/bind_witnesses.h"
 
 namespace viscera::deformation {
 namespace {
@@ -96,9 +97,46 @@ TEST_F(WitnessGradientsTest, CountsWhatIsFolded) {
   EXPECT_EQ(map.folded, 40);
 }
 
+TEST_F(WitnessGradientsTest, AreTheSameWhenTheyComeInPortions) {
+  WitnessGradients portions(points_.rows(), handles_.positions.rows());
+  Progress progress;
+  for (const auto& [begin, count] : {std::pair{0, 17}, {17, 23}})
+    portions.put(begin, system_->gradients(handles_, points_.middleRows(begin, count), {}, progress), count);
+  StressMap whole, inPortions;
+  witnesses().evaluate(pose_, whole);
+  portions.evaluate(pose_, inPortions);
+  EXPECT_EQ(whole.rotationalStress, inPortions.rotationalStress);
+  const auto bound = bindWitnesses(*system_, handles_, points_, {}, progress);
+  bound->evaluate(pose_, inPortions);
+  EXPECT_EQ(whole.stretchMin, inPortions.stretchMin);
+  EXPECT_TRUE(bound->closedForm());
+}
+
+TEST_F(WitnessGradientsTest, NameAPointOutsideTheHullWhateverItsPortion) {
+  Points many(20'000, 3);
+  for (Eigen::Index i = 0; i < many.rows(); ++i)
+    many.row(i) = points_.row(i % points_.rows());
+  many.row(19'000) << 0, 0, 500;
+  Progress progress;
+  EXPECT_EQ(bindWitnesses(*system_, handles_, many, {}, progress)->failures(), std::vector<int>{19'000});
+  progress.cancel();
+  EXPECT_THROW(bindWitnesses(*system_, handles_, many, {}, progress), Cancelled);
+}
+
+TEST_F(WitnessGradientsTest, StatisticsOfTheFirstPointsLeaveTheOthersOut) {
+  StressMap map;
+  map.rotationalStress = Values::LinSpaced(101, 0, 1);
+  map.volumeRatio = Values::Ones(101);
+  map.volumeRatio.tail(3).setConstant(-1);
+  EXPECT_NEAR(statisticsOf(map, 51).max, 0.5, 1e-12);
+  EXPECT_EQ(statisticsOf(map, 51).folded, 0);
+  EXPECT_EQ(statisticsOf(map).folded, 3);
+}
+
 TEST_F(WitnessGradientsTest, StatisticsAreThoseOfTheSortedValues) {
   StressMap map;
   map.rotationalStress = Values::LinSpaced(101, 0, 1);
+  map.volumeRatio = Values::Ones(101);
   const auto statistics = statisticsOf(map);
   EXPECT_DOUBLE_EQ(statistics.min, 0);
   EXPECT_NEAR(statistics.mean, 0.5, 1e-12);

@@ -26,15 +26,24 @@ struct StressStatistics {
   int folded = 0;
 };
 StressStatistics statisticsOf(const StressMap& map);
+/// Of the first `count` points of the map only: a `WitnessMesh` has its witness points first.
+StressStatistics statisticsOf(const StressMap& map, Eigen::Index count);
 
 /// The derivatives of the coordinates at fixed witness points inside an organ, laid out so that a new pose's
-/// whole map is one pass: `M = sum_i v'_i (grad a_i)^T` (thesis 5.2). Immutable, thread-safe.
+/// whole map is one pass: `M = sum_i v'_i (grad a_i)^T` (thesis 5.2). Thread-safe once it is filled.
 class WitnessGradients {
 public:
   /// `gradients` of `witnesses` points with respect to `handles` handles; points in its failures get the
   /// identity.
   WitnessGradients(const coordinates::CoordinateGradients& gradients, Eigen::Index witnesses,
                    Eigen::Index handles);
+
+  /// For `witnesses` points that `put` brings in portions; until then their derivatives are zero.
+  WitnessGradients(Eigen::Index witnesses, Eigen::Index handles);
+
+  /// Fills in the points [begin, begin + count), whose numbers in the failures of `gradients` begin with 0.
+  /// Portions come in ascending order.
+  void put(Eigen::Index begin, const coordinates::CoordinateGradients& gradients, Eigen::Index count);
 
   Eigen::Index witnesses() const { return witnesses_; }
   Eigen::Index handles() const { return handles_; }
@@ -54,7 +63,7 @@ private:
 
   Eigen::Index witnesses_;
   Eigen::Index handles_;
-  bool closedForm_;
+  bool closedForm_ = true;
   std::vector<int> failures_;
   std::vector<bool> failed_;
   std::vector<double> data_; ///< Tiles of 16 witnesses: handle by handle, x, y, z of the 16 gradients.

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "viscera/core/arrays.h"
+
+namespace viscera::deformation {
+
+/// `t x 4` corners of tetrahedra, row major. Positive: `(b - a) x (c - a) . (d - a) > 0`, the order that
+/// VTK's `VTK_TETRA` wants too.
+using Tetrahedra = Eigen::Matrix<std::int32_t, Eigen::Dynamic, 4, Eigen::RowMajor>;
+
+/// `e x 2` point indices, the smaller one first, row major.
+using Edges = Eigen::Matrix<std::int32_t, Eigen::Dynamic, 2, Eigen::RowMajor>;
+
+/// The interior of an organ at rest: witness points, at which distortion is measured (thesis 5.2), joined to
+/// tetrahedra so that what is measured can be drawn as a solid.
+struct WitnessMesh {
+  /// `n x 3`, mm, LPS, at rest. The witness points, strictly inside the organ, come first; those behind them
+  /// lie on its surface and only close the solid.
+  Points points;
+  Tetrahedra tetrahedra;      ///< `t x 4` indices into `points`, positive.
+  Eigen::Index witnesses = 0; ///< Rows [0, witnesses) of `points` are witness points.
+
+  bool isWitness(Eigen::Index point) const { return point < witnesses; }
+};
+
+/// Signed volumes of the tetrahedra, `t` numbers, mm^3. O(t).
+Values tetrahedronVolumes(const Points& points, const Tetrahedra& tetrahedra);
+
+/// The edges of the tetrahedra, each once, sorted. O(t log t).
+Edges edgesOf(const Tetrahedra& tetrahedra);
+
+/// The triangles that belong to one tetrahedron only, outward: the skin of the solid. Sorted by their
+/// corners' indices. O(t log t).
+Triangles skinOf(const Tetrahedra& tetrahedra);
+
+/// Throws `DataError` that names the first offending element: a coordinate that is not finite, an index out
+/// of range, a tetrahedron that is turned around or has no volume (below 1e-15 of the box), more witnesses
+/// than points, or no witness at all. `where` names the mesh in the message. O(n + t).
+void requireUsable(const WitnessMesh& mesh, const std::string& where);
+
+} // namespace viscera::deformation
