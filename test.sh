@@ -38,6 +38,9 @@ start_display() {
   unset WAYLAND_DISPLAY XAUTHORITY
 }
 
+# Several tests run at once, each on several threads: one that waits must not keep a processor from one that works.
+export OMP_WAIT_POLICY=passive
+
 # Tests neither read nor change the settings of whoever runs them; pictures are drawn by Mesa's software renderer, the
 # same on every machine.
 use_own_environment() {

@@ -19,6 +19,8 @@ namespace {
 constexpr int kMostNewtonSteps = 20;
 /// A selection whose gradient is this much smaller than the surface cannot change the volume.
 constexpr double kNoInfluence = 1e-12;
+/// Above this a form takes longer to make than a user would wait at the first drag: one or two seconds.
+constexpr double kMostFormWork = 4e9;
 /// The polynomial's root is as good as rounding allows; more Newton steps than this only follow noise.
 constexpr double kRoundingOfVolume = 1e-13;
 
@@ -49,7 +51,9 @@ VolumeLock::VolumeLock(std::vector<LockedSurface> surfaces, Threads threads)
     assert(surface.rest->points.rows() == surface.binding->pointCount());
     assert(surface.binding->handleCount() == surfaces_.front().binding->handleCount());
     requireLockable(surface);
-    topology_.push_back({geometry::vertexTriangles(surface.rest->points.rows(), surface.rest->triangles)});
+    topology_.push_back(std::make_unique<Surface>());
+    topology_.back()->around =
+        geometry::vertexTriangles(surface.rest->points.rows(), surface.rest->triangles);
   }
 }
 
@@ -58,6 +62,16 @@ void VolumeLock::setTarget(std::size_t surface, double targetMm3) {
   changed.targetMm3 = targetMm3;
   requireLockable(changed);
   surfaces_[surface] = std::move(changed);
+}
+
+const VolumeForm* VolumeLock::form(std::size_t surface) const {
+  const LockedSurface& locked = surfaces_[surface];
+  const Surface& own = *topology_[surface];
+  std::call_once(own.formAsked, [&] {
+    if (VolumeForm::work(locked.binding->pointCount(), locked.binding->handleCount()) <= kMostFormWork)
+      own.form = VolumeForm::of(*locked.rest, *locked.binding, threads_);
+  });
+  return own.form ? &*own.form : nullptr;
 }
 
 void VolumeLock::shape(std::size_t surface, const Points& pose, Points& points) const {
@@ -74,27 +88,50 @@ std::vector<double> VolumeLock::volumes(const Points& pose) const {
   return result;
 }
 
-double VolumeLock::relativeError(const Points& pose) const {
-  const auto now = volumes(pose);
+double VolumeLock::volume(std::size_t surface, const Points& pose) const {
+  if (const VolumeForm* known = form(surface))
+    return known->volume(pose);
+  Points points;
+  shape(surface, pose, points);
+  return geometry::volume(points, surfaces_[surface].rest->triangles, threads_);
+}
+
+double VolumeLock::error(const std::vector<double>& volumes) const {
   double worst = 0;
   for (std::size_t k = 0; k < surfaces_.size(); ++k)
-    worst = std::max(worst, std::abs(now[k] - surfaces_[k].targetMm3) / surfaces_[k].targetMm3);
+    worst = std::max(worst, std::abs(volumes[k] - surfaces_[k].targetMm3) / surfaces_[k].targetMm3);
   return worst;
 }
 
-Points VolumeLock::gradient(std::size_t surface, const Points& pose) const {
+double VolumeLock::expectedError(const Points& pose) const {
+  std::vector<double> now;
+  for (std::size_t k = 0; k < surfaces_.size(); ++k)
+    now.push_back(volume(k, pose));
+  return error(now);
+}
+
+Points VolumeLock::gradientOnSurface(std::size_t surface, const Points& pose) const {
   const auto& locked = surfaces_[surface];
   Points points, ofPoints, ofHandles;
   shape(surface, pose, points);
-  geometry::volumeGradient(points, locked.rest->triangles, topology_[surface].around, ofPoints, threads_);
+  geometry::volumeGradient(points, locked.rest->triangles, topology_[surface]->around, ofPoints, threads_);
   locked.binding->pullBack(pose, ofPoints, ofHandles, threads_);
+  return ofHandles;
+}
+
+Points VolumeLock::gradient(std::size_t surface, const Points& pose) const {
+  const VolumeForm* known = form(surface);
+  if (!known)
+    return gradientOnSurface(surface, pose);
+  Points ofHandles;
+  known->gradient(pose, ofHandles);
   return ofHandles;
 }
 
 Points VolumeLock::translationGradient(const Points& pose, const std::vector<int>& selection) const {
   Points rows = Points::Zero(static_cast<Eigen::Index>(surfaces_.size()), 3);
   for (std::size_t k = 0; k < surfaces_.size(); ++k) {
-    const Points handles = gradient(k, pose);
+    const Points handles = gradientOnSurface(k, pose);
     for (const int handle : selection)
       rows.row(static_cast<Eigen::Index>(k)) += handles.row(handle);
   }
@@ -121,12 +158,12 @@ Vec3 VolumeLock::nearestTranslation(const Points& pose, const std::vector<int>& 
   return wanted + Vec3(constraints.completeOrthogonalDecomposition().solve(missing - constraints * wanted));
 }
 
-/// The step along `direction` that gives the only surface its target; NaN when there is none within
-/// `limitMm`.
-double VolumeLock::cubicStep(const Points& pose, const Points& direction, double limitMm) const {
-  const auto& locked = surfaces_.front();
-  const auto& triangles = locked.rest->triangles;
-  const auto& around = topology_.front().around;
+/// The only surface's volume at `pose + s direction` as a cubic in s.
+std::array<double, 4> VolumeLock::along(const Points& pose, const Points& direction) const {
+  if (const VolumeForm* known = form(0))
+    return known->along(pose, direction);
+  const auto& triangles = surfaces_.front().rest->triangles;
+  const auto& around = topology_.front()->around;
   Points points, moved, gradientAtPoints, gradientAtMotion;
   shape(0, pose, points);
   shape(0, pose + direction, moved);
@@ -134,15 +171,18 @@ double VolumeLock::cubicStep(const Points& pose, const Points& direction, double
   // V is a cubic form of the points: V(P + sQ) = V(P) + s DV(P)[Q] + s^2 DV(Q)[P] + s^3 V(Q).
   geometry::volumeGradient(points, triangles, around, gradientAtPoints, threads_);
   geometry::volumeGradient(motion, triangles, around, gradientAtMotion, threads_);
-  const std::array<double, 4> cubic = {
-      geometry::volume(points, triangles, threads_) - locked.targetMm3,
-      innerProduct(gradientAtPoints, motion),
-      innerProduct(gradientAtMotion, points),
-      geometry::volume(motion, triangles, threads_),
-  };
+  return {geometry::volume(points, triangles, threads_), innerProduct(gradientAtPoints, motion),
+          innerProduct(gradientAtMotion, points), geometry::volume(motion, triangles, threads_)};
+}
+
+/// The step along `direction` that gives the only surface its target; NaN when there is none within
+/// `limitMm`.
+double VolumeLock::cubicStep(const Points& pose, const Points& direction, double limitMm) const {
   const double longest = longestRow(direction);
   if (longest == 0)
     return std::nan("");
+  std::array<double, 4> cubic = along(pose, direction);
+  cubic[0] -= surfaces_.front().targetMm3;
   return nearestCubicRoot(cubic, limitMm / longest).value_or(std::nan(""));
 }
 
@@ -150,7 +190,6 @@ double VolumeLock::cubicStep(const Points& pose, const Points& direction, double
 /// singular.
 bool VolumeLock::newtonStep(Points& pose, const std::vector<int>& free, const RestorationModel& model) const {
   const auto count = static_cast<Eigen::Index>(surfaces_.size());
-  const auto now = volumes(pose);
   std::vector<Points> gradients, directions;
   for (std::size_t k = 0; k < surfaces_.size(); ++k) {
     gradients.push_back(gradient(k, pose));
@@ -159,7 +198,7 @@ bool VolumeLock::newtonStep(Points& pose, const std::vector<int>& free, const Re
   Eigen::MatrixXd system(count, count);
   Values missing(count);
   for (Eigen::Index k = 0; k < count; ++k) {
-    missing[k] = surfaces_[std::size_t(k)].targetMm3 - now[std::size_t(k)];
+    missing[k] = surfaces_[std::size_t(k)].targetMm3 - volume(std::size_t(k), pose);
     for (Eigen::Index j = 0; j < count; ++j)
       system(k, j) = innerProduct(gradients[std::size_t(k)], directions[std::size_t(j)]);
   }
@@ -174,41 +213,42 @@ bool VolumeLock::newtonStep(Points& pose, const std::vector<int>& free, const Re
 
 RestoredPose VolumeLock::restore(const Points& wanted, const std::vector<int>& free,
                                  const RestorationModel& model, double limitMm) const {
-  RestoredPose result{wanted, false, 0, relativeError(wanted), {}};
+  RestoredPose result{wanted, false, 0, error(volumes(wanted)), {}};
   const auto fail = [&](const std::string& reason) {
     result.reason = reason;
     return result;
   };
   Points pose = wanted;
-  double error = result.relativeError;
-  if (error > kRoundingOfVolume && free.empty())
+  double left = result.relativeError;
+  if (left > kRoundingOfVolume && free.empty())
     return fail("no handle is left to compensate the change of volume");
-  if (error > kRoundingOfVolume && surfaces_.size() == 1) {
+  if (left > kRoundingOfVolume && surfaces_.size() == 1) {
     const Points direction = model.direction(pose, gradient(0, pose), free);
     const double step = cubicStep(pose, direction, limitMm);
     if (!std::isfinite(step))
       return fail("no compensation within " + std::to_string(std::lround(limitMm)) +
                   " mm restores the volume");
     pose += step * direction;
-    error = relativeError(pose);
+    left = expectedError(pose);
   }
   // Rounding, several surfaces, or coordinates that are not linear: Newton's steps double the digits.
-  for (int i = 0; i < kMostNewtonSteps && error > kRoundingOfVolume; ++i) {
+  for (int i = 0; i < kMostNewtonSteps && left > kRoundingOfVolume; ++i) {
     Points next = pose;
     if (!newtonStep(next, free, model))
       break;
-    const double nextError = relativeError(next);
-    if (!(nextError < error))
+    const double nextLeft = expectedError(next);
+    if (!(nextLeft < left))
       break;
     pose = std::move(next);
-    error = nextError;
+    left = nextLeft;
   }
   const double shift = longestRow(pose - wanted);
-  if (!(error <= kRelativeTolerance))
+  const double reached = error(volumes(pose));
+  if (!(reached <= kRelativeTolerance))
     return fail("the handles that may compensate cannot restore the volume");
   if (shift > limitMm)
     return fail("restoring the volume would move a handle by " + std::to_string(std::lround(shift)) + " mm");
-  return {std::move(pose), true, shift, error, {}};
+  return {std::move(pose), true, shift, reached, {}};
 }
 
 } // namespace viscera::deformation

@@ -1,11 +1,15 @@
 #pragma once
 
+#include <array>
 #include <memory>
+#include <mutex>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "viscera/coordinates/binding.h"
 #include "viscera/deformation/restoration_model.h"
+#include "viscera/deformation/volume_form.h"
 #include "viscera/geometry/triangle_mesh.h"
 
 namespace viscera::deformation {
@@ -33,9 +37,12 @@ struct RestoredPose {
 /// Linear coordinates make the volume affine in the common translation of any set of handles (the
 /// thesis's 5.1.3 for one handle; for several because det(u, u, .) = 0), so such a drag is projected onto a
 /// plane and stays exact. Any other change of pose is followed by a compensation: the free handles move along
-/// a direction U, and as the volume of `H + s U` is a cubic in s whose coefficients follow from two sums over
-/// the triangles, its root is exact as well. Several surfaces at once, and coordinates that are not linear in
-/// the pose, are finished by Newton steps.
+/// a direction U, and as the volume of `H + s U` is a cubic in s, its root is exact as well. Several surfaces
+/// at once, and coordinates that are not linear in the pose, are finished by Newton steps.
+///
+/// Compensations work on each surface's `VolumeForm`, made when the first one is asked for, so that they do
+/// not pass over the surface again and again; what they report is measured on the surface itself. Where a
+/// form does not exist or would take too long to make, they pass over the surface.
 ///
 /// Immutable but for the targets; const members may be called from several threads.
 class VolumeLock {
@@ -69,16 +76,23 @@ public:
 private:
   struct Surface {
     geometry::VertexTriangles around;
+    mutable std::once_flag formAsked;
+    mutable std::optional<VolumeForm> form;
   };
 
+  const VolumeForm* form(std::size_t surface) const;
   void shape(std::size_t surface, const Points& pose, Points& points) const;
+  Points gradientOnSurface(std::size_t surface, const Points& pose) const;
   Points gradient(std::size_t surface, const Points& pose) const;
-  double relativeError(const Points& pose) const;
+  double volume(std::size_t surface, const Points& pose) const;
+  double error(const std::vector<double>& volumes) const;
+  double expectedError(const Points& pose) const;
+  std::array<double, 4> along(const Points& pose, const Points& direction) const;
   double cubicStep(const Points& pose, const Points& direction, double limitMm) const;
   bool newtonStep(Points& pose, const std::vector<int>& free, const RestorationModel& model) const;
 
   std::vector<LockedSurface> surfaces_;
-  std::vector<Surface> topology_;
+  std::vector<std::unique_ptr<Surface>> topology_;
   Threads threads_;
 };
 
