@@ -24,12 +24,15 @@ constexpr double kMostFormWork = 4e9;
 /// The polynomial's root is as good as rounding allows; more Newton steps than this only follow noise.
 constexpr double kRoundingOfVolume = 1e-13;
 
-void requireLockable(const LockedSurface& surface) {
+void requireClosed(const LockedSurface& surface) {
   const auto report = geometry::checkSurface(*surface.rest);
   if (!report.closed())
     throw DataError("the surface is open (" + std::to_string(report.boundaryEdges) +
                         " boundary edges), so it has no volume that could be locked",
                     surface.name, "close its holes first");
+}
+
+void requireTarget(const LockedSurface& surface) {
   if (!(surface.targetMm3 > 0) || !std::isfinite(surface.targetMm3))
     throw DataError("a locked volume must be positive", surface.name,
                     "turn the surface outward, or choose a target above 0 ml");
@@ -50,18 +53,27 @@ VolumeLock::VolumeLock(std::vector<LockedSurface> surfaces, Threads threads)
   for (const auto& surface : surfaces_) {
     assert(surface.rest->points.rows() == surface.binding->pointCount());
     assert(surface.binding->handleCount() == surfaces_.front().binding->handleCount());
-    requireLockable(surface);
-    topology_.push_back(std::make_unique<Surface>());
-    topology_.back()->around =
-        geometry::vertexTriangles(surface.rest->points.rows(), surface.rest->triangles);
+    requireClosed(surface);
+    requireTarget(surface);
+    const auto topology = std::make_shared<Surface>();
+    topology->around = geometry::vertexTriangles(surface.rest->points.rows(), surface.rest->triangles);
+    topology_.push_back(topology);
   }
 }
 
 void VolumeLock::setTarget(std::size_t surface, double targetMm3) {
   LockedSurface changed = surfaces_.at(surface);
   changed.targetMm3 = targetMm3;
-  requireLockable(changed);
+  requireTarget(changed);
   surfaces_[surface] = std::move(changed);
+}
+
+VolumeLock VolumeLock::withTargets(const std::vector<double>& targetsMm3) const {
+  assert(targetsMm3.size() == surfaces_.size());
+  VolumeLock other = *this;
+  for (std::size_t k = 0; k < targetsMm3.size(); ++k)
+    other.setTarget(k, targetsMm3[k]);
+  return other;
 }
 
 const VolumeForm* VolumeLock::form(std::size_t surface) const {

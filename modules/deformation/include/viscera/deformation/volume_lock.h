@@ -55,6 +55,9 @@ public:
 
   const std::vector<LockedSurface>& surfaces() const { return surfaces_; }
   void setTarget(std::size_t surface, double targetMm3);
+  /// The same lock for other volumes (mm^3, one a surface), for a volume that follows a curve. Shares the
+  /// forms, so it costs nothing. Throws as the constructor.
+  VolumeLock withTargets(const std::vector<double>& targetsMm3) const;
 
   /// Present volumes at `pose`, mm^3, one a surface.
   std::vector<double> volumes(const Points& pose) const;
@@ -92,7 +95,7 @@ private:
   bool newtonStep(Points& pose, const std::vector<int>& free, const RestorationModel& model) const;
 
   std::vector<LockedSurface> surfaces_;
-  std::vector<std::unique_ptr<Surface>> topology_;
+  std::vector<std::shared_ptr<const Surface>> topology_; ///< Shared with the locks for other targets.
   Threads threads_;
 };
 
