@@ -1,0 +1,56 @@
+#include "viscera/session/stress_quantity.h"
+
+#include <limits>
+#include <numbers>
+
+namespace viscera::session {
+namespace {
+constexpr double kDegrees = 180 / std::numbers::pi;
+} // namespace
+
+const std::vector<StressQuantityDescription>& stressQuantities() {
+  static const std::vector<StressQuantityDescription> all = {
+      {StressQuantity::rotationalStress, "rotational-stress", "Rotational stress", "deg", false, 1},
+      {StressQuantity::volumeRatio, "volume-ratio", "Volume ratio", "", true, 3},
+      {StressQuantity::stretchMax, "largest-stretch", "Largest stretch", "", true, 3},
+      {StressQuantity::stretchMin, "smallest-stretch", "Smallest stretch", "", true, 3},
+      {StressQuantity::folded, "folded", "Folded tissue", "", false, 0}};
+  return all;
+}
+
+const StressQuantityDescription& describe(StressQuantity quantity) {
+  return stressQuantities()[static_cast<std::size_t>(quantity)];
+}
+
+StressQuantity stressQuantityFromId(const std::string& id) {
+  for (const StressQuantityDescription& description : stressQuantities())
+    if (description.id == id)
+      return description.quantity;
+  return StressQuantity::rotationalStress;
+}
+
+double quantityAt(const deformation::StressMap& map, StressQuantity quantity, Eigen::Index point) {
+  switch (quantity) {
+  case StressQuantity::rotationalStress:
+    return kDegrees * map.rotationalStress[point];
+  case StressQuantity::volumeRatio:
+    return map.volumeRatio[point];
+  case StressQuantity::stretchMax:
+    return map.stretchMax[point];
+  case StressQuantity::stretchMin:
+    return map.stretchMin[point];
+  case StressQuantity::folded:
+    break;
+  }
+  return map.volumeRatio[point] <= 0 ? 1 : 0;
+}
+
+void quantityOf(const deformation::StressMap& map, StressQuantity quantity, Values& values) {
+  values.resize(map.volumeRatio.size());
+  for (Eigen::Index i = 0; i < values.size(); ++i)
+    values[i] = map.volumeRatio[i] <= 0 && quantity != StressQuantity::folded
+                    ? std::numeric_limits<double>::quiet_NaN()
+                    : quantityAt(map, quantity, i);
+}
+
+} // namespace viscera::session
