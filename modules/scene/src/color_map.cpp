@@ -21,7 +21,9 @@ constexpr std::array<unsigned, 20> kViridis = {
     0x1f968b, 0x20a387, 0x29af7f, 0x3cbb75, 0x55c667, 0x73d055, 0x95d840, 0xb8de29, 0xdce319, 0xfde725};
 
 ColorMap sampled(std::string name, vtkColorTransferFunction* function) {
-  ColorMap map{std::move(name), Colors(kMapSize, 3)};
+  ColorMap map;
+  map.name = std::move(name);
+  map.colors.resize(kMapSize, 3);
   for (int i = 0; i < kMapSize; ++i) {
     double rgb[3];
     function->GetColor(double(i) / (kMapSize - 1), rgb);
@@ -94,7 +96,7 @@ vtkSmartPointer<vtkLookupTable> lookupTable(const ColorMap& map, ValueRange rang
   for (Eigen::Index i = 0; i < map.colors.rows(); ++i)
     table->SetTableValue(i, map.colors(i, 0) / 255.0, map.colors(i, 1) / 255.0, map.colors(i, 2) / 255.0, 1);
   table->SetTableRange(range.low, range.high);
-  table->SetNanColor(0.5, 0.5, 0.5, 1);
+  table->SetNanColor(map.missing[0] / 255.0, map.missing[1] / 255.0, map.missing[2] / 255.0, 1);
   return table;
 }
 

@@ -34,6 +34,7 @@ constexpr double kTick = 5;
 constexpr double kGap = 6;
 constexpr double kTitleGap = 14;
 constexpr double kTitleRight = 18;
+constexpr double kMarkGap = 26; ///< From the bar down to the mark's swatch.
 constexpr int kFontSize = 12;
 constexpr int kTitleFontSize = 13;
 /// The bar takes at most this part of the view's height.
@@ -104,6 +105,9 @@ struct Legend::Parts {
 
   Shape bar;
   Shape lines;
+  Shape mark;
+  bool marked = false;
+  vtkNew<vtkTextActor> markLabel;
   vtkNew<vtkTextActor> title;
   std::vector<double> ticks;
   std::vector<vtkSmartPointer<vtkTextActor>> labels;
@@ -113,11 +117,14 @@ struct Legend::Parts {
   void layOut();
   void layOutBar(double left, double bottom, double width, double height);
   void layOutTicks(double left, double bottom, double width, double height, double ratio);
+  void layOutMark(double left, double bottom, double width, double ratio);
+  void setShown(bool on);
   void applyTheme();
 };
 
 std::vector<vtkActor2D*> Legend::Parts::actors() const {
-  std::vector<vtkActor2D*> all = {bar.actor.Get(), lines.actor.Get(), title.Get()};
+  std::vector<vtkActor2D*> all = {bar.actor.Get(), lines.actor.Get(), title.Get(), mark.actor.Get(),
+                                  markLabel.Get()};
   for (const auto& label : labels)
     all.push_back(label);
   return all;
@@ -133,6 +140,7 @@ void Legend::Parts::layOut() {
   const double left = size[0] - ratio * kRight, bottom = std::floor(0.5 * (size[1] - height));
   layOutBar(left, bottom, ratio * kBarWidth, height);
   layOutTicks(left, bottom, ratio * kBarWidth, height, ratio);
+  layOutMark(left, bottom - ratio * kMarkGap, ratio * kBarWidth, ratio);
   title->SetPosition(size[0] - ratio * kTitleRight, bottom + height + ratio * kTitleGap);
 }
 
@@ -173,10 +181,32 @@ void Legend::Parts::layOutTicks(double left, double bottom, double width, double
   lines.actor->GetProperty()->SetLineWidth(static_cast<float>(ratio));
 }
 
+void Legend::Parts::layOutMark(double left, double bottom, double width, double ratio) {
+  vtkNew<vtkCellArray> quad;
+  mark.points->Reset();
+  const vtkIdType corners[] = {mark.points->InsertNextPoint(left, bottom, 0),
+                               mark.points->InsertNextPoint(left + width, bottom, 0),
+                               mark.points->InsertNextPoint(left + width, bottom + width, 0),
+                               mark.points->InsertNextPoint(left, bottom + width, 0)};
+  quad->InsertNextCell(4, corners);
+  mark.points->Modified();
+  mark.data->SetPolys(quad);
+  markLabel->SetPosition(left + width + ratio * kGap, bottom + 0.5 * width);
+}
+
+void Legend::Parts::setShown(bool on) {
+  shown = on;
+  for (auto* actor : actors())
+    actor->SetVisibility(on);
+  mark.actor->SetVisibility(on && marked);
+  markLabel->SetVisibility(on && marked);
+}
+
 void Legend::Parts::applyTheme() {
   const Vec3& text = theme.text;
   lines.actor->GetProperty()->SetColor(text.x(), text.y(), text.z());
   setColor(title, text);
+  setColor(markLabel, text);
   for (const auto& label : labels)
     setColor(label, text);
 }
@@ -187,6 +217,10 @@ Legend::Legend() : parts_(std::make_unique<Parts>()) {
   title->SetFontSize(kTitleFontSize);
   title->SetJustificationToRight();
   title->SetVerticalJustificationToBottom();
+  auto* label = parts_->markLabel->GetTextProperty();
+  label->SetFontFamilyToArial();
+  label->SetFontSize(kFontSize);
+  label->SetVerticalJustificationToCentered();
   hide();
 }
 
@@ -228,17 +262,22 @@ void Legend::show(const std::string& title, const std::string& unit, const Color
     label->GetTextProperty()->SetVerticalJustificationToCentered();
     p.labels.push_back(label);
   }
-  p.shown = true;
-  for (auto* actor : p.actors())
-    actor->SetVisibility(true);
+  p.setShown(true);
   p.applyTheme();
   setRenderer(renderer);
 }
 
 void Legend::hide() {
-  parts_->shown = false;
-  for (auto* actor : parts_->actors())
-    actor->SetVisibility(false);
+  parts_->marked = false;
+  parts_->setShown(false);
+}
+
+void Legend::setMark(const std::string& label, const Vec3& color) {
+  auto& p = *parts_;
+  p.marked = !label.empty();
+  p.markLabel->SetInput(label.c_str());
+  p.mark.actor->GetProperty()->SetColor(color.x(), color.y(), color.z());
+  p.setShown(p.shown);
 }
 
 bool Legend::visible() const {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+#include <cstdint>
 #include <string>
 
 #include <vtkSmartPointer.h>
@@ -15,6 +17,7 @@ namespace viscera::scene {
 struct ColorMap {
   std::string name; ///< "viridis"
   Colors colors;    ///< `k x 3`, from the lowest value to the highest, k >= 2.
+  std::array<std::uint8_t, 3> missing = {128, 128, 128}; ///< For what is not a number.
 };
 
 /// The numbers at the two ends of a map.
@@ -41,7 +44,7 @@ ValueRange rangeOf(const Values& values);
 ValueRange symmetricRangeOf(const Values& values);
 
 /// A lookup table with those colours; values beyond the range take the end colours, values that are not
-/// numbers grey.
+/// numbers the map's `missing`.
 vtkSmartPointer<vtkLookupTable> lookupTable(const ColorMap& map, ValueRange range);
 
 } // namespace viscera::scene

@@ -30,6 +30,9 @@ public:
   void hide();
   bool visible() const;
 
+  /// A swatch below the bar for what has a colour of its own: "folded". Until `hide` or an empty label.
+  void setMark(const std::string& label, const Vec3& color);
+
 private:
   struct Parts;
   std::unique_ptr<Parts> parts_;

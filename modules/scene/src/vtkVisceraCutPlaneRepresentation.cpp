@@ -1,0 +1,343 @@
+#include "viscera/scene/vtkVisceraCutPlaneRepresentation.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include <vtkActor.h>
+#include <vtkArrowSource.h>
+#include <vtkMatrix4x4.h>
+#include <vtkNew.h>
+#include <vtkObjectFactory.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkPropCollection.h>
+#include <vtkProperty.h>
+#include <vtkRegularPolygonSource.h>
+#include <vtkRenderer.h>
+#include <vtkViewport.h>
+#include <vtkWindow.h>
+
+#include "viscera/scene/organ_view.h"
+
+#include "blended_actor.h"
+#include "view_geometry.h"
+
+using viscera::Vec3;
+using viscera::scene::BlendedActor;
+using viscera::scene::CutPlane;
+using viscera::scene::pixelRatioOf;
+using viscera::scene::Ray;
+using viscera::scene::Theme;
+using viscera::scene::viewGeometry;
+using viscera::scene::ViewGeometry;
+
+vtkStandardNewMacro(vtkVisceraCutPlaneRepresentation);
+
+namespace {
+
+/// Logical pixels.
+constexpr double kArrowLength = 68;
+constexpr double kGrabDistance = 8;
+constexpr double kRimWidth = 1.6;
+constexpr double kRimHeldWidth = 3;
+constexpr double kRimOpacity = 0.9;
+constexpr double kBehindOpacity = 0.35;
+constexpr int kSides = 96;
+/// The rim is a little wider than what is cut.
+constexpr double kRimScale = 1.08;
+/// A normal this nearly along the line of sight cannot be followed by the cursor's ray.
+constexpr double kAlongSight = 0.995;
+
+double distanceToSegment(const Eigen::Vector2d& p, const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
+  const Eigen::Vector2d ab = b - a;
+  const double length = ab.squaredNorm();
+  const double part = length > 0 ? std::clamp((p - a).dot(ab) / length, 0.0, 1.0) : 0;
+  return (p - a - part * ab).norm();
+}
+
+} // namespace
+
+struct vtkVisceraCutPlaneRepresentation::Parts {
+  CutPlane plane;
+  Vec3 ballCenter = Vec3::Zero();
+  double ballRadius = 50;
+  CutPlane planeAtStart;
+  Vec3 grabbed = Vec3::Zero(); ///< Pushing: on the normal's line. Tilting: unit, from the middle to the rim.
+  int state = 0;
+  int highlighted = 0;
+  Vec3 accent = Vec3::Ones();
+
+  vtkNew<BlendedActor> rim;
+  vtkNew<BlendedActor> rimBehind;
+  vtkNew<BlendedActor> arrow;
+  vtkNew<BlendedActor> arrowBehind;
+  vtkNew<vtkMatrix4x4> rimMatrix;
+  vtkNew<vtkMatrix4x4> arrowMatrix;
+
+  std::array<BlendedActor*, 4> actors() {
+    return {rimBehind.Get(), arrowBehind.Get(), rim.Get(), arrow.Get()};
+  }
+  Vec3 middle() const { return ballCenter - plane.normal * plane.normal.dot(ballCenter - plane.origin); }
+  double rimRadius() const { return kRimScale * ballRadius; }
+};
+
+namespace {
+
+void place(vtkMatrix4x4* matrix, const Vec3& origin, const Vec3& axis, double scale) {
+  const Vec3 side = axis.unitOrthogonal(), third = axis.cross(side);
+  for (int row = 0; row < 3; ++row) {
+    matrix->SetElement(row, 0, scale * axis[row]);
+    matrix->SetElement(row, 1, scale * side[row]);
+    matrix->SetElement(row, 2, scale * third[row]);
+    matrix->SetElement(row, 3, origin[row]);
+  }
+}
+
+/// mm of a logical pixel at a place.
+double pixelAt(vtkRenderer* renderer, const ViewGeometry& view, const Vec3& place) {
+  const double depth = std::max((place - view.eye).dot(view.forward), 0.0);
+  return pixelRatioOf(renderer->GetRenderWindow()) * view.worldPerPixel(depth);
+}
+
+} // namespace
+
+vtkVisceraCutPlaneRepresentation::vtkVisceraCutPlaneRepresentation() : Inside(std::make_unique<Parts>()) {
+  auto& p = *Inside;
+  vtkNew<vtkRegularPolygonSource> circle;
+  circle->SetNumberOfSides(kSides);
+  circle->SetRadius(1);
+  circle->SetNormal(1, 0, 0);
+  circle->GeneratePolygonOff();
+  vtkNew<vtkArrowSource> arrow;
+  arrow->SetShaftResolution(16);
+  arrow->SetTipResolution(20);
+  arrow->SetShaftRadius(0.022);
+  arrow->SetTipRadius(0.085);
+  arrow->SetTipLength(0.26);
+  const auto attach = [](BlendedActor* actor, vtkAlgorithmOutput* source, vtkMatrix4x4* matrix, bool behind) {
+    vtkNew<vtkPolyDataMapper> mapper;
+    mapper->SetInputConnection(source);
+    actor->SetMapper(mapper);
+    actor->SetUserMatrix(matrix);
+    actor->setBehindOnly(behind);
+    actor->GetProperty()->SetOpacity(behind ? kBehindOpacity : kRimOpacity);
+  };
+  attach(p.rim, circle->GetOutputPort(), p.rimMatrix, false);
+  attach(p.rimBehind, circle->GetOutputPort(), p.rimMatrix, true);
+  attach(p.arrow, arrow->GetOutputPort(), p.arrowMatrix, false);
+  attach(p.arrowBehind, arrow->GetOutputPort(), p.arrowMatrix, true);
+  p.rim->GetProperty()->LightingOff();
+  p.rimBehind->GetProperty()->LightingOff();
+  p.arrowBehind->GetProperty()->LightingOff();
+  p.arrow->GetProperty()->SetAmbient(0.4);
+  SetTheme(viscera::scene::darkTheme());
+  NeedToRenderOn();
+}
+
+vtkVisceraCutPlaneRepresentation::~vtkVisceraCutPlaneRepresentation() = default;
+
+void vtkVisceraCutPlaneRepresentation::PrintSelf(ostream& os, vtkIndent indent) {
+  Superclass::PrintSelf(os, indent);
+  os << indent << "Origin: " << Inside->plane.origin.transpose() << "\n";
+  os << indent << "Normal: " << Inside->plane.normal.transpose() << "\n";
+}
+
+void vtkVisceraCutPlaneRepresentation::SetPlane(const CutPlane& plane) {
+  Inside->plane = {plane.origin, plane.normal.normalized()};
+  Modified();
+}
+
+CutPlane vtkVisceraCutPlaneRepresentation::GetPlane() const {
+  return Inside->plane;
+}
+
+void vtkVisceraCutPlaneRepresentation::SetBall(const Vec3& center, double radius) {
+  Inside->ballCenter = center;
+  Inside->ballRadius = radius;
+  Modified();
+}
+
+Vec3 vtkVisceraCutPlaneRepresentation::GetMiddle() const {
+  return Inside->middle();
+}
+
+Vec3 vtkVisceraCutPlaneRepresentation::GetArrowTip() const {
+  const Vec3 middle = Inside->middle();
+  return middle - Inside->plane.normal * (kArrowLength * pixelAt(Renderer, viewGeometry(Renderer), middle));
+}
+
+Vec3 vtkVisceraCutPlaneRepresentation::GetRimPoint(double angle) const {
+  const Vec3 side = Inside->plane.normal.unitOrthogonal(), third = Inside->plane.normal.cross(side);
+  return Inside->middle() + Inside->rimRadius() * (std::cos(angle) * side + std::sin(angle) * third);
+}
+
+void vtkVisceraCutPlaneRepresentation::SetTheme(const Theme& theme) {
+  Inside->accent = theme.accent;
+  Highlight(Inside->highlighted);
+}
+
+void vtkVisceraCutPlaneRepresentation::Highlight(int state) {
+  auto& p = *Inside;
+  p.highlighted = state;
+  const Vec3 strong = 0.45 * p.accent + 0.55 * Vec3(1, 0.72, 0.2);
+  for (BlendedActor* actor : p.actors()) {
+    const bool isArrow = actor == p.arrow || actor == p.arrowBehind;
+    const Vec3& color = state == (isArrow ? OnArrow : OnRim) ? strong : p.accent;
+    actor->GetProperty()->SetColor(color.x(), color.y(), color.z());
+  }
+  Modified();
+}
+
+int vtkVisceraCutPlaneRepresentation::GetHighlighted() const {
+  return Inside->highlighted;
+}
+
+int vtkVisceraCutPlaneRepresentation::ComputeInteractionState(int x, int y, int) {
+  InteractionState = Outside;
+  if (!Renderer || !GetVisibility())
+    return InteractionState;
+  const ViewGeometry view = viewGeometry(Renderer);
+  const double ratio = pixelRatioOf(Renderer->GetRenderWindow());
+  const auto onDisplay = [&](const Vec3& point) {
+    const auto at = view.project(point);
+    return Eigen::Vector2d(at.x, at.y);
+  };
+  const Eigen::Vector2d cursor(x, y);
+  if (distanceToSegment(cursor, onDisplay(GetMiddle()), onDisplay(GetArrowTip())) < kGrabDistance * ratio)
+    return InteractionState = OnArrow;
+  double nearest = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < kSides; ++i)
+    nearest = std::min(nearest, distanceToSegment(cursor, onDisplay(GetRimPoint(2 * M_PI * i / kSides)),
+                                                  onDisplay(GetRimPoint(2 * M_PI * (i + 1) / kSides))));
+  if (nearest < kGrabDistance * ratio)
+    InteractionState = OnRim;
+  return InteractionState;
+}
+
+namespace {
+
+/// How far along a line the place lies that is nearest to a ray.
+double alongLine(const Vec3& origin, const Vec3& direction, const Ray& ray) {
+  const double cosine = direction.dot(ray.direction);
+  const Vec3 between = ray.origin - origin;
+  return (between.dot(direction) - cosine * between.dot(ray.direction)) / (1 - cosine * cosine);
+}
+
+/// The direction from `center` to where a ray meets the ball around it, on the same side of the ball as
+/// `before`; where it misses, to the place of the ball that is nearest to it.
+Vec3 towardsBall(const Vec3& center, double radius, const Ray& ray, const Vec3& before) {
+  const double along = (center - ray.origin).dot(ray.direction);
+  const Vec3 foot = ray.origin + along * ray.direction - center;
+  const double half = std::sqrt(std::max(radius * radius - foot.squaredNorm(), 0.0));
+  const double side = before.dot(ray.direction) > 0 ? 1 : -1;
+  return (foot + side * half * ray.direction).normalized();
+}
+
+} // namespace
+
+void vtkVisceraCutPlaneRepresentation::StartWidgetInteraction(double at[2]) {
+  auto& p = *Inside;
+  p.planeAtStart = p.plane;
+  p.state = ComputeInteractionState(static_cast<int>(at[0]), static_cast<int>(at[1]));
+  const ViewGeometry view = viewGeometry(Renderer);
+  const Vec3 middle = p.middle();
+  const Ray ray = view.ray(at[0], at[1]);
+  if (p.state == OnRim) {
+    // Of the rim's two places near the cursor the one that is nearer to it is in the hand.
+    double nearest = std::numeric_limits<double>::infinity();
+    for (int i = 0; i < kSides; ++i) {
+      const Vec3 place = GetRimPoint(2 * M_PI * i / kSides);
+      const auto there = view.project(place);
+      const double away = std::hypot(there.x - at[0], there.y - at[1]);
+      if (away < nearest) {
+        nearest = away;
+        p.grabbed = (place - middle).normalized();
+      }
+    }
+    p.grabbed = towardsBall(middle, p.rimRadius(), ray, p.grabbed);
+  } else if (std::abs(p.plane.normal.dot(ray.direction)) < kAlongSight) {
+    p.grabbed = Vec3(alongLine(middle, p.plane.normal, ray), 0, 0);
+  } else {
+    p.grabbed = Vec3(0, at[1], 0);
+  }
+}
+
+void vtkVisceraCutPlaneRepresentation::WidgetInteraction(double at[2]) {
+  if (Inside->state == OnArrow)
+    Push(at[0], at[1]);
+  else if (Inside->state == OnRim)
+    Tilt(at[0], at[1]);
+  Modified();
+}
+
+void vtkVisceraCutPlaneRepresentation::Push(double x, double y) {
+  auto& p = *Inside;
+  const Vec3& normal = p.planeAtStart.normal;
+  const Vec3 middle = p.ballCenter - normal * normal.dot(p.ballCenter - p.planeAtStart.origin);
+  const ViewGeometry view = viewGeometry(Renderer);
+  const Ray ray = view.ray(x, y);
+  double moved = 0;
+  if (p.grabbed.y() == 0 && std::abs(normal.dot(ray.direction)) < kAlongSight)
+    moved = alongLine(middle, normal, ray) - p.grabbed.x();
+  else // The normal is seen end on: up pushes away from the reader.
+    moved = (y - p.grabbed.y()) * view.worldPerPixel(std::max((middle - view.eye).dot(view.forward), 0.0)) *
+            (normal.dot(view.forward) > 0 ? 1 : -1);
+  // The plane stays where there is something to cut.
+  const double from = normal.dot(middle - p.ballCenter);
+  moved = std::clamp(moved, -p.ballRadius - from, p.ballRadius - from);
+  p.plane = {middle + moved * normal, normal};
+}
+
+void vtkVisceraCutPlaneRepresentation::Tilt(double x, double y) {
+  auto& p = *Inside;
+  const Vec3& normal = p.planeAtStart.normal;
+  const Vec3 middle = p.ballCenter - normal * normal.dot(p.ballCenter - p.planeAtStart.origin);
+  const Vec3 to = towardsBall(middle, p.rimRadius(), viewGeometry(Renderer).ray(x, y), p.grabbed);
+  const auto turn = Eigen::Quaterniond::FromTwoVectors(p.grabbed, to);
+  p.plane = {middle, (turn * normal).normalized()};
+}
+
+void vtkVisceraCutPlaneRepresentation::RestoreDrag() {
+  Inside->plane = Inside->planeAtStart;
+  Modified();
+}
+
+void vtkVisceraCutPlaneRepresentation::BuildRepresentation() {
+  if (!Renderer)
+    return;
+  auto& p = *Inside;
+  const ViewGeometry view = viewGeometry(Renderer);
+  const Vec3 middle = p.middle();
+  place(p.rimMatrix, middle, p.plane.normal, p.rimRadius());
+  place(p.arrowMatrix, middle, -p.plane.normal, kArrowLength * pixelAt(Renderer, view, middle));
+  const double width =
+      (p.highlighted == OnRim ? kRimHeldWidth : kRimWidth) * pixelRatioOf(Renderer->GetRenderWindow());
+  p.rim->GetProperty()->SetLineWidth(static_cast<float>(width));
+  p.rimBehind->GetProperty()->SetLineWidth(static_cast<float>(width));
+}
+
+void vtkVisceraCutPlaneRepresentation::GetActors(vtkPropCollection* actors) {
+  for (BlendedActor* actor : Inside->actors())
+    actor->GetActors(actors);
+}
+
+void vtkVisceraCutPlaneRepresentation::ReleaseGraphicsResources(vtkWindow* window) {
+  for (BlendedActor* actor : Inside->actors())
+    actor->ReleaseGraphicsResources(window);
+}
+
+int vtkVisceraCutPlaneRepresentation::RenderOpaqueGeometry(vtkViewport* viewport) {
+  if (!GetVisibility())
+    return 0;
+  BuildRepresentation();
+  int drawn = 0;
+  for (BlendedActor* actor : Inside->actors())
+    drawn += actor->RenderOpaqueGeometry(viewport);
+  return drawn;
+}
+
+double* vtkVisceraCutPlaneRepresentation::GetBounds() {
+  return nullptr; // Not a part of what is framed.
+}
