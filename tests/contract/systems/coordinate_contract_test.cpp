@@ -21,8 +21,11 @@ namespace {
 using System = std::shared_ptr<const CoordinateSystem>;
 
 std::vector<System> systems() {
-  std::vector<System> all = builtInSystems();
-  all.push_back(std::make_shared<localised_scc::LocalisedSCelestial>(builtInSystems()));
+  std::vector<System> all = builtInSystems(), inner;
+  for (const System& system : all)
+    if (system->traits().positive && !system->traits().needsCage)
+      inner.push_back(system);
+  all.push_back(std::make_shared<localised_scc::LocalisedSCelestial>(inner));
   return all;
 }
 

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <memory>
+
+#include "viscera/coordinates/coordinate_system.h"
+
+namespace viscera::coordinates {
+
+/// Knows everything about one set of handles that the coordinates of a point take. Immutable; asked from
+/// several threads.
+class PointSolver {
+public:
+  virtual ~PointSolver() = default;
+
+  /// Fills `weights` (one a handle, set to zero before) with the coordinates of `point`, mm; false where the
+  /// system has none.
+  virtual bool solve(const Vec3& point, Values& weights) const = 0;
+
+  /// As `solve`, and fills `gradients` (`handles x 3`, zero before, 1/mm) with the coordinates' derivatives;
+  /// false where the coordinates have none (a corner of the cage, say). Only asked where the system's traits
+  /// promise a closed form.
+  virtual bool solveGradients(const Vec3& point, Values& weights, Points& gradients) const;
+};
+
+/// A system that finds the coordinates of each point on its own, and so is no more than its mathematics:
+/// threads, cancelling, failures, the binding and its report are here.
+class PointwiseSystem : public CoordinateSystem {
+public:
+  std::unique_ptr<Binding> bind(const HandleSet& handles, const Points& points, const BindOptions& options,
+                                Progress& progress) const override;
+
+  /// The solver's derivatives where the traits promise a closed form, else central differences.
+  CoordinateGradients gradients(const HandleSet& handles, const Points& points, const BindOptions& options,
+                                Progress& progress) const override;
+
+protected:
+  /// What does not depend on the point. `parameters` are within their ranges, the handles usable
+  /// (`requireUsableHandles`). Throws `DataError` for handles or a cage that this system cannot use.
+  virtual std::unique_ptr<const PointSolver> prepare(const HandleSet& handles,
+                                                     const ParameterValues& parameters) const = 0;
+};
+
+} // namespace viscera::coordinates

@@ -1,0 +1,86 @@
+#include "viscera/coordinates/pointwise_system.h"
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <functional>
+#include <stdexcept>
+#include <utility>
+
+#include "viscera/coordinates/handle_checks.h"
+#include "viscera/coordinates/weights_binding.h"
+
+namespace viscera::coordinates {
+namespace {
+
+/// Points that a thread takes at once: whole tiles, so that no two threads write into the same one.
+constexpr Eigen::Index kGrain = 4 * TiledWeights::kTile;
+
+/// Calls `solve(point)` for every point, on several threads; the points for which it is false, ascending.
+std::vector<int> failuresOf(Eigen::Index count, Threads threads, Progress& progress,
+                            const std::function<bool(Eigen::Index point)>& solve) {
+  std::vector<char> failed(static_cast<std::size_t>(count));
+  std::atomic<Eigen::Index> done{0};
+  progress.throwIfCancelled();
+  parallelRanges(count, kGrain, threads, [&](Eigen::Index begin, Eigen::Index end) {
+    progress.throwIfCancelled();
+    for (Eigen::Index point = begin; point < end; ++point)
+      failed[static_cast<std::size_t>(point)] = solve(point) ? 0 : 1;
+    progress.report(static_cast<double>(done += end - begin) / static_cast<double>(count));
+  });
+  std::vector<int> failures;
+  for (std::size_t point = 0; point < failed.size(); ++point)
+    if (failed[point])
+      failures.push_back(static_cast<int>(point));
+  return failures;
+}
+
+} // namespace
+
+bool PointSolver::solveGradients(const Vec3&, Values&, Points&) const {
+  throw std::logic_error("a closed form is promised, but there is none");
+}
+
+std::unique_ptr<Binding> PointwiseSystem::bind(const HandleSet& handles, const Points& points,
+                                               const BindOptions& options, Progress& progress) const {
+  const auto start = std::chrono::steady_clock::now();
+  options.parameters.requireWithin(parameters());
+  requireUsableHandles<3>(handles.positions);
+  const auto solver = prepare(handles, options.parameters);
+  const Eigen::Index count = handles.positions.rows();
+  TiledWeights weights(points.rows(), count);
+  auto failures = failuresOf(points.rows(), options.threads, progress, [&](Eigen::Index point) {
+    Values row = Values::Zero(count);
+    const bool found = solver->solve(points.row(point).transpose(), row) && row.allFinite();
+    for (Eigen::Index handle = 0; found && handle < count; ++handle)
+      weights.set(point, handle, row[handle]);
+    return found;
+  });
+  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+  return std::make_unique<WeightsBinding>(std::move(weights), handles.positions, points, std::move(failures),
+                                          seconds.count(), options.threads);
+}
+
+CoordinateGradients PointwiseSystem::gradients(const HandleSet& handles, const Points& points,
+                                               const BindOptions& options, Progress& progress) const {
+  if (!traits().closedFormGradient)
+    return CoordinateSystem::gradients(handles, points, options, progress);
+  options.parameters.requireWithin(parameters());
+  requireUsableHandles<3>(handles.positions);
+  const auto solver = prepare(handles, options.parameters);
+  const Eigen::Index count = handles.positions.rows();
+  CoordinateGradients result;
+  result.closedForm = true;
+  result.values = Points::Zero(points.rows() * count, 3);
+  result.failures = failuresOf(points.rows(), options.threads, progress, [&](Eigen::Index point) {
+    Values weights = Values::Zero(count);
+    Points own = Points::Zero(count, 3);
+    if (!solver->solveGradients(points.row(point).transpose(), weights, own) || !own.allFinite())
+      return false;
+    result.values.middleRows(point * count, count) = own;
+    return true;
+  });
+  return result;
+}
+
+} // namespace viscera::coordinates
