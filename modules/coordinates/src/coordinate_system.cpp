@@ -55,4 +55,8 @@ CoordinateGradients CoordinateSystem::gradients(const HandleSet& handles, const 
   return result;
 }
 
+SpaceLayout CoordinateSystem::layout(const HandleSet&, const ParameterValues&) const {
+  return {};
+}
+
 } // namespace viscera::coordinates

@@ -67,7 +67,8 @@ std::vector<std::uint16_t> failedLanes(const std::vector<int>& failures, Eigen::
 } // namespace
 
 WeightsBinding::WeightsBinding(TiledWeights weights, const Points& restHandles, const Points& restPoints,
-                               std::vector<int> failures, double seconds, Threads threads)
+                               std::vector<int> failures, double seconds, Threads threads,
+                               std::vector<std::string> notes)
     : weights_(std::move(weights)), failedRest_(failures.size(), 3) {
   assert(restPoints.rows() == weights_.points() && restHandles.rows() == weights_.handles());
   assert(std::is_sorted(failures.begin(), failures.end()));
@@ -89,8 +90,8 @@ WeightsBinding::WeightsBinding(TiledWeights weights, const Points& restHandles, 
   for (const Extremes& range : ranges)
     all.add(range.identity, range.unity, range.least);
   const bool anyBound = failures.size() < static_cast<std::size_t>(weights_.points());
-  report_ = {all.identity,        all.unity, anyBound ? all.least : 0,
-             std::move(failures), seconds,   threads.resolved()};
+  report_ = {all.identity, all.unity,          anyBound ? all.least : 0, std::move(failures),
+             seconds,      threads.resolved(), std::move(notes)};
 }
 
 void WeightsBinding::deform(const Points& pose, Points& points, Threads threads) const {

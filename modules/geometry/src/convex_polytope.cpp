@@ -69,6 +69,7 @@ ConvexPolytope ConvexPolytope::hullOf(const Points& all, double tolerance) {
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(centered.transpose() * centered);
   const Eigen::Matrix3d axes = solver.eigenvectors(); // Ascending: the last column is the longest direction.
   const Vec3 extent = (centered * axes).cwiseAbs().colwise().maxCoeff().transpose();
+  polytope.box_ = boundsOf(points);
   if (extent[0] > tolerance && polytope.makeSolid(points))
     return polytope;
   if (extent[1] > tolerance)
@@ -198,6 +199,11 @@ void ConvexPolytope::clippedEdges(const ConvexPolytope& by, std::vector<Vec3>& e
 }
 
 std::optional<ConvexPolytope> ConvexPolytope::intersection(const ConvexPolytope& other) const {
+  // Sets that are far apart are the rule among many; their boxes tell it at once.
+  const double apart = 4 * std::max(tolerance_, other.tolerance_);
+  if ((box_.low.array() > other.box_.high.array() + apart).any() ||
+      (other.box_.low.array() > box_.high.array() + apart).any())
+    return std::nullopt;
   // Every corner of the common set is an end of an edge of one, cut off by the other.
   std::vector<Vec3> corners;
   clippedEdges(other, corners);
@@ -205,7 +211,7 @@ std::optional<ConvexPolytope> ConvexPolytope::intersection(const ConvexPolytope&
   if (corners.empty())
     return std::nullopt;
   // Cutting with slack leaves corners of one place up to a few tolerances apart.
-  return hullOf(asPoints(corners), 4 * std::max(tolerance_, other.tolerance_));
+  return hullOf(asPoints(corners), apart);
 }
 
 } // namespace viscera::geometry

@@ -1,10 +1,11 @@
 #include "viscera/localised_scc/localised_s_celestial.h"
 
-#include <algorithm>
+#include <atomic>
 #include <cassert>
 #include <chrono>
 #include <utility>
 
+#include "space_layout_of.h"
 #include "viscera/coordinates/weights_binding.h"
 #include "viscera/localised_scc/region_layout.h"
 
@@ -17,7 +18,9 @@ using coordinates::CoordinateSystem;
 using coordinates::HandleSet;
 using coordinates::Parameter;
 
-constexpr Eigen::Index kGrain = 256;
+/// Points that are bound together: enough to fill the solver's packs, few enough for every thread to get
+/// some.
+constexpr Eigen::Index kBlock = 1024;
 /// A share this small may be dropped when its set has no answer: a point a hair inside a region's boundary
 /// that belongs to a zone anyway. The jump that this makes is no larger.
 constexpr double kNegligibleShare = 1e-9;
@@ -35,28 +38,13 @@ struct Member {
   Vec3 gradient = Vec3::Zero();
 };
 
-/// Which points each set of handles serves; points in no region are in `outside`.
-struct Memberships {
-  std::vector<std::vector<Member>> ofSet;
-  std::vector<int> outside;
+/// One set of handles with those points of a block that it serves, as the inner system takes them.
+struct SetTask {
+  const std::vector<int>& rows; ///< The set's handles.
+  const std::vector<Member>& members;
+  const HandleSet& handles;
+  Points points;
 };
-
-Memberships memberships(const RegionLayout& layout, const Points& points, Threads threads) {
-  std::vector<std::vector<RegionLayout::Share>> shares(static_cast<std::size_t>(points.rows()));
-  parallelRanges(points.rows(), kGrain, threads, [&](Eigen::Index begin, Eigen::Index end) {
-    for (Eigen::Index i = begin; i < end; ++i)
-      shares[std::size_t(i)] = layout.shares(points.row(i).transpose());
-  });
-  Memberships result;
-  result.ofSet.resize(static_cast<std::size_t>(layout.setCount()));
-  for (Eigen::Index i = 0; i < points.rows(); ++i) {
-    if (shares[std::size_t(i)].empty())
-      result.outside.push_back(static_cast<int>(i));
-    for (const auto& share : shares[std::size_t(i)])
-      result.ofSet[std::size_t(share.set)].push_back({i, share.weight, share.gradient});
-  }
-  return result;
-}
 
 HandleSet subset(const HandleSet& handles, const std::vector<int>& rows) {
   HandleSet chosen;
@@ -73,44 +61,23 @@ Points pointsOf(const Points& points, const std::vector<Member>& members) {
   return chosen;
 }
 
-/// The options for the inner system: those of its parameters that were given to us.
+/// The options for the inner system: those of its parameters that were given to us. One thread: the blocks
+/// take all of them.
 BindOptions optionsFor(const CoordinateSystem& inner, const BindOptions& options) {
   BindOptions chosen;
-  chosen.threads = options.threads;
+  chosen.threads.count = 1;
   for (const auto& parameter : inner.parameters())
     if (options.parameters.all().count(parameter.name) > 0)
       chosen.parameters.set(parameter.name, options.parameters.get(parameter));
   return chosen;
 }
 
-/// One set of handles with the points it serves, as the inner system takes them.
-struct SetTask {
-  const std::vector<int>& rows; ///< The set's handles.
-  const std::vector<Member>& members;
-  HandleSet handles;
-  Points points;
-};
-
-/// Calls `work(SetTask)` for every set that serves any point.
-template <class Work>
-void forEachSet(const RegionLayout& layout, const Memberships& members, const HandleSet& handles,
-                const Points& points, Progress& progress, const Work& work) {
-  for (int set = 0; set < layout.setCount(); ++set) {
-    progress.throwIfCancelled();
-    progress.report(static_cast<double>(set) / layout.setCount(), "localised coordinates");
-    const auto& own = members.ofSet[std::size_t(set)];
-    const auto& rows = layout.handlesOf(set);
-    if (!own.empty())
-      work(SetTask{rows, own, subset(handles, rows), pointsOf(points, own)});
-  }
-}
-
-/// Remembers which points keep how much of their coordinates, and makes the failures of it.
+/// How much of each point's coordinates has no answer, and which points fail for it. Several threads may
+/// write to it, each for points of its own.
 class Coverage {
 public:
-  Coverage(Eigen::Index points, std::vector<int> outside)
-      : missing_(Values::Zero(points)), failed_(std::move(outside)) {}
-  void lose(const Member& member) { missing_[member.point] += member.weight; }
+  explicit Coverage(Eigen::Index points) : missing_(Values::Zero(points)) {}
+  void lose(Eigen::Index point, double part) { missing_[point] += part; }
   bool usable(Eigen::Index point) const { return missing_[point] <= kNegligibleShare; }
   /// Divides the rows of points that lost a negligible share by what is left.
   void restoreUnity(coordinates::TiledWeights& weights) const {
@@ -120,18 +87,65 @@ public:
           weights.set(i, h, weights(i, h) / (1 - missing_[i]));
   }
   std::vector<int> failures() const {
-    std::vector<int> list = failed_;
+    std::vector<int> list;
     for (Eigen::Index i = 0; i < missing_.size(); ++i)
       if (!usable(i))
         list.push_back(static_cast<int>(i));
-    std::sort(list.begin(), list.end());
     return list;
   }
 
 private:
   Values missing_;
-  std::vector<int> failed_;
 };
+
+/// Calls `work(SetTask)` for every block of points and every set of handles that serves some of them. A point
+/// is in one block, so no two threads work on one point. Points in no region are lost to `coverage`.
+template <class Work>
+void forEachSet(const RegionLayout& layout, const HandleSet& handles, const Points& points, Threads threads,
+                Progress& progress, Coverage& coverage, const Work& work) {
+  std::vector<HandleSet> sets;
+  for (int set = 0; set < layout.setCount(); ++set)
+    sets.push_back(subset(handles, layout.handlesOf(set)));
+  std::atomic<Eigen::Index> done{0};
+  progress.throwIfCancelled();
+  parallelRanges(points.rows(), kBlock, threads, [&](Eigen::Index begin, Eigen::Index end) {
+    progress.throwIfCancelled();
+    std::vector<std::vector<Member>> ofSet(sets.size());
+    std::vector<RegionLayout::Share> shares;
+    for (Eigen::Index i = begin; i < end; ++i) {
+      layout.shares(points.row(i).transpose(), shares);
+      if (shares.empty())
+        coverage.lose(i, 1);
+      for (const auto& share : shares)
+        ofSet[std::size_t(share.set)].push_back({i, share.weight, share.gradient});
+    }
+    for (std::size_t set = 0; set < sets.size(); ++set)
+      if (const auto& members = ofSet[set]; !members.empty())
+        work(SetTask{layout.handlesOf(static_cast<int>(set)), members, sets[set], pointsOf(points, members)});
+    progress.report(static_cast<double>(done += end - begin) / static_cast<double>(points.rows()),
+                    "localised coordinates");
+  });
+}
+
+/// Adds a set's coordinates, by their parts, to the rows of its points; those without an answer are lost.
+void addBinding(const coordinates::Binding& binding, const SetTask& task, Coverage& coverage,
+                coordinates::TiledWeights& weights) {
+  std::vector<bool> failed(task.members.size(), false);
+  for (const int point : binding.report().failures) {
+    failed[std::size_t(point)] = true;
+    coverage.lose(task.members[std::size_t(point)].point, task.members[std::size_t(point)].weight);
+  }
+  for (std::size_t column = 0; column < task.rows.size(); ++column) {
+    const Values influence = binding.influence(static_cast<int>(column));
+    const int handle = task.rows[column];
+    for (std::size_t i = 0; i < task.members.size(); ++i) {
+      const Member& member = task.members[i];
+      if (!failed[i])
+        weights.set(member.point, handle,
+                    weights(member.point, handle) + member.weight * influence[Eigen::Index(i)]);
+    }
+  }
+}
 
 } // namespace
 
@@ -178,31 +192,18 @@ std::unique_ptr<coordinates::Binding> LocalisedSCelestial::bind(const HandleSet&
   const RegionLayout layout(handles, options.parameters.get(kOffset));
   const auto& inner = innerFor(options.parameters);
   const BindOptions innerOptions = optionsFor(inner, options);
-  const Memberships members = memberships(layout, points, options.threads);
 
   coordinates::TiledWeights weights(points.rows(), handles.positions.rows());
-  Coverage coverage(points.rows(), members.outside);
-  forEachSet(layout, members, handles, points, progress, [&](const SetTask& task) {
-    const auto binding = inner.bind(task.handles, task.points, innerOptions, progress);
-    std::vector<bool> failed(task.members.size(), false);
-    for (const int point : binding->report().failures) {
-      failed[std::size_t(point)] = true;
-      coverage.lose(task.members[std::size_t(point)]);
-    }
-    for (std::size_t column = 0; column < task.rows.size(); ++column) {
-      const Values influence = binding->influence(static_cast<int>(column));
-      for (std::size_t i = 0; i < task.members.size(); ++i) {
-        const Member& member = task.members[i];
-        if (!failed[i])
-          weights.set(member.point, task.rows[column],
-                      weights(member.point, task.rows[column]) + member.weight * influence[Eigen::Index(i)]);
-      }
-    }
+  Coverage coverage(points.rows());
+  forEachSet(layout, handles, points, options.threads, progress, coverage, [&](const SetTask& task) {
+    Progress ofBlock; // The block is short; the whole is reported and cancelled between blocks.
+    addBinding(*inner.bind(task.handles, task.points, innerOptions, ofBlock), task, coverage, weights);
   });
   coverage.restoreUnity(weights);
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return std::make_unique<coordinates::WeightsBinding>(std::move(weights), handles.positions, points,
-                                                       coverage.failures(), seconds, options.threads);
+                                                       coverage.failures(), seconds, options.threads,
+                                                       layout.notes());
 }
 
 CoordinateGradients LocalisedSCelestial::gradients(const HandleSet& handles, const Points& points,
@@ -211,18 +212,18 @@ CoordinateGradients LocalisedSCelestial::gradients(const HandleSet& handles, con
   const RegionLayout layout(handles, options.parameters.get(kOffset));
   const auto& inner = innerFor(options.parameters);
   const BindOptions innerOptions = optionsFor(inner, options);
-  const Memberships members = memberships(layout, points, options.threads);
 
   const Eigen::Index handleCount = handles.positions.rows();
   CoordinateGradients result;
   result.values = Points::Zero(points.rows() * handleCount, 3);
   result.closedForm = inner.traits().closedFormGradient;
-  Coverage coverage(points.rows(), members.outside);
-  forEachSet(layout, members, handles, points, progress, [&](const SetTask& task) {
-    const auto binding = inner.bind(task.handles, task.points, innerOptions, progress);
-    const auto own = inner.gradients(task.handles, task.points, innerOptions, progress);
+  Coverage coverage(points.rows());
+  forEachSet(layout, handles, points, options.threads, progress, coverage, [&](const SetTask& task) {
+    Progress ofBlock;
+    const auto binding = inner.bind(task.handles, task.points, innerOptions, ofBlock);
+    const auto own = inner.gradients(task.handles, task.points, innerOptions, ofBlock);
     for (const int point : own.failures)
-      coverage.lose(task.members[std::size_t(point)]);
+      coverage.lose(task.members[std::size_t(point)].point, task.members[std::size_t(point)].weight);
     for (std::size_t column = 0; column < task.rows.size(); ++column) {
       const Values influence = binding->influence(static_cast<int>(column));
       for (std::size_t i = 0; i < task.members.size(); ++i) {
@@ -237,6 +238,12 @@ CoordinateGradients LocalisedSCelestial::gradients(const HandleSet& handles, con
   for (const int point : result.failures)
     result.values.middleRows(point * handleCount, handleCount).setZero();
   return result;
+}
+
+coordinates::SpaceLayout LocalisedSCelestial::layout(const HandleSet& handles,
+                                                     const coordinates::ParameterValues& values) const {
+  values.requireWithin(parameters());
+  return spaceLayoutOf(RegionLayout(handles, values.get(kOffset)), handles.groups.size(), kOffset.name);
 }
 
 } // namespace viscera::localised_scc

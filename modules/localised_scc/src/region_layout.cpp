@@ -164,12 +164,9 @@ const std::vector<int>& RegionLayout::handlesOf(int set) const {
   return index < regions_.size() ? regions_[index].handles : zones_[index - regions_.size()].handles;
 }
 
-/// The zone that holds a point of all regions `containing` (two or more); -1 when rounding alone put it in
-/// several.
-int RegionLayout::zoneAt(const std::vector<int>& containing) const {
-  const auto inside = [&](int region) {
-    return std::find(containing.begin(), containing.end(), region) != containing.end();
-  };
+/// The zone that holds a point of two or more regions; -1 when rounding alone put it in several.
+int RegionLayout::zoneAt(const Vec3& point) const {
+  const auto inside = [&](int region) { return regions_[std::size_t(region)].hull.contains(point); };
   for (std::size_t k = 0; k < zones_.size(); ++k)
     for (const auto& part : zones_[k].parts)
       if (inside(part.first) && inside(part.second))
@@ -177,22 +174,10 @@ int RegionLayout::zoneAt(const std::vector<int>& containing) const {
   return -1;
 }
 
-std::vector<RegionLayout::Share> RegionLayout::shares(const Vec3& point) const {
-  std::vector<int> containing;
-  for (int i = 0; i < static_cast<int>(regions_.size()); ++i)
-    if (regions_[std::size_t(i)].hull.contains(point))
-      containing.push_back(i);
-  if (containing.empty())
-    return {};
-  const int regionCount = static_cast<int>(regions_.size());
-  if (containing.size() > 1)
-    if (const int zone = zoneAt(containing); zone >= 0)
-      return {{regionCount + zone, 1, Vec3::Zero()}};
-
-  const int own = containing.front();
+/// The shares of a point that lies in region `own` and in no zone.
+void RegionLayout::blendWithZones(int own, const Vec3& point, std::vector<Share>& shares) const {
   const double offset = regions_[std::size_t(own)].offset;
-  std::vector<int> sets;
-  std::vector<BlendValue> blends;
+  std::vector<BlendValue> blends; // Takes no memory as long as no zone is near.
   for (std::size_t k = 0; k < zones_.size(); ++k) {
     double distance = offset;
     Vec3 away = Vec3::Zero();
@@ -207,15 +192,41 @@ std::vector<RegionLayout::Share> RegionLayout::shares(const Vec3& point) const {
     }
     if (distance >= offset)
       continue;
-    sets.push_back(regionCount + static_cast<int>(k));
+    shares.push_back({static_cast<int>(regions_.size() + k), 0, Vec3::Zero()});
     blends.push_back(blendAt(distance, away, offset));
   }
-  sets.push_back(own);
+  shares.push_back({own, 1, Vec3::Zero()});
+  if (blends.empty())
+    return;
   const auto parts = partition(blends);
+  for (std::size_t k = 0; k < parts.size(); ++k) {
+    shares[k].weight = parts[k].value;
+    shares[k].gradient = parts[k].gradient;
+  }
+  std::erase_if(shares, [](const Share& share) { return !(share.weight > 0); });
+}
+
+void RegionLayout::shares(const Vec3& point, std::vector<Share>& shares) const {
+  shares.clear();
+  int own = -1, containing = 0;
+  for (int i = 0; i < static_cast<int>(regions_.size()); ++i)
+    if (regions_[std::size_t(i)].hull.contains(point)) {
+      own = containing == 0 ? i : own;
+      ++containing;
+    }
+  if (containing == 0)
+    return;
+  if (containing > 1)
+    if (const int zone = zoneAt(point); zone >= 0) {
+      shares.push_back({static_cast<int>(regions_.size()) + zone, 1, Vec3::Zero()});
+      return;
+    }
+  blendWithZones(own, point, shares);
+}
+
+std::vector<RegionLayout::Share> RegionLayout::shares(const Vec3& point) const {
   std::vector<Share> result;
-  for (std::size_t k = 0; k < sets.size(); ++k)
-    if (parts[k].value > 0)
-      result.push_back({sets[k], parts[k].value, parts[k].gradient});
+  shares(point, result);
   return result;
 }
 

@@ -37,6 +37,11 @@ public:
     return behindWall([&] { return system_->gradients(handles, points, options, progress); });
   }
 
+  coordinates::SpaceLayout layout(const coordinates::HandleSet& handles,
+                                  const coordinates::ParameterValues& parameters) const override {
+    return behindWall([&] { return system_->layout(handles, parameters); });
+  }
+
 private:
   template <class Call>
   auto behindWall(const Call& call) const -> decltype(call()) {

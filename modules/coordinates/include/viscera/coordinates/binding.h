@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "viscera/core/arrays.h"
@@ -15,6 +16,7 @@ struct BindingReport {
   std::vector<int> failures; ///< Points for which the system has no coordinates, ascending; they do not move.
   double seconds = 0;
   int threads = 1;
+  std::vector<std::string> notes; ///< Sentences for a user: what the system had to cut or leave out.
 };
 
 /// Coordinates of fixed points with respect to fixed rest handles: maps a pose of the handles to points.

@@ -7,6 +7,7 @@
 #include "viscera/coordinates/binding.h"
 #include "viscera/coordinates/handle_set.h"
 #include "viscera/coordinates/parameters.h"
+#include "viscera/coordinates/space_layout.h"
 #include "viscera/core/progress.h"
 
 namespace viscera::coordinates {
@@ -58,6 +59,10 @@ public:
   /// `bind` at a step of 1e-5 of the handles' size; systems with a closed form override it.
   virtual CoordinateGradients gradients(const HandleSet& handles, const Points& points,
                                         const BindOptions& options, Progress& progress) const;
+
+  /// How the system divides the space around these handles, without any points: quick enough to follow a
+  /// handle that is dragged. The standard one is empty. Throws as `bind` does for handles and parameters.
+  virtual SpaceLayout layout(const HandleSet& handles, const ParameterValues& parameters) const;
 };
 
 } // namespace viscera::coordinates

@@ -10,9 +10,10 @@ namespace viscera::coordinates {
 class WeightsBinding final : public Binding {
 public:
   /// Measures the report from the weights, the rest handles and the rest points. `failures` ascending; their
-  /// rows of `weights` are ignored. `seconds` is the time the system took.
+  /// rows of `weights` are ignored. `seconds` is the time the system took, `notes` what its report is to say.
   WeightsBinding(TiledWeights weights, const Points& restHandles, const Points& restPoints,
-                 std::vector<int> failures, double seconds, Threads threads);
+                 std::vector<int> failures, double seconds, Threads threads,
+                 std::vector<std::string> notes = {});
 
   Eigen::Index handleCount() const override { return weights_.handles(); }
   Eigen::Index pointCount() const override { return weights_.points(); }

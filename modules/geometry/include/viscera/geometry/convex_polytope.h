@@ -50,6 +50,7 @@ private:
 
   int dimension_ = 0;
   double tolerance_ = 0;
+  Bounds box_; ///< Of the vertices.
   Points vertices_;
   std::vector<std::array<int, 2>> edges_;
   Triangles triangles_;

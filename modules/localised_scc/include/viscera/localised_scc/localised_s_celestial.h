@@ -32,6 +32,11 @@ public:
                                              const coordinates::BindOptions& options,
                                              Progress& progress) const override;
 
+  /// Regions, zones and super-regions of the groups; the offset's upper bound is that of the region that
+  /// allows most.
+  coordinates::SpaceLayout layout(const coordinates::HandleSet& handles,
+                                  const coordinates::ParameterValues& parameters) const override;
+
 private:
   const coordinates::CoordinateSystem& innerFor(const coordinates::ParameterValues& values) const;
 

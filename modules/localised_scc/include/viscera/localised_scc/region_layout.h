@@ -65,12 +65,15 @@ public:
   /// The shares at `point`, which add up to 1; none when it lies in no region. O(regions + faces of near
   /// zones).
   std::vector<Share> shares(const Vec3& point) const;
+  /// The same into `shares`, whose memory is used again: for many points.
+  void shares(const Vec3& point, std::vector<Share>& shares) const;
 
 private:
   void makeRegions(const coordinates::HandleSet& handles);
   void makeZones(const coordinates::HandleSet& handles);
   void boundOffsets(const coordinates::HandleSet& handles, double offset);
-  int zoneAt(const std::vector<int>& containing) const;
+  int zoneAt(const Vec3& point) const;
+  void blendWithZones(int own, const Vec3& point, std::vector<Share>& shares) const;
 
   double tolerance_ = 0;
   std::vector<Region> regions_;
