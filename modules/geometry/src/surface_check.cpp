@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <numeric>
 
+#include "viscera/geometry/connected_pieces.h"
 #include "viscera/geometry/volume.h"
 
 namespace viscera::geometry {
@@ -47,37 +47,10 @@ void countEdges(const Triangles& triangles, SurfaceReport& report) {
   }
 }
 
-class DisjointSets {
-public:
-  explicit DisjointSets(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0); }
-  std::int32_t root(std::int32_t i) {
-    while (parent_[std::size_t(i)] != i) {
-      parent_[std::size_t(i)] = parent_[std::size_t(parent_[std::size_t(i)])];
-      i = parent_[std::size_t(i)];
-    }
-    return i;
-  }
-  void join(std::int32_t a, std::int32_t b) { parent_[std::size_t(root(a))] = root(b); }
-
-private:
-  std::vector<std::int32_t> parent_;
-};
-
 void countComponents(const TriangleMesh& mesh, SurfaceReport& report) {
-  DisjointSets sets(static_cast<std::size_t>(mesh.points.rows()));
-  std::vector<bool> used(static_cast<std::size_t>(mesh.points.rows()), false);
-  for (Eigen::Index t = 0; t < mesh.triangles.rows(); ++t) {
-    sets.join(mesh.triangles(t, 0), mesh.triangles(t, 1));
-    sets.join(mesh.triangles(t, 1), mesh.triangles(t, 2));
-    for (int k = 0; k < 3; ++k)
-      used[static_cast<std::size_t>(mesh.triangles(t, k))] = true;
-  }
-  for (Eigen::Index v = 0; v < mesh.points.rows(); ++v) {
-    if (!used[static_cast<std::size_t>(v)])
-      ++report.unusedVertices;
-    else if (sets.root(static_cast<std::int32_t>(v)) == v)
-      ++report.components;
-  }
+  const ConnectedPieces pieces = connectedPieces(mesh);
+  report.components = pieces.count;
+  report.unusedVertices = static_cast<int>(std::count(pieces.ofVertex.begin(), pieces.ofVertex.end(), -1));
 }
 
 int countDegenerate(const TriangleMesh& mesh) {

@@ -43,6 +43,10 @@ bool sameBinding(const BindingTarget& a, const BindingTarget& b) {
          (!groupsMatter || sameGroups(a.handles, b.handles));
 }
 
+bool worthWaitingFor(const BindingTarget& underWay, const BindingTarget& wanted) {
+  return underWay.system == wanted.system && underWay.ids == wanted.ids;
+}
+
 std::optional<BindingFailure> whyNot(const BindingTarget& target) {
   const std::size_t count = target.ids.size();
   if (count == 0)

@@ -27,11 +27,16 @@ BindingTarget makeTarget(const DocumentState& state, const plugin::Registry& reg
 /// them.
 bool sameBinding(const BindingTarget& a, const BindingTarget& b);
 
+/// Whether a binding to `underWay` is worth waiting for when `wanted` has taken its place: the same handles,
+/// elsewhere perhaps, in the same system. A drag or a slider would else give up one binding after the other.
+bool worthWaitingFor(const BindingTarget& underWay, const BindingTarget& wanted);
+
 /// Why an organ has no binding, in the words of its status.
 struct BindingFailure {
   BindingStatus::State state = BindingStatus::State::failed;
   std::string message;
   int outsideHull = 0;
+  std::vector<int> inNoRegion = {};
 };
 
 /// What is wrong with a target before any organ is looked at, if anything.

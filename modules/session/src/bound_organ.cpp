@@ -36,6 +36,9 @@ BindingResult bindToTarget(const Organ& organ, const BindingTarget& target, Thre
                                                               target.handles.positions, threads);
   } catch (const Cancelled&) {
     throw;
+  } catch (const deformation::UnboundVertices& error) {
+    result.failure = BindingFailure{BindingStatus::State::failed, error.what(), error.outsideHull(),
+                                    error.groupsCount() ? error.vertices() : std::vector<int>()};
   } catch (const DataError& error) {
     result.failure = BindingFailure{BindingStatus::State::failed, error.what(),
                                     countOutside(target.handles.positions, organ.mesh->points)};
@@ -45,13 +48,13 @@ BindingResult bindToTarget(const Organ& organ, const BindingTarget& target, Thre
   return result;
 }
 
-void BoundOrgan::take(BindingResult result) {
+void BoundOrgan::take(BindingResult result, std::shared_ptr<const BindingTarget> of) {
   if (result.failure) {
     fail(*result.failure);
     return;
   }
   deformer = std::move(result.deformer);
-  boundTo = attempted;
+  boundTo = std::move(of);
   rough_ = false;
   status = {BindingStatus::State::bound, {}, 0, deformer->binding().report()};
   pending.replaced = pending.moved = pending.status = true;
@@ -62,7 +65,7 @@ void BoundOrgan::fail(const BindingFailure& failure) {
     pending.replaced = pending.moved = true;
   deformer.reset();
   boundTo.reset();
-  status = {failure.state, failure.message, failure.outsideHull, {}};
+  status = {failure.state, failure.message, failure.outsideHull, {}, failure.inNoRegion};
   pending.status = true;
 }
 
@@ -70,6 +73,7 @@ void BoundOrgan::setState(BindingStatus::State state) {
   status.state = state;
   status.message.clear();
   status.outsideHull = 0;
+  status.inNoRegion.clear();
   pending.status = true;
 }
 

@@ -31,16 +31,17 @@ public:
   std::unique_ptr<deformation::Deformer> deformer; ///< Null: at rest.
   std::shared_ptr<const BindingTarget> boundTo;    ///< What `deformer` was bound to; null without one.
   std::shared_ptr<const BindingTarget>
-      attempted;           ///< The last target that was tried, with success or without.
-  std::int64_t ticket = 0; ///< Of the last job that was asked to bind it.
-  LiveEvent pending;       ///< What has not been told yet.
+      attempted;                                 ///< The last target that was tried, with success or without.
+  std::shared_ptr<const BindingTarget> underWay; ///< What a worker binds it to while `binding`.
+  std::int64_t ticket = 0;                       ///< Of the last job that was asked to bind it.
+  LiveEvent pending;                             ///< What has not been told yet.
 
   /// The slot of the job queue in which it is bound.
   std::string slot() const { return "bind/" + std::to_string(organ->id.value); }
   const Points& points() const { return deformer ? deformer->points() : organ->mesh->points; }
 
-  /// Takes a result for `attempted`.
-  void take(BindingResult result);
+  /// Takes a result that was made for `of`.
+  void take(BindingResult result, std::shared_ptr<const BindingTarget> of);
   void fail(const BindingFailure& failure);
   void setState(BindingStatus::State state);
 

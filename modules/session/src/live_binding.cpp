@@ -56,7 +56,7 @@ struct LiveBinding::Impl {
   void bindNow(BoundOrgan& organ);
   void bindLater(BoundOrgan& organ);
   void arrived(OrganId id, std::int64_t ticket, JobResult<BindingResult> result);
-  void take(BoundOrgan& organ, BindingResult result);
+  void take(BoundOrgan& organ, BindingResult result, std::shared_ptr<const BindingTarget> of);
   void poseAll(bool interactive);
   void tell();
   const BoundOrgan& require(OrganId id) const;
@@ -117,10 +117,14 @@ void LiveBinding::Impl::bindWaiting() {
   for (auto& [id, organ] : organs) {
     if (organ.attempted == target)
       continue;
-    if (organ.status.state == State::binding)
-      jobs.cancelSlot(organ.slot());
+    const bool underWay = organ.status.state == State::binding;
     organ.attempted = target;
-    if (organ.boundTo && sameBinding(*organ.boundTo, *target)) {
+    const bool known = organ.boundTo && sameBinding(*organ.boundTo, *target);
+    if (underWay && !known && !failure && worthWaitingFor(*organ.underWay, *target))
+      continue;
+    if (underWay)
+      jobs.cancelSlot(organ.slot());
+    if (known) {
       organ.boundTo = target; // Back to where it was, by undo perhaps, before another binding was there.
       organ.setState(State::bound);
     } else if (failure) {
@@ -144,12 +148,13 @@ double LiveBinding::Impl::expectedSeconds(const BoundOrgan& organ) const {
 
 void LiveBinding::Impl::bindNow(BoundOrgan& organ) {
   Progress nobodyLooks;
-  take(organ, bindToTarget(*organ.organ, *target, options.threads, nobodyLooks));
+  take(organ, bindToTarget(*organ.organ, *target, options.threads, nobodyLooks), target);
 }
 
 void LiveBinding::Impl::bindLater(BoundOrgan& organ) {
   organ.setState(State::binding);
   organ.ticket = ++lastTicket;
+  organ.underWay = target;
   const auto work = [item = organ.organ, wanted = target, threads = options.threads](Progress& progress) {
     return bindToTarget(*item, *wanted, threads, progress);
   };
@@ -168,18 +173,28 @@ void LiveBinding::Impl::arrived(OrganId id, std::int64_t ticket, JobResult<Bindi
   if (found == organs.end() || found->second.ticket != ticket || found->second.status.state != State::binding)
     return;
   BoundOrgan& organ = found->second;
-  if (result.value)
-    take(organ, std::move(*result.value));
-  else if (result.error)
-    organ.fail({State::failed, result.error->what(), 0});
-  else
+  const auto of = std::exchange(organ.underWay, nullptr);
+  const bool last = of == organ.attempted;
+  if (result.cancelled()) {
     organ.setState(State::stale);
+  } else {
+    if (result.error && last)
+      organ.fail({State::failed, result.error->what(), 0});
+    if (result.value && (last || result.value->deformer)) // What is no longer wanted may fail unsaid.
+      take(organ, std::move(*result.value), of);
+    if (!last) {
+      organ.attempted.reset();
+      organ.setState(State::bound); // Nothing is under way any more.
+      bindWaiting();
+    }
+  }
   organ.setPose(*target, shownPose, false);
   tell();
 }
 
-void LiveBinding::Impl::take(BoundOrgan& organ, BindingResult result) {
-  organ.take(std::move(result));
+void LiveBinding::Impl::take(BoundOrgan& organ, BindingResult result,
+                             std::shared_ptr<const BindingTarget> of) {
+  organ.take(std::move(result), std::move(of));
   const auto sizes =
       static_cast<double>(organ.organ->mesh->points.rows()) * static_cast<double>(target->ids.size());
   if (organ.deformer && sizes > 0)

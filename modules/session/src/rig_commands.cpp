@@ -11,6 +11,9 @@
 namespace viscera::session {
 namespace {
 
+/// How far a box around vertices in no region reaches beyond them, as a part of their organ's diagonal.
+constexpr double kEnclosingMargin = 0.03;
+
 /// The number of a label "H-n", or 0.
 int numberOf(const std::string& label) {
   int number = 0;
@@ -73,6 +76,20 @@ std::string freeGroupName(const Rig& rig, const std::string& wanted) {
   });
 }
 
+/// Puts the corners of a box into a rig as a group of their own.
+DocumentState withBox(const DocumentState& state, const Points& corners, const std::string& name,
+                      IdSource& ids) {
+  std::vector<NewHandle> handles = newHandles(corners);
+  for (std::size_t i = 0; i < handles.size(); ++i)
+    handles[i].label = "E-" + std::to_string(i + 1);
+  Rig rig = *state.rig;
+  Points pose = *state.pose;
+  const std::vector<HandleId> added = append(rig, pose, handles, ids);
+  requireApart(rig);
+  rig.groups.push_back({ids.next<GroupId>(), freeGroupName(rig, name), {0.6, 0.6, 0.65}, added});
+  return edit::withRig(state, std::move(rig), std::move(pose));
+}
+
 DocumentState enclosed(const DocumentState& state, IdSource& ids) {
   Eigen::Index count = state.pose->rows();
   for (const auto& organ : *state.organs)
@@ -86,15 +103,23 @@ DocumentState enclosed(const DocumentState& state, IdSource& ids) {
     everything.middleRows(row, organ->mesh->points.rows()) = organ->mesh->points;
     row += organ->mesh->points.rows();
   }
-  std::vector<NewHandle> corners = newHandles(deformation::enclosingHandles(everything));
-  for (std::size_t i = 0; i < corners.size(); ++i)
-    corners[i].label = "E-" + std::to_string(i + 1);
-  Rig rig = *state.rig;
-  Points pose = *state.pose;
-  const std::vector<HandleId> added = append(rig, pose, corners, ids);
-  requireApart(rig);
-  rig.groups.push_back({ids.next<GroupId>(), freeGroupName(rig, "Enclosing"), {0.6, 0.6, 0.65}, added});
-  return edit::withRig(state, std::move(rig), std::move(pose));
+  return withBox(state, deformation::enclosingHandles(everything), "Enclosing", ids);
+}
+
+DocumentState withEnclosingGroup(const DocumentState& state, OrganId id, const std::vector<int>& vertices,
+                                 IdSource& ids) {
+  const auto organ = state.organ(id);
+  if (!organ)
+    throw UsageError("There is no such organ any more", "organ " + std::to_string(id.value));
+  const Points& points = organ->mesh->points;
+  if (vertices.empty() || *std::min_element(vertices.begin(), vertices.end()) < 0 ||
+      *std::max_element(vertices.begin(), vertices.end()) >= points.rows())
+    throw UsageError("There are no such vertices to enclose", organ->name);
+  const Bounds box = boundsOf(points(vertices, Eigen::all));
+  const double grow = kEnclosingMargin * boundsOf(points).diagonal();
+  Points ends(2, 3);
+  ends << (box.low.array() - grow).transpose(), (box.high.array() + grow).transpose();
+  return withBox(state, deformation::enclosingHandles(ends, 0), "Enclosing", ids);
 }
 
 DocumentState movedAtRest(const DocumentState& state, const std::vector<HandleId>& handles,
@@ -214,6 +239,14 @@ Command addHandles(std::vector<NewHandle> handles, GroupId group) {
 Command addEnclosingHandles() {
   return {"Add enclosing handles",
           [](const DocumentState& state, IdSource& ids) { return enclosed(state, ids); },
+          {}};
+}
+
+Command addEnclosingGroup(OrganId organ, std::vector<int> vertices) {
+  return {"Add enclosing group",
+          [organ, vertices = std::move(vertices)](const DocumentState& state, IdSource& ids) {
+            return withEnclosingGroup(state, organ, vertices, ids);
+          },
           {}};
 }
 

@@ -254,19 +254,37 @@ TEST(LiveBinding, KeepsTheOldBindingInUseWhileAWorkerBinds) {
   EXPECT_EQ(l.live.deformer(l.organ())->pose(), l.document.pose());
 }
 
-TEST(LiveBinding, BindsToTheLastOfManyEdits) {
+TEST(LiveBinding, ADragThatIsFasterThanBindingShowsTheBindingUnderWayAndThenTheLast) {
   Live l(0);
   l.undo.perform(setSystem({"patient", {}}));
   for (int i = 1; i <= 10; ++i)
     l.undo.perform(moveRestHandles({l.handle(8)}, row(i, 0, 42)));
-  EXPECT_EQ(l.jobs.jobs().size(), 1u) << "those before have been superseded";
-  int replaced = 0;
-  const Subscription subscription =
-      l.live.onEvent([&](const LiveEvent& event) { replaced += event.replaced; });
+  EXPECT_EQ(l.jobs.jobs().size(), 1u) << "one binding is under way, and no other waits";
+  std::vector<double> bound;
+  const Subscription subscription = l.live.onEvent([&](const LiveEvent& event) {
+    if (event.replaced)
+      bound.push_back(l.live.deformer(l.organ())->restHandles()(8, 0));
+  });
   l.patient->open = true;
   l.settle();
-  EXPECT_EQ(replaced, 1) << "a binding that was superseded arrived";
-  EXPECT_EQ(l.live.deformer(l.organ())->restHandles().row(8), row(10, 0, 42));
+  EXPECT_EQ(bound, (std::vector<double>{0, 10})) << "neither starved nor bound to every step";
+  EXPECT_EQ(l.patient->begun, 2);
+  EXPECT_EQ(l.live.status(l.organ()).state, State::bound);
+  EXPECT_EQ(l.points(), l.document.organs()[0]->mesh->points);
+}
+
+TEST(LiveBinding, ABindingUnderWayIsGivenUpForOtherHandlesOrAnotherSystem) {
+  Live l(0);
+  l.undo.perform(setSystem({"patient", {}}));
+  l.undo.perform(removeHandles({l.handle(9)}));
+  l.patient->open = true;
+  l.settle();
+  EXPECT_EQ(l.live.deformer(l.organ())->restHandles().rows(), 9);
+  l.patient->open = false;
+  l.undo.perform(moveRestHandles({l.handle(8)}, row(0, 1, 42)));
+  l.undo.perform(setSystem({"s-celestial", {}}));
+  l.settle();
+  EXPECT_EQ(l.live.status(l.organ()).state, State::bound) << "without waiting for the patient system";
 }
 
 TEST(LiveBinding, LeavesTheDocumentAndTheOldBindingWhenBindingIsCancelled) {

@@ -28,6 +28,8 @@ struct BindingStatus {
   std::string message; ///< For a user: what is wrong and what to try. Empty when bound.
   int outsideHull = 0; ///< Failed: vertices outside the handles' hull; `addEnclosingHandles` would mend it.
   coordinates::BindingReport report; ///< Of the binding in use; `report.seconds` is the time on the badge.
+  /// Failed: vertices that lie in no group's region; `addEnclosingGroup` would mend it.
+  std::vector<int> inNoRegion = {};
 };
 
 /// What one organ's volume is and was. Meaningless for an open surface.
@@ -50,7 +52,9 @@ struct LiveEvent {
 /// Keeps every organ of a document bound to its handles and in the pose that is shown. Edits of the rest
 /// handles, of the system and its parameters bind anew, at once when that takes less than a frame, else on
 /// the job queue in a slot of each organ ("bind/<id>"), with the old binding in use until the new one is
-/// there. It never changes the document. For the document's thread.
+/// there. While a handle is dragged at rest, or a parameter's slider moves, a binding under way is not given
+/// up: it arrives, and the next one begins with what is wanted then, so that the organ follows however long a
+/// binding takes. It never changes the document. For the document's thread.
 class LiveBinding {
 public:
   struct Options {

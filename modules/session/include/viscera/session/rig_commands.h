@@ -49,6 +49,10 @@ Command addHandles(std::vector<NewHandle> handles, GroupId group = {});
 /// `UsageError` without any organ.
 Command addEnclosingHandles();
 
+/// Adds a group of eight new handles, the corners of a box around those vertices of an organ. What is offered
+/// when vertices lie in no group's region. Throws `UsageError` for an organ or vertices that are not there.
+Command addEnclosingGroup(OrganId organ, std::vector<int> vertices);
+
 /// Removes handles; groups lose them but stay.
 Command removeHandles(std::vector<HandleId> handles);
 

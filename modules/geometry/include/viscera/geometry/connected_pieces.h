@@ -1,0 +1,19 @@
+#pragma once
+
+#include <vector>
+
+#include "viscera/geometry/triangle_mesh.h"
+
+namespace viscera::geometry {
+
+/// The pieces of a surface that hang together through shared vertices.
+struct ConnectedPieces {
+  int count = 0;
+  std::vector<int>
+      ofVertex; ///< 0 to count - 1 in order of their first vertices; -1 for a vertex without triangles.
+};
+
+/// Any valid mesh. O(n + m).
+ConnectedPieces connectedPieces(const TriangleMesh& mesh);
+
+} // namespace viscera::geometry
