@@ -87,6 +87,7 @@ struct OrganView::Parts {
   vtkNew<vtkVisceraHandleSetRepresentation> handles;
   vtkNew<vtkVisceraHandleSetWidget> widget;
   ConstraintGlyph constraint;
+  RegionHulls regions;
   Legend legend;
   OrientationCube cube{renderer};
   ScaleBar scaleBar{renderer};
@@ -137,6 +138,7 @@ void OrganView::Parts::watchMotion(vtkObject* source) {
 void OrganView::Parts::orderProps() {
   for (const auto& ghost : ghosts)
     ghost->drawAfterOrgans();
+  regions.drawAfterOrgans();
   constraint.drawAfterOrgans();
   for (const auto& organ : organs)
     handles->AddOccluder(organ->actor());
@@ -158,6 +160,7 @@ OrganView::OrganView() : parts_(std::make_unique<Parts>()) {
   p.beforeRender.setRenderer(p.renderer);
   p.legend.setRenderer(p.renderer);
   p.constraint.setRenderer(p.renderer);
+  p.regions.setRenderer(p.renderer);
   p.widget->SetRepresentation(p.handles);
   p.motion->SetClientData(&p);
   p.motion->SetCallback([](vtkObject*, unsigned long event, void* parts, void*) {
@@ -343,6 +346,9 @@ vtkVisceraHandleSetWidget* OrganView::handleWidget() const {
 }
 ConstraintGlyph& OrganView::constraint() {
   return parts_->constraint;
+}
+RegionHulls& OrganView::regions() {
+  return parts_->regions;
 }
 Legend& OrganView::legend() {
   return parts_->legend;

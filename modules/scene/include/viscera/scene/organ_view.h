@@ -9,6 +9,7 @@
 #include "viscera/scene/ghost_outline.h"
 #include "viscera/scene/legend.h"
 #include "viscera/scene/organ_actor.h"
+#include "viscera/scene/region_hulls.h"
 #include "viscera/scene/surface_pick.h"
 #include "viscera/scene/theme.h"
 
@@ -75,6 +76,7 @@ public:
   vtkVisceraHandleSetRepresentation* handles() const;
   vtkVisceraHandleSetWidget* handleWidget() const;
   ConstraintGlyph& constraint();
+  RegionHulls& regions();
   Legend& legend();
 
   void setOrientationCubeShown(bool shown);

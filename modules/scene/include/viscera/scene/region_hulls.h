@@ -1,0 +1,50 @@
+#pragma once
+
+#include <array>
+#include <memory>
+#include <vector>
+
+#include "viscera/core/arrays.h"
+
+class vtkRenderer;
+
+namespace viscera::scene {
+
+/// One convex body as it is drawn: its faces as a tinted glass, its sharp edges as lines. A flat one is a
+/// pane, one without faces a thick line or a dot.
+struct RegionHull {
+  Points vertices;                       ///< `n x 3` mm.
+  Triangles triangles;                   ///< Over `vertices`; may be none.
+  std::vector<std::array<int, 2>> edges; ///< Pairs of `vertices`; one with itself is a dot.
+  Vec3 color = Vec3::Ones();             ///< Red green blue, 0 to 1.
+  double opacity = 0.1;                  ///< Of the faces, 0 to 1; the lines are opaquer.
+};
+
+/// Translucent hulls around the organs: regions, zones and super-regions of grouped handles. They hide
+/// nothing, can be looked through from any side, and what an organ hides of their edges is drawn fainter.
+/// Belongs to the thread that renders.
+class RegionHulls {
+public:
+  RegionHulls();
+  ~RegionHulls();
+  RegionHulls(const RegionHulls&) = delete;
+  RegionHulls& operator=(const RegionHulls&) = delete;
+
+  /// Draws in `renderer` from now on. Null: nowhere.
+  void setRenderer(vtkRenderer* renderer);
+
+  /// Shows these in the place of those before; none hides all. O(faces), quick enough for every move of a
+  /// drag.
+  void setHulls(std::vector<RegionHull> hulls);
+  const std::vector<RegionHull>& hulls() const;
+
+  /// Has to be called after organs were added to the renderer: hulls are blended over them. `OrganView` does
+  /// it.
+  void drawAfterOrgans();
+
+private:
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
+};
+
+} // namespace viscera::scene
