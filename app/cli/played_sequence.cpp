@@ -1,10 +1,14 @@
 #include "cli/played_sequence.h"
 
 #include <optional>
+#include <sstream>
 
 #include "cli/inputs.h"
+#include "viscera/core/error.h"
 #include "viscera/deformation/bind_organ.h"
+#include "viscera/medical_io/handle_file.h"
 #include "viscera/session/player.h"
+#include "viscera/session/sequence_file.h"
 #include "viscera/session/sequence_setup.h"
 
 namespace viscera::app::cli {
@@ -53,6 +57,135 @@ void requireOwnHandles(const std::string& file, const sequences::Sequence& seque
   session::requireFits(rig, sequence);
 }
 
+/// "apex=1,2,3" taken apart.
+session::Landmark landmarkOf(const std::string& text) {
+  const std::size_t equal = text.find('=');
+  std::istringstream numbers(equal == std::string::npos ? "" : text.substr(equal + 1));
+  Vec3 place;
+  char comma = 0;
+  char second = 0;
+  numbers >> place[0] >> comma >> place[1] >> second >> place[2];
+  if (!numbers || comma != ',' || second != ',' || !(numbers >> std::ws).eof())
+    throw UsageError("is not a name and three numbers", "--landmark " + text, "as in apex=12.5,-40,7 (mm, LPS)");
+  return {text.substr(0, equal), place, false};
+}
+
+session::Landmarks givenLandmarks(const PlayRequest& request, std::vector<std::string>& warnings) {
+  session::Landmarks landmarks;
+  for (const std::string& text : request.landmark)
+    landmarks.points.push_back(landmarkOf(text));
+  if (request.landmarks.empty())
+    return landmarks;
+  const medical_io::HandleFile file = medical_io::readHandles(request.landmarks);
+  for (const std::string& warning : file.warnings)
+    warnings.push_back(request.landmarks + ": " + warning);
+  const session::Landmarks inFile = session::landmarksFrom(file, request.sequence, request.landmarks);
+  for (const session::Landmark& landmark : inFile.points)
+    if (!landmarks.find(landmark.role) || landmarks.find(landmark.role)->role == "centreline")
+      landmarks.points.push_back(landmark);
+  return landmarks;
+}
+
+/// Ties surfaces to the handles of a sequence.
+class Binder {
+public:
+  Binder(const sequences::Sequence& sequence, const session::SystemChoice& choice, Surroundings& surroundings)
+      : choice_(choice), surroundings_(surroundings), system_(surroundings.systems.find(choice.id)) {
+    handles_.positions = sequence.restHandles();
+    for (const sequences::HandleGroup& group : sequence.groups())
+      handles_.groups.push_back({group.name, group.handles});
+  }
+
+  std::shared_ptr<deformation::Deformer> bound(std::shared_ptr<const geometry::TriangleMesh> mesh) const {
+    auto binding =
+        deformation::bindOrgan(*system_, handles_, mesh->points,
+                               {choice_.parameters, surroundings_.threads}, surroundings_.progress);
+    return std::make_shared<deformation::Deformer>(std::move(mesh), std::move(binding), handles_.positions,
+                                                   surroundings_.threads);
+  }
+
+private:
+  const session::SystemChoice& choice_;
+  Surroundings& surroundings_;
+  std::shared_ptr<const coordinates::CoordinateSystem> system_;
+  coordinates::HandleSet handles_;
+};
+
+void bindAll(PlayedSequence& played, const session::SystemChoice& system, Surroundings& surroundings) {
+  const Binder binder(*played.sequence, system, surroundings);
+  for (PlayedSurface& surface : played.surfaces)
+    surface.deformer = binder.bound(surface.organ.mesh);
+}
+
+/// A shipped sequence on its own organ, or on one of that organ's surfaces.
+PlayedSequence onOwnOrgan(const PlayRequest& request, Surroundings& surroundings) {
+  const std::optional<organs::Resolution> resolution =
+      resolutionOf(request.organ, ownOrgan(request.sequence));
+  const session::SequenceSetup setup = session::setUpSequence(
+      surroundings.samples, request.sequence, resolution.value_or(organs::Resolution::medium),
+      surroundings.progress, surroundings.threads);
+  PlayedSequence played;
+  played.sequence = setup.sequence;
+  played.rig = setup.rig;
+  if (resolution)
+    played.surfaces = surfacesOf(setup.organ);
+  else
+    played.surfaces.push_back(
+        {"outer", organInput(request.organ, surroundings.samples, surroundings.progress), nullptr, false});
+  bindAll(played, setup.system, surroundings);
+  if (played.find("lv")) {
+    const organs::SampleSurface chambers =
+        organs::sampleSurface(surroundings.samples, "heart", "chambers", *resolution, surroundings.progress,
+                              surroundings.threads);
+    played.chambers = Binder(*played.sequence, setup.system, surroundings).bound(chambers.mesh);
+  }
+  return played;
+}
+
+/// A shipped sequence on an organ that it is not made for.
+PlayedSequence onOtherOrgan(const PlayRequest& request, Surroundings& surroundings) {
+  PlayedSequence played;
+  const session::Landmarks given = givenLandmarks(request, played.warnings);
+  const std::string name = request.organ.empty() ? "sample:" + ownOrgan(request.sequence) : request.organ;
+  session::Organ organ = organInput(name, surroundings.samples, surroundings.progress);
+  session::RetargetedSequence fitted = session::retargetSequence(
+      request.sequence, organ, given, surroundings.progress, surroundings.threads);
+  played.warnings.insert(played.warnings.end(), organ.warnings.begin(), organ.warnings.end());
+  played.warnings.insert(played.warnings.end(), fitted.warnings.begin(), fitted.warnings.end());
+  played.sequence = fitted.sequence;
+  played.rig = fitted.rig;
+  played.surfaces.push_back({"outer", std::move(organ), nullptr, false});
+  bindAll(played, fitted.system, surroundings);
+  played.retargeted = std::move(fitted);
+  return played;
+}
+
+PlayedSequence fromFile(const PlayRequest& request, Surroundings& surroundings) {
+  if (request.organ.empty())
+    throw UsageError("needs an organ to move", request.sequence, "name one with --organ");
+  const session::SequenceFile file = session::readSequence(request.sequence);
+  PlayedSequence played;
+  played.sequence = std::make_shared<sequences::KeyframedSequence>(file.track);
+  played.rig = session::rigOf(file);
+  for (session::Organ& organ : organInputs(request.organ, surroundings.samples, surroundings.progress)) {
+    played.warnings.insert(played.warnings.end(), organ.warnings.begin(), organ.warnings.end());
+    const std::string name = played.surfaces.empty() ? "outer" : organ.name.substr(organ.name.find('/') + 1);
+    played.surfaces.push_back({name, std::move(organ), nullptr, false});
+  }
+  played.surfaces.front().wall = played.surfaces.size() > 1;
+  bindAll(played, file.system.value_or(session::SystemChoice()), surroundings);
+  return played;
+}
+
+/// Whether a shipped sequence is to be fitted: landmarks are given, or the organ is no surface of its own one.
+bool isOther(const PlayRequest& request) {
+  if (!request.landmarks.empty() || !request.landmark.empty())
+    return true;
+  const std::string own = ownOrgan(request.sequence);
+  return !own.empty() && !request.organ.empty() &&
+         !(isSample(request.organ) && sampleReference(request.organ).organ == own);
+}
+
 } // namespace
 
 const PlayedSurface* PlayedSequence::find(const std::string& name) const {
@@ -62,32 +195,15 @@ const PlayedSurface* PlayedSequence::find(const std::string& name) const {
   return nullptr;
 }
 
-PlayedSequence playedSequence(const std::string& name, const std::string& organ, const std::string& handles,
-                              Surroundings& surroundings) {
-  const std::optional<organs::Resolution> resolution = resolutionOf(organ, ownOrgan(name));
-  const session::SequenceSetup setup =
-      session::setUpSequence(surroundings.samples, name, resolution.value_or(organs::Resolution::medium),
-                             surroundings.progress, surroundings.threads);
-  PlayedSequence played;
-  played.sequence = setup.sequence;
-  if (!handles.empty())
-    requireOwnHandles(handles, *setup.sequence, played.warnings);
-  if (resolution) {
-    played.surfaces = surfacesOf(setup.organ);
-  } else {
-    session::Organ other = organInput(organ, surroundings.samples, surroundings.progress);
-    played.warnings.insert(played.warnings.end(), other.warnings.begin(), other.warnings.end());
-    played.surfaces.push_back({"outer", std::move(other), nullptr, false});
-  }
-  const auto system = surroundings.systems.find(setup.system.id);
-  coordinates::HandleSet rest;
-  rest.positions = setup.sequence->restHandles();
-  for (PlayedSurface& surface : played.surfaces)
-    surface.deformer = std::make_shared<deformation::Deformer>(
-        surface.organ.mesh,
-        deformation::bindOrgan(*system, rest, surface.organ.mesh->points,
-                               {setup.system.parameters, surroundings.threads}, surroundings.progress),
-        rest.positions, surroundings.threads);
+PlayedSequence playedSequence(const PlayRequest& request, Surroundings& surroundings) {
+  const bool isFile = session::isSequenceFile(request.sequence);
+  if (isFile && (!request.landmarks.empty() || !request.landmark.empty()))
+    throw UsageError("is played on the handles that it holds", request.sequence, "leave the landmarks out");
+  PlayedSequence played = isFile             ? fromFile(request, surroundings)
+                          : isOther(request) ? onOtherOrgan(request, surroundings)
+                                             : onOwnOrgan(request, surroundings);
+  if (!request.handles.empty())
+    requireOwnHandles(request.handles, *played.sequence, played.warnings);
   return played;
 }
 

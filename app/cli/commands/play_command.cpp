@@ -12,8 +12,10 @@
 #include "cli/listing.h"
 #include "viscera/core/atomic_file.h"
 #include "viscera/core/error.h"
+#include "viscera/medical_io/handle_file.h"
 #include "viscera/scene/movie_writer.h"
 #include "viscera/session/cardiac_indices.h"
+#include "viscera/session/open_files.h"
 #include "viscera/session/sequence_setup.h"
 
 namespace viscera::app::cli {
@@ -90,13 +92,59 @@ double restMl(const PlayedSurface& surface) {
   return surface.deformer->restVolumeMm3() / kMm3PerMl;
 }
 
+/// The volume between the chambers from outside and the ventricles' cavities: muscle, and the atria, whose
+/// cavities are not modelled.
+void addWall(const PlayedSequence& played, const std::vector<double>& wall, nlohmann::ordered_json& json,
+             Listing& listing) {
+  const double rest = played.chambers->restVolumeMm3() / kMm3PerMl - restMl(*played.find("lv")) -
+                      restMl(*played.find("rv"));
+  const auto [low, high] = std::minmax_element(wall.begin(), wall.end());
+  const double change = std::max(*high - rest, rest - *low) / rest;
+  json["wallVolume"] = {
+      {"minMl", *low}, {"maxMl", *high}, {"restMl", rest}, {"maxRelativeChange", change}};
+  listing.add("wall", fixed(*low, 1) + " to " + fixed(*high, 1) + " ml, at rest " + fixed(rest, 1) + " ml");
+}
+
+/// What was found out about an organ that the sequence was fitted to.
+void addFit(const session::RetargetedSequence& fitted, nlohmann::ordered_json& json, Listing& listing) {
+  json["retargeted"] = {{"scale", fitted.scale},
+                        {"handles", fitted.rig.handles.size()},
+                        {"landmarks", nlohmann::ordered_json::array()}};
+  std::string computed;
+  for (const session::Landmark& landmark : fitted.landmarks.points) {
+    const Vec3& p = landmark.position;
+    json["retargeted"]["landmarks"].push_back(
+        {{"name", landmark.role}, {"positionMm", {p.x(), p.y(), p.z()}}, {"computed", landmark.computed}});
+    if (landmark.computed && computed.find(landmark.role) == std::string::npos)
+      computed += (computed.empty() ? "" : ", ") + landmark.role;
+  }
+  listing.add("size", fixed(fitted.scale, 2) + " of the sample organ's")
+      .add("computed", computed.empty() ? "nothing: all landmarks are given" : computed);
+}
+
 } // namespace
 
 void PlayCommand::addOptions(CLI::App& options) {
-  options.add_option("SEQUENCE", sequence_, sequenceNames())->required();
-  options.add_option("--organ", organ_, "What to move instead of the sequence's own organ")
+  options.add_option("SEQUENCE", request_.sequence, sequenceNames() + ", or a .sequence.json file")
+      ->required();
+  options
+      .add_option("--organ", request_.organ,
+                  "What to move instead of the sequence's own organ: the sequence is fitted to it")
       ->type_name("ORGAN");
-  options.add_option("--handles", handles_, "Handle file; has to hold the sequence's own handles")
+  options
+      .add_option("--landmarks", request_.landmarks,
+                  "Points on that organ (.mrk.json), labelled apex, base, right; or fundus, centreline-1, ..., "
+                  "body, pylorus. Those that are missing are computed")
+      ->type_name("FILE");
+  options.add_option("--landmark", request_.landmark, "One landmark in mm, LPS: apex=12.5,-40,7")
+      ->type_name("NAME=X,Y,Z");
+  options.add_option("--write-landmarks", landmarksOut_, "Where to write the landmarks that were used (.mrk.json)")
+      ->type_name("FILE");
+  options.add_option("--handles", request_.handles, "Handle file; has to hold the sequence's own handles")
+      ->type_name("FILE");
+  options
+      .add_option("--write-handles", handlesOut_,
+                  "Where to write the sequence's handles in their groups, at rest (.mrk.json)")
       ->type_name("FILE");
   options.add_option("--rate", rate_, "Cycles a minute; the sequence's own when not said")
       ->type_name("PER_MINUTE")
@@ -121,13 +169,14 @@ Outcome PlayCommand::run(Surroundings& surroundings) {
   stage_.size = pictureSize(size_);
   if (!csv_.empty())
     const AtomicFile writable(csv_); // Said before the work, not after it.
-  PlayedSequence played = playedSequence(sequence_, organ_, handles_, surroundings);
+  PlayedSequence played = playedSequence(request_, surroundings);
+  writeRig(played);
   const double rate = rateOf(*played.sequence);
   const int frames = std::max(1, static_cast<int>(std::lround(cycles_ * 60.0 / rate * framesPerSecond_)));
-  const session::VolumeRecord volumes = play(played, rate, frames, surroundings);
+  const Measured measured = play(played, rate, frames, surroundings);
   if (!csv_.empty())
-    writeTable(csv_, volumes);
-  Outcome outcome = report(played, volumes, rate);
+    writeTable(csv_, measured.volumes);
+  Outcome outcome = report(played, measured, rate);
   outcome.warnings = std::move(played.warnings);
   outcome.json["seconds"] = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   return outcome;
@@ -144,12 +193,24 @@ double PlayCommand::rateOf(const sequences::Sequence& sequence) const {
   return rate_;
 }
 
-session::VolumeRecord PlayCommand::play(PlayedSequence& played, double rate, int frames,
+void PlayCommand::writeRig(const PlayedSequence& played) const {
+  if (!handlesOut_.empty())
+    medical_io::writeHandles(handlesOut_, session::handleFile(played.rig));
+  if (landmarksOut_.empty())
+    return;
+  if (!played.retargeted)
+    throw UsageError("there are no landmarks: the sequence plays on its own organ", "--write-landmarks",
+                     "name another organ with --organ");
+  medical_io::writeHandles(landmarksOut_,
+                           session::landmarkFile(played.retargeted->landmarks, "Landmarks"));
+}
+
+PlayCommand::Measured PlayCommand::play(PlayedSequence& played, double rate, int frames,
                                         Surroundings& surroundings) const {
   std::vector<std::string> names;
   for (const PlayedSurface& surface : played.surfaces)
     names.push_back(surface.name);
-  session::VolumeRecord volumes(names);
+  Measured measured{session::VolumeRecord(names), {}};
   std::optional<Recording> recording;
   if (!frames_.empty() || !movie_.empty())
     recording.emplace(played, stage_, surroundings.threads);
@@ -168,18 +229,23 @@ session::VolumeRecord PlayCommand::play(PlayedSequence& played, double rate, int
       surface.deformer->setPose(pose);
       row.push_back(volumeMl(surface));
     }
-    volumes.add(seconds, row);
+    measured.volumes.add(seconds, row);
+    if (played.chambers) {
+      played.chambers->setPose(pose);
+      const double cavities = volumeMl(*played.find("lv")) + volumeMl(*played.find("rv"));
+      measured.wallMl.push_back(played.chambers->volumeMm3() / kMm3PerMl - cavities);
+    }
     if (recording)
       recording->addFrame();
     surroundings.progress.report(kDrawingShare * (frame + 1) / frames, "playing");
   }
   if (recording)
     recording->finish(surroundings.progress);
-  return volumes;
+  return measured;
 }
 
-Outcome PlayCommand::report(const PlayedSequence& played, const session::VolumeRecord& volumes,
-                            double rate) const {
+Outcome PlayCommand::report(const PlayedSequence& played, const Measured& measured, double rate) const {
+  const session::VolumeRecord& volumes = measured.volumes;
   Outcome outcome;
   outcome.json = {{"sequence", played.sequence->id()},
                   {"ratePerMinute", rate},
@@ -210,8 +276,13 @@ Outcome PlayCommand::report(const PlayedSequence& played, const session::VolumeR
     listing.add("ejection fraction", fixed(indices.ejectionFraction, 3))
         .add("stroke volume", fixed(indices.strokeVolumeMl, 1) + " ml");
   }
+  if (played.chambers)
+    addWall(played, measured.wallMl, outcome.json, listing);
+  if (played.retargeted)
+    addFit(*played.retargeted, outcome.json, listing);
   for (const auto& [key, target] :
-       {std::pair("csv", csv_), std::pair("movie", movie_), std::pair("folder", frames_)})
+       {std::pair("csv", csv_), std::pair("movie", movie_), std::pair("folder", frames_),
+        std::pair("handles", handlesOut_), std::pair("landmarksFile", landmarksOut_)})
     if (!target.empty()) {
       outcome.json[key] = target;
       listing.add(key, target);

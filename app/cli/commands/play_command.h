@@ -19,16 +19,23 @@ public:
   Outcome run(Surroundings& surroundings) override;
 
 private:
+  /// What playing has shown.
+  struct Measured {
+    session::VolumeRecord volumes;
+    std::vector<double> wallMl; ///< Of the sample heart: chambers from outside less both cavities.
+  };
+
   /// The rate to play at. Throws `UsageError` outside what the sequence allows.
   double rateOf(const sequences::Sequence& sequence) const;
+  /// Writes the handles and landmarks that are asked for.
+  void writeRig(const PlayedSequence& played) const;
   /// Plays every frame, and records those that are asked for.
-  session::VolumeRecord play(PlayedSequence& played, double rate, int frames,
-                             Surroundings& surroundings) const;
-  Outcome report(const PlayedSequence& played, const session::VolumeRecord& volumes, double rate) const;
+  Measured play(PlayedSequence& played, double rate, int frames, Surroundings& surroundings) const;
+  Outcome report(const PlayedSequence& played, const Measured& measured, double rate) const;
 
-  std::string sequence_;
-  std::string organ_;
-  std::string handles_;
+  PlayRequest request_;
+  std::string handlesOut_;
+  std::string landmarksOut_;
   double rate_ = 0; ///< 0: the sequence's own.
   int cycles_ = 1;
   double framesPerSecond_ = 25;

@@ -246,21 +246,27 @@ std::vector<int> HeartRig::handlesOf(HeartRole role) const {
 std::vector<HandleGroup> HeartRig::groups() const {
   std::vector<HandleGroup> groups;
   for (const RoleLook& look : roleLooks())
-    groups.push_back({look.name, look.color, handlesOf(look.role)});
+    if (HandleGroup group{look.name, look.color, handlesOf(look.role)}; !group.handles.empty())
+      groups.push_back(std::move(group));
   return groups;
 }
 
 HeartRig makeHeartRig(HeartAnatomy anatomy, const HeartRigOptions& options) {
   HeartRig rig{std::move(anatomy), {}};
   RigBuilder builder(rig, options);
-  builder.addEndocardium();
+  if (options.cavities)
+    builder.addEndocardium();
   builder.addEpicardium();
-  builder.addRightFreeWall();
-  builder.addSeptum();
+  if (options.cavities) {
+    builder.addRightFreeWall();
+    builder.addSeptum();
+  }
   builder.addAtria();
   builder.addVessels();
   builder.addFarCorners();
   for (const HeartRole role : {HeartRole::epicardium, HeartRole::rightFreeWall}) {
+    if (role == HeartRole::rightFreeWall && !options.cavities)
+      continue;
     const std::size_t count = rig.handlesOf(role).size();
     if (count < kFewestHandles)
       throw DataError("a ventricle is not where its frame says: only " + std::to_string(count) +

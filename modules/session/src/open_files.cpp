@@ -166,6 +166,11 @@ medical_io::HandleFile handleFile(const Rig& rig) {
   return file;
 }
 
+medical_io::HandleFile handleFile(const NewRig& rig) {
+  IdSource ids;
+  return handleFile(*replaceRig(rig).apply(DocumentState(), ids).rig);
+}
+
 std::vector<NewOrgan> organsFrom(const organs::SampleOrgan& sample) {
   std::vector<NewOrgan> list;
   for (const organs::SampleSurface& surface : sample.surfaces) {

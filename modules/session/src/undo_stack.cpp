@@ -18,6 +18,7 @@ void shareEqualParts(const DocumentState& before, DocumentState& after) {
   share(&DocumentState::rig);
   share(&DocumentState::pose);
   share(&DocumentState::system);
+  share(&DocumentState::recording);
 }
 
 } // namespace
@@ -137,6 +138,8 @@ void UndoStack::reset(DocumentState state) {
     document_.ids_.reserve(handle.id);
   for (const Group& group : state.rig->groups)
     document_.ids_.reserve(group.id);
+  for (const RecordedKey& key : state.recording->keys)
+    document_.ids_.reserve(key.id);
   seal();
   saved_ = state;
   document_.replace(std::move(state), false);

@@ -79,6 +79,7 @@ struct HeartRigOptions {
   double spacing = 20;    ///< Along the rings around the ventricles, mm.
   double offset = 8;      ///< Between the ventricles and the handles outside them, mm.
   int atrialHandles = 24; ///< Directions tried around each atrium.
+  bool cavities = true;   ///< Also handles on the walls of the ventricles' cavities.
 };
 
 /// The handles of a heart, those of one role in one piece.
@@ -90,7 +91,7 @@ struct HeartRig {
   Points restHandles() const;
   /// The rows of the handles of one role, ascending.
   std::vector<int> handlesOf(HeartRole role) const;
-  /// One group a role, in the order of the handles.
+  /// One group a role that has handles, in their order.
   std::vector<HandleGroup> groups() const;
 };
 

@@ -8,6 +8,7 @@
 #include "viscera/coordinates/parameters.h"
 #include "viscera/session/ids.h"
 #include "viscera/session/organ.h"
+#include "viscera/session/recording.h"
 #include "viscera/session/rig.h"
 #include "viscera/session/signal.h"
 
@@ -21,8 +22,8 @@ struct SystemChoice {
   coordinates::ParameterValues parameters;
 };
 
-/// Everything that is saved and undone, in four immutable parts that states share with one another: a copy
-/// costs four pointers, and a state that is kept (by the undo stack, by a worker that saves) never changes.
+/// Everything that is saved and undone, in five immutable parts that states share with one another: a copy
+/// costs five pointers, and a state that is kept (by the undo stack, by a worker that saves) never changes.
 ///
 /// What a user looks at is not in it: the selection (`Selection`), the camera, the mode, the time of a
 /// sequence.
@@ -31,6 +32,7 @@ struct DocumentState {
   std::shared_ptr<const Rig> rig;          ///< Never null.
   std::shared_ptr<const Points> pose; ///< `handles x 3` mm, row i belongs to `rig->handles[i]`. Never null.
   std::shared_ptr<const SystemChoice> system; ///< Never null.
+  std::shared_ptr<const Recording> recording; ///< The keys that a user has recorded. Never null.
 
   /// An empty document.
   DocumentState();
@@ -59,6 +61,7 @@ struct Change {
   bool rig() const { return before.rig != after.rig; }
   bool pose() const { return before.pose != after.pose; }
   bool system() const { return before.system != after.system; }
+  bool recording() const { return before.recording != after.recording; }
 };
 
 /// The document that is open. Whoever has one reads it; only an `UndoStack` changes it, by commands.
@@ -75,6 +78,7 @@ public:
   const Rig& rig() const { return *state_.rig; }
   const Points& pose() const { return *state_.pose; }
   const SystemChoice& system() const { return *state_.system; }
+  const Recording& recording() const { return *state_.recording; }
 
   /// Tells of every change, after it. An observer must not change the document; it may read it.
   [[nodiscard]] Subscription onChange(std::function<void(const Change&)> observer) {

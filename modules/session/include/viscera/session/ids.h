@@ -17,6 +17,7 @@ struct Id {
 using OrganId = Id<struct OrganTag>;
 using HandleId = Id<struct HandleTag>;
 using GroupId = Id<struct GroupTag>;
+using KeyId = Id<struct KeyTag>;
 
 /// Hands out the ids of one document, in order.
 class IdSource {

@@ -40,6 +40,8 @@ Organ readOrgan(const std::filesystem::path& file);
 NewRig rigFrom(const medical_io::HandleFile& file, const std::string& where);
 /// The rig at rest as a handle file has it; handles without a group form the list "Handles".
 medical_io::HandleFile handleFile(const Rig& rig);
+/// The same of a rig that is not in a document.
+medical_io::HandleFile handleFile(const NewRig& rig);
 
 /// A sample organ's surfaces: the outer one, with the others as its cavities.
 std::vector<NewOrgan> organsFrom(const organs::SampleOrgan& sample);

@@ -1,0 +1,100 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "viscera/core/arrays.h"
+#include "viscera/sequences/curve.h"
+#include "viscera/sequences/sequence.h"
+
+/// Sequences out of a few poses that somebody has recorded.
+namespace viscera::sequences {
+
+/// How the way from one key to the next is run through. All are monotone: no pose overshoots its keys.
+enum class Easing {
+  linear, ///< Evenly.
+  smooth, ///< Starts and ends gently (smoothstep); continuously differentiable across keys.
+  in,     ///< Starts gently.
+  out,    ///< Ends gently.
+  hold    ///< Stays, and jumps at the next key.
+};
+
+/// "linear", "smooth", "in", "out", "hold".
+std::string nameOf(Easing easing);
+/// Nothing for a name that there is not.
+std::optional<Easing> easingFromName(const std::string& name);
+
+/// What part of the way is done at `part` of the time, both 0 to 1; ascending, `eased(e, 0) == 0`.
+double eased(Easing easing, double part);
+
+/// How poses between keys are found.
+enum class Interpolation {
+  eased, ///< On the straight way from key to key, each as its easing says.
+  curve  ///< On one curve through all keys, C1, without overshoot in any coordinate (`Curve`); no easings.
+};
+
+/// "eased", "curve".
+std::string nameOf(Interpolation interpolation);
+std::optional<Interpolation> interpolationFromName(const std::string& name);
+
+/// One pose at one time.
+struct Keyframe {
+  double seconds = 0;             ///< [0, period).
+  Points pose;                    ///< `n x 3` mm.
+  Easing easing = Easing::smooth; ///< From here to the next key.
+};
+
+/// The shortest time between two keys and the shortest period, s.
+inline constexpr double kShortestSpan = 1e-3;
+
+/// Recorded poses in time. Immutable; thread-safe.
+class KeyframedSequence final : public Sequence {
+public:
+  /// All that makes one.
+  struct Track {
+    std::string name = "Recorded"; ///< For people.
+    Points restHandles;            ///< `n x 3` mm.
+    std::vector<HandleGroup> groups;
+    double periodSeconds = 1; ///< Of one cycle; beyond the last key.
+    /// Whether the last key leads back to the first. Else the first pose lasts until its key, and the last
+    /// one to the end of the period.
+    bool loop = true;
+    Interpolation interpolation = Interpolation::eased;
+    std::vector<Keyframe> keys; ///< In order of time.
+  };
+
+  /// Throws `DataError` that names the key: no key, a pose of another size or with a number that is not
+  /// finite, keys that do not ascend by `kShortestSpan` at least, or that do not fit into the period.
+  explicit KeyframedSequence(Track track);
+
+  std::string id() const override { return "keyframes"; }
+  std::string name() const override { return track_.name; }
+  const Points& restHandles() const override { return track_.restHandles; }
+  std::vector<HandleGroup> groups() const override { return track_.groups; }
+  double standardRatePerMinute() const override { return 60 / track_.periodSeconds; }
+  double lowestRatePerMinute() const override { return 0.1 * standardRatePerMinute(); }
+  double highestRatePerMinute() const override { return 10 * standardRatePerMinute(); }
+
+  /// At a key's time it is that key's pose exactly, whatever the rate. O(n).
+  void poseAt(double seconds, double ratePerMinute, Points& pose) const override;
+  /// "key 1", "key 2", ...: from each key to the next; "start" before the first.
+  std::vector<Phase> phases(double ratePerMinute) const override;
+
+  const Track& track() const { return track_; }
+
+private:
+  /// Between which keys a moment is, and what part of the way.
+  struct Place {
+    std::size_t from, to;
+    double part;
+  };
+  Place placeAt(double secondsInPeriod) const;
+  void makeCurves();
+
+  Track track_;
+  std::vector<Curve> curves_; ///< One a coordinate, row by row; empty without `Interpolation::curve`.
+};
+
+} // namespace viscera::sequences

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "viscera/sequences/sequence.h"
+
+namespace viscera::sequences {
+
+/// A sequence that was made for an organ of standard size, played on one that is larger or smaller by a
+/// factor: all lengths are multiplied, about the origin. So one set of constants, in millimetres, serves
+/// every size. Immutable; as thread-safe as the sequence in it.
+class ScaledSequence final : public Sequence {
+public:
+  /// `scale` is the organ's size as a multiple of the standard one's. Throws `DataError` unless it is
+  /// positive and finite.
+  ScaledSequence(std::shared_ptr<const Sequence> standard, double scale);
+
+  std::string id() const override { return standard_->id(); }
+  std::string name() const override { return standard_->name(); }
+  const Points& restHandles() const override { return rest_; }
+  std::vector<HandleGroup> groups() const override { return standard_->groups(); }
+  double standardRatePerMinute() const override { return standard_->standardRatePerMinute(); }
+  double lowestRatePerMinute() const override { return standard_->lowestRatePerMinute(); }
+  double highestRatePerMinute() const override { return standard_->highestRatePerMinute(); }
+  void poseAt(double seconds, double ratePerMinute, Points& pose) const override;
+  std::vector<Phase> phases(double ratePerMinute) const override { return standard_->phases(ratePerMinute); }
+
+  const Sequence& standard() const { return *standard_; }
+  double scale() const { return scale_; }
+
+private:
+  std::shared_ptr<const Sequence> standard_;
+  double scale_;
+  Points rest_;
+};
+
+} // namespace viscera::sequences

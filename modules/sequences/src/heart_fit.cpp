@@ -1,0 +1,216 @@
+#include "viscera/sequences/heart_fit.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
+
+#include "spread_points.h"
+#include "viscera/core/error.h"
+
+namespace viscera::sequences {
+namespace {
+
+using std::numbers::pi;
+
+// Estimating.
+constexpr int kGrid = 28;           ///< Samples along the longest side of the box.
+constexpr double kCoreDepth = 0.45; ///< Deeper than this part of the deepest point is core.
+constexpr double kCoreReach = 1.1;  ///< What is left of the heart lies within that many core depths.
+constexpr double kBaseBack = 2.0 / 3.0; ///< From the apex to the base, as a part of the whole length.
+constexpr double kBulge = 0.06;     ///< Rounder than this the ventricles show no right side.
+/// From the axis to the right ventricle of a heart in its place (patient's right and front).
+const Vec3 kRightOfPeople(-0.62, -0.78, 0.05);
+
+// Fitting, in the standard size.
+constexpr double kRayStep = 0.5;
+constexpr double kFarthest = 120;
+constexpr double kShellCenter = 30;         ///< c of the widest place,
+constexpr double kShellHalf = 67;           ///< and half the length of the left ventricle from outside;
+constexpr double kCavityCenter = 28;        ///< the same of its cavity,
+constexpr double kCavityHalf = 59;
+constexpr double kCavityShare = 25.5 / 36;  ///< and its width as a part of the outer one.
+constexpr double kNarrowest = 20, kWidest = 60;
+constexpr double kBehindBase = 10;   ///< The ventricles end that far behind the base, mm.
+constexpr double kFirstAtrial = 12;  ///< Atrial handles begin behind that, mm.
+constexpr double kLastAtrial = 60;   ///< What is farther behind carries vessels and stays.
+constexpr double kSpread = 20;       ///< Between handles on what is behind the base, mm.
+constexpr double kOff = 6;           ///< How far off the surface they stand, mm.
+constexpr double kAtrialMiddle = 24; ///< The point that atria contract towards lies that far behind the base.
+constexpr double kVesselFade = 60;   ///< Behind the base what takes part in its descent fades over this, mm.
+constexpr double kBoxMargin = 0.3;
+
+double outermost(const AnatomySurface& surface, const HeartFrame& frame, double phi, double c) {
+  for (double rho = kFarthest; rho > 0; rho -= kRayStep)
+    if (surface(frame.toWorld(HeartPoint{rho, phi, c})) < 0)
+      return rho;
+  return 0;
+}
+
+/// Points inside, on an even grid, with their depth.
+struct Inside {
+  std::vector<Vec3> points;
+  std::vector<double> depths;
+};
+
+Inside sampleInside(const AnatomySurface& surface, const Bounds& box) {
+  const double step = (box.high - box.low).maxCoeff() / kGrid;
+  Inside inside;
+  if (!(step > 0))
+    return inside;
+  for (double x = box.low.x() + 0.5 * step; x < box.high.x(); x += step)
+    for (double y = box.low.y() + 0.5 * step; y < box.high.y(); y += step)
+      for (double z = box.low.z() + 0.5 * step; z < box.high.z(); z += step)
+        if (const double depth = -surface({x, y, z}); depth > 0) {
+          inside.points.emplace_back(x, y, z);
+          inside.depths.push_back(depth);
+        }
+  return inside;
+}
+
+/// Those of the points that lie near deep ones: what is left without thin parts.
+std::vector<Vec3> opened(const Inside& inside) {
+  const double deepest = *std::max_element(inside.depths.begin(), inside.depths.end());
+  std::vector<Vec3> core;
+  for (std::size_t i = 0; i < inside.points.size(); ++i)
+    if (inside.depths[i] > kCoreDepth * deepest)
+      core.push_back(inside.points[i]);
+  const double reach = kCoreReach * kCoreDepth * deepest;
+  std::vector<Vec3> left;
+  for (const Vec3& point : inside.points)
+    if (std::any_of(core.begin(), core.end(),
+                    [&](const Vec3& deep) { return (deep - point).squaredNorm() < reach * reach; }))
+      left.push_back(point);
+  return left;
+}
+
+/// Middle and principal axis; the axis points where the body tapers.
+std::pair<Vec3, Vec3> taperingAxis(const std::vector<Vec3>& points) {
+  Vec3 middle = Vec3::Zero();
+  for (const Vec3& point : points)
+    middle += point / static_cast<double>(points.size());
+  Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
+  for (const Vec3& point : points)
+    spread += (point - middle) * (point - middle).transpose();
+  const Vec3 axis = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(spread).eigenvectors().col(2);
+  double skew = 0;
+  for (const Vec3& point : points)
+    skew += std::pow((point - middle).dot(axis), 3);
+  return {middle, skew < 0 ? Vec3(-axis) : axis};
+}
+
+/// The direction across the axis in which the surface reaches farthest around `middle`; people's when it is
+/// about round.
+Vec3 bulge(const AnatomySurface& surface, const Vec3& middle, const Vec3& axis, double farthest) {
+  constexpr int kRays = 48;
+  const Vec3 u = axis.unitOrthogonal();
+  const Vec3 v = axis.cross(u);
+  Vec3 sum = Vec3::Zero();
+  double mean = 0;
+  for (int k = 0; k < kRays; ++k) {
+    const double angle = 2 * pi * k / kRays;
+    const Vec3 direction = std::cos(angle) * u + std::sin(angle) * v;
+    double radius = farthest;
+    while (radius > 0 && surface(middle + radius * direction) > 0)
+      radius -= 0.01 * farthest;
+    sum += radius / kRays * direction;
+    mean += radius / kRays;
+  }
+  if (sum.norm() > kBulge * mean)
+    return sum.normalized();
+  const Vec3 right = kRightOfPeople - kRightOfPeople.dot(axis) * axis;
+  return right.norm() > kBulge ? Vec3(right.normalized()) : u;
+}
+
+double leftRadius(const AnatomySurface& surface, const HeartFrame& frame) {
+  std::vector<double> radii;
+  for (const double c : {15.0, 30.0, 45.0})
+    for (int k = -4; k <= 4; ++k) {
+      const double profile = std::sqrt(1 - std::pow((c - kShellCenter) / kShellHalf, 2));
+      radii.push_back(outermost(surface, frame, pi + k * pi / 12, c) / profile);
+    }
+  std::nth_element(radii.begin(), radii.begin() + static_cast<std::ptrdiff_t>(radii.size() / 2), radii.end());
+  return std::clamp(radii[radii.size() / 2], kNarrowest, kWidest);
+}
+
+/// Handles on what lies behind the base: near it they move with the atria, farther away they hold vessels.
+void addBehindBase(HeartAnatomy& anatomy, const AnatomySurface& surface, const Points& points) {
+  const HeartFrame& frame = anatomy.frame;
+  const auto along = [&frame](const Vec3& p) { return frame.toLocal(p).z(); };
+  const Points behind = rowsWhere(points, [&](const Vec3& p) { return along(p) < -kFirstAtrial; });
+  if (behind.rows() == 0)
+    return;
+  Vec3 middle = Vec3::Zero();
+  Eigen::Index count = 0;
+  for (const auto& row : behind.rowwise())
+    if (along(row.transpose()) > -kLastAtrial) {
+      middle += row.transpose();
+      ++count;
+    }
+  if (count > 0) {
+    middle /= static_cast<double>(count);
+    middle -= (along(middle) + kAtrialMiddle) * frame.towardsApex();
+  }
+  AtriumAnatomy atria{surface, middle, {}};
+  for (const Vec3& place : spreadPoints(behind, Points(0, 3), kSpread)) {
+    const Vec3 handle = movedOff(surface, place, kOff);
+    const double c = along(handle);
+    if (c > -kLastAtrial) {
+      atria.appendage.push_back(handle);
+    } else {
+      const double fade = std::clamp(1 + c / kVesselFade, 0.0, 1.0);
+      anatomy.vessels.push_back({handle, Vec3::UnitZ(), 0, 1, fade});
+    }
+  }
+  anatomy.atria.push_back(std::move(atria));
+}
+
+} // namespace
+
+HeartLandmarks estimateHeartLandmarks(const AnatomySurface& surface, const Bounds& box) {
+  const Inside inside = sampleInside(surface, box);
+  if (inside.points.empty())
+    throw DataError("the surface has no inside", "heart landmarks", "give apex and base yourself");
+  const std::vector<Vec3> body = opened(inside);
+  const auto [middle, axis] = taperingAxis(body);
+  double back = 0;
+  for (const Vec3& point : body)
+    back = std::min(back, (point - middle).dot(axis));
+  double tip = box.diagonal();
+  while (tip > 0 && surface(middle + tip * axis) > 0)
+    tip -= 1e-3 * box.diagonal();
+  HeartLandmarks landmarks;
+  landmarks.apex = middle + tip * axis;
+  landmarks.base = landmarks.apex - kBaseBack * (tip - back) * axis;
+  const Vec3 widest = landmarks.base + 0.35 * (landmarks.apex - landmarks.base);
+  const double width = 0.5 * (tip - back);
+  landmarks.right = widest + 0.5 * width * bulge(surface, widest, axis, 2 * width);
+  return landmarks;
+}
+
+HeartAnatomy fitHeart(const HeartLandmarks& landmarks, const AnatomySurface& surface, const Points& points) {
+  if (surface(landmarks.base) >= 0)
+    throw DataError("the base does not lie inside the heart", "heart landmarks",
+                    "put it on the middle of the mitral valve");
+  HeartAnatomy anatomy;
+  anatomy.frame =
+      HeartFrame(landmarks.base, landmarks.right - landmarks.base, landmarks.apex - landmarks.base);
+  const double radius = leftRadius(surface, anatomy.frame);
+  anatomy.endocardium = {kCavityShare * radius, kCavityCenter, kCavityHalf};
+  anatomy.epicardium = {radius, kShellCenter, kShellHalf};
+  anatomy.baseEpicardium = -6;
+  anatomy.length = 92;
+  anatomy.ventricles = [surface, frame = anatomy.frame](const Vec3& p) {
+    return std::max(surface(p), -kBehindBase - frame.toLocal(p).z());
+  };
+  anatomy.rightCavity = anatomy.ventricles;
+  anatomy.greatVessels = [](const Vec3&) { return kFarthest; };
+  addBehindBase(anatomy, surface, points);
+  anatomy.box = grownBox(points, kBoxMargin);
+  return anatomy;
+}
+
+} // namespace viscera::sequences

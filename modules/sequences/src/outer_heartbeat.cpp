@@ -1,0 +1,79 @@
+#include "viscera/sequences/outer_heartbeat.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "viscera/core/error.h"
+#include "viscera/sequences/heartbeat_calibration.h"
+
+namespace viscera::sequences {
+namespace {
+
+constexpr double kLargestLoss = 0.4;
+/// The ventricles may become narrower or wider by that part of their distance from the axis.
+constexpr double kMostWidening = 0.5;
+/// Behind the base widening fades within this length of the axis, mm.
+constexpr double kFading = 30;
+constexpr int kTried = 48;
+
+double smoothStep(double x) {
+  x = std::clamp(x, 0.0, 1.0);
+  return x * x * (3 - 2 * x);
+}
+
+bool widens(HeartRole role) {
+  return role == HeartRole::epicardium || role == HeartRole::atrium;
+}
+
+} // namespace
+
+OuterHeartbeat::OuterHeartbeat(HeartMotion motion, PoseCompensation compensation, VolumeAlong volume,
+                               double systolicLoss)
+    : motion_(std::move(motion)), compensation_(std::move(compensation)), volume_(std::move(volume)),
+      loss_(systolicLoss), rest_(motion_.rig().restHandles()) {
+  if (compensation_.handleCount() != 0 && compensation_.handleCount() != rest_.rows())
+    throw DataError("the compensation is for " + std::to_string(compensation_.handleCount()) +
+                        " handles, the heart has " + std::to_string(rest_.rows()),
+                    "heartbeat");
+  if (!(loss_ >= 0 && loss_ <= kLargestLoss))
+    throw DataError("a heart cannot lose that part of its volume in systole", "heartbeat",
+                    "choose 0 to 0.4; people have 0.048 to 0.106");
+  restMl_ = volume_(rest_, Points::Zero(rest_.rows(), 3))[0];
+  Points pose;
+  for (int i = 0; i < kTried; ++i)
+    poseAtPhase(static_cast<double>(i) / kTried, pose);
+}
+
+void OuterHeartbeat::poseAtPhase(double phase, Points& pose) const {
+  motion_.pose(uncorrectedState(cycle_, phase), pose);
+  const HeartFrame& frame = motion_.rig().anatomy.frame;
+  Points widened = rest_;
+  for (Eigen::Index i = 0; i < pose.rows(); ++i) {
+    const HeartHandle& handle = motion_.rig().handles[static_cast<std::size_t>(i)];
+    if (!widens(handle.role))
+      continue;
+    const Vec3 from = pose.row(i).transpose() - frame.origin();
+    const Vec3 outward = from - from.dot(frame.towardsApex()) * frame.towardsApex();
+    widened.row(i) += smoothStep(1 + handle.place.c / kFading) * outward.transpose();
+  }
+  compensation_.apply(rest_, pose);
+  compensation_.apply(rest_, widened);
+  const Points added = widened - rest_;
+  const double wanted = restMl_ * (1 - loss_ * cycle_.emptying(phase));
+  const auto root = solveCubic(volume_(pose, added), wanted, 0, -kMostWidening, kMostWidening);
+  if (!root)
+    throw DataError("the heart cannot be brought to the volume that it has to hold",
+                    "heartbeat at phase " + std::to_string(phase), "check the landmarks of apex and base");
+  pose += *root * added;
+}
+
+void OuterHeartbeat::poseAt(double seconds, double ratePerMinute, Points& pose) const {
+  poseAtPhase(cycle_.referencePhase(seconds, ratePerMinute), pose);
+}
+
+double OuterHeartbeat::volumePart(double seconds, double ratePerMinute) const {
+  return 1 - loss_ * cycle_.emptying(cycle_.referencePhase(seconds, ratePerMinute));
+}
+
+} // namespace viscera::sequences

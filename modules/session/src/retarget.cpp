@@ -1,0 +1,156 @@
+#include "viscera/session/retarget.h"
+
+#include <numeric>
+#include <sstream>
+#include <utility>
+
+#include "landmark_finder.h"
+#include "sequence_binding.h"
+#include "viscera/core/error.h"
+#include "viscera/deformation/place_handles.h"
+#include "viscera/sequences/breathing.h"
+#include "viscera/sequences/heart_fit.h"
+#include "viscera/sequences/outer_heartbeat.h"
+#include "viscera/sequences/peristalsis.h"
+#include "viscera/sequences/scaled_sequence.h"
+#include "viscera/sequences/stomach_fit.h"
+#include "viscera/session/player.h"
+#include "viscera/session/system_commands.h"
+
+namespace viscera::session {
+namespace {
+
+/// A little more than one handle spacing of the standard organ.
+constexpr double kSoftnessMm = 25;
+constexpr int kLiverHandles = 38;
+constexpr int kCorners = 8;
+/// Organs that differ more from the sample organ's size are asked about.
+constexpr double kOddSize = 2;
+
+/// Makes the sequences in the standard size, on a copy of the organ's surface in that size.
+class Retargeter {
+public:
+  Retargeter(const Organ& organ, const LandmarkFinder& finder, Threads threads)
+      : organ_(organ), finder_(finder), threads_(threads) {}
+
+  RetargetedSequence heartbeat(Landmarks landmarks) {
+    const Vec3 apex = landmarks.find("apex")->position;
+    const Vec3 base = landmarks.find("base")->position;
+    scale_ = (apex - base).norm() / sequences::kStandardHeartLength;
+    const sequences::HeartLandmarks marks{apex / scale_, base / scale_,
+                                          landmarks.find("right")->position / scale_};
+    sequences::HeartRigOptions options;
+    options.cavities = false;
+    options.atrialHandles = 0;
+    sequences::HeartRig rig =
+        makeHeartRig(fitHeart(marks, surface(), organ_.mesh->points / scale_), options);
+    const Points rest = rig.restHandles();
+    const SystemChoice standard = softCoordinates(kSoftnessMm);
+    return finished(std::make_shared<sequences::OuterHeartbeat>(sequences::HeartMotion(std::move(rig)),
+                                                                compensationFor(rest, standard, threads_),
+                                                                volumeOf(rest, standard)),
+                    std::move(landmarks));
+  }
+
+  RetargetedSequence peristalsis(Landmarks landmarks) {
+    StomachLine line = stomachLine(landmarks, organ_.name);
+    scale_ = line.pylorus / sequences::kStandardStomachLength;
+    for (Vec3& point : line.points)
+      point /= scale_;
+    const sequences::GastricCourse course{line.midBody / scale_, line.pylorus / scale_};
+    sequences::StomachRig rig = makeStomachRig(fitStomach(sequences::Centerline(line.points), course,
+                                                          surface(), organ_.mesh->points / scale_));
+    const Points rest = rig.restHandles();
+    const SystemChoice standard = softCoordinates(kSoftnessMm);
+    return finished(std::make_shared<sequences::Peristalsis>(
+                        std::move(rig), compensationFor(rest, standard, threads_), volumeOf(rest, standard)),
+                    std::move(landmarks));
+  }
+
+  RetargetedSequence breathing(Landmarks landmarks) {
+    deformation::Placement placement;
+    placement.count = kLiverHandles;
+    const Points handles = deformation::placeHandles(*organ_.mesh, placement);
+    std::vector<int> rows(static_cast<std::size_t>(handles.rows()));
+    std::iota(rows.begin(), rows.end(), 0);
+    // The corners come first.
+    std::vector<sequences::HandleGroup> groups{
+        {"Far corners", {0.60, 0.60, 0.60}, {rows.begin(), rows.begin() + kCorners}},
+        {"Liver", {0.90, 0.62, 0.00}, {rows.begin() + kCorners, rows.end()}}};
+    return finished(std::make_shared<sequences::LiverBreathing>(handles, boundsOf(organ_.mesh->points),
+                                                                std::move(groups)),
+                    std::move(landmarks));
+  }
+
+private:
+  sequences::AnatomySurface surface() const {
+    return [scale = scale_, finder = finder_](const Vec3& p) { return finder.depth(scale * p) / scale; };
+  }
+
+  sequences::VolumeAlong volumeOf(const Points& rest, const SystemChoice& system) const {
+    auto mesh = std::make_shared<geometry::TriangleMesh>();
+    mesh->points = organ_.mesh->points / scale_;
+    mesh->triangles = organ_.mesh->triangles;
+    const auto volume = std::make_shared<const MovedVolume>(std::move(mesh), rest, system, threads_);
+    return [volume](const Points& pose, const Points& direction) { return volume->along(pose, direction); };
+  }
+
+  RetargetedSequence finished(std::shared_ptr<const sequences::Sequence> standard,
+                              Landmarks landmarks) const {
+    RetargetedSequence result;
+    result.sequence = scale_ == 1 ? std::move(standard)
+                                  : std::make_shared<sequences::ScaledSequence>(std::move(standard), scale_);
+    result.rig = rigOf(*result.sequence);
+    result.system = softCoordinates(kSoftnessMm * scale_);
+    result.landmarks = std::move(landmarks);
+    result.scale = scale_;
+    result.restVolumeMl = organ_.restVolumeMm3 / kMm3PerMl;
+    if (scale_ > kOddSize || scale_ < 1 / kOddSize) {
+      std::ostringstream text;
+      text.precision(3);
+      text << "the organ is " << scale_ << " times as long as that of an adult; check its unit";
+      result.warnings.push_back(text.str());
+    }
+    return result;
+  }
+
+  const Organ& organ_;
+  const LandmarkFinder& finder_;
+  Threads threads_;
+  double scale_ = 1;
+};
+
+} // namespace
+
+Landmarks completeLandmarks(const std::string& sequence, const Organ& organ, const Landmarks& given,
+                            Progress& progress) {
+  landmarkRoles(sequence); // Throws for an unknown one before any work.
+  progress.throwIfCancelled();
+  Landmarks landmarks = LandmarkFinder(sequence, organ).complete(given);
+  progress.report(1, "finding landmarks");
+  return landmarks;
+}
+
+RetargetedSequence retargetSequence(const std::string& id, const Organ& organ, const Landmarks& given,
+                                    Progress& progress, Threads threads) {
+  landmarkRoles(id);
+  progress.report(0, "finding landmarks");
+  const LandmarkFinder finder(id, organ);
+  Landmarks landmarks = finder.complete(given);
+  progress.throwIfCancelled();
+  progress.report(0.4, "placing handles");
+  Retargeter retargeter(organ, finder, threads);
+  RetargetedSequence result = id == "heartbeat"     ? retargeter.heartbeat(std::move(landmarks))
+                              : id == "peristalsis" ? retargeter.peristalsis(std::move(landmarks))
+                                                    : retargeter.breathing(std::move(landmarks));
+  progress.throwIfCancelled();
+  progress.report(1);
+  return result;
+}
+
+Command useRetargeted(const RetargetedSequence& retargeted) {
+  const std::string name = "Take handles of " + retargeted.sequence->name();
+  return combined(name, {replaceRig(retargeted.rig, name), setSystem(retargeted.system)});
+}
+
+} // namespace viscera::session
