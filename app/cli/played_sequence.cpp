@@ -66,7 +66,8 @@ session::Landmark landmarkOf(const std::string& text) {
   char second = 0;
   numbers >> place[0] >> comma >> place[1] >> second >> place[2];
   if (!numbers || comma != ',' || second != ',' || !(numbers >> std::ws).eof())
-    throw UsageError("is not a name and three numbers", "--landmark " + text, "as in apex=12.5,-40,7 (mm, LPS)");
+    throw UsageError("is not a name and three numbers", "--landmark " + text,
+                     "as in apex=12.5,-40,7 (mm, LPS)");
   return {text.substr(0, equal), place, false};
 }
 
@@ -98,8 +99,8 @@ public:
 
   std::shared_ptr<deformation::Deformer> bound(std::shared_ptr<const geometry::TriangleMesh> mesh) const {
     auto binding =
-        deformation::bindOrgan(*system_, handles_, mesh->points,
-                               {choice_.parameters, surroundings_.threads}, surroundings_.progress);
+        deformation::bindOrgan(*system_, handles_, mesh->points, {choice_.parameters, surroundings_.threads},
+                               surroundings_.progress);
     return std::make_shared<deformation::Deformer>(std::move(mesh), std::move(binding), handles_.positions,
                                                    surroundings_.threads);
   }
@@ -121,9 +122,9 @@ void bindAll(PlayedSequence& played, const session::SystemChoice& system, Surrou
 PlayedSequence onOwnOrgan(const PlayRequest& request, Surroundings& surroundings) {
   const std::optional<organs::Resolution> resolution =
       resolutionOf(request.organ, ownOrgan(request.sequence));
-  const session::SequenceSetup setup = session::setUpSequence(
-      surroundings.samples, request.sequence, resolution.value_or(organs::Resolution::medium),
-      surroundings.progress, surroundings.threads);
+  const session::SequenceSetup setup = session::setUpSequence(surroundings.samples, request.sequence,
+                                                              resolution.value_or(organs::Resolution::medium),
+                                                              surroundings.progress, surroundings.threads);
   PlayedSequence played;
   played.sequence = setup.sequence;
   played.rig = setup.rig;
@@ -134,9 +135,8 @@ PlayedSequence onOwnOrgan(const PlayRequest& request, Surroundings& surroundings
         {"outer", organInput(request.organ, surroundings.samples, surroundings.progress), nullptr, false});
   bindAll(played, setup.system, surroundings);
   if (played.find("lv")) {
-    const organs::SampleSurface chambers =
-        organs::sampleSurface(surroundings.samples, "heart", "chambers", *resolution, surroundings.progress,
-                              surroundings.threads);
+    const organs::SampleSurface chambers = organs::sampleSurface(
+        surroundings.samples, "heart", "chambers", *resolution, surroundings.progress, surroundings.threads);
     played.chambers = Binder(*played.sequence, setup.system, surroundings).bound(chambers.mesh);
   }
   return played;
@@ -148,8 +148,8 @@ PlayedSequence onOtherOrgan(const PlayRequest& request, Surroundings& surroundin
   const session::Landmarks given = givenLandmarks(request, played.warnings);
   const std::string name = request.organ.empty() ? "sample:" + ownOrgan(request.sequence) : request.organ;
   session::Organ organ = organInput(name, surroundings.samples, surroundings.progress);
-  session::RetargetedSequence fitted = session::retargetSequence(
-      request.sequence, organ, given, surroundings.progress, surroundings.threads);
+  session::RetargetedSequence fitted =
+      session::retargetSequence(request.sequence, organ, given, surroundings.progress, surroundings.threads);
   played.warnings.insert(played.warnings.end(), organ.warnings.begin(), organ.warnings.end());
   played.warnings.insert(played.warnings.end(), fitted.warnings.begin(), fitted.warnings.end());
   played.sequence = fitted.sequence;
@@ -177,7 +177,8 @@ PlayedSequence fromFile(const PlayRequest& request, Surroundings& surroundings) 
   return played;
 }
 
-/// Whether a shipped sequence is to be fitted: landmarks are given, or the organ is no surface of its own one.
+/// Whether a shipped sequence is to be fitted: landmarks are given, or the organ is no surface of its own
+/// one.
 bool isOther(const PlayRequest& request) {
   if (!request.landmarks.empty() || !request.landmark.empty())
     return true;

@@ -15,11 +15,11 @@ namespace viscera::app::cli {
 
 /// What of a sequence is asked for on the command line.
 struct PlayRequest {
-  std::string sequence;               ///< "heartbeat", or a `.sequence.json` file.
-  std::string organ;                  ///< ORGAN; empty: the one that the sequence is made for.
-  std::string handles;                ///< A handle file that has to hold the sequence's handles; or empty.
-  std::string landmarks;              ///< A handle file with landmarks of the organ; or empty.
-  std::vector<std::string> landmark;  ///< "apex=1,2,3"; these go before those of the file.
+  std::string sequence;              ///< "heartbeat", or a `.sequence.json` file.
+  std::string organ;                 ///< ORGAN; empty: the one that the sequence is made for.
+  std::string handles;               ///< A handle file that has to hold the sequence's handles; or empty.
+  std::string landmarks;             ///< A handle file with landmarks of the organ; or empty.
+  std::vector<std::string> landmark; ///< "apex=1,2,3"; these go before those of the file.
 };
 
 /// One surface that a sequence moves.

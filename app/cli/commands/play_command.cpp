@@ -96,12 +96,11 @@ double restMl(const PlayedSurface& surface) {
 /// cavities are not modelled.
 void addWall(const PlayedSequence& played, const std::vector<double>& wall, nlohmann::ordered_json& json,
              Listing& listing) {
-  const double rest = played.chambers->restVolumeMm3() / kMm3PerMl - restMl(*played.find("lv")) -
-                      restMl(*played.find("rv"));
+  const double rest =
+      played.chambers->restVolumeMm3() / kMm3PerMl - restMl(*played.find("lv")) - restMl(*played.find("rv"));
   const auto [low, high] = std::minmax_element(wall.begin(), wall.end());
   const double change = std::max(*high - rest, rest - *low) / rest;
-  json["wallVolume"] = {
-      {"minMl", *low}, {"maxMl", *high}, {"restMl", rest}, {"maxRelativeChange", change}};
+  json["wallVolume"] = {{"minMl", *low}, {"maxMl", *high}, {"restMl", rest}, {"maxRelativeChange", change}};
   listing.add("wall", fixed(*low, 1) + " to " + fixed(*high, 1) + " ml, at rest " + fixed(rest, 1) + " ml");
 }
 
@@ -132,13 +131,16 @@ void PlayCommand::addOptions(CLI::App& options) {
                   "What to move instead of the sequence's own organ: the sequence is fitted to it")
       ->type_name("ORGAN");
   options
-      .add_option("--landmarks", request_.landmarks,
-                  "Points on that organ (.mrk.json), labelled apex, base, right; or fundus, centreline-1, ..., "
-                  "body, pylorus. Those that are missing are computed")
+      .add_option(
+          "--landmarks", request_.landmarks,
+          "Points on that organ (.mrk.json), labelled apex, base, right; or fundus, centreline-1, ..., "
+          "body, pylorus. Those that are missing are computed")
       ->type_name("FILE");
   options.add_option("--landmark", request_.landmark, "One landmark in mm, LPS: apex=12.5,-40,7")
       ->type_name("NAME=X,Y,Z");
-  options.add_option("--write-landmarks", landmarksOut_, "Where to write the landmarks that were used (.mrk.json)")
+  options
+      .add_option("--write-landmarks", landmarksOut_,
+                  "Where to write the landmarks that were used (.mrk.json)")
       ->type_name("FILE");
   options.add_option("--handles", request_.handles, "Handle file; has to hold the sequence's own handles")
       ->type_name("FILE");
@@ -201,8 +203,7 @@ void PlayCommand::writeRig(const PlayedSequence& played) const {
   if (!played.retargeted)
     throw UsageError("there are no landmarks: the sequence plays on its own organ", "--write-landmarks",
                      "name another organ with --organ");
-  medical_io::writeHandles(landmarksOut_,
-                           session::landmarkFile(played.retargeted->landmarks, "Landmarks"));
+  medical_io::writeHandles(landmarksOut_, session::landmarkFile(played.retargeted->landmarks, "Landmarks"));
 }
 
 PlayCommand::Measured PlayCommand::play(PlayedSequence& played, double rate, int frames,

@@ -96,8 +96,9 @@ int SignedDistance::grow(int begin, int end, const Points& middles) {
   Eigen::Index axis = 0;
   (branch.high - branch.low).maxCoeff(&axis);
   const int middle = begin + (end - begin) / 2;
-  std::nth_element(order_.begin() + begin, order_.begin() + middle, order_.begin() + end,
-                   [&](int a, int b) { return std::pair(middles(a, axis), a) < std::pair(middles(b, axis), b); });
+  std::nth_element(order_.begin() + begin, order_.begin() + middle, order_.begin() + end, [&](int a, int b) {
+    return std::pair(middles(a, axis), a) < std::pair(middles(b, axis), b);
+  });
   grow(begin, middle, middles);
   const int right = grow(middle, end, middles);
   branches_[static_cast<std::size_t>(index)].right = right;
@@ -118,8 +119,9 @@ SignedDistance::Hit SignedDistance::find(const Vec3& point) const {
     if (branch.right == 0) {
       for (int i = branch.begin; i < branch.end; ++i) {
         const int triangle = order_[static_cast<std::size_t>(i)];
-        const Vec3 near = closestPointOfTriangle(point, cornerOf(*mesh_, triangle, 0),
-                                                 cornerOf(*mesh_, triangle, 1), cornerOf(*mesh_, triangle, 2));
+        const Vec3 near =
+            closestPointOfTriangle(point, cornerOf(*mesh_, triangle, 0), cornerOf(*mesh_, triangle, 1),
+                                   cornerOf(*mesh_, triangle, 2));
         const double d2 = (near - point).squaredNorm();
         if (d2 < best2) {
           best2 = d2;

@@ -34,7 +34,8 @@ Neighbors neighborsOf(const TriangleMesh& mesh) {
       const int a = mesh.triangles(t, k);
       const int b = mesh.triangles(t, (k + 1) % 3);
       // Of a closed oriented surface every edge comes once in each direction.
-      neighbors[static_cast<std::size_t>(a)].emplace_back(b, (mesh.points.row(a) - mesh.points.row(b)).norm());
+      neighbors[static_cast<std::size_t>(a)].emplace_back(b,
+                                                          (mesh.points.row(a) - mesh.points.row(b)).norm());
     }
   return neighbors;
 }
@@ -92,9 +93,10 @@ std::vector<int> tipsOf(const Neighbors& neighbors, const Values& distances, dou
   for (const int vertex : order) {
     if (seen[static_cast<std::size_t>(vertex)])
       continue;
-    const bool local = std::all_of(
-        neighbors[static_cast<std::size_t>(vertex)].begin(), neighbors[static_cast<std::size_t>(vertex)].end(),
-        [&](const auto& next) { return distances[next.first] <= distances[vertex]; });
+    const bool local = std::all_of(neighbors[static_cast<std::size_t>(vertex)].begin(),
+                                   neighbors[static_cast<std::size_t>(vertex)].end(), [&](const auto& next) {
+                                     return distances[next.first] <= distances[vertex];
+                                   });
     if (!local)
       continue;
     const Values around = distancesFrom(neighbors, {vertex}, reach);
@@ -124,8 +126,8 @@ double areaWithin(const TriangleMesh& mesh, const Values& distances) {
   return area;
 }
 
-/// The function that is 0 around one vertex, 1 around another and harmonic in between. Cotangent weights, kept
-/// positive, so that it has no extremum of its own on bad triangles either.
+/// The function that is 0 around one vertex, 1 around another and harmonic in between. Cotangent weights,
+/// kept positive, so that it has no extremum of its own on bad triangles either.
 Values harmonic(const TriangleMesh& mesh, const Values& fromOne, const Values& fromOther, double reach) {
   const Eigen::Index n = mesh.points.rows();
   Values values = Values::Zero(n);

@@ -17,22 +17,22 @@ namespace {
 using std::numbers::pi;
 
 // Estimating.
-constexpr int kGrid = 28;           ///< Samples along the longest side of the box.
-constexpr double kCoreDepth = 0.45; ///< Deeper than this part of the deepest point is core.
-constexpr double kCoreReach = 1.1;  ///< What is left of the heart lies within that many core depths.
+constexpr int kGrid = 28;               ///< Samples along the longest side of the box.
+constexpr double kCoreDepth = 0.45;     ///< Deeper than this part of the deepest point is core.
+constexpr double kCoreReach = 1.1;      ///< What is left of the heart lies within that many core depths.
 constexpr double kBaseBack = 2.0 / 3.0; ///< From the apex to the base, as a part of the whole length.
-constexpr double kBulge = 0.06;     ///< Rounder than this the ventricles show no right side.
+constexpr double kBulge = 0.06;         ///< Rounder than this the ventricles show no right side.
 /// From the axis to the right ventricle of a heart in its place (patient's right and front).
 const Vec3 kRightOfPeople(-0.62, -0.78, 0.05);
 
 // Fitting, in the standard size.
 constexpr double kRayStep = 0.5;
 constexpr double kFarthest = 120;
-constexpr double kShellCenter = 30;         ///< c of the widest place,
-constexpr double kShellHalf = 67;           ///< and half the length of the left ventricle from outside;
-constexpr double kCavityCenter = 28;        ///< the same of its cavity,
+constexpr double kShellCenter = 30;  ///< c of the widest place,
+constexpr double kShellHalf = 67;    ///< and half the length of the left ventricle from outside;
+constexpr double kCavityCenter = 28; ///< the same of its cavity,
 constexpr double kCavityHalf = 59;
-constexpr double kCavityShare = 25.5 / 36;  ///< and its width as a part of the outer one.
+constexpr double kCavityShare = 25.5 / 36; ///< and its width as a part of the outer one.
 constexpr double kNarrowest = 20, kWidest = 60;
 constexpr double kBehindBase = 10;   ///< The ventricles end that far behind the base, mm.
 constexpr double kFirstAtrial = 12;  ///< Atrial handles begin behind that, mm.

@@ -56,8 +56,8 @@ void requireKey(const KeyframedSequence::Track& track, std::size_t i) {
                         inSeconds(track.periodSeconds),
                     where, "move it, or lengthen the period");
   if (i > 0 && key.seconds - track.keys[i - 1].seconds < kShortestSpan)
-    throw DataError("its time, " + inSeconds(key.seconds) + ", is not after that of the key before it",
-                    where, "sort the keys by time and leave a millisecond at least between two");
+    throw DataError("its time, " + inSeconds(key.seconds) + ", is not after that of the key before it", where,
+                    "sort the keys by time and leave a millisecond at least between two");
 }
 
 } // namespace

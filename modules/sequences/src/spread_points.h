@@ -6,8 +6,9 @@
 
 namespace viscera::sequences {
 
-/// Picks points out of `candidates` (`n x 3`), the one farthest from all before it first, until every candidate
-/// is within `reach` (mm) of a pick or of one of `present` (`m x 3`). Deterministic. O(n (picks + m)).
+/// Picks points out of `candidates` (`n x 3`), the one farthest from all before it first, until every
+/// candidate is within `reach` (mm) of a pick or of one of `present` (`m x 3`). Deterministic. O(n (picks +
+/// m)).
 std::vector<Vec3> spreadPoints(const Points& candidates, const Points& present, double reach);
 
 /// The rows of `points` for which `keep` says so.

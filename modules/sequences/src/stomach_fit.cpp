@@ -24,14 +24,12 @@ constexpr double kOff = 8;        ///< How far off the surface that stands.
 constexpr double kBeyondEnd = 14; ///< How far before and behind the line its ends are held.
 constexpr double kBoxMargin = 0.3;
 
-
 } // namespace
 
 double pylorusAlong(const std::vector<double>& arcs, const std::vector<double>& areas) {
   assert(arcs.size() == areas.size() && arcs.size() >= 3);
   const double length = arcs.back();
-  const auto widest = static_cast<std::size_t>(
-      std::max_element(areas.begin(), areas.end()) - areas.begin());
+  const auto widest = static_cast<std::size_t>(std::max_element(areas.begin(), areas.end()) - areas.begin());
   for (std::size_t i = widest + 1; i + 1 < areas.size(); ++i) {
     const bool narrow = areas[i] <= areas[i - 1] && areas[i] < areas[i + 1] &&
                         areas[i] < kNarrow * areas[widest] && length - arcs[i] > kShortestDuodenum * length;
@@ -50,9 +48,7 @@ StomachAnatomy fitStomach(const Centerline& line, const GastricCourse& course, c
                           const Points& points) {
   StomachAnatomy anatomy{line, course, surface, {}, grownBox(points, kBoxMargin)};
   // What rings do not reach is held.
-  const auto hold = [&anatomy](const Vec3& place) {
-    anatomy.fixed.push_back({place, Vec3::UnitZ(), 0, 1});
-  };
+  const auto hold = [&anatomy](const Vec3& place) { anatomy.fixed.push_back({place, Vec3::UnitZ(), 0, 1}); };
   const CrossSection top = line.at(0);
   const CrossSection end = line.at(line.length());
   hold(top.center - kBeyondEnd * top.tangent);

@@ -121,8 +121,8 @@ Landmarks LandmarkFinder::heart(Landmarks landmarks) const {
     requireApart(*landmarks.find("apex"), *landmarks.find("base"));
   if (landmarks.find("right"))
     return landmarks;
-  const sequences::HeartLandmarks found = sequences::estimateHeartLandmarks(
-      [this](const Vec3& p) { return depth(p); }, boundsOf(mesh_->points));
+  const sequences::HeartLandmarks found =
+      sequences::estimateHeartLandmarks([this](const Vec3& p) { return depth(p); }, boundsOf(mesh_->points));
   if (landmarks.find("apex")) {
     // The side is asked for around the axis that is given.
     const Vec3 base = landmarks.find("base")->position;
@@ -196,8 +196,8 @@ StomachLine stomachLine(const Landmarks& landmarks, const std::string& where) {
     line.points.push_back(place);
   const Vec3 pylorus = landmarks.find("pylorus")->position;
   const Vec3 last = line.points.back();
-  const Vec3 onwards = line.points.size() > 1 ? Vec3(last - line.points[line.points.size() - 2])
-                                              : Vec3(pylorus - last);
+  const Vec3 onwards =
+      line.points.size() > 1 ? Vec3(last - line.points[line.points.size() - 2]) : Vec3(pylorus - last);
   if ((pylorus - last).dot(onwards) > 0 && (pylorus - last).norm() > 0.1 * onwards.norm())
     line.points.push_back(pylorus);
   const sequences::Centerline whole(line.points);

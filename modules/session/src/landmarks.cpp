@@ -88,7 +88,7 @@ medical_io::HandleFile landmarkFile(const Landmarks& landmarks, const std::strin
     medical_io::HandleRecord record;
     const int number = ++count[landmark.role];
     record.label = landmarks.all(landmark.role).size() > 1 ? landmark.role + "-" + std::to_string(number)
-                                                            : landmark.role;
+                                                           : landmark.role;
     record.position = landmark.position;
     record.description = landmark.computed ? "computed" : "given";
     group.handles.push_back(std::move(record));

@@ -42,8 +42,7 @@ public:
     sequences::HeartRigOptions options;
     options.cavities = false;
     options.atrialHandles = 0;
-    sequences::HeartRig rig =
-        makeHeartRig(fitHeart(marks, surface(), organ_.mesh->points / scale_), options);
+    sequences::HeartRig rig = makeHeartRig(fitHeart(marks, surface(), organ_.mesh->points / scale_), options);
     const Points rest = rig.restHandles();
     const SystemChoice standard = softCoordinates(kSoftnessMm);
     return finished(std::make_shared<sequences::OuterHeartbeat>(sequences::HeartMotion(std::move(rig)),
@@ -58,8 +57,8 @@ public:
     for (Vec3& point : line.points)
       point /= scale_;
     const sequences::GastricCourse course{line.midBody / scale_, line.pylorus / scale_};
-    sequences::StomachRig rig = makeStomachRig(fitStomach(sequences::Centerline(line.points), course,
-                                                          surface(), organ_.mesh->points / scale_));
+    sequences::StomachRig rig = makeStomachRig(
+        fitStomach(sequences::Centerline(line.points), course, surface(), organ_.mesh->points / scale_));
     const Points rest = rig.restHandles();
     const SystemChoice standard = softCoordinates(kSoftnessMm);
     return finished(std::make_shared<sequences::Peristalsis>(

@@ -38,7 +38,8 @@ public:
     if (root.contains("loop"))
       track.loop = flagOf(root, "loop");
     if (root.contains("interpolation"))
-      track.interpolation = named(sequences::interpolationFromName, root, "interpolation", "", "eased, curve");
+      track.interpolation =
+          named(sequences::interpolationFromName, root, "interpolation", "", "eased, curve");
     readSystem(root);
     readKeys(root);
     try {
@@ -204,8 +205,7 @@ private:
       sequences::Keyframe key;
       key.seconds = numberOf(field(item, "seconds", place), place + ", seconds");
       if (item.contains("easing"))
-        key.easing =
-            named(sequences::easingFromName, item, "easing", place, "linear, smooth, in, out, hold");
+        key.easing = named(sequences::easingFromName, item, "easing", place, "linear, smooth, in, out, hold");
       key.pose = file_.track.restHandles;
       const ordered_json& pose = field(item, "pose", place);
       requireObject(pose, place + ", pose");
@@ -243,14 +243,10 @@ SequenceFile sequenceFromJson(const std::string& text, const std::string& where)
 
 std::string sequenceToJson(const SequenceFile& sequence) {
   const Track& track = sequence.track;
-  ordered_json root{{"format", kFormat},
-                    {"version", kVersion},
-                    {"name", track.name},
-                    {"coordinateSystem", "LPS"},
-                    {"units", "mm"},
-                    {"periodSeconds", track.periodSeconds},
-                    {"loop", track.loop},
-                    {"interpolation", nameOf(track.interpolation)}};
+  ordered_json root{{"format", kFormat},  {"version", kVersion},
+                    {"name", track.name}, {"coordinateSystem", "LPS"},
+                    {"units", "mm"},      {"periodSeconds", track.periodSeconds},
+                    {"loop", track.loop}, {"interpolation", nameOf(track.interpolation)}};
   if (sequence.system) {
     root["system"]["id"] = sequence.system->id;
     root["system"]["parameters"] = ordered_json::object();

@@ -35,10 +35,10 @@ private:
 
   std::shared_ptr<const TriangleMesh> mesh_;
   std::vector<Branch> branches_;
-  std::vector<int> order_;      ///< Triangles as the leaves have them.
-  Points vertexNormals_;        ///< `n x 3`, weighted by angles, not unit.
+  std::vector<int> order_;        ///< Triangles as the leaves have them.
+  Points vertexNormals_;          ///< `n x 3`, weighted by angles, not unit.
   std::vector<Vec3> edgeNormals_; ///< Three a triangle: opposite to its corners, not unit.
-  Points faceNormals_;          ///< `m x 3`, unit or zero.
+  Points faceNormals_;            ///< `m x 3`, unit or zero.
 };
 
 } // namespace viscera::geometry

@@ -20,8 +20,8 @@ inline constexpr double kStandardHeartLength = 97;
 /// lies near deep points counts. The long axis is the principal axis of what is left; the apex is at the end
 /// towards which it tapers (third moment), the base two thirds of the way back; the right side is where
 /// the ventricles reach farthest from the axis, or, when they are round, to the patient's right and front.
-/// `surface` is negative inside `box`. Any size. Some 20,000 calls of `surface`. Throws `DataError` when there
-/// is no inside.
+/// `surface` is negative inside `box`. Any size. Some 20,000 calls of `surface`. Throws `DataError` when
+/// there is no inside.
 HeartLandmarks estimateHeartLandmarks(const AnatomySurface& surface, const Bounds& box);
 
 /// The anatomy of a heart of standard size with those landmarks, for `makeHeartRig` with

@@ -16,9 +16,9 @@ namespace viscera::sequences {
 inline constexpr double kSystolicLoss = 0.082;
 
 /// The beating of a heart of which only the outer surface is known: the motion of `HeartMotion`, and in every
-/// pose the ventricles so wide that the whole surface holds `rest (1 - loss emptying)`. The handles are affine
-/// in that width, so the volume is a cubic in it, whose root is exact at every instant and rate. Thread-safe
-/// as far as `volume` is.
+/// pose the ventricles so wide that the whole surface holds `rest (1 - loss emptying)`. The handles are
+/// affine in that width, so the volume is a cubic in it, whose root is exact at every instant and rate.
+/// Thread-safe as far as `volume` is.
 class OuterHeartbeat final : public Sequence {
 public:
   /// Throws `DataError` when the compensation is for another number of handles, when the loss does not lie in

@@ -20,8 +20,9 @@ inline constexpr double kStandardMidBody = 101.0 / 272.0;
 double pylorusAlong(const std::vector<double>& arcs, const std::vector<double>& areas);
 
 /// The anatomy of a stomach of standard size for `makeStomachRig`: what lies beyond the pylorus, and all else
-/// that rings do not reach (the oesophagus), is held by handles that do not move. `points` (`n x 3`) are those
-/// of the surface. Throws `DataError` when the line leaves the surface or the course does not fit on it.
+/// that rings do not reach (the oesophagus), is held by handles that do not move. `points` (`n x 3`) are
+/// those of the surface. Throws `DataError` when the line leaves the surface or the course does not fit on
+/// it.
 StomachAnatomy fitStomach(const Centerline& line, const GastricCourse& course, const AnatomySurface& surface,
                           const Points& points);
 

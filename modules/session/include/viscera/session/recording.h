@@ -18,7 +18,7 @@ struct RecordedKey {
   KeyId id;
   double seconds = 0;
   sequences::Easing easing = sequences::Easing::smooth; ///< From here to the next key.
-  std::map<HandleId, Vec3> displacements; ///< From rest, mm; handles at rest are not in it.
+  std::map<HandleId, Vec3> displacements;               ///< From rest, mm; handles at rest are not in it.
 
   friend bool operator==(const RecordedKey&, const RecordedKey&) = default;
 };

@@ -12,7 +12,8 @@
 #include "viscera/session/organ.h"
 #include "viscera/session/rig_commands.h"
 
-/// The sequences that the program ships, on organs that it does not ship: a patient's heart, stomach or liver.
+/// The sequences that the program ships, on organs that it does not ship: a patient's heart, stomach or
+/// liver.
 namespace viscera::session {
 
 /// A place on an organ that a sequence has to know.
@@ -34,9 +35,9 @@ struct Landmarks {
 
 /// What a sequence can be told of an organ.
 struct LandmarkRole {
-  std::string role;     ///< "apex"; as labels in files, where numbers behind it do not count ("centreline-2").
-  std::string name;     ///< "Apex", for a button.
-  std::string help;     ///< "The tip of the heart", where to click.
+  std::string role; ///< "apex"; as labels in files, where numbers behind it do not count ("centreline-2").
+  std::string name; ///< "Apex", for a button.
+  std::string help; ///< "The tip of the heart", where to click.
   bool several = false; ///< A line of points, in order.
 };
 
@@ -56,9 +57,9 @@ medical_io::HandleFile landmarkFile(const Landmarks& landmarks, const std::strin
 
 /// Those that are given, checked, and all others that the sequence needs, found by the shape of the organ.
 /// heartbeat needs apex and base both or none, `right` may be given alone with them; peristalsis needs fundus
-/// and pylorus both or none. Throws `DataError` that says what to do for an organ that is open, inside out, in
-/// pieces; for landmarks too few, far outside the organ, at one place or on one line. Some 100 ms at 30,000
-/// triangles.
+/// and pylorus both or none. Throws `DataError` that says what to do for an organ that is open, inside out,
+/// in pieces; for landmarks too few, far outside the organ, at one place or on one line. Some 100 ms at
+/// 30,000 triangles.
 Landmarks completeLandmarks(const std::string& sequence, const Organ& organ, const Landmarks& given,
                             Progress& progress);
 
