@@ -26,13 +26,6 @@ QString patterns(const std::vector<std::string>& extensions) {
   return list.join(QLatin1Char(' '));
 }
 
-std::vector<session::OrganId> idsOf(const session::OrganList& organs) {
-  std::vector<session::OrganId> ids;
-  for (const auto& organ : organs)
-    ids.push_back(organ->id);
-  return ids;
-}
-
 } // namespace
 
 FileActions::FileActions(Workspace& workspace, HandlePlacer& placer, Settings& settings, QWidget* window)
@@ -88,7 +81,7 @@ void FileActions::take(const session::OpenedFiles& opened, const QStringList& fi
     try {
       if (replaces) {
         if (!present.empty())
-          undo.perform(session::removeOrgans(idsOf(present)));
+          undo.perform(session::removeAllOrgans());
         if (opened.handles == 0)
           undo.perform(session::replaceRig({}));
       }

@@ -12,13 +12,6 @@ constexpr double kWallOpacity = 0.3;
 const Vec3 kArterialBlood(0.84, 0.16, 0.14);
 const Vec3 kVenousBlood(0.20, 0.36, 0.80);
 
-std::vector<session::OrganId> idsOf(const session::OrganList& organs) {
-  std::vector<session::OrganId> ids;
-  for (const auto& organ : organs)
-    ids.push_back(organ->id);
-  return ids;
-}
-
 } // namespace
 
 SampleLoader::SampleLoader(Workspace& workspace, HandlePlacer& placer, Playback& playback, QObject* parent)
@@ -95,7 +88,7 @@ void SampleLoader::take(const Sample& sample, const QString& name) {
     try {
       const session::OrganList& present = workspace_.document().organs();
       if (!present.empty())
-        undo.perform(session::removeOrgans(idsOf(present)));
+        undo.perform(session::removeAllOrgans());
       undo.perform(session::replaceRig({}));
       undo.perform(session::setSystem(sample.system));
       undo.perform(session::addOrgans(sample.organs));

@@ -91,6 +91,15 @@ Command removeOrgans(std::vector<OrganId> organs) {
       {}};
 }
 
+Command removeAllOrgans() {
+  return {"Remove all organs",
+          [](DocumentState state, IdSource&) {
+            state.organs = std::make_shared<const OrganList>();
+            return state;
+          },
+          {}};
+}
+
 Command setOrganLook(OrganId organ, OrganLook look) {
   return {"Change look",
           [organ, look](const DocumentState& state, IdSource&) {

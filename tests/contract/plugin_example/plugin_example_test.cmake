@@ -1,16 +1,7 @@
 # Run by CTest with -P; the variables in capitals come from CMakeLists.txt.
 cmake_minimum_required(VERSION 3.25)
 
-function(run what)
-  cmake_parse_arguments(PARSE_ARGV 1 ARG "" "OUTPUT" "COMMAND")
-  execute_process(COMMAND ${ARG_COMMAND} RESULT_VARIABLE result OUTPUT_VARIABLE output ERROR_VARIABLE errors)
-  if(NOT result EQUAL 0)
-    message(FATAL_ERROR "${what} failed (${result}):\n${output}\n${errors}")
-  endif()
-  if(ARG_OUTPUT)
-    set(${ARG_OUTPUT} "${output}" PARENT_SCOPE)
-  endif()
-endfunction()
+include("${CMAKE_CURRENT_LIST_DIR}/../../support/run.cmake")
 
 # Writes the fenced block that follows "`<file>`" on the page.
 function(extract page file)

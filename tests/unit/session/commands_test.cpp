@@ -75,6 +75,15 @@ TEST(OrganCommands, AddCavitiesToTheirOrganAndRemoveThemWithIt) {
   EXPECT_EQ(s.document.organs()[0]->name, "Ball");
 }
 
+TEST(OrganCommands, RemoveAllOrgansAndUndoBringsThemBack) {
+  Session s;
+  s.undo.perform(addOrgans({ball("Heart", 30), ball("Liver", 20)}));
+  s.undo.perform(removeAllOrgans());
+  EXPECT_TRUE(s.document.organs().empty());
+  s.undo.undo();
+  EXPECT_EQ(s.document.organs().size(), 3u);
+}
+
 TEST(OrganCommands, RefuseWhatIsNotThereOrOutOfRange) {
   Session s;
   OrganLook look;

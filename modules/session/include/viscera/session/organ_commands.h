@@ -18,6 +18,8 @@ Command addOrgans(std::vector<NewOrgan> organs);
 
 /// Removes organs and the cavities inside them. Throws `UsageError` for an organ that is not there.
 Command removeOrgans(std::vector<OrganId> organs);
+/// Removes all that there are.
+Command removeAllOrgans();
 
 /// Sets how an organ is shown. Throws `UsageError` for a colour or an opacity outside [0, 1]. Commands for
 /// the same organ that follow each other join one step until `UndoStack::seal`.
