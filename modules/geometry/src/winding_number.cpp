@@ -10,9 +10,9 @@
 namespace viscera::geometry {
 namespace {
 
-constexpr std::int32_t kLeafTriangles = 8;
+constexpr std::int32_t kLeafTriangles = 4;
 /// A node is seen as one dipole from this many of its radii away; the error falls with the square.
-constexpr double kFar = 3;
+constexpr double kFar = 2.5;
 /// Halving 2^31 triangles down to one takes fewer levels, and each level leaves one node on the stack.
 constexpr int kDeepest = 64;
 
