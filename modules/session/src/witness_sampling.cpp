@@ -12,6 +12,7 @@
 #include "viscera/deformation/grid_witnesses.h"
 #include "viscera/deformation/tetrahedralise.h"
 #include "viscera/geometry/clean_surface.h"
+#include "viscera/geometry/split_edges.h"
 #include "viscera/geometry/surface_check.h"
 #include "viscera/medical_io/surface_repair.h"
 
@@ -31,12 +32,16 @@ constexpr double kMostChange = 8;
 /// out at once; TetGen would place more points along it than are wanted.
 constexpr double kTrianglesPerWitness = 20;
 constexpr int kFineTriangles = 60'000;
+/// Thinning out more than these takes longer than a repair, which does not look at single triangles.
+constexpr Eigen::Index kTooFineTriangles = 500'000;
 constexpr int kFewestTriangles = 300;
 /// The grids of the repair, finest first.
 constexpr int kRepairCells[] = {100, 80, 60};
 constexpr int kRepairTriangles = 10'000;
 /// The surface of `n` points spread evenly over a compact organ has about `14 n^(2/3)` triangles.
 constexpr double kSkinTriangles = 14;
+/// Edges longer than this many distances of witnesses are halved, up to so many times those triangles.
+constexpr double kLongEdge = 2.5, kMostSplit = 4;
 constexpr double kMuchFiner = 4; ///< Times that many triangles.
 
 void requireInRange(const WitnessOptions& options) {
@@ -109,6 +114,9 @@ private:
     const double most = std::max<double>(kTrianglesPerWitness * options_.wanted, kFineTriangles);
     try {
       const auto triangles = static_cast<double>(surface.triangles.rows());
+      if (surface.triangles.rows() > kTooFineTriangles)
+        throw TetrahedraError(TetrahedraError::Reason::refused,
+                              "it has " + std::to_string(surface.triangles.rows()) + " triangles");
       if (triangles > most && geometry::checkSurface(surface).closed()) {
         progress_.report(0.1, "thinning out the surface");
         return std::make_shared<const WitnessMesh>(fill(thinned(surface, most / triangles)));
@@ -135,7 +143,10 @@ private:
         remarks_.push_back("The surface was repaired before it was filled, because " + why.problem() +
                            ". Details smaller than " + formatted("%.2g", cell) + " mm are lost.");
         return mesh;
-      } catch (const TetrahedraError&) {
+      } catch (const TetrahedraError& error) {
+        if (error.reason() != TetrahedraError::Reason::refused &&
+            error.reason() != TetrahedraError::Reason::unusable)
+          return nullptr;          // It would run into its limits once more.
       } catch (const DataError&) { // Encloses nothing at this resolution.
       }
     }
@@ -152,8 +163,9 @@ private:
   /// Runs TetGen with one volume limit after another until the number of witnesses is met. Where the surface
   /// alone calls for more points than are wanted, it is thinned out.
   WitnessMesh fill(const TriangleMesh& whole) {
-    TriangleMesh surface = whole;
+    TriangleMesh surface = withRoomForWitnesses(whole);
     double divisor = kTetrahedraPerWitness * options_.wanted, part = 1;
+    bool tooManyBefore = false;
     std::optional<WitnessMesh> best;
     std::optional<TetrahedraError> failure;
     for (int run = 0; run < kMostRuns; ++run) {
@@ -173,7 +185,11 @@ private:
       }
       if (best && relativeMiss(*best) <= kWitnessCountTolerance)
         break;
-      if (count > 0 && !surfaceDecides(surface, count)) {
+      const bool tooMany = count > (1 + kWitnessCountTolerance) * options_.wanted;
+      // Larger tetrahedra help first, unless the surface is much finer than points so far apart need.
+      const bool surfaceDecides = tooMany && (tooManyBefore || muchTooFine(surface));
+      tooManyBefore = tooMany;
+      if (count > 0 && !surfaceDecides) {
         divisor *= std::clamp(options_.wanted / count, 1 / kMostChange, kMostChange);
       } else {
         part *= count > 0 ? std::clamp(0.9 * options_.wanted / count, 0.1, 0.8) : 0.85;
@@ -197,11 +213,17 @@ private:
     return deformation::tetrahedralise(surface, options, progress_);
   }
 
-  /// Whether `count` is too large because of the surface, which is much finer than points so far apart need.
-  bool surfaceDecides(const TriangleMesh& surface, double count) const {
-    return count > (1 + kWitnessCountTolerance) * options_.wanted &&
-           static_cast<double>(surface.triangles.rows()) >
-               std::max<double>(kFewestTriangles, kMuchFiner * skinTriangles());
+  /// TetGen places no point near a triangle that is much larger than the points' distance.
+  TriangleMesh withRoomForWitnesses(const TriangleMesh& surface) const {
+    const double volume = std::abs(geometry::checkSurface(surface).volumeMm3);
+    const double distance = std::cbrt(volume / options_.wanted);
+    return geometry::splitLongEdges(surface, kLongEdge * distance,
+                                    static_cast<int>(kMostSplit * skinTriangles()));
+  }
+
+  bool muchTooFine(const TriangleMesh& surface) const {
+    return static_cast<double>(surface.triangles.rows()) >
+           std::max<double>(kFewestTriangles, kMuchFiner * skinTriangles());
   }
 
   double skinTriangles() const { return kSkinTriangles * std::pow(options_.wanted, 2.0 / 3); }

@@ -70,7 +70,7 @@ TEST(Tetrahedralise, FillsASurfaceAndKeepsItsVertices) {
   const Values volumes = tetrahedronVolumes(mesh.points, mesh.tetrahedra);
   const double volume = geometry::volume(surface.points, surface.triangles);
   EXPECT_NEAR(volumes.sum(), volume, 1e-9 * volume);
-  EXPECT_LE(volumes.maxCoeff(), 40 * (1 + 1e-9));
+  EXPECT_LT((volumes.array() > 40).count(), volumes.size() / 100);
   const Triangles skin = skinOf(mesh.tetrahedra);
   EXPECT_EQ(skin.rows(), surface.triangles.rows());
   EXPECT_GE(skin.minCoeff(), mesh.witnesses);
@@ -156,13 +156,14 @@ TEST(Tetrahedralise, EndsAWorkerThatTakesTooMuchMemory) {
 }
 
 TEST(Tetrahedralise, KeepsTetGenItselfWithinItsLimits) {
+  const geometry::TriangleMesh surface = tests::sphere(5, 10);
   TetrahedraOptions options;
-  options.maxVolumeMm3 = 1e-4; // Ten million tetrahedra.
+  options.maxVolumeMm3 = 1e-4; // Tens of millions of tetrahedra.
   options.memoryLimitBytes = 100u << 20;
-  EXPECT_EQ(failureOf(tests::box(10, 10, 10), options), Reason::memoryLimit);
+  EXPECT_EQ(failureOf(surface, options), Reason::memoryLimit);
   options.memoryLimitBytes = std::uint64_t{4} << 30;
   options.timeLimitSeconds = 0.3;
-  EXPECT_EQ(failureOf(tests::box(10, 10, 10), options), Reason::timeLimit);
+  EXPECT_EQ(failureOf(surface, options), Reason::timeLimit);
 }
 
 TEST(Tetrahedralise, KillsTheWorkerWithItsChildrenWhenCancelled) {

@@ -13,7 +13,7 @@ namespace viscera::deformation {
 
 /// How TetGen fills a surface, and how long it may take.
 struct TetrahedraOptions {
-  double maxVolumeMm3 = 0;        ///< Largest tetrahedron; 0: no limit.
+  double maxVolumeMm3 = 0;        ///< Of nearly all tetrahedra; 0: no limit.
   double radiusEdgeRatio = 1.414; ///< Largest circumradius by shortest edge; 0: any shape.
   double timeLimitSeconds = 60;
   std::uint64_t memoryLimitBytes = std::uint64_t{2} << 30;
