@@ -36,7 +36,7 @@ public:
   explicit FakeWorker(const std::string& script) : file_(folder_.put("worker", "#!/bin/sh\n" + script)) {
     std::filesystem::permissions(file_, std::filesystem::perms::owner_all);
     options_.worker = file_;
-    options_.timeLimitSeconds = 20;
+    options_.timeLimitSeconds = 200; // A busy machine may take its time.
   }
   TetrahedraOptions options() const { return options_; }
   std::filesystem::path operator/(const std::string& name) const { return folder_ / name; }
@@ -148,7 +148,7 @@ TEST(Tetrahedralise, EndsAWorkerThatTakesTooLong) {
 TEST(Tetrahedralise, EndsAWorkerThatTakesTooMuchMemory) {
   const FakeWorker eater("tail /dev/zero\n");
   TetrahedraOptions options = eater.options();
-  options.memoryLimitBytes = 200u << 20;
+  options.memoryLimitBytes = 50u << 20;
   EXPECT_EQ(failureOf(tests::box(), options), Reason::memoryLimit);
   const FakeWorker talker("cat /dev/zero\n");
   options.worker = talker.options().worker;
