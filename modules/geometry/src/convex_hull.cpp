@@ -1,51 +1,17 @@
 #include "viscera/geometry/convex_hull.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <string>
-
-// Qhull's reentrant C interface; its header checks that it is compiled as C where it must be.
-extern "C" {
-#include <libqhull_r/qhull_ra.h>
-}
 
 #include <Eigen/Eigenvalues>
 
 #include "viscera/core/error.h"
+#include "viscera/geometry/hull_facets.h"
 
 namespace viscera::geometry {
 namespace {
 
 constexpr double kFlat = 1e-9;
-
-/// Owns Qhull's state and its memory. Qhull reports by longjmp inside `qh_new_qhull`, which returns a code to
-/// us.
-class Qhull {
-public:
-  Qhull() { qh_zero(&state_, stderr); }
-  ~Qhull() {
-    qh_freeqhull(&state_, !qh_ALL);
-    int curlong = 0, totlong = 0;
-    qh_memfreeshort(&state_, &curlong, &totlong);
-  }
-  Qhull(const Qhull&) = delete;
-  Qhull& operator=(const Qhull&) = delete;
-
-  bool run(Points& points) {
-    char command[] = "qhull Qt Pp";
-    // Its diagnostics go nowhere: our own message says what a user can do about it.
-    std::FILE* silent = std::tmpfile();
-    const int code = qh_new_qhull(&state_, 3, static_cast<int>(points.rows()), points.data(), False, command,
-                                  nullptr, silent);
-    if (silent != nullptr)
-      std::fclose(silent);
-    return code == 0;
-  }
-  qhT* state() { return &state_; }
-
-private:
-  qhT state_;
-};
 
 void requireUsable(const Points& points) {
   if (points.rows() < 4)
@@ -67,44 +33,24 @@ ConvexHull::ConvexHull(const Points& points) : diagonal_(boundsOf(points).diagon
   requireUsable(points);
   // About the centre: Qhull's own tolerances grow with the largest coordinate.
   const Vec3 center = boundsOf(points).center();
-  Points local = points.rowwise() - center.transpose();
-  Qhull qhull;
-  if (!qhull.run(local))
+  const auto facets = hullFacets(points.rowwise() - center.transpose());
+  if (!facets)
     throw DataError("the convex hull of " + std::to_string(points.rows()) + " points cannot be computed", {},
                     "points that coincide or are almost flat cause this");
-
-  qhT* qh = qhull.state();
+  triangles_ = facets->triangles;
   std::vector<Eigen::Vector4d> planes;
-  std::vector<Eigen::Vector3i> triangles;
-  facetT* facet = nullptr;
-  FORALLfacets {
-    const Vec3 normal(facet->normal[0], facet->normal[1], facet->normal[2]);
-    const Eigen::Vector4d plane(normal[0], normal[1], normal[2], facet->offset - normal.dot(center));
+  for (Eigen::Index facet = 0; facet < facets->planes.rows(); ++facet) {
+    Eigen::Vector4d plane = facets->planes.row(facet).transpose();
+    plane[3] -= plane.head<3>().dot(center);
     const bool known = std::any_of(planes.begin(), planes.end(), [&](const Eigen::Vector4d& p) {
-      return (p.head<3>() - normal).norm() < kFlat && std::abs(p[3] - plane[3]) < kFlat * diagonal_;
+      return (p.head<3>() - plane.head<3>()).norm() < kFlat && std::abs(p[3] - plane[3]) < kFlat * diagonal_;
     });
     if (!known)
       planes.push_back(plane);
-    Eigen::Vector3i corners;
-    int k = 0;
-    vertexT *vertex = nullptr, **vertexp = nullptr;
-    FOREACHvertex_(facet->vertices) {
-      if (k < 3)
-        corners[k++] = qh_pointid(qh, vertex->point);
-    }
-    const Vec3 a = points.row(corners[0]).transpose();
-    const Vec3 b = points.row(corners[1]).transpose();
-    const Vec3 c = points.row(corners[2]).transpose();
-    if ((b - a).cross(c - a).dot(normal) < 0)
-      std::swap(corners[1], corners[2]);
-    triangles.push_back(corners);
   }
   planes_.resize(static_cast<Eigen::Index>(planes.size()), 4);
   for (std::size_t i = 0; i < planes.size(); ++i)
     planes_.row(static_cast<Eigen::Index>(i)) = planes[i].transpose();
-  triangles_.resize(static_cast<Eigen::Index>(triangles.size()), 3);
-  for (std::size_t i = 0; i < triangles.size(); ++i)
-    triangles_.row(static_cast<Eigen::Index>(i)) = triangles[i].transpose();
 }
 
 double ConvexHull::signedDistance(const Vec3& point) const {
