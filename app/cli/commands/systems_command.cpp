@@ -17,7 +17,12 @@ ordered_json traitsJson(const Traits& traits) {
           {"positive", traits.positive},
           {"interpolates", traits.interpolates},
           {"closedFormGradient", traits.closedFormGradient},
-          {"usesGroups", traits.usesGroups}};
+          {"usesGroups", traits.usesGroups},
+          {"rotationInvariant", traits.rotationInvariant},
+          {"everywhere", traits.everywhere},
+          {"continuous", traits.continuous},
+          {"smooth", traits.smooth},
+          {"affine", traits.affine}};
 }
 
 std::string traitsText(const Traits& traits) {
@@ -26,7 +31,11 @@ std::string traitsText(const Traits& traits) {
                                                  {traits.positive, "positive"},
                                                  {traits.interpolates, "passes through its handles"},
                                                  {traits.closedFormGradient, "closed-form gradient"},
-                                                 {traits.usesGroups, "uses groups"}};
+                                                 {traits.usesGroups, "uses groups"},
+                                                 {!traits.everywhere, "without an answer at some points"},
+                                                 {!traits.continuous, "jumps"},
+                                                 {traits.continuous && !traits.smooth, "has kinks"},
+                                                 {!traits.affine, "does not follow affine motions"}};
   for (const auto& [has, words] : others)
     if (has)
       text += std::string(", ") + words;

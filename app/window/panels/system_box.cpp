@@ -90,6 +90,10 @@ void SystemBox::rebuildBadges(const coordinates::Traits& traits) {
   badge(traits.positive, tr("positive"), tr("No handle ever pushes the organ the other way"));
   badge(traits.interpolates, tr("interpolating"), tr("A point at a handle follows it exactly"));
   badge(traits.closedFormGradient, tr("exact gradient"), tr("Stress is computed without differences"));
+  badge(!traits.everywhere, tr("gaps"),
+        tr("Some points inside the hull have no coordinates and do not move"));
+  badge(!traits.continuous, tr("jumps"), tr("Neighbouring points may move very differently"));
+  badge(traits.continuous && !traits.smooth, tr("kinks"), tr("The deformed organ may show creases"));
   badge(traits.usesGroups, tr("groups"), tr("Handles act by their groups"));
   badge(traits.needsTetrahedra, tr("tetrahedra"), tr("Fills the organ with tetrahedra first"));
 }

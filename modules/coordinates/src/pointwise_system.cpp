@@ -41,12 +41,18 @@ bool PointSolver::solveGradients(const Vec3&, Values&, Points&) const {
   throw std::logic_error("a closed form is promised, but there is none");
 }
 
+std::unique_ptr<const PointSolver> PointwiseSystem::prepareFor(const HandleSet& handles, const Points&,
+                                                               const ParameterValues& parameters,
+                                                               Progress&) const {
+  return prepare(handles, parameters);
+}
+
 std::unique_ptr<Binding> PointwiseSystem::bind(const HandleSet& handles, const Points& points,
                                                const BindOptions& options, Progress& progress) const {
   const auto start = std::chrono::steady_clock::now();
   options.parameters.requireWithin(parameters());
   requireUsableHandles<3>(handles.positions);
-  const auto solver = prepare(handles, options.parameters);
+  const auto solver = prepareFor(handles, points, options.parameters, progress);
   const Eigen::Index count = handles.positions.rows();
   TiledWeights weights(points.rows(), count);
   auto failures = failuresOf(points.rows(), options.threads, progress, [&](Eigen::Index point) {

@@ -18,7 +18,8 @@ public:
     std::vector<std::shared_ptr<const coordinates::CoordinateSystem>> inner;
     for (const auto& system : coordinates::builtInSystems()) {
       const auto traits = system->traits();
-      if (traits.positive && !traits.needsCage && !traits.needsTetrahedra && !traits.usesGroups)
+      const bool sound = traits.positive && traits.everywhere && traits.continuous;
+      if (sound && !traits.needsCage && !traits.needsTetrahedra && !traits.usesGroups)
         inner.push_back(system);
     }
     return {std::make_shared<LocalisedSCelestial>(std::move(inner))};

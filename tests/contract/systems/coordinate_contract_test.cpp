@@ -23,7 +23,8 @@ using System = std::shared_ptr<const CoordinateSystem>;
 std::vector<System> systems() {
   std::vector<System> all = builtInSystems(), inner;
   for (const System& system : all)
-    if (system->traits().positive && !system->traits().needsCage)
+    if (const Traits traits = system->traits();
+        traits.positive && traits.everywhere && traits.continuous && !traits.needsCage)
       inner.push_back(system);
   all.push_back(std::make_shared<localised_scc::LocalisedSCelestial>(inner));
   return all;
@@ -107,6 +108,23 @@ protected:
     }
   }
 
+  /// No point inside may fail, unless the system says that some do.
+  void expectAnswers(const BindingReport& report) {
+    if (traits().everywhere) {
+      EXPECT_TRUE(report.failures.empty());
+    }
+  }
+
+  /// The rows of `values` whose points have coordinates.
+  static Points answered(const BindingReport& report, const Points& values) {
+    Points rows(values.rows() - static_cast<Eigen::Index>(report.failures.size()), 3);
+    Eigen::Index next = 0;
+    for (int point = 0; point < static_cast<int>(values.rows()); ++point)
+      if (!std::binary_search(report.failures.begin(), report.failures.end(), point))
+        rows.row(next++) = values.row(point);
+    return rows;
+  }
+
   Progress progress_;
 };
 
@@ -163,7 +181,7 @@ TEST_P(CoordinateContract, ReproducesRandomPoints) {
         points.row(inside++) = points.row(i);
     ASSERT_GT(inside, 20);
     const auto binding = bind(handles, points.topRows(inside));
-    EXPECT_TRUE(binding->report().failures.empty());
+    expectAnswers(binding->report());
     expectExact(binding->report());
 
     Points rest;
@@ -179,13 +197,15 @@ TEST_P(CoordinateContract, FollowsAnyAffineMotion) {
   shear << 1.2, 0.3, -0.1, 0, 0.8, 0.25, 0.1, -0.2, 1.1;
   const Eigen::RowVector3d shift(4, -60, 25);
   Points moved;
-  bind(handles, points)->deform((handles.positions * shear).rowwise() + shift, moved);
-  EXPECT_LT((moved - ((points * shear).rowwise() + shift)).rowwise().norm().maxCoeff(), 1e-8 * kSize);
+  const auto binding = bind(handles, points);
+  binding->deform((handles.positions * shear).rowwise() + shift, moved);
+  const Points difference = answered(binding->report(), moved - ((points * shear).rowwise() + shift));
+  EXPECT_LT(difference.rows() == 0 ? 0 : difference.rowwise().norm().maxCoeff(), 1e-8 * kSize);
 }
 
 TEST_P(CoordinateContract, IsExactAtTheEndsOfEveryParameter) {
   const HandleSet handles = sphereOfHandles();
-  const Points points = pointsInside(100, 3);
+  const Points points = pointsInside(24, 3);
   for (const Parameter& parameter : system().parameters()) {
     std::vector<double> ends = {parameter.minimum, parameter.maximum};
     if (!parameter.choices.empty())
@@ -198,7 +218,7 @@ TEST_P(CoordinateContract, IsExactAtTheEndsOfEveryParameter) {
       BindOptions options;
       options.parameters.set(parameter.name, value);
       const auto binding = bind(handles, points, options);
-      EXPECT_TRUE(binding->report().failures.empty());
+      expectAnswers(binding->report());
       expectExact(binding->report());
     }
   }
@@ -217,8 +237,8 @@ TEST_P(CoordinateContract, RefusesParametersItDoesNotHave) {
 
 TEST_P(CoordinateContract, GivesTheSameBitsForAnyNumberOfThreads) {
   const HandleSet handles = sphereOfHandles();
-  const Points points = pointsInside(5000, 4), pose = randomPose(handles, 5);
-  const Points pointGradient = tests::cloud(5000, 6);
+  const Points points = pointsInside(1500, 4), pose = randomPose(handles, 5);
+  const Points pointGradient = tests::cloud(1500, 6);
   BindOptions options;
   options.threads.count = 1;
   const auto one = bind(handles, points, options);
@@ -277,10 +297,13 @@ TEST_P(CoordinateContract, NeverGivesGarbageForPointsOutside) {
   const auto binding = bind(handles, points);
   const std::vector<int>& failures = binding->report().failures;
   EXPECT_TRUE(std::is_sorted(failures.begin(), failures.end()));
-  EXPECT_TRUE(std::includes(outside.begin(), outside.end(), failures.begin(), failures.end()))
-      << "a point inside failed";
+  if (traits().everywhere) {
+    EXPECT_TRUE(std::includes(outside.begin(), outside.end(), failures.begin(), failures.end()))
+        << "a point inside failed";
+  }
   if (traits().positive) {
-    EXPECT_EQ(failures, outside) << "no positive coordinates exist outside the hull";
+    EXPECT_TRUE(std::includes(failures.begin(), failures.end(), outside.begin(), outside.end()))
+        << "no positive coordinates exist outside the hull";
   }
 
   Points moved;
@@ -318,6 +341,8 @@ TEST_P(CoordinateContract, InterpolatesItsHandles) {
 }
 
 TEST_P(CoordinateContract, GradientsAreTheDerivatives) {
+  if (!traits().smooth)
+    GTEST_SKIP() << system().name() << " does not promise any";
   const HandleSet handles = sphereOfHandles();
   const Points points = pointsInside(30, 12);
   const auto gradients = system().gradients(handles, points, {}, progress_);

@@ -38,6 +38,12 @@ protected:
   /// (`requireUsableHandles`). Throws `DataError` for handles or a cage that this system cannot use.
   virtual std::unique_ptr<const PointSolver> prepare(const HandleSet& handles,
                                                      const ParameterValues& parameters) const = 0;
+
+  /// For systems whose coordinates of one point depend on all that are bound with it; the others leave it.
+  /// Throws as `prepare`, and `Cancelled`.
+  virtual std::unique_ptr<const PointSolver> prepareFor(const HandleSet& handles, const Points& points,
+                                                        const ParameterValues& parameters,
+                                                        Progress& progress) const;
 };
 
 } // namespace viscera::coordinates
