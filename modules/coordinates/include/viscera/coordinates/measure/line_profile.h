@@ -1,0 +1,39 @@
+#pragma once
+
+#include "viscera/coordinates/coordinate_system.h"
+
+namespace viscera::coordinates {
+
+/// A straight row of points, mm.
+struct Line {
+  Vec3 from;
+  Vec3 to;
+};
+
+/// The coordinates along a line: `parts + 1` points from end to end.
+struct LineProfile {
+  Eigen::MatrixXd coordinates; ///< `points x handles`; rows of points without an answer are zero.
+  BindingReport report;
+};
+
+/// How a system's coordinates behave along a line.
+struct LineProperties {
+  BindingReport report;   ///< Of the points of the profile.
+  double largestJump = 0; ///< Of a coordinate between two points whose distance goes to nothing.
+  int kinks = 0;          ///< Places where the derivative of a coordinate jumps.
+  double largestKink = 0; ///< The largest of those jumps, 1/mm.
+  int localMaxima = 0;    ///< The most that any handle's coordinate has along the line, ends included.
+};
+
+/// Binds `parts + 1` points of the line. Throws as `CoordinateSystem::bind`.
+LineProfile profileAlong(const CoordinateSystem& system, const HandleSet& handles, const Line& line,
+                         int parts, const BindOptions& options, Progress& progress);
+
+/// Measures jumps and kinks by looking ever closer where the coordinates, or their slopes, change most: what
+/// a smooth function changes by goes to zero with the distance, a jump stays. Gaps (points without an answer)
+/// are counted in the report and are no jumps. About ten bindings of `parts` points. Throws as
+/// `CoordinateSystem::bind`.
+LineProperties measureAlong(const CoordinateSystem& system, const HandleSet& handles, const Line& line,
+                            int parts, const BindOptions& options, Progress& progress);
+
+} // namespace viscera::coordinates

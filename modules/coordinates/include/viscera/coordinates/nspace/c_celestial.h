@@ -1,0 +1,28 @@
+#pragma once
+
+#include "viscera/coordinates/pointwise_system.h"
+
+namespace viscera::coordinates {
+
+/// The centroid of the positive balanced vectors within the unit sphere, by sampling (thesis 4.2).
+/// `sampling`:
+/// * `hit-and-run` (ours): a walk inside the cone and the unit ball, which loses no sample;
+/// * `sphere`, `cube`: as the thesis, random vectors projected, those with a negative number thrown away.
+/// With
+///   many handles almost all are, and a point may be left without coordinates.
+///
+/// `samples` a point, and `seed`; every point uses the same random numbers. O(samples x n) a point.
+class CCelestial final : public PointwiseSystem {
+public:
+  std::string id() const override { return "c-celestial"; }
+  std::string name() const override { return "C-Celestial"; }
+  std::string summary() const override;
+  Traits traits() const override;
+  std::vector<Parameter> parameters() const override;
+
+protected:
+  std::unique_ptr<const PointSolver> prepare(const HandleSet& handles,
+                                             const ParameterValues& parameters) const override;
+};
+
+} // namespace viscera::coordinates

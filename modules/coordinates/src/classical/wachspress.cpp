@@ -1,0 +1,128 @@
+#include "viscera/coordinates/classical/wachspress.h"
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+#include <Eigen/Geometry>
+
+#include "cage/cage.h"
+#include "viscera/core/error.h"
+
+namespace viscera::coordinates {
+namespace {
+
+/// Of the cage's size: how far a corner may stand out of a plane of a convex cage.
+constexpr double kConvex = 1e-9;
+/// Of the cage's size: nearer to a face the distance is taken as this, which gives the limit on the face to
+/// the same accuracy.
+constexpr double kOnFace = 1e-13;
+
+/// The triangles around every corner, each in the order of their edges.
+std::vector<std::vector<Eigen::Index>> fansOf(const Triangles& cage, Eigen::Index corners) {
+  std::vector<std::map<int, std::pair<int, Eigen::Index>>> next(static_cast<std::size_t>(corners));
+  for (Eigen::Index t = 0; t < cage.rows(); ++t)
+    for (int i = 0; i < 3; ++i)
+      next[static_cast<std::size_t>(cage(t, i))][cage(t, (i + 1) % 3)] = {cage(t, (i + 2) % 3), t};
+  std::vector<std::vector<Eigen::Index>> fans(next.size());
+  for (std::size_t corner = 0; corner < next.size(); ++corner) {
+    if (next[corner].empty())
+      continue;
+    const int first = next[corner].begin()->first;
+    for (int at = first; fans[corner].empty() || at != first;) {
+      const auto& [to, triangle] = next[corner].at(at);
+      fans[corner].push_back(triangle);
+      at = to;
+    }
+  }
+  return fans;
+}
+
+class Solver final : public PointSolver {
+public:
+  Solver(const Points& handles, const Triangles& cage)
+      : size_(boundsOf(handles).diagonal()), fans_(fansOf(cage, handles.rows())), normals_(cage.rows(), 3),
+        offsets_(cage.rows()) {
+    for (Eigen::Index t = 0; t < cage.rows(); ++t) {
+      const Vec3 a = handles.row(cage(t, 0)).transpose(), b = handles.row(cage(t, 1)).transpose(),
+                 c = handles.row(cage(t, 2)).transpose();
+      const Vec3 normal = (b - a).cross(c - a).normalized();
+      normals_.row(t) = normal.transpose();
+      offsets_[t] = normal.dot((a + b + c) / 3);
+      for (const auto corner : cage.reshaped())
+        if (handles.row(corner).dot(normal) - offsets_[t] > kConvex * size_)
+          throw DataError("is not convex at its triangle " + std::to_string(t), "the cage",
+                          "take a convex cage, or none: then the convex hull of the handles is the cage");
+    }
+  }
+
+  bool solve(const Vec3& point, Values& weights) const override { return add(point, weights, nullptr); }
+
+  bool solveGradients(const Vec3& point, Values& weights, Points& gradients) const override {
+    return add(point, weights, &gradients);
+  }
+
+private:
+  bool add(const Vec3& point, Values& weights, Points* gradients) const {
+    const Values heights = offsets_ - normals_ * point;
+    const double nearest = heights.minCoeff();
+    if (nearest < -kConvex * size_ || (gradients && nearest <= kOnFace * size_))
+      return false;
+    const Values above = heights.cwiseMax(kOnFace * size_);
+    const Points poles = normals_.array().colwise() / above.array();
+    for (std::size_t corner = 0; corner < fans_.size(); ++corner)
+      addCorner(static_cast<Eigen::Index>(corner), poles, weights, gradients);
+    const double sum = weights.sum();
+    if (!(sum > 0))
+      return false;
+    weights = weights.cwiseMax(0) / sum;
+    if (gradients) {
+      const Eigen::RowVector3d ofSum = gradients->colwise().sum();
+      *gradients = (*gradients - weights * ofSum) / sum;
+    }
+    return true;
+  }
+
+  void addCorner(Eigen::Index corner, const Points& poles, Values& weights, Points* gradients) const {
+    const auto& fan = fans_[static_cast<std::size_t>(corner)];
+    for (std::size_t j = 1; j + 1 < fan.size(); ++j) {
+      const Vec3 a = poles.row(fan[0]).transpose(), b = poles.row(fan[j]).transpose(),
+                 c = poles.row(fan[j + 1]).transpose();
+      const double volume = a.dot(b.cross(c));
+      weights[corner] += volume;
+      if (gradients) // The derivative of a pole is its outer square.
+        gradients->row(corner) += volume * (a + b + c).transpose();
+    }
+  }
+
+  double size_;
+  std::vector<std::vector<Eigen::Index>> fans_;
+  Points normals_;
+  Values offsets_;
+};
+
+} // namespace
+
+std::string Wachspress::summary() const {
+  return "Rational coordinates of a convex cage; positive and smooth inside";
+}
+
+Traits Wachspress::traits() const {
+  Traits traits;
+  traits.needsCage = true;
+  traits.positive = true;
+  traits.interpolates = true;
+  traits.closedFormGradient = true;
+  return traits;
+}
+
+std::vector<Parameter> Wachspress::parameters() const {
+  return {};
+}
+
+std::unique_ptr<const PointSolver> Wachspress::prepare(const HandleSet& handles,
+                                                       const ParameterValues&) const {
+  return std::make_unique<Solver>(handles.positions, cageOf(handles));
+}
+
+} // namespace viscera::coordinates

@@ -1,0 +1,155 @@
+#include "viscera/coordinates/nspace/c_celestial.h"
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <utility>
+
+#include <Eigen/Cholesky>
+
+#include "choice_parameter.h"
+#include "nspace/direction_solver.h"
+
+namespace viscera::coordinates {
+namespace {
+
+enum class Sampling { hitAndRun, sphere, cube };
+
+const Parameter kSampling =
+    choiceParameter("sampling", "How positive balanced vectors are found", {"hit-and-run", "sphere", "cube"});
+const Parameter kSamples = countParameter("samples", "Samples a point", 10, 1e6, 400);
+const Parameter kSeed = countParameter("seed", "Of the random numbers", 0, 1e6, 1);
+
+constexpr int kMostSteps = 100;
+constexpr double kConverged = 1e-10;
+
+/// Positive numbers `exp(q_i . x)` that balance the directions: somewhere well inside the cone. Damped
+/// Newton on a convex function of three variables.
+bool startInside(const Points& units, Values& beta) {
+  Vec3 x = Vec3::Zero();
+  for (int step = 0; step < kMostSteps; ++step) {
+    beta = (units * x).array().exp();
+    const Vec3 slope = units.transpose() * beta;
+    if (slope.norm() <= kConverged * beta.sum())
+      return true;
+    const Eigen::Matrix3d bend = units.transpose() * beta.asDiagonal() * units;
+    const Vec3 way = -bend.ldlt().solve(slope);
+    double length = 1;
+    while (length > kConverged &&
+           !((units * (x + length * way)).array().exp().sum() <= beta.sum() + 0.1 * length * slope.dot(way)))
+      length /= 2;
+    x += length * way;
+  }
+  return false;
+}
+
+class Solver final : public DirectionSolver {
+public:
+  Solver(const Points& handles, Sampling sampling, int samples, unsigned seed)
+      : DirectionSolver(handles), sampling_(sampling), samples_(samples), seed_(seed) {}
+
+private:
+  bool balance(const Sight& sight, Values& beta) const override {
+    const BalancedSpace space(sight.units);
+    if (!space.valid())
+      return false;
+    const bool found = sampling_ == Sampling::hitAndRun ? walk(sight, space, beta) : throwAtCone(space, beta);
+    if (found)
+      beta = space.project(beta).cwiseMax(0); // Many sums leave the space by rounding.
+    return found;
+  }
+
+  bool walk(const Sight& sight, const BalancedSpace& space, Values& beta) const {
+    Values at(beta.size());
+    if (!startInside(sight.units, at))
+      return false;
+    at = space.project(at);
+    at /= 2 * at.norm();
+    if (at.minCoeff() < 0)
+      return false;
+    std::mt19937_64 random(seed_);
+    std::normal_distribution<double> number;
+    std::uniform_real_distribution<double> part(0, 1);
+    Values way(beta.size());
+    for (int sample = 0; sample < samples_; ++sample) {
+      for (Eigen::Index i = 0; i < way.size(); ++i)
+        way[i] = number(random);
+      way = space.project(way);
+      const double where = part(random);
+      const auto [low, high] = chord(at, way);
+      beta += at + (low + high) / 2 * way; // What is expected of the next place varies less than the place.
+      at = (at + (low + where * (high - low)) * way).cwiseMax(0);
+    }
+    return true;
+  }
+
+  /// From where to where the cone and the unit ball leave a line through `at`.
+  static std::pair<double, double> chord(const Values& at, const Values& way) {
+    const double square = way.squaredNorm(), half = at.dot(way), out = at.squaredNorm() - 1;
+    if (!(square > 0))
+      return {0, 0};
+    const double root = std::sqrt(std::max(0.0, half * half - square * out));
+    double low = (-half - root) / square, high = (-half + root) / square;
+    for (Eigen::Index i = 0; i < at.size(); ++i) {
+      if (way[i] > 0)
+        low = std::max(low, -at[i] / way[i]);
+      else if (way[i] < 0)
+        high = std::min(high, -at[i] / way[i]);
+    }
+    return low < high ? std::pair(low, high) : std::pair(0.0, 0.0);
+  }
+
+  bool throwAtCone(const BalancedSpace& space, Values& beta) const {
+    std::mt19937_64 random(seed_);
+    std::normal_distribution<double> number;
+    std::uniform_real_distribution<double> side(-1, 1);
+    Values sample(beta.size());
+    bool found = false;
+    for (int i = 0; i < samples_; ++i) {
+      for (Eigen::Index k = 0; k < sample.size(); ++k)
+        sample[k] = sampling_ == Sampling::cube ? side(random) : number(random);
+      if (sampling_ == Sampling::sphere)
+        sample.normalize();
+      sample = space.project(sample);
+      if (sample.minCoeff() < 0)
+        continue;
+      beta += sample;
+      found = true;
+    }
+    return found;
+  }
+
+  Sampling sampling_;
+  int samples_;
+  unsigned seed_;
+};
+
+} // namespace
+
+std::string CCelestial::summary() const {
+  return "The centre of all positive answers, by sampling; as good as the number of samples";
+}
+
+Traits CCelestial::traits() const {
+  Traits traits;
+  traits.positive = true;
+  traits.rotationInvariant = false; // A walk of many steps makes a difference of the last bit a large one.
+  traits.interpolates = true;
+  traits.everywhere = false;
+  traits.continuous = false;
+  traits.smooth = false;
+  return traits;
+}
+
+std::vector<Parameter> CCelestial::parameters() const {
+  return {kSampling, kSamples, kSeed};
+}
+
+std::unique_ptr<const PointSolver> CCelestial::prepare(const HandleSet& handles,
+                                                       const ParameterValues& parameters) const {
+  return std::make_unique<Solver>(handles.positions, chosen<Sampling>(parameters, kSampling),
+                                  static_cast<int>(parameters.get(kSamples)),
+                                  static_cast<unsigned>(parameters.get(kSeed)));
+}
+
+} // namespace viscera::coordinates

@@ -1,0 +1,96 @@
+#include "viscera/coordinates/nspace/determinants_approach.h"
+
+#include <array>
+#include <vector>
+
+#include <Eigen/Geometry>
+
+#include "nspace/direction_solver.h"
+
+namespace viscera::coordinates {
+namespace {
+
+/// The determinants of all triples i < j < k of directions.
+class Determinants {
+public:
+  explicit Determinants(const Points& units) : count_(static_cast<std::size_t>(units.rows())) {
+    values_.resize(count_ * count_ * count_);
+    for (std::size_t i = 0; i < count_; ++i)
+      for (std::size_t j = i + 1; j < count_; ++j) {
+        const Vec3 cross = row(units, i).cross(row(units, j));
+        for (std::size_t k = j + 1; k < count_; ++k)
+          values_[(i * count_ + j) * count_ + k] = cross.dot(row(units, k));
+      }
+  }
+  double operator()(std::size_t i, std::size_t j, std::size_t k) const {
+    return values_[(i * count_ + j) * count_ + k];
+  }
+
+private:
+  static Vec3 row(const Points& units, std::size_t i) {
+    return units.row(static_cast<Eigen::Index>(i)).transpose();
+  }
+
+  std::size_t count_;
+  std::vector<double> values_;
+};
+
+class Solver final : public DirectionSolver {
+public:
+  using DirectionSolver::DirectionSolver;
+
+private:
+  bool balance(const Sight& sight, Values& beta) const override {
+    const Determinants determinants(sight.units);
+    const auto count = static_cast<std::size_t>(beta.size());
+    bool found = false;
+    for (std::size_t i = 0; i < count; ++i)
+      for (std::size_t j = i + 1; j < count; ++j)
+        for (std::size_t k = j + 1; k < count; ++k) {
+          const double first = determinants(i, j, k);
+          for (std::size_t l = k + 1; l < count; ++l)
+            found |= addTetrahedron(
+                {i, j, k, l}, {determinants(j, k, l), -determinants(i, k, l), determinants(i, j, l), -first},
+                beta);
+        }
+    return found;
+  }
+
+  /// Four numbers of one sign balance the corners: the tetrahedron contains the point.
+  static bool addTetrahedron(const std::array<std::size_t, 4>& corners, const Eigen::Vector4d& shares,
+                             Values& beta) {
+    const bool positive = shares.minCoeff() >= 0, negative = shares.maxCoeff() <= 0;
+    if (positive == negative) // Mixed signs, or four directions in one plane.
+      return false;
+    const double norm = positive ? shares.norm() : -shares.norm();
+    for (std::size_t corner = 0; corner < 4; ++corner)
+      beta[static_cast<Eigen::Index>(corners[corner])] += shares[static_cast<Eigen::Index>(corner)] / norm;
+    return true;
+  }
+};
+
+} // namespace
+
+std::string DeterminantsApproach::summary() const {
+  return "The mean over all tetrahedra of handles around a point; jumps where their number changes";
+}
+
+Traits DeterminantsApproach::traits() const {
+  Traits traits;
+  traits.positive = true;
+  traits.interpolates = true;
+  traits.continuous = false;
+  traits.smooth = false;
+  return traits;
+}
+
+std::vector<Parameter> DeterminantsApproach::parameters() const {
+  return {};
+}
+
+std::unique_ptr<const PointSolver> DeterminantsApproach::prepare(const HandleSet& handles,
+                                                                 const ParameterValues&) const {
+  return std::make_unique<Solver>(handles.positions);
+}
+
+} // namespace viscera::coordinates

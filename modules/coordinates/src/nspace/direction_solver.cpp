@@ -1,0 +1,62 @@
+#include "nspace/direction_solver.h"
+
+#include <Eigen/LU>
+
+namespace viscera::coordinates {
+namespace {
+
+/// Of the handles' size: a point this near to a handle is at it.
+constexpr double kSamePlace = 1e-12;
+/// Directions whose outer products have a smaller determinant do not span space.
+constexpr double kFlat = 1e-14;
+
+} // namespace
+
+Sight sightOf(const Points& handles, const Vec3& point) {
+  Sight sight;
+  sight.units = handles.rowwise() - point.transpose();
+  sight.distances = sight.units.rowwise().norm();
+  sight.units.array().colwise() /= sight.distances.array();
+  return sight;
+}
+
+BalancedSpace::BalancedSpace(const Points& units) : units_(units) {
+  const Eigen::Matrix3d outer = units.transpose() * units;
+  double determinant = 0;
+  outer.computeInverseAndDetWithCheck(inverse_, determinant, valid_, kFlat);
+}
+
+Values BalancedSpace::projectAxis(Eigen::Index index) const {
+  Values projected = -units_ * (inverse_ * units_.row(index).transpose());
+  projected[index] += 1;
+  return projected;
+}
+
+DirectionSolver::DirectionSolver(const Points& handles) : handles_(handles), hull_(handles) {}
+
+Eigen::Index DirectionSolver::handleAt(const Vec3& point) const {
+  Eigen::Index nearest = 0;
+  const double distance = (handles_.rowwise() - point.transpose()).rowwise().norm().minCoeff(&nearest);
+  return distance <= kSamePlace * hull_.diagonal() ? nearest : -1;
+}
+
+bool DirectionSolver::solve(const Vec3& point, Values& weights) const {
+  if (const Eigen::Index handle = handleAt(point); handle >= 0) {
+    weights[handle] = 1;
+    return true;
+  }
+  if (!inside(point))
+    return false;
+  const Sight sight = sightOf(handles_, point);
+  if (!balance(sight, weights))
+    return false;
+  weights.array() /= sight.distances.array();
+  const double sum = weights.sum(), largest = weights.cwiseAbs().sum();
+  // Where weights of both signs cancel, what is left is rounding.
+  if (!(sum > kSamePlace * largest))
+    return false;
+  weights /= sum;
+  return true;
+}
+
+} // namespace viscera::coordinates

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "nspace/direction_solver.h"
+
+namespace viscera::coordinates {
+
+/// The target vectors of the thesis, 3.3.1.
+enum class Target { one, inverseDistance, closeness };
+
+/// n numbers, none of them negative.
+Values targetAt(Target target, const Sight& sight);
+
+/// Calls `visit` with all ascending subsets of {0 .. count - 1} of `size` members, in order, until it returns
+/// false.
+void forEachSubset(Eigen::Index count, Eigen::Index size,
+                   const std::function<bool(const std::vector<Eigen::Index>&)>& visit);
+
+/// Of all vectors that balance the directions the one nearest to a target (thesis 3.21 to 3.28), with the
+/// different ways to keep its numbers from being negative.
+class LagrangeProblem {
+public:
+  LagrangeProblem(const Sight& sight, Values target);
+
+  /// The largest number of the target, for tolerances.
+  double scale() const { return target_.maxCoeff(); }
+  /// The problem with `amount` added to the whole target.
+  LagrangeProblem shifted(double amount) const;
+
+  /// In closed form with the handles `dead` at zero; the others may become negative. False where the others
+  /// do not span space. O(n).
+  bool solve(const std::vector<Eigen::Index>& dead, Values& beta) const;
+  /// The quadratic programme with `beta >= 0` (3.25), to rounding. False where Newton's method does not end.
+  bool solveExactly(Values& beta) const;
+  /// The feasible choice with the fewest zeros, of several the nearest to the target; false when
+  /// `mostChoices` are not enough.
+  bool solveByFewestZeros(int mostChoices, Values& beta) const;
+  /// Negative ones become zero and the rest is solved again, until none is left.
+  bool solveByDropping(Values& beta) const;
+
+private:
+  Points units_;
+  Values target_;
+  Eigen::Matrix3d outer_; ///< `sum q q^T`
+  Vec3 pull_;             ///< `sum u q`
+};
+
+} // namespace viscera::coordinates

@@ -1,0 +1,109 @@
+#include "viscera/coordinates/nspace/wire_approach.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "choice_parameter.h"
+#include "nspace/direction_solver.h"
+
+namespace viscera::coordinates {
+namespace {
+
+enum class PointSet { axes, opposites, both };
+enum class Connection { cycle, complete };
+
+const Parameter kPoints =
+    choiceParameter("points", "The points of n-space that the wire connects", {"p1", "p2", "p3"});
+const Parameter kConnection =
+    choiceParameter("connection", "How the wire connects them", {"cycle", "complete"});
+
+/// Columns are the projected ends of the wire.
+Eigen::MatrixXd wireEnds(const Sight& sight, const BalancedSpace& space, PointSet points) {
+  const Eigen::Index count = sight.distances.size();
+  Eigen::MatrixXd axes(count, count);
+  for (Eigen::Index i = 0; i < count; ++i)
+    axes.col(i) = space.projectAxis(i);
+  if (points == PointSet::axes)
+    return axes;
+  if (points == PointSet::opposites) {
+    const Values ones = axes.rowwise().sum();
+    return ones.replicate(1, count) - axes;
+  }
+  Eigen::MatrixXd both(count, 2 * count); // p1, p(n+1), p2, p(n+2), ...: a cycle as the thesis's C2.
+  for (Eigen::Index i = 0; i < count; ++i) {
+    both.col(2 * i) = axes.col(i);
+    both.col(2 * i + 1) = -axes.col(i);
+  }
+  return both;
+}
+
+class Solver final : public DirectionSolver {
+public:
+  Solver(const Points& handles, PointSet points, Connection connection)
+      : DirectionSolver(handles), points_(points), connection_(connection) {}
+
+private:
+  bool balance(const Sight& sight, Values& beta) const override {
+    const BalancedSpace space(sight.units);
+    if (!space.valid())
+      return false;
+    const Eigen::MatrixXd ends = wireEnds(sight, space, points_);
+    const Eigen::Index count = ends.cols();
+    for (Eigen::Index i = 0; i < count; ++i)
+      if (connection_ == Connection::cycle)
+        addSegment(ends.col(i), ends.col((i + 1) % count), beta);
+      else
+        for (Eigen::Index j = i + 1; j < count; ++j)
+          addSegment(ends.col(i), ends.col(j), beta);
+    beta = beta.cwiseMax(0); // Cut ends are zero but for rounding.
+    return beta.maxCoeff() > 0;
+  }
+
+  /// Adds the middle of the segment's positive part, times its length.
+  static void addSegment(const Eigen::Ref<const Values>& from, const Eigen::Ref<const Values>& to,
+                         Values& beta) {
+    double begin = 0, end = 1;
+    for (Eigen::Index i = 0; i < from.size() && begin < end; ++i) {
+      if (from[i] < 0 && to[i] < 0)
+        return;
+      if (from[i] < 0)
+        begin = std::max(begin, from[i] / (from[i] - to[i]));
+      else if (to[i] < 0)
+        end = std::min(end, from[i] / (from[i] - to[i]));
+    }
+    if (!(begin < end))
+      return;
+    const double middle = (begin + end) / 2;
+    beta += ((end - begin) * (to - from).norm()) * ((1 - middle) * from + middle * to);
+  }
+
+  PointSet points_;
+  Connection connection_;
+};
+
+} // namespace
+
+std::string WireApproach::summary() const {
+  return "A wire in the space of balanced vectors; for many points it has no answer";
+}
+
+Traits WireApproach::traits() const {
+  Traits traits;
+  traits.positive = true;
+  traits.interpolates = true;
+  traits.everywhere = false;
+  traits.smooth = false;
+  return traits;
+}
+
+std::vector<Parameter> WireApproach::parameters() const {
+  return {kPoints, kConnection};
+}
+
+std::unique_ptr<const PointSolver> WireApproach::prepare(const HandleSet& handles,
+                                                         const ParameterValues& parameters) const {
+  return std::make_unique<Solver>(handles.positions, chosen<PointSet>(parameters, kPoints),
+                                  chosen<Connection>(parameters, kConnection));
+}
+
+} // namespace viscera::coordinates
