@@ -21,10 +21,10 @@ struct Traits {
   bool closedFormGradient = false; ///< `CoordinateGradients` without differences.
   bool usesGroups = false;         ///< Looks at `HandleSet::groups`.
   bool rotationInvariant = true;   ///< Turning handles and points together changes nothing but rounding.
-  bool everywhere = true; ///< Finds coordinates at every point inside the hull (the cage, where it needs one).
-  bool continuous = true; ///< No coordinate jumps.
-  bool smooth = true;     ///< No derivative of a coordinate jumps, but at handles and on the cage.
-  bool affine = true;     ///< `p = sum a_i v_i` by the handles alone, so that any affine motion is followed.
+  bool everywhere = true;          ///< Finds coordinates at every point inside the hull (or the cage).
+  bool continuous = true;          ///< No coordinate jumps.
+  bool smooth = true;              ///< No derivative of a coordinate jumps, but at handles and on the cage.
+  bool affine = true; ///< `p = sum a_i v_i` by the handles alone, so that any affine motion is followed.
 };
 
 /// The derivatives of the coordinates at points: `values` is `(points * handles) x 3`, row `p * handles + i`
