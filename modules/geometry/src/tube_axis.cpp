@@ -24,6 +24,8 @@ namespace {
 constexpr double kTipReach = 0.12;
 constexpr double kEndReach = 0.15;
 constexpr double kFixedReach = 0.03;
+/// Points of the middle line are that far from each other at least.
+constexpr double kApart = 1.0 / 30;
 
 using Neighbors = std::vector<std::vector<std::pair<int, double>>>;
 
@@ -302,11 +304,14 @@ Values edgeDistances(const TriangleMesh& mesh, const std::vector<int>& sources) 
 
 TubeEnds tubeEnds(const TriangleMesh& mesh) {
   const Neighbors neighbors = neighborsOf(mesh);
-  const int anywhere = farthest(distancesFrom(neighbors, {0}, kEverywhere));
-  const Values distances = distancesFrom(neighbors, {anywhere}, kEverywhere);
-  const double length = finiteMost(distances);
-  std::vector<int> tips = tipsOf(neighbors, distances, kTipReach * length);
-  tips.push_back(anywhere);
+  const int one = farthest(distancesFrom(neighbors, {0}, kEverywhere));
+  const Values fromOne = distancesFrom(neighbors, {one}, kEverywhere);
+  const int other = farthest(fromOne);
+  const double length = fromOne[other];
+  // A tip beside the one that is looked from lies on the way to farther places: so look from both ends.
+  std::vector<int> tips = tipsOf(neighbors, fromOne, kTipReach * length);
+  for (const int tip : tipsOf(neighbors, distancesFrom(neighbors, {other}, kEverywhere), kTipReach * length))
+    tips.push_back(tip);
   TubeEnds ends;
   double most = -1;
   for (const int tip : tips) {
@@ -347,7 +352,8 @@ TubeAxis tubeAxis(const TriangleMesh& mesh, int from, int to, int slices) {
   Slicer slicer(mesh, values);
   for (const double level : evenLevels(values, slices)) {
     const Slice slice = slicer.at(level);
-    if (!(slice.area > 0))
+    // At the mouth of a side branch centres go aside and back by less than this.
+    if (!(slice.area > 0) || (slice.center - axis.points.back()).norm() < kApart * length)
       continue;
     axis.points.push_back(slice.center);
     axis.areas.push_back(slice.area);

@@ -17,9 +17,12 @@ namespace {
 using std::numbers::pi;
 
 // Estimating.
-constexpr int kGrid = 28;               ///< Samples along the longest side of the box.
-constexpr double kCoreDepth = 0.45;     ///< Deeper than this part of the deepest point is core.
-constexpr double kCoreReach = 1.1;      ///< What is left of the heart lies within that many core depths.
+constexpr int kGrid = 28;           ///< Samples along the longest side of the box.
+constexpr double kCoreDepth = 0.45; ///< Deeper than this part of the deepest point is core.
+constexpr double kCoreReach = 1.1;  ///< What is left of the heart lies within that many core depths.
+/// Thin parts on one side by more than this (their share of the body, times how far off its middle they are)
+/// are vessels, which leave the heart at its base.
+constexpr double kVessels = 0.1;
 constexpr double kBaseBack = 2.0 / 3.0; ///< From the apex to the base, as a part of the whole length.
 constexpr double kBulge = 0.06;         ///< Rounder than this the ventricles show no right side.
 /// From the axis to the right ventricle of a heart in its place (patient's right and front).
@@ -71,34 +74,53 @@ Inside sampleInside(const AnatomySurface& surface, const Bounds& box) {
   return inside;
 }
 
-/// Those of the points that lie near deep ones: what is left without thin parts.
-std::vector<Vec3> opened(const Inside& inside) {
+/// The points that lie near deep ones, and the thin parts: vessels.
+struct Opened {
+  std::vector<Vec3> body, thin;
+};
+
+Opened opened(const Inside& inside) {
   const double deepest = *std::max_element(inside.depths.begin(), inside.depths.end());
   std::vector<Vec3> core;
   for (std::size_t i = 0; i < inside.points.size(); ++i)
     if (inside.depths[i] > kCoreDepth * deepest)
       core.push_back(inside.points[i]);
   const double reach = kCoreReach * kCoreDepth * deepest;
-  std::vector<Vec3> left;
-  for (const Vec3& point : inside.points)
-    if (std::any_of(core.begin(), core.end(),
-                    [&](const Vec3& deep) { return (deep - point).squaredNorm() < reach * reach; }))
-      left.push_back(point);
-  return left;
+  Opened parts;
+  for (const Vec3& point : inside.points) {
+    const bool near = std::any_of(core.begin(), core.end(), [&](const Vec3& deep) {
+      return (deep - point).squaredNorm() < reach * reach;
+    });
+    (near ? parts.body : parts.thin).push_back(point);
+  }
+  return parts;
 }
 
-/// Middle and principal axis; the axis points where the body tapers.
-std::pair<Vec3, Vec3> taperingAxis(const std::vector<Vec3>& points) {
-  Vec3 middle = Vec3::Zero();
+Vec3 meanOf(const std::vector<Vec3>& points) {
+  Vec3 mean = Vec3::Zero();
   for (const Vec3& point : points)
-    middle += point / static_cast<double>(points.size());
+    mean += point / static_cast<double>(points.size());
+  return mean;
+}
+
+/// Middle and principal axis of the body. The axis points away from the vessels; without vessels, to where
+/// the body tapers (third moment).
+std::pair<Vec3, Vec3> axisToApex(const Opened& parts) {
+  const Vec3 middle = meanOf(parts.body);
   Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
-  for (const Vec3& point : points)
-    spread += (point - middle) * (point - middle).transpose();
-  const Vec3 axis = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(spread).eigenvectors().col(2);
+  for (const Vec3& point : parts.body)
+    spread += (point - middle) * (point - middle).transpose() / static_cast<double>(parts.body.size());
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(spread);
+  const Vec3 axis = solver.eigenvectors().col(2);
   double skew = 0;
-  for (const Vec3& point : points)
+  for (const Vec3& point : parts.body)
     skew += std::pow((point - middle).dot(axis), 3);
+  if (!parts.thin.empty()) {
+    const double share = static_cast<double>(parts.thin.size()) / static_cast<double>(parts.body.size());
+    const double away = (meanOf(parts.thin) - middle).dot(axis) / std::sqrt(solver.eigenvalues()[2]);
+    if (std::abs(share * away) > kVessels)
+      return {middle, away > 0 ? Vec3(-axis) : axis};
+  }
   return {middle, skew < 0 ? Vec3(-axis) : axis};
 }
 
@@ -174,10 +196,10 @@ HeartLandmarks estimateHeartLandmarks(const AnatomySurface& surface, const Bound
   const Inside inside = sampleInside(surface, box);
   if (inside.points.empty())
     throw DataError("the surface has no inside", "heart landmarks", "give apex and base yourself");
-  const std::vector<Vec3> body = opened(inside);
-  const auto [middle, axis] = taperingAxis(body);
+  const Opened parts = opened(inside);
+  const auto [middle, axis] = axisToApex(parts);
   double back = 0;
-  for (const Vec3& point : body)
+  for (const Vec3& point : parts.body)
     back = std::min(back, (point - middle).dot(axis));
   double tip = box.diagonal();
   while (tip > 0 && surface(middle + tip * axis) > 0)

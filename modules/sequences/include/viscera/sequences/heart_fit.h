@@ -16,12 +16,12 @@ struct HeartLandmarks {
 /// From base to apex of the standard heart, mm: hearts are brought to this size before they are fitted.
 inline constexpr double kStandardHeartLength = 97;
 
-/// Guesses the landmarks of a heart from its shape. Thin parts (vessels) are left out by opening: only what
-/// lies near deep points counts. The long axis is the principal axis of what is left; the apex is at the end
-/// towards which it tapers (third moment), the base two thirds of the way back; the right side is where
-/// the ventricles reach farthest from the axis, or, when they are round, to the patient's right and front.
-/// `surface` is negative inside `box`. Any size. Some 20,000 calls of `surface`. Throws `DataError` when
-/// there is no inside.
+/// Guesses the landmarks of a heart from its shape. Thin parts (vessels) are told from the body by opening:
+/// only what lies near deep points is body. The long axis is the body's principal axis; the apex is at the
+/// end away from the vessels, or, without vessels, at the one towards which the body tapers (third moment);
+/// the base two thirds of the way back; the right side is where the ventricles reach farthest from the axis,
+/// or, when they are round, to the patient's right and front. `surface` is negative inside `box`. Any size.
+/// Some 20,000 calls of `surface`. Throws `DataError` when there is no inside.
 HeartLandmarks estimateHeartLandmarks(const AnatomySurface& surface, const Bounds& box);
 
 /// The anatomy of a heart of standard size with those landmarks, for `makeHeartRig` with

@@ -26,11 +26,11 @@ Command setEasing(std::vector<KeyId> keys, sequences::Easing easing);
 /// What is given is changed, all else stays. A shorter period than the last key needs is refused; with
 /// `stretch` the keys keep their part of the period.
 struct RecordingEdit {
-  std::optional<std::string> name;
-  std::optional<double> periodSeconds;
+  std::optional<std::string> name = {};
+  std::optional<double> periodSeconds = {};
   bool stretch = false;
-  std::optional<bool> loop;
-  std::optional<sequences::Interpolation> interpolation;
+  std::optional<bool> loop = {};
+  std::optional<sequences::Interpolation> interpolation = {};
 };
 Command editRecording(RecordingEdit change);
 
