@@ -84,6 +84,11 @@ void Stage::compose() {
   view_.lookFrom(side_, bounds);
 }
 
+void Stage::compose(const std::string& view) {
+  side_ = scene::standardViewFromName(view);
+  compose();
+}
+
 vtkSmartPointer<vtkImageData> Stage::picture() {
   return scene::grabPicture(window_.window());
 }

@@ -45,6 +45,8 @@ public:
   /// Turns to the side asked for and brings all organs and handles into the picture. Call once, when all are
   /// there.
   void compose();
+  /// The same from another side.
+  void compose(const std::string& view);
 
   vtkSmartPointer<vtkImageData> picture();
   scene::OrganView& view() { return view_; }

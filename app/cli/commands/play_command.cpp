@@ -13,6 +13,7 @@
 #include "viscera/core/atomic_file.h"
 #include "viscera/core/error.h"
 #include "viscera/medical_io/handle_file.h"
+#include "viscera/scene/contact_sheet.h"
 #include "viscera/scene/movie_writer.h"
 #include "viscera/session/cardiac_indices.h"
 #include "viscera/session/open_files.h"
@@ -22,6 +23,9 @@ namespace viscera::app::cli {
 namespace {
 
 constexpr int kMostCycles = 1000;
+constexpr int kMostColumns = 100;
+constexpr int kMostOnASheet = 400;
+constexpr double kLowestRate = 0.1;  ///< Frames a second that a sheet of a slow sequence needs.
 constexpr double kHighestRate = 240; ///< Frames a second that a movie is good for.
 constexpr double kWallOpacity = 0.35;
 constexpr double kDrawingShare = 0.9; ///< Of the progress; the rest is closing the movie.
@@ -49,7 +53,13 @@ public:
     const vtkSmartPointer<vtkImageData> picture = stage_.picture();
     for (const auto& writer : writers_)
       writer->add(picture);
+    if (keep_)
+      kept_.push_back(picture);
   }
+
+  /// Keeps all pictures from now on.
+  void keep() { keep_ = true; }
+  const std::vector<vtkSmartPointer<vtkImageData>>& kept() const { return kept_; }
 
   void finish(Progress& progress) {
     for (const auto& writer : writers_)
@@ -60,6 +70,8 @@ private:
   Stage stage_;
   std::vector<std::shared_ptr<scene::OrganActor>> actors_;
   std::vector<std::unique_ptr<scene::MovieWriter>> writers_;
+  std::vector<vtkSmartPointer<vtkImageData>> kept_;
+  bool keep_ = false;
 };
 
 void writeTable(const std::string& file, const session::VolumeRecord& volumes) {
@@ -157,12 +169,16 @@ void PlayCommand::addOptions(CLI::App& options) {
       ->capture_default_str();
   options.add_option("--fps", framesPerSecond_, "Frames a second")
       ->type_name("F")
-      ->check(CLI::Range(1.0, kHighestRate))
+      ->check(CLI::Range(kLowestRate, kHighestRate))
       ->capture_default_str();
   options.add_option("--frames", frames_, "Folder for numbered PNG pictures")->type_name("FOLDER");
   options.add_option("--movie", movie_, "Movie to write: .ogv, or .mp4 and .gif where ffmpeg is installed")
       ->type_name("FILE");
   options.add_option("--csv", csv_, "Table of the volumes over time")->type_name("FILE");
+  options.add_option("--sheet", sheet_, "One picture (.png) of all frames, side by side")->type_name("FILE");
+  options.add_option("--columns", columns_, "Frames beside each other on the sheet")
+      ->check(CLI::Range(1, kMostColumns))
+      ->capture_default_str();
   addStageOptions(options, stage_, size_);
 }
 
@@ -213,13 +229,19 @@ PlayCommand::Measured PlayCommand::play(PlayedSequence& played, double rate, int
     names.push_back(surface.name);
   Measured measured{session::VolumeRecord(names), {}};
   std::optional<Recording> recording;
-  if (!frames_.empty() || !movie_.empty())
+  if (!frames_.empty() || !movie_.empty() || !sheet_.empty())
     recording.emplace(played, stage_, surroundings.threads);
   if (!frames_.empty())
     recording->addWriter(std::filesystem::path(frames_) / "",
                          framesPerSecond_); // A folder, whatever its name.
   if (!movie_.empty())
     recording->addWriter(movie_, framesPerSecond_);
+  if (!sheet_.empty()) {
+    if (frames > kMostOnASheet)
+      throw UsageError(std::to_string(frames) + " frames do not fit on a sheet", "--sheet " + sheet_,
+                       "ask for fewer with --fps; " + std::to_string(kMostOnASheet) + " at most");
+    recording->keep();
+  }
   Points pose;
   for (int frame = 0; frame < frames; ++frame) {
     surroundings.progress.throwIfCancelled();
@@ -242,6 +264,8 @@ PlayCommand::Measured PlayCommand::play(PlayedSequence& played, double rate, int
   }
   if (recording)
     recording->finish(surroundings.progress);
+  if (!sheet_.empty())
+    scene::writeSmallPng(sheet_, scene::contactSheet(recording->kept(), columns_));
   return measured;
 }
 
@@ -283,7 +307,8 @@ Outcome PlayCommand::report(const PlayedSequence& played, const Measured& measur
     addFit(*played.retargeted, outcome.json, listing);
   for (const auto& [key, target] :
        {std::pair("csv", csv_), std::pair("movie", movie_), std::pair("folder", frames_),
-        std::pair("handles", handlesOut_), std::pair("landmarksFile", landmarksOut_)})
+        std::pair("sheet", sheet_), std::pair("handles", handlesOut_),
+        std::pair("landmarksFile", landmarksOut_)})
     if (!target.empty()) {
       outcome.json[key] = target;
       listing.add(key, target);

@@ -42,6 +42,8 @@ private:
   std::string frames_;
   std::string movie_;
   std::string csv_;
+  std::string sheet_;
+  int columns_ = 6;
   std::string size_ = "1280x800";
   StageOptions stage_;
 };

@@ -13,6 +13,7 @@
 #include "cli/picture_size.h"
 #include "viscera/core/error.h"
 #include "viscera/deformation/bind_organ.h"
+#include "viscera/scene/contact_sheet.h"
 #include "viscera/scene/picture.h"
 #include "viscera/session/open_files.h"
 
@@ -74,6 +75,11 @@ void RenderCommand::addOptions(CLI::App& options) {
       ->required();
   options.add_option("-o,--output", output_, "Picture to write (.png)")->type_name("FILE")->required();
   addStageOptions(options, stage_, size_);
+  options
+      .add_option("--views", views_, "Several sides beside each other in one picture: anterior,left,superior")
+      ->type_name("NAMES")
+      ->delimiter(',')
+      ->excludes("--view");
   options.add_option("--influence", influence_, "Colour the organs by the influence of this handle")
       ->type_name("LABEL");
   options.add_option("--opacity", opacity_, "Of the organs, 0 to 1")->check(CLI::Range(0.0, 1.0));
@@ -92,15 +98,25 @@ Outcome RenderCommand::run(Surroundings& surroundings) {
     stage.showHandles(*contents.rig);
   if (!influence_.empty())
     showInfluence(stage, contents, influence_, *system, options, surroundings.progress);
-  stage.compose();
-  surroundings.progress.throwIfCancelled();
-  scene::writePng(output_, stage.picture());
+  if (views_.empty())
+    views_.push_back(stage_.view);
+  std::vector<vtkSmartPointer<vtkImageData>> pictures;
+  for (const std::string& view : views_) {
+    stage.compose(view);
+    surroundings.progress.throwIfCancelled();
+    pictures.push_back(stage.picture());
+  }
+  if (pictures.size() == 1)
+    scene::writePng(output_, pictures.front());
+  else
+    scene::writeSmallPng(output_, scene::contactSheet(pictures, static_cast<int>(pictures.size())));
 
   Outcome outcome;
   outcome.json = {{"png", output_},
-                  {"width", stage_.size.width},
+                  {"width", stage_.size.width * static_cast<int>(pictures.size())},
                   {"height", stage_.size.height},
-                  {"view", stage_.view},
+                  {"view", views_.front()},
+                  {"views", views_},
                   {"organs", contents.organs.size()},
                   {"handles", contents.rig ? contents.rig->labels.size() : 0}};
   outcome.text = Listing().add("picture", output_).text();

@@ -22,6 +22,7 @@ private:
   std::string output_;
   std::string size_ = "1600x1000";
   std::string influence_;
+  std::vector<std::string> views_;
   StageOptions stage_;
   double opacity_ = 1;
   SystemOptions system_;

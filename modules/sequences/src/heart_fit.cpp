@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <utility>
 
@@ -41,9 +42,15 @@ constexpr double kBehindBase = 10;   ///< The ventricles end that far behind the
 constexpr double kFirstAtrial = 12;  ///< Atrial handles begin behind that, mm.
 constexpr double kLastAtrial = 60;   ///< What is farther behind carries vessels and stays.
 constexpr double kSpread = 20;       ///< Between handles on what is behind the base, mm.
+constexpr double kVesselSpread = 13; ///< The same on vessels,
+constexpr double kVesselOff = 4;     ///< and how far off these they stand, mm.
 constexpr double kOff = 6;           ///< How far off the surface they stand, mm.
 constexpr double kAtrialMiddle = 24; ///< The point that atria contract towards lies that far behind the base.
-constexpr double kVesselFade = 60;   ///< Behind the base what takes part in its descent fades over this, mm.
+constexpr double kLastVessel = 25;   ///< Beside the ventricles vessels reach that far towards the apex, mm.
+constexpr double kAtrialWidth = 1.4; ///< Atria reach that many radii of the left ventricle from the axis.
+/// The part of the base's descent in which vessels take part at their roots; along the axis and along the
+/// vessel it fades over these lengths, mm.
+constexpr double kVesselFollow = 0.4, kVesselFade = 60, kVesselLength = 25;
 constexpr double kBoxMargin = 0.3;
 
 double outermost(const AnatomySurface& surface, const HeartFrame& frame, double phi, double c) {
@@ -158,36 +165,58 @@ double leftRadius(const AnatomySurface& surface, const HeartFrame& frame) {
   return std::clamp(radii[radii.size() / 2], kNarrowest, kWidest);
 }
 
-/// Handles on what lies behind the base: near it they move with the atria, farther away they hold vessels.
+double smoothStep(double x) {
+  x = std::clamp(x, 0.0, 1.0);
+  return x * x * (3 - 2 * x);
+}
+
+/// How far a point is from the body of the heart, about: 0 in it, in its walls and close to them.
+class BodyDistance {
+public:
+  BodyDistance(const AnatomySurface& surface, const Bounds& box)
+      : body_(opened(sampleInside(surface, box)).body), cell_((box.high - box.low).maxCoeff() / kGrid) {}
+
+  double operator()(const Vec3& point) const {
+    double nearest2 = std::numeric_limits<double>::infinity();
+    for (const Vec3& one : body_)
+      nearest2 = std::min(nearest2, (one - point).squaredNorm());
+    return std::max(0.0, std::sqrt(nearest2) - kCells * cell_ - kOff);
+  }
+
+private:
+  static constexpr double kCells = 1.2; ///< Samples lie that many cells from the walls of the body at most.
+
+  std::vector<Vec3> body_;
+  double cell_;
+};
+
+/// Handles on what lies behind the base: near the axis they move with the atria; vessels, which are what is
+/// thin or far out, take part in the descent the less the farther away they are, and get more handles, so
+/// that their walls move as one.
 void addBehindBase(HeartAnatomy& anatomy, const AnatomySurface& surface, const Points& points) {
   const HeartFrame& frame = anatomy.frame;
-  const auto along = [&frame](const Vec3& p) { return frame.toLocal(p).z(); };
-  const Points behind = rowsWhere(points, [&](const Vec3& p) { return along(p) < -kFirstAtrial; });
-  if (behind.rows() == 0)
-    return;
-  Vec3 middle = Vec3::Zero();
-  Eigen::Index count = 0;
-  for (const auto& row : behind.rowwise())
-    if (along(row.transpose()) > -kLastAtrial) {
-      middle += row.transpose();
-      ++count;
-    }
-  if (count > 0) {
-    middle /= static_cast<double>(count);
-    middle -= (along(middle) + kAtrialMiddle) * frame.towardsApex();
+  const double width = anatomy.epicardium.radius;
+  const BodyDistance offBody(surface, boundsOf(points));
+  const auto isVessel = [&](const Vec3& p) {
+    const HeartPoint at = frame.cylindrical(p);
+    return at.c < kLastVessel && (at.c < -kLastAtrial || at.rho > kAtrialWidth * width || offBody(p) > 0);
+  };
+  const auto isAtrium = [&](const Vec3& p) { return frame.toLocal(p).z() < -kFirstAtrial && !isVessel(p); };
+  AtriumAnatomy atria{surface, frame.toWorld(HeartPoint{0, 0, -kAtrialMiddle}), {}};
+  for (const Vec3& place : spreadPoints(rowsWhere(points, isAtrium), Points(0, 3), kSpread))
+    atria.appendage.push_back(movedOff(surface, place, kOff));
+  const auto isFarOut = [&](const Vec3& p) {
+    return isVessel(p) && (frame.toLocal(p).z() < -kFirstAtrial || offBody(p) > 0);
+  };
+  for (const Vec3& place : spreadPoints(rowsWhere(points, isFarOut), Points(0, 3), kVesselSpread)) {
+    const Vec3 handle = movedOff(surface, place, kVesselOff);
+    const HeartPoint at = frame.cylindrical(handle);
+    const double follow = kVesselFollow * smoothStep(1 + at.c / kVesselFade) *
+                          smoothStep(2 - at.rho / width) * smoothStep(1 - offBody(handle) / kVesselLength);
+    anatomy.vessels.push_back({handle, Vec3::UnitZ(), 0, 1, follow});
   }
-  AtriumAnatomy atria{surface, middle, {}};
-  for (const Vec3& place : spreadPoints(behind, Points(0, 3), kSpread)) {
-    const Vec3 handle = movedOff(surface, place, kOff);
-    const double c = along(handle);
-    if (c > -kLastAtrial) {
-      atria.appendage.push_back(handle);
-    } else {
-      const double fade = std::clamp(1 + c / kVesselFade, 0.0, 1.0);
-      anatomy.vessels.push_back({handle, Vec3::UnitZ(), 0, 1, fade});
-    }
-  }
-  anatomy.atria.push_back(std::move(atria));
+  if (!atria.appendage.empty())
+    anatomy.atria.push_back(std::move(atria));
 }
 
 } // namespace

@@ -42,6 +42,18 @@ std::optional<double> outermost(const HeartFrame& frame, const AnatomySurface& s
   return std::nullopt;
 }
 
+/// The distance from the axis at which the ray (phi, c) first leaves the surface; nothing when it starts
+/// outside.
+std::optional<double> firstExit(const HeartFrame& frame, const AnatomySurface& surface, double phi,
+                                double c) {
+  if (surface(frame.toWorld(HeartPoint{0, phi, c})) >= 0)
+    return std::nullopt;
+  double rho = 0;
+  while (rho < kFarthestRho && surface(frame.toWorld(HeartPoint{rho + kRayStep, phi, c})) < 0)
+    rho += kRayStep;
+  return rho;
+}
+
 /// The k-th of `count` directions that are spread evenly.
 Vec3 spiralDirection(int k, int count) {
   const double z = 1 - (2.0 * k + 1) / count;
@@ -85,7 +97,8 @@ public:
       const int count = countAround(kWidening * shell.radiusAt(c) + options_.offset);
       for (int k = 0; k < count; ++k) {
         const double phi = ringAngle(k, count, ring);
-        const auto wall = outermost(anatomy_.frame, anatomy_.ventricles, phi, c);
+        const auto wall = options_.firstWall ? firstExit(anatomy_.frame, anatomy_.ventricles, phi, c)
+                                             : outermost(anatomy_.frame, anatomy_.ventricles, phi, c);
         if (!wall)
           continue;
         const HeartPoint place{*wall + options_.offset, phi, c};

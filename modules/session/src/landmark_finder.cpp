@@ -22,6 +22,8 @@ constexpr double kAtOnePlace = 0.05;
 /// Points of the middle line that are kept: enough for its bends, few enough to be smooth.
 constexpr int kLinePoints = 15;
 constexpr int kSmoothings = 3;
+/// Of the organ's diagonal: points of the line lie that deep inside where there is room.
+constexpr double kLeastDepth = 0.02;
 
 /// Of the length: the line leads at least that far beyond the pylorus, so that rings fit around it.
 constexpr double kBeyondPylorus = 0.035;
@@ -164,6 +166,22 @@ Landmarks LandmarkFinder::stomach(Landmarks landmarks) const {
   return landmarks;
 }
 
+Vec3 LandmarkFinder::drawnInside(const Vec3& place) const {
+  const double deep = kLeastDepth * size_;
+  if (depth(place) < -deep)
+    return place;
+  const Vec3 wall = distance_->nearest(place);
+  const Vec3 away = (depth(place) < 0 ? Vec3(place - wall) : Vec3(wall - place)).stableNormalized();
+  // As deep as the organ is thick there, at most.
+  for (double step = deep; step > 0.1 * deep; step *= 0.7)
+    if (depth(wall + step * away) < -0.7 * step)
+      return wall + step * away;
+  if (depth(place) >= 0)
+    throw DataError("the middle line that was computed leaves the organ", name_,
+                    "give points of the centreline yourself");
+  return place;
+}
+
 void LandmarkFinder::addCenterline(Landmarks& landmarks) const {
   geometry::TubeEnds ends;
   if (const Landmark* fundus = landmarks.find("fundus")) {
@@ -182,10 +200,7 @@ void LandmarkFinder::addCenterline(Landmarks& landmarks) const {
   }
   for (int k = 1; k <= kLinePoints; ++k) {
     const Vec3 place = alongLine(axis.points, arcs, k * arcs.back() / (kLinePoints + 0.5));
-    if (depth(place) >= 0)
-      throw DataError("the middle line that was computed leaves the organ", name_,
-                      "give points of the centreline yourself");
-    landmarks.points.push_back({"centreline", place, true});
+    landmarks.points.push_back({"centreline", drawnInside(place), true});
   }
 }
 

@@ -30,6 +30,8 @@ private:
   Landmarks heart(Landmarks landmarks) const;
   Landmarks stomach(Landmarks landmarks) const;
   void addCenterline(Landmarks& landmarks) const;
+  /// A point near the wall, or a little outside, moved away from it.
+  Vec3 drawnInside(const Vec3& place) const;
   int vertexNear(const Vec3& point) const;
 
   std::string sequence_;

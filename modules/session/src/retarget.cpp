@@ -42,6 +42,7 @@ public:
     sequences::HeartRigOptions options;
     options.cavities = false;
     options.atrialHandles = 0;
+    options.firstWall = true;
     sequences::HeartRig rig = makeHeartRig(fitHeart(marks, surface(), organ_.mesh->points / scale_), options);
     const Points rest = rig.restHandles();
     const SystemChoice standard = softCoordinates(kSoftnessMm);

@@ -32,7 +32,7 @@ TEST(SignedDistance, nearestPointLiesOnTheSurfaceAtThatDistance) {
   const SignedDistance distance = distanceTo(tests::sphere(4, 30, {5, 6, 7}));
   for (const Vec3& p : {Vec3(5, 6, 40), Vec3(0, 0, 0), Vec3(100, -50, 3)}) {
     EXPECT_NEAR((distance.nearest(p) - p).norm(), std::abs(distance(p)), 1e-12);
-    EXPECT_NEAR(distance(p), (p - Vec3(5, 6, 7)).norm() - 30, 0.1);
+    EXPECT_NEAR(distance(p), (p - Vec3(5, 6, 7)).norm() - 30, 0.3);
   }
 }
 

@@ -80,6 +80,9 @@ struct HeartRigOptions {
   double offset = 8;      ///< Between the ventricles and the handles outside them, mm.
   int atrialHandles = 24; ///< Directions tried around each atrium.
   bool cavities = true;   ///< Also handles on the walls of the ventricles' cavities.
+  /// Whether the ventricles end where a ray from the axis first leaves them, not where it does last: for
+  /// surfaces in which vessels may lie beside them.
+  bool firstWall = false;
 };
 
 /// The handles of a heart, those of one role in one piece.

@@ -1,0 +1,39 @@
+#!/usr/bin/env bash
+# Draws every sample organ from three sides and film strips of the sequences into docs/pictures, by the program alone.
+# make_pictures.sh [PROGRAM]: the program is build/release/bin/viscera unless another one is named. No display is needed.
+set -eu
+source=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
+program=${1:-$source/build/release/bin/viscera}
+pictures=$source/docs/pictures
+[ -x "$program" ] || { echo "make_pictures.sh: there is no program $program; ./run.sh --build-only makes one" >&2; exit 66; }
+mkdir -p "$pictures"
+
+organ() { # organ NAME SIDES [OPTION...]
+  local name=$1 sides=$2
+  shift 2
+  "$program" render "sample:$name" -o "$pictures/organ_$name.png" --views "$sides" --size 420x420 --theme light "$@"
+}
+strip() { # strip NAME SEQUENCE FPS COLUMNS SIZE VIEW [OPTION...]
+  local name=$1 sequence=$2 fps=$3 columns=$4 size=$5 view=$6
+  shift 6
+  "$program" play "$sequence" --fps "$fps" --sheet "$pictures/strip_$name.png" --columns "$columns" --size "$size" \
+    --view "$view" --theme light "$@"
+}
+
+organ heart anterior,left,posterior
+organ stomach anterior,posterior,superior
+organ liver anterior,posterior,inferior
+organ kidney_left anterior,left,posterior
+organ kidney_right anterior,right,posterior
+organ digestive_system anterior,left,posterior
+strip heartbeat heartbeat 12.5 5 260x260 anterior
+strip peristalsis peristalsis 0.5 5 260x260 anterior
+strip breathing breathing 2 4 260x260 anterior
+
+# The same motions on surfaces of other organs: the program's own files stand in for a patient's.
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+"$program" sample heart@low -o "$work/heart.stl"
+"$program" sample stomach@low -o "$work/stomach.stl"
+strip retargeted_heart heartbeat 12.5 5 260x260 anterior --organ "$work/heart.stl"
+strip retargeted_stomach peristalsis 0.5 5 260x260 anterior --organ "$work/stomach.stl"
