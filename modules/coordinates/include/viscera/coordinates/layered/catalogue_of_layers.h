@@ -1,0 +1,25 @@
+#pragma once
+
+#include "viscera/coordinates/pointwise_system.h"
+
+namespace viscera::coordinates {
+
+/// The mean of mean value coordinates over several layers (thesis 3.2.2): the convex hull of the handles, and
+/// partitions of it by the inner handles. `partitions`: `nested`, one partition by all inner handles one
+/// after another; or `independent`, one for each. `polyhedra`: `tetrahedra`, or `convex`, where neighbours
+/// are joined as long as their union is convex. Kinks at the faces inside. The thesis's other inner system,
+/// harmonic coordinates, is not offered. O(polyhedra + triangles) a point.
+class CatalogueOfLayers final : public PointwiseSystem {
+public:
+  std::string id() const override { return "catalogue-of-layers"; }
+  std::string name() const override { return "Catalogue of layers"; }
+  std::string summary() const override;
+  Traits traits() const override;
+  std::vector<Parameter> parameters() const override;
+
+protected:
+  std::unique_ptr<const PointSolver> prepare(const HandleSet& handles,
+                                             const ParameterValues& parameters) const override;
+};
+
+} // namespace viscera::coordinates

@@ -1,0 +1,25 @@
+#pragma once
+
+#include "viscera/coordinates/pointwise_system.h"
+
+namespace viscera::coordinates {
+
+/// Mean value coordinates of a cage with polygons (thesis 2.3; Langer, Belyaev, Seidel 2006, Symposium on
+/// Geometry Processing): triangles of the cage that lie in one plane, to 1e-9 of its size, are one face, and
+/// its mean vector is shared among its corners by mean value coordinates on the sphere. Over triangles it is
+/// the same as mean value coordinates; over a face of four corners the cage's diagonals play no part.
+/// O(triangles) a point.
+class SphericalMeanValue final : public PointwiseSystem {
+public:
+  std::string id() const override { return "spherical-mean-value"; }
+  std::string name() const override { return "Spherical mean value"; }
+  std::string summary() const override;
+  Traits traits() const override;
+  std::vector<Parameter> parameters() const override;
+
+protected:
+  std::unique_ptr<const PointSolver> prepare(const HandleSet& handles,
+                                             const ParameterValues& parameters) const override;
+};
+
+} // namespace viscera::coordinates

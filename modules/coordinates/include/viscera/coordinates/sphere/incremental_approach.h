@@ -1,0 +1,25 @@
+#pragma once
+
+#include "viscera/coordinates/pointwise_system.h"
+
+namespace viscera::coordinates {
+
+/// Mean value coordinates of the handles on the convex hull, to which the inner handles are added one by one
+/// (thesis 3.1.3): each brings a weight of one, and the earlier ones change by `q_i . d + k`, with the vector
+/// d that keeps the balance. `k`: `one`, or `norm` for the length of d, which the thesis only proposes: no
+/// number is then negative, but d solves a quadratic equation, and where it has no positive root the point
+/// has no coordinates. O(triangles + inner handles x n) a point.
+class IncrementalApproach final : public PointwiseSystem {
+public:
+  std::string id() const override { return "incremental-approach"; }
+  std::string name() const override { return "Incremental approach"; }
+  std::string summary() const override;
+  Traits traits() const override;
+  std::vector<Parameter> parameters() const override;
+
+protected:
+  std::unique_ptr<const PointSolver> prepare(const HandleSet& handles,
+                                             const ParameterValues& parameters) const override;
+};
+
+} // namespace viscera::coordinates

@@ -1,0 +1,130 @@
+#include "viscera/coordinates/mean_value/positive_mean_value.h"
+
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include <Eigen/LU>
+
+#include "cage/cage.h"
+#include "choice_parameter.h"
+#include "sphere/sphere_samples.h"
+
+namespace viscera::coordinates {
+namespace {
+
+const Parameter kLevel = countParameter("level", "Divisions of the icosahedron: 20 * 4^level rays", 0, 5, 2);
+
+/// Of the cage's size: a point this near to a handle is at it.
+constexpr double kSamePlace = 1e-12;
+/// Triangles that span less, seen from the point, are hit by no ray.
+constexpr double kThin = 1e-14;
+/// A ray through an edge belongs to both sides.
+constexpr double kOnEdge = 1e-12;
+
+/// The nearest triangle that every ray hits.
+struct Hits {
+  Values nearness; ///< One over the distance, 1/mm; 0 where there is none.
+  Eigen::VectorXi triangles;
+  Eigen::Matrix3Xd shares; ///< Of the corners, divided by the distance.
+};
+
+class Solver final : public PointSolver {
+public:
+  Solver(const Points& handles, Triangles cage, int level)
+      : handles_(handles), cage_(std::move(cage)), size_(boundsOf(handles).diagonal()),
+        samples_(sphereSamples(level)) {}
+
+  bool solve(const Vec3& point, Values& weights) const override {
+    const Points corners = handles_.rowwise() - point.transpose();
+    Eigen::Index nearest = 0;
+    if (corners.rowwise().norm().minCoeff(&nearest) <= kSamePlace * size_) {
+      weights[nearest] = 1;
+      return true;
+    }
+    if (!insideCage(corners))
+      return false;
+    const Hits hits = hitsFrom(corners);
+    if (!(hits.nearness.minCoeff() > 0))
+      return false;
+    for (Eigen::Index ray = 0; ray < hits.triangles.size(); ++ray)
+      for (int i = 0; i < 3; ++i)
+        weights[cage_(hits.triangles[ray], i)] += samples_.areas[ray] * hits.shares(i, ray);
+    weights /= weights.sum();
+    return true;
+  }
+
+private:
+  /// By the solid angles of all triangles, which sum up to 4 pi inside.
+  bool insideCage(const Points& corners) const {
+    double angle = 0;
+    for (Eigen::Index t = 0; t < cage_.rows(); ++t) {
+      const Vec3 a = corners.row(cage_(t, 0)).transpose(), b = corners.row(cage_(t, 1)).transpose(),
+                 c = corners.row(cage_(t, 2)).transpose();
+      const double la = a.norm(), lb = b.norm(), lc = c.norm();
+      angle +=
+          2 * std::atan2(a.dot(b.cross(c)), la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb);
+    }
+    return angle > 2 * std::numbers::pi;
+  }
+
+  Hits hitsFrom(const Points& corners) const {
+    const Eigen::Index rays = samples_.areas.size();
+    Hits hits{Values::Zero(rays), Eigen::VectorXi::Zero(rays), Eigen::Matrix3Xd::Zero(3, rays)};
+    Eigen::Matrix3Xd shares(3, rays);
+    for (Eigen::Index t = 0; t < cage_.rows(); ++t) {
+      Eigen::Matrix3d frame;
+      double lengths = 1;
+      for (int i = 0; i < 3; ++i) {
+        frame.col(i) = corners.row(cage_(t, i)).transpose();
+        lengths *= frame.col(i).norm();
+      }
+      if (std::abs(frame.determinant()) < kThin * lengths)
+        continue;
+      shares.noalias() = frame.inverse() * samples_.directions;
+      for (Eigen::Index ray = 0; ray < rays; ++ray) {
+        const double nearness = shares.col(ray).sum();
+        if (nearness > hits.nearness[ray] && shares.col(ray).minCoeff() >= -kOnEdge * nearness) {
+          hits.nearness[ray] = nearness;
+          hits.triangles[ray] = static_cast<int>(t);
+          hits.shares.col(ray) = shares.col(ray).cwiseMax(0);
+        }
+      }
+    }
+    return hits;
+  }
+
+  Points handles_;
+  Triangles cage_;
+  double size_;
+  SphereSamples samples_;
+};
+
+} // namespace
+
+std::string PositiveMeanValue::summary() const {
+  return "Mean value of what can be seen of a cage, by rays; positive in any cage";
+}
+
+Traits PositiveMeanValue::traits() const {
+  Traits traits;
+  traits.needsCage = true;
+  traits.positive = true;
+  traits.interpolates = true;
+  traits.rotationInvariant = false;
+  traits.continuous = false;
+  traits.smooth = false;
+  return traits;
+}
+
+std::vector<Parameter> PositiveMeanValue::parameters() const {
+  return {kLevel};
+}
+
+std::unique_ptr<const PointSolver> PositiveMeanValue::prepare(const HandleSet& handles,
+                                                              const ParameterValues& parameters) const {
+  return std::make_unique<Solver>(handles.positions, cageOf(handles),
+                                  static_cast<int>(parameters.get(kLevel)));
+}
+
+} // namespace viscera::coordinates

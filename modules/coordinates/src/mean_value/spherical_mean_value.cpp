@@ -1,0 +1,239 @@
+#include "viscera/coordinates/mean_value/spherical_mean_value.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+#include <Eigen/Geometry>
+
+#include "cage/cage.h"
+
+namespace viscera::coordinates {
+namespace {
+
+/// Of the cage's size: triangles whose planes differ by less are one face.
+constexpr double kOnePlane = 1e-9;
+/// Of the cage's size: a point this near to a handle is at it.
+constexpr double kSamePlace = 1e-12;
+/// Sine of the angle to a face's plane below which the point lies in it.
+constexpr double kInPlane = 1e-10;
+/// Below this so much cancels that the face is computed with more digits.
+constexpr double kNearPlane = 1e-3;
+
+/// Corners in order, counter-clockwise from outside.
+using Polygon = std::vector<int>;
+
+/// Groups of triangles that are joined by edges and lie in one plane: a number each.
+std::vector<int> coplanarGroups(const Points& handles, const Triangles& cage) {
+  const double tolerance = kOnePlane * boundsOf(handles).diagonal();
+  std::vector<int> group(static_cast<std::size_t>(cage.rows()));
+  std::iota(group.begin(), group.end(), 0);
+  std::map<std::pair<int, int>, int> owners;
+  for (int t = 0; t < static_cast<int>(cage.rows()); ++t)
+    for (int i = 0; i < 3; ++i)
+      owners[{cage(t, i), cage(t, (i + 1) % 3)}] = t;
+  for (const auto& [edge, t] : owners) {
+    const auto other = owners.find({edge.second, edge.first});
+    if (other == owners.end())
+      continue;
+    const Vec3 a = handles.row(cage(t, 0)).transpose(), b = handles.row(cage(t, 1)).transpose(),
+               c = handles.row(cage(t, 2)).transpose();
+    const Vec3 normal = (b - a).cross(c - a).normalized();
+    bool flat = true;
+    for (int i = 0; i < 3; ++i)
+      flat = flat && std::abs((handles.row(cage(other->second, i)).transpose() - a).dot(normal)) <= tolerance;
+    if (!flat)
+      continue;
+    const int from = group[static_cast<std::size_t>(t)], to = group[static_cast<std::size_t>(other->second)];
+    std::replace(group.begin(), group.end(), std::max(from, to), std::min(from, to));
+  }
+  return group;
+}
+
+/// The single loop around a group of triangles; the triangles themselves where there is none.
+std::vector<Polygon> outlineOf(const Triangles& cage, const std::vector<int>& members) {
+  std::map<int, int> next;
+  std::map<std::pair<int, int>, bool> edges;
+  std::vector<Polygon> triangles;
+  for (const int t : members) {
+    triangles.push_back({cage(t, 0), cage(t, 1), cage(t, 2)});
+    for (int i = 0; i < 3; ++i)
+      edges[{cage(t, i), cage(t, (i + 1) % 3)}] = true;
+  }
+  for (const auto& [edge, present] : edges)
+    if (!edges.contains({edge.second, edge.first}) && !next.emplace(edge).second)
+      return triangles; // The outline touches itself.
+  Polygon outline;
+  for (int at = next.begin()->first; outline.empty() || at != outline.front(); at = next.at(at))
+    outline.push_back(at);
+  if (outline.size() != next.size())
+    return triangles; // With a hole.
+  return {outline};
+}
+
+std::vector<Polygon> facesOf(const Points& handles, const Triangles& cage) {
+  const std::vector<int> group = coplanarGroups(handles, cage);
+  std::map<int, std::vector<int>> members;
+  for (std::size_t t = 0; t < group.size(); ++t)
+    members[group[t]].push_back(static_cast<int>(t));
+  std::vector<Polygon> faces;
+  for (const auto& [number, triangles] : members)
+    for (Polygon& outline : outlineOf(cage, triangles))
+      faces.push_back(std::move(outline));
+  return faces;
+}
+
+template <class Real>
+using Vector = Eigen::Matrix<Real, 3, 1>;
+
+/// Mean value weights of the direction `center` in the polygon of unit vectors, without scale: half tangents
+/// of the angles between neighbours, signed around `axis`, over the corners' distances.
+template <class Real>
+std::vector<Real> polygonWeights(const std::vector<Vector<Real>>& corners, const Vector<Real>& center,
+                                 const Vector<Real>& axis, const std::vector<Real>& distances) {
+  using std::atan2, std::tan;
+  const std::size_t count = corners.size();
+  std::vector<Real> halves(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    const Vector<Real> one = corners[i] - corners[i].dot(axis) * axis - (center - center.dot(axis) * axis);
+    const Vector<Real>& following = corners[(i + 1) % count];
+    const Vector<Real> two = following - following.dot(axis) * axis - (center - center.dot(axis) * axis);
+    halves[i] = tan(atan2(one.cross(two).dot(axis), one.dot(two)) / 2);
+  }
+  std::vector<Real> weights(count);
+  for (std::size_t i = 0; i < count; ++i)
+    weights[i] = (halves[(i + count - 1) % count] + halves[i]) / distances[i];
+  return weights;
+}
+
+/// Adds a face that the point is not in the plane of.
+template <class Real>
+void addFace(const Polygon& face, const Points& units, Values& weights, const Values& distances) {
+  using std::atan2;
+  std::vector<Vector<Real>> corners;
+  Vector<Real> middle = Vector<Real>::Zero(), mean = Vector<Real>::Zero();
+  for (const int corner : face) {
+    corners.push_back(units.row(corner).transpose().cast<Real>());
+    middle += corners.back();
+  }
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const Vector<Real> cross = corners[i].cross(corners[(i + 1) % corners.size()]);
+    const Real length = cross.norm();
+    if (length > 0)
+      mean += atan2(length, corners[i].dot(corners[(i + 1) % corners.size()])) / 2 * cross / length;
+  }
+  const Real size = mean.norm();
+  if (!(size > 0))
+    return;
+  const Vector<Real> center = (mean.dot(middle) < 0 ? -mean : mean) / size;
+  std::vector<Real> sines;
+  for (const auto& corner : corners)
+    sines.push_back(corner.cross(center).norm());
+  const std::vector<Real> shares = polygonWeights<Real>(corners, center, center, sines);
+  Real along = 0;
+  for (std::size_t i = 0; i < corners.size(); ++i)
+    along += shares[i] * corners[i].dot(center);
+  for (std::size_t i = 0; i < corners.size(); ++i)
+    weights[face[i]] += static_cast<double>(shares[i] / along * mean.dot(center)) / distances[face[i]];
+}
+
+class Solver final : public PointSolver {
+public:
+  Solver(const Points& handles, const Triangles& cage)
+      : handles_(handles), size_(boundsOf(handles).diagonal()), faces_(facesOf(handles, cage)) {
+    for (const Polygon& face : faces_) {
+      Vec3 area = Vec3::Zero();
+      for (std::size_t i = 0; i < face.size(); ++i)
+        area +=
+            Vec3((handles.row(face[i]) - handles.row(face[0])).transpose())
+                .cross(Vec3((handles.row(face[(i + 1) % face.size()]) - handles.row(face[0])).transpose()));
+      normals_.push_back(area.normalized());
+    }
+  }
+
+  bool solve(const Vec3& point, Values& weights) const override {
+    const Points ways = handles_.rowwise() - point.transpose();
+    const Values distances = ways.rowwise().norm();
+    for (const Polygon& face : faces_)
+      for (const int corner : face)
+        if (distances[corner] <= kSamePlace * size_) {
+          weights[corner] = 1;
+          return true;
+        }
+    const Points units = ways.array().colwise() / distances.array();
+    for (std::size_t i = 0; i < faces_.size(); ++i) {
+      const double sine = std::abs(units.row(faces_[i][0]).dot(normals_[i]));
+      if (sine < kInPlane) {
+        if (takeFace(i, ways, distances, weights))
+          return true;
+      } else if (sine < kNearPlane) {
+        addFace<long double>(faces_[i], units, weights, distances);
+      } else {
+        addFace<double>(faces_[i], units, weights, distances);
+      }
+    }
+    const double sum = weights.sum();
+    if (!(std::abs(sum) > 0))
+      return false;
+    weights /= sum;
+    return true;
+  }
+
+private:
+  /// The plane coordinates of a point in the plane of a face; false, and nothing, when it is beside the face.
+  bool takeFace(std::size_t index, const Points& ways, const Values& distances, Values& weights) const {
+    const Polygon& face = faces_[index];
+    std::vector<Vec3> corners;
+    std::vector<double> lengths;
+    double turned = 0;
+    for (const int corner : face) {
+      corners.emplace_back(ways.row(corner).transpose());
+      lengths.push_back(distances[corner]);
+    }
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+      const Vec3& next = corners[(i + 1) % corners.size()];
+      turned += std::atan2(corners[i].cross(next).dot(normals_[index]), corners[i].dot(next));
+    }
+    if (turned < 3)
+      return false;
+    const std::vector<double> shares =
+        polygonWeights<double>(corners, Vec3::Zero(), normals_[index], lengths);
+    weights.setZero();
+    for (std::size_t i = 0; i < face.size(); ++i)
+      weights[face[i]] = shares[i];
+    weights /= weights.sum();
+    return true;
+  }
+
+  Points handles_;
+  double size_;
+  std::vector<Polygon> faces_;
+  std::vector<Vec3> normals_;
+};
+
+} // namespace
+
+std::string SphericalMeanValue::summary() const {
+  return "Mean value of a cage with flat polygons, whose diagonals play no part";
+}
+
+Traits SphericalMeanValue::traits() const {
+  Traits traits;
+  traits.needsCage = true;
+  traits.interpolates = true;
+  return traits;
+}
+
+std::vector<Parameter> SphericalMeanValue::parameters() const {
+  return {};
+}
+
+std::unique_ptr<const PointSolver> SphericalMeanValue::prepare(const HandleSet& handles,
+                                                               const ParameterValues&) const {
+  return std::make_unique<Solver>(handles.positions, cageOf(handles));
+}
+
+} // namespace viscera::coordinates

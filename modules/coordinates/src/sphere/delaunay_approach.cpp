@@ -1,0 +1,134 @@
+#include "viscera/coordinates/sphere/delaunay_approach.h"
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <numbers>
+
+#include <Eigen/Geometry>
+
+#include "mean_value/triangle_share.h"
+#include "nspace/direction_solver.h"
+#include "viscera/geometry/hull_facets.h"
+
+namespace viscera::coordinates {
+namespace {
+
+Parameter blendParameter() {
+  Parameter blend;
+  blend.name = "blend";
+  blend.maximum = 40;
+  blend.unit = "degrees";
+  blend.help = "How near to a flip the two triangulations are blended; 0 for not";
+  return blend;
+}
+
+const Parameter kBlend = blendParameter();
+
+/// Two triangles (a, b, c) and (b, a, d) of the triangulation, and how far they are from flipping, rad.
+struct Quad {
+  int a, b, c, d;
+  double slack = 0;
+  double share = 0; ///< Of the flipped pair, before neighbours are looked at.
+};
+
+using Edge = std::pair<int, int>;
+
+double angleAt(const Points& units, int apex, int from, int to) {
+  const Vec3 one = (units.row(from) - units.row(apex)).transpose();
+  const Vec3 two = (units.row(to) - units.row(apex)).transpose();
+  return std::atan2(one.cross(two).norm(), one.dot(two));
+}
+
+bool facesOut(const Points& units, int i, int j, int k) {
+  const Vec3 first = units.row(i).transpose(), second = units.row(j).transpose();
+  return first.cross(second).dot(units.row(k).transpose()) > kInPlane;
+}
+
+/// The edges that are nearer to a flip than `width`, rad.
+std::map<Edge, Quad> quadsNearFlip(const Points& units, const Triangles& triangles, double width) {
+  std::map<Edge, int> opposite;
+  for (Eigen::Index t = 0; t < triangles.rows(); ++t)
+    for (int i = 0; i < 3; ++i)
+      opposite[{triangles(t, i), triangles(t, (i + 1) % 3)}] = triangles(t, (i + 2) % 3);
+  std::map<Edge, Quad> quads;
+  for (const auto& [edge, c] : opposite) {
+    const auto other = opposite.find({edge.second, edge.first});
+    if (edge.first > edge.second || other == opposite.end())
+      continue;
+    Quad quad{edge.first, edge.second, c, other->second};
+    quad.slack = std::max(0.0, std::numbers::pi - angleAt(units, c, quad.a, quad.b) -
+                                   angleAt(units, quad.d, quad.a, quad.b));
+    if (quad.slack >= width || !facesOut(units, quad.a, quad.d, c) || !facesOut(units, quad.d, quad.b, c))
+      continue;
+    const double t = (1 + quad.slack / width) / 2;
+    quad.share = 1 - t * t * (3 - 2 * t);
+    quads[edge] = quad;
+  }
+  return quads;
+}
+
+class Solver final : public DirectionSolver {
+public:
+  Solver(const Points& handles, double width) : DirectionSolver(handles), width_(width) {}
+
+private:
+  bool balance(const Sight& sight, Values& beta) const override {
+    const auto facets = geometry::hullFacets(sight.units);
+    if (!facets)
+      return false;
+    for (Eigen::Index t = 0; t < facets->triangles.rows(); ++t)
+      addTriangleShare(sight.units, facets->triangles.row(t), beta);
+    if (width_ > 0)
+      blend(sight.units, quadsNearFlip(sight.units, facets->triangles, width_), beta);
+    beta = beta.cwiseMax(0);
+    return true;
+  }
+
+  static void blend(const Points& units, const std::map<Edge, Quad>& quads, Values& beta) {
+    for (const auto& [edge, quad] : quads) {
+      double share = quad.share;
+      for (const auto& side : {std::minmax(quad.a, quad.c), std::minmax(quad.b, quad.c),
+                               std::minmax(quad.a, quad.d), std::minmax(quad.b, quad.d)})
+        if (const auto rival = quads.find({side.first, side.second}); rival != quads.end()) {
+          const double both = quad.slack + rival->second.slack;
+          share *= both > 0 ? 1 - 2 * rival->second.share * quad.slack / both : 0.5;
+        }
+      Values change = Values::Zero(beta.size());
+      addTriangleShare(units, {quad.a, quad.b, quad.c}, change);
+      addTriangleShare(units, {quad.b, quad.a, quad.d}, change);
+      change = -change;
+      addTriangleShare(units, {quad.a, quad.d, quad.c}, change);
+      addTriangleShare(units, {quad.d, quad.b, quad.c}, change);
+      beta += share * change;
+    }
+  }
+
+  double width_; ///< rad
+};
+
+} // namespace
+
+std::string DelaunayApproach::summary() const {
+  return "Mean value over the triangles in which each point sees the handles; jumps, or blended rough";
+}
+
+Traits DelaunayApproach::traits() const {
+  Traits traits;
+  traits.positive = true;
+  traits.interpolates = true;
+  traits.continuous = false;
+  traits.smooth = false;
+  return traits;
+}
+
+std::vector<Parameter> DelaunayApproach::parameters() const {
+  return {kBlend};
+}
+
+std::unique_ptr<const PointSolver> DelaunayApproach::prepare(const HandleSet& handles,
+                                                             const ParameterValues& parameters) const {
+  return std::make_unique<Solver>(handles.positions, parameters.get(kBlend) * std::numbers::pi / 180);
+}
+
+} // namespace viscera::coordinates

@@ -1,0 +1,106 @@
+#include "viscera/coordinates/sphere/incremental_approach.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <Eigen/Cholesky>
+
+#include "choice_parameter.h"
+#include "mean_value/triangle_share.h"
+#include "nspace/direction_solver.h"
+
+namespace viscera::coordinates {
+namespace {
+
+enum class Lift { one, norm };
+
+const Parameter kLift =
+    choiceParameter("k", "What is added to every weight when a handle comes in", {"one", "norm"});
+
+class Solver final : public DirectionSolver {
+public:
+  Solver(const Points& handles, Lift lift)
+      : DirectionSolver(handles), lift_(lift), hull_(geometry::ConvexHull(handles).triangles()) {
+    std::vector<bool> outer(static_cast<std::size_t>(handles.rows()), false);
+    for (const auto corner : hull_.reshaped())
+      outer[static_cast<std::size_t>(corner)] = true;
+    for (Eigen::Index i = 0; i < handles.rows(); ++i)
+      (outer[static_cast<std::size_t>(i)] ? first_ : inner_).push_back(i);
+  }
+
+private:
+  bool balance(const Sight& sight, Values& beta) const override {
+    for (Eigen::Index t = 0; t < hull_.rows(); ++t)
+      addTriangleShare(sight.units, hull_.row(t), beta);
+    std::vector<Eigen::Index> present = first_;
+    Eigen::Matrix3d outer = Eigen::Matrix3d::Zero();
+    Vec3 sum = Vec3::Zero();
+    const auto enter = [&](Eigen::Index handle) {
+      outer += sight.units.row(handle).transpose() * sight.units.row(handle);
+      sum += sight.units.row(handle).transpose();
+    };
+    for (const Eigen::Index handle : present)
+      enter(handle);
+    for (const Eigen::Index next : inner_) {
+      const auto solver = outer.ldlt();
+      // The balance that the newcomer breaks and the one that the lift breaks.
+      const Vec3 own = -solver.solve(sight.units.row(next).transpose()), lifted = -solver.solve(sum);
+      const double k = lift_ == Lift::one ? 1 : fixedLength(own, lifted);
+      if (!(k > 0))
+        return false;
+      const Vec3 d = own + k * lifted;
+      for (const Eigen::Index handle : present)
+        beta[handle] += sight.units.row(handle).dot(d) + k;
+      beta[next] = 1;
+      present.push_back(next);
+      enter(next);
+    }
+    if (lift_ == Lift::norm)
+      beta = beta.cwiseMax(0);
+    return true;
+  }
+
+  /// The smallest k > 0 with `|own + k lifted| = k`, or 0.
+  static double fixedLength(const Vec3& own, const Vec3& lifted) {
+    const double square = lifted.squaredNorm() - 1, half = own.dot(lifted), constant = own.squaredNorm();
+    const double inside = half * half - square * constant;
+    if (inside < 0)
+      return 0;
+    // Both roots without cancellation.
+    const double larger = -(half + std::copysign(std::sqrt(inside), half));
+    double smallest = 0;
+    for (const double root : {square != 0 ? larger / square : 0, larger != 0 ? constant / larger : 0})
+      if (root > 0 && (smallest == 0 || root < smallest))
+        smallest = root;
+    return smallest;
+  }
+
+  Lift lift_;
+  Triangles hull_;
+  std::vector<Eigen::Index> first_; ///< On the hull.
+  std::vector<Eigen::Index> inner_; ///< In the order in which they are added.
+};
+
+} // namespace
+
+std::string IncrementalApproach::summary() const {
+  return "Mean value on the hull, inner handles added one by one; they may make some negative";
+}
+
+Traits IncrementalApproach::traits() const {
+  Traits traits;
+  traits.interpolates = true;
+  traits.everywhere = false;
+  return traits;
+}
+
+std::vector<Parameter> IncrementalApproach::parameters() const {
+  return {kLift};
+}
+
+std::unique_ptr<const PointSolver> IncrementalApproach::prepare(const HandleSet& handles,
+                                                                const ParameterValues& parameters) const {
+  return std::make_unique<Solver>(handles.positions, chosen<Lift>(parameters, kLift));
+}
+
+} // namespace viscera::coordinates

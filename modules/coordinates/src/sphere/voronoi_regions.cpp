@@ -1,0 +1,135 @@
+#include "viscera/coordinates/sphere/voronoi_regions.h"
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+
+#include "choice_parameter.h"
+#include "mean_value/triangle_share.h"
+#include "nspace/direction_solver.h"
+#include "sphere/plane_neighbours.h"
+#include "viscera/geometry/hull_facets.h"
+
+namespace viscera::coordinates {
+namespace {
+
+enum class Transfer { naturalNeighbour, sphericalBarycentric, laguerre };
+
+const Parameter kTransfer = choiceParameter("transfer", "How the Voronoi vertices' weights reach the handles",
+                                            {"natural-neighbour", "spherical-barycentric", "laguerre"});
+
+/// Of the largest distance: nearer handles weigh no more in the Laguerre diagram.
+constexpr double kNearest = 1e-6;
+/// Cosine from -1: a handle right behind the vertex has no place in the plane.
+constexpr double kBehind = 1e-9;
+
+class Solver final : public DirectionSolver {
+public:
+  Solver(const Points& handles, Transfer transfer) : DirectionSolver(handles), transfer_(transfer) {}
+
+private:
+  bool balance(const Sight& sight, Values& beta) const override {
+    const Values nearness = sight.distances / sight.distances.maxCoeff();
+    Points sites = sight.units;
+    if (transfer_ == Transfer::laguerre)
+      sites.array().colwise() /= nearness.array().max(kNearest);
+    const auto facets = geometry::hullFacets(sites);
+    if (!facets)
+      return false;
+    const Eigen::Index count = beta.size();
+    Points corners(count + facets->planes.rows(), 3); // The handles, then the Voronoi vertices.
+    corners << sight.units, facets->planes.leftCols<3>();
+    Values weights = Values::Zero(corners.rows());
+    addRegions(corners, facets->triangles, weights);
+    beta = weights.head(count);
+    Values shares(count);
+    for (Eigen::Index vertex = 0; vertex < facets->planes.rows(); ++vertex) {
+      if (weights[count + vertex] == 0)
+        continue;
+      const Vec3 at = corners.row(count + vertex).transpose();
+      const bool found = transfer_ == Transfer::sphericalBarycentric
+                             ? amongThree(sight.units, facets->triangles.row(vertex), at, shares)
+                             : amongNeighbours(sight.units, nearness, at, shares);
+      if (!found)
+        return false;
+      beta += weights[count + vertex] * shares;
+    }
+    return true;
+  }
+
+  /// Each edge between two handles is crossed by one between two Voronoi vertices: two triangles.
+  static void addRegions(const Points& corners, const Triangles& triangles, Values& weights) {
+    const auto count = static_cast<int>(corners.rows() - triangles.rows());
+    std::map<std::pair<int, int>, int> left;
+    for (int t = 0; t < static_cast<int>(triangles.rows()); ++t)
+      for (int i = 0; i < 3; ++i)
+        left[{triangles(t, i), triangles(t, (i + 1) % 3)}] = t;
+    for (const auto& [edge, t] : left)
+      if (const auto right = left.find({edge.second, edge.first}); right != left.end())
+        addTriangleShare(corners, {edge.first, count + right->second, count + t}, weights);
+  }
+
+  static bool amongThree(const Points& units, const Eigen::RowVector3i& triangle, const Vec3& at,
+                         Values& shares) {
+    Eigen::Matrix3d frame, inverse;
+    for (int i = 0; i < 3; ++i)
+      frame.col(i) = units.row(triangle[i]).transpose();
+    double volume = 0;
+    bool invertible = false;
+    frame.computeInverseAndDetWithCheck(inverse, volume, invertible, kInPlane);
+    if (!invertible)
+      return false;
+    const Vec3 own = inverse * at;
+    shares.setZero();
+    for (int i = 0; i < 3; ++i)
+      shares[triangle[i]] = own[i];
+    return true;
+  }
+
+  /// By the projection from the opposite of `at` onto the plane that touches the sphere there (thesis 3.9).
+  bool amongNeighbours(const Points& units, const Values& nearness, const Vec3& at, Values& shares) const {
+    const Vec3 x = at.unitOrthogonal(), y = at.cross(x);
+    const Values ahead = ((units * at).array() + 1).max(kBehind);
+    const Values stretch = 2 / ahead.array();
+    PlanePoints sites(units.rows(), 2);
+    sites.col(0) = (units * x).cwiseProduct(stretch);
+    sites.col(1) = (units * y).cwiseProduct(stretch);
+    const Values powers = transfer_ == Transfer::laguerre ? Values(-nearness) : Values::Zero(units.rows());
+    if (!planeNeighbours(sites, powers, shares))
+      return false;
+    const double left = 2 - shares.dot(stretch); // One less the thesis's sum of shares times delta.
+    shares = shares.cwiseProduct(stretch) / left;
+    return left > kBehind;
+  }
+
+  Transfer transfer_;
+};
+
+} // namespace
+
+std::string VoronoiRegions::summary() const {
+  return "Mean value over the Voronoi regions of the handles as each point sees them; jumps, or slow";
+}
+
+Traits VoronoiRegions::traits() const {
+  Traits traits;
+  traits.interpolates = true;
+  traits.everywhere = false;
+  traits.continuous = false;
+  traits.smooth = false;
+  return traits;
+}
+
+std::vector<Parameter> VoronoiRegions::parameters() const {
+  return {kTransfer};
+}
+
+std::unique_ptr<const PointSolver> VoronoiRegions::prepare(const HandleSet& handles,
+                                                           const ParameterValues& parameters) const {
+  return std::make_unique<Solver>(handles.positions, chosen<Transfer>(parameters, kTransfer));
+}
+
+} // namespace viscera::coordinates
