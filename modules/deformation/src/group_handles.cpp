@@ -18,6 +18,13 @@ namespace {
 /// limits.
 constexpr double kClearance = 0.01;
 constexpr double kBoxMargin = 0.08;
+/// How far a part's face may move to find a gap between handles, and how far behind a handle it is then, as
+/// parts of the part's length.
+constexpr double kFaceWindow = 0.2;
+constexpr double kBehindHandle = 0.02;
+/// The column of the longest axis.
+constexpr Eigen::Index kAlong = 2;
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
 /// A point up to this much farther from a second centre than from its nearest belongs to both.
 constexpr double kShared = 1.25;
 constexpr int kMeansRounds = 20;
@@ -45,11 +52,11 @@ bool holds(const Points& handles, const Points& part) {
   }
 }
 
-/// Adds a group to `grouping`, with a box around `part` when `members` alone would not hold it.
+/// Adds a group to `grouping`, with the corners `box` (`8 x 3`) around `part` when `members` alone would not
+/// hold it.
 void addGroup(Grouping& grouping, const std::string& name, const Points& handles, std::vector<int> members,
-              const Points& part) {
+              const Points& part, const Points& box) {
   if (part.rows() > 0 && !holds(chosenRows(handles, members), part)) {
-    const Points box = enclosingHandles(part, kBoxMargin);
     const Eigen::Index before = grouping.added.rows();
     grouping.added.conservativeResize(before + box.rows(), 3);
     grouping.added.bottomRows(box.rows()) = box;
@@ -57,6 +64,52 @@ void addGroup(Grouping& grouping, const std::string& name, const Points& handles
       members.push_back(static_cast<int>(handles.rows() + before + i));
   }
   grouping.groups.push_back({name, std::move(members)});
+}
+
+/// The organ's principal axes: the third one is the longest.
+class AxisFrame {
+public:
+  explicit AxisFrame(const Points& organ) : center_(organ.colwise().mean()) {
+    const Points centered = organ.rowwise() - center_;
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(centered.transpose() * centered);
+    axes_ = solver.eigenvectors();
+  }
+  Points coordinates(const Points& points) const { return (points.rowwise() - center_) * axes_; }
+  /// The corners of a box that lies along the axes, in the organ's own coordinates.
+  Points corners(const Bounds& box) const {
+    Points ends(2, 3);
+    ends << box.low.transpose(), box.high.transpose();
+    return (enclosingHandles(ends, 0) * axes_.transpose()).rowwise() + center_;
+  }
+
+private:
+  Eigen::RowVector3d center_;
+  Eigen::Matrix3d axes_;
+};
+
+/// Where a part's face goes that has to lie at `least` or farther on in `direction` (1 or -1): into the
+/// widest gap between handles within a fifth of a part's `length`. The handles just beyond a face bound the
+/// offset over which regions may blend.
+double faceInGap(double least, int direction, const Values& along, double length) {
+  const auto gapBeyond = [&](double face) {
+    double gap = length;
+    for (const double handle : along)
+      if ((handle - face) * direction > 0)
+        gap = std::min(gap, (handle - face) * direction);
+    return gap;
+  };
+  double best = least, widest = gapBeyond(least);
+  for (const double handle : along) {
+    const double beyond = (handle - least) * direction;
+    if (beyond < 0 || beyond > kFaceWindow * length)
+      continue;
+    const double face = handle + direction * kBehindHandle * length;
+    if (const double gap = gapBeyond(face); gap > widest) {
+      widest = gap;
+      best = face;
+    }
+  }
+  return best;
 }
 
 std::vector<int> rowsBetween(const Values& along, double low, double high) {
@@ -114,23 +167,28 @@ Grouping groupsAlongAxis(const Points& handles, const Points& organPoints, int c
   requireInput(organPoints, count);
   if (!(overlap >= 0 && overlap <= 1))
     throw UsageError("the overlap of groups must lie between 0 and 1");
-  const Eigen::RowVector3d center = organPoints.colwise().mean();
-  const Points centered = organPoints.rowwise() - center;
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(centered.transpose() * centered);
-  const Vec3 axis = axes.eigenvectors().col(2);
-  const Values ofOrgan = centered * axis;
-  const Values ofHandles = (handles.rowwise() - center) * axis;
-  const double low = ofOrgan.minCoeff(), length = (ofOrgan.maxCoeff() - low) / count;
-  const double infinity = std::numeric_limits<double>::infinity();
+  const AxisFrame frame(organPoints);
+  const Points organ = frame.coordinates(organPoints), own = frame.coordinates(handles);
+  const Bounds box = boundsOf(organ);
+  const double margin = kBoxMargin / 2 * box.diagonal();
+  const double low = box.low[kAlong], length = (box.high[kAlong] - low) / count;
+  const double shared = std::max(overlap / 2 * length, kClearance * box.diagonal());
 
   Grouping grouping;
   grouping.added.resize(0, 3);
   for (int k = 0; k < count; ++k) {
-    // Half of the shared stretch on each side; the outermost parts take all that lies beyond them.
-    const double begin = k == 0 ? -infinity : low + (k - overlap / 2) * length;
-    const double end = k == count - 1 ? infinity : low + (k + 1 + overlap / 2) * length;
-    addGroup(grouping, "part " + std::to_string(k + 1), handles, rowsBetween(ofHandles, begin, end),
-             chosenRows(organPoints, rowsBetween(ofOrgan, begin, end)));
+    const bool first = k == 0, last = k == count - 1;
+    const double from = low + k * length, to = from + length;
+    Bounds part{box.low.array() - margin, box.high.array() + margin};
+    if (!first)
+      part.low[kAlong] = faceInGap(from - shared, -1, own.col(kAlong), length);
+    if (!last)
+      part.high[kAlong] = faceInGap(to + shared, 1, own.col(kAlong), length);
+    // The outermost parts take all handles that lie beyond them.
+    addGroup(grouping, "part " + std::to_string(k + 1), handles,
+             rowsBetween(own.col(kAlong), first ? -kInfinity : part.low[kAlong],
+                         last ? kInfinity : part.high[kAlong]),
+             chosenRows(organPoints, rowsBetween(organ.col(kAlong), from, to)), frame.corners(part));
   }
   return grouping;
 }
@@ -144,9 +202,11 @@ Grouping groupsByCluster(const Points& handles, const Points& organPoints, int c
   const Points centers = clusterCenters(handles, count);
   Grouping grouping;
   grouping.added.resize(0, 3);
-  for (int k = 0; k < count; ++k)
-    addGroup(grouping, "cluster " + std::to_string(k + 1), handles, rowsNear(handles, centers, k),
-             chosenRows(organPoints, rowsNear(organPoints, centers, k)));
+  for (int k = 0; k < count; ++k) {
+    const Points part = chosenRows(organPoints, rowsNear(organPoints, centers, k));
+    addGroup(grouping, "cluster " + std::to_string(k + 1), handles, rowsNear(handles, centers, k), part,
+             enclosingHandles(part, kBoxMargin));
+  }
   return grouping;
 }
 
@@ -172,7 +232,7 @@ Grouping groupsByOrgan(const Points& handles, const std::vector<Points>& organs,
   grouping.added.resize(0, 3);
   for (std::size_t k = 0; k < organs.size(); ++k)
     addGroup(grouping, k < names.size() ? names[k] : "organ " + std::to_string(k + 1), handles, members[k],
-             organs[k]);
+             organs[k], enclosingHandles(organs[k], kBoxMargin));
   return grouping;
 }
 

@@ -18,8 +18,10 @@ struct Grouping {
 };
 
 /// Splits along the organ's longest axis into `count` parts; neighbours share a stretch of `overlap` (0 to 1)
-/// of a part's length. Handles are `n x 3`, `organPoints` `v x 3`. Throws `UsageError` for a count below 1 or
-/// an overlap out of range, `DataError` for no points. O(v + n).
+/// of a part's length at least: the faces between them go into gaps between handles, so that a generous
+/// offset remains. Boxes lie along the organ's principal axes and are equally wide, so that only neighbours
+/// meet. Handles are `n x 3`, `organPoints` `v x 3`. Throws `UsageError` for a count below 1 or an overlap
+/// out of range, `DataError` for no points. O(v + n).
 Grouping groupsAlongAxis(const Points& handles, const Points& organPoints, int count, double overlap = 0.25);
 
 /// Clusters the handles by nearness into `count` groups (k-means from farthest-point seeds); a handle about
