@@ -103,7 +103,8 @@ void RegionLayout::makeRegions(const coordinates::HandleSet& handles) {
   }
   const auto idle = std::count(used.begin(), used.end(), false);
   if (idle > 0)
-    notes_.push_back(std::to_string(idle) + " handles are in no group and move nothing");
+    notes_.push_back(idle == 1 ? "1 handle is in no group and moves nothing"
+                               : std::to_string(idle) + " handles are in no group and move nothing");
 }
 
 void RegionLayout::makeZones(const coordinates::HandleSet& handles) {
