@@ -3,6 +3,11 @@
 #include "viscera/session/rig_commands.h"
 
 namespace viscera::app {
+namespace {
+
+constexpr int kNoteSeconds = 12;
+
+} // namespace
 
 BindingMessages::BindingMessages(Workspace& workspace, MessageBar* bar, QObject* parent)
     : QObject(parent), workspace_(workspace), bar_(bar) {
@@ -15,6 +20,7 @@ BindingMessages::BindingMessages(Workspace& workspace, MessageBar* bar, QObject*
 void BindingMessages::sync() {
   using State = session::BindingStatus::State;
   double seconds = 0;
+  QStringList notes;
   bool allBound = !workspace_.document().organs().empty();
   for (const auto& organ : workspace_.document().organs()) {
     const session::BindingStatus status = workspace_.live().status(organ->id);
@@ -27,6 +33,9 @@ void BindingMessages::sync() {
     }
     allBound = allBound && status.state == State::bound;
     seconds += status.report.seconds;
+    for (const std::string& note : status.report.notes)
+      if (!notes.contains(asSentence(note)))
+        notes.push_back(asSentence(note));
   }
   if (!allBound)
     return;
@@ -34,7 +43,20 @@ void BindingMessages::sync() {
   if (!shown_.isEmpty() && bar_->text() == shown_)
     bar_->dismiss();
   shown_.clear();
+  tellNotes(notes);
   Q_EMIT bound(seconds);
+}
+
+/// Notes change their numbers with every move of a drag; only one more of them is news.
+void BindingMessages::tellNotes(const QStringList& notes) {
+  const bool news = notes.size() > notes_.size();
+  notes_ = notes;
+  if (!news)
+    return;
+  Message message;
+  message.text = notes.join(QLatin1Char(' '));
+  message.seconds = kNoteSeconds;
+  bar_->showMessage(message);
 }
 
 Message BindingMessages::messageFor(const session::Organ& organ, const session::BindingStatus& status) const {
@@ -46,6 +68,15 @@ Message BindingMessages::messageFor(const session::Organ& organ, const session::
         {tr("Bind now"), [this] { workspace_.guarded([this] { workspace_.live().rebind(); }); }});
     return message;
   }
+  if (!status.inNoRegion.empty()) {
+    message.text = tr("%n {vertex of %1 lies|vertices of %1 lie} in no group's region.", nullptr,
+                      static_cast<int>(status.inNoRegion.size()))
+                       .arg(text(organ.name));
+    message.offers.push_back({tr("Add enclosing group"), [this, id = organ.id, vertices = status.inNoRegion] {
+                                workspace_.perform(session::addEnclosingGroup(id, vertices));
+                              }});
+    return message;
+  }
   if (status.outsideHull > 0) {
     message.text = tr("%n {vertex of %1 lies|vertices of %1 lie} outside the handles' hull.", nullptr,
                       status.outsideHull)
@@ -54,7 +85,7 @@ Message BindingMessages::messageFor(const session::Organ& organ, const session::
         {tr("Add enclosing handles"), [this] { workspace_.perform(session::addEnclosingHandles()); }});
     return message;
   }
-  message.text = text(status.message);
+  message.text = asSentence(status.message);
   message.offers.push_back(
       {tr("Undo"), [this] { workspace_.guarded([this] { workspace_.undo().undo(); }); }});
   return message;

@@ -8,7 +8,7 @@
 namespace viscera::app {
 
 /// Tells when the handles cannot hold an organ, with what mends it, and takes the message back when it is
-/// mended.
+/// mended. What a binding had to cut or leave out is told once.
 class BindingMessages final : public QObject {
   Q_OBJECT
 
@@ -23,9 +23,12 @@ private:
   void sync();
   Message messageFor(const session::Organ& organ, const session::BindingStatus& status) const;
 
+  void tellNotes(const QStringList& notes);
+
   Workspace& workspace_;
   MessageBar* bar_;
   QString shown_;
+  QStringList notes_; ///< Of the bindings in use.
   session::Subscription subscription_;
 };
 

@@ -24,6 +24,7 @@
 #include "window/view/click_tool.h"
 #include "window/view/handle_scene.h"
 #include "window/view/organ_scene.h"
+#include "window/view/region_scene.h"
 #include "window/view/view_area.h"
 #include "window/widgets/mode_rail.h"
 #include "window/widgets/panel_dock.h"
@@ -43,14 +44,15 @@ constexpr int kChartHeight = 140;
 MainWindow::MainWindow(Settings& settings, plugin::Registry registry, session::Player::Clock clock,
                        QWidget* parent)
     : QMainWindow(parent), settings_(settings), actions_(this), workspace_(std::move(registry)),
-      playback_(workspace_, std::move(clock)), volumes_(workspace_, playback_), placer_(workspace_),
-      files_(new FileActions(workspace_, placer_, settings, this)),
+      playback_(workspace_, std::move(clock)), volumes_(workspace_, playback_), groupLayout_(workspace_),
+      placer_(workspace_), files_(new FileActions(workspace_, placer_, settings, this)),
       samples_(new SampleLoader(workspace_, placer_, playback_, this)), viewArea_(new ViewArea(this)) {
   setWindowTitle(tr("Viscera"));
   setDockOptions(AnimatedDocks | AllowNestedDocks);
   setCentralWidget(viewArea_);
   organScene_ = std::make_unique<OrganScene>(workspace_, viewArea_->view()->view());
   handleScene_ = std::make_unique<HandleScene>(workspace_, viewArea_->view()->view());
+  regionScene_ = std::make_unique<RegionScene>(workspace_, groupLayout_, viewArea_->view()->view());
   clickTool_ = std::make_unique<ClickTool>(workspace_, *viewArea_->view(), *organScene_, *handleScene_);
   bindingMessages_ = new BindingMessages(workspace_, viewArea_->messages(), this);
   makeFileActions();
@@ -58,6 +60,7 @@ MainWindow::MainWindow(Settings& settings, plugin::Registry registry, session::P
   makeModeActions();
   makeViewActions();
   makeHandleActions();
+  makeRegionActions();
   makeSequenceActions();
   makeHelpActions();
   makeDocks();
@@ -115,7 +118,7 @@ void MainWindow::makeDocks() {
 QWidget* MainWindow::makePages() {
   pages_ = new QStackedWidget;
   pages_->addWidget(scrolled(new ExplorePage(workspace_, actions_)));
-  pages_->addWidget(scrolled(new HandlesPage(workspace_, actions_)));
+  pages_->addWidget(scrolled(new HandlesPage(workspace_, groupLayout_, actions_)));
   pages_->addWidget(scrolled(new DeformPage(workspace_, volumes_, actions_)));
   pages_->addWidget(scrolled(new PlayPage(playback_, volumes_, actions_)));
   return pages_;
@@ -138,6 +141,7 @@ void MainWindow::connectParts() {
   connect(&workspace_, &Workspace::messageRaised, viewArea_->messages(), &MessageBar::showMessage);
   connect(organScene_.get(), &OrganScene::changed, view, &ViewWidget::scheduleRender);
   connect(handleScene_.get(), &HandleScene::changed, view, &ViewWidget::scheduleRender);
+  connect(regionScene_.get(), &RegionScene::changed, view, &ViewWidget::scheduleRender);
   connect(view, &ViewWidget::filesDropped, files_, &FileActions::open);
   connect(files_, &FileActions::filesOpened, this, [this] {
     showWelcome(false);
@@ -204,6 +208,7 @@ void MainWindow::setMode(Mode mode) {
   mode_ = mode;
   rail_->setMode(mode);
   handleScene_->setMode(mode);
+  regionScene_->setMode(mode);
   clickTool_->setMode(mode);
   playback_.setMode(mode);
   pages_->setCurrentIndex(static_cast<int>(mode));

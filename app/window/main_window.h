@@ -6,6 +6,7 @@
 
 #include "window/actions.h"
 #include "window/file_actions.h"
+#include "window/group_layout.h"
 #include "window/handle_placer.h"
 #include "window/mode.h"
 #include "window/sample_loader.h"
@@ -27,6 +28,7 @@ class ModeRail;
 class OrganPanel;
 class OrganScene;
 class PanelDock;
+class RegionScene;
 class ShortcutCard;
 class StatusLine;
 class TimelineBar;
@@ -85,6 +87,7 @@ private:
   void makeViewActions();
   void makeModeActions();
   void makeHandleActions();
+  void makeRegionActions();
   void makeSequenceActions();
   void makeHelpActions();
   void syncActions();
@@ -99,12 +102,14 @@ private:
   Workspace workspace_;
   Playback playback_;
   VolumeMonitor volumes_;
+  GroupLayout groupLayout_;
   HandlePlacer placer_;
   FileActions* files_;
   SampleLoader* samples_;
   ViewArea* viewArea_;
   std::unique_ptr<OrganScene> organScene_;
   std::unique_ptr<HandleScene> handleScene_;
+  std::unique_ptr<RegionScene> regionScene_;
   std::unique_ptr<ClickTool> clickTool_;
   BindingMessages* bindingMessages_ = nullptr;
   ModeRail* rail_ = nullptr;

@@ -18,6 +18,7 @@
 #include "window/style/icon.h"
 #include "window/view/handle_scene.h"
 #include "window/view/organ_scene.h"
+#include "window/view/region_scene.h"
 #include "window/view/view_area.h"
 #include "window/widgets/shortcut_card.h"
 
@@ -148,6 +149,25 @@ void MainWindow::makeHandleActions() {
                       {Qt::Key_I},
                       tr("Colour the organ by the influence of the selected handle")},
                      false, [this](bool on) { organScene_->setInfluenceShown(on); });
+}
+
+void MainWindow::makeRegionActions() {
+  const auto toggle = [this](const char* id, const Actions::Description& description,
+                             bool scene::LayoutParts::*part) {
+    actions_.addToggle(id, description, regionScene_->shown().*part, [this, part](bool on) {
+      scene::LayoutParts shown = regionScene_->shown();
+      shown.*part = on;
+      regionScene_->setShown(shown);
+    });
+  };
+  toggle("handles.regions",
+         {tr("Show &regions"), "enclosing", {Qt::Key_R}, tr("Show where each group of handles acts")},
+         &scene::LayoutParts::regions);
+  toggle("handles.zones", {tr("Show &zones"), nullptr, {Qt::Key_Z}, tr("Show where regions meet, in red")},
+         &scene::LayoutParts::zones);
+  toggle("handles.superRegions",
+         {tr("Show &super-regions"), nullptr, {}, tr("Show what counts in a zone, in yellow")},
+         &scene::LayoutParts::superRegions);
 }
 
 void MainWindow::makeSequenceActions() {

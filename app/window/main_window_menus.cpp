@@ -42,8 +42,8 @@ void MainWindow::makeMenus() {
   organ->addMenu(sampleMenu_);
   fill(organ, {"", "organ.rename", "organ.remove", "", "file.export"});
   QMenu* handles = menuBar()->addMenu(tr("&Handles"));
-  fill(handles,
-       {"handles.place", "handles.addEnclosing", "handles.remove", "", "handles.influence", "handles.save"});
+  fill(handles, {"handles.place", "handles.addEnclosing", "handles.remove", "", "handles.influence",
+                 "handles.regions", "handles.zones", "handles.superRegions", "", "handles.save"});
   QMenu* sequence = menuBar()->addMenu(tr("&Sequence"));
   fill(sequence, {"play.toggle", "play.start", "play.back", "play.forward", "", "play.loop"});
   QMenu* help = menuBar()->addMenu(tr("&Help"));

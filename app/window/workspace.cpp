@@ -57,6 +57,14 @@ std::shared_ptr<const session::Organ> Workspace::currentOrgan() const {
   return nullptr;
 }
 
+QString asSentence(const std::string& utf8) {
+  QString sentence = text(utf8);
+  if (sentence.isEmpty())
+    return sentence;
+  sentence[0] = sentence[0].toUpper();
+  return sentence.endsWith(QLatin1Char('.')) ? sentence : sentence + QLatin1Char('.');
+}
+
 QString formatMilliliters(double milliliters) {
   const int decimals = std::abs(milliliters) < 1 ? 3 : std::abs(milliliters) < 1000 ? 1 : 0;
   return QObject::tr("%1 ml").arg(milliliters, 0, 'f', decimals);

@@ -65,6 +65,9 @@ private:
 /// "83.4 ml", "938 ml": three or four significant digits.
 QString formatMilliliters(double milliliters);
 
+/// What a module says, as a sentence: with a capital and a full stop.
+QString asSentence(const std::string& utf8);
+
 /// From UTF-8 and back.
 inline QString text(const std::string& utf8) {
   return QString::fromStdString(utf8);

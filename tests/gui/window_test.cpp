@@ -31,7 +31,7 @@ void WindowTest::reopenWindow() {
   if (window_)
     window_->close();
   window_.reset();
-  window_ = std::make_unique<app::MainWindow>(*settings_, plugin::builtInRegistry(), [this] { return now_; });
+  window_ = std::make_unique<app::MainWindow>(*settings_, registry(), [this] { return now_; });
   window_->resize(1280, 800);
   window_->show();
   window_->activateWindow();

@@ -20,6 +20,9 @@ protected:
   void SetUp() override;
   void TearDown() override;
 
+  /// The coordinate systems that the window offers.
+  virtual plugin::Registry registry() const { return plugin::builtInRegistry(); }
+
   app::MainWindow& window() { return *window_; }
   const session::Document& document() { return window_->workspace().document(); }
   app::ViewWidget& view();

@@ -115,8 +115,12 @@ void HandlePanel::rebuild() {
   const QScopedValueRollback<bool> quiet(updating_, true);
   const session::Rig& rig = workspace_.document().rig();
   std::map<const session::Group*, std::vector<const session::Handle*>> members;
+  for (const session::Group& group : rig.groups)
+    for (const session::HandleId id : group.handles)
+      members[&group].push_back(&rig.handles[static_cast<std::size_t>(rig.indexOf(id))]);
   for (const session::Handle& handle : rig.handles)
-    members[rig.groupOf(handle.id)].push_back(&handle);
+    if (!rig.groupOf(handle.id))
+      members[nullptr].push_back(&handle);
   list_->clear();
   for (const session::Group& group : rig.groups)
     addGroup(text(group.name), asColor(group.color), members[&group]);

@@ -2,6 +2,7 @@
 
 #include <QLabel>
 
+#include "window/panels/group_panel.h"
 #include "window/panels/position_box.h"
 #include "window/panels/system_box.h"
 
@@ -27,10 +28,14 @@ QString nameOf(session::BindingStatus::State state) {
 
 } // namespace
 
-HandlesPage::HandlesPage(Workspace& workspace, const Actions& actions, QWidget* parent)
+HandlesPage::HandlesPage(Workspace& workspace, GroupLayout& layout, const Actions& actions, QWidget* parent)
     : Page(parent), workspace_(workspace) {
   addSection(tr("Coordinates"));
-  add(new SystemBox(workspace, this));
+  add(new SystemBox(workspace, layout, this));
+  addSection(tr("Groups"));
+  add(new GroupPanel(workspace, this));
+  for (const char* shown : {"handles.regions", "handles.zones", "handles.superRegions"})
+    addCheck(actions[shown]);
   addSection(tr("Binding"));
   state_ = addFact(tr("State"));
   time_ = addFact(tr("Time"));
@@ -67,8 +72,13 @@ void HandlesPage::sync() {
                        : none);
   identity_->setText(bound ? tr("%1 mm").arg(status.report.identityError, 0, 'g', 2) : none);
   smallest_->setText(bound ? QString::number(status.report.minWeight, 'g', 2) : none);
-  message_->setText(text(status.message));
-  message_->setVisible(!status.message.empty());
+  QStringList remarks;
+  for (const std::string& note : status.report.notes)
+    remarks.push_back(asSentence(note));
+  if (!status.message.empty())
+    remarks = QStringList{asSentence(status.message)};
+  message_->setText(remarks.join(QLatin1Char('\n')));
+  message_->setVisible(!remarks.isEmpty());
 }
 
 } // namespace viscera::app

@@ -1,18 +1,19 @@
 #pragma once
 
 #include "window/actions.h"
+#include "window/group_layout.h"
 #include "window/widgets/page.h"
 #include "window/workspace.h"
 
 namespace viscera::app {
 
-/// Handles: the coordinates and their parameters, how well the organ is bound, and the place of the current
-/// handle.
+/// Handles: the coordinates and their parameters, the groups, how well the organ is bound, and the place of
+/// the current handle.
 class HandlesPage final : public Page {
   Q_OBJECT
 
 public:
-  HandlesPage(Workspace& workspace, const Actions& actions, QWidget* parent = nullptr);
+  HandlesPage(Workspace& workspace, GroupLayout& layout, const Actions& actions, QWidget* parent = nullptr);
 
 private:
   void sync();

@@ -5,7 +5,9 @@
 #include <QSignalBlocker>
 #include <QVBoxLayout>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "viscera/session/system_commands.h"
 #include "window/widgets/flow_layout.h"
@@ -15,17 +17,28 @@ namespace viscera::app {
 namespace {
 
 /// A step that leaves two to three hundred places on the slider, round in decimals.
-double stepFor(const coordinates::Parameter& parameter) {
+double stepFor(const coordinates::Parameter& parameter, double maximum) {
   if (parameter.integer)
     return 1;
-  return std::pow(10.0, std::floor(std::log10((parameter.maximum - parameter.minimum) / 50)));
+  return std::pow(10.0, std::floor(std::log10((maximum - parameter.minimum) / 50)));
+}
+
+/// The slider's range when the handles bound the parameter by `bound` (infinite: they do not). It begins at
+/// a whole step, so that its places are round numbers.
+ValueSlider::Range rangeOf(const coordinates::Parameter& parameter, double bound) {
+  const double maximum = std::max(std::min(parameter.maximum, bound), 2 * parameter.minimum);
+  const double step = stepFor(parameter, maximum);
+  const int decimals = std::max(0, static_cast<int>(-std::floor(std::log10(step) + 0.5)));
+  const QString unit = parameter.unit.empty() ? QString() : QLatin1Char(' ') + text(parameter.unit);
+  const double top = std::isfinite(bound) ? step * std::ceil(maximum / step) : maximum;
+  return {step * std::ceil(parameter.minimum / step), std::min(top, parameter.maximum), step, decimals, unit};
 }
 
 } // namespace
 
-SystemBox::SystemBox(Workspace& workspace, QWidget* parent)
-    : QWidget(parent), workspace_(workspace), combo_(new QComboBox(this)), summary_(new QLabel(this)),
-      badges_(new QWidget(this)), column_(new QVBoxLayout(this)) {
+SystemBox::SystemBox(Workspace& workspace, GroupLayout& layout, QWidget* parent)
+    : QWidget(parent), workspace_(workspace), layout_(layout), combo_(new QComboBox(this)),
+      summary_(new QLabel(this)), badges_(new QWidget(this)), column_(new QVBoxLayout(this)) {
   column_->setContentsMargins(0, 0, 0, 0);
   column_->setSpacing(8);
   combo_->setObjectName(QStringLiteral("systems"));
@@ -51,7 +64,7 @@ SystemBox::SystemBox(Workspace& workspace, QWidget* parent)
     workspace_.undo().seal();
   });
   subscription_ = workspace.onChange([this](const session::Change& change) {
-    if (change.system())
+    if (change.system() || change.rig())
       sync();
   });
   sync();
@@ -132,18 +145,41 @@ QWidget* SystemBox::editorFor(const coordinates::Parameter& parameter) {
     });
     return combo;
   }
-  const double step = stepFor(parameter);
-  const int decimals = std::max(0, static_cast<int>(-std::floor(std::log10(step) + 0.5)));
-  const QString unit = parameter.unit.empty() ? QString() : QLatin1Char(' ') + text(parameter.unit);
-  auto* slider =
-      new ValueSlider(name, {parameter.minimum, parameter.maximum, step, decimals, unit}, parameterBox_);
+  return sliderFor(parameter, name);
+}
+
+QWidget* SystemBox::sliderFor(const coordinates::Parameter& parameter, const QString& name) {
+  auto* box = new QWidget(parameterBox_);
+  auto* column = new QVBoxLayout(box);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(2);
+  auto* slider = new ValueSlider(name, rangeOf(parameter, std::numeric_limits<double>::infinity()), box);
+  slider->setObjectName(QStringLiteral("parameter/") + text(parameter.name));
   slider->setToolTip(text(parameter.help));
+  auto* remark = new QLabel(box);
+  remark->setObjectName(QStringLiteral("muted"));
+  remark->setWordWrap(true);
+  column->addWidget(slider);
+  column->addWidget(remark);
   connect(slider, &ValueSlider::valueChanged, this, [this, parameter](double value) {
     workspace_.perform(session::setParameter(parameter.name, value));
   });
   connect(slider, &ValueSlider::valueChosen, this, [this] { workspace_.undo().seal(); });
-  readers_.push_back([slider, present] { slider->setValue(present()); });
-  return slider;
+  readers_.push_back([this, slider, remark, parameter] {
+    const auto& bounds = layout_.now().upperBounds;
+    const auto bound = bounds.find(parameter.name);
+    const double most = bound == bounds.end() ? std::numeric_limits<double>::infinity() : bound->second;
+    const double value = workspace_.document().system().parameters.get(parameter);
+    slider->setRange(rangeOf(parameter, most));
+    slider->setValue(value);
+    const QString limit = tr("%1 %2").arg(most, 0, 'f', 1).arg(text(parameter.unit));
+    remark->setText(value > most ? tr("Set to %1 %2; these handles allow no more than %3, so that counts.")
+                                       .arg(value)
+                                       .arg(text(parameter.unit), limit)
+                                 : tr("These handles allow up to %1.").arg(limit));
+    remark->setVisible(std::isfinite(most));
+  });
+  return box;
 }
 
 } // namespace viscera::app

@@ -72,6 +72,22 @@ void ValueSlider::setRange(double minimum, double maximum) {
   slider_->setPageStep(std::max(1, steps / 10));
 }
 
+void ValueSlider::setRange(const Range& range) {
+  const auto same = [this](const Range& other) {
+    return other.minimum == range_.minimum && other.maximum == range_.maximum && other.step == range_.step;
+  };
+  if (slider_->isSliderDown() || same(range))
+    return;
+  const double present = value();
+  range_ = range;
+  const QSignalBlocker quietField(field_);
+  field_->setDecimals(range.decimals);
+  field_->setSuffix(range.unit);
+  field_->setSingleStep(range.step);
+  setRange(range.minimum, range.maximum);
+  setValue(present);
+}
+
 int ValueSlider::sliderPosition(double value) const {
   return static_cast<int>(std::lround((value - range_.minimum) / range_.step));
 }

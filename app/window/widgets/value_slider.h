@@ -27,6 +27,9 @@ public:
   /// Sets the number without telling anybody.
   void setValue(double value);
   void setRange(double minimum, double maximum);
+  /// Another range with its own step and digits; the number stays when it is in the range. Nothing happens
+  /// while the slider is held.
+  void setRange(const Range& range);
 
 Q_SIGNALS:
   /// The user is choosing: at every move of the slider and every number typed.

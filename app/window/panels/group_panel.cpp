@@ -1,0 +1,284 @@
+#include "window/panels/group_panel.h"
+
+#include <QComboBox>
+#include <QGridLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QPushButton>
+#include <QScopedValueRollback>
+#include <QSpinBox>
+#include <QTimer>
+#include <QTreeWidget>
+
+#include <algorithm>
+
+#include "viscera/session/group_commands.h"
+#include "viscera/session/system_commands.h"
+#include "window/panels/color_palette.h"
+#include "window/style/icon.h"
+
+namespace viscera::app {
+namespace {
+
+using By = session::GroupingChoice::By;
+
+constexpr int kIdRole = Qt::UserRole;
+constexpr int kRowsShown = 5;
+constexpr int kMostGroups = 12;
+/// Fewer span no region.
+constexpr std::size_t kFewestHandles = 4;
+
+session::GroupId groupOf(const QTreeWidgetItem* item) {
+  return {item->data(0, kIdRole).toLongLong()};
+}
+
+/// The first system that looks at groups, or null.
+std::shared_ptr<const coordinates::CoordinateSystem> groupedSystem(const plugin::Registry& registry) {
+  for (const plugin::Registry::Entry& entry : registry.list())
+    if (entry.system->traits().usesGroups)
+      return entry.system;
+  return nullptr;
+}
+
+} // namespace
+
+GroupPanel::GroupPanel(Workspace& workspace, QWidget* parent)
+    : QWidget(parent), workspace_(workspace), list_(new QTreeWidget(this)), empty_(new QLabel(this)),
+      unused_(new QLabel(this)), use_(new QPushButton(this)) {
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(8);
+  for (QLabel* label : {empty_, unused_}) {
+    label->setObjectName(QStringLiteral("muted"));
+    label->setWordWrap(true);
+  }
+  empty_->setText(tr("No groups: all handles act everywhere. Select handles and make a group of them, or let "
+                     "groups make themselves below."));
+  list_->setObjectName(QStringLiteral("groupList"));
+  list_->setAccessibleName(tr("Groups"));
+  list_->setHeaderHidden(true);
+  list_->setRootIsDecorated(false);
+  list_->setColumnCount(2);
+  list_->header()->setStretchLastSection(false);
+  list_->header()->setSectionResizeMode(0, QHeaderView::Stretch);
+  list_->header()->setSectionResizeMode(1, QHeaderView::ResizeToContents);
+  list_->setUniformRowHeights(true);
+  list_->setEditTriggers(QAbstractItemView::EditKeyPressed | QAbstractItemView::DoubleClicked);
+  column->addWidget(unused_);
+  column->addWidget(use_);
+  column->addWidget(empty_);
+  column->addWidget(list_);
+  column->addWidget(makeButtons());
+  column->addWidget(makeAutomatic());
+  connect(use_, &QPushButton::clicked, this, &GroupPanel::useGroups);
+  connect(list_, &QTreeWidget::itemChanged, this, &GroupPanel::rename);
+  connect(list_, &QTreeWidget::itemSelectionChanged, this, [this] {
+    if (updating_)
+      return;
+    const auto chosen = list_->selectedItems();
+    workspace_.selection().setGroup(chosen.isEmpty() ? session::GroupId{} : groupOf(chosen.front()));
+  });
+  subscriptions_.push_back(workspace.onChange([this](const session::Change& change) {
+    if (change.rig() && change.before.rig->groups != change.after.rig->groups)
+      rebuild();
+    else if (change.rig() || change.system() || change.organs())
+      sync();
+  }));
+  subscriptions_.push_back(workspace.selection().onChange([this] { sync(); }));
+  rebuild();
+}
+
+QWidget* GroupPanel::makeButtons() {
+  auto* box = new QWidget(this);
+  auto* grid = new QGridLayout(box);
+  grid->setContentsMargins(0, 0, 0, 0);
+  grid->setSpacing(4);
+  int next = 0;
+  const auto button = [&](const char* name, const QString& label, const QString& tip, auto clicked) {
+    auto* made = new QPushButton(label, box);
+    made->setObjectName(QLatin1String(name));
+    made->setToolTip(tip);
+    connect(made, &QPushButton::clicked, this, clicked);
+    grid->addWidget(made, next / 2, next % 2);
+    ++next;
+    return made;
+  };
+  const auto selected = [this] { return workspace_.selection().handles(); };
+  create_ = button("groupCreate", tr("New group"), tr("Make a group of the selected handles"),
+                   [this] { create(); });
+  select_ = button("groupSelect", tr("Select handles"), tr("Select the handles of the chosen group"), [this] {
+    if (const session::Group* group = current())
+      workspace_.selection().setHandles(group->handles);
+  });
+  add_ = button("groupAdd", tr("Add selected"), tr("Put the selected handles into the chosen group as well"),
+                [this, selected] {
+                  if (const session::Group* group = current())
+                    workspace_.perform(session::addToGroup(group->id, selected()));
+                });
+  takeOut_ = button("groupTakeOut", tr("Take out"), tr("Take the selected handles out of the chosen group"),
+                    [this, selected] {
+                      if (const session::Group* group = current())
+                        workspace_.perform(session::removeFromGroup(group->id, selected()));
+                    });
+  color_ = button("groupColor", tr("Colour..."), tr("Choose the colour of the chosen group"), [this] {
+    if (const session::Group* group = current())
+      chooseColorOf(*group);
+  });
+  remove_ =
+      button("groupRemove", tr("Remove group"), tr("Remove the chosen group; its handles stay"), [this] {
+        if (const session::Group* group = current())
+          workspace_.perform(session::removeGroup(group->id));
+      });
+  return box;
+}
+
+QWidget* GroupPanel::makeAutomatic() {
+  auto* box = new QWidget(this);
+  auto* grid = new QGridLayout(box);
+  grid->setContentsMargins(0, 4, 0, 0);
+  grid->setSpacing(4);
+  by_ = new QComboBox(box);
+  by_->setObjectName(QStringLiteral("groupBy"));
+  by_->setAccessibleName(tr("How groups are made"));
+  by_->addItem(tr("Parts along the axis"), static_cast<int>(By::axis));
+  by_->addItem(tr("Clusters of handles"), static_cast<int>(By::cluster));
+  by_->addItem(tr("Organs and their pieces"), static_cast<int>(By::organ));
+  by_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  count_ = new QSpinBox(box);
+  count_->setObjectName(QStringLiteral("groupCount"));
+  count_->setAccessibleName(tr("How many groups"));
+  count_->setRange(1, kMostGroups);
+  count_->setValue(3);
+  automatic_ = new QPushButton(tr("Group automatically"), box);
+  automatic_->setObjectName(QStringLiteral("groupAutomatically"));
+  automatic_->setToolTip(
+      tr("Puts new groups in the place of those there are. Where the handles do not surround "
+         "a group's part of the organ, corners of a box are added."));
+  grid->addWidget(by_, 0, 0);
+  grid->addWidget(count_, 0, 1);
+  grid->addWidget(automatic_, 1, 0, 1, 2);
+  grid->setColumnStretch(0, 1);
+  connect(by_, QOverload<int>::of(&QComboBox::currentIndexChanged), this, [this] { sync(); });
+  connect(automatic_, &QPushButton::clicked, this, &GroupPanel::makeAutomatically);
+  return box;
+}
+
+const session::Group* GroupPanel::current() const {
+  const session::Rig& rig = workspace_.document().rig();
+  const int place = rig.indexOf(workspace_.selection().group());
+  return place < 0 ? nullptr : &rig.groups[static_cast<std::size_t>(place)];
+}
+
+std::string GroupPanel::freeName() const {
+  const auto& groups = workspace_.document().rig().groups;
+  for (std::size_t number = groups.size() + 1;; ++number) {
+    const std::string name = tr("Group %1").arg(number).toStdString();
+    if (std::none_of(groups.begin(), groups.end(), [&](const auto& group) { return group.name == name; }))
+      return name;
+  }
+}
+
+void GroupPanel::create() {
+  const auto& groups = workspace_.document().rig().groups;
+  if (workspace_.perform(session::addGroup(freeName(), session::groupColor(groups.size()),
+                                           workspace_.selection().handles())))
+    workspace_.selection().setGroup(workspace_.document().rig().groups.back().id);
+}
+
+void GroupPanel::makeAutomatically() {
+  session::GroupingChoice choice;
+  choice.by = static_cast<By>(by_->currentData().toInt());
+  choice.count = count_->value();
+  workspace_.perform(session::groupAutomatically(choice));
+}
+
+void GroupPanel::useGroups() {
+  const auto system = groupedSystem(workspace_.registry());
+  if (!system)
+    return;
+  session::SystemChoice choice;
+  choice.id = system->id();
+  workspace_.undo().seal();
+  workspace_.perform(session::setSystem(choice));
+  workspace_.undo().seal();
+}
+
+void GroupPanel::chooseColorOf(const session::Group& group) {
+  chooseColor(
+      this, color_->mapToGlobal(QPoint(0, color_->height())), asColor(group.color),
+      [this, id = group.id](const QColor& color) {
+        session::GroupEdit edit;
+        edit.color = asVec3(color);
+        workspace_.perform(session::editGroup(id, edit));
+      },
+      [this] { workspace_.undo().seal(); });
+}
+
+void GroupPanel::rename(QTreeWidgetItem* item) {
+  if (updating_)
+    return;
+  session::GroupEdit edit;
+  edit.name = item->text(0).trimmed().toStdString();
+  // Later: the list is made anew, and the item that is telling us would be gone.
+  QTimer::singleShot(0, this, [this, id = groupOf(item), edit] {
+    if (!workspace_.perform(session::editGroup(id, edit)))
+      rebuild();
+  });
+}
+
+void GroupPanel::rebuild() {
+  const QScopedValueRollback<bool> quiet(updating_, true);
+  list_->clear();
+  const auto& groups = workspace_.document().rig().groups;
+  for (const session::Group& group : groups) {
+    auto* item = new QTreeWidgetItem(list_);
+    item->setFlags(item->flags() | Qt::ItemIsEditable);
+    item->setData(0, kIdRole, static_cast<qlonglong>(group.id.value));
+    item->setText(0, text(group.name));
+    item->setIcon(0, swatch(asColor(group.color)));
+    item->setText(1, QString::number(group.handles.size()));
+    item->setTextAlignment(1, Qt::AlignRight | Qt::AlignVCenter);
+    item->setToolTip(0, tr("F2 renames"));
+    if (group.handles.size() < kFewestHandles) {
+      item->setIcon(1, icon("warning"));
+      item->setToolTip(1, tr("A region needs at least four handles"));
+    }
+  }
+  const int rows = std::clamp(static_cast<int>(groups.size()), 2, kRowsShown);
+  list_->setFixedHeight(rows * std::max(list_->sizeHintForRow(0), 20) + 2 * list_->frameWidth() + 2);
+  list_->setVisible(!groups.empty());
+  empty_->setVisible(groups.empty());
+  sync();
+}
+
+void GroupPanel::sync() {
+  const QScopedValueRollback<bool> quiet(updating_, true);
+  const session::Group* group = current();
+  for (int row = 0; row < list_->topLevelItemCount(); ++row) {
+    QTreeWidgetItem* item = list_->topLevelItem(row);
+    item->setSelected(group && groupOf(item) == group->id);
+  }
+  const bool handles = !workspace_.selection().handles().empty();
+  create_->setEnabled(handles);
+  add_->setEnabled(group && handles);
+  takeOut_->setEnabled(group && handles);
+  select_->setEnabled(group != nullptr);
+  color_->setEnabled(group != nullptr);
+  remove_->setEnabled(group != nullptr);
+  automatic_->setEnabled(!workspace_.document().organs().empty() &&
+                         !workspace_.document().rig().handles.empty());
+  count_->setEnabled(static_cast<By>(by_->currentData().toInt()) != By::organ);
+
+  const auto grouped = groupedSystem(workspace_.registry());
+  const std::string& id = workspace_.document().system().id;
+  const bool looksAtGroups =
+      workspace_.registry().contains(id) && workspace_.registry().find(id)->traits().usesGroups;
+  unused_->setText(grouped ? tr("These coordinates do not look at groups.")
+                           : tr("No coordinates that look at groups are loaded: the plugin is missing."));
+  unused_->setVisible(!looksAtGroups);
+  use_->setVisible(!looksAtGroups && grouped);
+  if (grouped)
+    use_->setText(tr("Use %1").arg(text(grouped->name())));
+}
+
+} // namespace viscera::app

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <QWidget>
+
+#include "viscera/session/automatic_groups.h"
+#include "window/workspace.h"
+
+class QComboBox;
+class QLabel;
+class QPushButton;
+class QSpinBox;
+class QTreeWidget;
+class QTreeWidgetItem;
+
+namespace viscera::app {
+
+/// The groups of handles: a list with names and colours, what can be done to the chosen group and the
+/// selected handles, and groups that make themselves. Every change is one undo step.
+class GroupPanel final : public QWidget {
+  Q_OBJECT
+
+public:
+  explicit GroupPanel(Workspace& workspace, QWidget* parent = nullptr);
+
+private:
+  QWidget* makeButtons();
+  QWidget* makeAutomatic();
+  void rebuild();
+  void sync();
+  void rename(QTreeWidgetItem* item);
+  void chooseColorOf(const session::Group& group);
+  void create();
+  void makeAutomatically();
+  void useGroups();
+  const session::Group* current() const;
+  std::string freeName() const;
+
+  Workspace& workspace_;
+  QTreeWidget* list_;
+  QLabel* empty_;
+  QLabel* unused_;   ///< Said when the coordinates do not look at groups.
+  QPushButton* use_; ///< Offers coordinates that do.
+  QPushButton* create_ = nullptr;
+  QPushButton* add_ = nullptr;
+  QPushButton* takeOut_ = nullptr;
+  QPushButton* select_ = nullptr;
+  QPushButton* color_ = nullptr;
+  QPushButton* remove_ = nullptr;
+  QComboBox* by_ = nullptr;
+  QSpinBox* count_ = nullptr;
+  QPushButton* automatic_ = nullptr;
+  bool updating_ = false;
+  std::vector<session::Subscription> subscriptions_;
+};
+
+} // namespace viscera::app
