@@ -55,6 +55,10 @@ void addWindowOptions(CLI::App& app, WindowOptions& window, std::string& size) {
   app.add_option("--window-size", size, "Size of the window in pixels")->type_name("WxH");
   app.add_option("--screenshot", window.screenshot, "Save a picture of the window as PNG and end")
       ->type_name("FILE");
+  app.add_option("--plugin-path", window.pluginPath, "Folder or file with plugins; may be repeated")
+      ->type_name("PATH")
+      ->expected(1)
+      ->take_all();
   app.add_flag("--fresh-settings", window.freshSettings, "Neither read nor write the user's settings");
 }
 

@@ -107,8 +107,10 @@ RigInput rigInput(const std::filesystem::path& file, std::vector<std::string>& w
     input.handles.positions.row(static_cast<Eigen::Index>(i)) = rig.handles[i].rest.transpose();
     input.labels.push_back(rig.handles[i].label);
   }
-  for (const session::NewGroup& group : rig.groups)
+  for (const session::NewGroup& group : rig.groups) {
     input.handles.groups.push_back({group.name, group.handles});
+    input.groupColors.push_back(group.color);
+  }
   return input;
 }
 

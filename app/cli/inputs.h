@@ -42,6 +42,7 @@ std::vector<session::Organ> organInputs(const std::string& organ, const organs::
 struct RigInput {
   coordinates::HandleSet handles;
   std::vector<std::string> labels; ///< One a handle.
+  std::vector<Vec3> groupColors;   ///< One for each of `handles.groups`; red green blue, 0 to 1.
 
   /// The handle with that label. Throws `UsageError` that names some of those there are.
   int indexOf(const std::string& label) const;

@@ -1,7 +1,5 @@
 #include "cli/stage.h"
 
-#include <array>
-
 #include <CLI/CLI.hpp>
 #include <vtkImageData.h>
 
@@ -15,21 +13,18 @@ namespace {
 /// outside the picture: the organs are what it is about.
 constexpr double kNear = 0.1;
 
-using Color = Eigen::Matrix<std::uint8_t, 1, 3>;
+/// Handles in no group.
+const Vec3 kUngrouped(0.90, 0.62, 0.00);
 
-/// Colours of groups that readers who are colour-blind can tell apart (after Okabe and Ito).
-Color groupColor(std::size_t group) {
-  static constexpr std::array<std::array<std::uint8_t, 3>, 5> kColors{
-      {{230, 159, 0}, {86, 180, 233}, {204, 121, 167}, {240, 228, 66}, {0, 158, 115}}};
-  const auto& color = kColors[group % kColors.size()];
-  return {color[0], color[1], color[2]};
-}
-
-Colors handleColors(const coordinates::HandleSet& handles) {
-  Colors colors = groupColor(0).replicate(handles.positions.rows(), 1);
-  for (std::size_t group = 0; group < handles.groups.size(); ++group)
-    for (int handle : handles.groups[group].handles)
-      colors.row(handle) = groupColor(group);
+/// Each handle in the colour of its first group, as in the window.
+Colors handleColors(const RigInput& rig) {
+  const auto bytes = [](const Vec3& color) -> Eigen::Matrix<std::uint8_t, 1, 3> {
+    return (255 * color).array().round().matrix().cast<std::uint8_t>().transpose();
+  };
+  Colors colors = bytes(kUngrouped).replicate(rig.handles.positions.rows(), 1);
+  for (std::size_t group = rig.handles.groups.size(); group-- > 0;)
+    for (const int handle : rig.handles.groups[group].handles)
+      colors.row(handle) = bytes(rig.groupColors[group]);
   return colors;
 }
 
@@ -69,7 +64,7 @@ std::shared_ptr<scene::OrganActor> Stage::add(const session::Organ& organ, doubl
 
 void Stage::showHandles(const RigInput& rig) {
   view_.handles()->SetPositions(rig.handles.positions);
-  view_.handles()->SetColors(handleColors(rig.handles));
+  view_.handles()->SetColors(handleColors(rig));
 }
 
 void Stage::compose() {

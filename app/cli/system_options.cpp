@@ -1,10 +1,22 @@
 #include "cli/system_options.h"
 
+#include <algorithm>
+
 #include <CLI/CLI.hpp>
 
 #include "viscera/core/error.h"
 
 namespace viscera::app::cli {
+
+namespace {
+
+bool takes(const coordinates::CoordinateSystem& system, const std::string& parameter) {
+  const auto offered = system.parameters();
+  return std::any_of(offered.begin(), offered.end(),
+                     [&](const coordinates::Parameter& each) { return each.name == parameter; });
+}
+
+} // namespace
 
 void SystemOptions::addTo(CLI::App& options) {
   options.add_option("--system", id_, "Coordinate system; 'viscera systems' lists them")
@@ -22,14 +34,18 @@ SystemOptions::system(const Surroundings& surroundings) const {
 }
 
 coordinates::BindOptions SystemOptions::bindOptions(const coordinates::CoordinateSystem& system,
-                                                    const Surroundings& surroundings) const {
+                                                    const Surroundings& surroundings,
+                                                    const coordinates::CoordinateSystem* beside) const {
   coordinates::BindOptions options;
   options.threads = surroundings.threads;
   for (const std::string& text : parameters_) {
     const std::size_t equals = text.find('=');
     if (equals == std::string::npos || equals == 0)
       throw UsageError("is not NAME=VALUE", "--param " + text, "for instance --param locality=2");
-    options.parameters.setFromText(system.parameters(), text.substr(0, equals), text.substr(equals + 1));
+    const std::string name = text.substr(0, equals);
+    if (beside && !takes(system, name) && takes(*beside, name))
+      continue;
+    options.parameters.setFromText(system.parameters(), name, text.substr(equals + 1));
   }
   return options;
 }

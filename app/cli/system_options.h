@@ -18,9 +18,11 @@ public:
   std::shared_ptr<const coordinates::CoordinateSystem> system(const Surroundings& surroundings) const;
 
   /// The values given for it, checked, with the threads. Throws `UsageError` for what is not `name=value`,
-  /// and for a name or value that the system does not take.
+  /// and for a name or value that the system does not take. Of two systems that are compared, `beside` being
+  /// the other one, each is given what it takes.
   coordinates::BindOptions bindOptions(const coordinates::CoordinateSystem& system,
-                                       const Surroundings& surroundings) const;
+                                       const Surroundings& surroundings,
+                                       const coordinates::CoordinateSystem* beside = nullptr) const;
 
 private:
   std::string id_ = "s-celestial";

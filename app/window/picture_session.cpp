@@ -39,7 +39,7 @@ void waitWhile(int milliseconds) {
 int takePicture(const WindowOptions& options) {
   Settings settings{QString()};
   double now = 0;
-  MainWindow window(settings, availableSystems({}).registry, [&now] { return now; });
+  MainWindow window(settings, availableSystems(options.pluginPath).registry, [&now] { return now; });
   window.setTheme(themeFromName(QString::fromStdString(options.theme)));
   window.resize(options.width > 0 ? options.width : kWidth, options.height > 0 ? options.height : kHeight);
   window.show();

@@ -58,7 +58,7 @@ int runWindow(int argc, char** argv, const WindowOptions& options) {
   Settings settings(options.freshSettings ? QString() : Settings::standardFile());
   if (!options.theme.empty())
     settings.setValue("window/theme", QString::fromStdString(options.theme));
-  AvailableSystems systems = availableSystems({});
+  AvailableSystems systems = availableSystems(options.pluginPath);
   MainWindow window(settings, std::move(systems.registry), session::Player::steadyClock());
   if (!options.theme.empty())
     window.setTheme(themeFromName(QString::fromStdString(options.theme)));
@@ -67,8 +67,11 @@ int runWindow(int argc, char** argv, const WindowOptions& options) {
   window.show();
   if (options.files.empty())
     window.showWelcome(settings.value("window/welcome", true).toBool());
+  QStringList problems;
   for (const std::string& problem : systems.problems)
-    window.workspace().say({Message::Severity::warning, text(problem), {}, 0});
+    problems.push_back(asSentence(problem));
+  if (!problems.isEmpty()) // Together: a second message would take the place of the first.
+    window.workspace().say({Message::Severity::warning, problems.join(QLatin1Char('\n')), {}, 0});
   QTimer::singleShot(0, &window, [&] { begin(window, options); });
   return QApplication::exec();
 }

@@ -13,6 +13,7 @@ struct WindowOptions {
   std::string mode;       ///< "explore", "handles", "deform", "play"; empty: the standard one.
   int width = 0;          ///< Of the window in pixels; 0: as it was left last time.
   int height = 0;
+  std::vector<std::string> pluginPath; ///< Folders and files searched for plugins first.
   bool freshSettings = false; ///< True: neither reads nor writes the user's settings (screenshots, tests).
 };
 

@@ -12,6 +12,7 @@
 #include "viscera/localised_scc/localised_s_celestial.h"
 #include "viscera/localised_scc/region_layout.h"
 #include "viscera/organs/sample_organ.h"
+#include "viscera/scene/contact_sheet.h"
 #include "viscera/scene/layout_hulls.h"
 
 /// The comparison of the thesis's figure 4.17 on the sample stomach: what one handle reaches with one group
@@ -95,7 +96,7 @@ TEST_F(LocalisedInfluence, AHandleReachesAllOfTheStomachInOneGroupAndItsOwnPartI
   const auto left = picture(global, most, "Influence, one group", {});
   const auto right = picture(local, most, "Influence, four groups", {});
   EXPECT_GT(pixelsWithoutInfluence(right), 1.5 * pixelsWithoutInfluence(left));
-  tests::expectLooksLikeReference(sideBySide(left, right), "localised_influence");
+  tests::expectLooksLikeReference(contactSheet({left, right}, 2), "localised_influence");
 }
 
 TEST_F(LocalisedInfluence, RegionsZonesAndSuperRegionsLieAroundTheStomachAsGlass) {
@@ -107,7 +108,7 @@ TEST_F(LocalisedInfluence, RegionsZonesAndSuperRegionsLieAroundTheStomachAsGlass
   const auto right =
       picture(Values::Zero(stomach_->points.rows()), 1, "Zones and super-regions",
               layoutHulls(layout, colors, {.regions = false, .zones = true, .superRegions = true}));
-  tests::expectLooksLikeReference(sideBySide(left, right), "regions_and_zones");
+  tests::expectLooksLikeReference(contactSheet({left, right}, 2), "regions_and_zones");
 }
 
 } // namespace

@@ -69,6 +69,9 @@ Outcome BindCommand::run(Surroundings& surroundings) {
   }
   outcome.text = listing.text();
   outcome.warnings.insert(outcome.warnings.end(), organ.warnings.begin(), organ.warnings.end());
+  const auto& notes = report.notes;
+  outcome.warnings.insert(outcome.warnings.end(), notes.begin(), notes.end());
+  outcome.json["warnings"] = outcome.warnings;
   return outcome;
 }
 

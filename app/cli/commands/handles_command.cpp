@@ -1,5 +1,8 @@
 #include "cli/commands/handles_command.h"
 
+#include <memory>
+#include <numeric>
+
 #include <CLI/CLI.hpp>
 
 #include "cli/inputs.h"
@@ -8,28 +11,65 @@
 #include "viscera/deformation/place_handles.h"
 #include "viscera/geometry/convex_hull.h"
 #include "viscera/medical_io/handle_file.h"
+#include "viscera/session/automatic_groups.h"
 
 namespace viscera::app::cli {
 namespace {
 
 constexpr int kEnclosing = 8; ///< Corners of a box.
 constexpr int kMostHandles = 10'000;
+constexpr int kMostGroups = 100;
 
-medical_io::HandleGroupRecord group(const std::string& name, const Vec3& color, const Points& positions,
-                                    Eigen::Index begin, Eigen::Index end) {
-  medical_io::HandleGroupRecord record{name, color, {}};
-  for (Eigen::Index i = begin; i < end; ++i)
-    record.handles.push_back({"H-" + std::to_string(i + 1), positions.row(i).transpose(), {}, false, true});
-  return record;
+/// The handles before grouping, the corners that grouping added, and the groups over both.
+struct Rig {
+  Points positions;
+  Eigen::Index placed = 0; ///< The rows before are placed, those from it on were added.
+  std::vector<coordinates::HandleGroup> groups;
+  std::vector<Vec3> colors;
+};
+
+std::vector<int> rowsFrom(Eigen::Index begin, Eigen::Index end) {
+  std::vector<int> rows(static_cast<std::size_t>(end - begin));
+  std::iota(rows.begin(), rows.end(), static_cast<int>(begin));
+  return rows;
 }
 
-medical_io::HandleFile fileOf(const Points& positions, bool enclosing) {
-  medical_io::HandleFile file;
+/// Enclosing handles and the others as a group each.
+Rig plainRig(const Points& positions, bool enclosing) {
   const Eigen::Index corners = enclosing ? kEnclosing : 0;
-  if (enclosing)
-    file.groups.push_back(group("Enclosing", {0.55, 0.60, 0.65}, positions, 0, corners));
-  if (positions.rows() > corners)
-    file.groups.push_back(group("Handles", {1.0, 0.5, 0.2}, positions, corners, positions.rows()));
+  Rig rig{positions, positions.rows(), {}, {}};
+  if (enclosing) {
+    rig.groups.push_back({"Enclosing", rowsFrom(0, corners)});
+    rig.colors.emplace_back(0.55, 0.60, 0.65);
+  }
+  if (positions.rows() > corners) {
+    rig.groups.push_back({"Handles", rowsFrom(corners, positions.rows())});
+    rig.colors.emplace_back(1.0, 0.5, 0.2);
+  }
+  return rig;
+}
+
+Rig groupedRig(const Points& positions, const session::Organ& organ, const session::GroupingChoice& choice) {
+  deformation::Grouping grouping =
+      session::makeGroups(choice, {std::make_shared<const session::Organ>(organ)}, positions);
+  Rig rig{
+      Points(positions.rows() + grouping.added.rows(), 3), positions.rows(), std::move(grouping.groups), {}};
+  rig.positions << positions, grouping.added;
+  for (std::size_t i = 0; i < rig.groups.size(); ++i)
+    rig.colors.push_back(session::groupColor(i));
+  return rig;
+}
+
+/// One markup list a group; a handle of several groups is in the list of each.
+medical_io::HandleFile fileOf(const Rig& rig) {
+  medical_io::HandleFile file;
+  for (std::size_t i = 0; i < rig.groups.size(); ++i) {
+    medical_io::HandleGroupRecord record{rig.groups[i].name, rig.colors[i], {}};
+    for (const int row : rig.groups[i].handles)
+      record.handles.push_back({"H-" + std::to_string(row + 1), rig.positions.row(row).transpose(),
+                                row < rig.placed ? std::string() : session::kAddedByGrouping, false, true});
+    file.groups.push_back(std::move(record));
+  }
   return file;
 }
 
@@ -46,29 +86,51 @@ void HandlesCommand::addOptions(CLI::App& options) {
       ->capture_default_str();
   options.add_flag("--enclosing", enclosing_,
                    "Let the first eight be the corners of a box, so that nothing lies outside");
+  options
+      .add_option(
+          "--groups", groups_,
+          "Put the handles into so many groups; corners of a box are added where they do not hold a part")
+      ->type_name("N")
+      ->check(CLI::Range(1, kMostGroups));
+  options
+      .add_option(
+          "--group-by", groupBy_,
+          "How: axis (parts along the longest axis), cluster (handles near to each other), organ (one for "
+          "each connected piece)")
+      ->type_name("WAY")
+      ->check(CLI::IsMember({"axis", "cluster", "organ"}));
 }
 
 Outcome HandlesCommand::run(Surroundings& surroundings) {
   if (enclosing_ && count_ < kEnclosing)
     throw UsageError("is too few for the eight enclosing handles", "--count " + std::to_string(count_),
                      "ask for 8 or more");
+  session::GroupingChoice choice;
+  choice.by = groupBy_.empty() ? choice.by : session::groupingFromName(groupBy_);
+  choice.count = groups_ > 0 ? groups_ : choice.count;
   const session::Organ organ = organInput(organ_, surroundings.samples, surroundings.progress);
   deformation::Placement placement;
   placement.count = count_;
   placement.enclosing = enclosing_;
   const Points positions = deformation::placeHandles(*organ.mesh, placement);
-  const std::size_t outside = geometry::ConvexHull(positions).outside(organ.mesh->points).size();
+  const Rig rig = grouped() ? groupedRig(positions, organ, choice) : plainRig(positions, enclosing_);
+  const std::size_t outside = geometry::ConvexHull(rig.positions).outside(organ.mesh->points).size();
   surroundings.progress.throwIfCancelled();
-  medical_io::writeHandles(output_, fileOf(positions, enclosing_));
+  medical_io::writeHandles(output_, fileOf(rig));
 
   Outcome outcome;
-  outcome.json = {{"organ", organ.name},
-                  {"handles", positions.rows()},
-                  {"enclosing", enclosing_},
-                  {"outsideHull", outside},
-                  {"file", output_}};
-  outcome.text = Listing()
-                     .add("handles", std::to_string(positions.rows()))
+  const Eigen::Index added = rig.positions.rows() - rig.placed;
+  outcome.json = {{"organ", organ.name},   {"handles", rig.positions.rows()}, {"enclosing", enclosing_},
+                  {"addedHandles", added}, {"outsideHull", outside},          {"file", output_}};
+  Listing listing;
+  listing.add("handles", std::to_string(rig.positions.rows()));
+  if (grouped())
+    listing.add("added", std::to_string(added) + " corners of boxes, so that every part is surrounded");
+  for (const coordinates::HandleGroup& group : rig.groups) {
+    outcome.json["groups"].push_back({{"name", group.name}, {"handles", group.handles.size()}});
+    listing.add("group", group.name + ", " + std::to_string(group.handles.size()) + " handles");
+  }
+  outcome.text = listing
                      .add("outside hull", std::to_string(outside) + " of " +
                                               std::to_string(organ.mesh->points.rows()) + " vertices")
                      .add("file", output_)

@@ -4,7 +4,7 @@
 
 namespace viscera::app::cli {
 
-/// `viscera handles`: places handles around an organ.
+/// `viscera handles`: places handles around an organ, in groups where they are asked for.
 class HandlesCommand final : public Command {
 public:
   std::string name() const override { return "handles"; }
@@ -13,10 +13,14 @@ public:
   Outcome run(Surroundings& surroundings) override;
 
 private:
+  bool grouped() const { return groups_ > 0 || !groupBy_.empty(); }
+
   std::string organ_;
   std::string output_;
   int count_ = 30;
   bool enclosing_ = false;
+  int groups_ = 0; ///< 0: none asked for.
+  std::string groupBy_;
 };
 
 } // namespace viscera::app::cli

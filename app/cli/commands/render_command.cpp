@@ -15,17 +15,11 @@
 #include "viscera/deformation/bind_organ.h"
 #include "viscera/scene/contact_sheet.h"
 #include "viscera/scene/picture.h"
+#include "viscera/scene/vtkVisceraHandleSetRepresentation.h"
 #include "viscera/session/open_files.h"
 
 namespace viscera::app::cli {
 namespace {
-
-/// What the files named hold.
-struct Contents {
-  std::vector<session::Organ> organs;
-  std::optional<RigInput> rig;
-  std::vector<std::string> warnings;
-};
 
 Contents read(const std::vector<std::string>& files, const Surroundings& surroundings) {
   Contents contents;
@@ -46,29 +40,29 @@ Contents read(const std::vector<std::string>& files, const Surroundings& surroun
   return contents;
 }
 
-/// Colours every organ by the influence that a handle has on it.
-void showInfluence(Stage& stage, const Contents& contents, const std::string& label,
-                   const coordinates::CoordinateSystem& system, const coordinates::BindOptions& options,
-                   Progress& progress) {
-  if (!contents.rig)
-    throw UsageError("needs a handle file among the files", "--influence " + label);
-  const int handle = contents.rig->indexOf(label);
+/// The influence of a handle on every organ.
+std::vector<std::shared_ptr<Values>> influencesOf(const Contents& contents, int handle,
+                                                  const coordinates::CoordinateSystem& system,
+                                                  const coordinates::BindOptions& options,
+                                                  Progress& progress) {
   std::vector<std::shared_ptr<Values>> influences;
-  scene::ValueRange range{0, 0};
   for (const session::Organ& organ : contents.organs) {
     const auto binding =
         deformation::bindOrgan(system, contents.rig->handles, organ.mesh->points, options, progress);
     influences.push_back(std::make_shared<Values>(binding->influence(handle)));
-    range.low = std::min(range.low, influences.back()->minCoeff());
-    range.high = std::max(range.high, influences.back()->maxCoeff());
   }
-  const scene::ColorMap map = scene::viridis();
-  for (std::size_t i = 0; i < influences.size(); ++i)
-    stage.view().organs()[i]->showScalars(influences[i], map, range);
-  stage.view().legend().show("Influence of " + label, {}, map, range);
+  return influences;
 }
 
 } // namespace
+
+/// One of the pictures: the coordinates that it is about, and what they say.
+struct RenderCommand::Shown {
+  std::shared_ptr<const coordinates::CoordinateSystem> system;
+  coordinates::BindOptions options;
+  std::vector<std::shared_ptr<Values>> influences; ///< One an organ; empty when none is asked for.
+  scene::ValueRange range{0, 0};                   ///< Of the influences of all pictures.
+};
 
 void RenderCommand::addOptions(CLI::App& options) {
   options.add_option("FILE", files_, "Organs (surface files, sample:NAME) and at most one handle file")
@@ -82,43 +76,103 @@ void RenderCommand::addOptions(CLI::App& options) {
       ->excludes("--view");
   options.add_option("--influence", influence_, "Colour the organs by the influence of this handle")
       ->type_name("LABEL");
+  options
+      .add_option("--beside", beside_,
+                  "A second picture on the right, with these coordinates; --param goes to whichever takes it")
+      ->type_name("ID");
+  options.add_flag("--regions", parts_.regions, "Draw the regions of the handles' groups");
+  options.add_flag("--zones", parts_.zones, "Draw the zones in which regions meet");
+  options.add_flag("--super-regions", parts_.superRegions, "Draw the super-regions of the zones");
   options.add_option("--opacity", opacity_, "Of the organs, 0 to 1")->check(CLI::Range(0.0, 1.0));
   system_.addTo(options);
 }
 
-Outcome RenderCommand::run(Surroundings& surroundings) {
+std::vector<RenderCommand::Shown> RenderCommand::shown(const Surroundings& surroundings) const {
   const auto system = system_.system(surroundings);
-  const coordinates::BindOptions options = system_.bindOptions(*system, surroundings);
-  stage_.size = pictureSize(size_);
-  Contents contents = read(files_, surroundings);
-  Stage stage(stage_, surroundings.threads);
+  if (beside_.empty())
+    return {{system, system_.bindOptions(*system, surroundings), {}}};
+  const auto beside = surroundings.systems.find(beside_);
+  return {{system, system_.bindOptions(*system, surroundings, beside.get()), {}},
+          {beside, system_.bindOptions(*beside, surroundings, system.get()), {}}};
+}
+
+RenderCommand::Pictures RenderCommand::draw(const Shown& shown, const Contents& contents, int width,
+                                            Threads threads) const {
+  StageOptions options = stage_;
+  options.size.width = width;
+  Stage stage(options, threads);
   for (const session::Organ& organ : contents.organs)
     stage.add(organ, opacity_);
-  if (contents.rig)
+  if (contents.rig) {
     stage.showHandles(*contents.rig);
-  if (!influence_.empty())
-    showInfluence(stage, contents, influence_, *system, options, surroundings.progress);
-  if (views_.empty())
-    views_.push_back(stage_.view);
-  std::vector<vtkSmartPointer<vtkImageData>> pictures;
+    stage.view().regions().setHulls(
+        scene::layoutHulls(shown.system->layout(contents.rig->handles, shown.options.parameters),
+                           contents.rig->groupColors, parts_));
+  }
+  if (!shown.influences.empty()) {
+    const scene::ColorMap map = scene::viridis();
+    for (std::size_t i = 0; i < shown.influences.size(); ++i)
+      stage.view().organs()[i]->showScalars(shown.influences[i], map, shown.range);
+    const std::string title = "Influence of " + influence_;
+    stage.view().legend().show(beside_.empty() ? title : title + ", " + shown.system->name(), {}, map,
+                               shown.range);
+    stage.view().handles()->SetSelection({contents.rig->indexOf(influence_)});
+  }
+  Pictures pictures;
   for (const std::string& view : views_) {
     stage.compose(view);
-    surroundings.progress.throwIfCancelled();
     pictures.push_back(stage.picture());
   }
-  if (pictures.size() == 1)
-    scene::writePng(output_, pictures.front());
-  else
-    scene::writeSmallPng(output_, scene::contactSheet(pictures, static_cast<int>(pictures.size())));
+  return pictures;
+}
 
+Outcome RenderCommand::run(Surroundings& surroundings) {
+  std::vector<Shown> all = shown(surroundings);
+  stage_.size = pictureSize(size_);
+  if (views_.empty())
+    views_.push_back(stage_.view);
+  Contents contents = read(files_, surroundings);
+  if (!contents.rig && (!influence_.empty() || parts_.any()))
+    throw UsageError("needs a handle file among the files", influence_.empty()
+                                                                ? "--regions, --zones or --super-regions"
+                                                                : "--influence " + influence_);
   Outcome outcome;
   outcome.json = {{"png", output_},
-                  {"width", stage_.size.width * static_cast<int>(pictures.size())},
                   {"height", stage_.size.height},
                   {"view", views_.front()},
                   {"views", views_},
                   {"organs", contents.organs.size()},
                   {"handles", contents.rig ? contents.rig->labels.size() : 0}};
+  scene::ValueRange range{0, 0};
+  for (Shown& one : all) {
+    if (influence_.empty())
+      continue;
+    one.influences = influencesOf(contents, contents.rig->indexOf(influence_), *one.system, one.options,
+                                  surroundings.progress);
+    Eigen::Index reached = 0, vertices = 0;
+    for (const auto& values : one.influences) {
+      range.low = std::min(range.low, values->minCoeff());
+      range.high = std::max(range.high, values->maxCoeff());
+      reached += (values->array() != 0).count();
+      vertices += values->size();
+    }
+    outcome.json["influence"].push_back(
+        {{"system", one.system->id()}, {"vertices", vertices}, {"reached", reached}});
+  }
+  Pictures pictures;
+  for (Shown& one : all) {
+    surroundings.progress.throwIfCancelled();
+    one.range = range;
+    const Pictures drawn =
+        draw(one, contents, stage_.size.width / static_cast<int>(all.size()), surroundings.threads);
+    pictures.insert(pictures.end(), drawn.begin(), drawn.end());
+  }
+  const auto sheet = scene::contactSheet(pictures, static_cast<int>(pictures.size()));
+  outcome.json["width"] = sheet->GetDimensions()[0];
+  if (pictures.size() > 1)
+    scene::writeSmallPng(output_, sheet);
+  else
+    scene::writePng(output_, sheet);
   outcome.text = Listing().add("picture", output_).text();
   outcome.warnings = std::move(contents.warnings);
   return outcome;

@@ -1,15 +1,28 @@
 #pragma once
 
+#include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include <vtkSmartPointer.h>
+
 #include "cli/command.h"
+#include "cli/inputs.h"
 #include "cli/stage.h"
 #include "cli/system_options.h"
+#include "viscera/scene/layout_hulls.h"
 
 namespace viscera::app::cli {
 
-/// `viscera render`: one picture of organs and handles.
+/// What the files named hold.
+struct Contents {
+  std::vector<session::Organ> organs;
+  std::optional<RigInput> rig;
+  std::vector<std::string> warnings;
+};
+
+/// `viscera render`: organs and handles as one picture, of several sides or coordinates beside each other.
 class RenderCommand final : public Command {
 public:
   std::string name() const override { return "render"; }
@@ -18,11 +31,19 @@ public:
   Outcome run(Surroundings& surroundings) override;
 
 private:
+  struct Shown;
+  std::vector<Shown> shown(const Surroundings& surroundings) const;
+  using Pictures = std::vector<vtkSmartPointer<vtkImageData>>;
+  /// One picture a side that is asked for.
+  Pictures draw(const Shown& shown, const Contents& contents, int width, Threads threads) const;
+
   std::vector<std::string> files_;
   std::string output_;
   std::string size_ = "1600x1000";
   std::string influence_;
   std::vector<std::string> views_;
+  std::string beside_;
+  scene::LayoutParts parts_{.regions = false};
   StageOptions stage_;
   double opacity_ = 1;
   SystemOptions system_;

@@ -36,22 +36,6 @@ vtkSmartPointer<vtkImageData> grabPicture(vtkRenderWindow* window) {
   return picture;
 }
 
-vtkSmartPointer<vtkImageData> sideBySide(vtkImageData* left, vtkImageData* right) {
-  const std::size_t height = static_cast<std::size_t>(left->GetDimensions()[1]);
-  assert(right->GetDimensions()[1] == left->GetDimensions()[1]);
-  auto both = vtkSmartPointer<vtkImageData>::New();
-  both->SetDimensions(left->GetDimensions()[0] + right->GetDimensions()[0], left->GetDimensions()[1], 1);
-  both->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
-  auto* out = static_cast<unsigned char*>(both->GetScalarPointer());
-  for (std::size_t row = 0; row < height; ++row)
-    for (vtkImageData* half : {left, right}) {
-      const std::size_t bytes = 3 * static_cast<std::size_t>(half->GetDimensions()[0]);
-      out =
-          std::copy_n(static_cast<const unsigned char*>(half->GetScalarPointer()) + row * bytes, bytes, out);
-    }
-  return both;
-}
-
 void writePng(const std::filesystem::path& file, vtkImageData* picture) {
   AtomicFile output(file);
   vtkNew<vtkPNGWriter> writer;

@@ -14,9 +14,6 @@ namespace viscera::scene {
 /// Renders `window` and returns the picture: 8 bits, three components, first row at the bottom as VTK has it.
 vtkSmartPointer<vtkImageData> grabPicture(vtkRenderWindow* window);
 
-/// Both pictures in one, `left` on the left. They have to be of one height.
-vtkSmartPointer<vtkImageData> sideBySide(vtkImageData* left, vtkImageData* right);
-
 /// Writes a PNG: to a temporary file beside it first, then renamed. Throws `CannotCreateError`. May be called
 /// from any thread with a picture of its own.
 void writePng(const std::filesystem::path& file, vtkImageData* picture);
