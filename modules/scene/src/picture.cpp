@@ -1,7 +1,6 @@
 #include "viscera/scene/picture.h"
 
 #include <algorithm>
-#include <cassert>
 #include <cstdlib>
 
 #include <vtkImageData.h>
