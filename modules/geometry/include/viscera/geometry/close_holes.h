@@ -1,0 +1,23 @@
+#pragma once
+
+#include "viscera/geometry/triangle_mesh.h"
+
+namespace viscera::geometry {
+
+/// A surface whose holes were filled.
+struct ClosedSurface {
+  TriangleMesh mesh; ///< The given points first, unchanged; then one for the middle of every larger hole.
+  int holes = 0;     ///< How many were filled.
+};
+
+/// Fills every hole of an open surface by a cap: one triangle where three edges are open, else a fan around
+/// the mean of the rim (weighted by the lengths of its edges, so that a rim that is sampled unevenly does not
+/// pull it aside). Caps run the same way round as the triangles beside them. A point where two rims touch is
+/// taken as part of both. Vertex colours go on into the caps. A closed surface comes back as it is.
+///
+/// The middles lie in the convex hull of the surface, so what encloses the one encloses the other. Throws
+/// `DataError` when the triangles beside a rim do not run the same way round. Expects valid indices. O(m log
+/// m).
+ClosedSurface closeHoles(const TriangleMesh& mesh);
+
+} // namespace viscera::geometry
