@@ -5,6 +5,8 @@
 #include <utility>
 
 #include "edit.h"
+#include "viscera/geometry/close_holes.h"
+#include "viscera/geometry/surface_check.h"
 
 namespace viscera::session {
 namespace {
@@ -71,6 +73,27 @@ DocumentState removed(DocumentState state, const std::vector<OrganId>& ids) {
   return state;
 }
 
+/// The organ with the surface that its holes leave when they are filled.
+Organ withoutHoles(const Organ& open) {
+  const geometry::ClosedSurface filled = geometry::closeHoles(*open.mesh);
+  Organ closed = makeOrgan(open.name, filled.mesh);
+  closed.id = open.id;
+  closed.look = open.look;
+  closed.parent = open.parent;
+  closed.file = open.file;
+  // What the file said of itself is still true; what was found out about the surface was found out anew.
+  const std::vector<std::string> outdated = geometry::faults(geometry::checkSurface(*open.mesh));
+  std::vector<std::string> warnings = open.warnings;
+  std::erase_if(warnings, [&outdated](const std::string& warning) {
+    return std::find(outdated.begin(), outdated.end(), warning) != outdated.end();
+  });
+  warnings.push_back(
+      edit::counted("its surface was closed by", static_cast<std::size_t>(filled.holes), "cap"));
+  warnings.insert(warnings.end(), closed.warnings.begin(), closed.warnings.end());
+  closed.warnings = std::move(warnings);
+  return closed;
+}
+
 } // namespace
 
 Command addOrgans(std::vector<NewOrgan> organs) {
@@ -109,6 +132,31 @@ Command setOrganLook(OrganId organ, OrganLook look) {
             return withOrgan(state, organ, [&look](Organ& changed) { changed.look = look; });
           },
           "look/" + std::to_string(organ.value)};
+}
+
+Command setVolumeLocked(OrganId organ, bool locked) {
+  return {locked ? "Lock volume" : "Unlock volume",
+          [organ, locked](const DocumentState& state, IdSource&) {
+            return withOrgan(state, organ, [locked](Organ& changed) {
+              if (locked && !changed.closed())
+                throw DataError("the surface is open (" + std::to_string(changed.boundaryEdges) +
+                                    " boundary edges), so it has no volume that could be locked",
+                                changed.name, "close its holes first");
+              changed.volumeLocked = locked;
+            });
+          },
+          {}};
+}
+
+Command closeHoles(OrganId organ) {
+  return {"Close holes",
+          [organ](const DocumentState& state, IdSource&) {
+            return withOrgan(state, organ, [](Organ& changed) {
+              if (!changed.closed())
+                changed = withoutHoles(changed);
+            });
+          },
+          {}};
 }
 
 Command renameOrgan(OrganId organ, std::string name) {

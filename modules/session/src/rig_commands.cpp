@@ -193,6 +193,7 @@ DocumentState edited(const DocumentState& state, const std::vector<HandleId>& ha
     handle.description = change.description.value_or(handle.description);
     handle.locked = change.locked.value_or(handle.locked);
     handle.visible = change.visible.value_or(handle.visible);
+    handle.compensates = change.compensates.value_or(handle.compensates);
   }
   return edit::withRig(state, std::move(rig));
 }
@@ -202,6 +203,8 @@ std::string nameOf(const HandleEdit& change, std::size_t count) {
     return "Rename handle";
   if (change.locked)
     return edit::counted(*change.locked ? "Lock" : "Unlock", count, "handle");
+  if (change.compensates)
+    return edit::counted(*change.compensates ? "Compensate with" : "Stop compensating with", count, "handle");
   if (change.visible)
     return edit::counted(*change.visible ? "Show" : "Hide", count, "handle");
   return edit::counted("Describe", count, "handle");

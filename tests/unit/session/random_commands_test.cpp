@@ -93,7 +93,7 @@ private:
 
   Command anyCommand() {
     const std::string text = "T" + std::to_string(number(12));
-    switch (number(17)) {
+    switch (number(19)) {
     case 0:
       return addOrgans({tests::ball(text, real(5, 40), 1, place())});
     case 1:
@@ -111,7 +111,7 @@ private:
     case 7:
       return replaceRig({newHandles(places(12)), {{text, color(), {0, 3, 5}}}});
     case 8:
-      return editHandles(someHandles(), {std::nullopt, text, number(2) == 0, number(2) == 0});
+      return editHandles(someHandles(), {std::nullopt, text, number(2) == 0, number(2) == 0, number(2) == 0});
     case 9:
       return addGroup(text, color(), someHandles());
     case 10:
@@ -127,6 +127,10 @@ private:
       return setSystem({number(2) == 0 ? "s-celestial" : "t-celestial", {}});
     case 15:
       return setParameter("locality", real(0, 3));
+    case 16:
+      return setVolumeLocked(anOrgan(), number(2) == 0);
+    case 17:
+      return closeHoles(anOrgan());
     default:
       return poseMove();
     }

@@ -34,6 +34,9 @@ struct Organ {
   int boundaryEdges = 0;    ///< Edges with one triangle. An open surface has no volume.
   double restVolumeMm3 = 0; ///< Signed, of the rest mesh; 0 for an open one.
 
+  /// No motion of the handles in the pose may change the volume. Only of a closed surface.
+  bool volumeLocked = false;
+
   bool closed() const { return boundaryEdges == 0; }
 };
 

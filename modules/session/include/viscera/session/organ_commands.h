@@ -25,6 +25,16 @@ Command removeAllOrgans();
 /// the same organ that follow each other join one step until `UndoStack::seal`.
 Command setOrganLook(OrganId organ, OrganLook look);
 
+/// Locks or unlocks an organ's volume: with it locked, no motion of handles in the pose changes it
+/// (volume_keeper.h). Throws `DataError` for an open surface (it says how many edges are open), `UsageError`
+/// for an organ that is not there.
+Command setVolumeLocked(OrganId organ, bool locked);
+
+/// Fills the holes of an organ's surface (`geometry::closeHoles`), which thereby gets a volume; the organ
+/// stays what it is otherwise, and is bound anew. Throws `DataError` when it cannot be closed, `UsageError`
+/// for an organ that is not there. O(m log m).
+Command closeHoles(OrganId organ);
+
 /// Gives an organ another name. Throws `UsageError` for an empty one.
 Command renameOrgan(OrganId organ, std::string name);
 

@@ -17,6 +17,9 @@ struct Handle {
   bool locked = false;      ///< A locked handle is moved by no command, neither at rest nor in the pose.
   bool visible = true;
   std::string description; ///< Free text, kept for the files that have it.
+  /// Moves to make up for what other handles' motions change of a locked volume. Where no handle does, all
+  /// that are free do.
+  bool compensates = false;
 
   friend bool operator==(const Handle&, const Handle&) = default;
 };

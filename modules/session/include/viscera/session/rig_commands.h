@@ -64,13 +64,14 @@ Command moveRestHandles(std::vector<HandleId> handles, Points positions);
 /// handles.
 Command replaceRig(NewRig rig, std::string name = "Replace handles");
 
-/// A label, a lock, a description, visibility. What is not given stays. Throws `UsageError` for a label that
-/// is empty or taken.
+/// A label, a lock, a description, visibility, whether it compensates. What is not given stays. Throws
+/// `UsageError` for a label that is empty or taken.
 struct HandleEdit {
   std::optional<std::string> label;
   std::optional<std::string> description;
   std::optional<bool> locked;
   std::optional<bool> visible;
+  std::optional<bool> compensates = std::nullopt;
 };
 Command editHandles(std::vector<HandleId> handles, HandleEdit change);
 
