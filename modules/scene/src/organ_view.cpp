@@ -20,10 +20,13 @@
 #include <vtkRenderer.h>
 #include <vtkWeakPointer.h>
 
+#include "viscera/scene/vtkVisceraGizmoRepresentation.h"
+#include "viscera/scene/vtkVisceraGizmoWidget.h"
 #include "viscera/scene/vtkVisceraHandleSetRepresentation.h"
 #include "viscera/scene/vtkVisceraHandleSetWidget.h"
 
 #include "before_render.h"
+#include "blended_actor.h"
 #include "interactor_style.h"
 #include "orientation_cube.h"
 #include "scale_bar.h"
@@ -86,8 +89,11 @@ struct OrganView::Parts {
   vtkNew<vtkCallbackCommand> motion;
   vtkNew<vtkVisceraHandleSetRepresentation> handles;
   vtkNew<vtkVisceraHandleSetWidget> widget;
+  vtkNew<vtkVisceraGizmoRepresentation> gizmo;
+  vtkNew<vtkVisceraGizmoWidget> gizmoWidget;
   ConstraintGlyph constraint;
   RegionHulls regions;
+  MirrorPlaneGlyph mirrorPlane;
   Legend legend;
   OrientationCube cube{renderer};
   ScaleBar scaleBar{renderer};
@@ -139,7 +145,9 @@ void OrganView::Parts::orderProps() {
   for (const auto& ghost : ghosts)
     ghost->drawAfterOrgans();
   regions.drawAfterOrgans();
+  mirrorPlane.drawAfterOrgans();
   constraint.drawAfterOrgans();
+  drawLast(renderer, gizmo);
   for (const auto& organ : organs)
     handles->AddOccluder(organ->actor());
 }
@@ -161,12 +169,15 @@ OrganView::OrganView() : parts_(std::make_unique<Parts>()) {
   p.legend.setRenderer(p.renderer);
   p.constraint.setRenderer(p.renderer);
   p.regions.setRenderer(p.renderer);
+  p.mirrorPlane.setRenderer(p.renderer);
   p.widget->SetRepresentation(p.handles);
+  p.gizmoWidget->SetRepresentation(p.gizmo);
   p.motion->SetClientData(&p);
   p.motion->SetCallback([](vtkObject*, unsigned long event, void* parts, void*) {
     static_cast<Parts*>(parts)->moving = event == vtkCommand::StartInteractionEvent;
   });
   p.watchMotion(p.widget);
+  p.watchMotion(p.gizmoWidget);
   p.beforeWindow->SetClientData(&p);
   p.beforeWindow->SetCallback(
       [](vtkObject*, unsigned long, void* parts, void*) { static_cast<Parts*>(parts)->smoothEdges(); });
@@ -178,6 +189,7 @@ OrganView::OrganView() : parts_(std::make_unique<Parts>()) {
 OrganView::~OrganView() {
   // Whoever listens may be gone already: a drag that ends here is neither announced nor drawn.
   parts_->widget->RemoveAllObservers();
+  parts_->gizmoWidget->RemoveAllObservers();
   parts_->widget->SetRenderOnChange(false);
   setInteractor(nullptr);
   setWindow(nullptr);
@@ -209,6 +221,8 @@ void OrganView::setInteractor(vtkRenderWindowInteractor* interactor) {
   auto& p = *parts_;
   p.widget->SetEnabled(0);
   p.widget->SetInteractor(nullptr);
+  p.gizmoWidget->SetEnabled(0);
+  p.gizmoWidget->SetInteractor(nullptr);
   if (interactor) {
     const auto style = newInteractorStyle();
     style->SetDefaultRenderer(p.renderer);
@@ -218,6 +232,10 @@ void OrganView::setInteractor(vtkRenderWindowInteractor* interactor) {
     p.widget->SetDefaultRenderer(p.renderer);
     p.widget->SetCurrentRenderer(p.renderer);
     p.widget->SetEnabled(1);
+    p.gizmoWidget->SetInteractor(interactor);
+    p.gizmoWidget->SetDefaultRenderer(p.renderer);
+    p.gizmoWidget->SetCurrentRenderer(p.renderer);
+    p.gizmoWidget->SetEnabled(1);
   }
   p.putHandlesIntoRenderer();
 }
@@ -233,6 +251,8 @@ void OrganView::setTheme(const Theme& theme) {
   p.renderer->SetBackground2(theme.backgroundTop.data());
   p.handles->SetTheme(theme);
   p.constraint.setTheme(theme);
+  p.mirrorPlane.setTheme(theme);
+  p.gizmo->SetTheme(theme);
   p.legend.setTheme(theme);
   p.cube.setTheme(theme);
   p.scaleBar.setTheme(theme);
@@ -343,6 +363,15 @@ vtkVisceraHandleSetRepresentation* OrganView::handles() const {
 }
 vtkVisceraHandleSetWidget* OrganView::handleWidget() const {
   return parts_->widget;
+}
+vtkVisceraGizmoRepresentation* OrganView::gizmo() const {
+  return parts_->gizmo;
+}
+vtkVisceraGizmoWidget* OrganView::gizmoWidget() const {
+  return parts_->gizmoWidget;
+}
+MirrorPlaneGlyph& OrganView::mirrorPlane() {
+  return parts_->mirrorPlane;
 }
 ConstraintGlyph& OrganView::constraint() {
   return parts_->constraint;

@@ -32,6 +32,8 @@ constexpr double kOutlinePixels = 1.0;
 constexpr double kRimPixels = 3.0;
 /// Below this sine of the angle between ray and plane the point where they meet runs away from the cursor.
 constexpr double kGrazing = 0.25;
+/// Towards the plane's horizon a handle goes no farther than this many times its distance from the eye.
+constexpr double kFarthest = 2;
 const Vec3 kDefaultColor(0.95, 0.75, 0.25);
 
 } // namespace
@@ -330,14 +332,22 @@ bool vtkVisceraHandleSetRepresentation::SolveDrag(const double eventPosition[2],
   if (!p.constrained)
     return true;
 
-  const Ray ray = view.ray(x, y);
-  const double sine = p.constraint.dot(ray.direction);
-  if (std::abs(sine) < kGrazing) { // Seen from the edge: follow the cursor as far as the plane allows.
+  // Which of the two ways to follow the cursor does not change during a drag: that would be a jump.
+  const Vec3 sight = view.parallel ? view.forward : Vec3((start - view.eye).normalized());
+  const double sineAtStart = p.constraint.dot(sight);
+  if (std::abs(sineAtStart) < kGrazing) { // Seen from the edge: follow the cursor as far as the plane allows.
     position -= p.constraint.dot(position - start) * p.constraint;
     return true;
   }
+  const Ray ray = view.ray(x, y);
+  const double sine = p.constraint.dot(ray.direction);
+  if (sine * sineAtStart <= 0) // Beyond the plane's horizon.
+    return false;
   const double distance = p.constraint.dot(start - ray.origin) / sine;
   position = ray.origin + distance * ray.direction;
+  const double farthest = kFarthest * startDepth, moved = (position - start).norm();
+  if (moved > farthest)
+    position = start + farthest / moved * (position - start);
   return distance > 0 && (position - view.eye).dot(view.forward) > 0;
 }
 

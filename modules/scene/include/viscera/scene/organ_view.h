@@ -8,6 +8,7 @@
 #include "viscera/scene/constraint_glyph.h"
 #include "viscera/scene/ghost_outline.h"
 #include "viscera/scene/legend.h"
+#include "viscera/scene/mirror_plane_glyph.h"
 #include "viscera/scene/organ_actor.h"
 #include "viscera/scene/region_hulls.h"
 #include "viscera/scene/surface_pick.h"
@@ -16,6 +17,8 @@
 class vtkRenderer;
 class vtkRenderWindow;
 class vtkRenderWindowInteractor;
+class vtkVisceraGizmoRepresentation;
+class vtkVisceraGizmoWidget;
 class vtkVisceraHandleSetRepresentation;
 class vtkVisceraHandleSetWidget;
 
@@ -75,8 +78,12 @@ public:
 
   vtkVisceraHandleSetRepresentation* handles() const;
   vtkVisceraHandleSetWidget* handleWidget() const;
+  /// Turns and scales; hidden to begin with.
+  vtkVisceraGizmoRepresentation* gizmo() const;
+  vtkVisceraGizmoWidget* gizmoWidget() const;
   ConstraintGlyph& constraint();
   RegionHulls& regions();
+  MirrorPlaneGlyph& mirrorPlane();
   Legend& legend();
 
   void setOrientationCubeShown(bool shown);
