@@ -10,6 +10,7 @@
 #include <QStatusBar>
 #include <QToolBar>
 
+#include "viscera/scene/vtkVisceraGizmoWidget.h"
 #include "viscera/scene/vtkVisceraHandleSetWidget.h"
 #include "window/binding_messages.h"
 #include "window/panels/deform_page.h"
@@ -22,7 +23,9 @@
 #include "window/timeline/timeline_bar.h"
 #include "window/timeline/volume_panel.h"
 #include "window/view/click_tool.h"
+#include "window/view/gizmo_scene.h"
 #include "window/view/handle_scene.h"
+#include "window/view/motion_guide.h"
 #include "window/view/organ_scene.h"
 #include "window/view/region_scene.h"
 #include "window/view/view_area.h"
@@ -44,16 +47,19 @@ constexpr int kChartHeight = 140;
 MainWindow::MainWindow(Settings& settings, plugin::Registry registry, session::Player::Clock clock,
                        QWidget* parent)
     : QMainWindow(parent), settings_(settings), actions_(this), workspace_(std::move(registry)),
-      playback_(workspace_, std::move(clock)), volumes_(workspace_, playback_), groupLayout_(workspace_),
+      poses_(workspace_), playback_(workspace_, std::move(clock)), volumes_(workspace_, playback_),
+      groupLayout_(workspace_),
       placer_(workspace_), files_(new FileActions(workspace_, placer_, settings, this)),
       samples_(new SampleLoader(workspace_, placer_, playback_, this)), viewArea_(new ViewArea(this)) {
   setWindowTitle(tr("Viscera"));
   setDockOptions(AnimatedDocks | AllowNestedDocks);
   setCentralWidget(viewArea_);
   organScene_ = std::make_unique<OrganScene>(workspace_, viewArea_->view()->view());
-  handleScene_ = std::make_unique<HandleScene>(workspace_, viewArea_->view()->view());
+  handleScene_ = std::make_unique<HandleScene>(workspace_, poses_, viewArea_->view()->view());
   regionScene_ = std::make_unique<RegionScene>(workspace_, groupLayout_, viewArea_->view()->view());
-  clickTool_ = std::make_unique<ClickTool>(workspace_, *viewArea_->view(), *organScene_, *handleScene_);
+  makeDeformScene();
+  clickTool_ =
+      std::make_unique<ClickTool>(workspace_, *viewArea_->view(), *organScene_, *handleScene_, *gizmoScene_);
   bindingMessages_ = new BindingMessages(workspace_, viewArea_->messages(), this);
   makeFileActions();
   makeEditActions();
@@ -61,6 +67,7 @@ MainWindow::MainWindow(Settings& settings, plugin::Registry registry, session::P
   makeViewActions();
   makeHandleActions();
   makeRegionActions();
+  makeDeformActions();
   makeSequenceActions();
   makeHelpActions();
   makeDocks();
@@ -95,7 +102,7 @@ void MainWindow::makeDocks() {
     docks_.push_back(dock);
     return dock;
   };
-  organPanel_ = new OrganPanel(workspace_, volumes_);
+  organPanel_ = new OrganPanel(workspace_, poses_, volumes_);
   handlePanel_ = new HandlePanel(workspace_, placer_);
   for (const char* id : {"handles.addEnclosing", "handles.remove", "handles.influence", "handles.save"})
     handlePanel_->addTool(actions_[id]);
@@ -119,7 +126,7 @@ QWidget* MainWindow::makePages() {
   pages_ = new QStackedWidget;
   pages_->addWidget(scrolled(new ExplorePage(workspace_, actions_)));
   pages_->addWidget(scrolled(new HandlesPage(workspace_, groupLayout_, actions_)));
-  pages_->addWidget(scrolled(new DeformPage(workspace_, volumes_, actions_)));
+  pages_->addWidget(scrolled(new DeformPage(workspace_, poses_, volumes_, actions_)));
   pages_->addWidget(scrolled(new PlayPage(playback_, volumes_, actions_)));
   return pages_;
 }
@@ -209,6 +216,8 @@ void MainWindow::setMode(Mode mode) {
   rail_->setMode(mode);
   handleScene_->setMode(mode);
   regionScene_->setMode(mode);
+  gizmoScene_->setMode(mode);
+  motionGuide_->setMode(mode);
   clickTool_->setMode(mode);
   playback_.setMode(mode);
   pages_->setCurrentIndex(static_cast<int>(mode));
@@ -254,6 +263,8 @@ void MainWindow::escape() {
   vtkVisceraHandleSetWidget* widget = viewArea_->view()->view().handleWidget();
   if (widget->IsDragging())
     widget->CancelDrag();
+  else if (gizmoScene_->dragging())
+    viewArea_->view()->view().gizmoWidget()->CancelDrag();
   else if (shortcuts_->isVisible())
     shortcuts_->hide();
   else if (!viewArea_->messages()->isHidden())

@@ -9,6 +9,7 @@
 #include "window/group_layout.h"
 #include "window/handle_placer.h"
 #include "window/mode.h"
+#include "window/pose_editor.h"
 #include "window/sample_loader.h"
 #include "window/settings.h"
 #include "window/style/theme.h"
@@ -22,9 +23,11 @@ namespace viscera::app {
 
 class BindingMessages;
 class ClickTool;
+class GizmoScene;
 class HandlePanel;
 class HandleScene;
 class ModeRail;
+class MotionGuide;
 class OrganPanel;
 class OrganScene;
 class PanelDock;
@@ -51,6 +54,8 @@ public:
 
   Workspace& workspace() { return workspace_; }
   Playback& playback() { return playback_; }
+  PoseEditor& poses() { return poses_; }
+  const VolumeMonitor& volumes() const { return volumes_; }
   FileActions& files() { return *files_; }
   SampleLoader& samples() { return *samples_; }
   ViewArea& viewArea() { return *viewArea_; }
@@ -91,6 +96,11 @@ private:
   void makeSequenceActions();
   void makeHelpActions();
   void syncActions();
+  // main_window_deform.cpp
+  void makeDeformScene();
+  void makeDeformActions();
+  void makeMirrorActions();
+  void syncDeformActions();
   // main_window_menus.cpp
   void makeMenus();
   void fillRecentMenu();
@@ -100,6 +110,7 @@ private:
   Settings& settings_;
   Actions actions_;
   Workspace workspace_;
+  PoseEditor poses_;
   Playback playback_;
   VolumeMonitor volumes_;
   GroupLayout groupLayout_;
@@ -110,6 +121,8 @@ private:
   std::unique_ptr<OrganScene> organScene_;
   std::unique_ptr<HandleScene> handleScene_;
   std::unique_ptr<RegionScene> regionScene_;
+  std::unique_ptr<GizmoScene> gizmoScene_;
+  std::unique_ptr<MotionGuide> motionGuide_;
   std::unique_ptr<ClickTool> clickTool_;
   BindingMessages* bindingMessages_ = nullptr;
   ModeRail* rail_ = nullptr;

@@ -52,7 +52,7 @@ void MainWindow::makeEditActions() {
                 "reset",
                 {tr("Ctrl+Shift+R")},
                 tr("Put the selected handles back to rest")},
-               [this] { workspace_.perform(session::resetHandles(workspace_.selection().handles())); });
+               [this] { poses_.reset(workspace_.selection().handles()); });
   actions_.add("edit.selectAll", {tr("Select &all handles"), nullptr, {QKeySequence::SelectAll}, {}}, [this] {
     std::vector<session::HandleId> all;
     for (const session::Handle& handle : workspace_.document().rig().handles)
@@ -238,6 +238,7 @@ void MainWindow::syncActions() {
   const bool handles = !workspace_.document().rig().handles.empty();
   actions_["handles.save"]->setEnabled(handles);
   actions_["edit.selectAll"]->setEnabled(handles);
+  syncDeformActions();
 }
 
 } // namespace viscera::app

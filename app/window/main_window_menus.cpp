@@ -40,10 +40,13 @@ void MainWindow::makeMenus() {
   fill(theme, {"theme.dark", "theme.light"});
   QMenu* organ = menuBar()->addMenu(tr("&Organ"));
   organ->addMenu(sampleMenu_);
-  fill(organ, {"", "organ.rename", "organ.remove", "", "file.export"});
+  fill(organ, {"", "volume.lock", "volume.restore", "", "organ.rename", "organ.remove", "", "file.export"});
   QMenu* handles = menuBar()->addMenu(tr("&Handles"));
   fill(handles, {"handles.place", "handles.addEnclosing", "handles.remove", "", "handles.influence",
                  "handles.regions", "handles.zones", "handles.superRegions", "", "handles.save"});
+  fill(handles, {"", "handles.gizmo", "handles.compensate"});
+  QMenu* mirror = handles->addMenu(icon("mirror"), tr("&Mirror drags"));
+  fill(mirror, {"mirror.off", "mirror.sagittal", "mirror.coronal", "mirror.axial", "", "mirror.next"});
   QMenu* sequence = menuBar()->addMenu(tr("&Sequence"));
   fill(sequence, {"play.toggle", "play.start", "play.back", "play.forward", "", "play.loop"});
   QMenu* help = menuBar()->addMenu(tr("&Help"));
@@ -102,9 +105,11 @@ void MainWindow::startTour() {
             "Delete to remove it. Everything is bound anew at once. I shows how far a handle reaches."),
          [this] { setMode(Mode::handles); }},
         {tr("Deform"),
-         tr("Drag a handle and the organ follows; its volume is in the status bar. Ctrl+Z takes any change "
-            "back, G shows "
-            "the rest shape as an outline, Reset pose puts everything back."),
+         tr("Drag a handle and the organ follows; its volume is in the status bar. The padlock in the list "
+            "on "
+            "the left (K) keeps the volume whatever you do. T turns and scales selected handles, M mirrors "
+            "drags. "
+            "Ctrl+Z takes any change back, G shows the rest shape as an outline."),
          [this] { setMode(Mode::deform); }},
         {tr("Your own organs"),
          tr("Open surfaces (STL, OBJ, PLY, OFF, VTK, VTP, GLB) with Ctrl+O or drop them here; they get "

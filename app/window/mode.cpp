@@ -19,7 +19,7 @@ std::vector<ModeDescription> modeDescriptions() {
        translated(
            "Click the organ to add a handle, drag to move it, Delete removes it; the rest shape stays")},
       {Mode::deform, "deform", "deform", 3, translated("Deform"),
-       translated("Drag a handle and the organ follows; Ctrl+Z takes it back")},
+       translated("Drag a handle and the organ follows; K locks the volume, T turns and scales, M mirrors")},
       {Mode::play, "play", "beat", 5, translated("Play"),
        translated("Space plays or pauses; drag the timeline to look at one instant")},
   };

@@ -48,11 +48,12 @@ void StatusLine::syncVolume() {
   const session::OrganVolume volume = workspace_.live().volume(organ->id);
   if (!volume.closed)
     return volume_->setText(tr("%1: open surface, no volume").arg(text(organ->name)));
-  const double percent = 100 * volume.relativeChange();
-  volume_->setText(tr("%1  %2  (%3%4 %)")
-                       .arg(text(organ->name), formatMilliliters(volume.nowMl),
-                            percent < -0.05 ? QString() : QStringLiteral("+"))
-                       .arg(std::abs(percent) < 0.05 ? 0.0 : percent, 0, 'f', 1));
+  QString line = tr("%1  %2  (%3, %4)")
+                     .arg(text(organ->name), formatMilliliters(volume.nowMl), formatChange(volume),
+                          formatRelativeChange(volume));
+  if (organ->volumeLocked)
+    line += tr("  locked");
+  volume_->setText(line);
 }
 
 QString StatusLine::bindingText() const {

@@ -65,6 +65,24 @@ QString asSentence(const std::string& utf8) {
   return sentence.endsWith(QLatin1Char('.')) ? sentence : sentence + QLatin1Char('.');
 }
 
+namespace {
+
+QString withSign(double value, int decimals) {
+  const double half = 0.5 * std::pow(10.0, -decimals);
+  const double shown = std::abs(value) < half ? 0.0 : value;
+  return (shown >= 0 ? QStringLiteral("+") : QString()) + QString::number(shown, 'f', decimals);
+}
+
+} // namespace
+
+QString formatChange(const session::OrganVolume& volume) {
+  return QObject::tr("%1 ml").arg(withSign(volume.changeMl(), std::abs(volume.restMl) < 10 ? 3 : 1));
+}
+
+QString formatRelativeChange(const session::OrganVolume& volume) {
+  return QObject::tr("%1 %").arg(withSign(100 * volume.relativeChange(), 1));
+}
+
 QString formatMilliliters(double milliliters) {
   const int decimals = std::abs(milliliters) < 1 ? 3 : std::abs(milliliters) < 1000 ? 1 : 0;
   return QObject::tr("%1 ml").arg(milliliters, 0, 'f', decimals);

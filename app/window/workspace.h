@@ -67,6 +67,9 @@ QString formatMilliliters(double milliliters);
 
 /// What a module says, as a sentence: with a capital and a full stop.
 QString asSentence(const std::string& utf8);
+/// The change of a volume: "+12.3 ml" and "+1.3 %". One too small for the digits is "+0.0".
+QString formatChange(const session::OrganVolume& volume);
+QString formatRelativeChange(const session::OrganVolume& volume);
 
 /// From UTF-8 and back.
 inline QString text(const std::string& utf8) {

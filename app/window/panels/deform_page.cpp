@@ -1,35 +1,92 @@
 #include "window/panels/deform_page.h"
 
+#include <QComboBox>
 #include <QLabel>
+#include <QSignalBlocker>
 
+#include "window/panels/displacement_box.h"
 #include "window/panels/position_box.h"
+#include "window/panels/volume_box.h"
 
 namespace viscera::app {
+namespace {
 
-DeformPage::DeformPage(Workspace& workspace, VolumeMonitor& volumes, const Actions& actions, QWidget* parent)
-    : Page(parent), workspace_(workspace) {
+/// "H-3, H-7", or how many there are when that would be long.
+QString namesOf(const session::Rig& rig, const std::vector<session::HandleId>& handles) {
+  constexpr std::size_t kMostNames = 4;
+  if (handles.size() > kMostNames)
+    return DeformPage::tr("%n {handle|handles}", nullptr, static_cast<int>(handles.size()));
+  QStringList names;
+  for (const session::HandleId id : handles)
+    if (const int row = rig.indexOf(id); row >= 0)
+      names.push_back(text(rig.handles[static_cast<std::size_t>(row)].label));
+  return names.join(QStringLiteral(", "));
+}
+
+} // namespace
+
+DeformPage::DeformPage(Workspace& workspace, PoseEditor& poses, VolumeMonitor& volumes,
+                       const Actions& actions, QWidget* parent)
+    : Page(parent), workspace_(workspace), poses_(poses) {
   addSection(tr("Volume"));
   now_ = addFact(tr("Now"));
   rest_ = addFact(tr("At rest"));
   change_ = addFact(tr("Change"));
   farthest_ = addFact(tr("Largest shift"));
   farthest_->setToolTip(tr("How far the organ's surface has moved from rest, at most"));
+  addCheck(actions["volume.lock"]);
+  add(volume_ = new VolumeBox(workspace, poses, this));
+  addButton(actions["volume.restore"]);
+  addSection(tr("Selected handles"));
+  add(new PositionBox(workspace, PositionBox::Of::pose, this, &poses));
+  add(new DisplacementBox(workspace, poses, this));
+  addCheck(actions["handles.gizmo"]);
+  addCheck(actions["handles.compensate"]);
+  compensating_ = addFact(tr("Compensating"));
+  compensating_->setToolTip(
+      tr("These handles make up for what the others change of a locked volume. Where none "
+         "is marked, a dragged handle stays in a plane, and after other motions all free "
+         "handles make up for it."));
+  addSection(tr("Symmetric drags"));
+  addMirror();
   addSection(tr("Pose"));
   moved_ = addFact(tr("Handles moved"));
   addButton(actions["pose.reset"]);
   addButton(actions["pose.resetSelected"]);
   addCheck(actions["view.ghost"]);
   addCheck(actions["handles.influence"]);
-  addSection(tr("Handle in the pose"));
-  add(new PositionBox(workspace, PositionBox::Of::pose, this));
   finish();
   connect(&volumes, &VolumeMonitor::updated, this, &DeformPage::sync);
+  connect(&poses, &PoseEditor::mirrorChanged, this, &DeformPage::syncHandles);
   subscriptions_.push_back(workspace.onChange([this](const session::Change& change) {
     if (!change.interactive)
       sync();
+    if (change.rig() || change.organs())
+      syncHandles();
   }));
-  subscriptions_.push_back(workspace.selection().onChange([this] { sync(); }));
+  subscriptions_.push_back(workspace.selection().onChange([this] {
+    sync();
+    syncHandles();
+  }));
   sync();
+  syncHandles();
+}
+
+void DeformPage::addMirror() {
+  mirror_ = new QComboBox(this);
+  mirror_->setObjectName(QStringLiteral("mirror"));
+  mirror_->setAccessibleName(tr("Mirror plane"));
+  mirror_->addItems({tr("Off"), tr("Sagittal plane (left and right)"), tr("Coronal plane (front and back)"),
+                     tr("Axial plane (head and feet)")});
+  mirror_->setToolTip(
+      tr("Drags move the mirrored handles too; the plane goes through the middle of the organ at "
+         "rest (M: the next one)"));
+  mirror_->setMinimumContentsLength(8);
+  mirror_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  add(mirror_);
+  partners_ = addFact(tr("Moves along"));
+  connect(mirror_, QOverload<int>::of(&QComboBox::activated), this,
+          [this](int index) { poses_.setMirror(static_cast<Mirror>(index)); });
 }
 
 void DeformPage::sync() {
@@ -38,19 +95,33 @@ void DeformPage::sync() {
   const session::OrganVolume volume = organ ? workspace_.live().volume(organ->id) : session::OrganVolume();
   now_->setText(volume.closed ? formatMilliliters(volume.nowMl) : none);
   rest_->setText(volume.closed ? formatMilliliters(volume.restMl) : none);
-  change_->setText(volume.closed ? tr("%1%2 ml (%3 %)")
-                                       .arg(volume.changeMl() > 0 ? QStringLiteral("+") : QString())
-                                       .arg(volume.changeMl(), 0, 'f', 1)
-                                       .arg(100 * volume.relativeChange(), 0, 'f', 1)
+  change_->setText(volume.closed ? tr("%1 (%2)").arg(formatChange(volume), formatRelativeChange(volume))
                                  : none);
   deformation::Deformer* deformer = organ ? workspace_.live().deformer(organ->id) : nullptr;
   farthest_->setText(deformer ? tr("%1 mm").arg(deformer->maxDisplacementMm(), 0, 'f', 1) : none);
+  volume_->sync();
   const Points rest = workspace_.document().rig().restPositions();
   const Points& pose = workspace_.document().pose();
   int moved = 0;
   for (Eigen::Index row = 0; row < pose.rows(); ++row)
     moved += pose.row(row) != rest.row(row);
   moved_->setText(tr("%1 of %2").arg(moved).arg(pose.rows()));
+}
+
+void DeformPage::syncHandles() {
+  const session::Rig& rig = workspace_.document().rig();
+  std::vector<session::HandleId> marked;
+  for (const session::Handle& handle : rig.handles)
+    if (handle.compensates)
+      marked.push_back(handle.id);
+  compensating_->setText(marked.empty() ? tr("all that are free") : namesOf(rig, marked));
+  const QSignalBlocker quiet(mirror_);
+  mirror_->setCurrentIndex(static_cast<int>(poses_.mirror()));
+  const bool selected = !workspace_.selection().handles().empty();
+  const auto partners = poses_.partnersOfSelection();
+  partners_->setText(poses_.mirror() == Mirror::off || !selected ? QStringLiteral("-")
+                     : partners.empty()                          ? tr("no handle is near the mirror image")
+                                                                 : namesOf(rig, partners));
 }
 
 } // namespace viscera::app

@@ -1,29 +1,42 @@
 #pragma once
 
 #include "window/actions.h"
+#include "window/pose_editor.h"
 #include "window/timeline/volume_monitor.h"
 #include "window/widgets/page.h"
 #include "window/workspace.h"
 
+class QComboBox;
+
 namespace viscera::app {
 
-/// Deform: the volume as it changes, back to rest, the ghost of the rest shape, and the place of the current
-/// handle.
+class VolumeBox;
+
+/// Deform: the volume as it changes, its lock and target, where the selected handles go by number, who
+/// compensates, the mirror, back to rest.
 class DeformPage final : public Page {
   Q_OBJECT
 
 public:
-  DeformPage(Workspace& workspace, VolumeMonitor& volumes, const Actions& actions, QWidget* parent = nullptr);
+  DeformPage(Workspace& workspace, PoseEditor& poses, VolumeMonitor& volumes, const Actions& actions,
+             QWidget* parent = nullptr);
 
 private:
+  void addMirror();
   void sync();
+  void syncHandles();
 
   Workspace& workspace_;
+  PoseEditor& poses_;
+  VolumeBox* volume_ = nullptr;
   QLabel* now_ = nullptr;
   QLabel* rest_ = nullptr;
   QLabel* change_ = nullptr;
   QLabel* moved_ = nullptr;
   QLabel* farthest_ = nullptr;
+  QLabel* compensating_ = nullptr;
+  QLabel* partners_ = nullptr;
+  QComboBox* mirror_ = nullptr;
   std::vector<session::Subscription> subscriptions_;
 };
 

@@ -8,6 +8,9 @@
 #include <QTreeWidget>
 #include <QVBoxLayout>
 
+#include <algorithm>
+#include <cmath>
+
 #include "viscera/session/organ_commands.h"
 #include "window/panels/color_palette.h"
 #include "window/style/icon.h"
@@ -16,8 +19,13 @@
 namespace viscera::app {
 namespace {
 
-enum Column { kEye, kName, kVolume, kColumns };
+enum Column { kEye, kName, kVolume, kChange, kLock, kColumns };
 constexpr int kSwatchWidth = 24;
+/// A change above this is shown in the accent's colour, relative.
+constexpr double kNoticed = 5e-4;
+constexpr double kSmall = 0.85;
+constexpr int kRowMargin = 2;
+constexpr int kIconSize = 16;
 
 QTreeWidget* makeList(QWidget* parent) {
   auto* list = new QTreeWidget(parent);
@@ -36,15 +44,18 @@ QTreeWidget* makeList(QWidget* parent) {
   list->header()->setSectionResizeMode(kEye, QHeaderView::Fixed);
   list->header()->setSectionResizeMode(kName, QHeaderView::Stretch);
   list->header()->setSectionResizeMode(kVolume, QHeaderView::ResizeToContents);
+  list->header()->setSectionResizeMode(kChange, QHeaderView::ResizeToContents);
+  list->header()->setSectionResizeMode(kLock, QHeaderView::Fixed);
   list->setColumnWidth(kEye, 32);
+  list->setColumnWidth(kLock, 30);
   list->setMinimumHeight(84);
   return list;
 }
 
 } // namespace
 
-OrganPanel::OrganPanel(Workspace& workspace, VolumeMonitor& volumes, QWidget* parent)
-    : QWidget(parent), workspace_(workspace), volumes_(volumes), list_(makeList(this)),
+OrganPanel::OrganPanel(Workspace& workspace, PoseEditor& poses, VolumeMonitor& volumes, QWidget* parent)
+    : QWidget(parent), workspace_(workspace), poses_(poses), volumes_(volumes), list_(makeList(this)),
       empty_(new QLabel(this)), opacity_(new ValueSlider(tr("Opacity"), {0, 100, 1, 0, tr(" %")}, this)) {
   setObjectName(QStringLiteral("panel"));
   auto* column = new QVBoxLayout(this);
@@ -110,6 +121,12 @@ void OrganPanel::rebuild() {
       item->setFlags(item->flags() | Qt::ItemIsEditable);
       item->setData(kName, Qt::UserRole, static_cast<qlonglong>(organ->id.value));
       item->setTextAlignment(kVolume, Qt::AlignRight | Qt::AlignVCenter);
+      item->setTextAlignment(kChange, Qt::AlignRight | Qt::AlignVCenter);
+      QFont small = list_->font();
+      small.setPointSizeF(kSmall * small.pointSizeF());
+      item->setFont(kChange, small);
+      // All rows are as high as the first: two small lines have to fit also where there is none yet.
+      item->setSizeHint(kEye, QSize(0, 2 * QFontMetrics(small).lineSpacing() + kRowMargin));
       items_[organ->id] = item;
     }
     list_->expandAll();
@@ -133,7 +150,26 @@ void OrganPanel::updateRow(const session::Organ& organ, QTreeWidgetItem* item) {
                     .arg(text(organ.name));
   for (const std::string& warning : organ.warnings)
     tip += QStringLiteral("\n") + text(warning);
+  updateLock(organ, item);
   item->setToolTip(kName, tip + tr("\nDouble click or F2 renames; a click on the square changes the colour"));
+}
+
+void OrganPanel::updateLock(const session::Organ& organ, QTreeWidgetItem* item) {
+  // Only what is locked is to catch the eye.
+  const QPixmap open = icon("unlock").pixmap(kIconSize, QIcon::Disabled);
+  item->setIcon(kLock, organ.volumeLocked ? icon("lock") : QIcon(open));
+  if (!organ.closed())
+    return item->setToolTip(kLock, tr("An open surface has no volume that could be locked; a click offers to "
+                                      "close it"));
+  QString tip = organ.volumeLocked
+                    ? tr("The volume is locked: nothing in Deform mode changes it (click or K)")
+                    : tr("Lock the volume (click or K)");
+  const session::OrganList& all = workspace_.document().organs();
+  if (std::any_of(all.begin(), all.end(), [&organ](const auto& other) { return other->parent == organ.id; }))
+    tip += tr("\nThis is the volume within the outer surface; cavities have locks of their own");
+  else if (organ.parent)
+    tip += tr("\nThis is the volume of the cavity; the wall around it has a lock of its own");
+  item->setToolTip(kLock, tip);
 }
 
 void OrganPanel::updateVolumes() {
@@ -143,9 +179,19 @@ void OrganPanel::updateVolumes() {
     if (found == items_.end())
       continue;
     const session::OrganVolume volume = workspace_.live().volume(organ->id);
-    found->second->setText(kVolume, volume.closed ? formatMilliliters(volume.nowMl) : tr("open"));
-    found->second->setToolTip(kVolume, volume.closed ? tr("%1 at rest").arg(formatMilliliters(volume.restMl))
-                                                     : tr("An open surface encloses no volume"));
+    QTreeWidgetItem* item = found->second;
+    item->setText(kVolume, volume.closed ? formatMilliliters(volume.nowMl) : tr("open"));
+    const bool changed = volume.closed && std::abs(volume.relativeChange()) >= kNoticed;
+    item->setText(kChange, changed ? formatChange(volume) + QLatin1Char('\n') + formatRelativeChange(volume)
+                                   : QString());
+    const QPalette& colors = list_->palette();
+    item->setForeground(kChange, organ->volumeLocked ? colors.placeholderText() : colors.link());
+    const QString tip = !volume.closed ? tr("An open surface encloses no volume")
+                                       : tr("%1 at rest, %2 (%3) now")
+                                             .arg(formatMilliliters(volume.restMl), formatChange(volume),
+                                                  formatRelativeChange(volume));
+    item->setToolTip(kVolume, tip);
+    item->setToolTip(kChange, tip);
   }
 }
 
@@ -162,6 +208,11 @@ void OrganPanel::onClicked(QTreeWidgetItem* item, int column) {
   if (column == kEye) {
     changeLook(organ, [](session::OrganLook& look) { look.visible = !look.visible; });
     workspace_.undo().seal();
+    return;
+  }
+  if (column == kLock) {
+    if (const auto present = workspace_.document().organ(organ))
+      poses_.setLocked(organ, !present->volumeLocked);
     return;
   }
   const QRect row = list_->visualItemRect(item);
@@ -206,6 +257,17 @@ void OrganPanel::chooseColorOf(session::OrganId organ, const QPoint& globalPlace
       [this] { workspace_.undo().seal(); });
 }
 
+void OrganPanel::changeEvent(QEvent* event) {
+  QWidget::changeEvent(event);
+  // Another theme: colours that were taken from the last one are taken anew.
+  if (event->type() == QEvent::PaletteChange && list_) {
+    for (const auto& organ : workspace_.document().organs())
+      if (const auto found = items_.find(organ->id); found != items_.end())
+        updateRow(*organ, found->second);
+    updateVolumes();
+  }
+}
+
 void OrganPanel::contextMenuEvent(QContextMenuEvent* event) {
   QTreeWidgetItem* item = list_->itemAt(list_->viewport()->mapFromGlobal(event->globalPos()));
   if (!item)
@@ -225,6 +287,11 @@ void OrganPanel::contextMenuEvent(QContextMenuEvent* event) {
       changeLook(organ, [](session::OrganLook& look) { look.vertexColors = true; });
       workspace_.undo().seal();
     });
+  if (present)
+    connect(menu->addAction(icon(present->volumeLocked ? "unlock" : "lock"),
+                            present->volumeLocked ? tr("Unlock volume") : tr("Lock volume")),
+            &QAction::triggered, this,
+            [this, organ, lock = !present->volumeLocked] { poses_.setLocked(organ, lock); });
   menu->addSeparator();
   connect(menu->addAction(icon("remove"), tr("Remove organ")), &QAction::triggered, this,
           [this, organ] { workspace_.perform(session::removeOrgans({organ})); });

@@ -4,6 +4,7 @@
 
 #include <map>
 
+#include "window/pose_editor.h"
 #include "window/timeline/volume_monitor.h"
 #include "window/workspace.h"
 
@@ -15,13 +16,13 @@ namespace viscera::app {
 
 class ValueSlider;
 
-/// The organs of the document: eye, colour, name, volume, and the opacity of the selected one. Cavities stand
-/// under their organ.
+/// The organs of the document: eye, colour, name, volume and its change, padlock, and the opacity of the
+/// selected one. Cavities stand under their organ.
 class OrganPanel final : public QWidget {
   Q_OBJECT
 
 public:
-  OrganPanel(Workspace& workspace, VolumeMonitor& volumes, QWidget* parent = nullptr);
+  OrganPanel(Workspace& workspace, PoseEditor& poses, VolumeMonitor& volumes, QWidget* parent = nullptr);
 
   /// Opens the name of the selected organ for editing.
   void editName();
@@ -30,11 +31,13 @@ Q_SIGNALS:
   void focusRequested(viscera::session::OrganId organ);
 
 protected:
+  void changeEvent(QEvent* event) override;
   void contextMenuEvent(QContextMenuEvent* event) override;
 
 private:
   void rebuild();
   void updateRow(const session::Organ& organ, QTreeWidgetItem* item);
+  void updateLock(const session::Organ& organ, QTreeWidgetItem* item);
   void updateVolumes();
   void syncSelection();
   void onClicked(QTreeWidgetItem* item, int column);
@@ -44,8 +47,9 @@ private:
   session::OrganId organOf(const QTreeWidgetItem* item) const;
 
   Workspace& workspace_;
+  PoseEditor& poses_;
   VolumeMonitor& volumes_;
-  QTreeWidget* list_;
+  QTreeWidget* list_ = nullptr;
   QLabel* empty_;
   ValueSlider* opacity_;
   std::map<session::OrganId, QTreeWidgetItem*> items_;

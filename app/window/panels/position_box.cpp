@@ -13,8 +13,8 @@ namespace {
 constexpr double kFarthest = 10000;
 } // namespace
 
-PositionBox::PositionBox(Workspace& workspace, Of what, QWidget* parent)
-    : QWidget(parent), workspace_(workspace), what_(what), title_(new QLabel(this)),
+PositionBox::PositionBox(Workspace& workspace, Of what, QWidget* parent, PoseEditor* poses)
+    : QWidget(parent), workspace_(workspace), what_(what), poses_(poses), title_(new QLabel(this)),
       fieldBox_(new QWidget(this)) {
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
@@ -94,6 +94,10 @@ void PositionBox::commit() {
     const double shown = QString::number(place[axis], 'f', fields_[axis]->decimals()).toDouble();
     if (fields_[axis]->value() != shown)
       place[axis] = fields_[axis]->value();
+  }
+  if (what_ == Of::pose && poses_) {
+    poses_->moveBy({id}, place - present(row));
+    return sync(); // The place may be another one than was typed: as near as the locked volumes allow.
   }
   Points positions = place.transpose();
   if (!workspace_.perform(what_ == Of::rest ? session::moveRestHandles({id}, positions)

@@ -4,6 +4,7 @@
 
 #include <array>
 
+#include "window/pose_editor.h"
 #include "window/workspace.h"
 
 class QDoubleSpinBox;
@@ -18,7 +19,8 @@ class PositionBox final : public QWidget {
 public:
   enum class Of { rest, pose };
 
-  PositionBox(Workspace& workspace, Of what, QWidget* parent = nullptr);
+  /// `poses` keeps the locked volumes when a place in the pose is typed; not needed for places at rest.
+  PositionBox(Workspace& workspace, Of what, QWidget* parent = nullptr, PoseEditor* poses = nullptr);
 
 private:
   void sync();
@@ -27,6 +29,7 @@ private:
 
   Workspace& workspace_;
   Of what_;
+  PoseEditor* poses_;
   QLabel* title_;
   std::array<QDoubleSpinBox*, 3> fields_{};
   QWidget* fieldBox_;

@@ -2,12 +2,16 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 namespace viscera::app {
 namespace {
 constexpr int kUpdateMilliseconds = 100;
 /// Rows kept: two minutes at 60 frames a second.
 constexpr std::size_t kRows = 7200;
+/// The last minute of drags.
+constexpr std::size_t kDragRows = 600;
+constexpr double kMillisecond = 1e-3;
 } // namespace
 
 VolumeMonitor::VolumeMonitor(Workspace& workspace, Playback& playback, QObject* parent)
@@ -26,6 +30,9 @@ VolumeMonitor::VolumeMonitor(Workspace& workspace, Playback& playback, QObject* 
   subscriptions_.push_back(workspace.onChange([this](const session::Change& change) {
     if (change.organs())
       rebuild();
+    const bool moved = change.pose() && !change.rig() && !change.organs();
+    if (moved || (dragging_ && !change.interactive))
+      sampleDrag(change.interactive);
   }));
   subscriptions_.push_back(workspace.live().onEvent([this](const session::LiveEvent&) {
     if (!throttle_.isActive())
@@ -50,7 +57,8 @@ void VolumeMonitor::rebuild() {
   if (std::equal(lines.begin(), lines.end(), lines_.begin(), lines_.end(), same))
     return;
   lines_ = std::move(lines);
-  record_ = session::VolumeRecord(std::move(names), kRows);
+  record_ = session::VolumeRecord(names, kRows);
+  drags_ = session::VolumeRecord(std::move(names), kDragRows);
   extremes_.clear();
   refresh();
   Q_EMIT linesChanged();
@@ -90,6 +98,33 @@ void VolumeMonitor::sample() {
   const bool again = record_.rows() > 0 && record_.seconds(record_.rows() - 1) == player.playedSeconds();
   if (!row.empty() && !again)
     record_.add(player.playedSeconds(), row);
+  if (!throttle_.isActive())
+    throttle_.start();
+}
+
+/// A row for the pose as it is now. What leads up to the first one is the pose before.
+void VolumeMonitor::sampleDrag(bool goesOn) {
+  const bool begins = goesOn && !std::exchange(dragging_, goesOn);
+  dragging_ = goesOn;
+  if (goesOn && !begins && sinceDragged_.elapsed() < kUpdateMilliseconds)
+    return;
+  const double step = kMillisecond * kUpdateMilliseconds;
+  const double passed =
+      begins || !sinceDragged_.isValid() ? step : kMillisecond * static_cast<double>(sinceDragged_.elapsed());
+  const double last = drags_.rows() > 0 ? drags_.seconds(drags_.rows() - 1) : 0.0;
+  std::vector<double> row;
+  for (const Line& line : lines_)
+    row.push_back(line.nowMl);
+  if (row.empty())
+    return;
+  if (drags_.rows() == 0)
+    drags_.add(0, row);
+  refresh();
+  for (std::size_t line = 0; line < lines_.size(); ++line)
+    row[line] = lines_[line].nowMl;
+  // Who holds still for a while does not stretch the chart.
+  drags_.add(last + std::clamp(passed, 0.2 * step, 2 * step), row);
+  sinceDragged_.start();
   if (!throttle_.isActive())
     throttle_.start();
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QElapsedTimer>
 #include <QObject>
 #include <QTimer>
 
@@ -14,8 +15,8 @@
 
 namespace viscera::app {
 
-/// Follows the volumes of the organs that are tracked: now, and over the time of a sequence. Tells at most
-/// ten times a second that there is something new.
+/// Follows the volumes of the organs that are tracked: now, over the time of a sequence, and over the time in
+/// which handles were dragged. Tells at most ten times a second that there is something new.
 class VolumeMonitor final : public QObject {
   Q_OBJECT
 
@@ -35,6 +36,9 @@ public:
   const std::vector<Line>& lines() const { return lines_; }
   /// The record of the sequence as played; one column a line.
   const session::VolumeRecord& record() const { return record_; }
+  /// The record of the last changes of the pose, ten rows a second while one goes on: time stands still
+  /// between them. One column a line.
+  const session::VolumeRecord& drags() const { return drags_; }
   /// Of a cavity, since the motion began or its rate changed; none before one whole beat was played.
   std::optional<session::CardiacIndices> indices(std::size_t line) const;
   /// The smallest and the largest volume since then, ml; none before one whole beat was played.
@@ -51,6 +55,7 @@ Q_SIGNALS:
 private:
   void rebuild();
   void sample();
+  void sampleDrag(bool goesOn);
   /// Forgets what was recorded.
   void restart();
   /// Whether one whole beat was seen since.
@@ -60,6 +65,9 @@ private:
   Playback& playback_;
   std::vector<Line> lines_;
   session::VolumeRecord record_;
+  session::VolumeRecord drags_;
+  QElapsedTimer sinceDragged_; ///< Since the last row of a drag that goes on.
+  bool dragging_ = false;
   std::vector<scene::ValueRange> extremes_; ///< For each line; frames do not meet the extremes in every beat.
   double sampledSince_ = 0;
   double sampledRate_ = 0;

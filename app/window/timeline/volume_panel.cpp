@@ -7,6 +7,7 @@
 #include <QStackedLayout>
 
 #include <algorithm>
+#include <utility>
 
 #include <vtkGenericOpenGLRenderWindow.h>
 #include <vtkNew.h>
@@ -14,6 +15,7 @@
 namespace viscera::app {
 namespace {
 constexpr double kShownSeconds = 5;
+constexpr double kShownDragSeconds = 12;
 constexpr int kTileWidth = 148;
 } // namespace
 
@@ -39,7 +41,9 @@ VolumePanel::VolumePanel(VolumeMonitor& monitor, Playback& playback, QWidget* pa
   scroll->setWidget(tileArea_);
   row->addWidget(scroll);
   row->addLayout(stack_, 1);
-  auto* hint = new QLabel(tr("Volumes over time are drawn here while a sequence plays (Space)."), this);
+  auto* hint = new QLabel(
+      tr("Volumes over time are drawn here while a sequence plays (Space) or handles are dragged (3)."),
+      this);
   hint->setObjectName(QStringLiteral("muted"));
   hint->setAlignment(Qt::AlignCenter);
   hint->setWordWrap(true);
@@ -141,6 +145,19 @@ QString VolumePanel::detailOf(std::size_t line) const {
   return tr("%1 % of rest").arg(100 * shown.nowMl / shown.restMl, 0, 'f', 1);
 }
 
+const session::VolumeRecord& VolumePanel::shownRecord() {
+  const bool drags = !playback_.showing();
+  const session::VolumeRecord& record = drags ? monitor_.drags() : monitor_.record();
+  if (std::exchange(shown_, &record) != &record) {
+    chart_->clear();
+    charted_ = 0;
+    chart_->setAxes((drags ? tr("Time dragged") : tr("Time")).toStdString(), "s", tr("Volume").toStdString(),
+                    "ml");
+    chart_->setTimeSpan(drags ? kShownDragSeconds : kShownSeconds);
+  }
+  return record;
+}
+
 void VolumePanel::refresh() {
   for (std::size_t line = 0; line < tiles_.size(); ++line) {
     tiles_[line].value->setText(formatMilliliters(monitor_.lines()[line].nowMl));
@@ -148,7 +165,7 @@ void VolumePanel::refresh() {
   }
   if (!isVisible())
     return;
-  const session::VolumeRecord& record = monitor_.record();
+  const session::VolumeRecord& record = shownRecord();
   const std::size_t rows = record.rows();
   stack_->setCurrentIndex(rows < 2 ? 0 : 1);
   if (rows == 0 || rows < charted_ || record.seconds(rows - 1) < chartedUntil_) {

@@ -37,6 +37,8 @@ private:
 
   void rebuild();
   void refresh();
+  /// What the chart shows: the sequence, or the drags when none is on show.
+  const session::VolumeRecord& shownRecord();
   Tile addTile(const VolumeMonitor::Line& line);
   QString detailOf(std::size_t line) const;
 
@@ -48,6 +50,7 @@ private:
   QWidget* tileBox_ = nullptr;
   QWidget* tileArea_;
   std::vector<Tile> tiles_;
+  const session::VolumeRecord* shown_ = nullptr;
   std::size_t charted_ = 0; ///< Rows of the record that the chart has.
   double chartedUntil_ = 0;
 };

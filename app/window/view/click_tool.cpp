@@ -6,13 +6,14 @@
 namespace viscera::app {
 
 ClickTool::ClickTool(Workspace& workspace, ViewWidget& view, OrganScene& organs, HandleScene& handles,
-                     QObject* parent)
-    : QObject(parent), workspace_(workspace), view_(view), organs_(organs), handles_(handles) {
+                     GizmoScene& gizmo, QObject* parent)
+    : QObject(parent), workspace_(workspace), view_(view), organs_(organs), handles_(handles), gizmo_(gizmo) {
   connect(&view, &ViewWidget::clicked, this, &ClickTool::onClick);
 }
 
 void ClickTool::onClick(const QPointF& place, Qt::KeyboardModifiers modifiers) {
-  if (handles_.handleUnderMouse() || (modifiers & (Qt::ShiftModifier | Qt::ControlModifier)))
+  if (handles_.handleUnderMouse() || gizmo_.underMouse() ||
+      (modifiers & (Qt::ShiftModifier | Qt::ControlModifier)))
     return;
   const auto pick = view_.pickNear(place);
   if (!pick) {

@@ -3,6 +3,7 @@
 #include <QObject>
 
 #include "window/mode.h"
+#include "window/view/gizmo_scene.h"
 #include "window/view/handle_scene.h"
 #include "window/view/organ_scene.h"
 #include "window/view/view_widget.h"
@@ -16,7 +17,7 @@ class ClickTool final : public QObject {
 
 public:
   ClickTool(Workspace& workspace, ViewWidget& view, OrganScene& organs, HandleScene& handles,
-            QObject* parent = nullptr);
+            GizmoScene& gizmo, QObject* parent = nullptr);
 
   void setMode(Mode mode) { mode_ = mode; }
 
@@ -28,6 +29,7 @@ private:
   ViewWidget& view_;
   OrganScene& organs_;
   HandleScene& handles_;
+  GizmoScene& gizmo_;
   Mode mode_ = Mode::explore;
 };
 

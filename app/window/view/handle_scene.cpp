@@ -5,7 +5,6 @@
 #include "viscera/scene/handle_event.h"
 #include "viscera/scene/vtkVisceraHandleSetRepresentation.h"
 #include "viscera/scene/vtkVisceraHandleSetWidget.h"
-#include "viscera/session/pose_commands.h"
 #include "viscera/session/rig_commands.h"
 
 namespace viscera::app {
@@ -17,11 +16,17 @@ constexpr double kActiveRadius = 8;
 /// Handles in no group.
 const Vec3 kUngrouped(0.95, 0.62, 0.20);
 
-Colors handleColors(const session::Rig& rig) {
+/// Handles that compensate are tinted so, where that matters.
+const Vec3 kCompensating(0.25, 0.75, 0.85);
+constexpr double kTint = 0.7;
+
+Colors handleColors(const session::Rig& rig, bool tinted) {
   Colors colors(static_cast<Eigen::Index>(rig.handles.size()), 3);
   for (std::size_t row = 0; row < rig.handles.size(); ++row) {
     const session::Group* group = rig.groupOf(rig.handles[row].id);
-    const Vec3 color = 255.0 * (group ? group->color : kUngrouped);
+    Vec3 color = 255.0 * (group ? group->color : kUngrouped);
+    if (tinted && rig.handles[row].compensates)
+      color = (1 - kTint) * color + 255.0 * kTint * kCompensating;
     colors.row(static_cast<Eigen::Index>(row)) = color.cast<std::uint8_t>().transpose();
   }
   return colors;
@@ -29,8 +34,8 @@ Colors handleColors(const session::Rig& rig) {
 
 } // namespace
 
-HandleScene::HandleScene(Workspace& workspace, scene::OrganView& view, QObject* parent)
-    : QObject(parent), workspace_(workspace), view_(view) {
+HandleScene::HandleScene(Workspace& workspace, PoseEditor& poses, scene::OrganView& view, QObject* parent)
+    : QObject(parent), workspace_(workspace), poses_(poses), view_(view) {
   using Widget = vtkVisceraHandleSetWidget;
   Widget* widget = view.handleWidget();
   widget->SetRenderOnChange(false);
@@ -69,7 +74,7 @@ void HandleScene::setMode(Mode mode) {
   if (dragging())
     view_.handleWidget()->CancelDrag();
   mode_ = mode;
-  syncShown();
+  syncRig();
   syncPositions();
 }
 
@@ -91,7 +96,7 @@ void HandleScene::syncRig() {
   auto* handles = view_.handles();
   if (handles->GetNumberOfHandles() != static_cast<int>(rig.handles.size()))
     handles->SetPositions(rig.restPositions());
-  handles->SetColors(handleColors(rig));
+  handles->SetColors(handleColors(rig, mode_ == Mode::deform));
   for (std::size_t row = 0; row < rig.handles.size(); ++row)
     handles->SetHandleLocked(static_cast<int>(row), rig.handles[row].locked || !editable());
   syncShown();
@@ -151,8 +156,23 @@ void HandleScene::onGrabbed(const scene::HandleEvent& event) {
   const QString name = event.moving.size() > 1
                            ? tr("Move %n {handle|handles}", nullptr, static_cast<int>(event.moving.size()))
                            : tr("Move handle %1").arg(text(rig.handles[event.handle].label));
-  workspace_.guarded([&] { workspace_.undo().beginStep(name.toStdString()); });
+  if (mode_ == Mode::deform)
+    beginPoseDrag(name, event);
+  else
+    workspace_.guarded([&] { workspace_.undo().beginStep(name.toStdString()); });
   Q_EMIT dragStarted();
+}
+
+/// The cursor moves the handle in the plane that the locked volume leaves it, when there is one.
+void HandleScene::beginPoseDrag(const QString& name, const scene::HandleEvent& event) {
+  const session::Rig& rig = workspace_.document().rig();
+  std::vector<session::HandleId> ids;
+  for (const int row : event.moving)
+    ids.push_back(rig.handles[row].id);
+  const bool begun = poses_.begin(name, ids, true);
+  const Vec3 normal = begun ? poses_.motion()->planeNormal() : Vec3(Vec3::Zero());
+  if (normal.norm() > 0)
+    view_.handles()->SetConstraintPlane(normal);
 }
 
 session::Command HandleScene::moveCommand(const std::vector<int>& rows) const {
@@ -163,12 +183,18 @@ session::Command HandleScene::moveCommand(const std::vector<int>& rows) const {
     ids.push_back(rig.handles[rows[i]].id);
     positions.row(static_cast<Eigen::Index>(i)) = view_.handles()->GetPosition(rows[i]).transpose();
   }
-  return mode_ == Mode::handles ? session::moveRestHandles(std::move(ids), std::move(positions))
-                                : session::moveHandles(std::move(ids), std::move(positions));
+  return session::moveRestHandles(std::move(ids), std::move(positions));
 }
 
 void HandleScene::onMoved(const scene::HandleEvent& event) {
-  if (!editable() || !workspace_.undo().stepOpen())
+  if (!editable())
+    return;
+  if (mode_ == Mode::deform) {
+    poses_.translate(event.delta());
+    // Where the handles are now, not where the cursor wanted them; and others that moved along.
+    return syncPositions();
+  }
+  if (!workspace_.undo().stepOpen())
     return;
   const QScopedValueRollback<bool> quiet(fromWidget_, true);
   try {
@@ -182,13 +208,21 @@ void HandleScene::onMoved(const scene::HandleEvent& event) {
 }
 
 void HandleScene::onReleased() {
-  workspace_.guarded([&] { workspace_.undo().endStep(); });
+  view_.handles()->ClearConstraintPlane();
+  if (mode_ == Mode::deform)
+    poses_.finish();
+  else
+    workspace_.guarded([&] { workspace_.undo().endStep(); });
   syncPositions();
   Q_EMIT dragEnded();
 }
 
 void HandleScene::onCancelled() {
-  workspace_.guarded([&] { workspace_.undo().cancelStep(); });
+  view_.handles()->ClearConstraintPlane();
+  if (mode_ == Mode::deform)
+    poses_.cancel();
+  else
+    workspace_.guarded([&] { workspace_.undo().cancelStep(); });
   syncPositions();
   Q_EMIT dragEnded();
 }

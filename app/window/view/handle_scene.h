@@ -5,18 +5,19 @@
 #include "viscera/scene/handle_event.h"
 #include "viscera/scene/organ_view.h"
 #include "window/mode.h"
+#include "window/pose_editor.h"
 #include "window/workspace.h"
 
 namespace viscera::app {
 
 /// Keeps the handle widget as the document and the selection have them, and turns what the mouse does with it
-/// into commands: in Handles mode it edits the rest shape, in Deform mode the pose. One drag is one undo
-/// step.
+/// into commands: in Handles mode it edits the rest shape, in Deform mode the pose, where locked volumes are
+/// kept. One drag is one undo step.
 class HandleScene final : public QObject {
   Q_OBJECT
 
 public:
-  HandleScene(Workspace& workspace, scene::OrganView& view, QObject* parent = nullptr);
+  HandleScene(Workspace& workspace, PoseEditor& poses, scene::OrganView& view, QObject* parent = nullptr);
   ~HandleScene() override;
 
   void setMode(Mode mode);
@@ -39,6 +40,7 @@ private:
   void syncSelection();
   void syncShown();
   void onGrabbed(const scene::HandleEvent& event);
+  void beginPoseDrag(const QString& name, const scene::HandleEvent& event);
   void onMoved(const scene::HandleEvent& event);
   void onReleased();
   void onCancelled();
@@ -46,6 +48,7 @@ private:
   session::Command moveCommand(const std::vector<int>& rows) const;
 
   Workspace& workspace_;
+  PoseEditor& poses_;
   scene::OrganView& view_;
   Mode mode_ = Mode::explore;
   bool alwaysShown_ = false;

@@ -39,6 +39,8 @@ constexpr unsigned char kBandAlpha = 36;
 constexpr int kFontSize = 12;
 /// Room above and below the curves, as a part of their range.
 constexpr double kRoom = 0.08;
+/// Curves that vary by less of their value are drawn flat: what is left of a locked volume is rounding.
+constexpr double kFlat = 1e-3;
 constexpr int kMostTicks = 6;
 /// VTK's numbers for the pair of axes that a plot is drawn against.
 constexpr int kBottomLeft = 0, kBottomRight = 1;
@@ -214,7 +216,8 @@ ValueRange VolumeChart::Parts::valueRange(bool right) const {
   }
   if (low > high)
     return {0, 1};
-  const double room = high > low ? kRoom * (high - low) : std::max(1.0, 0.05 * std::abs(high));
+  const bool flat = high - low <= kFlat * std::max(std::abs(low), std::abs(high));
+  const double room = flat ? std::max(1.0, 0.05 * std::abs(high)) : kRoom * (high - low);
   return {low >= 0 ? std::max(0.0, low - room) : low - room, high + room};
 }
 

@@ -1,0 +1,66 @@
+#include "window/panels/volume_box.h"
+
+#include <QDoubleSpinBox>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QSignalBlocker>
+
+#include <utility>
+
+namespace viscera::app {
+namespace {
+constexpr double kSmallestMl = 0.001;
+constexpr double kLargestMl = 100000;
+} // namespace
+
+VolumeBox::VolumeBox(Workspace& workspace, PoseEditor& poses, QWidget* parent)
+    : QWidget(parent), workspace_(workspace), poses_(poses), field_(new QDoubleSpinBox(this)),
+      apply_(new QPushButton(tr("Apply"), this)) {
+  setObjectName(QStringLiteral("volumeBox"));
+  auto* row = new QHBoxLayout(this);
+  row->setContentsMargins(0, 0, 0, 0);
+  row->setSpacing(8);
+  auto* label = new QLabel(tr("Target"), this);
+  label->setObjectName(QStringLiteral("muted"));
+  label->setBuddy(field_);
+  field_->setRange(kSmallestMl, kLargestMl);
+  field_->setDecimals(1);
+  field_->setSuffix(tr(" ml"));
+  field_->setButtonSymbols(QAbstractSpinBox::NoButtons);
+  field_->setAlignment(Qt::AlignRight);
+  field_->setKeyboardTracking(false);
+  field_->setAccessibleName(tr("Target volume"));
+  field_->setToolTip(tr("Give the organ this volume: the compensating handles, or all that are free, move as "
+                        "little as that takes"));
+  apply_->setObjectName(QStringLiteral("applyVolume"));
+  apply_->setToolTip(field_->toolTip());
+  row->addWidget(label);
+  row->addWidget(field_, 1);
+  row->addWidget(apply_);
+  connect(field_, QOverload<double>::of(&QDoubleSpinBox::valueChanged), this, [this] { typed_ = true; });
+  connect(apply_, &QPushButton::clicked, this, [this] {
+    if (const auto organ = workspace_.currentOrgan())
+      poses_.setVolume(organ->id, field_->value());
+    apply_->setFocus();
+    typed_ = false;
+    sync();
+  });
+  sync();
+}
+
+void VolumeBox::sync() {
+  const auto organ = workspace_.currentOrgan();
+  const session::OrganVolume volume = organ ? workspace_.live().volume(organ->id) : session::OrganVolume();
+  setEnabled(volume.closed && organ && workspace_.live().deformer(organ->id));
+  const session::OrganId current = organ ? organ->id : session::OrganId();
+  if (std::exchange(shown_, current) != current)
+    typed_ = false;
+  if (typed_ || field_->hasFocus() || !volume.closed)
+    return;
+  const QSignalBlocker quiet(field_);
+  field_->setDecimals(volume.restMl < 10 ? 3 : 1);
+  field_->setValue(volume.nowMl);
+}
+
+} // namespace viscera::app

@@ -1,0 +1,180 @@
+#include "window/pose_editor.h"
+
+#include <utility>
+
+#include "viscera/session/organ_commands.h"
+#include "viscera/session/pose_commands.h"
+#include "viscera/session/rig_commands.h"
+
+namespace viscera::app {
+
+PoseEditor::PoseEditor(Workspace& workspace, QObject* parent)
+    : QObject(parent), workspace_(workspace), keeper_(workspace.document(), workspace.live()) {}
+
+bool PoseEditor::begin(const QString& name, const std::vector<session::HandleId>& handles, bool mirrored) {
+  cancel();
+  const bool begun = workspace_.guarded([&] {
+    motion_.emplace(keeper_.begin(handles, mirrored ? mirrorPlane() : std::nullopt));
+    workspace_.undo().beginStep(name.toStdString());
+  });
+  if (!begun)
+    motion_.reset();
+  Q_EMIT gestureChanged();
+  return begun;
+}
+
+/// Poses the handles as the motion answers the wish. What is wanted beyond that is said, once.
+void PoseEditor::follow(const std::function<void(session::LockedMotion&)>& wish) {
+  if (!motion_ || !workspace_.undo().stepOpen())
+    return;
+  try {
+    wish(*motion_);
+    workspace_.undo().perform(session::setPose(motion_->pose()));
+    setObstacle(text(motion_->obstacle()));
+  } catch (const Error& error) {
+    if (obstacle_.isEmpty())
+      workspace_.report(error);
+    setObstacle(text(error.problem()));
+  }
+  Q_EMIT gestureChanged();
+}
+
+void PoseEditor::translate(const Vec3& by) {
+  follow([&by](session::LockedMotion& motion) { motion.translate(by); });
+}
+
+void PoseEditor::rotate(const Vec3& center, const Vec3& axis, double angle) {
+  follow([&](session::LockedMotion& motion) { motion.rotate(center, axis, angle); });
+}
+
+void PoseEditor::scale(const Vec3& center, const Vec3& factors) {
+  follow([&](session::LockedMotion& motion) { motion.scale(center, factors); });
+}
+
+void PoseEditor::end(const std::function<void()>& close) {
+  if (!motion_)
+    return;
+  motion_.reset();
+  workspace_.guarded(close);
+  setObstacle({});
+  Q_EMIT gestureChanged();
+}
+
+void PoseEditor::finish() {
+  end([this] { workspace_.undo().endStep(); });
+}
+
+void PoseEditor::cancel() {
+  end([this] { workspace_.undo().cancelStep(); });
+}
+
+void PoseEditor::setObstacle(const QString& obstacle) {
+  if (std::exchange(obstacle_, obstacle) != obstacle)
+    Q_EMIT obstacleChanged(obstacle);
+}
+
+std::optional<Vec3> PoseEditor::moveBy(const std::vector<session::HandleId>& handles, const Vec3& by) {
+  std::optional<Vec3> moved;
+  workspace_.guarded([&] {
+    session::LockedMotion motion = keeper_.begin(handles, mirrorPlane());
+    motion.translate(by);
+    if (motion.selection().empty())
+      return;
+    session::Command command = session::setPose(motion.pose());
+    command.name =
+        handles.size() == 1
+            ? tr("Move handle %1")
+                  .arg(text(workspace_.document()
+                                .rig()
+                                .handles[static_cast<std::size_t>(motion.selection().front())]
+                                .label))
+                  .toStdString()
+            : tr("Move %n {handle|handles}", nullptr, static_cast<int>(handles.size())).toStdString();
+    workspace_.undo().perform(command);
+    const int first = motion.selection().front();
+    moved = (motion.pose().row(first) - motion.start().row(first)).transpose();
+  });
+  return moved;
+}
+
+void PoseEditor::reset(const std::vector<session::HandleId>& handles) {
+  workspace_.guarded([&] {
+    session::LockedMotion motion = keeper_.begin(handles);
+    Points wanted = motion.start();
+    for (const int row : motion.selection())
+      wanted.row(row) = workspace_.document().rig().handles[static_cast<std::size_t>(row)].rest.transpose();
+    motion.reach(wanted);
+    workspace_.undo().perform(session::setPose(
+        motion.pose(),
+        tr("Reset %n {handle|handles}", nullptr, static_cast<int>(handles.size())).toStdString()));
+    if (motion.obstacle().empty())
+      return;
+    Message message;
+    message.severity = Message::Severity::warning;
+    message.text = tr("The handles are not all the way back: %1.").arg(text(motion.obstacle()));
+    workspace_.say(message);
+  });
+}
+
+bool PoseEditor::setVolume(session::OrganId organ, double milliliters) {
+  return workspace_.guarded([&] {
+    const Points pose = keeper_.poseOfVolume(organ, milliliters * kMm3PerMl);
+    workspace_.undo().perform(
+        session::setPose(pose, tr("Volume %1").arg(formatMilliliters(milliliters)).toStdString()));
+  });
+}
+
+void PoseEditor::setLocked(session::OrganId id, bool locked) {
+  const auto organ = workspace_.document().organ(id);
+  if (!organ)
+    return;
+  if (!locked || organ->closed()) {
+    workspace_.perform(session::setVolumeLocked(id, locked));
+    return;
+  }
+  Message message;
+  message.severity = Message::Severity::warning;
+  message.text = tr("%1 is open (%n boundary {edge|edges}), so it has no volume that could be locked.",
+                    nullptr, organ->boundaryEdges)
+                     .arg(text(organ->name));
+  message.offers.push_back(
+      {tr("Close the holes and lock"), [this, id] {
+         workspace_.perform(session::combined(tr("Close holes and lock volume").toStdString(),
+                                              {session::closeHoles(id), session::setVolumeLocked(id, true)}));
+       }});
+  workspace_.say(message);
+}
+
+void PoseEditor::setCompensating(bool compensating) {
+  session::HandleEdit edit;
+  edit.compensates = compensating;
+  workspace_.perform(session::editHandles(workspace_.selection().handles(), edit));
+}
+
+void PoseEditor::setMirror(Mirror mirror) {
+  if (std::exchange(mirror_, mirror) != mirror)
+    Q_EMIT mirrorChanged();
+}
+
+std::optional<deformation::MirrorPlane> PoseEditor::mirrorPlane() const {
+  const auto organ = workspace_.currentOrgan();
+  if (mirror_ == Mirror::off || !organ)
+    return std::nullopt;
+  // LPS: x runs from side to side, y from front to back, z from foot to head.
+  const int axis = mirror_ == Mirror::sagittal ? 0 : mirror_ == Mirror::coronal ? 1 : 2;
+  return deformation::MirrorPlane{boundsOf(organ->mesh->points).center(), Vec3::Unit(axis)};
+}
+
+std::vector<session::HandleId> PoseEditor::partnersOfSelection() const {
+  const auto plane = mirrorPlane();
+  std::vector<session::HandleId> partners;
+  if (!plane)
+    return partners;
+  const session::Rig& rig = workspace_.document().rig();
+  for (const int row : keeper_.partners(workspace_.selection().handles(), *plane))
+    if (row >= 0)
+      partners.push_back(rig.handles[static_cast<std::size_t>(row)].id);
+  return partners;
+}
+
+} // namespace viscera::app

@@ -1,0 +1,75 @@
+#pragma once
+
+#include <QObject>
+
+#include <optional>
+
+#include "viscera/session/volume_keeper.h"
+#include "window/workspace.h"
+
+namespace viscera::app {
+
+/// The planes that drags can be mirrored at, through the middle of the organ at rest.
+enum class Mirror { off, sagittal, coronal, axial };
+
+/// What moves handles in the pose, whether by mouse or by number: it keeps the locked volumes, mirrors where
+/// that is wanted, and makes one undo step of every gesture.
+class PoseEditor final : public QObject {
+  Q_OBJECT
+
+public:
+  explicit PoseEditor(Workspace& workspace, QObject* parent = nullptr);
+
+  /// Begins a gesture with these handles; `mirrored`: their partners move along when a mirror is on. When it
+  /// is not possible now, says why and returns false.
+  bool begin(const QString& name, const std::vector<session::HandleId>& handles, bool mirrored);
+  bool active() const { return motion_.has_value(); }
+  /// The motion of the present gesture, or null.
+  const session::LockedMotion* motion() const { return motion_ ? &*motion_ : nullptr; }
+  /// What is wanted since the gesture began. Nothing happens without one.
+  void translate(const Vec3& by);
+  void rotate(const Vec3& center, const Vec3& axis, double angle);
+  void scale(const Vec3& center, const Vec3& factors);
+  void finish();
+  void cancel();
+
+  /// Moves handles by a vector, mm, and mirrors it. Returns how far the first one went, or nothing when that
+  /// was not possible.
+  std::optional<Vec3> moveBy(const std::vector<session::HandleId>& handles, const Vec3& by);
+  /// Puts handles back to rest; under a lock others make up for the volume.
+  void reset(const std::vector<session::HandleId>& handles);
+  /// Gives an organ another volume; false when it cannot be reached.
+  bool setVolume(session::OrganId organ, double milliliters);
+  /// Locks or unlocks an organ's volume; offers to close a surface that is open.
+  void setLocked(session::OrganId organ, bool locked);
+  /// Makes the selected handles compensate, or no longer.
+  void setCompensating(bool compensating);
+
+  void setMirror(Mirror mirror);
+  Mirror mirror() const { return mirror_; }
+  /// The plane, when a mirror is on and there is an organ.
+  std::optional<deformation::MirrorPlane> mirrorPlane() const;
+  /// Which handles would mirror the selected ones.
+  std::vector<session::HandleId> partnersOfSelection() const;
+
+Q_SIGNALS:
+  /// A gesture began, went on or ended.
+  void gestureChanged();
+  /// Another mirror.
+  void mirrorChanged();
+  /// Why the gesture does not follow the mouse; empty when it does again, or is over.
+  void obstacleChanged(const QString& obstacle);
+
+private:
+  void follow(const std::function<void(session::LockedMotion&)>& wish);
+  void setObstacle(const QString& obstacle);
+  void end(const std::function<void()>& close);
+
+  Workspace& workspace_;
+  session::VolumeKeeper keeper_;
+  std::optional<session::LockedMotion> motion_;
+  Mirror mirror_ = Mirror::off;
+  QString obstacle_;
+};
+
+} // namespace viscera::app
