@@ -1,0 +1,57 @@
+#include "viscera/deformation/carve_witnesses.h"
+
+#include <cmath>
+#include <numbers>
+
+#include <gtest/gtest.h>
+
+#include "shapes.h"
+#include "tetrahedra.h"
+
+namespace viscera::deformation {
+namespace {
+
+WitnessMesh box() {
+  const auto solid = viscera::tests::solidBox(16, 40);
+  WitnessMesh mesh;
+  mesh.points = solid.points;
+  mesh.tetrahedra = solid.tetrahedra;
+  mesh.witnesses = solid.points.rows() / 2;
+  return mesh;
+}
+
+std::shared_ptr<const geometry::TriangleMesh> ball(double radius, const Vec3& center) {
+  return std::make_shared<const geometry::TriangleMesh>(viscera::tests::sphere(4, radius, center));
+}
+
+TEST(WithoutCavities, TakesAwayTheirVolumeAndLeavesAUsableMeshWithWitnessesFirst) {
+  const WitnessMesh mesh = box();
+  const WitnessMesh carved = withoutCavities(mesh, {ball(18, Vec3(-15, 0, 0)), ball(10, Vec3(20, 5, 0))});
+  EXPECT_NO_THROW(requireUsable(carved, "carved box"));
+  const double taken = 4.0 / 3 * std::numbers::pi * (std::pow(18, 3) + std::pow(10, 3));
+  const double volume = tetrahedronVolumes(carved.points, carved.tetrahedra).sum();
+  EXPECT_NEAR(volume, std::pow(80, 3) - taken, 0.05 * taken);
+  for (Eigen::Index t = 0; t < carved.tetrahedra.rows(); ++t) {
+    Vec3 middle = Vec3::Zero();
+    for (int c = 0; c < 4; ++c)
+      middle += 0.25 * carved.points.row(carved.tetrahedra(t, c)).transpose();
+    EXPECT_GT((middle - Vec3(-15, 0, 0)).norm(), 17.5);
+  }
+  // Witnesses are those that were witnesses, in their order.
+  Eigen::Index from = 0;
+  for (Eigen::Index point = 0; point < carved.witnesses; ++point) {
+    while (from < mesh.witnesses && mesh.points.row(from) != carved.points.row(point))
+      ++from;
+    ASSERT_LT(from, mesh.witnesses);
+  }
+}
+
+TEST(WithoutCavities, ChangesNothingWithoutCavitiesOrWhenNothingWouldBeLeft) {
+  const WitnessMesh mesh = box();
+  EXPECT_EQ(withoutCavities(mesh, {}).tetrahedra, mesh.tetrahedra);
+  EXPECT_EQ(withoutCavities(mesh, {ball(10, Vec3(200, 0, 0))}).points, mesh.points);
+  EXPECT_EQ(withoutCavities(mesh, {ball(200, Vec3::Zero())}).tetrahedra, mesh.tetrahedra);
+}
+
+} // namespace
+} // namespace viscera::deformation
