@@ -8,6 +8,7 @@
 #include "sequence_binding.h"
 #include "viscera/core/error.h"
 #include "viscera/deformation/bind_witnesses.h"
+#include "viscera/deformation/carve_witnesses.h"
 #include "viscera/session/player.h"
 
 namespace viscera::session {
@@ -62,6 +63,7 @@ struct LiveStress::Impl {
 
   OrganId organ;
   std::shared_ptr<const geometry::TriangleMesh> surface; ///< That was sampled or is being sampled.
+  std::vector<std::shared_ptr<const geometry::TriangleMesh>> cavities; ///< Left out of it.
   int sampledWanted = 0;
   bool sampleMissing = false; ///< Sampling failed or was cancelled: only `retry` and another surface go on.
   std::shared_ptr<const deformation::WitnessMesh> mesh;
@@ -84,6 +86,7 @@ struct LiveStress::Impl {
   std::shared_ptr<Impl*> self = std::make_shared<Impl*>(this);
 
   void setState(State state, std::string message = {});
+  std::vector<std::shared_ptr<const geometry::TriangleMesh>> cavitiesOf(OrganId parent) const;
   void refresh();
   void sampleLater();
   void sampled(JobResult<WitnessSample> result);
@@ -131,6 +134,16 @@ bool LiveStress::Impl::failedOrCancelled(const JobResult<Value>& result) {
   return true;
 }
 
+/// Closed surfaces of the document inside this organ: what they hold is no tissue.
+std::vector<std::shared_ptr<const geometry::TriangleMesh>>
+LiveStress::Impl::cavitiesOf(OrganId parent) const {
+  std::vector<std::shared_ptr<const geometry::TriangleMesh>> hollow;
+  for (const auto& item : document.organs())
+    if (item->parent == parent && item->closed())
+      hollow.push_back(item->mesh);
+  return hollow;
+}
+
 /// Brings mesh and binding to what the document wants, as far as that can be done now.
 void LiveStress::Impl::refresh() {
   const auto item = organ ? document.organ(organ) : nullptr;
@@ -146,7 +159,7 @@ void LiveStress::Impl::refresh() {
       setState(State::off);
     return;
   }
-  if (surface != item->mesh || sampledWanted != options.witnesses.wanted)
+  if (surface != item->mesh || sampledWanted != options.witnesses.wanted || cavities != cavitiesOf(organ))
     sampleLater();
   else if (!sampleMissing && status.state != State::sampling && status.state != State::cancelled)
     refreshBinding();
@@ -154,15 +167,21 @@ void LiveStress::Impl::refresh() {
 
 void LiveStress::Impl::sampleLater() {
   const auto item = document.organ(organ);
-  if (surface != item->mesh)
+  const auto hollow = cavitiesOf(organ);
+  if (surface != item->mesh || cavities != hollow)
     dropMesh();
   surface = item->mesh;
+  cavities = hollow;
   sampledWanted = options.witnesses.wanted;
   sampleMissing = false;
   jobs.cancelSlot(kBindSlot);
   setState(State::sampling);
-  const auto work = [mesh = item->mesh, wanted = options.witnesses](Progress& progress) {
-    return sampleWitnesses(*mesh, wanted, progress);
+  const auto work = [mesh = item->mesh, hollow, wanted = options.witnesses](Progress& progress) {
+    WitnessSample sample = sampleWitnesses(*mesh, wanted, progress);
+    if (!hollow.empty())
+      sample.mesh = std::make_shared<const deformation::WitnessMesh>(
+          deformation::withoutCavities(*sample.mesh, hollow, wanted.threads));
+    return sample;
   };
   jobs.submit<WitnessSample>("Witness points of " + item->name, kSampleSlot, work,
                              ending<WitnessSample>(&Impl::sampled));

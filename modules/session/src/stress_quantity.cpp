@@ -1,7 +1,10 @@
 #include "viscera/session/stress_quantity.h"
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 #include <numbers>
+#include <numeric>
 
 namespace viscera::session {
 namespace {
@@ -51,6 +54,30 @@ void quantityOf(const deformation::StressMap& map, StressQuantity quantity, Valu
     values[i] = map.volumeRatio[i] <= 0 && quantity != StressQuantity::folded
                     ? std::numeric_limits<double>::quiet_NaN()
                     : quantityAt(map, quantity, i);
+}
+
+QuantitySummary summaryOf(const Values& values, Eigen::Index count) {
+  QuantitySummary summary;
+  std::vector<double> numbers;
+  numbers.reserve(static_cast<std::size_t>(count));
+  for (Eigen::Index i = 0; i < count; ++i)
+    if (std::isfinite(values[i]))
+      numbers.push_back(values[i]);
+  summary.missing = static_cast<int>(count - static_cast<Eigen::Index>(numbers.size()));
+  if (numbers.empty())
+    return summary;
+  const auto [low, high] = std::minmax_element(numbers.begin(), numbers.end());
+  summary.min = *low;
+  summary.max = *high;
+  summary.mean = std::accumulate(numbers.begin(), numbers.end(), 0.0) / static_cast<double>(numbers.size());
+  const auto ranked = [&numbers](double part) {
+    const auto rank = static_cast<std::ptrdiff_t>(std::ceil(part * static_cast<double>(numbers.size()))) - 1;
+    std::nth_element(numbers.begin(), numbers.begin() + rank, numbers.end());
+    return numbers[static_cast<std::size_t>(rank)];
+  };
+  summary.percentile5 = ranked(0.05);
+  summary.percentile95 = ranked(0.95);
+  return summary;
 }
 
 } // namespace viscera::session

@@ -217,6 +217,25 @@ TEST(LiveStress, SaysWhyThereIsNoMapAndForgetsAnOrganThatIsGone) {
   EXPECT_EQ(s.stress.status().state, State::off);
 }
 
+TEST(LiveStress, LeavesOutTheOrgansCavities) {
+  Stressed s(kAtOnce, 2000);
+  s.begin();
+  const auto whole = s.stress.mesh();
+  NewOrgan cavity = tests::ball("Cavity", 15);
+  cavity.organ.parent = s.organ();
+  s.undo.perform(addOrgans({cavity}));
+  s.waitFor(State::ready);
+  EXPECT_LT(s.stress.mesh()->witnesses, whole->witnesses);
+  EXPECT_GT(s.stress.mesh()->witnesses, whole->witnesses / 2);
+  const double volume =
+      deformation::tetrahedronVolumes(s.stress.mesh()->points, s.stress.mesh()->tetrahedra).sum();
+  const double before = deformation::tetrahedronVolumes(whole->points, whole->tetrahedra).sum();
+  EXPECT_NEAR(before - volume, 4.0 / 3 * std::numbers::pi * 15 * 15 * 15, 0.1 * (before - volume));
+  s.undo.undo();
+  s.waitFor(State::ready);
+  EXPECT_EQ(s.stress.mesh()->points, whole->points);
+}
+
 TEST(LiveStress, PeakIsTheLargestOverTheFrames) {
   Stressed s;
   s.begin();
@@ -263,6 +282,22 @@ TEST(StressQuantity, IsNotANumberWhereTheTissueIsFoldedExceptForFoldingItself) {
   EXPECT_EQ(values, Values(Eigen::Vector2d(0, 1)));
   for (const auto& description : stressQuantities())
     EXPECT_EQ(stressQuantityFromId(description.id), description.quantity);
+}
+
+TEST(StressQuantity, SummaryAgreesWithTheStatisticsOfTheMap) {
+  Stressed s;
+  s.begin();
+  s.move(0, Vec3(14, -5, 3));
+  Values values;
+  quantityOf(s.stress.map(), StressQuantity::rotationalStress, values);
+  const QuantitySummary summary = summaryOf(values, s.stress.mesh()->witnesses);
+  const deformation::StressStatistics& statistics = s.stress.statistics();
+  const double degrees = 180 / std::numbers::pi;
+  ASSERT_EQ(statistics.folded, 0);
+  EXPECT_NEAR(summary.min, degrees * statistics.min, 1e-12);
+  EXPECT_NEAR(summary.mean, degrees * statistics.mean, 1e-10);
+  EXPECT_NEAR(summary.percentile95, degrees * statistics.percentile95, 1e-12);
+  EXPECT_NEAR(summary.max, degrees * statistics.max, 1e-12);
 }
 
 TEST(StressRecord, BeginsAnewWhenSomebodyGoesBackAndDropsTheOldest) {

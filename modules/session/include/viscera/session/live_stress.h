@@ -48,10 +48,11 @@ struct StressEvent {
 /// The rotational stress of one organ of a document in every pose that a `LiveBinding` shows. It fills the
 /// organ with witness points on the job queue (slot "stress/sample"), derives the coordinates at them (slot
 /// "stress/bind", or at once when that takes less than a frame), and evaluates the map whenever the organ
-/// moves. Rest handles, the system or the surface that change lead to another binding or mesh; the map before
-/// stays until then, except where it would be wrong. What depends on nothing but surface, number of
-/// witnesses, handles and pose is the same to the last bit, whatever the way there. It never changes the
-/// document. For the document's thread.
+/// moves. The organ's cavities (closed surfaces whose parent it is) are left out: blood is no tissue. Rest
+/// handles, the system or the surface that change lead to another binding or mesh; the map before stays until
+/// then, except where it would be wrong. What depends on nothing but surface, number of witnesses, handles
+/// and pose is the same to the last bit, whatever the way there. It never changes the document. For the
+/// document's thread.
 class LiveStress {
 public:
   struct Options {

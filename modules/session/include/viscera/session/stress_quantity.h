@@ -36,7 +36,19 @@ StressQuantity stressQuantityFromId(const std::string& id);
 /// tissue is folded, except for the folded quantity itself: what is folded is never hidden in an angle. O(n).
 void quantityOf(const deformation::StressMap& map, StressQuantity quantity, Values& values);
 
-/// The same for one point, folded or not.
+/// Numbers in one line: those that are none are counted apart.
+struct QuantitySummary {
+  double min = 0;
+  double percentile5 = 0;
+  double mean = 0;
+  double percentile95 = 0;
+  double max = 0;
+  int missing = 0;
+};
+/// Of the first `count` values; zeros when there is no number among them. O(count).
+QuantitySummary summaryOf(const Values& values, Eigen::Index count);
+
+/// The quantity at one point, folded or not.
 double quantityAt(const deformation::StressMap& map, StressQuantity quantity, Eigen::Index point);
 
 } // namespace viscera::session
