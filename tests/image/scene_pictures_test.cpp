@@ -5,10 +5,14 @@
 #include <vtkCamera.h>
 #include <vtkImageData.h>
 
+#include "viscera/scene/stretch_glyphs.h"
+#include "viscera/scene/tissue_actor.h"
 #include "viscera/scene/volume_chart.h"
+#include "viscera/scene/vtkVisceraCutPlaneRepresentation.h"
 
 #include "picture_check.h"
 #include "shapes.h"
+#include "tetrahedra.h"
 #include "view_fixture.h"
 
 namespace viscera::scene {
@@ -88,6 +92,78 @@ TEST_F(ScenePicture, TranslucentWallShowsWhatIsInside) {
   window.addOrgan(tests::sphere(4, 14, {-6, 0, 12}))->setColor({0.25, 0.45, 0.8});
   window.view.handles()->SetPositions(handlesAround());
   expectLooksLikeReference(picture(), "translucent_wall");
+}
+
+/// A ball of tetrahedra that is twisted about the vertical axis, with numbers that say how far; one place has
+/// none.
+class TissuePicture : public testing::Test {
+protected:
+  TissuePicture() : window(480, 320) {
+    const tests::Solid solid = tests::solidBox(12, 40);
+    auto twisted = std::make_shared<Points>(solid.points);
+    auto numbers = std::make_shared<Values>(solid.points.rows());
+    for (Eigen::Index i = 0; i < twisted->rows(); ++i) {
+      const Vec3 p = solid.points.row(i);
+      const double inBox = p.cwiseAbs().maxCoeff(), inBall = p.norm();
+      const Vec3 round = inBall > 0 ? Vec3(p * (inBox / inBall)) : p;
+      const double angle = 0.9 * std::sin(round.z() / 16);
+      twisted->row(i) << std::cos(angle) * round.x() - std::sin(angle) * round.y(),
+          std::sin(angle) * round.x() + std::cos(angle) * round.y(), 1.2 * round.z();
+      (*numbers)[i] = 20 * std::abs(std::sin(round.z() / 16)) * round.head<2>().norm() / 40;
+      if ((round - Vec3(24, 0, 12)).norm() < 8)
+        (*numbers)[i] = std::nan("");
+    }
+    colors.missing = {232, 40, 200};
+    tissue = std::make_unique<TissueActor>(std::make_shared<const Tetrahedra>(solid.tetrahedra), twisted);
+    tissue->setValues(numbers);
+    tissue->setColors(colors, {0, 20});
+    tissue->setRenderer(window.view.renderer());
+    window.view.lookFrom(StandardView::anterior, boundsOf(*twisted));
+    window.view.renderer()->GetActiveCamera()->Azimuth(-30);
+    window.view.renderer()->GetActiveCamera()->Elevation(15);
+    window.view.legend().show("Rotational stress", "deg", colors, {0, 20});
+    window.view.legend().setMark("folded", Vec3(232, 40, 200) / 255);
+  }
+  vtkSmartPointer<vtkImageData> picture() { return grabPicture(window.surface.window()); }
+
+  ColorMap colors = viridis();
+  ViewInWindow window;
+  std::unique_ptr<TissueActor> tissue;
+};
+
+TEST_F(TissuePicture, InsideCutOpenWithItsPlaneAndLegend) {
+  const CutPlane plane{Vec3(0, 2, 0), Vec3::UnitY()};
+  tissue->setCut(plane, CutStyle::smooth);
+  vtkNew<vtkVisceraCutPlaneRepresentation> gizmo;
+  gizmo->SetBall(Vec3::Zero(), 44);
+  gizmo->SetPlane(plane);
+  gizmo->SetRenderer(window.view.renderer());
+  window.view.renderer()->AddViewProp(gizmo);
+  expectLooksLikeReference(picture(), "tissue_cut");
+}
+
+TEST_F(TissuePicture, WholeTetrahedraBeyondALimit) {
+  tissue->setCut({Vec3(0, 2, 0), Vec3::UnitY()}, CutStyle::crinkle);
+  tissue->setShownRange({8, 100});
+  expectLooksLikeReference(picture(), "tissue_crinkle_limit");
+}
+
+TEST_F(TissuePicture, GlyphsOfTheStretchInAPaleShell) {
+  tissue->setGhost(true);
+  StretchGlyphs glyphs;
+  std::vector<StretchGlyph> all;
+  for (int i = 0; i < 27; ++i) {
+    const Vec3 place = 17.0 * Vec3(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1);
+    const double more = 1 + 0.012 * (place.z() + 17);
+    all.push_back({place, Eigen::Quaterniond(Eigen::AngleAxisd(0.04 * place.x(), Vec3::UnitY())),
+                   Vec3(more, 1, 1 / more), 0.5 * (place.z() + 17)});
+  }
+  glyphs.set(all);
+  glyphs.setRadius(5);
+  glyphs.setColors(colors, {0, 20});
+  glyphs.setVisible(true);
+  glyphs.setRenderer(window.view.renderer());
+  expectLooksLikeReference(picture(), "stretch_glyphs");
 }
 
 TEST(ChartPicture, CurvesBandsAndCursor) {

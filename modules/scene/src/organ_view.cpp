@@ -80,6 +80,7 @@ struct OrganView::Parts {
   Theme theme = darkTheme();
   std::vector<std::shared_ptr<OrganActor>> organs;
   std::vector<std::shared_ptr<GhostOutline>> ghosts;
+  std::function<std::optional<Bounds>()> alsoFramed;
   vtkNew<vtkRenderer> renderer;
   vtkWeakPointer<vtkRenderWindow> window;
   bool knowsGpu = false;
@@ -308,7 +309,7 @@ void OrganView::removeGhost(const std::shared_ptr<GhostOutline>& ghost) {
 }
 
 Bounds OrganView::bounds() const {
-  std::optional<Bounds> all;
+  std::optional<Bounds> all = parts_->alsoFramed ? parts_->alsoFramed() : std::nullopt;
   for (const auto& organ : parts_->organs) {
     if (!organ->visible())
       continue;
@@ -320,6 +321,10 @@ Bounds OrganView::bounds() const {
   if (parts_->handles->GetNumberOfHandles() > 0)
     return boundsOf(parts_->handles->GetPositions());
   return {Vec3::Constant(-kEmptyHalfSize), Vec3::Constant(kEmptyHalfSize)};
+}
+
+void OrganView::setAlsoFramed(std::function<std::optional<Bounds>()> box) {
+  parts_->alsoFramed = std::move(box);
 }
 
 void OrganView::lookFrom(StandardView view) {

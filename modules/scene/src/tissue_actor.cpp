@@ -34,7 +34,7 @@ namespace {
 /// Colours that mean numbers are lit evenly, so that they can be read off the legend.
 constexpr double kAmbient = 0.45;
 constexpr double kDiffuse = 0.65;
-constexpr double kGhostOpacity = 0.2;
+constexpr double kGhostOpacity = 0.13;
 constexpr const char* kValues = "values";
 
 template <typename Array, typename Number>
@@ -236,7 +236,6 @@ TissueActor::TissueActor(std::shared_ptr<const Tetrahedra> tetrahedra, std::shar
   auto* ghost = p.ghostActor->GetProperty();
   ghost->SetOpacity(kGhostOpacity);
   ghost->SetColor(0.72, 0.76, 0.8);
-  ghost->BackfaceCullingOn();
   p.applyLook();
   setPoints(std::move(points));
 }
@@ -315,11 +314,16 @@ void TissueActor::clearCut() {
 }
 
 void TissueActor::setShownRange(ValueRange range) {
-  parts_->range = range;
-  parts_->facesOld = parts_->cutOld = true;
+  auto& p = *parts_;
+  if (p.range && p.range->low == range.low && p.range->high == range.high)
+    return;
+  p.range = range;
+  p.facesOld = p.cutOld = true;
 }
 
 void TissueActor::clearShownRange() {
+  if (!parts_->range)
+    return;
   parts_->range.reset();
   parts_->facesOld = parts_->cutOld = true;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -66,8 +67,11 @@ public:
   void addGhost(std::shared_ptr<GhostOutline> ghost);
   void removeGhost(const std::shared_ptr<GhostOutline>& ghost);
 
-  /// Box of the visible organs; of all handles when there is none. O(vertices).
+  /// Box of the visible organs, and of what else is framed; of all handles when there is none. O(vertices).
   Bounds bounds() const;
+  /// Something drawn in place of organs that belongs into the picture too: its box, when it is there. Null:
+  /// nothing.
+  void setAlsoFramed(std::function<std::optional<Bounds>()> box);
 
   /// Puts the camera to look at the middle of what is shown, and frames it.
   void lookFrom(StandardView view);
