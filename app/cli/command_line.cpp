@@ -51,7 +51,7 @@ void addWindowOptions(CLI::App& app, WindowOptions& window, std::string& size) {
   app.add_option("FILE", window.files, "Organ and handle files to open in the window");
   app.add_option("--theme", window.theme, "Colours of the window")->check(CLI::IsMember({"dark", "light"}));
   app.add_option("--mode", window.mode, "What the mouse does to begin with")
-      ->check(CLI::IsMember({"explore", "handles", "deform", "play"}));
+      ->check(CLI::IsMember({"explore", "handles", "deform", "stress", "play"}));
   app.add_option("--window-size", size, "Size of the window in pixels")->type_name("WxH");
   app.add_option("--screenshot", window.screenshot, "Save a picture of the window as PNG and end")
       ->type_name("FILE");

@@ -20,6 +20,9 @@
 #include "window/panels/organ_panel.h"
 #include "window/panels/play_page.h"
 #include "window/status_line.h"
+#include "window/stress/stress_chart.h"
+#include "window/stress/stress_mode.h"
+#include "window/stress/stress_page.h"
 #include "window/timeline/timeline_bar.h"
 #include "window/timeline/volume_panel.h"
 #include "window/view/click_tool.h"
@@ -70,6 +73,8 @@ MainWindow::MainWindow(Settings& settings, plugin::Registry registry, session::P
   makeDeformActions();
   makeSequenceActions();
   makeHelpActions();
+  stress_ = std::make_unique<StressMode>(workspace_, playback_, settings_, actions_, *viewArea_, *organScene_,
+                                         *handleScene_);
   makeDocks();
   makeMenus();
   makeCards();
@@ -108,12 +113,15 @@ void MainWindow::makeDocks() {
     handlePanel_->addTool(actions_[id]);
   timeline_ = new TimelineBar;
   volumePanel_ = new VolumePanel(volumes_, playback_);
+  charts_ = new QStackedWidget;
+  charts_->addWidget(volumePanel_);
+  charts_->addWidget(stress_->makeChart());
   auto* organs = addDock(tr("Organs"), "organs", Qt::LeftDockWidgetArea, organPanel_, true);
   auto* handles = addDock(tr("Handles"), "handles", Qt::LeftDockWidgetArea, handlePanel_, true);
   auto* properties = addDock(tr("Properties"), "properties", Qt::RightDockWidgetArea, makePages(), false);
   auto* timeline = addDock(tr("Timeline"), "timeline", Qt::BottomDockWidgetArea, timeline_, false);
   timeline->setTitleBarWidget(new QWidget(timeline));
-  auto* chart = addDock(tr("Volumes"), "volumes", Qt::BottomDockWidgetArea, volumePanel_, false);
+  auto* chart = addDock(tr("Volumes"), "volumes", Qt::BottomDockWidgetArea, charts_, false);
   chart->setTitleBarWidget(new QWidget(chart));
   splitDockWidget(timeline, chart, Qt::Vertical);
   resizeDocks({organs, properties}, {kLeftWidth, kRightWidth}, Qt::Horizontal);
@@ -127,6 +135,7 @@ QWidget* MainWindow::makePages() {
   pages_->addWidget(scrolled(new ExplorePage(workspace_, actions_)));
   pages_->addWidget(scrolled(new HandlesPage(workspace_, groupLayout_, actions_)));
   pages_->addWidget(scrolled(new DeformPage(workspace_, poses_, volumes_, actions_)));
+  pages_->addWidget(scrolled(stress_->makePage()));
   pages_->addWidget(scrolled(new PlayPage(playback_, volumes_, actions_)));
   return pages_;
 }
@@ -220,6 +229,9 @@ void MainWindow::setMode(Mode mode) {
   motionGuide_->setMode(mode);
   clickTool_->setMode(mode);
   playback_.setMode(mode);
+  handleScene_->setPlayed(playback_.showing());
+  stress_->setActive(mode == Mode::stress);
+  charts_->setCurrentIndex(mode == Mode::stress ? 1 : 0);
   pages_->setCurrentIndex(static_cast<int>(mode));
   for (const ModeDescription& description : modeDescriptions())
     if (description.mode == mode)
@@ -232,6 +244,7 @@ void MainWindow::setTheme(ThemeKind kind) {
   applyTheme(*qApp, theme);
   viewArea_->view()->setTheme(theme);
   volumePanel_->setTheme(theme);
+  stress_->setTheme(theme);
   organScene_->setGhostColor({theme.muted.redF(), theme.muted.greenF(), theme.muted.blueF()});
   actions_[kind == ThemeKind::dark ? "theme.dark" : "theme.light"]->setChecked(true);
   settings_.setValue("window/theme", nameOf(kind));
@@ -265,6 +278,8 @@ void MainWindow::escape() {
     widget->CancelDrag();
   else if (gizmoScene_->dragging())
     viewArea_->view()->view().gizmoWidget()->CancelDrag();
+  else if (stress_->escape())
+    return;
   else if (shortcuts_->isVisible())
     shortcuts_->hide();
   else if (!viewArea_->messages()->isHidden())

@@ -34,6 +34,7 @@ class PanelDock;
 class RegionScene;
 class ShortcutCard;
 class StatusLine;
+class StressMode;
 class TimelineBar;
 class TourCard;
 class ViewArea;
@@ -58,6 +59,7 @@ public:
   const VolumeMonitor& volumes() const { return volumes_; }
   FileActions& files() { return *files_; }
   SampleLoader& samples() { return *samples_; }
+  StressMode& stress() { return *stress_; }
   ViewArea& viewArea() { return *viewArea_; }
   const Actions& actions() const { return actions_; }
 
@@ -124,11 +126,13 @@ private:
   std::unique_ptr<GizmoScene> gizmoScene_;
   std::unique_ptr<MotionGuide> motionGuide_;
   std::unique_ptr<ClickTool> clickTool_;
+  std::unique_ptr<StressMode> stress_;
   BindingMessages* bindingMessages_ = nullptr;
   ModeRail* rail_ = nullptr;
   OrganPanel* organPanel_ = nullptr;
   HandlePanel* handlePanel_ = nullptr;
   QStackedWidget* pages_ = nullptr;
+  QStackedWidget* charts_ = nullptr; ///< Volumes, or stress in its mode.
   TimelineBar* timeline_ = nullptr;
   VolumePanel* volumePanel_ = nullptr;
   StatusLine* status_ = nullptr;

@@ -4,6 +4,7 @@
 #include <QMenuBar>
 
 #include "window/main_window.h"
+#include "window/stress/stress_mode.h"
 #include "window/style/icon.h"
 #include "window/view/view_area.h"
 #include "window/widgets/panel_dock.h"
@@ -29,9 +30,10 @@ void MainWindow::makeMenus() {
   fill(edit, {"edit.undo", "edit.redo", "", "edit.selectAll", "handles.remove", "", "pose.reset",
               "pose.resetSelected"});
   QMenu* view = menuBar()->addMenu(tr("&View"));
-  fill(view, {"mode.explore", "mode.handles", "mode.deform", "mode.play", "", "view.anterior",
+  fill(view, {"mode.explore", "mode.handles", "mode.deform", "mode.stress", "mode.play", "", "view.anterior",
               "view.posterior", "view.left", "view.right", "view.superior", "view.inferior", "view.focus", "",
               "view.handles", "view.ghost", "view.cube", "view.scale", ""});
+  stress_->fillMenu(view->addMenu(icon("stress"), tr("St&ress map")));
   QMenu* panels = view->addMenu(tr("&Panels"));
   for (PanelDock* dock : docks_)
     panels->addAction(dock->toggleViewAction());

@@ -7,7 +7,7 @@
 namespace viscera::app {
 
 /// What the mouse does in the view and which property page shows.
-enum class Mode { explore, handles, deform, play };
+enum class Mode { explore, handles, deform, stress, play };
 
 /// A mode as the user meets it.
 struct ModeDescription {

@@ -7,6 +7,7 @@
 #include "viscera/session/document.h"
 #include "viscera/session/job_queue.h"
 #include "viscera/session/live_binding.h"
+#include "viscera/session/live_stress.h"
 #include "viscera/session/selection.h"
 #include "viscera/session/undo_stack.h"
 #include "window/widgets/message_bar.h"
@@ -29,6 +30,7 @@ public:
   session::Selection& selection() { return selection_; }
   session::JobQueue& jobs() { return jobs_; }
   session::LiveBinding& live() { return live_; }
+  session::LiveStress& stress() { return stress_; }
   const plugin::Registry& registry() const { return registry_; }
 
   [[nodiscard]] session::Subscription onChange(std::function<void(const session::Change&)> observer) {
@@ -59,6 +61,7 @@ private:
   plugin::Registry registry_;
   session::JobQueue jobs_;
   session::LiveBinding live_;
+  session::LiveStress stress_;
   session::Selection selection_;
 };
 

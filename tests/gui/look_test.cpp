@@ -69,7 +69,7 @@ TEST_P(ModeTest, NothingIsClippedInASmallWindow) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Keys, ModeTest, testing::Values(1, 2, 3, 5));
+INSTANTIATE_TEST_SUITE_P(Keys, ModeTest, testing::Values(1, 2, 3, 4, 5));
 
 TEST_F(WindowTest, TheWindowFitsAScreenAtTwiceTheScale) {
   window().showWelcome(true);

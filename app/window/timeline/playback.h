@@ -24,6 +24,10 @@ public:
   void setSequence(std::shared_ptr<const sequences::Sequence> sequence, session::OrganId organ);
   /// The sequence that can be played; null when there is none for the organs there are.
   const sequences::Sequence* sequence() const;
+  /// The same, for a worker that needs it longer.
+  std::shared_ptr<const sequences::Sequence> sharedSequence() const {
+    return sequence() ? sequence_ : nullptr;
+  }
   const session::Player& player() const { return player_; }
   /// Whether the organs show the sequence's pose.
   bool showing() const { return started_ && follows(); }
@@ -56,7 +60,7 @@ Q_SIGNALS:
   void playModeWanted();
 
 private:
-  bool follows() const { return mode_ == Mode::explore || mode_ == Mode::play; }
+  bool follows() const { return mode_ == Mode::explore || mode_ == Mode::stress || mode_ == Mode::play; }
   bool start();
   void showPose();
   void showWhatModeWants();

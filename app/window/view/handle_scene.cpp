@@ -83,6 +83,18 @@ void HandleScene::setAlwaysShown(bool shown) {
   syncShown();
 }
 
+void HandleScene::setPlayed(bool played) {
+  if (played == played_)
+    return;
+  played_ = played;
+  syncShown();
+}
+
+void HandleScene::setShownWhere(std::function<bool(const Vec3&)> wanted) {
+  shownWhere_ = std::move(wanted);
+  syncShown();
+}
+
 bool HandleScene::handleUnderMouse() const {
   return dragging() || view_.handles()->GetActiveHandle() >= 0;
 }
@@ -108,7 +120,8 @@ void HandleScene::syncShown() {
   auto* handles = view_.handles();
   const bool shown = editable() || alwaysShown_;
   for (std::size_t row = 0; row < rig.handles.size(); ++row) {
-    handles->SetHandleShown(static_cast<int>(row), shown && rig.handles[row].visible);
+    const bool here = !shownWhere_ || shownWhere_(handles->GetPosition(static_cast<int>(row)));
+    handles->SetHandleShown(static_cast<int>(row), shown && here && rig.handles[row].visible);
     handles->SetHandleLocked(static_cast<int>(row), rig.handles[row].locked || !editable());
   }
   Q_EMIT changed();

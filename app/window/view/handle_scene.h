@@ -24,6 +24,11 @@ public:
   /// Shows the handles also where they cannot be moved (Explore, Play).
   void setAlwaysShown(bool shown);
   bool alwaysShown() const { return alwaysShown_; }
+  /// In Stress mode handles can be moved only while the document's pose is shown, not a sequence's.
+  void setPlayed(bool played);
+  /// Shows only handles at places of which `wanted` says so; null: all again. Asked when it is set and when
+  /// the handles change.
+  void setShownWhere(std::function<bool(const Vec3&)> wanted);
   /// Whether the mouse is on a handle or holds one: a click there is not one on the organ.
   bool handleUnderMouse() const;
   bool dragging() const;
@@ -34,7 +39,9 @@ Q_SIGNALS:
   void dragEnded();
 
 private:
-  bool editable() const { return mode_ == Mode::handles || mode_ == Mode::deform; }
+  bool editable() const {
+    return mode_ == Mode::handles || mode_ == Mode::deform || (mode_ == Mode::stress && !played_);
+  }
   void syncRig();
   void syncPositions();
   void syncSelection();
@@ -52,6 +59,8 @@ private:
   scene::OrganView& view_;
   Mode mode_ = Mode::explore;
   bool alwaysShown_ = false;
+  std::function<bool(const Vec3&)> shownWhere_;
+  bool played_ = false;     ///< What is shown is a sequence's pose.
   bool fromWidget_ = false; ///< The widget already shows what is being changed.
   bool dragFailed_ = false; ///< This drag has met an error and said so.
   std::vector<unsigned long> observers_;

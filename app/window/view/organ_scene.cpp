@@ -74,6 +74,7 @@ void OrganScene::syncOrgans() {
     syncSelection();
     Q_EMIT organsChanged();
   }
+  Q_EMIT looksApplied();
   Q_EMIT changed();
 }
 
@@ -92,7 +93,8 @@ void OrganScene::applyLook(Shown& shown) {
   shown.actor->setColor(look.color);
   shown.actor->setVertexColorsShown(look.vertexColors);
   shown.actor->setOpacity(look.opacity);
-  shown.actor->setVisible(look.visible);
+  if (!suspended_)
+    shown.actor->setVisible(look.visible);
   if (shown.ghost)
     shown.ghost->setVisible(ghostShown_ && look.visible);
 }
@@ -148,7 +150,22 @@ void OrganScene::setInfluenceShown(bool shown) {
   syncInfluence();
 }
 
+void OrganScene::setSuspended(bool suspended) {
+  if (suspended == suspended_)
+    return;
+  suspended_ = suspended;
+  for (auto& [id, shown] : shown_) {
+    shown.actor->hideScalars();
+    shown.actor->clearClipPlane();
+    applyLook(shown);
+  }
+  view_.legend().hide();
+  syncInfluence();
+}
+
 void OrganScene::syncInfluence() {
+  if (suspended_)
+    return;
   const session::HandleId handle = workspace_.selection().currentHandle();
   const int row = workspace_.document().rig().indexOf(handle);
   const bool show = influenceShown_ && row >= 0;

@@ -28,6 +28,9 @@ public:
   bool ghostShown() const { return ghostShown_; }
   void setInfluenceShown(bool shown);
   bool influenceShown() const { return influenceShown_; }
+  /// While somebody else decides what is seen of the organs and how they are coloured by numbers; afterwards
+  /// everything is as the document has it.
+  void setSuspended(bool suspended);
   /// The colour of ghost outlines.
   void setGhostColor(const Vec3& color);
 
@@ -36,6 +39,8 @@ Q_SIGNALS:
   void changed();
   /// Organs came or went.
   void organsChanged();
+  /// Looks were taken from the document: whoever has suspended this applies its own again.
+  void looksApplied();
 
 private:
   struct Shown {
@@ -58,6 +63,7 @@ private:
   Vec3 ghostColor_ = Vec3(0.6, 0.65, 0.7);
   bool ghostShown_ = false;
   bool influenceShown_ = false;
+  bool suspended_ = false;
   std::vector<session::Subscription> subscriptions_;
 };
 

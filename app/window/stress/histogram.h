@@ -1,0 +1,46 @@
+#pragma once
+
+#include <QWidget>
+
+#include <vector>
+
+#include "viscera/core/arrays.h"
+#include "viscera/scene/color_map.h"
+
+namespace viscera::app {
+
+/// How numbers are spread: bars in the colours of a map over its range, with a line at the mean and one at
+/// the 95th percentile, and what is left out by a limit dimmed.
+class Histogram final : public QWidget {
+  Q_OBJECT
+
+public:
+  explicit Histogram(QWidget* parent = nullptr);
+
+  struct Contents {
+    scene::ColorMap colors;
+    scene::ValueRange range;
+    double mean = 0;
+    double percentile95 = 0;
+    scene::ValueRange shown{-1e300, 1e300}; ///< What is not left out.
+  };
+
+  /// The first `count` of `values`; numbers beyond the range count at its ends, those that are none nowhere.
+  void show(const Values& values, Eigen::Index count, const Contents& contents);
+  void clear();
+  /// Numbers in each bar.
+  const std::vector<int>& bars() const { return bars_; }
+
+  QSize sizeHint() const override;
+
+protected:
+  void paintEvent(QPaintEvent* event) override;
+
+private:
+  double xOf(double value) const;
+
+  Contents contents_;
+  std::vector<int> bars_;
+};
+
+} // namespace viscera::app

@@ -1,0 +1,77 @@
+#include "window/stress/probe_card.h"
+
+#include <QGridLayout>
+#include <QLabel>
+#include <QToolButton>
+
+#include <cmath>
+
+#include "window/style/icon.h"
+
+namespace viscera::app {
+
+ProbeCard::ProbeCard(StressModel& model, QWidget* parent)
+    : QFrame(parent), model_(model), place_(new QLabel(this)) {
+  setObjectName(QStringLiteral("badge"));
+  auto* grid = new QGridLayout(this);
+  grid->setContentsMargins(12, 8, 8, 10);
+  grid->setHorizontalSpacing(16);
+  grid->setVerticalSpacing(3);
+  auto* close = new QToolButton(this);
+  close->setIcon(icon("close"));
+  close->setIconSize(QSize(12, 12));
+  close->setToolTip(tr("Close (Esc)"));
+  close->setAccessibleName(tr("Close"));
+  connect(close, &QToolButton::clicked, this, [this] { model_.setProbe(-1); });
+  place_->setObjectName(QStringLiteral("probePlace"));
+  grid->addWidget(place_, 0, 0);
+  grid->addWidget(close, 0, 1, Qt::AlignRight);
+  int row = 1;
+  for (const session::StressQuantityDescription& quantity : session::stressQuantities()) {
+    auto* name = new QLabel(text(quantity.name), this);
+    name->setObjectName(QStringLiteral("muted"));
+    auto* value = new QLabel(this);
+    value->setObjectName(QStringLiteral("probe_%1").arg(text(quantity.id)));
+    value->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    value->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    grid->addWidget(name, row, 0);
+    grid->addWidget(value, row++, 1);
+    values_.push_back(value);
+  }
+  connect(&model, &StressModel::probeChanged, this, &ProbeCard::sync);
+  connect(&model, &StressModel::activeChanged, this, &ProbeCard::sync);
+  connect(&model, &StressModel::updated, this, &ProbeCard::sync);
+  hide();
+}
+
+void ProbeCard::sync() {
+  const int point = model_.probe();
+  const auto mesh = model_.live().mesh();
+  const deformation::StressMap& map = model_.shownMap();
+  const bool any = model_.active() && mesh && point >= 0 && point < map.volumeRatio.size();
+  setVisible(any);
+  if (!any)
+    return;
+  const Vec3 at = mesh->points.row(point);
+  // In the words of the anatomy: LPS has left, posterior and superior positive.
+  const auto axis = [](double mm, const QString& positive, const QString& negative) {
+    return QStringLiteral("%1 %2").arg(std::abs(mm), 0, 'f', 0).arg(mm >= 0 ? positive : negative);
+  };
+  place_->setText(mesh->isWitness(point) ? tr("Witness %1").arg(point) : tr("Surface point %1").arg(point));
+  place_->setToolTip(tr("At rest: %1, %2, %3 mm")
+                         .arg(axis(at.x(), tr("L"), tr("R")), axis(at.y(), tr("P"), tr("A")),
+                              axis(at.z(), tr("S"), tr("I"))));
+  for (std::size_t i = 0; i < values_.size(); ++i) {
+    const session::StressQuantityDescription& quantity = session::stressQuantities()[i];
+    const double value = session::quantityAt(map, quantity.quantity, point);
+    if (quantity.quantity == session::StressQuantity::folded)
+      values_[i]->setText(value > 0 ? tr("yes") : tr("no"));
+    else
+      values_[i]->setText(quantity.unit.empty()
+                              ? QString::number(value, 'f', quantity.decimals)
+                              : tr("%1 %2").arg(value, 0, 'f', quantity.decimals).arg(text(quantity.unit)));
+  }
+  adjustSize();
+}
+
+} // namespace viscera::app

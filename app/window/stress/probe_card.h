@@ -1,0 +1,26 @@
+#pragma once
+
+#include <QFrame>
+
+#include "window/stress/stress_model.h"
+
+class QLabel;
+
+namespace viscera::app {
+
+/// The values at the point that was clicked, over the view; they follow the pose.
+class ProbeCard final : public QFrame {
+  Q_OBJECT
+
+public:
+  explicit ProbeCard(StressModel& model, QWidget* parent = nullptr);
+
+private:
+  void sync();
+
+  StressModel& model_;
+  QLabel* place_;
+  std::vector<QLabel*> values_; ///< One for each quantity.
+};
+
+} // namespace viscera::app

@@ -1,0 +1,154 @@
+#include "window/stress/stress_mode.h"
+
+#include <QAction>
+#include <QMenu>
+
+#include "window/stress/probe_card.h"
+#include "window/stress/stress_chart.h"
+#include "window/stress/stress_page.h"
+
+namespace viscera::app {
+namespace {
+constexpr const char* kActionIds[] = {"stress.next",   "stress.peak",    "stress.surface",
+                                      "stress.pin",    "stress.cut",     "stress.threshold",
+                                      "stress.glyphs", "stress.handles", "stress.others"};
+} // namespace
+
+StressMode::StressMode(Workspace& workspace, Playback& playback, Settings& settings, Actions& actions,
+                       ViewArea& area, OrganScene& organs, HandleScene& handles, QObject* parent)
+    : QObject(parent), workspace_(workspace), playback_(playback), actions_(actions), area_(area),
+      model_(workspace, playback, settings), scene_(workspace, model_, *area.view(), organs, handles),
+      card_(new ProbeCard(model_, &area)) {
+  area.addCard(card_, Qt::AlignVCenter | Qt::AlignLeft);
+  makeActions();
+  connect(&scene_, &StressScene::changed, area.view(), &ViewWidget::scheduleRender);
+  connect(&model_, &StressModel::lookChanged, this, &StressMode::syncActions);
+  connect(&model_, &StressModel::statusChanged, this, &StressMode::syncActions);
+  connect(&model_, &StressModel::activeChanged, this, &StressMode::syncActions);
+  connect(&playback, &Playback::stateChanged, this, [this, &handles] {
+    handles.setPlayed(playback_.showing());
+    syncActions();
+  });
+  syncActions();
+}
+
+StressMode::~StressMode() = default;
+
+void StressMode::changeLook(const std::function<void(StressLook&)>& change) {
+  StressLook look = model_.look();
+  change(look);
+  model_.setLook(look);
+}
+
+void StressMode::makeActions() {
+  actions_.add("stress.next", {tr("&Next map"), "stress", {Qt::Key_M}, tr("The next stress map")}, [this] {
+    changeLook([](StressLook& look) {
+      const auto& all = session::stressQuantities();
+      look.quantity = all[(static_cast<std::size_t>(look.quantity) + 1) % all.size()].quantity;
+    });
+  });
+  actions_.addToggle("stress.peak",
+                     {tr("&Peak over the sequence"),
+                      "chart",
+                      {tr("Shift+M")},
+                      tr("The worst that every point meets in one cycle of the sequence")},
+                     false, [this](bool on) {
+                       if (on)
+                         model_.findPeak();
+                       else
+                         model_.setPeakShown(false);
+                       syncActions();
+                     });
+  const auto toggle = [this](const char* id, const Actions::Description& description,
+                             bool StressLook::*member) {
+    actions_.addToggle(id, description, model_.look().*member,
+                       [this, member](bool on) { changeLook([&](StressLook& look) { look.*member = on; }); });
+  };
+  toggle("stress.surface",
+         {tr("Map on the organ's &surface"), nullptr, {}, tr("Instead of on the outer tetrahedra")},
+         &StressLook::onSurface);
+  toggle("stress.pin",
+         {tr("&Keep the legend's range"), nullptr, {}, tr("Colours stay comparable between poses")},
+         &StressLook::pinned);
+  toggle("stress.cut", {tr("&Cut open"), nullptr, {Qt::Key_C}, tr("Cut the organ open by a plane")},
+         &StressLook::cut);
+  actions_.addToggle(
+      "stress.threshold",
+      {tr("&Only beyond a limit"), nullptr, {Qt::Key_T}, tr("Show only tissue above or below a limit")},
+      model_.look().threshold, [this](bool on) {
+        changeLook([&](StressLook& look) {
+          look.threshold = on;
+          const bool smallest = look.quantity == session::StressQuantity::stretchMin;
+          look.below = smallest;
+          look.limit = model_.ready() ? model_.summary().mean : 0;
+        });
+      });
+  actions_.add(
+      "stress.glyphs",
+      {tr("&Glyphs of the stretch"), nullptr, {tr("Shift+G")}, tr("No glyphs, ellipsoids or crosses")},
+      [this] {
+        changeLook([](StressLook& look) {
+          look.glyphs = static_cast<GlyphChoice>((static_cast<int>(look.glyphs) + 1) % 3);
+        });
+      });
+  toggle("stress.handles", {tr("&Handles"), nullptr, {}, tr("Show the handles, so that they can be dragged")},
+         &StressLook::handles);
+  toggle("stress.others", {tr("O&ther organs"), nullptr, {}, tr("Keep the other organs in the picture")},
+         &StressLook::others);
+}
+
+/// Actions do something only in the mode; the window's other modes may give their keys another meaning.
+void StressMode::syncActions() {
+  const StressLook& look = model_.look();
+  const auto check = [this](const char* id, bool on) {
+    if (actions_[id]->isChecked() != on)
+      actions_[id]->setChecked(on);
+  };
+  check("stress.surface", look.onSurface);
+  check("stress.pin", look.pinned);
+  check("stress.cut", look.cut);
+  check("stress.threshold", look.threshold);
+  check("stress.handles", look.handles);
+  check("stress.others", look.others);
+  check("stress.peak", model_.peakShown());
+  for (const char* id : kActionIds)
+    actions_[id]->setEnabled(model_.active());
+  actions_["stress.peak"]->setEnabled(model_.active() && model_.ready() && playback_.sequence());
+}
+
+StressPage* StressMode::makePage() {
+  return new StressPage(workspace_, playback_, model_, scene_, actions_);
+}
+
+StressChart* StressMode::makeChart() {
+  chart_ = new StressChart(model_);
+  return chart_;
+}
+
+void StressMode::fillMenu(QMenu* menu) const {
+  for (const char* id : kActionIds)
+    menu->addAction(actions_[id]);
+}
+
+void StressMode::setActive(bool active) {
+  model_.setActive(active);
+}
+
+void StressMode::setTheme(const Theme& theme) {
+  scene_.setTheme(area_.view()->view().theme());
+  if (chart_)
+    chart_->setTheme(theme);
+}
+
+bool StressMode::escape() {
+  if (scene_.planeWidget()->IsDragging()) {
+    scene_.planeWidget()->CancelDrag();
+    return true;
+  }
+  if (!model_.active() || model_.probe() < 0)
+    return false;
+  model_.setProbe(-1);
+  return true;
+}
+
+} // namespace viscera::app

@@ -1,0 +1,381 @@
+#include "window/stress/stress_page.h"
+
+#include <QAction>
+#include <QButtonGroup>
+#include <QComboBox>
+#include <QGridLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLocale>
+#include <QPushButton>
+#include <QSignalBlocker>
+#include <QSlider>
+#include <QSpinBox>
+
+#include <cmath>
+
+#include "window/stress/histogram.h"
+#include "window/widgets/value_slider.h"
+
+namespace viscera::app {
+namespace {
+
+using Options = session::WitnessOptions;
+/// Steps of the slider between the fewest and the most witnesses: it goes by factors.
+constexpr int kCountSteps = 100;
+constexpr int kRound = 100;
+
+int countAt(int step) {
+  const double count =
+      Options::kFewest * std::pow(double(Options::kMost) / Options::kFewest, double(step) / kCountSteps);
+  const double unit = count < 2000 ? kRound : count < 20000 ? 10.0 * kRound / 2 : 10.0 * kRound;
+  return static_cast<int>(std::lround(count / unit) * std::lround(unit));
+}
+
+int stepOf(int count) {
+  return static_cast<int>(std::lround(kCountSteps * std::log(double(count) / Options::kFewest) /
+                                      std::log(double(Options::kMost) / Options::kFewest)));
+}
+
+QString nameOf(session::WitnessOrigin origin) {
+  switch (origin) {
+  case session::WitnessOrigin::surface:
+    return StressPage::tr("TetGen");
+  case session::WitnessOrigin::repairedSurface:
+    return StressPage::tr("TetGen, surface repaired");
+  case session::WitnessOrigin::grid:
+    return StressPage::tr("regular grid");
+  }
+  return {};
+}
+
+QComboBox* makeChoice(const QString& name, const QStringList& items, QWidget* parent) {
+  auto* box = new QComboBox(parent);
+  box->setAccessibleName(name);
+  box->addItems(items);
+  return box;
+}
+
+} // namespace
+
+StressPage::StressPage(Workspace& workspace, Playback& playback, StressModel& model, StressScene& scene,
+                       const Actions& actions, QWidget* parent)
+    : Page(parent), workspace_(workspace), playback_(playback), model_(model), scene_(scene) {
+  makeMap(actions);
+  makeNumbers();
+  makeInside(actions);
+  makeWitnesses(actions);
+  finish();
+  connect(&model, &StressModel::lookChanged, this, &StressPage::syncLook);
+  connect(&model, &StressModel::statusChanged, this, &StressPage::syncStatus);
+  connect(&model, &StressModel::sampled, this, &StressPage::syncStatus);
+  connect(&model, &StressModel::updated, this, [this] {
+    syncNumbers();
+    syncThreshold();
+  });
+  connect(&playback, &Playback::stateChanged, this, &StressPage::syncStatus);
+  syncLook();
+  syncStatus();
+  syncNumbers();
+}
+
+void StressPage::changeLook(const std::function<void(StressLook&)>& change) {
+  StressLook look = model_.look();
+  change(look);
+  model_.setLook(look);
+}
+
+void StressPage::makeMap(const Actions& actions) {
+  addSection(tr("Map"));
+  QStringList names;
+  for (const session::StressQuantityDescription& quantity : session::stressQuantities())
+    names.push_back(text(quantity.name));
+  quantity_ = makeChoice(tr("Map"), names, this);
+  quantity_->setObjectName(QStringLiteral("stressQuantity"));
+  quantity_->setToolTip(
+      tr("What the colours mean (M: the next one). Rotational stress is the largest angle "
+         "by which a direction is turned when the tissue is stretched; it is no pressure."));
+  connect(quantity_, QOverload<int>::of(&QComboBox::activated), this, [this](int index) {
+    changeLook([index](StressLook& look) {
+      look.quantity = session::stressQuantities()[static_cast<std::size_t>(index)].quantity;
+    });
+  });
+  add(quantity_);
+  add(makePose());
+  addCheck(actions["stress.peak"]);
+  addCheck(actions["stress.surface"]);
+  addCheck(actions["stress.pin"]);
+}
+
+QWidget* StressPage::makePose() {
+  auto* box = new QWidget(this);
+  auto* row = new QHBoxLayout(box);
+  row->setContentsMargins(0, 0, 0, 0);
+  row->setSpacing(4);
+  auto* group = new QButtonGroup(box);
+  const auto addButton = [&](const QString& name, const char* id, const QString& tip) {
+    auto* button = new QPushButton(name, box);
+    button->setObjectName(QLatin1String(id));
+    button->setCheckable(true);
+    button->setToolTip(tip);
+    group->addButton(button);
+    row->addWidget(button, 1);
+    return button;
+  };
+  ownPose_ = addButton(tr("Your pose"), "stressOwnPose", tr("The map of your pose; handles can be dragged"));
+  played_ = addButton(tr("Sequence"), "stressPlayed",
+                      tr("The map of the sequence at the timeline's instant; Space plays"));
+  connect(ownPose_, &QPushButton::clicked, &playback_, &Playback::stop);
+  connect(played_, &QPushButton::clicked, this, [this] {
+    playback_.seek(playback_.player().fraction());
+    syncStatus(); // It may not be possible.
+  });
+  return box;
+}
+
+void StressPage::makeNumbers() {
+  addSection(tr("Numbers"));
+  state_ = addRemark(QString());
+  state_->setObjectName(QStringLiteral("stressState"));
+  min_ = addFact(tr("Smallest"));
+  mean_ = addFact(tr("Mean"));
+  percentile_ = addFact(tr("95th percentile"));
+  max_ = addFact(tr("Largest"));
+  folded_ = addFact(tr("Folded"));
+  mean_->setObjectName(QStringLiteral("stressMean"));
+  max_->setObjectName(QStringLiteral("stressMax"));
+  folded_->setToolTip(tr("Witness points at which the tissue is turned inside out; in magenta on every map"));
+  histogram_ = new Histogram(this);
+  add(histogram_);
+}
+
+void StressPage::makeInside(const Actions& actions) {
+  addSection(tr("Look inside"));
+  addCheck(actions["stress.cut"]);
+  style_ =
+      makeChoice(tr("Cut"), {tr("Smooth: through the tetrahedra"), tr("Crinkle: whole tetrahedra")}, this);
+  style_->setObjectName(QStringLiteral("stressCutStyle"));
+  connect(style_, QOverload<int>::of(&QComboBox::activated), this, [this](int index) {
+    changeLook([index](StressLook& look) {
+      look.style = index == 1 ? scene::CutStyle::crinkle : scene::CutStyle::smooth;
+    });
+  });
+  add(style_);
+  offset_ = new ValueSlider(tr("Depth"), {-100, 100, 1, 0, tr(" %")}, this);
+  offset_->setObjectName(QStringLiteral("stressOffset"));
+  offset_->setToolTip(
+      tr("Of the cut from the organ's middle; the arrow in the view moves it too, the rim tilts "
+         "it"));
+  connect(offset_, &ValueSlider::valueChanged, this,
+          [this](double value) { changeLook([value](StressLook& look) { look.offset = value / 100; }); });
+  add(offset_);
+  directions_ = makeDirections();
+  add(directions_);
+  addCheck(actions["stress.threshold"]);
+  side_ = makeChoice(tr("Shown"), {tr("Show what is above"), tr("Show what is below")}, this);
+  connect(side_, QOverload<int>::of(&QComboBox::activated), this,
+          [this](int index) { changeLook([index](StressLook& look) { look.below = index == 1; }); });
+  add(side_);
+  limit_ = new ValueSlider(tr("Limit"), {0, 1, 0.01, 2, {}}, this);
+  limit_->setObjectName(QStringLiteral("stressLimit"));
+  connect(limit_, &ValueSlider::valueChanged, this,
+          [this](double value) { changeLook([value](StressLook& look) { look.limit = value; }); });
+  add(limit_);
+  glyphs_ = makeChoice(
+      tr("Glyphs"), {tr("No glyphs"), tr("Ellipsoids of the stretch"), tr("Crosses of the stretch")}, this);
+  glyphs_->setObjectName(QStringLiteral("stressGlyphs"));
+  glyphs_->setToolTip(tr("What small balls of tissue have become, at some 300 places"));
+  connect(glyphs_, QOverload<int>::of(&QComboBox::activated), this, [this](int index) {
+    changeLook([index](StressLook& look) { look.glyphs = static_cast<GlyphChoice>(index); });
+  });
+  add(glyphs_);
+  addCheck(actions["stress.handles"]);
+  addCheck(actions["stress.others"]);
+}
+
+QWidget* StressPage::makeDirections() {
+  auto* box = new QWidget(this);
+  auto* grid = new QGridLayout(box);
+  grid->setContentsMargins(0, 0, 0, 0);
+  grid->setSpacing(4);
+  struct Direction {
+    QString name;
+    QString tip;
+    Vec3 normal;
+  };
+  const Direction directions[] = {
+      {tr("Coronal"), tr("Cut away the front"), Vec3::UnitY()},
+      {tr("Sagittal"), tr("Cut away the right side"), Vec3::UnitX()},
+      {tr("Axial"), tr("Cut away the upper part"), -Vec3::UnitZ()},
+  };
+  int index = 0;
+  const auto addButton = [&](const QString& name, const QString& tip, std::function<void()> run) {
+    auto* button = new QPushButton(name, box);
+    button->setToolTip(tip);
+    connect(button, &QPushButton::clicked, this, [run = std::move(run)] { run(); });
+    grid->addWidget(button, index / 2, index % 2);
+    ++index;
+  };
+  for (const Direction& direction : directions)
+    addButton(direction.name, direction.tip, [this, normal = direction.normal] {
+      changeLook([&](StressLook& look) {
+        look.normal = normal;
+        look.offset = 0;
+      });
+    });
+  addButton(tr("Facing me"), tr("Cut through the middle, across the line of sight"),
+            [this] { scene_.faceReader(); });
+  return box;
+}
+
+QWidget* StressPage::makeWitnessCount() {
+  auto* box = new QWidget(this);
+  auto* grid = new QGridLayout(box);
+  grid->setContentsMargins(0, 0, 0, 0);
+  grid->setHorizontalSpacing(8);
+  grid->setVerticalSpacing(2);
+  auto* name = new QLabel(tr("Number"), box);
+  countField_ = new QSpinBox(box);
+  countField_->setObjectName(QStringLiteral("stressWitnesses"));
+  countField_->setRange(Options::kFewest, Options::kMost);
+  countField_->setGroupSeparatorShown(true);
+  countField_->setButtonSymbols(QAbstractSpinBox::NoButtons);
+  countField_->setAlignment(Qt::AlignRight);
+  countField_->setKeyboardTracking(false);
+  countField_->setAccessibleName(tr("Number of witness points"));
+  name->setBuddy(countField_);
+  countSlider_ = new QSlider(Qt::Horizontal, box);
+  countSlider_->setRange(0, kCountSteps);
+  countSlider_->setAccessibleName(tr("Number of witness points"));
+  countSlider_->setToolTip(tr("More points show finer detail and take longer: 20,000 follow a drag"));
+  grid->addWidget(name, 0, 0);
+  grid->addWidget(countField_, 0, 1, Qt::AlignRight);
+  grid->addWidget(countSlider_, 1, 0, 1, 2);
+  grid->setColumnStretch(0, 1);
+  const auto choose = [this](int count) {
+    changeLook([count](StressLook& look) { look.witnesses = count; });
+  };
+  connect(countSlider_, &QSlider::valueChanged, this, [this, choose](int step) {
+    const QSignalBlocker quiet(countField_);
+    countField_->setValue(countAt(step));
+    if (!countSlider_->isSliderDown())
+      choose(countField_->value());
+  });
+  connect(countSlider_, &QSlider::sliderReleased, this, [this, choose] { choose(countField_->value()); });
+  connect(countField_, QOverload<int>::of(&QSpinBox::valueChanged), this, choose);
+  return box;
+}
+
+void StressPage::makeWitnesses(const Actions&) {
+  addSection(tr("Witness points"));
+  add(makeWitnessCount());
+  origin_ = addFact(tr("Source"));
+  origin_->setObjectName(QStringLiteral("stressOrigin"));
+  points_ = addFact(tr("Points"));
+  derivatives_ = addFact(tr("Derivatives"));
+  remarks_ = addRemark(QString());
+  retry_ = new QPushButton(tr("Try again"), this);
+  connect(retry_, &QPushButton::clicked, this, [this] { model_.live().retry(); });
+  add(retry_);
+}
+
+void StressPage::syncLook() {
+  const StressLook& look = model_.look();
+  quantity_->setCurrentIndex(static_cast<int>(look.quantity));
+  style_->setCurrentIndex(look.style == scene::CutStyle::crinkle ? 1 : 0);
+  style_->setEnabled(look.cut);
+  offset_->setValue(100 * look.offset);
+  offset_->setEnabled(look.cut);
+  directions_->setEnabled(look.cut);
+  side_->setCurrentIndex(look.below ? 1 : 0);
+  side_->setVisible(look.threshold);
+  limit_->setVisible(look.threshold);
+  glyphs_->setCurrentIndex(static_cast<int>(look.glyphs));
+  if (!countSlider_->isSliderDown()) {
+    const QSignalBlocker quietField(countField_), quietSlider(countSlider_);
+    countField_->setValue(look.witnesses);
+    countSlider_->setValue(stepOf(look.witnesses));
+  }
+  syncThreshold();
+  syncNumbers();
+}
+
+void StressPage::syncThreshold() {
+  if (!model_.look().threshold)
+    return;
+  limit_->setRange(model_.range().low, model_.range().high);
+  limit_->setValue(model_.look().limit);
+}
+
+void StressPage::syncStatus() {
+  using State = session::StressStatus::State;
+  const session::StressStatus& status = model_.live().status();
+  QString state;
+  switch (status.state) {
+  case State::off:
+    state = workspace_.currentOrgan() ? QString() : tr("Open an organ to see where it is distorted.");
+    break;
+  case State::sampling:
+    state = tr("Filling the organ with witness points...");
+    break;
+  case State::binding:
+    state = tr("Hanging the witness points on the handles...");
+    break;
+  case State::cancelled:
+    state = tr("Cancelled. The map goes on when you try again.");
+    break;
+  case State::failed:
+    state = text(status.message);
+    break;
+  case State::ready:
+    break;
+  }
+  state_->setText(state);
+  state_->setVisible(!state.isEmpty());
+  retry_->setVisible(status.state == State::cancelled || status.state == State::failed);
+  const auto mesh = model_.live().mesh();
+  const QString none = QStringLiteral("-");
+  origin_->setText(mesh ? nameOf(status.origin) : none);
+  points_->setText(mesh ? tr("%1 in %2 tetrahedra")
+                              .arg(locale().toString(static_cast<int>(mesh->witnesses)),
+                                   locale().toString(static_cast<int>(mesh->tetrahedra.rows())))
+                        : none);
+  derivatives_->setText(status.state != State::ready ? none
+                        : status.closedForm          ? tr("closed form")
+                                                     : tr("differences"));
+  QStringList lines;
+  for (const std::string& remark : status.remarks)
+    lines.push_back(text(remark));
+  if (status.state == State::ready && status.outside > 0)
+    lines.push_back(tr("%n {point lies|points lie} outside the handles' hull and stay where they are.",
+                       nullptr, status.outside));
+  remarks_->setText(lines.join(QLatin1Char('\n')));
+  remarks_->setVisible(mesh && !lines.isEmpty());
+  const QSignalBlocker quietOwn(ownPose_), quietPlayed(played_);
+  played_->setEnabled(playback_.sequence());
+  (playback_.showing() ? played_ : ownPose_)->setChecked(true);
+  syncNumbers();
+}
+
+void StressPage::syncNumbers() {
+  const QString none = QStringLiteral("-");
+  const bool any = model_.ready();
+  const session::QuantitySummary& summary = model_.summary();
+  min_->setText(any ? model_.format(summary.min) : none);
+  mean_->setText(any ? model_.format(summary.mean) : none);
+  percentile_->setText(any ? model_.format(summary.percentile95) : none);
+  max_->setText(any ? model_.format(summary.max) : none);
+  folded_->setText(any ? locale().toString(model_.folded()) : none);
+  if (!any)
+    return histogram_->clear();
+  if (!isVisible())
+    return;
+  Histogram::Contents contents{model_.colors(), model_.range(), summary.mean, summary.percentile95, {}};
+  const StressLook& look = model_.look();
+  contents.shown = !look.threshold ? scene::ValueRange{-1e300, 1e300}
+                   : look.below    ? scene::ValueRange{-1e300, look.limit}
+                                   : scene::ValueRange{look.limit, 1e300};
+  histogram_->show(*model_.values(), model_.live().mesh()->witnesses, contents);
+}
+
+} // namespace viscera::app

@@ -1,0 +1,70 @@
+#pragma once
+
+#include "window/actions.h"
+#include "window/stress/stress_scene.h"
+#include "window/widgets/page.h"
+
+class QComboBox;
+class QLabel;
+class QPushButton;
+class QSlider;
+class QSpinBox;
+
+namespace viscera::app {
+
+class Histogram;
+class ValueSlider;
+
+/// Stress: which map, its numbers and how they are spread, the witness points and where they come from, and
+/// how to look inside.
+class StressPage final : public Page {
+  Q_OBJECT
+
+public:
+  StressPage(Workspace& workspace, Playback& playback, StressModel& model, StressScene& scene,
+             const Actions& actions, QWidget* parent = nullptr);
+
+private:
+  void makeMap(const Actions& actions);
+  void makeNumbers();
+  void makeWitnesses(const Actions& actions);
+  void makeInside(const Actions& actions);
+  QWidget* makePose();
+  QWidget* makeDirections();
+  QWidget* makeWitnessCount();
+  void changeLook(const std::function<void(StressLook&)>& change);
+  void syncLook();
+  void syncStatus();
+  void syncNumbers();
+  void syncThreshold();
+
+  Workspace& workspace_;
+  Playback& playback_;
+  StressModel& model_;
+  StressScene& scene_;
+  QPushButton* ownPose_ = nullptr;
+  QPushButton* played_ = nullptr;
+  QComboBox* quantity_ = nullptr;
+  QLabel* state_ = nullptr;
+  QLabel* min_ = nullptr;
+  QLabel* mean_ = nullptr;
+  QLabel* percentile_ = nullptr;
+  QLabel* max_ = nullptr;
+  QLabel* folded_ = nullptr;
+  Histogram* histogram_ = nullptr;
+  QSlider* countSlider_ = nullptr;
+  QSpinBox* countField_ = nullptr;
+  QLabel* origin_ = nullptr;
+  QLabel* points_ = nullptr;
+  QLabel* derivatives_ = nullptr;
+  QLabel* remarks_ = nullptr;
+  QPushButton* retry_ = nullptr;
+  QComboBox* style_ = nullptr;
+  ValueSlider* offset_ = nullptr;
+  QWidget* directions_ = nullptr;
+  QComboBox* side_ = nullptr;
+  ValueSlider* limit_ = nullptr;
+  QComboBox* glyphs_ = nullptr;
+};
+
+} // namespace viscera::app

@@ -1,0 +1,291 @@
+#include "window_test.h"
+
+#include <QAction>
+#include <QComboBox>
+#include <QLabel>
+#include <QPushButton>
+#include <QSpinBox>
+#include <QTest>
+#include <QTimer>
+
+#include <cmath>
+#include <numbers>
+
+#include <vtkActor.h>
+#include <vtkMapper.h>
+#include <vtkPlaneCollection.h>
+
+#include "viscera/session/stress_quantity.h"
+#include "window/stress/histogram.h"
+#include "window/stress/stress_mode.h"
+#include "window/stress/value_steps.h"
+
+namespace viscera::tests {
+namespace {
+
+constexpr int kWitnesses = 600;
+
+/// The handles' rest places, one of them swaying.
+class Sway final : public sequences::Sequence {
+public:
+  explicit Sway(Points rest) : rest_(std::move(rest)) {}
+  std::string id() const override { return "sway"; }
+  std::string name() const override { return "Sway"; }
+  const Points& restHandles() const override { return rest_; }
+  double standardRatePerMinute() const override { return 60; }
+  double lowestRatePerMinute() const override { return 10; }
+  double highestRatePerMinute() const override { return 120; }
+  void poseAt(double seconds, double rate, Points& pose) const override {
+    pose = rest_;
+    pose.row(0).x() += 30 * std::sin(2 * std::numbers::pi * seconds * rate / 60);
+  }
+  std::vector<sequences::Phase> phases(double) const override { return {{"sway", 0, 1}}; }
+
+private:
+  Points rest_;
+};
+
+TEST(SteppedRange, GoesInRoundStepsAndDoesNotCreep) {
+  using app::steppedRange;
+  using Quantity = session::StressQuantity;
+  const scene::ValueRange first = steppedRange(Quantity::rotationalStress, {0, 11}, {0, 0});
+  EXPECT_EQ(first.low, 0);
+  EXPECT_GE(first.high, 11);
+  for (const double more : {10.0, 9.0, 8.0, 11.5}) {
+    const scene::ValueRange next = steppedRange(Quantity::rotationalStress, {0, more}, first);
+    EXPECT_EQ(next.high, first.high) << more;
+  }
+  EXPECT_GT(steppedRange(Quantity::rotationalStress, {0, 50}, first).high, first.high);
+  EXPECT_LT(steppedRange(Quantity::rotationalStress, {0, 1}, first).high, first.high);
+  const scene::ValueRange ratio = steppedRange(Quantity::volumeRatio, {0.8, 1.1}, {0, 0});
+  EXPECT_NEAR(ratio.low + ratio.high, 2, 1e-12);
+  EXPECT_LE(ratio.low, 0.8);
+  const scene::ValueRange again = steppedRange(Quantity::volumeRatio, {0.82, 1.1}, ratio);
+  EXPECT_EQ(again.low, ratio.low);
+  EXPECT_EQ(again.high, ratio.high);
+}
+
+class StressModeTest : public WindowTest {
+protected:
+  void SetUp() override {
+    WindowTest::SetUp();
+    open(sphereFile());
+    look([](app::StressLook& look) { look.witnesses = kWitnesses; });
+  }
+
+  app::StressModel& model() { return window().stress().model(); }
+  app::StressScene& scene() { return window().stress().scene(); }
+  scene::OrganActor& organ() { return *view().view().organs().front(); }
+  bool clipped() {
+    auto* planes = organ().actor()->GetMapper()->GetClippingPlanes();
+    return planes && planes->GetNumberOfItems() > 0;
+  }
+  void look(const std::function<void(app::StressLook&)>& change) {
+    app::StressLook look = model().look();
+    change(look);
+    model().setLook(look);
+  }
+  void enter() {
+    key(Qt::Key_4);
+    ASSERT_EQ(window().mode(), app::Mode::stress);
+    ASSERT_TRUE(waitUntil([this] { return model().ready() && scene().tissue(); }));
+    settle();
+  }
+  template <class Widget>
+  Widget* find(const char* name) {
+    return window().findChild<Widget*>(QLatin1String(name));
+  }
+  QString label(const char* name) { return find<QLabel>(name)->text(); }
+  /// Drags a handle in front to the side.
+  void dragAHandle() {
+    const int handle = reachableHandle();
+    ASSERT_GE(handle, 0);
+    const QPoint from = onScreen(handleInView(handle));
+    drag(from, from + QPoint(70, -30));
+    waitForNumbers();
+  }
+  /// Numbers to be read come ten times a second.
+  void waitForNumbers() {
+    bool told = false;
+    QTimer timer;
+    timer.setSingleShot(true);
+    QObject::connect(&timer, &QTimer::timeout, [&] { told = true; });
+    timer.start(200);
+    waitUntil([&] { return told; });
+  }
+};
+
+TEST_F(StressModeTest, KeyFourShowsTheMapAndLeavingPutsTheLooksBack) {
+  enter();
+  EXPECT_TRUE(view().view().legend().visible());
+  EXPECT_TRUE(organ().scalarsShown());
+  EXPECT_TRUE(clipped());
+  EXPECT_TRUE(scene().tissue()->visible());
+  EXPECT_GT(scene().tissue()->cutTriangles(), 10);
+  EXPECT_NEAR(model().live().mesh()->witnesses, kWitnesses, 0.3 * kWitnesses);
+  EXPECT_FALSE(label("stressOrigin").isEmpty());
+  EXPECT_LT(model().summary().max, 1e-6) << "nothing is distorted at rest";
+  key(Qt::Key_1);
+  EXPECT_FALSE(view().view().legend().visible());
+  EXPECT_FALSE(organ().scalarsShown());
+  EXPECT_FALSE(clipped());
+  EXPECT_TRUE(organ().visible());
+  EXPECT_FALSE(scene().planeWidget()->GetEnabled());
+}
+
+TEST_F(StressModeTest, DraggingAHandleMovesTheMapAndItsNumbers) {
+  enter();
+  const QString before = label("stressMax");
+  const Points pointsBefore = model().live().points();
+  dragAHandle();
+  EXPECT_GT(model().summary().max, 0.5);
+  EXPECT_NE(label("stressMax"), before);
+  EXPECT_GT((model().live().points() - pointsBefore).cwiseAbs().maxCoeff(), 1);
+  // What is shown is the evaluation of the pose that is shown.
+  deformation::StressMap expected;
+  model().live().gradients()->evaluate(document().pose(), expected);
+  Values values;
+  session::quantityOf(expected, session::StressQuantity::rotationalStress, values);
+  EXPECT_EQ(*model().values(), values);
+  const auto& bars = find<app::Histogram>("stressHistogram")->bars();
+  int counted = 0;
+  for (const int bar : bars)
+    counted += bar;
+  EXPECT_EQ(counted, model().live().mesh()->witnesses);
+  key(Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_LT(model().summary().max, 1e-6) << "undo takes the stress back";
+}
+
+TEST_F(StressModeTest, TheCutIsPushedByItsArrowAndTurnedOffByItsKey) {
+  enter();
+  const scene::CutPlane before = scene().cutPlane();
+  auto* plane = scene().planeWidget()->GetPlaneRepresentation();
+  look([](app::StressLook& look) { look.normal = Vec3(0.8, 0.6, 0); });
+  settle();
+  const scene::CutPlane turned = scene().cutPlane();
+  EXPECT_LT(turned.normal.dot(before.normal), 0.9);
+  const QPoint from = onScreen(plane->GetArrowTip());
+  drag(from, onScreen(plane->GetArrowTip() - 20 * turned.normal));
+  EXPECT_NEAR((scene().cutPlane().origin - turned.origin).dot(turned.normal), -20, 4);
+  key(Qt::Key_C);
+  EXPECT_FALSE(clipped());
+  EXPECT_FALSE(scene().planeWidget()->GetEnabled());
+  EXPECT_FALSE(scene().tissue()->visible()) << "the organ's own surface carries the map";
+  key(Qt::Key_C);
+  EXPECT_TRUE(clipped());
+}
+
+TEST_F(StressModeTest, AClickShowsTheValuesOfThePointAndFollowsThePose) {
+  enter();
+  dragAHandle();
+  click(onScreen(scene().cutPlane().origin + Vec3(9, 0, -13)));
+  const int point = model().probe();
+  ASSERT_GE(point, 0);
+  EXPECT_LT((model().live().points().row(point).transpose() - scene().cutPlane().origin).norm(), 40);
+  EXPECT_TRUE(scene().marker().visible());
+  EXPECT_NEAR((scene().marker().position() - model().live().points().row(point).transpose()).norm(), 0, 1e-9);
+  const double degrees = 180 / std::numbers::pi * model().live().map().rotationalStress[point];
+  EXPECT_EQ(label("probe_rotational-stress"), QStringLiteral("%1 deg").arg(degrees, 0, 'f', 1));
+  EXPECT_TRUE(find<QLabel>("probe_volume-ratio")->isVisible());
+  key(Qt::Key_Escape);
+  EXPECT_EQ(model().probe(), -1);
+  EXPECT_FALSE(scene().marker().visible());
+}
+
+TEST_F(StressModeTest, ALimitHidesTissueAndGlyphsShowInIt) {
+  enter();
+  dragAHandle();
+  look([](app::StressLook& look) { look.cut = look.onSurface = false; });
+  settle();
+  const int all = scene().tissue()->shownTetrahedra();
+  key(Qt::Key_T);
+  EXPECT_TRUE(model().look().threshold);
+  EXPECT_GT(model().look().limit, 0);
+  EXPECT_LT(scene().tissue()->shownTetrahedra(), all);
+  EXPECT_GT(scene().tissue()->shownTetrahedra(), 0);
+  key(Qt::Key_T);
+  settle();
+  EXPECT_EQ(scene().tissue()->shownTetrahedra(), all);
+  look([](app::StressLook& look) { look.glyphs = app::GlyphChoice::ellipsoids; });
+  settle();
+  EXPECT_TRUE(scene().glyphs().visible());
+  EXPECT_GT(scene().glyphs().count(), 50);
+}
+
+TEST_F(StressModeTest, EveryMapHasItsLegendAndNumbers) {
+  enter();
+  dragAHandle();
+  for (const session::StressQuantityDescription& quantity : session::stressQuantities()) {
+    EXPECT_EQ(model().look().quantity, quantity.quantity);
+    EXPECT_EQ(find<QComboBox>("stressQuantity")->currentText().toStdString(), quantity.name);
+    const scene::ValueRange range = model().range();
+    if (quantity.ratio) {
+      EXPECT_NEAR(0.5 * (range.low + range.high), 1, 1e-12) << "ratios lie around 1";
+    }
+    EXPECT_LE(model().summary().percentile95, range.high);
+    EXPECT_GE(model().summary().percentile5, range.low);
+    key(Qt::Key_M);
+  }
+}
+
+TEST_F(StressModeTest, APlayingSequenceMovesTheMapAndIsRecorded) {
+  enter();
+  const auto sway = std::make_shared<Sway>(document().rig().restPositions());
+  window().playback().setSequence(sway, document().organs().front()->id);
+  key(Qt::Key_Space);
+  EXPECT_EQ(window().mode(), app::Mode::stress);
+  for (int frame = 0; frame < 12; ++frame) {
+    now_ += 0.02;
+    window().playback().advance();
+  }
+  EXPECT_GT(model().summary().max, 0.5);
+  EXPECT_GE(model().record().samples().size(), 10u);
+  EXPECT_NEAR(model().record().samples().back().statistics.max,
+              model().summary().max * std::numbers::pi / 180, 1e-9);
+  key(Qt::Key_Space);
+  // The peak over the cycle is at least the map of every instant.
+  const Values now = *model().values();
+  window().actions()["stress.peak"]->trigger();
+  ASSERT_TRUE(waitUntil([this] { return model().peakShown(); }));
+  EXPECT_GE((*model().values() - now).minCoeff(), -0.2);
+  EXPECT_GT(model().summary().max, now.maxCoeff() - 0.2);
+  // Back to the own pose, which is at rest.
+  window().actions()["stress.peak"]->trigger();
+  QTest::mouseClick(find<QPushButton>("stressOwnPose"), Qt::LeftButton);
+  settle();
+  EXPECT_LT(model().summary().max, 1e-6);
+}
+
+TEST_F(StressModeTest, TheNumberOfWitnessesAndTheLookAreKeptInTheSettings) {
+  enter();
+  find<QSpinBox>("stressWitnesses")->setValue(1500);
+  ASSERT_TRUE(waitUntil([this] { return model().ready() && model().live().mesh()->witnesses > 1000; }));
+  look([](app::StressLook& look) {
+    look.style = scene::CutStyle::crinkle;
+    look.quantity = session::StressQuantity::stretchMin;
+  });
+  settle();
+  EXPECT_FALSE(organ().visible()) << "whole tetrahedra stay";
+  EXPECT_EQ(scene().tissue()->cutTriangles(), 0);
+  EXPECT_EQ(window().workspace().undo().names().size(), 1u) << "how one looks is no undo step";
+  reopenWindow();
+  EXPECT_EQ(model().look().style, scene::CutStyle::crinkle);
+  EXPECT_EQ(model().look().quantity, session::StressQuantity::stretchMin);
+  EXPECT_EQ(model().look().witnesses, 1500);
+}
+
+TEST_F(StressModeTest, ACancelledTaskSaysSoAndGoesOnWhenAsked) {
+  key(Qt::Key_1);
+  window().setMode(app::Mode::stress);
+  window().workspace().jobs().cancelAll();
+  ASSERT_TRUE(
+      waitUntil([this] { return model().live().status().state == session::StressStatus::State::cancelled; }));
+  EXPECT_TRUE(find<QLabel>("stressState")->isVisible());
+  EXPECT_TRUE(organ().visible());
+  model().live().retry();
+  ASSERT_TRUE(waitUntil([this] { return model().ready(); }));
+  EXPECT_FALSE(find<QLabel>("stressState")->isVisible());
+}
+
+} // namespace
+} // namespace viscera::tests
