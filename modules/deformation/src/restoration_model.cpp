@@ -2,6 +2,10 @@
 
 namespace viscera::deformation {
 
+Points RestorationModel::relaxation(const Points& pose, const Points&, const std::vector<int>&) const {
+  return Points::Zero(pose.rows(), 3);
+}
+
 Points LeastDisplacement::direction(const Points& pose, const Points& gradient,
                                     const std::vector<int>& free) const {
   Points direction = Points::Zero(pose.rows(), 3);

@@ -16,7 +16,8 @@ std::vector<int> restingHandles(const Points& restHandles, const Points& pose) {
   return resting;
 }
 
-void restoreVolume(Deformer& deformer, double targetMm3, const std::vector<int>& compensating) {
+void restoreVolume(Deformer& deformer, double targetMm3, const std::vector<int>& compensating,
+                   const RestorationModel& model) {
   if (compensating.empty())
     throw UsageError("no handle is left to make up for the volume", {}, "name compensating handles");
   std::vector<int> free = compensating;
@@ -26,7 +27,7 @@ void restoreVolume(Deformer& deformer, double targetMm3, const std::vector<int>&
                      "compensating handles");
   const VolumeLock lock({{"organ", deformer.sharedRest(), deformer.sharedBinding(), targetMm3}});
   const double limit = boundsOf(deformer.restHandles()).diagonal();
-  const auto restored = lock.restore(deformer.pose(), free, LeastDisplacement(), limit);
+  const auto restored = lock.restore(deformer.pose(), free, model, limit);
   if (!restored.restored)
     throw DataError(restored.reason, "volume",
                     "let more handles compensate, or ask for a volume nearer to the present one");

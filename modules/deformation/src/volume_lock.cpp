@@ -235,6 +235,7 @@ RestoredPose VolumeLock::restore(const Points& wanted, const std::vector<int>& f
   if (left > kRoundingOfVolume && free.empty())
     return fail("no handle is left to compensate the change of volume");
   if (left > kRoundingOfVolume && surfaces_.size() == 1) {
+    pose += model.relaxation(pose, gradient(0, pose), free);
     const Points direction = model.direction(pose, gradient(0, pose), free);
     const double step = cubicStep(pose, direction, limitMm);
     if (!std::isfinite(step))

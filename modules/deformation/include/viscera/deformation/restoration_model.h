@@ -18,6 +18,10 @@ public:
   /// (`n x 3`, mm^2) is the volume's at `pose`. Thread-safe.
   virtual Points direction(const Points& pose, const Points& gradient,
                            const std::vector<int>& free) const = 0;
+
+  /// A motion of the `free` handles, `n x 3` mm, that lowers the cost and to first order keeps the volume:
+  /// done before the volume is restored. Standard: none. Thread-safe.
+  virtual Points relaxation(const Points& pose, const Points& gradient, const std::vector<int>& free) const;
 };
 
 /// The least displacement of the handles: Q is the identity, so each free handle moves along its own

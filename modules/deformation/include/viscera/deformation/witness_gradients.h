@@ -53,6 +53,14 @@ public:
   /// The deformation gradient of one witness at `pose` (`handles x 3`, mm). O(handles).
   Eigen::Matrix3d deformationGradient(Eigen::Index witness, const Points& pose) const;
 
+  /// The derivative of one handle's coordinate at one witness, 1/mm.
+  Vec3 gradient(Eigen::Index witness, Eigen::Index handle) const {
+    const double* from = tile(witness / kTile) + 3 * kTile * handle + witness % kTile;
+    return {from[0], from[kTile], from[2 * kTile]};
+  }
+  /// Whether the witness has no coordinates and gets the identity.
+  bool failed(Eigen::Index witness) const { return failed_[static_cast<std::size_t>(witness)]; }
+
   /// Fills `map` (resized) at `pose`. O(witnesses x handles); bitwise independent of the number of threads.
   /// Throws `DataError` for a pose of another size.
   void evaluate(const Points& pose, StressMap& map, Threads threads = {}) const;
