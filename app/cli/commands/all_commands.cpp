@@ -7,6 +7,7 @@
 #include "cli/commands/play_command.h"
 #include "cli/commands/render_command.h"
 #include "cli/commands/sample_command.h"
+#include "cli/commands/stress_command.h"
 #include "cli/commands/systems_command.h"
 
 namespace viscera::app::cli {
@@ -19,6 +20,7 @@ std::vector<std::unique_ptr<Command>> allCommands() {
   commands.push_back(std::make_unique<HandlesCommand>());
   commands.push_back(std::make_unique<BindCommand>());
   commands.push_back(std::make_unique<DeformCommand>());
+  commands.push_back(std::make_unique<StressCommand>());
   commands.push_back(std::make_unique<PlayCommand>());
   commands.push_back(std::make_unique<RenderCommand>());
   return commands;

@@ -1,0 +1,210 @@
+#include "cli/commands/stress_command.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cstdint>
+#include <cstdio>
+#include <numbers>
+#include <ostream>
+
+#include <CLI/CLI.hpp>
+
+#include "cli/listing.h"
+#include "viscera/core/atomic_file.h"
+#include "viscera/core/error.h"
+#include "viscera/deformation/bind_witnesses.h"
+#include "viscera/medical_io/solid_file.h"
+
+namespace viscera::app::cli {
+namespace {
+
+constexpr double kDegrees = 180 / std::numbers::pi;
+
+const char* nameOf(session::WitnessOrigin origin) {
+  switch (origin) {
+  case session::WitnessOrigin::surface:
+    return "surface";
+  case session::WitnessOrigin::repairedSurface:
+    return "repaired";
+  case session::WitnessOrigin::grid:
+    return "grid";
+  }
+  return "";
+}
+
+/// What is measured, at all points of the mesh: the witnesses first.
+struct Measured {
+  session::WitnessSample sample;
+  std::shared_ptr<const deformation::WitnessGradients> gradients;
+  Points posed; ///< The points in the pose, mm.
+  deformation::StressMap map;
+  deformation::StressStatistics statistics;
+
+  const deformation::WitnessMesh& mesh() const { return *sample.mesh; }
+};
+
+std::vector<std::uint8_t> foldedFlags(const deformation::StressMap& map) {
+  std::vector<std::uint8_t> flags;
+  for (const double ratio : map.volumeRatio)
+    flags.push_back(ratio <= 0 ? 1 : 0);
+  return flags;
+}
+
+void writeVtu(const std::string& file, const Measured& measured) {
+  std::vector<std::uint8_t> witness(static_cast<std::size_t>(measured.mesh().points.rows()), 0);
+  std::fill_n(witness.begin(), measured.mesh().witnesses, std::uint8_t{1});
+  medical_io::writeSolid(file, measured.posed, measured.mesh().tetrahedra,
+                         {{"RotationalStress_deg", Values(kDegrees * measured.map.rotationalStress)},
+                          {"VolumeRatio", measured.map.volumeRatio},
+                          {"StretchMax", measured.map.stretchMax},
+                          {"StretchMin", measured.map.stretchMin},
+                          {"Folded", foldedFlags(measured.map)},
+                          {"Witness", witness},
+                          {"Displacement_mm", Points(measured.posed - measured.mesh().points)}});
+}
+
+/// One row a witness: its place at rest and in the pose, and what is measured there.
+void writeCsv(const std::string& file, const Measured& measured) {
+  writeAtomically(file, [&](std::ostream& stream) {
+    stream << "rest_x_mm,rest_y_mm,rest_z_mm,x_mm,y_mm,z_mm,RotationalStress_deg,VolumeRatio,StretchMax,"
+              "StretchMin,Folded\n";
+    for (Eigen::Index i = 0; i < measured.mesh().witnesses; ++i) {
+      const auto rest = measured.mesh().points.row(i), now = measured.posed.row(i);
+      const double ratio = measured.map.volumeRatio[i];
+      char line[400];
+      std::snprintf(line, sizeof line, "%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%d\n", rest[0],
+                    rest[1], rest[2], now[0], now[1], now[2], kDegrees * measured.map.rotationalStress[i],
+                    ratio, measured.map.stretchMax[i], measured.map.stretchMin[i], ratio <= 0 ? 1 : 0);
+      stream << line;
+    }
+  });
+}
+
+Measured measure(const session::Organ& organ, const RigInput& rig, const Points& pose,
+                 const coordinates::CoordinateSystem& system, const coordinates::BindOptions& options,
+                 const session::WitnessOptions& witnesses, Progress& progress) {
+  Measured measured;
+  measured.sample = session::sampleWitnesses(*organ.mesh, witnesses, progress);
+  const Points& points = measured.mesh().points;
+  measured.gradients = deformation::bindWitnesses(system, rig.handles, points, options, progress);
+  system.bind(rig.handles, points, options, progress)->deform(pose, measured.posed, options.threads);
+  measured.gradients->evaluate(pose, measured.map, options.threads);
+  measured.statistics = deformation::statisticsOf(measured.map, measured.mesh().witnesses);
+  return measured;
+}
+
+/// Points outside the hull do not move and would pass for points without stress.
+void requireInside(const Measured& measured, std::vector<std::string>& warnings) {
+  const auto& failures = measured.gradients->failures();
+  const auto within = std::lower_bound(failures.begin(), failures.end(), measured.mesh().witnesses);
+  if (within != failures.begin())
+    throw DataError(std::to_string(within - failures.begin()) +
+                        " witness points have no coordinates (the first is number " +
+                        std::to_string(failures.front()) + ")",
+                    "handles", "enclose the organ: viscera handles ORGAN --enclosing");
+  if (!failures.empty())
+    warnings.push_back(std::to_string(failures.size()) +
+                       " points of the surface have no coordinates; they are shown at rest.");
+}
+
+Outcome outcomeOf(const Measured& measured, const std::string& organ, const std::string& system,
+                  double seconds) {
+  const auto& s = measured.statistics;
+  const auto witnesses = measured.mesh().witnesses;
+  const auto ratio = measured.map.volumeRatio.head(witnesses);
+  const std::string method = measured.gradients->closedForm() ? "analytic" : "differences";
+  Outcome outcome;
+  outcome.json = {{"organ", organ},
+                  {"system", system},
+                  {"witnesses", witnesses},
+                  {"surfacePoints", measured.mesh().points.rows() - witnesses},
+                  {"tetrahedra", measured.mesh().tetrahedra.rows()},
+                  {"sampling", nameOf(measured.sample.origin)},
+                  {"folded", s.folded},
+                  {"stressDegrees",
+                   {{"min", kDegrees * s.min},
+                    {"mean", kDegrees * s.mean},
+                    {"p95", kDegrees * s.percentile95},
+                    {"max", kDegrees * s.max}}},
+                  {"volumeRatio", {{"min", ratio.minCoeff()}, {"max", ratio.maxCoeff()}}},
+                  {"stretch",
+                   {{"min", measured.map.stretchMin.head(witnesses).minCoeff()},
+                    {"max", measured.map.stretchMax.head(witnesses).maxCoeff()}}},
+                  {"method", method},
+                  {"seconds", seconds}};
+  outcome.text =
+      Listing()
+          .add("witness points", std::to_string(witnesses) + " in " +
+                                     std::to_string(measured.mesh().tetrahedra.rows()) + " tetrahedra")
+          .add("rotational stress", fixed(kDegrees * s.mean, 2) + " deg on average, 95 % below " +
+                                        fixed(kDegrees * s.percentile95, 2) + ", at most " +
+                                        fixed(kDegrees * s.max, 2))
+          .add("volume ratio", fixed(ratio.minCoeff(), 3) + " to " + fixed(ratio.maxCoeff(), 3))
+          .add("folded", std::to_string(s.folded))
+          .add("derivatives", method)
+          .text();
+  return outcome;
+}
+
+} // namespace
+
+void StressCommand::addOptions(CLI::App& options) {
+  options.add_option("ORGAN", organ_, "A surface file, or sample:NAME[/SURFACE][@RESOLUTION]")->required();
+  options.add_option("--handles", handles_, "The rest handles (.mrk.json)")->type_name("FILE")->required();
+  options
+      .add_option("--pose", pose_, "Where the handles are (.mrk.json), by their labels; others stay at rest")
+      ->type_name("FILE")
+      ->required();
+  system_.addTo(options);
+  options.add_option("--witnesses", witnesses_.wanted, "Witness points inside the organ, 200 to 200000")
+      ->type_name("N")
+      ->capture_default_str();
+  options
+      .add_option("--quality", witnesses_.radiusEdgeRatio,
+                  "Of the tetrahedra: largest circumradius by shortest edge, from 1.1")
+      ->type_name("RATIO")
+      ->capture_default_str();
+  options.add_option("--time-limit", witnesses_.timeLimitSeconds, "For one run of TetGen, s")
+      ->type_name("S")
+      ->capture_default_str();
+  options.add_option("--memory-limit", memoryMb_, "For TetGen, MB")
+      ->type_name("MB")
+      ->check(CLI::Range(1.0, 1e7))
+      ->capture_default_str();
+  options.add_option("-o,--output", output_, "The solid with all values, for ParaView (.vtu)")
+      ->type_name("FILE");
+  options.add_option("--csv", csv_, "The values at the witness points as a table")->type_name("FILE");
+}
+
+Outcome StressCommand::run(Surroundings& surroundings) {
+  const auto begin = std::chrono::steady_clock::now();
+  const auto system = system_.system(surroundings);
+  const coordinates::BindOptions options = system_.bindOptions(*system, surroundings);
+  std::vector<std::string> warnings;
+  const RigInput rig = rigInput(handles_, warnings);
+  const Points pose = poseInput(pose_, rig, warnings);
+  const session::Organ organ = organInput(organ_, surroundings.samples, surroundings.progress);
+  session::WitnessOptions witnesses = witnesses_;
+  witnesses.memoryLimitBytes = static_cast<std::uint64_t>(memoryMb_ * 1024 * 1024);
+  witnesses.threads = surroundings.threads;
+  const Measured measured = measure(organ, rig, pose, *system, options, witnesses, surroundings.progress);
+  requireInside(measured, warnings);
+  surroundings.progress.throwIfCancelled();
+  if (!output_.empty())
+    writeVtu(output_, measured);
+  if (!csv_.empty())
+    writeCsv(csv_, measured);
+  Outcome outcome =
+      outcomeOf(measured, organ.name, system->id(),
+                std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count());
+  if (!output_.empty())
+    outcome.json["file"] = output_;
+  if (!csv_.empty())
+    outcome.json["csv"] = csv_;
+  for (const auto& more : {organ.warnings, measured.sample.remarks})
+    warnings.insert(warnings.end(), more.begin(), more.end());
+  outcome.warnings = std::move(warnings);
+  return outcome;
+}
+
+} // namespace viscera::app::cli
