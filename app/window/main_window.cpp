@@ -19,6 +19,7 @@
 #include "window/panels/handles_page.h"
 #include "window/panels/organ_panel.h"
 #include "window/panels/play_page.h"
+#include "window/play_parts.h"
 #include "window/status_line.h"
 #include "window/stress/stress_chart.h"
 #include "window/stress/stress_mode.h"
@@ -43,16 +44,16 @@ namespace {
 
 constexpr int kLeftWidth = 272;
 constexpr int kRightWidth = 288;
-constexpr int kChartHeight = 140;
+constexpr int kChartHeight = 200;
 
 } // namespace
 
 MainWindow::MainWindow(Settings& settings, plugin::Registry registry, session::Player::Clock clock,
                        QWidget* parent)
     : QMainWindow(parent), settings_(settings), actions_(this), workspace_(std::move(registry)),
-      poses_(workspace_), playback_(workspace_, std::move(clock)), volumes_(workspace_, playback_),
-      groupLayout_(workspace_),
-      placer_(workspace_), files_(new FileActions(workspace_, placer_, settings, this)),
+      poses_(workspace_), playback_(workspace_, clock), volumes_(workspace_, playback_),
+      groupLayout_(workspace_), placer_(workspace_),
+      files_(new FileActions(workspace_, placer_, settings, this)),
       samples_(new SampleLoader(workspace_, placer_, playback_, this)), viewArea_(new ViewArea(this)) {
   setWindowTitle(tr("Viscera"));
   setDockOptions(AnimatedDocks | AllowNestedDocks);
@@ -63,6 +64,9 @@ MainWindow::MainWindow(Settings& settings, plugin::Registry registry, session::P
   makeDeformScene();
   clickTool_ =
       std::make_unique<ClickTool>(workspace_, *viewArea_->view(), *organScene_, *handleScene_, *gizmoScene_);
+  play_ = std::make_unique<PlayParts>(
+      PlayParts::Window{workspace_, playback_, volumes_, *samples_, *organScene_, *viewArea_, settings_},
+      clock);
   bindingMessages_ = new BindingMessages(workspace_, viewArea_->messages(), this);
   makeFileActions();
   makeEditActions();
@@ -128,6 +132,7 @@ void MainWindow::makeDocks() {
   resizeDocks({organs, handles}, {2, 3}, Qt::Vertical);
   resizeDocks({chart}, {kChartHeight}, Qt::Vertical);
   status_ = new StatusLine(workspace_, volumes_, statusBar());
+  play_->connectPanels(*timeline_, *volumePanel_, *status_);
 }
 
 QWidget* MainWindow::makePages() {
@@ -136,7 +141,7 @@ QWidget* MainWindow::makePages() {
   pages_->addWidget(scrolled(new HandlesPage(workspace_, groupLayout_, actions_)));
   pages_->addWidget(scrolled(new DeformPage(workspace_, poses_, volumes_, actions_)));
   pages_->addWidget(scrolled(stress_->makePage()));
-  pages_->addWidget(scrolled(new PlayPage(playback_, volumes_, actions_)));
+  pages_->addWidget(scrolled(play_->makePage(actions_)));
   return pages_;
 }
 
@@ -243,6 +248,7 @@ void MainWindow::setTheme(ThemeKind kind) {
   const Theme theme = themeOf(kind);
   applyTheme(*qApp, theme);
   viewArea_->view()->setTheme(theme);
+  play_->setTheme(theme);
   volumePanel_->setTheme(theme);
   stress_->setTheme(theme);
   organScene_->setGhostColor({theme.muted.redF(), theme.muted.greenF(), theme.muted.blueF()});

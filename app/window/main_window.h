@@ -31,6 +31,7 @@ class MotionGuide;
 class OrganPanel;
 class OrganScene;
 class PanelDock;
+class PlayParts;
 class RegionScene;
 class ShortcutCard;
 class StatusLine;
@@ -61,6 +62,7 @@ public:
   SampleLoader& samples() { return *samples_; }
   StressMode& stress() { return *stress_; }
   ViewArea& viewArea() { return *viewArea_; }
+  PlayParts& play() { return *play_; }
   const Actions& actions() const { return actions_; }
 
   Mode mode() const { return mode_; }
@@ -127,6 +129,7 @@ private:
   std::unique_ptr<MotionGuide> motionGuide_;
   std::unique_ptr<ClickTool> clickTool_;
   std::unique_ptr<StressMode> stress_;
+  std::unique_ptr<PlayParts> play_;
   BindingMessages* bindingMessages_ = nullptr;
   ModeRail* rail_ = nullptr;
   OrganPanel* organPanel_ = nullptr;

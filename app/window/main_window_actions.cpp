@@ -15,6 +15,7 @@
 #include "viscera/session/rig_commands.h"
 #include "window/main_window.h"
 #include "window/panels/organ_panel.h"
+#include "window/play_parts.h"
 #include "window/style/icon.h"
 #include "window/view/handle_scene.h"
 #include "window/view/organ_scene.h"
@@ -181,6 +182,7 @@ void MainWindow::makeSequenceActions() {
                [this] { playback_.step(1); });
   actions_.addToggle("play.loop", {tr("&Repeat"), "loop", {Qt::Key_L}, tr("Repeat the cycle")}, true,
                      [this](bool on) { playback_.setLooping(on); });
+  play_->makeActions(actions_);
 }
 
 void MainWindow::makeHelpActions() {

@@ -4,6 +4,7 @@
 #include <QMenuBar>
 
 #include "window/main_window.h"
+#include "window/play_parts.h"
 #include "window/stress/stress_mode.h"
 #include "window/style/icon.h"
 #include "window/view/view_area.h"
@@ -51,6 +52,8 @@ void MainWindow::makeMenus() {
   fill(mirror, {"mirror.off", "mirror.sagittal", "mirror.coronal", "mirror.axial", "", "mirror.next"});
   QMenu* sequence = menuBar()->addMenu(tr("&Sequence"));
   fill(sequence, {"play.toggle", "play.start", "play.back", "play.forward", "", "play.loop"});
+  for (const char* id : PlayParts::menu())
+    fill(sequence, {id});
   QMenu* help = menuBar()->addMenu(tr("&Help"));
   fill(help, {"help.welcome", "help.tour", "help.shortcuts", "", "help.about"});
   for (QMenu* menu : menuBar()->findChildren<QMenu*>())

@@ -21,7 +21,10 @@ StatusLine::StatusLine(Workspace& workspace, VolumeMonitor& volumes, QStatusBar*
   bar->addWidget(binding_);
   bar->addWidget(hint_, 1);
   bar->addPermanentWidget(job_);
-  connect(job_, &JobIndicator::cancelRequested, this, [this] { workspace_.jobs().cancel(shownJob_); });
+  connect(job_, &JobIndicator::cancelRequested, this, [this] {
+    if (shownQueue_)
+      shownQueue_->cancel(shownJob_);
+  });
   connect(&volumes, &VolumeMonitor::updated, this, &StatusLine::syncVolume);
   subscriptions_.push_back(workspace.onChange([this](const session::Change&) {
     syncVolume();
@@ -32,7 +35,7 @@ StatusLine::StatusLine(Workspace& workspace, VolumeMonitor& volumes, QStatusBar*
     if (event.status)
       syncBinding();
   }));
-  subscriptions_.push_back(workspace.jobs().onChange([this] { syncJobs(); }));
+  watch(workspace.jobs());
   syncVolume();
   syncBinding();
 }
@@ -89,15 +92,27 @@ void StatusLine::syncBinding() {
   binding_->setText(bindingText());
 }
 
+void StatusLine::watch(session::JobQueue& jobs) {
+  queues_.push_back({&jobs, jobs.onChange([this] { syncJobs(); })});
+}
+
+void StatusLine::unwatch(session::JobQueue& jobs) {
+  std::erase_if(queues_, [&](const Watched& watched) { return watched.jobs == &jobs; });
+  syncJobs();
+}
+
 void StatusLine::syncJobs() {
-  const std::vector<session::JobInfo> jobs = workspace_.jobs().jobs();
-  for (const session::JobInfo& job : jobs) {
-    if (!job.running)
-      continue;
-    shownJob_ = job.id;
-    const QString step = job.step.empty() ? text(job.name) : tr("%1: %2").arg(text(job.name), text(job.step));
-    return job_->showJob(step, job.fraction > 0 ? job.fraction : -1);
-  }
+  for (const Watched& watched : queues_)
+    for (const session::JobInfo& job : watched.jobs->jobs()) {
+      if (!job.running)
+        continue;
+      shownQueue_ = watched.jobs;
+      shownJob_ = job.id;
+      const QString step =
+          job.step.empty() ? text(job.name) : tr("%1: %2").arg(text(job.name), text(job.step));
+      return job_->showJob(step, job.fraction > 0 ? job.fraction : -1);
+    }
+  shownQueue_ = nullptr;
   shownJob_ = 0;
   job_->clear();
 }

@@ -22,6 +22,9 @@ public:
   StatusLine(Workspace& workspace, VolumeMonitor& volumes, QStatusBar* bar);
 
   void setHint(const QString& hint);
+  /// Shows the jobs of another queue as well, which has to live until it is no longer watched.
+  void watch(session::JobQueue& jobs);
+  void unwatch(session::JobQueue& jobs);
 
 private:
   void syncVolume();
@@ -34,6 +37,12 @@ private:
   QLabel* binding_;
   ElidedLabel* hint_;
   JobIndicator* job_;
+  struct Watched {
+    session::JobQueue* jobs = nullptr;
+    session::Subscription subscription;
+  };
+  std::vector<Watched> queues_;
+  session::JobQueue* shownQueue_ = nullptr;
   std::int64_t shownJob_ = 0;
   std::vector<session::Subscription> subscriptions_;
 };

@@ -1,42 +1,17 @@
-#include "window_test.h"
+#include "play_fixture.h"
 
 #include <QAbstractButton>
+#include <QAction>
+#include <QComboBox>
+#include <QLabel>
 #include <QTest>
 
 #include "viscera/organs/sample_organ.h"
 #include "window/timeline/phase_scrubber.h"
+#include "window/timeline/volume_panel.h"
 
 namespace viscera::tests {
 namespace {
-
-/// The window as it starts: the sample heart with its motion.
-class PlayMode : public WindowTest {
-protected:
-  void SetUp() override {
-    WindowTest::SetUp();
-    window().samples().load(QStringLiteral("heart"), false);
-    ASSERT_TRUE(QTest::qWaitFor([this] { return window().playback().sequence() != nullptr; }, 120000))
-        << message().toStdString();
-    settle();
-    key(Qt::Key_5);
-    ASSERT_EQ(window().mode(), app::Mode::play);
-  }
-  double volumeOf(const char* name) {
-    for (const auto& organ : document().organs())
-      if (organ->name == name)
-        return window().workspace().live().volume(organ->id).nowMl;
-    ADD_FAILURE() << "no organ " << name;
-    return 0;
-  }
-  /// Lets the test's clock run and the window play as long.
-  void playFor(double seconds) {
-    for (double end = now_ + seconds; now_ < end;) {
-      now_ += 1.0 / 30;
-      window().playback().advance();
-      QTest::qWait(1);
-    }
-  }
-};
 
 TEST_F(PlayMode, SpacePlaysAndTheVolumesFollowTheBeat) {
   key(Qt::Key_Space);
@@ -117,6 +92,118 @@ TEST_F(PlayMode, UndoOfOpeningAFileIsHeardByEveryPanelThoughTheSelectionGoesWith
   settle();
   window().workspace().undo().redo();
   EXPECT_EQ(document().organs().size(), 1u);
+}
+
+TEST_F(PlayMode, SlowMotionLetsTimePassMoreSlowlyAndEndsInRealTimeAgain) {
+  key(Qt::Key_S);
+  EXPECT_EQ(window().playback().player().speed(), 0.5);
+  key(Qt::Key_Space);
+  const double before = window().playback().player().fraction();
+  playFor(0.2);
+  EXPECT_NEAR(window().playback().player().fraction() - before, 0.5 * 0.2 / 0.8, 0.03);
+  auto* speed = window().findChild<QComboBox*>(QStringLiteral("speed"));
+  ASSERT_NE(speed, nullptr);
+  EXPECT_EQ(speed->currentData().toDouble(), 0.5) << "the timeline says so";
+  for (int i = 0; i < 3; ++i)
+    key(Qt::Key_S);
+  EXPECT_EQ(window().playback().player().speed(), 1);
+}
+
+TEST_F(PlayMode, OneKeyLooksThroughTheWallAndUndoClosesItAgain) {
+  const auto wall = [this] { return document().organs().front()->look.opacity; };
+  const double sample = wall();
+  ASSERT_LT(sample, 1) << "the sample heart comes with a translucent wall";
+  key(Qt::Key_X);
+  EXPECT_EQ(wall(), 1);
+  key(Qt::Key_X);
+  EXPECT_LT(wall(), 0.5);
+  for (const auto& organ : document().organs())
+    EXPECT_TRUE(!organ->parent || organ->look.opacity == 1) << "cavities are seen plainly";
+  key(Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_EQ(wall(), 1);
+  EXPECT_FALSE(window().actions()["view.seeThrough"]->isChecked());
+  key(Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_EQ(wall(), sample);
+}
+
+TEST_F(PlayMode, LabelsNameTheOrgansBesideThem) {
+  const auto labels = [this] { return parts().labels().labels().drawn(); };
+  EXPECT_TRUE(labels().empty());
+  key(Qt::Key_N);
+  ASSERT_EQ(labels().size(), 3u);
+  EXPECT_EQ(labels()[1].text, "Left ventricle");
+  for (const auto& organ : document().organs()) {
+    if (!organ->parent)
+      continue;
+    // Each line ends where its cavity is seen.
+    const Bounds box = boundsOf(window().workspace().live().points(organ->id));
+    const QPoint middle = onScreen(box.center());
+    const double radius = 0.5 * (onScreen(box.high) - onScreen(box.low)).manhattanLength();
+    const auto label = organ->name == "LV" ? labels()[1] : labels()[2];
+    const QPoint end(qRound(label.targetX / view().devicePixelRatioF()),
+                     view().height() - qRound(label.targetY / view().devicePixelRatioF()));
+    EXPECT_LT((end - middle).manhattanLength(), radius) << organ->name;
+  }
+  key(Qt::Key_N);
+  EXPECT_TRUE(labels().empty());
+}
+
+TEST_F(PlayMode, PhasesNormalRangesAndIndicesOfTheBeatAreShown) {
+  auto* scrubber = window().findChild<app::PhaseScrubber*>();
+  ASSERT_NE(scrubber, nullptr);
+  const QStringList names = scrubber->namesShown();
+  EXPECT_TRUE(names.contains(QStringLiteral("ejection")));
+  EXPECT_TRUE(names.contains(QStringLiteral("filling")));
+  scrubber->resize(2000, scrubber->height());
+  EXPECT_EQ(scrubber->namesShown().size(), 5);
+  scrubber->resize(90, scrubber->height());
+  EXPECT_LT(scrubber->namesShown().size(), 5) << "what has no room is left out";
+
+  auto* chart = window().findChild<app::VolumePanel*>();
+  ASSERT_NE(chart, nullptr);
+  EXPECT_TRUE(chart->normalsText().contains(QStringLiteral("109 - 189 ml")))
+      << chart->normalsText().toStdString();
+  EXPECT_TRUE(chart->normalsText().contains(QStringLiteral("doi")));
+  const auto tiles = window().findChildren<QAbstractButton*>(QStringLiteral("tileName"));
+  ASSERT_EQ(tiles.size(), 3);
+  QTest::mouseClick(tiles[2], Qt::LeftButton);
+  EXPECT_TRUE(chart->normalsText().contains(QStringLiteral("RV"))) << chart->normalsText().toStdString();
+
+  key(Qt::Key_Space);
+  playFor(1.0);
+  ASSERT_TRUE(waitUntil([this] {
+    const auto* label = window().findChild<QLabel*>(QStringLiteral("cardiacOutput"));
+    return label && label->text().contains(QStringLiteral("l/min"));
+  }));
+  const double output = window()
+                            .findChild<QLabel*>(QStringLiteral("cardiacOutput"))
+                            ->text()
+                            .section(QLatin1Char(' '), 0, 0)
+                            .toDouble();
+  EXPECT_NEAR(output, (130.5 - 55) * 75 / 1000, 0.15);
+}
+
+TEST_F(PlayMode, WavesTravelDownTheStomachAndUndoBringsBackTheHeartWithItsMotion) {
+  const auto first = window().playback().sequence();
+  loadSample(QStringLiteral("stomach"));
+  auto* scrubber = window().findChild<app::PhaseScrubber*>();
+  ASSERT_NE(scrubber, nullptr);
+  EXPECT_EQ(scrubber->namesShown(), (QStringList{QStringLiteral("fundus"), QStringLiteral("body"),
+                                                 QStringLiteral("antrum"), QStringLiteral("pylorus")}));
+  window().playback().seek(0.2);
+  ASSERT_EQ(scrubber->marks().size(), 2u);
+  const double before = scrubber->marks().front().place;
+  window().playback().seek(0.4);
+  ASSERT_FALSE(scrubber->marks().empty());
+  EXPECT_GT(scrubber->marks().front().place, before);
+  auto* chart = window().findChild<app::VolumePanel*>();
+  EXPECT_TRUE(chart->normalsText().contains(QStringLiteral("after a meal")));
+
+  EXPECT_NE(window().playback().sequence(), first);
+  key(Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_EQ(window().playback().sequence(), first);
+  key(Qt::Key_Space);
+  EXPECT_TRUE(window().playback().player().playing());
 }
 
 } // namespace

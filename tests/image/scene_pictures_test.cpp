@@ -5,6 +5,7 @@
 #include <vtkCamera.h>
 #include <vtkImageData.h>
 
+#include "viscera/scene/organ_labels.h"
 #include "viscera/scene/stretch_glyphs.h"
 #include "viscera/scene/tissue_actor.h"
 #include "viscera/scene/volume_chart.h"
@@ -61,6 +62,21 @@ TEST_F(ScenePicture, OrganWithItsHandles) {
   window.view.handles()->SetSelection({1, 5});
   window.view.handles()->SetActiveHandle(7);
   expectLooksLikeReference(picture(), "organ_and_handles");
+}
+
+TEST_F(ScenePicture, LabelsBesideATranslucentWallAndWhatIsInIt) {
+  organ->setOpacity(0.35);
+  auto left = window.addOrgan(tests::sphere(4, 12, {12, 0, 12}));
+  auto right = window.addOrgan(tests::sphere(4, 12, {-10, 0, -10}));
+  left->setColor({0.84, 0.16, 0.14});
+  right->setColor({0.2, 0.36, 0.8});
+  OrganLabels labels(window.view);
+  labels.setItems({{"Kidney", organ, true}, {"Upper calyx", left}, {"Lower calyx", right}});
+  labels.setShown(true);
+  expectLooksLikeReference(picture(), "organ_labels");
+  window.view.setTheme(lightTheme());
+  labels.setTheme(lightTheme());
+  expectLooksLikeReference(picture(), "organ_labels_light");
 }
 
 TEST_F(ScenePicture, InfluenceMapWithLegend) {
@@ -171,7 +187,8 @@ TEST(ChartPicture, CurvesBandsAndCursor) {
   VolumeChart chart;
   chart.setWindow(surface.window());
   chart.setTheme(darkTheme());
-  chart.setLines({{"LV", {0.88, 0.36, 0.32}, true, {60, 150}}, {"RV", {0.35, 0.6, 0.92}, false, {}}});
+  chart.setLines({{"LV", {0.88, 0.36, 0.32}, {{{109, 189}, "EDV"}, {{30, 66}, "ESV, normal"}}},
+                  {"RV", {0.35, 0.6, 0.92}}});
   chart.setTimeSpan(3);
   for (int i = 0; i < 100; ++i) {
     const double squeeze = std::pow(std::max(0.0, std::sin(2 * M_PI * 0.04 * i / 0.8)), 2);

@@ -4,7 +4,6 @@
 #include <chrono>
 #include <cmath>
 #include <optional>
-#include <ostream>
 
 #include <CLI/CLI.hpp>
 #include <vtkImageData.h>
@@ -18,6 +17,7 @@
 #include "viscera/session/cardiac_indices.h"
 #include "viscera/session/open_files.h"
 #include "viscera/session/sequence_setup.h"
+#include "viscera/session/volume_table.h"
 
 namespace viscera::app::cli {
 namespace {
@@ -73,21 +73,6 @@ private:
   std::vector<vtkSmartPointer<vtkImageData>> kept_;
   bool keep_ = false;
 };
-
-void writeTable(const std::string& file, const session::VolumeRecord& volumes) {
-  writeAtomically(file, [&](std::ostream& stream) {
-    stream << "time_s";
-    for (const std::string& name : volumes.names())
-      stream << ',' << name << "_ml";
-    stream << '\n';
-    for (std::size_t row = 0; row < volumes.rows(); ++row) {
-      stream << fixed(volumes.seconds(row), 6);
-      for (std::size_t column = 0; column < volumes.names().size(); ++column)
-        stream << ',' << fixed(volumes.milliliters(row, column), 6);
-      stream << '\n';
-    }
-  });
-}
 
 std::string sequenceNames() {
   std::string names;
@@ -193,7 +178,7 @@ Outcome PlayCommand::run(Surroundings& surroundings) {
   const int frames = std::max(1, static_cast<int>(std::lround(cycles_ * 60.0 / rate * framesPerSecond_)));
   const Measured measured = play(played, rate, frames, surroundings);
   if (!csv_.empty())
-    writeTable(csv_, measured.volumes);
+    session::writeVolumeTable(csv_, measured.volumes);
   Outcome outcome = report(played, measured, rate);
   outcome.warnings = std::move(played.warnings);
   outcome.json["seconds"] = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();

@@ -1,33 +1,60 @@
 #include "window/panels/play_page.h"
 
-#include <QComboBox>
 #include <QHeaderView>
 #include <QLabel>
-#include <QSignalBlocker>
 #include <QTableWidget>
+
+#include <cmath>
+
+#include "viscera/session/normal_ranges.h"
+#include "window/panels/sequence_list.h"
+#include "window/recorded/fit_box.h"
+#include "window/recorded/key_box.h"
+#include "window/widgets/fold.h"
 
 namespace viscera::app {
 namespace {
+
 enum Column { kName, kLargest, kSmallest, kStroke, kFraction, kColumns };
-constexpr double kSpeeds[] = {1, 0.5, 0.25, 0.1};
+constexpr double kPercent = 100;
+
+QString nothing() {
+  return QStringLiteral("-");
+}
+
 } // namespace
 
-PlayPage::PlayPage(Playback& playback, VolumeMonitor& volumes, const Actions& actions, QWidget* parent)
-    : Page(parent), playback_(playback), volumes_(volumes) {
+PlayPage::PlayPage(const Window& window, const Actions& actions, QWidget* parent)
+    : Page(parent), playback_(window.playback), volumes_(window.volumes), parts_(window.parts) {
+  makeMotion(actions);
+  addSection(tr("Look"));
+  addCheck(actions["view.seeThrough"]);
+  addCheck(actions["view.labels"]);
+  addButton(actions["play.compare"]);
+  addButton(actions["play.compareFiles"]);
+  makeTable();
+  makeRecording(window.settings);
+  makeOwnMotions(window);
+  finish();
+  connect(&playback_, &Playback::stateChanged, this, &PlayPage::syncState);
+  connect(&volumes_, &VolumeMonitor::updated, this, &PlayPage::syncTable);
+  connect(&volumes_, &VolumeMonitor::linesChanged, this, &PlayPage::syncTable);
+  syncState();
+  syncTable();
+}
+
+void PlayPage::makeMotion(const Actions& actions) {
   addSection(tr("Sequence"));
-  sequence_ = addFact(tr("Motion"));
+  auto* list = new SequenceList(playback_, this);
+  add(list);
+  connect(list, &SequenceList::sequenceChosen, &parts_, &PlayParts::chooseSequence);
   rate_ = addFact(tr("Rate"));
-  period_ = addFact(tr("One cycle"));
   phase_ = addFact(tr("Phase"));
-  speed_ = new QComboBox(this);
-  speed_->setAccessibleName(tr("Speed"));
-  speed_->setToolTip(tr("Slow motion: how fast time passes"));
-  for (const double speed : kSpeeds)
-    speed_->addItem(speed == 1 ? tr("Real time") : tr("Slow motion, 1/%1").arg(1 / speed, 0, 'f', 0), speed);
-  add(speed_);
-  addButton(actions["play.toggle"]);
   addCheck(actions["play.loop"]);
-  addSection(tr("Volumes over the beat"));
+}
+
+void PlayPage::makeTable() {
+  addSection(tr("Over the cycle"));
   table_ = new QTableWidget(0, kColumns, this);
   table_->setHorizontalHeaderLabels({QString(), tr("max"), tr("min"), tr("SV"), tr("EF")});
   table_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
@@ -41,65 +68,111 @@ PlayPage::PlayPage(Playback& playback, VolumeMonitor& volumes, const Actions& ac
   table_->setFocusPolicy(Qt::NoFocus);
   table_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   table_->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  table_->setToolTip(tr("Volumes in ml. SV is the stroke volume, EF the ejection fraction."));
   add(table_);
+  fraction_ = addFact(tr("Ejection fraction"));
+  fraction_->setObjectName(QStringLiteral("ejectionFraction"));
+  stroke_ = addFact(tr("Stroke volume"));
   output_ = addFact(tr("Cardiac output"));
-  addRemark(tr("Volumes in ml. SV is the stroke volume, EF the ejection fraction."));
-  finish();
-  connect(speed_, QOverload<int>::of(&QComboBox::activated), this,
-          [this](int index) { playback_.setSpeed(speed_->itemData(index).toDouble()); });
-  connect(&playback, &Playback::stateChanged, this, &PlayPage::syncState);
-  connect(&volumes, &VolumeMonitor::updated, this, &PlayPage::syncTable);
-  connect(&volumes, &VolumeMonitor::linesChanged, this, &PlayPage::syncTable);
-  syncState();
-  syncTable();
+  output_->setObjectName(QStringLiteral("cardiacOutput"));
+  normal_ = addRemark(QString());
+}
+
+void PlayPage::makeRecording(Settings& settings) {
+  record_ = new RecordBox(settings, this);
+  add(new Fold(tr("Record a movie"), record_, true, this));
+  Recorder& recorder = parts_.recorder();
+  connect(record_, &RecordBox::recordRequested, &parts_, &PlayParts::record);
+  connect(record_, &RecordBox::cancelRequested, &recorder, &Recorder::cancel);
+  connect(&recorder, &Recorder::stateChanged, this,
+          [this, &recorder] { record_->setRunning(recorder.running()); });
+}
+
+void PlayPage::makeOwnMotions(const Window& window) {
+  auto* keys = new KeyBox(window.workspace, playback_, parts_.recorded(), window.settings, this);
+  add(new Fold(tr("Record a sequence"), keys, false, this));
+  auto* fit = new FitBox(window.workspace, playback_, window.view, this);
+  add(new Fold(tr("Fit a sequence to an organ"), fit, false, this));
 }
 
 void PlayPage::syncState() {
   const session::Player& player = playback_.player();
-  const bool any = playback_.sequence() != nullptr;
-  const QString none = QStringLiteral("-");
-  sequence_->setText(any ? text(player.sequence()->name()) : tr("none"));
-  rate_->setText(any ? tr("%1 / min").arg(player.ratePerMinute(), 0, 'f', 0) : none);
-  period_->setText(any ? tr("%1 s").arg(player.periodSeconds(), 0, 'f', 2) : none);
-  phase_->setText(any ? text(player.phase()) : none);
-  speed_->setEnabled(any);
-  const QSignalBlocker quiet(speed_);
-  speed_->setCurrentIndex(speed_->findData(player.speed()));
+  const sequences::Sequence* sequence = playback_.sequence();
+  rate_->setText(sequence ? tr("%1 / min, one cycle %2 s")
+                                .arg(player.ratePerMinute(), 0, 'f', 0)
+                                .arg(player.periodSeconds(), 0, 'f', 2)
+                          : nothing());
+  phase_->setText(sequence ? text(player.phase()) : nothing());
+  record_->setName(
+      sequence ? QStringLiteral("%1_%2").arg(text(sequence->id())).arg(player.ratePerMinute(), 0, 'f', 0)
+               : QString());
+}
+
+void PlayPage::fillRow(std::size_t line) {
+  const VolumeMonitor::Line& shown = volumes_.lines()[line];
+  const auto range = volumes_.range(line);
+  const auto indices = volumes_.indices(line);
+  const auto number = [](bool known, double value) {
+    return known ? QString::number(value, 'f', 1) : nothing();
+  };
+  const QString name = !volumes_.hasSecond() ? shown.name
+                       : shown.side == 0     ? tr("A: %1").arg(shown.name)
+                                             : tr("B: %1").arg(shown.name);
+  const QStringList cells = {name, number(range.has_value(), range ? range->high : 0),
+                             number(range.has_value(), range ? range->low : 0),
+                             number(indices.has_value(), indices ? indices->strokeVolumeMl : 0),
+                             indices ? tr("%1 %").arg(kPercent * indices->ejectionFraction, 0, 'f', 0)
+                                     : nothing()};
+  for (int column = 0; column < kColumns; ++column) {
+    auto* item = new QTableWidgetItem(cells[column]);
+    item->setTextAlignment((column == kName ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter);
+    table_->setItem(static_cast<int>(line), column, item);
+  }
 }
 
 void PlayPage::syncTable() {
-  if (!isVisible() && table_->rowCount() == static_cast<int>(volumes_.lines().size()))
-    return;
-  const session::Player& player = playback_.player();
-  phase_->setText(playback_.sequence() ? text(player.phase()) : QStringLiteral("-"));
   const auto& lines = volumes_.lines();
+  if (!isVisible() && table_->rowCount() == static_cast<int>(lines.size()))
+    return;
+  phase_->setText(playback_.sequence() ? text(playback_.player().phase()) : nothing());
   table_->setRowCount(static_cast<int>(lines.size()));
-  QString output = QStringLiteral("-");
-  for (std::size_t line = 0; line < lines.size(); ++line) {
-    const auto range = volumes_.range(line);
-    const auto indices = volumes_.indices(line);
-    const auto number = [](bool known, double value, int decimals) {
-      return known ? QString::number(value, 'f', decimals) : QStringLiteral("-");
-    };
-    const QStringList cells = {lines[line].name, number(range.has_value(), range ? range->high : 0, 1),
-                               number(range.has_value(), range ? range->low : 0, 1),
-                               number(indices.has_value(), indices ? indices->strokeVolumeMl : 0, 1),
-                               indices ? tr("%1 %").arg(100 * indices->ejectionFraction, 0, 'f', 0)
-                                       : QStringLiteral("-")};
-    for (int column = 0; column < kColumns; ++column) {
-      auto* item = new QTableWidgetItem(cells[column]);
-      item->setTextAlignment((column == kName ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter);
-      table_->setItem(static_cast<int>(line), column, item);
-    }
-    // The left ventricle drives the body: its output is the heart's.
-    if (indices && (output.size() < 2 || lines[line].name == QLatin1String("LV")))
-      output = tr("%1 l/min").arg(indices->cardiacOutputLPerMinute, 0, 'f', 1);
-  }
-  output_->setText(output);
+  for (std::size_t line = 0; line < lines.size(); ++line)
+    fillRow(line);
+  syncIndices();
   int height = table_->horizontalHeader()->height() + 2;
   for (int row = 0; row < table_->rowCount(); ++row)
     height += table_->rowHeight(row);
   table_->setFixedHeight(height);
+}
+
+/// Of the left ventricle, which drives the body; else of the first cavity.
+void PlayPage::syncIndices() {
+  const auto& lines = volumes_.lines();
+  std::size_t best = lines.size();
+  for (std::size_t line = 0; line < lines.size(); ++line)
+    if (lines[line].cavity && lines[line].side == 0 &&
+        (best == lines.size() || lines[line].name == QLatin1String("LV")))
+      best = line;
+  const auto indices = best < lines.size() ? volumes_.indices(best) : std::nullopt;
+  fraction_->setText(indices ? tr("%1 %").arg(kPercent * indices->ejectionFraction, 0, 'f', 1) : nothing());
+  stroke_->setText(indices ? tr("%1 ml").arg(indices->strokeVolumeMl, 0, 'f', 1) : nothing());
+  output_->setText(indices ? tr("%1 l/min").arg(indices->cardiacOutputLPerMinute, 0, 'f', 1) : nothing());
+  QStringList normal;
+  QStringList sources;
+  if (best < lines.size())
+    for (const session::NormalRange& range : session::normalRanges(lines[best].name.toStdString())) {
+      const bool percent = range.quantity == session::NormalRange::Quantity::ejectionPercent;
+      normal.push_back(tr("%1 %2 - %3 %4")
+                           .arg(text(range.name))
+                           .arg(range.low, 0, 'f', 0)
+                           .arg(range.high, 0, 'f', 0)
+                           .arg(percent ? tr("%") : tr("ml")));
+      sources.push_back(tr("%1: %2; %3").arg(text(range.name), text(range.people), text(range.source)));
+    }
+  normal_->setText(normal.isEmpty() ? QString()
+                                    : tr("Normal for %1: %2.").arg(lines[best].name, normal.join(tr(", "))));
+  normal_->setToolTip(sources.join(QLatin1Char('\n')));
+  normal_->setVisible(!normal.isEmpty());
 }
 
 } // namespace viscera::app

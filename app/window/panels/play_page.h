@@ -1,34 +1,54 @@
 #pragma once
 
 #include "window/actions.h"
+#include "window/play_parts.h"
+#include "window/recording/record_box.h"
 #include "window/timeline/volume_monitor.h"
 #include "window/widgets/page.h"
 
-class QComboBox;
 class QTableWidget;
 
 namespace viscera::app {
 
-/// Play: the sequence, how fast time passes, and what the tracked volumes do over a beat.
+/// Play: the sequences to choose from, how the organs look, what the tracked volumes do over a beat beside
+/// what is normal, recording, and motions of the user's own.
 class PlayPage final : public Page {
   Q_OBJECT
 
 public:
-  PlayPage(Playback& playback, VolumeMonitor& volumes, const Actions& actions, QWidget* parent = nullptr);
+  /// What the page speaks of; all have to live longer.
+  struct Window {
+    Workspace& workspace;
+    Playback& playback;
+    VolumeMonitor& volumes;
+    ViewWidget& view;
+    PlayParts& parts;
+    Settings& settings;
+  };
+
+  PlayPage(const Window& window, const Actions& actions, QWidget* parent = nullptr);
 
 private:
+  void makeMotion(const Actions& actions);
+  void makeTable();
+  void makeRecording(Settings& settings);
+  void makeOwnMotions(const Window& window);
   void syncState();
   void syncTable();
+  void fillRow(std::size_t line);
+  void syncIndices();
 
   Playback& playback_;
   VolumeMonitor& volumes_;
-  QLabel* sequence_ = nullptr;
+  PlayParts& parts_;
   QLabel* rate_ = nullptr;
-  QLabel* period_ = nullptr;
   QLabel* phase_ = nullptr;
-  QComboBox* speed_ = nullptr;
   QTableWidget* table_ = nullptr;
+  QLabel* fraction_ = nullptr;
+  QLabel* stroke_ = nullptr;
   QLabel* output_ = nullptr;
+  QLabel* normal_ = nullptr;
+  RecordBox* record_ = nullptr;
 };
 
 } // namespace viscera::app

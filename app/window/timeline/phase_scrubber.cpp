@@ -10,9 +10,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include "viscera/scene/label_layout.h"
+
 namespace viscera::app {
 namespace {
 constexpr double kMargin = 8;
+constexpr double kStripHeight = 18;
+constexpr double kBelow = 4; ///< Between the strip and the names.
+constexpr double kBetweenNames = 10;
+constexpr double kMarkRadius = 3; ///< Of the faintest mark; the strongest is as much larger again.
 constexpr double kKeyStep = 0.01;
 } // namespace
 
@@ -25,6 +31,17 @@ PhaseScrubber::PhaseScrubber(QWidget* parent) : QWidget(parent) {
 
 void PhaseScrubber::setPhases(std::vector<PhaseBand> phases) {
   phases_ = std::move(phases);
+  update();
+}
+
+void PhaseScrubber::setCourse(std::vector<CoursePlace> course) {
+  course_ = std::move(course);
+  marks_.clear();
+  update();
+}
+
+void PhaseScrubber::setMarks(std::vector<CourseMark> marks) {
+  marks_ = std::move(marks);
   update();
 }
 
@@ -42,7 +59,7 @@ QString PhaseScrubber::phaseName() const {
 }
 
 QSize PhaseScrubber::sizeHint() const {
-  return {400, fontMetrics().height() + 14};
+  return {400, static_cast<int>(5 + kStripHeight + kBelow) + fontMetrics().height() + 4};
 }
 
 QSize PhaseScrubber::minimumSizeHint() const {
@@ -84,23 +101,81 @@ void PhaseScrubber::paintEvent(QPaintEvent*) {
   painter.setPen(Qt::NoPen);
   painter.setBrush(text);
   painter.drawEllipse(QPointF(x, area.top() - 1), 4, 4);
+  paintNames(painter, area);
+  if (!course_.empty())
+    paintMarks(painter, area);
 }
 
 void PhaseScrubber::paintPhases(QPainter& painter, const QRectF& area) const {
   QColor band = palette().color(QPalette::WindowText);
-  const QColor muted = palette().color(QPalette::PlaceholderText);
   bool shaded = false;
   for (const PhaseBand& phase : phases_) {
     const QRectF part(area.left() + phase.begin * area.width(), area.top(),
                       (phase.end - phase.begin) * area.width(), area.height());
-    band.setAlphaF(shaded ? 0.05 : 0.11);
+    band.setAlphaF(&phase == phaseAt(fraction_) ? 0.22 : shaded ? 0.05 : 0.11);
     painter.fillRect(part, band);
     shaded = !shaded;
-    const bool present = &phase == phaseAt(fraction_);
-    painter.setPen(present ? palette().color(QPalette::WindowText) : muted);
-    const QRectF inner = part.adjusted(5, 0, -3, 0);
-    if (painter.fontMetrics().horizontalAdvance(phase.name) <= inner.width())
-      painter.drawText(inner, Qt::AlignVCenter | Qt::AlignLeft, phase.name);
+  }
+}
+
+std::vector<PhaseScrubber::Name> PhaseScrubber::names() const {
+  const QRectF area = strip();
+  std::vector<Name> names;
+  for (const CoursePlace& place : course_)
+    names.push_back({place.name, 0, area.left() + place.place * area.width(), false});
+  if (course_.empty())
+    for (const PhaseBand& phase : phases_)
+      names.push_back({phase.name, 0, area.left() + (phase.begin + phase.end) / 2 * area.width(),
+                       &phase == phaseAt(fraction_)});
+  // The longest name goes first when there is no room for all; that of the present phase stays.
+  for (;;) {
+    std::vector<double> centers;
+    std::vector<double> sizes;
+    for (const Name& name : names) {
+      centers.push_back(name.at);
+      sizes.push_back(fontMetrics().horizontalAdvance(name.text));
+    }
+    const auto placed = scene::spreadApart(centers, sizes, 0, width(), kBetweenNames);
+    for (std::size_t i = 0; placed && i < names.size(); ++i)
+      names[i].center = (*placed)[i];
+    if (placed)
+      return names;
+    names.erase(std::max_element(names.begin(), names.end(), [](const Name& a, const Name& b) {
+      return a.present != b.present ? a.present : a.text.size() < b.text.size();
+    }));
+  }
+}
+
+QStringList PhaseScrubber::namesShown() const {
+  QStringList shown;
+  for (const Name& name : names())
+    shown.push_back(name.text);
+  return shown;
+}
+
+void PhaseScrubber::paintNames(QPainter& painter, const QRectF& area) const {
+  const QColor muted = palette().color(QPalette::PlaceholderText);
+  const double top = area.bottom() + kBelow;
+  for (const Name& name : names()) {
+    const double half = painter.fontMetrics().horizontalAdvance(name.text) / 2.0;
+    painter.setPen(QPen(palette().color(QPalette::Mid), 1));
+    painter.drawLine(QPointF(name.at, area.bottom() + 1),
+                     QPointF(std::clamp(name.at, name.center - half, name.center + half), top));
+    painter.setPen(name.present ? palette().color(QPalette::WindowText) : muted);
+    painter.drawText(QRectF(name.center - half - 1, top, 2 * half + 2, painter.fontMetrics().height()),
+                     Qt::AlignCenter | Qt::TextDontClip, name.text);
+  }
+}
+
+/// The waves on their way through the organ, over the names of its places.
+void PhaseScrubber::paintMarks(QPainter& painter, const QRectF& area) const {
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(palette().color(QPalette::Highlight));
+  for (const CourseMark& mark : marks_) {
+    const double radius = kMarkRadius * (1 + mark.strength);
+    const QPointF tip(area.left() + mark.place * area.width(), area.bottom() + 1);
+    painter.drawPolygon(
+        QPolygonF({tip, tip + QPointF(-1.2 * radius, 2 * radius), tip + QPointF(1.2 * radius, 2 * radius)}));
   }
 }
 
@@ -130,7 +205,7 @@ void PhaseScrubber::keyPressEvent(QKeyEvent* event) {
 }
 
 QRectF PhaseScrubber::strip() const {
-  return QRectF(rect()).adjusted(kMargin, 5, -kMargin, -3);
+  return {kMargin, 5, width() - 2 * kMargin, kStripHeight};
 }
 
 double PhaseScrubber::fractionAt(double x) const {

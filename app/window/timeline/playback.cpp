@@ -8,6 +8,8 @@ namespace viscera::app {
 namespace {
 constexpr int kFrameMilliseconds = 16;
 constexpr double kStepSeconds = 1.0 / 25.0;
+/// A motion holds coordinates of its organ: tens of megabytes.
+constexpr std::size_t kMostMotions = 8;
 } // namespace
 
 Playback::Playback(Workspace& workspace, session::Player::Clock clock, QObject* parent)
@@ -18,27 +20,106 @@ Playback::Playback(Workspace& workspace, session::Player::Clock clock, QObject* 
   subscription_ = workspace.onChange([this](const session::Change& change) {
     if (started_ && (change.rig() || !sequence()))
       stop();
-    if (change.organs())
+    if (change.organs()) {
+      takeWhatFits();
       Q_EMIT stateChanged();
+    }
   });
 }
 
 void Playback::setSequence(std::shared_ptr<const sequences::Sequence> sequence, session::OrganId organ) {
   stop();
-  sequence_ = std::move(sequence);
-  organ_ = organ;
-  player_.setSequence(sequence_);
+  const Motion motion{std::move(sequence), organ};
+  remember(motion);
+  take(motion);
   Q_EMIT stateChanged();
 }
 
+void Playback::offer(std::shared_ptr<const sequences::Sequence> sequence, session::OrganId organ) {
+  remember({std::move(sequence), organ});
+  Q_EMIT stateChanged();
+}
+
+void Playback::remember(const Motion& motion) {
+  if (!motion.sequence)
+    return;
+  if (known_.size() >= kMostMotions)
+    known_.erase(known_.begin());
+  known_.push_back(motion);
+}
+
+void Playback::forget(const sequences::Sequence* sequence) {
+  std::erase_if(known_, [sequence](const Motion& motion) { return motion.sequence.get() == sequence; });
+  if (present_.sequence.get() != sequence)
+    return;
+  stop();
+  take({});
+  takeWhatFits();
+  Q_EMIT stateChanged();
+}
+
+std::vector<Playback::Motion> Playback::motions() const {
+  std::vector<Motion> there;
+  for (const Motion& motion : known_)
+    if (workspace_.document().organ(motion.organ))
+      there.push_back(motion);
+  return there;
+}
+
+void Playback::choose(const sequences::Sequence* sequence) {
+  for (const Motion& motion : motions()) {
+    if (motion.sequence.get() != sequence || present_.sequence == motion.sequence)
+      continue;
+    stop();
+    take(motion);
+    Q_EMIT stateChanged();
+    return;
+  }
+}
+
+void Playback::take(const Motion& motion) {
+  present_ = motion;
+  player_.setSequence(present_.sequence);
+}
+
+/// Organs came or went: the youngest motion whose organ is there, unless the present one's still is.
+void Playback::takeWhatFits() {
+  if (sequence())
+    return;
+  const std::vector<Motion> there = motions();
+  if (!there.empty())
+    take(there.back());
+}
+
 const sequences::Sequence* Playback::sequence() const {
-  return workspace_.document().organ(organ_) ? sequence_.get() : nullptr;
+  return workspace_.document().organ(present_.organ) ? present_.sequence.get() : nullptr;
+}
+
+void Playback::setFollower(Playback* follower) {
+  if (follower_) {
+    follower_->pause();
+    follower_->driven_ = false;
+  }
+  follower_ = follower;
+  if (!follower_)
+    return;
+  follower_->driven_ = true;
+  follower_->frames_.stop();
+  follower_->setMode(mode_);
+  follower_->setSpeed(player_.speed());
+  if (showing())
+    follower_->lookAtSecond(player_.secondsInCycle());
+  if (player_.playing())
+    follower_->play();
 }
 
 void Playback::advance() {
-  if (player_.advance())
+  const bool moved = player_.advance();
+  if (follower_)
+    follower_->advance();
+  if (moved)
     showPose();
-  if (!player_.playing())
+  if (!player_.playing() && !driven_)
     pause();
 }
 
@@ -46,6 +127,8 @@ void Playback::setMode(Mode mode) {
   mode_ = mode;
   if (!follows())
     pause();
+  if (follower_)
+    follower_->setMode(mode);
   showWhatModeWants();
 }
 
@@ -64,7 +147,7 @@ bool Playback::start() {
   if (!sequence())
     return false;
   try {
-    session::requireFits(workspace_.document().rig(), *sequence_);
+    session::requireFits(workspace_.document().rig(), *present_.sequence);
   } catch (const Error&) {
     offerOwnHandles();
     return false;
@@ -78,10 +161,11 @@ bool Playback::start() {
 void Playback::offerOwnHandles() {
   Message message;
   message.severity = Message::Severity::warning;
-  message.text = tr("%1 moves handles of its own, and these are others.").arg(text(sequence_->name()));
+  message.text =
+      tr("%1 moves handles of its own, and these are others.").arg(text(present_.sequence->name()));
   message.offers.push_back(
       {tr("Use its handles"), [this] {
-         if (workspace_.perform(session::replaceRig(session::rigOf(*sequence_),
+         if (workspace_.perform(session::replaceRig(session::rigOf(*present_.sequence),
                                                     tr("Use the sequence's handles").toStdString())))
            play();
        }});
@@ -92,15 +176,20 @@ void Playback::play() {
   if (player_.playing() || !start())
     return;
   player_.play();
-  frames_.start();
+  if (!driven_)
+    frames_.start();
+  if (follower_)
+    follower_->play();
   showPose();
   Q_EMIT stateChanged();
 }
 
 void Playback::pause() {
-  const bool was = frames_.isActive();
+  const bool was = player_.playing() || frames_.isActive();
   player_.pause();
   frames_.stop();
+  if (follower_)
+    follower_->pause();
   if (was)
     Q_EMIT stateChanged();
 }
@@ -126,13 +215,30 @@ void Playback::setRate(double perMinute) {
 
 void Playback::setSpeed(double speed) {
   workspace_.guarded([&] { player_.setSpeed(speed); });
+  if (follower_)
+    follower_->setSpeed(speed);
   Q_EMIT stateChanged();
 }
 
-void Playback::seek(double fraction) {
+/// Goes there; the follower stays where it is.
+bool Playback::look(double fraction) {
   if (!start())
-    return;
+    return false;
   workspace_.guarded([&] { player_.seek(std::clamp(fraction, 0.0, 1.0)); });
+  return true;
+}
+
+void Playback::lookAtSecond(double seconds) {
+  const double period = player_.periodSeconds();
+  if (period > 0 && look(std::fmod(seconds, period) / period))
+    showPose();
+}
+
+void Playback::seek(double fraction) {
+  if (!look(fraction))
+    return;
+  if (follower_)
+    follower_->lookAtSecond(player_.secondsInCycle());
   showPose();
 }
 
@@ -141,11 +247,17 @@ void Playback::step(int frames) {
     return;
   pause();
   const double moved = player_.fraction() + frames * kStepSeconds / player_.periodSeconds();
-  seek(moved - std::floor(moved));
+  if (!look(moved - std::floor(moved)))
+    return;
+  if (follower_)
+    follower_->step(frames);
+  showPose();
 }
 
 void Playback::stop() {
   pause();
+  if (follower_)
+    follower_->stop();
   if (!started_)
     return;
   started_ = false;

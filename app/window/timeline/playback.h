@@ -4,6 +4,7 @@
 #include <QTimer>
 
 #include <memory>
+#include <vector>
 
 #include "viscera/session/player.h"
 #include "window/mode.h"
@@ -13,26 +14,46 @@ namespace viscera::app {
 
 /// Plays a sequence on the organs, frame by frame, without touching the document; and decides which pose is
 /// shown: rest in Handles mode, the document's in Deform mode, else the sequence's once it has been started.
+/// It knows the motions of several organs: undo brings an organ back with its motion.
 class Playback final : public QObject {
   Q_OBJECT
 
 public:
+  /// A sequence and the organ that it moves.
+  struct Motion {
+    std::shared_ptr<const sequences::Sequence> sequence;
+    session::OrganId organ;
+  };
+
   /// `clock` in seconds; a test or a picture brings its own.
   Playback(Workspace& workspace, session::Player::Clock clock, QObject* parent = nullptr);
 
-  /// Takes a sequence and the organ that it belongs to; it is offered while that organ is in the document.
+  /// Takes a sequence and the organ that it belongs to, and makes it the present one; it is offered while
+  /// that organ is in the document. Null: none is present.
   void setSequence(std::shared_ptr<const sequences::Sequence> sequence, session::OrganId organ);
+  /// Takes a sequence to choose from, and leaves the present one.
+  void offer(std::shared_ptr<const sequences::Sequence> sequence, session::OrganId organ);
+  /// Takes back a sequence that was set or offered.
+  void forget(const sequences::Sequence* sequence);
+  /// The motions for the organs there are, the oldest first.
+  std::vector<Motion> motions() const;
+  /// Makes one of `motions` the present one, stopped at its beginning.
+  void choose(const sequences::Sequence* sequence);
   /// The sequence that can be played; null when there is none for the organs there are.
   const sequences::Sequence* sequence() const;
-  /// The same, for a worker that needs it longer.
-  std::shared_ptr<const sequences::Sequence> sharedSequence() const {
-    return sequence() ? sequence_ : nullptr;
-  }
+  /// The same with the organ that it moves; both are empty when there is none.
+  Motion motion() const { return sequence() ? present_ : Motion{}; }
+  /// The present one, for a worker that needs it longer; null when there is none.
+  std::shared_ptr<const sequences::Sequence> sharedSequence() const { return motion().sequence; }
   const session::Player& player() const { return player_; }
   /// Whether the organs show the sequence's pose.
   bool showing() const { return started_ && follows(); }
 
   void setMode(Mode mode);
+
+  /// Another playback that does what this one does, at the same seconds and at a rate of its own, for organs
+  /// beside these; null: none. It has to live until another one is set.
+  void setFollower(Playback* follower);
 
 public Q_SLOTS:
   /// Brings the organs to where the clock is; the frame timer calls it while playing.
@@ -54,24 +75,31 @@ public Q_SLOTS:
 Q_SIGNALS:
   /// Another sequence, playing or not, rate, loop.
   void stateChanged();
-  /// The organs are in another instant of the sequence.
+  /// The organs are in another instant of the sequence; the follower's, too.
   void advanced();
   /// Playing needs a mode in which the sequence's pose is shown.
   void playModeWanted();
 
 private:
   bool follows() const { return mode_ == Mode::explore || mode_ == Mode::stress || mode_ == Mode::play; }
+  void remember(const Motion& motion);
+  void take(const Motion& motion);
+  void takeWhatFits();
   bool start();
+  bool look(double fraction);
+  void lookAtSecond(double seconds);
   void showPose();
   void showWhatModeWants();
   void offerOwnHandles();
 
   Workspace& workspace_;
   session::Player player_;
-  std::shared_ptr<const sequences::Sequence> sequence_;
-  session::OrganId organ_;
+  std::vector<Motion> known_; ///< Also those whose organ is gone: undo may bring it back.
+  Motion present_;
   Mode mode_ = Mode::explore;
   bool started_ = false;
+  bool driven_ = false; ///< It is a follower: another playback says when the time goes on.
+  Playback* follower_ = nullptr;
   Points pose_;
   QTimer frames_;
   session::Subscription subscription_;

@@ -1,5 +1,6 @@
 #include "window/timeline/timeline_bar.h"
 
+#include <QComboBox>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QSignalBlocker>
@@ -12,6 +13,9 @@
 #include "window/style/icon.h"
 
 namespace viscera::app {
+namespace {
+constexpr double kSpeeds[] = {1, 0.5, 0.25, 0.1};
+}
 
 TimelineBar::TimelineBar(QWidget* parent) : QWidget(parent) {
   setObjectName(QStringLiteral("panel"));
@@ -39,6 +43,13 @@ TimelineBar::TimelineBar(QWidget* parent) : QWidget(parent) {
   rate_->setKeyboardTracking(false);
   row->addWidget(rateSlider_);
   row->addWidget(rate_);
+  speed_ = new QComboBox(this);
+  speed_->setObjectName(QStringLiteral("speed"));
+  speed_->setAccessibleName(tr("Speed"));
+  speed_->setToolTip(tr("Slow motion: how fast time passes (S)"));
+  for (const double speed : kSpeeds)
+    speed_->addItem(speed == 1 ? tr("1x") : tr("1/%1x").arg(1 / speed, 0, 'f', 0), speed);
+  row->addWidget(speed_);
   row->addSpacing(8);
   scrubber_ = new PhaseScrubber(this);
   row->addWidget(scrubber_, 1);
@@ -57,6 +68,8 @@ TimelineBar::TimelineBar(QWidget* parent) : QWidget(parent) {
     Q_EMIT rateChosen(perMinute);
   });
   connect(rateSlider_, &QSlider::valueChanged, rate_, &QSpinBox::setValue);
+  connect(speed_, QOverload<int>::of(&QComboBox::activated), this,
+          [this](int index) { Q_EMIT speedChosen(speed_->itemData(index).toDouble()); });
   clearSequence();
 }
 
@@ -85,6 +98,7 @@ void TimelineBar::setSequence(const QString& name, const QString& rateUnit, doub
 void TimelineBar::clearSequence() {
   setEnabled(false);
   scrubber_->setPhases({{tr("No motion here: sample organs bring their own (Organ > Sample organs)"), 0, 1}});
+  scrubber_->setCourse({});
   scrubber_->setFraction(0);
   phase_->clear();
 }
@@ -95,6 +109,18 @@ void TimelineBar::setPhases(std::vector<PhaseBand> phases) {
     widest = std::max(widest, phase_->fontMetrics().horizontalAdvance(phase.name));
   phase_->setMinimumWidth(widest + 4);
   scrubber_->setPhases(std::move(phases));
+}
+
+void TimelineBar::setCourse(std::vector<CoursePlace> course) {
+  scrubber_->setCourse(std::move(course));
+}
+
+void TimelineBar::setMarks(std::vector<CourseMark> marks) {
+  scrubber_->setMarks(std::move(marks));
+}
+
+void TimelineBar::setSpeed(double speed) {
+  speed_->setCurrentIndex(speed_->findData(speed));
 }
 
 void TimelineBar::setRate(double perMinute) {

@@ -4,6 +4,7 @@
 
 #include "window/timeline/phase_scrubber.h"
 
+class QComboBox;
 class QLabel;
 class QSlider;
 class QSpinBox;
@@ -11,7 +12,8 @@ class QToolButton;
 
 namespace viscera::app {
 
-/// Transport of a sequence: to the start, step, play or pause, loop, rate, the cycle with its phases. Knows
+/// Transport of a sequence: to the start, step, play or pause, loop, rate, slow motion, the cycle with its
+/// phases. Knows
 /// nothing of sequences: shows what it is told and says what the user did.
 class TimelineBar final : public QWidget {
   Q_OBJECT
@@ -24,7 +26,12 @@ public:
   /// No sequence: everything is disabled and a line says where sequences come from.
   void clearSequence();
   void setPhases(std::vector<PhaseBand> phases);
+  /// The way of what travels through the organ, and what is on it now.
+  void setCourse(std::vector<CoursePlace> course);
+  void setMarks(std::vector<CourseMark> marks);
   void setRate(double perMinute);
+  /// How fast time passes; 1 is real time.
+  void setSpeed(double speed);
   void setPlaying(bool playing);
   void setLooping(bool looping);
   /// The present instant; `fraction` of the cycle.
@@ -34,6 +41,7 @@ Q_SIGNALS:
   void playToggled();
   void loopToggled(bool looping);
   void rateChosen(double perMinute);
+  void speedChosen(double speed);
   void scrubbed(double fraction);
   /// One frame back (-1) or forward (1).
   void stepRequested(int frames);
@@ -49,6 +57,7 @@ private:
   QToolButton* loop_ = nullptr;
   QSpinBox* rate_ = nullptr;
   QSlider* rateSlider_ = nullptr;
+  QComboBox* speed_ = nullptr;
   PhaseScrubber* scrubber_ = nullptr;
   QLabel* phase_ = nullptr;
 };

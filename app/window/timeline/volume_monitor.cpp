@@ -12,10 +12,13 @@ constexpr std::size_t kRows = 7200;
 /// The last minute of drags.
 constexpr std::size_t kDragRows = 600;
 constexpr double kMillisecond = 1e-3;
+/// A slow computer meets the extremes of a beat only after several of them.
+constexpr std::size_t kFewestInstants = 10;
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr scene::ValueRange kNothing{kInfinity, -kInfinity};
 } // namespace
 
-VolumeMonitor::VolumeMonitor(Workspace& workspace, Playback& playback, QObject* parent)
-    : QObject(parent), workspace_(workspace), playback_(playback) {
+VolumeMonitor::VolumeMonitor(Workspace& workspace, Playback& playback, QObject* parent) : QObject(parent) {
   throttle_.setSingleShot(true);
   throttle_.setInterval(kUpdateMilliseconds);
   connect(&throttle_, &QTimer::timeout, this, [this] {
@@ -24,41 +27,67 @@ VolumeMonitor::VolumeMonitor(Workspace& workspace, Playback& playback, QObject* 
   });
   connect(&playback, &Playback::advanced, this, &VolumeMonitor::sample);
   connect(&playback, &Playback::stateChanged, this, [this] {
-    if (!playback_.showing())
+    if (!sides_[0].playback->showing())
       restart();
   });
-  subscriptions_.push_back(workspace.onChange([this](const session::Change& change) {
-    if (change.organs())
-      rebuild();
-    const bool moved = change.pose() && !change.rig() && !change.organs();
-    if (moved || (dragging_ && !change.interactive))
-      sampleDrag(change.interactive);
-  }));
-  subscriptions_.push_back(workspace.live().onEvent([this](const session::LiveEvent&) {
-    if (!throttle_.isActive())
-      throttle_.start();
-  }));
+  sides_[0].workspace = &workspace;
+  sides_[0].playback = &playback;
+  watch(sides_[0]);
   rebuild();
 }
 
-void VolumeMonitor::rebuild() {
+void VolumeMonitor::setSecond(Workspace* workspace, Playback* playback) {
+  sides_[1] = {workspace, playback, 0, 0, {}};
+  if (workspace)
+    watch(sides_[1]);
+  rebuild();
+}
+
+void VolumeMonitor::watch(Side& side) {
+  const bool first = &side == &sides_[0];
+  side.subscriptions.push_back(side.workspace->onChange([this, first](const session::Change& change) {
+    if (change.organs())
+      rebuild();
+    const bool moved = change.pose() && !change.rig() && !change.organs();
+    if (first && (moved || (dragging_ && !change.interactive)))
+      sampleDrag(change.interactive);
+  }));
+  side.subscriptions.push_back(side.workspace->live().onEvent([this](const session::LiveEvent&) {
+    if (!throttle_.isActive())
+      throttle_.start();
+  }));
+}
+
+std::vector<VolumeMonitor::Line> VolumeMonitor::linesOf(int side) const {
   std::vector<Line> lines;
-  std::vector<std::string> names;
-  for (const auto& organ : workspace_.document().organs()) {
+  if (!sides_[side].workspace)
+    return lines;
+  for (const auto& organ : sides_[side].workspace->document().organs()) {
     if (!organ->look.tracked || !organ->closed())
       continue;
-    lines.push_back({organ->id, text(organ->name), organ->look.color, static_cast<bool>(organ->parent),
-                     organ->restVolumeMm3 / kMm3PerMl, organ->restVolumeMm3 / kMm3PerMl});
-    names.push_back(organ->name);
+    const double rest = organ->restVolumeMm3 / kMm3PerMl;
+    lines.push_back({organ->id, side, text(organ->name), organ->look.color, static_cast<bool>(organ->parent),
+                     rest, rest});
   }
+  return lines;
+}
+
+void VolumeMonitor::rebuild() {
+  std::vector<Line> lines = linesOf(0);
+  const std::vector<Line> second = linesOf(1);
+  lines.insert(lines.end(), second.begin(), second.end());
   const auto same = [](const Line& a, const Line& b) {
-    return a.organ == b.organ && a.name == b.name && a.color == b.color;
+    return a.organ == b.organ && a.side == b.side && a.name == b.name && a.color == b.color;
   };
   if (std::equal(lines.begin(), lines.end(), lines_.begin(), lines_.end(), same))
     return;
   lines_ = std::move(lines);
+  std::vector<std::string> names;
+  for (const Line& line : lines_)
+    names.push_back(line.name.toStdString());
   record_ = session::VolumeRecord(names, kRows);
   drags_ = session::VolumeRecord(std::move(names), kDragRows);
+  cycles_.assign(lines_.size(), session::CycleTrace());
   extremes_.clear();
   refresh();
   Q_EMIT linesChanged();
@@ -66,38 +95,60 @@ void VolumeMonitor::rebuild() {
 
 void VolumeMonitor::refresh() {
   // A line may outlive its organ for a moment: who plays may hear of a change before this observer does.
-  for (Line& line : lines_)
-    if (workspace_.document().organ(line.organ))
-      line.nowMl = workspace_.live().volume(line.organ).nowMl;
+  for (Line& line : lines_) {
+    Workspace& workspace = *sides_[line.side].workspace;
+    if (workspace.document().organ(line.organ))
+      line.nowMl = workspace.live().volume(line.organ).nowMl;
+  }
 }
 
 void VolumeMonitor::restart() {
   record_.clear();
   extremes_.clear();
+  for (session::CycleTrace& cycle : cycles_)
+    cycle.clear();
+}
+
+/// Another rate makes another beat of the organs on that side.
+void VolumeMonitor::restartSidesWithNewRates() {
+  const bool all = extremes_.size() != lines_.size();
+  const double played = sides_[0].playback->player().playedSeconds();
+  extremes_.resize(lines_.size(), kNothing);
+  for (int index = 0; index < static_cast<int>(sides_.size()); ++index) {
+    Side& side = sides_[index];
+    side.since = std::min(side.since, played); // Somebody has gone to another instant: time begins anew.
+    if (!side.playback || (!all && side.playback->player().ratePerMinute() == side.rate))
+      continue;
+    side.since = played;
+    side.rate = side.playback->player().ratePerMinute();
+    for (std::size_t line = 0; line < lines_.size(); ++line)
+      if (lines_[line].side == index) {
+        extremes_[line] = kNothing;
+        cycles_[line].clear();
+      }
+  }
 }
 
 void VolumeMonitor::sample() {
   refresh();
   // Organs that are not bound yet stand still: that is no part of the beat.
-  if (workspace_.live().busy())
-    return;
-  const session::Player& player = playback_.player();
-  if (extremes_.size() != lines_.size() || player.ratePerMinute() != sampledRate_) {
-    constexpr double kNothing = std::numeric_limits<double>::infinity();
-    extremes_.assign(lines_.size(), {kNothing, -kNothing});
-    sampledSince_ = player.playedSeconds();
-    sampledRate_ = player.ratePerMinute();
-  }
+  for (const Side& side : sides_)
+    if (side.workspace && side.workspace->live().busy())
+      return;
+  restartSidesWithNewRates();
+  const double seconds = sides_[0].playback->player().playedSeconds();
   std::vector<double> row;
   for (std::size_t line = 0; line < lines_.size(); ++line) {
     const double volume = lines_[line].nowMl;
     row.push_back(volume);
     extremes_[line] = {std::min(extremes_[line].low, volume), std::max(extremes_[line].high, volume)};
+    if (playbackOf(line).showing())
+      cycles_[line].add(playbackOf(line).player().fraction(), volume);
   }
   // The same instant again (another mode, another rate) is no news; a record that is given one begins anew.
-  const bool again = record_.rows() > 0 && record_.seconds(record_.rows() - 1) == player.playedSeconds();
+  const bool again = record_.rows() > 0 && record_.seconds(record_.rows() - 1) == seconds;
   if (!row.empty() && !again)
-    record_.add(player.playedSeconds(), row);
+    record_.add(seconds, row);
   if (!throttle_.isActive())
     throttle_.start();
 }
@@ -129,21 +180,23 @@ void VolumeMonitor::sampleDrag(bool goesOn) {
     throttle_.start();
 }
 
-bool VolumeMonitor::beatSeen() const {
-  const session::Player& player = playback_.player();
-  return !extremes_.empty() && player.playedSeconds() - sampledSince_ >= player.periodSeconds();
+bool VolumeMonitor::beatSeen(std::size_t line) const {
+  if (extremes_.empty() || !playbackOf(line).sequence())
+    return false;
+  const double played = sides_[0].playback->player().playedSeconds() - sides_[lines_[line].side].since;
+  return played >= playbackOf(line).player().periodSeconds() && cycles_[line].seen() >= kFewestInstants;
 }
 
 std::optional<scene::ValueRange> VolumeMonitor::range(std::size_t line) const {
-  if (!beatSeen())
+  if (!beatSeen(line))
     return std::nullopt;
   return extremes_[line];
 }
 
 std::optional<session::CardiacIndices> VolumeMonitor::indices(std::size_t line) const {
-  if (!lines_[line].cavity || !beatSeen())
+  if (!lines_[line].cavity || !beatSeen(line))
     return std::nullopt;
-  return session::cardiacIndices({extremes_[line].low, extremes_[line].high}, sampledRate_);
+  return session::cardiacIndices({extremes_[line].low, extremes_[line].high}, sides_[lines_[line].side].rate);
 }
 
 } // namespace viscera::app

@@ -3,8 +3,11 @@
 #include <QGridLayout>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QPainter>
+#include <QPixmap>
 #include <QScrollArea>
 #include <QStackedLayout>
+#include <QToolButton>
 
 #include <algorithm>
 #include <utility>
@@ -12,11 +15,46 @@
 #include <vtkGenericOpenGLRenderWindow.h>
 #include <vtkNew.h>
 
+#include "viscera/session/normal_ranges.h"
+#include "window/widgets/elided_label.h"
+
 namespace viscera::app {
 namespace {
+
 constexpr double kShownSeconds = 5;
 constexpr double kShownDragSeconds = 12;
 constexpr int kTileWidth = 148;
+constexpr int kSwatch = 10;
+constexpr double kPercent = 100;
+
+using Quantity = session::NormalRange::Quantity;
+
+bool inMilliliters(const session::NormalRange& range) {
+  return range.quantity != Quantity::ejectionPercent;
+}
+
+QIcon swatch(const Vec3& color) {
+  QPixmap pixmap(kSwatch, kSwatch);
+  pixmap.fill(QColor::fromRgbF(color.x(), color.y(), color.z()));
+  return pixmap;
+}
+
+QString rangeText(const session::NormalRange& range) {
+  return QStringLiteral("%1 - %2").arg(range.low, 0, 'f', 0).arg(range.high, 0, 'f', 0);
+}
+
+/// Short enough to stand in the chart.
+QString shortName(const session::NormalRange& range) {
+  switch (range.quantity) {
+  case Quantity::endDiastolicMl:
+    return VolumePanel::tr("normal at the end of diastole");
+  case Quantity::endSystolicMl:
+    return VolumePanel::tr("normal at the end of systole");
+  default:
+    return VolumePanel::tr("normal %1").arg(text(range.name));
+  }
+}
+
 } // namespace
 
 VolumePanel::VolumePanel(VolumeMonitor& monitor, Playback& playback, QWidget* parent)
@@ -28,6 +66,23 @@ VolumePanel::VolumePanel(VolumeMonitor& monitor, Playback& playback, QWidget* pa
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(0, 4, 8, 4);
   row->setSpacing(8);
+  row->addWidget(makeTiles());
+  auto* column = new QVBoxLayout;
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(0);
+  column->addLayout(stack_, 1);
+  source_ = new ElidedLabel(this);
+  source_->setObjectName(QStringLiteral("chartSource"));
+  column->addWidget(source_);
+  row->addLayout(column, 1);
+  makeChart();
+  connect(&monitor, &VolumeMonitor::linesChanged, this, &VolumePanel::rebuild);
+  connect(&monitor, &VolumeMonitor::updated, this, &VolumePanel::refresh);
+  connect(&playback, &Playback::stateChanged, this, &VolumePanel::refresh);
+  rebuild();
+}
+
+QWidget* VolumePanel::makeTiles() {
   auto* scroll = new QScrollArea(this);
   scroll->setObjectName(QStringLiteral("panelScroll"));
   scroll->setWidgetResizable(true);
@@ -39,8 +94,10 @@ VolumePanel::VolumePanel(VolumeMonitor& monitor, Playback& playback, QWidget* pa
   new QVBoxLayout(tileArea_);
   tileArea_->layout()->setContentsMargins(8, 0, 0, 0);
   scroll->setWidget(tileArea_);
-  row->addWidget(scroll);
-  row->addLayout(stack_, 1);
+  return scroll;
+}
+
+void VolumePanel::makeChart() {
   auto* hint = new QLabel(
       tr("Volumes over time are drawn here while a sequence plays (Space) or handles are dragged (3)."),
       this);
@@ -54,12 +111,6 @@ VolumePanel::VolumePanel(VolumeMonitor& monitor, Playback& playback, QWidget* pa
   window->SetMultiSamples(0);
   chartWidget_->setRenderWindow(window);
   chart_->setWindow(window);
-  chart_->setAxes(tr("Time").toStdString(), "s", tr("Volume").toStdString(), "ml");
-  chart_->setTimeSpan(kShownSeconds);
-  connect(&monitor, &VolumeMonitor::linesChanged, this, &VolumePanel::rebuild);
-  connect(&monitor, &VolumeMonitor::updated, this, &VolumePanel::refresh);
-  connect(&playback, &Playback::stateChanged, this, &VolumePanel::refresh);
-  rebuild();
 }
 
 VolumePanel::~VolumePanel() {
@@ -73,9 +124,22 @@ void VolumePanel::setTheme(const Theme& theme) {
   refresh();
 }
 
+void VolumePanel::setCycleShown(bool shown) {
+  cycleShown_ = shown;
+  chart_->clear();
+  charted_ = 0;
+  refresh();
+}
+
 void VolumePanel::showEvent(QShowEvent* event) {
   QWidget::showEvent(event);
   refresh();
+}
+
+QString VolumePanel::nameOf(const VolumeMonitor::Line& line) const {
+  if (!monitor_.hasSecond())
+    return line.name;
+  return line.side == 0 ? tr("A: %1").arg(line.name) : tr("B: %1").arg(line.name);
 }
 
 void VolumePanel::rebuild() {
@@ -93,8 +157,8 @@ void VolumePanel::rebuild() {
     tiles_.push_back(addTile(line));
     // A whole organ is so much larger than its cavities that on one axis neither would be seen to move.
     const bool right = cavities && !line.cavity;
-    const QString name = right ? tr("%1 (right axis)").arg(line.name) : line.name;
-    lines.push_back({name.toStdString(), line.color, false, {}, right});
+    const QString name = right ? tr("%1 (right axis)").arg(nameOf(line)) : nameOf(line);
+    lines.push_back({name.toStdString(), line.color, {}, right, line.side == 1});
   }
   if (tiles_.empty()) {
     auto* hint = new QLabel(tr("Closed organs show their volume here."), tileBox_);
@@ -107,6 +171,12 @@ void VolumePanel::rebuild() {
   tileBox_->show();
   chart_->setLines(lines);
   charted_ = 0;
+  const auto hasNormals = [](const VolumeMonitor::Line& line) {
+    return !session::normalRanges(line.name.toStdString()).empty();
+  };
+  const auto first = std::find_if(monitor_.lines().begin(), monitor_.lines().end(), hasNormals);
+  normalsOf_ = static_cast<std::size_t>(first - monitor_.lines().begin());
+  syncNormals();
   refresh();
 }
 
@@ -117,10 +187,15 @@ VolumePanel::Tile VolumePanel::addTile(const VolumeMonitor::Line& line) {
   auto* column = new QVBoxLayout(box);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(0);
-  auto* name = new QLabel(box);
-  const QColor color = QColor::fromRgbF(line.color.x(), line.color.y(), line.color.z());
-  name->setText(QStringLiteral("<span style='color:%1'>&#9632;</span> %2")
-                    .arg(color.name(), line.name.toHtmlEscaped()));
+  auto* name = new QToolButton(box);
+  name->setObjectName(QStringLiteral("tileName"));
+  name->setText(nameOf(line));
+  name->setIcon(swatch(line.color));
+  name->setIconSize(QSize(kSwatch, kSwatch));
+  name->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+  name->setToolTip(tr("Show what is normal for %1 in the chart").arg(line.name));
+  connect(name, &QToolButton::clicked, this,
+          [this, index] { setNormalsOf(static_cast<std::size_t>(index)); });
   Tile tile{new QLabel(box), new QLabel(box)};
   QFont font = tile.value->font();
   font.setPointSizeF(font.pointSizeF() * 1.25);
@@ -134,40 +209,119 @@ VolumePanel::Tile VolumePanel::addTile(const VolumeMonitor::Line& line) {
   return tile;
 }
 
+void VolumePanel::setNormalsOf(std::size_t line) {
+  normalsOf_ = line;
+  syncNormals();
+  refresh();
+}
+
+void VolumePanel::syncNormals() {
+  for (std::size_t line = 0; line < monitor_.lines().size(); ++line) {
+    std::vector<scene::ChartBand> bands;
+    if (line == normalsOf_)
+      for (const session::NormalRange& range :
+           session::normalRanges(monitor_.lines()[line].name.toStdString()))
+        if (inMilliliters(range))
+          bands.push_back({{range.low, range.high}, shortName(range).toStdString()});
+    chart_->setBands(static_cast<int>(line), std::move(bands));
+  }
+  source_->setFullText(normalsText());
+  source_->setVisible(!source_->fullText().isEmpty());
+}
+
+QString VolumePanel::normalsText() const {
+  if (normalsOf_ >= monitor_.lines().size())
+    return {};
+  const QString name = monitor_.lines()[normalsOf_].name;
+  QStringList parts;
+  QString from;
+  for (const session::NormalRange& range : session::normalRanges(name.toStdString())) {
+    if (!inMilliliters(range))
+      continue;
+    parts.push_back(tr("%1 %2 ml").arg(text(range.name), rangeText(range)));
+    from = tr("%1: %2").arg(text(range.source), text(range.people));
+  }
+  if (parts.isEmpty())
+    return {};
+  return tr("Shaded: normal for %1, %2. %3").arg(name, parts.join(tr(", ")), from);
+}
+
 QString VolumePanel::detailOf(std::size_t line) const {
   const VolumeMonitor::Line& shown = monitor_.lines()[line];
   if (const auto indices = monitor_.indices(line))
     return tr("EF %1 %  SV %2 ml")
-        .arg(100 * indices->ejectionFraction, 0, 'f', 0)
+        .arg(kPercent * indices->ejectionFraction, 0, 'f', 0)
         .arg(indices->strokeVolumeMl, 0, 'f', 0);
   if (shown.restMl <= 0)
     return {};
-  return tr("%1 % of rest").arg(100 * shown.nowMl / shown.restMl, 0, 'f', 1);
+  return tr("%1 % of rest").arg(kPercent * shown.nowMl / shown.restMl, 0, 'f', 1);
 }
 
-const session::VolumeRecord& VolumePanel::shownRecord() {
-  const bool drags = !playback_.showing();
-  const session::VolumeRecord& record = drags ? monitor_.drags() : monitor_.record();
-  if (std::exchange(shown_, &record) != &record) {
-    chart_->clear();
-    charted_ = 0;
-    chart_->setAxes((drags ? tr("Time dragged") : tr("Time")).toStdString(), "s", tr("Volume").toStdString(),
-                    "ml");
-    chart_->setTimeSpan(drags ? kShownDragSeconds : kShownSeconds);
-  }
-  return record;
+bool VolumePanel::dragsShown() const {
+  return !playback_.showing() && monitor_.drags().rows() >= 2;
 }
 
-void VolumePanel::refresh() {
+/// What the chart holds: one cycle, the sequence as played, or the drags. Another one begins with an empty
+/// chart.
+void VolumePanel::take(const session::VolumeRecord* record) {
+  if (std::exchange(shown_, record) == record)
+    return;
+  chart_->clear();
+  charted_ = 0;
+}
+
+void VolumePanel::refreshTiles() {
   for (std::size_t line = 0; line < tiles_.size(); ++line) {
     tiles_[line].value->setText(formatMilliliters(monitor_.lines()[line].nowMl));
     tiles_[line].detail->setText(detailOf(line));
   }
+}
+
+void VolumePanel::refresh() {
+  refreshTiles();
   if (!isVisible())
     return;
-  const session::VolumeRecord& record = shownRecord();
+  const bool cycle = cycleShown_ && !dragsShown();
+  bool anything = dragsShown() || monitor_.record().rows() >= 2;
+  for (std::size_t line = 0; cycle && line < tiles_.size(); ++line)
+    anything = anything || monitor_.cycle(line).seen() >= 1;
+  stack_->setCurrentIndex(anything ? 1 : 0);
+  cycle ? drawCycle() : drawRecord();
+  chart_->update();
+  chartWidget_->renderWindow()->Render();
+}
+
+/// Of two views the curves lie over one another by their part of the cycle, whatever their rates.
+void VolumePanel::drawCycle() {
+  take(nullptr);
+  const session::Player& player = playback_.player();
+  const double length = monitor_.hasSecond() ? kPercent : std::max(player.periodSeconds(), 1e-3);
+  if (monitor_.hasSecond())
+    chart_->setAxes(tr("Part of the cycle").toStdString(), "%", tr("Volume").toStdString(), "ml");
+  else
+    chart_->setAxes(tr("Time in the cycle").toStdString(), "s", tr("Volume").toStdString(), "ml");
+  chart_->setTimeRange({0, length});
+  for (std::size_t line = 0; line < tiles_.size(); ++line) {
+    std::vector<double> times = monitor_.cycle(line).fractions();
+    for (double& time : times)
+      time *= length;
+    chart_->setCurve(static_cast<int>(line), std::move(times), monitor_.cycle(line).values());
+  }
+  if (playback_.showing())
+    chart_->setCursor(player.fraction() * length);
+  else
+    chart_->hideCursor();
+}
+
+void VolumePanel::drawRecord() {
+  const bool drags = dragsShown();
+  const session::VolumeRecord& record = drags ? monitor_.drags() : monitor_.record();
+  take(&record);
+  chart_->setAxes((drags ? tr("Time dragged") : tr("Time")).toStdString(), "s", tr("Volume").toStdString(),
+                  "ml");
+  chart_->setTimeSpan(drags ? kShownDragSeconds
+                            : std::max(kShownSeconds, 1.5 * playback_.player().periodSeconds()));
   const std::size_t rows = record.rows();
-  stack_->setCurrentIndex(rows < 2 ? 0 : 1);
   if (rows == 0 || rows < charted_ || record.seconds(rows - 1) < chartedUntil_) {
     chart_->clear();
     charted_ = 0;
@@ -184,8 +338,10 @@ void VolumePanel::refresh() {
     chartedUntil_ = record.seconds(row);
   }
   charted_ = rows;
-  chart_->update();
-  chartWidget_->renderWindow()->Render();
+  if (rows > 0)
+    chart_->setCursor(chartedUntil_);
+  else
+    chart_->hideCursor();
 }
 
 } // namespace viscera::app

@@ -16,7 +16,10 @@ class QStackedLayout;
 
 namespace viscera::app {
 
-/// The volumes as numbers and as a live chart, with ejection fraction and stroke volume.
+class ElidedLabel;
+
+/// The volumes as numbers and as a live chart, with ejection fraction and stroke volume, and what healthy
+/// people have behind the curve of one organ.
 class VolumePanel final : public QWidget {
   Q_OBJECT
 
@@ -25,6 +28,13 @@ public:
   ~VolumePanel() override;
 
   void setTheme(const Theme& theme);
+  /// Draws one cycle with a cursor at the present instant; else the last seconds as they went by.
+  void setCycleShown(bool shown);
+  bool cycleShown() const { return cycleShown_; }
+  /// Shows the normal ranges of that line.
+  void setNormalsOf(std::size_t line);
+  /// What the stripes in the chart are and where they come from; empty when there are none.
+  QString normalsText() const;
 
 protected:
   void showEvent(QShowEvent* event) override;
@@ -35,11 +45,19 @@ private:
     QLabel* detail = nullptr;
   };
 
+  QWidget* makeTiles();
+  void makeChart();
   void rebuild();
   void refresh();
-  /// What the chart shows: the sequence, or the drags when none is on show.
-  const session::VolumeRecord& shownRecord();
+  /// Whether the last drags are in the chart: no sequence is on show.
+  bool dragsShown() const;
+  void take(const session::VolumeRecord* record);
+  void refreshTiles();
+  void drawCycle();
+  void drawRecord();
+  void syncNormals();
   Tile addTile(const VolumeMonitor::Line& line);
+  QString nameOf(const VolumeMonitor::Line& line) const;
   QString detailOf(std::size_t line) const;
 
   VolumeMonitor& monitor_;
@@ -47,10 +65,13 @@ private:
   std::unique_ptr<scene::VolumeChart> chart_;
   QVTKOpenGLNativeWidget* chartWidget_;
   QStackedLayout* stack_; ///< A hint, or the chart.
+  ElidedLabel* source_ = nullptr;
   QWidget* tileBox_ = nullptr;
   QWidget* tileArea_;
   std::vector<Tile> tiles_;
-  const session::VolumeRecord* shown_ = nullptr;
+  const session::VolumeRecord* shown_ = nullptr; ///< What the chart holds; null: one cycle.
+  std::size_t normalsOf_ = 0;                    ///< The line whose normal ranges are drawn.
+  bool cycleShown_ = true;
   std::size_t charted_ = 0; ///< Rows of the record that the chart has.
   double chartedUntil_ = 0;
 };

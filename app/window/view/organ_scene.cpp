@@ -46,6 +46,11 @@ session::OrganId OrganScene::organOf(const scene::OrganActor* actor) const {
   return {};
 }
 
+std::shared_ptr<scene::OrganActor> OrganScene::actorOf(session::OrganId organ) const {
+  const auto found = shown_.find(organ);
+  return found == shown_.end() ? nullptr : found->second.actor;
+}
+
 void OrganScene::syncOrgans() {
   bool listChanged = false;
   for (auto found = shown_.begin(); found != shown_.end();) {

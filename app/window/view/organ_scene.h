@@ -23,6 +23,8 @@ public:
 
   /// The organ that an actor of the view shows, or none.
   session::OrganId organOf(const scene::OrganActor* actor) const;
+  /// The actor that shows an organ, or null.
+  std::shared_ptr<scene::OrganActor> actorOf(session::OrganId organ) const;
 
   void setGhostShown(bool shown);
   bool ghostShown() const { return ghostShown_; }

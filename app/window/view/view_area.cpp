@@ -7,11 +7,12 @@
 namespace viscera::app {
 namespace {
 constexpr int kMargin = 12;
+constexpr int kBetweenViews = 4;
 constexpr int kBadgeMilliseconds = 4000;
 } // namespace
 
 ViewArea::ViewArea(QWidget* parent)
-    : QWidget(parent), grid_(new QGridLayout(this)), view_(new ViewWidget(this)),
+    : QWidget(parent), grid_(new QGridLayout(this)), views_(new QWidget(this)), view_(new ViewWidget(views_)),
       messages_(new MessageBar(this)), badge_(new QLabel(this)), badgeTimer_(new QTimer(this)) {
   setObjectName(QStringLiteral("central"));
   grid_->setContentsMargins(0, 0, 0, 0);
@@ -23,7 +24,15 @@ ViewArea::ViewArea(QWidget* parent)
   }
   grid_->setRowStretch(1, 1);
   grid_->setColumnStretch(1, 1);
-  grid_->addWidget(view_, 0, 0, 3, 3);
+  auto* column = new QVBoxLayout;
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(0);
+  column->addWidget(view_, 1);
+  auto* row = new QHBoxLayout(views_);
+  row->setContentsMargins(0, 0, 0, 0);
+  row->setSpacing(kBetweenViews);
+  row->addLayout(column, 1);
+  grid_->addWidget(views_, 0, 0, 3, 3);
   grid_->addWidget(messages_, 1, 1, Qt::AlignTop);
   grid_->addWidget(badge_, 1, 1, Qt::AlignTop | Qt::AlignLeft);
   badge_->setObjectName(QStringLiteral("viewBadge"));
@@ -31,6 +40,27 @@ ViewArea::ViewArea(QWidget* parent)
   badge_->hide();
   badgeTimer_->setSingleShot(true);
   connect(badgeTimer_, &QTimer::timeout, badge_, &QWidget::hide);
+}
+
+void ViewArea::splitView(QWidget* header, QWidget* second) {
+  joinViews();
+  header_ = header;
+  second_ = second;
+  auto* row = static_cast<QHBoxLayout*>(views_->layout());
+  static_cast<QVBoxLayout*>(row->itemAt(0)->layout())->insertWidget(0, header_);
+  row->addWidget(second_, 1);
+  // What lies over the view begins below the header.
+  grid_->setRowMinimumHeight(0, header_->sizeHint().height() + kMargin);
+  header_->show();
+  second_->show();
+}
+
+void ViewArea::joinViews() {
+  delete header_;
+  delete second_;
+  header_ = nullptr;
+  second_ = nullptr;
+  grid_->setRowMinimumHeight(0, kMargin);
 }
 
 void ViewArea::showBadge(const QString& text) {

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <utility>
 
 #include <vtkAxis.h>
 #include <vtkBrush.h>
@@ -19,11 +20,13 @@
 #include <vtkPlot.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
+#include <vtkSmartPointer.h>
 #include <vtkStringArray.h>
 #include <vtkTable.h>
 #include <vtkTextProperty.h>
 #include <vtkWeakPointer.h>
 
+#include "viscera/core/error.h"
 #include "viscera/scene/legend.h"
 #include "viscera/scene/organ_view.h"
 
@@ -71,8 +74,9 @@ void setRow(vtkTable* table, vtkIdType row, std::initializer_list<double> values
 struct Curve {
   ChartLine line;
   std::vector<double> values;
+  std::optional<std::vector<double>> ownTimes; ///< Else those that all curves have in common.
   vtkPlot* plot = nullptr;
-  vtkNew<NormalBand> band;
+  std::vector<vtkSmartPointer<NormalBand>> bands;
   vtkNew<vtkTable> table;
   bool shown = true;
 };
@@ -147,6 +151,9 @@ void VolumeChart::Parts::applyTheme() {
   const Vec3& back = theme.panel;
   chart->GetLegend()->GetBrush()->SetColor(byte(back.x()), byte(back.y()), byte(back.z()), 190);
   chart->GetBackgroundBrush()->SetOpacity(0);
+  for (const auto& curve : curves)
+    for (const auto& band : curve->bands)
+      band->setLabelColor(theme.text);
   if (cursorPlot)
     setPen(cursorPlot->GetPen(), theme.text, 0.8);
 }
@@ -155,24 +162,31 @@ void VolumeChart::Parts::applyTheme() {
 void VolumeChart::Parts::makePlots() {
   chart->ClearPlots();
   for (auto& curve : curves) {
-    if (!curve->line.hasNormalBand)
-      continue;
-    const Vec3& c = curve->line.color;
-    curve->band->GetBrush()->SetColor(byte(c.x()), byte(c.y()), byte(c.z()), kBandAlpha);
-    curve->band->GetPen()->SetLineType(vtkPen::NO_PEN);
-    curve->band->SetLegendVisibility(false);
-    curve->band->SetSelectable(false);
-    chart->AddPlot(curve->band);
-    chart->SetPlotCorner(curve->band, cornerOf(*curve));
+    curve->bands.clear();
+    for (const ChartBand& stripe : curve->line.bands) {
+      const Vec3& c = curve->line.color;
+      auto band = vtkSmartPointer<NormalBand>::New();
+      band->GetBrush()->SetColor(byte(c.x()), byte(c.y()), byte(c.z()), kBandAlpha);
+      band->GetPen()->SetLineType(vtkPen::NO_PEN);
+      band->SetLegendVisibility(false);
+      band->SetSelectable(false);
+      band->setLabel(stripe.label, kFontSize);
+      chart->AddPlot(band);
+      chart->SetPlotCorner(band, cornerOf(*curve));
+      curve->bands.push_back(std::move(band));
+    }
   }
   for (auto& curve : curves) {
-    addColumn(curve->table, "time");
-    addColumn(curve->table, curve->line.name);
+    if (curve->table->GetNumberOfColumns() == 0) {
+      addColumn(curve->table, "time");
+      addColumn(curve->table, curve->line.name);
+    }
     curve->plot = chart->AddPlot(vtkChart::LINE);
     curve->plot->SetInputData(curve->table, 0, 1);
     curve->plot->SetLabel(curve->line.name);
     curve->plot->SetWidth(kLineWidth);
     setPen(curve->plot->GetPen(), curve->line.color, 1);
+    curve->plot->GetPen()->SetLineType(curve->line.dashed ? vtkPen::DASH_LINE : vtkPen::SOLID_LINE);
     chart->SetPlotCorner(curve->plot, cornerOf(*curve));
   }
   cursorPlot = chart->AddPlot(vtkChart::LINE);
@@ -187,7 +201,8 @@ void VolumeChart::Parts::forgetBefore(double seconds) {
   const auto keep = std::lower_bound(times.begin(), times.end(), seconds) - times.begin();
   times.erase(times.begin(), times.begin() + keep);
   for (auto& curve : curves)
-    curve->values.erase(curve->values.begin(), curve->values.begin() + keep);
+    if (!curve->ownTimes)
+      curve->values.erase(curve->values.begin(), curve->values.begin() + keep);
 }
 
 ValueRange VolumeChart::Parts::timeRange() const {
@@ -209,9 +224,9 @@ ValueRange VolumeChart::Parts::valueRange(bool right) const {
     if (!curve->shown || curve->line.rightAxis != right)
       continue;
     std::for_each(curve->values.begin(), curve->values.end(), include);
-    if (curve->line.hasNormalBand) {
-      include(curve->line.normal.low);
-      include(curve->line.normal.high);
+    for (const ChartBand& stripe : curve->line.bands) {
+      include(stripe.range.low);
+      include(stripe.range.high);
     }
   }
   if (low > high)
@@ -222,17 +237,20 @@ ValueRange VolumeChart::Parts::valueRange(bool right) const {
 }
 
 void VolumeChart::Parts::fillCurve(Curve& curve, ValueRange range) {
-  const auto count = static_cast<vtkIdType>(times.size());
+  const std::vector<double>& drawn = curve.ownTimes ? *curve.ownTimes : times;
+  const auto count = static_cast<vtkIdType>(drawn.size());
   curve.table->SetNumberOfRows(count);
-  std::copy(times.begin(), times.end(),
+  std::copy(drawn.begin(), drawn.end(),
             vtkDoubleArray::SafeDownCast(curve.table->GetColumn(0))->GetPointer(0));
   std::copy(curve.values.begin(), curve.values.end(),
             vtkDoubleArray::SafeDownCast(curve.table->GetColumn(1))->GetPointer(0));
   curve.table->Modified();
   // A single point is no line, and VTK draws garbage for an empty table.
   curve.plot->SetVisible(curve.shown && count >= 2);
-  curve.band->setExtent(range, curve.line.normal);
-  curve.band->SetVisible(curve.shown);
+  for (std::size_t i = 0; i < curve.bands.size(); ++i) {
+    curve.bands[i]->setExtent(range, curve.line.bands[i].range);
+    curve.bands[i]->SetVisible(curve.shown);
+  }
 }
 
 void VolumeChart::Parts::fillCursor(ValueRange values) {
@@ -296,6 +314,11 @@ void VolumeChart::setLineShown(int line, bool shown) {
   parts_->curves.at(std::size_t(line))->shown = shown;
 }
 
+void VolumeChart::setBands(int line, std::vector<ChartBand> bands) {
+  parts_->curves.at(std::size_t(line))->line.bands = std::move(bands);
+  parts_->makePlots();
+}
+
 int VolumeChart::lineCount() const {
   return static_cast<int>(parts_->curves.size());
 }
@@ -307,8 +330,11 @@ void VolumeChart::append(double seconds, const Values& values) {
   p.times.resize(std::size_t(keep));
   p.times.push_back(seconds);
   for (std::size_t i = 0; i < p.curves.size(); ++i) {
-    p.curves[i]->values.resize(std::size_t(keep));
-    p.curves[i]->values.push_back(values[Eigen::Index(i)]);
+    Curve& curve = *p.curves[i];
+    if (std::exchange(curve.ownTimes, std::nullopt))
+      curve.values.clear();
+    curve.values.resize(std::size_t(keep), std::numeric_limits<double>::quiet_NaN());
+    curve.values.push_back(values[Eigen::Index(i)]);
   }
   // Throwing away half as much again as is shown at a time keeps the cost per point constant.
   if (!p.fixedRange && p.times.front() < seconds - 1.5 * p.span)
@@ -317,8 +343,18 @@ void VolumeChart::append(double seconds, const Values& values) {
 
 void VolumeChart::clear() {
   parts_->times.clear();
-  for (auto& curve : parts_->curves)
+  for (auto& curve : parts_->curves) {
     curve->values.clear();
+    curve->ownTimes.reset();
+  }
+}
+
+void VolumeChart::setCurve(int line, std::vector<double> times, std::vector<double> values) {
+  if (times.size() != values.size())
+    throw UsageError("a curve needs one number for each time");
+  Curve& curve = *parts_->curves.at(std::size_t(line));
+  curve.ownTimes = std::move(times);
+  curve.values = std::move(values);
 }
 
 int VolumeChart::pointCount() const {

@@ -100,6 +100,22 @@ std::vector<double> GastricWaves::positions(double seconds, double ratePerMinute
   return places;
 }
 
+std::vector<NamedPlace> GastricWaves::places() const {
+  const auto part = [this](double s) { return s / course_.pylorus; };
+  return {{"fundus", 0},
+          {"body", part(course_.midBody)},
+          {"antrum", part(course_.midBody + kAntrum * length_)},
+          {"pylorus", 1}};
+}
+
+std::vector<TravellingMark> GastricWaves::travelling(double seconds, double ratePerMinute) const {
+  std::vector<TravellingMark> marks;
+  for (const double age : ages(seconds, ratePerMinute))
+    if (depth(age) > kVisible)
+      marks.push_back({std::clamp(position(age) / course_.pylorus, 0.0, 1.0), depth(age)});
+  return marks;
+}
+
 const char* GastricWaves::placeOf(double age) const {
   if (age >= transitSeconds())
     return "wave fades at the pylorus";

@@ -5,6 +5,7 @@
 #include <vtkImageData.h>
 #include <vtkRenderWindow.h>
 
+#include "viscera/core/error.h"
 #include "viscera/scene/picture.h"
 #include "viscera/scene/surfaceless_window.h"
 #include "viscera/scene/volume_chart.h"
@@ -12,8 +13,8 @@
 namespace viscera::scene {
 namespace {
 
-const ChartLine kRed{"LV", {1, 0, 0}, false, {}};
-const ChartLine kGreen{"RV", {0, 1, 0}, true, {60, 150}};
+const ChartLine kRed{"LV", {1, 0, 0}};
+const ChartLine kGreen{"RV", {0, 1, 0}, {{{60, 150}, {}}}};
 
 Values two(double a, double b) {
   Values values(2);
@@ -119,6 +120,49 @@ TEST(VolumeChart, CursorAndBandAreSeen) {
   chart.update();
   EXPECT_GT(comparePictures(without, grabPicture(surface.window()), 4).differing, 0.1)
       << "the band goes with its line";
+}
+
+TEST(VolumeChart, ACurveMayHaveTimesOfItsOwnUntilItIsCleared) {
+  SurfacelessWindow surface(500, 200);
+  VolumeChart chart;
+  chart.setWindow(surface.window());
+  chart.setTheme(darkTheme());
+  chart.setLines({kRed, kGreen});
+  chart.setTimeRange({0, 1});
+  chart.setCurve(0, {0, 0.1, 0.3}, {50, 60, 70});
+  chart.setCurve(1, {0.5, 1}, {80, 90});
+  chart.update();
+  const auto picture = grabPicture(surface.window());
+  EXPECT_GT(count(picture, 0, 40, 200), 30);
+  EXPECT_EQ(count(picture, 0, 220, 400), 0) << "the red curve ends at a third of the width";
+  EXPECT_GT(count(picture, 1, 220, 400), 30);
+  EXPECT_THROW(chart.setCurve(0, {0, 1}, {1}), UsageError);
+  chart.clear();
+  for (const double time : {0.0, 0.5, 1.0})
+    chart.append(time, two(50, 60));
+  chart.update();
+  EXPECT_GT(count(grabPicture(surface.window()), 0, 220, 400), 30) << "the common times are back";
+}
+
+TEST(VolumeChart, OtherBandsLeaveTheCurvesAsTheyAre) {
+  SurfacelessWindow surface(500, 200);
+  VolumeChart chart;
+  chart.setWindow(surface.window());
+  chart.setTheme(darkTheme());
+  chart.setLines({kRed});
+  chart.setTimeRange({0, 1});
+  for (const double time : {0.0, 0.5, 1.0})
+    chart.append(time, Values::Constant(1, 50));
+  chart.update();
+  const auto without = grabPicture(surface.window());
+  chart.setBands(0, {{{45, 55}, "normal"}});
+  chart.update();
+  const auto with = grabPicture(surface.window());
+  EXPECT_EQ(chart.pointCount(), 3);
+  EXPECT_GT(comparePictures(without, with, 4).differing, 0.1);
+  chart.setBands(0, {});
+  chart.update();
+  EXPECT_LT(comparePictures(without, grabPicture(surface.window()), 4).differing, 0.001);
 }
 
 TEST(VolumeChart, EmptyAndSinglePointAreOrdinaryStates) {

@@ -84,6 +84,26 @@ TEST(GastricWaves, namesWhereTheOldestWaveIs) {
   }
 }
 
+TEST(GastricWaves, travelFromTheBodyToThePylorusAsMarksOfTheTimeline) {
+  const GastricWaves waves;
+  const std::vector<NamedPlace> places = waves.places();
+  ASSERT_EQ(places.size(), 4u);
+  EXPECT_EQ(places.front().name, "fundus");
+  EXPECT_EQ(places.front().place, 0);
+  EXPECT_EQ(places.back().name, "pylorus");
+  EXPECT_EQ(places.back().place, 1);
+  for (double seconds = 0; seconds < 20; seconds += 0.5) {
+    const std::vector<double> positions = waves.positions(seconds, 3);
+    const std::vector<TravellingMark> marks = waves.travelling(seconds, 3);
+    ASSERT_EQ(marks.size(), positions.size());
+    for (std::size_t i = 0; i < marks.size(); ++i) {
+      EXPECT_NEAR(marks[i].place * waves.course().pylorus, positions[i], 1e-9);
+      EXPECT_GT(marks[i].strength, 0);
+      EXPECT_LE(marks[i].strength, 1);
+    }
+  }
+}
+
 TEST(GastricWaves, refuseACourseThatRunsBackwards) {
   EXPECT_THROW(GastricWaves(GastricCourse{200, 100}), DataError);
 }

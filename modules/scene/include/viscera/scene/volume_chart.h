@@ -12,13 +12,19 @@ class vtkRenderWindowInteractor;
 
 namespace viscera::scene {
 
+/// A pale stripe behind the curves: what healthy people have.
+struct ChartBand {
+  ValueRange range;  ///< In the unit of the axis.
+  std::string label; ///< Written into the stripe where it is high enough; may be empty.
+};
+
 /// One curve of a chart.
 struct ChartLine {
-  std::string name;              ///< "LV"
-  Vec3 color = {0.3, 0.7, 0.75}; ///< Red green blue, 0 to 1.
-  bool hasNormalBand = false;    ///< Whether `normal` is drawn as a pale band behind the curve.
-  ValueRange normal;             ///< What healthy people have, in the chart's unit.
-  bool rightAxis = false;        ///< Drawn against the axis at the right, which has a range of its own.
+  std::string name;                  ///< "LV"
+  Vec3 color = {0.3, 0.7, 0.75};     ///< Red green blue, 0 to 1.
+  std::vector<ChartBand> bands = {}; ///< Drawn in the curve's colour, against its axis.
+  bool rightAxis = false;            ///< Drawn against the axis at the right, which has a range of its own.
+  bool dashed = false;               ///< For the same organ in a second view.
 };
 
 /// Curves over time that grow while a sequence plays: volumes in ml, usually. Draws into any vtkRenderWindow,
@@ -41,12 +47,17 @@ public:
   /// Starts over with these curves, all empty.
   void setLines(const std::vector<ChartLine>& lines);
   void setLineShown(int line, bool shown);
+  /// Other stripes for a curve; its points stay.
+  void setBands(int line, std::vector<ChartBand> bands);
   int lineCount() const;
 
   /// Adds one point to every curve; `values` has one number a curve (not a number: a gap). Times that go back
   /// drop what came after them: a sequence that starts again. Amortised O(lines).
   void append(double seconds, const Values& values);
   void clear();
+  /// Gives one curve points of its own in place of those that were added: `values[i]` at `times[i]`,
+  /// ascending. `clear` takes them away again. Throws `UsageError` when there are not as many of both.
+  void setCurve(int line, std::vector<double> times, std::vector<double> values);
   int pointCount() const;
 
   /// How much of the past is kept and shown, s; older points are dropped. Default 10.

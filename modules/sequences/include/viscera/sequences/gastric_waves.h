@@ -43,6 +43,12 @@ public:
   /// Where the waves are that narrow the stomach by more than 5 %, the oldest first.
   std::vector<double> positions(double seconds, double ratePerMinute) const;
 
+  /// From the top of the fundus to the pylorus, as parts of that way: fundus, body, antrum, pylorus.
+  std::vector<NamedPlace> places() const;
+  /// The waves of `positions` as parts of that way, with the part of the radius by which each narrows the
+  /// stomach.
+  std::vector<TravellingMark> travelling(double seconds, double ratePerMinute) const;
+
   /// The parts of a cycle, named after the place of the wave that is farthest on its way.
   std::vector<Phase> phases(double ratePerMinute) const;
 

@@ -36,6 +36,11 @@ public:
   void poseAt(double seconds, double ratePerMinute, Points& pose) const override;
   std::vector<Phase> phases(double ratePerMinute) const override { return waves_.phases(ratePerMinute); }
 
+  std::vector<NamedPlace> course() const override { return waves_.places(); }
+  std::vector<TravellingMark> travelling(double seconds, double ratePerMinute) const override {
+    return waves_.travelling(seconds, ratePerMinute);
+  }
+
   const GastricWaves& waves() const { return waves_; }
   const StomachRig& rig() const { return rig_; }
   double keptMl() const { return keptMl_; }

@@ -14,6 +14,18 @@ struct Phase {
   double end = 1;
 };
 
+/// Something that travels through the organ during the cycle, such as a peristaltic wave.
+struct TravellingMark {
+  double place = 0;    ///< On its way through the organ: 0 at the beginning, 1 at the end.
+  double strength = 0; ///< How much it does there, 0 to 1.
+};
+
+/// A place on the way of such marks that has a name.
+struct NamedPlace {
+  std::string name; ///< "pylorus"
+  double place = 0; ///< As in `TravellingMark`.
+};
+
 /// Handles that move together and that a user finds together.
 struct HandleGroup {
   std::string name;             ///< "Epicardium"
@@ -47,6 +59,13 @@ public:
 
   /// The parts of one cycle at that rate, in order, covering [0, 1].
   virtual std::vector<Phase> phases(double ratePerMinute) const = 0;
+
+  /// The places along the way of what travels, from the beginning to the end; empty when nothing does.
+  virtual std::vector<NamedPlace> course() const { return {}; }
+  /// What is on its way then, the farthest first.
+  virtual std::vector<TravellingMark> travelling(double /*seconds*/, double /*ratePerMinute*/) const {
+    return {};
+  }
 };
 
 } // namespace viscera::sequences

@@ -1,0 +1,282 @@
+#include "window/compare/comparison.h"
+
+#include <QFileDialog>
+#include <QMenu>
+#include <QPushButton>
+#include <QSignalBlocker>
+#include <QSpinBox>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include <cmath>
+
+#include "window/compare/side_header.h"
+#include "window/file_actions.h"
+#include "window/sample_loader.h"
+#include "window/style/icon.h"
+#include "window/view/camera_link.h"
+#include "window/view/label_scene.h"
+#include "window/view/organ_scene.h"
+#include "window/view/view_area.h"
+
+namespace viscera::app {
+
+/// Everything that belongs to the second view; the widgets in the window go by themselves.
+struct Comparison::Second {
+  Second(const First& first, const session::Player::Clock& clock, QWidget* window)
+      : workspace(first.workspace.registry()), playback(workspace, clock), placer(workspace),
+        samples(workspace, placer, playback), files(workspace, placer, first.settings, window),
+        view(new ViewWidget), organs(std::make_unique<OrganScene>(workspace, view->view())),
+        labels(std::make_unique<LabelScene>(workspace, *organs, view->view())) {}
+
+  Workspace workspace;
+  Playback playback;
+  HandlePlacer placer;
+  SampleLoader samples;
+  FileActions files;
+  ViewWidget* view; ///< The window's, once it is there.
+  std::unique_ptr<OrganScene> organs;
+  std::unique_ptr<LabelScene> labels;
+  std::unique_ptr<CameraLink> cameras;
+  std::vector<session::Subscription> subscriptions;
+};
+
+Comparison::Comparison(const First& first, session::Player::Clock clock, QObject* parent)
+    : QObject(parent), first_(first), clock_(std::move(clock)) {
+  connect(&first.playback, &Playback::advanced, this, &Comparison::syncHeaders);
+  connect(&first.playback, &Playback::stateChanged, this, [this] {
+    if (!on())
+      return;
+    if (same_)
+      syncMotion();
+    second_->view->view().setMoving(first_.playback.player().playing());
+    second_->view->scheduleRender();
+    syncHeaders();
+  });
+  connect(&first.volumes, &VolumeMonitor::updated, this, &Comparison::syncHeaders);
+}
+
+Comparison::~Comparison() {
+  end();
+}
+
+Workspace& Comparison::workspace() {
+  return second_->workspace;
+}
+
+Playback& Comparison::playback() {
+  return second_->playback;
+}
+
+ViewWidget& Comparison::view() {
+  return *second_->view;
+}
+
+void Comparison::begin() {
+  if (on())
+    return;
+  second_ = std::make_unique<Second>(first_, clock_, first_.area.window());
+  Second& second = *second_;
+  firstHeader_ = new SideHeader(tr("A"));
+  first_.area.splitView(firstHeader_, makeSecondPane());
+  setTheme(theme_);
+  setLabelsShown(labelsShown_);
+  connect(second.organs.get(), &OrganScene::changed, second.view, &ViewWidget::scheduleRender);
+  connect(second.labels.get(), &LabelScene::changed, second.view, &ViewWidget::scheduleRender);
+  connect(&second.workspace, &Workspace::messageRaised, &first_.workspace, &Workspace::messageRaised);
+  connect(&second.playback, &Playback::stateChanged, this, &Comparison::syncHeaders);
+  connect(&second.playback, &Playback::advanced, this, &Comparison::syncHeaders);
+  connect(&second.samples, &SampleLoader::loaded, this, &Comparison::linkCameras);
+  connect(&second.files, &FileActions::filesOpened, this, &Comparison::linkCameras);
+  second.subscriptions.push_back(first_.workspace.onChange([this](const session::Change&) {
+    if (same_)
+      mirror();
+  }));
+  first_.playback.setFollower(&second.playback);
+  first_.volumes.setSecond(&second.workspace, &second.playback);
+  Q_EMIT toggled(true);
+}
+
+QWidget* Comparison::makeSecondPane() {
+  auto* pane = new QWidget;
+  auto* column = new QVBoxLayout(pane);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(0);
+  secondHeader_ = new SideHeader(tr("B"), pane);
+  fillHeader(*secondHeader_);
+  column->addWidget(secondHeader_);
+  second_->view->setObjectName(QStringLiteral("secondView3d"));
+  column->addWidget(second_->view, 1);
+  return pane;
+}
+
+void Comparison::fillHeader(SideHeader& header) {
+  rate_ = new QSpinBox(&header);
+  rate_->setObjectName(QStringLiteral("secondRate"));
+  rate_->setAccessibleName(tr("Rate of the second view"));
+  rate_->setSuffix(tr(" / min"));
+  rate_->setKeyboardTracking(false);
+  header.addControl(rate_);
+  connect(rate_, QOverload<int>::of(&QSpinBox::valueChanged), this,
+          [this](int perMinute) { second_->playback.setRate(perMinute); });
+  auto* choose = new QToolButton(&header);
+  choose->setObjectName(QStringLiteral("secondOrgan"));
+  choose->setIcon(icon("organs"));
+  choose->setToolTip(tr("What this view shows"));
+  choose->setAccessibleName(choose->toolTip());
+  choose->setPopupMode(QToolButton::InstantPopup);
+  auto* menu = new QMenu(choose);
+  menu->addAction(tr("The same organ at another rate"), this, &Comparison::showSameOrgan);
+  menu->addSeparator();
+  first_.workspace.guarded([&] {
+    for (const QString& name : second_->samples.names()) {
+      QString label = name;
+      label.replace(QLatin1Char('_'), QLatin1Char(' '));
+      menu->addAction(tr("Sample %1").arg(label), this, [this, name] { showSample(name); });
+    }
+  });
+  menu->addSeparator();
+  menu->addAction(tr("Open files..."), this, &Comparison::chooseFiles);
+  choose->setMenu(menu);
+  header.addAtEnd(choose);
+  auto* close = new QToolButton(&header);
+  close->setObjectName(QStringLiteral("closeSecond"));
+  close->setIcon(icon("close"));
+  close->setToolTip(tr("Back to one view"));
+  close->setAccessibleName(close->toolTip());
+  header.addAtEnd(close);
+  // Queued: the button goes with the view that it closes.
+  connect(close, &QToolButton::clicked, this, &Comparison::end, Qt::QueuedConnection);
+}
+
+void Comparison::showSameOrgan() {
+  begin();
+  same_ = true;
+  mirror();
+  const session::Player& first = first_.playback.player();
+  if (first_.playback.sequence()) {
+    const double fastest = first_.playback.sequence()->highestRatePerMinute();
+    const double twice = std::min(fastest, 2 * first.ratePerMinute());
+    second_->playback.setRate(twice > first.ratePerMinute() ? twice : first.ratePerMinute() / 2);
+  }
+  second_->cameras = std::make_unique<CameraLink>(*first_.area.view(), *second_->view);
+  syncHeaders();
+}
+
+void Comparison::showSample(const QString& name) {
+  begin();
+  same_ = false;
+  second_->samples.load(name, false);
+}
+
+void Comparison::showFiles(const QStringList& files) {
+  begin();
+  if (same_) { // These organs go; they are not compared with what is opened.
+    same_ = false;
+    second_->playback.setSequence(nullptr, {});
+    second_->workspace.undo().reset({});
+  }
+  second_->files.open(files);
+}
+
+void Comparison::chooseFiles() {
+  const QString folder = first_.settings.value("files/folder").toString();
+  const QStringList files =
+      QFileDialog::getOpenFileNames(first_.area.window(), tr("Open beside the first organ"), folder,
+                                    tr("Organs (*.stl *.obj *.ply *.off *.vtk *.vtp *.glb *.gltf)"));
+  if (!files.isEmpty())
+    showFiles(files);
+}
+
+void Comparison::end() {
+  if (!on())
+    return;
+  first_.playback.setFollower(nullptr);
+  first_.volumes.setSecond(nullptr, nullptr);
+  second_->subscriptions.clear();
+  const std::unique_ptr<Second> second = std::move(second_);
+  same_ = false;
+  // The scene lets go of the view's renderer before the view goes.
+  second->cameras.reset();
+  second->labels.reset();
+  second->organs.reset();
+  first_.area.joinViews();
+  Q_EMIT toggled(false);
+}
+
+void Comparison::setTheme(const Theme& theme) {
+  theme_ = theme;
+  if (!on())
+    return;
+  second_->view->setTheme(theme);
+  second_->labels->setTheme(second_->view->view().theme());
+}
+
+void Comparison::setLabelsShown(bool shown) {
+  labelsShown_ = shown;
+  if (on())
+    second_->labels->setShown(shown);
+}
+
+/// The second document becomes the first one as it is now. Organs whose surface and handles are the same stay
+/// bound.
+void Comparison::mirror() {
+  second_->workspace.undo().reset(first_.workspace.state());
+  syncMotion();
+}
+
+void Comparison::syncMotion() {
+  const Playback::Motion motion = first_.playback.motion();
+  if (second_->playback.motion().sequence == motion.sequence)
+    return;
+  second_->playback.setSequence(motion.sequence, motion.organ);
+  first_.playback.setFollower(&second_->playback);
+}
+
+void Comparison::linkCameras() {
+  ViewWidget& first = *first_.area.view();
+  second_->cameras = std::make_unique<CameraLink>(first, *second_->view);
+  if (!same_)
+    second_->cameras->setOffset(second_->view->view().bounds().center() - first.view().bounds().center());
+  // What was loaded goes where the first one is.
+  first_.playback.setFollower(&second_->playback);
+  syncHeaders();
+}
+
+QString Comparison::volumesOf(int side) const {
+  QStringList parts;
+  for (const VolumeMonitor::Line& line : first_.volumes.lines())
+    if (line.side == side)
+      parts.push_back(QStringLiteral("%1 %2").arg(line.name, formatMilliliters(line.nowMl)));
+  return parts.join(QStringLiteral("   "));
+}
+
+QString Comparison::titleOf(const Workspace& workspace, const Playback& playback) const {
+  if (const sequences::Sequence* sequence = playback.sequence())
+    return text(sequence->name());
+  const auto& organs = workspace.document().organs();
+  return organs.empty() ? tr("No organ yet") : text(organs.front()->name);
+}
+
+void Comparison::syncHeaders() {
+  if (!on() || !firstHeader_ || !secondHeader_)
+    return;
+  const session::Player& first = first_.playback.player();
+  QString title = titleOf(first_.workspace, first_.playback);
+  if (first_.playback.sequence())
+    title += tr("  %1 / min").arg(first.ratePerMinute(), 0, 'f', 0);
+  firstHeader_->setTitle(title);
+  firstHeader_->setState(first_.playback.sequence() ? text(first.phase()) : QString(), volumesOf(0));
+  Playback& second = second_->playback;
+  secondHeader_->setTitle(titleOf(second_->workspace, second));
+  secondHeader_->setState(second.sequence() ? text(second.player().phase()) : QString(), volumesOf(1));
+  rate_->setVisible(second.sequence() != nullptr);
+  if (!second.sequence())
+    return;
+  const QSignalBlocker quiet(rate_);
+  rate_->setRange(static_cast<int>(std::ceil(second.sequence()->lowestRatePerMinute())),
+                  static_cast<int>(std::floor(second.sequence()->highestRatePerMinute())));
+  rate_->setValue(static_cast<int>(std::lround(second.player().ratePerMinute())));
+}
+
+} // namespace viscera::app

@@ -1,0 +1,91 @@
+#pragma once
+
+#include <QObject>
+#include <QPointer>
+
+#include <memory>
+
+#include "window/settings.h"
+#include "window/style/theme.h"
+#include "window/timeline/playback.h"
+#include "window/timeline/volume_monitor.h"
+#include "window/workspace.h"
+
+class QSpinBox;
+
+namespace viscera::app {
+
+class OrganScene;
+class SideHeader;
+class ViewArea;
+class ViewWidget;
+
+/// Two organs side by side: a second document with its own binding, playback and view beside the first, under
+/// one timeline and linked cameras. The second one shows the first's organs at another rate, another sample
+/// organ, or files; nothing of it is in the first document.
+class Comparison final : public QObject {
+  Q_OBJECT
+
+public:
+  /// What is compared with, and where; all have to live longer.
+  struct First {
+    Workspace& workspace;
+    Playback& playback;
+    VolumeMonitor& volumes;
+    ViewArea& area;
+    Settings& settings;
+  };
+
+  /// `clock` is the one that drives the first playback.
+  Comparison(const First& first, session::Player::Clock clock, QObject* parent = nullptr);
+  ~Comparison() override;
+
+  bool on() const { return second_ != nullptr; }
+  /// The organs of the first view at another rate; they follow what happens to the first's document.
+  void showSameOrgan();
+  void showSample(const QString& name);
+  void showFiles(const QStringList& files);
+  /// Asks for files and shows them.
+  void chooseFiles();
+  /// One view again.
+  void end();
+
+  void setTheme(const Theme& theme);
+  void setLabelsShown(bool shown);
+
+  /// Of the second view; only while `on`.
+  Workspace& workspace();
+  Playback& playback();
+  ViewWidget& view();
+  /// Whether it shows the first's organs.
+  bool sameOrgan() const { return same_; }
+
+Q_SIGNALS:
+  /// It began or ended.
+  void toggled(bool on);
+
+private:
+  struct Second;
+
+  void begin();
+  QWidget* makeSecondPane();
+  void fillHeader(SideHeader& header);
+  void mirror();
+  void linkCameras();
+  void syncHeaders();
+  void syncMotion();
+  QString volumesOf(int side) const;
+  QString titleOf(const Workspace& workspace, const Playback& playback) const;
+
+  First first_;
+  session::Player::Clock clock_;
+  std::unique_ptr<Second> second_;
+  QPointer<SideHeader> firstHeader_;
+  QPointer<SideHeader> secondHeader_;
+  QPointer<QSpinBox> rate_;
+  Theme theme_;
+  bool same_ = false;
+  bool labelsShown_ = false;
+};
+
+} // namespace viscera::app

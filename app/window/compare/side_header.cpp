@@ -1,0 +1,61 @@
+#include "window/compare/side_header.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+
+#include "window/widgets/elided_label.h"
+
+namespace viscera::app {
+namespace {
+constexpr int kHeight = 36;
+}
+
+SideHeader::SideHeader(const QString& letter, QWidget* parent)
+    : QFrame(parent), row_(new QHBoxLayout(this)), title_(new QLabel(this)), phase_(new QLabel(this)),
+      volumes_(new ElidedLabel(this)) {
+  setObjectName(QStringLiteral("sideHeader"));
+  setAttribute(Qt::WA_StyledBackground);
+  setFixedHeight(kHeight);
+  row_->setContentsMargins(12, 0, 4, 0);
+  row_->setSpacing(8);
+  auto* badge = new QLabel(letter, this);
+  badge->setObjectName(QStringLiteral("sideLetter"));
+  QFont bold = title_->font();
+  bold.setBold(true);
+  badge->setFont(bold);
+  title_->setFont(bold);
+  phase_->setObjectName(QStringLiteral("muted"));
+  volumes_->setObjectName(QStringLiteral("sideVolumes"));
+  row_->addWidget(badge);
+  row_->addWidget(title_);
+  row_->addWidget(phase_);
+  row_->addWidget(volumes_, 1);
+}
+
+void SideHeader::setTitle(const QString& title) {
+  title_->setText(title);
+}
+
+void SideHeader::setState(const QString& phase, const QString& volumes) {
+  phase_->setText(phase);
+  if (volumes_->fullText() != volumes)
+    volumes_->setFullText(volumes);
+}
+
+QString SideHeader::volumes() const {
+  return volumes_->fullText();
+}
+
+QString SideHeader::phase() const {
+  return phase_->text();
+}
+
+void SideHeader::addControl(QWidget* control) {
+  row_->insertWidget(row_->indexOf(phase_), control);
+}
+
+void SideHeader::addAtEnd(QWidget* control) {
+  row_->addWidget(control);
+}
+
+} // namespace viscera::app

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <QWidget>
+
+#include "window/actions.h"
+#include "window/recorded/recorded_motion.h"
+#include "window/settings.h"
+
+class QComboBox;
+class QDoubleSpinBox;
+class QPushButton;
+class QTableWidget;
+
+namespace viscera::app {
+
+/// Records a sequence out of poses: a key takes the pose of Deform mode at a time. Keys are listed, moved in
+/// time, given another easing, taken back into the pose, replaced and removed; the whole is played, saved and
+/// opened. Every change is an undo step.
+class KeyBox final : public QWidget {
+  Q_OBJECT
+
+public:
+  KeyBox(Workspace& workspace, Playback& playback, RecordedMotion& motion, Settings& settings,
+         QWidget* parent = nullptr);
+
+  /// Adds a key at the time and with the easing that are set.
+  void addKey();
+
+private:
+  void makeTop();
+  void makeTable();
+  void makeButtons();
+  void sync();
+  void fillRow(int row);
+  void onTimeEdited(int row);
+  session::KeyId selectedKey() const;
+  QString fileName(bool saving) const;
+  void syncButtons();
+
+  Workspace& workspace_;
+  Playback& playback_;
+  RecordedMotion& motion_;
+  Settings& settings_;
+  QDoubleSpinBox* seconds_ = nullptr;
+  QComboBox* easing_ = nullptr;
+  QTableWidget* table_ = nullptr;
+  QDoubleSpinBox* period_ = nullptr;
+  QPushButton* take_ = nullptr;
+  QPushButton* replace_ = nullptr;
+  QPushButton* remove_ = nullptr;
+  QPushButton* play_ = nullptr;
+  QPushButton* save_ = nullptr;
+  bool filling_ = false;
+  session::Subscription subscription_;
+};
+
+} // namespace viscera::app

@@ -1,0 +1,95 @@
+#include "window/recorded/recorded_motion.h"
+
+#include <algorithm>
+
+#include "viscera/session/pose_commands.h"
+#include "viscera/session/recording.h"
+#include "viscera/session/recording_commands.h"
+#include "viscera/session/sequence_file.h"
+
+namespace viscera::app {
+namespace {
+
+constexpr double kKeyStep = 0.5; ///< s
+
+/// Whether any key moves a handle that there is: another rig leaves nothing of a recording.
+bool movesAny(const session::Recording& recording, const session::Rig& rig) {
+  return std::any_of(recording.keys.begin(), recording.keys.end(), [&](const session::RecordedKey& key) {
+    return std::any_of(key.displacements.begin(), key.displacements.end(),
+                       [&](const auto& moved) { return rig.indexOf(moved.first) >= 0; });
+  });
+}
+
+} // namespace
+
+RecordedMotion::RecordedMotion(Workspace& workspace, Playback& playback, QObject* parent)
+    : QObject(parent), workspace_(workspace), playback_(playback) {
+  subscription_ = workspace.onChange([this](const session::Change& change) {
+    if (change.recording() || change.rig() || change.organs())
+      sync(change.recording());
+  });
+}
+
+void RecordedMotion::sync(bool choose) {
+  const session::Recording& recording = workspace_.document().recording();
+  if (!present_ && recording.keys.empty())
+    return;
+  const bool present = present_ && playback_.sequence() == present_.get();
+  if (present_)
+    playback_.forget(present_.get());
+  present_.reset();
+  const auto& organs = workspace_.document().organs();
+  if (organs.empty() || !movesAny(recording, workspace_.document().rig()))
+    return;
+  workspace_.guarded([&] { present_ = session::sequenceOf(recording, workspace_.document().rig()); });
+  if (!present_)
+    return;
+  if (choose || present)
+    playback_.setSequence(present_, organs.front()->id);
+  else
+    playback_.offer(present_, organs.front()->id);
+}
+
+double RecordedMotion::nextSeconds() const {
+  const auto& keys = workspace_.document().recording().keys;
+  return keys.empty() ? 0 : keys.back().seconds + kKeyStep;
+}
+
+bool RecordedMotion::addKey(double seconds, sequences::Easing easing) {
+  std::vector<session::Command> commands;
+  if (seconds >= workspace_.document().recording().periodSeconds) {
+    session::RecordingEdit longer;
+    longer.periodSeconds = seconds + kKeyStep;
+    commands.push_back(session::editRecording(longer));
+  }
+  commands.push_back(session::recordKey(seconds, easing));
+  return workspace_.perform(session::combined(
+      tr("Record a key at %1 s").arg(seconds, 0, 'f', 2).toStdString(), std::move(commands)));
+}
+
+bool RecordedMotion::takePose(session::KeyId key) {
+  const session::RecordedKey* found = workspace_.document().recording().key(key);
+  if (!found)
+    return false;
+  return workspace_.perform(session::setPose(session::poseOf(*found, workspace_.document().rig()),
+                                             tr("Take a key's pose").toStdString()));
+}
+
+void RecordedMotion::save(const QString& file) {
+  const bool done = workspace_.guarded([&] {
+    session::writeSequence(file.toStdString(), session::sequenceFile(workspace_.document().state()));
+  });
+  if (!done)
+    return;
+  Message message;
+  message.text = tr("Sequence saved as %1").arg(file);
+  message.seconds = 8;
+  workspace_.say(message);
+}
+
+void RecordedMotion::open(const QString& file) {
+  workspace_.guarded(
+      [&] { workspace_.undo().perform(session::openSequence(session::readSequence(file.toStdString()))); });
+}
+
+} // namespace viscera::app

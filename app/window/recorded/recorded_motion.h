@@ -1,0 +1,42 @@
+#pragma once
+
+#include <QObject>
+
+#include <memory>
+
+#include "viscera/sequences/keyframes.h"
+#include "window/timeline/playback.h"
+#include "window/workspace.h"
+
+namespace viscera::app {
+
+/// What the user records pose by pose, as a motion that can be played: it follows the document's recording.
+class RecordedMotion final : public QObject {
+  Q_OBJECT
+
+public:
+  RecordedMotion(Workspace& workspace, Playback& playback, QObject* parent = nullptr);
+
+  /// The recording as a sequence; null without keys for the handles there are.
+  const sequences::Sequence* sequence() const { return present_.get(); }
+
+  /// Where the next key is proposed: at the beginning, then a step behind the last one.
+  double nextSeconds() const;
+  /// Takes the document's pose as a key at `seconds`; a later time than the recording lasts makes it longer.
+  /// One undo step.
+  bool addKey(double seconds, sequences::Easing easing);
+  /// The pose of a key becomes the document's, for changing it.
+  bool takePose(session::KeyId key);
+  void save(const QString& file);
+  void open(const QString& file);
+
+private:
+  void sync(bool choose);
+
+  Workspace& workspace_;
+  Playback& playback_;
+  std::shared_ptr<const sequences::Sequence> present_;
+  session::Subscription subscription_;
+};
+
+} // namespace viscera::app

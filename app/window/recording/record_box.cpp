@@ -1,0 +1,202 @@
+#include "window/recording/record_box.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QFormLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QSpinBox>
+#include <QStandardItemModel>
+#include <QStandardPaths>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include "viscera/scene/movie_writer.h"
+#include "window/style/icon.h"
+
+namespace viscera::app {
+namespace {
+
+constexpr QSize kSizes[] = {{1280, 720}, {1920, 1080}, {960, 540}, {640, 480}, {1080, 1080}};
+constexpr int kMostFrames = 60;
+constexpr int kMostCycles = 100;
+constexpr const char* kFolderKey = "record/folder";
+
+QFormLayout* formOf(QWidget* widget) {
+  return widget->findChild<QFormLayout*>();
+}
+
+} // namespace
+
+RecordBox::RecordBox(Settings& settings, QWidget* parent) : QWidget(parent), settings_(settings) {
+  setObjectName(QStringLiteral("recordBox"));
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(8);
+  auto* form = new QFormLayout;
+  form->setHorizontalSpacing(12);
+  form->setVerticalSpacing(6);
+  form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
+  column->addLayout(form);
+  makeControls();
+  column->addWidget(caption_);
+  column->addWidget(table_);
+  column->addWidget(missing_);
+  column->addWidget(record_);
+  connect(format_, QOverload<int>::of(&QComboBox::activated), this, [this] {
+    chosen_ = false;
+    syncFormat();
+  });
+  connect(file_, &QLineEdit::textEdited, this, [this] { chosen_ = true; });
+  connect(record_, &QPushButton::clicked, this, [this] {
+    if (running_)
+      return Q_EMIT cancelRequested();
+    settings_.setValue(kFolderKey, QFileInfo(file_->text()).absolutePath());
+    Q_EMIT recordRequested(plan());
+  });
+  refresh();
+}
+
+void RecordBox::addRow(const QString& name, QWidget* control) {
+  auto* label = new QLabel(name, this);
+  label->setObjectName(QStringLiteral("muted"));
+  label->setBuddy(control);
+  control->setAccessibleName(name);
+  formOf(this)->addRow(label, control);
+}
+
+void RecordBox::makeControls() {
+  format_ = new QComboBox(this);
+  format_->setObjectName(QStringLiteral("recordFormat"));
+  for (const RecordingFormatInfo& info : recordingFormats())
+    format_->addItem(info.name, static_cast<int>(info.format));
+  addRow(tr("Kind"), format_);
+  file_ = new QLineEdit(this);
+  file_->setObjectName(QStringLiteral("recordFile"));
+  auto* browse = new QToolButton(this);
+  browse->setIcon(icon("open"));
+  browse->setToolTip(tr("Choose where to"));
+  browse->setAccessibleName(browse->toolTip());
+  connect(browse, &QToolButton::clicked, this, &RecordBox::chooseFile);
+  auto* place = new QWidget(this);
+  auto* row = new QHBoxLayout(place);
+  row->setContentsMargins(0, 0, 0, 0);
+  row->setSpacing(4);
+  row->addWidget(file_, 1);
+  row->addWidget(browse);
+  addRow(tr("File"), place);
+  size_ = new QComboBox(this);
+  size_->setObjectName(QStringLiteral("recordSize"));
+  for (const QSize& size : kSizes)
+    size_->addItem(tr("%1 x %2").arg(size.width()).arg(size.height()), size);
+  addRow(tr("Size"), size_);
+  rate_ = new QSpinBox(this);
+  rate_->setObjectName(QStringLiteral("recordRate"));
+  rate_->setRange(1, kMostFrames);
+  rate_->setValue(25);
+  rate_->setSuffix(tr(" / s"));
+  addRow(tr("Frames"), rate_);
+  cycles_ = new QSpinBox(this);
+  cycles_->setObjectName(QStringLiteral("recordCycles"));
+  cycles_->setRange(1, kMostCycles);
+  addRow(tr("Cycles"), cycles_);
+  caption_ = new QCheckBox(tr("Write phase and volumes into it"), this);
+  caption_->setChecked(true);
+  table_ = new QCheckBox(tr("Table of volumes beside it (.csv)"), this);
+  table_->setObjectName(QStringLiteral("recordTable"));
+  missing_ = new QLabel(this);
+  missing_->setObjectName(QStringLiteral("muted"));
+  missing_->setWordWrap(true);
+  record_ = new QPushButton(this);
+  record_->setObjectName(QStringLiteral("recordButton"));
+}
+
+RecordingFormat RecordBox::format() const {
+  return static_cast<RecordingFormat>(format_->currentData().toInt());
+}
+
+RecordingPlan RecordBox::plan() const {
+  RecordingPlan plan;
+  plan.format = format();
+  plan.file = file_->text();
+  plan.size = size_->currentData().toSize();
+  plan.framesPerSecond = rate_->value();
+  plan.cycles = cycles_->value();
+  plan.caption = caption_->isChecked();
+  plan.table = table_->isChecked();
+  return plan;
+}
+
+void RecordBox::setName(const QString& name) {
+  name_ = name;
+  chosen_ = false;
+  proposeFile();
+}
+
+void RecordBox::setRunning(bool running) {
+  const bool ended = running_ && !running;
+  running_ = running;
+  for (QWidget* control : std::initializer_list<QWidget*>{format_, file_, size_, rate_, cycles_, caption_})
+    control->setEnabled(!running);
+  record_->setText(running ? tr("Cancel the recording") : tr("Record"));
+  record_->setIcon(icon(running ? "close" : "record"));
+  record_->setToolTip(running ? tr("Nothing of it will be left") : tr("Record what the view shows"));
+  if (ended)
+    chosen_ = false;
+  syncFormat();
+}
+
+void RecordBox::refresh() {
+  const bool ffmpeg = scene::ffmpegInstalled();
+  auto* items = qobject_cast<QStandardItemModel*>(format_->model());
+  for (const RecordingFormatInfo& info : recordingFormats()) {
+    const int row = format_->findData(static_cast<int>(info.format));
+    items->item(row)->setEnabled(ffmpeg || !info.needsFfmpeg);
+  }
+  if (!ffmpeg && infoOf(format()).needsFfmpeg)
+    format_->setCurrentIndex(format_->findData(static_cast<int>(RecordingFormat::ogg)));
+  missing_->setText(tr("MP4 and GIF need the program ffmpeg, which is not installed on this computer."));
+  missing_->setVisible(!ffmpeg);
+  setRunning(running_);
+}
+
+void RecordBox::showEvent(QShowEvent* event) {
+  QWidget::showEvent(event);
+  refresh();
+}
+
+void RecordBox::syncFormat() {
+  const bool drawn = infoOf(format()).drawn;
+  size_->setEnabled(drawn && !running_);
+  caption_->setEnabled(drawn && !running_);
+  table_->setEnabled(drawn && !running_);
+  proposeFile();
+}
+
+void RecordBox::proposeFile() {
+  if (chosen_ || running_)
+    return;
+  const QString standard = QStandardPaths::writableLocation(QStandardPaths::MoviesLocation);
+  const QString folder = settings_.value(kFolderKey, standard).toString();
+  file_->setText(freeRecordingFile(folder, name_.isEmpty() ? QStringLiteral("viscera") : name_, format()));
+  file_->setToolTip(file_->text());
+}
+
+void RecordBox::chooseFile() {
+  const RecordingFormatInfo info = infoOf(format());
+  const QString file =
+      info.ending.isEmpty()
+          ? QFileDialog::getExistingDirectory(this, tr("Folder for the pictures"), file_->text())
+          : QFileDialog::getSaveFileName(this, tr("Record as"), file_->text(),
+                                         QStringLiteral("%1 (*%2)").arg(info.name, info.ending));
+  if (file.isEmpty())
+    return;
+  file_->setText(file.endsWith(info.ending) ? file : file + info.ending);
+  file_->setToolTip(file_->text());
+  chosen_ = true;
+}
+
+} // namespace viscera::app

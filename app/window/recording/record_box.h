@@ -1,0 +1,65 @@
+#pragma once
+
+#include <QWidget>
+
+#include <functional>
+
+#include "window/recording/recording_plan.h"
+#include "window/settings.h"
+
+class QCheckBox;
+class QComboBox;
+class QDoubleSpinBox;
+class QLabel;
+class QLineEdit;
+class QPushButton;
+class QSpinBox;
+
+namespace viscera::app {
+
+/// Where a recording is described and started: kind, file, size, frames a second, cycles. Kinds that this
+/// computer cannot write are not offered, and it says why.
+class RecordBox final : public QWidget {
+  Q_OBJECT
+
+public:
+  explicit RecordBox(Settings& settings, QWidget* parent = nullptr);
+
+  /// What files are called: "heartbeat_75".
+  void setName(const QString& name);
+  void setRunning(bool running);
+  RecordingPlan plan() const;
+  /// Looks again for what is installed and for a file name that is free.
+  void refresh();
+
+Q_SIGNALS:
+  void recordRequested(const viscera::app::RecordingPlan& plan);
+  void cancelRequested();
+
+protected:
+  void showEvent(QShowEvent* event) override;
+
+private:
+  RecordingFormat format() const;
+  void makeControls();
+  void addRow(const QString& name, QWidget* control);
+  void chooseFile();
+  void syncFormat();
+  void proposeFile();
+
+  Settings& settings_;
+  QString name_;
+  QComboBox* format_ = nullptr;
+  QLabel* missing_ = nullptr;
+  QLineEdit* file_ = nullptr;
+  QComboBox* size_ = nullptr;
+  QSpinBox* rate_ = nullptr;
+  QSpinBox* cycles_ = nullptr;
+  QCheckBox* caption_ = nullptr;
+  QCheckBox* table_ = nullptr;
+  QPushButton* record_ = nullptr;
+  bool running_ = false;
+  bool chosen_ = false; ///< The user has named the file.
+};
+
+} // namespace viscera::app

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <QSize>
+#include <QString>
+
+#include <vector>
+
+namespace viscera::app {
+
+/// What a recording becomes.
+enum class RecordingFormat { ogg, mp4, gif, pictures, table };
+
+/// A format as a user meets it.
+struct RecordingFormatInfo {
+  RecordingFormat format = RecordingFormat::ogg;
+  QString name;   ///< "Ogg movie (.ogv)"
+  QString ending; ///< ".ogv"; empty for a folder of pictures.
+  bool needsFfmpeg = false;
+  bool drawn = true; ///< False: only numbers.
+};
+
+/// All formats, in the order in which a list shows them.
+std::vector<RecordingFormatInfo> recordingFormats();
+RecordingFormatInfo infoOf(RecordingFormat format);
+
+/// What is to be recorded, and where to.
+struct RecordingPlan {
+  RecordingFormat format = RecordingFormat::ogg;
+  QString file; ///< For pictures a folder.
+  QSize size = {1280, 720};
+  double framesPerSecond = 25;
+  int cycles = 1;
+  bool caption = true; ///< Phase and volumes are written into the picture.
+  bool table = false;  ///< The volumes go into a table beside it as well.
+
+  /// Where the table goes: the file's name with another ending.
+  QString tableFile() const;
+};
+
+/// A file in the folder that is not there yet: "heartbeat_75.ogv", "heartbeat_75_2.ogv".
+QString freeRecordingFile(const QString& folder, const QString& name, RecordingFormat format);
+
+} // namespace viscera::app

@@ -1,0 +1,79 @@
+#pragma once
+
+#include <QSize>
+#include <QString>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <vtkImageData.h>
+#include <vtkNew.h>
+#include <vtkSmartPointer.h>
+#include <vtkTextActor.h>
+
+#include "viscera/deformation/deformer.h"
+#include "viscera/scene/organ_labels.h"
+#include "viscera/scene/organ_view.h"
+#include "window/recording/offscreen_window.h"
+#include "window/timeline/playback.h"
+#include "window/workspace.h"
+
+namespace viscera::app {
+
+/// The organs of one view as they were when a recording began, with poses of their own: whatever the user
+/// does in the meantime, the recording goes on as it was. For the main thread.
+class RecordingStage {
+public:
+  /// What is recorded.
+  struct Source {
+    Workspace& workspace;
+    Playback& playback;
+    scene::OrganView& view; ///< Its camera and colours are taken over.
+    bool labels = false;
+  };
+
+  explicit RecordingStage(const Source& source);
+  ~RecordingStage();
+
+  /// Prepares for drawing pictures of this size. Throws `Error` when nothing can be drawn.
+  void openWindow(const Source& source, const QSize& size, bool caption);
+
+  /// Poses the organs at `seconds` of the sequence; organs without one stay as they are.
+  void show(double seconds);
+  /// Names and volumes of what is tracked, ml, in the pose that is shown.
+  const std::vector<std::string>& names() const { return names_; }
+  std::vector<double> volumes();
+  /// Draws the pose that is shown.
+  vtkSmartPointer<vtkImageData> picture();
+
+  double periodSeconds() const;
+
+private:
+  struct Surface {
+    std::shared_ptr<const session::Organ> organ;
+    std::shared_ptr<deformation::Deformer> deformer; ///< Null: it does not move.
+    std::shared_ptr<scene::OrganActor> actor;
+    double stillMl = 0; ///< Of one that does not move.
+  };
+
+  void addActors(const Source& source);
+  void writeCaption();
+
+  std::shared_ptr<const sequences::Sequence> sequence_;
+  double rate_ = 0;
+  double seconds_ = 0;
+  std::vector<Surface> surfaces_;
+  std::vector<std::string> names_;
+  std::unique_ptr<OffscreenWindow> window_;
+  std::unique_ptr<scene::OrganView> view_;
+  std::unique_ptr<scene::OrganLabels> labels_;
+  vtkNew<vtkTextActor> caption_;
+  bool captionShown_ = false;
+  Points pose_;
+};
+
+/// Two pictures of the same height beside one another.
+vtkSmartPointer<vtkImageData> besideEachOther(vtkImageData* left, vtkImageData* right);
+
+} // namespace viscera::app

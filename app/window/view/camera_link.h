@@ -1,0 +1,51 @@
+#pragma once
+
+#include <array>
+
+#include <vtkNew.h>
+
+#include "viscera/core/arrays.h"
+#include "window/view/view_widget.h"
+
+class vtkCallbackCommand;
+
+namespace viscera::app {
+
+/// Lets two views look from the same side and at the same scale: whoever moves one camera moves the other.
+class CameraLink final {
+public:
+  /// The second camera goes to where the first one is. Both views have to outlive the link.
+  CameraLink(ViewWidget& first, ViewWidget& second);
+  ~CameraLink();
+  CameraLink(const CameraLink&) = delete;
+  CameraLink& operator=(const CameraLink&) = delete;
+
+  /// What the second view shows is that much farther on than what the first one shows, mm.
+  void setOffset(const Vec3& offset);
+
+private:
+  /// What is linked of a camera.
+  struct Place {
+    Vec3 position = Vec3::Zero();
+    Vec3 focus = Vec3::Zero();
+    Vec3 up = Vec3::Zero();
+    double scale = 0;
+    bool operator==(const Place& other) const = default;
+  };
+
+  static Place placeOf(ViewWidget& view);
+  void carry(int from);
+
+  std::array<ViewWidget*, 2> views_;
+  std::array<Place, 2> known_;
+  Vec3 offset_ = Vec3::Zero();
+  std::array<vtkNew<vtkCallbackCommand>, 2> commands_;
+  std::array<unsigned long, 2> tags_{};
+  struct Listener {
+    CameraLink* link = nullptr;
+    int view = 0;
+  };
+  std::array<Listener, 2> listeners_;
+};
+
+} // namespace viscera::app

@@ -1,0 +1,83 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+namespace viscera::scene {
+
+/// Moves intervals apart until none overlaps, all lie in `[low, high]`, and together they are as near to
+/// where they want to be as can be (least squares). `centers` is where each wants its middle, `sizes` its
+/// length; neighbours are `gap` apart at least. Their order is that of the centres. Empty when they do not
+/// fit. O(n log n).
+std::optional<std::vector<double>> spreadApart(const std::vector<double>& centers,
+                                               const std::vector<double>& sizes, double low, double high,
+                                               double gap);
+
+/// An upright rectangle on the display, in pixels from the lower left corner.
+struct ScreenBox {
+  double left = 0;
+  double bottom = 0;
+  double right = 0;
+  double top = 0;
+
+  double width() const { return right - left; }
+  double height() const { return top - bottom; }
+  bool overlaps(const ScreenBox& other) const {
+    return left < other.right && other.left < right && bottom < other.top && other.bottom < top;
+  }
+};
+
+/// What part of a view is covered, as the farthest covered places to the left and to the right in each of its
+/// rows: all that somebody needs to know who wants to write beside it.
+class Footprint {
+public:
+  /// An uncovered view; a row is `rowHeight` pixels.
+  Footprint(double viewHeight, double rowHeight = 4);
+
+  /// Covers a square of half side `reach` about a place.
+  void cover(double x, double y, double reach);
+
+  /// The leftmost and the rightmost covered place between two heights; empty when nothing is covered there.
+  struct Extent {
+    double left = 0;
+    double right = 0;
+  };
+  std::optional<Extent> between(double bottom, double top) const;
+  std::optional<Extent> all() const { return between(0, viewHeight_); }
+  /// Whether anything between the leftmost and the rightmost covered place of the rows is in the box.
+  bool touches(const ScreenBox& box) const;
+
+private:
+  std::size_t rowOf(double y) const;
+
+  double viewHeight_;
+  double rowHeight_;
+  std::vector<Extent> rows_; ///< Left is larger than right where nothing is covered.
+};
+
+/// A label that wants a place beside what it names.
+struct LabelRequest {
+  double x = 0; ///< What it names, pixels.
+  double y = 0;
+  double width = 0; ///< Of the label.
+  double height = 0;
+};
+
+/// Where there is room for labels.
+struct LabelSpace {
+  double width = 0; ///< Of the view, pixels.
+  double height = 0;
+  double margin = 12;              ///< Kept free along the edges.
+  double gap = 14;                 ///< Between a label and what is covered.
+  double between = 4;              ///< Between labels.
+  std::vector<ScreenBox> reserved; ///< Where something else is written.
+};
+
+/// Places labels to the left and to the right of what is covered, each as level with what it names as there
+/// is room. No two overlap, none touches what is covered or reserved, all lie inside the view; one for which
+/// there is no such place is left out (empty). Earlier labels go first. O(labels^2 x height).
+std::vector<std::optional<ScreenBox>> placeLabels(const std::vector<LabelRequest>& labels,
+                                                  const Footprint& covered, const LabelSpace& space);
+
+} // namespace viscera::scene

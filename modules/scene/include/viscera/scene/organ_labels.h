@@ -1,0 +1,54 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "viscera/scene/label_layout.h"
+#include "viscera/scene/organ_actor.h"
+#include "viscera/scene/theme.h"
+
+namespace viscera::scene {
+
+class OrganView;
+
+/// Names beside the organs of a view, each with a line to what it names. Labels follow the camera and the
+/// motion; they overlap neither each other nor any organ, and one that finds no room is left out. Belongs to
+/// the thread that renders; the view has to live longer.
+class OrganLabels {
+public:
+  /// What is to be labelled.
+  struct Item {
+    std::string text; ///< UTF-8.
+    std::shared_ptr<const OrganActor> organ;
+    bool atEdge = false; ///< The line ends at the organ's edge: its middle is full of other organs.
+  };
+
+  /// A label as it was drawn last, in device pixels from the lower left corner.
+  struct Drawn {
+    std::string text;
+    ScreenBox box;
+    double targetX = 0; ///< Where its line ends.
+    double targetY = 0;
+  };
+
+  explicit OrganLabels(OrganView& view);
+  ~OrganLabels();
+  OrganLabels(const OrganLabels&) = delete;
+  OrganLabels& operator=(const OrganLabels&) = delete;
+
+  void setItems(std::vector<Item> items);
+  void setTheme(const Theme& theme);
+  void setShown(bool shown);
+  bool shown() const;
+
+  /// The labels in the frame that was drawn last; those of invisible organs and those that found no room are
+  /// not among them.
+  std::vector<Drawn> drawn() const;
+
+private:
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
+};
+
+} // namespace viscera::scene

@@ -1,0 +1,195 @@
+#include "viscera/scene/label_layout.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+namespace viscera::scene {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+/// How finely another height is looked for, pixels.
+constexpr double kHeightStep = 4;
+
+/// Means of runs of numbers, merged until they ascend: the nearest ascending numbers.
+std::vector<double> nearestAscending(const std::vector<double>& numbers) {
+  struct Run {
+    double sum = 0;
+    std::size_t count = 0;
+    double mean() const { return sum / static_cast<double>(count); }
+  };
+  std::vector<Run> runs;
+  for (const double number : numbers) {
+    runs.push_back({number, 1});
+    while (runs.size() > 1 && runs[runs.size() - 2].mean() > runs.back().mean()) {
+      runs[runs.size() - 2].sum += runs.back().sum;
+      runs[runs.size() - 2].count += runs.back().count;
+      runs.pop_back();
+    }
+  }
+  std::vector<double> ascending;
+  for (const Run& run : runs)
+    ascending.insert(ascending.end(), run.count, run.mean());
+  return ascending;
+}
+
+/// Looks for places of labels one after the other.
+class Placer {
+public:
+  Placer(const std::vector<LabelRequest>& labels, const Footprint& covered, const LabelSpace& space)
+      : labels_(labels), covered_(covered), space_(space), boxes_(labels.size()) {}
+
+  std::vector<std::optional<ScreenBox>> place() {
+    const auto extent = covered_.all();
+    const double middle = extent ? (extent->left + extent->right) / 2 : space_.width / 2;
+    for (const bool left : {true, false}) {
+      std::vector<std::size_t> side;
+      for (std::size_t i = 0; i < labels_.size(); ++i)
+        if ((labels_[i].x < middle) == left)
+          side.push_back(i);
+      wishes(side);
+    }
+    for (std::size_t i = 0; i < labels_.size(); ++i) {
+      const bool left = labels_[i].x < middle;
+      boxes_[i] = nearest(i, left);
+      if (!boxes_[i])
+        boxes_[i] = nearest(i, !left);
+    }
+    return boxes_;
+  }
+
+private:
+  /// The heights at which the labels of one side do not meet.
+  void wishes(const std::vector<std::size_t>& side) {
+    heights_.resize(labels_.size());
+    std::vector<double> centers;
+    std::vector<double> sizes;
+    for (const std::size_t i : side) {
+      heights_[i] = labels_[i].y;
+      centers.push_back(labels_[i].y);
+      sizes.push_back(labels_[i].height);
+    }
+    const auto spread =
+        spreadApart(centers, sizes, space_.margin, space_.height - space_.margin, space_.between);
+    for (std::size_t k = 0; spread && k < side.size(); ++k)
+      heights_[side[k]] = (*spread)[k];
+  }
+
+  /// The free place on that side whose height is nearest to the wished one.
+  std::optional<ScreenBox> nearest(std::size_t label, bool left) const {
+    for (double away = 0; away <= space_.height; away += kHeightStep)
+      for (const double y : {heights_[label] + away, heights_[label] - away})
+        if (const auto box = at(label, y, left))
+          return box;
+    return std::nullopt;
+  }
+
+  std::optional<ScreenBox> at(std::size_t label, double y, bool left) const {
+    const LabelRequest& wanted = labels_[label];
+    const double bottom = y - wanted.height / 2;
+    const double top = y + wanted.height / 2;
+    if (bottom < space_.margin || top > space_.height - space_.margin)
+      return std::nullopt;
+    // Level with all of what is covered where there is room, so that labels stand in a column.
+    for (const auto& extent : {covered_.all(), covered_.between(bottom, top)}) {
+      double x = left ? wanted.x - space_.gap - wanted.width : wanted.x + space_.gap;
+      if (extent)
+        x = left ? extent->left - space_.gap - wanted.width : extent->right + space_.gap;
+      const ScreenBox box{x, bottom, x + wanted.width, top};
+      if (isFree(box))
+        return box;
+    }
+    return std::nullopt;
+  }
+
+  bool isFree(const ScreenBox& box) const {
+    if (box.left < space_.margin || box.right > space_.width - space_.margin || covered_.touches(box))
+      return false;
+    const ScreenBox wide{box.left - space_.between, box.bottom - space_.between, box.right + space_.between,
+                         box.top + space_.between};
+    const auto meets = [&](const ScreenBox& other) { return wide.overlaps(other); };
+    return std::none_of(space_.reserved.begin(), space_.reserved.end(), meets) &&
+           std::none_of(boxes_.begin(), boxes_.end(),
+                        [&](const auto& other) { return other && meets(*other); });
+  }
+
+  const std::vector<LabelRequest>& labels_;
+  const Footprint& covered_;
+  const LabelSpace& space_;
+  std::vector<double> heights_;
+  std::vector<std::optional<ScreenBox>> boxes_;
+};
+
+} // namespace
+
+std::optional<std::vector<double>> spreadApart(const std::vector<double>& centers,
+                                               const std::vector<double>& sizes, double low, double high,
+                                               double gap) {
+  const std::size_t count = centers.size();
+  if (count == 0)
+    return std::vector<double>{};
+  std::vector<std::size_t> order(count);
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return centers[a] < centers[b]; });
+  // Without the lengths that lie before it, each interval is a number, and the numbers have to ascend.
+  std::vector<double> before(count);
+  std::vector<double> numbers(count);
+  double length = 0;
+  for (std::size_t k = 0; k < count; ++k) {
+    before[k] = length + sizes[order[k]] / 2;
+    numbers[k] = centers[order[k]] - before[k];
+    length += sizes[order[k]] + gap;
+  }
+  const double room = high - low - (length - gap);
+  if (room < 0)
+    return std::nullopt;
+  const std::vector<double> ascending = nearestAscending(numbers);
+  std::vector<double> placed(count);
+  for (std::size_t k = 0; k < count; ++k)
+    placed[order[k]] = std::clamp(ascending[k], low, low + room) + before[k];
+  return placed;
+}
+
+Footprint::Footprint(double viewHeight, double rowHeight)
+    : viewHeight_(viewHeight), rowHeight_(rowHeight),
+      rows_(static_cast<std::size_t>(std::ceil(std::max(viewHeight, rowHeight) / rowHeight)),
+            Extent{kInfinity, -kInfinity}) {}
+
+std::size_t Footprint::rowOf(double y) const {
+  const double row = std::floor(y / rowHeight_);
+  return static_cast<std::size_t>(std::clamp(row, 0.0, static_cast<double>(rows_.size() - 1)));
+}
+
+void Footprint::cover(double x, double y, double reach) {
+  if (y + reach < 0 || y - reach > viewHeight_)
+    return;
+  for (std::size_t row = rowOf(y - reach); row <= rowOf(y + reach); ++row) {
+    rows_[row].left = std::min(rows_[row].left, x - reach);
+    rows_[row].right = std::max(rows_[row].right, x + reach);
+  }
+}
+
+std::optional<Footprint::Extent> Footprint::between(double bottom, double top) const {
+  Extent extent{kInfinity, -kInfinity};
+  for (std::size_t row = rowOf(bottom); row <= rowOf(top); ++row) {
+    extent.left = std::min(extent.left, rows_[row].left);
+    extent.right = std::max(extent.right, rows_[row].right);
+  }
+  if (extent.left > extent.right)
+    return std::nullopt;
+  return extent;
+}
+
+bool Footprint::touches(const ScreenBox& box) const {
+  const auto extent = between(box.bottom, box.top);
+  return extent && box.left < extent->right && box.right > extent->left;
+}
+
+std::vector<std::optional<ScreenBox>> placeLabels(const std::vector<LabelRequest>& labels,
+                                                  const Footprint& covered, const LabelSpace& space) {
+  return Placer(labels, covered, space).place();
+}
+
+} // namespace viscera::scene

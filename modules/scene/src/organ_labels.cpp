@@ -1,0 +1,382 @@
+#include "viscera/scene/organ_labels.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include <vtkActor2D.h>
+#include <vtkCellArray.h>
+#include <vtkNew.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkPolyDataMapper2D.h>
+#include <vtkProperty2D.h>
+#include <vtkRenderWindow.h>
+#include <vtkRenderer.h>
+#include <vtkTextActor.h>
+#include <vtkTextProperty.h>
+#include <vtkTextRenderer.h>
+
+#include "viscera/scene/organ_view.h"
+
+#include "before_render.h"
+#include "view_geometry.h"
+
+namespace viscera::scene {
+namespace {
+
+constexpr int kFontSize = 14; ///< Points at 72 DPI: logical pixels.
+/// Logical pixels.
+constexpr double kReach = 6; ///< A vertex that is looked at stands for that much around it, or for more.
+constexpr double kDot = 3;
+constexpr double kLineWidth = 1.2;
+constexpr double kLineGap = 4;
+constexpr double kInside = 7; ///< How far inside the edge a line ends.
+constexpr double kBottom = 44;
+constexpr double kCube = 104;
+constexpr double kLegend = 120;
+constexpr double kLineOpacity = 0.75;
+constexpr double kCell = 16;
+/// Organs that let less than this through hide what is behind them.
+constexpr double kOpaque = 0.9;
+/// Vertices of an organ that are looked at in a frame.
+constexpr Eigen::Index kMostVertices = 3000;
+/// A vertex covers that part of the distance to its neighbours.
+constexpr double kSpacingPart = 0.6;
+constexpr int kDotCorners = 12;
+/// How high on an organ the line of a label at the edge starts, as a part of its height.
+constexpr double kEdgeHeight = 0.7;
+
+/// Who is in front, in coarse cells of the display: a line may only end where its organ is seen.
+class FrontGrid {
+public:
+  FrontGrid(const ViewGeometry& view, double ratio)
+      : cell_(kCell * ratio), columns_(cellsIn(2 * view.centerX)), rows_(cellsIn(view.pixelHeight)),
+        fronts_(columns_ * rows_) {}
+
+  void add(const DisplayPoint& place, std::size_t owner) {
+    if (place.x < 0 || place.y < 0)
+      return;
+    const auto column = static_cast<std::size_t>(place.x / cell_);
+    const auto row = static_cast<std::size_t>(place.y / cell_);
+    if (column >= columns_ || row >= rows_)
+      return;
+    Front& front = fronts_[row * columns_ + column];
+    if (place.depth < front.depth)
+      front = {place.depth, owner};
+  }
+
+  /// The middle of the cells in which `owner` is in front, moved into the nearest one of them.
+  std::optional<std::array<double, 2>> middleOf(std::size_t owner) const {
+    std::vector<std::array<double, 2>> seen;
+    std::array<double, 2> mean{0, 0};
+    for (std::size_t i = 0; i < fronts_.size(); ++i) {
+      if (fronts_[i].owner != owner || !std::isfinite(fronts_[i].depth))
+        continue;
+      seen.push_back({(static_cast<double>(i % columns_) + 0.5) * cell_,
+                      (static_cast<double>(i / columns_) + 0.5) * cell_});
+      mean[0] += seen.back()[0];
+      mean[1] += seen.back()[1];
+    }
+    if (seen.empty())
+      return std::nullopt;
+    for (double& part : mean)
+      part /= static_cast<double>(seen.size());
+    const auto away = [&](const auto& place) { return std::hypot(place[0] - mean[0], place[1] - mean[1]); };
+    const auto nearest = *std::min_element(seen.begin(), seen.end(),
+                                           [&](const auto& a, const auto& b) { return away(a) < away(b); });
+    return away(nearest) < cell_ ? mean : nearest;
+  }
+
+private:
+  struct Front {
+    double depth = std::numeric_limits<double>::infinity();
+    std::size_t owner = 0;
+  };
+  std::size_t cellsIn(double pixels) const {
+    return static_cast<std::size_t>(std::max(1.0, std::ceil(pixels / cell_)));
+  }
+
+  double cell_;
+  std::size_t columns_;
+  std::size_t rows_;
+  std::vector<Front> fronts_;
+};
+
+/// One organ on the display.
+struct Sighting {
+  Footprint covered;
+  double x = 0, y = 0; ///< The middle of its vertices.
+  double bottom = std::numeric_limits<double>::infinity();
+  double top = -std::numeric_limits<double>::infinity();
+  bool seen = false;
+};
+
+Sighting sight(const OrganActor& organ, std::size_t owner, const ViewGeometry& view, double ratio,
+               Footprint& all, FrontGrid& fronts) {
+  Sighting sighting{Footprint(view.pixelHeight)};
+  const Points& points = organ.points();
+  const Eigen::Index stride = std::max<Eigen::Index>(1, points.rows() / kMostVertices);
+  // What lies between the vertices that are looked at is covered, too.
+  const Vec3 box = boundsOf(points).high - boundsOf(points).low;
+  const double area = 2 * (box.x() * box.y() + box.y() * box.z() + box.z() * box.x());
+  const double spacing = std::sqrt(area * static_cast<double>(stride) / static_cast<double>(points.rows()));
+  Eigen::Index count = 0;
+  for (Eigen::Index i = 0; i < points.rows(); i += stride) {
+    const DisplayPoint place = view.project(points.row(i).transpose());
+    if (!(place.depth > 0) || !std::isfinite(place.x) || !std::isfinite(place.y))
+      continue;
+    const double reach = std::max(kReach * ratio, kSpacingPart * spacing / view.worldPerPixel(place.depth));
+    sighting.covered.cover(place.x, place.y, reach);
+    all.cover(place.x, place.y, reach);
+    if (organ.opacity() >= kOpaque)
+      fronts.add(place, owner);
+    sighting.x += place.x;
+    sighting.y += place.y;
+    sighting.bottom = std::min(sighting.bottom, place.y);
+    sighting.top = std::max(sighting.top, place.y);
+    ++count;
+  }
+  sighting.seen = count > 0;
+  sighting.x /= static_cast<double>(std::max<Eigen::Index>(1, count));
+  sighting.y /= static_cast<double>(std::max<Eigen::Index>(1, count));
+  return sighting;
+}
+
+bool sameView(const ViewGeometry& a, const ViewGeometry& b) {
+  return a.eye == b.eye && a.forward == b.forward && a.up == b.up && a.halfHeight == b.halfHeight &&
+         a.centerX == b.centerX && a.centerY == b.centerY && a.pixelHeight == b.pixelHeight;
+}
+
+} // namespace
+
+struct OrganLabels::Parts {
+  explicit Parts(OrganView& viewIn) : view(viewIn) {}
+
+  OrganView& view;
+  std::vector<Item> items;
+  std::vector<vtkSmartPointer<vtkTextActor>> texts; ///< One an item.
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkPolyData> lines;
+  vtkNew<vtkActor2D> lineActor;
+  std::vector<Drawn> drawn;
+  bool shown = false;
+  Theme theme = darkTheme();
+  // The last layout is kept as long as it fits: labels stand still while the organ moves.
+  std::optional<ViewGeometry> laidOutFor;
+  std::vector<std::optional<ScreenBox>> boxes;
+  BeforeRender beforeRender{[this] { follow(); }};
+
+  void follow();
+  void hideAll();
+  void lookAtOrgans(const ViewGeometry& geometry, double ratio, Footprint& all,
+                    std::vector<std::optional<Sighting>>& sightings) const;
+  LabelSpace space(const ViewGeometry& geometry, double ratio) const;
+  bool stillFits(const ViewGeometry& geometry, const Footprint& all,
+                 const std::vector<std::optional<Sighting>>& sightings) const;
+  void layOut(const ViewGeometry& geometry, double ratio, const Footprint& all,
+              const std::vector<std::optional<Sighting>>& sightings);
+  void draw(double ratio, const std::vector<std::optional<Sighting>>& sightings);
+  void drawLine(const ScreenBox& box, double x, double y, double ratio, vtkCellArray* segments,
+                vtkCellArray* dots);
+  void applyTheme();
+};
+
+void OrganLabels::Parts::hideAll() {
+  for (auto& text : texts)
+    text->SetVisibility(false);
+  lineActor->SetVisibility(false);
+  drawn.clear();
+}
+
+void OrganLabels::Parts::lookAtOrgans(const ViewGeometry& geometry, double ratio, Footprint& all,
+                                      std::vector<std::optional<Sighting>>& sightings) const {
+  sightings.assign(items.size(), std::nullopt);
+  FrontGrid fronts(geometry, ratio);
+  for (const auto& organ : view.organs()) {
+    if (!organ->visible())
+      continue;
+    const auto named =
+        std::find_if(items.begin(), items.end(), [&](const Item& item) { return item.organ == organ; });
+    const auto owner = static_cast<std::size_t>(named - items.begin());
+    Sighting sighting = sight(*organ, owner, geometry, ratio, all, fronts);
+    if (named != items.end() && sighting.seen)
+      sightings[owner] = std::move(sighting);
+  }
+  for (std::size_t i = 0; i < items.size(); ++i)
+    if (const auto middle = fronts.middleOf(i); middle && sightings[i]) {
+      sightings[i]->x = (*middle)[0];
+      sightings[i]->y = (*middle)[1];
+    }
+}
+
+LabelSpace OrganLabels::Parts::space(const ViewGeometry& geometry, double ratio) const {
+  LabelSpace room;
+  room.width = 2 * geometry.centerX;
+  room.height = geometry.pixelHeight;
+  room.margin *= ratio;
+  room.gap *= ratio;
+  room.between *= ratio;
+  room.reserved = {{0, 0, room.width, kBottom * ratio}, {0, 0, kCube * ratio, kCube * ratio}};
+  if (view.legend().visible())
+    room.reserved.push_back({room.width - kLegend * ratio, 0, room.width, room.height});
+  return room;
+}
+
+bool OrganLabels::Parts::stillFits(const ViewGeometry& geometry, const Footprint& all,
+                                   const std::vector<std::optional<Sighting>>& sightings) const {
+  if (!laidOutFor || !sameView(*laidOutFor, geometry) || boxes.size() != items.size())
+    return false;
+  for (std::size_t i = 0; i < items.size(); ++i)
+    if (sightings[i].has_value() != boxes[i].has_value() || (boxes[i] && all.touches(*boxes[i])))
+      return false;
+  return true;
+}
+
+void OrganLabels::Parts::layOut(const ViewGeometry& geometry, double ratio, const Footprint& all,
+                                const std::vector<std::optional<Sighting>>& sightings) {
+  std::vector<LabelRequest> requests;
+  std::vector<std::size_t> rows;
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    if (!sightings[i])
+      continue;
+    const Sighting& organ = *sightings[i];
+    double size[2] = {0, 0};
+    texts[i]->GetSize(view.renderer(), size);
+    const double y = items[i].atEdge ? organ.bottom + kEdgeHeight * (organ.top - organ.bottom) : organ.y;
+    requests.push_back({organ.x, y, size[0], size[1]});
+    rows.push_back(i);
+  }
+  const auto placed = placeLabels(requests, all, space(geometry, ratio));
+  boxes.assign(items.size(), std::nullopt);
+  for (std::size_t k = 0; k < rows.size(); ++k)
+    boxes[rows[k]] = placed[k];
+  laidOutFor = geometry;
+}
+
+void OrganLabels::Parts::drawLine(const ScreenBox& box, double x, double y, double ratio,
+                                  vtkCellArray* segments, vtkCellArray* dots) {
+  const bool left = box.left < x;
+  const double start = left ? box.right + kLineGap * ratio : box.left - kLineGap * ratio;
+  const vtkIdType ends[] = {points->InsertNextPoint(start, (box.bottom + box.top) / 2, 0),
+                            points->InsertNextPoint(x, y, 0)};
+  segments->InsertNextCell(2, ends);
+  vtkIdType corners[kDotCorners];
+  for (int i = 0; i < kDotCorners; ++i) {
+    const double angle = 2 * M_PI * i / kDotCorners;
+    corners[i] =
+        points->InsertNextPoint(x + kDot * ratio * std::cos(angle), y + kDot * ratio * std::sin(angle), 0);
+  }
+  dots->InsertNextCell(kDotCorners, corners);
+}
+
+void OrganLabels::Parts::draw(double ratio, const std::vector<std::optional<Sighting>>& sightings) {
+  drawn.clear();
+  points->Reset();
+  vtkNew<vtkCellArray> segments;
+  vtkNew<vtkCellArray> dots;
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    texts[i]->SetVisibility(boxes[i].has_value());
+    if (!boxes[i])
+      continue;
+    const ScreenBox& box = *boxes[i];
+    const Sighting& organ = *sightings[i];
+    double x = organ.x;
+    double y = organ.y;
+    const auto edge = organ.covered.between(box.bottom, box.top);
+    if (items[i].atEdge && edge) {
+      y = (box.bottom + box.top) / 2;
+      x = box.left < organ.x ? edge->left + (kReach + kInside) * ratio
+                             : edge->right - (kReach + kInside) * ratio;
+    }
+    texts[i]->SetPosition(box.left, box.bottom);
+    drawLine(box, x, y, ratio, segments, dots);
+    drawn.push_back({items[i].text, box, x, y});
+  }
+  points->Modified();
+  lines->SetLines(segments);
+  lines->SetPolys(dots);
+  lines->Modified();
+  lineActor->GetProperty()->SetLineWidth(static_cast<float>(kLineWidth * ratio));
+  lineActor->SetVisibility(!drawn.empty());
+}
+
+void OrganLabels::Parts::follow() {
+  if (!shown || items.empty())
+    return hideAll();
+  vtkRenderer* renderer = view.renderer();
+  const double ratio = pixelRatioOf(renderer->GetRenderWindow());
+  const ViewGeometry geometry = viewGeometry(renderer);
+  Footprint all(geometry.pixelHeight);
+  std::vector<std::optional<Sighting>> sightings;
+  lookAtOrgans(geometry, ratio, all, sightings);
+  if (!stillFits(geometry, all, sightings))
+    layOut(geometry, ratio, all, sightings);
+  draw(ratio, sightings);
+}
+
+void OrganLabels::Parts::applyTheme() {
+  const Vec3& color = theme.text;
+  for (auto& text : texts)
+    text->GetTextProperty()->SetColor(color.x(), color.y(), color.z());
+  lineActor->GetProperty()->SetColor(color.x(), color.y(), color.z());
+  lineActor->GetProperty()->SetOpacity(kLineOpacity);
+}
+
+OrganLabels::OrganLabels(OrganView& view) : parts_(std::make_unique<Parts>(view)) {
+  auto& p = *parts_;
+  p.lines->SetPoints(p.points);
+  vtkNew<vtkPolyDataMapper2D> mapper;
+  mapper->SetInputData(p.lines);
+  p.lineActor->SetMapper(mapper);
+  p.lineActor->SetVisibility(false);
+  view.renderer()->AddActor2D(p.lineActor);
+  p.beforeRender.setRenderer(view.renderer());
+  setTheme(view.theme());
+}
+
+OrganLabels::~OrganLabels() {
+  setItems({});
+  parts_->view.renderer()->RemoveActor2D(parts_->lineActor);
+}
+
+void OrganLabels::setItems(std::vector<Item> items) {
+  auto& p = *parts_;
+  for (auto& text : p.texts)
+    p.view.renderer()->RemoveActor2D(text);
+  p.texts.clear();
+  p.items = std::move(items);
+  for (const Item& item : p.items) {
+    auto text = vtkSmartPointer<vtkTextActor>::New();
+    text->SetInput(item.text.c_str());
+    text->SetVisibility(false);
+    text->GetTextProperty()->SetFontFamilyToArial();
+    text->GetTextProperty()->SetFontSize(kFontSize);
+    p.view.renderer()->AddActor2D(text);
+    p.texts.push_back(std::move(text));
+  }
+  p.laidOutFor.reset();
+  p.hideAll();
+  p.applyTheme();
+}
+
+void OrganLabels::setTheme(const Theme& theme) {
+  parts_->theme = theme;
+  parts_->applyTheme();
+}
+
+void OrganLabels::setShown(bool shown) {
+  parts_->shown = shown;
+}
+
+bool OrganLabels::shown() const {
+  return parts_->shown;
+}
+
+std::vector<OrganLabels::Drawn> OrganLabels::drawn() const {
+  return parts_->drawn;
+}
+
+} // namespace viscera::scene

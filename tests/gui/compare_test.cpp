@@ -1,0 +1,131 @@
+#include "play_fixture.h"
+
+#include <QAbstractButton>
+#include <QSpinBox>
+#include <QTest>
+
+#include <cmath>
+
+#include <vtkCamera.h>
+#include <vtkRenderer.h>
+
+#include "viscera/sequences/heartbeat.h"
+#include "window/compare/side_header.h"
+
+namespace viscera::tests {
+namespace {
+
+class TwoViews : public PlayMode {
+protected:
+  void compareRates() {
+    key(Qt::Key_2, Qt::ControlModifier);
+    ASSERT_TRUE(parts().comparison().on());
+    ASSERT_TRUE(waitUntil([this] { return !second().live().busy() && second().jobs().idle(); }));
+    settle();
+  }
+  app::Workspace& second() { return parts().comparison().workspace(); }
+  Vec3 sight(app::ViewWidget& view) {
+    return Vec3(view.view().renderer()->GetActiveCamera()->GetDirectionOfProjection());
+  }
+};
+
+TEST_F(TwoViews, AnotherOrganStandsBesideTheFirstWithAVolumeOfItsOwn) {
+  parts().comparison().showFiles({sphereFile(QStringLiteral("ball.stl"), 40)});
+  ASSERT_TRUE(waitUntil([this] {
+    return !second().document().organs().empty() && second().jobs().idle() && !second().live().busy();
+  }));
+  settle();
+  EXPECT_EQ(document().organs().size(), 3u) << "the first document is as it was";
+  EXPECT_EQ(window().workspace().undo().names().size(), 1u);
+  const double expected = 4.0 / 3 * M_PI * 40 * 40 * 40 / 1000;
+  EXPECT_NEAR(volumeIn(second(), second().document().organs().front()->name), expected, 0.02 * expected);
+  const auto headers = window().findChildren<app::SideHeader*>();
+  ASSERT_EQ(headers.size(), 2);
+  EXPECT_TRUE(waitUntil([&] { return headers[1]->volumes().contains(QStringLiteral("ball")); }));
+  key(Qt::Key_Space);
+  playFor(0.2);
+  EXPECT_TRUE(window().playback().player().playing()) << "one that does not move holds up nobody";
+  auto* close = window().findChild<QAbstractButton*>(QStringLiteral("closeSecond"));
+  ASSERT_NE(close, nullptr);
+  QTest::mouseClick(close, Qt::LeftButton);
+  EXPECT_TRUE(waitUntil([this] { return !parts().comparison().on(); }));
+}
+
+TEST_F(TwoViews, TwoSamplesMoveSideBySide) {
+  parts().comparison().showSample(QStringLiteral("stomach"));
+  ASSERT_TRUE(
+      QTest::qWaitFor([this] { return parts().comparison().playback().sequence() != nullptr; }, 120000));
+  ASSERT_TRUE(waitUntil([this] { return !second().live().busy() && second().jobs().idle(); }));
+  window().playback().toStart();
+  key(Qt::Key_Space);
+  playFor(0.3);
+  EXPECT_TRUE(parts().comparison().playback().player().playing());
+  EXPECT_NEAR(parts().comparison().playback().player().playedSeconds(),
+              window().playback().player().playedSeconds(), 1e-9);
+  // Closing the window while two views play ends both in order.
+}
+
+TEST_F(TwoViews, BeatAtTwoRatesUnderOneTimelineAndChart) {
+  const auto& monitor = window().volumes();
+  const std::size_t alone = monitor.lines().size();
+  compareRates();
+  const auto* heart = dynamic_cast<const sequences::CalibratedHeartbeat*>(window().playback().sequence());
+  ASSERT_NE(heart, nullptr);
+  EXPECT_EQ(parts().comparison().playback().player().ratePerMinute(), 150);
+  window().playback().toStart();
+  key(Qt::Key_Space);
+  playFor(0.5);
+  key(Qt::Key_Space);
+  const double seconds = window().playback().player().secondsInCycle();
+  EXPECT_NEAR(volumeOf("LV"), heart->volumesAt(seconds, 75).leftMl, 0.5);
+  EXPECT_NEAR(volumeIn(second(), "LV"), heart->volumesAt(seconds, 150).leftMl, 0.5);
+  EXPECT_GT(std::abs(volumeOf("LV") - volumeIn(second(), "LV")), 5) << "the same instant of two rates";
+  const auto headers = window().findChildren<app::SideHeader*>();
+  ASSERT_EQ(headers.size(), 2);
+  ASSERT_TRUE(waitUntil([&] { return headers[0]->volumes() != headers[1]->volumes(); }));
+  EXPECT_NE(headers[0]->phase(), headers[1]->phase());
+
+  EXPECT_EQ(monitor.lines().size(), 2 * alone);
+  key(Qt::Key_Space);
+  playFor(1.0);
+  const std::size_t left = 1;
+  ASSERT_EQ(monitor.lines()[left].name, QStringLiteral("LV"));
+  ASSERT_TRUE(monitor.indices(left).has_value());
+  ASSERT_TRUE(monitor.indices(left + alone).has_value());
+  EXPECT_NEAR(monitor.indices(left + alone)->cardiacOutputLPerMinute /
+                  monitor.indices(left)->cardiacOutputLPerMinute,
+              2, 0.1)
+      << "the same stroke, twice as often";
+  key(Qt::Key_1, Qt::ControlModifier);
+  EXPECT_FALSE(parts().comparison().on());
+  EXPECT_EQ(monitor.lines().size(), alone);
+  EXPECT_TRUE(window().playback().player().playing());
+  playFor(0.1);
+}
+
+TEST_F(TwoViews, ShareTheInstantTheCamerasAndTheDocument) {
+  compareRates();
+  auto* rate = window().findChild<QSpinBox*>(QStringLiteral("secondRate"));
+  ASSERT_NE(rate, nullptr);
+  rate->setValue(50);
+  window().playback().seek(0.5);
+  EXPECT_NEAR(window().playback().player().secondsInCycle(), 0.4, 1e-9);
+  EXPECT_NEAR(parts().comparison().playback().player().secondsInCycle(), 0.4, 1e-9);
+  key(Qt::Key_Period);
+  EXPECT_NEAR(parts().comparison().playback().player().secondsInCycle(), 0.44, 1e-9);
+  EXPECT_FALSE(parts().comparison().playback().player().playing());
+
+  app::ViewWidget& other = parts().comparison().view();
+  EXPECT_LT((sight(view()) - sight(other)).norm(), 1e-12);
+  const Vec3 before = sight(view());
+  const QPoint corner(view().width() - 30, 60);
+  drag(corner, corner - QPoint(120, -40));
+  EXPECT_GT((sight(view()) - before).norm(), 0.1);
+  EXPECT_LT((sight(view()) - sight(other)).norm(), 1e-9);
+  key(Qt::Key_X);
+  EXPECT_EQ(second().document().organs().front()->look.opacity, document().organs().front()->look.opacity);
+  EXPECT_EQ(second().undo().names().size(), 0u) << "only the first document has steps";
+}
+
+} // namespace
+} // namespace viscera::tests

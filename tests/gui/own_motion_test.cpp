@@ -1,0 +1,160 @@
+#include "window_test.h"
+
+#include <QAbstractButton>
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QFile>
+#include <QLabel>
+#include <QTableWidget>
+#include <QTest>
+
+#include "viscera/medical_io/surface_file.h"
+#include "viscera/sequences/keyframes.h"
+#include "viscera/session/pose_commands.h"
+#include "window/play_parts.h"
+#include "window/recorded/fit_box.h"
+#include "window/recorded/key_box.h"
+#include "window/widgets/fold.h"
+
+#include "shapes.h"
+
+namespace viscera::tests {
+namespace {
+
+/// A ball with handles that a user has opened, in Play mode with all parts of the page open.
+class OwnMotion : public WindowTest {
+protected:
+  void SetUp() override {
+    WindowTest::SetUp();
+    open(sphereFile());
+    key(Qt::Key_5);
+    for (app::Fold* fold : window().findChildren<app::Fold*>())
+      fold->setOpen(true);
+    settle();
+  }
+  template <class Widget>
+  Widget& find(const char* name) {
+    auto* widget = window().findChild<Widget*>(QLatin1String(name));
+    EXPECT_NE(widget, nullptr) << name;
+    return *widget;
+  }
+  void press(const char* name) {
+    QTest::mouseClick(&find<QAbstractButton>(name), Qt::LeftButton);
+    settle();
+  }
+  /// Moves all handles, as Deform mode does.
+  void pose(double factor) {
+    std::vector<session::HandleId> all;
+    for (const session::Handle& handle : document().rig().handles)
+      all.push_back(handle.id);
+    ASSERT_TRUE(
+        window().workspace().perform(session::moveHandles(all, factor * document().rig().restPositions())));
+    settle();
+  }
+  const session::Recording& recording() { return document().recording(); }
+  double volume() { return window().workspace().live().volume(document().organs().front()->id).nowMl; }
+};
+
+TEST_F(OwnMotion, KeysOfPosesBecomeASequenceThatPlays) {
+  const double rest = volume();
+  key(Qt::Key_K, Qt::ControlModifier);
+  pose(1.2);
+  key(Qt::Key_K, Qt::ControlModifier);
+  ASSERT_EQ(recording().keys.size(), 2u);
+  EXPECT_EQ(recording().keys[1].seconds, 0.5);
+  EXPECT_EQ(find<QTableWidget>("keyTable").rowCount(), 2);
+  ASSERT_NE(window().playback().sequence(), nullptr);
+  press("playKeys");
+  EXPECT_TRUE(window().playback().player().playing());
+  now_ += 0.5;
+  window().playback().advance();
+  EXPECT_NEAR(volume() / rest, 1.2 * 1.2 * 1.2, 1e-6) << "at its key's time the pose is that key's";
+  window().playback().pause();
+  window().playback().seek(0);
+  EXPECT_NEAR(volume() / rest, 1, 1e-6);
+}
+
+TEST_F(OwnMotion, EveryChangeOfAKeyIsOneStepThatUndoTakesBack) {
+  key(Qt::Key_K, Qt::ControlModifier);
+  pose(1.1);
+  key(Qt::Key_K, Qt::ControlModifier);
+  auto& table = find<QTableWidget>("keyTable");
+  table.item(1, 0)->setText(QStringLiteral("0.8"));
+  settle();
+  EXPECT_EQ(recording().keys[1].seconds, 0.8);
+  auto* easing = qobject_cast<QComboBox*>(table.cellWidget(0, 1));
+  ASSERT_NE(easing, nullptr);
+  easing->setCurrentIndex(1);
+  Q_EMIT easing->activated(1);
+  settle();
+  EXPECT_EQ(recording().keys[0].easing, sequences::Easing::linear);
+  table.selectRow(1);
+  press("removeKey");
+  EXPECT_EQ(recording().keys.size(), 1u);
+  key(Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_EQ(recording().keys.size(), 2u);
+  key(Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_EQ(recording().keys[0].easing, sequences::Easing::smooth);
+  key(Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_EQ(recording().keys[1].seconds, 0.5);
+  table.item(1, 0)->setText(QStringLiteral("never"));
+  settle();
+  EXPECT_EQ(recording().keys[1].seconds, 0.5) << "what is no time changes nothing";
+}
+
+TEST_F(OwnMotion, AKeysPoseComesBackForChangingAndTheFileHoldsItAll) {
+  key(Qt::Key_K, Qt::ControlModifier);
+  pose(1.2);
+  key(Qt::Key_K, Qt::ControlModifier);
+  auto& table = find<QTableWidget>("keyTable");
+  table.selectRow(0);
+  press("takeKey");
+  EXPECT_TRUE(session::atRest(document().state()));
+  pose(0.9);
+  table.selectRow(0);
+  press("replaceKey");
+  const session::Recording saved = recording();
+  const QString file = path(QStringLiteral("mine.sequence.json"));
+  window().play().recorded().save(file);
+  ASSERT_TRUE(QFile::exists(file)) << message().toStdString();
+  for (int steps = 0; steps < 2; ++steps) {
+    table.selectRow(0);
+    press("removeKey");
+  }
+  EXPECT_TRUE(recording().keys.empty());
+  EXPECT_EQ(window().playback().sequence(), nullptr);
+  window().play().recorded().open(file);
+  settle();
+  ASSERT_EQ(recording().keys.size(), 2u) << message().toStdString();
+  EXPECT_EQ(recording().keys[0].displacements, saved.keys[0].displacements);
+  EXPECT_NE(window().playback().sequence(), nullptr);
+}
+
+TEST_F(OwnMotion, APatientsOrganBreathesAndLandmarksAreClickedInTheView) {
+  auto& sequence = find<QComboBox>("fitSequence");
+  sequence.setCurrentIndex(0);
+  Q_EMIT sequence.activated(0);
+  press("landmark_apex");
+  click(QPoint(view().width() / 2, view().height() / 2));
+  const auto& fit = find<app::FitBox>("fitBox");
+  ASSERT_NE(fit.landmarks().find("apex"), nullptr);
+  EXPECT_NEAR(fit.landmarks().find("apex")->position.norm(), 60, 1.5) << "the click is on the ball";
+  const int breathing = sequence.findText(QStringLiteral("Breathing"));
+  ASSERT_GE(breathing, 0);
+  sequence.setCurrentIndex(breathing);
+  Q_EMIT sequence.activated(breathing);
+  const std::size_t steps = window().workspace().undo().position();
+  press("fitButton");
+  ASSERT_TRUE(waitUntil([this] { return window().playback().player().playing(); }))
+      << message().toStdString();
+  EXPECT_EQ(window().workspace().undo().position(), steps + 1) << "the fit is one step";
+  settle();
+  const double rest = volume();
+  window().playback().seek(0.5);
+  EXPECT_NEAR(volume(), rest, 1e-6 * rest) << "breathing keeps the volume";
+  const Points& points = window().workspace().live().points(document().organs().front()->id);
+  EXPECT_LT(boundsOf(points).center().z(), -5) << "and moves the organ down";
+}
+
+} // namespace
+} // namespace viscera::tests

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <QTest>
+
+#include <string>
+
+#include "window/play_parts.h"
+#include "window_test.h"
+
+namespace viscera::tests {
+
+/// The window as it starts, in Play mode: the sample heart with its motion.
+class PlayMode : public WindowTest {
+protected:
+  void SetUp() override {
+    WindowTest::SetUp();
+    loadSample(QStringLiteral("heart"));
+    key(Qt::Key_5);
+    ASSERT_EQ(window().mode(), app::Mode::play);
+  }
+  void loadSample(const QString& name) {
+    const auto before = document().organs().empty() ? session::OrganId{} : document().organs().front()->id;
+    window().samples().load(name, false);
+    const auto there = [&] {
+      return !document().organs().empty() && document().organs().front()->id != before &&
+             window().playback().sequence() != nullptr;
+    };
+    ASSERT_TRUE(QTest::qWaitFor(there, 120000)) << message().toStdString();
+    settle();
+  }
+  static double volumeIn(app::Workspace& workspace, const std::string& name) {
+    for (const auto& organ : workspace.document().organs())
+      if (organ->name == name)
+        return workspace.live().volume(organ->id).nowMl;
+    ADD_FAILURE() << "no organ " << name;
+    return 0;
+  }
+  double volumeOf(const char* name) { return volumeIn(window().workspace(), name); }
+  /// Lets the test's clock run and the window play as long.
+  void playFor(double seconds) {
+    for (double end = now_ + seconds; now_ < end;) {
+      now_ += 1.0 / 30;
+      window().playback().advance();
+      QTest::qWait(1);
+    }
+  }
+  app::PlayParts& parts() { return window().play(); }
+};
+
+} // namespace viscera::tests

@@ -1,0 +1,157 @@
+#include "play_fixture.h"
+
+#include <QAbstractButton>
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDir>
+#include <QFile>
+#include <QImage>
+#include <QLabel>
+#include <QLineEdit>
+#include <QSpinBox>
+#include <QStandardItemModel>
+
+#include "window/panels/play_page.h"
+
+namespace viscera::tests {
+namespace {
+
+/// Packets in an Ogg file, over all of its pages; -1 when it is none.
+int oggPackets(const QByteArray& bytes) {
+  int packets = 0;
+  for (int at = 0; at < bytes.size();) {
+    if (bytes.mid(at, 4) != "OggS" || at + 27 > bytes.size())
+      return -1;
+    const int segments = static_cast<unsigned char>(bytes[at + 26]);
+    int length = 27 + segments;
+    for (int i = 0; i < segments; ++i) {
+      const int segment = static_cast<unsigned char>(bytes[at + 27 + i]);
+      length += segment;
+      packets += segment < 255;
+    }
+    at += length;
+  }
+  return packets;
+}
+
+class Recordings : public PlayMode {
+protected:
+  template <class Widget>
+  Widget& find(const char* name) {
+    auto* widget = window().findChild<Widget*>(QLatin1String(name));
+    EXPECT_NE(widget, nullptr) << name;
+    return *widget;
+  }
+  void describe(const QString& kind, const QString& file, int framesPerSecond, int cycles) {
+    auto& format = find<QComboBox>("recordFormat");
+    const int row = format.findText(kind, Qt::MatchContains);
+    ASSERT_GE(row, 0);
+    format.setCurrentIndex(row);
+    Q_EMIT format.activated(row);
+    auto& name = find<QLineEdit>("recordFile");
+    name.setFocus();
+    name.selectAll();
+    QTest::keyClicks(&name, file);
+    auto& size = find<QComboBox>("recordSize");
+    size.setCurrentIndex(size.findText(QStringLiteral("640 x 480")));
+    find<QSpinBox>("recordRate").setValue(framesPerSecond);
+    find<QSpinBox>("recordCycles").setValue(cycles);
+  }
+  void press() { QTest::mouseClick(&find<QAbstractButton>("recordButton"), Qt::LeftButton); }
+  bool recorded() {
+    return QTest::qWaitFor([this] { return !parts().recorder().running(); }, 60000);
+  }
+  QByteArray contents(const QString& file) {
+    QFile stream(file);
+    EXPECT_TRUE(stream.open(QIODevice::ReadOnly)) << file.toStdString();
+    return stream.readAll();
+  }
+};
+
+TEST_F(Recordings, AnOggMovieOfOneBeatHasAllItsFramesAndATableBesideIt) {
+  const QString file = path(QStringLiteral("beat.ogv"));
+  describe(QStringLiteral("Ogg"), file, 10, 1);
+  find<QCheckBox>("recordTable").setChecked(true);
+  press();
+  EXPECT_TRUE(parts().recorder().running());
+  key(Qt::Key_1); // The window is free for other things.
+  EXPECT_EQ(window().mode(), app::Mode::explore);
+  ASSERT_TRUE(recorded());
+  // A beat of 0.8 s at ten frames a second, behind three headers.
+  EXPECT_EQ(oggPackets(contents(file)), 3 + 8);
+  const QList<QByteArray> rows = contents(path(QStringLiteral("beat.csv"))).trimmed().split('\n');
+  ASSERT_EQ(rows.size(), 1 + 8);
+  EXPECT_EQ(rows[0], "time_s,Heart_ml,LV_ml,RV_ml");
+  EXPECT_NEAR(rows[3].split(',')[0].toDouble(), 0.2, 1e-9);
+  EXPECT_TRUE(message().contains(QStringLiteral("beat.ogv"))) << message().toStdString();
+}
+
+TEST_F(Recordings, CancelLeavesNothing) {
+  const QString folder = path(QStringLiteral("movies"));
+  QDir().mkpath(folder);
+  describe(QStringLiteral("Ogg"), folder + QStringLiteral("/long.ogv"), 60, 100);
+  press();
+  ASSERT_TRUE(waitUntil([this] {
+    const auto jobs = parts().recorder().jobs().jobs();
+    return !jobs.empty() && jobs.front().fraction > 0;
+  }));
+  auto* cross = window().findChild<QAbstractButton*>(QStringLiteral("cancelJob"));
+  ASSERT_NE(cross, nullptr);
+  EXPECT_TRUE(cross->isVisible()) << "progress is in the status bar";
+  QTest::mouseClick(cross, Qt::LeftButton);
+  ASSERT_TRUE(recorded());
+  EXPECT_TRUE(QDir(folder).isEmpty());
+  EXPECT_EQ(find<QAbstractButton>("recordButton").text(), QStringLiteral("Record"));
+}
+
+TEST_F(Recordings, TwoViewsAreRecordedSideBySide) {
+  key(Qt::Key_2, Qt::ControlModifier);
+  ASSERT_TRUE(waitUntil([this] { return !parts().comparison().workspace().live().busy(); }));
+  const QString folder = path(QStringLiteral("both"));
+  describe(QStringLiteral("PNG"), folder, 5, 1);
+  press();
+  ASSERT_TRUE(recorded());
+  EXPECT_EQ(QDir(folder).entryList(QDir::Files).size(), 4);
+  const QImage picture(folder + QStringLiteral("/frame_00001.png"));
+  ASSERT_EQ(picture.size(), QSize(640, 480));
+  const QImage left = picture.copy(0, 60, 320, 420);
+  const QImage right = picture.copy(320, 60, 320, 420);
+  EXPECT_NE(left, right) << "two rates are in other phases";
+  EXPECT_GT(left.pixelColor(160, 200).red(), left.pixelColor(5, 200).red() + 20) << "there is a heart";
+  EXPECT_GT(right.pixelColor(160, 200).red(), right.pixelColor(5, 200).red() + 20);
+}
+
+TEST_F(Recordings, ATableNeedsNoPicturesAndWhatCannotBeDoneIsSaid) {
+  const QString file = path(QStringLiteral("volumes.csv"));
+  describe(QStringLiteral("Table"), file, 25, 2);
+  EXPECT_FALSE(find<QComboBox>("recordSize").isEnabled());
+  press();
+  ASSERT_TRUE(recorded());
+  const QList<QByteArray> rows = contents(file).trimmed().split('\n');
+  ASSERT_EQ(rows.size(), 1 + 40);
+  EXPECT_EQ(rows[1].split(',')[2].left(5), rows[21].split(',')[2].left(5))
+      << "the second beat is like the first";
+
+  describe(QStringLiteral("Ogg"), QStringLiteral("/nowhere/at/all.ogv"), 10, 1);
+  press();
+  ASSERT_TRUE(recorded());
+  EXPECT_TRUE(waitUntil([this] { return message().contains(QStringLiteral("/nowhere/at/all.ogv")); }))
+      << message().toStdString();
+
+  const QByteArray search = qgetenv("PATH");
+  qputenv("PATH", path(QStringLiteral("empty")).toLocal8Bit());
+  find<app::RecordBox>("recordBox").refresh();
+  auto& format = find<QComboBox>("recordFormat");
+  const auto* items = qobject_cast<QStandardItemModel*>(format.model());
+  const int mp4 = format.findText(QStringLiteral("MP4"), Qt::MatchContains);
+  EXPECT_FALSE(items->item(mp4)->isEnabled());
+  bool said = false;
+  for (const QLabel* label : find<app::RecordBox>("recordBox").findChildren<QLabel*>())
+    said = said || (label->isVisibleTo(&find<app::RecordBox>("recordBox")) &&
+                    label->text().contains(QStringLiteral("ffmpeg")));
+  EXPECT_TRUE(said);
+  qputenv("PATH", search);
+}
+
+} // namespace
+} // namespace viscera::tests

@@ -1,0 +1,155 @@
+#include "viscera/scene/label_layout.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <random>
+
+#include <gtest/gtest.h>
+
+namespace viscera::scene {
+namespace {
+
+TEST(SpreadApart, LeavesIntervalsWhereTheyAreWhenTheyDoNotMeet) {
+  const auto placed = spreadApart({10, 50, 30}, {8, 8, 8}, 0, 100, 2);
+  ASSERT_TRUE(placed);
+  EXPECT_EQ(*placed, (std::vector<double>{10, 50, 30}));
+}
+
+TEST(SpreadApart, MovesTwoThatMeetByTheSameWay) {
+  const auto placed = spreadApart({50, 52}, {10, 10}, 0, 100, 2);
+  ASSERT_TRUE(placed);
+  EXPECT_DOUBLE_EQ((*placed)[0], 45);
+  EXPECT_DOUBLE_EQ((*placed)[1], 57);
+}
+
+TEST(SpreadApart, KeepsInsideAndSaysWhenThereIsNoRoom) {
+  const auto placed = spreadApart({-20, 0, 5}, {10, 10, 10}, 0, 40, 1);
+  ASSERT_TRUE(placed);
+  EXPECT_DOUBLE_EQ((*placed)[0], 5);
+  EXPECT_DOUBLE_EQ((*placed)[1], 16);
+  EXPECT_FALSE(spreadApart({1, 2, 3}, {10, 10, 10}, 0, 31, 1));
+  EXPECT_TRUE(spreadApart({1, 2, 3}, {10, 10, 10}, 0, 32, 1));
+  EXPECT_TRUE(spreadApart({}, {}, 0, 1, 1)->empty());
+}
+
+TEST(SpreadApart, NeverOverlapsAndIsAtLeastAsNearAsPackingFromBelow) {
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> place(0, 300);
+  std::uniform_real_distribution<double> length(5, 40);
+  for (int round = 0; round < 200; ++round) {
+    std::vector<double> centers(7);
+    std::vector<double> sizes(7);
+    std::generate(centers.begin(), centers.end(), [&] { return place(random); });
+    std::generate(sizes.begin(), sizes.end(), [&] { return length(random); });
+    const auto placed = spreadApart(centers, sizes, 0, 400, 3);
+    ASSERT_TRUE(placed);
+    std::vector<std::size_t> order(7);
+    std::iota(order.begin(), order.end(), 0);
+    std::sort(order.begin(), order.end(), [&](auto a, auto b) { return (*placed)[a] < (*placed)[b]; });
+    double end = -3;
+    double cost = 0;
+    double packed = 0;
+    double packedEnd = -3;
+    for (const std::size_t i : order) {
+      EXPECT_GE((*placed)[i] - sizes[i] / 2, end + 3 - 1e-9);
+      end = (*placed)[i] + sizes[i] / 2;
+      cost += std::pow((*placed)[i] - centers[i], 2);
+      const double greedy = std::max(centers[i], packedEnd + 3 + sizes[i] / 2);
+      packedEnd = greedy + sizes[i] / 2;
+      packed += std::pow(greedy - centers[i], 2);
+    }
+    EXPECT_LE(end, 400 + 1e-9);
+    EXPECT_LE(cost, packed + 1e-6);
+  }
+}
+
+/// A round organ in the middle of a view.
+Footprint disc(double x, double y, double radius) {
+  Footprint covered(400);
+  for (double angle = 0; angle < 2 * M_PI; angle += 0.05)
+    for (double r = 0; r <= radius; r += 5)
+      covered.cover(x + r * std::cos(angle), y + r * std::sin(angle), 4);
+  return covered;
+}
+
+LabelSpace view(double width = 600, double height = 400) {
+  LabelSpace space;
+  space.width = width;
+  space.height = height;
+  return space;
+}
+
+void expectApart(const std::vector<std::optional<ScreenBox>>& boxes, const Footprint& covered,
+                 const LabelSpace& space) {
+  for (std::size_t i = 0; i < boxes.size(); ++i) {
+    if (!boxes[i])
+      continue;
+    EXPECT_FALSE(covered.touches(*boxes[i])) << "label " << i << " lies on the organ";
+    EXPECT_GE(boxes[i]->left, space.margin);
+    EXPECT_GE(boxes[i]->bottom, space.margin);
+    EXPECT_LE(boxes[i]->right, space.width - space.margin);
+    EXPECT_LE(boxes[i]->top, space.height - space.margin);
+    for (std::size_t j = 0; j < i; ++j)
+      EXPECT_FALSE(boxes[j] && boxes[i]->overlaps(*boxes[j])) << "labels " << i << " and " << j;
+    for (const ScreenBox& reserved : space.reserved)
+      EXPECT_FALSE(boxes[i]->overlaps(reserved)) << "label " << i;
+  }
+}
+
+TEST(LabelLayout, PutsEachLabelOnItsSideAndLevelWithWhatItNames) {
+  const Footprint covered = disc(300, 200, 100);
+  const auto boxes = placeLabels({{250, 240, 80, 16}, {350, 180, 80, 16}}, covered, view());
+  ASSERT_TRUE(boxes[0] && boxes[1]);
+  EXPECT_LT(boxes[0]->right, 200);
+  EXPECT_GT(boxes[1]->left, 400);
+  EXPECT_NEAR((boxes[0]->bottom + boxes[0]->top) / 2, 240, 1e-9);
+  EXPECT_NEAR((boxes[1]->bottom + boxes[1]->top) / 2, 180, 1e-9);
+  expectApart(boxes, covered, view());
+}
+
+TEST(LabelLayout, NoLabelMeetsAnotherOrTheOrganHoweverManyThereAre) {
+  std::mt19937 random(11);
+  std::uniform_real_distribution<double> unit(-1, 1);
+  const Footprint covered = disc(300, 200, 130);
+  LabelSpace space = view();
+  space.reserved = {{0, 0, 600, 44}, {0, 0, 100, 100}};
+  for (const int count : {1, 4, 12, 30}) {
+    std::vector<LabelRequest> labels;
+    for (int i = 0; i < count; ++i)
+      labels.push_back({300 + 90 * unit(random), 200 + 90 * unit(random), 90 + 20 * unit(random), 16});
+    const auto boxes = placeLabels(labels, covered, space);
+    expectApart(boxes, covered, space);
+    const auto shown = std::count_if(boxes.begin(), boxes.end(), [](const auto& box) { return !!box; });
+    EXPECT_EQ(shown, count) << "there is room for all of them";
+  }
+}
+
+TEST(LabelLayout, GoesToTheOtherSideAndLeavesOutWhatHasNoRoom) {
+  const Footprint atLeft = disc(110, 200, 100);
+  const auto moved = placeLabels({{60, 200, 80, 16}}, atLeft, view());
+  ASSERT_TRUE(moved[0]);
+  EXPECT_GT(moved[0]->left, 210);
+  Footprint everything(400);
+  for (double y = 0; y <= 400; y += 4) {
+    everything.cover(2, y, 4);
+    everything.cover(598, y, 4);
+  }
+  EXPECT_FALSE(placeLabels({{300, 200, 80, 16}}, everything, view())[0]);
+}
+
+TEST(LabelLayout, FindsTheFreeCornerBesideALargeOrgan) {
+  // A diamond that fills the view but for its corners.
+  Footprint covered(400);
+  for (double y = 0; y <= 400; y += 2) {
+    const double half = 300 - 1.45 * std::abs(y - 200);
+    for (double x = 300 - half; x <= 300 + half; x += 4)
+      covered.cover(x, y, 3);
+  }
+  const auto boxes = placeLabels({{200, 210, 90, 16}, {420, 190, 90, 16}}, covered, view());
+  ASSERT_TRUE(boxes[0] && boxes[1]);
+  expectApart(boxes, covered, view());
+}
+
+} // namespace
+} // namespace viscera::scene

@@ -1,0 +1,102 @@
+#include "viscera/scene/organ_labels.h"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+#include <vtkCamera.h>
+
+#include "shapes.h"
+#include "view_fixture.h"
+
+namespace viscera::scene {
+namespace {
+
+class Labels : public testing::Test {
+protected:
+  Labels() : window(640, 480), labels(window.view) {
+    wall = window.addOrgan(tests::sphere(4, 50));
+    left = window.addOrgan(tests::sphere(3, 15, {18, 0, 0}));
+    right = window.addOrgan(tests::sphere(3, 15, {-18, 0, 4}));
+    wall->setOpacity(0.3);
+    labels.setItems({{"Heart", wall, true}, {"Left ventricle", left}, {"Right ventricle", right}});
+    labels.setShown(true);
+    window.view.lookFrom(StandardView::anterior);
+    window.view.renderer()->GetActiveCamera()->Zoom(0.6);
+    window.render();
+  }
+  const OrganLabels::Drawn& named(const std::string& text) {
+    drawn = labels.drawn();
+    for (const auto& label : drawn)
+      if (label.text == text)
+        return label;
+    ADD_FAILURE() << "no label " << text;
+    static const OrganLabels::Drawn nothing;
+    return nothing;
+  }
+  tests::ViewInWindow window;
+  OrganLabels labels;
+  std::shared_ptr<OrganActor> wall, left, right;
+  std::vector<OrganLabels::Drawn> drawn;
+};
+
+TEST_F(Labels, LinesEndOnTheOrgansAndBoxesLieBesideThem) {
+  for (const auto& [text, center] :
+       {std::pair{"Left ventricle", Vec3(18, 0, 0)}, std::pair{"Right ventricle", Vec3(-18, 0, 4)}}) {
+    const auto& label = named(text);
+    const auto at = window.display(center);
+    EXPECT_NEAR(label.targetX, at[0], 10) << text;
+    EXPECT_NEAR(label.targetY, at[1], 10) << text;
+  }
+  const auto rim = window.display({-50, 0, 0});
+  for (const auto& label : labels.drawn()) {
+    const double nearest = std::min(std::abs(label.box.left - 320), std::abs(label.box.right - 320));
+    EXPECT_GT(nearest, 320 - rim[0]) << label.text << " covers the organ";
+  }
+  const auto middle = window.display(Vec3::Zero());
+  const auto& heart = named("Heart");
+  const double away = std::hypot(heart.targetX - middle[0], heart.targetY - middle[1]);
+  EXPECT_GT(away, 0.6 * (middle[0] - rim[0])) << "the wall is named at its edge";
+}
+
+TEST_F(Labels, FollowTheCameraAndStandStillWhileTheOrganBeats) {
+  const double before = named("Left ventricle").targetX;
+  const ScreenBox box = named("Left ventricle").box;
+  auto smaller = std::make_shared<Points>(0.97 * wall->mesh().points);
+  wall->setPoints(smaller);
+  window.render();
+  EXPECT_EQ(named("Left ventricle").box.left, box.left);
+  EXPECT_EQ(named("Left ventricle").box.bottom, box.bottom);
+  window.view.renderer()->GetActiveCamera()->Azimuth(180);
+  window.render();
+  EXPECT_LT(named("Left ventricle").targetX, before - 20) << "seen from behind it is on the other side";
+}
+
+TEST_F(Labels, LinesEndWhereTheOrganIsSeenThoughAnotherOneIsInFrontOfIt) {
+  // The right one comes before the left one's inner half; the reader looks along +y.
+  auto moved = std::make_shared<Points>(right->mesh().points);
+  moved->rowwise() += Eigen::RowVector3d(26, -25, -4);
+  right->setPoints(moved);
+  window.render();
+  const auto covering = window.display({8, -25, 0});
+  const auto edge = window.display({8 + 15, -25, 0});
+  EXPECT_GT(named("Left ventricle").targetX, edge[0] - 6);
+  EXPECT_NEAR(named("Right ventricle").targetX, covering[0], 12);
+}
+
+TEST_F(Labels, OfHiddenOrgansAreNotDrawnAndNoneWithoutAsking) {
+  left->setVisible(false);
+  window.render();
+  EXPECT_EQ(labels.drawn().size(), 2u);
+  labels.setShown(false);
+  window.render();
+  EXPECT_TRUE(labels.drawn().empty());
+}
+
+TEST_F(Labels, AreLeftOutWhereTheOrganFillsTheView) {
+  window.view.renderer()->GetActiveCamera()->Zoom(12);
+  window.render();
+  EXPECT_TRUE(labels.drawn().empty());
+}
+
+} // namespace
+} // namespace viscera::scene
