@@ -76,6 +76,8 @@ void Stage::compose() {
     if (beyond.norm() <= kNear * organs.diagonal())
       bounds = joined(bounds, {handle, handle});
   }
+  for (const scene::RegionHull& hull : view_.regions().hulls())
+    bounds = joined(bounds, boundsOf(hull.vertices));
   view_.lookFrom(side_, bounds);
 }
 

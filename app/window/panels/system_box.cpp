@@ -1,6 +1,7 @@
 #include "window/panels/system_box.h"
 
 #include <QComboBox>
+#include <QHBoxLayout>
 #include <QLabel>
 #include <QSignalBlocker>
 #include <QVBoxLayout>
@@ -130,7 +131,12 @@ QWidget* SystemBox::editorFor(const coordinates::Parameter& parameter) {
     name[0] = name[0].toUpper();
   const auto present = [this, parameter] { return workspace_.document().system().parameters.get(parameter); };
   if (!parameter.choices.empty()) {
-    auto* combo = new QComboBox(parameterBox_);
+    auto* box = new QWidget(parameterBox_);
+    auto* row = new QHBoxLayout(box);
+    row->setContentsMargins(0, 0, 0, 0);
+    auto* combo = new QComboBox(box);
+    row->addWidget(new QLabel(name, box), 1);
+    row->addWidget(combo);
     for (const std::string& choice : parameter.choices)
       combo->addItem(text(choice));
     combo->setToolTip(text(parameter.help));
@@ -143,7 +149,7 @@ QWidget* SystemBox::editorFor(const coordinates::Parameter& parameter) {
       const QSignalBlocker quiet(combo);
       combo->setCurrentIndex(static_cast<int>(present()));
     });
-    return combo;
+    return box;
   }
   return sliderFor(parameter, name);
 }
