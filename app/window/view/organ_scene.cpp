@@ -106,7 +106,9 @@ void OrganScene::applyLook(Shown& shown) {
 
 void OrganScene::onLive(const session::LiveEvent& event) {
   const auto found = shown_.find(event.organ);
-  if (found == shown_.end())
+  // The live binding hears of another surface first; what shows the last one is about to go.
+  const auto organ = workspace_.document().organ(event.organ);
+  if (found == shown_.end() || !organ || organ->mesh != found->second.organ->mesh)
     return;
   if (event.replaced)
     found->second.actor->setPoints(lookAt(workspace_.live().points(event.organ)));

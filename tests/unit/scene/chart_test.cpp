@@ -86,6 +86,24 @@ TEST(VolumeChart, DrawsItsLinesInTheirColoursAndHidesThemOnRequest) {
   EXPECT_EQ(count(grabPicture(surface.window()), 0, 60, 400), 0);
 }
 
+TEST(VolumeChart, WhatRoundingLeavesOfALockedVolumeIsDrawnFlat) {
+  const auto redWith = [](double noise) {
+    SurfacelessWindow surface(500, 200);
+    VolumeChart chart;
+    chart.setWindow(surface.window());
+    chart.setTheme(darkTheme());
+    chart.setLines({kRed});
+    chart.setTimeRange({0, 10});
+    for (int i = 0; i <= 100; ++i)
+      chart.append(0.1 * i, Values::Constant(1, 936 * (1 + (i % 2 ? noise : -noise))));
+    chart.update();
+    return count(grabPicture(surface.window()), 0, 60, 400);
+  };
+  // A zigzag between the edges of the chart would take many times the pixels of a line.
+  EXPECT_LT(redWith(1e-12), 1.2 * redWith(0));
+  EXPECT_GT(redWith(0.1), 3 * redWith(0)) << "a real change is drawn as large as the chart";
+}
+
 TEST(VolumeChart, NotANumberIsAGap) {
   SurfacelessWindow surface(500, 200);
   VolumeChart chart;
