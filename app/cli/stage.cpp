@@ -68,6 +68,15 @@ void Stage::showHandles(const RigInput& rig) {
 }
 
 void Stage::compose() {
+  lookAtAll(0);
+}
+
+void Stage::compose(const std::string& view, double room) {
+  side_ = scene::standardViewFromName(view);
+  lookAtAll(room);
+}
+
+void Stage::lookAtAll(double room) {
   const Bounds organs = view_.bounds();
   Bounds bounds = organs;
   for (const auto& row : view_.handles()->GetPositions().rowwise()) {
@@ -78,12 +87,8 @@ void Stage::compose() {
   }
   for (const scene::RegionHull& hull : view_.regions().hulls())
     bounds = joined(bounds, boundsOf(hull.vertices));
-  view_.lookFrom(side_, bounds);
-}
-
-void Stage::compose(const std::string& view) {
-  side_ = scene::standardViewFromName(view);
-  compose();
+  const Vec3 around = Vec3::Constant(room * bounds.diagonal());
+  view_.lookFrom(side_, {bounds.low - around, bounds.high + around});
 }
 
 vtkSmartPointer<vtkImageData> Stage::picture() {

@@ -20,6 +20,9 @@ class App;
 
 namespace viscera::app::cli {
 
+/// Room around organs on pictures of several parts.
+inline constexpr double kRoomOnASheet = 0.07;
+
 /// How pictures are taken.
 struct StageOptions {
   PictureSize size{1600, 1000};
@@ -45,13 +48,15 @@ public:
   /// Turns to the side asked for and brings all organs and handles into the picture. Call once, when all are
   /// there.
   void compose();
-  /// The same from another side.
-  void compose(const std::string& view);
+  /// The same from another side, with `room` around as a part of the size of what is shown: small pictures
+  /// need some for the scale bar.
+  void compose(const std::string& view, double room);
 
   vtkSmartPointer<vtkImageData> picture();
   scene::OrganView& view() { return view_; }
 
 private:
+  void lookAtAll(double room);
   Threads threads_;
   scene::StandardView side_;
   scene::SurfacelessWindow window_;

@@ -26,14 +26,14 @@ organ liver anterior,posterior,inferior
 organ kidney_left anterior,left,posterior
 organ kidney_right anterior,right,posterior
 organ digestive_system anterior,left,posterior
-strip heartbeat heartbeat 12.5 5 260x260 anterior
-strip peristalsis peristalsis 0.5 5 260x260 anterior
-strip breathing breathing 2 4 260x260 anterior
+strip heartbeat heartbeat 10 4 340x260 anterior
+strip peristalsis peristalsis 0.4 4 340x260 anterior
+strip breathing breathing 1 4 340x260 anterior
 
 # The same motions on surfaces of other organs: the program's own files stand in for a patient's.
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 "$program" sample heart@low -o "$work/heart.stl"
 "$program" sample stomach@low -o "$work/stomach.stl"
-strip retargeted_heart heartbeat 12.5 5 260x260 anterior --organ "$work/heart.stl"
-strip retargeted_stomach peristalsis 0.5 5 260x260 anterior --organ "$work/stomach.stl"
+strip retargeted_heart heartbeat 10 4 340x260 anterior --organ "$work/heart.stl"
+strip retargeted_stomach peristalsis 0.4 4 340x260 anterior --organ "$work/stomach.stl"

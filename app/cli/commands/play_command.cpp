@@ -33,13 +33,13 @@ constexpr double kDrawingShare = 0.9; ///< Of the progress; the rest is closing 
 /// The surfaces on a stage, and the writers that take the pictures.
 class Recording {
 public:
-  Recording(const PlayedSequence& played, const StageOptions& options, Threads threads)
+  Recording(const PlayedSequence& played, const StageOptions& options, double room, Threads threads)
       : stage_(options, threads) {
     for (const PlayedSurface& surface : played.surfaces) {
       actors_.push_back(stage_.add(surface.organ, surface.wall ? kWallOpacity : 1));
       actors_.back()->setPoints(std::shared_ptr<const Points>(surface.deformer, &surface.deformer->points()));
     }
-    stage_.compose();
+    stage_.compose(options.view, room);
   }
 
   void addWriter(const std::filesystem::path& target, double framesPerSecond) {
@@ -215,7 +215,7 @@ PlayCommand::Measured PlayCommand::play(PlayedSequence& played, double rate, int
   Measured measured{session::VolumeRecord(names), {}};
   std::optional<Recording> recording;
   if (!frames_.empty() || !movie_.empty() || !sheet_.empty())
-    recording.emplace(played, stage_, surroundings.threads);
+    recording.emplace(played, stage_, sheet_.empty() ? 0 : kRoomOnASheet, surroundings.threads);
   if (!frames_.empty())
     recording->addWriter(std::filesystem::path(frames_) / "",
                          framesPerSecond_); // A folder, whatever its name.

@@ -21,6 +21,9 @@
 namespace viscera::app::cli {
 namespace {
 
+/// Of the diagonal, on every side of each picture of a sheet.
+constexpr double kRoomOnASheet = 0.04;
+
 Contents read(const std::vector<std::string>& files, const Surroundings& surroundings) {
   Contents contents;
   for (const std::string& file : files) {
@@ -120,7 +123,7 @@ RenderCommand::Pictures RenderCommand::draw(const Shown& shown, const Contents& 
   }
   Pictures pictures;
   for (const std::string& view : views_) {
-    stage.compose(view);
+    stage.compose(view, views_.size() > 1 ? kRoomOnASheet : 0);
     pictures.push_back(stage.picture());
   }
   return pictures;

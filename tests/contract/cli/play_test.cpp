@@ -70,6 +70,84 @@ TEST_F(CliPlay, AFasterHeartHasShorterBeats) {
   EXPECT_EQ(fast["ratePerMinute"], 150);
 }
 
+TEST_F(CliPlay, SaysHowTheHeartsWallChanges) {
+  const json beat = runJson({"play", "heartbeat", "--organ", "sample:heart@low"});
+  const json& wall = beat["wallVolume"];
+  EXPECT_LT(wall["minMl"], wall["restMl"]);
+  EXPECT_GT(wall["maxMl"], wall["restMl"]);
+  EXPECT_LT(wall["maxRelativeChange"].get<double>(), 0.08);
+}
+
+TEST_F(CliPlay, FitsPeristalsisToAnotherStomachAndTakesItsLandmarksBack) {
+  runJson({"sample", "stomach@low", "-o", path("patient.stl")});
+  const json found = runJson({"play", "peristalsis", "--organ", path("patient.stl"), "--fps", "1",
+                              "--write-landmarks", path("l.mrk.json")});
+  EXPECT_NEAR(found["retargeted"]["scale"].get<double>(), 1, 0.15);
+  EXPECT_LT(found["maxRelativeOuterChange"].get<double>(), 1e-6);
+  EXPECT_GT(found["retargeted"]["handles"].get<int>(), 100);
+  for (const json& landmark : found["retargeted"]["landmarks"])
+    EXPECT_TRUE(landmark["computed"].get<bool>());
+  const json again = runJson({"play", "peristalsis", "--organ", path("patient.stl"), "--fps", "1",
+                              "--landmarks", path("l.mrk.json")});
+  EXPECT_FALSE(again["retargeted"]["landmarks"][0]["computed"].get<bool>());
+  EXPECT_EQ(again["retargeted"]["scale"], found["retargeted"]["scale"]);
+}
+
+TEST_F(CliPlay, LandmarksThatAreWrongAreSaid) {
+  runJson({"sample", "heart@low", "-o", path("patient.stl")});
+  const std::vector<std::string> play{"play", "heartbeat", "--organ", path("patient.stl")};
+  const auto with = [&play](std::vector<std::string> more) {
+    more.insert(more.begin(), play.begin(), play.end());
+    return more;
+  };
+  expectFailure(with({"--landmark", "apex=54,-31,-34"}), kBadData, "no base");
+  expectFailure(with({"--landmark", "apex=54,-31,-34", "--landmark", "base=54,-31,-34"}), kBadData,
+                "at one place");
+  expectFailure(with({"--landmark", "apex=1,2"}), kUsage, "three numbers");
+  expectFailure(with({"--landmarks", put("l.mrk.json", markups({{0, 0, 0}}))}), kBadData,
+                "apex, base, right");
+}
+
+TEST_F(CliPlay, HandlesComeBackFromTheirFileInTheirGroups) {
+  runJson({"play", "heartbeat", "--organ", "sample:heart@low", "--fps", "5", "--write-handles",
+           path("h.mrk.json")});
+  const json info = runJson({"info", path("h.mrk.json")});
+  EXPECT_EQ(info["kind"], "handles");
+  EXPECT_EQ(info["groups"].size(), 7u);
+  runJson(
+      {"play", "heartbeat", "--organ", "sample:heart@low", "--fps", "5", "--handles", path("h.mrk.json")});
+}
+
+TEST_F(CliPlay, PlaysARecordedSequenceOnAnOrganWithinItsHandles) {
+  json file{{"format", "viscera-sequence"}, {"version", 1}, {"periodSeconds", 2}, {"handles", json::array()}};
+  const auto places = corners(60);
+  for (std::size_t i = 0; i < places.size(); ++i)
+    file["handles"].push_back({{"label", "H-" + std::to_string(i + 1)}, {"rest", places[i]}});
+  file["keys"] = {{{"seconds", 0}, {"pose", json::object()}},
+                  {{"seconds", 1}, {"pose", {{"H-1", {-90, -90, -90}}}}}};
+  const std::string sequence = put("s.sequence.json", file.dump());
+  const std::string cube = put("cube.off", cubeOff(20));
+  const json played = runJson({"play", sequence, "--organ", cube, "--fps", "4"});
+  EXPECT_EQ(played["frames"], 8);
+  EXPECT_EQ(played["ratePerMinute"], 30);
+  EXPECT_NEAR(played["volumes"]["outer"]["minMl"].get<double>(), 64, 1e-9);
+  EXPECT_GT(played["volumes"]["outer"]["maxMl"].get<double>(), 65);
+  expectFailure({"play", sequence}, kUsage, "--organ");
+  expectFailure({"play", put("t.sequence.json", file.dump().substr(0, 100)), "--organ", cube}, kBadData,
+                "t.sequence.json");
+  expectFailure({"play", path("no.sequence.json"), "--organ", cube}, kNoInput, "no.sequence.json");
+}
+
+TEST_F(CliPlay, PutsAllFramesOnOneSheet) {
+  runJson({"play", "heartbeat", "--organ", "sample:heart@low", "--fps", "5", "--size", "64x48", "--columns",
+           "3", "--sheet", path("sheet.png")});
+  const std::string png = contents(path("sheet.png"));
+  ASSERT_EQ(png.substr(1, 3), "PNG");
+  // Width and height stand big-endian behind the signature: four frames, three beside each other.
+  EXPECT_EQ(static_cast<unsigned char>(png[19]), 192);
+  EXPECT_EQ(static_cast<unsigned char>(png[23]), 96);
+}
+
 TEST_F(CliPlay, OutputsThatCannotBeWrittenAreSaidFirst) {
   expectFailure({"play", "heartbeat", "--organ", "sample:heart@low", "--csv", path("no such folder/v.csv")},
                 kCannotCreate, "v.csv");

@@ -204,6 +204,12 @@ TEST(RetargetHeartbeat, findsApexAndBaseOfTheSampleHeart) {
   EXPECT_GT(foundAxis.dot(axis), std::cos(0.45));
 }
 
+TEST(RetargetHeartbeat, theSampleHeartAsIfItWereAPatientsDoesNotCrossItself) {
+  Fitted heart("heartbeat", sampleSurface("heart", organs::Resolution::medium));
+  heart.expectAllInsideTheHull();
+  heart.expectNoSelfIntersection(75, 8);
+}
+
 TEST(RetargetHeartbeat, anotherHeartLosesEightPercentInSystoleAtEveryRate) {
   const OtherHeart other;
   for (const Landmarks& given : {other.landmarks(), Landmarks()}) {
