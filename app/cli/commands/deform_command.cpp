@@ -5,14 +5,19 @@
 
 #include <CLI/CLI.hpp>
 
+#include "cli/interior.h"
 #include "cli/listing.h"
 #include "viscera/core/error.h"
 #include "viscera/deformation/bind_organ.h"
+#include "viscera/deformation/least_stress.h"
 #include "viscera/deformation/restore_volume.h"
 #include "viscera/medical_io/surface_file.h"
 
 namespace viscera::app::cli {
 namespace {
+
+constexpr const char* kLeastDisplacement = "least-displacement";
+constexpr const char* kLeastStress = "least-stress";
 
 int movedHandles(const Points& rest, const Points& pose) {
   return static_cast<int>(((pose - rest).rowwise().squaredNorm().array() > 0).count());
@@ -37,6 +42,15 @@ void DeformCommand::addOptions(CLI::App& options) {
       ->excludes(lock);
   options.add_option("--compensate", compensate_, "Move only these handles to reach the volume")
       ->type_name("LABEL");
+  options
+      .add_option("--restore", restore_,
+                  "How they share the motion: least-displacement, or least-stress of the tissue inside")
+      ->check(CLI::IsMember({kLeastDisplacement, kLeastStress}))
+      ->type_name("HOW")
+      ->capture_default_str();
+  options.add_option("--witnesses", witnesses_, "Witness points for least-stress, 200 to 200000")
+      ->type_name("N")
+      ->capture_default_str();
   options.add_option("-o,--output", output_, "Surface file for the posed organ")->type_name("FILE");
 }
 
@@ -45,10 +59,13 @@ double DeformCommand::targetMl(const deformation::Deformer& deformer) const {
 }
 
 void DeformCommand::keepVolume(deformation::Deformer& deformer, const RigInput& rig,
-                               const session::Organ& organ) const {
+                               const session::Organ& organ,
+                               const deformation::RestorationModel& model) const {
   if (!lockVolume_ && !targetMl_) {
     if (!compensate_.empty())
       throw UsageError("goes with --lock-volume or --target-ml", "--compensate");
+    if (restore_ != kLeastDisplacement)
+      throw UsageError("goes with --lock-volume or --target-ml", "--restore");
     return;
   }
   if (!organ.closed())
@@ -58,7 +75,21 @@ void DeformCommand::keepVolume(deformation::Deformer& deformer, const RigInput& 
     compensating.push_back(rig.indexOf(label));
   if (compensating.empty())
     compensating = deformation::restingHandles(rig.handles.positions, deformer.pose());
-  deformation::restoreVolume(deformer, targetMl(deformer) * kMm3PerMl, compensating);
+  deformation::restoreVolume(deformer, targetMl(deformer) * kMm3PerMl, compensating, model);
+}
+
+std::unique_ptr<deformation::RestorationModel>
+DeformCommand::model(const session::Organ& organ, const RigInput& rig,
+                     const coordinates::CoordinateSystem& system, const coordinates::BindOptions& options,
+                     std::vector<std::string>& warnings, Progress& progress) const {
+  if (restore_ == kLeastDisplacement || (!lockVolume_ && !targetMl_))
+    return std::make_unique<deformation::LeastDisplacement>();
+  session::WitnessOptions witnesses;
+  witnesses.wanted = witnesses_;
+  witnesses.threads = options.threads;
+  const Interior interior = interiorOf(organ, rig.handles, system, options, witnesses, warnings, progress);
+  return std::make_unique<deformation::LeastStress>(interior.gradients, interior.mesh().witnesses,
+                                                    options.threads);
 }
 
 Outcome DeformCommand::run(Surroundings& surroundings) {
@@ -74,7 +105,8 @@ Outcome DeformCommand::run(Surroundings& surroundings) {
       deformation::bindOrgan(*system, rig.handles, organ.mesh->points, options, surroundings.progress),
       rig.handles.positions, surroundings.threads);
   deformer.setPose(pose);
-  keepVolume(deformer, rig, organ);
+  const auto restoration = model(organ, rig, *system, options, outcome.warnings, surroundings.progress);
+  keepVolume(deformer, rig, organ, *restoration);
 
   const double restMl = deformer.restVolumeMm3() / kMm3PerMl;
   const double nowMl = deformer.volumeMm3() / kMm3PerMl;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -8,6 +9,7 @@
 #include "cli/inputs.h"
 #include "cli/system_options.h"
 #include "viscera/deformation/deformer.h"
+#include "viscera/deformation/restoration_model.h"
 
 namespace viscera::app::cli {
 
@@ -21,7 +23,15 @@ public:
 
 private:
   /// Moves compensating handles so that the volume is the one asked for. Nothing to do when none is.
-  void keepVolume(deformation::Deformer& deformer, const RigInput& rig, const session::Organ& organ) const;
+  void keepVolume(deformation::Deformer& deformer, const RigInput& rig, const session::Organ& organ,
+                  const deformation::RestorationModel& model) const;
+  /// What a compensating motion costs, as `--restore` says. Fills the organ with witness points where that
+  /// takes some.
+  std::unique_ptr<deformation::RestorationModel> model(const session::Organ& organ, const RigInput& rig,
+                                                       const coordinates::CoordinateSystem& system,
+                                                       const coordinates::BindOptions& options,
+                                                       std::vector<std::string>& warnings,
+                                                       Progress& progress) const;
   double targetMl(const deformation::Deformer& deformer) const;
 
   std::string organ_;
@@ -31,6 +41,8 @@ private:
   bool lockVolume_ = false;
   std::optional<double> targetMl_;
   std::vector<std::string> compensate_;
+  std::string restore_ = "least-displacement";
+  int witnesses_ = 2000;
   SystemOptions system_;
 };
 

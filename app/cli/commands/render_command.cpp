@@ -1,7 +1,11 @@
 #include "cli/commands/render_command.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
 #include <memory>
+#include <numbers>
 #include <optional>
 
 #include <vtkImageData.h>
@@ -13,6 +17,7 @@
 #include "cli/picture_size.h"
 #include "viscera/core/error.h"
 #include "viscera/deformation/bind_organ.h"
+#include "viscera/deformation/bind_witnesses.h"
 #include "viscera/scene/contact_sheet.h"
 #include "viscera/scene/picture.h"
 #include "viscera/scene/vtkVisceraHandleSetRepresentation.h"
@@ -21,8 +26,10 @@
 namespace viscera::app::cli {
 namespace {
 
-/// Of the diagonal, on every side of each picture of a sheet.
-constexpr double kRoomOnASheet = 0.04;
+/// Magenta: in none of the colour maps.
+constexpr std::array<std::uint8_t, 3> kFoldedColor = {232, 40, 200};
+/// Degrees; less is rounding.
+constexpr double kNoStress = 1e-6;
 
 Contents read(const std::vector<std::string>& files, const Surroundings& surroundings) {
   Contents contents;
@@ -57,6 +64,48 @@ std::vector<std::shared_ptr<Values>> influencesOf(const Contents& contents, int 
   return influences;
 }
 
+/// The organs and the handles in a pose.
+void showPose(Stage& stage, const Contents& contents, const coordinates::CoordinateSystem& system,
+              const coordinates::BindOptions& options, Progress& progress) {
+  for (std::size_t i = 0; i < contents.organs.size(); ++i) {
+    auto points = std::make_shared<Points>();
+    deformation::bindOrgan(system, contents.rig->handles, contents.organs[i].mesh->points, options, progress)
+        ->deform(*contents.pose, *points, options.threads);
+    stage.view().organs()[i]->setPoints(points);
+  }
+  stage.view().handles()->SetPositions(*contents.pose);
+}
+
+/// Colours every organ by the rotational stress of its tissue at the surface, in degrees; what is folded has
+/// a colour of its own.
+void showStress(Stage& stage, const Contents& contents, const coordinates::CoordinateSystem& system,
+                const coordinates::BindOptions& options, Progress& progress) {
+  std::vector<std::shared_ptr<Values>> stresses;
+  scene::ValueRange range{0, 0};
+  int folded = 0;
+  for (const session::Organ& organ : contents.organs) {
+    deformation::StressMap map;
+    deformation::bindWitnesses(system, contents.rig->handles, organ.mesh->points, options, progress)
+        ->evaluate(*contents.pose, map, options.threads);
+    auto degrees = std::make_shared<Values>(180 / std::numbers::pi * map.rotationalStress);
+    range.high = std::max(range.high, degrees->maxCoeff());
+    for (Eigen::Index i = 0; i < degrees->size(); ++i)
+      if (map.volumeRatio[i] <= 0)
+        (*degrees)[i] = std::nan("");
+    folded += map.folded;
+    stresses.push_back(std::move(degrees));
+  }
+  scene::ColorMap map = scene::viridis();
+  map.missing = kFoldedColor;
+  if (!(range.high > kNoStress))
+    range.high = 1; // Nothing is distorted: one colour, and a scale that says so.
+  for (std::size_t i = 0; i < stresses.size(); ++i)
+    stage.view().organs()[i]->showScalars(stresses[i], map, range);
+  stage.view().legend().show("Rotational stress", "deg", map, range);
+  if (folded > 0)
+    stage.view().legend().setMark("folded", Vec3(kFoldedColor[0], kFoldedColor[1], kFoldedColor[2]) / 255.0);
+}
+
 } // namespace
 
 /// One of the pictures: the coordinates that it is about, and what they say.
@@ -77,8 +126,15 @@ void RenderCommand::addOptions(CLI::App& options) {
       ->type_name("NAMES")
       ->delimiter(',')
       ->excludes("--view");
-  options.add_option("--influence", influence_, "Colour the organs by the influence of this handle")
-      ->type_name("LABEL");
+  CLI::Option* influence =
+      options.add_option("--influence", influence_, "Colour the organs by the influence of this handle")
+          ->type_name("LABEL");
+  CLI::Option* pose =
+      options.add_option("--pose", pose_, "Show the organs with the handles where this file has them")
+          ->type_name("FILE");
+  options.add_flag("--stress", stress_, "Colour the organs by the rotational stress of the pose")
+      ->needs(pose)
+      ->excludes(influence);
   options
       .add_option("--beside", beside_,
                   "A second picture on the right, with these coordinates; --param goes to whichever takes it")
@@ -100,10 +156,10 @@ std::vector<RenderCommand::Shown> RenderCommand::shown(const Surroundings& surro
 }
 
 RenderCommand::Pictures RenderCommand::draw(const Shown& shown, const Contents& contents, int width,
-                                            Threads threads) const {
+                                            Surroundings& surroundings) const {
   StageOptions options = stage_;
   options.size.width = width;
-  Stage stage(options, threads);
+  Stage stage(options, surroundings.threads);
   for (const session::Organ& organ : contents.organs)
     stage.add(organ, opacity_);
   if (contents.rig) {
@@ -120,6 +176,12 @@ RenderCommand::Pictures RenderCommand::draw(const Shown& shown, const Contents& 
     stage.view().legend().show(beside_.empty() ? title : title + ", " + shown.system->name(), {}, map,
                                shown.range);
     stage.view().handles()->SetSelection({contents.rig->indexOf(influence_)});
+  }
+  if (contents.pose) {
+    Progress& progress = surroundings.progress;
+    showPose(stage, contents, *shown.system, shown.options, progress);
+    if (stress_)
+      showStress(stage, contents, *shown.system, shown.options, progress);
   }
   Pictures pictures;
   for (const std::string& view : views_) {
@@ -139,6 +201,11 @@ Outcome RenderCommand::run(Surroundings& surroundings) {
     throw UsageError("needs a handle file among the files", influence_.empty()
                                                                 ? "--regions, --zones or --super-regions"
                                                                 : "--influence " + influence_);
+  if (!pose_.empty()) {
+    if (!contents.rig)
+      throw UsageError("needs a handle file among the files", "--pose");
+    contents.pose = poseInput(pose_, *contents.rig, contents.warnings);
+  }
   Outcome outcome;
   outcome.json = {{"png", output_},
                   {"height", stage_.size.height},
@@ -167,7 +234,7 @@ Outcome RenderCommand::run(Surroundings& surroundings) {
     surroundings.progress.throwIfCancelled();
     one.range = range;
     const Pictures drawn =
-        draw(one, contents, stage_.size.width / static_cast<int>(all.size()), surroundings.threads);
+        draw(one, contents, stage_.size.width / static_cast<int>(all.size()), surroundings);
     pictures.insert(pictures.end(), drawn.begin(), drawn.end());
   }
   const auto sheet = scene::contactSheet(pictures, static_cast<int>(pictures.size()));

@@ -19,6 +19,7 @@ namespace viscera::app::cli {
 struct Contents {
   std::vector<session::Organ> organs;
   std::optional<RigInput> rig;
+  std::optional<Points> pose; ///< Of the rig; none: at rest.
   std::vector<std::string> warnings;
 };
 
@@ -35,7 +36,7 @@ private:
   std::vector<Shown> shown(const Surroundings& surroundings) const;
   using Pictures = std::vector<vtkSmartPointer<vtkImageData>>;
   /// One picture a side that is asked for.
-  Pictures draw(const Shown& shown, const Contents& contents, int width, Threads threads) const;
+  Pictures draw(const Shown& shown, const Contents& contents, int width, Surroundings& surroundings) const;
 
   std::vector<std::string> files_;
   std::string output_;
@@ -44,6 +45,8 @@ private:
   std::vector<std::string> views_;
   std::string beside_;
   scene::LayoutParts parts_{.regions = false};
+  std::string pose_;
+  bool stress_ = false;
   StageOptions stage_;
   double opacity_ = 1;
   SystemOptions system_;

@@ -6,13 +6,13 @@
 #include <cstdio>
 #include <numbers>
 #include <ostream>
+#include <utility>
 
 #include <CLI/CLI.hpp>
 
+#include "cli/interior.h"
 #include "cli/listing.h"
 #include "viscera/core/atomic_file.h"
-#include "viscera/core/error.h"
-#include "viscera/deformation/bind_witnesses.h"
 #include "viscera/medical_io/solid_file.h"
 
 namespace viscera::app::cli {
@@ -34,13 +34,12 @@ const char* nameOf(session::WitnessOrigin origin) {
 
 /// What is measured, at all points of the mesh: the witnesses first.
 struct Measured {
-  session::WitnessSample sample;
-  std::shared_ptr<const deformation::WitnessGradients> gradients;
+  Interior interior;
   Points posed; ///< The points in the pose, mm.
   deformation::StressMap map;
   deformation::StressStatistics statistics;
 
-  const deformation::WitnessMesh& mesh() const { return *sample.mesh; }
+  const deformation::WitnessMesh& mesh() const { return interior.mesh(); }
 };
 
 std::vector<std::uint8_t> foldedFlags(const deformation::StressMap& map) {
@@ -80,31 +79,16 @@ void writeCsv(const std::string& file, const Measured& measured) {
   });
 }
 
-Measured measure(const session::Organ& organ, const RigInput& rig, const Points& pose,
+Measured measure(Interior interior, const coordinates::HandleSet& handles, const Points& pose,
                  const coordinates::CoordinateSystem& system, const coordinates::BindOptions& options,
-                 const session::WitnessOptions& witnesses, Progress& progress) {
+                 Progress& progress) {
   Measured measured;
-  measured.sample = session::sampleWitnesses(*organ.mesh, witnesses, progress);
-  const Points& points = measured.mesh().points;
-  measured.gradients = deformation::bindWitnesses(system, rig.handles, points, options, progress);
-  system.bind(rig.handles, points, options, progress)->deform(pose, measured.posed, options.threads);
-  measured.gradients->evaluate(pose, measured.map, options.threads);
+  measured.interior = std::move(interior);
+  system.bind(handles, measured.mesh().points, options, progress)
+      ->deform(pose, measured.posed, options.threads);
+  measured.interior.gradients->evaluate(pose, measured.map, options.threads);
   measured.statistics = deformation::statisticsOf(measured.map, measured.mesh().witnesses);
   return measured;
-}
-
-/// Points outside the hull do not move and would pass for points without stress.
-void requireInside(const Measured& measured, std::vector<std::string>& warnings) {
-  const auto& failures = measured.gradients->failures();
-  const auto within = std::lower_bound(failures.begin(), failures.end(), measured.mesh().witnesses);
-  if (within != failures.begin())
-    throw DataError(std::to_string(within - failures.begin()) +
-                        " witness points have no coordinates (the first is number " +
-                        std::to_string(failures.front()) + ")",
-                    "handles", "enclose the organ: viscera handles ORGAN --enclosing");
-  if (!failures.empty())
-    warnings.push_back(std::to_string(failures.size()) +
-                       " points of the surface have no coordinates; they are shown at rest.");
 }
 
 Outcome outcomeOf(const Measured& measured, const std::string& organ, const std::string& system,
@@ -112,14 +96,14 @@ Outcome outcomeOf(const Measured& measured, const std::string& organ, const std:
   const auto& s = measured.statistics;
   const auto witnesses = measured.mesh().witnesses;
   const auto ratio = measured.map.volumeRatio.head(witnesses);
-  const std::string method = measured.gradients->closedForm() ? "analytic" : "differences";
+  const std::string method = measured.interior.gradients->closedForm() ? "analytic" : "differences";
   Outcome outcome;
   outcome.json = {{"organ", organ},
                   {"system", system},
                   {"witnesses", witnesses},
                   {"surfacePoints", measured.mesh().points.rows() - witnesses},
                   {"tetrahedra", measured.mesh().tetrahedra.rows()},
-                  {"sampling", nameOf(measured.sample.origin)},
+                  {"sampling", nameOf(measured.interior.sample.origin)},
                   {"folded", s.folded},
                   {"stressDegrees",
                    {{"min", kDegrees * s.min},
@@ -187,8 +171,9 @@ Outcome StressCommand::run(Surroundings& surroundings) {
   session::WitnessOptions witnesses = witnesses_;
   witnesses.memoryLimitBytes = static_cast<std::uint64_t>(memoryMb_ * 1024 * 1024);
   witnesses.threads = surroundings.threads;
-  const Measured measured = measure(organ, rig, pose, *system, options, witnesses, surroundings.progress);
-  requireInside(measured, warnings);
+  const Measured measured =
+      measure(interiorOf(organ, rig.handles, *system, options, witnesses, warnings, surroundings.progress),
+              rig.handles, pose, *system, options, surroundings.progress);
   surroundings.progress.throwIfCancelled();
   if (!output_.empty())
     writeVtu(output_, measured);
@@ -201,8 +186,7 @@ Outcome StressCommand::run(Surroundings& surroundings) {
     outcome.json["file"] = output_;
   if (!csv_.empty())
     outcome.json["csv"] = csv_;
-  for (const auto& more : {organ.warnings, measured.sample.remarks})
-    warnings.insert(warnings.end(), more.begin(), more.end());
+  warnings.insert(warnings.end(), organ.warnings.begin(), organ.warnings.end());
   outcome.warnings = std::move(warnings);
   return outcome;
 }

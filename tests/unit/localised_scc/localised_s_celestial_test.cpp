@@ -8,6 +8,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "gradient_check.h"
 #include "group_scenes.h"
 #include "viscera/coordinates/built_in_systems.h"
 #include "viscera/localised_scc/region_layout.h"
@@ -263,6 +264,21 @@ TEST_P(MeetingRegions, GradientsAgreeWithCentralDifferences) {
       EXPECT_LT((differences - exact).cwiseAbs().maxCoeff(), 1e-5 * (0.1 + exact.cwiseAbs().maxCoeff()));
     }
   }
+}
+
+TEST_P(MeetingRegions, GradientsAgreeWithFourthOrderDifferencesAtTenThousandPoints) {
+  const auto handles = tests::groupsOfBoxes(GetParam().boxes);
+  PointsInBoxes inside(GetParam().boxes, 13);
+  constexpr Eigen::Index kCount = 10'000 / 8; // In each of the eight arrangements.
+  Points points(kCount, 3);
+  Values steps(kCount);
+  for (Eigen::Index i = 0; i < kCount; ++i) {
+    points.row(i) = inside.next().transpose();
+    steps[i] = 2e-3 * (handles.positions.rowwise() - points.row(i)).rowwise().norm().minCoeff();
+  }
+  const auto check = tests::checkGradients(localised(), handles, points, steps, withOffset(6), 1e-6);
+  EXPECT_LT(check.worst, 1e-6);
+  EXPECT_LT(check.unsure, kCount / 20); // On the boundary of a zone, where the second derivative jumps.
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, MeetingRegions, testing::ValuesIn(tests::groupScenes()),
