@@ -238,6 +238,7 @@ void MainWindow::setMode(Mode mode) {
   stress_->setActive(mode == Mode::stress);
   charts_->setCurrentIndex(mode == Mode::stress ? 1 : 0);
   pages_->setCurrentIndex(static_cast<int>(mode));
+  syncDeformActions();
   for (const ModeDescription& description : modeDescriptions())
     if (description.mode == mode)
       status_->setHint(description.hint);

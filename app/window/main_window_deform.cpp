@@ -98,6 +98,9 @@ void MainWindow::makeMirrorActions() {
 }
 
 void MainWindow::syncDeformActions() {
+  // Their keys mean something else in other modes.
+  for (const char* id : {"handles.gizmo", "mirror.next"})
+    actions_[id]->setEnabled(mode_ == Mode::deform);
   const auto organ = workspace_.currentOrgan();
   actions_["volume.lock"]->setEnabled(organ != nullptr);
   actions_["volume.lock"]->setChecked(organ && organ->volumeLocked);

@@ -39,9 +39,9 @@ StressChart::StressChart(StressModel& model, QWidget* parent)
   chart_->setWindow(window);
   chart_->setAxes(tr("Time").toStdString(), "s", tr("Stress").toStdString(), "deg");
   chart_->setTimeSpan(kShownSeconds);
-  chart_->setLines({{tr("largest").toStdString(), kMaxColor, false, {}, false},
-                    {tr("95th percentile").toStdString(), kPercentileColor, false, {}, false},
-                    {tr("mean").toStdString(), kMeanColor, false, {}, false}});
+  chart_->setLines({{tr("largest").toStdString(), kMaxColor},
+                    {tr("95th percentile").toStdString(), kPercentileColor},
+                    {tr("mean").toStdString(), kMeanColor}});
   connect(&model, &StressModel::updated, this, &StressChart::refresh);
 }
 
