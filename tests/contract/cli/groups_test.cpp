@@ -49,7 +49,8 @@ protected:
 };
 
 TEST_F(CliGroups, SystemsNamesThePluginsFileAsTheSource) {
-  for (const json& system : runJson({"systems"})["systems"]) {
+  const json systems = runJson({"systems"});
+  for (const json& system : systems["systems"]) {
     if (system["id"] != "localised-s-celestial")
       continue;
     const std::string source = system["source"];

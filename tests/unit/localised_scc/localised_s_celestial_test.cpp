@@ -175,17 +175,22 @@ TEST(LocalisedSCelestial, IsTheSameToTheBitForAnyNumberOfThreads) {
 
 class MeetingRegions : public testing::TestWithParam<tests::GroupScene> {};
 
+using Segments = std::vector<std::pair<Vec3, Vec3>>;
+
 constexpr int kSegments = 10000;
 constexpr double kSegmentLength = 6; ///< mm: its pieces are far shorter than any offset.
 constexpr double kZoneOffset = 6;
+/// mm. At a handle that lies inside a super-region its coordinate has a cone, which only much shorter pieces
+/// resolve.
+constexpr double kCone = 2;
 
 /// Segments in random directions around random places in zones, or nearer to one than the offset.
-std::vector<std::pair<Vec3, Vec3>> segmentsThroughZones(const tests::GroupScene& scene) {
+Segments segmentsThroughZones(const tests::GroupScene& scene) {
   const RegionLayout layout(tests::groupsOfBoxes(scene.boxes), kZoneOffset);
   PointsInBoxes inside(scene.boxes, 11);
   std::mt19937 random(12);
   std::normal_distribution<double> normal;
-  std::vector<std::pair<Vec3, Vec3>> segments;
+  Segments segments;
   while (segments.size() < kSegments) {
     const Vec3 middle = inside.next();
     const auto shares = layout.shares(middle);
@@ -197,17 +202,19 @@ std::vector<std::pair<Vec3, Vec3>> segmentsThroughZones(const tests::GroupScene&
   return segments;
 }
 
-/// Largest change of any coordinate between neighbours on the segments cut into `steps` pieces.
-double largestJump(const tests::GroupScene& scene, int steps) {
+/// Largest change of any coordinate between neighbours on the segments cut into `steps` pieces. Points nearer
+/// to a handle than `away` do not count.
+double largestJump(const tests::GroupScene& scene, const Segments& segments, int steps, double away) {
   const auto handles = tests::groupsOfBoxes(scene.boxes);
   const PointsInBoxes inside(scene.boxes, 0);
   std::vector<Vec3> points;
   std::vector<bool> joined;
-  for (const auto& [a, b] : segmentsThroughZones(scene)) {
+  for (const auto& [a, b] : segments) {
     bool open = false;
     for (int i = 0; i <= steps; ++i) {
       const Vec3 p = a + (b - a) * i / steps;
-      const bool in = inside.inside(p);
+      const bool in = inside.inside(p) &&
+                      (handles.positions.rowwise() - p.transpose()).rowwise().norm().minCoeff() >= away;
       if (in) {
         points.push_back(p);
         joined.push_back(open);
@@ -227,9 +234,28 @@ double largestJump(const tests::GroupScene& scene, int steps) {
 }
 
 TEST_P(MeetingRegions, TheLargestJumpOnTenThousandSegmentsHalvesWithTheStep) {
-  const double coarse = largestJump(GetParam(), 25), fine = largestJump(GetParam(), 50);
+  const auto segments = segmentsThroughZones(GetParam());
+  const double coarse = largestJump(GetParam(), segments, 25, kCone);
+  const double fine = largestJump(GetParam(), segments, 50, kCone);
   EXPECT_GT(coarse, 0);
   EXPECT_LT(fine, 0.6 * coarse) << coarse << ", then " << fine;
+}
+
+TEST_P(MeetingRegions, TheLargestJumpHalvesAlsoBesideHandlesInsideASuperRegion) {
+  constexpr double kShort = 0.05;
+  const auto handles = tests::groupsOfBoxes(GetParam().boxes);
+  std::mt19937 random(13);
+  std::normal_distribution<double> normal;
+  const auto direction = [&] { return Vec3(normal(random), normal(random), normal(random)).normalized(); };
+  Segments segments;
+  for (int i = 0; i < 1000; ++i) {
+    const Vec3 handle = handles.positions.row(i % handles.positions.rows()).transpose();
+    const Vec3 middle = handle + kCone * direction(), half = kShort / 2 * direction();
+    segments.emplace_back(middle - half, middle + half);
+  }
+  const double coarse = largestJump(GetParam(), segments, 10, 0);
+  const double fine = largestJump(GetParam(), segments, 20, 0);
+  EXPECT_LE(fine, 0.6 * coarse) << coarse << ", then " << fine;
 }
 
 TEST_P(MeetingRegions, GradientsAgreeWithCentralDifferences) {
