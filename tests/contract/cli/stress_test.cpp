@@ -1,3 +1,4 @@
+#include <cmath>
 #include <sstream>
 
 #include <vtkDataArray.h>
@@ -96,7 +97,8 @@ TEST_F(CliStress, ReadsASampleOrganAndSaysWhenTheSurfaceWasRepaired) {
       {"stress", "sample:stomach@low", "--handles", handles, "--pose", handles, "--witnesses", "300"});
   EXPECT_LT(result["stressDegrees"]["max"], 1e-6);
   std::string open = cubeOff(10);
-  open.replace(open.find("8 12 0"), 6, "8 10 0"); // Without the last side.
+  open.replace(open.find("8 12 0"), 6, "8 10 0");
+  open.erase(open.find("3 1 3 7")); // Without the last side.
   const auto said =
       run({"stress", put("open.off", open), "--handles", rest_, "--pose", rest_, "--witnesses", "200"});
   EXPECT_EQ(said.exitCode, kOk) << said.err;
