@@ -15,6 +15,7 @@
 #include <vtkMapper.h>
 #include <vtkPlaneCollection.h>
 
+#include "viscera/scene/vtkVisceraHandleSetRepresentation.h"
 #include "viscera/session/stress_quantity.h"
 #include "window/stress/histogram.h"
 #include "window/stress/stress_mode.h"
@@ -96,11 +97,23 @@ protected:
     return window().findChild<Widget*>(QLatin1String(name));
   }
   QString label(const char* name) { return find<QLabel>(name)->text(); }
-  /// Drags a handle in front to the side.
+  /// Where a handle is that the mouse meets in the middle, not one that the cut half hides; null: nowhere.
+  QPoint freeHandle() {
+    auto* handles = view().view().handles();
+    for (int handle = 0; handle < handles->GetNumberOfHandles(); ++handle) {
+      const QPoint place = onScreen(handles->GetPosition(handle));
+      const double ratio = view().devicePixelRatioF();
+      if (view().rect().adjusted(80, 80, -80, -80).contains(place) &&
+          handles->Pick(qRound(ratio * place.x()), qRound(ratio * (view().height() - 1 - place.y()))) ==
+              handle)
+        return place;
+    }
+    return {};
+  }
+  /// Drags a handle to the side.
   void dragAHandle() {
-    const int handle = reachableHandle();
-    ASSERT_GE(handle, 0);
-    const QPoint from = onScreen(handleInView(handle));
+    const QPoint from = freeHandle();
+    ASSERT_FALSE(from.isNull());
     drag(from, from + QPoint(70, -30));
     waitForNumbers();
   }
@@ -247,8 +260,9 @@ TEST_F(StressModeTest, APlayingSequenceMovesTheMapAndIsRecorded) {
   const Values now = *model().values();
   window().actions()["stress.peak"]->trigger();
   ASSERT_TRUE(waitUntil([this] { return model().peakShown(); }));
+  const Eigen::Index witnesses = model().live().mesh()->witnesses;
   EXPECT_GE((*model().values() - now).minCoeff(), -0.2);
-  EXPECT_GT(model().summary().max, now.maxCoeff() - 0.2);
+  EXPECT_GT(model().summary().max, now.head(witnesses).maxCoeff() - 0.2);
   // Back to the own pose, which is at rest.
   window().actions()["stress.peak"]->trigger();
   QTest::mouseClick(find<QPushButton>("stressOwnPose"), Qt::LeftButton);
