@@ -245,10 +245,13 @@ void Comparison::linkCameras() {
 
 QString Comparison::volumesOf(int side) const {
   QStringList parts;
+  QStringList whole;
   for (const VolumeMonitor::Line& line : first_.volumes.lines())
     if (line.side == side)
-      parts.push_back(QStringLiteral("%1 %2").arg(line.name, formatMilliliters(line.nowMl)));
-  return parts.join(QStringLiteral("   "));
+      (line.cavity ? parts : whole)
+          .push_back(QStringLiteral("%1 %2").arg(line.name, formatMilliliters(line.nowMl)));
+  // The end is cut off where there is little room: cavities say more than the organ around them.
+  return (parts + whole).join(QStringLiteral("   "));
 }
 
 QString Comparison::titleOf(const Workspace& workspace, const Playback& playback) const {

@@ -8,7 +8,9 @@
 namespace viscera::app {
 namespace {
 constexpr int kHeight = 36;
-}
+/// Two of them leave the panels beside the views their width in a small window.
+constexpr int kNarrowest = 160;
+} // namespace
 
 SideHeader::SideHeader(const QString& letter, QWidget* parent)
     : QFrame(parent), row_(new QHBoxLayout(this)), title_(new QLabel(this)), phase_(new QLabel(this)),
@@ -16,10 +18,12 @@ SideHeader::SideHeader(const QString& letter, QWidget* parent)
   setObjectName(QStringLiteral("sideHeader"));
   setAttribute(Qt::WA_StyledBackground);
   setFixedHeight(kHeight);
+  setMinimumWidth(kNarrowest);
   row_->setContentsMargins(12, 0, 4, 0);
   row_->setSpacing(8);
   auto* badge = new QLabel(letter, this);
   badge->setObjectName(QStringLiteral("sideLetter"));
+  badge->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Maximum);
   QFont bold = title_->font();
   bold.setBold(true);
   badge->setFont(bold);
