@@ -78,9 +78,10 @@ void DeformCommand::keepVolume(deformation::Deformer& deformer, const RigInput& 
   deformation::restoreVolume(deformer, targetMl(deformer) * kMm3PerMl, compensating, model);
 }
 
-std::unique_ptr<deformation::RestorationModel> DeformCommand::restorationModel(
-    const session::Organ& organ, const RigInput& rig, const coordinates::CoordinateSystem& system,
-    const coordinates::BindOptions& options, std::vector<std::string>& warnings, Progress& progress) const {
+std::unique_ptr<deformation::RestorationModel>
+DeformCommand::model(const session::Organ& organ, const RigInput& rig,
+                     const coordinates::CoordinateSystem& system, const coordinates::BindOptions& options,
+                     std::vector<std::string>& warnings, Progress& progress) const {
   if (restore_ == kLeastDisplacement || (!lockVolume_ && !targetMl_))
     return std::make_unique<deformation::LeastDisplacement>();
   session::WitnessOptions witnesses;
@@ -104,8 +105,7 @@ Outcome DeformCommand::run(Surroundings& surroundings) {
       deformation::bindOrgan(*system, rig.handles, organ.mesh->points, options, surroundings.progress),
       rig.handles.positions, surroundings.threads);
   deformer.setPose(pose);
-  const auto restoration =
-      restorationModel(organ, rig, *system, options, outcome.warnings, surroundings.progress);
+  const auto restoration = model(organ, rig, *system, options, outcome.warnings, surroundings.progress);
   keepVolume(deformer, rig, organ, *restoration);
 
   const double restMl = deformer.restVolumeMm3() / kMm3PerMl;
