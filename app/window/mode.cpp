@@ -21,7 +21,8 @@ std::vector<ModeDescription> modeDescriptions() {
       {Mode::deform, "deform", "deform", 3, translated("Deform"),
        translated("Drag a handle and the organ follows; K locks the volume, T turns and scales, M mirrors")},
       {Mode::stress, "stress", "stress", 4, translated("Stress"),
-       translated("Click the tissue to see its values; C cuts the organ open; drag a handle, the map follows")},
+       translated(
+           "Click the tissue to see its values; C cuts the organ open; drag a handle, the map follows")},
       {Mode::play, "play", "beat", 5, translated("Play"),
        translated("Space plays or pauses; drag the timeline to look at one instant")},
   };

@@ -9,6 +9,11 @@ namespace viscera::app {
 /// What the mouse does in the view and which property page shows.
 enum class Mode { explore, handles, deform, stress, play };
 
+/// Whether a dragged handle makes a pose there, and leaves the rest shape as it is.
+constexpr bool posesHandles(Mode mode) {
+  return mode == Mode::deform || mode == Mode::stress;
+}
+
 /// A mode as the user meets it.
 struct ModeDescription {
   Mode mode = Mode::explore;

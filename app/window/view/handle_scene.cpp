@@ -169,7 +169,7 @@ void HandleScene::onGrabbed(const scene::HandleEvent& event) {
   const QString name = event.moving.size() > 1
                            ? tr("Move %n {handle|handles}", nullptr, static_cast<int>(event.moving.size()))
                            : tr("Move handle %1").arg(text(rig.handles[event.handle].label));
-  if (mode_ == Mode::deform)
+  if (posesHandles(mode_))
     beginPoseDrag(name, event);
   else
     workspace_.guarded([&] { workspace_.undo().beginStep(name.toStdString()); });
@@ -202,7 +202,7 @@ session::Command HandleScene::moveCommand(const std::vector<int>& rows) const {
 void HandleScene::onMoved(const scene::HandleEvent& event) {
   if (!editable())
     return;
-  if (mode_ == Mode::deform) {
+  if (posesHandles(mode_)) {
     poses_.translate(event.delta());
     // Where the handles are now, not where the cursor wanted them; and others that moved along.
     return syncPositions();
@@ -222,7 +222,7 @@ void HandleScene::onMoved(const scene::HandleEvent& event) {
 
 void HandleScene::onReleased() {
   view_.handles()->ClearConstraintPlane();
-  if (mode_ == Mode::deform)
+  if (posesHandles(mode_))
     poses_.finish();
   else
     workspace_.guarded([&] { workspace_.undo().endStep(); });
@@ -232,7 +232,7 @@ void HandleScene::onReleased() {
 
 void HandleScene::onCancelled() {
   view_.handles()->ClearConstraintPlane();
-  if (mode_ == Mode::deform)
+  if (posesHandles(mode_))
     poses_.cancel();
   else
     workspace_.guarded([&] { workspace_.undo().cancelStep(); });

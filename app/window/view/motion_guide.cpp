@@ -27,7 +27,7 @@ void MotionGuide::setMode(Mode mode) {
 void MotionGuide::syncConstraint() {
   const session::LockedMotion* motion = poses_.motion();
   const int held = view_.handles()->GetActiveHandle();
-  const Vec3 normal = motion && mode_ == Mode::deform ? motion->planeNormal() : Vec3(Vec3::Zero());
+  const Vec3 normal = motion && posesHandles(mode_) ? motion->planeNormal() : Vec3(Vec3::Zero());
   if (held >= 0 && normal.norm() > 0 && held < motion->pose().rows())
     view_.constraint().show(motion->pose().row(held).transpose(), normal);
   else

@@ -19,8 +19,9 @@ constexpr int kMostRounds = 6;
 /// Nodes along the longest side of the grids by which the volume is estimated, one after the other until one
 /// finds some inside.
 constexpr std::array<int, 3> kEstimates = {24, 50, 100};
-/// Grids larger than this are not tried: a wanted number that needs one is met as nearly as possible.
-constexpr double kMostNodes = 3e7;
+/// Grids of more nodes, or of more nodes a witness point, are not tried: where less than a hundredth of the
+/// box is inside, the wanted number is met as nearly as possible.
+constexpr double kManyNodes = 2e6, kMostNodesPerWitness = 100;
 /// Walks from a cell's low corner to its high one along the axes, one a tetrahedron: Kuhn's subdivision.
 constexpr std::array<std::array<int, 3>, 6> kWalks = {
     {{0, 1, 2}, {1, 2, 0}, {2, 0, 1}, {0, 2, 1}, {2, 1, 0}, {1, 0, 2}}};
@@ -122,7 +123,8 @@ WitnessMesh gridWitnesses(const geometry::TriangleMesh& surface, int wanted, Pro
   if (surface.triangles.rows() == 0 || !(extent.minCoeff() > kFlat * extent.maxCoeff()))
     throw DataError("the surface has no triangles or is flat, so it encloses nothing", "surface");
   const geometry::WindingNumber winding(surface);
-  const double finest = std::cbrt(std::max((box.high - box.low).prod(), 0.0) / kMostNodes);
+  const double mostNodes = std::max(kManyNodes, kMostNodesPerWitness * wanted);
+  const double finest = std::cbrt(extent.prod() / mostNodes);
   double spacing = std::cbrt(estimatedVolume(winding, box, progress, threads) / wanted);
   WitnessMesh best;
   for (int round = 0; round < kMostRounds; ++round) {
