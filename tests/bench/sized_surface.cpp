@@ -1,6 +1,8 @@
 #include "sized_surface.h"
 
+#include <algorithm>
 #include <array>
+#include <cstdint>
 #include <map>
 #include <queue>
 #include <stdexcept>
@@ -135,6 +137,42 @@ private:
   std::priority_queue<std::tuple<double, int, int>> longest_;
 };
 
+/// Bits of a coordinate in the order below.
+constexpr int kBits = 10;
+
+/// Where a point comes along a Z-shaped curve through the box.
+std::uint32_t placeOnCurve(const Vec3& inBox) {
+  std::uint32_t place = 0;
+  for (int bit = kBits - 1; bit >= 0; --bit)
+    for (int axis = 0; axis < 3; ++axis)
+      place = place << 1 | (static_cast<std::uint32_t>(inBox[axis] * ((1 << kBits) - 1)) >> bit & 1);
+  return place;
+}
+
+/// Neighbours in space become neighbours in memory, as contour filters leave them.
+geometry::TriangleMesh inOrder(const geometry::TriangleMesh& mesh) {
+  const Bounds box = boundsOf(mesh.points);
+  std::vector<std::pair<std::uint32_t, int>> order;
+  for (int i = 0; i < static_cast<int>(mesh.points.rows()); ++i)
+    order.emplace_back(
+        placeOnCurve((mesh.points.row(i).transpose() - box.low).cwiseQuotient(box.high - box.low)), i);
+  std::sort(order.begin(), order.end());
+  geometry::TriangleMesh sorted = mesh;
+  std::vector<int> placeOf(order.size());
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    sorted.points.row(static_cast<Eigen::Index>(i)) = mesh.points.row(order[i].second);
+    placeOf[static_cast<std::size_t>(order[i].second)] = static_cast<int>(i);
+  }
+  std::vector<std::array<int, 3>> triangles;
+  for (const auto& row : mesh.triangles.rowwise())
+    triangles.push_back({placeOf[static_cast<std::size_t>(row[0])], placeOf[static_cast<std::size_t>(row[1])],
+                         placeOf[static_cast<std::size_t>(row[2])]});
+  std::sort(triangles.begin(), triangles.end());
+  for (std::size_t i = 0; i < triangles.size(); ++i)
+    sorted.triangles.row(static_cast<Eigen::Index>(i)) << triangles[i][0], triangles[i][1], triangles[i][2];
+  return sorted;
+}
+
 } // namespace
 
 geometry::TriangleMesh withVertices(const geometry::TriangleMesh& mesh, Eigen::Index vertices) {
@@ -145,7 +183,7 @@ geometry::TriangleMesh withVertices(const geometry::TriangleMesh& mesh, Eigen::I
     throw std::runtime_error("the decimation did not leave a closed surface of the size wanted");
   EdgeHalver halver(start);
   halver.halveUntil(static_cast<std::size_t>(vertices));
-  return halver.mesh();
+  return inOrder(halver.mesh());
 }
 
 } // namespace viscera::bench

@@ -100,6 +100,11 @@ private:
   std::vector<std::uint8_t> inside_;
 };
 
+[[noreturn]] void refuseEmpty() {
+  throw DataError("the surface encloses nothing that witness points could lie in", "surface",
+                  "check that its triangles face outward and that its holes are small");
+}
+
 /// The volume inside, mm^3, from the first grid that finds any.
 double estimatedVolume(const geometry::WindingNumber& winding, const Bounds& box, Progress& progress,
                        Threads threads) {
@@ -109,8 +114,7 @@ double estimatedVolume(const geometry::WindingNumber& winding, const Bounds& box
     if (inside > 0)
       return static_cast<double>(inside) * std::pow(spacing, 3);
   }
-  throw DataError("the surface encloses nothing that witness points could lie in", "surface",
-                  "check that its triangles face outward and that its holes are small");
+  refuseEmpty();
 }
 
 } // namespace
@@ -139,6 +143,8 @@ WitnessMesh gridWitnesses(const geometry::TriangleMesh& surface, int wanted, Pro
     // Halved where the grid missed everything.
     spacing *= count > 0 ? std::cbrt(static_cast<double>(count) / wanted) : 0.5;
   }
+  if (best.tetrahedra.rows() == 0)
+    refuseEmpty();
   requireUsable(best, "grid inside the surface");
   progress.report(1);
   return best;
