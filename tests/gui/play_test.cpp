@@ -7,6 +7,7 @@
 #include <QTest>
 
 #include "viscera/organs/sample_organ.h"
+#include "viscera/session/organ_commands.h"
 #include "window/timeline/phase_scrubber.h"
 #include "window/timeline/volume_panel.h"
 
@@ -204,6 +205,23 @@ TEST_F(PlayMode, WavesTravelDownTheStomachAndUndoBringsBackTheHeartWithItsMotion
   EXPECT_EQ(window().playback().sequence(), first);
   key(Qt::Key_Space);
   EXPECT_TRUE(window().playback().player().playing());
+}
+
+TEST_F(PlayMode, ALockedVolumeStaysWhileTheSequencePlays) {
+  window().playback().seek(0.5);
+  const double lost = volumeOf("Heart") - document().organs().front()->restVolumeMm3 / kMm3PerMl;
+  EXPECT_LT(lost, -20) << "the heart is smallest at the end of systole";
+  window().playback().stop();
+  ASSERT_TRUE(window().workspace().perform(session::setVolumeLocked(document().organs().front()->id, true)));
+  settle();
+  const double before = volumeOf("Heart");
+  const double ventricle = volumeOf("LV");
+  for (const double fraction : {0.1, 0.3, 0.5, 0.8}) {
+    window().playback().seek(fraction);
+    EXPECT_NEAR(volumeOf("Heart") / before, 1, 1e-9) << fraction << ' ' << message().toStdString();
+  }
+  window().playback().seek(0.5);
+  EXPECT_LT(volumeOf("LV"), 0.7 * ventricle) << "its cavity is not locked";
 }
 
 } // namespace

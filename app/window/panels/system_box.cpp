@@ -31,7 +31,10 @@ ValueSlider::Range rangeOf(const coordinates::Parameter& parameter, double bound
   const double step = stepFor(parameter, maximum);
   const int decimals = std::max(0, static_cast<int>(-std::floor(std::log10(step) + 0.5)));
   const QString unit = parameter.unit.empty() ? QString() : QLatin1Char(' ') + text(parameter.unit);
-  const double top = std::isfinite(bound) ? step * std::ceil(maximum / step) : maximum;
+  if (!std::isfinite(bound))
+    return {parameter.minimum, maximum, step, decimals, unit};
+  // Ends that move with the handles stay on the steps, or the slider would pull the value along.
+  const double top = step * std::ceil(maximum / step);
   return {step * std::ceil(parameter.minimum / step), std::min(top, parameter.maximum), step, decimals, unit};
 }
 

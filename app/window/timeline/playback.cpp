@@ -1,5 +1,6 @@
 #include "window/timeline/playback.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "viscera/session/rig_commands.h"
@@ -13,7 +14,8 @@ constexpr std::size_t kMostMotions = 8;
 } // namespace
 
 Playback::Playback(Workspace& workspace, session::Player::Clock clock, QObject* parent)
-    : QObject(parent), workspace_(workspace), player_(std::move(clock)) {
+    : QObject(parent), workspace_(workspace), player_(std::move(clock)),
+      keeper_(workspace.document(), workspace.live()) {
   frames_.setTimerType(Qt::PreciseTimer);
   frames_.setInterval(kFrameMilliseconds);
   connect(&frames_, &QTimer::timeout, this, &Playback::advance);
@@ -268,9 +270,26 @@ void Playback::stop() {
 void Playback::showPose() {
   workspace_.guarded([this] {
     player_.pose(pose_);
-    workspace_.live().showPose(pose_);
+    const auto& organs = workspace_.document().organs();
+    const bool locked =
+        std::any_of(organs.begin(), organs.end(), [](const auto& o) { return o->volumeLocked; });
+    if (locked && !workspace_.live().busy())
+      showKept();
+    else
+      workspace_.live().showPose(pose_);
   });
   Q_EMIT advanced();
+}
+
+/// The pose with locked volumes kept; where they cannot be kept, the last one in which they could stays.
+void Playback::showKept() {
+  const auto kept = keeper_.keep(pose_);
+  if (kept.restored)
+    workspace_.live().showPose(kept.pose);
+  else if (!outOfReach_)
+    workspace_.report(DataError("the locked volume cannot be kept here: " + kept.reason, sequence()->name(),
+                                "unlock it, or let more handles compensate"));
+  outOfReach_ = !kept.restored;
 }
 
 } // namespace viscera::app

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "viscera/session/player.h"
+#include "viscera/session/volume_keeper.h"
 #include "window/mode.h"
 #include "window/workspace.h"
 
@@ -89,6 +90,7 @@ private:
   bool look(double fraction);
   void lookAtSecond(double seconds);
   void showPose();
+  void showKept();
   void showWhatModeWants();
   void offerOwnHandles();
 
@@ -96,6 +98,8 @@ private:
   session::Player player_;
   std::vector<Motion> known_; ///< Also those whose organ is gone: undo may bring it back.
   Motion present_;
+  session::VolumeKeeper keeper_;
+  bool outOfReach_ = false; ///< It was said that a locked volume cannot be kept.
   Mode mode_ = Mode::explore;
   bool started_ = false;
   bool driven_ = false; ///< It is a follower: another playback says when the time goes on.

@@ -226,7 +226,6 @@ void VolumePanel::syncNormals() {
     chart_->setBands(static_cast<int>(line), std::move(bands));
   }
   source_->setFullText(normalsText());
-  source_->setVisible(!source_->fullText().isEmpty());
 }
 
 QString VolumePanel::normalsText() const {
@@ -286,6 +285,7 @@ void VolumePanel::refresh() {
   for (std::size_t line = 0; cycle && line < tiles_.size(); ++line)
     anything = anything || monitor_.cycle(line).seen() >= 1;
   stack_->setCurrentIndex(anything ? 1 : 0);
+  source_->setVisible(anything && !dragsShown() && !source_->fullText().isEmpty());
   cycle ? drawCycle() : drawRecord();
   chart_->update();
   chartWidget_->renderWindow()->Render();

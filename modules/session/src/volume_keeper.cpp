@@ -126,6 +126,15 @@ LockedMotion VolumeKeeper::begin(const std::vector<HandleId>& handles,
   return LockedMotion(std::move(setup));
 }
 
+deformation::RestoredPose VolumeKeeper::keep(const Points& wanted) {
+  const auto organs = lockedOrgans();
+  const auto lock = lockOf(organs);
+  if (!lock)
+    return {wanted, true, 0, 0, {}};
+  takeTargets(*lock, organs);
+  return lock->restore(wanted, compensating({}), deformation::LeastDisplacement(), limitMm());
+}
+
 Points VolumeKeeper::poseOfVolume(OrganId id, double targetMm3) {
   const auto organ = document_.organ(id);
   if (!organ)

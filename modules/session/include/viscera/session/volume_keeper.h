@@ -39,6 +39,11 @@ public:
   /// organ follows no handles.
   Points poseOfVolume(OrganId organ, double targetMm3);
 
+  /// What a pose that is not a drag (a sequence's) becomes under the locks: the compensating handles, or all
+  /// that are free, move as little as the volumes need. The volumes are those in the document's pose.
+  /// `restored` is false, with the reason, where that is too far. Throws as `begin`.
+  deformation::RestoredPose keep(const Points& wanted);
+
   /// The rows of the handles that would mirror these, or -1.
   std::vector<int> partners(const std::vector<HandleId>& handles,
                             const deformation::MirrorPlane& mirror) const;
