@@ -58,7 +58,8 @@ TEST_P(TetGenOnOrgans, FillsEverySurfaceWithoutChangingIt) {
 INSTANTIATE_TEST_SUITE_P(Every, TetGenOnOrgans,
                          testing::Combine(testing::Values("heart", "stomach", "liver", "kidney_left",
                                                           "kidney_right", "digestive_system"),
-                                          testing::Values(Resolution::low, Resolution::medium)),
+                                          testing::Values(Resolution::low, Resolution::medium,
+                                                          Resolution::high)),
                          nameOfCase);
 
 } // namespace

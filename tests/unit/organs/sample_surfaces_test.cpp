@@ -40,12 +40,12 @@ const std::map<std::string, std::map<std::string, Expected>>& expectedOrgans() {
   return organs;
 }
 
-class SampleSurfaces : public testing::TestWithParam<std::pair<std::string, Resolution>> {};
+class SampleSurfaces : public testing::TestWithParam<std::tuple<std::string, Resolution>> {};
 
 std::string nameOfCase(const testing::TestParamInfo<SampleSurfaces::ParamType>& info) {
-  std::string organ = info.param.first;
+  std::string organ = std::get<0>(info.param);
   organ.erase(std::remove(organ.begin(), organ.end(), '_'), organ.end());
-  return organ + "_" + organs::nameOf(info.param.second);
+  return organ + "_" + organs::nameOf(std::get<1>(info.param));
 }
 
 void expectClosedOrgan(const organs::SampleSurface& surface, const Expected& expected,
@@ -83,14 +83,9 @@ TEST_P(SampleSurfaces, AreClosedManifoldOutwardOfTheRightSizeAndDoNotIntersectTh
 }
 
 INSTANTIATE_TEST_SUITE_P(Every, SampleSurfaces,
-                         testing::Values(std::pair{"heart", kLow}, std::pair{"heart", kMedium},
-                                         std::pair{"heart", kHigh}, std::pair{"stomach", kLow},
-                                         std::pair{"stomach", kMedium}, std::pair{"liver", kLow},
-                                         std::pair{"liver", kMedium}, std::pair{"kidney_left", kLow},
-                                         std::pair{"kidney_left", kMedium}, std::pair{"kidney_right", kLow},
-                                         std::pair{"kidney_right", kMedium},
-                                         std::pair{"digestive_system", kLow},
-                                         std::pair{"digestive_system", kMedium}),
+                         testing::Combine(testing::Values("heart", "stomach", "liver", "kidney_left",
+                                                          "kidney_right", "digestive_system"),
+                                          testing::Values(kLow, kMedium, kHigh)),
                          nameOfCase);
 
 TEST(SampleOrgans, AreAllChecked) {
