@@ -97,7 +97,8 @@ TEST_F(Recordings, CancelLeavesNothing) {
   }));
   auto* cross = window().findChild<QAbstractButton*>(QStringLiteral("cancelJob"));
   ASSERT_NE(cross, nullptr);
-  EXPECT_TRUE(cross->isVisible()) << "progress is in the status bar";
+  // The status bar hears of the progress a moment after the job has made it.
+  ASSERT_TRUE(waitUntil([cross] { return cross->isVisible(); })) << "progress is in the status bar";
   QTest::mouseClick(cross, Qt::LeftButton);
   ASSERT_TRUE(recorded());
   EXPECT_TRUE(QDir(folder).isEmpty());
