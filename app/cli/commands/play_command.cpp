@@ -14,6 +14,7 @@
 #include "viscera/medical_io/handle_file.h"
 #include "viscera/scene/contact_sheet.h"
 #include "viscera/scene/movie_writer.h"
+#include "viscera/scene/picture.h"
 #include "viscera/session/cardiac_indices.h"
 #include "viscera/session/open_files.h"
 #include "viscera/session/sequence_setup.h"

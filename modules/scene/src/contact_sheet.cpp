@@ -4,16 +4,12 @@
 #include <cstddef>
 
 #include <vtkImageData.h>
-#include <vtkNew.h>
-#include <vtkPNGWriter.h>
 
-#include "viscera/core/atomic_file.h"
 #include "viscera/core/error.h"
 
 namespace viscera::scene {
 namespace {
 
-constexpr int kBestCompression = 9;
 constexpr int kChannels = 3;
 
 const unsigned char* rowOf(vtkImageData* picture, int y) {
@@ -50,20 +46,6 @@ vtkSmartPointer<vtkImageData> contactSheet(const std::vector<vtkSmartPointer<vtk
           std::copy_n(ground, kChannels, to + kChannels * x);
     }
   return sheet;
-}
-
-void writeSmallPng(const std::filesystem::path& file, vtkImageData* picture) {
-  AtomicFile output(file);
-  vtkNew<vtkPNGWriter> writer;
-  writer->SetInputData(picture);
-  writer->SetFileName(output.temporary().c_str());
-  writer->SetCompressionLevel(kBestCompression);
-  writer->GlobalWarningDisplayOff();
-  writer->Write();
-  if (writer->GetErrorCode() != 0)
-    throw CannotCreateError("the picture cannot be written", file.string(),
-                            "check that there is room on the disk");
-  output.commit();
 }
 
 } // namespace viscera::scene

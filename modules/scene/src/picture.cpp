@@ -17,7 +17,21 @@ namespace viscera::scene {
 namespace {
 
 /// Level 1 is three times as fast as zlib's default and a few per cent larger.
-constexpr int kPngCompression = 1;
+constexpr int kFastCompression = 1, kBestCompression = 9;
+
+void write(const std::filesystem::path& file, vtkImageData* picture, int compression) {
+  AtomicFile output(file);
+  vtkNew<vtkPNGWriter> writer;
+  writer->SetInputData(picture);
+  writer->SetFileName(output.temporary().c_str());
+  writer->SetCompressionLevel(compression);
+  writer->GlobalWarningDisplayOff();
+  writer->Write();
+  if (writer->GetErrorCode() != 0)
+    throw CannotCreateError("the picture cannot be written", file.string(),
+                            "check that there is room on the disk");
+  output.commit();
+}
 
 } // namespace
 
@@ -36,17 +50,11 @@ vtkSmartPointer<vtkImageData> grabPicture(vtkRenderWindow* window) {
 }
 
 void writePng(const std::filesystem::path& file, vtkImageData* picture) {
-  AtomicFile output(file);
-  vtkNew<vtkPNGWriter> writer;
-  writer->SetInputData(picture);
-  writer->SetFileName(output.temporary().c_str());
-  writer->SetCompressionLevel(kPngCompression);
-  writer->GlobalWarningDisplayOff();
-  writer->Write();
-  if (writer->GetErrorCode() != 0)
-    throw CannotCreateError("the picture cannot be written", file.string(),
-                            "check that there is room on the disk");
-  output.commit();
+  write(file, picture, kFastCompression);
+}
+
+void writeSmallPng(const std::filesystem::path& file, vtkImageData* picture) {
+  write(file, picture, kBestCompression);
 }
 
 void savePicture(vtkRenderWindow* window, const std::filesystem::path& file) {

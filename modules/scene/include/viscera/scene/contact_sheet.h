@@ -1,6 +1,5 @@
 #pragma once
 
-#include <filesystem>
 #include <vector>
 
 #include <vtkSmartPointer.h>
@@ -15,8 +14,5 @@ namespace viscera::scene {
 /// sizes.
 vtkSmartPointer<vtkImageData> contactSheet(const std::vector<vtkSmartPointer<vtkImageData>>& pictures,
                                            int columns);
-
-/// Writes a PNG as small as zlib makes it, for pictures that are kept. As `writePng` otherwise.
-void writeSmallPng(const std::filesystem::path& file, vtkImageData* picture);
 
 } // namespace viscera::scene

@@ -18,6 +18,9 @@ vtkSmartPointer<vtkImageData> grabPicture(vtkRenderWindow* window);
 /// from any thread with a picture of its own.
 void writePng(const std::filesystem::path& file, vtkImageData* picture);
 
+/// Writes a PNG as small as zlib makes it, for pictures that are kept. As `writePng` otherwise.
+void writeSmallPng(const std::filesystem::path& file, vtkImageData* picture);
+
 /// Renders and writes in one call.
 void savePicture(vtkRenderWindow* window, const std::filesystem::path& file);
 
