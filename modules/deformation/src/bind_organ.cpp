@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "viscera/core/error.h"
+#include "viscera/deformation/tetrahedralise.h"
 #include "viscera/geometry/convex_hull.h"
 
 namespace viscera::deformation {
@@ -46,7 +47,8 @@ UnboundVertices::UnboundVertices(std::vector<int> vertices, int outsideHull, boo
 std::shared_ptr<const coordinates::Binding>
 bindOrgan(const coordinates::CoordinateSystem& system, const coordinates::HandleSet& handles,
           const Points& organPoints, const coordinates::BindOptions& options, Progress& progress) {
-  std::shared_ptr<const coordinates::Binding> binding = system.bind(handles, organPoints, options, progress);
+  std::shared_ptr<const coordinates::Binding> binding =
+      system.bind(handles, organPoints, withTetgen(options), progress);
   if (!binding->report().failures.empty())
     refuse(handles, system.traits().usesGroups && !handles.groups.empty(), organPoints,
            binding->report().failures);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <cstring>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -137,6 +138,47 @@ void emptyCavities(Filling& filling, const geometry::TriangleMesh& surface) {
     unusable("all of it is a cavity");
 }
 
+/// Lexicographic order of rows, for looking points up by their bits.
+struct RowsInOrder {
+  const Points& points;
+  bool operator()(Eigen::Index a, Eigen::Index b) const {
+    return std::lexicographical_compare(points.row(a).begin(), points.row(a).end(), points.row(b).begin(),
+                                        points.row(b).end());
+  }
+};
+
+/// The points of the surface first and in their order, as coordinate systems want them.
+coordinates::SolidMesh solidOf(const geometry::TriangleMesh& surface, const WitnessMesh& mesh) {
+  coordinates::SolidMesh solid;
+  const Eigen::Index known = surface.points.rows();
+  Points both(known + mesh.points.rows(), 3);
+  both << surface.points, mesh.points;
+  std::vector<Eigen::Index> order(static_cast<std::size_t>(both.rows()));
+  std::iota(order.begin(), order.end(), 0);
+  const RowsInOrder before{both};
+  std::stable_sort(order.begin(), order.end(), before);
+  std::vector<Eigen::Index> names(static_cast<std::size_t>(mesh.points.rows()), -1);
+  Eigen::Index found = 0;
+  for (std::size_t i = 0; i + 1 < order.size(); ++i)
+    if (order[i] < known && order[i + 1] >= known && !before(order[i], order[i + 1])) {
+      names[static_cast<std::size_t>(order[i + 1] - known)] = order[i];
+      ++found;
+    }
+  if (found != known)
+    unusable(std::to_string(known - found) + " of the given points are not in it");
+  solid.points.resize(mesh.points.rows(), 3);
+  Eigen::Index next = known;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (names[i] < 0)
+      names[i] = next++;
+    solid.points.row(names[i]) = mesh.points.row(static_cast<Eigen::Index>(i));
+  }
+  solid.tetrahedra = mesh.tetrahedra.unaryExpr([&](std::int32_t corner) {
+    return static_cast<std::int32_t>(names[static_cast<std::size_t>(corner)]);
+  });
+  return solid;
+}
+
 /// Puts the points that are not on the skin in front and drops those that no tetrahedron uses.
 WitnessMesh ordered(const Filling& filling) {
   enum Use : char { unused, within, onSkin };
@@ -208,6 +250,16 @@ WitnessMesh tetrahedralise(const geometry::TriangleMesh& surface, const Tetrahed
   if (mesh.witnesses > 0) // None is right for a coarse surface; whoever asked decides.
     requireUsable(mesh, "TetGen's tetrahedra");
   return mesh;
+}
+
+coordinates::BindOptions withTetgen(coordinates::BindOptions options) {
+  if (!options.tetrahedralise)
+    options.tetrahedralise = [](const geometry::TriangleMesh& surface, double volumeMm3, Progress& progress) {
+      TetrahedraOptions tetgen;
+      tetgen.maxVolumeMm3 = volumeMm3;
+      return solidOf(surface, tetrahedralise(surface, tetgen, progress));
+    };
+  return options;
 }
 
 } // namespace viscera::deformation

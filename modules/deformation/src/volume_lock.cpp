@@ -236,7 +236,10 @@ RestoredPose VolumeLock::restore(const Points& wanted, const std::vector<int>& f
     return fail("no handle is left to compensate the change of volume");
   if (left > kRoundingOfVolume && surfaces_.size() == 1) {
     pose += model.relaxation(pose, gradient(0, pose), free);
-    const Points direction = model.direction(pose, gradient(0, pose), free);
+    Points direction = model.direction(pose, gradient(0, pose), free);
+    // A step of a millimetre: where points are not linear in the pose, the cubic is what holds near by.
+    if (const double longest = longestRow(direction); longest > 0)
+      direction /= longest;
     const double step = cubicStep(pose, direction, limitMm);
     if (!std::isfinite(step))
       return fail("no compensation within " + std::to_string(std::lround(limitMm)) +

@@ -34,19 +34,21 @@ StressStatistics statisticsOf(const StressMap& map, Eigen::Index count) {
   return statistics;
 }
 
-WitnessGradients::WitnessGradients(Eigen::Index witnesses, Eigen::Index handles)
-    : witnesses_(witnesses), handles_(handles), failed_(static_cast<std::size_t>(witnesses), false),
-      data_(static_cast<std::size_t>((witnesses + kTile - 1) / kTile * kTile * handles * 3), 0.0) {}
+WitnessGradients::WitnessGradients(Eigen::Index witnesses, Eigen::Index handles,
+                                   std::shared_ptr<const coordinates::PoseLift> lift)
+    : witnesses_(witnesses), handles_(handles), lift_(std::move(lift)),
+      rows_(lift_ ? lift_->rowCount() : handles), failed_(static_cast<std::size_t>(witnesses), false),
+      data_(static_cast<std::size_t>((witnesses + kTile - 1) / kTile * kTile * rows_ * 3), 0.0) {}
 
 WitnessGradients::WitnessGradients(const coordinates::CoordinateGradients& gradients, Eigen::Index witnesses,
                                    Eigen::Index handles)
-    : WitnessGradients(witnesses, handles) {
+    : WitnessGradients(witnesses, handles, gradients.lift) {
   put(0, gradients, witnesses);
 }
 
 void WitnessGradients::put(Eigen::Index begin, const coordinates::CoordinateGradients& gradients,
                            Eigen::Index count) {
-  assert(gradients.values.rows() == count * handles_ && begin + count <= witnesses_);
+  assert(gradients.values.rows() == count * rows_ && begin + count <= witnesses_);
   closedForm_ = closedForm_ && gradients.closedForm;
   for (const int failure : gradients.failures) {
     failures_.push_back(static_cast<int>(begin) + failure);
@@ -54,10 +56,10 @@ void WitnessGradients::put(Eigen::Index begin, const coordinates::CoordinateGrad
   }
   for (Eigen::Index i = 0; i < count; ++i) {
     const Eigen::Index w = begin + i;
-    for (Eigen::Index h = 0; h < handles_; ++h)
+    for (Eigen::Index row = 0; row < rows_; ++row)
       for (Eigen::Index axis = 0; axis < 3; ++axis)
-        data_[static_cast<std::size_t>(((w / kTile * handles_ + h) * 3 + axis) * kTile + w % kTile)] =
-            gradients.values(i * handles_ + h, axis);
+        data_[static_cast<std::size_t>(((w / kTile * rows_ + row) * 3 + axis) * kTile + w % kTile)] =
+            gradients.values(i * rows_ + row, axis);
   }
 }
 
@@ -65,11 +67,12 @@ Eigen::Matrix3d WitnessGradients::deformationGradient(Eigen::Index witness, cons
   if (failed_[static_cast<std::size_t>(witness)])
     return Eigen::Matrix3d::Identity();
   const double* from = tile(witness / kTile) + witness % kTile;
+  const Points rows = lifted(pose);
   Eigen::Matrix3d m = Eigen::Matrix3d::Zero();
-  for (Eigen::Index h = 0; h < handles_; ++h, from += 3 * kTile)
+  for (Eigen::Index h = 0; h < rows_; ++h, from += 3 * kTile)
     for (int row = 0; row < 3; ++row)
       for (int axis = 0; axis < 3; ++axis)
-        m(row, axis) += pose(h, row) * from[axis * kTile];
+        m(row, axis) += rows(h, row) * from[axis * kTile];
   return m;
 }
 
@@ -80,13 +83,14 @@ void WitnessGradients::evaluate(const Points& pose, StressMap& map, Threads thre
   for (Values* values : {&map.rotationalStress, &map.volumeRatio, &map.stretchMax, &map.stretchMin})
     values->resize(witnesses_);
   // About a fixed handle: the gradients add up to zero, so the origin cancels, and the sums stay small.
-  const Points local = pose.rowwise() - pose.row(0);
+  Points local = lifted(pose);
+  local.topRows(handles_).rowwise() -= pose.row(0);
   const Eigen::Index tiles = (witnesses_ + kTile - 1) / kTile;
   parallelRanges(tiles, kTilesATime, threads, [&](Eigen::Index begin, Eigen::Index end) {
     for (Eigen::Index t = begin; t < end; ++t) {
       alignas(64) double m[9][kTile] = {};
       const double* from = tile(t);
-      for (Eigen::Index h = 0; h < handles_; ++h, from += 3 * kTile)
+      for (Eigen::Index h = 0; h < rows_; ++h, from += 3 * kTile)
         for (int row = 0; row < 3; ++row) {
           const double v = local(h, row);
           for (int axis = 0; axis < 3; ++axis)

@@ -7,7 +7,9 @@
 #include "viscera/coordinates/binding.h"
 #include "viscera/coordinates/handle_set.h"
 #include "viscera/coordinates/parameters.h"
+#include "viscera/coordinates/pose_lift.h"
 #include "viscera/coordinates/space_layout.h"
+#include "viscera/coordinates/tetrahedraliser.h"
 #include "viscera/core/progress.h"
 
 namespace viscera::coordinates {
@@ -15,7 +17,7 @@ namespace viscera::coordinates {
 /// What a user can expect of a system, as badges and for choosing what to offer.
 struct Traits {
   bool needsCage = false;          ///< Wants `HandleSet::cage`.
-  bool needsTetrahedra = false;    ///< Fills the organ with tetrahedra first.
+  bool needsTetrahedra = false;    ///< Wants `BindOptions::tetrahedralise`, and takes seconds to prepare.
   bool positive = false;           ///< No coordinate is ever negative.
   bool interpolates = false;       ///< A point at a handle follows it exactly.
   bool closedFormGradient = false; ///< `CoordinateGradients` without differences.
@@ -33,12 +35,17 @@ struct CoordinateGradients {
   Points values;
   std::vector<int> failures;
   bool closedForm = false; ///< False: central differences.
+  /// Where a pose is lifted before it is summed, `values` has as many rows a point as a lifted pose.
+  std::shared_ptr<const PoseLift> lift;
 };
 
 /// Values, threads: everything about a binding that is not geometry.
 struct BindOptions {
   ParameterValues parameters;
   Threads threads;
+  /// For systems whose traits say `needsTetrahedra`; empty: they throw a `UsageError` that says so.
+  /// `deformation` brings TetGen's.
+  Tetrahedraliser tetrahedralise = {};
 };
 
 /// A recipe for coordinates. Stateless; every member may be called from several threads.

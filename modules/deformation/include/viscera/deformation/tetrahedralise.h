@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <string>
 
+#include "viscera/coordinates/coordinate_system.h"
 #include "viscera/core/error.h"
 #include "viscera/core/progress.h"
 #include "viscera/deformation/witness_mesh.h"
@@ -51,5 +52,8 @@ std::filesystem::path installedTetgenWorker();
 /// for an invalid mesh. Thread-safe. The same input gives the same mesh.
 WitnessMesh tetrahedralise(const geometry::TriangleMesh& surface, const TetrahedraOptions& options,
                            Progress& progress);
+
+/// `options` with TetGen as the one who makes tetrahedra, where they name nobody: 60 s and 2 GB at most.
+coordinates::BindOptions withTetgen(coordinates::BindOptions options);
 
 } // namespace viscera::deformation

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "viscera/coordinates/coordinate_system.h"
@@ -38,8 +39,10 @@ public:
   WitnessGradients(const coordinates::CoordinateGradients& gradients, Eigen::Index witnesses,
                    Eigen::Index handles);
 
-  /// For `witnesses` points that `put` brings in portions; until then their derivatives are zero.
-  WitnessGradients(Eigen::Index witnesses, Eigen::Index handles);
+  /// For `witnesses` points that `put` brings in portions; until then their derivatives are zero. `lift` as
+  /// that of the gradients that will come.
+  WitnessGradients(Eigen::Index witnesses, Eigen::Index handles,
+                   std::shared_ptr<const coordinates::PoseLift> lift = {});
 
   /// Fills in the points [begin, begin + count), whose numbers in the failures of `gradients` begin with 0.
   /// Portions come in ascending order.
@@ -53,7 +56,8 @@ public:
   /// The deformation gradient of one witness at `pose` (`handles x 3`, mm). O(handles).
   Eigen::Matrix3d deformationGradient(Eigen::Index witness, const Points& pose) const;
 
-  /// The derivative of one handle's coordinate at one witness, 1/mm.
+  /// The derivative of one handle's coordinate at one witness, 1/mm. Where poses are lifted this is not all
+  /// of what the handle does there.
   Vec3 gradient(Eigen::Index witness, Eigen::Index handle) const {
     const double* from = tile(witness / kTile) + 3 * kTile * handle + witness % kTile;
     return {from[0], from[kTile], from[2 * kTile]};
@@ -67,14 +71,17 @@ public:
 
 private:
   static constexpr Eigen::Index kTile = 16;
-  const double* tile(Eigen::Index index) const { return data_.data() + index * handles_ * 3 * kTile; }
+  const double* tile(Eigen::Index index) const { return data_.data() + index * rows_ * 3 * kTile; }
+  Points lifted(const Points& pose) const { return lift_ ? lift_->lift(pose) : pose; }
 
   Eigen::Index witnesses_;
   Eigen::Index handles_;
+  std::shared_ptr<const coordinates::PoseLift> lift_;
+  Eigen::Index rows_; ///< Of a lifted pose; `handles_` where there is no lift.
   bool closedForm_ = true;
   std::vector<int> failures_;
   std::vector<bool> failed_;
-  std::vector<double> data_; ///< Tiles of 16 witnesses: handle by handle, x, y, z of the 16 gradients.
+  std::vector<double> data_; ///< Tiles of 16 witnesses: row by row, x, y, z of the 16 gradients.
 };
 
 } // namespace viscera::deformation
