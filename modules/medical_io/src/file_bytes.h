@@ -45,6 +45,11 @@ inline std::uint64_t saturatedProduct(std::uint64_t count, std::uint64_t size) {
   return size != 0 && count > UINT64_MAX / size ? UINT64_MAX : count * size;
 }
 
+/// `a + b`, or the largest number when that is too large.
+inline std::uint64_t saturatedSum(std::uint64_t a, std::uint64_t b) {
+  return a > UINT64_MAX - b ? UINT64_MAX : a + b;
+}
+
 /// One value of type T at `data`, which may be unaligned, in the byte order given.
 template <typename T>
 T loadValue(const char* data, std::endian order) {

@@ -67,6 +67,8 @@ Signature binarySignature(const FileBytes& file, std::string_view begin) {
     return Signature::dicom;
   if (begin.size() >= 348 && (begin.substr(344, 4) == "n+1\0"sv || begin.substr(344, 4) == "ni1\0"sv))
     return Signature::nifti;
+  if (begin.size() >= 540 && (begin.substr(4, 3) == "n+2" || begin.substr(4, 3) == "ni2"))
+    return Signature::nifti;
   return isBinaryStl(file) ? Signature::stl : Signature::unknown;
 }
 

@@ -6,8 +6,6 @@
 #include <numeric>
 #include <vector>
 
-#include <vtkCellArray.h>
-#include <vtkCellArrayIterator.h>
 #include <vtkFloatArray.h>
 #include <vtkFlyingEdges3D.h>
 #include <vtkImageData.h>
@@ -15,8 +13,8 @@
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
 #include <vtkQuadricDecimation.h>
-#include <vtkWindowedSincPolyDataFilter.h>
 
+#include "smooth_surface.h"
 #include "viscera/core/error.h"
 #include "viscera/geometry/clean_surface.h"
 #include "viscera/geometry/signed_distance_grid.h"
@@ -36,23 +34,6 @@ constexpr double kSmallestPiece = 0.01; ///< Of the whole volume.
 constexpr int kFirstIterations = 20, kSecondIterations = 10;
 constexpr double kFirstPassBand = 0.05, kSecondPassBand = 0.1;
 
-TriangleMesh meshOf(vtkPolyData& data) {
-  TriangleMesh mesh;
-  mesh.points.resize(data.GetNumberOfPoints(), 3);
-  for (vtkIdType i = 0; i < data.GetNumberOfPoints(); ++i)
-    data.GetPoint(i, mesh.points.row(i).data());
-  mesh.triangles.resize(data.GetNumberOfPolys(), 3);
-  vtkIdType count = 0, row = 0;
-  const vtkIdType* corners = nullptr;
-  const auto cells = vtk::TakeSmartPointer(data.GetPolys()->NewIterator());
-  for (cells->GoToFirstCell(); !cells->IsDoneWithTraversal(); cells->GoToNextCell(), ++row) {
-    cells->GetCurrentCell(count, corners);
-    for (int k = 0; k < 3; ++k)
-      mesh.triangles(row, k) = static_cast<std::int32_t>(corners[k]);
-  }
-  return mesh;
-}
-
 TriangleMesh zeroLevel(geometry::SignedDistanceGrid& grid) {
   vtkNew<vtkFloatArray> values;
   values->SetArray(grid.values.data(), static_cast<vtkIdType>(grid.values.size()), 1);
@@ -69,19 +50,6 @@ TriangleMesh zeroLevel(geometry::SignedDistanceGrid& grid) {
   contour->ComputeScalarsOff();
   contour->Update();
   return meshOf(*contour->GetOutput());
-}
-
-TriangleMesh smoothed(const TriangleMesh& mesh, int iterations, double passBand) {
-  vtkNew<vtkWindowedSincPolyDataFilter> filter;
-  filter->SetInputData(polyDataOf(mesh));
-  filter->SetNumberOfIterations(iterations);
-  filter->SetPassBand(passBand);
-  filter->NormalizeCoordinatesOn();
-  filter->BoundarySmoothingOff();
-  filter->FeatureEdgeSmoothingOff();
-  filter->NonManifoldSmoothingOn();
-  filter->Update();
-  return meshOf(*filter->GetOutput());
 }
 
 /// The first vertex of each vertex's piece.
@@ -143,10 +111,10 @@ TriangleMesh repairSurface(const TriangleMesh& mesh, const RepairOptions& option
   if (result.triangles.rows() == 0)
     throw DataError("the surface encloses nothing", "surface",
                     "check that its triangles face outward and that its holes are small");
-  result = smoothed(result, kFirstIterations, kFirstPassBand);
+  result = smoothSurface(result, kFirstIterations, kFirstPassBand);
   result = thinSurface(result, options.triangles);
   progress.throwIfCancelled();
-  return geometry::cleanSurface(smoothed(result, kSecondIterations, kSecondPassBand)).mesh;
+  return geometry::cleanSurface(smoothSurface(result, kSecondIterations, kSecondPassBand)).mesh;
 }
 
 TriangleMesh thinSurface(const TriangleMesh& mesh, int triangles) {

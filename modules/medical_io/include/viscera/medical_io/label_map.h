@@ -1,0 +1,87 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "viscera/core/arrays.h"
+#include "viscera/core/progress.h"
+
+/// Label maps: images whose voxels say which organ they belong to.
+namespace viscera::medical_io {
+
+/// One organ of a label map.
+struct Segment {
+  std::int64_t label = 0;        ///< The value that its voxels have in the file; never 0.
+  int layer = 0;                 ///< The layer of the map that it is in.
+  std::string name;              ///< "liver"; "label 5" when nothing names it. No two segments have the same.
+  bool named = false;            ///< Whether the file, or a table beside it, names it.
+  Vec3 color = {0.8, 0.45, 0.4}; ///< Red green blue, 0 to 1; of its anatomy when the file has none.
+  bool colored = false;          ///< Whether the file, or a table beside it, colours it.
+  std::int64_t voxels = 0;       ///< How many it has, at least one.
+  std::array<int, 3> low = {};   ///< Its first voxel in i, j and k ...
+  std::array<int, 3> high = {};  ///< ... and its last.
+};
+
+/// A label map as it came from a file. Only labels that some voxel has are segments.
+struct LabelMap {
+  /// Of voxel (i, j, k), i fastest, in one layer: 0 for none, s + 1 for `segments[s]`.
+  using Layer = std::vector<std::uint16_t>;
+
+  std::array<int, 3> size = {}; ///< Voxels along i, j and k.
+  /// From (i, j, k) to mm LPS; the centre of the first voxel is (0, 0, 0). May be oblique, left-handed and
+  /// sheared; never singular.
+  Eigen::Affine3d indexToLps = Eigen::Affine3d::Identity();
+  std::vector<Layer> layers; ///< More than one when segments overlap.
+  std::vector<Segment> segments;
+  std::string space;                 ///< "RAS" or "LPS" (or another): what the file was written in.
+  std::vector<std::string> warnings; ///< What is odd or was assumed, one sentence each.
+
+  std::size_t voxelCount() const {
+    return std::size_t(size[0]) * std::size_t(size[1]) * std::size_t(size[2]);
+  }
+  std::size_t indexOf(int i, int j, int k) const {
+    return (std::size_t(k) * std::size_t(size[1]) + std::size_t(j)) * std::size_t(size[0]) + std::size_t(i);
+  }
+  /// Distance of neighbouring voxels along i, j and k, mm.
+  Vec3 spacing() const { return indexToLps.linear().colwise().norm(); }
+  double voxelVolumeMm3() const { return std::abs(indexToLps.linear().determinant()); }
+  double volumeMl(const Segment& segment) const {
+    return double(segment.voxels) * voxelVolumeMm3() / kMm3PerMl;
+  }
+  /// The box, in mm LPS, around the voxels (not only their centres) of the whole image.
+  Bounds bounds() const;
+};
+
+/// Reads NIfTI (.nii, .nii.gz), NRRD (.nrrd, .seg.nrrd, .nhdr), MetaImage (.mha, .mhd) or DICOM-SEG (.dcm);
+/// a folder goes to `readLabelFolder`. Position, orientation and spacing are the file's: of a NIfTI file the
+/// sform, else the qform, else the spacing alone. Names and colours are the file's (segments of .seg.nrrd and
+/// DICOM-SEG, TotalSegmentator's table within NIfTI), else those of a colour table (.ctbl, .txt, .json)
+/// beside it; docs/file_formats.md says which.
+///
+/// Throws `NoInputError` when the file is missing or not readable, `DataError` naming file and reason when it
+/// is empty, cut off, of another kind than its name says, has no labelled voxel, or holds an image and no
+/// labels (fractions, negative values, more than `kMostLabels` different ones), `Cancelled`. Prints nothing,
+/// and takes memory for what is in the file, not for what its header promises. O(voxels); may be called from
+/// several threads.
+LabelMap readLabelMap(const std::filesystem::path& file, Progress& progress);
+
+/// Reads a folder with one mask for each organ, as TotalSegmentator writes it, as one map: `liver.nii.gz`
+/// becomes the segment "liver" with the label 1, 2, ... in order of names; voxels of two masks lie in two
+/// layers. Empty masks are left out with a warning. Files that are no label maps are passed over. Throws as
+/// `readLabelMap`, and `DataError` for a folder without masks, for a mask on another grid than the first, and
+/// for one with several labels.
+LabelMap readLabelFolder(const std::filesystem::path& folder, Progress& progress);
+
+/// Lower-case endings with their dots that `readLabelMap` takes.
+const std::vector<std::string>& labelMapExtensions();
+
+/// Whether the name ends like a label map's, or is a folder that holds a file of such a name.
+bool isLabelMap(const std::filesystem::path& fileOrFolder);
+
+/// More different values than any label map has: a file with so many is an image.
+inline constexpr int kMostLabels = 2000;
+
+} // namespace viscera::medical_io

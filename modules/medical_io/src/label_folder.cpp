@@ -1,0 +1,128 @@
+#include <algorithm>
+#include <utility>
+
+#include "file_bytes.h"
+#include "label_file.h"
+#include "segment_names.h"
+#include "viscera/core/error.h"
+#include "viscera/medical_io/label_map.h"
+
+namespace viscera::medical_io {
+namespace {
+
+/// Grids of masks of one patient are the same up to rounding.
+constexpr double kSameGridVoxels = 0.01;
+constexpr std::size_t kMostMasks = 2000;
+
+std::vector<std::filesystem::path> masksIn(const std::filesystem::path& folder) {
+  std::vector<std::filesystem::path> files;
+  std::error_code error;
+  for (std::filesystem::directory_iterator entry(folder, error), end; !error && entry != end;
+       entry.increment(error))
+    if (std::error_code ignored; entry->is_regular_file(ignored) && isLabelMap(entry->path()))
+      files.push_back(entry->path());
+  if (error)
+    throw NoInputError("cannot be opened: " + error.message(), folder.string(), "check that you may read it");
+  if (files.empty())
+    throw DataError("holds no label map", folder.string(),
+                    "name a folder with one mask for each organ, such as liver.nii.gz");
+  if (files.size() > kMostMasks)
+    throw DataError("holds more than " + std::to_string(kMostMasks) + " masks", folder.string(),
+                    "name the folder of one patient");
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+bool sameGrid(const LabelMap& a, const LabelMap& b) {
+  if (a.size != b.size)
+    return false;
+  const Eigen::Affine3d between = a.indexToLps.inverse() * b.indexToLps;
+  const Vec3 last(a.size[0] - 1, a.size[1] - 1, a.size[2] - 1);
+  return (between * Vec3::Zero()).norm() < kSameGridVoxels &&
+         (between * last - last).norm() < kSameGridVoxels &&
+         (between.linear() - Eigen::Matrix3d::Identity()).norm() * last.norm() < kSameGridVoxels;
+}
+
+/// Puts the masks of one patient together.
+class Patient {
+public:
+  void add(const std::filesystem::path& file, LabelMap mask) {
+    if (mask.segments.size() > 1)
+      throw DataError("has " + std::to_string(mask.segments.size()) + " labels; a mask in a folder has one",
+                      file.string(), "open it by itself, or remove it from the folder");
+    if (map_.layers.empty()) {
+      map_.size = mask.size;
+      map_.indexToLps = mask.indexToLps;
+      map_.space = mask.space;
+      map_.warnings = mask.warnings;
+    } else if (!sameGrid(map_, mask)) {
+      throw DataError("its voxels lie elsewhere than those of the other masks", file.string(),
+                      "put masks of one image into a folder of their own");
+    }
+    const Segment& only = mask.segments.front();
+    Segment& segment = map_.segments.emplace_back(only);
+    segment.label = static_cast<std::int64_t>(map_.segments.size());
+    segment.layer = layerFor(mask.layers.front());
+    segment.named = true;
+    segment.name = stemOf(file);
+    segment.colored = false;
+    paint(mask.layers.front(), map_.layers[static_cast<std::size_t>(segment.layer)]);
+  }
+
+  void addEmpty(const std::filesystem::path& file) { empty_.push_back(stemOf(file)); }
+
+  LabelMap take(const std::filesystem::path& folder) {
+    if (map_.segments.empty())
+      throw DataError("holds only empty masks", folder.string(), "check that the segmentation was saved");
+    if (!empty_.empty())
+      map_.warnings.push_back(counted(empty_.size(), "mask is", "masks are") + " empty (" + empty_.front() +
+                              (empty_.size() > 1 ? ", ...)" : ")"));
+    completeSegments(map_);
+    return std::move(map_);
+  }
+
+private:
+  /// The first layer in which the mask's voxels are free.
+  int layerFor(const LabelMap::Layer& mask) {
+    for (std::size_t layer = 0; layer < map_.layers.size(); ++layer) {
+      bool free = true;
+      for (std::size_t v = 0; v < mask.size() && free; ++v)
+        free = mask[v] == 0 || map_.layers[layer][v] == 0;
+      if (free)
+        return static_cast<int>(layer);
+    }
+    map_.layers.emplace_back(mask.size());
+    return static_cast<int>(map_.layers.size()) - 1;
+  }
+
+  void paint(const LabelMap::Layer& mask, LabelMap::Layer& layer) const {
+    const auto number = static_cast<std::uint16_t>(map_.segments.size());
+    for (std::size_t v = 0; v < mask.size(); ++v)
+      if (mask[v] != 0)
+        layer[v] = number;
+  }
+
+  LabelMap map_;
+  std::vector<std::string> empty_;
+};
+
+} // namespace
+
+LabelMap readLabelFolder(const std::filesystem::path& folder, Progress& progress) {
+  const std::vector<std::filesystem::path> files = masksIn(folder);
+  Patient patient;
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    progress.report(static_cast<double>(i) / static_cast<double>(files.size()), files[i].filename().string());
+    progress.throwIfCancelled();
+    Progress quiet;
+    LabelMap mask = readLabelFile(files[i], quiet);
+    if (mask.segments.empty())
+      patient.addEmpty(files[i]);
+    else
+      patient.add(files[i], std::move(mask));
+  }
+  progress.report(1);
+  return patient.take(folder);
+}
+
+} // namespace viscera::medical_io

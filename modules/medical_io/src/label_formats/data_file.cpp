@@ -1,0 +1,78 @@
+#include "label_formats/data_file.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "label_formats/inflate.h"
+#include "text_scanner.h"
+
+namespace viscera::medical_io {
+namespace {
+
+/// The bytes with the voxels, which may be those of another file, from where they begin.
+struct Source {
+  FileBytes file;
+  std::size_t begin = 0;
+};
+
+Source sourceOf(FileBytes& file, const StoredValues& stored) {
+  if (!stored.beside)
+    return {std::move(file), stored.headerEnd};
+  const std::filesystem::path name(*stored.beside);
+  if (name.empty() || name.has_root_path() || stored.beside->find('%') != std::string::npos)
+    file.fail("its voxels are in several files or in another folder (" + inQuotes(*stored.beside) + ")",
+              "save it as one file");
+  return {readWholeFile(file.file.parent_path() / name), 0};
+}
+
+void skipLines(Source& source, std::uint64_t lines) {
+  for (; lines > 0; --lines) {
+    const std::size_t end = source.file.view().find('\n', source.begin);
+    if (end == std::string_view::npos)
+      source.file.fail("the file is cut off: it has fewer lines than its header says");
+    source.begin = end + 1;
+  }
+}
+
+/// Numbers in words become bytes of the scalar type double, which holds every label exactly.
+void takeText(const Source& source, RawLabels& raw) {
+  TextScanner scanner(source.file, source.file.view().substr(source.begin));
+  raw.storage.clear();
+  const std::uint64_t count = raw.valueCount();
+  if (count > scanner.remaining())
+    source.file.fail("the file is cut off: " + std::to_string(count) +
+                     " values are promised, there are only " + counted(scanner.remaining(), "byte", "bytes"));
+  for (std::uint64_t i = 0; i < count; ++i)
+    appendValue(raw.storage, scanner.number("a voxel"));
+  raw.scalar = Scalar::float64;
+  raw.order = std::endian::little;
+}
+
+} // namespace
+
+void takeValues(FileBytes& file, const StoredValues& stored, RawLabels& raw) {
+  FileBytes header{file.file, {}};
+  Source source = sourceOf(file, stored);
+  file.file = header.file;
+  skipLines(source, stored.skippedLines);
+  if (stored.text) {
+    takeText(source, raw);
+    return;
+  }
+  const std::uint64_t wanted = raw.byteCount();
+  if (stored.packed) {
+    const std::string_view packed =
+        source.file.view().substr(std::min(source.begin, source.file.bytes.size()));
+    raw.storage = inflated(source.file, packed, saturatedSum(saturatedSum(stored.skippedBytes, wanted), 1));
+    source.begin = 0;
+  } else {
+    raw.storage = std::move(source.file.bytes);
+  }
+  const std::uint64_t begin = stored.atEnd && raw.storage.size() >= wanted
+                                  ? raw.storage.size() - wanted
+                                  : saturatedSum(source.begin, stored.skippedBytes);
+  raw.offset = static_cast<std::size_t>(std::min<std::uint64_t>(begin, raw.storage.size()));
+  requireAllValues(raw, source.file);
+}
+
+} // namespace viscera::medical_io

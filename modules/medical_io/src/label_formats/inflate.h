@@ -1,0 +1,15 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+#include "file_bytes.h"
+
+namespace viscera::medical_io {
+
+/// Unpacks gzip (all members) or zlib data, at most `most` bytes of it; what lies behind is left. Memory is
+/// taken for what comes out. `file` is named in the `DataError` for data that are damaged or end too early.
+std::string inflated(const FileBytes& file, std::string_view packed, std::uint64_t most);
+
+} // namespace viscera::medical_io

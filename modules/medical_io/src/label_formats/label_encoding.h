@@ -1,0 +1,24 @@
+#pragma once
+
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "label_formats/raw_labels.h"
+
+namespace viscera::medical_io {
+
+/// A layer and a value in it.
+using LayerLabel = std::pair<int, std::int64_t>;
+
+/// Voxels by the number of their label.
+struct EncodedLabels {
+  std::vector<LabelMap::Layer> layers;
+  std::vector<LayerLabel> labels; ///< Ascending; that of number n is `labels[n - 1]`.
+};
+
+/// Numbers the values of all layers. Throws `DataError` for values that are no labels and for too many
+/// different ones, `Cancelled`. O(values).
+EncodedLabels encodeLabels(const RawLabels& raw, const FileBytes& file, Progress& progress);
+
+} // namespace viscera::medical_io

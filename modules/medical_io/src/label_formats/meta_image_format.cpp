@@ -1,0 +1,164 @@
+#include <algorithm>
+#include <array>
+#include <map>
+#include <optional>
+
+#include "label_formats/data_file.h"
+#include "label_formats/raw_labels.h"
+#include "text_scanner.h"
+
+/// MetaImage (.mha, .mhd) as ITK writes it (itk.org/Wiki/ITK/MetaIO/Documentation); its axes are LPS.
+namespace viscera::medical_io {
+namespace {
+
+class MetaImageReader {
+public:
+  explicit MetaImageReader(FileBytes& file) : file_(file) { readHeader(); }
+
+  RawLabels run() {
+    readSize();
+    raw_.space = "LPS";
+    raw_.scalar = scalar();
+    if (parseInteger(value({"ElementNumberOfChannels"}).value_or("1")) != 1)
+      file_.fail("has several values a voxel; a label map has one", "save it as a label map");
+    readGrid();
+    takeValues(file_, storedValues(), raw_);
+    return std::move(raw_);
+  }
+
+private:
+  /// The header's last line is that of ElementDataFile.
+  void readHeader() {
+    TextScanner scanner(file_, file_.view());
+    while (scanner.remaining() > 0) {
+      const std::string_view line = scanner.line();
+      const std::size_t equals = line.find('=');
+      if (trimmed(line).empty())
+        continue;
+      if (equals == line.npos)
+        scanner.fail("this is no line of a MetaImage header: " + inQuotes(line));
+      const std::string key(trimmed(line.substr(0, equals)));
+      values_[key] = trimmed(line.substr(equals + 1));
+      if (key == "ElementDataFile") {
+        headerEnd_ = scanner.position();
+        return;
+      }
+    }
+    file_.fail("the file is cut off: its header has no ElementDataFile");
+  }
+
+  /// Of the first of the keys that the header has; they are old and new names of one thing.
+  std::optional<std::string_view> value(std::initializer_list<const char*> keys) const {
+    for (const char* key : keys)
+      if (const auto found = values_.find(key); found != values_.end())
+        return found->second;
+    return std::nullopt;
+  }
+
+  bool flag(std::initializer_list<const char*> keys, bool otherwise) const {
+    const auto text = value(keys);
+    return text ? lowered(*text) == "true" || *text == "1" : otherwise;
+  }
+
+  /// Exactly `count` numbers under one of the keys, or none.
+  std::vector<double> numbers(std::initializer_list<const char*> keys, std::size_t count) const {
+    std::vector<double> list;
+    auto text = value(keys);
+    if (!text)
+      return list;
+    for (std::string_view word = takeWord(*text); !word.empty() && list.size() <= count;
+         word = takeWord(*text)) {
+      const auto number = parseNumber(word);
+      if (!number)
+        file_.fail("its header is damaged: " + inQuotes(word) + " is no number of " + *keys.begin());
+      list.push_back(*number);
+    }
+    if (list.size() != count)
+      file_.fail("its header is damaged: " + std::string(*keys.begin()) + " has not " +
+                 std::to_string(count) + " numbers");
+    return list;
+  }
+
+  void readSize() {
+    if (parseInteger(value({"NDims"}).value_or("")) != 3)
+      file_.fail("has not three dimensions, which a label map has", "save it as a volume");
+    std::string_view text = value({"DimSize"}).value_or("");
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto size = parseInteger(takeWord(text));
+      if (!size)
+        file_.fail("its header is damaged: DimSize has not three numbers");
+      raw_.size[i] = axisSize(file_, *size, std::string_view("ijk").substr(i, 1));
+    }
+  }
+
+  Scalar scalar() const {
+    static constexpr std::array<std::pair<std::string_view, Scalar>, 10> kTypes = {
+        {{"MET_CHAR", Scalar::int8},
+         {"MET_UCHAR", Scalar::uint8},
+         {"MET_SHORT", Scalar::int16},
+         {"MET_USHORT", Scalar::uint16},
+         {"MET_INT", Scalar::int32},
+         {"MET_UINT", Scalar::uint32},
+         {"MET_LONG_LONG", Scalar::int64},
+         {"MET_ULONG_LONG", Scalar::uint64},
+         {"MET_FLOAT", Scalar::float32},
+         {"MET_DOUBLE", Scalar::float64}}};
+    const std::string_view type = value({"ElementType"}).value_or("");
+    const auto found =
+        std::find_if(kTypes.begin(), kTypes.end(), [&](const auto& t) { return t.first == type; });
+    if (found == kTypes.end())
+      file_.fail("its voxels are no plain numbers (ElementType " + inQuotes(type) + ")",
+                 "save it with whole numbers as labels");
+    return found->second;
+  }
+
+  /// The first three numbers of the matrix are the direction of i.
+  void readGrid() {
+    const std::vector<double> spacing = numbers({"ElementSpacing", "ElementSize"}, 3);
+    const std::vector<double> origin = numbers({"Offset", "Origin", "Position"}, 3);
+    const std::vector<double> matrix = numbers({"TransformMatrix", "Rotation", "Orientation"}, 9);
+    if (spacing.empty())
+      raw_.warnings.push_back("it does not say how large its voxels are; 1 mm is assumed");
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const int column = static_cast<int>(axis);
+      for (std::size_t row = 0; row < 3 && !matrix.empty(); ++row)
+        raw_.indexToLps.linear()(static_cast<int>(row), column) = matrix[3 * axis + row];
+      if (!spacing.empty())
+        raw_.indexToLps.linear().col(column) *= spacing[axis];
+      if (!origin.empty())
+        raw_.indexToLps.translation()[column] = origin[axis];
+    }
+  }
+
+  StoredValues storedValues() {
+    StoredValues stored{.headerEnd = headerEnd_, .beside = {}};
+    const std::string data(value({"ElementDataFile"}).value_or(""));
+    if (data.starts_with("LIST"))
+      file_.fail("its voxels are in several files", "save it as one file");
+    if (data != "LOCAL" && data != "Local" && data != "local")
+      stored.beside = data;
+    stored.packed = flag({"CompressedData"}, false);
+    stored.text = !flag({"BinaryData"}, true);
+    raw_.order = flag({"BinaryDataByteOrderMSB", "ElementByteOrderMSB"}, false) ? std::endian::big
+                                                                                : std::endian::little;
+    const auto headerSize = parseInteger(value({"HeaderSize"}).value_or("0"));
+    if (!headerSize || *headerSize < -1)
+      file_.fail("its header is damaged: HeaderSize is no number of bytes");
+    stored.atEnd = *headerSize == -1;
+    stored.skippedBytes = static_cast<std::uint64_t>(std::max<std::int64_t>(*headerSize, 0));
+    return stored;
+  }
+
+  FileBytes& file_;
+  std::map<std::string, std::string> values_;
+  std::size_t headerEnd_ = 0;
+  RawLabels raw_;
+};
+
+} // namespace
+
+RawLabels readMetaImage(FileBytes& file) {
+  return MetaImageReader(file).run();
+}
+
+} // namespace viscera::medical_io

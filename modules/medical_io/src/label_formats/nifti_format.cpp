@@ -1,0 +1,293 @@
+#include <cmath>
+#include <cstring>
+#include <optional>
+
+#include "label_formats/inflate.h"
+#include "label_formats/raw_labels.h"
+#include "text_scanner.h"
+#include "xml_tree.h"
+
+/// NIfTI-1 and NIfTI-2 in one file, as nifti1.h and nifti2.h describe them (nifti.nimh.nih.gov).
+namespace viscera::medical_io {
+namespace {
+
+constexpr std::size_t kHeader1 = 348, kHeader2 = 540;
+constexpr int kMostDimensions = 7;
+/// Two statements of where the image is that differ by more than this part of a voxel are reported.
+constexpr double kAgreement = 0.5;
+
+/// What both versions say, whatever the width of the fields.
+struct Header {
+  std::size_t bytes = 0;
+  std::endian order = std::endian::little;
+  std::array<std::int64_t, kMostDimensions + 1> dim = {};
+  std::array<double, kMostDimensions + 1> pixdim = {};
+  int datatype = 0;
+  double dataOffset = 0, slope = 0, intercept = 0;
+  int qformCode = 0, sformCode = 0, units = 0;
+  std::array<double, 3> quaternion = {};
+  Vec3 qOffset = Vec3::Zero();
+  Eigen::Matrix<double, 3, 4, Eigen::RowMajor> sform;
+  bool twoFiles = false;
+};
+
+template <typename T>
+T at(std::string_view bytes, std::size_t offset, std::endian order) {
+  return loadValue<T>(bytes.data() + offset, order);
+}
+
+/// The byte order in which the header states its own size; nothing for no NIfTI header.
+std::optional<std::endian> orderOf(std::string_view bytes, std::int32_t size) {
+  for (const std::endian order : {std::endian::little, std::endian::big})
+    if (bytes.size() >= static_cast<std::size_t>(size) && at<std::int32_t>(bytes, 0, order) == size)
+      return order;
+  return std::nullopt;
+}
+
+Header header1(std::string_view bytes, std::endian order) {
+  Header h{.bytes = kHeader1, .order = order, .sform = {}};
+  for (std::size_t d = 0; d <= kMostDimensions; ++d) {
+    h.dim[d] = at<std::int16_t>(bytes, 40 + 2 * d, order);
+    h.pixdim[d] = at<float>(bytes, 76 + 4 * d, order);
+  }
+  h.datatype = at<std::int16_t>(bytes, 70, order);
+  h.dataOffset = at<float>(bytes, 108, order);
+  h.slope = at<float>(bytes, 112, order);
+  h.intercept = at<float>(bytes, 116, order);
+  h.units = static_cast<unsigned char>(bytes[123]);
+  h.qformCode = at<std::int16_t>(bytes, 252, order);
+  h.sformCode = at<std::int16_t>(bytes, 254, order);
+  for (std::size_t i = 0; i < 3; ++i) {
+    h.quaternion[i] = at<float>(bytes, 256 + 4 * i, order);
+    h.qOffset[static_cast<int>(i)] = at<float>(bytes, 268 + 4 * i, order);
+  }
+  for (std::size_t i = 0; i < 12; ++i)
+    h.sform.data()[i] = at<float>(bytes, 280 + 4 * i, order);
+  h.twoFiles = bytes.substr(344, 3) == "ni1";
+  return h;
+}
+
+Header header2(std::string_view bytes, std::endian order) {
+  Header h{.bytes = kHeader2, .order = order, .sform = {}};
+  for (std::size_t d = 0; d <= kMostDimensions; ++d) {
+    h.dim[d] = at<std::int64_t>(bytes, 16 + 8 * d, order);
+    h.pixdim[d] = at<double>(bytes, 104 + 8 * d, order);
+  }
+  h.datatype = at<std::int16_t>(bytes, 12, order);
+  h.dataOffset = static_cast<double>(at<std::int64_t>(bytes, 168, order));
+  h.slope = at<double>(bytes, 176, order);
+  h.intercept = at<double>(bytes, 184, order);
+  h.units = at<std::int32_t>(bytes, 500, order);
+  h.qformCode = at<std::int32_t>(bytes, 344, order);
+  h.sformCode = at<std::int32_t>(bytes, 348, order);
+  for (std::size_t i = 0; i < 3; ++i) {
+    h.quaternion[i] = at<double>(bytes, 352 + 8 * i, order);
+    h.qOffset[static_cast<int>(i)] = at<double>(bytes, 376 + 8 * i, order);
+  }
+  for (std::size_t i = 0; i < 12; ++i)
+    h.sform.data()[i] = at<double>(bytes, 400 + 8 * i, order);
+  h.twoFiles = bytes.substr(4, 3) == "ni2";
+  return h;
+}
+
+Header headerOf(const FileBytes& file, std::string_view bytes) {
+  if (const auto order = orderOf(bytes, kHeader1); order && bytes.substr(344, 1) == "n")
+    return header1(bytes, *order);
+  if (const auto order = orderOf(bytes, kHeader2); order && bytes.substr(4, 1) == "n")
+    return header2(bytes, *order);
+  if (bytes.size() < kHeader1)
+    file.fail("the file is cut off: it has " + counted(bytes.size(), "byte", "bytes") +
+              ", a NIfTI header alone has 348");
+  file.fail("is no NIfTI image: its header is not one", "check what the file is and where it came from");
+}
+
+std::array<int, 3> gridOf(const FileBytes& file, const Header& h) {
+  if (h.dim[0] < 2 || h.dim[0] > kMostDimensions)
+    file.fail("its header is damaged: an image has 2 to 7 dimensions, not " + std::to_string(h.dim[0]));
+  for (std::size_t d = 4; d <= static_cast<std::size_t>(h.dim[0]); ++d)
+    if (h.dim[d] > 1)
+      file.fail("has " + std::to_string(h.dim[d]) + " volumes; a label map has one", "save one of them");
+  return {axisSize(file, h.dim[1], "i"), axisSize(file, h.dim[2], "j"),
+          h.dim[0] < 3 ? 1 : axisSize(file, h.dim[3], "k")};
+}
+
+Scalar scalarOf(const FileBytes& file, int datatype) {
+  switch (datatype) {
+  case 2:
+    return Scalar::uint8;
+  case 4:
+    return Scalar::int16;
+  case 8:
+    return Scalar::int32;
+  case 16:
+    return Scalar::float32;
+  case 64:
+    return Scalar::float64;
+  case 256:
+    return Scalar::int8;
+  case 512:
+    return Scalar::uint16;
+  case 768:
+    return Scalar::uint32;
+  case 1024:
+    return Scalar::int64;
+  case 1280:
+    return Scalar::uint64;
+  default:
+    file.fail("its voxels are no plain numbers (NIfTI data type " + std::to_string(datatype) + ")",
+              "save it with whole numbers as labels");
+  }
+}
+
+bool usable(const Eigen::Affine3d& grid) {
+  return grid.matrix().allFinite() && grid.linear().determinant() != 0;
+}
+
+Eigen::Affine3d sformOf(const Header& h) {
+  Eigen::Affine3d grid;
+  grid.matrix() << h.sform, 0, 0, 0, 1;
+  return grid;
+}
+
+/// Method 2 of nifti1.h: a unit quaternion, the voxel sizes, and a flip of k when pixdim[0] is negative.
+Eigen::Affine3d qformOf(const Header& h) {
+  const auto [b, c, d] = h.quaternion;
+  const double rest = 1 - (b * b + c * c + d * d);
+  Eigen::Quaterniond rotation(std::sqrt(std::max(rest, 0.0)), b, c, d);
+  rotation.normalize();
+  Eigen::Affine3d grid = Eigen::Affine3d::Identity();
+  grid.linear() = rotation.toRotationMatrix() *
+                  Vec3(h.pixdim[1], h.pixdim[2], h.pixdim[0] < 0 ? -h.pixdim[3] : h.pixdim[3]).asDiagonal();
+  grid.translation() = h.qOffset;
+  return grid;
+}
+
+/// How far two grids lie apart at the corners of the image, in voxels.
+double differenceInVoxels(const Eigen::Affine3d& a, const Eigen::Affine3d& b,
+                          const std::array<int, 3>& size) {
+  double largest = 0;
+  for (int corner = 0; corner < 8; ++corner) {
+    const Vec3 index((corner & 1) != 0 ? size[0] - 1 : 0, (corner & 2) != 0 ? size[1] - 1 : 0,
+                     (corner & 4) != 0 ? size[2] - 1 : 0);
+    largest = std::max(largest, (a.linear().inverse() * (b * index - a * index)).norm());
+  }
+  return largest;
+}
+
+/// In RAS, in the file's unit.
+Eigen::Affine3d gridInRas(const FileBytes& file, const Header& h, RawLabels& raw) {
+  const Eigen::Affine3d sform = sformOf(h), qform = qformOf(h);
+  const bool hasQform = h.qformCode > 0 && usable(qform);
+  if (h.sformCode > 0 && usable(sform)) {
+    if (hasQform && differenceInVoxels(sform, qform, raw.size) > kAgreement)
+      raw.warnings.push_back("its sform and qform place the image differently; the sform is used");
+    return sform;
+  }
+  if (h.sformCode > 0)
+    raw.warnings.push_back("its sform is singular or not finite and is not used");
+  if (hasQform)
+    return qform;
+  raw.warnings.push_back(
+      "it does not say where the patient's sides are; axes are taken as right, front and up");
+  Eigen::Affine3d grid = Eigen::Affine3d::Identity();
+  for (int d = 0; d < 3; ++d)
+    grid.linear()(d, d) = h.pixdim[static_cast<std::size_t>(d) + 1];
+  if (!usable(grid))
+    file.fail("the sizes of its voxels are missing, zero or not finite");
+  return grid;
+}
+
+double unitInMm(int units, std::vector<std::string>& warnings) {
+  switch (units & 7) {
+  case 1:
+    warnings.push_back("its unit is the metre; converted to mm");
+    return 1000;
+  case 3:
+    warnings.push_back("its unit is the micrometre; converted to mm");
+    return 1e-3;
+  default:
+    return 1;
+  }
+}
+
+std::optional<double> channel(const XmlElement& label, std::string_view name) {
+  const auto value = parseNumber(label.attribute(name));
+  return value && *value >= 0 && *value <= 1 ? value : std::nullopt;
+}
+
+/// The table that TotalSegmentator and Connectome Workbench put into the file.
+void addLabelTable(const XmlElement& element, std::vector<StatedSegment>& list) {
+  if (element.name == "LabelTable")
+    for (const XmlElement& label : element.children)
+      if (const auto key = parseInteger(label.attribute("Key")); label.name == "Label" && key && *key != 0) {
+        StatedSegment segment{*key, 0, std::string(trimmed(label.text)), {}};
+        const auto red = channel(label, "Red"), green = channel(label, "Green"),
+                   blue = channel(label, "Blue");
+        if (red && green && blue)
+          segment.color = Vec3(*red, *green, *blue);
+        list.push_back(std::move(segment));
+      }
+  for (const XmlElement& child : element.children)
+    addLabelTable(child, list);
+}
+
+/// Extensions lie between header and data: size, code, contents. One that is damaged ends the list.
+void readExtensions(std::string_view bytes, const Header& h, RawLabels& raw) {
+  std::size_t position = h.bytes + 4;
+  if (raw.offset < position || bytes[h.bytes] == 0)
+    return;
+  while (position + 8 <= raw.offset) {
+    const auto size = at<std::int32_t>(bytes, position, h.order);
+    if (size < 8 || static_cast<std::size_t>(size) > raw.offset - position)
+      return;
+    std::string_view contents = bytes.substr(position + 8, static_cast<std::size_t>(size) - 8);
+    contents = contents.substr(0, contents.find('\0'));
+    if (contents.find("LabelTable") != contents.npos) {
+      const XmlTree tree = parseXml(trimmed(contents));
+      if (tree.error.empty())
+        addLabelTable(tree.root, raw.stated);
+      else
+        raw.warnings.push_back("the table of names in it cannot be read");
+    }
+    position += static_cast<std::size_t>(size);
+  }
+}
+
+std::uint64_t dataOffset(const FileBytes& file, const Header& h) {
+  if (h.dataOffset == 0)
+    return h.bytes + 4;
+  if (!(h.dataOffset >= static_cast<double>(h.bytes)) || h.dataOffset > 1e15)
+    file.fail("its header is damaged: the voxels cannot begin at byte " + std::to_string(h.dataOffset));
+  return static_cast<std::uint64_t>(h.dataOffset);
+}
+
+} // namespace
+
+RawLabels readNifti(FileBytes& file) {
+  const bool packed = file.view().starts_with("\x1f\x8b");
+  const std::string begin = packed ? inflated(file, file.view(), kHeader2) : file.bytes.substr(0, kHeader2);
+  const Header h = headerOf(file, begin);
+  if (h.twoFiles)
+    file.fail("is the header of a NIfTI image in two files", "save it as one file, .nii or .nii.gz");
+  RawLabels raw;
+  raw.size = gridOf(file, h);
+  raw.scalar = scalarOf(file, h.datatype);
+  raw.order = h.order;
+  if (h.slope != 0 && std::isfinite(h.slope) && std::isfinite(h.intercept)) {
+    raw.slope = h.slope;
+    raw.intercept = h.intercept;
+  }
+  raw.space = "RAS";
+  const Eigen::Affine3d ras = gridInRas(file, h, raw);
+  raw.indexToLps = Eigen::Scaling(Vec3(-1, -1, 1) * unitInMm(h.units, raw.warnings)) * ras;
+  raw.indexToLps.makeAffine();
+  const std::uint64_t offset = dataOffset(file, h);
+  raw.storage = packed ? inflated(file, file.view(), saturatedSum(offset, saturatedSum(raw.byteCount(), 1)))
+                       : std::move(file.bytes);
+  raw.offset = static_cast<std::size_t>(std::min<std::uint64_t>(offset, raw.storage.size()));
+  requireAllValues(raw, file);
+  readExtensions(raw.storage, h, raw);
+  return raw;
+}
+
+} // namespace viscera::medical_io

@@ -1,0 +1,386 @@
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <map>
+#include <optional>
+
+#include "label_formats/data_file.h"
+#include "label_formats/raw_labels.h"
+#include "text_scanner.h"
+
+/// NRRD (teem.sourceforge.net/nrrd/format.html) with the fields of 3D Slicer's segmentations.
+namespace viscera::medical_io {
+namespace {
+
+constexpr std::size_t kMostDimensions = 16;
+constexpr std::size_t kMostSegments = 65535;
+
+struct Fields {
+  std::map<std::string, std::string> fields; ///< In lower case: "space directions".
+  std::map<std::string, std::string> keys;   ///< "Segment0_Name": as written.
+  std::size_t headerEnd = 0;
+
+  std::optional<std::string_view> field(const std::string& name) const {
+    const auto found = fields.find(name);
+    return found == fields.end() ? std::nullopt : std::optional<std::string_view>(found->second);
+  }
+  std::optional<std::string_view> key(const std::string& name) const {
+    const auto found = keys.find(name);
+    return found == keys.end() ? std::nullopt : std::optional<std::string_view>(found->second);
+  }
+};
+
+/// In values of keys a line end is written as \n and a backslash twice.
+std::string unescaped(std::string_view text) {
+  std::string result;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] == '\\' && i + 1 < text.size() && (text[i + 1] == 'n' || text[i + 1] == '\\'))
+      result += text[++i] == 'n' ? ' ' : '\\';
+    else
+      result += text[i];
+  }
+  return result;
+}
+
+Fields fieldsOf(const FileBytes& file) {
+  Fields result;
+  TextScanner scanner(file, file.view());
+  scanner.line();
+  while (scanner.remaining() > 0) {
+    const std::string_view line = trimmed(scanner.line());
+    if (line.empty())
+      break;
+    if (line.starts_with('#'))
+      continue;
+    const std::size_t key = line.find(":=");
+    const std::size_t field = line.find(": ");
+    if (key != line.npos && key < field)
+      result.keys[std::string(trimmed(line.substr(0, key)))] = unescaped(trimmed(line.substr(key + 2)));
+    else if (const std::size_t colon = line.find(':'); colon != line.npos)
+      result.fields[lowered(trimmed(line.substr(0, colon)))] = trimmed(line.substr(colon + 1));
+    else
+      scanner.fail("this is no line of an NRRD header: " + inQuotes(line));
+  }
+  result.headerEnd = scanner.position();
+  return result;
+}
+
+Scalar scalarOf(const FileBytes& file, std::string_view type) {
+  static constexpr std::array<std::pair<std::string_view, Scalar>, 40> kTypes = {{
+      {"signed char", Scalar::int8},
+      {"int8", Scalar::int8},
+      {"int8_t", Scalar::int8},
+      {"uchar", Scalar::uint8},
+      {"unsigned char", Scalar::uint8},
+      {"uint8", Scalar::uint8},
+      {"uint8_t", Scalar::uint8},
+      {"short", Scalar::int16},
+      {"short int", Scalar::int16},
+      {"signed short", Scalar::int16},
+      {"signed short int", Scalar::int16},
+      {"int16", Scalar::int16},
+      {"int16_t", Scalar::int16},
+      {"ushort", Scalar::uint16},
+      {"unsigned short", Scalar::uint16},
+      {"unsigned short int", Scalar::uint16},
+      {"uint16", Scalar::uint16},
+      {"uint16_t", Scalar::uint16},
+      {"int", Scalar::int32},
+      {"signed int", Scalar::int32},
+      {"int32", Scalar::int32},
+      {"int32_t", Scalar::int32},
+      {"uint", Scalar::uint32},
+      {"unsigned int", Scalar::uint32},
+      {"uint32", Scalar::uint32},
+      {"uint32_t", Scalar::uint32},
+      {"longlong", Scalar::int64},
+      {"long long", Scalar::int64},
+      {"long long int", Scalar::int64},
+      {"signed long long", Scalar::int64},
+      {"signed long long int", Scalar::int64},
+      {"int64", Scalar::int64},
+      {"int64_t", Scalar::int64},
+      {"ulonglong", Scalar::uint64},
+      {"unsigned long long", Scalar::uint64},
+      {"unsigned long long int", Scalar::uint64},
+      {"uint64", Scalar::uint64},
+      {"uint64_t", Scalar::uint64},
+      {"float", Scalar::float32},
+      {"double", Scalar::float64},
+  }};
+  const auto found =
+      std::find_if(kTypes.begin(), kTypes.end(), [&](const auto& t) { return t.first == type; });
+  if (found == kTypes.end())
+    file.fail("its voxels are no plain numbers (type " + inQuotes(type) + ")",
+              "save it with whole numbers as labels");
+  return found->second;
+}
+
+/// The vectors "(1,0,0) none (0,1,0)"; nothing for an axis that is not of space.
+std::vector<std::optional<Vec3>> vectorsOf(const FileBytes& file, std::string_view text) {
+  std::vector<std::optional<Vec3>> list;
+  while (!(text = trimmed(text)).empty()) {
+    if (text.starts_with("none")) {
+      list.emplace_back();
+      text.remove_prefix(4);
+      continue;
+    }
+    const std::size_t end = text.find(')');
+    if (text.front() != '(' || end == text.npos)
+      file.fail("its header is damaged: " + inQuotes(text) + " is no vector");
+    std::string_view numbers = text.substr(1, end - 1);
+    text.remove_prefix(end + 1);
+    Vec3 vector;
+    for (int i = 0; i < 3; ++i) {
+      const std::size_t comma = std::min(numbers.find(','), numbers.size());
+      const auto number = parseNumber(trimmed(numbers.substr(0, comma)));
+      if (!number || (i < 2) != (comma < numbers.size()))
+        file.fail("its header is damaged: a vector in it has not three numbers");
+      vector[i] = *number;
+      numbers.remove_prefix(std::min(comma + 1, numbers.size()));
+    }
+    list.emplace_back(vector);
+  }
+  return list;
+}
+
+/// What makes the file's axes LPS.
+Vec3 turnToLps(std::string_view space, RawLabels& raw) {
+  const std::string name = lowered(space);
+  const auto is = [&](std::string_view longName, std::string_view shortName) {
+    return name == longName || name == shortName;
+  };
+  const auto say = [&](std::string_view axes, const Vec3& turn) {
+    raw.space = axes;
+    return turn;
+  };
+  if (is("left-posterior-superior", "lps"))
+    return say("LPS", {1, 1, 1});
+  if (is("right-anterior-superior", "ras"))
+    return say("RAS", {-1, -1, 1});
+  if (is("left-anterior-superior", "las"))
+    return say("LAS", {1, -1, 1});
+  raw.warnings.push_back(name.empty() ? "it does not say which axes it uses; LPS is assumed"
+                                      : "its axes " + inQuotes(space) + " are unknown; LPS is assumed");
+  return say("LPS", {1, 1, 1});
+}
+
+/// Of `"mm" "mm" "mm"`; one that is not known is taken as mm.
+double unitInMm(std::string_view units) {
+  std::string unit = lowered(takeWord(units));
+  std::erase(unit, '"');
+  if (unit == "m")
+    return 1000;
+  if (unit == "cm")
+    return 10;
+  return unit == "um" ? 1e-3 : 1;
+}
+
+struct Axes {
+  std::array<std::size_t, 3> ofSpace = {}; ///< Which axes of the file are i, j and k.
+  std::optional<std::size_t> list;
+};
+
+class NrrdReader {
+public:
+  explicit NrrdReader(FileBytes& file) : file_(file), header_(fieldsOf(file)) {}
+
+  RawLabels run() {
+    raw_.scalar = scalarOf(file_, lowered(need("type")));
+    sizes_ = sizesOf();
+    readGrid();
+    readSegments();
+    takeValues(file_, storedValues(), raw_);
+    return std::move(raw_);
+  }
+
+private:
+  std::string_view need(const std::string& name) const {
+    const auto value = header_.field(name);
+    if (!value)
+      file_.fail("its header is cut off or damaged: it has no " + inQuotes(name));
+    return *value;
+  }
+
+  std::vector<std::int64_t> sizesOf() const {
+    const auto dimension = parseInteger(need("dimension"));
+    std::vector<std::int64_t> sizes;
+    std::string_view text = need("sizes");
+    for (std::string_view word = takeWord(text); !word.empty(); word = takeWord(text)) {
+      const auto size = parseInteger(word);
+      if (!size || *size < 1 || sizes.size() == kMostDimensions)
+        file_.fail("its header is damaged: " + inQuotes(word) + " is no size of an axis");
+      sizes.push_back(*size);
+    }
+    if (!dimension || static_cast<std::size_t>(*dimension) != sizes.size())
+      file_.fail("its header is damaged: it has " + counted(sizes.size(), "size", "sizes") + " for " +
+                 std::string(need("dimension")) + " dimensions");
+    return sizes;
+  }
+
+  /// The axis without a direction is the list of layers; of files without directions the one whose kind says
+  /// so.
+  Axes axesOf(const std::vector<std::optional<Vec3>>& directions) const {
+    std::vector<std::size_t> ofSpace;
+    Axes axes;
+    std::string_view kinds = header_.field("kinds").value_or("");
+    for (std::size_t d = 0; d < sizes_.size(); ++d) {
+      const std::string kind = lowered(takeWord(kinds));
+      const bool isSpace = directions.empty()
+                               ? kind.empty() || kind == "domain" || kind == "space" || kind == "???"
+                               : directions[d].has_value();
+      if (isSpace)
+        ofSpace.push_back(d);
+      else if (axes.list && sizes_[d] > 1)
+        file_.fail("has several axes that are not of space", "save it as a label map");
+      else
+        axes.list = d;
+    }
+    if (ofSpace.size() != 3)
+      file_.fail("has " + counted(ofSpace.size(), "axis", "axes") + " in space; a label map has three");
+    std::copy(ofSpace.begin(), ofSpace.end(), axes.ofSpace.begin());
+    if (axes.list && *axes.list != 0 && *axes.list != 3)
+      file_.fail("its layers lie between the axes of space", "save it as a segmentation");
+    return axes;
+  }
+
+  std::vector<double> numbers(const std::string& name) const {
+    std::vector<double> list;
+    std::string_view text = header_.field(name).value_or("");
+    for (std::string_view word = takeWord(text); !word.empty(); word = takeWord(text))
+      list.push_back(parseNumber(word).value_or(std::numeric_limits<double>::quiet_NaN()));
+    return list;
+  }
+
+  /// Of a file without directions: spacings, and where the axes begin.
+  void readPlainGrid(const Axes& axes) {
+    const std::vector<double> spacings = numbers("spacings"), begins = numbers("axis mins");
+    std::string_view centers = header_.field("centers").value_or(header_.field("centerings").value_or(""));
+    std::vector<std::string> centering;
+    for (std::string_view word = takeWord(centers); !word.empty(); word = takeWord(centers))
+      centering.push_back(lowered(word));
+    for (int i = 0; i < 3; ++i) {
+      const std::size_t d = axes.ofSpace[static_cast<std::size_t>(i)];
+      const double spacing = d < spacings.size() ? spacings[d] : 1;
+      raw_.indexToLps.linear()(i, i) = spacing;
+      if (d < begins.size())
+        raw_.indexToLps.translation()[i] =
+            begins[d] + (d < centering.size() && centering[d] == "cell" ? spacing / 2 : 0);
+    }
+    if (spacings.empty())
+      raw_.warnings.push_back("it does not say how large its voxels are; 1 mm is assumed");
+  }
+
+  void readGrid() {
+    std::vector<std::optional<Vec3>> directions;
+    if (const auto text = header_.field("space directions"))
+      directions = vectorsOf(file_, *text);
+    if (!directions.empty() && directions.size() != sizes_.size())
+      file_.fail("its header is damaged: it has " + counted(directions.size(), "direction", "directions") +
+                 " for " + counted(sizes_.size(), "axis", "axes"));
+    const Axes axes = axesOf(directions);
+    for (std::size_t i = 0; i < 3; ++i)
+      raw_.size[i] = axisSize(file_, sizes_[axes.ofSpace[i]], std::string_view("ijk").substr(i, 1));
+    if (axes.list) {
+      raw_.layers = axisSize(file_, sizes_[*axes.list], "of layers");
+      raw_.layersFirst = *axes.list == 0;
+    }
+    if (directions.empty())
+      readPlainGrid(axes);
+    for (int i = 0; i < 3 && !directions.empty(); ++i)
+      raw_.indexToLps.linear().col(i) = *directions[axes.ofSpace[static_cast<std::size_t>(i)]];
+    if (const auto origin = header_.field("space origin")) {
+      const auto vectors = vectorsOf(file_, *origin);
+      if (vectors.size() != 1 || !vectors[0])
+        file_.fail("its header is damaged: " + inQuotes(*origin) + " is no origin");
+      raw_.indexToLps.translation() = *vectors[0];
+    }
+    const Vec3 turn = turnToLps(header_.field("space").value_or(""), raw_);
+    raw_.indexToLps =
+        Eigen::Scaling(Vec3(turn * unitInMm(header_.field("space units").value_or("")))) * raw_.indexToLps;
+    raw_.indexToLps.makeAffine();
+  }
+
+  void readSegments() {
+    for (std::size_t n = 0; n < kMostSegments; ++n) {
+      const std::string prefix = "Segment" + std::to_string(n) + "_";
+      const auto id = header_.key(prefix + "ID"), name = header_.key(prefix + "Name");
+      if (!id && !name)
+        return;
+      StatedSegment segment;
+      // Segmentations of old versions of Slicer have a layer for each segment and no values.
+      segment.label = parseInteger(header_.key(prefix + "LabelValue").value_or("1")).value_or(0);
+      const auto layer =
+          parseInteger(header_.key(prefix + "Layer").value_or(raw_.layers > 1 ? std::to_string(n) : "0"));
+      if (segment.label == 0 || !layer || *layer < 0 || *layer >= raw_.layers) {
+        raw_.warnings.push_back("its segment " + std::to_string(n) + " has no valid value or layer");
+        continue;
+      }
+      segment.layer = static_cast<int>(*layer);
+      segment.name = name.value_or(*id);
+      segment.color = colorOf(header_.key(prefix + "Color").value_or(""));
+      raw_.stated.push_back(std::move(segment));
+    }
+  }
+
+  static std::optional<Vec3> colorOf(std::string_view text) {
+    Vec3 color;
+    for (int i = 0; i < 3; ++i) {
+      const auto part = parseNumber(takeWord(text));
+      if (!part || !(*part >= 0 && *part <= 1))
+        return std::nullopt;
+      color[i] = *part;
+    }
+    return color;
+  }
+
+  StoredValues storedValues() {
+    StoredValues stored{.headerEnd = header_.headerEnd, .beside = {}};
+    const std::string encoding = lowered(need("encoding"));
+    stored.packed = encoding == "gzip" || encoding == "gz";
+    stored.text = encoding == "ascii" || encoding == "text" || encoding == "txt";
+    if (!stored.packed && !stored.text && encoding != "raw")
+      file_.fail("its encoding " + inQuotes(encoding) + " is not supported",
+                 "save it with gzip or raw encoding");
+    const std::string endian = lowered(header_.field("endian").value_or(""));
+    if (endian.empty() && !stored.text && sizeOf(raw_.scalar) > 1)
+      file_.fail("its header is cut off or damaged: it has no \"endian\"");
+    raw_.order = endian == "big" ? std::endian::big : std::endian::little;
+    const auto beside =
+        header_.field("data file").has_value() ? header_.field("data file") : header_.field("datafile");
+    if (beside) {
+      if (beside->starts_with("LIST"))
+        file_.fail("its voxels are in several files", "save it as one file");
+      stored.beside = std::string(*beside);
+    }
+    readSkips(stored);
+    return stored;
+  }
+
+  void readSkips(StoredValues& stored) const {
+    const auto skip = [&](const std::string& name, const std::string& other) -> std::int64_t {
+      const auto text = header_.field(name).has_value() ? header_.field(name) : header_.field(other);
+      const auto number = parseInteger(text.value_or("0"));
+      if (!number || *number < -1)
+        file_.fail("its header is damaged: " + inQuotes(*text) + " is no " + inQuotes(name));
+      return *number;
+    };
+    const std::int64_t bytes = skip("byte skip", "byteskip"), lines = skip("line skip", "lineskip");
+    stored.atEnd = bytes == -1;
+    stored.skippedBytes = static_cast<std::uint64_t>(std::max<std::int64_t>(bytes, 0));
+    stored.skippedLines = static_cast<std::uint64_t>(std::max<std::int64_t>(lines, 0));
+  }
+
+  FileBytes& file_;
+  Fields header_;
+  RawLabels raw_;
+  std::vector<std::int64_t> sizes_;
+};
+
+} // namespace
+
+RawLabels readNrrd(FileBytes& file) {
+  return NrrdReader(file).run();
+}
+
+} // namespace viscera::medical_io

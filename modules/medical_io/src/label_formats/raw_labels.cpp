@@ -1,0 +1,57 @@
+#include "label_formats/raw_labels.h"
+
+#include <array>
+#include <cmath>
+
+namespace viscera::medical_io {
+namespace {
+
+constexpr std::int64_t kLongestAxis = 65535;
+constexpr double kFarthestMm = 1e9;
+/// Of the volume of a box with the same edges: less is no volume any more.
+constexpr double kFlattest = 1e-6;
+
+} // namespace
+
+std::size_t sizeOf(Scalar scalar) {
+  constexpr std::array<std::size_t, 10> kSizes = {1, 1, 2, 2, 4, 4, 8, 8, 4, 8};
+  return kSizes[static_cast<std::size_t>(scalar)];
+}
+
+std::uint64_t RawLabels::valueCount() const {
+  std::uint64_t count = static_cast<std::uint64_t>(layers);
+  for (const int n : size)
+    count = saturatedProduct(count, static_cast<std::uint64_t>(n));
+  return count;
+}
+
+std::uint64_t RawLabels::byteCount() const {
+  return saturatedProduct(valueCount(), sizeOf(scalar));
+}
+
+int axisSize(const FileBytes& file, std::int64_t size, std::string_view axis) {
+  if (size < 1 || size > kLongestAxis)
+    file.fail("its header is damaged: its size along " + std::string(axis) + " is " + std::to_string(size));
+  return static_cast<int>(size);
+}
+
+void requireAllValues(const RawLabels& raw, const FileBytes& file) {
+  const std::uint64_t there = raw.storage.size() - raw.offset;
+  if (there < raw.byteCount())
+    file.fail("the file is cut off: its header promises " + std::to_string(raw.byteCount()) +
+              " bytes of voxels, " + std::to_string(there) + " are there");
+}
+
+void requireUsableGrid(const RawLabels& raw, const FileBytes& file) {
+  const Eigen::Affine3d& grid = raw.indexToLps;
+  if (!grid.matrix().allFinite())
+    file.fail("the directions, spacing or origin of its voxels are not finite");
+  const double edges = grid.linear().colwise().norm().prod();
+  if (!(std::abs(grid.linear().determinant()) > kFlattest * edges))
+    file.fail("the directions and spacing of its voxels enclose no volume");
+  const Vec3 last = grid * Vec3(raw.size[0], raw.size[1], raw.size[2]);
+  if (last.norm() > kFarthestMm || grid.translation().norm() > kFarthestMm)
+    file.fail("its voxels are more than 1000 km away");
+}
+
+} // namespace viscera::medical_io

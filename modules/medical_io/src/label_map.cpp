@@ -1,0 +1,174 @@
+#include "viscera/medical_io/label_map.h"
+
+#include <algorithm>
+#include <new>
+
+#include "file_bytes.h"
+#include "file_signature.h"
+#include "label_file.h"
+#include "label_formats/label_encoding.h"
+#include "label_formats/raw_labels.h"
+#include "label_tables.h"
+#include "segment_names.h"
+#include "viscera/core/error.h"
+
+namespace viscera::medical_io {
+namespace {
+
+struct Format {
+  std::string_view extension;
+  Signature signature;
+  RawLabels (*read)(FileBytes&);
+};
+
+constexpr std::array<Format, 11> kFormats = {{{".nii", Signature::nifti, readNifti},
+                                              {".nii.gz", Signature::nifti, readNifti},
+                                              {".nrrd", Signature::nrrd, readNrrd},
+                                              {".seg.nrrd", Signature::nrrd, readNrrd},
+                                              {".nhdr", Signature::nrrd, readNrrd},
+                                              {".seg.nhdr", Signature::nrrd, readNrrd},
+                                              {".mha", Signature::metaImage, readMetaImage},
+                                              {".mhd", Signature::metaImage, readMetaImage},
+                                              {".dcm", Signature::dicom, readDicomSegmentation},
+                                              {".ima", Signature::dicom, readDicomSegmentation},
+                                              {"", Signature::dicom, readDicomSegmentation}}};
+
+/// Which reader the name asks for, as long as the contents do not look like something else. DICOM files often
+/// have no ending, or a number for one.
+const Format& formatOf(const FileBytes& file) {
+  const std::string extension = extensionOf(file.file);
+  const Signature found = signatureOf(file);
+  const auto format = std::find_if(kFormats.begin(), kFormats.end(),
+                                   [&](const Format& f) { return f.extension == extension; });
+  if (format == kFormats.end()) {
+    if (found == Signature::dicom)
+      return kFormats.back();
+    file.fail("the ending \"" + extension + "\" is none of a label map" +
+                  (found == Signature::unknown ? "" : "; it looks like " + std::string(describe(found))),
+              "known endings: .nii, .nii.gz, .nrrd, .seg.nrrd, .nhdr, .mha, .mhd, .dcm");
+  }
+  const bool packedNifti = format->signature == Signature::nifti && found == Signature::gzip;
+  if (found == Signature::unknown || found == format->signature || packedNifti)
+    return *format;
+  const std::string_view usual = usualExtension(found);
+  file.fail("is named " + extension + " but looks like " + std::string(describe(found)),
+            usual.empty() ? "save it as a label map" : "rename it to end in " + std::string(usual));
+}
+
+LabelMap labelMapOf(RawLabels&& raw, const FileBytes& file, Progress& progress) {
+  requireUsableGrid(raw, file);
+  EncodedLabels encoded = encodeLabels(raw, file, progress);
+  LabelMap map;
+  map.size = raw.size;
+  map.indexToLps = raw.indexToLps;
+  map.layers = std::move(encoded.layers);
+  map.space = std::move(raw.space);
+  map.warnings = std::move(raw.warnings);
+  for (const auto& [layer, label] : encoded.labels) {
+    Segment& segment = map.segments.emplace_back();
+    segment.label = label;
+    segment.layer = layer;
+  }
+  raw.storage = {};
+  measureSegments(map, progress);
+  nameSegments(map, raw.stated);
+  return map;
+}
+
+/// The file's own names go before those of a table beside it.
+void nameByTable(LabelMap& map, const std::filesystem::path& file) {
+  if (std::any_of(map.segments.begin(), map.segments.end(), [](const Segment& s) { return s.named; }))
+    return;
+  const LabelTable table = findLabelTable(file);
+  if (table.segments.empty())
+    return;
+  nameSegments(map, table.segments);
+  map.warnings.push_back("the names of its labels are those of " + table.file.filename().string());
+}
+
+void warnOfEmptySegments(LabelMap& map, const std::vector<StatedSegment>& stated) {
+  std::size_t empty = 0;
+  std::string first;
+  for (const StatedSegment& one : stated) {
+    const bool found = std::any_of(map.segments.begin(), map.segments.end(), [&](const Segment& s) {
+      return s.label == one.label && s.layer == one.layer;
+    });
+    if (!found && empty++ == 0)
+      first = one.name;
+  }
+  if (empty > 0)
+    map.warnings.push_back(counted(empty, "segment has", "segments have") + " no voxels (" + first +
+                           (empty > 1 ? ", ...)" : ")"));
+}
+
+} // namespace
+
+Bounds LabelMap::bounds() const {
+  Points corners(8, 3);
+  for (int corner = 0; corner < 8; ++corner) {
+    Vec3 index = Vec3::Constant(-0.5);
+    for (int axis = 0; axis < 3; ++axis)
+      if ((corner >> axis & 1) != 0)
+        index[axis] = size[static_cast<std::size_t>(axis)] - 0.5;
+    corners.row(corner) = (indexToLps * index).transpose();
+  }
+  return boundsOf(corners);
+}
+
+LabelMap readLabelFile(const std::filesystem::path& file, Progress& progress) {
+  FileBytes bytes = readWholeFile(file);
+  const Format& format = formatOf(bytes);
+  try {
+    RawLabels raw = format.read(bytes);
+    const std::vector<StatedSegment> stated = raw.stated;
+    LabelMap map = labelMapOf(std::move(raw), bytes, progress);
+    // Tables of all classes there are, as TotalSegmentator writes them into NIfTI, are no loss.
+    if (format.signature != Signature::nifti)
+      warnOfEmptySegments(map, stated);
+    return map;
+  } catch (const std::bad_alloc&) {
+    bytes.fail("does not fit into memory", "crop the image to the organs");
+  }
+}
+
+LabelMap readLabelMap(const std::filesystem::path& file, Progress& progress) {
+  std::error_code ignored;
+  if (std::filesystem::is_directory(file, ignored))
+    return readLabelFolder(file, progress);
+  LabelMap map = readLabelFile(file, progress);
+  if (map.segments.empty())
+    throw DataError("has no labelled voxel: all are 0", file.string(),
+                    "check that the segmentation was saved");
+  nameByTable(map, file);
+  completeSegments(map);
+  progress.report(1);
+  return map;
+}
+
+const std::vector<std::string>& labelMapExtensions() {
+  static const std::vector<std::string> kExtensions = [] {
+    std::vector<std::string> list;
+    for (const Format& format : kFormats)
+      if (!format.extension.empty())
+        list.emplace_back(format.extension);
+    return list;
+  }();
+  return kExtensions;
+}
+
+bool isLabelMap(const std::filesystem::path& fileOrFolder) {
+  const auto isOne = [](const std::filesystem::path& file) {
+    const auto& all = labelMapExtensions();
+    return std::find(all.begin(), all.end(), extensionOf(file)) != all.end();
+  };
+  std::error_code error;
+  if (!std::filesystem::is_directory(fileOrFolder, error))
+    return isOne(fileOrFolder);
+  for (std::filesystem::directory_iterator entry(fileOrFolder, error), end; !error && entry != end;
+       entry.increment(error))
+    if (isOne(entry->path()))
+      return true;
+  return false;
+}
+
+} // namespace viscera::medical_io

@@ -1,0 +1,80 @@
+#include "segment_names.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <utility>
+
+#include "anatomy_colors.h"
+
+namespace viscera::medical_io {
+namespace {
+
+/// One line without anything that a list or a terminal stumbles over.
+std::string printable(std::string name) {
+  std::erase_if(name, [](char c) { return static_cast<unsigned char>(c) < ' ' || c == '\x7f'; });
+  const std::size_t begin = name.find_first_not_of(' ');
+  return begin == name.npos ? std::string() : name.substr(begin, name.find_last_not_of(' ') - begin + 1);
+}
+
+/// Adds the voxels [begin, end) of the row (j, k) to a segment.
+void addRun(Segment& segment, int begin, int end, int j, int k) {
+  const std::array<int, 3> first = {begin, j, k}, last = {end - 1, j, k};
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    segment.low[axis] = segment.voxels == 0 ? first[axis] : std::min(segment.low[axis], first[axis]);
+    segment.high[axis] = segment.voxels == 0 ? last[axis] : std::max(segment.high[axis], last[axis]);
+  }
+  segment.voxels += end - begin;
+}
+
+void measureRow(LabelMap& map, const std::uint16_t* row, int j, int k) {
+  for (int begin = 0; begin < map.size[0];) {
+    int end = begin + 1;
+    while (end < map.size[0] && row[end] == row[begin])
+      ++end;
+    if (row[begin] != 0)
+      addRun(map.segments[row[begin] - 1U], begin, end, j, k);
+    begin = end;
+  }
+}
+
+} // namespace
+
+void nameSegments(LabelMap& map, const std::vector<StatedSegment>& stated) {
+  std::map<std::pair<int, std::int64_t>, const StatedSegment*> known;
+  for (const StatedSegment& one : stated)
+    known.try_emplace({one.layer, one.label}, &one);
+  for (Segment& segment : map.segments) {
+    const auto found = known.find({segment.layer, segment.label});
+    if (found == known.end())
+      continue;
+    segment.name = printable(found->second->name);
+    segment.named = !segment.name.empty();
+    segment.colored = found->second->color.has_value();
+    segment.color = found->second->color.value_or(segment.color);
+  }
+}
+
+void completeSegments(LabelMap& map) {
+  std::set<std::string> taken;
+  for (Segment& segment : map.segments) {
+    if (segment.name.empty())
+      segment.name = "label " + std::to_string(segment.label);
+    if (!segment.colored)
+      segment.color = anatomyColor(segment.name, segment.label);
+    const std::string base = segment.name;
+    for (int number = 2; !taken.insert(segment.name).second; ++number)
+      segment.name = base + " " + std::to_string(number);
+  }
+}
+
+void measureSegments(LabelMap& map, Progress& progress) {
+  for (const LabelMap::Layer& layer : map.layers)
+    for (int k = 0; k < map.size[2]; ++k) {
+      progress.throwIfCancelled();
+      for (int j = 0; j < map.size[1]; ++j)
+        measureRow(map, layer.data() + map.indexOf(0, j, k), j, k);
+    }
+}
+
+} // namespace viscera::medical_io
