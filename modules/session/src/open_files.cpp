@@ -7,6 +7,7 @@
 #include <tuple>
 #include <utility>
 
+#include "sha256.h"
 #include "viscera/core/error.h"
 #include "viscera/geometry/convex_hull.h"
 #include "viscera/medical_io/surface_file.h"
@@ -66,6 +67,7 @@ Organ readOrgan(const std::filesystem::path& file) {
   const std::string name = surface.name.empty() ? file.stem().string() : surface.name;
   Organ organ = makeOrgan(name, std::move(surface.mesh));
   organ.file = file;
+  organ.origin.fileHash = sha256OfFile(file);
   // Both looked at the surface and say the same of it; only the file knows of units and axes.
   for (std::string& warning : organ.warnings)
     if (std::find(surface.warnings.begin(), surface.warnings.end(), warning) == surface.warnings.end())
@@ -177,6 +179,8 @@ std::vector<NewOrgan> organsFrom(const organs::SampleOrgan& sample) {
     const bool outer = list.empty();
     NewOrgan item{makeOrgan(displayName(outer ? sample.name : surface.name), surface.mesh), outer ? -1 : 0};
     item.organ.look.color = surface.color;
+    item.organ.origin.sample = sample.name + "@" + organs::nameOf(sample.resolution);
+    item.organ.origin.surface = surface.name;
     list.push_back(std::move(item));
   }
   return list;

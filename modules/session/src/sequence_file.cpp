@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "edit.h"
+#include "json_reader.h"
 #include "sequence_json.h"
 #include "viscera/core/atomic_file.h"
 #include "viscera/session/recording_commands.h"
@@ -20,18 +21,6 @@ namespace {
 constexpr std::string_view kEnding = ".sequence.json";
 /// Handles apart by more than this part of the rig's size are other handles.
 constexpr double kSameRest = 1e-6;
-
-std::string readText(const std::filesystem::path& file) {
-  std::error_code error;
-  if (!std::filesystem::is_regular_file(file, error))
-    throw NoInputError("is not a file that can be read", file.string(), "check the name");
-  std::ifstream stream(file, std::ios::binary);
-  std::ostringstream text;
-  text << stream.rdbuf();
-  if (!stream)
-    throw NoInputError("cannot be read", file.string(), "check its permissions");
-  return text.str();
-}
 
 /// Whether the rig has the file's handles; fills `ids` with theirs, in the file's order.
 bool hasHandles(const Rig& rig, const SequenceFile& sequence, std::vector<HandleId>& ids) {

@@ -9,6 +9,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "json_reader.h"
 #include "viscera/core/error.h"
 
 namespace viscera::session {
@@ -21,14 +22,17 @@ constexpr const char* kFormat = "viscera-sequence";
 constexpr int kVersion = 1;
 constexpr Eigen::Index kFewestHandles = 4;
 
+constexpr JsonReader::Format kSequenceFormat = {kFormat, kVersion, "sequence",
+                                                "choose a file that Viscera has saved as .sequence.json",
+                                                "record and save the sequence again"};
+
 /// Reads one file; every message names it.
-class SequenceReader {
+class SequenceReader : private JsonReader {
 public:
-  explicit SequenceReader(const std::string& where) : where_(where) {}
+  explicit SequenceReader(const std::string& where) : JsonReader(where, kSequenceFormat) {}
 
   SequenceFile read(const std::string& text) {
     const ordered_json root = parse(text);
-    requireFormat(root);
     Track& track = file_.track;
     if (root.contains("name"))
       track.name = textOf(root, "name", "");
@@ -36,7 +40,7 @@ public:
     readGroups(root);
     track.periodSeconds = numberOf(field(root, "periodSeconds", ""), "periodSeconds");
     if (root.contains("loop"))
-      track.loop = flagOf(root, "loop");
+      track.loop = flagOf(root, "loop", "");
     if (root.contains("interpolation"))
       track.interpolation =
           named(sequences::interpolationFromName, root, "interpolation", "", "eased, curve");
@@ -45,97 +49,12 @@ public:
     try {
       const sequences::KeyframedSequence check(track);
     } catch (const DataError& error) {
-      throw DataError(error.problem(), where_ + ", " + error.where(), error.tryThis());
+      throw DataError(error.problem(), where() + ", " + error.where(), error.tryThis());
     }
     return std::move(file_);
   }
 
 private:
-  [[noreturn]] void fail(const std::string& problem, const std::string& place,
-                         const std::string& tryThis = "record and save the sequence again") const {
-    throw DataError(problem, place.empty() ? where_ : where_ + ", " + place, tryThis);
-  }
-
-  ordered_json parse(const std::string& text) const {
-    try {
-      return ordered_json::parse(text);
-    } catch (const ordered_json::exception& error) {
-      // nlohmann's "[json.exception...] parse error at line 3, column 5: ..." without its prefix.
-      const std::string message = error.what();
-      const std::size_t end = message.find("] ");
-      fail("is no complete JSON: " + (end == message.npos ? message : message.substr(end + 2)), "");
-    }
-  }
-
-  const ordered_json& field(const ordered_json& object, const char* key, const std::string& place) const {
-    const auto found = object.find(key);
-    if (found == object.end())
-      fail("has no \"" + std::string(key) + "\"", place);
-    return *found;
-  }
-
-  std::string textOf(const ordered_json& object, const char* key, const std::string& place) const {
-    const ordered_json& value = field(object, key, place);
-    if (!value.is_string() || value.get<std::string>().empty())
-      fail("\"" + std::string(key) + "\" is not a text", place);
-    return value.get<std::string>();
-  }
-
-  bool flagOf(const ordered_json& object, const char* key) const {
-    if (!object.at(key).is_boolean())
-      fail("\"" + std::string(key) + "\" is neither true nor false", "");
-    return object.at(key).get<bool>();
-  }
-
-  double numberOf(const ordered_json& value, const std::string& place) const {
-    if (!value.is_number() || !std::isfinite(value.get<double>()))
-      fail("is not a finite number", place);
-    return value.get<double>();
-  }
-
-  Vec3 vectorOf(const ordered_json& value, const std::string& place) const {
-    if (!value.is_array() || value.size() != 3)
-      fail("is not a list of three numbers", place);
-    return {numberOf(value[0], place), numberOf(value[1], place), numberOf(value[2], place)};
-  }
-
-  const ordered_json& listOf(const ordered_json& object, const char* key, const std::string& place) const {
-    const ordered_json& list = field(object, key, place);
-    if (!list.is_array())
-      fail("\"" + std::string(key) + "\" is not a list", place);
-    return list;
-  }
-
-  void requireObject(const ordered_json& value, const std::string& place) const {
-    if (!value.is_object())
-      fail("is not an object", place);
-  }
-
-  template <class Value>
-  Value named(std::optional<Value> (*find)(const std::string&), const ordered_json& object, const char* key,
-              const std::string& place, const std::string& known) const {
-    const std::string name = textOf(object, key, place);
-    const auto value = find(name);
-    if (!value)
-      fail("there is no " + std::string(key) + " \"" + name + "\"", place, "use one of: " + known);
-    return *value;
-  }
-
-  void requireFormat(const ordered_json& root) const {
-    if (!root.is_object() || root.value("format", ordered_json()) != kFormat)
-      fail("is no sequence: its \"format\" is not \"" + std::string(kFormat) + "\"", "",
-           "choose a file that Viscera has saved as .sequence.json");
-    const ordered_json& version = field(root, "version", "");
-    if (!version.is_number_integer() || version.get<std::int64_t>() < 1)
-      fail("\"version\" is not a positive whole number", "");
-    if (version.get<std::int64_t>() > kVersion)
-      fail("is of version " + version.dump() + "; this program reads up to " + std::to_string(kVersion), "",
-           "update Viscera");
-    for (const auto& [key, wanted] : {std::pair("coordinateSystem", "LPS"), std::pair("units", "mm")})
-      if (root.contains(key) && root.at(key) != wanted)
-        fail("\"" + std::string(key) + "\" is " + root.at(key).dump() + " instead of \"" + wanted + "\"", "");
-  }
-
   void readHandles(const ordered_json& root) {
     const ordered_json& list = listOf(root, "handles", "");
     Points& rest = file_.track.restHandles;
@@ -170,9 +89,7 @@ private:
       requireObject(item, place);
       sequences::HandleGroup group{textOf(item, "name", place), {1.0, 0.5, 0.2}, {}};
       if (item.contains("color"))
-        group.color = vectorOf(item.at("color"), place + ", color");
-      if ((group.color.array() < 0).any() || (group.color.array() > 1).any())
-        fail("its colour does not lie between 0 and 1", place);
+        group.color = colorOf(item.at("color"), place + ", color");
       for (const ordered_json& label : listOf(item, "handles", place)) {
         group.handles.push_back(rowOf(label, place));
         if (!grouped.insert(group.handles.back()).second)
@@ -216,14 +133,9 @@ private:
     }
   }
 
-  std::string where_;
   SequenceFile file_;
   std::map<std::string, int> rows_;
 };
-
-ordered_json listOf(const Vec3& v) {
-  return {v.x(), v.y(), v.z()};
-}
 
 ordered_json keyOf(const sequences::Keyframe& key, const SequenceFile& sequence) {
   ordered_json pose = ordered_json::object();

@@ -1,5 +1,7 @@
 #include "viscera/session/undo_stack.h"
 
+#include <algorithm>
+#include <iterator>
 #include <utility>
 
 namespace viscera::session {
@@ -21,9 +23,42 @@ void shareEqualParts(const DocumentState& before, DocumentState& after) {
   share(&DocumentState::recording);
 }
 
+template <class Array>
+std::size_t bytesOf(const Array& array) {
+  return static_cast<std::size_t>(array.size()) * sizeof(typename Array::Scalar);
+}
+
+std::size_t bytesOf(const geometry::TriangleMesh& mesh) {
+  return bytesOf(mesh.points) + bytesOf(mesh.triangles) + bytesOf(mesh.colors);
+}
+
+/// Roughly what `after` holds in memory that `before` does not.
+std::size_t newBytes(const DocumentState& before, const DocumentState& after) {
+  std::size_t bytes = sizeof(DocumentState);
+  if (after.organs != before.organs) {
+    for (const auto& organ : *after.organs) {
+      const bool known = std::any_of(before.organs->begin(), before.organs->end(),
+                                     [&](const auto& other) { return other->mesh == organ->mesh; });
+      bytes += sizeof(Organ) + (known ? 0 : bytesOf(*organ->mesh));
+    }
+  }
+  if (after.rig != before.rig) {
+    bytes += after.rig->handles.size() * sizeof(Handle);
+    for (const Group& group : after.rig->groups)
+      bytes += sizeof(Group) + group.handles.size() * sizeof(HandleId);
+  }
+  if (after.pose != before.pose)
+    bytes += bytesOf(*after.pose);
+  if (after.recording != before.recording)
+    for (const RecordedKey& key : after.recording->keys)
+      bytes += sizeof(key) + key.displacements.size() * sizeof(*key.displacements.begin());
+  return bytes;
+}
+
 } // namespace
 
-UndoStack::UndoStack(Document& document) : document_(document), saved_(document.state()) {}
+UndoStack::UndoStack(Document& document, std::size_t memory)
+    : document_(document), memory_(memory), saved_(document.state()) {}
 
 void UndoStack::perform(const Command& command) {
   const DocumentState before = document_.state();
@@ -51,7 +86,20 @@ void UndoStack::push(Entry entry, bool merge) {
     entries_.push_back(std::move(entry));
     position_ = entries_.size();
   }
+  entries_.back().bytes = newBytes(entries_.back().before, entries_.back().after);
+  forgetOldest();
   sealed_ = false;
+}
+
+/// The last step stays, however large it is.
+void UndoStack::forgetOldest() {
+  std::size_t kept = 0;
+  auto oldest = entries_.end();
+  while (oldest != entries_.begin() &&
+         (oldest == entries_.end() || kept + std::prev(oldest)->bytes <= memory_))
+    kept += (--oldest)->bytes;
+  position_ -= static_cast<std::size_t>(oldest - entries_.begin());
+  entries_.erase(entries_.begin(), oldest);
 }
 
 void UndoStack::beginStep(const std::string& name) {
@@ -85,20 +133,22 @@ void UndoStack::cancelStep() {
 }
 
 void UndoStack::undo() {
-  if (!canUndo())
-    return;
-  --position_;
-  seal();
-  document_.replace(entries_[position_].before, false);
-  changed_.emit();
+  if (canUndo())
+    goTo(position_ - 1);
 }
 
 void UndoStack::redo() {
-  if (!canRedo())
+  if (canRedo())
+    goTo(position_ + 1);
+}
+
+void UndoStack::goTo(std::size_t steps) {
+  if (stepOpen_ || steps > entries_.size() || steps == position_)
     return;
-  ++position_;
+  DocumentState state = steps < position_ ? entries_[steps].before : entries_[steps - 1].after;
+  position_ = steps;
   seal();
-  document_.replace(entries_[position_ - 1].after, false);
+  document_.replace(std::move(state), false);
   changed_.emit();
 }
 
@@ -119,8 +169,16 @@ std::vector<std::string> UndoStack::names() const {
 
 void UndoStack::markSaved() {
   endStep();
-  saved_ = document_.state();
+  markSaved(document_.state());
+}
+
+void UndoStack::markSaved(DocumentState state) {
+  saved_ = std::move(state);
   changed_.emit();
+}
+
+void UndoStack::markUnsaved() {
+  markSaved(DocumentState()); // Equal to none: states are compared by address.
 }
 
 bool UndoStack::isClean() const {
@@ -138,8 +196,11 @@ void UndoStack::reset(DocumentState state) {
     document_.ids_.reserve(handle.id);
   for (const Group& group : state.rig->groups)
     document_.ids_.reserve(group.id);
-  for (const RecordedKey& key : state.recording->keys)
+  for (const RecordedKey& key : state.recording->keys) {
     document_.ids_.reserve(key.id);
+    for (const auto& [handle, moved] : key.displacements) // Handles that were removed are still meant.
+      document_.ids_.reserve(handle);
+  }
   seal();
   saved_ = state;
   document_.replace(std::move(state), false);

@@ -1,8 +1,8 @@
 #include <map>
-#include <random>
 
 #include <gtest/gtest.h>
 
+#include "monkey.h"
 #include "session_fixture.h"
 #include "viscera/core/error.h"
 
@@ -13,142 +13,7 @@ namespace {
 
 using tests::Session;
 
-class Monkey {
-public:
-  Monkey(Session& session, unsigned seed) : s_(session), random_(seed) {}
-
-  /// Does one thing: a command, perhaps one that is refused, a drag, a step back or forth.
-  void act() {
-    switch (number(12)) {
-    case 0:
-      drag();
-      break;
-    case 1:
-      s_.undo.undo();
-      break;
-    case 2:
-      s_.undo.redo();
-      break;
-    default:
-      attempt(anyCommand());
-    }
-    if (number(8) == 0)
-      s_.undo.seal();
-  }
-
-  int refused() const { return refused_; }
-
-private:
-  int number(int below) { return std::uniform_int_distribution<int>(0, below - 1)(random_); }
-  double real(double low, double high) { return std::uniform_real_distribution<double>(low, high)(random_); }
-  Vec3 place() { return {real(-90, 90), real(-90, 90), real(-90, 90)}; }
-  Vec3 color() { return {real(0, 1), real(0, 1), real(0, 1)}; }
-
-  void attempt(const Command& command) {
-    const DocumentState before = s_.document.state();
-    try {
-      s_.undo.perform(command);
-    } catch (const Error&) {
-      ++refused_;
-      EXPECT_EQ(s_.document.state(), before) << command.name << " was refused and left a trace";
-    }
-  }
-
-  void drag() {
-    s_.undo.beginStep("Drag");
-    const auto handles = someHandles();
-    for (int i = 0; i < 5; ++i)
-      attempt(moveHandles(handles, places(handles.size())));
-    number(4) == 0 ? s_.undo.cancelStep() : s_.undo.endStep();
-  }
-
-  Points places(std::size_t count) {
-    Points out(static_cast<Eigen::Index>(count), 3);
-    for (Eigen::Index i = 0; i < out.rows(); ++i)
-      out.row(i) = place().transpose();
-    return out;
-  }
-
-  std::vector<HandleId> someHandles() {
-    std::vector<HandleId> out;
-    for (const Handle& handle : s_.document.rig().handles)
-      if (number(4) == 0)
-        out.push_back(handle.id);
-    return out;
-  }
-
-  /// One that is there, or one that is not.
-  template <class AnyId, class List, class IdOf>
-  AnyId pick(const List& list, IdOf idOf) {
-    const int index = number(static_cast<int>(list.size()) + 1);
-    return index < static_cast<int>(list.size()) ? idOf(list[static_cast<std::size_t>(index)])
-                                                 : AnyId{12345678};
-  }
-  OrganId anOrgan() {
-    return pick<OrganId>(s_.document.organs(), [](const auto& organ) { return organ->id; });
-  }
-  GroupId aGroup() {
-    return pick<GroupId>(s_.document.rig().groups, [](const Group& group) { return group.id; });
-  }
-
-  Command anyCommand() {
-    const std::string text = "T" + std::to_string(number(12));
-    switch (number(19)) {
-    case 0:
-      return addOrgans({tests::ball(text, real(5, 40), 1, place())});
-    case 1:
-      return removeOrgans({anOrgan()});
-    case 2:
-      return setOrganLook(anOrgan(), {color(), number(2) == 0, real(0, 1), number(2) == 0, number(2) == 0});
-    case 3:
-      return renameOrgan(anOrgan(), text);
-    case 4:
-      return addHandles(newHandles(places(static_cast<std::size_t>(1 + number(4)))));
-    case 5:
-      return removeHandles(someHandles());
-    case 6:
-      return restMove();
-    case 7:
-      return replaceRig({newHandles(places(12)), {{text, color(), {0, 3, 5}}}});
-    case 8:
-      return editHandles(someHandles(), {std::nullopt, text, number(2) == 0, number(2) == 0, number(2) == 0});
-    case 9:
-      return addGroup(text, color(), someHandles());
-    case 10:
-      return number(4) == 0 ? removeGroup(aGroup())
-                            : editGroup(aGroup(), {std::nullopt, color(), std::nullopt});
-    case 11:
-      return addToGroup(aGroup(), someHandles());
-    case 12:
-      return removeFromGroup(aGroup(), someHandles());
-    case 13:
-      return number(2) == 0 ? resetPose() : resetHandles(someHandles());
-    case 14:
-      return setSystem({number(2) == 0 ? "s-celestial" : "t-celestial", {}});
-    case 15:
-      return setParameter("locality", real(0, 3));
-    case 16:
-      return setVolumeLocked(anOrgan(), number(2) == 0);
-    case 17:
-      return closeHoles(anOrgan());
-    default:
-      return poseMove();
-    }
-  }
-
-  Command restMove() {
-    const auto handles = someHandles();
-    return moveRestHandles(handles, places(handles.size()));
-  }
-  Command poseMove() {
-    const auto handles = someHandles();
-    return moveHandles(handles, places(handles.size()));
-  }
-
-  Session& s_;
-  std::mt19937 random_;
-  int refused_ = 0;
-};
+using tests::Monkey;
 
 class RandomCommands : public ::testing::TestWithParam<unsigned> {};
 

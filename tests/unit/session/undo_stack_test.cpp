@@ -204,5 +204,70 @@ TEST(UndoStack, StopsTellingWhenTheSubscriptionEnds) {
   EXPECT_EQ(calls, 1);
 }
 
+TEST(UndoStack, GoesToAnyStepAndTellsOnce) {
+  Session s;
+  std::vector<DocumentState> states = {s.document.state()};
+  for (int i = 1; i <= 5; ++i) {
+    s.undo.perform(moveHandles({s.handle(8)}, row(i, 0, 40)));
+    states.push_back(s.document.state());
+  }
+  int calls = 0;
+  const Subscription subscription = s.document.onChange([&calls](const Change&) { ++calls; });
+  for (const std::size_t step : {2u, 5u, 0u, 3u}) {
+    s.undo.goTo(step);
+    EXPECT_TRUE(s.document.state() == states[step]) << step;
+    EXPECT_EQ(s.undo.position(), step);
+  }
+  EXPECT_EQ(calls, 4);
+  s.undo.goTo(3);
+  s.undo.goTo(99);
+  EXPECT_EQ(calls, 4) << "there is nowhere to go";
+  EXPECT_EQ(s.undo.redoName(), "Move handle");
+}
+
+TEST(UndoStack, ForgetsTheOldestStepsBeyondItsMemoryAndKeepsTheLast) {
+  Document document;
+  UndoStack undo(document, 200000);
+  undo.perform(addHandles(tests::cubeHandles()));
+  for (int i = 0; i < 40; ++i) // Each a surface of 26 kB.
+    undo.perform(addOrgans({tests::ball("Ball", 10, 3)}));
+  EXPECT_LT(undo.names().size(), 12u);
+  EXPECT_GT(undo.names().size(), 4u);
+  EXPECT_EQ(undo.position(), undo.names().size());
+  const auto steps = undo.position();
+  while (undo.canUndo())
+    undo.undo();
+  EXPECT_EQ(document.organs().size(), 40 - steps) << "what is forgotten stays done";
+  undo.perform(addOrgans({tests::ball("Large", 10, 6)})); // More than the memory by itself.
+  EXPECT_EQ(undo.names(), std::vector<std::string>{"Add Large"});
+  undo.undo();
+  EXPECT_EQ(document.organs().size(), 40 - steps);
+}
+
+TEST(UndoStack, AnOrganThatStaysCostsAStepNextToNothing) {
+  Document document;
+  UndoStack undo(document, 4000000);
+  undo.perform(addOrgans({tests::ball("Large", 10, 6)})); // About 1.5 MB.
+  const OrganId organ = document.organs().front()->id;
+  for (int i = 0; i < 500; ++i) {
+    undo.perform(setOrganLook(organ, {{i / 500.0, 0, 0}}));
+    undo.seal();
+  }
+  EXPECT_EQ(undo.names().size(), 501u);
+}
+
+TEST(UndoStack, RemembersTheStateThatWasSavedWhileWorkWentOn) {
+  Session s;
+  s.undo.perform(moveHandles({s.handle(8)}, row(1, 0, 40)));
+  const DocumentState saved = s.document.state();
+  s.undo.perform(moveHandles({s.handle(8)}, row(2, 0, 40)));
+  s.undo.markSaved(saved);
+  EXPECT_FALSE(s.undo.isClean());
+  s.undo.undo();
+  EXPECT_TRUE(s.undo.isClean());
+  s.undo.markUnsaved();
+  EXPECT_FALSE(s.undo.isClean());
+}
+
 } // namespace
 } // namespace viscera::session

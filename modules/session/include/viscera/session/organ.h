@@ -21,6 +21,16 @@ struct OrganLook {
   friend bool operator==(const OrganLook&, const OrganLook&) = default;
 };
 
+/// Where a surface can be read or made again, bit for bit, so that a session need not hold it. Empty for one
+/// that was edited or made otherwise.
+struct OrganOrigin {
+  std::string fileHash; ///< SHA-256, in hex, of the bytes of `Organ::file` when the surface was read from it.
+  std::string sample;   ///< A sample organ with its resolution: "heart@medium".
+  std::string surface;  ///< Which of the sample's surfaces: "lv".
+
+  friend bool operator==(const OrganOrigin&, const OrganOrigin&) = default;
+};
+
 /// One surface of the document. Immutable once in a document.
 struct Organ {
   OrganId id;
@@ -29,6 +39,7 @@ struct Organ {
   OrganLook look;
   OrganId parent;             ///< The organ whose cavity this is; none for an organ of its own.
   std::filesystem::path file; ///< Where it was read from; empty for one that the program made.
+  OrganOrigin origin;
   std::vector<std::string>
       warnings;             ///< What a user should know: assumed space, implausible size, what was mended.
   int boundaryEdges = 0;    ///< Edges with one triangle. An open surface has no volume.

@@ -13,7 +13,10 @@ namespace viscera::session {
 /// but memory (a step of a drag keeps one pose). For the document's thread.
 class UndoStack {
 public:
-  explicit UndoStack(Document& document);
+  /// What the steps may keep in memory, bytes; beyond it the oldest ones are forgotten.
+  static constexpr std::size_t kMemory = std::size_t{1} << 30;
+
+  explicit UndoStack(Document& document, std::size_t memory = kMemory);
 
   /// Does a command as one undo step (or as part of the step that is open). A command that changes nothing
   /// leaves no step. Passes on what the command throws, with the document and the stack as they were.
@@ -38,6 +41,8 @@ public:
   /// Goes one step back or forth; nothing happens when `canUndo` or `canRedo` says no.
   void undo();
   void redo();
+  /// Goes to where `steps` of all steps are done, as so many `undo` or `redo` would; observers are told once.
+  void goTo(std::size_t steps);
   /// The name of the step that `undo` would take back, or `redo` do again; empty when there is none.
   std::string undoName() const;
   std::string redoName() const;
@@ -47,6 +52,10 @@ public:
 
   /// Remembers the present state as the saved one.
   void markSaved();
+  /// Remembers the state that was saved while work went on.
+  void markSaved(DocumentState state);
+  /// No state there has been is a saved one: the document came out of a recovery file.
+  void markUnsaved();
   /// Whether the document is what was saved (or loaded): undoing back to it is clean again.
   bool isClean() const;
 
@@ -64,12 +73,15 @@ private:
     std::string mergeKey;
     DocumentState before;
     DocumentState after;
+    std::size_t bytes = 0; ///< What is in `after` and not in `before`.
   };
 
   void push(Entry entry, bool merge);
+  void forgetOldest();
   bool merges(const Command& command) const;
 
   Document& document_;
+  std::size_t memory_;
   std::vector<Entry> entries_;
   std::size_t position_ = 0;
   DocumentState saved_;

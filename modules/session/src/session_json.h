@@ -1,0 +1,53 @@
+#pragma once
+
+#include <functional>
+#include <set>
+#include <string>
+
+#include <nlohmann/json.hpp>
+
+#include "json_reader.h"
+#include "viscera/session/document.h"
+
+/// The parts of a document as a session file has them (docs/session_format.md). Organs' surfaces are not
+/// written and read here.
+namespace viscera::session {
+
+/// All of an organ but its surface and where it came from.
+nlohmann::ordered_json organJson(const Organ& organ);
+nlohmann::ordered_json rigJson(const Rig& rig, const Points& pose);
+nlohmann::ordered_json systemJson(const SystemChoice& system);
+nlohmann::ordered_json recordingJson(const Recording& recording);
+
+/// Reads the parts of one session; keeps watch that no id comes twice.
+class SessionReader : public JsonReader {
+public:
+  explicit SessionReader(const std::string& where);
+
+  /// What the file says of an organ; the rest is as in a new one.
+  Organ readOrganRecord(const nlohmann::ordered_json& item, const std::string& place);
+  void readRig(const nlohmann::ordered_json& item, DocumentState& state);
+  void readSystem(const nlohmann::ordered_json& item, DocumentState& state);
+  void readRecording(const nlohmann::ordered_json& item, DocumentState& state);
+
+  /// A text that may be empty or left out.
+  std::string optionalText(const nlohmann::ordered_json& object, const char* key,
+                           const std::string& place) const;
+  /// A place in a list: "organs[2]".
+  static std::string at(const std::string& list, std::size_t index);
+
+private:
+  template <class AnyId>
+  AnyId newId(const nlohmann::ordered_json& object, const std::string& place);
+  Handle readHandle(const nlohmann::ordered_json& item, const std::string& place);
+  Group readGroup(const nlohmann::ordered_json& item, const Rig& rig, const std::string& place);
+  RecordedKey readKey(const nlohmann::ordered_json& item, const std::string& place);
+
+  std::set<std::int64_t> ids_;
+};
+
+/// The format of session files.
+inline constexpr const char* kSessionFormat = "viscera-session";
+inline constexpr int kSessionVersion = 1;
+
+} // namespace viscera::session
