@@ -4,11 +4,12 @@
 #include <cmath>
 #include <vector>
 
-#include "surface/editable_surface.h"
+#include "viscera/geometry/editable_surface.h"
 
 namespace viscera::organs {
 namespace {
 
+using geometry::EditableSurface;
 using geometry::TriangleMesh;
 using Edge = EditableSurface::Edge;
 using Index = EditableSurface::Index;

@@ -1,8 +1,8 @@
-#include "surface/editable_surface.h"
+#include "viscera/geometry/editable_surface.h"
 
 #include <algorithm>
 
-namespace viscera::organs {
+namespace viscera::geometry {
 namespace {
 
 constexpr double kLeastTurn = 0.5;      // cosine: a collapse may turn a triangle by 60 degrees
@@ -21,7 +21,7 @@ bool agree(const Vec3& area, const Vec3& normal, double cosine) {
 
 } // namespace
 
-EditableSurface::EditableSurface(const geometry::TriangleMesh& mesh)
+EditableSurface::EditableSurface(const TriangleMesh& mesh)
     : points_(at(mesh.points.rows())), triangles_(at(mesh.triangles.rows())), around_(points_.size()),
       triangleCount_(static_cast<int>(mesh.triangles.rows())) {
   for (std::size_t v = 0; v < points_.size(); ++v)
@@ -161,8 +161,23 @@ bool EditableSurface::collapse(const Edge& edge, double longest) {
   const auto place = std::find_if(places.begin(), places.end(), fits);
   if (place == places.end())
     return false;
+  merge(edge, wing, *place);
+  return true;
+}
 
-  points_[at(edge.a)] = *place;
+bool EditableSurface::collapseTo(const Edge& edge, const Vec3& place) {
+  if (!exists(edge.a) || !exists(edge.b))
+    return false;
+  const Wings wing = wings(edge.a, edge.b);
+  if (wing.count != 2 || !linkAllowsCollapse(edge, wing) || !staysUnfolded(edge.a, place, wing) ||
+      !staysUnfolded(edge.b, place, wing))
+    return false;
+  merge(edge, wing, place);
+  return true;
+}
+
+void EditableSurface::merge(const Edge& edge, const Wings& wing, const Vec3& place) {
+  points_[at(edge.a)] = place;
   for (const Index t : wing.triangle) {
     for (const Index v : corners(t))
       detach(t, v);
@@ -174,7 +189,6 @@ bool EditableSurface::collapse(const Edge& edge, double longest) {
   }
   around_[at(edge.b)].clear();
   triangleCount_ -= 2;
-  return true;
 }
 
 bool EditableSurface::flip(const Edge& edge) {
@@ -226,8 +240,8 @@ std::vector<EditableSurface::Index> EditableSurface::vertices() const {
   return list;
 }
 
-geometry::TriangleMesh EditableSurface::mesh() const {
-  geometry::TriangleMesh mesh;
+TriangleMesh EditableSurface::mesh() const {
+  TriangleMesh mesh;
   const std::vector<Index> kept = vertices();
   std::vector<Index> renamed(points_.size(), -1);
   mesh.points.resize(static_cast<Eigen::Index>(kept.size()), 3);
@@ -247,4 +261,4 @@ geometry::TriangleMesh EditableSurface::mesh() const {
   return mesh;
 }
 
-} // namespace viscera::organs
+} // namespace viscera::geometry

@@ -6,7 +6,7 @@
 
 #include "viscera/geometry/triangle_mesh.h"
 
-namespace viscera::organs {
+namespace viscera::geometry {
 
 /// A closed manifold triangle surface whose edges can be split, collapsed and flipped, each operation refused
 /// when it would leave the surface no longer closed, manifold, or folded. Not thread-safe, but `const`
@@ -20,7 +20,7 @@ public:
   };
 
   /// `mesh` must be closed and manifold; `requireClosedManifold` of the caller. O(m).
-  explicit EditableSurface(const geometry::TriangleMesh& mesh);
+  explicit EditableSurface(const TriangleMesh& mesh);
 
   Index vertexCount() const { return static_cast<Index>(points_.size()); }
   /// Triangles that exist.
@@ -32,6 +32,9 @@ public:
   const std::array<Index, 3>& corners(Index triangle) const { return triangles_[at(triangle)]; }
   /// Twice the area, along the outward normal.
   Vec3 doubleArea(Index triangle) const;
+
+  /// The vertices that share an edge with this one.
+  std::vector<Index> neighbours(Index vertex) const;
 
   /// Every edge once, in the order of the triangles.
   std::vector<Edge> edges() const;
@@ -45,12 +48,15 @@ public:
   /// vertex would be longer than `longest` mm.
   bool collapse(const Edge& edge, double longest);
 
+  /// Merges b into a, placed at `place`; refused as above, whatever the length of the edges.
+  bool collapseTo(const Edge& edge, const Vec3& place);
+
   /// Turns the edge to the other diagonal when that brings the valences nearer to six; refused where the
   /// surface bends across the edge or would fold.
   bool flip(const Edge& edge);
 
   /// The present state, without what was removed.
-  geometry::TriangleMesh mesh() const;
+  TriangleMesh mesh() const;
   /// The vertices of `mesh()`, in its order.
   std::vector<Index> vertices() const;
 
@@ -66,10 +72,10 @@ private:
   }
   Wings wings(Index a, Index b) const;
   Index opposite(Index triangle, Index a, Index b) const;
-  std::vector<Index> neighbours(Index vertex) const;
   bool staysUnfolded(Index moved, const Vec3& to, const Wings& gone) const;
   bool spokesFit(const Edge& edge, const Vec3& place, double longest) const;
   bool linkAllowsCollapse(const Edge& edge, const Wings& wings) const;
+  void merge(const Edge& edge, const Wings& wing, const Vec3& place);
   void detach(Index triangle, Index vertex);
 
   std::vector<Vec3> points_;
@@ -78,4 +84,4 @@ private:
   int triangleCount_ = 0;
 };
 
-} // namespace viscera::organs
+} // namespace viscera::geometry
