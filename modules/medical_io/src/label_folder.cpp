@@ -3,6 +3,7 @@
 
 #include "file_bytes.h"
 #include "label_file.h"
+#include "label_layers.h"
 #include "segment_names.h"
 #include "viscera/core/error.h"
 #include "viscera/medical_io/label_map.h"
@@ -62,11 +63,11 @@ public:
     const Segment& only = mask.segments.front();
     Segment& segment = map_.segments.emplace_back(only);
     segment.label = static_cast<std::int64_t>(map_.segments.size());
-    segment.layer = layerFor(mask.layers.front());
+    segment.layer =
+        addToFreeLayer(map_.layers, mask.layers.front(), static_cast<std::uint16_t>(map_.segments.size()));
     segment.named = true;
     segment.name = stemOf(file);
     segment.colored = false;
-    paint(mask.layers.front(), map_.layers[static_cast<std::size_t>(segment.layer)]);
   }
 
   void addEmpty(const std::filesystem::path& file) { empty_.push_back(stemOf(file)); }
@@ -82,26 +83,6 @@ public:
   }
 
 private:
-  /// The first layer in which the mask's voxels are free.
-  int layerFor(const LabelMap::Layer& mask) {
-    for (std::size_t layer = 0; layer < map_.layers.size(); ++layer) {
-      bool free = true;
-      for (std::size_t v = 0; v < mask.size() && free; ++v)
-        free = mask[v] == 0 || map_.layers[layer][v] == 0;
-      if (free)
-        return static_cast<int>(layer);
-    }
-    map_.layers.emplace_back(mask.size());
-    return static_cast<int>(map_.layers.size()) - 1;
-  }
-
-  void paint(const LabelMap::Layer& mask, LabelMap::Layer& layer) const {
-    const auto number = static_cast<std::uint16_t>(map_.segments.size());
-    for (std::size_t v = 0; v < mask.size(); ++v)
-      if (mask[v] != 0)
-        layer[v] = number;
-  }
-
   LabelMap map_;
   std::vector<std::string> empty_;
 };

@@ -1,6 +1,7 @@
 #include "viscera/medical_io/label_map.h"
 
 #include <algorithm>
+#include <fstream>
 #include <new>
 
 #include "file_bytes.h"
@@ -101,6 +102,13 @@ void warnOfEmptySegments(LabelMap& map, const std::vector<StatedSegment>& stated
                            (empty > 1 ? ", ...)" : ")"));
 }
 
+/// DICOM files often have no ending: their mark stands behind 128 bytes.
+bool hasDicomMark(const std::filesystem::path& file) {
+  std::array<char, 132> begin = {};
+  std::ifstream stream(file, std::ios::binary);
+  return stream.read(begin.data(), begin.size()) && std::string_view(begin.data() + 128, 4) == "DICM";
+}
+
 } // namespace
 
 Bounds LabelMap::bounds() const {
@@ -163,7 +171,8 @@ bool isLabelMap(const std::filesystem::path& fileOrFolder) {
   };
   std::error_code error;
   if (!std::filesystem::is_directory(fileOrFolder, error))
-    return isOne(fileOrFolder);
+    return isOne(fileOrFolder) ||
+           (std::filesystem::is_regular_file(fileOrFolder, error) && hasDicomMark(fileOrFolder));
   for (std::filesystem::directory_iterator entry(fileOrFolder, error), end; !error && entry != end;
        entry.increment(error))
     if (isOne(entry->path()))

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <numeric>
 
-#include <vtkDecimatePro.h>
 #include <vtkFlyingEdges3D.h>
 #include <vtkImageData.h>
 #include <vtkNew.h>
@@ -15,11 +14,12 @@
 
 #include "file_bytes.h"
 #include "smooth_surface.h"
+#include "surface_warnings.h"
 #include "viscera/core/error.h"
 #include "viscera/geometry/normals.h"
 #include "viscera/geometry/surface_check.h"
+#include "viscera/geometry/thin_surface.h"
 #include "viscera/geometry/volume.h"
-#include "viscera/medical_io/surface_repair.h"
 #include "voxel_pieces.h"
 #include "vtk_poly_data.h"
 
@@ -29,8 +29,8 @@ namespace {
 using geometry::TriangleMesh;
 
 /// How much smoother one unit of `LabelSurfaceOptions::smoothing` makes the surface.
-constexpr int kFewestIterations = 20, kIterationsPerUnit = 20;
-constexpr double kPassBandPerUnit = 0.01;
+constexpr int kFewestIterations = 20, kIterationsPerUnit = 10;
+constexpr double kPassBandPerUnit = 0.1;
 /// A label that smoothing spoils is tried again with these parts of it.
 constexpr std::array<double, 3> kTries = {1, 0.25, 0};
 /// The volume is corrected until it is this close, relative to the voxels'.
@@ -72,26 +72,6 @@ bool isSound(const TriangleMesh& mesh) {
   return report.closed() && report.manifold() && report.volumeMm3 > 0;
 }
 
-/// Removes only vertices whose removal leaves the topology as it is; so it may end with more triangles.
-TriangleMesh thinnedByVertices(const TriangleMesh& mesh, int triangles) {
-  vtkNew<vtkDecimatePro> decimation;
-  decimation->SetInputData(polyDataOf(mesh));
-  decimation->SetTargetReduction(1 -
-                                 static_cast<double>(triangles) / static_cast<double>(mesh.triangles.rows()));
-  decimation->PreserveTopologyOn();
-  decimation->SplittingOff();
-  decimation->BoundaryVertexDeletionOff();
-  decimation->Update();
-  return meshOf(*decimation->GetOutput());
-}
-
-TriangleMesh thinned(const TriangleMesh& mesh, int triangles) {
-  if (triangles == 0 || mesh.triangles.rows() <= triangles)
-    return mesh;
-  TriangleMesh thin = thinSurface(mesh, triangles);
-  return isSound(thin) ? thin : thinnedByVertices(mesh, triangles);
-}
-
 /// Moves all vertices along their normals until the surface encloses `target` mm^3.
 void correctVolume(TriangleMesh& mesh, double target) {
   const geometry::VertexTriangles around = geometry::vertexTriangles(mesh.points.rows(), mesh.triangles);
@@ -105,6 +85,26 @@ void correctVolume(TriangleMesh& mesh, double target) {
   }
 }
 
+/// What a user should know of a label before its surface is made.
+std::vector<std::string> warningsOf(const LabelMap& map, std::size_t index, const VoxelPieces& pieces,
+                                    bool largestOnly) {
+  const Segment& segment = map.segments[index];
+  std::vector<std::string> warnings;
+  if (pieces.count > 1)
+    warnings.push_back(
+        counted(static_cast<std::uint64_t>(pieces.count), "piece", "pieces") + ", " +
+        counted(static_cast<std::uint64_t>(segment.voxels - pieces.largest), "voxel", "voxels") +
+        (largestOnly ? " besides the largest left out" : " besides the largest"));
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    if (map.size[axis] > 1 && (segment.low[axis] == 0 || segment.high[axis] == map.size[axis] - 1)) {
+      warnings.push_back("reaches the edge of the image, which may cut it off");
+      break;
+    }
+  if (auto warning = implausibleVolume(segment.name, map.volumeMl(segment)))
+    warnings.push_back(std::move(*warning));
+  return warnings;
+}
+
 /// One label's way from voxels to a surface.
 LabelSurface surfaceOf(const LabelMap& map, std::size_t segment, const LabelSurfaceOptions& options,
                        const Progress& progress) {
@@ -114,18 +114,14 @@ LabelSurface surfaceOf(const LabelMap& map, std::size_t segment, const LabelSurf
   surface.segment = segment;
   surface.pieces = options.largestPieceOnly ? 1 : pieces.count;
   surface.voxelVolumeMm3 = static_cast<double>(box.count) * map.voxelVolumeMm3();
-  if (pieces.count > 1) {
-    const std::string size =
-        counted(static_cast<std::uint64_t>(map.segments[segment].voxels - pieces.largest), "voxel", "voxels");
-    surface.warnings.push_back(
-        counted(static_cast<std::uint64_t>(pieces.count), "piece", "pieces") + ", " + size +
-        (options.largestPieceOnly ? " besides the largest left out" : " besides the largest"));
-  }
+  surface.warnings = warningsOf(map, segment, pieces, options.largestPieceOnly);
   progress.throwIfCancelled();
   const TriangleMesh contour = contourOf(box, map);
   for (const double part : kTries) {
     progress.throwIfCancelled();
-    surface.mesh = thinned(smoothed(contour, part * options.smoothing), options.triangles);
+    surface.mesh = smoothed(contour, part * options.smoothing);
+    if (options.triangles > 0)
+      surface.mesh = geometry::thinClosedSurface(surface.mesh, options.triangles);
     correctVolume(surface.mesh, surface.voxelVolumeMm3);
     surface.volumeMm3 = geometry::volume(surface.mesh.points, surface.mesh.triangles, Threads{1});
     const double error = std::abs(surface.volumeMm3 - surface.voxelVolumeMm3);

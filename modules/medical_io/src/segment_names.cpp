@@ -6,6 +6,9 @@
 #include <utility>
 
 #include "anatomy_colors.h"
+#include "file_bytes.h"
+#include "text_scanner.h"
+#include "viscera/core/error.h"
 
 namespace viscera::medical_io {
 namespace {
@@ -15,6 +18,23 @@ std::string printable(std::string name) {
   std::erase_if(name, [](char c) { return static_cast<unsigned char>(c) < ' ' || c == '\x7f'; });
   const std::size_t begin = name.find_first_not_of(' ');
   return begin == name.npos ? std::string() : name.substr(begin, name.find_last_not_of(' ') - begin + 1);
+}
+
+constexpr std::size_t kNamesTold = 12;
+
+std::string comparable(std::string_view name) {
+  std::string text = lowered(trimmed(name));
+  std::replace(text.begin(), text.end(), '_', ' ');
+  return text;
+}
+
+std::string someNames(const LabelMap& map) {
+  std::string list;
+  for (std::size_t s = 0; s < std::min(map.segments.size(), kNamesTold); ++s)
+    list += (s == 0 ? "" : ", ") + map.segments[s].name;
+  return map.segments.size() > kNamesTold
+             ? list + " and " + std::to_string(map.segments.size() - kNamesTold) + " more"
+             : list;
 }
 
 /// Adds the voxels [begin, end) of the row (j, k) to a segment.
@@ -75,6 +95,25 @@ void measureSegments(LabelMap& map, Progress& progress) {
       for (int j = 0; j < map.size[1]; ++j)
         measureRow(map, layer.data() + map.indexOf(0, j, k), j, k);
     }
+}
+
+std::vector<std::size_t> segmentsNamed(const LabelMap& map, const std::vector<std::string>& names,
+                                       const std::string& where) {
+  std::set<std::size_t> chosen;
+  for (const std::string& name : names) {
+    const auto number = parseInteger(trimmed(name));
+    bool known = false;
+    for (std::size_t s = 0; s < map.segments.size(); ++s)
+      if (comparable(map.segments[s].name) == comparable(name) || number == map.segments[s].label) {
+        chosen.insert(s);
+        known = true;
+      }
+    if (!known)
+      throw UsageError("has no label " + inQuotes(name), where, "it has " + someNames(map));
+  }
+  for (std::size_t s = 0; s < map.segments.size() && names.empty(); ++s)
+    chosen.insert(s);
+  return {chosen.begin(), chosen.end()};
 }
 
 } // namespace viscera::medical_io

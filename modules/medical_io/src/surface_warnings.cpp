@@ -1,5 +1,6 @@
 #include "surface_warnings.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
@@ -85,28 +86,29 @@ std::string organOf(std::string_view name) {
   return organ;
 }
 
-void warnOfVolume(SurfaceFile& surface, double volumeMl) {
-  const std::string organ = organOf(surface.name);
-  for (const Normal& normal : kNormals) {
-    if (organ != normal.name)
-      continue;
-    if (volumeMl < normal.low / kTolerance || volumeMl > normal.high * kTolerance)
-      surface.warnings.push_back("a " + std::string(normal.name) + " of " + rounded(volumeMl) +
-                                 " ml is not life-sized: adults have " + rounded(normal.low) + " to " +
-                                 rounded(normal.high) + " ml");
-    return;
-  }
-}
-
 } // namespace
+
+std::optional<std::string> implausibleVolume(std::string_view name, double volumeMl) {
+  const std::string organ = organOf(name);
+  const auto* normal =
+      std::find_if(kNormals.begin(), kNormals.end(), [&](const Normal& n) { return n.name == organ; });
+  if (normal == kNormals.end() ||
+      (volumeMl >= normal->low / kTolerance && volumeMl <= normal->high * kTolerance))
+    return std::nullopt;
+  return "a " + std::string(normal->name) + " of " + rounded(volumeMl) +
+         " ml is not life-sized: adults have " + rounded(normal->low) + " to " + rounded(normal->high) +
+         " ml";
+}
 
 void appendSurfaceWarnings(SurfaceFile& surface) {
   warnOfSize(surface);
   const geometry::SurfaceReport report = geometry::checkSurface(surface.mesh);
   for (std::string& fault : geometry::faults(report))
     surface.warnings.push_back(std::move(fault));
-  if (report.closed())
-    warnOfVolume(surface, std::abs(report.volumeMm3) / kMm3PerMl);
+  if (!report.closed())
+    return;
+  if (auto warning = implausibleVolume(surface.name, std::abs(report.volumeMm3) / kMm3PerMl))
+    surface.warnings.push_back(std::move(*warning));
 }
 
 } // namespace viscera::medical_io

@@ -1,8 +1,15 @@
+#include <algorithm>
+#include <chrono>
 #include <filesystem>
+#include <iostream>
+#include <memory>
 
 #include <gtest/gtest.h>
 
+#include "viscera/geometry/signed_distance.h"
 #include "viscera/geometry/surface_check.h"
+#include "viscera/medical_io/label_map.h"
+#include "viscera/medical_io/label_surfaces.h"
 #include "viscera/medical_io/surface_file.h"
 
 namespace viscera::medical_io {
@@ -73,6 +80,55 @@ TEST(SharedOrgans, BunnyKeepsItsUsedVerticesAndItsHoles) {
   EXPECT_EQ(geometry::checkSurface(bunny.mesh).boundaryEdges, 223);
   EXPECT_TRUE(warnsOf(bunny, "boundary edges"));
   EXPECT_TRUE(warnsOf(bunny, "metres")) << "it is 0.25 units across";
+}
+
+/// The whole way: 95 labels of a CT atlas, among them a colon full of tunnels, vessels of a voxel and specks.
+TEST(SharedOrgans, LabelsOfTheAbdomenAreClosedAndAsLargeAsTheirVoxels) {
+  const auto file = kOrgans / "abdomen_seg.nrrd";
+  SKIP_WITHOUT(file);
+  const auto start = std::chrono::steady_clock::now();
+  Progress progress;
+  const LabelMap map = readLabelMap(file, progress);
+  EXPECT_EQ(map.segments.size(), 95U);
+  EXPECT_TRUE(map.spacing().isApprox(Vec3(0.9375, 0.9375, 1.5), 1e-9));
+  const std::vector<LabelSurface> surfaces = labelSurfaces(map, {}, progress);
+  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+  std::cout << surfaces.size() << " labels into surfaces: " << seconds.count() << " s\n";
+  ASSERT_EQ(surfaces.size(), map.segments.size());
+  for (const LabelSurface& surface : surfaces) {
+    SCOPED_TRACE(map.segments[surface.segment].name);
+    const geometry::SurfaceReport report = geometry::checkSurface(surface.mesh);
+    EXPECT_TRUE(report.outward());
+    EXPECT_TRUE(report.manifold());
+    EXPECT_NEAR(report.volumeMm3, surface.voxelVolumeMm3, 0.01 * surface.voxelVolumeMm3);
+    EXPECT_DOUBLE_EQ(surface.voxelVolumeMm3,
+                     static_cast<double>(map.segments[surface.segment].voxels) * map.voxelVolumeMm3());
+    EXPECT_LE(surface.mesh.triangles.rows(), 40000);
+  }
+}
+
+TEST(SharedOrgans, LiverOfTheLabelMapIsWhereTheAtlasHasIt) {
+  const auto file = kOrgans / "abdomen_seg.nrrd";
+  SKIP_WITHOUT(file);
+  Progress progress;
+  const LabelMap map = readLabelMap(file, progress);
+  const auto liver = segmentsNamed(map, {"Liver"}, "atlas");
+  ASSERT_EQ(liver.size(), 1U);
+  const auto surfaces = labelSurfaces(map, {.segments = liver}, progress);
+  auto mesh = std::make_shared<geometry::TriangleMesh>(surfaces.at(0).mesh);
+  const geometry::SignedDistance distance(mesh);
+  geometry::TriangleMesh atlas = readSurface(kOrgans / "liver.vtk").mesh;
+  atlas.points.leftCols<2>() *= -1; // It is in RAS and does not say so.
+  double sum = 0;
+  for (Eigen::Index v = 0; v < atlas.points.rows(); ++v)
+    sum += std::abs(distance(atlas.points.row(v).transpose()));
+  const double mean = sum / static_cast<double>(atlas.points.rows());
+  std::cout << "mean distance from the atlas's liver: " << mean << " mm\n";
+  EXPECT_LT(mean, 1.5 * map.spacing().minCoeff());
+  EXPECT_TRUE(
+      std::any_of(surfaces[0].warnings.begin(), surfaces[0].warnings.end(), [](const std::string& warning) {
+        return warning.find("not life-sized") != std::string::npos;
+      }));
 }
 
 } // namespace

@@ -5,6 +5,7 @@
 
 #include "label_formats/inflate.h"
 #include "text_scanner.h"
+#include "viscera/core/error.h"
 
 namespace viscera::medical_io {
 namespace {
@@ -22,7 +23,16 @@ Source sourceOf(FileBytes& file, const StoredValues& stored) {
   if (name.empty() || name.has_root_path() || stored.beside->find('%') != std::string::npos)
     file.fail("its voxels are in several files or in another folder (" + inQuotes(*stored.beside) + ")",
               "save it as one file");
-  return {readWholeFile(file.file.parent_path() / name), 0};
+  try {
+    return {readWholeFile(file.file.parent_path() / name), 0};
+  } catch (const DataError& error) {
+    file.fail("the file with its voxels, " + inQuotes(*stored.beside) +
+              ", cannot be used: " + error.problem());
+  } catch (const NoInputError& error) {
+    throw NoInputError("the file with its voxels, " + inQuotes(*stored.beside) +
+                           ", cannot be read: " + error.problem(),
+                       file.name(), "put both files into one folder");
+  }
 }
 
 void skipLines(Source& source, std::uint64_t lines) {

@@ -75,10 +75,17 @@ LabelMap readLabelMap(const std::filesystem::path& file, Progress& progress);
 /// for one with several labels.
 LabelMap readLabelFolder(const std::filesystem::path& folder, Progress& progress);
 
+/// Indices of the segments that `names` ask for, in the order of the map: by name (upper and lower case,
+/// spaces and underscores are the same) or by label value; all for no names. Throws `UsageError` that tells
+/// what there is when one is not there. `where` names the map in it.
+std::vector<std::size_t> segmentsNamed(const LabelMap& map, const std::vector<std::string>& names,
+                                       const std::string& where);
+
 /// Lower-case endings with their dots that `readLabelMap` takes.
 const std::vector<std::string>& labelMapExtensions();
 
-/// Whether the name ends like a label map's, or is a folder that holds a file of such a name.
+/// Whether the name ends like a label map's, or it is a DICOM file of any name, or a folder that holds a file
+/// whose name ends like a label map's. Whether it is a good one, reading says.
 bool isLabelMap(const std::filesystem::path& fileOrFolder);
 
 /// More different values than any label map has: a file with so many is an image.

@@ -31,12 +31,12 @@ struct LabelSurface {
 
 /// A closed surface around every label, in the order of `options.segments`: flying edges through the label's
 /// voxels with a margin, so that organs that the image cuts off are closed as well; windowed-sinc smoothing
-/// (Taubin et al. 1996, doi 10.1007/BFb0015551); quadric decimation, or one that keeps the topology where
-/// that one does not; then all vertices move along their normals until the volume is the voxels' within
-/// `kVolumeTolerance`. A label that this spoils (thinner than a voxel) is smoothed less.
+/// (Taubin et al. 1996, doi 10.1007/BFb0015551); `geometry::thinClosedSurface`; then all vertices move along
+/// their normals until the volume is the voxels' within `kVolumeTolerance`. A label that this spoils (thinner
+/// than a voxel) is smoothed less.
 ///
-/// Throws `UsageError` for a segment that the map does not have, `Cancelled`. In parallel over labels, about
-/// a tenth of a second each; results do not depend on the number of threads.
+/// Throws `UsageError` for a segment that the map does not have, `Cancelled`. In parallel over labels;
+/// results do not depend on the number of threads. O(v + m log m) for a box of v voxels and m triangles.
 std::vector<LabelSurface> labelSurfaces(const LabelMap& map, const LabelSurfaceOptions& options,
                                         Progress& progress, Threads threads = {});
 

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "label_files.h"
+
+namespace viscera::tests {
+
+/// How a segmentation is written.
+struct DicomWriting {
+  bool fractional = false; ///< Labelled voxels have the largest fraction, 3 of 4 others next to none.
+  bool withoutEmptyFrames = true;
+  std::vector<std::string> names; ///< Of the labels 1, 2, ...; as many segments.
+};
+
+/// A DICOM segmentation as DCMTK writes it: one segment a label, one frame a slice. The grid of `image` is
+/// right-handed and without shear.
+std::string dicomFile(const LabelImage& image, const DicomWriting& writing);
+
+} // namespace viscera::tests

@@ -1,0 +1,341 @@
+#include <algorithm>
+#include <string>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "label_files.h"
+#include "packed_bytes.h"
+#include "temporary_folder.h"
+#include "viscera/core/error.h"
+#include "viscera/medical_io/file_kind.h"
+#include "viscera/medical_io/label_map.h"
+
+namespace viscera::medical_io {
+namespace {
+
+using testing::Contains;
+using testing::HasSubstr;
+using tests::gzipped;
+using tests::LabelImage;
+using tests::TemporaryFolder;
+
+LabelMap read(const std::filesystem::path& file) {
+  Progress progress;
+  return readLabelMap(file, progress);
+}
+
+std::string problemOf(const std::filesystem::path& file) {
+  try {
+    read(file);
+  } catch (const DataError& error) {
+    return error.what();
+  }
+  ADD_FAILURE() << file << " was read";
+  return {};
+}
+
+/// Two boxes, labels 5 and 300.
+LabelImage twoOrgans() {
+  LabelImage image = tests::emptyLabels();
+  image.fill({2, 3, 4}, {6, 8, 9}, 5);
+  image.fill({12, 3, 4}, {14, 5, 6}, 300);
+  return image;
+}
+
+/// The two organs of `twoOrgans`, whatever they are called.
+void expectTwoOrgans(const LabelMap& map) {
+  ASSERT_EQ(map.segments.size(), 2U);
+  EXPECT_EQ(map.segments[0].label, 5);
+  EXPECT_EQ(map.segments[0].voxels, 5 * 6 * 6);
+  EXPECT_EQ(map.segments[0].low, (std::array<int, 3>{2, 3, 4}));
+  EXPECT_EQ(map.segments[0].high, (std::array<int, 3>{6, 8, 9}));
+  EXPECT_EQ(map.segments[1].label, 300);
+  EXPECT_EQ(map.segments[1].voxels, 27);
+  EXPECT_EQ(map.layers.at(0).at(map.indexOf(13, 4, 5)), 2);
+}
+
+std::string replaced(std::string text, const std::string& what, const std::string& by) {
+  const std::size_t at = text.find(what);
+  EXPECT_NE(at, text.npos) << what;
+  return text.replace(at, what.size(), by);
+}
+
+class LabelFormats : public testing::Test {
+protected:
+  TemporaryFolder folder_;
+};
+
+TEST_F(LabelFormats, GiveEveryLabelItsVoxelsAndItsBox) {
+  expectTwoOrgans(read(folder_.put("a.nii", tests::niftiFile(twoOrgans()))));
+  expectTwoOrgans(read(folder_.put("a.nrrd", tests::nrrdFile(twoOrgans()))));
+  expectTwoOrgans(read(folder_.put("a.mha", tests::metaImageFile(twoOrgans()))));
+}
+
+TEST_F(LabelFormats, AreReadPacked) {
+  const LabelImage image = twoOrgans();
+  expectTwoOrgans(read(folder_.put("a.nii.gz", gzipped(tests::niftiFile(image)))));
+  const std::string voxels = tests::voxelBytes(image.voxels);
+  std::string nrrd = replaced(tests::nrrdFile(image), "encoding: raw", "encoding: gzip");
+  nrrd.resize(nrrd.size() - voxels.size());
+  expectTwoOrgans(read(folder_.put("a.nrrd", nrrd + gzipped(voxels))));
+  const std::string header =
+      replaced(tests::metaImageHeader(image, "LOCAL"), "CompressedData = False", "CompressedData = True");
+  expectTwoOrgans(read(folder_.put("a.mha", header + tests::zlibPacked(voxels))));
+}
+
+/// Several gzip streams one behind the other are one file.
+TEST_F(LabelFormats, AreReadPackedInSeveralParts) {
+  const std::string bytes = tests::niftiFile(twoOrgans());
+  expectTwoOrgans(
+      read(folder_.put("a.nii.gz", gzipped(bytes.substr(0, 1000)) + gzipped(bytes.substr(1000)))));
+}
+
+TEST_F(LabelFormats, AreReadInBothByteOrders) {
+  const LabelImage image = twoOrgans();
+  std::string voxels = tests::voxelBytes(image.voxels);
+  for (std::size_t i = 0; i < voxels.size(); i += 2)
+    std::swap(voxels[i], voxels[i + 1]);
+  std::string nrrd = replaced(tests::nrrdFile(image), "endian: little", "endian: big");
+  nrrd.resize(nrrd.size() - voxels.size());
+  expectTwoOrgans(read(folder_.put("a.nrrd", nrrd + voxels)));
+  const std::string header =
+      replaced(tests::metaImageHeader(image, "LOCAL"), "ByteOrderMSB = False", "ByteOrderMSB = True");
+  expectTwoOrgans(read(folder_.put("a.mha", header + voxels)));
+}
+
+TEST_F(LabelFormats, AreReadWithTheirVoxelsInAFileBeside) {
+  const LabelImage image = twoOrgans();
+  folder_.put("voxels.raw", tests::voxelBytes(image.voxels));
+  expectTwoOrgans(read(folder_.put("a.mhd", tests::metaImageHeader(image, "voxels.raw"))));
+  std::string nrrd = replaced(tests::nrrdFile(image), "endian:", "data file: voxels.raw\nendian:");
+  nrrd.resize(nrrd.size() - tests::voxelBytes(image.voxels).size());
+  expectTwoOrgans(read(folder_.put("a.nhdr", nrrd)));
+}
+
+TEST_F(LabelFormats, WithoutTheFileBesideAreRefused) {
+  EXPECT_THROW(read(folder_.put("a.mhd", tests::metaImageHeader(twoOrgans(), "gone.raw"))), NoInputError);
+  EXPECT_THAT(problemOf(folder_.put("b.mhd", tests::metaImageHeader(twoOrgans(), "/etc/passwd"))),
+              HasSubstr("another folder"));
+}
+
+TEST_F(LabelFormats, AreReadAsText) {
+  const LabelImage image = twoOrgans();
+  std::string text;
+  for (const std::int16_t v : image.voxels)
+    text += std::to_string(v) + " ";
+  std::string nrrd = replaced(tests::nrrdFile(image), "encoding: raw", "encoding: ascii");
+  nrrd.resize(nrrd.size() - tests::voxelBytes(image.voxels).size());
+  expectTwoOrgans(read(folder_.put("a.nrrd", nrrd + text)));
+}
+
+TEST_F(LabelFormats, ApplyTheScaleOfNifti) {
+  LabelImage image = twoOrgans();
+  for (std::int16_t& v : image.voxels)
+    v = static_cast<std::int16_t>(v == 0 ? -10 : v == 5 ? 0 : 590);
+  std::string bytes = tests::niftiFile(image);
+  tests::putBytes<float>(bytes, 112, 0.5F);
+  tests::putBytes<float>(bytes, 116, 5.0F);
+  expectTwoOrgans(read(folder_.put("a.nii", bytes)));
+}
+
+/// As 3D Slicer writes it when segments overlap: a list axis first, one label in two layers.
+TEST_F(LabelFormats, OfSlicerGiveOverlappingSegmentsNamesAndColours) {
+  LabelImage image = tests::emptyLabels({10, 9, 8});
+  image.indexToLps = Eigen::Scaling(-1.0, -1.0, 1.0) * Eigen::Translation3d(1, 2, 3);
+  image.voxels.assign(2 * 10 * 9 * 8, 0);
+  const auto set = [&](int layer, int i, int j, int k, std::int16_t label) {
+    image.voxels[std::size_t(((k * 9 + j) * 10 + i) * 2 + layer)] = label;
+  };
+  for (int i = 2; i < 8; ++i)
+    set(0, i, 4, 4, 1);
+  set(0, 1, 1, 1, 2);
+  for (int j = 3; j < 6; ++j)
+    set(1, 5, j, 4, 1);
+  const LabelMap map = read(folder_.put(
+      "a.seg.nrrd",
+      tests::nrrdFile(
+          image, "left-posterior-superior",
+          "Segmentation_MasterRepresentation:=Binary labelmap\n"
+          "Segment0_ID:=Segment_1\nSegment0_Name:=left kidney\nSegment0_Color:=0.25 0.5 1\n"
+          "Segment0_LabelValue:=1\nSegment0_Layer:=0\nSegment0_Extent:=2 7 4 4 4 4\n"
+          "Segment1_ID:=Segment_2\nSegment1_Name:=cyst\nSegment1_Color:=1 0 0\n"
+          "Segment1_LabelValue:=1\nSegment1_Layer:=1\n"
+          "Segment2_ID:=Segment_3\nSegment2_Name:=stone\nSegment2_LabelValue:=2\nSegment2_Layer:=0\n"
+          "Segment3_ID:=Segment_4\nSegment3_Name:=nothing\nSegment3_LabelValue:=3\nSegment3_Layer:=0\n",
+          2)));
+  ASSERT_EQ(map.layers.size(), 2U);
+  ASSERT_EQ(map.segments.size(), 3U);
+  EXPECT_EQ(map.segments[0].name, "left kidney");
+  EXPECT_TRUE(map.segments[0].color.isApprox(Vec3(0.25, 0.5, 1)));
+  EXPECT_EQ(map.segments[0].voxels, 6);
+  EXPECT_EQ(map.segments[1].name, "stone");
+  EXPECT_FALSE(map.segments[1].colored);
+  EXPECT_EQ(map.segments[2].name, "cyst");
+  EXPECT_EQ(map.segments[2].label, 1);
+  EXPECT_EQ(map.segments[2].layer, 1);
+  EXPECT_EQ(map.segments[2].voxels, 3);
+  // In voxel (5, 4, 4) both are.
+  EXPECT_EQ(map.layers[0][map.indexOf(5, 4, 4)], 1);
+  EXPECT_EQ(map.layers[1][map.indexOf(5, 4, 4)], 3);
+  EXPECT_THAT(map.warnings, Contains(HasSubstr("nothing")));
+}
+
+TEST_F(LabelFormats, OfTotalSegmentatorGiveTheNamesOfTheirTable) {
+  const std::string xml =
+      R"(<?xml version="1.0" encoding="UTF-8"?><CaretExtension><VolumeInformation Index="0"><LabelTable>)"
+      R"(<Label Key="5" Red="0.2" Green="0.4" Blue="0.6" Alpha="1">liver</Label>)"
+      R"(<Label Key="300" Red="1" Green="1" Blue="0">kidney_right</Label>)"
+      R"(<Label Key="6" Red="1" Green="0" Blue="0">stomach</Label>)"
+      R"(</LabelTable><StudyMetaDataLinkSet/><VolumeType>Label</VolumeType></VolumeInformation></CaretExtension>)";
+  const std::string bytes = tests::niftiFile(twoOrgans(), tests::NiftiForm::sform, xml);
+  for (const char* name : {"a.nii", "a.nii.gz"}) {
+    const LabelMap map = read(folder_.put(name, name[5] == '\0' ? bytes : gzipped(bytes)));
+    expectTwoOrgans(map);
+    EXPECT_EQ(map.segments[0].name, "liver");
+    EXPECT_TRUE(map.segments[0].color.isApprox(Vec3(0.2, 0.4, 0.6)));
+    EXPECT_EQ(map.segments[1].name, "kidney_right");
+    EXPECT_EQ(map.warnings, std::vector<std::string>{});
+  }
+}
+
+TEST_F(LabelFormats, TakeTheNamesOfATableBeside) {
+  const std::string bytes = tests::nrrdFile(twoOrgans());
+  struct Table {
+    const char* name;
+    const char* contents;
+  };
+  for (const Table& table :
+       {Table{"p_seg.ctbl", "# a table\n5 spleen 255 0 51 255\n300 left_kidney 1 2 3 255\n"},
+        Table{"p_colors.ctbl", "5 spleen 255 0 51 255\n300 left_kidney 1 2 3 255\n"},
+        Table{"p_seg.txt", "5 255 0 51 1 1 1 \"spleen\"\n300 1 2 3 1 1 1 \"left kidney\"\n"},
+        Table{"p_seg.json", R"({"5": "spleen", "300": "left kidney"})"},
+        Table{"dataset.json", R"({"labels": {"spleen": 5, "left kidney": 300}})"}}) {
+    SCOPED_TRACE(table.name);
+    const TemporaryFolder folder;
+    folder.put(table.name, table.contents);
+    const LabelMap map = read(folder.put("p_seg.nrrd", bytes));
+    ASSERT_EQ(map.segments.size(), 2U);
+    EXPECT_EQ(map.segments[0].name, "spleen");
+    EXPECT_EQ(map.segments[1].name, "left kidney");
+    if (map.segments[0].colored) {
+      EXPECT_TRUE(map.segments[0].color.isApprox(Vec3(1, 0, 0.2)));
+    }
+    EXPECT_THAT(map.warnings, Contains(HasSubstr(table.name)));
+  }
+}
+
+TEST_F(LabelFormats, WithoutNamesAreNumberedAndCannotBeConfused) {
+  const LabelMap map = read(folder_.put("a.mha", tests::metaImageFile(twoOrgans())));
+  EXPECT_EQ(map.segments[0].name, "label 5");
+  EXPECT_FALSE(map.segments[0].named);
+  EXPECT_FALSE(map.segments[0].color.isApprox(map.segments[1].color, 0.05));
+  folder_.put("a.json", R"({"5": "kidney", "300": "kidney"})");
+  const LabelMap twins = read(folder_.put("a.mha", tests::metaImageFile(twoOrgans())));
+  EXPECT_EQ(twins.segments[0].name, "kidney");
+  EXPECT_EQ(twins.segments[1].name, "kidney 2");
+}
+
+TEST_F(LabelFormats, OfImagesAreNoLabelMaps) {
+  LabelImage image = twoOrgans();
+  image.at(0, 0, 0) = -1000;
+  EXPECT_THAT(problemOf(folder_.put("a.nrrd", tests::nrrdFile(image))), HasSubstr("an image, not labels"));
+  LabelImage gradient = tests::emptyLabels();
+  for (std::size_t v = 0; v < gradient.voxels.size(); ++v)
+    gradient.voxels[v] = static_cast<std::int16_t>(v);
+  EXPECT_THAT(problemOf(folder_.put("a.nrrd", tests::nrrdFile(gradient))), HasSubstr("different values"));
+  std::string fractions = tests::niftiFile(twoOrgans());
+  tests::putBytes<float>(fractions, 112, 0.1F);
+  EXPECT_THAT(problemOf(folder_.put("a.nii", fractions)), HasSubstr("an image, not labels"));
+  EXPECT_THAT(problemOf(folder_.put("a.mha", tests::metaImageFile(tests::emptyLabels()))),
+              HasSubstr("no labelled voxel"));
+}
+
+TEST_F(LabelFormats, ThatPromiseMoreThanTheyHaveAreRefusedBeforeMemoryIsTaken) {
+  std::string nifti = tests::niftiFile(twoOrgans());
+  for (std::size_t d = 0; d < 3; ++d)
+    tests::putBytes<std::int16_t>(nifti, 42 + 2 * d, 32767);
+  EXPECT_THAT(problemOf(folder_.put("a.nii", nifti)), HasSubstr("cut off"));
+  EXPECT_THAT(problemOf(folder_.put("a.nii.gz", gzipped(nifti))), HasSubstr("cut off"));
+  for (const char* sizes : {"60000 60000 60000", "24 20 17"})
+    EXPECT_THAT(problemOf(folder_.put("a.nrrd", replaced(tests::nrrdFile(twoOrgans()), "24 20 16", sizes))),
+                HasSubstr("cut off"));
+  EXPECT_THAT(problemOf(folder_.put(
+                  "a.mha", replaced(tests::metaImageFile(twoOrgans()), "24 20 16", "9999 9999 9999"))),
+              HasSubstr("cut off"));
+}
+
+TEST_F(LabelFormats, UnderAnotherNameSayWhatTheyAre) {
+  EXPECT_THAT(problemOf(folder_.put("a.nii", tests::nrrdFile(twoOrgans()))), HasSubstr("an NRRD image"));
+  EXPECT_THAT(problemOf(folder_.put("a.nrrd", tests::niftiFile(twoOrgans()))), HasSubstr("a NIfTI image"));
+  EXPECT_THAT(problemOf(folder_.put("a.stl", tests::niftiFile(twoOrgans()))),
+              HasSubstr("none of a label map"));
+}
+
+class LabelFolder : public testing::Test {
+protected:
+  void put(const std::string& name, const Eigen::Vector3i& low, const Eigen::Vector3i& high) {
+    LabelImage mask = tests::emptyLabels();
+    if (low.x() >= 0)
+      mask.fill(low, high, 1);
+    folder_.put(name, gzipped(tests::niftiFile(mask)));
+  }
+  TemporaryFolder folder_;
+};
+
+TEST_F(LabelFolder, OfMasksIsOnePatient) {
+  put("liver.nii.gz", {2, 2, 2}, {9, 9, 9});
+  put("liver_vessels.nii.gz", {4, 4, 4}, {5, 5, 5});
+  put("heart.nii.gz", {14, 2, 2}, {16, 4, 4});
+  put("spleen.nii.gz", {-1, -1, -1}, {0, 0, 0});
+  folder_.put("statistics.json", "{}");
+  EXPECT_TRUE(isLabelMap(folder_.path()));
+  const LabelMap map = read(folder_.path());
+  ASSERT_EQ(map.segments.size(), 3U);
+  EXPECT_EQ(map.segments[0].name, "heart");
+  EXPECT_EQ(map.segments[1].name, "liver");
+  EXPECT_EQ(map.segments[1].voxels, 512);
+  EXPECT_EQ(map.segments[2].name, "liver_vessels");
+  EXPECT_EQ(map.segments[2].voxels, 8);
+  EXPECT_EQ(map.segments[2].layer, 1) << "the vessels lie within the liver";
+  EXPECT_EQ(map.layers.size(), 2U);
+  EXPECT_THAT(map.warnings, Contains(HasSubstr("spleen")));
+}
+
+TEST_F(LabelFolder, WithMasksOfTwoImagesIsRefused) {
+  put("liver.nii.gz", {2, 2, 2}, {9, 9, 9});
+  LabelImage other = tests::emptyLabels();
+  other.indexToLps.translation() = Vec3(0, 0, 3);
+  other.fill({1, 1, 1}, {3, 3, 3}, 1);
+  folder_.put("spleen.nii.gz", gzipped(tests::niftiFile(other)));
+  EXPECT_THAT(problemOf(folder_.path()), testing::AllOf(HasSubstr("spleen.nii.gz"), HasSubstr("elsewhere")));
+}
+
+TEST_F(LabelFolder, WithoutMasksOrWithALabelMapIsRefused) {
+  EXPECT_FALSE(isLabelMap(folder_.path()));
+  EXPECT_THAT(problemOf(folder_.path()), HasSubstr("holds no label map"));
+  folder_.put("all.nii", tests::niftiFile(twoOrgans()));
+  EXPECT_THAT(problemOf(folder_.path()), HasSubstr("2 labels"));
+}
+
+TEST(LabelMapReading, CanBeCancelled) {
+  const TemporaryFolder folder;
+  const auto file = folder.put("a.nii", tests::niftiFile(twoOrgans()));
+  Progress progress;
+  progress.cancel();
+  EXPECT_THROW(readLabelMap(file, progress), Cancelled);
+  EXPECT_THROW(readLabelFolder(folder.path(), progress), Cancelled);
+}
+
+TEST(LabelMapBounds, GoAroundWholeVoxels) {
+  const TemporaryFolder folder;
+  LabelImage image = twoOrgans();
+  image.indexToLps = Eigen::Translation3d(10, 20, 30) * Eigen::Scaling(2.0, -1.0, 3.0);
+  const LabelMap map = read(folder.put("a.nrrd", tests::nrrdFile(image)));
+  EXPECT_TRUE(map.bounds().low.isApprox(Vec3(9, 20.5 - 20, 28.5)));
+  EXPECT_TRUE(map.bounds().high.isApprox(Vec3(57, 20.5, 76.5)));
+  EXPECT_NEAR(map.volumeMl(map.segments[1]), 27 * 6 / 1000.0, 1e-12);
+}
+
+} // namespace
+} // namespace viscera::medical_io

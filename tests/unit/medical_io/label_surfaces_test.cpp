@@ -1,0 +1,170 @@
+#include <algorithm>
+#include <cstdint>
+#include <random>
+#include <string>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "label_files.h"
+#include "temporary_folder.h"
+#include "viscera/core/error.h"
+#include "viscera/geometry/connected_pieces.h"
+#include "viscera/geometry/surface_check.h"
+#include "viscera/medical_io/label_map.h"
+#include "viscera/medical_io/label_surfaces.h"
+
+namespace viscera::medical_io {
+namespace {
+
+using tests::LabelImage;
+
+LabelMap mapOf(const LabelImage& image) {
+  const tests::TemporaryFolder folder;
+  Progress progress;
+  return readLabelMap(folder.put("a.nrrd", tests::nrrdFile(image)), progress);
+}
+
+std::vector<LabelSurface> surfacesOf(const LabelMap& map, const LabelSurfaceOptions& options = {},
+                                     Threads threads = {}) {
+  Progress progress;
+  return labelSurfaces(map, options, progress, threads);
+}
+
+void expectSound(const LabelSurface& surface) {
+  const geometry::SurfaceReport report = geometry::checkSurface(surface.mesh);
+  EXPECT_TRUE(report.closed()) << report.boundaryEdges;
+  EXPECT_TRUE(report.manifold()) << report.nonManifoldEdges << " " << report.misorientedEdges;
+  EXPECT_TRUE(report.outward());
+  EXPECT_NEAR(report.volumeMm3, surface.voxelVolumeMm3, kVolumeTolerance * surface.voxelVolumeMm3);
+  EXPECT_DOUBLE_EQ(surface.volumeMm3, report.volumeMm3);
+}
+
+TEST(LabelSurfaces, OfOneVoxelAreClosedAndAsLarge) {
+  LabelImage image = tests::emptyLabels();
+  image.indexToLps.linear() = Vec3(0.7, -0.8, 3).asDiagonal();
+  image.at(5, 5, 5) = 1;
+  const auto surfaces = surfacesOf(mapOf(image));
+  ASSERT_EQ(surfaces.size(), 1U);
+  expectSound(surfaces[0]);
+  EXPECT_NEAR(surfaces[0].voxelVolumeMm3, 0.7 * 0.8 * 3, 1e-9);
+}
+
+TEST(LabelSurfaces, OfOrgansThatTheImageCutsOffAreClosed) {
+  LabelImage image = tests::emptyLabels();
+  image.fill({0, 0, 0}, {23, 19, 15}, 4);
+  const auto surfaces = surfacesOf(mapOf(image));
+  expectSound(surfaces.at(0));
+}
+
+/// Voxels that touch by an edge or a corner only are where contours become non-manifold.
+TEST(LabelSurfaces, OfVoxelsThatTouchByEdgesAndCornersAreManifold) {
+  LabelImage image = tests::emptyLabels();
+  for (int i = 0; i < 6; ++i)
+    image.fill({3 * i, 3 * i, 2 * i}, {3 * i + 2, 3 * i + 2, 2 * i + 2}, 1);
+  image.fill({1, 16, 2}, {2, 17, 3}, 2);
+  image.fill({3, 18, 4}, {4, 19, 5}, 2);
+  image.fill({3, 14, 2}, {4, 15, 3}, 2);
+  for (const LabelSurface& surface : surfacesOf(mapOf(image)))
+    expectSound(surface);
+}
+
+TEST(LabelSurfaces, OfNoiseAreManifold) {
+  std::mt19937 random(5);
+  LabelImage image = tests::emptyLabels();
+  for (std::int16_t& voxel : image.voxels)
+    voxel = static_cast<std::int16_t>(random() % 3);
+  for (const double smoothing : {0.0, 1.0})
+    for (const LabelSurface& surface : surfacesOf(mapOf(image), {.segments = {}, .smoothing = smoothing})) {
+      const geometry::SurfaceReport report = geometry::checkSurface(surface.mesh);
+      EXPECT_TRUE(report.closed()) << report.boundaryEdges;
+      EXPECT_TRUE(report.manifold()) << report.nonManifoldEdges;
+    }
+}
+
+TEST(LabelSurfaces, HaveAboutAsManyTrianglesAsWanted) {
+  LabelImage image = tests::emptyLabels({60, 60, 60});
+  tests::addBall(image, Vec3(30, 30, 30), 24, 1);
+  const LabelMap map = mapOf(image);
+  const auto all = surfacesOf(map, {.segments = {}, .triangles = 0});
+  EXPECT_GT(all.at(0).mesh.triangles.rows(), 15000);
+  for (const int triangles : {500, 2000, 8000}) {
+    const auto surfaces = surfacesOf(map, {.segments = {}, .triangles = triangles});
+    expectSound(surfaces.at(0));
+    EXPECT_NEAR(static_cast<double>(surfaces[0].mesh.triangles.rows()), triangles, 0.05 * triangles);
+  }
+}
+
+TEST(LabelSurfaces, AreSmoothedWithoutLosingTheirShape) {
+  LabelImage image = tests::emptyLabels({60, 60, 60});
+  tests::addBall(image, Vec3(30, 30, 30), 20, 1);
+  const LabelMap map = mapOf(image);
+  const auto roughness = [&](double smoothing) {
+    const auto surfaces = surfacesOf(map, {.segments = {}, .triangles = 0, .smoothing = smoothing});
+    double worst = 0;
+    for (Eigen::Index v = 0; v < surfaces.at(0).mesh.points.rows(); ++v)
+      worst = std::max(worst,
+                       std::abs((surfaces[0].mesh.points.row(v).transpose() - Vec3(30, 30, 30)).norm() - 20));
+    return worst;
+  };
+  EXPECT_LT(roughness(1), 0.35);
+  EXPECT_LT(roughness(1), 0.75 * roughness(0));
+  EXPECT_LT(roughness(2), 0.55 * roughness(0));
+}
+
+TEST(LabelSurfaces, KeepAllPiecesOrTheLargestAndSaySo) {
+  LabelImage image = tests::emptyLabels();
+  image.fill({2, 2, 2}, {10, 10, 10}, 1);
+  image.fill({15, 2, 2}, {17, 4, 4}, 1);
+  image.at(20, 15, 12) = 1;
+  const LabelMap map = mapOf(image);
+  const auto all = surfacesOf(map);
+  EXPECT_EQ(all.at(0).pieces, 3);
+  EXPECT_EQ(geometry::connectedPieces(all[0].mesh).count, 3);
+  EXPECT_THAT(all[0].warnings, testing::ElementsAre(testing::HasSubstr("3 pieces, 28 voxels")));
+  const auto largest = surfacesOf(map, {.segments = {}, .largestPieceOnly = true});
+  expectSound(largest.at(0));
+  EXPECT_EQ(largest[0].pieces, 1);
+  EXPECT_EQ(geometry::connectedPieces(largest[0].mesh).count, 1);
+  EXPECT_NEAR(largest[0].voxelVolumeMm3, 729, 1e-9);
+  EXPECT_THAT(largest[0].warnings, testing::ElementsAre(testing::HasSubstr("left out")));
+}
+
+TEST(LabelSurfaces, WithACavityHaveItsVolumeLess) {
+  LabelImage image = tests::emptyLabels();
+  image.fill({2, 2, 2}, {12, 12, 12}, 1);
+  image.fill({5, 5, 5}, {9, 9, 9}, 0);
+  const auto surfaces = surfacesOf(mapOf(image));
+  expectSound(surfaces.at(0));
+  EXPECT_EQ(geometry::connectedPieces(surfaces[0].mesh).count, 2);
+  EXPECT_NEAR(surfaces[0].voxelVolumeMm3, 1331 - 125, 1e-9);
+}
+
+TEST(LabelSurfaces, AreTheSameForAnyNumberOfThreads) {
+  LabelImage image = tests::emptyLabels({40, 40, 40});
+  tests::addBall(image, Vec3(12, 12, 12), 10, 1);
+  tests::addBall(image, Vec3(28, 25, 20), 9, 2);
+  tests::addBall(image, Vec3(10, 30, 28), 8, 3);
+  const LabelMap map = mapOf(image);
+  const LabelSurfaceOptions options{.segments = {2, 0, 1}, .triangles = 1500};
+  const auto one = surfacesOf(map, options, Threads{1}), three = surfacesOf(map, options, Threads{3});
+  ASSERT_EQ(one.size(), 3U);
+  for (std::size_t i = 0; i < one.size(); ++i) {
+    EXPECT_EQ(one[i].segment, options.segments[i]);
+    EXPECT_EQ(one[i].mesh.points, three[i].mesh.points);
+    EXPECT_EQ(one[i].mesh.triangles, three[i].mesh.triangles);
+  }
+}
+
+TEST(LabelSurfaces, CanBeCancelledAndAreOfSegmentsThatThereAre) {
+  LabelImage image = tests::emptyLabels();
+  image.fill({2, 2, 2}, {12, 12, 12}, 1);
+  const LabelMap map = mapOf(image);
+  EXPECT_THROW(surfacesOf(map, {.segments = {1}}), UsageError);
+  Progress progress;
+  progress.cancel();
+  EXPECT_THROW(labelSurfaces(map, {}, progress), Cancelled);
+}
+
+} // namespace
+} // namespace viscera::medical_io
