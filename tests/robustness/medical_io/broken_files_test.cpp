@@ -12,16 +12,20 @@
 #include <sys/resource.h>
 
 #include "good_files.h"
+#include "label_files.h"
+#include "packed_bytes.h"
 #include "temporary_folder.h"
 #include "viscera/core/error.h"
 #include "viscera/medical_io/file_kind.h"
 #include "viscera/medical_io/handle_file.h"
+#include "viscera/medical_io/label_map.h"
 #include "viscera/medical_io/surface_file.h"
 
 /// Every file of every format, broken in many ways. Reading in this process: a crash ends the test as failed.
 namespace viscera::medical_io {
 namespace {
 
+using tests::FileUse;
 using tests::GoodFile;
 using tests::TemporaryFolder;
 
@@ -36,9 +40,29 @@ long peakKilobytes() {
   return usage.ru_maxrss;
 }
 
-/// Triangles or handles; throws what reading throws.
-Eigen::Index sizeOf(const std::filesystem::path& file, bool handles) {
-  if (handles) {
+/// Labelled voxels.
+Eigen::Index sizeOfLabels(const std::filesystem::path& file) {
+  Progress progress;
+  const LabelMap read = readLabelMap(file, progress);
+  Eigen::Index voxels = 0;
+  EXPECT_FALSE(read.segments.empty()) << file;
+  EXPECT_TRUE(read.indexToLps.matrix().allFinite()) << file;
+  EXPECT_GT(read.voxelVolumeMm3(), 0) << file;
+  for (const LabelMap::Layer& layer : read.layers) {
+    EXPECT_EQ(layer.size(), read.voxelCount()) << file;
+    for (const std::uint16_t voxel : layer) {
+      EXPECT_LE(voxel, read.segments.size()) << file;
+      voxels += voxel != 0 ? 1 : 0;
+    }
+  }
+  return voxels;
+}
+
+/// Triangles, handles or labelled voxels; throws what reading throws.
+Eigen::Index sizeOf(const std::filesystem::path& file, FileUse use) {
+  if (use == FileUse::labels)
+    return sizeOfLabels(file);
+  if (use == FileUse::handles) {
     const HandleFile read = readHandles(file);
     EXPECT_TRUE(read.positions().allFinite()) << file;
     return read.count();
@@ -59,7 +83,7 @@ protected:
     for (const GoodFile& good : tests::goodFiles()) {
       SCOPED_TRACE(good.name);
       good_ = good;
-      whole_ = sizeOf(folder_.put(good.name, good.bytes), good.handles);
+      whole_ = sizeOf(folder_.put(good.name, good.bytes), good.use);
       const long peakBefore = peakKilobytes();
       testing::internal::CaptureStderr();
       breakIt();
@@ -78,7 +102,7 @@ protected:
     const std::filesystem::path file = folder_.put(name, damaged);
     EXPECT_NO_THROW(fileKind(file)) << file;
     try {
-      const Eigen::Index size = sizeOf(file, good_.handles);
+      const Eigen::Index size = sizeOf(file, good_.use);
       return size < whole_ ? Outcome::readLess : Outcome::read;
     } catch (const Error& error) {
       const std::string what = error.what();
@@ -224,10 +248,24 @@ TEST_F(BrokenFiles, UnderTheNamesOfOtherFormatsAreRefused) {
         EXPECT_THROW(readSurface(folder_.put(std::string("wrong") + extension, bytes())), DataError)
             << extension;
       }
-    if (!good_.handles) {
+    if (good_.use != FileUse::handles) {
       EXPECT_THROW(readHandles(folder_.put("wrong.mrk.json", bytes())), DataError);
     }
+    Progress progress;
+    for (const char* extension : {".nii", ".nii.gz", ".nrrd", ".mha", ".dcm"})
+      if (good_.use != FileUse::labels ||
+          good_.name.find(std::string(extension).substr(0, 4)) == std::string::npos) {
+        ++tried_;
+        EXPECT_THROW(readLabelMap(folder_.put(std::string("wrong") + extension, bytes()), progress),
+                     DataError)
+            << extension;
+      }
   });
+}
+
+LabelMap readLabels(const std::filesystem::path& file) {
+  Progress progress;
+  return readLabelMap(file, progress);
 }
 
 TEST(BrokenFile, RandomBytesUnderEveryNameAreRefused) {
@@ -241,6 +279,8 @@ TEST(BrokenFile, RandomBytesUnderEveryNameAreRefused) {
       EXPECT_THROW(readSurface(folder.put("a" + extension, bytes)), DataError) << extension << " " << length;
       EXPECT_THROW(readHandles(folder.put("a.mrk.json", bytes)), DataError);
       EXPECT_THROW(readHandles(folder.put("a.fcsv", bytes)), DataError);
+      for (const std::string& labels : labelMapExtensions())
+        EXPECT_THROW(readLabels(folder.put("a" + labels, bytes)), DataError) << labels << " " << length;
       std::fill(bytes.begin(), bytes.end(), '\0');
       EXPECT_THROW(readSurface(folder.put("a" + extension, bytes)), DataError) << extension << " " << length;
     }
@@ -280,6 +320,26 @@ TEST(BrokenFile, LongLinesAndPolygonsAreReadOrRefused) {
   const SurfaceFile fan = readSurface(folder.put("b.obj", polygon + corners));
   EXPECT_EQ(fan.mesh.triangles.rows(), 100000 - 2);
   EXPECT_THROW(readSurface(folder.put("c.ply", "ply\ncomment " + std::string(3000000, 'x'))), DataError);
+}
+
+/// Headers that promise what no machine has, and little behind them: an error at once, and hardly any memory.
+TEST(BrokenFile, HugeLabelMapsAreRefusedBeforeMemoryIsTaken) {
+  const TemporaryFolder folder;
+  const long before = peakKilobytes();
+  tests::LabelImage image = tests::emptyLabels({2, 2, 2});
+  image.fill({0, 0, 0}, {1, 1, 1}, 1);
+  std::string nifti = tests::niftiFile(image);
+  for (std::size_t d = 0; d < 3; ++d)
+    tests::putBytes<std::int16_t>(nifti, 42 + 2 * d, 32767);
+  EXPECT_THROW(readLabels(folder.put("a.nii", nifti)), DataError);
+  EXPECT_THROW(readLabels(folder.put("a.nii.gz", tests::gzipped(nifti))), DataError);
+  image.size = {60000, 60000, 60000};
+  EXPECT_THROW(readLabels(folder.put("a.nrrd", tests::nrrdFile(image))), DataError);
+  EXPECT_THROW(
+      readLabels(folder.put("a.seg.nrrd", tests::nrrdFile(image, "left-posterior-superior", {}, 9000))),
+      DataError);
+  EXPECT_THROW(readLabels(folder.put("a.mha", tests::metaImageFile(image))), DataError);
+  EXPECT_LT(peakKilobytes() - before, kMostExtraKilobytes);
 }
 
 } // namespace

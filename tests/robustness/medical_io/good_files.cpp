@@ -8,6 +8,9 @@
 #include <vtkStripper.h>
 #include <vtkXMLPolyDataWriter.h>
 
+#include "dicom_files.h"
+#include "label_files.h"
+#include "packed_bytes.h"
 #include "shapes.h"
 #include "temporary_folder.h"
 #include "viscera/medical_io/handle_file.h"
@@ -22,7 +25,8 @@ GoodFile written(const std::string& extension) {
   mesh.colors.resize(mesh.points.rows(), 3);
   mesh.colors.setConstant(128);
   medical_io::writeSurface(folder / ("a" + extension), mesh, {medical_io::Space::ras, "organ"});
-  return {"viscera" + extension, contentsOf(folder / ("a" + extension)), false, extension == ".obj"};
+  return {"viscera" + extension, contentsOf(folder / ("a" + extension)), FileUse::surface,
+          extension == ".obj"};
 }
 
 GoodFile legacyVtk(const std::string& name, bool binary, int version, bool strips) {
@@ -109,7 +113,7 @@ GoodFile markups() {
     rig.groups.push_back(group);
   }
   medical_io::writeHandles(folder / "a.mrk.json", rig);
-  return {"rig.mrk.json", contentsOf(folder / "a.mrk.json"), true};
+  return {"rig.mrk.json", contentsOf(folder / "a.mrk.json"), FileUse::handles};
 }
 
 GoodFile fcsv() {
@@ -117,7 +121,56 @@ GoodFile fcsv() {
                      "# columns = id,x,y,z,ow,ox,oy,oz,vis,sel,lock,label,desc,associatedNodeID\n";
   for (int i = 0; i < 6; ++i)
     text += "n," + std::to_string(10 * i) + ",2.5,3,0,0,0,1,1,1,0,F-" + std::to_string(i) + ",\"a, b\",\n";
-  return {"tips.fcsv", text, true, true};
+  return {"tips.fcsv", text, FileUse::handles, true};
+}
+
+LabelImage labels() {
+  LabelImage image = emptyLabels({11, 9, 8});
+  image.indexToLps.linear() = Vec3(-1.5, 2, 3).asDiagonal();
+  image.fill({2, 2, 2}, {4, 5, 5}, 1);
+  image.fill({6, 3, 1}, {8, 6, 6}, 2);
+  return image;
+}
+
+/// Header and voxels of a file in which only these are packed.
+std::string withPackedVoxels(std::string bytes, const std::string& from, const std::string& to,
+                             const std::string& packed) {
+  bytes.resize(bytes.size() - voxelBytes(labels().voxels).size());
+  bytes.replace(bytes.find(from), from.size(), to);
+  return bytes + packed;
+}
+
+void addLabelMaps(std::vector<GoodFile>& list) {
+  const LabelImage image = labels();
+  const std::string voxels = voxelBytes(image.voxels);
+  const std::string names =
+      "Segment0_ID:=S1\nSegment0_Name:=liver\nSegment0_LabelValue:=1\nSegment0_Color:=1 0.5 0\n"
+      "Segment1_ID:=S2\nSegment1_Name:=kidney\nSegment1_LabelValue:=2\n";
+  LabelImage layered = image;
+  layered.voxels.clear();
+  for (const std::int16_t voxel : image.voxels)
+    layered.voxels.insert(layered.voxels.end(), {voxel, std::int16_t(voxel == 1 ? 3 : 0)});
+  std::string text;
+  for (const std::int16_t voxel : image.voxels)
+    text += std::to_string(voxel) + "\n";
+  const std::string table =
+      "<CaretExtension><VolumeInformation><LabelTable><Label Key=\"1\">liver</Label></LabelTable>"
+      "</VolumeInformation></CaretExtension>";
+  const std::string nifti = niftiFile(image, NiftiForm::both, table);
+  const auto add = [&](const std::string& name, const std::string& bytes) {
+    list.push_back({name, bytes, FileUse::labels});
+  };
+  add("labels.nii", nifti);
+  add("labels.nii.gz", gzipped(nifti));
+  add("labels.nrrd", nrrdFile(image));
+  add("layers.seg.nrrd", nrrdFile(layered, "right-anterior-superior", names, 2));
+  add("packed.nrrd", withPackedVoxels(nrrdFile(image), "encoding: raw", "encoding: gzip", gzipped(voxels)));
+  add("text.nrrd", withPackedVoxels(nrrdFile(image), "encoding: raw", "encoding: text", text));
+  add("labels.mha", metaImageFile(image));
+  add("packed.mha", withPackedVoxels(metaImageFile(image), "CompressedData = False", "CompressedData = True",
+                                     zlibPacked(voxels)));
+  add("binary.dcm", dicomFile(image, {.names = {"liver", "kidney"}}));
+  add("fractions.dcm", dicomFile(image, {.fractional = true, .names = {"liver", "kidney"}}));
 }
 
 } // namespace
@@ -138,6 +191,7 @@ std::vector<GoodFile> goodFiles() {
   list.push_back(vtp("raw_packed.vtp", vtkXMLWriter::Appended, false, true));
   list.push_back(markups());
   list.push_back(fcsv());
+  addLabelMaps(list);
   return list;
 }
 

@@ -6,11 +6,14 @@
 
 namespace viscera::tests {
 
+/// Which reader a file is for.
+enum class FileUse { surface, handles, labels };
+
 /// A file that can be read, to be broken in every way.
 struct GoodFile {
   std::string name; ///< Says the way it is stored and ends in its extension.
   std::string bytes;
-  bool handles = false;
+  FileUse use = FileUse::surface;
   /// A part of it can look like a whole: formats that say nowhere how long they are.
   bool partsLookWhole = false;
 };
