@@ -59,6 +59,11 @@ TEST(LineProfile, MeasuresTheHeightOfAJump) {
   EXPECT_NEAR(found.largestJump, 0.01, 1e-4);
 }
 
+TEST(LineProfile, FindsASmallJumpBesideSteepSlopes) {
+  const auto found = measure([](double x) { return std::tanh(x + 20) + (x > 7.13 ? 0.01 : 0.0); });
+  EXPECT_NEAR(found.largestJump, 0.01, 1e-4);
+}
+
 TEST(LineProfile, CountsKinksAndMeasuresThem) {
   const auto found = measure([](double x) { return 0.02 * std::abs(x - 3.3) + 0.05 * std::abs(x + 20.71); });
   EXPECT_EQ(found.largestJump, 0);

@@ -114,6 +114,19 @@ TEST(DeterminantsApproach, IsPositiveAndJumps) {
   EXPECT_GT(found.largestJump, 1e-3);
 }
 
+/// All points lie in a plane with four handles in a row; such flat tetrahedra once counted by their rounding.
+TEST(DeterminantsApproach, BearsHandlesInARow) {
+  HandleSet handles = tests::handlesAroundLine(15);
+  for (Eigen::Index i = 0; i < 4; ++i)
+    handles.positions.row(i) << -61.4 + 37.7 * static_cast<double>(i), -27.1, -24.1;
+  handles.positions.row(4) << 63.1, 26.4, -25.2;
+  handles.positions.row(6) << -62.3, 25.7, 24.9;
+  Progress progress;
+  const auto binding =
+      tests::builtIn("determinants-approach")->bind(handles, tests::cloud(300, 8, 10), {}, progress);
+  EXPECT_LT(binding->report().identityError, 1e-11);
+}
+
 TEST(GradientMethod, IsPositiveAndContinuousWithKinks) {
   const auto found = alongLine("gradient-method", 15);
   EXPECT_TRUE(found.report.failures.empty());
@@ -149,6 +162,12 @@ TEST(CCelestial, ThrownSamplesMissTheConeOfManyHandles) {
   const auto walked = alongLine("c-celestial", 26, {{"samples", "1000"}}, 20);
   EXPECT_GT(thrown.report.failures.size(), 10u);
   EXPECT_TRUE(walked.report.failures.empty());
+}
+
+/// Newton's method for the walk's start once gave up where its last steps were below rounding.
+TEST(CCelestial, WalkBeginsAtEveryPoint) {
+  for (const int handles : {9, 15, 26})
+    EXPECT_TRUE(alongLine("c-celestial", handles, {{"samples", "10"}}).report.failures.empty()) << handles;
 }
 
 TEST(CCelestial, WalkedAndThrownMeanTheSameCentre) {

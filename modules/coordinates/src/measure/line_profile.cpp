@@ -2,8 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
+
+#include "measure/coordinates_of.h"
 
 namespace viscera::coordinates {
 namespace {
@@ -42,17 +43,13 @@ public:
     const auto extra = static_cast<Eigen::Index>(places.size());
     Points points(parts_ + 1 + extra, 3);
     for (Eigen::Index i = 0; i <= parts_; ++i)
-      points.row(i) = point(static_cast<double>(i) / parts_);
+      points.row(i) = line_.at(static_cast<double>(i) / parts_).transpose();
     for (Eigen::Index i = 0; i < extra; ++i)
-      points.row(parts_ + 1 + i) = point(places[static_cast<std::size_t>(i)]);
+      points.row(parts_ + 1 + i) = line_.at(places[static_cast<std::size_t>(i)]).transpose();
     const auto binding = system_.bind(handles_, points, options_, progress_);
     if (report)
       *report = binding->report();
-    Eigen::MatrixXd values(points.rows(), handles_.positions.rows());
-    for (int handle = 0; handle < static_cast<int>(values.cols()); ++handle)
-      values.col(handle) = binding->influence(handle);
-    for (const int failed : binding->report().failures)
-      values.row(failed).setConstant(std::numeric_limits<double>::quiet_NaN());
+    const Eigen::MatrixXd values = coordinatesOf(*binding);
     if (extra == 0)
       return values;
     return values.bottomRows(extra);
@@ -68,10 +65,6 @@ public:
   }
 
 private:
-  Eigen::RowVector3d point(double place) const {
-    return ((1 - place) * line_.from + place * line_.to).transpose();
-  }
-
   const CoordinateSystem& system_;
   const HandleSet& handles_;
   Line line_;
@@ -112,13 +105,29 @@ std::vector<Eigen::Index> greatest(const std::vector<double>& values, std::size_
   return order;
 }
 
+/// The rows after which there may be a jump: those of the greatest changes, and those that change much more
+/// than the rows beside them, because a small jump may hide behind steep slopes elsewhere.
+std::vector<Eigen::Index> suspected(const Eigen::MatrixXd& profile) {
+  const Eigen::Index count = profile.rows() - 1;
+  std::vector<double> changes, lonely;
+  for (Eigen::Index row = 0; row < count; ++row)
+    changes.push_back(changeAfter(profile, row));
+  for (std::size_t row = 0; row < changes.size(); ++row) {
+    const double before = row > 0 ? changes[row - 1] : 0;
+    const double after = row + 1 < changes.size() ? changes[row + 1] : 0;
+    lonely.push_back(changes[row] - std::max(before, after));
+  }
+  std::vector<Eigen::Index> rows = greatest(changes, kPlaces);
+  for (const Eigen::Index row : greatest(lonely, kPlaces))
+    if (std::find(rows.begin(), rows.end(), row) == rows.end())
+      rows.push_back(row);
+  return rows;
+}
+
 double largestJump(const LineMeter& meter, const Eigen::MatrixXd& profile) {
   const auto parts = static_cast<double>(profile.rows() - 1);
-  std::vector<double> changes;
-  for (Eigen::Index row = 0; row + 1 < profile.rows(); ++row)
-    changes.push_back(changeAfter(profile, row));
   std::vector<Interval> intervals;
-  for (const Eigen::Index row : greatest(changes, kPlaces))
+  for (const Eigen::Index row : suspected(profile))
     intervals.push_back({static_cast<double>(row) / parts, static_cast<double>(row + 1) / parts});
   double jump = 0;
   for (int level = 0; level < kJumpLevels; ++level) {

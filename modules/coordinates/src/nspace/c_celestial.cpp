@@ -22,6 +22,8 @@ const Parameter kSeed = countParameter("seed", "Of the random numbers", 0, 1e6, 
 
 constexpr int kMostSteps = 100;
 constexpr double kConverged = 1e-10;
+/// Of the function: a descent smaller than that is lost in rounding, and a whole step is taken.
+constexpr double kRounding = 1e-15;
 
 /// Positive numbers `exp(q_i . x)` that balance the directions: somewhere well inside the cone. Damped
 /// Newton on a convex function of three variables.
@@ -35,8 +37,8 @@ bool startInside(const Points& units, Values& beta) {
     const Eigen::Matrix3d bend = units.transpose() * beta.asDiagonal() * units;
     const Vec3 way = -bend.ldlt().solve(slope);
     double length = 1;
-    while (length > kConverged &&
-           !((units * (x + length * way)).array().exp().sum() <= beta.sum() + 0.1 * length * slope.dot(way)))
+    while (length > kConverged && !((units * (x + length * way)).array().exp().sum() <=
+                                    beta.sum() * (1 + kRounding) + 0.1 * length * slope.dot(way)))
       length /= 2;
     x += length * way;
   }

@@ -10,6 +10,10 @@
 namespace viscera::coordinates {
 namespace {
 
+/// Numbers of four unit vectors below this are rounding: the four lie in one plane, as those to handles in a
+/// row.
+constexpr double kFlat = 1e-12;
+
 /// The determinants of all triples i < j < k of directions.
 class Determinants {
 public:
@@ -60,7 +64,7 @@ private:
   static bool addTetrahedron(const std::array<std::size_t, 4>& corners, const Eigen::Vector4d& shares,
                              Values& beta) {
     const bool positive = shares.minCoeff() >= 0, negative = shares.maxCoeff() <= 0;
-    if (positive == negative) // Mixed signs, or four directions in one plane.
+    if (positive == negative || shares.norm() < kFlat) // Mixed signs, or four directions in one plane.
       return false;
     const double norm = positive ? shares.norm() : -shares.norm();
     for (std::size_t corner = 0; corner < 4; ++corner)

@@ -4,10 +4,14 @@
 
 namespace viscera::coordinates {
 
-/// A straight row of points, mm.
+/// A straight row of points, mm, or one that sags like a parabola.
 struct Line {
   Vec3 from;
   Vec3 to;
+  Vec3 sag = Vec3::Zero(); ///< How far the middle lies off the straight line.
+
+  /// The point at `place`, 0 to 1.
+  Vec3 at(double place) const { return (1 - place) * from + place * to + 4 * place * (1 - place) * sag; }
 };
 
 /// The coordinates along a line: `parts + 1` points from end to end.
