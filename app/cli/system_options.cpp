@@ -16,6 +16,14 @@ bool takes(const coordinates::CoordinateSystem& system, const std::string& param
                      [&](const coordinates::Parameter& each) { return each.name == parameter; });
 }
 
+/// "name=value" taken apart.
+std::pair<std::string, std::string> nameAndValue(const std::string& text) {
+  const std::size_t equals = text.find('=');
+  if (equals == std::string::npos || equals == 0)
+    throw UsageError("is not NAME=VALUE", "--param " + text, "for instance --param locality=2");
+  return {text.substr(0, equals), text.substr(equals + 1)};
+}
+
 } // namespace
 
 void SystemOptions::addTo(CLI::App& options) {
@@ -39,15 +47,32 @@ coordinates::BindOptions SystemOptions::bindOptions(const coordinates::Coordinat
   coordinates::BindOptions options;
   options.threads = surroundings.threads;
   for (const std::string& text : parameters_) {
-    const std::size_t equals = text.find('=');
-    if (equals == std::string::npos || equals == 0)
-      throw UsageError("is not NAME=VALUE", "--param " + text, "for instance --param locality=2");
-    const std::string name = text.substr(0, equals);
+    const auto [name, value] = nameAndValue(text);
     if (beside && !takes(system, name) && takes(*beside, name))
       continue;
-    options.parameters.setFromText(system.parameters(), name, text.substr(equals + 1));
+    options.parameters.setFromText(system.parameters(), name, value);
   }
   return options;
+}
+
+std::vector<coordinates::SystemVariant>
+variantsOf(const std::vector<std::shared_ptr<const coordinates::CoordinateSystem>>& systems,
+           const std::vector<std::string>& parameters) {
+  std::vector<coordinates::SystemVariant> variants;
+  for (const auto& system : systems)
+    variants.push_back({system, {}});
+  for (const std::string& text : parameters) {
+    const auto [name, value] = nameAndValue(text);
+    bool taken = false;
+    for (coordinates::SystemVariant& variant : variants)
+      if (takes(*variant.system, name)) {
+        variant.parameters.setFromText(variant.system->parameters(), name, value);
+        taken = true;
+      }
+    if (!taken)
+      throw UsageError("is a parameter of none of the systems", name, "viscera systems lists them");
+  }
+  return variants;
 }
 
 } // namespace viscera::app::cli

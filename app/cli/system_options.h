@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "cli/command.h"
-#include "viscera/coordinates/coordinate_system.h"
+#include "viscera/coordinates/measure/system_properties.h"
 
 namespace viscera::app::cli {
 
@@ -28,5 +28,11 @@ private:
   std::string id_ = "s-celestial";
   std::vector<std::string> parameters_;
 };
+
+/// Each of `systems` with those of `parameters` ("name=value") that it takes. Throws `UsageError` for one
+/// that none of them takes, and for a value out of range.
+std::vector<coordinates::SystemVariant>
+variantsOf(const std::vector<std::shared_ptr<const coordinates::CoordinateSystem>>& systems,
+           const std::vector<std::string>& parameters);
 
 } // namespace viscera::app::cli

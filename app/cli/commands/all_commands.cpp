@@ -5,6 +5,7 @@
 #include "cli/commands/handles_command.h"
 #include "cli/commands/info_command.h"
 #include "cli/commands/play_command.h"
+#include "cli/commands/properties_command.h"
 #include "cli/commands/render_command.h"
 #include "cli/commands/sample_command.h"
 #include "cli/commands/stress_command.h"
@@ -23,6 +24,7 @@ std::vector<std::unique_ptr<Command>> allCommands() {
   commands.push_back(std::make_unique<StressCommand>());
   commands.push_back(std::make_unique<PlayCommand>());
   commands.push_back(std::make_unique<RenderCommand>());
+  commands.push_back(std::make_unique<PropertiesCommand>());
   return commands;
 }
 

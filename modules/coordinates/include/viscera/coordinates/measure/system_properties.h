@@ -1,0 +1,68 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "viscera/coordinates/measure/scene.h"
+
+/// What coordinate systems keep and break, measured the same way for each of them (thesis, tables 4.1 and
+/// 4.2, which say it without numbers).
+namespace viscera::coordinates {
+
+/// What one system does on one scene. Where `refusal` says something, nothing else is known.
+struct SceneProperties {
+  std::string scene;
+  Eigen::Index handles = 0;
+  Eigen::Index points = 0;
+  std::string refusal;            ///< Why the system does not take these handles; else empty.
+  double identityError = 0;       ///< max |sum a_i v_i - p|, as a part of the diagonal of the handles' box.
+  double unityError = 0;          ///< max |sum a_i - 1|.
+  double minWeight = 0;           ///< The smallest coordinate.
+  Eigen::Index failures = 0;      ///< Points without coordinates.
+  std::optional<double> jump;     ///< The largest, of a coordinate; only along lines.
+  std::optional<int> kinks;       ///< Only along lines without a jump.
+  double largestKink = 0;         ///< 1/mm.
+  std::optional<int> maxima;      ///< The most that one coordinate has; only along lines.
+  double rotationChange = 0;      ///< The largest change of a coordinate when everything is turned.
+  double handleError = 0;         ///< max |a_j(v_i) - [i = j]| at the handles themselves.
+  Eigen::Index handleGaps = 0;    ///< Handles at which, and right beside which, there are no coordinates.
+  double nanoseconds = 0;         ///< Of one thread, per point and handle, with all preparations.
+  std::vector<std::string> notes; ///< The binding's own.
+};
+
+/// One system on all scenes; the worst of them where one number is enough.
+struct SystemProperties {
+  std::string id;
+  std::string name;
+  std::vector<SceneProperties> scenes;
+
+  /// Over the scenes that were not refused. Jump, kinks and maxima are empty when no line was measured.
+  SceneProperties worst() const;
+  Eigen::Index refusals() const;
+};
+
+/// A handle is interpolated when its coordinates differ by less than this from 1 and 0.
+inline constexpr double kInterpolated = 1e-4;
+
+/// Measures one system on one scene. What the system refuses by throwing becomes `refusal`, whatever it
+/// throws; only `Cancelled` passes. About fifteen bindings. Everything but `nanoseconds` is the same in every
+/// run and for any number of threads.
+SceneProperties measureOn(const CoordinateSystem& system, const Scene& scene, const BindOptions& options,
+                          Progress& progress);
+
+/// A system with the parameters it is measured with.
+struct SystemVariant {
+  std::shared_ptr<const CoordinateSystem> system;
+  ParameterValues parameters;
+};
+
+/// Measures every system on every scene, several at a time on `threads`, each with one thread; systems that
+/// take tetrahedra, which are seconds in preparing, on the first line only and on what is no line. In the
+/// order of `variants` and `scenes`. Throws `Cancelled`.
+std::vector<SystemProperties> measureSystems(const std::vector<SystemVariant>& variants,
+                                             const std::vector<Scene>& scenes, Threads threads,
+                                             const Tetrahedraliser& tetrahedralise, Progress& progress);
+
+} // namespace viscera::coordinates
