@@ -10,8 +10,6 @@
 #include <utility>
 #include <vector>
 
-#include "viscera/geometry/volume.h"
-
 namespace viscera::geometry {
 namespace {
 
@@ -173,7 +171,27 @@ int agree(TriangleMesh& mesh) {
   return count;
 }
 
+/// About the mean of the points, so that it means something for an open surface as well.
+double signedVolume(const TriangleMesh& mesh) {
+  if (mesh.points.rows() == 0)
+    return 0;
+  const Points around = mesh.points.rowwise() - mesh.points.colwise().mean();
+  double sum = 0;
+  for (Eigen::Index t = 0; t < mesh.triangles.rows(); ++t)
+    sum += around.row(mesh.triangles(t, 0))
+               .dot(around.row(mesh.triangles(t, 1)).cross(around.row(mesh.triangles(t, 2))));
+  return sum;
+}
+
 } // namespace
+
+int faceOutward(TriangleMesh& mesh) {
+  const int turned = agree(mesh);
+  if (signedVolume(mesh) >= 0)
+    return turned;
+  mesh.triangles.col(1).swap(mesh.triangles.col(2));
+  return static_cast<int>(mesh.triangles.rows()) - turned;
+}
 
 CleanedSurface cleanSurface(const TriangleMesh& mesh) {
   CleanedSurface result;
@@ -191,11 +209,7 @@ CleanedSurface cleanSurface(const TriangleMesh& mesh) {
   dropUseless(result.mesh, true);
   dropUnusedPoints(result.mesh);
   result.removedTriangles = static_cast<int>(mesh.triangles.rows() - result.mesh.triangles.rows());
-  result.turnedTriangles = agree(result.mesh);
-  if (volume(result.mesh.points, result.mesh.triangles) < 0) {
-    result.mesh.triangles.col(1).swap(result.mesh.triangles.col(2));
-    result.turnedTriangles = static_cast<int>(result.mesh.triangles.rows()) - result.turnedTriangles;
-  }
+  result.turnedTriangles = faceOutward(result.mesh);
   return result;
 }
 

@@ -1,5 +1,6 @@
 #include "viscera/geometry/connected_pieces.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <numeric>
 
@@ -25,6 +26,10 @@ private:
   std::vector<std::int32_t> parent_;
 };
 
+std::size_t pieceOf(const ConnectedPieces& pieces, const TriangleMesh& mesh, Eigen::Index triangle) {
+  return static_cast<std::size_t>(pieces.ofVertex[static_cast<std::size_t>(mesh.triangles(triangle, 0))]);
+}
+
 } // namespace
 
 ConnectedPieces connectedPieces(const TriangleMesh& mesh) {
@@ -49,6 +54,43 @@ ConnectedPieces connectedPieces(const TriangleMesh& mesh) {
     pieces.ofVertex[v] = piece;
   }
   return pieces;
+}
+
+std::vector<double> areasOf(const ConnectedPieces& pieces, const TriangleMesh& mesh) {
+  std::vector<double> areas(static_cast<std::size_t>(pieces.count), 0.0);
+  for (Eigen::Index t = 0; t < mesh.triangles.rows(); ++t) {
+    const Eigen::RowVector3d a = mesh.points.row(mesh.triangles(t, 0));
+    const Eigen::RowVector3d b = mesh.points.row(mesh.triangles(t, 1));
+    const Eigen::RowVector3d c = mesh.points.row(mesh.triangles(t, 2));
+    areas[pieceOf(pieces, mesh, t)] += 0.5 * (b - a).cross(c - a).norm();
+  }
+  return areas;
+}
+
+TriangleMesh largestPiece(const TriangleMesh& mesh) {
+  const ConnectedPieces pieces = connectedPieces(mesh);
+  if (pieces.count == 0)
+    return mesh;
+  const std::vector<double> areas = areasOf(pieces, mesh);
+  const auto largest = std::max_element(areas.begin(), areas.end()) - areas.begin();
+  std::vector<Eigen::Index> vertices, triangles;
+  std::vector<std::int32_t> names(pieces.ofVertex.size(), -1);
+  for (std::size_t v = 0; v < names.size(); ++v)
+    if (pieces.ofVertex[v] == largest) {
+      names[v] = static_cast<std::int32_t>(vertices.size());
+      vertices.push_back(static_cast<Eigen::Index>(v));
+    }
+  for (Eigen::Index t = 0; t < mesh.triangles.rows(); ++t)
+    if (names[static_cast<std::size_t>(mesh.triangles(t, 0))] >= 0)
+      triangles.push_back(t);
+  TriangleMesh piece;
+  piece.points = mesh.points(vertices, Eigen::all);
+  piece.triangles = mesh.triangles(triangles, Eigen::all).unaryExpr([&](std::int32_t v) {
+    return names[static_cast<std::size_t>(v)];
+  });
+  if (mesh.colors.rows() > 0)
+    piece.colors = mesh.colors(vertices, Eigen::all);
+  return piece;
 }
 
 } // namespace viscera::geometry

@@ -21,6 +21,11 @@ inline constexpr double kMergeDistance = 1e-9;
 /// has a positive volume. Holes and intersections stay. Expects valid indices. O(m log m).
 CleanedSurface cleanSurface(const TriangleMesh& mesh);
 
+/// Turns triangles around so that neighbours agree (within a piece the larger area wins) and the whole faces
+/// outward, an open surface as far as that can be said (about the mean of its points). Points, colours and
+/// the order of triangles stay. The number turned. Expects valid indices. O(m log m).
+int faceOutward(TriangleMesh& mesh);
+
 /// The same surface in coarse: all points within a cube of edge `cell` (mm) become their mean, and triangles
 /// that lose their area thereby go. What was closed stays closed in the sense that winding numbers see no
 /// hole, but may touch itself. O(m).

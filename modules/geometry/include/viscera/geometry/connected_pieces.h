@@ -16,4 +16,10 @@ struct ConnectedPieces {
 /// Any valid mesh. O(n + m).
 ConnectedPieces connectedPieces(const TriangleMesh& mesh);
 
+/// The area of every piece, mm^2. O(m).
+std::vector<double> areasOf(const ConnectedPieces& pieces, const TriangleMesh& mesh);
+
+/// The piece with the largest area alone, with its colours, points and triangles in their order. O(n + m).
+TriangleMesh largestPiece(const TriangleMesh& mesh);
+
 } // namespace viscera::geometry
