@@ -1,12 +1,17 @@
 #include <algorithm>
+#include <array>
+#include <charconv>
 #include <cmath>
 #include <cstdint>
 #include <optional>
+#include <ostream>
 #include <string>
 #include <string_view>
+#include <unordered_map>
 #include <vector>
 
 #include "handle_formats.h"
+#include "space_tag.h"
 #include "text_scanner.h"
 
 namespace viscera::medical_io {
@@ -112,7 +117,47 @@ private:
   bool spaceStated_ = false;
 };
 
+/// Quoted where the table needs it; a line break would end the row.
+std::string written(std::string text) {
+  std::replace_if(
+      text.begin(), text.end(), [](unsigned char c) { return c < ' ' || c == 0x7F; }, ' ');
+  if (text.find_first_of(",\"") == text.npos)
+    return text;
+  std::string quoted = "\"";
+  for (const char c : text)
+    quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return quoted + '"';
+}
+
+/// Seventeen digits, which name one double only, always with a point.
+std::string written(double value) {
+  std::array<char, 32> buffer{};
+  const auto end =
+      std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::general, 17);
+  return {buffer.data(), end.ptr};
+}
+
+void writeRow(std::ostream& out, const HandleRecord& handle, std::size_t number, Space space) {
+  const Vec3 place = space == Space::ras ? lpsFromRas(handle.position) : handle.position;
+  out << "Viscera_" << number << ',' << written(place.x()) << ',' << written(place.y()) << ','
+      << written(place.z()) << ",0,0,0,1," << (handle.visible ? 1 : 0) << ",1," << (handle.locked ? 1 : 0)
+      << ',' << written(handle.label) << ',' << written(handle.description) << ",\n";
+}
+
 } // namespace
+
+void writeFcsv(std::ostream& out, const HandleFile& handles, Space space) {
+  out << "# Markups fiducial file version = 5.0\n# CoordinateSystem = " << spaceName(space)
+      << "\n# columns = id,x,y,z,ow,ox,oy,oz,vis,sel,lock,label,desc,associatedNodeID\n";
+  std::unordered_map<std::string, Vec3> known; // A handle of several groups has one label and one place.
+  std::size_t number = 0;
+  for (const HandleGroupRecord& group : handles.groups)
+    for (const HandleRecord& handle : group.handles) {
+      const auto [entry, isNew] = known.try_emplace(handle.label, handle.position);
+      if (isNew || entry->second != handle.position)
+        writeRow(out, handle, ++number, space);
+    }
+}
 
 HandleFile readFcsv(const FileBytes& file) {
   return FcsvReader(file).run();

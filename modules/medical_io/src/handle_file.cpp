@@ -127,17 +127,27 @@ HandleFile readHandles(const std::filesystem::path& file) {
   }
 }
 
-void writeHandles(const std::filesystem::path& file, const HandleFile& handles) {
-  if (lowered(file.extension().string()) != ".json")
+void writeHandles(const std::filesystem::path& file, const HandleFile& handles, const WriteHandles& options) {
+  const std::string ending = lowered(file.extension().string());
+  if (ending != ".json" && ending != ".fcsv")
     throw CannotCreateError("handles cannot be written as \"" + extensionOf(file) + "\"", file.string(),
-                            "let its name end in .mrk.json");
+                            "let its name end in .mrk.json or .fcsv");
   for (const HandleGroupRecord& group : handles.groups)
     for (const HandleRecord& handle : group.handles)
       if (!handle.position.allFinite())
         throw DataError("the position of the handle " + inQuotes(handle.label) + " in " +
                             inQuotes(group.name) + " is not finite",
                         file.string(), "reset the pose");
-  writeAtomically(file, [&](std::ostream& out) { writeMarkups(out, handles); });
+  writeAtomically(file, [&](std::ostream& out) {
+    (ending == ".fcsv" ? writeFcsv : writeMarkups)(out, handles, options.space);
+  });
+}
+
+std::vector<std::string> fcsvLoses(const HandleFile& handles) {
+  if (handles.groups.size() < 2)
+    return {};
+  return {"a .fcsv file is one list: the " + std::to_string(handles.groups.size()) +
+          " groups and their colours are not kept (.mrk.json keeps them)"};
 }
 
 } // namespace viscera::medical_io

@@ -10,9 +10,10 @@ namespace viscera::medical_io {
 
 HandleFile readMarkups(const FileBytes& file);
 HandleFile readFcsv(const FileBytes& file);
-void writeMarkups(std::ostream& out, const HandleFile& handles);
+void writeMarkups(std::ostream& out, const HandleFile& handles, Space space);
+void writeFcsv(std::ostream& out, const HandleFile& handles, Space space);
 
-/// Turns a position of the axes RAS into LPS: half a turn, exact.
+/// Turns a position of the axes RAS into LPS, and back: half a turn, exact but for the sign of zero.
 inline Vec3 lpsFromRas(const Vec3& ras) {
   return {0.0 - ras.x(), 0.0 - ras.y(), ras.z()};
 }

@@ -14,12 +14,12 @@
 
 #include "file_bytes.h"
 #include "smooth_surface.h"
-#include "surface_warnings.h"
 #include "viscera/core/error.h"
 #include "viscera/geometry/normals.h"
 #include "viscera/geometry/surface_check.h"
 #include "viscera/geometry/thin_surface.h"
 #include "viscera/geometry/volume.h"
+#include "viscera/medical_io/organ_norms.h"
 #include "voxel_pieces.h"
 #include "vtk_poly_data.h"
 
@@ -100,7 +100,7 @@ std::vector<std::string> warningsOf(const LabelMap& map, std::size_t index, cons
       warnings.push_back("reaches the edge of the image, which may cut it off");
       break;
     }
-  if (auto warning = implausibleVolume(segment.name, map.volumeMl(segment)))
+  if (auto warning = doubtAboutVolume(segment.name, map.volumeMl(segment)))
     warnings.push_back(std::move(*warning));
   return warnings;
 }

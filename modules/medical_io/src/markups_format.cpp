@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "handle_formats.h"
+#include "space_tag.h"
 #include "text_scanner.h"
 
 namespace viscera::medical_io {
@@ -179,12 +180,13 @@ private:
   HandleFile result_;
 };
 
-Json pointJson(const HandleRecord& handle, std::size_t number) {
+Json pointJson(const HandleRecord& handle, std::size_t number, Space space) {
+  const Vec3 place = space == Space::ras ? lpsFromRas(handle.position) : handle.position;
   return {{"id", std::to_string(number + 1)},
           {"label", handle.label},
           {"description", handle.description},
           {"associatedNodeID", ""},
-          {"position", {handle.position.x(), handle.position.y(), handle.position.z()}},
+          {"position", {place.x(), place.y(), place.z()}},
           {"orientation", {1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0}},
           {"selected", true},
           {"locked", handle.locked},
@@ -192,14 +194,14 @@ Json pointJson(const HandleRecord& handle, std::size_t number) {
           {"positionStatus", "defined"}};
 }
 
-Json listJson(const HandleGroupRecord& group) {
+Json listJson(const HandleGroupRecord& group, Space space) {
   Json points = Json::array();
   for (std::size_t i = 0; i < group.handles.size(); ++i)
-    points.push_back(pointJson(group.handles[i], i));
+    points.push_back(pointJson(group.handles[i], i, space));
   const Json color = {group.color.x(), group.color.y(), group.color.z()};
   return {{"type", "Fiducial"},
           {"name", group.name},
-          {"coordinateSystem", "LPS"},
+          {"coordinateSystem", spaceName(space)},
           {"coordinateUnits", "mm"},
           {"locked", false},
           {"fixedNumberOfControlPoints", false},
@@ -227,10 +229,10 @@ HandleFile readMarkups(const FileBytes& file) {
   return MarkupsReader(file).run();
 }
 
-void writeMarkups(std::ostream& out, const HandleFile& handles) {
+void writeMarkups(std::ostream& out, const HandleFile& handles, Space space) {
   Json lists = Json::array();
   for (const HandleGroupRecord& group : handles.groups)
-    lists.push_back(listJson(group));
+    lists.push_back(listJson(group, space));
   const Json document = {{"@schema", kSchema}, {"markups", std::move(lists)}};
   // A label that is no UTF-8 must not keep the rig from being saved.
   out << document.dump(2, ' ', false, Json::error_handler_t::replace) << '\n';

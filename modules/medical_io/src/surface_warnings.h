@@ -1,9 +1,5 @@
 #pragma once
 
-#include <optional>
-#include <string>
-#include <string_view>
-
 #include "viscera/medical_io/surface_file.h"
 
 namespace viscera::medical_io {
@@ -12,8 +8,5 @@ namespace viscera::medical_io {
 /// size is none that an organ has in mm, with the units that would explain it; its volume is far from the
 /// normal one of the organ that its name says. O(m log m).
 void appendSurfaceWarnings(SurfaceFile& surface);
-
-/// What to say when the organ that `name` says has a volume that no adult's has; nothing for other names.
-std::optional<std::string> implausibleVolume(std::string_view name, double volumeMl);
 
 } // namespace viscera::medical_io

@@ -10,6 +10,7 @@
 #include "viscera/core/error.h"
 #include "viscera/geometry/surface_check.h"
 #include "viscera/medical_io/surface_file.h"
+#include "viscera/medical_io/surfaces_file.h"
 
 namespace viscera::medical_io {
 namespace {
@@ -229,6 +230,28 @@ TEST(Glb, ChunksHaveToFitTheFile) {
   changed = bytes;
   changed[4] = 1;
   EXPECT_THAT(problem(changed), HasSubstr("version 1"));
+}
+
+TEST(WriteSurfaces, PutsEveryOrganWithItsNameAndColourIntoOneGlb) {
+  const TemporaryFolder folder;
+  const auto colored = std::make_shared<const geometry::TriangleMesh>(test::organ());
+  const auto plain = std::make_shared<const geometry::TriangleMesh>(tests::box(40, 50, 60));
+  writeSurfaces(folder / "all.glb", {{colored, "Liver"}, {plain, "Spleen", {1, 0.5, 0}, 0.5}});
+  const std::string glb = tests::contentsOf(folder / "all.glb");
+  const json document = json::parse(glb.substr(20, glb.find("BIN", 20) - 24));
+  ASSERT_EQ(document["nodes"].size(), 2u);
+  EXPECT_EQ(document["nodes"][1]["name"], "Spleen");
+  EXPECT_TRUE(document["meshes"][0]["primitives"][0]["attributes"].contains("COLOR_0"));
+  EXPECT_FALSE(document["materials"][0]["pbrMetallicRoughness"].contains("baseColorFactor"));
+  const json factor = document["materials"][1]["pbrMetallicRoughness"]["baseColorFactor"];
+  EXPECT_EQ(factor[0], 1.0);
+  EXPECT_NEAR(factor[1].get<double>(), 0.214, 1e-3) << "linear, as the format asks";
+  EXPECT_EQ(factor[3], 0.5);
+  const SurfaceFile both = readSurface(folder / "all.glb");
+  EXPECT_EQ(both.mesh.triangles.rows(), colored->triangles.rows() + 12);
+  EXPECT_TRUE(both.spaceStated);
+  EXPECT_THROW(writeSurfaces(folder / "all.ply", {{plain, "Spleen"}}), CannotCreateError);
+  EXPECT_THROW(writeSurfaces(folder / "none.glb", {}), DataError);
 }
 
 } // namespace

@@ -16,8 +16,10 @@
 #include "surface_formats.h"
 #include "surface_formats/gltf_document.h"
 #include "text_scanner.h"
+#include "viscera/core/atomic_file.h"
 #include "viscera/core/error.h"
 #include "viscera/geometry/normals.h"
+#include "viscera/medical_io/surfaces_file.h"
 
 // Own reader: VTK's looks at neither the sizes of a damaged file nor `extras`, and its writer knows no vertex
 // colours.
@@ -296,15 +298,21 @@ Json uprightMatrix(Space space) {
 /// The binary chunk and the JSON that describes it, written side by side.
 class GlbBuilder {
 public:
-  GlbBuilder(const geometry::TriangleMesh& mesh, const WriteSurface& options)
-      : mesh_(mesh), options_(options) {}
+  explicit GlbBuilder(Space space) : space_(space) {}
 
-  std::string run() {
-    addPositions();
-    addNormals();
-    if (mesh_.colors.rows() > 0)
-      addColors();
-    addIndices();
+  /// Adds a surface, whose coordinates are in the builder's space already, as a node of its own.
+  void add(const geometry::TriangleMesh& mesh, const std::string& name, const Json& material) {
+    Json attributes = {{"POSITION", addPositions(mesh)}, {"NORMAL", addNormals(mesh)}};
+    if (mesh.colors.rows() > 0)
+      attributes["COLOR_0"] = addColors(mesh);
+    const Json primitive = {
+        {"attributes", attributes}, {"indices", addIndices(mesh)}, {"material", materials_.size()}};
+    nodes_.push_back({{"name", name}, {"mesh", meshes_.size()}, {"matrix", uprightMatrix(space_)}});
+    meshes_.push_back({{"name", name}, {"primitives", Json::array({primitive})}});
+    materials_.push_back(material);
+  }
+
+  std::string run() const {
     const std::string json = padded(document().dump(-1, ' ', false, Json::error_handler_t::replace), ' ');
     const std::uint64_t size = 12 + 8 + json.size() + 8 + binary_.size();
     if (size > std::numeric_limits<std::uint32_t>::max())
@@ -344,92 +352,116 @@ private:
   static constexpr int kUnsignedShort = 5123;
   static constexpr int kUnsignedInt = 5125;
 
-  void addPositions() {
+  std::size_t addPositions(const geometry::TriangleMesh& mesh) {
     const std::size_t begin = binary_.size();
     Eigen::Array3f low = Eigen::Array3f::Constant(std::numeric_limits<float>::max());
     Eigen::Array3f high = -low;
-    for (Eigen::Index v = 0; v < mesh_.points.rows(); ++v) {
-      const Eigen::Array3f point = mesh_.points.row(v).transpose().cast<float>().array();
+    for (Eigen::Index v = 0; v < mesh.points.rows(); ++v) {
+      const Eigen::Array3f point = mesh.points.row(v).transpose().cast<float>().array();
       low = low.min(point);
       high = high.max(point);
       for (int axis = 0; axis < 3; ++axis)
         appendValue(binary_, point[axis]);
     }
-    attributes_["POSITION"] = describe(begin,
-                                       {{"componentType", kFloat},
-                                        {"count", mesh_.points.rows()},
-                                        {"type", "VEC3"},
-                                        {"min", {low[0], low[1], low[2]}},
-                                        {"max", {high[0], high[1], high[2]}}},
-                                       kVertexData);
+    return describe(begin,
+                    {{"componentType", kFloat},
+                     {"count", mesh.points.rows()},
+                     {"type", "VEC3"},
+                     {"min", {low[0], low[1], low[2]}},
+                     {"max", {high[0], high[1], high[2]}}},
+                    kVertexData);
   }
 
-  void addNormals() {
+  std::size_t addNormals(const geometry::TriangleMesh& mesh) {
     const std::size_t begin = binary_.size();
-    const geometry::Normals normals = geometry::vertexNormals(mesh_);
+    const geometry::Normals normals = geometry::vertexNormals(mesh);
     for (Eigen::Index v = 0; v < normals.rows(); ++v) {
       // The format wants unit vectors, even where there is no normal.
       const bool none = normals.row(v).isZero(0);
       for (int axis = 0; axis < 3; ++axis)
         appendValue(binary_, none ? (axis == 2 ? 1.0F : 0.0F) : normals(v, axis));
     }
-    attributes_["NORMAL"] = describe(
-        begin, {{"componentType", kFloat}, {"count", normals.rows()}, {"type", "VEC3"}}, kVertexData);
+    return describe(begin, {{"componentType", kFloat}, {"count", normals.rows()}, {"type", "VEC3"}},
+                    kVertexData);
   }
 
   /// 16 bits, so that linear values bring every byte back.
-  void addColors() {
+  std::size_t addColors(const geometry::TriangleMesh& mesh) {
     const std::size_t begin = binary_.size();
-    for (Eigen::Index v = 0; v < mesh_.colors.rows(); ++v) {
+    for (Eigen::Index v = 0; v < mesh.colors.rows(); ++v) {
       for (int k = 0; k < 3; ++k)
         appendValue(binary_, static_cast<std::uint16_t>(
-                                 std::lround(65535 * linearFromEncoded(mesh_.colors(v, k) / 255.0))));
+                                 std::lround(65535 * linearFromEncoded(mesh.colors(v, k) / 255.0))));
       appendValue(binary_, std::uint16_t{65535});
     }
-    attributes_["COLOR_0"] = describe(begin,
-                                      {{"componentType", kUnsignedShort},
-                                       {"normalized", true},
-                                       {"count", mesh_.colors.rows()},
-                                       {"type", "VEC4"}},
-                                      kVertexData);
+    return describe(begin,
+                    {{"componentType", kUnsignedShort},
+                     {"normalized", true},
+                     {"count", mesh.colors.rows()},
+                     {"type", "VEC4"}},
+                    kVertexData);
   }
 
-  void addIndices() {
+  std::size_t addIndices(const geometry::TriangleMesh& mesh) {
     const std::size_t begin = binary_.size();
-    for (Eigen::Index t = 0; t < mesh_.triangles.rows(); ++t)
+    for (Eigen::Index t = 0; t < mesh.triangles.rows(); ++t)
       for (int k = 0; k < 3; ++k)
-        appendValue(binary_, static_cast<std::uint32_t>(mesh_.triangles(t, k)));
-    indices_ = describe(
-        begin, {{"componentType", kUnsignedInt}, {"count", mesh_.triangles.size()}, {"type", "SCALAR"}},
-        kIndexData);
+        appendValue(binary_, static_cast<std::uint32_t>(mesh.triangles(t, k)));
+    return describe(begin,
+                    {{"componentType", kUnsignedInt}, {"count", mesh.triangles.size()}, {"type", "SCALAR"}},
+                    kIndexData);
   }
 
   Json document() const {
-    const Json material = {{"pbrMetallicRoughness", {{"metallicFactor", 0.0}, {"roughnessFactor", 0.6}}},
-                           {"doubleSided", true}};
-    const Json primitive = {{"attributes", attributes_}, {"indices", indices_}, {"material", 0}};
+    Json roots = Json::array();
+    for (std::size_t node = 0; node < nodes_.size(); ++node)
+      roots.push_back(node);
     return {{"asset",
              {{"version", "2.0"},
               {"generator", "Viscera"},
-              {"extras", {{"SPACE", spaceName(options_.space)}, {"unit", "mm"}}}}},
+              {"extras", {{"SPACE", spaceName(space_)}, {"unit", "mm"}}}}},
             {"scene", 0},
-            {"scenes", Json::array({{{"nodes", {0}}}})},
-            {"nodes", Json::array({{{"mesh", 0}, {"matrix", uprightMatrix(options_.space)}}})},
-            {"meshes", Json::array({{{"name", options_.name}, {"primitives", Json::array({primitive})}}})},
-            {"materials", Json::array({material})},
+            {"scenes", Json::array({{{"nodes", roots}}})},
+            {"nodes", nodes_},
+            {"meshes", meshes_},
+            {"materials", materials_},
             {"accessors", accessors_},
             {"bufferViews", views_},
             {"buffers", Json::array({{{"byteLength", binary_.size()}}})}};
   }
 
-  const geometry::TriangleMesh& mesh_;
-  const WriteSurface& options_;
+  Space space_;
   std::string binary_;
-  Json attributes_ = Json::object();
+  Json nodes_ = Json::array();
+  Json meshes_ = Json::array();
+  Json materials_ = Json::array();
   Json views_ = Json::array();
   Json accessors_ = Json::array();
-  std::size_t indices_ = 0;
 };
+
+Json plainMaterial() {
+  return {{"pbrMetallicRoughness", {{"metallicFactor", 0.0}, {"roughnessFactor", 0.6}}},
+          {"doubleSided", true}};
+}
+
+/// With a colour of its own, which vertex colours would be multiplied by.
+Json materialOf(const NamedSurface& surface) {
+  Json material = plainMaterial();
+  if (surface.mesh->colors.rows() == 0) {
+    Json factor = Json::array();
+    for (const double part : surface.color)
+      factor.push_back(linearFromEncoded(part));
+    factor.push_back(surface.opacity);
+    material["pbrMetallicRoughness"]["baseColorFactor"] = factor;
+    if (surface.opacity < 1)
+      material["alphaMode"] = "BLEND";
+  }
+  return material;
+}
+
+void write(std::ostream& out, const std::string& glb) {
+  out.write(glb.data(), static_cast<std::streamsize>(glb.size()));
+}
 
 } // namespace
 
@@ -438,8 +470,23 @@ RawSurface readGltf(const FileBytes& file) {
 }
 
 void writeGlb(std::ostream& out, const geometry::TriangleMesh& mesh, const WriteSurface& options) {
-  const std::string glb = GlbBuilder(mesh, options).run();
-  out.write(glb.data(), static_cast<std::streamsize>(glb.size()));
+  GlbBuilder builder(options.space);
+  builder.add(mesh, options.name, plainMaterial());
+  write(out, builder.run());
+}
+
+void writeSurfaces(const std::filesystem::path& file, const std::vector<NamedSurface>& surfaces) {
+  if (extensionOf(file) != ".glb")
+    throw CannotCreateError("several surfaces are written as .glb only", file.string(),
+                            "choose a name that ends in .glb");
+  if (surfaces.empty())
+    throw DataError("there is no surface to write", file.string(), "open one first");
+  GlbBuilder builder(Space::lps);
+  for (const NamedSurface& surface : surfaces) {
+    geometry::requireValid(*surface.mesh, surface.name);
+    builder.add(*surface.mesh, surface.name, materialOf(surface));
+  }
+  writeAtomically(file, [&](std::ostream& out) { write(out, builder.run()); });
 }
 
 } // namespace viscera::medical_io

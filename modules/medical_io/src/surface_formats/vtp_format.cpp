@@ -19,6 +19,7 @@
 #include "text_scanner.h"
 #include "viscera/core/error.h"
 #include "vtk_poly_data.h"
+#include "vtp_writer.h"
 #include "xml_tree.h"
 
 // VTK's expat, base64 and decompressors do the work, but not its reader: that one allocates what damaged
@@ -217,13 +218,16 @@ RawSurface readVtp(const FileBytes& file) {
 }
 
 void writeVtp(std::ostream& out, const geometry::TriangleMesh& mesh, const WriteSurface& options) {
+  writeVtp(out, *polyDataOf(mesh), options);
+}
+
+void writeVtp(std::ostream& out, vtkPolyData& data, const WriteSurface& options) {
   vtkNew<vtkXMLPolyDataWriter> writer;
   const QuietVtk quiet(writer);
-  const auto data = polyDataOf(mesh);
-  addField(data, "SPACE", std::string(spaceName(options.space)));
+  addField(&data, "SPACE", std::string(spaceName(options.space)));
   if (!options.name.empty())
-    addField(data, "Name", options.name);
-  writer->SetInputData(data);
+    addField(&data, "Name", options.name);
+  writer->SetInputData(&data);
   writer->SetDataModeToAppended();
   writer->WriteToOutputStringOn();
   if (writer->Write() == 0 || quiet.failed())

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "viscera/core/arrays.h"
+#include "viscera/medical_io/space.h"
 
 namespace viscera::medical_io {
 
@@ -47,9 +48,20 @@ struct HandleFile {
 /// position that is missing or not finite.
 HandleFile readHandles(const std::filesystem::path& file);
 
-/// Writes `.mrk.json`, LPS mm, full double precision: reading it back gives the same bits. Atomic. Throws
-/// `CannotCreateError` when it cannot be written or does not end in `.json`, `DataError` naming the handle
-/// for a position that is not finite.
-void writeHandles(const std::filesystem::path& file, const HandleFile& handles);
+/// Options of `writeHandles`.
+struct WriteHandles {
+  Space space = Space::lps;
+};
+
+/// Writes `.mrk.json` or `.fcsv` by the name's ending, mm, full double precision: reading it back gives the
+/// same bits. A `.fcsv` table is one list: groups and their colours are left out (`fcsvLoses` says so), a
+/// handle of several groups is written once, and line breaks in labels become spaces. Atomic. Throws
+/// `CannotCreateError` when it cannot be written or has another ending, `DataError` naming the handle for a
+/// position that is not finite.
+void writeHandles(const std::filesystem::path& file, const HandleFile& handles,
+                  const WriteHandles& options = {});
+
+/// What a `.fcsv` file does not keep of these handles, one sentence each.
+std::vector<std::string> fcsvLoses(const HandleFile& handles);
 
 } // namespace viscera::medical_io

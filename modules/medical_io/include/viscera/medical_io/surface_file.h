@@ -5,13 +5,11 @@
 #include <vector>
 
 #include "viscera/geometry/triangle_mesh.h"
+#include "viscera/medical_io/space.h"
 
 /// Files in and out. Everything inside Viscera is LPS millimetres; what a file says otherwise is converted
 /// here.
 namespace viscera::medical_io {
-
-/// The axes in which a file's coordinates are written.
-enum class Space { lps, ras };
 
 /// A surface as it came from a file.
 struct SurfaceFile {

@@ -1,0 +1,65 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "viscera/core/parallel.h"
+#include "viscera/core/progress.h"
+#include "viscera/geometry/surface_check.h"
+#include "viscera/geometry/triangle_mesh.h"
+#include "viscera/medical_io/space.h"
+
+namespace viscera::medical_io {
+
+/// How grave a finding is: as it should be; worth knowing; to be looked at; will go wrong.
+enum class Light { good, note, doubt, fault };
+
+/// One thing found out about a surface that is to become an organ.
+struct Finding {
+  Light light = Light::good;
+  std::string text;                 ///< A sentence without capital and full stop, for a user.
+  std::vector<std::string> repairs; ///< Ids of `surfaceRepairs` that would help, best first.
+
+  friend bool operator==(const Finding&, const Finding&) = default;
+};
+
+/// What is known of a surface besides its shape.
+struct SurfaceOrigin {
+  std::string name;                 ///< What it is said to be: "kidney_left".
+  std::optional<Space> statedSpace; ///< The axes that its file states; none: LPS was assumed.
+};
+
+/// All that was found out.
+struct SurfaceAssessment {
+  geometry::SurfaceReport report;
+  int selfIntersections = 0;
+  Vec3 sizeMm = Vec3::Zero(); ///< Of the box: right to left, front to back, foot to head.
+  double volumeMl = 0;        ///< Without its sign; 0 for an open surface.
+  std::vector<Finding>
+      findings; ///< One for each of axes, size, holes, manifold, facing, pieces, intersections.
+
+  Light worst() const;
+  /// Something that a user should look at before the surface is accepted.
+  bool questionable() const { return worst() >= Light::doubt; }
+};
+
+/// Looks at everything that goes wrong with patients' surfaces: axes and the side of the body, unit and size
+/// for the organ named, holes, edges that join more than two triangles, triangles that face inward, pieces,
+/// intersections with itself. Changes nothing. Expects valid indices. Throws `Cancelled`. O(m log m), about a
+/// second for a million triangles.
+SurfaceAssessment assessSurface(const geometry::TriangleMesh& mesh, const SurfaceOrigin& origin,
+                                Progress& progress, Threads threads = {});
+
+/// Where an organ is, to be judged together with the others.
+struct PlacedOrgan {
+  std::string name;
+  Bounds bounds;
+};
+
+/// Whether organs known by name lie to each other as in a body: the liver to the right of the spleen, the
+/// kidneys behind the liver, the heart above it. Nothing when they do, or when too few are known; else one
+/// finding with the repair that puts all of them right (`ras-to-lps`, `mirror`).
+std::optional<Finding> assessArrangement(const std::vector<PlacedOrgan>& organs);
+
+} // namespace viscera::medical_io

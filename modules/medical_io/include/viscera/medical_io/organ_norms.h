@@ -1,0 +1,53 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "viscera/core/arrays.h"
+
+/// What an adult's organ is like, to question a surface that is unlike it.
+namespace viscera::medical_io {
+
+/// On which side of the middle an organ lies.
+enum class BodySide { right, middle, left };
+
+/// Volumes are women's and men's means (liver, spleen and kidneys from autopsies and CT, the heart from its
+/// muscle alone to its whole outside).
+struct OrganNorm {
+  std::string_view name; ///< "kidney"
+  std::optional<std::pair<double, double>>
+      volumeMl; ///< Lower and upper mean; none where fillings differ too much.
+  BodySide side = BodySide::middle;
+};
+
+/// The norm of the organ that a name speaks of: "Kidney_left 2" is a left kidney, "liver tumour" nothing
+/// that is known.
+std::optional<OrganNorm> organNorm(std::string_view name);
+
+/// Organs differ by up to that factor from the means before they are questioned.
+inline constexpr double kNormTolerance = 3;
+
+/// "liver" of 239 ml: as a sentence, when it is more than `kNormTolerance` away from the norm.
+std::optional<std::string> doubtAboutVolume(std::string_view name, double volumeMl);
+
+/// A unit in which a file may have been written.
+struct LengthUnit {
+  std::string_view id;   ///< "m", as in `viscera convert --unit`.
+  std::string_view name; ///< "metres"
+  double mm = 1;         ///< One of it.
+};
+
+/// mm, cm, m, in, um, and others that files are found in. The first is mm.
+const std::vector<LengthUnit>& lengthUnits();
+
+/// Units, mm apart, in which the surface would have a size that is usual for the organ named (by its volume;
+/// 0: it is open) or, when that says nothing, for any organ (by its box's diagonal). Empty when mm do, or
+/// nothing does. Best first.
+std::vector<LengthUnit> unitsThatFit(std::string_view name, double diagonalMm, double volumeMl);
+
+/// "the surface is 0.24 mm across, which no organ is": when so.
+std::optional<std::string> doubtAboutSize(std::string_view name, double diagonalMm);
+
+} // namespace viscera::medical_io

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "viscera/core/parallel.h"
+#include "viscera/core/progress.h"
+#include "viscera/geometry/triangle_mesh.h"
+
+namespace viscera::medical_io {
+
+/// One thing that can be done to a surface that came in badly. Nothing is repaired unasked.
+struct SurfaceRepair {
+  std::string id;   ///< As in `viscera convert`: "fill-holes", "unit-m".
+  std::string does; ///< What it does, as a sentence: "fills every hole with a cap".
+  /// The repaired surface, from a valid mesh. Throws `DataError` when it is not possible, `Cancelled`. A pure
+  /// function; bitwise independent of the number of threads.
+  std::function<geometry::TriangleMesh(const geometry::TriangleMesh&, Progress&, Threads)> apply;
+};
+
+/// All there are: `orient`, `fill-holes`, `keep-largest`, `remesh`, `mirror`, `ras-to-lps`, and `unit-ID` for
+/// every unit of `lengthUnits` but mm.
+const std::vector<SurfaceRepair>& surfaceRepairs();
+
+/// The one of that id. Throws `UsageError` that names those there are.
+const SurfaceRepair& surfaceRepair(std::string_view id);
+
+/// Makes a surface anew (`repairSurface`) with about `triangles` triangles, 0: as many as it has, 20,000 at
+/// most. Colours are lost.
+geometry::TriangleMesh remeshed(const geometry::TriangleMesh& mesh, int triangles, Progress& progress,
+                                Threads threads = {});
+
+} // namespace viscera::medical_io

@@ -1,0 +1,254 @@
+#include "viscera/medical_io/assess_surface.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <string_view>
+
+#include "file_bytes.h"
+#include "space_tag.h"
+#include "viscera/core/error.h"
+#include "viscera/geometry/close_holes.h"
+#include "viscera/geometry/connected_pieces.h"
+#include "viscera/geometry/self_intersections.h"
+#include "viscera/medical_io/organ_norms.h"
+
+namespace viscera::medical_io {
+namespace {
+
+using geometry::SurfaceReport;
+using geometry::TriangleMesh;
+
+/// A piece with less of the area than this is a crumb of a segmentation.
+constexpr double kCrumb = 0.02;
+/// Nearer to the middle than this nothing is said about sides; farther than the other the file's origin is
+/// not in the middle of the body.
+constexpr double kBesideMiddleMm = 15;
+constexpr double kWithinBodyMm = 250;
+
+std::string sizeText(const Vec3& size) {
+  char buffer[96];
+  std::snprintf(buffer, sizeof buffer, "%.3g x %.3g x %.3g mm", size.x(), size.y(), size.z());
+  return buffer;
+}
+
+/// One assessment on its way; each member looks at one thing and appends one finding or two.
+class Assessment {
+public:
+  Assessment(const TriangleMesh& mesh, const SurfaceOrigin& origin) : mesh_(mesh), origin_(origin) {}
+
+  SurfaceAssessment run(Progress& progress, Threads threads) {
+    result_.report = geometry::checkSurface(mesh_);
+    const Bounds box = boundsOf(mesh_.points);
+    result_.sizeMm = box.high - box.low;
+    if (report().closed())
+      result_.volumeMl = std::abs(report().volumeMm3) / kMm3PerMl;
+    signedMl_ = closedVolumeMl();
+    progress.throwIfCancelled();
+    result_.selfIntersections = geometry::countSelfIntersections(mesh_, progress, threads);
+    lookAtAxes(box);
+    lookAtSize(box);
+    lookAtHoles();
+    lookAtEdges();
+    lookAtFacing();
+    lookAtPieces();
+    lookAtIntersections();
+    return std::move(result_);
+  }
+
+private:
+  const SurfaceReport& report() const { return result_.report; }
+
+  void add(Light light, std::string text, std::vector<std::string> repairs = {}) {
+    result_.findings.push_back({light, std::move(text), std::move(repairs)});
+  }
+
+  void lookAtAxes(const Bounds& box) {
+    const auto norm = organNorm(origin_.name);
+    const double x = box.center().x();
+    const bool telling = norm && norm->side != BodySide::middle && std::abs(x) > kBesideMiddleMm &&
+                         std::abs(x) < kWithinBodyMm;
+    if (telling && (x > 0) != (norm->side == BodySide::left)) {
+      const bool left = norm->side == BodySide::left;
+      add(Light::doubt,
+          "by its name it belongs on the patient's " + std::string(left ? "left" : "right") +
+              ", but it lies on the " + (left ? "right" : "left") +
+              " (x = " + std::to_string(std::lround(x)) +
+              " mm): " + (origin_.statedSpace ? "it may be mirrored" : "the file may be in RAS, or mirrored"),
+          {"ras-to-lps", "mirror"});
+      return;
+    }
+    if (origin_.statedSpace)
+      add(Light::good, "the file states its axes: " + std::string(spaceName(*origin_.statedSpace)));
+    else
+      add(Light::note, "the file does not state its axes: LPS is assumed", {"ras-to-lps", "mirror"});
+  }
+
+  /// Signed; of an open surface as it would be with caps, 0 where it cannot be closed.
+  double closedVolumeMl() const {
+    if (report().closed())
+      return report().volumeMm3 / kMm3PerMl;
+    try {
+      return geometry::checkSurface(geometry::closeHoles(mesh_).mesh).volumeMm3 / kMm3PerMl;
+    } catch (const DataError&) {
+      return 0;
+    }
+  }
+
+  void lookAtSize(const Bounds& box) {
+    const double volumeMl = std::abs(signedMl_);
+    std::vector<std::string> repairs;
+    for (const LengthUnit& unit : unitsThatFit(origin_.name, box.diagonal(), volumeMl))
+      repairs.push_back("unit-" + std::string(unit.id));
+    if (auto doubt = doubtAboutSize(origin_.name, box.diagonal()))
+      return add(Light::fault, std::move(*doubt), std::move(repairs));
+    if (volumeMl > 0)
+      if (auto doubt = doubtAboutVolume(origin_.name, volumeMl))
+        return add(Light::doubt, std::move(*doubt), std::move(repairs));
+    add(Light::good, "the size is plausible: " + sizeText(result_.sizeMm));
+  }
+
+  void lookAtHoles() {
+    if (report().closed())
+      return add(Light::good, "the surface is closed");
+    add(Light::fault,
+        counted(static_cast<std::uint64_t>(report().boundaryEdges), "boundary edge", "boundary edges") +
+            ": the surface is open and has no volume",
+        signedMl_ != 0 ? std::vector<std::string>{"fill-holes", "remesh"}
+                       : std::vector<std::string>{"remesh"});
+  }
+
+  void lookAtEdges() {
+    if (report().nonManifoldEdges > 0)
+      add(Light::fault,
+          counted(static_cast<std::uint64_t>(report().nonManifoldEdges), "edge joins", "edges join") +
+              " more than two triangles",
+          {"remesh"});
+    else
+      add(Light::good, "no edge joins more than two triangles");
+    if (report().degenerateTriangles > 0)
+      add(Light::note,
+          counted(static_cast<std::uint64_t>(report().degenerateTriangles), "triangle has",
+                  "triangles have") +
+              " no area",
+          {"remesh"});
+  }
+
+  void lookAtFacing() {
+    if (report().misorientedEdges > 0)
+      add(Light::fault,
+          counted(static_cast<std::uint64_t>(report().misorientedEdges), "edge lies", "edges lie") +
+              " between triangles of opposite orientation",
+          {"orient"});
+    else if (signedMl_ < 0)
+      add(Light::fault, "the surface is inside out", {"orient"});
+    else
+      add(Light::good, "the triangles face outward");
+  }
+
+  void lookAtPieces() {
+    if (report().components <= 1)
+      return add(Light::good, "the surface is of one piece");
+    const std::vector<double> areas = geometry::areasOf(geometry::connectedPieces(mesh_), mesh_);
+    const double whole = report().areaMm2;
+    const auto crumbs =
+        std::count_if(areas.begin(), areas.end(), [&](double area) { return area < kCrumb * whole; });
+    std::string text = "the surface consists of " + std::to_string(report().components) + " separate pieces";
+    if (crumbs == 0)
+      return add(Light::note, std::move(text), {"keep-largest"});
+    add(Light::doubt,
+        std::move(text) + ", " + std::to_string(crumbs) + " of them crumbs of less than 2 % of its area",
+        {"keep-largest"});
+  }
+
+  void lookAtIntersections() {
+    if (result_.selfIntersections == 0)
+      return add(Light::good, "the surface does not cross itself");
+    add(Light::doubt,
+        counted(static_cast<std::uint64_t>(result_.selfIntersections), "pair of triangles crosses",
+                "pairs of triangles cross") +
+            " each other: stress mode may have to repair the surface first",
+        {"remesh"});
+  }
+
+  const TriangleMesh& mesh_;
+  const SurfaceOrigin& origin_;
+  SurfaceAssessment result_;
+  double signedMl_ = 0; ///< Whose sign says where the triangles face.
+};
+
+/// `first` has the smaller coordinate along the axis in a body (LPS).
+struct Order {
+  std::string_view first;
+  std::string_view second;
+};
+constexpr std::array<Order, 8> kRightToLeft = {{{"liver", "spleen"},
+                                                {"liver", "stomach"},
+                                                {"liver", "kidney left"},
+                                                {"kidney right", "kidney left"},
+                                                {"kidney right", "spleen"},
+                                                {"kidney right", "stomach"},
+                                                {"gallbladder", "spleen"},
+                                                {"gallbladder", "stomach"}}};
+constexpr std::array<Order, 6> kFrontToBack = {{{"stomach", "kidney left"},
+                                                {"stomach", "kidney right"},
+                                                {"stomach", "spleen"},
+                                                {"liver", "kidney left"},
+                                                {"heart", "kidney left"},
+                                                {"heart", "kidney right"}}};
+
+std::string kindOf(const PlacedOrgan& organ) {
+  const auto norm = organNorm(organ.name);
+  if (!norm)
+    return {};
+  std::string kind(norm->name);
+  if (kind == "kidney" && norm->side != BodySide::middle)
+    kind += norm->side == BodySide::left ? " left" : " right";
+  return kind;
+}
+
+/// Pairs in the right order minus pairs in the wrong one.
+template <std::size_t N>
+int votes(const std::vector<PlacedOrgan>& organs, const std::array<Order, N>& orders, int axis) {
+  int sum = 0;
+  for (const PlacedOrgan& a : organs)
+    for (const PlacedOrgan& b : organs)
+      for (const Order& order : orders)
+        if (kindOf(a) == order.first && kindOf(b) == order.second)
+          sum += a.bounds.center()[axis] < b.bounds.center()[axis] ? 1 : -1;
+  return sum;
+}
+
+} // namespace
+
+Light SurfaceAssessment::worst() const {
+  Light light = Light::good;
+  for (const Finding& finding : findings)
+    light = std::max(light, finding.light);
+  return light;
+}
+
+SurfaceAssessment assessSurface(const TriangleMesh& mesh, const SurfaceOrigin& origin, Progress& progress,
+                                Threads threads) {
+  return Assessment(mesh, origin).run(progress, threads);
+}
+
+std::optional<Finding> assessArrangement(const std::vector<PlacedOrgan>& organs) {
+  const int sides = votes(organs, kRightToLeft, 0);
+  if (sides >= 0)
+    return std::nullopt;
+  const int depth = votes(organs, kFrontToBack, 1);
+  if (depth < 0)
+    return Finding{Light::doubt,
+                   "right and left are exchanged, and so are front and back: the files seem to be in RAS",
+                   {"ras-to-lps"}};
+  if (depth > 0)
+    return Finding{
+        Light::doubt, "right and left are exchanged, front and back are not: mirrored", {"mirror"}};
+  return Finding{Light::doubt,
+                 "right and left are exchanged: the files may be in RAS, or mirrored",
+                 {"ras-to-lps", "mirror"}};
+}
+
+} // namespace viscera::medical_io

@@ -1,0 +1,89 @@
+#include "viscera/medical_io/displacement_file.h"
+
+#include <array>
+#include <bit>
+#include <charconv>
+#include <ostream>
+#include <sstream>
+
+#include <vtkDoubleArray.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+
+#include "file_bytes.h"
+#include "viscera/core/atomic_file.h"
+#include "viscera/core/error.h"
+#include "vtk_poly_data.h"
+#include "vtp_writer.h"
+
+namespace viscera::medical_io {
+namespace {
+
+static_assert(std::endian::native == std::endian::little, "the headers say so");
+
+/// Seventeen digits, always with a point.
+std::string written(double value) {
+  std::array<char, 32> buffer{};
+  const auto end =
+      std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::general, 17);
+  return {buffer.data(), end.ptr};
+}
+
+std::string written(const Eigen::Vector3i& size) {
+  return std::to_string(size[0]) + " " + std::to_string(size[1]) + " " + std::to_string(size[2]);
+}
+
+std::string nrrdHeader(const deformation::DisplacementGrid& grid) {
+  const std::string step = written(grid.spacing);
+  return "NRRD0004\ntype: double\ndimension: 4\nspace: left-posterior-superior\nsizes: 3 " +
+         written(grid.size) + "\nspace directions: none (" + step + ",0,0) (0," + step + ",0) (0,0," + step +
+         ")\nkinds: vector domain domain domain\nendian: little\nencoding: raw\nspace origin: (" +
+         written(grid.origin.x()) + "," + written(grid.origin.y()) + "," + written(grid.origin.z()) + ")\n\n";
+}
+
+std::string metaImageHeader(const deformation::DisplacementGrid& grid) {
+  const std::string step = written(grid.spacing);
+  return "ObjectType = Image\nNDims = 3\nBinaryData = True\nBinaryDataByteOrderMSB = False\n"
+         "CompressedData = False\nTransformMatrix = 1 0 0 0 1 0 0 0 1\nOffset = " +
+         written(grid.origin.x()) + " " + written(grid.origin.y()) + " " + written(grid.origin.z()) +
+         "\nCenterOfRotation = 0 0 0\nAnatomicalOrientation = RAI\nElementSpacing = " + step + " " + step +
+         " " + step + "\nDimSize = " + written(grid.size) +
+         "\nElementNumberOfChannels = 3\nElementType = MET_DOUBLE\nElementDataFile = LOCAL\n";
+}
+
+} // namespace
+
+void writeDisplacements(const std::filesystem::path& file, const geometry::TriangleMesh& rest,
+                        const Points& moved, const std::string& name) {
+  if (extensionOf(file) != ".vtp")
+    throw CannotCreateError("displacements are written as .vtp only", file.string(),
+                            "choose a name that ends in .vtp");
+  if (moved.rows() != rest.points.rows())
+    throw DataError("has " + std::to_string(moved.rows()) + " moved points for " +
+                        std::to_string(rest.points.rows()) + " vertices",
+                    file.string());
+  geometry::requireValid(rest, file.string());
+  const auto data = polyDataOf(rest);
+  vtkNew<vtkDoubleArray> vectors;
+  vectors->SetName("displacement");
+  vectors->SetNumberOfComponents(3);
+  vectors->SetNumberOfTuples(moved.rows());
+  Eigen::Map<Points>(vectors->GetPointer(0), moved.rows(), 3) = moved - rest.points;
+  data->GetPointData()->SetVectors(vectors);
+  writeAtomically(file, [&](std::ostream& out) { writeVtp(out, *data, {.name = name}); });
+}
+
+void writeTransform(const std::filesystem::path& file, const deformation::DisplacementGrid& grid) {
+  const std::string ending = extensionOf(file);
+  if (ending != ".nrrd" && ending != ".mha")
+    throw CannotCreateError("displacement fields cannot be written as \"" + ending + "\"", file.string(),
+                            "let its name end in .nrrd or .mha");
+  writeAtomically(file, [&](std::ostream& out) {
+    out << (ending == ".nrrd" ? nrrdHeader(grid) : metaImageHeader(grid));
+    out.write(reinterpret_cast<const char*>(grid.vectors.data()),
+              static_cast<std::streamsize>(sizeof(double)) * grid.vectors.size());
+  });
+}
+
+} // namespace viscera::medical_io
