@@ -40,32 +40,48 @@ void FileActions::rememberFolder(const QString& file) {
   settings_.setValue(kFolderKey, QFileInfo(file).absolutePath());
 }
 
-void FileActions::chooseAndOpen() {
+void FileActions::chooseAndOpen(bool check) {
   const QString surfaces = patterns(medical_io::surfaceExtensions());
-  const QString handles = QStringLiteral("*") + QLatin1String(kHandleEnding);
+  const QString handles = QStringLiteral("*%1 *.fcsv").arg(QLatin1String(kHandleEnding));
   const QString filter =
       tr("Organs and handles (%1 %2);;Organs (%1);;Handles (%2);;All files (*)").arg(surfaces, handles);
   const QStringList files =
       QFileDialog::getOpenFileNames(window_, tr("Open organs or handles"), folder(), filter);
   if (!files.isEmpty())
-    open(files);
+    open(files, check);
 }
 
-void FileActions::open(const QStringList& files) {
+void FileActions::open(const QStringList& files, bool check) {
   std::vector<std::filesystem::path> paths;
   for (const QString& file : files)
     paths.emplace_back(file.toStdString());
   const QString name = files.size() == 1
                            ? tr("Opening %1").arg(QFileInfo(files.front()).fileName())
                            : tr("Opening %n {file|files}", nullptr, static_cast<int>(files.size()));
-  workspace_.jobs().submit<session::OpenedFiles>(
-      name.toStdString(), "open", [paths](Progress& progress) { return session::openFiles(paths, progress); },
-      [this, files](session::JobResult<session::OpenedFiles> result) {
+  workspace_.jobs().submit<session::ImportDraft>(
+      name.toStdString(), "open",
+      [paths](Progress& progress) { return session::draftOf(session::openFiles(paths, progress), progress); },
+      [this, files, check](session::JobResult<session::ImportDraft> result) {
         if (result.error)
           workspace_.report(*result.error);
         if (result.value)
-          take(*result.value, files);
+          checkOrTake(std::move(*result.value), files, check);
       });
+}
+
+void FileActions::checkOrTake(session::ImportDraft draft, const QStringList& files, bool check) {
+  const bool odd = draft.questionable();
+  if (checker_ && !draft.organs.empty() && (odd || check))
+    return checker_(std::move(draft), files);
+  take(session::accepted(draft), files);
+  if (!odd && !draft.organs.empty())
+    Q_EMIT foundNothingOdd(files);
+}
+
+void FileActions::take(const session::ImportDraft& draft, const QStringList& files) {
+  session::OpenedFiles opened = session::accepted(draft);
+  opened.warnings.clear(); // Who checked them has seen them; they stay with the organs.
+  take(opened, files);
 }
 
 void FileActions::take(const session::OpenedFiles& opened, const QStringList& files) {
@@ -73,7 +89,7 @@ void FileActions::take(const session::OpenedFiles& opened, const QStringList& fi
   // What the program made itself was only there to look at.
   const bool onlySamples =
       std::all_of(present.begin(), present.end(), [](const auto& o) { return o->file.empty(); });
-  const bool replaces = opened.organs > 0 && onlySamples;
+  const bool replaces = !opened.organs.empty() && onlySamples;
   const QString name = tr("Open %1").arg(QFileInfo(files.front()).fileName());
   const bool done = workspace_.guarded([&] {
     session::UndoStack& undo = workspace_.undo();
@@ -82,12 +98,12 @@ void FileActions::take(const session::OpenedFiles& opened, const QStringList& fi
       if (replaces) {
         if (!present.empty())
           undo.perform(session::removeAllOrgans());
-        if (opened.handles == 0)
+        if (!opened.rig)
           undo.perform(session::replaceRig({}));
       }
-      undo.perform(opened.command);
+      undo.perform(opened.command());
       dressNewOrgans();
-      if (opened.organs > 0 && workspace_.document().rig().handles.empty())
+      if (!opened.organs.empty() && workspace_.document().rig().handles.empty())
         undo.perform(placer_.command(*workspace_.document().organs().back()));
     } catch (...) {
       undo.cancelStep();
@@ -100,7 +116,7 @@ void FileActions::take(const session::OpenedFiles& opened, const QStringList& fi
   settings_.addRecentFiles(files);
   rememberFolder(files.front());
   Q_EMIT recentFilesChanged();
-  if (opened.organs > 0)
+  if (!opened.organs.empty())
     workspace_.selection().setOrgan(workspace_.document().organs().back()->id);
   Q_EMIT filesOpened();
   sayWarnings(opened.warnings);
@@ -139,10 +155,10 @@ void FileActions::sayWarnings(const std::vector<std::string>& warnings) {
 void FileActions::chooseAndSaveHandles() {
   QString file = QFileDialog::getSaveFileName(
       window_, tr("Save handles"), folder() + QStringLiteral("/handles") + QLatin1String(kHandleEnding),
-      tr("Slicer markups (*%1)").arg(QLatin1String(kHandleEnding)));
+      tr("Slicer markups (*%1 *.fcsv)").arg(QLatin1String(kHandleEnding)));
   if (file.isEmpty())
     return;
-  if (!file.endsWith(QLatin1String(kHandleEnding)))
+  if (!file.endsWith(QLatin1String(kHandleEnding)) && !file.endsWith(QLatin1String(".fcsv")))
     file += QLatin1String(kHandleEnding);
   saveHandles(file);
 }

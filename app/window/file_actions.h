@@ -3,7 +3,9 @@
 #include <QObject>
 #include <QStringList>
 
-#include "viscera/session/open_files.h"
+#include <functional>
+
+#include "viscera/session/import_draft.h"
 #include "window/handle_placer.h"
 #include "window/settings.h"
 #include "window/workspace.h"
@@ -20,11 +22,18 @@ class FileActions final : public QObject {
 public:
   FileActions(Workspace& workspace, HandlePlacer& placer, Settings& settings, QWidget* window);
 
-  /// Asks for files and opens them.
-  void chooseAndOpen();
+  /// Who gets files of which something should be looked at before they are accepted, and gives them back by
+  /// `take`. Without anybody they are taken as they are.
+  using Checker = std::function<void(session::ImportDraft, const QStringList&)>;
+  void setChecker(Checker checker) { checker_ = std::move(checker); }
+
+  /// Asks for files and opens them; with `check` they go to the checker even if nothing is odd.
+  void chooseAndOpen(bool check = false);
   /// Opens organs and handles as one undo step. Sample organs make room for the first files; later ones come
   /// beside those there are. Organs that come without handles get some.
-  void open(const QStringList& files);
+  void open(const QStringList& files, bool check = false);
+  /// Adds what a draft has accepted to the document.
+  void take(const session::ImportDraft& draft, const QStringList& files);
   /// Asks where to, and writes the handles at rest as `.mrk.json`.
   void chooseAndSaveHandles();
   void saveHandles(const QString& file);
@@ -34,12 +43,15 @@ public:
 
 Q_SIGNALS:
   void filesOpened();
+  /// These files were looked at, and nothing was odd.
+  void foundNothingOdd(const QStringList& files);
   void recentFilesChanged();
 
 private:
   QString folder() const;
   void rememberFolder(const QString& file);
   void take(const session::OpenedFiles& opened, const QStringList& files);
+  void checkOrTake(session::ImportDraft draft, const QStringList& files, bool check);
   /// Gives organs that are named after a tissue its colour.
   void dressNewOrgans();
   void sayWarnings(const std::vector<std::string>& warnings);
@@ -49,6 +61,7 @@ private:
   HandlePlacer& placer_;
   Settings& settings_;
   QWidget* window_;
+  Checker checker_;
 };
 
 } // namespace viscera::app

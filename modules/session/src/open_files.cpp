@@ -34,7 +34,7 @@ void requireKnown(const std::filesystem::path& file) {
   if (isHandleFile(file) || std::any_of(extensions.begin(), extensions.end(),
                                         [&](const std::string& e) { return endsWith(name, e); }))
     return;
-  std::string known = ".mrk.json";
+  std::string known = ".mrk.json, .fcsv";
   for (const std::string& extension : extensions)
     known += ", " + extension;
   throw UsageError("Nothing is known about files of this kind", file.string(), "use one of " + known);
@@ -59,13 +59,19 @@ std::string displayName(std::string name) {
 } // namespace
 
 bool isHandleFile(const std::filesystem::path& file) {
-  return endsWith(lowerName(file), ".mrk.json");
+  const std::string name = lowerName(file);
+  return endsWith(name, ".mrk.json") || endsWith(name, ".fcsv");
 }
 
-Organ readOrgan(const std::filesystem::path& file) {
+namespace {
+
+/// As an organ, and as it is in the file.
+std::pair<Organ, ReadSurface> readBoth(const std::filesystem::path& file) {
   medical_io::SurfaceFile surface = medical_io::readSurface(file);
+  ReadSurface read{std::make_shared<const geometry::TriangleMesh>(std::move(surface.mesh)),
+                   surface.spaceStated ? std::optional(surface.space) : std::nullopt};
   const std::string name = surface.name.empty() ? file.stem().string() : surface.name;
-  Organ organ = makeOrgan(name, std::move(surface.mesh));
+  Organ organ = makeOrgan(name, read.mesh);
   organ.file = file;
   organ.origin.fileHash = sha256OfFile(file);
   // Both looked at the surface and say the same of it; only the file knows of units and axes.
@@ -73,7 +79,13 @@ Organ readOrgan(const std::filesystem::path& file) {
     if (std::find(surface.warnings.begin(), surface.warnings.end(), warning) == surface.warnings.end())
       surface.warnings.push_back(std::move(warning));
   organ.warnings = std::move(surface.warnings);
-  return organ;
+  return {std::move(organ), std::move(read)};
+}
+
+} // namespace
+
+Organ readOrgan(const std::filesystem::path& file) {
+  return readBoth(file).first;
 }
 
 OpenedFiles openFiles(const std::vector<std::filesystem::path>& files, Progress& progress) {
@@ -84,30 +96,33 @@ OpenedFiles openFiles(const std::vector<std::filesystem::path>& files, Progress&
   for (const auto& file : files)
     requireKnown(file);
   OpenedFiles opened;
-  std::vector<NewOrgan> organs;
-  std::vector<Command> commands;
   for (std::size_t i = 0; i < files.size(); ++i) {
     progress.report(static_cast<double>(i) / static_cast<double>(files.size()), files[i].filename().string());
     progress.throwIfCancelled();
     if (isHandleFile(files[i])) {
       const medical_io::HandleFile handles = medical_io::readHandles(files[i]);
       addWarnings(opened.warnings, files[i], handles.warnings);
-      NewRig rig = rigFrom(handles, files[i].string());
-      opened.handles = static_cast<int>(rig.handles.size());
-      commands.push_back(replaceRig(std::move(rig)));
+      opened.rig = rigFrom(handles, files[i].string());
     } else {
-      organs.push_back({readOrgan(files[i]), -1});
-      addWarnings(opened.warnings, files[i], organs.back().organ.warnings);
+      auto [organ, read] = readBoth(files[i]);
+      opened.surfaces.emplace(opened.organs.size(), std::move(read));
+      opened.organs.push_back({std::move(organ), -1});
+      addWarnings(opened.warnings, files[i], opened.organs.back().organ.warnings);
     }
   }
-  opened.organs = static_cast<int>(organs.size());
-  if (!organs.empty())
-    commands.insert(commands.begin(), addOrgans(std::move(organs)));
-  const std::string name = files.size() == 1 ? "Open " + files.front().filename().string()
-                                             : "Open " + std::to_string(files.size()) + " files";
-  opened.command = combined(name, std::move(commands));
+  opened.name = files.size() == 1 ? "Open " + files.front().filename().string()
+                                  : "Open " + std::to_string(files.size()) + " files";
   progress.report(1);
   return opened;
+}
+
+Command OpenedFiles::command() const {
+  std::vector<Command> commands;
+  if (!organs.empty())
+    commands.push_back(addOrgans(organs));
+  if (rig)
+    commands.push_back(replaceRig(*rig));
+  return combined(name, std::move(commands));
 }
 
 NewRig rigFrom(const medical_io::HandleFile& file, const std::string& where) {

@@ -4,28 +4,16 @@
 #include <ostream>
 #include <string>
 
+#include "csv_field.h"
 #include "viscera/core/atomic_file.h"
 
 namespace viscera::session {
-namespace {
-
-/// As RFC 4180 has it.
-std::string field(const std::string& text) {
-  if (text.find_first_of(",\"\r\n") == std::string::npos)
-    return text;
-  std::string quoted = "\"";
-  for (const char letter : text)
-    quoted += letter == '"' ? std::string("\"\"") : std::string(1, letter);
-  return quoted + '"';
-}
-
-} // namespace
 
 void writeVolumeTable(const std::filesystem::path& file, const VolumeRecord& volumes) {
   writeAtomically(file, [&](std::ostream& stream) {
     stream << "time_s";
     for (const std::string& name : volumes.names())
-      stream << ',' << field(name + "_ml");
+      stream << ',' << csvField(name + "_ml");
     stream << '\n' << std::fixed << std::setprecision(6);
     for (std::size_t row = 0; row < volumes.rows(); ++row) {
       stream << volumes.seconds(row);

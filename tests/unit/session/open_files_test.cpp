@@ -67,10 +67,10 @@ TEST_F(OpenFiles, BringOrgansAndHandlesAsOneStep) {
   Progress progress;
   const OpenedFiles opened = openFiles(
       {surface("liver.vtp", 30), handles("rig.mrk.json", corners()), surface("kidney.stl", 20)}, progress);
-  EXPECT_EQ(opened.organs, 2);
-  EXPECT_EQ(opened.handles, 10);
+  EXPECT_EQ(opened.organs.size(), 2u);
+  EXPECT_EQ(opened.rig->handles.size(), 10u);
   EXPECT_TRUE(document.organs().empty()) << "reading alone must not change a document";
-  undo.perform(opened.command);
+  undo.perform(opened.command());
   EXPECT_EQ(undo.names(), std::vector<std::string>{"Open 3 files"});
   ASSERT_EQ(document.organs().size(), 2u);
   EXPECT_EQ(document.organs()[1]->file.filename(), "kidney.stl");

@@ -1,11 +1,15 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
+#include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "viscera/core/progress.h"
 #include "viscera/medical_io/handle_file.h"
+#include "viscera/medical_io/space.h"
 #include "viscera/organs/sample_organ.h"
 #include "viscera/session/command.h"
 #include "viscera/session/organ_commands.h"
@@ -15,15 +19,25 @@
 /// afterwards.
 namespace viscera::session {
 
-/// What some files are worth.
-struct OpenedFiles {
-  Command command; ///< Adds every organ, and the rig when there was a handle file: one undo step.
-  std::vector<std::string> warnings; ///< What a user should know, each with its file's name.
-  int organs = 0;
-  int handles = 0;
+/// A surface as its file has it, before an organ was made of it, which may turn it around.
+struct ReadSurface {
+  std::shared_ptr<const geometry::TriangleMesh> mesh;
+  std::optional<medical_io::Space> statedSpace; ///< None: the file does not say.
 };
 
-/// Whether the name ends like a handle file (.mrk.json).
+/// What some files hold, read but in no document yet: organs may still be repaired, or left out.
+struct OpenedFiles {
+  std::string name; ///< Of the undo step: "Open liver.stl".
+  std::vector<NewOrgan> organs;
+  std::map<std::size_t, ReadSurface> surfaces; ///< Of those `organs` that come from surface files.
+  std::optional<NewRig> rig;                   ///< When there was a handle file.
+  std::vector<std::string> warnings;           ///< What a user should know, each with its file's name.
+
+  /// Adds every organ, and the rig: one undo step.
+  Command command() const;
+};
+
+/// Whether the name ends like a handle file (.mrk.json, .fcsv).
 bool isHandleFile(const std::filesystem::path& file);
 
 /// Reads all files, surfaces and at most one handle file, or throws what the first that fails throws
