@@ -7,6 +7,7 @@
 #include "cli/commands/play_command.h"
 #include "cli/commands/properties_command.h"
 #include "cli/commands/render_command.h"
+#include "cli/commands/reproduce_command.h"
 #include "cli/commands/sample_command.h"
 #include "cli/commands/stress_command.h"
 #include "cli/commands/systems_command.h"
@@ -25,6 +26,7 @@ std::vector<std::unique_ptr<Command>> allCommands() {
   commands.push_back(std::make_unique<PlayCommand>());
   commands.push_back(std::make_unique<RenderCommand>());
   commands.push_back(std::make_unique<PropertiesCommand>());
+  commands.push_back(std::make_unique<ReproduceCommand>());
   return commands;
 }
 
