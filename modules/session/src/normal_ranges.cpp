@@ -16,12 +16,18 @@ constexpr const char* kOxford = "Hudsmith and others 2005 (Oxford), doi 10.1080/
 constexpr const char* kOxfordPeople = "108 healthy volunteers in magnetic resonance imaging, women's mean "
                                       "minus to men's mean plus one standard "
                                       "deviation";
-constexpr const char* kFramingham = "Framingham Heart Study";
-constexpr const char* kFraminghamPeople = "healthy people in magnetic resonance imaging, men's mean minus to "
-                                          "women's mean plus one standard deviation";
-constexpr const char* kGastric = "doi 10.1111/j.1365-2982.2010.01660.x";
+constexpr const char* kFramingham = "Chuang and others 2014 (Framingham), doi 10.1002/jmri.24239";
+constexpr const char* kFraminghamPeople =
+    "685 healthy adults in magnetic resonance imaging, men's mean minus to "
+    "women's mean plus one standard "
+    "deviation";
+// The middle is from one paper, the spread from another by the same group on largely the same people.
+constexpr const char* kGastric =
+    "middle: \"Simplifying the measurement of gastric accommodation using SPECT\"; "
+    "spread: doi 10.1111/j.1365-2982.2010.01660.x";
 constexpr const char* kGastricPeople =
-    "more than 430 people after a meal, by single-photon tomography; they differ by 16 % from one another";
+    "median of 443 people after a meal, by single-photon tomography; minus to plus 16 %, by which 433 people "
+    "differed from one another";
 
 NormalRange between(NormalRange::Quantity quantity, const char* name, const Measured& women,
                     const Measured& men, const char* people, const char* source) {
@@ -50,7 +56,8 @@ std::vector<NormalRange> rightVentricle() {
 }
 
 std::vector<NormalRange> stomach() {
-  constexpr Measured kFed{757, 121};
+  constexpr double kMiddle = 757, kVariation = 0.16;
+  constexpr Measured kFed{kMiddle, kVariation * kMiddle};
   return {between(Quantity::volumeMl, "volume after a meal", kFed, kFed, kGastricPeople, kGastric)};
 }
 
