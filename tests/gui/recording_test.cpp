@@ -11,6 +11,9 @@
 #include <QSpinBox>
 #include <QStandardItemModel>
 
+#include <chrono>
+#include <thread>
+
 #include "window/panels/play_page.h"
 
 namespace viscera::tests {
@@ -84,6 +87,28 @@ TEST_F(Recordings, AnOggMovieOfOneBeatHasAllItsFramesAndATableBesideIt) {
   EXPECT_EQ(rows[0], "time_s,Heart_ml,LV_ml,RV_ml");
   EXPECT_NEAR(rows[3].split(',')[0].toDouble(), 0.2, 1e-9);
   EXPECT_TRUE(message().contains(QStringLiteral("beat.ogv"))) << message().toStdString();
+}
+
+TEST_F(Recordings, GoesOnWhileTheWindowIsBusyWithOtherThings) {
+  const QString file = path(QStringLiteral("beat.ogv"));
+  describe(QStringLiteral("Ogg"), file, 10, 1);
+  press();
+  // No event of the window is handled in here.
+  const auto giveUp = std::chrono::steady_clock::now() + std::chrono::minutes(1);
+  while (!QFile::exists(file) && std::chrono::steady_clock::now() < giveUp)
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  EXPECT_EQ(oggPackets(contents(file)), 3 + 8);
+  EXPECT_TRUE(parts().recorder().running()) << "the window has not heard of it yet";
+  EXPECT_TRUE(recorded());
+}
+
+TEST_F(Recordings, WritesTextWhileTheWindowWritesItsOwn) {
+  key(Qt::Key_N);
+  describe(QStringLiteral("PNG"), path(QStringLiteral("frames")), 25, 1);
+  press();
+  key(Qt::Key_Space); // Labels and chart are drawn anew with every frame of the window.
+  ASSERT_TRUE(recorded());
+  EXPECT_EQ(QDir(path(QStringLiteral("frames"))).entryList(QDir::Files).size(), 20);
 }
 
 TEST_F(Recordings, CancelLeavesNothing) {

@@ -35,40 +35,50 @@ RecordingStage::RecordingStage(const Source& source)
 }
 
 RecordingStage::~RecordingStage() {
+  if (window_)
+    window_->window()->MakeCurrent();
   labels_.reset();
   view_.reset(); // Leaves the window while that is there.
 }
 
-void RecordingStage::openWindow(const Source& source, const QSize& size, bool caption) {
-  window_ = std::make_unique<OffscreenWindow>(size);
+void RecordingStage::prepareView(const Source& source, const QSize& size, bool caption) {
+  size_ = size;
   view_ = std::make_unique<scene::OrganView>();
-  view_->setWindow(window_->window());
   view_->setTheme(source.view.theme());
   addActors(source);
   view_->renderer()->GetActiveCamera()->DeepCopy(source.view.renderer()->GetActiveCamera());
-  view_->renderer()->ResetCameraClippingRange();
-  if (source.labels) {
-    labels_ = std::make_unique<scene::OrganLabels>(*view_);
-    labels_->setItems(labelItems(source.workspace.document(), [this](session::OrganId id) {
-      for (const Surface& surface : surfaces_)
-        if (surface.organ->id == id)
-          return std::shared_ptr<const scene::OrganActor>(surface.actor);
-      return std::shared_ptr<const scene::OrganActor>();
-    }));
-    labels_->setShown(true);
-  }
+  if (source.labels)
+    addLabels(source.workspace.document());
   captionShown_ = caption;
-  if (!caption)
-    return;
-  const Vec3& color = source.view.theme().text;
+  if (caption)
+    addCaption(source.view.theme().text);
+}
+
+void RecordingStage::addLabels(const session::Document& document) {
+  labels_ = std::make_unique<scene::OrganLabels>(*view_);
+  labels_->setItems(labelItems(document, [this](session::OrganId id) {
+    for (const Surface& surface : surfaces_)
+      if (surface.organ->id == id)
+        return std::shared_ptr<const scene::OrganActor>(surface.actor);
+    return std::shared_ptr<const scene::OrganActor>();
+  }));
+  labels_->setShown(true);
+}
+
+void RecordingStage::addCaption(const Vec3& color) {
   vtkTextProperty* style = caption_->GetTextProperty();
   style->SetColor(color.x(), color.y(), color.z());
   style->SetFontFamilyToArial();
   style->SetFontSize(kCaptionSize);
   style->SetVerticalJustificationToTop();
   style->SetLineSpacing(1.3);
-  caption_->SetPosition(kCaptionMargin, size.height() - kCaptionMargin);
+  caption_->SetPosition(kCaptionMargin, size_.height() - kCaptionMargin);
   view_->renderer()->AddActor2D(caption_);
+}
+
+void RecordingStage::openWindow() {
+  window_ = std::make_unique<scene::SurfacelessWindow>(size_.width(), size_.height());
+  view_->setWindow(window_->window());
 }
 
 void RecordingStage::addActors(const Source& source) {
@@ -127,7 +137,9 @@ void RecordingStage::writeCaption() {
 }
 
 vtkSmartPointer<vtkImageData> RecordingStage::picture() {
-  window_->window()->MakeCurrent();
+  if (!window_)
+    openWindow();
+  window_->window()->MakeCurrent(); // Two views are drawn in turn.
   for (const Surface& surface : surfaces_)
     if (surface.deformer)
       surface.actor->pointsChanged();

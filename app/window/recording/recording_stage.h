@@ -15,7 +15,7 @@
 #include "viscera/deformation/deformer.h"
 #include "viscera/scene/organ_labels.h"
 #include "viscera/scene/organ_view.h"
-#include "window/recording/offscreen_window.h"
+#include "viscera/scene/surfaceless_window.h"
 #include "window/timeline/playback.h"
 #include "window/workspace.h"
 
@@ -36,15 +36,15 @@ public:
   explicit RecordingStage(const Source& source);
   ~RecordingStage();
 
-  /// Prepares for drawing pictures of this size. Throws `Error` when nothing can be drawn.
-  void openWindow(const Source& source, const QSize& size, bool caption);
+  /// Takes over the look of the view, for pictures of this size. On the main thread.
+  void prepareView(const Source& source, const QSize& size, bool caption);
 
   /// Poses the organs at `seconds` of the sequence; organs without one stay as they are.
   void show(double seconds);
   /// Names and volumes of what is tracked, ml, in the pose that is shown.
   const std::vector<std::string>& names() const { return names_; }
   std::vector<double> volumes();
-  /// Draws the pose that is shown.
+  /// Draws the pose that is shown, after `prepareView`. Throws `Error` when nothing can be drawn.
   vtkSmartPointer<vtkImageData> picture();
 
   double periodSeconds() const;
@@ -58,6 +58,9 @@ private:
   };
 
   void addActors(const Source& source);
+  void addLabels(const session::Document& document);
+  void addCaption(const Vec3& color);
+  void openWindow();
   void writeCaption();
 
   std::shared_ptr<const sequences::Sequence> sequence_;
@@ -65,7 +68,8 @@ private:
   double seconds_ = 0;
   std::vector<Surface> surfaces_;
   std::vector<std::string> names_;
-  std::unique_ptr<OffscreenWindow> window_;
+  QSize size_;
+  std::unique_ptr<scene::SurfacelessWindow> window_; ///< Of the thread that draws.
   std::unique_ptr<scene::OrganView> view_;
   std::unique_ptr<scene::OrganLabels> labels_;
   vtkNew<vtkTextActor> caption_;

@@ -31,6 +31,7 @@
 #include "orientation_cube.h"
 #include "scale_bar.h"
 #include "standard_view.h"
+#include "text_guard.h"
 #include "view_geometry.h"
 
 namespace viscera::scene {
@@ -160,7 +161,8 @@ void OrganView::Parts::putHandlesIntoRenderer() {
   orderProps();
 }
 
-OrganView::OrganView() : parts_(std::make_unique<Parts>()) {
+// Its text actors ask the guarded renderer from the beginning.
+OrganView::OrganView() : parts_((guardText(), std::make_unique<Parts>())) {
   auto& p = *parts_;
   addLights(p.renderer);
   p.renderer->GradientBackgroundOn();

@@ -12,10 +12,11 @@
 #include <vtkBrush.h>
 #include <vtkChartLegend.h>
 #include <vtkChartXY.h>
-#include <vtkContextActor.h>
 #include <vtkContextScene.h>
 #include <vtkDoubleArray.h>
 #include <vtkNew.h>
+#include <vtkObjectFactory.h>
+#include <vtkOpenGLContextActor.h>
 #include <vtkPen.h>
 #include <vtkPlot.h>
 #include <vtkRenderWindow.h>
@@ -31,6 +32,7 @@
 #include "viscera/scene/organ_view.h"
 
 #include "normal_band.h"
+#include "text_guard.h"
 
 namespace viscera::scene {
 namespace {
@@ -63,8 +65,21 @@ void addColumn(vtkTable* table, const std::string& name) {
   table->AddColumn(column);
 }
 
-/// Both ends of a plot that has two points.
-void setRow(vtkTable* table, vtkIdType row, std::initializer_list<double> values) {
+/// Charts write text in their own way.
+class ChartActor : public vtkOpenGLContextActor {
+public:
+  static ChartActor* New();
+  vtkTypeMacro(ChartActor, vtkOpenGLContextActor)
+
+      int RenderOverlay(vtkViewport* viewport) override {
+    const TextGuard guard;
+    return Superclass::RenderOverlay(viewport);
+  }
+};
+vtkStandardNewMacro(ChartActor)
+
+    /// Both ends of a plot that has two points.
+    void setRow(vtkTable* table, vtkIdType row, std::initializer_list<double> values) {
   vtkIdType column = 0;
   for (const double value : values)
     vtkDoubleArray::SafeDownCast(table->GetColumn(column++))->SetValue(row, value);
@@ -89,7 +104,7 @@ int cornerOf(const Curve& curve) {
 
 struct VolumeChart::Parts {
   vtkNew<vtkRenderer> renderer;
-  vtkNew<vtkContextActor> actor;
+  vtkNew<ChartActor> actor;
   vtkNew<vtkChartXY> chart;
   vtkWeakPointer<vtkRenderWindow> window;
   Theme theme = lightTheme();
@@ -262,7 +277,7 @@ void VolumeChart::Parts::fillCursor(ValueRange values) {
   cursorTable->Modified();
 }
 
-VolumeChart::VolumeChart() : parts_(std::make_unique<Parts>()) {
+VolumeChart::VolumeChart() : parts_((guardText(), std::make_unique<Parts>())) {
   parts_->build();
   parts_->makePlots();
   setAxes("Time", "s", "Volume", "ml");
