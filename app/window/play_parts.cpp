@@ -41,9 +41,10 @@ std::vector<std::shared_ptr<const session::Organ>> wallsOf(const session::OrganL
 PlayParts::PlayParts(const Window& window, const session::Player::Clock& clock)
     : window_(window),
       labels_(std::make_unique<LabelScene>(window.workspace, window.organs, window.area.view()->view())),
-      comparison_(std::make_unique<Comparison>(
-          Comparison::First{window.workspace, window.playback, window.volumes, window.area, window.settings},
-          clock)),
+      comparison_(
+          std::make_unique<Comparison>(Comparison::First{window.workspace, window.playback, window.volumes,
+                                                         window.area, window.settings, window.organs},
+                                       clock)),
       recorder_(std::make_unique<Recorder>(window.workspace)),
       recorded_(std::make_unique<RecordedMotion>(window.workspace, window.playback)) {
   connect(labels_.get(), &LabelScene::changed, window.area.view(), &ViewWidget::scheduleRender);
@@ -85,6 +86,12 @@ void PlayParts::makeActions(Actions& actions) {
                {tr("Ctrl+2")},
                tr("The same organs a second time beside these, at another rate")},
               [this] { comparison_->showSameOrgan(); });
+  actions.add("play.compareSystems",
+              {tr("Compare &coordinates"),
+               "compare",
+               {tr("Ctrl+3")},
+               tr("The same organs and handles a second time beside these, tied by other coordinates")},
+              [this] { comparison_->showOtherCoordinates(); });
   actions.add("play.compareFiles",
               {tr("Compare with another &organ..."), "patient", {}, tr("Open files beside these organs")},
               [this] { comparison_->chooseFiles(); });
@@ -117,8 +124,18 @@ void PlayParts::makeLookActions(Actions& actions) {
 }
 
 std::vector<const char*> PlayParts::menu() {
-  return {"play.addKey",     "", "play.slower",  "play.cycle",        "",           "view.labels",
-          "view.seeThrough", "", "play.compare", "play.compareFiles", "play.single"};
+  return {"play.addKey",
+          "",
+          "play.slower",
+          "play.cycle",
+          "",
+          "view.labels",
+          "view.seeThrough",
+          "",
+          "play.compare",
+          "play.compareSystems",
+          "play.compareFiles",
+          "play.single"};
 }
 
 PlayPage* PlayParts::makePage(const Actions& actions) {

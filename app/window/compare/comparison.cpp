@@ -1,5 +1,6 @@
 #include "window/compare/comparison.h"
 
+#include <QComboBox>
 #include <QFileDialog>
 #include <QMenu>
 #include <QPushButton>
@@ -10,6 +11,7 @@
 
 #include <cmath>
 
+#include "window/compare/compared_system.h"
 #include "window/compare/side_header.h"
 #include "window/file_actions.h"
 #include "window/sample_loader.h"
@@ -38,6 +40,7 @@ struct Comparison::Second {
   std::unique_ptr<OrganScene> organs;
   std::unique_ptr<LabelScene> labels;
   std::unique_ptr<CameraLink> cameras;
+  std::unique_ptr<ComparedSystem> system; ///< While other coordinates are compared.
   std::vector<session::Subscription> subscriptions;
 };
 
@@ -127,6 +130,7 @@ void Comparison::fillHeader(SideHeader& header) {
   choose->setPopupMode(QToolButton::InstantPopup);
   auto* menu = new QMenu(choose);
   menu->addAction(tr("The same organ at another rate"), this, &Comparison::showSameOrgan);
+  menu->addAction(tr("The same organ with other coordinates"), this, &Comparison::showOtherCoordinates);
   menu->addSeparator();
   first_.workspace.guarded([&] {
     for (const QString& name : second_->samples.names()) {
@@ -149,8 +153,40 @@ void Comparison::fillHeader(SideHeader& header) {
   connect(close, &QToolButton::clicked, this, &Comparison::end, Qt::QueuedConnection);
 }
 
+ComparedSystem* Comparison::comparedSystem() const {
+  return on() ? second_->system.get() : nullptr;
+}
+
+void Comparison::showOtherCoordinates() {
+  begin();
+  if (second_->system)
+    return;
+  same_ = true;
+  second_->system = std::make_unique<ComparedSystem>(
+      ComparedSystem::Side{first_.workspace, first_.organs, *first_.area.view()},
+      ComparedSystem::Side{second_->workspace, *second_->organs, *second_->view}, first_.area.messages());
+  secondHeader_->addControl(second_->system->makeChooser());
+  connect(second_->system.get(), &ComparedSystem::chosen, this, [this] {
+    mirror();
+    syncHeaders();
+  });
+  mirror();
+  second_->playback.setRate(first_.playback.player().ratePerMinute());
+  second_->cameras = std::make_unique<CameraLink>(*first_.area.view(), *second_->view);
+  syncHeaders();
+}
+
+/// What only the comparison of coordinates has.
+void Comparison::dropSystem() {
+  if (!second_->system)
+    return;
+  second_->system.reset();
+  delete secondHeader_->findChild<QComboBox*>(QStringLiteral("secondSystem"));
+}
+
 void Comparison::showSameOrgan() {
   begin();
+  dropSystem();
   same_ = true;
   mirror();
   const session::Player& first = first_.playback.player();
@@ -165,12 +201,14 @@ void Comparison::showSameOrgan() {
 
 void Comparison::showSample(const QString& name) {
   begin();
+  dropSystem();
   same_ = false;
   second_->samples.load(name, false);
 }
 
 void Comparison::showFiles(const QStringList& files) {
   begin();
+  dropSystem();
   if (same_) { // These organs go; they are not compared with what is opened.
     same_ = false;
     second_->playback.setSequence(nullptr, {});
@@ -197,6 +235,7 @@ void Comparison::end() {
   const std::unique_ptr<Second> second = std::move(second_);
   same_ = false;
   // The scene lets go of the view's renderer before the view goes.
+  second->system.reset();
   second->cameras.reset();
   second->labels.reset();
   second->organs.reset();
@@ -221,7 +260,8 @@ void Comparison::setLabelsShown(bool shown) {
 /// The second document becomes the first one as it is now. Organs whose surface and handles are the same stay
 /// bound.
 void Comparison::mirror() {
-  second_->workspace.undo().reset(first_.workspace.state());
+  const session::DocumentState& state = first_.workspace.state();
+  second_->workspace.undo().reset(second_->system ? second_->system->applied(state) : state);
   syncMotion();
 }
 
@@ -265,15 +305,18 @@ void Comparison::syncHeaders() {
   if (!on() || !firstHeader_ || !secondHeader_)
     return;
   const session::Player& first = first_.playback.player();
-  QString title = titleOf(first_.workspace, first_.playback);
-  if (first_.playback.sequence())
+  const auto systemName = [](const Workspace& workspace) {
+    return text(workspace.registry().find(workspace.document().system().id)->name());
+  };
+  QString title = second_->system ? systemName(first_.workspace) : titleOf(first_.workspace, first_.playback);
+  if (first_.playback.sequence() && !second_->system)
     title += tr("  %1 / min").arg(first.ratePerMinute(), 0, 'f', 0);
   firstHeader_->setTitle(title);
   firstHeader_->setState(first_.playback.sequence() ? text(first.phase()) : QString(), volumesOf(0));
   Playback& second = second_->playback;
-  secondHeader_->setTitle(titleOf(second_->workspace, second));
+  secondHeader_->setTitle(second_->system ? QString() : titleOf(second_->workspace, second));
   secondHeader_->setState(second.sequence() ? text(second.player().phase()) : QString(), volumesOf(1));
-  rate_->setVisible(second.sequence() != nullptr);
+  rate_->setVisible(second.sequence() != nullptr && !second_->system);
   if (!second.sequence())
     return;
   const QSignalBlocker quiet(rate_);

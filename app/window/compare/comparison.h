@@ -15,14 +15,15 @@ class QSpinBox;
 
 namespace viscera::app {
 
+class ComparedSystem;
 class OrganScene;
 class SideHeader;
 class ViewArea;
 class ViewWidget;
 
 /// Two organs side by side: a second document with its own binding, playback and view beside the first, under
-/// one timeline and linked cameras. The second one shows the first's organs at another rate, another sample
-/// organ, or files; nothing of it is in the first document.
+/// one timeline and linked cameras. The second one shows the first's organs at another rate or by other
+/// coordinates, another sample organ, or files; nothing of it is in the first document.
 class Comparison final : public QObject {
   Q_OBJECT
 
@@ -34,6 +35,7 @@ public:
     VolumeMonitor& volumes;
     ViewArea& area;
     Settings& settings;
+    OrganScene& organs;
   };
 
   /// `clock` is the one that drives the first playback.
@@ -43,6 +45,8 @@ public:
   bool on() const { return second_ != nullptr; }
   /// The organs of the first view at another rate; they follow what happens to the first's document.
   void showSameOrgan();
+  /// The organs of the first view under the same motion, tied to the same handles by other coordinates.
+  void showOtherCoordinates();
   void showSample(const QString& name);
   void showFiles(const QStringList& files);
   /// Asks for files and shows them.
@@ -59,6 +63,8 @@ public:
   ViewWidget& view();
   /// Whether it shows the first's organs.
   bool sameOrgan() const { return same_; }
+  /// The other coordinates of the second view, or null.
+  ComparedSystem* comparedSystem() const;
 
 Q_SIGNALS:
   /// It began or ended.
@@ -71,6 +77,7 @@ private:
   QWidget* makeSecondPane();
   void fillHeader(SideHeader& header);
   void mirror();
+  void dropSystem();
   void linkCameras();
   void syncHeaders();
   void syncMotion();

@@ -55,6 +55,7 @@ DeformPage::DeformPage(Workspace& workspace, PoseEditor& poses, VolumeMonitor& v
   addButton(actions["pose.resetSelected"]);
   addCheck(actions["view.ghost"]);
   addCheck(actions["handles.influence"]);
+  addButton(actions["play.compareSystems"]);
   finish();
   connect(&volumes, &VolumeMonitor::updated, this, &DeformPage::sync);
   connect(&poses, &PoseEditor::mirrorChanged, this, &DeformPage::syncHandles);

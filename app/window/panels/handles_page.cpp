@@ -32,6 +32,7 @@ HandlesPage::HandlesPage(Workspace& workspace, GroupLayout& layout, const Action
     : Page(parent), workspace_(workspace) {
   addSection(tr("Coordinates"));
   add(new SystemBox(workspace, layout, this));
+  addButton(actions["play.compareSystems"]);
   addSection(tr("Groups"));
   add(new GroupPanel(workspace, this));
   for (const char* shown : {"handles.regions", "handles.zones", "handles.superRegions"})

@@ -1,0 +1,76 @@
+#include "window/compare/compared_system.h"
+
+namespace viscera::app {
+namespace {
+
+constexpr const char* kWithoutCage = "t-celestial";
+
+std::string firstChoice(const session::SystemChoice& other) {
+  return other.id == kWithoutCage ? session::SystemChoice().id : kWithoutCage;
+}
+
+} // namespace
+
+ComparedSystem::ComparedSystem(const Side& first, const Side& second, MessageBar* messages, QObject* parent)
+    : QObject(parent), first_(first), second_(second), poses_(second.workspace),
+      handles_(std::make_unique<HandleScene>(second.workspace, poses_, second.view.view())),
+      messages_(second.workspace, messages) {
+  auto choice = std::make_shared<session::SystemChoice>();
+  choice->id = firstChoice(first.workspace.document().system());
+  choice_ = std::move(choice);
+  handles_->setMode(Mode::explore);
+  handles_->setAlwaysShown(true);
+  connect(handles_.get(), &HandleScene::changed, &second.view, &ViewWidget::scheduleRender);
+  connect(&first.organs, &OrganScene::changed, this, &ComparedSystem::followLook);
+  subscriptions_.push_back(first.workspace.selection().onChange([this] { followSelection(); }));
+  followLook();
+}
+
+ComparedSystem::~ComparedSystem() {
+  second_.organs.setGhostShown(false);
+  second_.organs.setInfluenceShown(false);
+}
+
+QComboBox* ComparedSystem::makeChooser() {
+  chooser_ = new QComboBox;
+  chooser_->setObjectName(QStringLiteral("secondSystem"));
+  chooser_->setAccessibleName(tr("Coordinates of the second view"));
+  chooser_->setToolTip(tr("The coordinates that tie the same organs to the same handles in this view"));
+  chooser_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  chooser_->setMinimumContentsLength(14);
+  for (const plugin::Registry::Entry& entry : second_.workspace.registry().list())
+    chooser_->addItem(text(entry.system->name()), text(entry.system->id()));
+  chooser_->setCurrentIndex(chooser_->findData(text(choice_->id)));
+  connect(chooser_, QOverload<int>::of(&QComboBox::activated), this,
+          [this](int index) { choose(chooser_->itemData(index).toString().toStdString()); });
+  return chooser_;
+}
+
+void ComparedSystem::choose(const std::string& id) {
+  auto choice = std::make_shared<session::SystemChoice>();
+  choice->id = id;
+  choice_ = std::move(choice);
+  if (chooser_)
+    chooser_->setCurrentIndex(chooser_->findData(text(id)));
+  Q_EMIT chosen();
+}
+
+session::DocumentState ComparedSystem::applied(session::DocumentState state) const {
+  state.system = choice_;
+  return state;
+}
+
+void ComparedSystem::followLook() {
+  if (second_.organs.ghostShown() != first_.organs.ghostShown())
+    second_.organs.setGhostShown(first_.organs.ghostShown());
+  if (second_.organs.influenceShown() != first_.organs.influenceShown())
+    second_.organs.setInfluenceShown(first_.organs.influenceShown());
+}
+
+void ComparedSystem::followSelection() {
+  const auto& handles = first_.workspace.selection().handles();
+  if (second_.workspace.selection().handles() != handles)
+    second_.workspace.selection().setHandles(handles);
+}
+
+} // namespace viscera::app

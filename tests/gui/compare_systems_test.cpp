@@ -1,0 +1,83 @@
+#include <QComboBox>
+#include <QTest>
+
+#include "viscera/scene/vtkVisceraHandleSetRepresentation.h"
+#include "window/compare/compared_system.h"
+#include "window/compare/comparison.h"
+#include "window/play_parts.h"
+#include "window_test.h"
+
+namespace viscera::tests {
+namespace {
+
+/// A sphere in Deform mode beside itself, tied to the same handles by other coordinates.
+class TwoSystems : public WindowTest {
+protected:
+  void SetUp() override {
+    WindowTest::SetUp();
+    open(sphereFile());
+    key(Qt::Key_3);
+    key(Qt::Key_3, Qt::ControlModifier);
+    ASSERT_NE(comparison().comparedSystem(), nullptr);
+    ASSERT_TRUE(bound());
+    organ_ = document().organs().front()->id;
+  }
+  app::Comparison& comparison() { return window().play().comparison(); }
+  app::Workspace& second() { return comparison().workspace(); }
+  bool bound() {
+    return waitUntil([this] { return !second().live().busy() && second().jobs().idle(); });
+  }
+  const Points& points(app::Workspace& workspace) { return workspace.live().points(organ_); }
+
+  session::OrganId organ_;
+};
+
+TEST_F(TwoSystems, FollowTheSameDragInTheirOwnWay) {
+  EXPECT_EQ(document().system().id, "s-celestial");
+  EXPECT_EQ(second().document().system().id, "t-celestial");
+  const int handle = reachableHandle();
+  ASSERT_GE(handle, 0);
+  const QPoint from = onScreen(handleInView(handle));
+  drag(from, from + QPoint(70, 20));
+  ASSERT_TRUE(bound());
+  EXPECT_EQ(second().document().pose(), document().pose());
+  EXPECT_GT((points(second()) - document().organs().front()->mesh->points).rowwise().norm().maxCoeff(), 1);
+  EXPECT_GT((points(second()) - points(window().workspace())).rowwise().norm().maxCoeff(), 0.1)
+      << "two systems, two shapes";
+  EXPECT_EQ(comparison().view().view().handles()->GetPositions(), view().view().handles()->GetPositions());
+  EXPECT_TRUE(second().undo().names().empty()) << "only the first document has steps";
+}
+
+TEST_F(TwoSystems, AnotherSystemIsChosenFromTheListAndShowsItsInfluence) {
+  const session::HandleId handle = document().rig().handles.front().id;
+  window().workspace().selection().setHandles({handle});
+  EXPECT_EQ(second().selection().currentHandle(), handle);
+  const Values first = window().workspace().live().influence(organ_, handle);
+  const Values others = second().live().influence(organ_, handle);
+  ASSERT_EQ(first.size(), others.size());
+  EXPECT_GT((first - others).cwiseAbs().maxCoeff(), 1e-4);
+
+  auto* list = window().findChild<QComboBox*>(QStringLiteral("secondSystem"));
+  ASSERT_NE(list, nullptr);
+  EXPECT_EQ(list->count(), static_cast<int>(window().workspace().registry().list().size()));
+  const int row = list->findData(QStringLiteral("s-celestial"));
+  list->setCurrentIndex(row);
+  Q_EMIT list->activated(row);
+  ASSERT_TRUE(bound());
+  EXPECT_EQ(second().document().system().id, "s-celestial");
+  EXPECT_EQ(second().live().influence(organ_, handle), first) << "the same system in both now";
+}
+
+TEST_F(TwoSystems, TheFirstViewsSystemStaysItsOwnAndOneViewIsLeft) {
+  key(Qt::Key_2, Qt::ControlModifier);
+  EXPECT_EQ(comparison().comparedSystem(), nullptr) << "two rates now";
+  EXPECT_EQ(second().document().system().id, document().system().id);
+  key(Qt::Key_3, Qt::ControlModifier);
+  ASSERT_NE(comparison().comparedSystem(), nullptr);
+  key(Qt::Key_1, Qt::ControlModifier);
+  EXPECT_FALSE(comparison().on());
+  EXPECT_EQ(document().system().id, "s-celestial");
+}
+
+} // namespace
+} // namespace viscera::tests
