@@ -89,7 +89,7 @@ Tetrahedra delaunayTetrahedra(const Points& points) {
   Points local = points.rowwise() - boundsOf(points).center().transpose();
   Qhull qhull;
   std::vector<Eigen::Vector4i> found;
-  if (qhull.run(local, "qhull d Qt Qbb Qc Pp")) {
+  if (qhull.run(local, "qhull d Qt Qbb Qc Qz Pp")) {
     qhT* qh = qhull.state();
     facetT* facet = nullptr;
     FORALLfacets {
