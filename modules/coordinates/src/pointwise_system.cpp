@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "lifted_binding.h"
 #include "viscera/coordinates/handle_checks.h"
 #include "viscera/coordinates/weights_binding.h"
 
@@ -41,10 +42,13 @@ bool PointSolver::solveGradients(const Vec3&, Values&, Points&) const {
   throw std::logic_error("a closed form is promised, but there is none");
 }
 
+std::unique_ptr<const PointSolver> PointwiseSystem::prepare(const HandleSet&, const ParameterValues&) const {
+  throw std::logic_error("the system has neither prepare nor prepareFor");
+}
+
 std::unique_ptr<const PointSolver> PointwiseSystem::prepareFor(const HandleSet& handles, const Points&,
-                                                               const ParameterValues& parameters,
-                                                               Progress&) const {
-  return prepare(handles, parameters);
+                                                               const BindOptions& options, Progress&) const {
+  return prepare(handles, options.parameters);
 }
 
 std::unique_ptr<Binding> PointwiseSystem::bind(const HandleSet& handles, const Points& points,
@@ -52,8 +56,9 @@ std::unique_ptr<Binding> PointwiseSystem::bind(const HandleSet& handles, const P
   const auto start = std::chrono::steady_clock::now();
   options.parameters.requireWithin(parameters());
   requireUsableHandles<3>(handles.positions);
-  const auto solver = prepareFor(handles, points, options.parameters, progress);
-  const Eigen::Index count = handles.positions.rows();
+  const auto solver = prepareFor(handles, points, options, progress);
+  const auto lift = solver->lift();
+  const Eigen::Index count = lift ? lift->rowCount() : handles.positions.rows();
   TiledWeights weights(points.rows(), count);
   auto failures = failuresOf(points.rows(), options.threads, progress, [&](Eigen::Index point) {
     Values row = Values::Zero(count);
@@ -63,8 +68,12 @@ std::unique_ptr<Binding> PointwiseSystem::bind(const HandleSet& handles, const P
     return found;
   });
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+  if (lift)
+    return std::make_unique<LiftedBinding>(lift, std::move(weights), handles.positions, points,
+                                           std::move(failures), seconds.count(), options.threads,
+                                           solver->notes());
   return std::make_unique<WeightsBinding>(std::move(weights), handles.positions, points, std::move(failures),
-                                          seconds.count(), options.threads);
+                                          seconds.count(), options.threads, solver->notes());
 }
 
 CoordinateGradients PointwiseSystem::gradients(const HandleSet& handles, const Points& points,
@@ -73,10 +82,11 @@ CoordinateGradients PointwiseSystem::gradients(const HandleSet& handles, const P
     return CoordinateSystem::gradients(handles, points, options, progress);
   options.parameters.requireWithin(parameters());
   requireUsableHandles<3>(handles.positions);
-  const auto solver = prepare(handles, options.parameters);
-  const Eigen::Index count = handles.positions.rows();
+  const auto solver = prepareFor(handles, points, options, progress);
   CoordinateGradients result;
   result.closedForm = true;
+  result.lift = solver->lift();
+  const Eigen::Index count = result.lift ? result.lift->rowCount() : handles.positions.rows();
   result.values = Points::Zero(points.rows() * count, 3);
   result.failures = failuresOf(points.rows(), options.threads, progress, [&](Eigen::Index point) {
     Values weights = Values::Zero(count);

@@ -52,7 +52,7 @@ public:
 
 private:
   bool balance(const Sight& sight, Values& beta) const override {
-    const BalancedSpace space(sight.units);
+    const BalancedSpace<3> space(sight.units);
     if (!space.valid())
       return false;
     const bool found = sampling_ == Sampling::hitAndRun ? walk(sight, space, beta) : throwAtCone(space, beta);
@@ -61,7 +61,7 @@ private:
     return found;
   }
 
-  bool walk(const Sight& sight, const BalancedSpace& space, Values& beta) const {
+  bool walk(const Sight& sight, const BalancedSpace<3>& space, Values& beta) const {
     Values at(beta.size());
     if (!startInside(sight.units, at))
       return false;
@@ -101,7 +101,7 @@ private:
     return low < high ? std::pair(low, high) : std::pair(0.0, 0.0);
   }
 
-  bool throwAtCone(const BalancedSpace& space, Values& beta) const {
+  bool throwAtCone(const BalancedSpace<3>& space, Values& beta) const {
     std::mt19937_64 random(seed_);
     std::normal_distribution<double> number;
     std::uniform_real_distribution<double> side(-1, 1);

@@ -6,6 +6,7 @@
 #include <Eigen/Geometry>
 
 #include "nspace/direction_solver.h"
+#include "nspace/plane_balances.h"
 
 namespace viscera::coordinates {
 namespace {
@@ -39,6 +40,19 @@ private:
   std::vector<double> values_;
 };
 
+/// Numbers of one sign balance the corners of a simplex that contains the point.
+template <int Corners>
+bool addSimplex(const std::array<std::size_t, Corners>& corners,
+                const Eigen::Matrix<double, Corners, 1>& shares, Values& beta) {
+  const bool positive = shares.minCoeff() >= 0, negative = shares.maxCoeff() <= 0;
+  if (positive == negative || shares.norm() < kFlat) // Mixed signs, or directions that do not span space.
+    return false;
+  const double norm = positive ? shares.norm() : -shares.norm();
+  for (std::size_t corner = 0; corner < corners.size(); ++corner)
+    beta[static_cast<Eigen::Index>(corners[corner])] += shares[static_cast<Eigen::Index>(corner)] / norm;
+  return true;
+}
+
 class Solver final : public DirectionSolver {
 public:
   using DirectionSolver::DirectionSolver;
@@ -53,27 +67,32 @@ private:
         for (std::size_t k = j + 1; k < count; ++k) {
           const double first = determinants(i, j, k);
           for (std::size_t l = k + 1; l < count; ++l)
-            found |= addTetrahedron(
+            found |= addSimplex<4>(
                 {i, j, k, l}, {determinants(j, k, l), -determinants(i, k, l), determinants(i, j, l), -first},
                 beta);
         }
     return found;
   }
-
-  /// Four numbers of one sign balance the corners: the tetrahedron contains the point.
-  static bool addTetrahedron(const std::array<std::size_t, 4>& corners, const Eigen::Vector4d& shares,
-                             Values& beta) {
-    const bool positive = shares.minCoeff() >= 0, negative = shares.maxCoeff() <= 0;
-    if (positive == negative || shares.norm() < kFlat) // Mixed signs, or four directions in one plane.
-      return false;
-    const double norm = positive ? shares.norm() : -shares.norm();
-    for (std::size_t corner = 0; corner < 4; ++corner)
-      beta[static_cast<Eigen::Index>(corners[corner])] += shares[static_cast<Eigen::Index>(corner)] / norm;
-    return true;
-  }
 };
 
 } // namespace
+
+PlaneBalance planeDeterminants() {
+  return [](const SightIn<2>& sight, Values& beta) {
+    const auto count = static_cast<std::size_t>(beta.size());
+    const auto determinant = [&](std::size_t i, std::size_t j) {
+      const auto a = sight.units.row(static_cast<Eigen::Index>(i)),
+                 b = sight.units.row(static_cast<Eigen::Index>(j));
+      return a[0] * b[1] - a[1] * b[0];
+    };
+    bool found = false;
+    for (std::size_t i = 0; i < count; ++i)
+      for (std::size_t j = i + 1; j < count; ++j)
+        for (std::size_t k = j + 1; k < count; ++k)
+          found |= addSimplex<3>({i, j, k}, {determinant(j, k), -determinant(i, k), determinant(i, j)}, beta);
+    return found;
+  };
+}
 
 std::string DeterminantsApproach::summary() const {
   return "The mean over all tetrahedra of handles around a point; jumps where their number changes";

@@ -12,25 +12,34 @@ constexpr double kFlat = 1e-14;
 
 } // namespace
 
-Sight sightOf(const Points& handles, const Vec3& point) {
-  Sight sight;
+template <int Dim>
+SightIn<Dim> sightOf(const PointsOf<Dim>& handles, const Eigen::Matrix<double, Dim, 1>& point) {
+  SightIn<Dim> sight;
   sight.units = handles.rowwise() - point.transpose();
   sight.distances = sight.units.rowwise().norm();
   sight.units.array().colwise() /= sight.distances.array();
   return sight;
 }
 
-BalancedSpace::BalancedSpace(const Points& units) : units_(units) {
-  const Eigen::Matrix3d outer = units.transpose() * units;
+template SightIn<2> sightOf<2>(const PointsOf<2>&, const Eigen::Vector2d&);
+template SightIn<3> sightOf<3>(const PointsOf<3>&, const Eigen::Vector3d&);
+
+template <int Dim>
+BalancedSpace<Dim>::BalancedSpace(const PointsOf<Dim>& units) : units_(units) {
+  const Eigen::Matrix<double, Dim, Dim> outer = units.transpose() * units;
   double determinant = 0;
   outer.computeInverseAndDetWithCheck(inverse_, determinant, valid_, kFlat);
 }
 
-Values BalancedSpace::projectAxis(Eigen::Index index) const {
+template <int Dim>
+Values BalancedSpace<Dim>::projectAxis(Eigen::Index index) const {
   Values projected = -units_ * (inverse_ * units_.row(index).transpose());
   projected[index] += 1;
   return projected;
 }
+
+template class BalancedSpace<2>;
+template class BalancedSpace<3>;
 
 DirectionSolver::DirectionSolver(const Points& handles) : handles_(handles), hull_(handles) {}
 
@@ -47,7 +56,7 @@ bool DirectionSolver::solve(const Vec3& point, Values& weights) const {
   }
   if (!inside(point))
     return false;
-  const Sight sight = sightOf(handles_, point);
+  const Sight sight = sightOf<3>(handles_, point);
   if (!balance(sight, weights))
     return false;
   weights.array() /= sight.distances.array();

@@ -1,25 +1,30 @@
 #pragma once
 
+#include "viscera/coordinates/handle_checks.h"
 #include "viscera/coordinates/pointwise_system.h"
 #include "viscera/geometry/convex_hull.h"
 
 namespace viscera::coordinates {
 
-/// The handles as they are seen from a point: unit vectors (`n x 3`) and distances, mm.
-struct Sight {
-  Points units;
+/// The handles as they are seen from a point: unit vectors (`n x Dim`) and distances, mm.
+template <int Dim>
+struct SightIn {
+  PointsOf<Dim> units;
   Values distances;
 };
+using Sight = SightIn<3>;
 
-/// The handles seen from `point`, none of which lies there.
-Sight sightOf(const Points& handles, const Vec3& point);
+/// The handles seen from `point`, none of which lies there. For Dim = 2 and 3, as all below.
+template <int Dim>
+SightIn<Dim> sightOf(const PointsOf<Dim>& handles, const Eigen::Matrix<double, Dim, 1>& point);
 
 /// The space of all vectors of n numbers that balance the directions, `sum beta_i q_i = 0`: what the thesis
 /// calls V-perpendicular (3.18), with its projection (annex A). Refers to the directions it was made from.
+template <int Dim>
 class BalancedSpace {
 public:
   /// False from `valid` where the directions do not span space.
-  explicit BalancedSpace(const Points& units);
+  explicit BalancedSpace(const PointsOf<Dim>& units);
   bool valid() const { return valid_; }
   /// The vector of the space that is nearest to `values`.
   Values project(const Values& values) const {
@@ -29,8 +34,8 @@ public:
   Values projectAxis(Eigen::Index index) const;
 
 private:
-  const Points& units_;
-  Eigen::Matrix3d inverse_;
+  const PointsOf<Dim>& units_;
+  Eigen::Matrix<double, Dim, Dim> inverse_;
   bool valid_ = false;
 };
 

@@ -9,6 +9,7 @@
 
 #include "choice_parameter.h"
 #include "nspace/direction_solver.h"
+#include "nspace/plane_balances.h"
 
 namespace viscera::coordinates {
 namespace {
@@ -24,9 +25,10 @@ const Parameter kSeed =
 constexpr double kStill = 1e-12;
 
 /// Where a balanced vector goes when its tied numbers are raised together, staying balanced and tied.
+template <int Dim>
 class Ascent {
 public:
-  Ascent(const Points& units, Values start) : units_(units), values_(std::move(start)) {
+  Ascent(const PointsOf<Dim>& units, Values start) : units_(units), values_(std::move(start)) {
     tied_.assign(static_cast<std::size_t>(values_.size()), false);
     values_.minCoeff(&last_);
     tied_[static_cast<std::size_t>(last_)] = true;
@@ -39,11 +41,11 @@ public:
 
   /// False when the tied numbers cannot be raised.
   bool findDirection() {
-    Eigen::Matrix3d outer = Eigen::Matrix3d::Zero();
-    Vec3 sum = Vec3::Zero();
+    Matrix outer = Matrix::Zero();
+    Vector sum = Vector::Zero();
     double count = 0;
     for (Eigen::Index i = 0; i < values_.size(); ++i) {
-      const Vec3 unit = units_.row(i).transpose();
+      const Vector unit = units_.row(i).transpose();
       if (tied(i)) {
         sum += unit;
         ++count;
@@ -52,13 +54,13 @@ public:
       }
     }
     outer += sum * sum.transpose() / count;
-    Eigen::Matrix3d inverse;
+    Matrix inverse;
     double determinant = 0;
     bool invertible = false;
     outer.computeInverseAndDetWithCheck(inverse, determinant, invertible, kStill);
     if (!invertible)
       return false;
-    const Vec3 pull = inverse * sum;
+    const Vector pull = inverse * sum;
     direction_ = -units_ * pull;
     const double together = 1 - sum.dot(pull) / count;
     for (Eigen::Index i = 0; i < values_.size(); ++i)
@@ -85,50 +87,64 @@ public:
   }
 
 private:
+  using Vector = Eigen::Matrix<double, Dim, 1>;
+  using Matrix = Eigen::Matrix<double, Dim, Dim>;
+
   bool tied(Eigen::Index i) const { return tied_[static_cast<std::size_t>(i)]; }
 
-  const Points& units_;
+  const PointsOf<Dim>& units_;
   Values values_;
   Values direction_;
   std::vector<bool> tied_;
   Eigen::Index last_ = 0; ///< One of the tied.
 };
 
+/// Raises the smallest number of the balanced vector nearest to `start`.
+template <int Dim>
+bool ascend(const SightIn<Dim>& sight, const Values& start, Stop stop, Values& beta) {
+  const BalancedSpace<Dim> space(sight.units);
+  if (!space.valid())
+    return false;
+  Ascent<Dim> ascent(sight.units, space.project(start));
+  while ((stop == Stop::highest || ascent.smallest() < 0) && ascent.findDirection()) {
+    const auto [distance, handle] = ascent.nextTie();
+    const double toZero = -ascent.smallest() / ascent.rate();
+    if (stop == Stop::inside && toZero <= distance) {
+      ascent.move(toZero);
+      break;
+    }
+    if (handle < 0) { // It rises for ever: the start is forgotten.
+      beta = ascent.direction();
+      return true;
+    }
+    ascent.move(distance);
+    ascent.tie(handle);
+  }
+  beta = ascent.values();
+  if (beta.minCoeff() < -kStill * beta.maxCoeff())
+    return false;
+  beta = beta.cwiseMax(0);
+  return true;
+}
+
+Values startOf(Eigen::Index handles, const ParameterValues& parameters) {
+  const auto seed = static_cast<unsigned>(parameters.get(kSeed));
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> number(0, 1);
+  Values start = Values::Ones(handles);
+  for (Eigen::Index i = 0; seed != 0 && i < handles; ++i)
+    start[i] = number(random);
+  return start;
+}
+
 class Solver final : public DirectionSolver {
 public:
-  Solver(const Points& handles, Stop stop, unsigned seed)
-      : DirectionSolver(handles), stop_(stop), start_(Values::Ones(handles.rows())) {
-    std::mt19937 random(seed);
-    std::uniform_real_distribution<double> number(0, 1);
-    for (Eigen::Index i = 0; seed != 0 && i < start_.size(); ++i)
-      start_[i] = number(random);
-  }
+  Solver(const Points& handles, Stop stop, Values start)
+      : DirectionSolver(handles), stop_(stop), start_(std::move(start)) {}
 
 private:
   bool balance(const Sight& sight, Values& beta) const override {
-    const BalancedSpace space(sight.units);
-    if (!space.valid())
-      return false;
-    Ascent ascent(sight.units, space.project(start_));
-    while ((stop_ == Stop::highest || ascent.smallest() < 0) && ascent.findDirection()) {
-      const auto [distance, handle] = ascent.nextTie();
-      const double toZero = -ascent.smallest() / ascent.rate();
-      if (stop_ == Stop::inside && toZero <= distance) {
-        ascent.move(toZero);
-        break;
-      }
-      if (handle < 0) { // It rises for ever: the start is forgotten.
-        beta = ascent.direction();
-        return true;
-      }
-      ascent.move(distance);
-      ascent.tie(handle);
-    }
-    beta = ascent.values();
-    if (beta.minCoeff() < -kStill * beta.maxCoeff())
-      return false;
-    beta = beta.cwiseMax(0);
-    return true;
+    return ascend<3>(sight, start_, stop_, beta);
   }
 
   Stop stop_;
@@ -136,6 +152,11 @@ private:
 };
 
 } // namespace
+
+PlaneBalance planeGradient(Eigen::Index handles, const ParameterValues& parameters) {
+  return [stop = chosen<Stop>(parameters, kStop), start = startOf(handles, parameters)](
+             const SightIn<2>& sight, Values& beta) { return ascend<2>(sight, start, stop, beta); };
+}
 
 std::string GradientMethod::summary() const {
   return "The smallest number is raised as high as it goes; positive, with kinks";
@@ -158,7 +179,7 @@ std::vector<Parameter> GradientMethod::parameters() const {
 std::unique_ptr<const PointSolver> GradientMethod::prepare(const HandleSet& handles,
                                                            const ParameterValues& parameters) const {
   return std::make_unique<Solver>(handles.positions, chosen<Stop>(parameters, kStop),
-                                  static_cast<unsigned>(parameters.get(kSeed)));
+                                  startOf(handles.positions.rows(), parameters));
 }
 
 } // namespace viscera::coordinates

@@ -4,6 +4,8 @@
 
 #include "choice_parameter.h"
 #include "nspace/lagrange_problem.h"
+#include "nspace/plane_balances.h"
+#include "viscera/core/error.h"
 
 namespace viscera::coordinates {
 namespace {
@@ -27,6 +29,23 @@ constexpr int kMostRounds = 200;
 /// Of the target's largest number: as good as not negative.
 constexpr double kNotNegative = 1e-11;
 
+/// The ways that look at one point only.
+template <int Dim>
+bool solveAlone(const LagrangeProblem<Dim>& problem, Positivity positivity, Values& beta) {
+  switch (positivity) {
+  case Positivity::exact:
+    return problem.solveExactly(beta);
+  case Positivity::localTest:
+    return problem.solveByFewestZeros(kMostLocalChoices, beta);
+  case Positivity::iterativeTest:
+    return problem.solveByDropping(beta);
+  default:
+    return problem.solve({}, beta);
+  }
+}
+
+using Problem = LagrangeProblem<3>;
+
 class Solver final : public DirectionSolver {
 public:
   Solver(const Points& handles, Target target, Positivity positivity)
@@ -41,33 +60,26 @@ public:
   }
 
 private:
-  std::optional<LagrangeProblem> problemAt(const Vec3& point) const {
+  std::optional<Problem> problemAt(const Vec3& point) const {
     if (handleAt(point) >= 0 || !inside(point))
       return std::nullopt;
-    const Sight sight = sightOf(handles(), point);
-    return LagrangeProblem(sight, targetAt(target_, sight));
+    const Sight sight = sightOf<3>(handles(), point);
+    return Problem(sight, targetAt(target_, sight.distances));
   }
 
   bool balance(const Sight& sight, Values& beta) const override {
-    const LagrangeProblem problem(sight, targetAt(target_, sight));
+    const Problem problem(sight, targetAt(target_, sight.distances));
     switch (positivity_) {
-    case Positivity::exact:
-      return problem.solveExactly(beta);
-    case Positivity::free:
-      return problem.solve({}, beta);
-    case Positivity::localTest:
-      return problem.solveByFewestZeros(kMostLocalChoices, beta);
     case Positivity::globalTest:
       return dead_ && problem.solve(*dead_, beta) && madePositive(problem, beta);
-    case Positivity::iterativeTest:
-      return problem.solveByDropping(beta);
     case Positivity::iterative:
       return problem.shifted(shift_).solve({}, beta) && madePositive(problem, beta);
+    default:
+      return solveAlone(problem, positivity_, beta);
     }
-    return false;
   }
 
-  static bool madePositive(const LagrangeProblem& problem, Values& beta) {
+  static bool madePositive(const Problem& problem, Values& beta) {
     if (beta.minCoeff() < -kNotNegative * problem.scale())
       return false;
     beta = beta.cwiseMax(0);
@@ -75,7 +87,7 @@ private:
   }
 
   void findDeadHandles(const Points& points, Progress& progress) {
-    std::vector<LagrangeProblem> problems;
+    std::vector<Problem> problems;
     for (Eigen::Index i = 0; i < points.rows(); ++i)
       if (auto problem = problemAt(points.row(i).transpose()))
         problems.push_back(std::move(*problem));
@@ -105,7 +117,7 @@ private:
   }
 
   void findShift(const Points& points, double sign, Progress& progress) {
-    std::vector<LagrangeProblem> problems;
+    std::vector<Problem> problems;
     for (Eigen::Index i = 0; i < points.rows(); ++i)
       if (auto problem = problemAt(points.row(i).transpose()))
         problems.push_back(std::move(*problem));
@@ -113,7 +125,7 @@ private:
     for (int round = 0; round < kMostRounds; ++round) {
       progress.throwIfCancelled();
       double smallest = 0, scale = 0;
-      for (const LagrangeProblem& problem : problems)
+      for (const Problem& problem : problems)
         if (problem.shifted(shift_).solve({}, beta)) {
           smallest = std::min(smallest, beta.minCoeff());
           scale = std::max(scale, problem.scale());
@@ -131,6 +143,18 @@ private:
 };
 
 } // namespace
+
+PlaneBalance planeLagrange(const ParameterValues& parameters) {
+  const auto target = chosen<Target>(parameters, kTarget);
+  const auto positivity = chosen<Positivity>(parameters, kPositivity);
+  if (positivity == Positivity::globalTest || positivity == Positivity::iterative)
+    throw UsageError("'" + kPositivity.choices[static_cast<std::size_t>(positivity)] +
+                         "' looks at all points together, which planar coordinates do not",
+                     {}, "take another positivity");
+  return [=](const SightIn<2>& sight, Values& beta) {
+    return solveAlone(LagrangeProblem<2>(sight, targetAt(target, sight.distances)), positivity, beta);
+  };
+}
 
 std::string LagrangeMinimisation::summary() const {
   return "As near to a target as balance allows; what is done about negative numbers can be chosen";
@@ -156,11 +180,11 @@ std::unique_ptr<const PointSolver> LagrangeMinimisation::prepare(const HandleSet
 
 std::unique_ptr<const PointSolver> LagrangeMinimisation::prepareFor(const HandleSet& handles,
                                                                     const Points& points,
-                                                                    const ParameterValues& parameters,
+                                                                    const BindOptions& options,
                                                                     Progress& progress) const {
-  auto solver = std::make_unique<Solver>(handles.positions, chosen<Target>(parameters, kTarget),
-                                         chosen<Positivity>(parameters, kPositivity));
-  solver->lookAt(points, chosen<Shift>(parameters, kShift), progress);
+  auto solver = std::make_unique<Solver>(handles.positions, chosen<Target>(options.parameters, kTarget),
+                                         chosen<Positivity>(options.parameters, kPositivity));
+  solver->lookAt(points, chosen<Shift>(options.parameters, kShift), progress);
   return solver;
 }
 

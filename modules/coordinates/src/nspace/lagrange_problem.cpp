@@ -19,16 +19,16 @@ constexpr double kShortestStep = 1e-12;
 
 } // namespace
 
-Values targetAt(Target target, const Sight& sight) {
+Values targetAt(Target target, const Values& distances) {
   switch (target) {
   case Target::inverseDistance:
-    return sight.distances.cwiseInverse();
+    return distances.cwiseInverse();
   case Target::closeness:
-    return 1 - sight.distances.array() / sight.distances.maxCoeff();
+    return 1 - distances.array() / distances.maxCoeff();
   case Target::one:
     break;
   }
-  return Values::Ones(sight.distances.size());
+  return Values::Ones(distances.size());
 }
 
 void forEachSubset(Eigen::Index count, Eigen::Index size,
@@ -48,25 +48,28 @@ void forEachSubset(Eigen::Index count, Eigen::Index size,
   }
 }
 
-LagrangeProblem::LagrangeProblem(const Sight& sight, Values target)
+template <int Dim>
+LagrangeProblem<Dim>::LagrangeProblem(const SightIn<Dim>& sight, Values target)
     : units_(sight.units), target_(std::move(target)), outer_(units_.transpose() * units_),
       pull_(units_.transpose() * target_) {}
 
-LagrangeProblem LagrangeProblem::shifted(double amount) const {
+template <int Dim>
+LagrangeProblem<Dim> LagrangeProblem<Dim>::shifted(double amount) const {
   LagrangeProblem moved = *this;
   moved.target_.array() += amount;
   moved.pull_ += amount * units_.colwise().sum().transpose();
   return moved;
 }
 
-bool LagrangeProblem::solve(const std::vector<Eigen::Index>& dead, Values& beta) const {
-  Eigen::Matrix3d outer = outer_;
-  Vec3 pull = pull_;
+template <int Dim>
+bool LagrangeProblem<Dim>::solve(const std::vector<Eigen::Index>& dead, Values& beta) const {
+  Matrix outer = outer_;
+  Vector pull = pull_;
   for (const Eigen::Index handle : dead) {
     outer -= units_.row(handle).transpose() * units_.row(handle);
     pull -= target_[handle] * units_.row(handle).transpose();
   }
-  Eigen::Matrix3d inverse;
+  Matrix inverse;
   double determinant = 0;
   bool invertible = false;
   outer.computeInverseAndDetWithCheck(inverse, determinant, invertible, kFlat);
@@ -78,21 +81,22 @@ bool LagrangeProblem::solve(const std::vector<Eigen::Index>& dead, Values& beta)
   return true;
 }
 
-bool LagrangeProblem::solveExactly(Values& beta) const {
-  Vec3 multipliers = Vec3::Zero();
-  const auto numbersAt = [&](const Vec3& at) -> Values { return (target_ + units_ * at).cwiseMax(0); };
+template <int Dim>
+bool LagrangeProblem<Dim>::solveExactly(Values& beta) const {
+  Vector multipliers = Vector::Zero();
+  const auto numbersAt = [&](const Vector& at) -> Values { return (target_ + units_ * at).cwiseMax(0); };
   for (int step = 0; step < kMostSteps; ++step) {
     beta = numbersAt(multipliers);
-    const Vec3 slope = units_.transpose() * beta;
+    const Vector slope = units_.transpose() * beta;
     if (slope.norm() <= kBalanced * beta.sum())
       return beta.sum() > 0;
-    Eigen::Matrix3d bend = Eigen::Matrix3d::Zero();
+    Matrix bend = Matrix::Zero();
     for (Eigen::Index i = 0; i < beta.size(); ++i)
       if (beta[i] > 0)
         bend += units_.row(i).transpose() * units_.row(i);
     if (bend.determinant() < kFlat)
       bend.diagonal().array() += 1e-3;
-    const Vec3 way = -bend.ldlt().solve(slope);
+    const Vector way = -bend.ldlt().solve(slope);
     const double value = beta.squaredNorm() / 2;
     double length = 1;
     while (length > kShortestStep && numbersAt(multipliers + length * way).squaredNorm() / 2 >
@@ -101,16 +105,17 @@ bool LagrangeProblem::solveExactly(Values& beta) const {
     // So near to the end that the decrease is rounding: the full step is the right one.
     multipliers += (length > kShortestStep ? length : 1.0) * way;
   }
-  const Vec3 slope = units_.transpose() * beta;
+  const Vector slope = units_.transpose() * beta;
   return slope.norm() <= 100 * kBalanced * beta.sum();
 }
 
-bool LagrangeProblem::solveByFewestZeros(int mostChoices, Values& beta) const {
+template <int Dim>
+bool LagrangeProblem<Dim>::solveByFewestZeros(int mostChoices, Values& beta) const {
   Values trial(target_.size());
   double nearest = std::numeric_limits<double>::infinity();
   int choices = 0;
   const double floor = -kFlat * scale();
-  for (Eigen::Index zeros = 0; zeros + 4 <= target_.size(); ++zeros) {
+  for (Eigen::Index zeros = 0; zeros + Dim + 1 <= target_.size(); ++zeros) {
     forEachSubset(target_.size(), zeros, [&](const std::vector<Eigen::Index>& dead) {
       if (++choices > mostChoices)
         return false;
@@ -130,7 +135,8 @@ bool LagrangeProblem::solveByFewestZeros(int mostChoices, Values& beta) const {
   return false;
 }
 
-bool LagrangeProblem::solveByDropping(Values& beta) const {
+template <int Dim>
+bool LagrangeProblem<Dim>::solveByDropping(Values& beta) const {
   std::vector<Eigen::Index> dead;
   while (solve(dead, beta)) {
     const std::size_t before = dead.size();
@@ -145,5 +151,8 @@ bool LagrangeProblem::solveByDropping(Values& beta) const {
   }
   return false;
 }
+
+template class LagrangeProblem<2>;
+template class LagrangeProblem<3>;
 
 } // namespace viscera::coordinates

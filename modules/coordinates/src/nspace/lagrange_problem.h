@@ -10,8 +10,8 @@ namespace viscera::coordinates {
 /// The target vectors of the thesis, 3.3.1.
 enum class Target { one, inverseDistance, closeness };
 
-/// n numbers, none of them negative.
-Values targetAt(Target target, const Sight& sight);
+/// n numbers, none of them negative, for handles at these distances.
+Values targetAt(Target target, const Values& distances);
 
 /// Calls `visit` with all ascending subsets of {0 .. count - 1} of `size` members, in order, until it returns
 /// false.
@@ -19,10 +19,11 @@ void forEachSubset(Eigen::Index count, Eigen::Index size,
                    const std::function<bool(const std::vector<Eigen::Index>&)>& visit);
 
 /// Of all vectors that balance the directions the one nearest to a target (thesis 3.21 to 3.28), with the
-/// different ways to keep its numbers from being negative.
+/// different ways to keep its numbers from being negative. For Dim = 2 and 3.
+template <int Dim>
 class LagrangeProblem {
 public:
-  LagrangeProblem(const Sight& sight, Values target);
+  LagrangeProblem(const SightIn<Dim>& sight, Values target);
 
   /// The largest number of the target, for tolerances.
   double scale() const { return target_.maxCoeff(); }
@@ -41,10 +42,13 @@ public:
   bool solveByDropping(Values& beta) const;
 
 private:
-  Points units_;
+  using Vector = Eigen::Matrix<double, Dim, 1>;
+  using Matrix = Eigen::Matrix<double, Dim, Dim>;
+
+  PointsOf<Dim> units_;
   Values target_;
-  Eigen::Matrix3d outer_; ///< `sum q q^T`
-  Vec3 pull_;             ///< `sum u q`
+  Matrix outer_; ///< `sum q q^T`
+  Vector pull_;  ///< `sum u q`
 };
 
 } // namespace viscera::coordinates

@@ -5,6 +5,7 @@
 
 #include "choice_parameter.h"
 #include "nspace/direction_solver.h"
+#include "nspace/plane_balances.h"
 
 namespace viscera::coordinates {
 namespace {
@@ -18,8 +19,8 @@ const Parameter kConnection =
     choiceParameter("connection", "How the wire connects them", {"cycle", "complete"});
 
 /// Columns are the projected ends of the wire.
-Eigen::MatrixXd wireEnds(const Sight& sight, const BalancedSpace& space, PointSet points) {
-  const Eigen::Index count = sight.distances.size();
+template <int Dim>
+Eigen::MatrixXd wireEnds(Eigen::Index count, const BalancedSpace<Dim>& space, PointSet points) {
   Eigen::MatrixXd axes(count, count);
   for (Eigen::Index i = 0; i < count; ++i)
     axes.col(i) = space.projectAxis(i);
@@ -37,6 +38,40 @@ Eigen::MatrixXd wireEnds(const Sight& sight, const BalancedSpace& space, PointSe
   return both;
 }
 
+/// Adds the middle of the segment's positive part, times its length.
+void addSegment(const Eigen::Ref<const Values>& from, const Eigen::Ref<const Values>& to, Values& beta) {
+  double begin = 0, end = 1;
+  for (Eigen::Index i = 0; i < from.size() && begin < end; ++i) {
+    if (from[i] < 0 && to[i] < 0)
+      return;
+    if (from[i] < 0)
+      begin = std::max(begin, from[i] / (from[i] - to[i]));
+    else if (to[i] < 0)
+      end = std::min(end, from[i] / (from[i] - to[i]));
+  }
+  if (!(begin < end))
+    return;
+  const double middle = (begin + end) / 2;
+  beta += ((end - begin) * (to - from).norm()) * ((1 - middle) * from + middle * to);
+}
+
+template <int Dim>
+bool balanceByWire(const SightIn<Dim>& sight, PointSet points, Connection connection, Values& beta) {
+  const BalancedSpace<Dim> space(sight.units);
+  if (!space.valid())
+    return false;
+  const Eigen::MatrixXd ends = wireEnds(sight.distances.size(), space, points);
+  const Eigen::Index count = ends.cols();
+  for (Eigen::Index i = 0; i < count; ++i)
+    if (connection == Connection::cycle)
+      addSegment(ends.col(i), ends.col((i + 1) % count), beta);
+    else
+      for (Eigen::Index j = i + 1; j < count; ++j)
+        addSegment(ends.col(i), ends.col(j), beta);
+  beta = beta.cwiseMax(0); // Cut ends are zero but for rounding.
+  return beta.maxCoeff() > 0;
+}
+
 class Solver final : public DirectionSolver {
 public:
   Solver(const Points& handles, PointSet points, Connection connection)
@@ -44,37 +79,7 @@ public:
 
 private:
   bool balance(const Sight& sight, Values& beta) const override {
-    const BalancedSpace space(sight.units);
-    if (!space.valid())
-      return false;
-    const Eigen::MatrixXd ends = wireEnds(sight, space, points_);
-    const Eigen::Index count = ends.cols();
-    for (Eigen::Index i = 0; i < count; ++i)
-      if (connection_ == Connection::cycle)
-        addSegment(ends.col(i), ends.col((i + 1) % count), beta);
-      else
-        for (Eigen::Index j = i + 1; j < count; ++j)
-          addSegment(ends.col(i), ends.col(j), beta);
-    beta = beta.cwiseMax(0); // Cut ends are zero but for rounding.
-    return beta.maxCoeff() > 0;
-  }
-
-  /// Adds the middle of the segment's positive part, times its length.
-  static void addSegment(const Eigen::Ref<const Values>& from, const Eigen::Ref<const Values>& to,
-                         Values& beta) {
-    double begin = 0, end = 1;
-    for (Eigen::Index i = 0; i < from.size() && begin < end; ++i) {
-      if (from[i] < 0 && to[i] < 0)
-        return;
-      if (from[i] < 0)
-        begin = std::max(begin, from[i] / (from[i] - to[i]));
-      else if (to[i] < 0)
-        end = std::min(end, from[i] / (from[i] - to[i]));
-    }
-    if (!(begin < end))
-      return;
-    const double middle = (begin + end) / 2;
-    beta += ((end - begin) * (to - from).norm()) * ((1 - middle) * from + middle * to);
+    return balanceByWire<3>(sight, points_, connection_, beta);
   }
 
   PointSet points_;
@@ -82,6 +87,13 @@ private:
 };
 
 } // namespace
+
+PlaneBalance planeWire(const ParameterValues& parameters) {
+  return [points = chosen<PointSet>(parameters, kPoints),
+          connection = chosen<Connection>(parameters, kConnection)](const SightIn<2>& sight, Values& beta) {
+    return balanceByWire<2>(sight, points, connection, beta);
+  };
+}
 
 std::string WireApproach::summary() const {
   return "A wire in the space of balanced vectors; for many points it has no answer";

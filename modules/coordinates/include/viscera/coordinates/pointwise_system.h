@@ -12,6 +12,13 @@ class PointSolver {
 public:
   virtual ~PointSolver() = default;
 
+  /// What extends a pose before it is summed; nothing for most systems. Where there is one, `weights` and
+  /// `gradients` below have as many rows as a lifted pose, and the traits promise closed-form gradients.
+  virtual std::shared_ptr<const PoseLift> lift() const { return {}; }
+
+  /// What the binding's report is to say to a user.
+  virtual std::vector<std::string> notes() const { return {}; }
+
   /// Fills `weights` (one a handle, set to zero before) with the coordinates of `point`, mm; false where the
   /// system has none.
   virtual bool solve(const Vec3& point, Values& weights) const = 0;
@@ -35,15 +42,15 @@ public:
 
 protected:
   /// What does not depend on the point. `parameters` are within their ranges, the handles usable
-  /// (`requireUsableHandles`). Throws `DataError` for handles or a cage that this system cannot use.
+  /// (`requireUsableHandles`). Throws `DataError` for handles or a cage that this system cannot use. A system
+  /// has this or `prepareFor`.
   virtual std::unique_ptr<const PointSolver> prepare(const HandleSet& handles,
-                                                     const ParameterValues& parameters) const = 0;
+                                                     const ParameterValues& parameters) const;
 
-  /// For systems whose coordinates of one point depend on all that are bound with it; the others leave it.
-  /// Throws as `prepare`, and `Cancelled`.
+  /// For systems whose coordinates of one point depend on all that are bound with it, and for those that
+  /// take long or want tetrahedra; the others leave it. Throws as `prepare`, and `Cancelled`.
   virtual std::unique_ptr<const PointSolver> prepareFor(const HandleSet& handles, const Points& points,
-                                                        const ParameterValues& parameters,
-                                                        Progress& progress) const;
+                                                        const BindOptions& options, Progress& progress) const;
 };
 
 } // namespace viscera::coordinates

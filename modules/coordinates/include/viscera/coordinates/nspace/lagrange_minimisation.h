@@ -34,7 +34,7 @@ protected:
   std::unique_ptr<const PointSolver> prepare(const HandleSet& handles,
                                              const ParameterValues& parameters) const override;
   std::unique_ptr<const PointSolver> prepareFor(const HandleSet& handles, const Points& points,
-                                                const ParameterValues& parameters,
+                                                const BindOptions& options,
                                                 Progress& progress) const override;
 };
 

@@ -1,0 +1,59 @@
+#include "lifted_binding.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace viscera::coordinates {
+
+LiftedBinding::LiftedBinding(std::shared_ptr<const PoseLift> lift, TiledWeights weights,
+                             const Points& restHandles, const Points& restPoints, std::vector<int> failures,
+                             double seconds, Threads threads, std::vector<std::string> notes)
+    : lift_(std::move(lift)), handles_(restHandles.rows()),
+      rows_(std::move(weights), lift_->lift(restHandles), restPoints, std::move(failures), seconds, threads,
+            std::move(notes)),
+      report_(rows_.report()) {
+  report_.unityError = 0;
+  report_.minWeight = std::numeric_limits<double>::infinity();
+  const TiledWeights& own = rows_.weights();
+  auto failed = report_.failures.begin();
+  for (Eigen::Index point = 0; point < own.points(); ++point) {
+    if (failed != report_.failures.end() && *failed == point) {
+      ++failed;
+      continue;
+    }
+    double sum = 0;
+    for (Eigen::Index handle = 0; handle < handles_; ++handle) {
+      sum += own(point, handle);
+      report_.minWeight = std::min(report_.minWeight, own(point, handle));
+    }
+    report_.unityError = std::max(report_.unityError, std::abs(sum - 1));
+  }
+  if (!std::isfinite(report_.minWeight))
+    report_.minWeight = 0; // No point has weights.
+}
+
+void LiftedBinding::deform(const Points& pose, Points& points, Threads threads) const {
+  rows_.deform(lift_->lift(pose), points, threads);
+}
+
+void LiftedBinding::moveHandle(const Points& pose, int handle, const Vec3& delta, Points& points,
+                               Threads threads) const {
+  Points moved = pose;
+  moved.row(handle) += delta.transpose();
+  const Points before = lift_->lift(pose), after = lift_->lift(moved);
+  for (Eigen::Index row = 0; row < after.rows(); ++row)
+    if (after.row(row) != before.row(row))
+      rows_.moveHandle(before, static_cast<int>(row), (after.row(row) - before.row(row)).transpose(), points,
+                       threads);
+}
+
+void LiftedBinding::pullBack(const Points& pose, const Points& pointGradient, Points& handleGradient,
+                             Threads threads) const {
+  Points ofRows;
+  rows_.pullBack(pose, pointGradient, ofRows, threads);
+  handleGradient = lift_->pullBack(pose, ofRows);
+}
+
+} // namespace viscera::coordinates

@@ -1,0 +1,138 @@
+#include "viscera/coordinates/planar.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <numbers>
+
+#include "nspace/plane_balances.h"
+#include "planar/planar_mean_value.h"
+#include "viscera/coordinates/celestial/s_celestial.h"
+#include "viscera/coordinates/celestial/t_celestial.h"
+#include "viscera/coordinates/mean_value/mean_value.h"
+#include "viscera/coordinates/nspace/determinants_approach.h"
+#include "viscera/coordinates/nspace/gradient_method.h"
+#include "viscera/coordinates/nspace/lagrange_minimisation.h"
+#include "viscera/coordinates/nspace/wire_approach.h"
+#include "viscera/core/error.h"
+
+namespace viscera::coordinates {
+namespace {
+
+/// Of the handles' size: a point this near to a handle is at it.
+constexpr double kSamePlace = 1e-12;
+/// Of a half turn: directions that leave out more do not go all around.
+constexpr double kHalfTurn = 1e-12;
+
+using PointWeights = std::function<bool(const Eigen::Vector2d& point, Values& weights)>;
+
+PlanarWeights pointByPoint(const PointsOf<2>& handles, const PointsOf<2>& points, const PointWeights& solve,
+                           Threads threads) {
+  PlanarWeights result;
+  result.weights = Eigen::MatrixXd::Zero(points.rows(), handles.rows());
+  std::vector<char> failed(static_cast<std::size_t>(points.rows()));
+  parallelRanges(points.rows(), 64, threads, [&](Eigen::Index begin, Eigen::Index end) {
+    for (Eigen::Index i = begin; i < end; ++i) {
+      Values row = Values::Zero(handles.rows());
+      if (solve(points.row(i).transpose(), row) && row.allFinite())
+        result.weights.row(i) = row.transpose();
+      else
+        failed[static_cast<std::size_t>(i)] = 1;
+    }
+  });
+  for (std::size_t i = 0; i < failed.size(); ++i)
+    if (failed[i])
+      result.failures.push_back(static_cast<int>(i));
+  return result;
+}
+
+/// Whether no half plane holds all directions.
+bool allAround(const PointsOf<2>& units) {
+  std::vector<double> angles;
+  for (Eigen::Index i = 0; i < units.rows(); ++i)
+    angles.push_back(std::atan2(units(i, 1), units(i, 0)));
+  std::sort(angles.begin(), angles.end());
+  double widest = angles.front() + 2 * std::numbers::pi - angles.back();
+  for (std::size_t i = 0; i + 1 < angles.size(); ++i)
+    widest = std::max(widest, angles[i + 1] - angles[i]);
+  return widest < std::numbers::pi * (1 - kHalfTurn);
+}
+
+PointWeights balanced(const PointsOf<2>& handles, PlaneBalance balance) {
+  const double size = (handles.colwise().maxCoeff() - handles.colwise().minCoeff()).norm();
+  return [&handles, size, balance = std::move(balance)](const Eigen::Vector2d& point, Values& weights) {
+    Eigen::Index nearest = 0;
+    if ((handles.rowwise() - point.transpose()).rowwise().norm().minCoeff(&nearest) <= kSamePlace * size) {
+      weights[nearest] = 1;
+      return true;
+    }
+    const SightIn<2> sight = sightOf<2>(handles, point);
+    if (!allAround(sight.units) || !balance(sight, weights))
+      return false;
+    weights.array() /= sight.distances.array();
+    const double sum = weights.sum();
+    if (!(sum > kSamePlace * weights.cwiseAbs().sum()))
+      return false;
+    weights /= sum;
+    return true;
+  };
+}
+
+PlanarWeights celestial(const CelestialSystem& system, const PointsOf<2>& handles, const PointsOf<2>& points,
+                        const ParameterValues& parameters, Threads threads) {
+  parameters.requireWithin(system.parameters());
+  CelestialOptions options;
+  options.threads = threads;
+  for (const Parameter& parameter : system.parameters())
+    (parameter.name == "locality" ? options.locality : options.softness) = parameters.get(parameter);
+  Progress progress;
+  CelestialSolution<2> solution = system.solve<2>(handles, points, options, progress);
+  PlanarWeights result{Eigen::MatrixXd(points.rows(), handles.rows()), std::move(solution.failures)};
+  for (Eigen::Index handle = 0; handle < handles.rows(); ++handle)
+    result.weights.col(handle) = solution.weights.column(handle);
+  return result;
+}
+
+} // namespace
+
+std::vector<std::string> planarSystems() {
+  return {"s-celestial",     "t-celestial",           "mean-value",   "lagrange-minimisation",
+          "gradient-method", "determinants-approach", "wire-approach"};
+}
+
+PlanarWeights planarWeights(const std::string& system, const PointsOf<2>& handles, const PointsOf<2>& points,
+                            const ParameterValues& parameters, Threads threads) {
+  requireUsableHandles<2>(handles);
+  const auto checked = [&](const CoordinateSystem& inSpace) {
+    parameters.requireWithin(inSpace.parameters());
+    return inSpace.id() == system;
+  };
+  if (system == SCelestial().id())
+    return celestial(SCelestial(), handles, points, parameters, threads);
+  if (system == TCelestial().id())
+    return celestial(TCelestial(), handles, points, parameters, threads);
+  if (system == MeanValue().id() && checked(MeanValue()))
+    return pointByPoint(
+        handles, points,
+        [&](const Eigen::Vector2d& point, Values& weights) {
+          return planarMeanValue(handles, point, weights);
+        },
+        threads);
+  const auto balance = [&]() -> PlaneBalance {
+    if (system == LagrangeMinimisation().id() && checked(LagrangeMinimisation()))
+      return planeLagrange(parameters);
+    if (system == GradientMethod().id() && checked(GradientMethod()))
+      return planeGradient(handles.rows(), parameters);
+    if (system == DeterminantsApproach().id() && checked(DeterminantsApproach()))
+      return planeDeterminants();
+    if (system == WireApproach().id() && checked(WireApproach()))
+      return planeWire(parameters);
+    std::string known;
+    for (const std::string& id : planarSystems())
+      known += (known.empty() ? "" : ", ") + id;
+    throw UsageError("\"" + system + "\" has no planar form", {}, "there are: " + known);
+  }();
+  return pointByPoint(handles, points, balanced(handles, balance), threads);
+}
+
+} // namespace viscera::coordinates
