@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "bound_organ.h"
@@ -140,6 +141,8 @@ void LiveBinding::Impl::bindWaiting() {
 }
 
 double LiveBinding::Impl::expectedSeconds(const BoundOrgan& organ) const {
+  if (target->system->traits().needsTetrahedra)
+    return std::numeric_limits<double>::infinity(); // Seconds, whatever the size: never while a frame waits.
   const auto measured = secondsOfSystem.find(target->system->id());
   const double each = measured == secondsOfSystem.end() ? kExpectedSeconds : measured->second;
   return each * static_cast<double>(organ.organ->mesh->points.rows()) *

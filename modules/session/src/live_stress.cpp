@@ -9,6 +9,7 @@
 #include "viscera/core/error.h"
 #include "viscera/deformation/bind_witnesses.h"
 #include "viscera/deformation/carve_witnesses.h"
+#include "viscera/deformation/tetrahedralise.h"
 #include "viscera/session/player.h"
 
 namespace viscera::session {
@@ -36,7 +37,7 @@ BoundWitnesses bindTo(const BindingTarget& target, const Points& points, Threads
                       Progress& progress) {
   const auto begin = std::chrono::steady_clock::now();
   BoundWitnesses bound;
-  const coordinates::BindOptions options{target.parameters, threads};
+  const auto options = deformation::withTetgen({target.parameters, threads});
   runPart(progress, 0, kGradientsPart, [&](Progress& part) {
     bound.gradients = deformation::bindWitnesses(*target.system, target.handles, points, options, part);
   });
@@ -228,7 +229,7 @@ void LiveStress::Impl::refreshBinding() {
   }
   const double expected =
       secondsEach * static_cast<double>(mesh->points.rows()) * static_cast<double>(target->ids.size());
-  if (expected > options.frameSeconds)
+  if (expected > options.frameSeconds || target->system->traits().needsTetrahedra)
     return bindLater();
   ++ticket;
   try {

@@ -10,6 +10,8 @@
 #include "clouds.h"
 #include "viscera/coordinates/built_in_systems.h"
 #include "viscera/core/error.h"
+#include "viscera/deformation/bind_witnesses.h"
+#include "viscera/deformation/tetrahedralise.h"
 #include "viscera/geometry/convex_hull.h"
 #include "viscera/localised_scc/localised_s_celestial.h"
 
@@ -24,7 +26,7 @@ std::vector<System> systems() {
   std::vector<System> all = builtInSystems(), inner;
   for (const System& system : all)
     if (const Traits traits = system->traits();
-        traits.positive && traits.everywhere && traits.continuous && !traits.needsCage)
+        traits.positive && traits.everywhere && traits.continuous && traits.affine && !traits.needsCage)
       inner.push_back(system);
   all.push_back(std::make_shared<localised_scc::LocalisedSCelestial>(inner));
   return all;
@@ -71,7 +73,7 @@ protected:
 
   std::unique_ptr<Binding> bind(const HandleSet& handles, const Points& points,
                                 const BindOptions& options = {}) {
-    return system().bind(handles, points, options, progress_);
+    return system().bind(handles, points, deformation::withTetgen(options), progress_);
   }
 
   /// The message of the `DataError` that binding to `positions` gives. The cage may be any that fits the
@@ -149,6 +151,8 @@ TEST_P(CoordinateContract, OffersParametersThatExplainThemselves) {
 }
 
 TEST_P(CoordinateContract, OnASimplexIsBarycentric) {
+  if (!traits().affine)
+    GTEST_SKIP() << system().name() << " are no sums of the handles alone";
   const HandleSet handles = tetrahedron();
   Eigen::Matrix4d corners;
   corners << handles.positions, Eigen::Vector4d::Ones();
@@ -190,11 +194,14 @@ TEST_P(CoordinateContract, ReproducesRandomPoints) {
   }
 }
 
+/// All that are no sums of the handles alone follow a shift.
 TEST_P(CoordinateContract, FollowsAnyAffineMotion) {
   const HandleSet handles = sphereOfHandles();
   const Points points = pointsInside(100, 2);
   Eigen::Matrix3d shear;
   shear << 1.2, 0.3, -0.1, 0, 0.8, 0.25, 0.1, -0.2, 1.1;
+  if (!traits().affine)
+    shear.setIdentity();
   const Eigen::RowVector3d shift(4, -60, 25);
   Points moved;
   const auto binding = bind(handles, points);
@@ -262,7 +269,9 @@ TEST_P(CoordinateContract, GivesTheSameBitsForAnyNumberOfThreads) {
 TEST_P(CoordinateContract, StopsWhenCancelled) {
   Progress cancelled;
   cancelled.cancel();
-  EXPECT_THROW(system().bind(sphereOfHandles(), pointsInside(5000, 1), {}, cancelled), Cancelled);
+  EXPECT_THROW(
+      system().bind(sphereOfHandles(), pointsInside(5000, 1), deformation::withTetgen({}), cancelled),
+      Cancelled);
 }
 
 TEST_P(CoordinateContract, RefusesHandlesThatNoPointCanUse) {
@@ -301,7 +310,7 @@ TEST_P(CoordinateContract, NeverGivesGarbageForPointsOutside) {
     EXPECT_TRUE(std::includes(outside.begin(), outside.end(), failures.begin(), failures.end()))
         << "a point inside failed";
   }
-  if (traits().positive) {
+  if (traits().positive && traits().affine) {
     EXPECT_TRUE(std::includes(failures.begin(), failures.end(), outside.begin(), outside.end()))
         << "no positive coordinates exist outside the hull";
   }
@@ -345,11 +354,12 @@ TEST_P(CoordinateContract, GradientsAreTheDerivatives) {
     GTEST_SKIP() << system().name() << " does not promise any";
   const HandleSet handles = sphereOfHandles();
   const Points points = pointsInside(30, 12);
-  const auto gradients = system().gradients(handles, points, {}, progress_);
+  const auto gradients = system().gradients(handles, points, deformation::withTetgen({}), progress_);
   EXPECT_EQ(gradients.closedForm, traits().closedFormGradient);
   ASSERT_TRUE(gradients.failures.empty());
   const Eigen::Index count = handles.positions.rows();
-  ASSERT_EQ(gradients.values.rows(), points.rows() * count);
+  const Eigen::Index rows = gradients.lift ? gradients.lift->rowCount() : count;
+  ASSERT_EQ(gradients.values.rows(), points.rows() * rows);
 
   const double step = 1e-4 * kSize;
   for (int axis = 0; axis < 3; ++axis) {
@@ -358,7 +368,38 @@ TEST_P(CoordinateContract, GradientsAreTheDerivatives) {
                                        influences(*bind(handles, points.rowwise() - offset));
     for (Eigen::Index i = 0; i < points.rows(); ++i)
       for (Eigen::Index j = 0; j < count; ++j)
-        EXPECT_NEAR(gradients.values(i * count + j, axis), difference(i, j) / (2 * step), 1e-6);
+        EXPECT_NEAR(gradients.values(i * rows + j, axis), difference(i, j) / (2 * step), 1e-6);
+  }
+}
+
+/// What the stress map is made from: the derivative of the posed points by the points at rest.
+TEST_P(CoordinateContract, WitnessGradientsAreTheDerivativesOfDeforming) {
+  if (!traits().smooth)
+    GTEST_SKIP() << system().name() << " does not promise any";
+  const HandleSet handles = sphereOfHandles();
+  const Points points = pointsInside(12, 19), pose = randomPose(handles, 20);
+  const auto witnesses = deformation::bindWitnesses(system(), handles, points, {}, progress_);
+  const double step = 1e-4 * kSize;
+  for (int axis = 0; axis < 3; ++axis) {
+    const Eigen::RowVector3d offset = step * Eigen::RowVector3d::Unit(axis);
+    Points forward, backward;
+    bind(handles, points.rowwise() + offset)->deform(pose, forward);
+    bind(handles, points.rowwise() - offset)->deform(pose, backward);
+    for (Eigen::Index i = 0; i < points.rows(); ++i) {
+      const Vec3 difference = (forward.row(i) - backward.row(i)).transpose() / (2 * step);
+      EXPECT_LT((witnesses->deformationGradient(i, pose).col(axis) - difference).norm(), 1e-5);
+    }
+  }
+}
+
+TEST_P(CoordinateContract, SaysSoWhereNobodyMakesTheTetrahedraThatItNeeds) {
+  if (!traits().needsTetrahedra)
+    GTEST_SKIP() << system().name() << " needs none";
+  try {
+    system().bind(sphereOfHandles(), pointsInside(5, 1), {}, progress_);
+    ADD_FAILURE() << "it was bound without tetrahedra";
+  } catch (const UsageError& error) {
+    EXPECT_THAT(error.what(), testing::HasSubstr("tetrahedra"));
   }
 }
 

@@ -93,6 +93,35 @@ TEST(SphereSamples, CoverTheSphereEvenly) {
   }
 }
 
+/// The thesis (3.2.1) calls them continuous, which the integral is: what the sum over samples jumps by goes
+/// to zero with the samples.
+TEST(NumericalIntegration, IsPositiveAndTheMoreContinuousTheMoreSamples) {
+  const auto few = alongLine("numerical-integration", 10, {{"samples", "1"}}, 100);
+  const auto many = alongLine("numerical-integration", 10, {{"samples", "3"}}, 100);
+  EXPECT_TRUE(many.report.failures.empty());
+  EXPECT_GE(many.report.minWeight, 0);
+  EXPECT_LT(many.report.identityError, 1e-12 * 100);
+  EXPECT_LT(many.largestJump, 1e-3);
+  EXPECT_LT(many.largestJump, 0.3 * few.largestJump);
+}
+
+TEST(NumericalIntegration, HasMoreMaximaThanCelestialCoordinates) {
+  EXPECT_GT(alongLine("numerical-integration", 10, {{"samples", "3"}}, 100).localMaxima,
+            alongLine("s-celestial", 10, {}, 100).localMaxima);
+}
+
+TEST(NumericalIntegration, WithAnotherSeedAreTheSameToTheSizeOfItsSamples) {
+  const HandleSet handles = tests::handlesAroundLine(10);
+  const Points points = tests::cloud(30, 12, 8);
+  const auto with = [&](const char* seed) {
+    return coordinatesOf("numerical-integration", handles, points, {{"samples", "4"}, {"seed", seed}});
+  };
+  const double apart = (with("1") - with("2")).cwiseAbs().maxCoeff();
+  EXPECT_GT(apart, 0);
+  EXPECT_LT(apart, 2e-3);
+  EXPECT_EQ(with("1"), with("1"));
+}
+
 TEST(CatalogueOfLayers, IsPositiveAndContinuousWithKinksAtInnerFaces) {
   for (const char* partitions : {"nested", "independent"})
     for (const char* polyhedra : {"tetrahedra", "convex"}) {

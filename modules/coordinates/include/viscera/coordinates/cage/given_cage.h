@@ -1,0 +1,18 @@
+#pragma once
+
+#include "viscera/coordinates/handle_set.h"
+#include "viscera/geometry/triangle_mesh.h"
+
+namespace viscera::coordinates {
+
+/// Throws `DataError` for a surface that can be no cage: indices out of range, open, or not manifold. It says
+/// at how many edges. O(m log m).
+void requireCage(const geometry::TriangleMesh& cage);
+
+/// The triangles of a given cage (mm) over the handles (`n x 3`, mm) that lie at its vertices, as
+/// `HandleSet::cage` wants them, outward. Handles that lie at no vertex stay without a triangle. Throws as
+/// `requireCage`, and `DataError` that names the first vertex where no handle is (to 1e-6 of the cage's
+/// size). O(n v).
+Triangles cageOver(const Points& handles, const geometry::TriangleMesh& cage);
+
+} // namespace viscera::coordinates

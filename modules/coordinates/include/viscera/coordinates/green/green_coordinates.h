@@ -1,0 +1,30 @@
+#pragma once
+
+#include "viscera/coordinates/pointwise_system.h"
+
+namespace viscera::coordinates {
+
+/// Green coordinates (Lipman, Levin and Cohen-Or 2008, doi 10.1145/1360612.1360677): inside a closed cage of
+/// any shape a point is a sum of the cage's corners and of its triangles' normals, by Green's third identity.
+/// In a pose the normals are those of the posed cage, as long as their triangles are stretched.
+///
+/// They reproduce every point at rest and follow every similarity; other affine motions they do not follow,
+/// nor do they pass through their handles: that is the price for keeping angles nearly. The points are not
+/// linear in the pose, so the volume is no cubic along a motion of the handles and a lock works by Newton
+/// steps. Coordinates in closed form, by solid angles and logarithms of the edges, which is the same integral
+/// as in the paper; with derivatives. Points outside the cage have no coordinates: the continuation through a
+/// face of the paper's section 6 is left out. O(triangles) a point.
+class GreenCoordinates final : public PointwiseSystem {
+public:
+  std::string id() const override { return "green"; }
+  std::string name() const override { return "Green"; }
+  std::string summary() const override;
+  Traits traits() const override;
+  std::vector<Parameter> parameters() const override;
+
+protected:
+  std::unique_ptr<const PointSolver> prepare(const HandleSet& handles,
+                                             const ParameterValues& parameters) const override;
+};
+
+} // namespace viscera::coordinates

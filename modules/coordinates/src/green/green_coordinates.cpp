@@ -1,0 +1,97 @@
+#include "viscera/coordinates/green/green_coordinates.h"
+
+#include <numbers>
+#include <utility>
+
+#include "cage/cage.h"
+#include "green/cage_normals.h"
+#include "green/triangle_potentials.h"
+
+namespace viscera::coordinates {
+namespace {
+
+/// Of the cage's size: a point this near to a triangle is on it.
+constexpr double kOnCage = 1e-11;
+
+class Solver final : public PointSolver {
+public:
+  Solver(const Points& handles, const Triangles& cage)
+      : handles_(handles), cage_(cage), tolerance_(kOnCage * boundsOf(handles).diagonal()),
+        lift_(std::make_shared<CageNormals>(handles, cage)) {}
+
+  std::shared_ptr<const PoseLift> lift() const override { return lift_; }
+
+  bool solve(const Vec3& point, Values& weights) const override { return add(point, weights, nullptr); }
+  bool solveGradients(const Vec3& point, Values& weights, Points& gradients) const override {
+    return add(point, weights, &gradients);
+  }
+
+private:
+  bool add(const Vec3& point, Values& weights, Points* gradients) const {
+    constexpr double kWhole = 4 * std::numbers::pi;
+    double angle = 0;
+    Eigen::Index touched = -1;
+    Vec3 foot = Vec3::Zero();
+    for (Eigen::Index t = 0; t < cage_.rows(); ++t) {
+      const SeenTriangle triangle = seen(t, point);
+      const bool touching = triangle.touches(tolerance_);
+      if (touching) {
+        touched = t;
+        foot = triangle.foot();
+      }
+      const TrianglePotentials found = triangle.potentials(touching, gradients != nullptr);
+      angle += found.solidAngle;
+      const Eigen::Index face = handles_.rows() + t;
+      weights[face] = found.face;
+      for (int k = 0; k < 3; ++k)
+        weights[cage_(t, k)] += found.corners[k];
+      if (gradients) {
+        gradients->row(face) = found.faceGradient.transpose();
+        for (int k = 0; k < 3; ++k)
+          gradients->row(cage_(t, k)) += found.cornerGradients.row(k);
+      }
+    }
+    if (touched < 0)
+      return angle > kWhole / 2;
+    // On the cage: what the triangles there cover as seen from just inside.
+    for (int k = 0; k < 3; ++k)
+      weights[cage_(touched, k)] += foot[k] * (kWhole - angle) / kWhole;
+    return gradients == nullptr;
+  }
+
+  SeenTriangle seen(Eigen::Index triangle, const Vec3& point) const {
+    return {handles_.row(cage_(triangle, 0)).transpose() - point,
+            handles_.row(cage_(triangle, 1)).transpose() - point,
+            handles_.row(cage_(triangle, 2)).transpose() - point};
+  }
+
+  Points handles_;
+  Triangles cage_;
+  double tolerance_;
+  std::shared_ptr<const PoseLift> lift_;
+};
+
+} // namespace
+
+std::string GreenCoordinates::summary() const {
+  return "By corners and normals of a cage of any shape; nearly keeps angles, and does not touch its handles";
+}
+
+Traits GreenCoordinates::traits() const {
+  Traits traits;
+  traits.needsCage = true;
+  traits.closedFormGradient = true;
+  traits.affine = false;
+  return traits;
+}
+
+std::vector<Parameter> GreenCoordinates::parameters() const {
+  return {};
+}
+
+std::unique_ptr<const PointSolver> GreenCoordinates::prepare(const HandleSet& handles,
+                                                             const ParameterValues&) const {
+  return std::make_unique<Solver>(handles.positions, cageOf(handles));
+}
+
+} // namespace viscera::coordinates

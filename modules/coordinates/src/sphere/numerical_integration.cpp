@@ -1,0 +1,136 @@
+#include "viscera/coordinates/sphere/numerical_integration.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <random>
+#include <utility>
+#include <vector>
+
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+
+#include "choice_parameter.h"
+#include "nspace/direction_solver.h"
+#include "sphere/sphere_samples.h"
+#include "viscera/geometry/hull_facets.h"
+
+namespace viscera::coordinates {
+namespace {
+
+const Parameter kSamples =
+    countParameter("samples", "Divisions of the icosahedron: 20 * 4^samples directions", 0, 5, 3);
+const Parameter kSeed =
+    countParameter("seed", "Turns the directions at random; 0 leaves the icosahedron upright", 0, 1000, 0);
+
+/// Unit vectors whose determinant is smaller lie in one plane with the point: they span nothing.
+constexpr double kFlat = 1e-14;
+/// A direction through an edge belongs to both sides.
+constexpr double kOnEdge = 1e-12;
+
+/// Every face of the tetrahedra once, sorted.
+Triangles facesOf(const geometry::Tetrahedra& tetrahedra) {
+  std::vector<std::array<int, 3>> faces;
+  for (Eigen::Index t = 0; t < tetrahedra.rows(); ++t)
+    for (int left = 0; left < 4; ++left) {
+      std::array<int, 3> face{};
+      for (int corner = 0, next = 0; corner < 4; ++corner)
+        if (corner != left)
+          face[static_cast<std::size_t>(next++)] = tetrahedra(t, corner);
+      std::sort(face.begin(), face.end());
+      faces.push_back(face);
+    }
+  std::sort(faces.begin(), faces.end());
+  faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+  Triangles triangles(static_cast<Eigen::Index>(faces.size()), 3);
+  for (std::size_t i = 0; i < faces.size(); ++i)
+    triangles.row(static_cast<Eigen::Index>(i)) << faces[i][0], faces[i][1], faces[i][2];
+  return triangles;
+}
+
+/// A turn that is as likely as any other; none for seed 0.
+Eigen::Matrix3d randomTurn(int seed) {
+  if (seed == 0)
+    return Eigen::Matrix3d::Identity();
+  std::mt19937 random(static_cast<unsigned>(seed));
+  std::normal_distribution<double> normal;
+  Eigen::Quaterniond turn;
+  for (double& value : turn.coeffs())
+    value = normal(random);
+  return turn.normalized().toRotationMatrix();
+}
+
+class Solver final : public DirectionSolver {
+public:
+  Solver(const Points& handles, SphereSamples samples)
+      : DirectionSolver(handles), faces_(facesOf(geometry::delaunayTetrahedra(handles))),
+        samples_(std::move(samples)) {}
+
+private:
+  /// A face's part of the directions' numbers, before its samples are shared with other faces.
+  struct Seen {
+    Eigen::Index face, sample;
+    Vec3 shares;
+    double weight;
+  };
+
+  bool balance(const Sight& sight, Values& beta) const override {
+    const Eigen::Index count = samples_.areas.size();
+    Values total = Values::Zero(count);
+    std::vector<Seen> seen;
+    Eigen::Matrix3Xd shares(3, count);
+    for (Eigen::Index face = 0; face < faces_.rows(); ++face) {
+      Eigen::Matrix3d frame;
+      for (int i = 0; i < 3; ++i)
+        frame.col(i) = sight.units.row(faces_(face, i)).transpose();
+      const double volume = frame.determinant();
+      if (std::abs(volume) < kFlat)
+        continue;
+      shares.noalias() = frame.inverse() * samples_.directions;
+      for (Eigen::Index sample = 0; sample < count; ++sample)
+        if (shares.col(sample).minCoeff() >= -kOnEdge) {
+          seen.push_back({face, sample, shares.col(sample).cwiseMax(0), volume * volume});
+          total[sample] += volume * volume;
+        }
+    }
+    if (!(total.minCoeff() > 0))
+      return false;
+    for (const Seen& one : seen)
+      for (int i = 0; i < 3; ++i)
+        beta[faces_(one.face, i)] +=
+            samples_.areas[one.sample] * one.weight / total[one.sample] * one.shares[i];
+    return true;
+  }
+
+  Triangles faces_;
+  SphereSamples samples_;
+};
+
+} // namespace
+
+std::string NumericalIntegration::summary() const {
+  return "Mean value over all tetrahedra of the handles at once, by directions; positive, with many maxima";
+}
+
+Traits NumericalIntegration::traits() const {
+  Traits traits;
+  traits.positive = true;
+  traits.interpolates = true;
+  traits.rotationInvariant = false;
+  traits.continuous = false;
+  traits.smooth = false;
+  return traits;
+}
+
+std::vector<Parameter> NumericalIntegration::parameters() const {
+  return {kSamples, kSeed};
+}
+
+std::unique_ptr<const PointSolver> NumericalIntegration::prepare(const HandleSet& handles,
+                                                                 const ParameterValues& parameters) const {
+  SphereSamples samples = sphereSamples(static_cast<int>(parameters.get(kSamples)));
+  samples.directions = (randomTurn(static_cast<int>(parameters.get(kSeed))) * samples.directions).eval();
+  return std::make_unique<Solver>(handles.positions, std::move(samples));
+}
+
+} // namespace viscera::coordinates

@@ -1,0 +1,162 @@
+#include "viscera/coordinates/tetrahedra/bounded_biharmonic.h"
+
+#include <cstdio>
+#include <utility>
+
+#include "tetrahedra/filled_domain.h"
+#include "tetrahedra/finite_elements.h"
+#include "tetrahedra/simplex_program.h"
+#include "tetrahedra/tetrahedra_field.h"
+#include "viscera/geometry/convex_hull.h"
+
+namespace viscera::coordinates {
+namespace {
+
+const Parameter kResolution = resolutionParameter(16, 12);
+
+Parameter marginParameter() {
+  Parameter margin;
+  margin.name = "margin";
+  margin.minimum = 2;
+  margin.maximum = 100;
+  margin.standard = 10;
+  margin.unit = "%";
+  margin.help = "How far beyond the handles' hull the weights are computed";
+  return margin;
+}
+
+const Parameter kMargin = marginParameter();
+
+/// What the weights leave of each point: three further rows, the unit vectors.
+class WithRemainder final : public PoseLift {
+public:
+  explicit WithRemainder(Eigen::Index handles) : handles_(handles) {}
+
+  Eigen::Index rowCount() const override { return handles_ + 3; }
+  Points lift(const Points& pose) const override {
+    Points rows(rowCount(), 3);
+    rows << pose, Eigen::Matrix3d::Identity();
+    return rows;
+  }
+  Points pullBack(const Points&, const Points& rowGradient) const override {
+    return rowGradient.topRows(handles_);
+  }
+
+private:
+  Eigen::Index handles_;
+};
+
+class Solver final : public PointSolver {
+public:
+  Solver(Points handles, TetrahedraField field, std::vector<std::string> notes)
+      : handles_(std::move(handles)), field_(std::move(field)), notes_(std::move(notes)),
+        lift_(std::make_shared<WithRemainder>(handles_.rows())) {}
+
+  std::shared_ptr<const PoseLift> lift() const override { return lift_; }
+  std::vector<std::string> notes() const override { return notes_; }
+
+  bool solve(const Vec3& point, Values& weights) const override { return add(point, weights, nullptr); }
+  bool solveGradients(const Vec3& point, Values& weights, Points& gradients) const override {
+    return add(point, weights, &gradients);
+  }
+
+private:
+  bool add(const Vec3& point, Values& weights, Points* gradients) const {
+    const auto place = field_.locate(point);
+    if (!place)
+      return false;
+    const Eigen::Index count = handles_.rows();
+    field_.addValues(*place, weights);
+    // A point that rounding puts outside its tetrahedron takes no negative share of it.
+    weights.head(count) = weights.head(count).cwiseMax(0) / weights.head(count).cwiseMax(0).sum();
+    weights.tail<3>() = point - handles_.transpose() * weights.head(count);
+    if (gradients) {
+      field_.addGradients(*place, *gradients);
+      gradients->bottomRows<3>() =
+          Eigen::Matrix3d::Identity() - handles_.transpose() * gradients->topRows(count);
+    }
+    return true;
+  }
+
+  Points handles_;
+  TetrahedraField field_;
+  std::vector<std::string> notes_;
+  std::shared_ptr<const PoseLift> lift_;
+};
+
+/// The hull of the handles, `factor` times as large.
+geometry::TriangleMesh enlargedHull(const Points& handles, double factor) {
+  const Triangles triangles = geometry::ConvexHull(handles).triangles();
+  const Eigen::RowVector3d middle = boundsOf(handles).center().transpose();
+  std::vector<int> names(static_cast<std::size_t>(handles.rows()), -1);
+  geometry::TriangleMesh hull;
+  hull.triangles = triangles;
+  hull.points.resize(handles.rows(), 3);
+  std::int32_t next = 0;
+  for (Eigen::Index i = 0; i < triangles.size(); ++i) {
+    int& name = names[static_cast<std::size_t>(triangles.data()[i])];
+    if (name < 0) {
+      name = next++;
+      hull.points.row(name) = middle + factor * (handles.row(triangles.data()[i]) - middle);
+    }
+    hull.triangles.data()[i] = name;
+  }
+  hull.points.conservativeResize(next, 3);
+  return hull;
+}
+
+std::vector<std::string> notesOn(const SimplexSolution& solution, const SimplexLimits& limits) {
+  if (solution.converged)
+    return {};
+  char text[200];
+  std::snprintf(text, sizeof text,
+                "Bounded biharmonic weights did not converge in %d iterations: residuals %.1e (bounds) and "
+                "%.1e (energy) instead of %.0e. They are bounded and add up to 1, but not of least energy.",
+                solution.iterations, solution.primal, solution.dual, limits.tolerance);
+  return {text};
+}
+
+} // namespace
+
+std::string BoundedBiharmonic::summary() const {
+  return "Weights of least bending between 0 and 1; smooth and local, and follow translations only";
+}
+
+Traits BoundedBiharmonic::traits() const {
+  Traits traits;
+  traits.needsTetrahedra = true;
+  traits.positive = true;
+  traits.interpolates = true;
+  traits.closedFormGradient = true;
+  traits.rotationInvariant = false;
+  traits.smooth = false;
+  traits.affine = false;
+  return traits;
+}
+
+std::vector<Parameter> BoundedBiharmonic::parameters() const {
+  return {kResolution, kMargin};
+}
+
+std::unique_ptr<const PointSolver> BoundedBiharmonic::prepareFor(const HandleSet& handles, const Points&,
+                                                                 const BindOptions& options,
+                                                                 Progress& progress) const {
+  const Points& positions = handles.positions;
+  FilledDomain domain =
+      filledDomain(enlargedHull(positions, 1 + options.parameters.get(kMargin) / 100), positions,
+                   options.parameters.get(kResolution), "bounded biharmonic weights", options, progress);
+  SolidMesh scaled = domain.solid; // In units of its size, so that residuals mean the same for every organ.
+  scaled.points /= boundsOf(scaled.points).diagonal();
+  SimplexProgram program;
+  program.mass = lumpedMass(scaled);
+  const SparseMatrix laplacian = stiffness(scaled);
+  program.energy = laplacian.transpose() * program.mass.cwiseInverse().asDiagonal() * laplacian;
+  for (Eigen::Index handle = 0; handle < positions.rows(); ++handle)
+    program.fixed.push_back(domain.onSurface + handle);
+  const SimplexLimits limits;
+  const SimplexSolution solution = solveOnSimplex(program, limits, options.threads, progress);
+  return std::make_unique<Solver>(positions, TetrahedraField(std::move(domain.solid), solution.weights),
+                                  notesOn(solution, limits));
+}
+
+} // namespace viscera::coordinates

@@ -1,0 +1,82 @@
+#include "tetrahedra/finite_elements.h"
+
+#include <cmath>
+
+#include <Eigen/LU>
+#include <Eigen/SparseCholesky>
+
+#include "tetrahedra/split_system.h"
+#include "viscera/core/error.h"
+
+namespace viscera::coordinates {
+namespace {
+
+Eigen::Matrix3d edgesOf(const SolidMesh& mesh, Eigen::Index tetrahedron) {
+  Eigen::Matrix3d edges;
+  for (int k = 0; k < 3; ++k)
+    edges.col(k) = (mesh.points.row(mesh.tetrahedra(tetrahedron, k + 1)) -
+                    mesh.points.row(mesh.tetrahedra(tetrahedron, 0)))
+                       .transpose();
+  return edges;
+}
+
+double volumeOf(const SolidMesh& mesh, Eigen::Index tetrahedron) {
+  return std::abs(edgesOf(mesh, tetrahedron).determinant()) / 6;
+}
+
+} // namespace
+
+Eigen::Matrix<double, 4, 3> barycentricGradients(const SolidMesh& mesh, Eigen::Index tetrahedron) {
+  Eigen::Matrix<double, 4, 3> gradients;
+  gradients.bottomRows<3>() = edgesOf(mesh, tetrahedron).inverse();
+  gradients.row(0) = -gradients.bottomRows<3>().colwise().sum();
+  return gradients;
+}
+
+SparseMatrix stiffness(const SolidMesh& mesh) {
+  std::vector<Eigen::Triplet<double>> entries;
+  entries.reserve(16 * static_cast<std::size_t>(mesh.tetrahedra.rows()));
+  for (Eigen::Index t = 0; t < mesh.tetrahedra.rows(); ++t) {
+    const auto gradients = barycentricGradients(mesh, t);
+    const Eigen::Matrix4d local = volumeOf(mesh, t) * gradients * gradients.transpose();
+    for (int i = 0; i < 4; ++i)
+      for (int j = 0; j < 4; ++j)
+        entries.emplace_back(mesh.tetrahedra(t, i), mesh.tetrahedra(t, j), local(i, j));
+  }
+  SparseMatrix matrix(mesh.points.rows(), mesh.points.rows());
+  matrix.setFromTriplets(entries.begin(), entries.end());
+  return matrix;
+}
+
+Values lumpedMass(const SolidMesh& mesh) {
+  Values mass = Values::Zero(mesh.points.rows());
+  for (Eigen::Index t = 0; t < mesh.tetrahedra.rows(); ++t)
+    for (int k = 0; k < 4; ++k)
+      mass[mesh.tetrahedra(t, k)] += volumeOf(mesh, t) / 4;
+  return mass;
+}
+
+Eigen::MatrixXd leastEnergy(const SparseMatrix& energy, const std::vector<Eigen::Index>& fixed,
+                            const Eigen::MatrixXd& given, Threads threads, Progress& progress) {
+  const SplitSystem split(energy, fixed);
+  Eigen::MatrixXd values = Eigen::MatrixXd::Zero(energy.rows(), given.cols());
+  for (std::size_t i = 0; i < fixed.size(); ++i)
+    values.row(fixed[i]) = given.row(static_cast<Eigen::Index>(i));
+  if (split.free.empty())
+    return values;
+  progress.throwIfCancelled();
+  const Eigen::SimplicialLDLT<SparseMatrix> factor(split.amongFree);
+  if (factor.info() != Eigen::Success)
+    throw DataError("the tetrahedra do not determine the coordinates", "the handles' tetrahedra",
+                    "try another resolution");
+  const Eigen::MatrixXd pulled = -(split.freeWithFixed * given);
+  parallelRanges(given.cols(), 1, threads, [&](Eigen::Index column, Eigen::Index) {
+    progress.throwIfCancelled();
+    const Values solved = factor.solve(pulled.col(column));
+    for (std::size_t i = 0; i < split.free.size(); ++i)
+      values(split.free[i], column) = solved[static_cast<Eigen::Index>(i)];
+  });
+  return values;
+}
+
+} // namespace viscera::coordinates

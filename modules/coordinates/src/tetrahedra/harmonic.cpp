@@ -1,0 +1,120 @@
+#include "viscera/coordinates/tetrahedra/harmonic.h"
+
+#include <algorithm>
+#include <numeric>
+#include <utility>
+
+#include <Eigen/Geometry>
+
+#include "cage/cage.h"
+#include "tetrahedra/filled_domain.h"
+#include "tetrahedra/finite_elements.h"
+#include "tetrahedra/tetrahedra_field.h"
+#include "viscera/core/error.h"
+
+namespace viscera::coordinates {
+namespace {
+
+const Parameter kResolution = resolutionParameter(32, 20);
+
+/// Of the cage's size, and of barycentric coordinates: a point so near to a triangle lies on it.
+constexpr double kOnTriangle = 1e-9;
+
+class Solver final : public PointSolver {
+public:
+  explicit Solver(TetrahedraField field) : field_(std::move(field)) {}
+
+  bool solve(const Vec3& point, Values& weights) const override {
+    const auto place = field_.locate(point);
+    if (place)
+      field_.addValues(*place, weights);
+    return place.has_value();
+  }
+
+  bool solveGradients(const Vec3& point, Values& weights, Points& gradients) const override {
+    const auto place = field_.locate(point);
+    if (place) {
+      field_.addValues(*place, weights);
+      field_.addGradients(*place, gradients);
+    }
+    return place.has_value();
+  }
+
+private:
+  TetrahedraField field_;
+};
+
+/// What every handle gives to a point on the cage: its barycentric coordinates in the triangle it lies on.
+Eigen::RowVectorXd onCage(const Vec3& point, const Points& handles, const Triangles& cage) {
+  const double size = boundsOf(handles).diagonal();
+  Eigen::RowVectorXd row = Eigen::RowVectorXd::Zero(handles.rows());
+  for (Eigen::Index t = 0; t < cage.rows(); ++t) {
+    const Vec3 a = handles.row(cage(t, 0)).transpose(), b = handles.row(cage(t, 1)).transpose(),
+               c = handles.row(cage(t, 2)).transpose();
+    const Vec3 area = (b - a).cross(c - a), way = point - a;
+    const double twice = area.norm();
+    if (std::abs(way.dot(area)) > kOnTriangle * size * twice)
+      continue;
+    const double ofB = way.cross(c - a).dot(area) / (twice * twice);
+    const double ofC = (b - a).cross(way).dot(area) / (twice * twice);
+    if (std::min({ofB, ofC, 1 - ofB - ofC}) < -kOnTriangle)
+      continue;
+    row[cage(t, 0)] = 1 - ofB - ofC;
+    row[cage(t, 1)] = ofB;
+    row[cage(t, 2)] = ofC;
+    return row;
+  }
+  throw Error(70, "a point of the divided cage is not on the cage", "harmonic coordinates",
+              "try another resolution, or a cage without needle-like triangles");
+}
+
+} // namespace
+
+std::string Harmonic::summary() const {
+  return "Solutions of Laplace's equation in a cage of any shape; local, and without negative lobes";
+}
+
+Traits Harmonic::traits() const {
+  Traits traits;
+  traits.needsCage = true;
+  traits.needsTetrahedra = true;
+  traits.interpolates = true;
+  traits.closedFormGradient = true;
+  traits.rotationInvariant = false;
+  traits.smooth = false;
+  return traits;
+}
+
+std::vector<Parameter> Harmonic::parameters() const {
+  return {kResolution};
+}
+
+std::unique_ptr<const PointSolver> Harmonic::prepareFor(const HandleSet& handles, const Points&,
+                                                        const BindOptions& options,
+                                                        Progress& progress) const {
+  const Triangles cage = cageOf(handles);
+  // Handles that are no corners of the cage are none of the domain's either.
+  std::vector<int> corners(cage.data(), cage.data() + cage.size());
+  std::sort(corners.begin(), corners.end());
+  corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
+  geometry::TriangleMesh surface;
+  surface.points.resize(static_cast<Eigen::Index>(corners.size()), 3);
+  for (std::size_t i = 0; i < corners.size(); ++i)
+    surface.points.row(static_cast<Eigen::Index>(i)) = handles.positions.row(corners[i]);
+  surface.triangles = cage.unaryExpr([&](std::int32_t corner) {
+    return static_cast<std::int32_t>(std::lower_bound(corners.begin(), corners.end(), corner) -
+                                     corners.begin());
+  });
+  FilledDomain domain = filledDomain(surface, Points(0, 3), options.parameters.get(kResolution),
+                                     "harmonic coordinates", options, progress);
+  std::vector<Eigen::Index> fixed(static_cast<std::size_t>(domain.onSurface));
+  std::iota(fixed.begin(), fixed.end(), 0);
+  Eigen::MatrixXd given(domain.onSurface, handles.positions.rows());
+  for (Eigen::Index i = 0; i < domain.onSurface; ++i)
+    given.row(i) = onCage(domain.solid.points.row(i).transpose(), handles.positions, cage);
+  const Eigen::MatrixXd values =
+      leastEnergy(stiffness(domain.solid), fixed, given, options.threads, progress);
+  return std::make_unique<Solver>(TetrahedraField(std::move(domain.solid), values));
+}
+
+} // namespace viscera::coordinates
