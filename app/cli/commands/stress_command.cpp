@@ -13,6 +13,7 @@
 #include "cli/interior.h"
 #include "cli/listing.h"
 #include "viscera/core/atomic_file.h"
+#include "viscera/deformation/tetrahedralise.h"
 #include "viscera/medical_io/solid_file.h"
 
 namespace viscera::app::cli {
@@ -84,7 +85,7 @@ Measured measure(Interior interior, const coordinates::HandleSet& handles, const
                  Progress& progress) {
   Measured measured;
   measured.interior = std::move(interior);
-  system.bind(handles, measured.mesh().points, options, progress)
+  system.bind(handles, measured.mesh().points, deformation::withTetgen(options), progress)
       ->deform(pose, measured.posed, options.threads);
   measured.interior.gradients->evaluate(pose, measured.map, options.threads);
   measured.statistics = deformation::statisticsOf(measured.map, measured.mesh().witnesses);
