@@ -1,6 +1,7 @@
 #include "cli/commands/all_commands.h"
 
 #include "cli/commands/bind_command.h"
+#include "cli/commands/convert_command.h"
 #include "cli/commands/deform_command.h"
 #include "cli/commands/handles_command.h"
 #include "cli/commands/info_command.h"
@@ -19,6 +20,7 @@ std::vector<std::unique_ptr<Command>> allCommands() {
   commands.push_back(std::make_unique<InfoCommand>());
   commands.push_back(std::make_unique<SystemsCommand>());
   commands.push_back(std::make_unique<SampleCommand>());
+  commands.push_back(std::make_unique<ConvertCommand>());
   commands.push_back(std::make_unique<HandlesCommand>());
   commands.push_back(std::make_unique<BindCommand>());
   commands.push_back(std::make_unique<DeformCommand>());

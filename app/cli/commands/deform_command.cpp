@@ -6,11 +6,12 @@
 #include <CLI/CLI.hpp>
 
 #include "cli/interior.h"
-#include "cli/listing.h"
 #include "viscera/core/error.h"
 #include "viscera/deformation/bind_organ.h"
+#include "viscera/deformation/inverse_displacements.h"
 #include "viscera/deformation/least_stress.h"
 #include "viscera/deformation/restore_volume.h"
+#include "viscera/medical_io/displacement_file.h"
 #include "viscera/medical_io/surface_file.h"
 
 namespace viscera::app::cli {
@@ -52,6 +53,21 @@ void DeformCommand::addOptions(CLI::App& options) {
       ->type_name("N")
       ->capture_default_str();
   options.add_option("-o,--output", output_, "Surface file for the posed organ")->type_name("FILE");
+  options
+      .add_option("--displacement", displacement_,
+                  "Write the organ at rest with the vector of every vertex's motion (.vtp)")
+      ->type_name("FILE");
+  CLI::Option* transform =
+      options
+          .add_option("--transform", transform_,
+                      "Write the motion of the space around the organ as a displacement field for 3D Slicer "
+                      "and ITK (.nrrd, .mha)")
+          ->type_name("FILE");
+  options.add_option("--spacing", spacing_, "Spacing of the displacement field's grid")
+      ->type_name("MM")
+      ->check(CLI::PositiveNumber)
+      ->needs(transform)
+      ->capture_default_str();
 }
 
 double DeformCommand::targetMl(const deformation::Deformer& deformer) const {
@@ -92,6 +108,42 @@ DeformCommand::model(const session::Organ& organ, const RigInput& rig,
                                                     options.threads);
 }
 
+void DeformCommand::writeOutputs(const session::Organ& organ, const deformation::Deformer& deformer,
+                                 const RigInput& rig, const coordinates::CoordinateSystem& system,
+                                 const coordinates::BindOptions& options, Progress& progress,
+                                 Outcome& outcome, Listing& listing) const {
+  progress.throwIfCancelled();
+  if (!output_.empty()) {
+    medical_io::writeSurface(output_, {deformer.points(), organ.mesh->triangles, organ.mesh->colors},
+                             {.name = organ.name});
+    outcome.json["file"] = output_;
+    listing.add("file", output_);
+  }
+  if (!displacement_.empty()) {
+    medical_io::writeDisplacements(displacement_, *organ.mesh, deformer.points(), organ.name);
+    outcome.json["displacement"] = displacement_;
+    listing.add("displacements", displacement_);
+  }
+  if (transform_.empty())
+    return;
+  const deformation::DisplacementGrid grid = deformation::inverseDisplacements(
+      system, rig.handles, deformer.pose(), options,
+      deformation::gridAround(organ.mesh->points, deformer.points(), spacing_), progress);
+  medical_io::writeTransform(transform_, grid);
+  outcome.json["transform"] = {{"file", transform_},
+                               {"size", {grid.size[0], grid.size[1], grid.size[2]}},
+                               {"spacingMm", grid.spacing},
+                               {"largestErrorMm", grid.largestErrorMm},
+                               {"unreached", grid.unreached}};
+  listing.add("displacement field", transform_ + " (" + std::to_string(grid.size[0]) + " x " +
+                                        std::to_string(grid.size[1]) + " x " + std::to_string(grid.size[2]) +
+                                        ")");
+  if (grid.unreached > 0)
+    outcome.warnings.push_back(std::to_string(grid.unreached) + " of " + std::to_string(grid.vectors.rows()) +
+                               " points of the displacement field have no certain place at rest: the pose "
+                               "folds the tissue there, or it has no coordinates");
+}
+
 Outcome DeformCommand::run(Surroundings& surroundings) {
   const auto begin = std::chrono::steady_clock::now();
   const auto system = system_.system(surroundings);
@@ -113,11 +165,6 @@ Outcome DeformCommand::run(Surroundings& surroundings) {
   const double error = (nowMl - targetMl(deformer)) / std::abs(targetMl(deformer));
   const double change = (nowMl - restMl) / std::abs(restMl);
   const int moved = movedHandles(rig.handles.positions, deformer.pose());
-  if (!output_.empty()) {
-    surroundings.progress.throwIfCancelled();
-    medical_io::writeSurface(output_, {deformer.points(), organ.mesh->triangles, organ.mesh->colors},
-                             {.name = organ.name});
-  }
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   outcome.json = {{"organ", organ.name},      {"system", system->id()},
                   {"closed", organ.closed()}, {"volumeRestMl", restMl},
@@ -132,10 +179,7 @@ Outcome DeformCommand::run(Surroundings& surroundings) {
     listing.add("volume", "none: the surface is open");
   listing.add("moved handles", std::to_string(moved))
       .add("largest displacement", fixed(deformer.maxDisplacementMm(), 2) + " mm");
-  if (!output_.empty()) {
-    outcome.json["file"] = output_;
-    listing.add("file", output_);
-  }
+  writeOutputs(organ, deformer, rig, *system, options, surroundings.progress, outcome, listing);
   outcome.text = listing.text();
   outcome.warnings.insert(outcome.warnings.end(), organ.warnings.begin(), organ.warnings.end());
   const auto& notes = deformer.binding().report().notes;

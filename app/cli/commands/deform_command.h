@@ -7,6 +7,7 @@
 
 #include "cli/command.h"
 #include "cli/inputs.h"
+#include "cli/listing.h"
 #include "cli/system_options.h"
 #include "viscera/deformation/deformer.h"
 #include "viscera/deformation/restoration_model.h"
@@ -33,11 +34,18 @@ private:
                                                        std::vector<std::string>& warnings,
                                                        Progress& progress) const;
   double targetMl(const deformation::Deformer& deformer) const;
+  /// Writes the posed surface, the displacements and the displacement field that are asked for, and says so.
+  void writeOutputs(const session::Organ& organ, const deformation::Deformer& deformer, const RigInput& rig,
+                    const coordinates::CoordinateSystem& system, const coordinates::BindOptions& options,
+                    Progress& progress, Outcome& outcome, Listing& listing) const;
 
   std::string organ_;
   std::string handles_;
   std::string pose_;
   std::string output_;
+  std::string displacement_;
+  std::string transform_;
+  double spacing_ = 5;
   bool lockVolume_ = false;
   std::optional<double> targetMl_;
   std::vector<std::string> compensate_;

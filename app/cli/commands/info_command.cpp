@@ -4,9 +4,11 @@
 
 #include <CLI/CLI.hpp>
 
+#include "cli/findings.h"
 #include "cli/inputs.h"
 #include "cli/listing.h"
 #include "viscera/geometry/surface_check.h"
+#include "viscera/medical_io/assess_surface.h"
 #include "viscera/medical_io/handle_file.h"
 #include "viscera/medical_io/surface_file.h"
 #include "viscera/session/open_files.h"
@@ -38,12 +40,17 @@ std::string yesNo(bool value) {
 }
 
 /// A surface as the file has it, before anything is mended but what reading mends.
-Outcome describe(const medical_io::SurfaceFile& surface, const std::string& file) {
-  const geometry::SurfaceReport report = geometry::checkSurface(surface.mesh);
+Outcome describe(const medical_io::SurfaceFile& surface, const std::string& file,
+                 Surroundings& surroundings) {
+  const medical_io::SurfaceAssessment assessment = medical_io::assessSurface(
+      surface.mesh, {surface.name, surface.spaceStated ? std::optional(surface.space) : std::nullopt},
+      surroundings.progress, surroundings.threads);
+  const geometry::SurfaceReport& report = assessment.report;
   const Bounds bounds = boundsOf(surface.mesh.points);
   const double volumeMl = report.volumeMm3 / kMm3PerMl;
   const double areaCm2 = report.areaMm2 / kMm2PerCm2;
   std::vector<std::string> warnings = surface.warnings;
+  appendFindings(warnings, assessment.findings);
   for (std::string& fault : geometry::faults(report))
     if (std::find(warnings.begin(), warnings.end(), fault) == warnings.end())
       warnings.push_back(std::move(fault));
@@ -60,11 +67,13 @@ Outcome describe(const medical_io::SurfaceFile& surface, const std::string& file
                   {"outward", report.outward()},
                   {"boundaryEdges", report.boundaryEdges},
                   {"nonManifoldEdges", report.nonManifoldEdges},
+                  {"selfIntersections", assessment.selfIntersections},
                   {"volumeMl", report.closed() ? ordered_json(volumeMl) : ordered_json(nullptr)},
                   {"areaCm2", areaCm2},
                   {"boundsMm", boundsJson(bounds)},
                   {"space", spaceName(surface.space)},
                   {"spaceStated", surface.spaceStated},
+                  {"findings", findingsJson(assessment.findings)},
                   {"warnings", warnings}};
   outcome.text =
       Listing()
@@ -76,6 +85,7 @@ Outcome describe(const medical_io::SurfaceFile& surface, const std::string& file
           .add("manifold", yesNo(report.manifold()))
           .add("components", std::to_string(report.components))
           .add("outward", yesNo(report.outward()))
+          .add("crossings", std::to_string(assessment.selfIntersections))
           .add("volume", report.closed() ? fixed(volumeMl, 1) + " ml" : "none: the surface is open")
           .add("area", significant(areaCm2, 4) + " cm2")
           .add("size", boundsText(bounds))
@@ -123,11 +133,11 @@ Outcome InfoCommand::run(Surroundings& surroundings) {
     surface.mesh = *organ.mesh;
     surface.name = organ.name;
     surface.spaceStated = true;
-    return describe(surface, file_);
+    return describe(surface, file_, surroundings);
   }
   if (session::isHandleFile(file_))
     return describe(medical_io::readHandles(file_), file_);
-  return describe(medical_io::readSurface(file_), file_);
+  return describe(medical_io::readSurface(file_), file_, surroundings);
 }
 
 } // namespace viscera::app::cli

@@ -1,0 +1,164 @@
+#include "cli/commands/convert_command.h"
+
+#include <CLI/CLI.hpp>
+
+#include "cli/findings.h"
+#include "cli/listing.h"
+#include "viscera/core/error.h"
+#include "viscera/geometry/surface_check.h"
+#include "viscera/geometry/transformed_surface.h"
+#include "viscera/medical_io/assess_surface.h"
+#include "viscera/medical_io/handle_file.h"
+#include "viscera/medical_io/organ_norms.h"
+#include "viscera/medical_io/surface_file.h"
+#include "viscera/medical_io/surface_repairs.h"
+#include "viscera/session/open_files.h"
+
+namespace viscera::app::cli {
+namespace {
+
+constexpr int kFewestTriangles = 100, kMostTriangles = 1'000'000;
+
+double millimetres(const std::string& unit) {
+  for (const medical_io::LengthUnit& known : medical_io::lengthUnits())
+    if (known.id == unit)
+      return known.mm;
+  throw UsageError("is no unit that is known", unit);
+}
+
+medical_io::Space spaceNamed(const std::string& name) {
+  return name == "RAS" ? medical_io::Space::ras : medical_io::Space::lps;
+}
+
+/// Whether what was read as `read` has to be turned so as to come from `stated` instead.
+bool turned(medical_io::Space read, const std::string& stated) {
+  return !stated.empty() && spaceNamed(stated) != read;
+}
+
+} // namespace
+
+void ConvertCommand::addOptions(CLI::App& options) {
+  options.add_option("IN", in_, "A surface, or a handle file (.mrk.json, .fcsv)")->required();
+  options.add_option("OUT", out_, "The file to write, of the same kind; its ending says the format")
+      ->required();
+  options.add_option("--space", space_, "Axes to write in: LPS or RAS")
+      ->check(CLI::IsMember({"LPS", "RAS"}))
+      ->capture_default_str();
+  options.add_option("--from-space", fromSpace_, "Axes that IN is in, whatever it says itself")
+      ->check(CLI::IsMember({"LPS", "RAS"}));
+  options.add_option("--unit", unit_, "Unit of IN's coordinates; OUT is in mm")
+      ->check(CLI::IsMember({"mm", "cm", "m", "in"}))
+      ->capture_default_str();
+  options.add_flag("--keep-largest", keepLargest_, "Keep the largest piece of the surface only");
+  options.add_flag("--fill-holes", fillHoles_, "Close holes with caps");
+  options.add_flag("--orient", orient_, "Turn triangles so that all of them face outward");
+  options
+      .add_option("--remesh", remesh_,
+                  "Make the surface anew with about N triangles: closed, without intersections")
+      ->type_name("N")
+      ->check(CLI::Range(kFewestTriangles, kMostTriangles));
+  options.add_flag("--mirror", mirror_, "Exchange left and right");
+}
+
+std::vector<std::string> ConvertCommand::repairs() const {
+  std::vector<std::string> list;
+  if (keepLargest_)
+    list.emplace_back("keep-largest");
+  if (orient_) // Before the holes: caps run as the triangles beside them do.
+    list.emplace_back("orient");
+  if (fillHoles_)
+    list.emplace_back("fill-holes");
+  if (mirror_)
+    list.emplace_back("mirror");
+  return list;
+}
+
+void ConvertCommand::requireNoSurfaceOptions() const {
+  if (!fromSpace_.empty())
+    throw UsageError("handle files state their axes themselves", "--from-space");
+  if (!repairs().empty() || remesh_)
+    throw UsageError("handles cannot be repaired as surfaces are", in_,
+                     "leave out --fill-holes, --keep-largest, --orient, --remesh and --mirror");
+}
+
+medical_io::Space ConvertCommand::written() const {
+  return spaceNamed(space_);
+}
+
+Outcome ConvertCommand::convertSurface(Surroundings& surroundings) const {
+  if (session::isHandleFile(out_))
+    throw UsageError("a surface cannot be written as a handle file", out_, "viscera handles places handles");
+  medical_io::SurfaceFile surface = medical_io::readSurface(in_);
+  const auto assess = [&](const geometry::TriangleMesh& mesh) {
+    return medical_io::assessSurface(
+               mesh, {surface.name, surface.spaceStated ? std::optional(surface.space) : std::nullopt},
+               surroundings.progress, surroundings.threads)
+        .findings;
+  };
+  Outcome outcome;
+  outcome.warnings = surface.warnings;
+  removeFindings(outcome.warnings, assess(surface.mesh));
+  geometry::TriangleMesh mesh = std::move(surface.mesh);
+  if (turned(surface.space, fromSpace_))
+    mesh = geometry::turnedHalf(std::move(mesh));
+  if (millimetres(unit_) != 1)
+    mesh = geometry::scaled(std::move(mesh), millimetres(unit_));
+  for (const std::string& repair : repairs())
+    mesh = medical_io::surfaceRepair(repair).apply(mesh, surroundings.progress, surroundings.threads);
+  if (remesh_)
+    mesh = medical_io::remeshed(mesh, *remesh_, surroundings.progress, surroundings.threads);
+  surroundings.progress.throwIfCancelled();
+  medical_io::writeSurface(out_, mesh, {.space = written(), .name = surface.name});
+  const geometry::SurfaceReport report = geometry::checkSurface(mesh);
+  std::vector<std::string> done = repairs();
+  if (remesh_)
+    done.emplace_back("remesh");
+  outcome.json = {{"in", in_},
+                  {"out", out_},
+                  {"vertices", mesh.points.rows()},
+                  {"triangles", mesh.triangles.rows()},
+                  {"space", space_},
+                  {"repairs", done},
+                  {"closed", report.closed()}};
+  outcome.text = Listing()
+                     .add("file", out_)
+                     .add("vertices", std::to_string(mesh.points.rows()))
+                     .add("triangles", std::to_string(mesh.triangles.rows()))
+                     .text();
+  appendFindings(outcome.warnings, assess(mesh));
+  outcome.json["warnings"] = outcome.warnings;
+  return outcome;
+}
+
+Outcome ConvertCommand::convertHandles() const {
+  requireNoSurfaceOptions();
+  if (!session::isHandleFile(out_))
+    throw UsageError("a handle file cannot be written as a surface", out_, "use .mrk.json or .fcsv");
+  medical_io::HandleFile handles = medical_io::readHandles(in_);
+  const double mm = millimetres(unit_);
+  for (medical_io::HandleGroupRecord& group : handles.groups)
+    for (medical_io::HandleRecord& handle : group.handles)
+      if (mm != 1)
+        handle.position *= mm;
+  medical_io::writeHandles(out_, handles, {.space = written()});
+  Outcome outcome;
+  outcome.warnings = handles.warnings;
+  if (out_.ends_with(".fcsv"))
+    for (std::string& lost : medical_io::fcsvLoses(handles))
+      outcome.warnings.push_back(std::move(lost));
+  outcome.json = {{"in", in_},
+                  {"out", out_},
+                  {"vertices", handles.count()},
+                  {"triangles", 0},
+                  {"handles", handles.count()},
+                  {"space", space_},
+                  {"warnings", outcome.warnings}};
+  outcome.text = Listing().add("file", out_).add("handles", std::to_string(handles.count())).text();
+  return outcome;
+}
+
+Outcome ConvertCommand::run(Surroundings& surroundings) {
+  return session::isHandleFile(in_) ? convertHandles() : convertSurface(surroundings);
+}
+
+} // namespace viscera::app::cli

@@ -1,0 +1,144 @@
+#include "cli_test.h"
+
+#include <cstring>
+
+namespace viscera::app::cli {
+
+/// `viscera convert`, and what `viscera deform` writes for other programs.
+class CliConvert : public CliTest {
+protected:
+  /// The cube with a corner at (60, 70, 80) cut off its side at x = 60: open, if `open`.
+  std::string cube(bool open = false) const {
+    std::string text = cubeOff(60);
+    if (open) {
+      text.replace(text.find("8 12 0"), 6, "8 11 0");
+      text.resize(text.rfind("3 1 7 5"));
+    }
+    return put(open ? "open.off" : "cube.off", text);
+  }
+
+  static bool saysOf(const json& outcome, const std::string& words) {
+    return outcome["warnings"].dump().find(words) != std::string::npos;
+  }
+};
+
+TEST_F(CliConvert, GoesThroughEveryFormatAndBackToTheSameBytes) {
+  const std::string first = path("first.ply");
+  EXPECT_EQ(runJson({"convert", cube(), first})["triangles"], 12);
+  std::string last = first;
+  for (const char* name : {"a.stl", "b.obj", "c.vtp", "d.vtk", "e.off", "f.glb", "g.ply"}) {
+    const json outcome = runJson({"convert", last, path(name)});
+    EXPECT_EQ(outcome["in"], last);
+    EXPECT_EQ(outcome["out"], path(name));
+    EXPECT_EQ(outcome["vertices"], 8) << name;
+    EXPECT_EQ(outcome["triangles"], 12) << name;
+    EXPECT_EQ(outcome["repairs"], json::array());
+    last = path(name);
+  }
+  // The name goes along where the format has a place for it.
+  EXPECT_EQ(runJson({"info", path("a.stl")})["name"], "cube");
+  EXPECT_EQ(runJson({"info", last})["boundsMm"], runJson({"info", cube()})["boundsMm"]);
+}
+
+TEST_F(CliConvert, WritesTheAxesAskedForAndSaysSoInTheFile) {
+  EXPECT_EQ(runJson({"convert", cube(), path("ras.stl"), "--space", "RAS"})["space"], "RAS");
+  EXPECT_NE(contents(path("ras.stl")).find("SPACE=RAS"), std::string::npos);
+  const json info = runJson({"info", path("ras.stl")});
+  EXPECT_EQ(info["space"], "RAS");
+  EXPECT_EQ(info["spaceStated"], true);
+  EXPECT_EQ(info["outward"], true);
+}
+
+TEST_F(CliConvert, AFileThatDoesNotSayThatItIsRasIsTurned) {
+  const std::string file =
+      put("t.off", "OFF\n4 4 0\n0 0 0\n90 0 0\n0 90 0\n0 0 90\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n");
+  runJson({"convert", file, path("lps.ply"), "--from-space", "RAS"});
+  EXPECT_EQ(runJson({"info", path("lps.ply")})["boundsMm"], json::array({-90.0, 0.0, -90.0, 0.0, 0.0, 90.0}));
+}
+
+TEST_F(CliConvert, UnitsAreThoseOfTheInput) {
+  const std::string metres = put("metres.off", cubeOff(0.06));
+  EXPECT_TRUE(saysOf(runJson({"info", metres}), "metres"));
+  const json outcome = runJson({"convert", metres, path("mm.ply"), "--unit", "m"});
+  EXPECT_FALSE(saysOf(outcome, "metres")) << "the converted one is as large as it should be";
+  EXPECT_NEAR(runJson({"info", path("mm.ply")})["volumeMl"].get<double>(), 1728, 1e-9);
+  EXPECT_EQ(run({"convert", metres, path("x.ply"), "--unit", "yard"}).exitCode, kUsage);
+}
+
+TEST_F(CliConvert, RepairsOnlyWhatItIsAskedTo) {
+  EXPECT_EQ(runJson({"convert", cube(true), path("same.ply")})["closed"], false);
+  EXPECT_EQ(runJson({"info", path("same.ply")})["boundaryEdges"], 3);
+  const json filled = runJson({"convert", cube(true), path("filled.ply"), "--fill-holes"});
+  EXPECT_EQ(filled["closed"], true);
+  EXPECT_EQ(filled["repairs"], json::array({"fill-holes"}));
+  EXPECT_FALSE(saysOf(filled, "open"));
+  const json mirrored = runJson({"convert", cube(), path("mirrored.ply"), "--mirror"});
+  EXPECT_EQ(mirrored["repairs"], json::array({"mirror"}));
+  EXPECT_EQ(runJson({"info", path("mirrored.ply")})["outward"], true);
+  const json anew = runJson({"convert", cube(), path("anew.ply"), "--remesh", "800"});
+  EXPECT_EQ(anew["closed"], true);
+  EXPECT_NEAR(anew["triangles"].get<double>(), 800, 100);
+}
+
+TEST_F(CliConvert, HandlesGoToTheOldTableAndBackBitForBit) {
+  const std::string first = put(
+      "h.mrk.json", markups({{0.1, 1.0 / 3.0, -57.000000000000007}, {1e-300, 2, 3}, {4, 5, 6}, {7, 8, 1}}));
+  EXPECT_EQ(runJson({"convert", first, path("h.fcsv"), "--space", "RAS"})["vertices"], 4);
+  EXPECT_NE(contents(path("h.fcsv")).find("CoordinateSystem = RAS"), std::string::npos);
+  runJson({"convert", path("h.fcsv"), path("again.mrk.json")});
+  const json before = json::parse(contents(first)), after = json::parse(contents(path("again.mrk.json")));
+  for (std::size_t i = 0; i < 4; ++i)
+    EXPECT_EQ(before["markups"][0]["controlPoints"][i]["position"],
+              after["markups"][0]["controlPoints"][i]["position"]);
+}
+
+TEST_F(CliConvert, RefusesWhatMakesNoSenseAndLeavesNothing) {
+  const std::string handles = put("h.mrk.json", markups(corners(10)));
+  const std::string surface = cube();
+  const std::ptrdiff_t before = files();
+  expectFailure({"convert", handles, path("h.stl")}, kUsage, "h.stl");
+  expectFailure({"convert", surface, path("c.mrk.json")}, kUsage, "c.mrk.json");
+  expectFailure({"convert", handles, path("h.fcsv"), "--fill-holes"}, kUsage, "handles");
+  expectFailure({"convert", surface, path("c.xyz")}, kCannotCreate, "c.xyz");
+  expectFailure({"convert", path("none.stl"), path("c.stl")}, kNoInput, "none.stl");
+  EXPECT_EQ(files(), before);
+}
+
+TEST_F(CliConvert, InfoSaysWhatTheImportPanelSays) {
+  const json info = runJson({"info", cube(true)});
+  EXPECT_EQ(info["selfIntersections"], 0);
+  bool open = false;
+  for (const json& finding : info["findings"])
+    if (finding["light"] == "fault") {
+      open = true;
+      EXPECT_EQ(finding["repairs"][0], "fill-holes");
+    }
+  EXPECT_TRUE(open);
+}
+
+TEST_F(CliConvert, DeformWritesDisplacementsAndAFieldThatLeadsBack) {
+  const std::string rest = put("rest.mrk.json", markups(corners(200)));
+  auto moved = corners(200);
+  for (auto& corner : moved)
+    corner[0] += 12; // All of them: the space is shifted by 12 mm.
+  const json outcome =
+      runJson({"deform", cube(), "--handles", rest, "--pose", put("pose.mrk.json", markups(moved)),
+               "--displacement", path("d.vtp"), "--transform", path("t.nrrd"), "--spacing", "20"});
+  EXPECT_EQ(outcome["displacement"], path("d.vtp"));
+  EXPECT_EQ(outcome["transform"]["unreached"], 0);
+  EXPECT_EQ(runJson({"info", path("d.vtp")})["boundsMm"][0], -60.0) << "the rest surface";
+  const std::string bytes = contents(path("t.nrrd"));
+  const std::size_t begin = bytes.find("\n\n") + 2;
+  const auto size = outcome["transform"]["size"];
+  const std::size_t points =
+      size[0].get<std::size_t>() * size[1].get<std::size_t>() * size[2].get<std::size_t>();
+  ASSERT_EQ(bytes.size() - begin, 24 * points);
+  double vector[3];
+  std::memcpy(vector, bytes.data() + begin + 24 * (points / 2), sizeof vector);
+  EXPECT_NEAR(vector[0], -12, 1e-6) << "from the posed space back to rest";
+  EXPECT_NEAR(vector[1], 0, 1e-6);
+  expectFailure({"deform", cube(), "--handles", rest, "--pose", rest, "--transform", path("t.xyz")},
+                kCannotCreate, "t.xyz");
+}
+
+} // namespace viscera::app::cli
