@@ -3,6 +3,7 @@
 #include <QAction>
 #include <QApplication>
 #include <QCloseEvent>
+#include <QFileInfo>
 #include <QLayout>
 #include <QMenu>
 #include <QShortcut>
@@ -13,6 +14,9 @@
 #include "viscera/scene/vtkVisceraGizmoWidget.h"
 #include "viscera/scene/vtkVisceraHandleSetWidget.h"
 #include "window/binding_messages.h"
+#include "window/export_actions.h"
+#include "window/import/import_desk.h"
+#include "window/import/import_panel.h"
 #include "window/panels/deform_page.h"
 #include "window/panels/explore_page.h"
 #include "window/panels/handle_panel.h"
@@ -44,6 +48,8 @@ namespace {
 
 constexpr int kLeftWidth = 272;
 constexpr int kRightWidth = 288;
+constexpr int kImportWidth = 360;
+constexpr std::size_t kProperties = 2; ///< Among the docks.
 constexpr int kChartHeight = 200;
 
 } // namespace
@@ -54,6 +60,7 @@ MainWindow::MainWindow(Settings& settings, plugin::Registry registry, session::P
       poses_(workspace_), playback_(workspace_, clock), volumes_(workspace_, playback_),
       groupLayout_(workspace_), placer_(workspace_),
       files_(new FileActions(workspace_, placer_, settings, this)),
+      exports_(new ExportActions(workspace_, settings, this)),
       samples_(new SampleLoader(workspace_, placer_, playback_, this)), viewArea_(new ViewArea(this)) {
   setWindowTitle(tr("Viscera"));
   setDockOptions(AnimatedDocks | AllowNestedDocks);
@@ -67,6 +74,7 @@ MainWindow::MainWindow(Settings& settings, plugin::Registry registry, session::P
   play_ = std::make_unique<PlayParts>(
       PlayParts::Window{workspace_, playback_, volumes_, *samples_, *organScene_, *viewArea_, settings_},
       clock);
+  imports_ = std::make_unique<ImportDesk>(workspace_, *files_, *viewArea_->view(), nullptr);
   bindingMessages_ = new BindingMessages(workspace_, viewArea_->messages(), this);
   makeFileActions();
   makeEditActions();
@@ -83,6 +91,7 @@ MainWindow::MainWindow(Settings& settings, plugin::Registry registry, session::P
   makeMenus();
   makeCards();
   connectParts();
+  connectImports();
   connectTimeline();
   setTheme(themeFromName(settings_.value("window/theme", QStringLiteral("dark")).toString()));
   setMode(Mode::explore);
@@ -131,6 +140,11 @@ void MainWindow::makeDocks() {
   resizeDocks({organs, properties}, {kLeftWidth, kRightWidth}, Qt::Horizontal);
   resizeDocks({organs, handles}, {2, 3}, Qt::Vertical);
   resizeDocks({chart}, {kChartHeight}, Qt::Vertical);
+  // Only there while files are looked at: in front of the properties, and in no menu.
+  importDock_ = new PanelDock(tr("Import"), "import", this);
+  importDock_->setContents(imports_->panel(), false);
+  tabifyDockWidget(properties, importDock_);
+  importDock_->hide();
   status_ = new StatusLine(workspace_, volumes_, statusBar());
   play_->connectPanels(*timeline_, *volumePanel_, *status_);
 }
@@ -151,7 +165,7 @@ void MainWindow::makeCards() {
   welcome_->hide();
   shortcuts_ = new ShortcutCard(actions_, viewArea_);
   viewArea_->addCard(shortcuts_, Qt::AlignCenter);
-  connect(welcome_, &WelcomeCard::openRequested, files_, &FileActions::chooseAndOpen);
+  connect(welcome_, &WelcomeCard::openRequested, files_, [this] { files_->chooseAndOpen(); });
   connect(welcome_, &WelcomeCard::tourRequested, this, &MainWindow::startTour);
   connect(welcome_, &WelcomeCard::closed, this, [this] { settings_.setValue("window/welcome", false); });
 }
@@ -163,7 +177,7 @@ void MainWindow::connectParts() {
   connect(organScene_.get(), &OrganScene::changed, view, &ViewWidget::scheduleRender);
   connect(handleScene_.get(), &HandleScene::changed, view, &ViewWidget::scheduleRender);
   connect(regionScene_.get(), &RegionScene::changed, view, &ViewWidget::scheduleRender);
-  connect(view, &ViewWidget::filesDropped, files_, &FileActions::open);
+  connect(view, &ViewWidget::filesDropped, files_, [this](const QStringList& files) { files_->open(files); });
   connect(files_, &FileActions::filesOpened, this, [this] {
     showWelcome(false);
     frameFromFront();
@@ -184,6 +198,29 @@ void MainWindow::connectParts() {
   connect(new QShortcut(QKeySequence(Qt::Key_Escape), this), &QShortcut::activated, this,
           &MainWindow::escape);
   syncActions();
+}
+
+void MainWindow::connectImports() {
+  files_->setChecker([this](session::ImportDraft draft, const QStringList& files) {
+    imports_->begin(std::move(draft), files);
+  });
+  connect(imports_.get(), &ImportDesk::opened, this, &MainWindow::showImports);
+  connect(imports_.get(), &ImportDesk::closed, this, [this] {
+    importDock_->hide();
+    resizeDocks({docks_[kProperties]}, {kRightWidth}, Qt::Horizontal);
+    viewArea_->view()->view().frame();
+  });
+  importDock_->installEventFilter(imports_.get()); // The cross of the panel cancels.
+  connect(files_, &FileActions::foundNothingOdd, this, [this](const QStringList& files) {
+    viewArea_->showBadge(tr("%1: checked, nothing odd").arg(QFileInfo(files.front()).fileName()));
+  });
+}
+
+void MainWindow::showImports() {
+  showWelcome(false);
+  importDock_->show();
+  importDock_->raise();
+  resizeDocks({importDock_}, {kImportWidth}, Qt::Horizontal);
 }
 
 void MainWindow::connectTimeline() {
@@ -303,6 +340,7 @@ void MainWindow::restoreLayout() {
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
+  imports_->cancel();
   settings_.setValue("window/geometry", saveGeometry());
   settings_.setValue("window/layout", saveState());
   workspace_.jobs().cancelAll();

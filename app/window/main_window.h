@@ -23,9 +23,11 @@ namespace viscera::app {
 
 class BindingMessages;
 class ClickTool;
+class ExportActions;
 class GizmoScene;
 class HandlePanel;
 class HandleScene;
+class ImportDesk;
 class ModeRail;
 class MotionGuide;
 class OrganPanel;
@@ -59,6 +61,8 @@ public:
   PoseEditor& poses() { return poses_; }
   const VolumeMonitor& volumes() const { return volumes_; }
   FileActions& files() { return *files_; }
+  ImportDesk& imports() { return *imports_; }
+  ExportActions& exports() { return *exports_; }
   SampleLoader& samples() { return *samples_; }
   StressMode& stress() { return *stress_; }
   ViewArea& viewArea() { return *viewArea_; }
@@ -85,6 +89,8 @@ private:
   QWidget* makePages();
   void makeCards();
   void connectParts();
+  void connectImports();
+  void showImports();
   void connectTimeline();
   void syncTimeline();
   void restoreLayout();
@@ -120,6 +126,7 @@ private:
   GroupLayout groupLayout_;
   HandlePlacer placer_;
   FileActions* files_;
+  ExportActions* exports_;
   SampleLoader* samples_;
   ViewArea* viewArea_;
   std::unique_ptr<OrganScene> organScene_;
@@ -130,6 +137,8 @@ private:
   std::unique_ptr<ClickTool> clickTool_;
   std::unique_ptr<StressMode> stress_;
   std::unique_ptr<PlayParts> play_;
+  std::unique_ptr<ImportDesk> imports_;
+  PanelDock* importDock_ = nullptr;
   BindingMessages* bindingMessages_ = nullptr;
   ModeRail* rail_ = nullptr;
   OrganPanel* organPanel_ = nullptr;

@@ -13,6 +13,8 @@
 #include "viscera/session/organ_commands.h"
 #include "viscera/session/pose_commands.h"
 #include "viscera/session/rig_commands.h"
+#include "window/export_actions.h"
+#include "window/import/import_desk.h"
 #include "window/main_window.h"
 #include "window/panels/organ_panel.h"
 #include "window/play_parts.h"
@@ -28,12 +30,19 @@ namespace viscera::app {
 void MainWindow::makeFileActions() {
   actions_.add("file.open", {tr("&Open..."), "open", {QKeySequence::Open}, tr("Open organs or handles")},
                [this] { files_->chooseAndOpen(); });
+  actions_.add("file.check",
+               {tr("&Import with check..."),
+                "patient",
+                {tr("Ctrl+Shift+O")},
+                tr("Look at what files hold, and repair it, before it comes in")},
+               [this] { files_->chooseAndOpen(true); });
   actions_.add("handles.save",
                {tr("&Save handles..."), "save", {QKeySequence::Save}, tr("Save the handles at rest")},
                [this] { files_->chooseAndSaveHandles(); });
   actions_.add("file.export",
                {tr("&Export organ..."), "export", {tr("Ctrl+E")}, tr("Export the organ as it is posed now")},
                [this] { files_->chooseAndExportOrgan(); });
+  exports_->addTo(actions_);
   actions_.add("file.screenshot",
                {tr("Save s&creenshot"), "camera", {Qt::Key_F12}, tr("Save a picture of the 3D view")},
                [this] { saveScreenshot(); });
@@ -129,7 +138,11 @@ void MainWindow::makeViewActions() {
   }
   actions_.add("view.layout",
                {tr("&Standard layout"), "reset", {}, tr("Put every panel back where it was at first")},
-               [this] { restoreState(standardLayout_); });
+               [this] {
+                 restoreState(standardLayout_);
+                 if (imports_->isOpen())
+                   showImports();
+               });
 }
 
 void MainWindow::makeHandleActions() {

@@ -23,10 +23,13 @@ void MainWindow::makeMenus() {
     }
   };
   QMenu* file = menuBar()->addMenu(tr("&File"));
-  fill(file, {"file.open"});
+  fill(file, {"file.open", "file.check"});
   recentMenu_ = file->addMenu(tr("Open &recent"));
   sampleMenu_ = file->addMenu(icon("heart"), tr("Sample &organs"));
-  fill(file, {"", "handles.save", "file.export", "file.screenshot", "", "file.quit"});
+  fill(file, {"", "handles.save", "file.export"});
+  fill(file->addMenu(icon("export"), tr("Export &more")),
+       {"export.organs", "export.displacements", "export.transform", "export.table"});
+  fill(file, {"file.screenshot", "", "file.quit"});
   QMenu* edit = menuBar()->addMenu(tr("&Edit"));
   fill(edit, {"edit.undo", "edit.redo", "", "edit.selectAll", "handles.remove", "", "pose.reset",
               "pose.resetSelected"});

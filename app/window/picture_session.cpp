@@ -7,6 +7,7 @@
 #include <cstdio>
 
 #include "available_systems.h"
+#include "window/import/import_desk.h"
 #include "window/main_window.h"
 #include "window/view/view_area.h"
 
@@ -52,7 +53,10 @@ int takePicture(const WindowOptions& options) {
   else
     window.files().open(files);
   const bool ready = waitFor(
-      [&] { return !window.workspace().document().organs().empty() && window.workspace().jobs().idle(); },
+      [&] {
+        const bool shown = !window.workspace().document().organs().empty() || window.imports().isOpen();
+        return shown && window.workspace().jobs().idle();
+      },
       kLongestWait);
   if (!ready) {
     std::fputs("viscera: the organs could not be loaded for the picture\n", stderr);

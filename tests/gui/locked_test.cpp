@@ -13,6 +13,7 @@
 #include "viscera/scene/vtkVisceraGizmoRepresentation.h"
 #include "viscera/scene/vtkVisceraHandleSetRepresentation.h"
 #include "viscera/session/pose_commands.h"
+#include "window/import/import_desk.h"
 
 namespace viscera::tests {
 namespace {
@@ -125,6 +126,8 @@ TEST_F(LockedDeform, AnOpenSurfaceIsRefusedAndTheOfferClosesItInOneStep) {
   const QString file = path(QStringLiteral("cup.stl"));
   medical_io::writeSurface(file.toStdString(), cup);
   open(file);
+  window().imports().accept(); // As it is, open.
+  settle();
   const session::OrganId opened = document().organs().back()->id;
   const int edges = document().organ(opened)->boundaryEdges;
   ASSERT_GT(edges, 0);

@@ -1,0 +1,150 @@
+#include "window/export_actions.h"
+
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QStandardPaths>
+
+#include "viscera/deformation/inverse_displacements.h"
+#include "viscera/medical_io/displacement_file.h"
+#include "viscera/medical_io/surfaces_file.h"
+#include "viscera/session/organ_table.h"
+#include "window/actions.h"
+#include "window/settings.h"
+#include "window/workspace.h"
+
+namespace viscera::app {
+namespace {
+
+constexpr const char* kFolderKey = "files/folder"; // The one of all file dialogs.
+constexpr int kCellsAlongDiagonal = 60;
+
+} // namespace
+
+ExportActions::ExportActions(Workspace& workspace, Settings& settings, QWidget* window)
+    : QObject(window), workspace_(workspace), settings_(settings), window_(window) {}
+
+void ExportActions::addTo(Actions& actions) {
+  actions.add("export.organs",
+              {tr("Export all &organs..."),
+               "export",
+               {},
+               tr("Write all organs that are shown into one file, with names and colours")},
+              [this] {
+                choose(tr("Export all organs"), tr("organs.glb"), tr("glTF scenes (*.glb)"),
+                       &ExportActions::exportOrgans);
+              });
+  actions.add("export.displacements",
+              {tr("Export &displacements..."),
+               "export",
+               {},
+               tr("Write the current organ at rest with the vector of every vertex's motion")},
+              [this] {
+                choose(tr("Export displacements"), tr("displacements.vtp"), tr("VTK surfaces (*.vtp)"),
+                       &ExportActions::exportDisplacements);
+              });
+  actions.add("export.transform",
+              {tr("Export displacement &field..."),
+               "export",
+               {},
+               tr("Write the motion of the space around the current organ for 3D Slicer and ITK")},
+              [this] {
+                choose(tr("Export displacement field"), tr("field.nrrd"),
+                       tr("Displacement fields (*.nrrd *.mha)"), &ExportActions::exportTransform);
+              });
+  actions.add("export.table",
+              {tr("Export &table of volumes..."), "chart", {}, tr("Write volumes and sizes of all organs")},
+              [this] {
+                choose(tr("Export table of volumes"), tr("volumes.csv"), tr("Comma-separated values (*.csv)"),
+                       &ExportActions::exportTable);
+              });
+}
+
+void ExportActions::choose(const QString& title, const QString& name, const QString& filter,
+                           void (ExportActions::*exporting)(const QString&)) {
+  if (workspace_.document().organs().empty())
+    return workspace_.say(
+        {Message::Severity::info, tr("There is no organ to export. Open one first."), {}, 6});
+  const QString folder =
+      settings_.value(kFolderKey, QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation))
+          .toString();
+  const QString file = QFileDialog::getSaveFileName(window_, title, folder + QLatin1Char('/') + name, filter);
+  if (!file.isEmpty())
+    (this->*exporting)(file);
+}
+
+void ExportActions::write(const QString& what, const QString& file, std::function<QString(Progress&)> work) {
+  workspace_.jobs().submit<QString>(tr("Exporting %1").arg(what).toStdString(), "export", std::move(work),
+                                    [this, file](session::JobResult<QString> result) {
+                                      if (result.error)
+                                        workspace_.report(*result.error);
+                                      if (!result.value)
+                                        return;
+                                      settings_.setValue(kFolderKey, QFileInfo(file).absolutePath());
+                                      QString said = tr("Written to %1.").arg(file);
+                                      if (!result.value->isEmpty())
+                                        said += QLatin1Char(' ') + *result.value;
+                                      workspace_.say({Message::Severity::info, said, {}, 8});
+                                    });
+}
+
+void ExportActions::exportOrgans(const QString& file) {
+  std::vector<medical_io::NamedSurface> surfaces;
+  for (const auto& organ : workspace_.document().organs()) {
+    if (!organ->look.visible)
+      continue;
+    auto mesh = std::make_shared<geometry::TriangleMesh>(*organ->mesh);
+    mesh->points = workspace_.live().points(organ->id);
+    if (!organ->look.vertexColors)
+      mesh->colors.resize(0, 3);
+    surfaces.push_back({std::move(mesh), organ->name, organ->look.color, organ->look.opacity});
+  }
+  write(tr("all organs"), file, [surfaces = std::move(surfaces), path = file.toStdString()](Progress&) {
+    medical_io::writeSurfaces(path, surfaces);
+    return QString();
+  });
+}
+
+void ExportActions::exportDisplacements(const QString& file) {
+  const auto organ = workspace_.currentOrgan();
+  if (!organ)
+    return;
+  write(text(organ->name), file,
+        [organ, path = file.toStdString(), moved = workspace_.live().points(organ->id)](Progress&) {
+          medical_io::writeDisplacements(path, *organ->mesh, moved, organ->name);
+          return QString();
+        });
+}
+
+void ExportActions::exportTransform(const QString& file) {
+  const auto organ = workspace_.currentOrgan();
+  const session::Document& document = workspace_.document();
+  if (!organ || !workspace_.guarded([&] { workspace_.registry().find(document.system().id); }))
+    return;
+  const double spacing = boundsOf(organ->mesh->points).diagonal() / kCellsAlongDiagonal;
+  const deformation::GridOptions grid =
+      deformation::gridAround(organ->mesh->points, workspace_.live().points(organ->id), spacing);
+  write(text(organ->name), file,
+        [system = workspace_.registry().find(document.system().id),
+         options = coordinates::BindOptions{document.system().parameters, {}},
+         handles = session::handleSet(document.rig()), pose = document.pose(), grid,
+         path = file.toStdString()](Progress& progress) {
+          const deformation::DisplacementGrid field =
+              deformation::inverseDisplacements(*system, handles, pose, options, grid, progress);
+          medical_io::writeTransform(path, field);
+          return field.unreached == 0 ? QString()
+                                      : tr("%n {point|points} of the field have no certain place at rest.",
+                                           nullptr, static_cast<int>(field.unreached));
+        });
+}
+
+void ExportActions::exportTable(const QString& file) {
+  std::vector<session::PosedOrgan> organs;
+  for (const auto& organ : workspace_.document().organs())
+    organs.push_back({organ, workspace_.live().points(organ->id)});
+  write(tr("table of volumes"), file, [organs = std::move(organs), path = file.toStdString()](Progress&) {
+    session::writeOrganTable(path, organs);
+    return QString();
+  });
+}
+
+} // namespace viscera::app

@@ -1,0 +1,111 @@
+#include "window/import/import_desk.h"
+
+#include <QEvent>
+#include <QFileInfo>
+
+#include "window/file_actions.h"
+#include "window/import/import_panel.h"
+#include "window/import/repair_texts.h"
+#include "window/view/view_widget.h"
+#include "window/workspace.h"
+
+namespace viscera::app {
+namespace {
+
+constexpr const char* kSlot = "import";
+
+} // namespace
+
+ImportDesk::ImportDesk(Workspace& workspace, FileActions& files, ViewWidget& view, QObject* parent)
+    : QObject(parent), workspace_(workspace), files_(files), panel_(new ImportPanel), preview_(view) {
+  connect(panel_, &ImportPanel::accepted, this, &ImportDesk::accept);
+  connect(panel_, &ImportPanel::cancelled, this, &ImportDesk::cancel);
+  connect(panel_, &ImportPanel::repairRequested, this, &ImportDesk::repair);
+  connect(panel_, &ImportPanel::revertRequested, this, &ImportDesk::revert);
+  connect(panel_, &ImportPanel::includedChanged, this, &ImportDesk::include);
+}
+
+void ImportDesk::begin(session::ImportDraft draft, const QStringList& files) {
+  if (open_)
+    return workspace_.say({Message::Severity::warning,
+                           tr("Import or cancel the files in the panel first, then open the others."),
+                           {},
+                           8});
+  draft_ = std::move(draft);
+  names_ = files;
+  open_ = true;
+  show();
+  Q_EMIT opened();
+}
+
+void ImportDesk::accept() {
+  if (!open_)
+    return;
+  const session::ImportDraft draft = std::move(draft_);
+  const QStringList files = names_;
+  close();
+  files_.take(draft, files);
+}
+
+void ImportDesk::cancel() {
+  if (!open_)
+    return;
+  workspace_.jobs().cancelSlot(kSlot);
+  close();
+}
+
+bool ImportDesk::eventFilter(QObject* watched, QEvent* event) {
+  if (event->type() == QEvent::Close)
+    cancel();
+  return QObject::eventFilter(watched, event);
+}
+
+void ImportDesk::close() {
+  open_ = false;
+  draft_ = {};
+  preview_.clear();
+  Q_EMIT closed();
+}
+
+void ImportDesk::show() {
+  panel_->showDraft(draft_, names_.size() == 1
+                                ? tr("Check of %1").arg(QFileInfo(names_.front()).fileName())
+                                : tr("Check of %n {file|files}", nullptr, static_cast<int>(names_.size())));
+  preview_.show(draft_);
+}
+
+void ImportDesk::work(const QString& name, std::function<session::ImportDraft(Progress&)> next) {
+  panel_->setBusy(true);
+  workspace_.jobs().submit<session::ImportDraft>(name.toStdString(), kSlot, std::move(next),
+                                                 [this](session::JobResult<session::ImportDraft> result) {
+                                                   if (!open_)
+                                                     return;
+                                                   if (result.error)
+                                                     workspace_.report(*result.error);
+                                                   if (result.value)
+                                                     draft_ = std::move(*result.value);
+                                                   show();
+                                                 });
+}
+
+void ImportDesk::repair(const std::vector<std::size_t>& organs, const std::string& repair) {
+  if (open_)
+    work(tr("Repairing: %1").arg(repairName(repair)), [draft = draft_, organs, repair](Progress& progress) {
+      return session::repaired(draft, organs, repair, progress);
+    });
+}
+
+void ImportDesk::revert(std::size_t organ) {
+  if (open_)
+    work(tr("Checking again"),
+         [draft = draft_, organ](Progress& progress) { return session::reverted(draft, organ, progress); });
+}
+
+void ImportDesk::include(std::size_t organ, bool included) {
+  if (!open_)
+    return;
+  draft_ = session::withIncluded(std::move(draft_), organ, included);
+  show();
+}
+
+} // namespace viscera::app

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <QObject>
+#include <QStringList>
+
+#include <functional>
+
+#include "viscera/session/import_draft.h"
+#include "window/import/import_preview.h"
+
+namespace viscera::app {
+
+class FileActions;
+class ImportPanel;
+class Workspace;
+
+/// Files that are looked at before they are accepted: keeps the draft, lets a worker repair it, shows it in
+/// panel and view. Accepting is one undo step; cancelling leaves everything as it was.
+class ImportDesk final : public QObject {
+  Q_OBJECT
+
+public:
+  ImportDesk(Workspace& workspace, FileActions& files, ViewWidget& view, QObject* parent);
+
+  /// The panel; whoever shows it owns it.
+  ImportPanel* panel() const { return panel_; }
+  bool isOpen() const { return open_; }
+  const session::ImportDraft& draft() const { return draft_; }
+
+  /// Puts files on the desk. While others lie there, it says so and leaves these alone.
+  void begin(session::ImportDraft draft, const QStringList& files);
+  void accept();
+  void cancel();
+  void repair(const std::vector<std::size_t>& organs, const std::string& repair);
+
+  /// Whatever it watches, cancels when that is closed.
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
+Q_SIGNALS:
+  void opened();
+  void closed();
+
+private:
+  void work(const QString& name, std::function<session::ImportDraft(Progress&)> next);
+  void revert(std::size_t organ);
+  void include(std::size_t organ, bool included);
+  void show();
+  void close();
+
+  Workspace& workspace_;
+  FileActions& files_;
+  ImportPanel* panel_;
+  ImportPreview preview_;
+  session::ImportDraft draft_;
+  QStringList names_;
+  bool open_ = false;
+};
+
+} // namespace viscera::app

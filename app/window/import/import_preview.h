@@ -1,0 +1,31 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "viscera/scene/organ_actor.h"
+#include "viscera/session/import_draft.h"
+
+namespace viscera::app {
+
+class ViewWidget;
+
+/// Shows a draft's organs as glass in the view, beside what the document holds.
+class ImportPreview {
+public:
+  explicit ImportPreview(ViewWidget& view) : view_(view) {}
+  ~ImportPreview();
+  ImportPreview(const ImportPreview&) = delete;
+  ImportPreview& operator=(const ImportPreview&) = delete;
+
+  /// Replaces what was shown, and brings it into the picture when it lies elsewhere or is of another size.
+  void show(const session::ImportDraft& draft);
+  void clear();
+
+private:
+  ViewWidget& view_;
+  std::vector<std::shared_ptr<scene::OrganActor>> ghosts_;
+  Bounds shown_;
+};
+
+} // namespace viscera::app

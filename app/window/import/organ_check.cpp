@@ -1,0 +1,174 @@
+#include "window/import/organ_check.h"
+
+#include <QCheckBox>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QMenu>
+#include <QPushButton>
+#include <QToolButton>
+
+#include "viscera/medical_io/surface_repairs.h"
+#include "window/import/repair_texts.h"
+#include "window/style/icon.h"
+#include "window/widgets/flow_layout.h"
+#include "window/workspace.h"
+
+namespace viscera::app {
+namespace {
+
+constexpr int kLightWidth = 18;
+constexpr int kButtonSpacing = 4;
+
+/// A shape beside the colour, for people who tell colours badly.
+QLabel* lightLabel(medical_io::Light light, QWidget* parent) {
+  struct Look {
+    const char* name;
+    const char* sign;
+  };
+  static const Look kLooks[] = {{"good", "\u2713"}, {"note", "i"}, {"doubt", "!"}, {"fault", "\u2715"}};
+  const Look& look = kLooks[static_cast<std::size_t>(light)];
+  auto* label = new QLabel(QString::fromUtf8(look.sign), parent);
+  label->setProperty("light", QLatin1String(look.name));
+  label->setFixedSize(kLightWidth, kLightWidth);
+  label->setAlignment(Qt::AlignCenter);
+  return label;
+}
+
+QLabel* wrapped(const QString& text, QWidget* parent) {
+  auto* label = new QLabel(text, parent);
+  label->setWordWrap(true);
+  label->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  return label;
+}
+
+QString measures(const session::DraftOrgan& organ) {
+  const Vec3& size = organ.assessment.sizeMm;
+  const auto number = [](double value) { return QString::number(value, 'g', 3); };
+  const QString box =
+      OrganCheck::tr("%1 x %2 x %3 mm").arg(number(size.x()), number(size.y()), number(size.z()));
+  if (!organ.assessment.report.closed())
+    return OrganCheck::tr("%1, open").arg(box);
+  return OrganCheck::tr("%1, %2").arg(box, formatMilliliters(organ.assessment.volumeMl));
+}
+
+} // namespace
+
+FindingLine::FindingLine(const medical_io::Finding& finding, QWidget* parent) : QWidget(parent) {
+  auto* row = new QHBoxLayout(this);
+  row->setContentsMargins(0, 0, 0, 0);
+  row->setSpacing(8);
+  row->addWidget(lightLabel(finding.light, this), 0, Qt::AlignTop);
+  auto* column = new QVBoxLayout;
+  column->setSpacing(4);
+  row->addLayout(column, 1);
+  column->addWidget(wrapped(asSentence(finding.text), this));
+  if (finding.repairs.empty())
+    return;
+  auto* buttons = new QWidget(this);
+  auto* flow = new FlowLayout(buttons, kButtonSpacing);
+  flow->setContentsMargins(0, 0, 0, 0);
+  for (const std::string& id : finding.repairs) {
+    auto* button = new QPushButton(repairName(id), buttons);
+    button->setObjectName(QStringLiteral("repair"));
+    button->setProperty("repair", text(id));
+    button->setToolTip(repairTip(id));
+    flow->addWidget(button);
+    connect(button, &QPushButton::clicked, this, [this, id] { Q_EMIT repairRequested(text(id)); });
+  }
+  column->addWidget(buttons);
+}
+
+OrganCheck::OrganCheck(const session::DraftOrgan& organ, bool severalFiles, QWidget* parent)
+    : QFrame(parent) {
+  setObjectName(QStringLiteral("organCheck"));
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(12, 8, 12, 8);
+  column->setSpacing(6);
+  column->addLayout(makeHeading(organ, severalFiles));
+  if (!organ.included)
+    return;
+  for (auto light : {medical_io::Light::fault, medical_io::Light::doubt, medical_io::Light::note})
+    for (const medical_io::Finding& finding : organ.assessment.findings)
+      if (finding.light == light) {
+        auto* line = new FindingLine(finding, this);
+        connect(line, &FindingLine::repairRequested, this, &OrganCheck::repairRequested);
+        column->addWidget(line);
+      }
+  column->addWidget(makeGoodLine(organ));
+  column->addLayout(makeFoot(organ));
+}
+
+QLayout* OrganCheck::makeHeading(const session::DraftOrgan& organ, bool severalFiles) {
+  auto* column = new QVBoxLayout;
+  column->setSpacing(0);
+  auto* name = new QCheckBox(text(organ.name), this);
+  name->setObjectName(QStringLiteral("included"));
+  name->setChecked(organ.included);
+  name->setToolTip(tr("Take this organ along"));
+  QFont font = name->font();
+  font.setBold(true);
+  name->setFont(font);
+  connect(name, &QCheckBox::toggled, this, &OrganCheck::includedChanged);
+  column->addWidget(name);
+  QString facts = measures(organ);
+  if (severalFiles)
+    facts = tr("%1 \u00b7 %2").arg(text(organ.file), facts);
+  auto* size = wrapped(facts, this);
+  size->setObjectName(QStringLiteral("muted"));
+  column->addWidget(size);
+  return column;
+}
+
+QWidget* OrganCheck::makeGoodLine(const session::DraftOrgan& organ) {
+  QStringList good;
+  for (const medical_io::Finding& finding : organ.assessment.findings)
+    if (finding.light == medical_io::Light::good)
+      good.push_back(asSentence(finding.text));
+  auto* line = new QWidget(this);
+  auto* row = new QHBoxLayout(line);
+  row->setContentsMargins(0, 0, 0, 0);
+  row->setSpacing(8);
+  row->addWidget(lightLabel(medical_io::Light::good, line));
+  auto* label = new QLabel(tr("%n {check|checks} passed", nullptr, static_cast<int>(good.size())), line);
+  label->setObjectName(QStringLiteral("muted"));
+  label->setToolTip(good.join(QLatin1Char('\n')));
+  row->addWidget(label, 1);
+  line->setVisible(!good.isEmpty());
+  return line;
+}
+
+QLayout* OrganCheck::makeFoot(const session::DraftOrgan& organ) {
+  auto* column = new QVBoxLayout;
+  column->setSpacing(2);
+  QStringList done;
+  for (const std::string& id : organ.repairs)
+    done.push_back(repairName(id));
+  if (!done.isEmpty()) {
+    auto* label = wrapped(tr("Done: %1").arg(done.join(QStringLiteral(", "))), this);
+    label->setObjectName(QStringLiteral("muted"));
+    column->addWidget(label);
+  }
+  auto* row = new QHBoxLayout;
+  row->setSpacing(4);
+  auto* more = new QPushButton(tr("More repairs"), this);
+  more->setObjectName(QStringLiteral("menuButton"));
+  auto* menu = new QMenu(more);
+  menu->setToolTipsVisible(true);
+  for (const medical_io::SurfaceRepair& repair : medical_io::surfaceRepairs())
+    menu->addAction(repairName(repair.id), this, [this, id = text(repair.id)] { Q_EMIT repairRequested(id); })
+        ->setToolTip(repairTip(repair.id));
+  more->setMenu(menu);
+  row->addWidget(more);
+  if (!done.isEmpty()) {
+    auto* back = new QPushButton(tr("As in the file"), this);
+    back->setObjectName(QStringLiteral("revert"));
+    back->setToolTip(tr("Take the repairs of this organ back"));
+    connect(back, &QPushButton::clicked, this, &OrganCheck::revertRequested);
+    row->addWidget(back);
+  }
+  row->addStretch(1);
+  column->addLayout(row);
+  return column;
+}
+
+} // namespace viscera::app

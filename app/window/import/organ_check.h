@@ -1,0 +1,44 @@
+#pragma once
+
+#include <QFrame>
+
+#include <string>
+
+#include "viscera/session/import_draft.h"
+
+class QLayout;
+
+namespace viscera::app {
+
+/// A finding as a line: a light, a sentence, and buttons for what would help.
+class FindingLine final : public QWidget {
+  Q_OBJECT
+
+public:
+  explicit FindingLine(const medical_io::Finding& finding, QWidget* parent = nullptr);
+
+Q_SIGNALS:
+  void repairRequested(const QString& id);
+};
+
+/// One organ in the import panel: whether it comes, its measures, what was found, what was done.
+class OrganCheck final : public QFrame {
+  Q_OBJECT
+
+public:
+  /// `severalFiles`: whether its file's name has to be told.
+  OrganCheck(const session::DraftOrgan& organ, bool severalFiles, QWidget* parent = nullptr);
+
+Q_SIGNALS:
+  void includedChanged(bool included);
+  void repairRequested(const QString& id);
+  void revertRequested();
+
+private:
+  QLayout* makeHeading(const session::DraftOrgan& organ, bool severalFiles);
+  QLayout* makeFoot(const session::DraftOrgan& organ);
+  /// All that is as it should be, in one line.
+  QWidget* makeGoodLine(const session::DraftOrgan& organ);
+};
+
+} // namespace viscera::app

@@ -1,0 +1,224 @@
+#include "window_test.h"
+
+#include <QCheckBox>
+#include <QDockWidget>
+#include <QLabel>
+#include <QPushButton>
+#include <QTest>
+
+#include <fstream>
+
+#include "shapes.h"
+#include "viscera/geometry/transformed_surface.h"
+#include "viscera/medical_io/displacement_file.h"
+#include "viscera/medical_io/surface_file.h"
+#include "viscera/session/pose_commands.h"
+#include "window/export_actions.h"
+#include "window/import/import_desk.h"
+#include "window/import/import_panel.h"
+
+namespace viscera::tests {
+namespace {
+
+using geometry::TriangleMesh;
+
+/// Bad surfaces are caught before they are in the document, and repaired by one click.
+class Import : public WindowTest {
+protected:
+  /// A ball of a normal liver's volume on the right side of the body.
+  static TriangleMesh liver() { return sphere(4, 71.8, {-80, 10, 300}); }
+
+  QString write(const TriangleMesh& mesh, const QString& name = QStringLiteral("liver.stl")) {
+    const QString file = path(name);
+    medical_io::writeSurface(file.toStdString(), mesh);
+    return file;
+  }
+
+  /// A text file, which says nothing about its axes.
+  QString writeUnstated(const TriangleMesh& mesh, const QString& name) {
+    const QString file = path(name);
+    std::ofstream out(file.toStdString());
+    out << "OFF\n" << mesh.points.rows() << ' ' << mesh.triangles.rows() << " 0\n";
+    out.precision(17);
+    for (const auto& point : mesh.points.rowwise())
+      out << point[0] << ' ' << point[1] << ' ' << point[2] << '\n';
+    for (const auto& t : mesh.triangles.rowwise())
+      out << "3 " << t[0] << ' ' << t[1] << ' ' << t[2] << '\n';
+    return file;
+  }
+
+  app::ImportPanel& panel() { return *window().imports().panel(); }
+
+  QString findings() {
+    QStringList all;
+    for (const QLabel* label : panel().findChildren<QLabel*>())
+      if (label->isVisible())
+        all.push_back(label->text());
+    return all.join(QLatin1Char('\n'));
+  }
+
+  QPushButton* repairButton(const QString& id) {
+    for (QPushButton* button : panel().findChildren<QPushButton*>(QStringLiteral("repair")))
+      if (button->isVisible() && button->property("repair") == id)
+        return button;
+    return nullptr;
+  }
+
+  void press(QPushButton* button) {
+    ASSERT_TRUE(button);
+    QTest::mouseClick(button, Qt::LeftButton);
+    settle();
+  }
+
+  QPushButton* importButton() { return panel().findChild<QPushButton*>(QStringLiteral("primary")); }
+  QPushButton* cancelButton() { return panel().findChild<QPushButton*>(QStringLiteral("cancelImport")); }
+
+  /// Opens a file that is caught, presses one button, accepts; the organ is a good liver then.
+  void expectOneClick(const QString& file, const QString& says, const QString& repair) {
+    const session::DocumentState before = document().state();
+    open(file);
+    ASSERT_TRUE(window().imports().isOpen());
+    EXPECT_TRUE(panel().isVisible());
+    EXPECT_TRUE(document().state() == before) << "nothing is in the document before it is accepted";
+    EXPECT_TRUE(findings().contains(says)) << findings().toStdString();
+    press(repairButton(repair));
+    EXPECT_FALSE(window().imports().draft().questionable()) << findings().toStdString();
+    EXPECT_EQ(importButton()->text(), QStringLiteral("Import"));
+    press(importButton());
+    EXPECT_FALSE(window().imports().isOpen());
+    EXPECT_FALSE(panel().isVisible());
+    ASSERT_EQ(document().organs().size(), 1u);
+    const session::Organ& organ = *document().organs().front();
+    EXPECT_EQ(organ.name, "liver");
+    EXPECT_TRUE(organ.closed());
+    EXPECT_NEAR(organ.restVolumeMm3 / kMm3PerMl, 1540, 20);
+    EXPECT_LT(boundsOf(organ.mesh->points).center().x(), -70);
+    EXPECT_EQ(window().workspace().undo().names().size(), 1u) << "one step";
+    key(Qt::Key_Z, Qt::ControlModifier);
+    EXPECT_TRUE(document().organs().empty());
+  }
+};
+
+TEST_F(Import, AnStlInMetresIsCaughtAndScaledByOneClick) {
+  expectOneClick(write(geometry::scaled(liver(), 0.001)), QStringLiteral("metres"), QStringLiteral("unit-m"));
+}
+
+TEST_F(Import, AnInsideOutSurfaceIsCaughtAndTurnedByOneClick) {
+  TriangleMesh mesh = liver();
+  mesh.triangles.col(1).swap(mesh.triangles.col(2));
+  expectOneClick(write(mesh), QStringLiteral("inside out"), QStringLiteral("orient"));
+}
+
+TEST_F(Import, AnOpenSurfaceIsCaughtAndClosedByOneClick) {
+  TriangleMesh mesh = liver();
+  mesh.triangles = mesh.triangles.bottomRows(mesh.triangles.rows() - 64).eval();
+  expectOneClick(write(mesh), QStringLiteral("open"), QStringLiteral("fill-holes"));
+}
+
+TEST_F(Import, ASurfaceInRasThatDoesNotSaySoIsCaughtAndTurnedByOneClick) {
+  expectOneClick(writeUnstated(geometry::turnedHalf(liver()), QStringLiteral("liver.off")),
+                 QStringLiteral("RAS"), QStringLiteral("ras-to-lps"));
+}
+
+TEST_F(Import, CancelLeavesTheDocumentUntouched) {
+  open(sphereFile());
+  const session::DocumentState before = document().state();
+  const std::size_t actors = view().view().organs().size();
+  open(write(geometry::scaled(liver(), 0.001)));
+  ASSERT_TRUE(window().imports().isOpen());
+  EXPECT_EQ(view().view().organs().size(), actors + 1) << "it is shown as glass";
+  press(repairButton(QStringLiteral("unit-m")));
+  press(cancelButton());
+  EXPECT_TRUE(document().state() == before);
+  EXPECT_EQ(window().workspace().undo().names().size(), 1u);
+  EXPECT_EQ(view().view().organs().size(), actors);
+  EXPECT_FALSE(panel().isVisible());
+}
+
+TEST_F(Import, ACleanFileComesStraightInWithAQuietLine) {
+  open(write(liver()));
+  EXPECT_FALSE(window().imports().isOpen());
+  EXPECT_EQ(document().organs().size(), 1u);
+  const auto* badge = window().viewArea().findChild<QLabel*>(QStringLiteral("viewBadge"));
+  EXPECT_TRUE(badge->text().contains(QStringLiteral("nothing odd"))) << badge->text().toStdString();
+}
+
+TEST_F(Import, OnDemandACleanFileIsShownToo) {
+  window().files().open({write(liver())}, true);
+  settle();
+  ASSERT_TRUE(window().imports().isOpen());
+  press(importButton());
+  EXPECT_EQ(document().organs().size(), 1u);
+}
+
+TEST_F(Import, OneOfSeveralIsLeftOutAndTheMirroredPatientIsPutRight) {
+  const TriangleMesh spleen = sphere(3, 36, {90, 40, 300});
+  window().files().open({write(geometry::mirrored(liver()), QStringLiteral("liver.ply")),
+                         write(geometry::mirrored(spleen), QStringLiteral("spleen.ply")),
+                         write(geometry::scaled(spleen, 0.001), QStringLiteral("speck.ply"))});
+  settle();
+  ASSERT_TRUE(window().imports().isOpen());
+  EXPECT_TRUE(findings().contains(QStringLiteral("All organs together"))) << findings().toStdString();
+  ASSERT_TRUE(window().imports().draft().arrangement);
+  window().imports().repair({0, 1}, "mirror");
+  settle();
+  EXPECT_FALSE(window().imports().draft().arrangement);
+  for (QCheckBox* box : panel().findChildren<QCheckBox*>(QStringLiteral("included")))
+    if (box->isVisible() && box->text() == QStringLiteral("speck"))
+      box->click();
+  settle();
+  EXPECT_FALSE(window().imports().draft().questionable());
+  press(importButton());
+  ASSERT_EQ(document().organs().size(), 2u);
+  EXPECT_LT(boundsOf(document().organs()[0]->mesh->points).center().x(), 0);
+}
+
+TEST_F(Import, RepairsCanBeTakenBackAndARepairThatIsCancelledChangesNothing) {
+  open(write(geometry::scaled(liver(), 0.001)));
+  press(repairButton(QStringLiteral("unit-m")));
+  press(panel().findChild<QPushButton*>(QStringLiteral("revert")));
+  EXPECT_TRUE(window().imports().draft().questionable());
+  window().imports().repair({0}, "unit-m");
+  window().workspace().jobs().cancelSlot("import");
+  settle();
+  EXPECT_TRUE(window().imports().draft().organs.at(0).repairs.empty());
+  EXPECT_TRUE(importButton()->isEnabled());
+}
+
+TEST_F(Import, ASecondFileWaitsUntilTheFirstIsDecided) {
+  open(write(geometry::scaled(liver(), 0.001)));
+  open(write(geometry::scaled(liver(), 0.002), QStringLiteral("other.stl")));
+  EXPECT_EQ(window().imports().draft().organs.at(0).name, "liver");
+  EXPECT_TRUE(message().contains(QStringLiteral("first"))) << message().toStdString();
+}
+
+TEST_F(Import, OrgansDisplacementsFieldAndTableOfAPoseAreWritten) {
+  open(sphereFile());
+  Points pose = document().pose();
+  pose.rowwise() += Eigen::RowVector3d(5, 0, 0);
+  ASSERT_TRUE(window().workspace().perform(session::setPose(pose)));
+  window().exports().exportTransform(path(QStringLiteral("field.nrrd")));
+  settle();
+  window().exports().exportDisplacements(path(QStringLiteral("moved.vtp")));
+  settle();
+  window().exports().exportTable(path(QStringLiteral("table.csv")));
+  settle();
+  std::ifstream field(path(QStringLiteral("field.nrrd")).toStdString(), std::ios::binary);
+  std::string line;
+  std::getline(field, line);
+  EXPECT_EQ(line, "NRRD0004");
+  window().exports().exportOrgans(path(QStringLiteral("all.glb")));
+  settle();
+  const Bounds posed =
+      boundsOf(medical_io::readSurface(path(QStringLiteral("all.glb")).toStdString()).mesh.points);
+  EXPECT_NEAR(posed.center().x(), 5, 1e-3) << "as it is posed";
+  EXPECT_EQ(medical_io::readSurface(path(QStringLiteral("moved.vtp")).toStdString()).name, "ball");
+  std::ifstream table(path(QStringLiteral("table.csv")).toStdString());
+  std::getline(table, line);
+  EXPECT_EQ(line.substr(0, 5), "name,");
+  std::getline(table, line);
+  EXPECT_EQ(line.substr(0, 5), "ball,");
+}
+
+} // namespace
+} // namespace viscera::tests
