@@ -50,6 +50,8 @@ GastricWaves::GastricWaves(const GastricCourse& course)
   if (!(length_ > 0) || !std::isfinite(length_))
     throw DataError("the pylorus does not lie beyond the middle of the body", "gastric waves",
                     "choose the landmarks from the fundus downwards");
+  if (!(course_.depth > 0) || !std::isfinite(course_.depth))
+    throw DataError("waves without depth", "gastric waves", "give a depth above 0");
 }
 
 double GastricWaves::transitSeconds() const {
@@ -69,7 +71,7 @@ double GastricWaves::progress(double age) const {
 double GastricWaves::depth(double age) const {
   const double grown = smoothStep((age + kFormsBefore) / kForming);
   const double left = 1 - smoothStep((age - transitSeconds()) / kFading);
-  return (kFirstDepth + kDepthGain * std::pow(progress(age), kDepthPower)) * grown * left;
+  return course_.depth * (kFirstDepth + kDepthGain * std::pow(progress(age), kDepthPower)) * grown * left;
 }
 
 std::vector<double> GastricWaves::ages(double seconds, double ratePerMinute) const {

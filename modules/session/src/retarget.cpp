@@ -1,5 +1,7 @@
 #include "viscera/session/retarget.h"
 
+#include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <sstream>
 #include <utility>
@@ -8,6 +10,7 @@
 #include "sequence_binding.h"
 #include "viscera/core/error.h"
 #include "viscera/deformation/place_handles.h"
+#include "viscera/geometry/self_intersections.h"
 #include "viscera/sequences/breathing.h"
 #include "viscera/sequences/heart_fit.h"
 #include "viscera/sequences/outer_heartbeat.h"
@@ -24,6 +27,11 @@ namespace {
 constexpr double kSoftnessMm = 25;
 constexpr int kLiverHandles = 38;
 constexpr int kCorners = 8;
+// Waves are made shallower by such steps, down to the least depth, until the surface nowhere crosses itself.
+constexpr double kDepthStep = 0.1;
+constexpr double kLeastDepth = 0.4;
+/// Instants of a cycle at which that is looked at.
+constexpr int kLooks = 12;
 /// Organs that differ more from the sample organ's size are asked about.
 constexpr double kOddSize = 2;
 
@@ -48,11 +56,11 @@ public:
     const SystemChoice standard = softCoordinates(kSoftnessMm);
     return finished(std::make_shared<sequences::OuterHeartbeat>(sequences::HeartMotion(std::move(rig)),
                                                                 compensationFor(rest, standard, threads_),
-                                                                volumeOf(rest, standard)),
+                                                                along(movedVolume(rest, standard))),
                     std::move(landmarks));
   }
 
-  RetargetedSequence peristalsis(Landmarks landmarks) {
+  RetargetedSequence peristalsis(Landmarks landmarks, Progress& progress) {
     StomachLine line = stomachLine(landmarks, organ_.name);
     scale_ = line.pylorus / sequences::kStandardStomachLength;
     for (Vec3& point : line.points)
@@ -62,9 +70,23 @@ public:
         fitStomach(sequences::Centerline(line.points), course, surface(), organ_.mesh->points / scale_));
     const Points rest = rig.restHandles();
     const SystemChoice standard = softCoordinates(kSoftnessMm);
-    return finished(std::make_shared<sequences::Peristalsis>(
-                        std::move(rig), compensationFor(rest, standard, threads_), volumeOf(rest, standard)),
-                    std::move(landmarks));
+    const auto moved = movedVolume(rest, standard);
+    const auto compensation = compensationFor(rest, standard, threads_);
+    const int atRest = geometry::countSelfIntersections(moved->surfaceAt(rest), progress, threads_);
+    std::shared_ptr<const sequences::Peristalsis> waves;
+    bool crosses = true;
+    for (double depth = 1; crosses && depth > kLeastDepth - kDepthStep / 2; depth -= kDepthStep) {
+      rig.anatomy.course.depth = depth;
+      waves = std::make_shared<sequences::Peristalsis>(rig, compensation, along(moved));
+      crosses = crossings(*waves, *moved, atRest, progress) > atRest;
+    }
+    RetargetedSequence result = finished(waves, std::move(landmarks));
+    const int percent = static_cast<int>(std::lround(100 * waves->waves().course().depth));
+    if (crosses || percent < 100)
+      result.warnings.push_back("the waves are " + std::to_string(percent) + " % as deep as in an adult: " +
+                                (crosses ? "even so, folds of the surface meet when they pass"
+                                         : "deeper ones would push folds of the surface into one another"));
+    return result;
   }
 
   RetargetedSequence breathing(Landmarks landmarks) {
@@ -87,12 +109,32 @@ private:
     return [scale = scale_, finder = finder_](const Vec3& p) { return finder.depth(scale * p) / scale; };
   }
 
-  sequences::VolumeAlong volumeOf(const Points& rest, const SystemChoice& system) const {
+  std::shared_ptr<const MovedVolume> movedVolume(const Points& rest, const SystemChoice& system) const {
     auto mesh = std::make_shared<geometry::TriangleMesh>();
     mesh->points = organ_.mesh->points / scale_;
     mesh->triangles = organ_.mesh->triangles;
-    const auto volume = std::make_shared<const MovedVolume>(std::move(mesh), rest, system, threads_);
-    return [volume](const Points& pose, const Points& direction) { return volume->along(pose, direction); };
+    return std::make_shared<const MovedVolume>(std::move(mesh), rest, system, threads_);
+  }
+
+  static sequences::VolumeAlong along(std::shared_ptr<const MovedVolume> volume) {
+    return [volume = std::move(volume)](const Points& pose, const Points& direction) {
+      return volume->along(pose, direction);
+    };
+  }
+
+  /// The pairs of triangles that cross, at most over a cycle at the standard and at the highest rate; no more
+  /// is looked for once there are more than `allowed`.
+  int crossings(const sequences::Sequence& sequence, const MovedVolume& surface, int allowed,
+                Progress& progress) const {
+    int most = 0;
+    Points pose;
+    for (const double rate : {sequence.standardRatePerMinute(), sequence.highestRatePerMinute()})
+      for (int look = 0; look < kLooks && most <= allowed; ++look) {
+        progress.throwIfCancelled();
+        sequence.poseAt(look * 60 / rate / kLooks, rate, pose);
+        most = std::max(most, geometry::countSelfIntersections(surface.surfaceAt(pose), progress, threads_));
+      }
+    return most;
   }
 
   RetargetedSequence finished(std::shared_ptr<const sequences::Sequence> standard,
@@ -141,7 +183,7 @@ RetargetedSequence retargetSequence(const std::string& id, const Organ& organ, c
   progress.report(0.4, "placing handles");
   Retargeter retargeter(organ, finder, threads);
   RetargetedSequence result = id == "heartbeat"     ? retargeter.heartbeat(std::move(landmarks))
-                              : id == "peristalsis" ? retargeter.peristalsis(std::move(landmarks))
+                              : id == "peristalsis" ? retargeter.peristalsis(std::move(landmarks), progress)
                                                     : retargeter.breathing(std::move(landmarks));
   progress.throwIfCancelled();
   progress.report(1);

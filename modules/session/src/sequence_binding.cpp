@@ -48,6 +48,13 @@ MovedVolume::MovedVolume(std::shared_ptr<const geometry::TriangleMesh> mesh, con
                     "sequence");
 }
 
+geometry::TriangleMesh MovedVolume::surfaceAt(const Points& pose) const {
+  geometry::TriangleMesh surface;
+  binding_->deform(pose, surface.points, kOneThread);
+  surface.triangles = mesh_->triangles;
+  return surface;
+}
+
 double MovedVolume::at(const Points& pose) const {
   Points points;
   binding_->deform(pose, points, kOneThread);

@@ -29,6 +29,8 @@ public:
 
   /// With the handles at `pose` (`n x 3`), ml. May be asked from several threads.
   double at(const Points& pose) const;
+  /// The surface itself with the handles at `pose`.
+  geometry::TriangleMesh surfaceAt(const Points& pose) const;
 
   /// With the handles at `pose + x direction`, as a cubic in x, ml: `sequences::VolumeAlong`.
   std::array<double, 4> along(const Points& pose, const Points& direction) const;

@@ -15,6 +15,7 @@
 #include <vtkPolyData.h>
 #include <vtkPolyDataConnectivityFilter.h>
 
+#include "self_intersections.h"
 #include "sequence_scene.h"
 #include "viscera/geometry/convex_hull.h"
 #include "viscera/session/retarget.h"
@@ -77,6 +78,7 @@ TEST(RetargetAtlas, peristalsisRunsDownARealStomachAndKeepsItsVolume) {
     GTEST_SKIP() << "there is no " << file;
   const Organ organ = makeOrgan("stomach", surfaceOfLabel(file, kStomachAndDuodenum));
   ASSERT_TRUE(organ.closed());
+  const int atRest = tests::selfIntersections(*organ.mesh);
   Progress progress;
   const RetargetedSequence fitted = retargetSequence("peristalsis", organ, {}, progress);
   EXPECT_FALSE(fitted.warnings.empty()) << "the atlas is not life-sized, which has to be said";
@@ -91,12 +93,15 @@ TEST(RetargetAtlas, peristalsisRunsDownARealStomachAndKeepsItsVolume) {
   // The fundus lies to the patient's left of the pylorus, as in people.
   EXPECT_GT(fitted.landmarks.find("fundus")->position.x(), fitted.landmarks.find("pylorus")->position.x());
   double moved = 0;
-  for (int frame = 0; frame < 10; ++frame) {
+  constexpr int kFrames = 20;
+  for (int frame = 0; frame < kFrames; ++frame) {
     Points pose, points;
-    fitted.sequence->poseAt(2.0 * frame, 3, pose);
+    fitted.sequence->poseAt(frame, 3, pose);
     binding->deform(pose, points);
     EXPECT_NEAR(geometry::volume(points, organ.mesh->triangles), organ.restVolumeMm3,
                 1e-6 * organ.restVolumeMm3);
+    EXPECT_EQ(tests::selfIntersections({points, organ.mesh->triangles, {}}), atRest)
+        << "after " << frame << " s";
     moved = std::max(moved, (points - organ.mesh->points).rowwise().norm().maxCoeff());
   }
   EXPECT_GT(moved, 4 * fitted.scale) << "the waves are seen";

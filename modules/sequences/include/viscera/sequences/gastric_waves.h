@@ -6,10 +6,11 @@
 
 namespace viscera::sequences {
 
-/// Where along a stomach waves run, as arc lengths of its centreline from the top of the fundus, mm.
+/// How waves run along a stomach; places are arc lengths of its centreline from the top of the fundus, mm.
 struct GastricCourse {
   double midBody = 101; ///< Where waves arise.
   double pylorus = 272; ///< Where they end.
+  double depth = 1; ///< How deep waves are, as a part of an adult's, above 0: less where folds would meet.
 };
 
 /// The ring-shaped contractions that run down the stomach. At the standard rate one arises every 20 s, takes
@@ -23,7 +24,7 @@ public:
   static constexpr double kStandardRate = 3;
   static constexpr double kHighestRate = 6;
 
-  /// Throws `DataError` unless the pylorus lies beyond the middle of the body.
+  /// Throws `DataError` unless the pylorus lies beyond the middle of the body and the depth is above 0.
   explicit GastricWaves(const GastricCourse& course = {});
 
   const GastricCourse& course() const { return course_; }

@@ -76,8 +76,9 @@ struct RetargetedSequence {
 
 /// Makes the sequence `id` for `organ`: finds what landmarks are missing, puts the handles around this organ
 /// and ties the same curves to them. heartbeat: the surface loses 8.2 % of its volume in systole;
-/// peristalsis: its volume stays, to rounding, in every pose; breathing: likewise. Every vertex lies inside
-/// the handles' hull. About a second at 30,000 triangles. Throws what `completeLandmarks` throws, `DataError`
+/// peristalsis: its volume stays, to rounding, in every pose, and waves are made shallower where folds of the
+/// surface would cross (a warning says so); breathing: its volume stays. Every vertex lies inside the
+/// handles' hull. A second or a few at 30,000 triangles. Throws what `completeLandmarks` throws, `DataError`
 /// where the organ is not of the shape that the landmarks say, `UsageError` for an unknown sequence,
 /// `Cancelled`. For any thread.
 RetargetedSequence retargetSequence(const std::string& id, const Organ& organ, const Landmarks& given,
