@@ -7,6 +7,8 @@
 
 #include "viscera/core/error.h"
 #include "viscera/medical_io/handle_file.h"
+#include "viscera/medical_io/label_map.h"
+#include "viscera/session/label_organs.h"
 #include "viscera/session/open_files.h"
 
 namespace viscera::app::cli {
@@ -36,6 +38,24 @@ session::Organ organOf(const organs::SampleOrgan& sample, const organs::SampleSu
   return organ;
 }
 
+/// A label map and what is asked for of it.
+struct LabelReference {
+  std::filesystem::path file;
+  std::vector<std::string> labels; ///< Empty: all.
+};
+
+/// "abdomen.nrrd" or "abdomen.nrrd/liver"; nothing for what is no label map.
+std::optional<LabelReference> labelReference(const std::filesystem::path& organ) {
+  if (medical_io::isLabelMap(organ))
+    return LabelReference{organ, {}};
+  std::error_code ignored;
+  const std::filesystem::path file = organ.parent_path();
+  if (!std::filesystem::exists(organ, ignored) && std::filesystem::exists(file, ignored) &&
+      medical_io::isLabelMap(file) && !organ.has_extension())
+    return LabelReference{file, {organ.filename().string()}};
+  return std::nullopt;
+}
+
 } // namespace
 
 SampleReference sampleReference(const std::string& text) {
@@ -59,10 +79,20 @@ bool isSample(const std::string& organ) {
   return organ.starts_with(kSamplePrefix);
 }
 
+bool namesLabel(const std::string& organ) {
+  const auto reference = labelReference(organ);
+  return reference && !reference->labels.empty();
+}
+
 std::vector<session::Organ> organInputs(const std::string& organ, const organs::SampleLibrary& samples,
                                         Progress& progress) {
   std::vector<session::Organ> result;
-  if (!isSample(organ)) {
+  if (const auto labels = labelReference(organ)) {
+    result = session::readLabelOrgans(labels->file, labels->labels, progress);
+    for (session::Organ& one : result)
+      for (std::string& warning : one.warnings)
+        warning = organ + ": " + one.name + ": " + warning;
+  } else if (!isSample(organ)) {
     result.push_back(session::readOrgan(organ));
     for (std::string& warning : result.back().warnings)
       warning = organ + ": " + warning;
@@ -86,7 +116,16 @@ std::vector<session::Organ> organInputs(const std::string& organ, const organs::
 
 session::Organ organInput(const std::string& organ, const organs::SampleLibrary& samples,
                           Progress& progress) {
-  return organInputs(organ, samples, progress).front();
+  std::vector<session::Organ> organs = organInputs(organ, samples, progress);
+  if (organs.size() > 1 && !isSample(organ)) {
+    std::vector<std::string> names;
+    for (const session::Organ& one : organs)
+      names.push_back(one.name);
+    throw UsageError("is a label map of several organs", organ,
+                     "name one of them behind a slash, " + organ + "/" + names.front() + "; there are " +
+                         listed(names));
+  }
+  return std::move(organs.front());
 }
 
 int RigInput::indexOf(const std::string& label) const {

@@ -28,13 +28,17 @@ SampleReference sampleReference(const std::string& text);
 /// Whether ORGAN names a sample organ ("sample:...") and not a file.
 bool isSample(const std::string& organ);
 
+/// Whether ORGAN names one label of a label map ("abdomen.nrrd/liver").
+bool namesLabel(const std::string& organ);
+
 /// Reads the file, or makes the sample organ, that ORGAN names; of a sample organ with cavities the outer
-/// surface unless another one is named. The mesh has a size, else `DataError`; throws also what
-/// `session::readOrgan` and `organs::sampleOrgan` throw, and `UsageError` for a surface that the sample does
-/// not have.
+/// surface unless another one is named; of a label map the label that is named behind a slash
+/// ("abdomen.nrrd/liver"), which may be left out when there is only one. The mesh has a size, else
+/// `DataError`; throws also what `session::readOrgan` and `organs::sampleOrgan` throw, and `UsageError` for a
+/// surface that the sample does not have.
 session::Organ organInput(const std::string& organ, const organs::SampleLibrary& samples, Progress& progress);
 
-/// As above, but all surfaces of a sample organ when none is named.
+/// As above, but all surfaces of a sample organ, and all labels of a label map, when none is named.
 std::vector<session::Organ> organInputs(const std::string& organ, const organs::SampleLibrary& samples,
                                         Progress& progress);
 

@@ -10,6 +10,7 @@
 #include "cli/commands/render_command.h"
 #include "cli/commands/reproduce_command.h"
 #include "cli/commands/sample_command.h"
+#include "cli/commands/segment_command.h"
 #include "cli/commands/stress_command.h"
 #include "cli/commands/systems_command.h"
 
@@ -26,6 +27,7 @@ std::vector<std::unique_ptr<Command>> allCommands() {
   commands.push_back(std::make_unique<DeformCommand>());
   commands.push_back(std::make_unique<StressCommand>());
   commands.push_back(std::make_unique<PlayCommand>());
+  commands.push_back(std::make_unique<SegmentCommand>());
   commands.push_back(std::make_unique<RenderCommand>());
   commands.push_back(std::make_unique<PropertiesCommand>());
   commands.push_back(std::make_unique<ReproduceCommand>());

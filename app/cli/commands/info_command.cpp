@@ -10,6 +10,7 @@
 #include "viscera/geometry/surface_check.h"
 #include "viscera/medical_io/assess_surface.h"
 #include "viscera/medical_io/handle_file.h"
+#include "viscera/medical_io/label_map.h"
 #include "viscera/medical_io/surface_file.h"
 #include "viscera/session/open_files.h"
 
@@ -120,23 +121,79 @@ Outcome describe(const medical_io::HandleFile& handles, const std::string& file)
   return outcome;
 }
 
+ordered_json numbersJson(const Vec3& v) {
+  return {v.x(), v.y(), v.z()};
+}
+
+Outcome describe(const medical_io::LabelMap& map, const std::string& file) {
+  const Bounds bounds = map.bounds();
+  const Vec3 spacing = map.spacing();
+  ordered_json labels = ordered_json::array();
+  const std::string times = " x ";
+  Listing listing;
+  listing.add("kind", "label map")
+      .add("voxels", std::to_string(map.size[0]) + times + std::to_string(map.size[1]) + times +
+                         std::to_string(map.size[2]))
+      .add("spacing", significant(spacing.x(), 4) + times + significant(spacing.y(), 4) + times +
+                          significant(spacing.z(), 4) + " mm")
+      .add("size", boundsText(bounds))
+      .add("space", map.space)
+      .add("layers", std::to_string(map.layers.size()))
+      .add("labels", std::to_string(map.segments.size()));
+  for (const medical_io::Segment& segment : map.segments) {
+    const double volumeMl = map.volumeMl(segment);
+    labels.push_back({{"label", segment.label},
+                      {"name", segment.name},
+                      {"named", segment.named},
+                      {"layer", segment.layer},
+                      {"voxels", segment.voxels},
+                      {"volumeMl", volumeMl},
+                      {"color", numbersJson(segment.color)}});
+    listing.add("  " + std::to_string(segment.label), segment.name + ", " + fixed(volumeMl, 2) + " ml");
+  }
+  ordered_json directions = ordered_json::array();
+  for (int axis = 0; axis < 3; ++axis)
+    directions.push_back(numbersJson(map.indexToLps.linear().col(axis) / spacing[axis]));
+  Outcome outcome;
+  outcome.json = {{"kind", "label map"},
+                  {"file", file},
+                  {"size", map.size},
+                  {"spacingMm", numbersJson(spacing)},
+                  {"originMm", numbersJson(map.indexToLps.translation())},
+                  {"directions", directions},
+                  {"layers", map.layers.size()},
+                  {"labels", labels},
+                  {"boundsMm", boundsJson(bounds)},
+                  {"space", map.space},
+                  {"warnings", map.warnings}};
+  outcome.text = listing.text();
+  outcome.warnings = map.warnings;
+  return outcome;
+}
+
 } // namespace
 
 void InfoCommand::addOptions(CLI::App& options) {
-  options.add_option("FILE", file_, "An organ's surface, a handle file, or sample:NAME")->required();
+  options
+      .add_option("FILE", file_,
+                  "An organ's surface, a label map or folder of masks, a handle file, or sample:NAME")
+      ->required();
 }
 
 Outcome InfoCommand::run(Surroundings& surroundings) {
-  if (isSample(file_)) {
+  if (isSample(file_) || namesLabel(file_)) {
     const session::Organ organ = organInput(file_, surroundings.samples, surroundings.progress);
     medical_io::SurfaceFile surface;
     surface.mesh = *organ.mesh;
     surface.name = organ.name;
     surface.spaceStated = true;
+    surface.warnings = organ.warnings;
     return describe(surface, file_, surroundings);
   }
   if (session::isHandleFile(file_))
     return describe(medical_io::readHandles(file_), file_);
+  if (medical_io::isLabelMap(file_))
+    return describe(medical_io::readLabelMap(file_, surroundings.progress), file_);
   return describe(medical_io::readSurface(file_), file_, surroundings);
 }
 

@@ -4,11 +4,11 @@
 
 namespace viscera::app::cli {
 
-/// `viscera info FILE`: what is in an organ or handle file.
+/// `viscera info FILE`: what is in an organ, label map or handle file.
 class InfoCommand final : public Command {
 public:
   std::string name() const override { return "info"; }
-  std::string summary() const override { return "Say what is in an organ or handle file"; }
+  std::string summary() const override { return "Say what is in an organ, label map or handle file"; }
   void addOptions(CLI::App& options) override;
   Outcome run(Surroundings& surroundings) override;
 

@@ -21,6 +21,7 @@ using Index = EditableSurface::Index;
 constexpr double kFlat = 1e-3;
 /// What an edge's own length adds to its cost, so that even flat parts are thinned evenly.
 constexpr double kEvenness = 1e-4;
+constexpr int kStepsBetweenLooks = 1000; ///< At whether somebody has cancelled.
 
 /// The squared distances from some planes, each times its weight, as a function of the point.
 struct Quadric {
@@ -70,8 +71,10 @@ public:
       propose(edge.a, edge.b);
   }
 
-  TriangleMesh run(int triangles) {
-    while (surface_.triangleCount() > triangles && !queue_.empty()) {
+  TriangleMesh run(int triangles, const Progress& progress) {
+    for (int step = 0; surface_.triangleCount() > triangles && !queue_.empty(); ++step) {
+      if (step % kStepsBetweenLooks == 0)
+        progress.throwIfCancelled();
       const Candidate next = queue_.top();
       queue_.pop();
       if (next.stamps != std::array{stamp(next.a), stamp(next.b)} ||
@@ -132,10 +135,10 @@ private:
 
 } // namespace
 
-TriangleMesh thinClosedSurface(const TriangleMesh& mesh, int triangles) {
+TriangleMesh thinClosedSurface(const TriangleMesh& mesh, int triangles, const Progress& progress) {
   if (mesh.triangles.rows() <= triangles)
     return {mesh.points, mesh.triangles, {}};
-  return Thinner(mesh).run(triangles);
+  return Thinner(mesh).run(triangles, progress);
 }
 
 } // namespace viscera::geometry

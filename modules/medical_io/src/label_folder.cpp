@@ -6,6 +6,7 @@
 #include "label_layers.h"
 #include "segment_names.h"
 #include "viscera/core/error.h"
+#include "viscera/core/parallel.h"
 #include "viscera/medical_io/label_map.h"
 
 namespace viscera::medical_io {
@@ -14,6 +15,7 @@ namespace {
 /// Grids of masks of one patient are the same up to rounding.
 constexpr double kSameGridVoxels = 0.01;
 constexpr std::size_t kMostMasks = 2000;
+constexpr int kMostAtATime = 8; ///< Masks in memory.
 
 std::vector<std::filesystem::path> masksIn(const std::filesystem::path& folder) {
   std::vector<std::filesystem::path> files;
@@ -92,15 +94,24 @@ private:
 LabelMap readLabelFolder(const std::filesystem::path& folder, Progress& progress) {
   const std::vector<std::filesystem::path> files = masksIn(folder);
   Patient patient;
-  for (std::size_t i = 0; i < files.size(); ++i) {
-    progress.report(static_cast<double>(i) / static_cast<double>(files.size()), files[i].filename().string());
+  // A few at a time: they are put together in the order of their names, and each takes memory for all its
+  // voxels.
+  const auto batch = static_cast<std::size_t>(std::min(Threads{}.resolved(), kMostAtATime));
+  for (std::size_t begin = 0; begin < files.size(); begin += batch) {
+    progress.report(static_cast<double>(begin) / static_cast<double>(files.size()),
+                    files[begin].filename().string());
     progress.throwIfCancelled();
-    Progress quiet;
-    LabelMap mask = readLabelFile(files[i], quiet);
-    if (mask.segments.empty())
-      patient.addEmpty(files[i]);
-    else
-      patient.add(files[i], std::move(mask));
+    std::vector<LabelMap> masks(std::min(batch, files.size() - begin));
+    parallelRanges(static_cast<Eigen::Index>(masks.size()), 1, {}, [&](Eigen::Index at, Eigen::Index) {
+      Progress quiet;
+      masks[static_cast<std::size_t>(at)] = readLabelFile(files[begin + static_cast<std::size_t>(at)], quiet);
+    });
+    for (std::size_t i = 0; i < masks.size(); ++i) {
+      if (masks[i].segments.empty())
+        patient.addEmpty(files[begin + i]);
+      else
+        patient.add(files[begin + i], std::move(masks[i]));
+    }
   }
   progress.report(1);
   return patient.take(folder);

@@ -121,7 +121,7 @@ LabelSurface surfaceOf(const LabelMap& map, std::size_t segment, const LabelSurf
     progress.throwIfCancelled();
     surface.mesh = smoothed(contour, part * options.smoothing);
     if (options.triangles > 0)
-      surface.mesh = geometry::thinClosedSurface(surface.mesh, options.triangles);
+      surface.mesh = geometry::thinClosedSurface(surface.mesh, options.triangles, progress);
     correctVolume(surface.mesh, surface.voxelVolumeMm3);
     surface.volumeMm3 = geometry::volume(surface.mesh.points, surface.mesh.triangles, Threads{1});
     const double error = std::abs(surface.volumeMm3 - surface.voxelVolumeMm3);

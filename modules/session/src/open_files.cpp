@@ -10,7 +10,9 @@
 #include "sha256.h"
 #include "viscera/core/error.h"
 #include "viscera/geometry/convex_hull.h"
+#include "viscera/medical_io/label_map.h"
 #include "viscera/medical_io/surface_file.h"
+#include "viscera/session/label_organs.h"
 
 namespace viscera::session {
 namespace {
@@ -31,12 +33,14 @@ bool endsWith(const std::string& text, const std::string& ending) {
 void requireKnown(const std::filesystem::path& file) {
   const auto& extensions = medical_io::surfaceExtensions();
   const std::string name = lowerName(file);
-  if (isHandleFile(file) || std::any_of(extensions.begin(), extensions.end(),
-                                        [&](const std::string& e) { return endsWith(name, e); }))
+  if (isHandleFile(file) || medical_io::isLabelMap(file) ||
+      std::any_of(extensions.begin(), extensions.end(),
+                  [&](const std::string& e) { return endsWith(name, e); }))
     return;
   std::string known = ".mrk.json, .fcsv";
-  for (const std::string& extension : extensions)
-    known += ", " + extension;
+  for (const auto* list : {&extensions, &medical_io::labelMapExtensions()})
+    for (const std::string& extension : *list)
+      known += ", " + extension;
   throw UsageError("Nothing is known about files of this kind", file.string(), "use one of " + known);
 }
 
@@ -103,6 +107,12 @@ OpenedFiles openFiles(const std::vector<std::filesystem::path>& files, Progress&
       const medical_io::HandleFile handles = medical_io::readHandles(files[i]);
       addWarnings(opened.warnings, files[i], handles.warnings);
       opened.rig = rigFrom(handles, files[i].string());
+    } else if (medical_io::isLabelMap(files[i])) {
+      for (Organ& organ : readLabelOrgans(files[i], {}, progress)) {
+        for (const std::string& warning : organ.warnings)
+          opened.warnings.push_back(files[i].filename().string() + ": " + organ.name + ": " + warning);
+        opened.organs.push_back({std::move(organ), -1});
+      }
     } else {
       auto [organ, read] = readBoth(files[i]);
       opened.surfaces.emplace(opened.organs.size(), std::move(read));

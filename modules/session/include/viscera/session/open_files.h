@@ -40,9 +40,9 @@ struct OpenedFiles {
 /// Whether the name ends like a handle file (.mrk.json, .fcsv).
 bool isHandleFile(const std::filesystem::path& file);
 
-/// Reads all files, surfaces and at most one handle file, or throws what the first that fails throws
-/// (`NoInputError`, `DataError`, `UsageError` for an ending that nothing is known about or no file at all,
-/// `Cancelled`).
+/// Reads all files, surfaces, label maps and folders of masks (an organ for each label) and at most one
+/// handle file, or throws what the first that fails throws (`NoInputError`, `DataError`, `UsageError` for an
+/// ending that nothing is known about or no file at all, `Cancelled`).
 OpenedFiles openFiles(const std::vector<std::filesystem::path>& files, Progress& progress);
 
 /// Reads one surface as an organ, with its warnings.

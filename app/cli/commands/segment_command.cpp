@@ -1,0 +1,182 @@
+#include "cli/commands/segment_command.h"
+
+#include <algorithm>
+#include <cctype>
+#include <chrono>
+#include <filesystem>
+#include <set>
+#include <system_error>
+
+#include <CLI/CLI.hpp>
+
+#include "cli/listing.h"
+#include "viscera/core/error.h"
+#include "viscera/geometry/surface_check.h"
+#include "viscera/medical_io/label_map.h"
+#include "viscera/medical_io/surface_file.h"
+
+namespace viscera::app::cli {
+namespace {
+
+using nlohmann::ordered_json;
+
+constexpr int kMostTriangles = 2'000'000;
+constexpr double kSmoothest = 2;
+constexpr std::size_t kLongestName = 100;
+
+/// The folder that files go into. Unless `keep` is called, it takes back what was written: the files, and
+/// itself when it was not there before.
+class OutputFolder {
+public:
+  explicit OutputFolder(std::filesystem::path folder) : folder_(std::move(folder)) {
+    std::error_code error;
+    made_ = std::filesystem::create_directories(folder_, error);
+    if (error || !std::filesystem::is_directory(folder_, error))
+      throw CannotCreateError("the folder cannot be made", folder_.string(), "choose another one");
+  }
+  ~OutputFolder() {
+    std::error_code ignored;
+    for (const std::filesystem::path& file : written_)
+      std::filesystem::remove(file, ignored);
+    if (made_ && !kept_)
+      std::filesystem::remove(folder_, ignored);
+  }
+  OutputFolder(const OutputFolder&) = delete;
+  OutputFolder& operator=(const OutputFolder&) = delete;
+
+  std::filesystem::path write(const std::string& name, const geometry::TriangleMesh& mesh,
+                              const std::string& organ) {
+    const std::filesystem::path file = folder_ / name;
+    std::error_code ignored;
+    const bool isNew = !std::filesystem::exists(file, ignored);
+    medical_io::writeSurface(file, mesh, {.name = organ});
+    if (isNew)
+      written_.push_back(file);
+    return file;
+  }
+
+  void keep() {
+    written_.clear();
+    kept_ = true;
+  }
+
+private:
+  std::filesystem::path folder_;
+  std::vector<std::filesystem::path> written_;
+  bool made_ = false;
+  bool kept_ = false;
+};
+
+/// "left_kidney" for "Left kidney / lower": what every file system and shell takes. No two are the same.
+class FileNames {
+public:
+  std::string of(const std::string& label, const std::string& ending) {
+    std::string stem;
+    for (const char c : label.substr(0, kLongestName)) {
+      const bool plain =
+          std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '-' || c == '.' || (c & '\x80') != 0;
+      if (plain || (!stem.empty() && stem.back() != '_'))
+        stem += plain ? c : '_';
+    }
+    while (stem.ends_with('_') || stem.ends_with('.'))
+      stem.pop_back();
+    stem.erase(0, std::min(stem.find_first_not_of('.'), stem.size()));
+    if (stem.empty())
+      stem = "label";
+    std::string name = stem;
+    for (int number = 2; !taken_.insert(lowered(name)).second; ++number)
+      name = stem + "_" + std::to_string(number);
+    return name + "." + ending;
+  }
+
+private:
+  /// Some file systems do not tell upper from lower case.
+  static std::string lowered(std::string text) {
+    std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return std::tolower(c); });
+    return text;
+  }
+  std::set<std::string> taken_;
+};
+
+void paint(geometry::TriangleMesh& mesh, const Vec3& color) {
+  const Eigen::Matrix<std::uint8_t, 1, 3> bytes =
+      (255 * color).array().round().matrix().cast<std::uint8_t>().transpose();
+  mesh.colors = bytes.replicate(mesh.points.rows(), 1);
+}
+
+ordered_json rowOf(const medical_io::Segment& segment, const medical_io::LabelSurface& surface,
+                   const std::filesystem::path& file) {
+  const geometry::SurfaceReport report = geometry::checkSurface(surface.mesh);
+  return {{"name", segment.name},
+          {"label", segment.label},
+          {"file", file.string()},
+          {"vertices", surface.mesh.points.rows()},
+          {"triangles", surface.mesh.triangles.rows()},
+          {"closed", report.closed()},
+          {"manifold", report.manifold()},
+          {"pieces", surface.pieces},
+          {"volumeMl", surface.volumeMm3 / kMm3PerMl},
+          {"voxelVolumeMl", surface.voxelVolumeMm3 / kMm3PerMl},
+          {"color", {segment.color.x(), segment.color.y(), segment.color.z()}}};
+}
+
+} // namespace
+
+void SegmentCommand::addOptions(CLI::App& options) {
+  options.add_option("LABELMAP", file_, "A label map, or a folder with a mask for each organ")->required();
+  options.add_option("-o,--output", folder_, "Folder to write surfaces into; made when it is not there")
+      ->type_name("DIR")
+      ->required();
+  options.add_option("--labels", labels_, "Only these labels, by name or value: liver,spleen,7")
+      ->type_name("NAMES")
+      ->delimiter(',');
+  options.add_option("--triangles", options_.triangles, "About as many as a surface may have; 0: all")
+      ->type_name("N")
+      ->check(CLI::Range(0, kMostTriangles))
+      ->capture_default_str();
+  options.add_option("--smoothing", options_.smoothing, "0: the voxels' steps stay; 2: very smooth")
+      ->check(CLI::Range(0.0, kSmoothest))
+      ->capture_default_str();
+  options.add_flag("--largest-piece", options_.largestPieceOnly, "Leave out the smaller pieces of a label");
+  options.add_option("--format", format_, "Kind of file")
+      ->check(CLI::IsMember({"vtp", "stl", "obj", "ply", "off", "vtk", "glb"}))
+      ->capture_default_str();
+}
+
+Outcome SegmentCommand::run(Surroundings& surroundings) {
+  const auto start = std::chrono::steady_clock::now();
+  Progress& progress = surroundings.progress;
+  const medical_io::LabelMap map = medical_io::readLabelMap(file_, progress);
+  options_.segments = medical_io::segmentsNamed(map, labels_, file_);
+  OutputFolder folder(folder_);
+  std::vector<medical_io::LabelSurface> surfaces =
+      medical_io::labelSurfaces(map, options_, progress, surroundings.threads);
+
+  Outcome outcome;
+  for (const std::string& warning : map.warnings)
+    outcome.warnings.push_back(file_ + ": " + warning);
+  ordered_json organs = ordered_json::array();
+  Listing listing;
+  FileNames names;
+  for (std::size_t i = 0; i < surfaces.size(); ++i) {
+    progress.report(static_cast<double>(i) / static_cast<double>(surfaces.size()), "writing");
+    progress.throwIfCancelled();
+    medical_io::LabelSurface& surface = surfaces[i];
+    const medical_io::Segment& segment = map.segments[surface.segment];
+    paint(surface.mesh, segment.color);
+    const auto file = folder.write(names.of(segment.name, format_), surface.mesh, segment.name);
+    organs.push_back(rowOf(segment, surface, file));
+    listing.add(segment.name, std::to_string(surface.mesh.triangles.rows()) + " triangles, " +
+                                  fixed(surface.volumeMm3 / kMm3PerMl, 2) + " ml, " + file.string());
+    for (const std::string& warning : surface.warnings)
+      outcome.warnings.push_back(segment.name + ": " + warning);
+  }
+  folder.keep();
+  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+  outcome.json = {
+      {"file", file_}, {"organs", organs}, {"seconds", seconds.count()}, {"warnings", outcome.warnings}};
+  outcome.text = listing.add("time", fixed(seconds.count(), 1) + " s").text();
+  return outcome;
+}
+
+} // namespace viscera::app::cli
