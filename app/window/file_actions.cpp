@@ -10,6 +10,7 @@
 
 #include "viscera/medical_io/handle_file.h"
 #include "viscera/medical_io/surface_file.h"
+#include "viscera/session/session_file.h"
 #include "window/panels/color_palette.h"
 
 namespace viscera::app {
@@ -43,15 +44,22 @@ void FileActions::rememberFolder(const QString& file) {
 void FileActions::chooseAndOpen(bool check) {
   const QString surfaces = patterns(medical_io::surfaceExtensions());
   const QString handles = QStringLiteral("*%1 *.fcsv").arg(QLatin1String(kHandleEnding));
-  const QString filter =
-      tr("Organs and handles (%1 %2);;Organs (%1);;Handles (%2);;All files (*)").arg(surfaces, handles);
+  QStringList filters;
+  if (openSession_)
+    filters << tr("Sessions, organs and handles (*.viscera %1 %2)").arg(surfaces, handles)
+            << tr("Sessions (*.viscera)");
+  else
+    filters << tr("Organs and handles (%1 %2)").arg(surfaces, handles);
+  filters << tr("Organs (%1)").arg(surfaces) << tr("Handles (%1)").arg(handles) << tr("All files (*)");
   const QStringList files =
-      QFileDialog::getOpenFileNames(window_, tr("Open organs or handles"), folder(), filter);
+      QFileDialog::getOpenFileNames(window_, tr("Open"), folder(), filters.join(QStringLiteral(";;")));
   if (!files.isEmpty())
     open(files, check);
 }
 
 void FileActions::open(const QStringList& files, bool check) {
+  if (openSession_ && files.size() == 1 && session::isSessionFile(files.front().toStdString()))
+    return openSession_(files.front());
   std::vector<std::filesystem::path> paths;
   for (const QString& file : files)
     paths.emplace_back(file.toStdString());
@@ -88,7 +96,7 @@ void FileActions::take(const session::OpenedFiles& opened, const QStringList& fi
   const session::OrganList& present = workspace_.document().organs();
   // What the program made itself was only there to look at.
   const bool onlySamples =
-      std::all_of(present.begin(), present.end(), [](const auto& o) { return o->file.empty(); });
+      std::all_of(present.begin(), present.end(), [](const auto& o) { return !o->origin.sample.empty(); });
   const bool replaces = !opened.organs.empty() && onlySamples;
   const QString name = tr("Open %1").arg(QFileInfo(files.front()).fileName());
   const bool done = workspace_.guarded([&] {

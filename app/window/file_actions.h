@@ -27,6 +27,9 @@ public:
   using Checker = std::function<void(session::ImportDraft, const QStringList&)>;
   void setChecker(Checker checker) { checker_ = std::move(checker); }
 
+  /// Takes what opens a session file, which replaces everything. Without one, sessions are refused.
+  void setSessionOpener(std::function<void(const QString& file)> opener) { openSession_ = std::move(opener); }
+
   /// Asks for files and opens them; with `check` they go to the checker even if nothing is odd.
   void chooseAndOpen(bool check = false);
   /// Opens organs and handles as one undo step. Sample organs make room for the first files; later ones come
@@ -62,6 +65,7 @@ private:
   Settings& settings_;
   QWidget* window_;
   Checker checker_;
+  std::function<void(const QString&)> openSession_;
 };
 
 } // namespace viscera::app

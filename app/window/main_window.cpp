@@ -2,7 +2,6 @@
 
 #include <QAction>
 #include <QApplication>
-#include <QCloseEvent>
 #include <QFileInfo>
 #include <QLayout>
 #include <QMenu>
@@ -24,6 +23,7 @@
 #include "window/panels/organ_panel.h"
 #include "window/panels/play_page.h"
 #include "window/play_parts.h"
+#include "window/session/view_state.h"
 #include "window/status_line.h"
 #include "window/stress/stress_chart.h"
 #include "window/stress/stress_mode.h"
@@ -62,7 +62,6 @@ MainWindow::MainWindow(Settings& settings, plugin::Registry registry, session::P
       files_(new FileActions(workspace_, placer_, settings, this)),
       exports_(new ExportActions(workspace_, settings, this)),
       samples_(new SampleLoader(workspace_, placer_, playback_, this)), viewArea_(new ViewArea(this)) {
-  setWindowTitle(tr("Viscera"));
   setDockOptions(AnimatedDocks | AllowNestedDocks);
   setCentralWidget(viewArea_);
   organScene_ = std::make_unique<OrganScene>(workspace_, viewArea_->view()->view());
@@ -77,6 +76,7 @@ MainWindow::MainWindow(Settings& settings, plugin::Registry registry, session::P
   imports_ = std::make_unique<ImportDesk>(workspace_, *files_, *viewArea_->view(), nullptr);
   bindingMessages_ = new BindingMessages(workspace_, viewArea_->messages(), this);
   makeFileActions();
+  makeSessionActions();
   makeEditActions();
   makeModeActions();
   makeViewActions();
@@ -93,6 +93,7 @@ MainWindow::MainWindow(Settings& settings, plugin::Registry registry, session::P
   connectParts();
   connectImports();
   connectTimeline();
+  makeSession();
   setTheme(themeFromName(settings_.value("window/theme", QStringLiteral("dark")).toString()));
   setMode(Mode::explore);
   restoreLayout();
@@ -337,14 +338,6 @@ void MainWindow::restoreLayout() {
   standardLayout_ = saveState();
   restoreGeometry(settings_.value("window/geometry").toByteArray());
   restoreState(settings_.value("window/layout").toByteArray());
-}
-
-void MainWindow::closeEvent(QCloseEvent* event) {
-  imports_->cancel();
-  settings_.setValue("window/geometry", saveGeometry());
-  settings_.setValue("window/layout", saveState());
-  workspace_.jobs().cancelAll();
-  QMainWindow::closeEvent(event);
 }
 
 } // namespace viscera::app

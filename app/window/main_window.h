@@ -35,12 +35,14 @@ class OrganScene;
 class PanelDock;
 class PlayParts;
 class RegionScene;
+class SessionFiles;
 class ShortcutCard;
 class StatusLine;
 class StressMode;
 class TimelineBar;
 class TourCard;
 class ViewArea;
+class ViewState;
 class ViewWidget;
 class VolumePanel;
 class WelcomeCard;
@@ -64,6 +66,7 @@ public:
   ImportDesk& imports() { return *imports_; }
   ExportActions& exports() { return *exports_; }
   SampleLoader& samples() { return *samples_; }
+  SessionFiles& sessions() { return *sessions_; }
   StressMode& stress() { return *stress_; }
   ViewArea& viewArea() { return *viewArea_; }
   PlayParts& play() { return *play_; }
@@ -106,6 +109,11 @@ private:
   void makeSequenceActions();
   void makeHelpActions();
   void syncActions();
+  // main_window_session.cpp
+  void makeSession();
+  void makeSessionActions();
+  void syncTitle();
+  void fillHistoryMenu();
   // main_window_deform.cpp
   void makeDeformScene();
   void makeDeformActions();
@@ -151,7 +159,10 @@ private:
   WelcomeCard* welcome_ = nullptr;
   ShortcutCard* shortcuts_ = nullptr;
   TourCard* tour_ = nullptr;
+  std::unique_ptr<ViewState> viewState_;
+  SessionFiles* sessions_ = nullptr;
   QMenu* recentMenu_ = nullptr;
+  QMenu* historyMenu_ = nullptr;
   QMenu* sampleMenu_ = nullptr;
   std::vector<PanelDock*> docks_;
   QByteArray standardLayout_;

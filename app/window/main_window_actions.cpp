@@ -28,7 +28,8 @@
 namespace viscera::app {
 
 void MainWindow::makeFileActions() {
-  actions_.add("file.open", {tr("&Open..."), "open", {QKeySequence::Open}, tr("Open organs or handles")},
+  actions_.add("file.open",
+               {tr("&Open..."), "open", {QKeySequence::Open}, tr("Open a session, organs or handles")},
                [this] { files_->chooseAndOpen(); });
   actions_.add("file.check",
                {tr("&Import with check..."),
@@ -37,7 +38,7 @@ void MainWindow::makeFileActions() {
                 tr("Look at what files hold, and repair it, before it comes in")},
                [this] { files_->chooseAndOpen(true); });
   actions_.add("handles.save",
-               {tr("&Save handles..."), "save", {QKeySequence::Save}, tr("Save the handles at rest")},
+               {tr("Save &handles..."), "save", {}, tr("Save the handles at rest as Slicer markups")},
                [this] { files_->chooseAndSaveHandles(); });
   actions_.add("file.export",
                {tr("&Export organ..."), "export", {tr("Ctrl+E")}, tr("Export the organ as it is posed now")},

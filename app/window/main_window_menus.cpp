@@ -23,16 +23,18 @@ void MainWindow::makeMenus() {
     }
   };
   QMenu* file = menuBar()->addMenu(tr("&File"));
-  fill(file, {"file.open", "file.check"});
+  fill(file, {"file.new", "file.open", "file.check"});
   recentMenu_ = file->addMenu(tr("Open &recent"));
   sampleMenu_ = file->addMenu(icon("heart"), tr("Sample &organs"));
-  fill(file, {"", "handles.save", "file.export"});
+  fill(file, {"", "file.save", "file.saveAs", "file.recover", "", "handles.save", "file.export"});
   fill(file->addMenu(icon("export"), tr("Export &more")),
        {"export.organs", "export.displacements", "export.transform", "export.table"});
   fill(file, {"file.screenshot", "", "file.quit"});
   QMenu* edit = menuBar()->addMenu(tr("&Edit"));
-  fill(edit, {"edit.undo", "edit.redo", "", "edit.selectAll", "handles.remove", "", "pose.reset",
-              "pose.resetSelected"});
+  fill(edit, {"edit.undo", "edit.redo"});
+  historyMenu_ = edit->addMenu(icon("undo"), tr("&Steps"));
+  connect(historyMenu_, &QMenu::aboutToShow, this, &MainWindow::fillHistoryMenu);
+  fill(edit, {"", "edit.selectAll", "handles.remove", "", "pose.reset", "pose.resetSelected"});
   QMenu* view = menuBar()->addMenu(tr("&View"));
   fill(view, {"mode.explore", "mode.handles", "mode.deform", "mode.stress", "mode.play", "", "view.anterior",
               "view.posterior", "view.left", "view.right", "view.superior", "view.inferior", "view.focus", "",
@@ -122,7 +124,7 @@ void MainWindow::startTour() {
         {tr("Your own organs"),
          tr("Open surfaces (STL, OBJ, PLY, OFF, VTK, VTP, GLB) with Ctrl+O or drop them here; they get "
             "handles at once. "
-            "Handles are saved as 3D Slicer markups, the deformed organ by File > Export. ? lists all keys."),
+            "Ctrl+S saves all of it as a session. ? lists all keys."),
          [this] { setMode(Mode::explore); }}};
     tour_ = new TourCard(std::move(steps), viewArea_);
     viewArea_->addCard(tour_, Qt::AlignBottom | Qt::AlignHCenter);

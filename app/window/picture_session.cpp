@@ -9,6 +9,7 @@
 #include "available_systems.h"
 #include "window/import/import_desk.h"
 #include "window/main_window.h"
+#include "window/session/session_files.h"
 #include "window/view/view_area.h"
 
 namespace viscera::app {
@@ -62,7 +63,8 @@ int takePicture(const WindowOptions& options) {
     std::fputs("viscera: the organs could not be loaded for the picture\n", stderr);
     return kSoftware;
   }
-  const bool moves = window.mode() == Mode::explore || window.mode() == Mode::play;
+  const bool session = !window.sessions().file().isEmpty(); // It has a view of its own.
+  const bool moves = !session && (window.mode() == Mode::explore || window.mode() == Mode::play);
   if (moves && window.playback().sequence()) {
     window.playback().play();
     while (now < kPlayedSeconds) {
@@ -71,7 +73,8 @@ int takePicture(const WindowOptions& options) {
     }
   }
   waitWhile(kSettle);
-  window.frameFromFront();
+  if (!session)
+    window.frameFromFront();
   waitWhile(kSettle);
   if (!window.grab().save(QString::fromStdString(options.screenshot), "PNG")) {
     std::fprintf(stderr, "viscera: cannot write %s\n", options.screenshot.c_str());

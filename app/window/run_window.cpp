@@ -10,6 +10,7 @@
 #include "window/application.h"
 #include "window/main_window.h"
 #include "window/picture_session.h"
+#include "window/session/session_files.h"
 
 namespace viscera::app {
 namespace {
@@ -72,6 +73,10 @@ int runWindow(int argc, char** argv, const WindowOptions& options) {
     problems.push_back(asSentence(problem));
   if (!problems.isEmpty()) // Together: a second message would take the place of the first.
     window.workspace().say({Message::Severity::warning, problems.join(QLatin1Char('\n')), {}, 0});
+  if (!options.freshSettings) {
+    window.sessions().startAutosave(session::standardRecoveryFolder());
+    window.sessions().offerRecovery();
+  }
   QTimer::singleShot(0, &window, [&] { begin(window, options); });
   return QApplication::exec();
 }

@@ -3,6 +3,7 @@
 #include "viscera/session/open_files.h"
 #include "viscera/session/sequence_setup.h"
 #include "viscera/session/system_commands.h"
+#include "window/session/motion_recipe.h"
 
 namespace viscera::app {
 namespace {
@@ -52,6 +53,7 @@ SampleLoader::Sample SampleLoader::make(const organs::SampleLibrary& library, co
     session::SequenceSetup setup = session::setUpSequence(library, motion.id, resolution, progress);
     sample.organs = session::organsFrom(setup.organ);
     sample.motion = setup.sequence;
+    sample.recipe = sampleRecipe(motion.id, resolution);
     sample.rig = std::move(setup.rig);
     sample.system = std::move(setup.system);
     break;
@@ -82,6 +84,7 @@ void SampleLoader::dress(std::vector<session::NewOrgan>& organs) {
 
 void SampleLoader::take(const Sample& sample, const QString& name) {
   playback_.setSequence(nullptr, {});
+  const bool untouched = workspace_.undo().isClean();
   const bool done = workspace_.guarded([&] {
     session::UndoStack& undo = workspace_.undo();
     undo.beginStep(tr("Sample %1").arg(name).toStdString());
@@ -105,8 +108,8 @@ void SampleLoader::take(const Sample& sample, const QString& name) {
   const auto& organ = workspace_.document().organs().front();
   workspace_.selection().setOrgan(organ->id);
   if (sample.motion)
-    playback_.setSequence(sample.motion, organ->id);
-  Q_EMIT loaded(name);
+    playback_.setSequence(sample.motion, organ->id, sample.recipe);
+  Q_EMIT loaded(name, untouched);
 }
 
 } // namespace viscera::app

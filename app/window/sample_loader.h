@@ -4,6 +4,7 @@
 #include <QStringList>
 
 #include <memory>
+#include <string>
 
 #include "viscera/organs/sample_organ.h"
 #include "viscera/sequences/sequence.h"
@@ -29,13 +30,15 @@ public:
   void load(const QString& name, bool play);
 
 Q_SIGNALS:
-  void loaded(const QString& name);
+  /// `untouched`: there was no work before that anybody had to save.
+  void loaded(const QString& name, bool untouched);
 
 private:
   /// What a worker makes.
   struct Sample {
     std::vector<session::NewOrgan> organs;
     std::shared_ptr<const sequences::Sequence> motion;
+    std::string recipe;  ///< Of the motion.
     session::NewRig rig; ///< The motion's handles.
     session::SystemChoice system;
   };

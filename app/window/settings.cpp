@@ -3,6 +3,8 @@
 #include <QFileInfo>
 #include <QStandardPaths>
 
+#include <utility>
+
 namespace viscera::app {
 namespace {
 constexpr int kRecentFiles = 10;
@@ -14,21 +16,29 @@ Settings::Settings(const QString& file) {
     store_ = std::make_unique<QSettings>(file, QSettings::IniFormat);
 }
 
+Settings::Settings(QVariantMap values) : memory_(std::move(values)) {}
+
 QString Settings::standardFile() {
   return QStandardPaths::writableLocation(QStandardPaths::GenericConfigLocation) +
          QStringLiteral("/viscera/viscera.ini");
 }
 
 QVariant Settings::value(const char* key, const QVariant& standard) const {
+  if (memory_)
+    return memory_->value(QLatin1String(key), standard);
   return store_ ? store_->value(QLatin1String(key), standard) : standard;
 }
 
 void Settings::setValue(const char* key, const QVariant& value) {
+  if (memory_)
+    memory_->insert(QLatin1String(key), value);
   if (store_)
     store_->setValue(QLatin1String(key), value);
 }
 
 void Settings::remove(const char* key) {
+  if (memory_)
+    memory_->remove(QLatin1String(key));
   if (store_)
     store_->remove(QLatin1String(key));
 }

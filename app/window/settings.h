@@ -5,6 +5,7 @@
 #include <QVariant>
 
 #include <memory>
+#include <optional>
 
 namespace viscera::app {
 
@@ -13,12 +14,16 @@ class Settings {
 public:
   /// Keeps everything in `file`; an empty name keeps nothing (tests, screenshots).
   explicit Settings(const QString& file);
+  /// Keeps everything in memory, beginning with these values.
+  explicit Settings(QVariantMap values);
 
   /// `$XDG_CONFIG_HOME/viscera/viscera.ini`
   static QString standardFile();
 
   QVariant value(const char* key, const QVariant& standard = {}) const;
   void setValue(const char* key, const QVariant& value);
+  /// What is kept in memory.
+  QVariantMap values() const { return memory_.value_or(QVariantMap()); }
   /// Forgets one value.
   void remove(const char* key);
 
@@ -28,6 +33,7 @@ public:
 
 private:
   std::unique_ptr<QSettings> store_;
+  std::optional<QVariantMap> memory_;
 };
 
 } // namespace viscera::app

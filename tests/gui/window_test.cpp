@@ -9,6 +9,7 @@
 #include "shapes.h"
 #include "viscera/medical_io/surface_file.h"
 #include "viscera/scene/vtkVisceraHandleSetRepresentation.h"
+#include "window/session/session_files.h"
 #include "window/view/view_area.h"
 
 namespace viscera::tests {
@@ -28,10 +29,13 @@ void WindowTest::TearDown() {
 }
 
 void WindowTest::reopenWindow() {
-  if (window_)
+  if (window_) {
+    window_->sessions().setQuestion([](const QString&) { return app::SessionFiles::Answer::discard; });
     window_->close();
+  }
   window_.reset();
   window_ = std::make_unique<app::MainWindow>(*settings_, registry(), [this] { return now_; });
+  window_->sessions().setQuestion([](const QString&) { return app::SessionFiles::Answer::discard; });
   window_->resize(1280, 800);
   window_->show();
   window_->activateWindow();

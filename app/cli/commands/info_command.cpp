@@ -7,12 +7,14 @@
 #include "cli/findings.h"
 #include "cli/inputs.h"
 #include "cli/listing.h"
+#include "cli/session_input.h"
 #include "viscera/geometry/surface_check.h"
 #include "viscera/medical_io/assess_surface.h"
 #include "viscera/medical_io/handle_file.h"
 #include "viscera/medical_io/label_map.h"
 #include "viscera/medical_io/surface_file.h"
 #include "viscera/session/open_files.h"
+#include "viscera/session/session_file.h"
 
 namespace viscera::app::cli {
 namespace {
@@ -175,8 +177,9 @@ Outcome describe(const medical_io::LabelMap& map, const std::string& file) {
 
 void InfoCommand::addOptions(CLI::App& options) {
   options
-      .add_option("FILE", file_,
-                  "An organ's surface, a label map or folder of masks, a handle file, or sample:NAME")
+      .add_option(
+          "FILE", file_,
+          "An organ's surface, a label map or folder of masks, a handle file, a session, or sample:NAME")
       ->required();
 }
 
@@ -190,6 +193,8 @@ Outcome InfoCommand::run(Surroundings& surroundings) {
     surface.warnings = organ.warnings;
     return describe(surface, file_, surroundings);
   }
+  if (session::isSessionFile(file_))
+    return describeSession(file_, surroundings);
   if (session::isHandleFile(file_))
     return describe(medical_io::readHandles(file_), file_);
   if (medical_io::isLabelMap(file_))

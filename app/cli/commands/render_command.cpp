@@ -15,6 +15,7 @@
 #include "cli/inputs.h"
 #include "cli/listing.h"
 #include "cli/picture_size.h"
+#include "cli/session_input.h"
 #include "viscera/core/error.h"
 #include "viscera/deformation/bind_organ.h"
 #include "viscera/deformation/bind_witnesses.h"
@@ -22,6 +23,7 @@
 #include "viscera/scene/picture.h"
 #include "viscera/scene/vtkVisceraHandleSetRepresentation.h"
 #include "viscera/session/open_files.h"
+#include "viscera/session/session_file.h"
 
 namespace viscera::app::cli {
 namespace {
@@ -117,7 +119,9 @@ struct RenderCommand::Shown {
 };
 
 void RenderCommand::addOptions(CLI::App& options) {
-  options.add_option("FILE", files_, "Organs (surface files, sample:NAME) and at most one handle file")
+  options
+      .add_option("FILE", files_,
+                  "Organs (surface files, sample:NAME) and at most one handle file; or one session")
       ->required();
   options.add_option("-o,--output", output_, "Picture to write (.png)")->type_name("FILE")->required();
   addStageOptions(options, stage_, size_);
@@ -126,6 +130,7 @@ void RenderCommand::addOptions(CLI::App& options) {
       ->type_name("NAMES")
       ->delimiter(',')
       ->excludes("--view");
+  viewGiven_ = options.get_option("--view");
   CLI::Option* influence =
       options.add_option("--influence", influence_, "Colour the organs by the influence of this handle")
           ->type_name("LABEL");
@@ -191,7 +196,31 @@ RenderCommand::Pictures RenderCommand::draw(const Shown& shown, const Contents& 
   return pictures;
 }
 
+Outcome RenderCommand::drawSession(Surroundings& surroundings) {
+  const bool more = files_.size() > 1 || !views_.empty() || !influence_.empty() || !pose_.empty() ||
+                    !beside_.empty() || parts_.any();
+  if (more)
+    throw UsageError("is drawn as it is: only --view, --size and --theme go with a session", files_.front(),
+                     "draw its organs' and handles' own files for anything else");
+  stage_.size = pictureSize(size_);
+  const session::OpenedSession opened =
+      session::readSession(files_.front(), surroundings.samples, surroundings.progress);
+  scene::writePng(output_, sessionPicture(opened, stage_, viewGiven_->count() > 0, surroundings));
+  Outcome outcome;
+  outcome.json = {{"png", output_},
+                  {"width", stage_.size.width},
+                  {"height", stage_.size.height},
+                  {"organs", opened.contents.state.organs->size()},
+                  {"handles", opened.contents.state.rig->handles.size()}};
+  outcome.text = Listing().add("picture", output_).text();
+  outcome.warnings = opened.warnings;
+  return outcome;
+}
+
 Outcome RenderCommand::run(Surroundings& surroundings) {
+  if (std::any_of(files_.begin(), files_.end(),
+                  [](const auto& file) { return session::isSessionFile(file); }))
+    return drawSession(surroundings);
   std::vector<Shown> all = shown(surroundings);
   stage_.size = pictureSize(size_);
   if (views_.empty())

@@ -13,6 +13,10 @@
 #include "cli/system_options.h"
 #include "viscera/scene/layout_hulls.h"
 
+namespace CLI {
+class Option;
+}
+
 namespace viscera::app::cli {
 
 /// What the files named hold.
@@ -37,6 +41,8 @@ private:
   using Pictures = std::vector<vtkSmartPointer<vtkImageData>>;
   /// One picture a side that is asked for.
   Pictures draw(const Shown& shown, const Contents& contents, int width, Surroundings& surroundings) const;
+  /// A session as the window showed it.
+  Outcome drawSession(Surroundings& surroundings);
 
   std::vector<std::string> files_;
   std::string output_;
@@ -48,6 +54,7 @@ private:
   std::string pose_;
   bool stress_ = false;
   StageOptions stage_;
+  CLI::Option* viewGiven_ = nullptr;
   double opacity_ = 1;
   SystemOptions system_;
 };

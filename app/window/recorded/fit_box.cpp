@@ -11,6 +11,7 @@
 #include <algorithm>
 
 #include "viscera/session/sequence_setup.h"
+#include "window/session/motion_recipe.h"
 #include "window/style/icon.h"
 
 namespace viscera::app {
@@ -177,18 +178,20 @@ void FitBox::fit() {
       [id = sequenceId(), organ, given](Progress& progress) {
         return session::retargetSequence(id, *organ, given, progress);
       },
-      [this, id = organ->id](session::JobResult<session::RetargetedSequence> result) {
+      [this, id = organ->id, sequence = sequenceId(),
+       given](session::JobResult<session::RetargetedSequence> result) {
         if (result.error)
           workspace_.report(*result.error);
         if (result.value)
-          take(*result.value, id);
+          take(*result.value, id, sequence, given);
       });
 }
 
-void FitBox::take(const session::RetargetedSequence& fitted, session::OrganId organ) {
+void FitBox::take(const session::RetargetedSequence& fitted, session::OrganId organ,
+                  const std::string& sequence, const session::Landmarks& given) {
   if (!workspace_.document().organ(organ) || !workspace_.perform(session::useRetargeted(fitted)))
     return;
-  playback_.setSequence(fitted.sequence, organ);
+  playback_.setSequence(fitted.sequence, organ, fittedRecipe(sequence, given));
   landmarks_ = fitted.landmarks;
   syncRows();
   for (const std::string& warning : fitted.warnings)

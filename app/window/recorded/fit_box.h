@@ -51,7 +51,8 @@ private:
   void syncRows();
   void syncTarget();
   void fit();
-  void take(const session::RetargetedSequence& fitted, session::OrganId organ);
+  void take(const session::RetargetedSequence& fitted, session::OrganId organ, const std::string& sequence,
+            const session::Landmarks& given);
 
   Workspace& workspace_;
   Playback& playback_;

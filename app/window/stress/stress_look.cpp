@@ -8,6 +8,7 @@ namespace viscera::app {
 namespace {
 
 constexpr double kShortestNormal = 1e-6;
+constexpr int kAllDigits = 17; ///< Of a double.
 
 Vec3 normalFrom(const QString& numbers) {
   const QStringList parts = numbers.split(QLatin1Char(' '));
@@ -19,7 +20,10 @@ Vec3 normalFrom(const QString& numbers) {
 }
 
 QString numbersOf(const Vec3& normal) {
-  return QStringLiteral("%1 %2 %3").arg(normal.x()).arg(normal.y()).arg(normal.z());
+  return QStringLiteral("%1 %2 %3")
+      .arg(normal.x(), 0, 'g', kAllDigits)
+      .arg(normal.y(), 0, 'g', kAllDigits)
+      .arg(normal.z(), 0, 'g', kAllDigits);
 }
 
 } // namespace

@@ -29,16 +29,18 @@ Playback::Playback(Workspace& workspace, session::Player::Clock clock, QObject* 
   });
 }
 
-void Playback::setSequence(std::shared_ptr<const sequences::Sequence> sequence, session::OrganId organ) {
+void Playback::setSequence(std::shared_ptr<const sequences::Sequence> sequence, session::OrganId organ,
+                           std::string recipe) {
   stop();
-  const Motion motion{std::move(sequence), organ};
+  const Motion motion{std::move(sequence), organ, std::move(recipe)};
   remember(motion);
   take(motion);
   Q_EMIT stateChanged();
 }
 
-void Playback::offer(std::shared_ptr<const sequences::Sequence> sequence, session::OrganId organ) {
-  remember({std::move(sequence), organ});
+void Playback::offer(std::shared_ptr<const sequences::Sequence> sequence, session::OrganId organ,
+                     std::string recipe) {
+  remember({std::move(sequence), organ, std::move(recipe)});
   Q_EMIT stateChanged();
 }
 
@@ -57,6 +59,13 @@ void Playback::forget(const sequences::Sequence* sequence) {
   stop();
   take({});
   takeWhatFits();
+  Q_EMIT stateChanged();
+}
+
+void Playback::forgetAll() {
+  stop();
+  known_.clear();
+  take({});
   Q_EMIT stateChanged();
 }
 

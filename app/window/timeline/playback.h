@@ -4,6 +4,7 @@
 #include <QTimer>
 
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "viscera/session/player.h"
@@ -24,6 +25,8 @@ public:
   struct Motion {
     std::shared_ptr<const sequences::Sequence> sequence;
     session::OrganId organ;
+    /// How to make the sequence again (motion_recipe.h); empty for one that the document itself holds.
+    std::string recipe;
   };
 
   /// `clock` in seconds; a test or a picture brings its own.
@@ -31,11 +34,15 @@ public:
 
   /// Takes a sequence and the organ that it belongs to, and makes it the present one; it is offered while
   /// that organ is in the document. Null: none is present.
-  void setSequence(std::shared_ptr<const sequences::Sequence> sequence, session::OrganId organ);
+  void setSequence(std::shared_ptr<const sequences::Sequence> sequence, session::OrganId organ,
+                   std::string recipe = {});
   /// Takes a sequence to choose from, and leaves the present one.
-  void offer(std::shared_ptr<const sequences::Sequence> sequence, session::OrganId organ);
+  void offer(std::shared_ptr<const sequences::Sequence> sequence, session::OrganId organ,
+             std::string recipe = {});
   /// Takes back a sequence that was set or offered.
   void forget(const sequences::Sequence* sequence);
+  /// Takes back all of them: another document has organs of its own.
+  void forgetAll();
   /// The motions for the organs there are, the oldest first.
   std::vector<Motion> motions() const;
   /// Makes one of `motions` the present one, stopped at its beginning.

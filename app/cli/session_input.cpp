@@ -1,0 +1,153 @@
+#include "cli/session_input.h"
+
+#include <algorithm>
+#include <limits>
+#include <memory>
+
+#include <vtkImageData.h>
+
+#include "camera_json.h"
+#include "cli/listing.h"
+#include "viscera/core/error.h"
+#include "viscera/scene/vtkVisceraHandleSetRepresentation.h"
+#include "viscera/session/live_binding.h"
+#include "viscera/session/undo_stack.h"
+
+namespace viscera::app::cli {
+namespace {
+
+using nlohmann::ordered_json;
+
+ordered_json organJson(const session::Organ& organ) {
+  return {
+      {"name", organ.name},
+      {"vertices", organ.mesh->points.rows()},
+      {"triangles", organ.mesh->triangles.rows()},
+      {"closed", organ.closed()},
+      {"volumeMl", organ.closed() ? ordered_json(organ.restVolumeMm3 / kMm3PerMl) : ordered_json(nullptr)},
+      {"volumeLocked", organ.volumeLocked},
+      {"visible", organ.look.visible}};
+}
+
+/// The handles of a session as a picture shows them.
+RigInput rigOf(const session::Rig& rig) {
+  RigInput input;
+  input.handles = session::handleSet(rig);
+  for (const session::Handle& handle : rig.handles)
+    input.labels.push_back(handle.label);
+  for (const session::Group& group : rig.groups)
+    input.groupColors.push_back(group.color);
+  return input;
+}
+
+/// The pose that the window showed: an instant of a motion, else the document's.
+Points shownPose(const session::DocumentState& state, const ordered_json& view) {
+  Points pose = *state.pose;
+  const ordered_json rows = view.value("shownPose", ordered_json());
+  if (!rows.is_array() || static_cast<Eigen::Index>(rows.size()) != pose.rows())
+    return pose;
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    for (int k = 0; k < 3; ++k)
+      pose(static_cast<Eigen::Index>(i), k) = rows[i].at(static_cast<std::size_t>(k)).get<double>();
+  return pose;
+}
+
+bool on(const ordered_json& view, const char* name, bool standard) {
+  const ordered_json switches = view.value("switches", ordered_json::object());
+  return switches.is_object() ? switches.value(name, standard) : standard;
+}
+
+bool showsHandles(const ordered_json& view) {
+  const std::string mode = view.value("mode", std::string());
+  return mode == "handles" || mode == "deform" || on(view, "view.handles", false);
+}
+
+} // namespace
+
+Outcome describeSession(const std::string& file, Surroundings& surroundings) {
+  const session::OpenedSession opened =
+      session::readSession(file, surroundings.samples, surroundings.progress);
+  const session::DocumentState& state = opened.contents.state;
+  Listing listing;
+  listing.add("kind", "session");
+  ordered_json organs = ordered_json::array();
+  auto organ = state.organs->begin();
+  for (const session::SurfaceFinding& finding : opened.surfaces) {
+    const bool there = finding.state != session::SurfaceFinding::State::missing;
+    ordered_json item = there ? organJson(**organ++) : ordered_json{{"name", finding.organ}};
+    item["surface"] = nameOf(finding.state);
+    item["source"] = finding.source;
+    listing.add("organ", finding.organ + ": " + nameOf(finding.state) +
+                             (finding.source.empty() ? "" : ", " + finding.source));
+    organs.push_back(std::move(item));
+  }
+  ordered_json groups = ordered_json::array();
+  for (const session::Group& group : state.rig->groups)
+    groups.push_back({{"name", group.name}, {"handles", group.handles.size()}});
+  ordered_json parameters = ordered_json::object();
+  for (const auto& [name, value] : state.system->parameters.all())
+    parameters[name] = value;
+  Outcome outcome;
+  outcome.json = {{"kind", "session"},
+                  {"file", file},
+                  {"surfaces", opened.contents.embedSurfaces ? "embedded" : "linked"},
+                  {"organs", std::move(organs)},
+                  {"handles", state.rig->handles.size()},
+                  {"groups", std::move(groups)},
+                  {"posed", !session::atRest(state)},
+                  {"system", {{"id", state.system->id}, {"parameters", std::move(parameters)}}},
+                  {"recordedKeys", state.recording->keys.size()},
+                  {"warnings", opened.warnings}};
+  listing.add("handles",
+              std::to_string(state.rig->handles.size()) + (session::atRest(state) ? ", at rest" : ", posed"));
+  for (const session::Group& group : state.rig->groups)
+    listing.add("group", group.name + ": " + std::to_string(group.handles.size()));
+  listing.add("coordinates", state.system->id)
+      .add("recorded keys", std::to_string(state.recording->keys.size()));
+  outcome.text = listing.text();
+  outcome.warnings = opened.warnings;
+  return outcome;
+}
+
+vtkSmartPointer<vtkImageData> sessionPicture(const session::OpenedSession& opened,
+                                             const StageOptions& options, bool fromSide,
+                                             Surroundings& surroundings) {
+  const session::DocumentState& state = opened.contents.state;
+  const auto view = ordered_json::parse(opened.contents.view);
+  session::Document document;
+  session::UndoStack undo(document);
+  session::PostBox box;
+  session::JobQueue jobs(box.post());
+  session::LiveBinding::Options atOnce;
+  atOnce.frameSeconds = std::numeric_limits<double>::infinity();
+  atOnce.threads = surroundings.threads;
+  session::LiveBinding live(document, surroundings.systems, jobs, atOnce);
+  undo.reset(state);
+  Stage stage(options, surroundings.threads);
+  try {
+    if (view.value("mode", std::string()) == "handles")
+      live.showRest();
+    else
+      live.showPose(shownPose(state, view));
+    for (const auto& organ : *state.organs) {
+      auto actor = stage.add(*organ, organ->look.opacity);
+      actor->setVertexColorsShown(organ->look.vertexColors);
+      actor->setVisible(organ->look.visible);
+      actor->setPoints(std::make_shared<const Points>(live.points(organ->id)));
+    }
+    if (showsHandles(view)) {
+      stage.showHandles(rigOf(*state.rig));
+      stage.view().handles()->SetPositions(live.shownPose());
+    }
+    stage.view().setOrientationCubeShown(on(view, "view.cube", true));
+    stage.view().setScaleBarShown(on(view, "view.scale", true));
+    stage.compose();
+    if (!fromSide && view.contains("camera"))
+      setCamera(view.at("camera"), *stage.view().renderer());
+  } catch (const ordered_json::exception&) {
+    throw DataError("its view is none that Viscera has written", "view", "give --view for another one");
+  }
+  return stage.picture();
+}
+
+} // namespace viscera::app::cli

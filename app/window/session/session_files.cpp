@@ -1,0 +1,295 @@
+#include "window/session/session_files.h"
+
+#include <QDateTime>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QLocale>
+#include <QMessageBox>
+#include <QPushButton>
+#include <QStandardPaths>
+
+#include <chrono>
+#include <utility>
+
+namespace viscera::app {
+namespace {
+
+constexpr const char* kFolderKey = "files/folder";
+constexpr const char* kEnding = ".viscera";
+constexpr int kLookMilliseconds = 1000;
+constexpr int kSavedSeconds = 4;
+constexpr std::size_t kShownWarnings = 4;
+
+session::JobQueue::Post postTo(QObject* receiver) {
+  return [receiver](std::function<void()> work) {
+    QMetaObject::invokeMethod(receiver, std::move(work), Qt::QueuedConnection);
+  };
+}
+
+double steadySeconds() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+QDateTime dateOf(const session::Recovery& recovery) {
+  const auto age = std::filesystem::file_time_type::clock::now() - recovery.written;
+  return QDateTime::currentDateTime().addSecs(-std::chrono::duration_cast<std::chrono::seconds>(age).count());
+}
+
+} // namespace
+
+SessionFiles::SessionFiles(Workspace& workspace, Playback& playback, ViewState& view, Settings& settings,
+                           QWidget* window)
+    : QObject(window), workspace_(workspace), playback_(playback), view_(view), settings_(settings),
+      window_(window), writes_(postTo(this)) {
+  subscription_ = workspace.undo().onChange([this] { onUndo(); });
+  connect(&timer_, &QTimer::timeout, this, &SessionFiles::autosaveIfDue);
+}
+
+SessionFiles::~SessionFiles() = default;
+
+QString SessionFiles::name() const {
+  return file_.isEmpty() ? tr("Untitled session") : QFileInfo(file_).fileName();
+}
+
+bool SessionFiles::modified() const {
+  return !workspace_.undo().isClean();
+}
+
+session::SessionContents SessionFiles::contents() const {
+  session::SessionContents contents;
+  contents.state = workspace_.state();
+  contents.view = view_.gather();
+  contents.embedSurfaces = embed_;
+  contents.missing = missing_;
+  return contents;
+}
+
+void SessionFiles::save(std::function<void()> then) {
+  if (file_.isEmpty())
+    chooseAndSave(std::move(then));
+  else
+    saveTo(file_, embed_, std::move(then));
+}
+
+void SessionFiles::chooseAndSave(std::function<void()> then) {
+  const QString pattern = QStringLiteral(" (*%1)").arg(QLatin1String(kEnding));
+  const QString linked = tr("Session that names its organs' files") + pattern;
+  const QString embedded = tr("Session with all surfaces inside") + pattern;
+  QString chosen = embed_ ? embedded : linked;
+  const QString standard = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
+  const QString folder = settings_.value(kFolderKey, standard).toString();
+  const QString start =
+      file_.isEmpty() ? folder + QLatin1Char('/') + tr("session") + QLatin1String(kEnding) : file_;
+  QString file = QFileDialog::getSaveFileName(window_, tr("Save the session as"), start,
+                                              linked + QStringLiteral(";;") + embedded, &chosen);
+  if (file.isEmpty())
+    return;
+  if (!session::isSessionFile(file.toStdString()))
+    file += QLatin1String(kEnding);
+  saveTo(file, chosen == embedded, std::move(then));
+}
+
+void SessionFiles::saveTo(const QString& file, bool embed, std::function<void()> then) {
+  session::SessionContents saved = contents();
+  saved.embedSurfaces = embed;
+  const session::DocumentState state = saved.state;
+  writes_.submit<bool>(
+      tr("Saving %1").arg(QFileInfo(file).fileName()).toStdString(), {},
+      [path = file.toStdString(), saved = std::move(saved)](Progress& progress) {
+        session::writeSession(path, saved, progress);
+        return true;
+      },
+      [this, file, embed, state, then = std::move(then)](session::JobResult<bool> result) {
+        if (result.error)
+          workspace_.report(*result.error);
+        if (!result.value)
+          return;
+        wrote(file, embed, state);
+        if (then)
+          then();
+      });
+}
+
+void SessionFiles::wrote(const QString& file, bool embed, const session::DocumentState& state) {
+  file_ = QFileInfo(file).absoluteFilePath();
+  embed_ = embed;
+  settings_.setValue(kFolderKey, QFileInfo(file_).absolutePath());
+  settings_.addRecentFiles({file_});
+  workspace_.undo().markSaved(state);
+  Message message;
+  message.text = tr("Saved as %1").arg(file_);
+  message.seconds = kSavedSeconds;
+  workspace_.say(message);
+  Q_EMIT recentFilesChanged();
+  Q_EMIT changed();
+}
+
+bool SessionFiles::whenSaved(std::function<void()> then) {
+  const Answer answer = modified() ? ask() : Answer::discard;
+  if (answer == Answer::cancel)
+    return false;
+  if (answer == Answer::save) {
+    save(std::move(then));
+    return false;
+  }
+  then();
+  return true;
+}
+
+SessionFiles::Answer SessionFiles::ask() const {
+  if (question_)
+    return question_(name());
+  QMessageBox box(QMessageBox::Question, tr("Save changes?"), tr("Save the changes of %1?").arg(name()),
+                  QMessageBox::NoButton, window_);
+  box.setInformativeText(tr("They are lost otherwise."));
+  QPushButton* save = box.addButton(tr("&Save"), QMessageBox::AcceptRole);
+  QPushButton* discard = box.addButton(tr("&Discard"), QMessageBox::DestructiveRole);
+  box.addButton(tr("&Cancel"), QMessageBox::RejectRole);
+  box.setDefaultButton(save);
+  box.exec();
+  return box.clickedButton() == save      ? Answer::save
+         : box.clickedButton() == discard ? Answer::discard
+                                          : Answer::cancel;
+}
+
+void SessionFiles::open(const QString& file) {
+  whenSaved([this, file] { read(file, std::nullopt); });
+}
+
+void SessionFiles::begin() {
+  whenSaved([this] {
+    workspace_.jobs().cancelAll();
+    takeContents({}, {});
+    Q_EMIT opened();
+  });
+}
+
+void SessionFiles::read(const QString& file, std::optional<session::Recovery> recovery) {
+  workspace_.jobs().submit<session::OpenedSession>(
+      tr("Opening %1").arg(QFileInfo(file).fileName()).toStdString(), "open",
+      [path = file.toStdString(), library = organs::standardLibrary()](Progress& progress) {
+        return session::readSession(path, library, progress);
+      },
+      [this, file, recovery](session::JobResult<session::OpenedSession> result) {
+        if (result.error)
+          workspace_.report(*result.error);
+        if (!result.value)
+          return;
+        if (!recovery)
+          return take(*result.value, QFileInfo(file).absoluteFilePath());
+        take(*result.value, QString::fromStdString(result.value->contents.recovers.string()));
+        workspace_.undo().markUnsaved();
+        if (autosave_)
+          autosave_->adopt(*recovery);
+      });
+}
+
+void SessionFiles::take(const session::OpenedSession& session, const QString& file) {
+  takeContents(session.contents, file);
+  if (!file.isEmpty()) {
+    settings_.addRecentFiles({file});
+    settings_.setValue(kFolderKey, QFileInfo(file).absolutePath());
+    Q_EMIT recentFilesChanged();
+  }
+  Q_EMIT opened();
+  workspace_.guarded([&] { view_.apply(session.contents.view); });
+  sayWarnings(session.warnings);
+}
+
+/// The document of a session in place of the one before; nothing of that one is left.
+void SessionFiles::takeContents(const session::SessionContents& contents, const QString& file) {
+  if (autosave_)
+    autosave_->clear();
+  playback_.forgetAll();
+  workspace_.selection().clear();
+  workspace_.undo().reset({}); // The ids of the other document mean nothing here.
+  workspace_.undo().reset(contents.state);
+  file_ = file;
+  embed_ = contents.embedSurfaces;
+  missing_ = contents.missing;
+  Q_EMIT changed();
+}
+
+void SessionFiles::sayWarnings(const std::vector<std::string>& warnings) {
+  if (warnings.empty())
+    return;
+  QStringList lines;
+  for (std::size_t i = 0; i < std::min(warnings.size(), kShownWarnings); ++i)
+    lines.push_back(asSentence(warnings[i]));
+  if (warnings.size() > kShownWarnings)
+    lines.push_back(tr("And %n more.", nullptr, static_cast<int>(warnings.size() - kShownWarnings)));
+  workspace_.say({Message::Severity::warning, lines.join(QLatin1Char('\n')), {}, 0});
+}
+
+void SessionFiles::startAutosave(const std::filesystem::path& folder, double delaySeconds) {
+  recoveries_ = session::findRecoveries(folder);
+  autosave_ = std::make_unique<session::Autosave>(folder, postTo(this), steadySeconds, delaySeconds);
+  timer_.start(kLookMilliseconds);
+  onUndo();
+  Q_EMIT changed();
+}
+
+void SessionFiles::autosaveIfDue() {
+  if (!autosave_ || !autosave_->due() || workspace_.undo().stepOpen())
+    return;
+  session::SessionContents kept = contents();
+  kept.recovers = file_.toStdString();
+  autosave_->write(std::move(kept), [this](std::shared_ptr<const Error> error) {
+    if (error && !autosaveFailed_)
+      workspace_.report(*error);
+    autosaveFailed_ = error != nullptr;
+  });
+}
+
+void SessionFiles::onUndo() {
+  const bool now = modified();
+  if (autosave_ && now)
+    autosave_->changed();
+  if (autosave_ && !now && wasModified_)
+    autosave_->clear();
+  if (now != wasModified_) {
+    wasModified_ = now;
+    Q_EMIT changed();
+  }
+}
+
+void SessionFiles::offerRecovery() {
+  if (recoveries_.empty())
+    return;
+  const QString when = QLocale().toString(dateOf(recoveries_.front()), QLocale::ShortFormat);
+  Message message;
+  message.severity = Message::Severity::warning;
+  message.text = tr("Viscera ended without saving. The work of %1 is still there.").arg(when);
+  message.offers.push_back({tr("Bring it back"), [this] { recover(); }});
+  message.offers.push_back({tr("Throw it away"), [this] {
+                              session::discard(recoveries_.front());
+                              recoveries_.erase(recoveries_.begin());
+                              Q_EMIT changed();
+                              offerRecovery();
+                            }});
+  workspace_.say(message);
+}
+
+void SessionFiles::recover() {
+  if (recoveries_.empty())
+    return;
+  whenSaved([this] {
+    const session::Recovery recovery = recoveries_.front();
+    recoveries_.erase(recoveries_.begin());
+    read(QString::fromStdString(recovery.file.string()), recovery);
+    Q_EMIT changed();
+  });
+}
+
+void SessionFiles::endCleanly() {
+  timer_.stop();
+  if (autosave_)
+    autosave_->clear();
+}
+
+void SessionFiles::sampleLoaded(const QString&, bool untouched) {
+  if (untouched && file_.isEmpty())
+    workspace_.undo().markSaved();
+}
+
+} // namespace viscera::app

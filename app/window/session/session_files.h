@@ -1,0 +1,112 @@
+#pragma once
+
+#include <QObject>
+#include <QString>
+#include <QTimer>
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "viscera/session/autosave.h"
+#include "viscera/session/session_file.h"
+#include "window/session/view_state.h"
+#include "window/settings.h"
+#include "window/workspace.h"
+
+class QWidget;
+
+namespace viscera::app {
+
+/// The session that is open: where it is saved, whether it is, and its recovery file. Reading and writing is
+/// done on workers; what fails leaves the document and the file as they were and says one thing.
+class SessionFiles final : public QObject {
+  Q_OBJECT
+
+public:
+  /// What is to become of changes that are not saved.
+  enum class Answer { save, discard, cancel };
+
+  SessionFiles(Workspace& workspace, Playback& playback, ViewState& view, Settings& settings,
+               QWidget* window);
+  ~SessionFiles() override;
+
+  /// The file of the session; empty for one that was never saved.
+  const QString& file() const { return file_; }
+  /// "liver.viscera", or the name of one without a file.
+  QString name() const;
+  /// Whether there are changes that are not saved.
+  bool modified() const;
+  /// Whether all surfaces are kept inside the file.
+  bool embeds() const { return embed_; }
+  /// Everything that is saved, as it is now.
+  session::SessionContents contents() const;
+
+  /// Saves to the session's file, or asks for one. `then` follows once it is saved.
+  void save(std::function<void()> then = {});
+  /// Asks for a file, and whether the surfaces are to be inside.
+  void chooseAndSave(std::function<void()> then = {});
+  void saveTo(const QString& file, bool embed, std::function<void()> then = {});
+  /// Opens a session in place of what there is; asks first when that is not saved.
+  void open(const QString& file);
+  /// An empty document; asks first.
+  void begin();
+  /// Calls `then` when no change can be lost any more: all is saved, or the user does not want it. False
+  /// when the answer is still awaited, or no.
+  bool whenSaved(std::function<void()> then);
+
+  /// From now on the work is kept in recovery files in this folder.
+  void startAutosave(const std::filesystem::path& folder,
+                     double delaySeconds = session::Autosave::kDelaySeconds);
+  /// Offers what an earlier run of the program has left.
+  void offerRecovery();
+  bool recoverable() const { return !recoveries_.empty(); }
+  /// Opens the youngest of what was left.
+  void recover();
+  /// Everything is saved or not wanted, and the program ends.
+  void endCleanly();
+
+  /// Another way to ask than a dialog, for tests.
+  void setQuestion(std::function<Answer(const QString& name)> question) { question_ = std::move(question); }
+
+Q_SIGNALS:
+  /// Another file, or saved, or not saved any more.
+  void changed();
+  void recentFilesChanged();
+  /// A document was opened in place of the one before.
+  void opened();
+
+public Q_SLOTS:
+  /// A sample organ took the place of everything: nothing that somebody has to save when `untouched`.
+  void sampleLoaded(const QString& name, bool untouched);
+
+private:
+  void read(const QString& file, std::optional<session::Recovery> recovery);
+  void take(const session::OpenedSession& session, const QString& file);
+  void takeContents(const session::SessionContents& contents, const QString& file);
+  void wrote(const QString& file, bool embed, const session::DocumentState& state);
+  void sayWarnings(const std::vector<std::string>& warnings);
+  void onUndo();
+  void autosaveIfDue();
+  Answer ask() const;
+
+  Workspace& workspace_;
+  Playback& playback_;
+  ViewState& view_;
+  Settings& settings_;
+  QWidget* window_;
+  QString file_;
+  bool embed_ = false;
+  std::vector<session::MissingOrgan> missing_;
+  session::JobQueue writes_; ///< Of its own: saving waits for no long work.
+  std::unique_ptr<session::Autosave> autosave_;
+  std::vector<session::Recovery> recoveries_;
+  std::function<Answer(const QString&)> question_;
+  bool autosaveFailed_ = false; ///< It was said.
+  bool wasModified_ = false;
+  QTimer timer_;
+  session::Subscription subscription_;
+};
+
+} // namespace viscera::app

@@ -1,0 +1,282 @@
+#include "window_test.h"
+
+#include <QAction>
+#include <QFile>
+#include <QMenu>
+
+#include <vtkCamera.h>
+#include <vtkRenderer.h>
+
+#include "temporary_folder.h"
+#include "viscera/session/autosave.h"
+#include "viscera/session/organ_commands.h"
+#include "viscera/session/pose_commands.h"
+#include "viscera/session/recording_commands.h"
+#include "window/session/session_files.h"
+
+namespace viscera::tests {
+namespace {
+
+using Answer = app::SessionFiles::Answer;
+
+class SessionTest : public WindowTest {
+protected:
+  app::SessionFiles& sessions() { return window().sessions(); }
+  session::UndoStack& undo() { return window().workspace().undo(); }
+
+  void save(const QString& file, bool embed = false) {
+    bool done = false;
+    sessions().saveTo(file, embed, [&] { done = true; });
+    ASSERT_TRUE(waitUntil([&] { return done; })) << message().toStdString();
+  }
+
+  /// A posed ball in Deform mode, seen from above on the left.
+  void work() {
+    open(sphereFile());
+    Points pose = document().pose();
+    pose(0, 0) += 7.1;
+    ASSERT_TRUE(window().workspace().perform(session::setPose(pose)));
+    ASSERT_TRUE(window().workspace().perform(session::recordKey(0.5)));
+    window().setMode(app::Mode::deform);
+    view().view().lookFrom(scene::StandardView::left);
+    camera()->Azimuth(21);
+    camera()->Dolly(1.3);
+    settle();
+  }
+
+  vtkCamera* camera() { return view().view().renderer()->GetActiveCamera(); }
+
+  /// The answer to "Save changes?", and how often it was asked.
+  void answer(Answer answer) {
+    sessions().setQuestion([this, answer](const QString&) {
+      ++asked_;
+      return answer;
+    });
+  }
+
+  int asked_ = 0;
+};
+
+TEST_F(SessionTest, SavedAndOpenedInAnotherWindowIsTheSameDocumentModeAndCamera) {
+  work();
+  window().actions()["view.ghost"]->setChecked(true);
+  window().workspace().selection().setHandles({document().rig().handles[3].id});
+  save(path(QStringLiteral("work.viscera")));
+  const session::DocumentState state = document().state();
+  double position[3], up[3];
+  camera()->GetPosition(position);
+  camera()->GetViewUp(up);
+  EXPECT_FALSE(window().isWindowModified());
+  EXPECT_TRUE(window().windowTitle().startsWith(QStringLiteral("work.viscera")));
+
+  reopenWindow();
+  open(path(QStringLiteral("work.viscera")));
+  EXPECT_TRUE(session::identical(document().state(), state));
+  EXPECT_EQ(window().mode(), app::Mode::deform);
+  EXPECT_TRUE(window().actions()["view.ghost"]->isChecked());
+  EXPECT_EQ(window().workspace().selection().currentHandle(), document().rig().handles[3].id);
+  for (int k = 0; k < 3; ++k) {
+    EXPECT_EQ(camera()->GetPosition()[k], position[k]) << k;
+    EXPECT_EQ(camera()->GetViewUp()[k], up[k]) << k;
+  }
+  EXPECT_FALSE(window().isWindowModified());
+  EXPECT_EQ(window().workspace().live().shownPose(), document().pose());
+}
+
+TEST_F(SessionTest, SavedTwiceWithoutAChangeIsTheSameFile) {
+  work();
+  save(path(QStringLiteral("a.viscera")), true);
+  open(path(QStringLiteral("a.viscera")));
+  save(path(QStringLiteral("b.viscera")), true);
+  EXPECT_EQ(contentsOf(path(QStringLiteral("a.viscera")).toStdString()),
+            contentsOf(path(QStringLiteral("b.viscera")).toStdString()));
+}
+
+TEST_F(SessionTest, CtrlSSavesToTheSessionsFileAgain) {
+  work();
+  save(path(QStringLiteral("work.viscera")));
+  ASSERT_TRUE(window().workspace().perform(session::resetPose()));
+  EXPECT_TRUE(window().isWindowModified());
+  key(Qt::Key_S, Qt::ControlModifier);
+  EXPECT_TRUE(waitUntil([this] { return !window().isWindowModified(); }));
+  undo().undo();
+  EXPECT_TRUE(window().isWindowModified());
+  undo().redo();
+  EXPECT_FALSE(window().isWindowModified()) << "undo led back to what was saved";
+}
+
+TEST_F(SessionTest, CancelKeepsTheWindowAndTheWork) {
+  work();
+  answer(Answer::cancel);
+  const session::DocumentState state = document().state();
+  EXPECT_FALSE(window().close());
+  open(path(QStringLiteral("other.viscera")));
+  sessions().begin();
+  EXPECT_EQ(asked_, 3);
+  EXPECT_TRUE(document().state() == state);
+  EXPECT_TRUE(window().isVisible());
+}
+
+TEST_F(SessionTest, SaveBeforeClosingSavesAndCloses) {
+  work();
+  save(path(QStringLiteral("work.viscera")));
+  ASSERT_TRUE(window().workspace().perform(session::resetPose()));
+  const session::DocumentState state = document().state();
+  answer(Answer::save);
+  window().close();
+  ASSERT_TRUE(waitUntil([this] { return !window().isVisible(); }));
+  EXPECT_EQ(asked_, 1);
+  reopenWindow();
+  open(path(QStringLiteral("work.viscera")));
+  EXPECT_TRUE(session::identical(document().state(), state));
+}
+
+TEST_F(SessionTest, NothingIsAskedWhenNothingIsLost) {
+  answer(Answer::cancel);
+  EXPECT_TRUE(window().close());
+  EXPECT_EQ(asked_, 0);
+}
+
+TEST_F(SessionTest, ASaveThatFailsSaysSoAndTheWorkStaysUnsaved) {
+  work();
+  bool done = false;
+  sessions().saveTo(path(QStringLiteral("nowhere/work.viscera")), false, [&] { done = true; });
+  ASSERT_TRUE(waitUntil([this] { return message().contains(QStringLiteral("work.viscera")); }));
+  EXPECT_FALSE(done);
+  EXPECT_TRUE(window().isWindowModified());
+}
+
+TEST_F(SessionTest, ADamagedSessionSaysOneThingAndLeavesTheDocument) {
+  work();
+  answer(Answer::discard);
+  const session::DocumentState state = document().state();
+  QFile file(path(QStringLiteral("bad.viscera")));
+  ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+  file.write("{\"format\": \"viscera-session\", \"version\": 1, ");
+  file.close();
+  open(file.fileName());
+  EXPECT_TRUE(message().contains(QStringLiteral("bad.viscera"))) << message().toStdString();
+  EXPECT_TRUE(document().state() == state);
+}
+
+TEST_F(SessionTest, AVanishedOrganIsNamedAndTheRestOpens) {
+  work();
+  save(path(QStringLiteral("work.viscera")));
+  QFile::remove(path(QStringLiteral("ball.stl")));
+  reopenWindow();
+  open(path(QStringLiteral("work.viscera")));
+  EXPECT_TRUE(message().contains(QStringLiteral("ball.stl"))) << message().toStdString();
+  EXPECT_TRUE(document().organs().empty());
+  EXPECT_EQ(document().rig().handles.size(), 30u);
+}
+
+TEST_F(SessionTest, ASessionIsAmongTheRecentFiles) {
+  work();
+  save(path(QStringLiteral("work.viscera")));
+  bool listed = false;
+  for (const QAction* action : window().findChildren<QAction*>())
+    listed = listed || action->text() == QStringLiteral("work.viscera");
+  EXPECT_TRUE(listed);
+}
+
+TEST_F(SessionTest, ASampleAtItsInstantComesBackPlayingThere) {
+  window().samples().load(QStringLiteral("heart"), false);
+  ASSERT_TRUE(waitUntil([this] { return window().playback().sequence() != nullptr; }));
+  settle();
+  EXPECT_FALSE(window().isWindowModified()) << "a sample by itself is no work";
+  window().setMode(app::Mode::play);
+  window().playback().setRate(90);
+  window().playback().seek(1.0 / 3);
+  const Points pose = window().workspace().live().shownPose();
+  save(path(QStringLiteral("beat.viscera")));
+  reopenWindow();
+  open(path(QStringLiteral("beat.viscera")));
+  ASSERT_TRUE(waitUntil([this] { return window().playback().showing(); }));
+  EXPECT_EQ(window().playback().player().ratePerMinute(), 90);
+  EXPECT_EQ(window().workspace().live().shownPose(), pose);
+  EXPECT_EQ(document().organs().front()->origin.sample, "heart@medium");
+}
+
+TEST_F(SessionTest, UnsavedWorkIsOfferedAfterACrashAndComesBackUnsaved) {
+  const auto folder = std::filesystem::path(path(QStringLiteral("state")).toStdString());
+  work();
+  const session::DocumentState state = document().state();
+  {
+    // Another program that worked on this and was killed: its lock is gone, its file is not.
+    session::PostBox box;
+    session::Autosave killed(folder, box.post(), [] { return 0.0; });
+    session::SessionContents contents = sessions().contents();
+    contents.recovers = path(QStringLiteral("work.viscera")).toStdString();
+    bool written = false;
+    killed.write(contents, [&](const auto& error) {
+      EXPECT_EQ(error, nullptr);
+      written = true;
+    });
+    box.runUntil([&] { return written; });
+  }
+  reopenWindow();
+  sessions().startAutosave(folder);
+  sessions().offerRecovery();
+  EXPECT_TRUE(message().contains(QStringLiteral("without saving"))) << message().toStdString();
+  EXPECT_TRUE(window().actions()["file.recover"]->isEnabled());
+  QMetaObject::invokeMethod(window().viewArea().messages()->findChild<QWidget*>(QStringLiteral("offer")),
+                            "click");
+  settle();
+  EXPECT_TRUE(session::identical(document().state(), state));
+  EXPECT_TRUE(window().isWindowModified());
+  EXPECT_EQ(sessions().name(), QStringLiteral("work.viscera"));
+  EXPECT_FALSE(std::filesystem::is_empty(folder)) << "until it is saved it is kept";
+  save(path(QStringLiteral("work.viscera")));
+  EXPECT_TRUE(waitUntil([&] { return std::filesystem::is_empty(folder); }));
+}
+
+TEST_F(SessionTest, WorkIsKeptWhileItIsDoneAndGoneAfterACleanEnd) {
+  const auto folder = std::filesystem::path(path(QStringLiteral("state")).toStdString());
+  sessions().startAutosave(folder, 0.1);
+  work();
+  const auto kept = [&] {
+    if (std::filesystem::exists(folder))
+      for (const auto& entry : std::filesystem::directory_iterator(folder))
+        if (entry.path().extension() == ".viscera" && !entry.path().filename().string().starts_with('.'))
+          return true;
+    return false;
+  };
+  EXPECT_TRUE(waitUntil(kept));
+  EXPECT_TRUE(session::findRecoveries(folder).empty()) << "this program is still running";
+  answer(Answer::discard);
+  EXPECT_TRUE(window().close());
+  EXPECT_TRUE(std::filesystem::is_empty(folder));
+}
+
+TEST_F(SessionTest, TheListOfStepsGoesToAnyOfThem) {
+  work();
+  const auto names = undo().names();
+  ASSERT_GE(names.size(), 3u);
+  QMenu* history = nullptr;
+  for (QMenu* menu : window().findChildren<QMenu*>())
+    if (menu->title() == QStringLiteral("&Steps"))
+      history = menu;
+  ASSERT_NE(history, nullptr);
+  Q_EMIT history->aboutToShow();
+  ASSERT_EQ(history->actions().size(), static_cast<int>(names.size()) + 1);
+  EXPECT_EQ(history->actions().front()->text().toStdString(), names.back());
+  EXPECT_TRUE(history->actions().front()->isChecked());
+  history->actions().back()->trigger();
+  EXPECT_EQ(undo().position(), 0u);
+  EXPECT_TRUE(document().organs().empty());
+  Q_EMIT history->aboutToShow();
+  history->actions().front()->trigger();
+  EXPECT_EQ(undo().position(), names.size());
+}
+
+TEST_F(SessionTest, NoneIsOpenedBesideAnotherOrgan) {
+  work();
+  save(path(QStringLiteral("work.viscera")));
+  window().files().open({path(QStringLiteral("work.viscera")), path(QStringLiteral("ball.stl"))});
+  settle();
+  EXPECT_FALSE(message().isEmpty());
+  EXPECT_EQ(document().organs().size(), 1u);
+}
+
+} // namespace
+} // namespace viscera::tests
