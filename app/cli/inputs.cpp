@@ -5,6 +5,7 @@
 #include <set>
 #include <utility>
 
+#include "viscera/coordinates/cage/given_cage.h"
 #include "viscera/core/error.h"
 #include "viscera/medical_io/handle_file.h"
 #include "viscera/medical_io/label_map.h"
@@ -135,7 +136,8 @@ int RigInput::indexOf(const std::string& label) const {
   return static_cast<int>(found - labels.begin());
 }
 
-RigInput rigInput(const std::filesystem::path& file, std::vector<std::string>& warnings) {
+RigInput rigInput(const std::filesystem::path& file, std::vector<std::string>& warnings,
+                  const std::filesystem::path& cage) {
   const medical_io::HandleFile contents = medical_io::readHandles(file);
   for (const std::string& warning : contents.warnings)
     warnings.push_back(file.string() + ": " + warning);
@@ -150,6 +152,9 @@ RigInput rigInput(const std::filesystem::path& file, std::vector<std::string>& w
     input.handles.groups.push_back({group.name, group.handles});
     input.groupColors.push_back(group.color);
   }
+  if (!cage.empty())
+    input.handles.cage =
+        coordinates::cageOver(input.handles.positions, *session::readOrgan(cage.string()).mesh);
   return input;
 }
 

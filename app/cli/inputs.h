@@ -53,8 +53,10 @@ struct RigInput {
 };
 
 /// Reads a handle file as rest handles. Throws `NoInputError`, and `DataError` also for handles that nothing
-/// can be bound to: fewer than four, all in one plane, two at one place.
-RigInput rigInput(const std::filesystem::path& file, std::vector<std::string>& warnings);
+/// can be bound to: fewer than four, all in one plane, two at one place. Where `cage` names a surface file,
+/// the handles at its vertices get its triangles; throws as `session::readOrgan` and `coordinates::cageOver`.
+RigInput rigInput(const std::filesystem::path& file, std::vector<std::string>& warnings,
+                  const std::filesystem::path& cage = {});
 
 /// Reads a handle file as a pose of `rest`, `n x 3` mm: handles are matched by label, those that the file
 /// does not have stay at rest. Throws `DataError` for a label that the rest handles do not have or that comes

@@ -34,6 +34,11 @@ void SystemOptions::addTo(CLI::App& options) {
       ->type_name("NAME=VALUE")
       ->expected(1)
       ->take_all();
+  options
+      .add_option("--cage", cage_,
+                  "For systems that need a cage: a closed surface with a handle at each vertex; else the "
+                  "handles' convex hull")
+      ->type_name("FILE");
 }
 
 std::shared_ptr<const coordinates::CoordinateSystem>

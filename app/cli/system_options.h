@@ -9,7 +9,7 @@
 
 namespace viscera::app::cli {
 
-/// The options `--system` and `--param`, which several commands have.
+/// The options `--system`, `--param` and `--cage`, which several commands have.
 class SystemOptions {
 public:
   void addTo(CLI::App& options);
@@ -24,7 +24,11 @@ public:
                                        const Surroundings& surroundings,
                                        const coordinates::CoordinateSystem* beside = nullptr) const;
 
+  /// The surface file whose triangles are the cage over the handles; empty: none is given.
+  const std::string& cage() const { return cage_; }
+
 private:
+  std::string cage_;
   std::string id_ = "s-celestial";
   std::vector<std::string> parameters_;
 };

@@ -149,7 +149,7 @@ Outcome DeformCommand::run(Surroundings& surroundings) {
   const auto system = system_.system(surroundings);
   const coordinates::BindOptions options = system_.bindOptions(*system, surroundings);
   Outcome outcome;
-  const RigInput rig = rigInput(handles_, outcome.warnings);
+  const RigInput rig = rigInput(handles_, outcome.warnings, system_.cage());
   const Points pose = poseInput(pose_, rig, outcome.warnings);
   const session::Organ organ = organInput(organ_, surroundings.samples, surroundings.progress);
   deformation::Deformer deformer(

@@ -7,11 +7,15 @@
 
 #include "cli/inputs.h"
 #include "cli/listing.h"
+#include "viscera/coordinates/cage/given_cage.h"
 #include "viscera/core/error.h"
 #include "viscera/deformation/place_handles.h"
 #include "viscera/geometry/convex_hull.h"
+#include "viscera/geometry/surface_check.h"
+#include "viscera/geometry/winding_number.h"
 #include "viscera/medical_io/handle_file.h"
 #include "viscera/session/automatic_groups.h"
+#include "viscera/session/open_files.h"
 
 namespace viscera::app::cli {
 namespace {
@@ -60,6 +64,25 @@ Rig groupedRig(const Points& positions, const session::Organ& organ, const sessi
   return rig;
 }
 
+std::shared_ptr<const geometry::TriangleMesh> readCage(const std::string& file) {
+  auto mesh = session::readOrgan(file).mesh;
+  coordinates::requireCage(*mesh);
+  if (mesh->points.rows() > kMostHandles)
+    throw DataError("has " + std::to_string(mesh->points.rows()) + " vertices", file,
+                    "a cage is a coarse surface: take one of at most " + std::to_string(kMostHandles));
+  return mesh;
+}
+
+std::size_t outsideCage(const geometry::TriangleMesh& cage, const Points& points) {
+  geometry::TriangleMesh outward = cage;
+  geometry::orientOutward(outward);
+  const geometry::WindingNumber winding(outward);
+  std::size_t outside = 0;
+  for (Eigen::Index i = 0; i < points.rows(); ++i)
+    outside += winding.inside(points.row(i).transpose()) ? 0 : 1;
+  return outside;
+}
+
 /// One markup list a group; a handle of several groups is in the list of each.
 medical_io::HandleFile fileOf(const Rig& rig) {
   medical_io::HandleFile file;
@@ -80,12 +103,18 @@ void HandlesCommand::addOptions(CLI::App& options) {
   options.add_option("-o,--output", output_, "Handle file to write (.mrk.json)")
       ->type_name("FILE")
       ->required();
-  options.add_option("--count", count_, "How many handles, the enclosing ones included")
-      ->type_name("N")
-      ->check(CLI::Range(4, kMostHandles))
-      ->capture_default_str();
-  options.add_flag("--enclosing", enclosing_,
-                   "Let the first eight be the corners of a box, so that nothing lies outside");
+  CLI::Option* count = options.add_option("--count", count_, "How many handles, the enclosing ones included")
+                           ->type_name("N")
+                           ->check(CLI::Range(4, kMostHandles))
+                           ->capture_default_str();
+  CLI::Option* enclosing = options.add_flag(
+      "--enclosing", enclosing_, "Let the first eight be the corners of a box, so that nothing lies outside");
+  options
+      .add_option("--cage", cage_,
+                  "Take the vertices of this closed surface around the organ; bind with the same --cage")
+      ->type_name("FILE")
+      ->excludes(count)
+      ->excludes(enclosing);
   options
       .add_option(
           "--groups", groups_,
@@ -112,9 +141,11 @@ Outcome HandlesCommand::run(Surroundings& surroundings) {
   deformation::Placement placement;
   placement.count = count_;
   placement.enclosing = enclosing_;
-  const Points positions = deformation::placeHandles(*organ.mesh, placement);
+  const auto cage = cage_.empty() ? nullptr : readCage(cage_);
+  const Points positions = cage ? cage->points : deformation::placeHandles(*organ.mesh, placement);
   const Rig rig = grouped() ? groupedRig(positions, organ, choice) : plainRig(positions, enclosing_);
-  const std::size_t outside = geometry::ConvexHull(rig.positions).outside(organ.mesh->points).size();
+  const std::size_t outside = cage ? outsideCage(*cage, organ.mesh->points)
+                                   : geometry::ConvexHull(rig.positions).outside(organ.mesh->points).size();
   surroundings.progress.throwIfCancelled();
   medical_io::writeHandles(output_, fileOf(rig));
 
@@ -130,16 +161,19 @@ Outcome HandlesCommand::run(Surroundings& surroundings) {
     outcome.json["groups"].push_back({{"name", group.name}, {"handles", group.handles.size()}});
     listing.add("group", group.name + ", " + std::to_string(group.handles.size()) + " handles");
   }
-  outcome.text = listing
-                     .add("outside hull", std::to_string(outside) + " of " +
-                                              std::to_string(organ.mesh->points.rows()) + " vertices")
-                     .add("file", output_)
-                     .text();
+  outcome.text =
+      listing
+          .add(cage ? "outside cage" : "outside hull",
+               std::to_string(outside) + " of " + std::to_string(organ.mesh->points.rows()) + " vertices")
+          .add("file", output_)
+          .text();
   outcome.warnings = organ.warnings;
   if (outside > 0)
     outcome.warnings.push_back(std::to_string(outside) +
-                               " vertices lie outside the handles' hull, so the organ "
-                               "cannot be bound to them; --enclosing adds handles around it");
+                               (cage ? " vertices lie outside the cage, so most systems cannot bind the "
+                                       "organ to it; move the cage's vertices outward"
+                                     : " vertices lie outside the handles' hull, so the organ "
+                                       "cannot be bound to them; --enclosing adds handles around it"));
   return outcome;
 }
 

@@ -4,7 +4,8 @@
 
 namespace viscera::app::cli {
 
-/// `viscera handles`: places handles around an organ, in groups where they are asked for.
+/// `viscera handles`: places handles around an organ, or takes a cage's vertices, in groups where they are
+/// asked for.
 class HandlesCommand final : public Command {
 public:
   std::string name() const override { return "handles"; }
@@ -21,6 +22,7 @@ private:
   bool enclosing_ = false;
   int groups_ = 0; ///< 0: none asked for.
   std::string groupBy_;
+  std::string cage_; ///< A surface file whose vertices become the handles; empty: they are placed.
 };
 
 } // namespace viscera::app::cli

@@ -33,13 +33,14 @@ constexpr std::array<std::uint8_t, 3> kFoldedColor = {232, 40, 200};
 /// Degrees; less is rounding.
 constexpr double kNoStress = 1e-6;
 
-Contents read(const std::vector<std::string>& files, const Surroundings& surroundings) {
+Contents read(const std::vector<std::string>& files, const std::string& cage,
+              const Surroundings& surroundings) {
   Contents contents;
   for (const std::string& file : files) {
     if (session::isHandleFile(file)) {
       if (contents.rig)
         throw UsageError("a second handle file", file, "name one handle file");
-      contents.rig = rigInput(file, contents.warnings);
+      contents.rig = rigInput(file, contents.warnings, cage);
       continue;
     }
     for (session::Organ& organ : organInputs(file, surroundings.samples, surroundings.progress)) {
@@ -225,7 +226,7 @@ Outcome RenderCommand::run(Surroundings& surroundings) {
   stage_.size = pictureSize(size_);
   if (views_.empty())
     views_.push_back(stage_.view);
-  Contents contents = read(files_, surroundings);
+  Contents contents = read(files_, system_.cage(), surroundings);
   if (!contents.rig && (!influence_.empty() || parts_.any()))
     throw UsageError("needs a handle file among the files", influence_.empty()
                                                                 ? "--regions, --zones or --super-regions"

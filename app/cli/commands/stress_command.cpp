@@ -166,7 +166,7 @@ Outcome StressCommand::run(Surroundings& surroundings) {
   const auto system = system_.system(surroundings);
   const coordinates::BindOptions options = system_.bindOptions(*system, surroundings);
   std::vector<std::string> warnings;
-  const RigInput rig = rigInput(handles_, warnings);
+  const RigInput rig = rigInput(handles_, warnings, system_.cage());
   const Points pose = poseInput(pose_, rig, warnings);
   const session::Organ organ = organInput(organ_, surroundings.samples, surroundings.progress);
   session::WitnessOptions witnesses = witnesses_;
