@@ -35,8 +35,8 @@ std::string nameOf(StandardView view);
 
 /// The 3D view: renderer, lights, background, camera, orientation cube, scale bar, legend, handles. It draws
 /// into any vtkRenderWindow (Qt's, a plain one, a surfaceless one) and reads the density of the screen from
-/// the window's DPI (72 DPI is one device pixel a logical pixel). Belongs to the thread that renders it; views
-/// with organs and windows of their own may be rendered by several threads at once.
+/// the window's DPI (72 DPI is one device pixel a logical pixel). Belongs to the thread that renders it;
+/// views with organs and windows of their own may be rendered by several threads at once.
 class OrganView {
 public:
   OrganView();
