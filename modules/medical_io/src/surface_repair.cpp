@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <numeric>
 #include <vector>
 
 #include <vtkFloatArray.h>
@@ -17,6 +16,7 @@
 #include "smooth_surface.h"
 #include "viscera/core/error.h"
 #include "viscera/geometry/clean_surface.h"
+#include "viscera/geometry/connected_pieces.h"
 #include "viscera/geometry/signed_distance_grid.h"
 #include "viscera/geometry/surface_check.h"
 #include "vtk_poly_data.h"
@@ -52,31 +52,11 @@ TriangleMesh zeroLevel(geometry::SignedDistanceGrid& grid) {
   return meshOf(*contour->GetOutput());
 }
 
-/// The first vertex of each vertex's piece.
-std::vector<std::int32_t> pieces(const TriangleMesh& mesh) {
-  std::vector<std::int32_t> parent(static_cast<std::size_t>(mesh.points.rows()));
-  std::iota(parent.begin(), parent.end(), 0);
-  const auto root = [&](std::int32_t v) {
-    while (parent[static_cast<std::size_t>(v)] != v) {
-      auto& up = parent[static_cast<std::size_t>(v)];
-      up = parent[static_cast<std::size_t>(up)];
-      v = up;
-    }
-    return v;
-  };
-  for (Eigen::Index t = 0; t < mesh.triangles.rows(); ++t)
-    for (int k = 1; k < 3; ++k)
-      parent[static_cast<std::size_t>(root(mesh.triangles(t, k)))] = root(mesh.triangles(t, 0));
-  for (std::size_t v = 0; v < parent.size(); ++v)
-    parent[v] = root(static_cast<std::int32_t>(v));
-  return parent;
-}
-
 /// Drops what is too small to matter, cavities as well as crumbs.
 TriangleMesh withoutCrumbs(TriangleMesh mesh) {
-  const std::vector<std::int32_t> piece = pieces(mesh);
+  const auto [count, piece] = geometry::connectedPieces(mesh);
   const Vec3 middle = boundsOf(mesh.points).center();
-  std::vector<double> volumes(piece.size(), 0.0);
+  std::vector<double> volumes(static_cast<std::size_t>(count), 0.0);
   const auto corner = [&](Eigen::Index t, int k) -> Vec3 {
     return mesh.points.row(mesh.triangles(t, k)).transpose() - middle;
   };

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "clouds.h"
+#include "concave_cage.h"
 #include "line_measures.h"
 #include "shapes.h"
 #include "viscera/core/error.h"
@@ -25,16 +26,6 @@ Eigen::MatrixXd coordinatesOf(const Binding& binding) {
   for (int handle = 0; handle < static_cast<int>(values.cols()); ++handle)
     values.col(handle) = binding.influence(handle);
   return values;
-}
-
-/// A box one corner of whose top is pushed in towards the middle.
-HandleSet dentedBox() {
-  const auto box = tests::box(80, 80, 80);
-  HandleSet handles;
-  handles.positions = box.points;
-  handles.cage = box.triangles;
-  handles.positions.row(7) << 25, 25, 25;
-  return handles;
 }
 
 /// The letter U, 40 mm deep: the ends of its arms do not see each other.
@@ -76,7 +67,7 @@ TEST(Harmonic, AnswerWhereGreenCoordinatesDo) {
   Progress progress;
   const auto failures = [&](const std::string& id) {
     return tests::builtIn(id)
-        ->bind(dentedBox(), points, deformation::withTetgen({}), progress)
+        ->bind(tests::concaveCage(), points, deformation::withTetgen({}), progress)
         ->report()
         .failures;
   };
@@ -104,11 +95,11 @@ TEST(Harmonic, ConvergeAsTheTetrahedraShrink) {
 TEST(Harmonic, PointsOutsideAConcaveCageAreNamed) {
   Points points(2, 3);
   points << 50, 6, 6, 70, 70, 70; // The second one is in the dent.
-  EXPECT_THROW(boundTo("harmonic", dentedBox(), points), deformation::UnboundVertices);
+  EXPECT_THROW(boundTo("harmonic", tests::concaveCage(), points), deformation::UnboundVertices);
 }
 
 TEST(Harmonic, DerivativesAreThoseOfTheElements) {
-  const HandleSet handles = dentedBox();
+  const HandleSet handles = tests::concaveCage();
   const Points points = tests::cloud(40, 5, 4, Vec3(6, 6, 50));
   Progress progress;
   const auto system = tests::builtIn("harmonic");
@@ -129,7 +120,7 @@ TEST(Harmonic, SayWhichProgramIsMissing) {
     return SolidMesh{};
   };
   try {
-    tests::builtIn("harmonic")->bind(dentedBox(), tests::cloud(3, 1), options, progress);
+    tests::builtIn("harmonic")->bind(tests::concaveCage(), tests::cloud(3, 1), options, progress);
     ADD_FAILURE() << "it was bound without TetGen";
   } catch (const deformation::TetrahedraError& error) {
     EXPECT_THAT(error.what(), testing::HasSubstr("tetgen_worker"));

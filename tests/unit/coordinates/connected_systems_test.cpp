@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "clouds.h"
+#include "concave_cage.h"
 #include "line_measures.h"
 #include "shapes.h"
 #include "sphere/plane_neighbours.h"
@@ -186,12 +187,7 @@ TEST(PlaneNeighbours, OfAPowerDiagramReproduceTheOrigin) {
 }
 
 TEST(PositiveMeanValue, IsPositiveWhereMeanValueIsNot) {
-  // A box whose top is pushed in at one corner towards the middle.
-  const auto box = tests::box(80, 80, 80);
-  HandleSet handles;
-  handles.positions = box.points;
-  handles.cage = box.triangles;
-  handles.positions.row(7) << 25, 25, 25;
+  const HandleSet handles = tests::concaveCage();
   const Points points = tests::cloud(300, 9, 10, Vec3(12, 12, 60));
   const Eigen::MatrixXd plain = coordinatesOf("mean-value", handles, points);
   const Eigen::MatrixXd seen = coordinatesOf("positive-mean-value", handles, points, {{"level", "2"}});

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "clouds.h"
+#include "concave_cage.h"
 #include "green/cage_normals.h"
 #include "green/triangle_potentials.h"
 #include "line_measures.h"
@@ -15,30 +16,20 @@
 namespace viscera::coordinates {
 namespace {
 
-/// A box one corner of whose top is pushed in beyond the middle.
-HandleSet concaveCage() {
-  const auto box = tests::box(80, 80, 80);
-  HandleSet handles;
-  handles.positions = box.points;
-  handles.cage = box.triangles;
-  handles.positions.row(7) << 25, 25, 25;
-  return handles;
-}
-
 std::unique_ptr<Binding> boundTo(const HandleSet& handles, const Points& points) {
   Progress progress;
   return tests::builtIn("green")->bind(handles, points, {}, progress);
 }
 
 TEST(Green, InsideAConcaveCageReproducesEveryPoint) {
-  const auto bound = boundTo(concaveCage(), tests::cloud(400, 2, 4, Vec3(50, 6, 6)));
+  const auto bound = boundTo(tests::concaveCage(), tests::cloud(400, 2, 4, Vec3(50, 6, 6)));
   EXPECT_TRUE(bound->report().failures.empty());
   EXPECT_LT(bound->report().identityError, 1e-12 * 80);
   EXPECT_LT(bound->report().unityError, 1e-13);
 }
 
 TEST(Green, OnFacesEdgesAndCornersReproduceThePoint) {
-  const HandleSet handles = concaveCage();
+  const HandleSet handles = tests::concaveCage();
   Points points(4, 3);
   points << 80, 0, 0, 40, 0, 0, 20, 30, 0, 0, 33, 33;
   const auto bound = boundTo(handles, points);
@@ -48,7 +39,7 @@ TEST(Green, OnFacesEdgesAndCornersReproduceThePoint) {
 }
 
 TEST(Green, AreContinuousUpToTheCage) {
-  const HandleSet handles = concaveCage();
+  const HandleSet handles = tests::concaveCage();
   Points points(3, 3);
   points << 20, 30, 0, 20, 30, 1e-6, 20, 30, 1e-4;
   const auto bound = boundTo(handles, points);
@@ -62,11 +53,11 @@ TEST(Green, AreContinuousUpToTheCage) {
 TEST(Green, HaveNoAnswerOutsideAndInADent) {
   Points points(3, 3);
   points << 60, 60, 60, -1, 40, 40, 12, 12, 40;
-  EXPECT_EQ(boundTo(concaveCage(), points)->report().failures, (std::vector<int>{0, 1}));
+  EXPECT_EQ(boundTo(tests::concaveCage(), points)->report().failures, (std::vector<int>{0, 1}));
 }
 
 TEST(Green, FollowSimilaritiesAndNoShear) {
-  const HandleSet handles = concaveCage();
+  const HandleSet handles = tests::concaveCage();
   const Points points = tests::cloud(100, 3, 4, Vec3(50, 6, 6));
   const auto bound = boundTo(handles, points);
   const Eigen::Matrix3d similarity = 1.7 * tests::turn(1.1).transpose();
@@ -132,7 +123,7 @@ TEST(TrianglePotentials, AreTheIntegralsOverTheTriangle) {
 }
 
 TEST(CageNormals, AreUnitVectorsAtRestAndFiniteInAnyPose) {
-  const HandleSet handles = concaveCage();
+  const HandleSet handles = tests::concaveCage();
   const CageNormals normals(handles.positions, handles.cage);
   const Points rest = normals.lift(handles.positions).bottomRows(12);
   EXPECT_LT((rest.rowwise().norm().array() - 1).abs().maxCoeff(), 1e-14);

@@ -1,7 +1,6 @@
 #include "surface/polygonise.h"
 
 #include <algorithm>
-#include <numeric>
 #include <vector>
 
 #include <vtkCellArray.h>
@@ -15,6 +14,7 @@
 
 #include "surface/sample_grid.h"
 #include "viscera/core/error.h"
+#include "viscera/geometry/connected_pieces.h"
 #include "viscera/geometry/surface_check.h"
 
 namespace viscera::organs {
@@ -60,29 +60,10 @@ TriangleMesh meshOf(vtkPolyData& data) {
   return mesh;
 }
 
-/// A number for every vertex, the same for vertices that triangles connect.
-std::vector<std::int32_t> pieces(const TriangleMesh& mesh) {
-  std::vector<std::int32_t> parent(static_cast<std::size_t>(mesh.points.rows()));
-  std::iota(parent.begin(), parent.end(), 0);
-  const auto root = [&](std::int32_t v) {
-    while (parent[static_cast<std::size_t>(v)] != v) {
-      auto& up = parent[static_cast<std::size_t>(v)];
-      up = parent[static_cast<std::size_t>(up)];
-      v = up;
-    }
-    return v;
-  };
-  for (Eigen::Index t = 0; t < mesh.triangles.rows(); ++t)
-    for (int k = 1; k < 3; ++k)
-      parent[static_cast<std::size_t>(root(mesh.triangles(t, k)))] = root(mesh.triangles(t, 0));
-  for (std::size_t v = 0; v < parent.size(); ++v)
-    parent[v] = root(static_cast<std::int32_t>(v));
-  return parent;
-}
-
-TriangleMesh largestPiece(const TriangleMesh& mesh) {
-  const std::vector<std::int32_t> piece = pieces(mesh);
-  std::vector<int> size(piece.size(), 0);
+/// The piece with the most triangles, points in the order in which triangles name them.
+TriangleMesh largestPart(const TriangleMesh& mesh) {
+  const auto [count, piece] = geometry::connectedPieces(mesh);
+  std::vector<int> size(static_cast<std::size_t>(count), 0);
   for (Eigen::Index t = 0; t < mesh.triangles.rows(); ++t)
     ++size[static_cast<std::size_t>(piece[static_cast<std::size_t>(mesh.triangles(t, 0))])];
   const auto largest = static_cast<std::int32_t>(std::max_element(size.begin(), size.end()) - size.begin());
@@ -120,7 +101,7 @@ TriangleMesh polygonise(const ImplicitNode& node, double spacing, Threads thread
   if (contour->GetNumberOfPolys() == 0)
     throw DataError("the implicit surface is empty", {},
                     "check that its parts meet and that \"spacing\" is fine enough");
-  TriangleMesh mesh = largestPiece(meshOf(*contour));
+  TriangleMesh mesh = largestPart(meshOf(*contour));
   geometry::orientOutward(mesh);
   return mesh;
 }
