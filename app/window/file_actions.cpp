@@ -9,6 +9,7 @@
 #include <algorithm>
 
 #include "viscera/medical_io/handle_file.h"
+#include "viscera/medical_io/label_map.h"
 #include "viscera/medical_io/surface_file.h"
 #include "viscera/session/session_file.h"
 #include "window/panels/color_palette.h"
@@ -43,18 +44,28 @@ void FileActions::rememberFolder(const QString& file) {
 
 void FileActions::chooseAndOpen(bool check) {
   const QString surfaces = patterns(medical_io::surfaceExtensions());
+  const QString labels = patterns(medical_io::labelMapExtensions());
   const QString handles = QStringLiteral("*%1 *.fcsv").arg(QLatin1String(kHandleEnding));
   QStringList filters;
   if (openSession_)
-    filters << tr("Sessions, organs and handles (*.viscera %1 %2)").arg(surfaces, handles)
-            << tr("Sessions (*.viscera)");
+    filters
+        << tr("Sessions, organs, label maps and handles (*.viscera %1 %2 %3)").arg(surfaces, labels, handles)
+        << tr("Sessions (*.viscera)");
   else
-    filters << tr("Organs and handles (%1 %2)").arg(surfaces, handles);
-  filters << tr("Organs (%1)").arg(surfaces) << tr("Handles (%1)").arg(handles) << tr("All files (*)");
+    filters << tr("Organs, label maps and handles (%1 %2 %3)").arg(surfaces, labels, handles);
+  filters << tr("Organs (%1)").arg(surfaces) << tr("Label maps (%1)").arg(labels)
+          << tr("Handles (%1)").arg(handles) << tr("All files (*)");
   const QStringList files =
       QFileDialog::getOpenFileNames(window_, tr("Open"), folder(), filters.join(QStringLiteral(";;")));
   if (!files.isEmpty())
     open(files, check);
+}
+
+void FileActions::chooseAndOpenFolder() {
+  const QString chosen =
+      QFileDialog::getExistingDirectory(window_, tr("Open a folder with one mask for each organ"), folder());
+  if (!chosen.isEmpty())
+    open({chosen});
 }
 
 void FileActions::open(const QStringList& files, bool check) {

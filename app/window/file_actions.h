@@ -32,7 +32,9 @@ public:
 
   /// Asks for files and opens them; with `check` they go to the checker even if nothing is odd.
   void chooseAndOpen(bool check = false);
-  /// Opens organs and handles as one undo step. Sample organs make room for the first files; later ones come
+  /// Asks for a folder of masks, as TotalSegmentator writes it, and opens it as one patient.
+  void chooseAndOpenFolder();
+  /// Opens organs, label maps and handles as one undo step. Sample organs make room for the first files; later ones come
   /// beside those there are. Organs that come without handles get some.
   void open(const QStringList& files, bool check = false);
   /// Adds what a draft has accepted to the document.

@@ -28,9 +28,16 @@
 namespace viscera::app {
 
 void MainWindow::makeFileActions() {
-  actions_.add("file.open",
-               {tr("&Open..."), "open", {QKeySequence::Open}, tr("Open a session, organs or handles")},
-               [this] { files_->chooseAndOpen(); });
+  actions_.add(
+      "file.open",
+      {tr("&Open..."), "open", {QKeySequence::Open}, tr("Open a session, organs, label maps or handles")},
+      [this] { files_->chooseAndOpen(); });
+  actions_.add("file.openFolder",
+               {tr("Open a &folder of masks..."),
+                "organs",
+                {},
+                tr("Open one patient: a folder with one mask for each organ, as TotalSegmentator writes it")},
+               [this] { files_->chooseAndOpenFolder(); });
   actions_.add("file.check",
                {tr("&Import with check..."),
                 "patient",

@@ -23,7 +23,7 @@ void MainWindow::makeMenus() {
     }
   };
   QMenu* file = menuBar()->addMenu(tr("&File"));
-  fill(file, {"file.new", "file.open", "file.check"});
+  fill(file, {"file.new", "file.open", "file.openFolder", "file.check"});
   recentMenu_ = file->addMenu(tr("Open &recent"));
   sampleMenu_ = file->addMenu(icon("heart"), tr("Sample &organs"));
   fill(file, {"", "file.save", "file.saveAs", "file.recover", "", "handles.save", "file.export"});
