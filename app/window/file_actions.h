@@ -34,8 +34,8 @@ public:
   void chooseAndOpen(bool check = false);
   /// Asks for a folder of masks, as TotalSegmentator writes it, and opens it as one patient.
   void chooseAndOpenFolder();
-  /// Opens organs, label maps and handles as one undo step. Sample organs make room for the first files; later ones come
-  /// beside those there are. Organs that come without handles get some.
+  /// Opens organs, label maps and handles as one undo step. Sample organs make room for the first files;
+  /// later ones come beside those there are. Organs that come without handles get some.
   void open(const QStringList& files, bool check = false);
   /// Adds what a draft has accepted to the document.
   void take(const session::ImportDraft& draft, const QStringList& files);
