@@ -99,10 +99,12 @@ private:
   void lookAtSize(const Bounds& box) {
     const double volumeMl = std::abs(signedMl_);
     std::vector<std::string> repairs;
-    for (const LengthUnit& unit : unitsThatFit(origin_.name, box.diagonal(), volumeMl))
-      repairs.push_back("unit-" + std::string(unit.id));
-    if (auto doubt = doubtAboutSize(origin_.name, box.diagonal()))
-      return add(Light::fault, std::move(*doubt), std::move(repairs));
+    if (!origin_.unitStated) {
+      for (const LengthUnit& unit : unitsThatFit(origin_.name, box.diagonal(), volumeMl))
+        repairs.push_back("unit-" + std::string(unit.id));
+      if (auto doubt = doubtAboutSize(origin_.name, box.diagonal()))
+        return add(Light::fault, std::move(*doubt), std::move(repairs));
+    }
     if (volumeMl > 0)
       if (auto doubt = doubtAboutVolume(origin_.name, volumeMl))
         return add(Light::doubt, std::move(*doubt), std::move(repairs));

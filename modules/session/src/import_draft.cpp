@@ -11,13 +11,13 @@ namespace {
 
 void assess(DraftOrgan& organ, const OpenedFiles& files, std::size_t place, Progress& progress) {
   const auto read = files.surfaces.find(place);
-  const bool stated = read == files.surfaces.end() || read->second.statedSpace ||
+  const bool labelMap = read == files.surfaces.end();
+  const bool stated = labelMap || read->second.statedSpace ||
                       std::count(organ.repairs.begin(), organ.repairs.end(), "ras-to-lps") > 0;
-  const auto space = read == files.surfaces.end() || !read->second.statedSpace
-                         ? std::optional(medical_io::Space::lps)
-                         : read->second.statedSpace;
+  const auto space = labelMap || !read->second.statedSpace ? std::optional(medical_io::Space::lps)
+                                                           : read->second.statedSpace;
   organ.assessment =
-      medical_io::assessSurface(*organ.mesh, {organ.name, stated ? space : std::nullopt}, progress);
+      medical_io::assessSurface(*organ.mesh, {organ.name, stated ? space : std::nullopt, labelMap}, progress);
 }
 
 void assessArrangement(ImportDraft& draft) {

@@ -95,6 +95,15 @@ TEST(AssessSurface, AnOrganOfUnknownNameInMetresIsNoticedByItsSize) {
   expectOneClick(geometry::scaled(liver(), 0.001), "metres", "unit-m", "segment_7");
 }
 
+TEST(AssessSurface, ASmallVesselOfALabelMapIsSmallAndNotInCentimetres) {
+  const TriangleMesh vessel = tests::sphere(3, 8, {-10, 20, 300});
+  Progress progress;
+  EXPECT_TRUE(assessSurface(vessel, {"celiac trunk", Space::lps}, progress).questionable());
+  EXPECT_THAT(doubts(assessSurface(vessel, {"celiac trunk", Space::lps, true}, progress)), IsEmpty());
+  EXPECT_THAT(texts(doubts(assessSurface(vessel, {"liver", Space::lps, true}, progress))),
+              HasSubstr("not life-sized"));
+}
+
 TEST(AssessSurface, InsideOutIsTurnedByOneClick) {
   TriangleMesh mesh = liver();
   mesh.triangles.col(1).swap(mesh.triangles.col(2));

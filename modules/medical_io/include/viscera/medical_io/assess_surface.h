@@ -28,6 +28,7 @@ struct Finding {
 struct SurfaceOrigin {
   std::string name;                 ///< What it is said to be: "kidney_left".
   std::optional<Space> statedSpace; ///< The axes that its file states; none: LPS was assumed.
+  bool unitStated = false;          ///< Its file states the unit, as label maps do: small means small.
 };
 
 /// All that was found out.
