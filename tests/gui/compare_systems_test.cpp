@@ -48,6 +48,16 @@ TEST_F(TwoSystems, FollowTheSameDragInTheirOwnWay) {
   EXPECT_TRUE(second().undo().names().empty()) << "only the first document has steps";
 }
 
+TEST_F(TwoSystems, ShowTheWholeOrganInHalfTheWidthAndHaveNothingToComplainOf) {
+  settle();
+  const Bounds box = boundsOf(document().organs().front()->mesh->points);
+  for (const double x : {box.low.x(), box.high.x()}) {
+    const QPoint place = onScreen({x, box.center().y(), box.center().z()});
+    EXPECT_TRUE(view().rect().contains(place)) << place.x() << ' ' << place.y();
+  }
+  EXPECT_EQ(message(), QString());
+}
+
 TEST_F(TwoSystems, AnotherSystemIsChosenFromTheListAndShowsItsInfluence) {
   const session::HandleId handle = document().rig().handles.front().id;
   window().workspace().selection().setHandles({handle});

@@ -6,6 +6,7 @@
 #include <QPushButton>
 #include <QSignalBlocker>
 #include <QSpinBox>
+#include <QTimer>
 #include <QToolButton>
 #include <QVBoxLayout>
 
@@ -97,6 +98,11 @@ void Comparison::begin() {
   }));
   first_.playback.setFollower(&second.playback);
   first_.volumes.setSecond(&second.workspace, &second.playback);
+  // Half as wide now, the view would cut the organ off; it knows its new size only later.
+  QTimer::singleShot(0, this, [this] {
+    first_.area.view()->view().frame();
+    first_.area.view()->scheduleRender();
+  });
   Q_EMIT toggled(true);
 }
 
@@ -171,7 +177,8 @@ void Comparison::showOtherCoordinates() {
     syncHeaders();
   });
   mirror();
-  second_->playback.setRate(first_.playback.player().ratePerMinute());
+  if (second_->playback.sequence())
+    second_->playback.setRate(first_.playback.player().ratePerMinute());
   second_->cameras = std::make_unique<CameraLink>(*first_.area.view(), *second_->view);
   syncHeaders();
 }
