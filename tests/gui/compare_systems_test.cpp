@@ -56,6 +56,7 @@ TEST_F(TwoSystems, ShowTheWholeOrganInHalfTheWidthAndHaveNothingToComplainOf) {
     EXPECT_TRUE(view().rect().contains(place)) << place.x() << ' ' << place.y();
   }
   EXPECT_EQ(message(), QString());
+  EXPECT_EQ(second().selection().organ(), window().workspace().selection().organ());
 }
 
 TEST_F(TwoSystems, AnotherSystemIsChosenFromTheListAndShowsItsInfluence) {

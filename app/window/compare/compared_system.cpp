@@ -23,7 +23,6 @@ ComparedSystem::ComparedSystem(const Side& first, const Side& second, MessageBar
   connect(handles_.get(), &HandleScene::changed, &second.view, &ViewWidget::scheduleRender);
   connect(&first.organs, &OrganScene::changed, this, &ComparedSystem::followLook);
   subscriptions_.push_back(first.workspace.selection().onChange([this] { followSelection(); }));
-  followLook();
 }
 
 ComparedSystem::~ComparedSystem() {
@@ -55,6 +54,11 @@ void ComparedSystem::choose(const std::string& id) {
   Q_EMIT chosen();
 }
 
+void ComparedSystem::mirrored() {
+  followSelection();
+  followLook();
+}
+
 session::DocumentState ComparedSystem::applied(session::DocumentState state) const {
   state.system = choice_;
   return state;
@@ -68,9 +72,12 @@ void ComparedSystem::followLook() {
 }
 
 void ComparedSystem::followSelection() {
-  const auto& handles = first_.workspace.selection().handles();
-  if (second_.workspace.selection().handles() != handles)
-    second_.workspace.selection().setHandles(handles);
+  const session::Selection& first = first_.workspace.selection();
+  session::Selection& second = second_.workspace.selection();
+  if (second.handles() != first.handles())
+    second.setHandles(first.handles());
+  if (second.organ() != first.organ())
+    second.setOrgan(first.organ());
 }
 
 } // namespace viscera::app

@@ -42,6 +42,9 @@ public:
   /// The first document's state with the other coordinates.
   session::DocumentState applied(session::DocumentState state) const;
 
+  /// The second document has become the first one's mirror image, with all of its organs and handles.
+  void mirrored();
+
 Q_SIGNALS:
   void chosen();
 

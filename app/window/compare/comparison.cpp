@@ -269,6 +269,8 @@ void Comparison::setLabelsShown(bool shown) {
 void Comparison::mirror() {
   const session::DocumentState& state = first_.workspace.state();
   second_->workspace.undo().reset(second_->system ? second_->system->applied(state) : state);
+  if (second_->system)
+    second_->system->mirrored();
   syncMotion();
 }
 
