@@ -48,7 +48,7 @@ struct CommonOptions {
 
 /// What the window takes.
 void addWindowOptions(CLI::App& app, WindowOptions& window, std::string& size) {
-  app.add_option("FILE", window.files, "Organ and handle files to open in the window");
+  app.add_option("FILE", window.files, "Sessions, organs, label maps and handles to open in the window");
   app.add_option("--theme", window.theme, "Colours of the window")->check(CLI::IsMember({"dark", "light"}));
   app.add_option("--mode", window.mode, "What the mouse does to begin with")
       ->check(CLI::IsMember({"explore", "handles", "deform", "stress", "play"}));

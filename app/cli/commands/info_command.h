@@ -8,7 +8,9 @@ namespace viscera::app::cli {
 class InfoCommand final : public Command {
 public:
   std::string name() const override { return "info"; }
-  std::string summary() const override { return "Say what is in an organ, label map or handle file"; }
+  std::string summary() const override {
+    return "Say what is in an organ, label map, handle or session file";
+  }
   void addOptions(CLI::App& options) override;
   Outcome run(Surroundings& surroundings) override;
 

@@ -96,7 +96,7 @@ TEST(AssessSurface, AnOrganOfUnknownNameInMetresIsNoticedByItsSize) {
 }
 
 TEST(AssessSurface, ASmallVesselOfALabelMapIsSmallAndNotInCentimetres) {
-  const TriangleMesh vessel = tests::sphere(3, 8, {-10, 20, 300});
+  const TriangleMesh vessel = tests::sphere(3, 6, {-10, 20, 300});
   Progress progress;
   EXPECT_TRUE(assessSurface(vessel, {"celiac trunk", Space::lps}, progress).questionable());
   EXPECT_THAT(doubts(assessSurface(vessel, {"celiac trunk", Space::lps, true}, progress)), IsEmpty());
