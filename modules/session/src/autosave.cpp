@@ -10,6 +10,7 @@
 #include <unistd.h>
 
 #include "file_lock.h"
+#include "viscera/core/atomic_file.h"
 
 namespace viscera::session {
 namespace {
@@ -23,18 +24,6 @@ constexpr const char* kLockEnding = ".lock";
 
 fs::path withEnding(fs::path file, const char* ending) {
   return file.replace_extension(ending);
-}
-
-/// What a write that was interrupted left beside `file` (atomic_file.h).
-void removeLeftovers(const fs::path& file) {
-  const std::string ending = "-" + file.filename().string();
-  std::error_code error, ignored;
-  for (fs::directory_iterator item(file.parent_path(), error), end; !error && item != end;
-       item.increment(error)) {
-    const std::string name = item->path().filename().string();
-    if (name.starts_with('.') && name.ends_with(ending))
-      fs::remove(item->path(), ignored);
-  }
 }
 
 std::vector<fs::path> locksIn(const fs::path& folder) {
@@ -62,7 +51,7 @@ std::vector<Recovery> findRecoveries(const fs::path& folder) {
     if (!lock)
       continue; // Its program is running.
     const fs::path file = withEnding(lockFile, kEnding);
-    removeLeftovers(file);
+    removeAbandonedWrites(file);
     std::error_code error;
     const auto written = fs::last_write_time(file, error);
     if (error)

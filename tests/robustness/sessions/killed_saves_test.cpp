@@ -3,6 +3,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <ostream>
 #include <random>
 #include <string>
 #include <thread>
@@ -16,6 +17,7 @@
 #include <unistd.h>
 
 #include "session_scene.h"
+#include "viscera/core/atomic_file.h"
 #include "viscera/core/error.h"
 #include "viscera/session/autosave.h"
 
@@ -97,6 +99,7 @@ TEST(KilledSaves, LeaveTheOldSessionOrTheNewOne) {
   tests::write(file, two.a);
   std::mt19937 random(20);
   std::map<std::string, int> seen;
+  int killedWhileWriting = 0;
   for (int i = 0; i < kKills; ++i) {
     killWhileItRepeats(
         [&, next = i % 2 == 0]() mutable {
@@ -105,11 +108,52 @@ TEST(KilledSaves, LeaveTheOldSessionOrTheNewOne) {
         },
         anyDelay(random));
     ++seen[two.which(tests::readBack(file).contents.state)];
+    const int leftovers = leftoversIn(folder.path());
+    ASSERT_LE(leftovers, 1) << "the save after a kill left what that had left";
+    killedWhileWriting += leftovers;
   }
   EXPECT_EQ(seen[""], 0);
   EXPECT_GT(seen["a"], 10);
   EXPECT_GT(seen["b"], 10);
-  EXPECT_GT(leftoversIn(folder.path()), kKills / 10) << "hardly any program was killed while it wrote";
+  EXPECT_GT(killedWhileWriting, kKills / 10) << "hardly any program was killed while it wrote";
+}
+
+TEST(KilledSaves, ASaveRemovesWhatAKilledOneLeftButNotWhatALivingOneWrites) {
+  const TemporaryFolder folder;
+  const TwoSessions two;
+  const auto file = folder / "work.viscera";
+  tests::write(file, two.a);
+  int ends[2];
+  ASSERT_EQ(::pipe(ends), 0);
+  const auto stopsWhileItWrites = [&] {
+    writeAtomically(file, [&](std::ostream& stream) {
+      stream << "half of it" << std::flush;
+      if (::write(ends[1], "1", 1) != 1)
+        ::_exit(1);
+      for (;;)
+        ::pause();
+    });
+  };
+  const pid_t killed = inChild(stopsWhileItWrites);
+  const pid_t living = inChild(stopsWhileItWrites);
+  for (int i = 0; i < 2; ++i) {
+    char ready = 0;
+    ASSERT_EQ(::read(ends[0], &ready, 1), 1);
+  }
+  tests::write(file, two.b);
+  EXPECT_EQ(leftoversIn(folder.path()), 2) << "both programs live";
+  ::kill(killed, SIGKILL);
+  ::waitpid(killed, nullptr, 0);
+  EXPECT_EQ(leftoversIn(folder.path()), 2);
+  tests::write(file, two.a);
+  EXPECT_EQ(leftoversIn(folder.path()), 1);
+  ::kill(living, SIGKILL);
+  ::waitpid(living, nullptr, 0);
+  tests::write(file, two.b);
+  EXPECT_EQ(leftoversIn(folder.path()), 0);
+  EXPECT_EQ(two.which(tests::readBack(file).contents.state), "b");
+  ::close(ends[0]);
+  ::close(ends[1]);
 }
 
 TEST(KilledSaves, LeaveTheOldRecoveryOrTheNewOne) {

@@ -100,4 +100,35 @@ TEST_F(AtomicFileTest, RefusesFoldersThatAreNotThereAndFoldersAsFiles) {
   EXPECT_THROW(AtomicFile{folder_}, CannotCreateError);
 }
 
+TEST_F(AtomicFileTest, RemovesAbandonedWritesOfTheTargetAndNothingElse) {
+  put("whole");
+  const AtomicFile living(target());
+  for (const char* name : {".17-rig.mrk.json", ".4294967295-rig.mrk.json"})
+    std::ofstream(folder_ / name) << "half of it";
+  const auto others = {".17-other.mrk.json", ".17-my-rig.mrk.json", ".a1-rig.mrk.json",
+                       ".-rig.mrk.json",     "17-rig.mrk.json",     ".17rig.mrk.json"};
+  for (const char* name : others)
+    std::ofstream(folder_ / name) << "somebody's";
+  fs::create_directory(folder_ / ".18-rig.mrk.json");
+  fs::create_symlink(target(), folder_ / ".19-rig.mrk.json");
+  removeAbandonedWrites(target());
+  EXPECT_FALSE(fs::exists(folder_ / ".17-rig.mrk.json"));
+  EXPECT_FALSE(fs::exists(folder_ / ".4294967295-rig.mrk.json"));
+  EXPECT_TRUE(fs::exists(living.temporary())) << "its writer lives";
+  EXPECT_EQ(contents(), "whole");
+  for (const char* name : others)
+    EXPECT_TRUE(fs::exists(folder_ / name)) << name;
+  EXPECT_TRUE(fs::is_directory(folder_ / ".18-rig.mrk.json"));
+  removeAbandonedWrites(folder_ / "missing" / "file");
+}
+
+TEST_F(AtomicFileTest, RemovesAbandonedWritesBehindASymbolicLink) {
+  put("whole");
+  fs::create_directory(folder_ / "elsewhere");
+  fs::create_symlink(target(), folder_ / "elsewhere" / "link.json");
+  std::ofstream(folder_ / ".17-rig.mrk.json") << "half of it";
+  removeAbandonedWrites(folder_ / "elsewhere" / "link.json");
+  EXPECT_FALSE(fs::exists(folder_ / ".17-rig.mrk.json"));
+}
+
 } // namespace viscera

@@ -32,6 +32,7 @@ public:
 private:
   std::filesystem::path target_;
   std::filesystem::path temporary_;
+  int lock_ = -1; ///< Of the open temporary file: says to `removeAbandonedWrites` that its writer lives.
   bool direct_ = false;
   bool committed_ = false;
 };
@@ -39,5 +40,10 @@ private:
 /// Writes a whole file by `write`, which gets a binary stream, or leaves what was there before. Throws
 /// `CannotCreateError` when the stream fails (a full disk), and whatever `write` throws.
 void writeAtomically(const std::filesystem::path& target, const std::function<void(std::ostream&)>& write);
+
+/// Removes the temporary files of earlier `AtomicFile`s of `target` whose programs ended before they could (a
+/// kill, a power cut); never one of a program that lives, on this or another machine. What cannot be removed
+/// stays. Reads the names of all files in the folder. Throws nothing.
+void removeAbandonedWrites(const std::filesystem::path& target) noexcept;
 
 } // namespace viscera
