@@ -1,5 +1,6 @@
 #include "viscera/session/session_file.h"
 
+#include <array>
 #include <fstream>
 #include <functional>
 #include <string>
@@ -8,6 +9,8 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include <grp.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include "session_scene.h"
@@ -266,17 +269,54 @@ TEST(SessionFile, ACancelledSaveLeavesTheOldOneAndNothingElse) {
   EXPECT_EQ(entries, 2); // The session and the liver.
 }
 
+/// Runs `work` in a program of its own that is not the administrator's, and gives what it says.
+std::string saidByAUser(const std::function<std::string()>& work) {
+  constexpr unsigned kNobody = 65534;
+  int ends[2];
+  if (::pipe(ends) != 0)
+    return "there is no pipe";
+  const pid_t child = ::fork();
+  if (child == 0) {
+    const bool isUser = ::geteuid() != 0 || (::setgroups(0, nullptr) == 0 && ::setgid(kNobody) == 0 &&
+                                             ::setuid(kNobody) == 0 && ::geteuid() == kNobody);
+    const std::string said = isUser ? work() : "still the administrator";
+    const bool told = ::write(ends[1], said.data(), said.size()) == static_cast<ssize_t>(said.size());
+    ::_exit(told ? 0 : 1);
+  }
+  ::close(ends[1]);
+  std::string said;
+  std::array<char, 1024> buffer;
+  for (ssize_t count; (count = ::read(ends[0], buffer.data(), buffer.size())) > 0;)
+    said.append(buffer.data(), static_cast<std::size_t>(count));
+  ::close(ends[0]);
+  int status = 0;
+  ::waitpid(child, &status, 0);
+  return WIFEXITED(status) && WEXITSTATUS(status) == 0 ? said : "the program failed";
+}
+
 TEST(SessionFile, InAFolderThatMayNotBeWrittenToSaysSoAndLeavesTheOldOne) {
-  if (::geteuid() == 0)
-    GTEST_SKIP() << "for the administrator every folder may be written to";
+  namespace fs = std::filesystem;
+  constexpr auto kReadOnly = static_cast<fs::perms>(0555);
   TemporaryFolder folder;
+  const SessionContents contents = fullContents(folder);
   write(folder / "a.viscera", {});
   const std::string before = contentsOf(folder / "a.viscera");
-  std::filesystem::permissions(folder.path(),
-                               std::filesystem::perms::owner_read | std::filesystem::perms::owner_exec);
-  EXPECT_THROW(write(folder / "a.viscera", {}), CannotCreateError);
-  std::filesystem::permissions(folder.path(), std::filesystem::perms::owner_all);
+  const auto entries = std::distance(fs::directory_iterator(folder.path()), {});
+  fs::permissions(folder.path(), kReadOnly);
+  const std::string said = saidByAUser([&] {
+    try {
+      write(folder / "a.viscera", contents);
+    } catch (const CannotCreateError& error) {
+      return std::string(error.what());
+    }
+    return std::string("it was saved");
+  });
+  fs::permissions(folder.path(), fs::perms::owner_all);
+  EXPECT_THAT(said, HasSubstr("a.viscera"));
+  EXPECT_THAT(said, HasSubstr("cannot be written: Permission denied"));
+  EXPECT_THAT(said, HasSubstr("may be written to"));
   EXPECT_EQ(contentsOf(folder / "a.viscera"), before);
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder.path()), {}), entries);
 }
 
 } // namespace
