@@ -12,7 +12,7 @@ packages_to_build() {
 
 packages_to_test() {
   printf '%s\n' libgtest-dev libgmock-dev libbenchmark-dev libcgal-dev \
-    xvfb xauth xdotool clang-format-14
+    xvfb xauth xdotool clang-format-14 python3-jsonschema
 }
 
 say() { printf '%s\n' "$*" >&2; }
