@@ -110,6 +110,21 @@ inline std::string niftiFile(const LabelImage& image, NiftiForm form = NiftiForm
   return bytes + voxelBytes(image.voxels);
 }
 
+/// The same in two files.
+struct NiftiHalves {
+  std::string header; ///< .hdr
+  std::string voxels; ///< .img
+};
+
+inline NiftiHalves niftiHalves(const LabelImage& image, NiftiForm form = NiftiForm::sform,
+                               const std::string& extension = {}) {
+  NiftiHalves halves{niftiFile(image, form, extension), voxelBytes(image.voxels)};
+  halves.header.resize(halves.header.size() - halves.voxels.size());
+  std::memcpy(halves.header.data() + 344, "ni1", 4);
+  putBytes<float>(halves.header, 108, 0.0F);
+  return halves;
+}
+
 /// "(1,2,3)"
 inline std::string nrrdVector(const Vec3& v) {
   std::ostringstream out;

@@ -12,8 +12,8 @@
 namespace viscera::medical_io {
 namespace {
 
-constexpr std::array<std::string_view, 5> kDoubleExtensions = {".mrk.json", ".sequence.json", ".nii.gz",
-                                                               ".seg.nrrd", ".seg.nhdr"};
+constexpr std::array<std::string_view, 7> kDoubleExtensions = {
+    ".mrk.json", ".sequence.json", ".nii.gz", ".hdr.gz", ".img.gz", ".seg.nrrd", ".seg.nhdr"};
 
 void requireReadable(const std::filesystem::path& file) {
   std::error_code error;

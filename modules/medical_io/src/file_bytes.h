@@ -30,8 +30,8 @@ FileBytes readWholeFile(const std::filesystem::path& file);
 /// Lower-case ASCII copy.
 std::string lowered(std::string_view text);
 
-/// The extension in lower case with its dot; ".mrk.json", ".nii.gz", ".seg.nrrd" and ".sequence.json" count
-/// as one.
+/// The extension in lower case with its dot; ".mrk.json", ".nii.gz", ".img.gz", ".seg.nrrd" and
+/// ".sequence.json" count as one.
 std::string extensionOf(const std::filesystem::path& file);
 
 /// The file's name without that extension.

@@ -38,7 +38,7 @@ struct Ending {
   std::string_view extension;
   FileKind kind;
 };
-constexpr std::array<Ending, 22> kEndings = {{{".stl", FileKind::surface},
+constexpr std::array<Ending, 26> kEndings = {{{".stl", FileKind::surface},
                                               {".obj", FileKind::surface},
                                               {".ply", FileKind::surface},
                                               {".off", FileKind::surface},
@@ -52,6 +52,10 @@ constexpr std::array<Ending, 22> kEndings = {{{".stl", FileKind::surface},
                                               {".viscera", FileKind::session},
                                               {".nii", FileKind::labelMap},
                                               {".nii.gz", FileKind::labelMap},
+                                              {".hdr", FileKind::labelMap},
+                                              {".hdr.gz", FileKind::labelMap},
+                                              {".img", FileKind::labelMap},
+                                              {".img.gz", FileKind::labelMap},
                                               {".nrrd", FileKind::labelMap},
                                               {".seg.nrrd", FileKind::labelMap},
                                               {".nhdr", FileKind::labelMap},

@@ -17,12 +17,19 @@ constexpr double kSameGridVoxels = 0.01;
 constexpr std::size_t kMostMasks = 2000;
 constexpr int kMostAtATime = 8; ///< Masks in memory.
 
+/// Voxels in a file of their own come with their header.
+bool isHalfOfAnother(const std::filesystem::path& file) {
+  const std::string extension = extensionOf(file);
+  return extension == ".img" || extension == ".img.gz";
+}
+
 std::vector<std::filesystem::path> masksIn(const std::filesystem::path& folder) {
   std::vector<std::filesystem::path> files;
   std::error_code error;
   for (std::filesystem::directory_iterator entry(folder, error), end; !error && entry != end;
        entry.increment(error))
-    if (std::error_code ignored; entry->is_regular_file(ignored) && isLabelMap(entry->path()))
+    if (std::error_code ignored;
+        entry->is_regular_file(ignored) && isLabelMap(entry->path()) && !isHalfOfAnother(entry->path()))
       files.push_back(entry->path());
   if (error)
     throw NoInputError("cannot be opened: " + error.message(), folder.string(), "check that you may read it");

@@ -22,8 +22,12 @@ struct Format {
   RawLabels (*read)(FileBytes&);
 };
 
-constexpr std::array<Format, 11> kFormats = {{{".nii", Signature::nifti, readNifti},
+constexpr std::array<Format, 15> kFormats = {{{".nii", Signature::nifti, readNifti},
                                               {".nii.gz", Signature::nifti, readNifti},
+                                              {".hdr", Signature::nifti, readNifti},
+                                              {".hdr.gz", Signature::nifti, readNifti},
+                                              {".img", Signature::nifti, readNifti},
+                                              {".img.gz", Signature::nifti, readNifti},
                                               {".nrrd", Signature::nrrd, readNrrd},
                                               {".seg.nrrd", Signature::nrrd, readNrrd},
                                               {".nhdr", Signature::nrrd, readNrrd},
@@ -46,7 +50,7 @@ const Format& formatOf(const FileBytes& file) {
       return kFormats.back();
     file.fail("the ending \"" + extension + "\" is none of a label map" +
                   (found == Signature::unknown ? "" : "; it looks like " + std::string(describe(found))),
-              "known endings: .nii, .nii.gz, .nrrd, .seg.nrrd, .nhdr, .mha, .mhd, .dcm");
+              "known endings: .nii, .nii.gz, .hdr, .img, .nrrd, .seg.nrrd, .nhdr, .mha, .mhd, .dcm");
   }
   const bool packedNifti = format->signature == Signature::nifti && found == Signature::gzip;
   if (found == Signature::unknown || found == format->signature || packedNifti)

@@ -8,6 +8,7 @@
 #include <vtkStripper.h>
 #include <vtkXMLPolyDataWriter.h>
 
+#include "bzipped.h"
 #include "dicom_files.h"
 #include "label_files.h"
 #include "packed_bytes.h"
@@ -166,9 +167,14 @@ void addLabelMaps(std::vector<GoodFile>& list) {
   add("layers.seg.nrrd", nrrdFile(layered, "right-anterior-superior", names, 2));
   add("packed.nrrd", withPackedVoxels(nrrdFile(image), "encoding: raw", "encoding: gzip", gzipped(voxels)));
   add("text.nrrd", withPackedVoxels(nrrdFile(image), "encoding: raw", "encoding: text", text));
+  add("bzip2.nrrd", withPackedVoxels(nrrdFile(image), "encoding: raw", "encoding: bzip2", bzipped(voxels)));
   add("labels.mha", metaImageFile(image));
   add("packed.mha", withPackedVoxels(metaImageFile(image), "CompressedData = False", "CompressedData = True",
                                      zlibPacked(voxels)));
+  const NiftiHalves halves = niftiHalves(image, NiftiForm::both, table);
+  list.push_back({"header.hdr", halves.header, FileUse::labels, false, "header.img", halves.voxels});
+  list.push_back({"voxels.img", halves.voxels, FileUse::labels, false, "voxels.hdr", halves.header});
+  list.push_back({"packed.img.gz", gzipped(voxels), FileUse::labels, false, "packed.hdr", halves.header});
   add("binary.dcm", dicomFile(image, {.names = {"liver", "kidney"}}));
   add("fractions.dcm", dicomFile(image, {.fractional = true, .names = {"liver", "kidney"}}));
 }

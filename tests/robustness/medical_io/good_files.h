@@ -16,6 +16,8 @@ struct GoodFile {
   FileUse use = FileUse::surface;
   /// A part of it can look like a whole: formats that say nowhere how long they are.
   bool partsLookWhole = false;
+  std::string besideName = {}; ///< Of the other half, which stays as it is; empty for a file that is whole.
+  std::string besideBytes = {};
 };
 
 /// One small file of every format that Viscera reads, in the ways that programs store it.

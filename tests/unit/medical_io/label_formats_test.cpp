@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "bzipped.h"
 #include "label_files.h"
 #include "packed_bytes.h"
 #include "temporary_folder.h"
@@ -16,6 +17,7 @@ namespace {
 
 using testing::Contains;
 using testing::HasSubstr;
+using tests::bzipped;
 using tests::gzipped;
 using tests::LabelImage;
 using tests::TemporaryFolder;
@@ -79,13 +81,21 @@ TEST_F(LabelFormats, AreReadPacked) {
   std::string nrrd = replaced(tests::nrrdFile(image), "encoding: raw", "encoding: gzip");
   nrrd.resize(nrrd.size() - voxels.size());
   expectTwoOrgans(read(folder_.put("a.nrrd", nrrd + gzipped(voxels))));
+  for (const char* name : {"bzip2", "bz2"})
+    expectTwoOrgans(read(folder_.put(
+        "b.nrrd", replaced(nrrd, "encoding: gzip", "encoding: " + std::string(name)) + bzipped(voxels))));
   const std::string header =
       replaced(tests::metaImageHeader(image, "LOCAL"), "CompressedData = False", "CompressedData = True");
   expectTwoOrgans(read(folder_.put("a.mha", header + tests::zlibPacked(voxels))));
 }
 
-/// Several gzip streams one behind the other are one file.
+/// Several streams one behind the other are one file; parallel bzip2 programs write nothing else.
 TEST_F(LabelFormats, AreReadPackedInSeveralParts) {
+  const std::string voxels = tests::voxelBytes(twoOrgans().voxels);
+  std::string nrrd = replaced(tests::nrrdFile(twoOrgans()), "encoding: raw", "encoding: bzip2");
+  nrrd.resize(nrrd.size() - voxels.size());
+  expectTwoOrgans(
+      read(folder_.put("a.nrrd", nrrd + bzipped(voxels.substr(0, 1000)) + bzipped(voxels.substr(1000)))));
   const std::string bytes = tests::niftiFile(twoOrgans());
   expectTwoOrgans(
       read(folder_.put("a.nii.gz", gzipped(bytes.substr(0, 1000)) + gzipped(bytes.substr(1000)))));
@@ -117,6 +127,56 @@ TEST_F(LabelFormats, WithoutTheFileBesideAreRefused) {
   EXPECT_THROW(read(folder_.put("a.mhd", tests::metaImageHeader(twoOrgans(), "gone.raw"))), NoInputError);
   EXPECT_THAT(problemOf(folder_.put("b.mhd", tests::metaImageHeader(twoOrgans(), "/etc/passwd"))),
               HasSubstr("another folder"));
+}
+
+TEST_F(LabelFormats, OfNiftiInTwoFilesAreReadByEitherName) {
+  const tests::NiftiHalves halves = tests::niftiHalves(twoOrgans());
+  folder_.put("a 50%.hdr", halves.header);
+  folder_.put("a 50%.img", halves.voxels);
+  folder_.put("b.HDR", halves.header);
+  folder_.put("b.IMG", halves.voxels);
+  folder_.put("c.hdr.gz", gzipped(halves.header));
+  folder_.put("c.img.gz", gzipped(halves.voxels));
+  folder_.put("d.hdr", halves.header);
+  folder_.put("d.img.gz", gzipped(halves.voxels));
+  for (const char* name :
+       {"a 50%.hdr", "a 50%.img", "b.HDR", "b.IMG", "c.hdr.gz", "c.img.gz", "d.hdr", "d.img.gz"}) {
+    SCOPED_TRACE(name);
+    EXPECT_EQ(fileKind(folder_ / name), FileKind::labelMap);
+    EXPECT_TRUE(isLabelMap(folder_ / name));
+    expectTwoOrgans(read(folder_ / name));
+  }
+}
+
+TEST_F(LabelFormats, OfNiftiInTwoFilesMayBeginBehindOtherBytesAndHaveATableOfNames) {
+  tests::NiftiHalves halves = tests::niftiHalves(
+      twoOrgans(), tests::NiftiForm::sform, "<E><LabelTable><Label Key=\"5\">liver</Label></LabelTable></E>");
+  tests::putBytes<float>(halves.header, 108, 16.0F);
+  folder_.put("a.img", std::string(16, 'x') + halves.voxels);
+  for (const bool packed : {false, true}) {
+    const LabelMap map = packed ? read(folder_.put("a.hdr.gz", gzipped(halves.header)))
+                                : read(folder_.put("a.hdr", halves.header));
+    expectTwoOrgans(map);
+    EXPECT_EQ(map.segments[0].name, "liver");
+    std::filesystem::remove(folder_ / "a.hdr");
+  }
+}
+
+TEST_F(LabelFormats, OfNiftiInTwoFilesWithoutTheOtherHalfSayWhichIsMissing) {
+  const tests::NiftiHalves halves = tests::niftiHalves(twoOrgans());
+  const auto missing = [&](const std::filesystem::path& file) {
+    try {
+      read(file);
+    } catch (const NoInputError& error) {
+      return std::string(error.what());
+    }
+    return std::string("it was read");
+  };
+  EXPECT_THAT(missing(folder_.put("a.hdr", halves.header)), HasSubstr("\"a.img\", is not beside it"));
+  EXPECT_THAT(missing(folder_.put("b.img", halves.voxels)), HasSubstr("\"b.hdr\", is not beside it"));
+  folder_.put("a.img", halves.voxels.substr(1));
+  EXPECT_THAT(problemOf(folder_ / "a.hdr"), HasSubstr("\"a.img\", cannot be used: the file is cut off"));
+  EXPECT_THAT(problemOf(folder_ / "a.img"), HasSubstr("cut off"));
 }
 
 TEST_F(LabelFormats, AreReadAsText) {
@@ -257,6 +317,16 @@ TEST_F(LabelFormats, ThatPromiseMoreThanTheyHaveAreRefusedBeforeMemoryIsTaken) {
     tests::putBytes<std::int16_t>(nifti, 42 + 2 * d, 32767);
   EXPECT_THAT(problemOf(folder_.put("a.nii", nifti)), HasSubstr("cut off"));
   EXPECT_THAT(problemOf(folder_.put("a.nii.gz", gzipped(nifti))), HasSubstr("cut off"));
+  const std::string voxels = tests::voxelBytes(twoOrgans().voxels);
+  folder_.put("b.img.gz", gzipped(voxels));
+  tests::NiftiHalves halves = tests::niftiHalves(twoOrgans());
+  for (std::size_t d = 0; d < 3; ++d)
+    tests::putBytes<std::int16_t>(halves.header, 42 + 2 * d, 32767);
+  EXPECT_THAT(problemOf(folder_.put("b.hdr", halves.header)), HasSubstr("cut off"));
+  std::string bzip2 = replaced(tests::nrrdFile(twoOrgans()), "24 20 16", "60000 60000 60000");
+  bzip2 = replaced(bzip2, "encoding: raw", "encoding: bzip2");
+  bzip2.resize(bzip2.size() - voxels.size());
+  EXPECT_THAT(problemOf(folder_.put("b.nrrd", bzip2 + bzipped(voxels))), HasSubstr("cut off"));
   for (const char* sizes : {"60000 60000 60000", "24 20 17"})
     EXPECT_THAT(problemOf(folder_.put("a.nrrd", replaced(tests::nrrdFile(twoOrgans()), "24 20 16", sizes))),
                 HasSubstr("cut off"));
@@ -300,6 +370,20 @@ TEST_F(LabelFolder, OfMasksIsOnePatient) {
   EXPECT_EQ(map.segments[2].layer, 1) << "the vessels lie within the liver";
   EXPECT_EQ(map.layers.size(), 2U);
   EXPECT_THAT(map.warnings, Contains(HasSubstr("spleen")));
+}
+
+TEST_F(LabelFolder, OfMasksInTwoFilesHasEachOnce) {
+  LabelImage mask = tests::emptyLabels();
+  mask.fill({2, 2, 2}, {9, 9, 9}, 1);
+  const tests::NiftiHalves halves = tests::niftiHalves(mask);
+  for (const char* name : {"liver", "spleen"}) {
+    folder_.put(name + std::string(".hdr"), halves.header);
+    folder_.put(name + std::string(".img"), halves.voxels);
+  }
+  const LabelMap map = read(folder_.path());
+  ASSERT_EQ(map.segments.size(), 2U);
+  EXPECT_EQ(map.segments[0].name, "liver");
+  EXPECT_EQ(map.segments[1].name, "spleen");
 }
 
 TEST_F(LabelFolder, WithMasksOfTwoImagesIsRefused) {

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "bzipped.h"
 #include "label_files.h"
 #include "temporary_folder.h"
 #include "viscera/geometry/signed_distance.h"
@@ -116,6 +117,24 @@ TEST_F(LabelOrientation, OfNiftiWithAQformAloneIsKept) {
 
 TEST_F(LabelOrientation, OfNiftiWithBothFormsIsKept) {
   expectInPlace("a.nii", [](const LabelImage& image) { return tests::niftiFile(image, NiftiForm::both); });
+}
+
+TEST_F(LabelOrientation, OfNiftiInTwoFilesIsKept) {
+  for (const NiftiForm form : {NiftiForm::sform, NiftiForm::qform})
+    expectInPlace("a.hdr", [&](const LabelImage& image) {
+      const tests::NiftiHalves halves = tests::niftiHalves(image, form);
+      folder_.put("a.img", halves.voxels);
+      return halves.header;
+    });
+}
+
+TEST_F(LabelOrientation, OfNrrdPackedByBzip2IsKept) {
+  expectInPlace("a.nrrd", [](const LabelImage& image) {
+    const std::string voxels = tests::voxelBytes(image.voxels);
+    std::string nrrd = tests::nrrdFile(image, "right-anterior-superior");
+    nrrd.resize(nrrd.size() - voxels.size());
+    return nrrd.replace(nrrd.find("encoding: raw"), 13, "encoding: bzip2") + tests::bzipped(voxels);
+  });
 }
 
 TEST_F(LabelOrientation, OfNrrdInLpsIsKept) {

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "label_formats/inflate.h"
+#include "label_formats/unpack_bzip2.h"
 #include "text_scanner.h"
 #include "viscera/core/error.h"
 
@@ -20,7 +21,8 @@ Source sourceOf(FileBytes& file, const StoredValues& stored) {
   if (!stored.beside)
     return {std::move(file), stored.headerEnd};
   const std::filesystem::path name(*stored.beside);
-  if (name.empty() || name.has_root_path() || stored.beside->find('%') != std::string::npos)
+  const bool several = stored.pattern && stored.beside->find('%') != std::string::npos;
+  if (name.empty() || name.has_root_path() || several)
     file.fail("its voxels are in several files or in another folder (" + inQuotes(*stored.beside) + ")",
               "save it as one file");
   try {
@@ -58,22 +60,19 @@ void takeText(const Source& source, RawLabels& raw) {
   raw.order = std::endian::little;
 }
 
-} // namespace
-
-void takeValues(FileBytes& file, const StoredValues& stored, RawLabels& raw) {
-  FileBytes header{file.file, {}};
-  Source source = sourceOf(file, stored);
-  file.file = header.file;
+void takeValuesOf(Source& source, const StoredValues& stored, RawLabels& raw) {
   skipLines(source, stored.skippedLines);
   if (stored.text) {
     takeText(source, raw);
     return;
   }
   const std::uint64_t wanted = raw.byteCount();
-  if (stored.packed) {
+  if (stored.packing != Packing::none) {
     const std::string_view packed =
         source.file.view().substr(std::min(source.begin, source.file.bytes.size()));
-    raw.storage = inflated(source.file, packed, saturatedSum(saturatedSum(stored.skippedBytes, wanted), 1));
+    const std::uint64_t most = saturatedSum(saturatedSum(stored.skippedBytes, wanted), 1);
+    raw.storage = stored.packing == Packing::bzip2 ? unpackedBzip2(source.file, packed, most)
+                                                   : inflated(source.file, packed, most);
     source.begin = 0;
   } else {
     raw.storage = std::move(source.file.bytes);
@@ -83,6 +82,22 @@ void takeValues(FileBytes& file, const StoredValues& stored, RawLabels& raw) {
                                   : saturatedSum(source.begin, stored.skippedBytes);
   raw.offset = static_cast<std::size_t>(std::min<std::uint64_t>(begin, raw.storage.size()));
   requireAllValues(raw, source.file);
+}
+
+} // namespace
+
+void takeValues(FileBytes& file, const StoredValues& stored, RawLabels& raw) {
+  const FileBytes named{file.file, {}};
+  Source source = sourceOf(file, stored);
+  file.file = named.file;
+  try {
+    takeValuesOf(source, stored, raw);
+  } catch (const DataError& error) {
+    if (!stored.beside)
+      throw;
+    named.fail("the file with its voxels, " + inQuotes(*stored.beside) +
+               ", cannot be used: " + error.problem());
+  }
 }
 
 } // namespace viscera::medical_io

@@ -137,7 +137,7 @@ private:
       file_.fail("its voxels are in several files", "save it as one file");
     if (data != "LOCAL" && data != "Local" && data != "local")
       stored.beside = data;
-    stored.packed = flag({"CompressedData"}, false);
+    stored.packing = flag({"CompressedData"}, false) ? Packing::zlib : Packing::none;
     stored.text = !flag({"BinaryData"}, true);
     raw_.order = flag({"BinaryDataByteOrderMSB", "ElementByteOrderMSB"}, false) ? std::endian::big
                                                                                 : std::endian::little;

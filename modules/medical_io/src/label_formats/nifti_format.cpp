@@ -1,18 +1,24 @@
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <optional>
 
+#include "label_formats/data_file.h"
 #include "label_formats/inflate.h"
 #include "label_formats/raw_labels.h"
 #include "text_scanner.h"
+#include "viscera/core/error.h"
 #include "xml_tree.h"
 
-/// NIfTI-1 and NIfTI-2 in one file, as nifti1.h and nifti2.h describe them (nifti.nimh.nih.gov).
+/// NIfTI-1 and NIfTI-2, in one file or as header and voxels, as nifti1.h and nifti2.h describe them
+/// (nifti.nimh.nih.gov).
 namespace viscera::medical_io {
 namespace {
 
 constexpr std::size_t kHeader1 = 348, kHeader2 = 540;
 constexpr int kMostDimensions = 7;
+/// Of a packed header with its extensions: tables of names take some ten kilobytes.
+constexpr std::uint64_t kMostHeaderBytes = std::uint64_t{1} << 22U;
 /// Two statements of where the image is that differ by more than this part of a voxel are reported.
 constexpr double kAgreement = 0.5;
 
@@ -90,11 +96,17 @@ Header header2(std::string_view bytes, std::endian order) {
   return h;
 }
 
-Header headerOf(const FileBytes& file, std::string_view bytes) {
+std::optional<Header> headerIn(std::string_view bytes) {
   if (const auto order = orderOf(bytes, kHeader1); order && bytes.substr(344, 1) == "n")
     return header1(bytes, *order);
   if (const auto order = orderOf(bytes, kHeader2); order && bytes.substr(4, 1) == "n")
     return header2(bytes, *order);
+  return std::nullopt;
+}
+
+Header headerOf(const FileBytes& file, std::string_view bytes) {
+  if (const auto header = headerIn(bytes))
+    return *header;
   if (bytes.size() < kHeader1)
     file.fail("the file is cut off: it has " + counted(bytes.size(), "byte", "bytes") +
               ", a NIfTI header alone has 348");
@@ -231,14 +243,15 @@ void addLabelTable(const XmlElement& element, std::vector<StatedSegment>& list) 
     addLabelTable(child, list);
 }
 
-/// Extensions lie between header and data: size, code, contents. One that is damaged ends the list.
+/// Extensions lie between the header and the end of `bytes`: size, code, contents. One that is damaged ends
+/// the list.
 void readExtensions(std::string_view bytes, const Header& h, RawLabels& raw) {
   std::size_t position = h.bytes + 4;
-  if (raw.offset < position || bytes[h.bytes] == 0)
+  if (bytes.size() < position || bytes[h.bytes] == 0)
     return;
-  while (position + 8 <= raw.offset) {
+  while (position + 8 <= bytes.size()) {
     const auto size = at<std::int32_t>(bytes, position, h.order);
-    if (size < 8 || static_cast<std::size_t>(size) > raw.offset - position)
+    if (size < 8 || static_cast<std::size_t>(size) > bytes.size() - position)
       return;
     std::string_view contents = bytes.substr(position + 8, static_cast<std::size_t>(size) - 8);
     contents = contents.substr(0, contents.find('\0'));
@@ -255,20 +268,82 @@ void readExtensions(std::string_view bytes, const Header& h, RawLabels& raw) {
 
 std::uint64_t dataOffset(const FileBytes& file, const Header& h) {
   if (h.dataOffset == 0)
-    return h.bytes + 4;
-  if (!(h.dataOffset >= static_cast<double>(h.bytes)) || h.dataOffset > 1e15)
+    return h.twoFiles ? 0 : h.bytes + 4;
+  if (!(h.dataOffset >= (h.twoFiles ? 0.0 : static_cast<double>(h.bytes))) || h.dataOffset > 1e15)
     file.fail("its header is damaged: the voxels cannot begin at byte " + std::to_string(h.dataOffset));
   return static_cast<std::uint64_t>(h.dataOffset);
+}
+
+bool isPacked(std::string_view bytes) {
+  return bytes.starts_with("\x1f\x8b");
+}
+
+/// At most `most` bytes of a file, unpacked.
+std::string beginOf(const FileBytes& file, std::uint64_t most) {
+  return isPacked(file.view()) ? inflated(file, file.view(), most)
+                               : file.bytes.substr(0, static_cast<std::size_t>(most));
+}
+
+/// The file with the other half of an image in two files: `part` is ".hdr" or ".img". As small or large
+/// letters as they come, packed or not.
+std::optional<std::filesystem::path> otherHalf(const std::filesystem::path& file, std::string_view part) {
+  for (const bool large : {false, true})
+    for (const char* packed : {"", ".gz"}) {
+      std::string ending = std::string(part) + packed;
+      if (large)
+        std::transform(ending.begin(), ending.end(), ending.begin(),
+                       [](char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; });
+      std::error_code error;
+      const std::filesystem::path name = file.parent_path() / (stemOf(file) + ending);
+      if (std::filesystem::is_regular_file(name, error))
+        return name;
+    }
+  return std::nullopt;
+}
+
+/// A file of voxels alone gives its place to its header; it keeps its name, under which the user knows it.
+void replaceByHeader(FileBytes& file) {
+  const std::string extension = extensionOf(file.file);
+  if ((extension != ".img" && extension != ".img.gz") || headerIn(beginOf(file, kHeader2)))
+    return;
+  file.bytes = {};
+  const auto header = otherHalf(file.file, ".hdr");
+  if (!header)
+    throw NoInputError("is the half of a NIfTI image that has the voxels; its header, " +
+                           inQuotes(stemOf(file.file) + ".hdr") + ", is not beside it",
+                       file.name(), "put both files into one folder");
+  file.bytes = readWholeFile(*header).bytes;
+}
+
+/// The voxels of a header alone.
+void takeOtherHalf(FileBytes& file, const Header& h, RawLabels& raw) {
+  const auto voxels = otherHalf(file.file, ".img");
+  if (!voxels)
+    throw NoInputError("is the header of a NIfTI image in two files; that with its voxels, " +
+                           inQuotes(stemOf(file.file) + ".img") + ", is not beside it",
+                       file.name(), "put both files into one folder");
+  readExtensions(beginOf(file, kMostHeaderBytes), h, raw);
+  StoredValues stored{.beside = voxels->filename().string(), .pattern = false};
+  stored.packing = extensionOf(*voxels) == ".img.gz" ? Packing::zlib : Packing::none;
+  stored.skippedBytes = dataOffset(file, h);
+  takeValues(file, stored, raw);
+}
+
+void takeVoxelsBehind(FileBytes& file, const Header& h, RawLabels& raw) {
+  const std::uint64_t offset = dataOffset(file, h);
+  raw.storage = isPacked(file.view())
+                    ? inflated(file, file.view(), saturatedSum(offset, saturatedSum(raw.byteCount(), 1)))
+                    : std::move(file.bytes);
+  raw.offset = static_cast<std::size_t>(std::min<std::uint64_t>(offset, raw.storage.size()));
+  requireAllValues(raw, file);
+  readExtensions(std::string_view(raw.storage).substr(0, raw.offset), h, raw);
 }
 
 } // namespace
 
 RawLabels readNifti(FileBytes& file) {
-  const bool packed = file.view().starts_with("\x1f\x8b");
-  const std::string begin = packed ? inflated(file, file.view(), kHeader2) : file.bytes.substr(0, kHeader2);
-  const Header h = headerOf(file, begin);
-  if (h.twoFiles)
-    file.fail("is the header of a NIfTI image in two files", "save it as one file, .nii or .nii.gz");
+  replaceByHeader(file);
+  const Header h = headerOf(file, beginOf(file, kHeader2));
   RawLabels raw;
   raw.size = gridOf(file, h);
   raw.scalar = scalarOf(file, h.datatype);
@@ -281,12 +356,10 @@ RawLabels readNifti(FileBytes& file) {
   const Eigen::Affine3d ras = gridInRas(file, h, raw);
   raw.indexToLps = Eigen::Scaling(Vec3(-1, -1, 1) * unitInMm(h.units, raw.warnings)) * ras;
   raw.indexToLps.makeAffine();
-  const std::uint64_t offset = dataOffset(file, h);
-  raw.storage = packed ? inflated(file, file.view(), saturatedSum(offset, saturatedSum(raw.byteCount(), 1)))
-                       : std::move(file.bytes);
-  raw.offset = static_cast<std::size_t>(std::min<std::uint64_t>(offset, raw.storage.size()));
-  requireAllValues(raw, file);
-  readExtensions(raw.storage, h, raw);
+  if (h.twoFiles)
+    takeOtherHalf(file, h, raw);
+  else
+    takeVoxelsBehind(file, h, raw);
   return raw;
 }
 

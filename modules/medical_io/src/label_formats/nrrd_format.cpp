@@ -337,9 +337,11 @@ private:
   StoredValues storedValues() {
     StoredValues stored{.headerEnd = header_.headerEnd, .beside = {}};
     const std::string encoding = lowered(need("encoding"));
-    stored.packed = encoding == "gzip" || encoding == "gz";
+    stored.packing = encoding == "gzip" || encoding == "gz"     ? Packing::zlib
+                     : encoding == "bzip2" || encoding == "bz2" ? Packing::bzip2
+                                                                : Packing::none;
     stored.text = encoding == "ascii" || encoding == "text" || encoding == "txt";
-    if (!stored.packed && !stored.text && encoding != "raw")
+    if (stored.packing == Packing::none && !stored.text && encoding != "raw")
       file_.fail("its encoding " + inQuotes(encoding) + " is not supported",
                  "save it with gzip or raw encoding");
     const std::string endian = lowered(header_.field("endian").value_or(""));

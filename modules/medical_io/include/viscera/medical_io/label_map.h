@@ -55,11 +55,11 @@ struct LabelMap {
   Bounds bounds() const;
 };
 
-/// Reads NIfTI (.nii, .nii.gz), NRRD (.nrrd, .seg.nrrd, .nhdr), MetaImage (.mha, .mhd) or DICOM-SEG (.dcm);
-/// a folder goes to `readLabelFolder`. Position, orientation and spacing are the file's: of a NIfTI file the
-/// sform, else the qform, else the spacing alone. Names and colours are the file's (segments of .seg.nrrd and
-/// DICOM-SEG, TotalSegmentator's table within NIfTI), else those of a colour table (.ctbl, .txt, .json)
-/// beside it; docs/file_formats.md says which.
+/// Reads NIfTI (.nii, .nii.gz, .hdr with .img by either name), NRRD (.nrrd, .seg.nrrd, .nhdr), MetaImage
+/// (.mha, .mhd) or DICOM-SEG (.dcm); a folder goes to `readLabelFolder`. Position, orientation and spacing
+/// are the file's: of a NIfTI file the sform, else the qform, else the spacing alone. Names and colours are
+/// the file's (segments of .seg.nrrd and DICOM-SEG, TotalSegmentator's table within NIfTI), else those of a
+/// colour table (.ctbl, .txt, .json) beside it; docs/file_formats.md says which.
 ///
 /// Throws `NoInputError` when the file is missing or not readable, `DataError` naming file and reason when it
 /// is empty, cut off, of another kind than its name says, has no labelled voxel, or holds an image and no
