@@ -1,8 +1,11 @@
 #include "viscera/medical_io/surface_repair.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
+#include <limits>
+#include <utility>
 #include <vector>
 
 #include <vtkFloatArray.h>
@@ -17,8 +20,10 @@
 #include "viscera/core/error.h"
 #include "viscera/geometry/clean_surface.h"
 #include "viscera/geometry/connected_pieces.h"
+#include "viscera/geometry/self_intersections.h"
 #include "viscera/geometry/signed_distance_grid.h"
 #include "viscera/geometry/surface_check.h"
+#include "viscera/geometry/thin_surface.h"
 #include "vtk_poly_data.h"
 
 namespace viscera::medical_io {
@@ -30,8 +35,9 @@ using geometry::TriangleMesh;
 constexpr double kClusterScale = 0.5;
 constexpr int kSmoothingRounds = 2;
 constexpr double kSmallestPiece = 0.01; ///< Of the whole volume.
-/// Of the contour, whose triangles are the grid's, and then of the thinned surface.
-constexpr int kFirstIterations = 20, kSecondIterations = 10;
+/// Of the contour, whose triangles are the grid's, and then of the thinned surface: as often as the first
+/// says, or as often as the others when triangles cross.
+constexpr std::array kFirstIterations = {20, 30, 10}, kSecondIterations = {10, 2, 0};
 constexpr double kFirstPassBand = 0.05, kSecondPassBand = 0.1;
 
 TriangleMesh zeroLevel(geometry::SignedDistanceGrid& grid) {
@@ -75,6 +81,33 @@ TriangleMesh withoutCrumbs(TriangleMesh mesh) {
   return mesh;
 }
 
+/// The contour smoothed and thinned out. Collapsed edges near a crease, and smoothing where triangles are
+/// large, now and then push one triangle through another: the first way without that is taken, else the one
+/// with the fewest.
+TriangleMesh smoothAndThin(const TriangleMesh& contour, int triangles, const Progress& progress,
+                           Threads threads) {
+  TriangleMesh best;
+  int fewest = std::numeric_limits<int>::max();
+  for (const int first : kFirstIterations) {
+    const TriangleMesh thin =
+        geometry::thinClosedSurface(smoothSurface(contour, first, kFirstPassBand), triangles, progress);
+    for (const int second : kSecondIterations) {
+      progress.throwIfCancelled();
+      TriangleMesh tried =
+          geometry::cleanSurface(second > 0 ? smoothSurface(thin, second, kSecondPassBand) : thin).mesh;
+      Progress ofTheCount;
+      const int crossings = geometry::countSelfIntersections(tried, ofTheCount, threads);
+      if (crossings < fewest) {
+        fewest = crossings;
+        best = std::move(tried);
+      }
+      if (fewest == 0)
+        return best;
+    }
+  }
+  return best;
+}
+
 } // namespace
 
 TriangleMesh repairSurface(const TriangleMesh& mesh, const RepairOptions& options, Progress& progress,
@@ -87,14 +120,11 @@ TriangleMesh repairSurface(const TriangleMesh& mesh, const RepairOptions& option
   geometry::SignedDistanceGrid grid = geometry::signedDistanceGrid(coarse, spacing, progress, threads);
   geometry::smoothen(grid, kSmoothingRounds, threads);
   progress.throwIfCancelled();
-  TriangleMesh result = withoutCrumbs(zeroLevel(grid));
-  if (result.triangles.rows() == 0)
+  const TriangleMesh contour = withoutCrumbs(zeroLevel(grid));
+  if (contour.triangles.rows() == 0)
     throw DataError("the surface encloses nothing", "surface",
                     "check that its triangles face outward and that its holes are small");
-  result = smoothSurface(result, kFirstIterations, kFirstPassBand);
-  result = thinSurface(result, options.triangles);
-  progress.throwIfCancelled();
-  return geometry::cleanSurface(smoothSurface(result, kSecondIterations, kSecondPassBand)).mesh;
+  return smoothAndThin(contour, options.triangles, progress, threads);
 }
 
 TriangleMesh thinSurface(const TriangleMesh& mesh, int triangles) {

@@ -4,6 +4,7 @@
 
 #include "shapes.h"
 #include "viscera/core/error.h"
+#include "viscera/geometry/self_intersections.h"
 #include "viscera/geometry/surface_check.h"
 
 namespace viscera::medical_io {
@@ -26,6 +27,19 @@ TEST(RepairSurface, ClosesHolesNearTheSurface) {
   EXPECT_NEAR(static_cast<double>(repaired.triangles.rows()), 3000, 30);
   const Values radii = (repaired.points.rowwise() - Eigen::RowVector3d(1, 2, 3)).rowwise().norm();
   EXPECT_LT(radii.maxCoeff(), 30.5);
+}
+
+/// Flat faces with sharp edges, whose quadrics say nothing about where in the face a vertex should be.
+TEST(RepairSurface, KeepsTheFlatFacesOfACubeFromFolding) {
+  for (const int triangles : {800, 5000}) {
+    Progress progress;
+    const auto repaired = repairSurface(tests::box(20, 20, 20), {.cells = 60, .triangles = triangles}, progress);
+    const auto report = geometry::checkSurface(repaired);
+    EXPECT_TRUE(report.outward());
+    EXPECT_EQ(geometry::countSelfIntersections(repaired, progress), 0) << triangles;
+    EXPECT_NEAR(static_cast<double>(repaired.triangles.rows()), triangles, 2);
+    EXPECT_NEAR(report.volumeMm3, 8000, 0.02 * 8000);
+  }
 }
 
 TEST(RepairSurface, DropsCrumbsAndKeepsPieces) {
