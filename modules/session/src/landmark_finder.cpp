@@ -64,13 +64,16 @@ LandmarkFinder::LandmarkFinder(std::string sequence, const Organ& organ)
       size_(boundsOf(organ.mesh->points).diagonal()) {
   const geometry::SurfaceReport report = geometry::checkSurface(*mesh_);
   if (!report.closed())
-    throw DataError("the organ is open: " + std::to_string(report.boundaryEdges) + " boundary edges", name_,
-                    "close its holes; an open surface has no volume to keep");
+    throw DataError(
+        "the organ is open: " + std::to_string(report.boundaryEdges) + " boundary edges", name_,
+        "close its holes, as viscera convert IN OUT --fill-holes does; an open surface has no volume to "
+        "keep");
   if (report.components != 1)
     throw DataError("the organ is in " + std::to_string(report.components) + " pieces", name_,
-                    "keep the one that is meant");
+                    "keep the largest, as viscera convert IN OUT --keep-largest does");
   if (!report.outward())
-    throw DataError("the organ is inside out or flat", name_, "turn its triangles around");
+    throw DataError("the organ is inside out or flat", name_,
+                    "turn its triangles around, as viscera convert IN OUT --orient does");
   distance_ = std::make_shared<geometry::SignedDistance>(mesh_);
 }
 

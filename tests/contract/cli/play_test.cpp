@@ -93,6 +93,32 @@ TEST_F(CliPlay, FitsPeristalsisToAnotherStomachAndTakesItsLandmarksBack) {
   EXPECT_EQ(again["retargeted"]["scale"], found["retargeted"]["scale"]);
 }
 
+/// What the refusal says to try is tried, and helps.
+TEST_F(CliPlay, AnOrganInSeveralPiecesSaysHowToKeepTheLargest) {
+  runJson({"sample", "stomach@low", "-o", path("stomach.obj")});
+  std::string obj = contents(path("stomach.obj"));
+  std::size_t vertices = obj.starts_with("v ") ? 1 : 0;
+  for (std::size_t at = 0; (at = obj.find("\nv ", at)) != std::string::npos; ++at)
+    ++vertices;
+  for (const auto& corner : std::vector<std::array<double, 3>>{{0, 0, 0}, {9, 0, 0}, {0, 9, 0}, {0, 0, 9}})
+    obj += "v " + std::to_string(corner[0]) + " " + std::to_string(corner[1]) + " " +
+           std::to_string(corner[2] + 900) + "\n";
+  for (const auto& face : std::vector<std::array<std::size_t, 3>>{{1, 3, 2}, {1, 2, 4}, {2, 3, 4}, {1, 4, 3}})
+    obj += "f " + std::to_string(vertices + face[0]) + " " + std::to_string(vertices + face[1]) + " " +
+           std::to_string(vertices + face[2]) + "\n";
+  put("pieces.obj", obj);
+  const std::vector<std::string> play{"play", "peristalsis", "--fps", "1", "--organ"};
+  const auto with = [&play](const std::string& organ) {
+    std::vector<std::string> arguments = play;
+    arguments.push_back(organ);
+    return arguments;
+  };
+  expectFailure(with(path("pieces.obj")), kBadData, "in 2 pieces");
+  expectFailure(with(path("pieces.obj")), kBadData, "viscera convert IN OUT --keep-largest");
+  runJson({"convert", path("pieces.obj"), path("largest.obj"), "--keep-largest"});
+  EXPECT_GT(runJson(with(path("largest.obj")))["retargeted"]["handles"].get<int>(), 100);
+}
+
 TEST_F(CliPlay, LandmarksThatAreWrongAreSaid) {
   runJson({"sample", "heart@low", "-o", path("patient.stl")});
   const std::vector<std::string> play{"play", "heartbeat", "--organ", path("patient.stl")};
