@@ -1,13 +1,16 @@
 #include "cli/session_input.h"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <memory>
+#include <utility>
 
 #include <vtkImageData.h>
 
 #include "camera_json.h"
 #include "cli/listing.h"
+#include "cli/session_maps.h"
 #include "viscera/core/error.h"
 #include "viscera/scene/vtkVisceraHandleSetRepresentation.h"
 #include "viscera/session/live_binding.h"
@@ -62,6 +65,30 @@ bool showsHandles(const ordered_json& view) {
   return mode == "handles" || mode == "deform" || on(view, "view.handles", false);
 }
 
+/// What was switched on and is not drawn.
+std::vector<std::string> undrawn(const ordered_json& view) {
+  static constexpr std::array<std::pair<const char*, const char*>, 5> kUndrawn = {
+      {{"view.ghost", "the ghost of the rest shape"},
+       {"view.labels", "the labels of the organs"},
+       {"handles.regions", "the regions of the groups"},
+       {"handles.zones", "the zones of the groups"},
+       {"handles.superRegions", "the super-regions of the groups"}}};
+  std::vector<std::string> list;
+  for (const auto& [name, description] : kUndrawn)
+    if (on(view, name, false))
+      list.emplace_back(description);
+  return list;
+}
+
+std::shared_ptr<scene::OrganActor> addOrgan(Stage& stage, const session::Organ& organ,
+                                            const session::LiveBinding& live) {
+  auto actor = stage.add(organ, organ.look.opacity);
+  actor->setVertexColorsShown(organ.look.vertexColors);
+  actor->setVisible(organ.look.visible);
+  actor->setPoints(std::make_shared<const Points>(live.points(organ.id)));
+  return actor;
+}
+
 } // namespace
 
 Outcome describeSession(const std::string& file, Surroundings& surroundings) {
@@ -109,9 +136,8 @@ Outcome describeSession(const std::string& file, Surroundings& surroundings) {
   return outcome;
 }
 
-vtkSmartPointer<vtkImageData> sessionPicture(const session::OpenedSession& opened,
-                                             const StageOptions& options, bool fromSide,
-                                             Surroundings& surroundings) {
+SessionPicture sessionPicture(const session::OpenedSession& opened, const StageOptions& options,
+                              bool fromSide, Surroundings& surroundings) {
   const session::DocumentState& state = opened.contents.state;
   const auto view = ordered_json::parse(opened.contents.view);
   session::Document document;
@@ -124,17 +150,16 @@ vtkSmartPointer<vtkImageData> sessionPicture(const session::OpenedSession& opene
   session::LiveBinding live(document, surroundings.systems, jobs, atOnce);
   undo.reset(state);
   Stage stage(options, surroundings.threads);
+  StagedSession staged{document, live, jobs, box, stage, {}};
+  std::unique_ptr<SessionStress> stress;
+  SessionPicture picture;
   try {
     if (view.value("mode", std::string()) == "handles")
       live.showRest();
     else
       live.showPose(shownPose(state, view));
-    for (const auto& organ : *state.organs) {
-      auto actor = stage.add(*organ, organ->look.opacity);
-      actor->setVertexColorsShown(organ->look.vertexColors);
-      actor->setVisible(organ->look.visible);
-      actor->setPoints(std::make_shared<const Points>(live.points(organ->id)));
-    }
+    for (const auto& organ : *state.organs)
+      staged.actors[organ->id] = addOrgan(stage, *organ, live);
     if (showsHandles(view)) {
       stage.showHandles(rigOf(*state.rig));
       stage.view().handles()->SetPositions(live.shownPose());
@@ -142,12 +167,20 @@ vtkSmartPointer<vtkImageData> sessionPicture(const session::OpenedSession& opene
     stage.view().setOrientationCubeShown(on(view, "view.cube", true));
     stage.view().setScaleBarShown(on(view, "view.scale", true));
     stage.compose();
+    picture.leftOut = undrawn(view);
+    if (showsInfluence(view))
+      drawInfluence(staged, view);
+    if (showsStress(view)) {
+      stress = std::make_unique<SessionStress>(staged, view, surroundings.systems, surroundings.threads);
+      picture.leftOut.insert(picture.leftOut.end(), stress->leftOut().begin(), stress->leftOut().end());
+    }
     if (!fromSide && view.contains("camera"))
       setCamera(view.at("camera"), *stage.view().renderer());
   } catch (const ordered_json::exception&) {
     throw DataError("its view is none that Viscera has written", "view", "give --view for another one");
   }
-  return stage.picture();
+  picture.image = stage.picture();
+  return picture;
 }
 
 } // namespace viscera::app::cli

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include <vtkSmartPointer.h>
 
@@ -16,10 +17,14 @@ namespace viscera::app::cli {
 /// What is in a session, with what became of its organs' files. Throws as `session::readSession`.
 Outcome describeSession(const std::string& file, Surroundings& surroundings);
 
-/// The session as the window showed it: looks, pose, the instant of its motion, and the camera, unless
-/// `fromSide` asks for the side of `options`. Maps of stress and influence are left out.
-vtkSmartPointer<vtkImageData> sessionPicture(const session::OpenedSession& opened,
-                                             const StageOptions& options, bool fromSide,
-                                             Surroundings& surroundings);
+struct SessionPicture {
+  vtkSmartPointer<vtkImageData> image;
+  std::vector<std::string> leftOut; ///< What the window showed and the picture does not, for a user.
+};
+
+/// The session as the window showed it: looks, pose, the instant of its motion, the influence of a handle or
+/// the stress map, and the camera, unless `fromSide` asks for the side of `options`.
+SessionPicture sessionPicture(const session::OpenedSession& opened, const StageOptions& options,
+                              bool fromSide, Surroundings& surroundings);
 
 } // namespace viscera::app::cli

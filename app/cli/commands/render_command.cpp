@@ -206,7 +206,8 @@ Outcome RenderCommand::drawSession(Surroundings& surroundings) {
   stage_.size = pictureSize(size_);
   const session::OpenedSession opened =
       session::readSession(files_.front(), surroundings.samples, surroundings.progress);
-  scene::writePng(output_, sessionPicture(opened, stage_, viewGiven_->count() > 0, surroundings));
+  const SessionPicture picture = sessionPicture(opened, stage_, viewGiven_->count() > 0, surroundings);
+  scene::writePng(output_, picture.image);
   Outcome outcome;
   outcome.json = {{"png", output_},
                   {"width", stage_.size.width},
@@ -215,6 +216,11 @@ Outcome RenderCommand::drawSession(Surroundings& surroundings) {
                   {"handles", opened.contents.state.rig->handles.size()}};
   outcome.text = Listing().add("picture", output_).text();
   outcome.warnings = opened.warnings;
+  std::string leftOut;
+  for (const std::string& item : picture.leftOut)
+    leftOut += (leftOut.empty() ? "" : ", ") + item;
+  if (!leftOut.empty())
+    outcome.warnings.push_back("the window showed what is not drawn here: " + leftOut);
   return outcome;
 }
 

@@ -1,8 +1,6 @@
 #include "window/session/view_state.h"
 
 #include <QAction>
-#include <QJsonDocument>
-#include <QJsonObject>
 
 #include <algorithm>
 #include <iterator>
@@ -11,6 +9,7 @@
 #include <vtkRenderer.h>
 
 #include "camera_json.h"
+#include "stress_json.h"
 #include "window/session/motion_recipe.h"
 
 namespace viscera::app {
@@ -28,18 +27,6 @@ bool isOfTheView(const QAction& action) {
   const auto begins = [&id](const char* part) { return id.starts_with(part); };
   return action.isCheckable() && std::any_of(std::begin(kParts), std::end(kParts), begins) &&
          std::find(std::begin(kNotOfTheView), std::end(kNotOfTheView), id) == std::end(kNotOfTheView);
-}
-
-ordered_json stressJson(const StressLook& look) {
-  Settings kept{QVariantMap()};
-  saveStressLook(look, kept);
-  const QByteArray text = QJsonDocument(QJsonObject::fromVariantMap(kept.values())).toJson();
-  return ordered_json::parse(text.toStdString());
-}
-
-StressLook stressLookOf(const ordered_json& item) {
-  const auto object = QJsonDocument::fromJson(QByteArray::fromStdString(item.dump())).object();
-  return loadStressLook(Settings(object.toVariantMap()));
 }
 
 ordered_json rowsJson(const Points& points) {

@@ -84,6 +84,57 @@ TEST_F(CliSession, RenderDrawsItAsItIsPosedAndSeen) {
   EXPECT_NE(drawn("seen.viscera", {"--view", "anterior"}), seen);
 }
 
+TEST_F(CliSession, RenderColoursByTheInfluenceOfTheHandleThatWasSelected) {
+  const auto view = [this](bool shown, std::size_t handle) {
+    const json selection = {{"organ", contents_.state.organs->front()->id.value},
+                            {"group", 0},
+                            {"handles", json::array({contents_.state.rig->handles.at(handle).id.value})}};
+    contents_.view =
+        json{{"mode", "deform"}, {"switches", {{"handles.influence", shown}}}, {"selection", selection}}
+            .dump();
+    write("map.viscera");
+    return drawn("map.viscera");
+  };
+  const std::string plain = view(false, 7), seventh = view(true, 7);
+  EXPECT_NE(seventh, plain);
+  EXPECT_NE(view(true, 0), seventh) << "another handle has another influence";
+  EXPECT_EQ(view(true, 7), seventh);
+}
+
+TEST_F(CliSession, RenderDrawsTheStressMapAsItWasLookedAt) {
+  const auto view = [this](const json& look, const std::string& session) {
+    contents_.view = json{{"mode", "stress"},
+                          {"stress", look},
+                          {"switches", {{"view.ghost", true}}},
+                          {"selection",
+                           {{"organ", contents_.state.organs->front()->id.value},
+                            {"group", 0},
+                            {"handles", json::array()}}}}
+                         .dump();
+    write(session);
+    return drawn(session, {"--view", "left"});
+  };
+  const json whole = {{"stress/cut", false}, {"stress/witnesses", 2000}};
+  json cut = whole, ratio = whole, glyphs = whole;
+  cut["stress/cut"] = true;
+  cut["stress/normal"] = "0 0 1";
+  ratio["stress/quantity"] = "volume-ratio";
+  glyphs["stress/glyphs"] = "crosses";
+  const std::string map = view(whole, "stress.viscera");
+  contents_.view = R"({"mode": "explore"})";
+  write("plain.viscera");
+  EXPECT_NE(drawn("plain.viscera", {"--view", "left"}), map);
+  EXPECT_NE(view(cut, "cut.viscera"), map);
+  EXPECT_NE(view(ratio, "ratio.viscera"), map);
+  EXPECT_EQ(view(whole, "stress.viscera"), map);
+  view(glyphs, "glyphs.viscera");
+  const std::string said =
+      run({"render", path("glyphs.viscera"), "-o", path("p.png"), "--size", "200x160"}).err;
+  EXPECT_NE(said.find("warning: the window showed what is not drawn here: the ghost"), std::string::npos)
+      << said;
+  EXPECT_NE(said.find("the glyphs of the stretches"), std::string::npos) << said;
+}
+
 TEST_F(CliSession, DamagedOnesAndOnesWithOtherThingsAreRefused) {
   put("bad.viscera", "{\"format\": \"viscera-session\"");
   expectFailure({"info", path("bad.viscera")}, kBadData, "bad.viscera");
