@@ -33,7 +33,8 @@ TEST(RepairSurface, ClosesHolesNearTheSurface) {
 TEST(RepairSurface, KeepsTheFlatFacesOfACubeFromFolding) {
   for (const int triangles : {800, 5000}) {
     Progress progress;
-    const auto repaired = repairSurface(tests::box(20, 20, 20), {.cells = 60, .triangles = triangles}, progress);
+    const auto repaired =
+        repairSurface(tests::box(20, 20, 20), {.cells = 60, .triangles = triangles}, progress);
     const auto report = geometry::checkSurface(repaired);
     EXPECT_TRUE(report.outward());
     EXPECT_EQ(geometry::countSelfIntersections(repaired, progress), 0) << triangles;
