@@ -54,6 +54,31 @@ DocumentState added(DocumentState state, IdSource& ids, const std::vector<NewOrg
   return state;
 }
 
+/// A measurement goes with the organs that its points are on.
+DocumentState withoutMeasurementsOf(DocumentState state, const std::set<OrganId>& gone) {
+  MeasurementList measurements = *state.measurements;
+  const auto removed = std::erase_if(measurements, [&gone](const Measurement& measurement) {
+    return std::any_of(measurement.points.begin(), measurement.points.end(),
+                       [&gone](const MeasuredPoint& point) { return gone.count(point.organ) > 0; });
+  });
+  if (removed > 0)
+    state.measurements = std::make_shared<const MeasurementList>(std::move(measurements));
+  return state;
+}
+
+/// Puts the measured points of an organ onto the surface that it has now.
+DocumentState withPointsOnSurfaceOf(DocumentState state, OrganId id) {
+  const Organ& organ = *state.organ(id);
+  MeasurementList measurements = *state.measurements;
+  for (Measurement& measurement : measurements)
+    for (MeasuredPoint& point : measurement.points)
+      if (point.organ == id)
+        point = nearestPoint(organ, point.rest);
+  if (measurements != *state.measurements)
+    state.measurements = std::make_shared<const MeasurementList>(std::move(measurements));
+  return state;
+}
+
 DocumentState removed(DocumentState state, const std::vector<OrganId>& ids) {
   std::set<OrganId> gone;
   for (const OrganId id : ids) {
@@ -70,7 +95,7 @@ DocumentState removed(DocumentState state, const std::vector<OrganId>& ids) {
       organs.push_back(organ);
   }
   state.organs = std::make_shared<const OrganList>(std::move(organs));
-  return state;
+  return withoutMeasurementsOf(std::move(state), gone);
 }
 
 /// The organ with the surface that its holes leave when they are filled.
@@ -118,6 +143,7 @@ Command removeAllOrgans() {
   return {"Remove all organs",
           [](DocumentState state, IdSource&) {
             state.organs = std::make_shared<const OrganList>();
+            state.measurements = std::make_shared<const MeasurementList>();
             return state;
           },
           {}};
@@ -151,10 +177,13 @@ Command setVolumeLocked(OrganId organ, bool locked) {
 Command closeHoles(OrganId organ) {
   return {"Close holes",
           [organ](const DocumentState& state, IdSource&) {
-            return withOrgan(state, organ, [](Organ& changed) {
-              if (!changed.closed())
+            bool filled = false;
+            DocumentState closed = withOrgan(state, organ, [&filled](Organ& changed) {
+              filled = !changed.closed();
+              if (filled)
                 changed = withoutHoles(changed);
             });
+            return filled ? withPointsOnSurfaceOf(std::move(closed), organ) : closed;
           },
           {}};
 }

@@ -77,6 +77,8 @@ public:
       for (const auto& [handle, moved] : key.displacements)
         taken_.insert(handle.value);
     }
+    for (const Measurement& measurement : *state.measurements)
+      taken_.insert(measurement.id.value);
   }
 
   ordered_json write(const fs::path& folder, Progress& progress) {
@@ -146,6 +148,13 @@ private:
   std::map<std::int64_t, std::int64_t> renumbered_; ///< Missing organs.
 };
 
+/// Whether an organ is in the session, be it as the record of a missing one.
+bool isKnown(const SessionContents& contents, OrganId id) {
+  return contents.state.organ(id) ||
+         std::any_of(contents.missing.begin(), contents.missing.end(),
+                     [id](const MissingOrgan& missing) { return missing.id == id; });
+}
+
 /// Reads one session file with everything that it names.
 class SessionOpener {
 public:
@@ -157,7 +166,7 @@ public:
     const ordered_json root = reader_.parse(text);
     reader_.noteUnknown(root,
                         {"format", "version", "coordinateSystem", "units", "surfaces", "recovers", "organs",
-                         "rig", "system", "recording", "view"},
+                         "rig", "system", "recording", "measurements", "view"},
                         "");
     SessionContents& contents = opened_.contents;
     const std::string surfaces = reader_.textOf(root, "surfaces", "");
@@ -169,10 +178,12 @@ public:
     reader_.readRig(reader_.field(root, "rig", ""), contents.state);
     reader_.readSystem(reader_.field(root, "system", ""), contents.state);
     reader_.readRecording(reader_.field(root, "recording", ""), contents.state);
+    reader_.readMeasurements(root, contents.state);
     const ordered_json& view = reader_.field(root, "view", "");
     reader_.requireObject(view, "view");
     contents.view = dumped(view);
     readOrgans(reader_.listOf(root, "organs", ""));
+    placeMeasurements();
     for (const std::string& key : reader_.unknownKeys())
       opened_.warnings.push_back(reader_.where() + ": nothing is known about \"" + key +
                                  "\"; it will not be saved again");
@@ -191,14 +202,55 @@ private:
         reader_.fail("its parent is no organ before it", place + ".parent");
       earlier.insert(records[i].id);
     }
+    requireMeasuredOrgans(earlier);
     OrganList organs;
     for (std::size_t i = 0; i < list.size(); ++i) {
       progress_.throwIfCancelled();
       progress_.report(static_cast<double>(i) / static_cast<double>(list.size()), records[i].name);
-      if (auto organ = complete(records[i], list[i], i))
+      if (auto organ = complete(records[i], list[i], i)) {
+        if (opened_.surfaces.back().state == State::changed)
+          changed_.insert(organ->id);
         organs.push_back(std::make_shared<const Organ>(std::move(*organ)));
+      }
     }
     opened_.contents.state.organs = std::make_shared<const OrganList>(std::move(organs));
+  }
+
+  /// Calls `visit` with every measured point and its place in the file; takes over what it changes.
+  template <class Visit>
+  void eachMeasuredPoint(Visit visit) {
+    MeasurementList measurements = *opened_.contents.state.measurements;
+    for (std::size_t i = 0; i < measurements.size(); ++i)
+      for (std::size_t k = 0; k < measurements[i].points.size(); ++k)
+        visit(measurements[i].points[k],
+              SessionReader::at(SessionReader::at("measurements", i) + ".points", k));
+    opened_.contents.state.measurements = std::make_shared<const MeasurementList>(std::move(measurements));
+  }
+
+  void requireMeasuredOrgans(const std::set<OrganId>& organs) {
+    eachMeasuredPoint([&](const MeasuredPoint& point, const std::string& place) {
+      if (point.organ && !organs.count(point.organ))
+        reader_.fail("there is no organ " + std::to_string(point.organ.value), place + ".organ");
+    });
+  }
+
+  /// Points of a surface that is another one now go to the nearest places of it; those of a missing organ are
+  /// kept for when it is there again.
+  void placeMeasurements() {
+    std::set<std::string> moved;
+    eachMeasuredPoint([&](MeasuredPoint& point, const std::string& place) {
+      const auto organ = point.organ ? opened_.contents.state.organ(point.organ) : nullptr;
+      if (!organ)
+        return;
+      if (changed_.count(organ->id)) {
+        point = nearestPoint(*organ, point.rest);
+        moved.insert(organ->name);
+      } else if (point.triangle >= organ->mesh->triangles.rows()) {
+        reader_.fail("the surface of " + organ->name + " has no such triangle", place + ".triangle");
+      }
+    });
+    for (const std::string& organ : moved)
+      warn(organ, "what is measured on it is now at the nearest places of that surface");
   }
 
   /// The organ with its surface; nothing, and a warning, when there is none.
@@ -353,6 +405,7 @@ private:
   SampleMaker maker_;
   Progress& progress_;
   OpenedSession opened_;
+  std::set<OrganId> changed_; ///< Organs whose surface is another one than was saved.
 };
 
 } // namespace
@@ -401,6 +454,9 @@ void writeSession(const fs::path& file, const SessionContents& contents, Progres
   root["rig"] = rigJson(*state.rig, *state.pose);
   root["system"] = systemJson(*state.system);
   root["recording"] = recordingJson(*state.recording);
+  if (!state.measurements->empty())
+    root["measurements"] =
+        measurementsJson(*state.measurements, [&](OrganId id) { return isKnown(contents, id); });
   root["view"] = ordered_json::parse(contents.view);
   progress.throwIfCancelled();
   writeAtomically(file, [&root](std::ostream& stream) { stream << dumped(root, 1) << '\n'; });

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <limits>
 #include <utility>
 
 #include "viscera/core/error.h"
@@ -15,6 +16,9 @@ using nlohmann::ordered_json;
 constexpr JsonReader::Format kFormat = {
     kSessionFormat, kSessionVersion, "session", "choose a file that Viscera has saved as .viscera",
     "take a backup of the file, or begin a new session with the organs' own files"};
+
+/// How far the sum of weights may be from 1.
+constexpr double kWeightTolerance = 1e-6;
 
 bool sameBits(const Vec3& a, const Vec3& b) {
   return std::memcmp(a.data(), b.data(), 3 * sizeof(double)) == 0;
@@ -106,6 +110,26 @@ ordered_json recordingJson(const Recording& recording) {
           {"loop", recording.loop},
           {"interpolation", nameOf(recording.interpolation)},
           {"keys", std::move(keys)}};
+}
+
+ordered_json measurementsJson(const MeasurementList& measurements,
+                              const std::function<bool(OrganId)>& isKnown) {
+  ordered_json list = ordered_json::array();
+  for (const Measurement& measurement : measurements) {
+    ordered_json points = ordered_json::array();
+    for (const MeasuredPoint& point : measurement.points) {
+      requireFinite(point.rest, "measurement " + measurement.name);
+      ordered_json item{{"rest", listOf(point.rest)}};
+      if (point.organ && isKnown(point.organ)) {
+        item["organ"] = point.organ.value;
+        item["triangle"] = point.triangle;
+        item["weights"] = listOf(point.weights);
+      }
+      points.push_back(std::move(item));
+    }
+    list.push_back({{"id", measurement.id.value}, {"name", measurement.name}, {"points", std::move(points)}});
+  }
+  return list;
 }
 
 SessionReader::SessionReader(const std::string& where) : JsonReader(where, kFormat) {}
@@ -276,6 +300,46 @@ void SessionReader::readRecording(const ordered_json& item, DocumentState& state
       fail("its time does not lie behind the key before it and within the period", place);
   }
   state.recording = std::make_shared<const Recording>(std::move(recording));
+}
+
+MeasuredPoint SessionReader::readMeasuredPoint(const ordered_json& item, const std::string& place) {
+  requireObject(item, place);
+  noteUnknown(item, {"rest", "organ", "triangle", "weights"}, place);
+  MeasuredPoint point;
+  point.rest = vectorOf(field(item, "rest", place), place + ".rest");
+  if (!item.contains("organ"))
+    return point;
+  point.organ = OrganId{wholeOf(item.at("organ"), place + ".organ")};
+  const std::int64_t triangle = wholeOf(field(item, "triangle", place), place + ".triangle");
+  if (triangle > std::numeric_limits<int>::max())
+    fail("no surface has so many triangles", place + ".triangle");
+  point.triangle = static_cast<int>(triangle);
+  point.weights = vectorOf(field(item, "weights", place), place + ".weights");
+  if (!(point.weights.minCoeff() >= 0 && std::abs(point.weights.sum() - 1) <= kWeightTolerance))
+    fail("are no place in a triangle: they have to be 0 at least, and 1 together", place + ".weights");
+  return point;
+}
+
+void SessionReader::readMeasurements(const ordered_json& root, DocumentState& state) {
+  if (!root.contains("measurements"))
+    return;
+  MeasurementList measurements;
+  const ordered_json& list = listOf(root, "measurements", "");
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    const std::string place = at("measurements", i);
+    requireObject(list[i], place);
+    noteUnknown(list[i], {"id", "name", "points"}, place);
+    Measurement measurement;
+    measurement.id = newId<MeasurementId>(list[i], place);
+    measurement.name = textOf(list[i], "name", place);
+    const ordered_json& points = listOf(list[i], "points", place);
+    if (points.size() != 2 && points.size() != 3)
+      fail("has neither the two points of a distance nor the three of an angle", place + ".points");
+    for (std::size_t k = 0; k < points.size(); ++k)
+      measurement.points.push_back(readMeasuredPoint(points[k], at(place + ".points", k)));
+    measurements.push_back(std::move(measurement));
+  }
+  state.measurements = std::make_shared<const MeasurementList>(std::move(measurements));
 }
 
 } // namespace viscera::session

@@ -18,6 +18,9 @@ nlohmann::ordered_json organJson(const Organ& organ);
 nlohmann::ordered_json rigJson(const Rig& rig, const Points& pose);
 nlohmann::ordered_json systemJson(const SystemChoice& system);
 nlohmann::ordered_json recordingJson(const Recording& recording);
+/// Points on an organ that `isKnown` does not know are written as places that stay.
+nlohmann::ordered_json measurementsJson(const MeasurementList& measurements,
+                                        const std::function<bool(OrganId)>& isKnown);
 
 /// Reads the parts of one session; keeps watch that no id comes twice.
 class SessionReader : public JsonReader {
@@ -29,6 +32,8 @@ public:
   void readRig(const nlohmann::ordered_json& item, DocumentState& state);
   void readSystem(const nlohmann::ordered_json& item, DocumentState& state);
   void readRecording(const nlohmann::ordered_json& item, DocumentState& state);
+  /// Whether the organs and triangles that points name are there is not looked at.
+  void readMeasurements(const nlohmann::ordered_json& root, DocumentState& state);
 
   /// A text that may be empty or left out.
   std::string optionalText(const nlohmann::ordered_json& object, const char* key,
@@ -42,6 +47,7 @@ private:
   Handle readHandle(const nlohmann::ordered_json& item, const std::string& place);
   Group readGroup(const nlohmann::ordered_json& item, const Rig& rig, const std::string& place);
   RecordedKey readKey(const nlohmann::ordered_json& item, const std::string& place);
+  MeasuredPoint readMeasuredPoint(const nlohmann::ordered_json& item, const std::string& place);
 
   std::set<std::int64_t> ids_;
 };

@@ -21,6 +21,7 @@ void shareEqualParts(const DocumentState& before, DocumentState& after) {
   share(&DocumentState::pose);
   share(&DocumentState::system);
   share(&DocumentState::recording);
+  share(&DocumentState::measurements);
 }
 
 template <class Array>
@@ -52,6 +53,9 @@ std::size_t newBytes(const DocumentState& before, const DocumentState& after) {
   if (after.recording != before.recording)
     for (const RecordedKey& key : after.recording->keys)
       bytes += sizeof(key) + key.displacements.size() * sizeof(*key.displacements.begin());
+  if (after.measurements != before.measurements)
+    for (const Measurement& measurement : *after.measurements)
+      bytes += sizeof(measurement) + measurement.points.size() * sizeof(MeasuredPoint);
   return bytes;
 }
 
@@ -200,6 +204,11 @@ void UndoStack::reset(DocumentState state) {
     document_.ids_.reserve(key.id);
     for (const auto& [handle, moved] : key.displacements) // Handles that were removed are still meant.
       document_.ids_.reserve(handle);
+  }
+  for (const Measurement& measurement : *state.measurements) {
+    document_.ids_.reserve(measurement.id);
+    for (const MeasuredPoint& point : measurement.points) // An organ whose file is missing is still meant.
+      document_.ids_.reserve(point.organ);
   }
   seal();
   saved_ = state;

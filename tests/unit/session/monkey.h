@@ -9,6 +9,7 @@
 
 #include "session_fixture.h"
 #include "viscera/core/error.h"
+#include "viscera/session/measurement_commands.h"
 #include "viscera/session/recording_commands.h"
 
 namespace viscera::session::tests {
@@ -94,7 +95,7 @@ private:
 
   Command anyCommand() {
     const std::string text = "T" + std::to_string(number(12));
-    switch (number(21)) {
+    switch (number(24)) {
     case 0:
       return addOrgans({ball(text, real(5, 40), 1, place())});
     case 1:
@@ -136,6 +137,12 @@ private:
       return recordKey(real(0, 2.2), number(2) == 0 ? sequences::Easing::hold : sequences::Easing::smooth);
     case 19:
       return anyRecordingEdit();
+    case 20:
+    case 21:
+      return number(2) == 0 ? addMeasurement({aPoint(), aPoint()})
+                            : addMeasurement({aPoint(), aPoint(), aPoint()}, text);
+    case 22:
+      return anyMeasurementEdit(text);
     default:
       return poseMove();
     }
@@ -148,6 +155,31 @@ private:
     edit.loop = number(2) == 0;
     edit.interpolation = number(2) == 0 ? sequences::Interpolation::curve : sequences::Interpolation::eased;
     return editRecording(edit);
+  }
+
+  MeasuredPoint aPoint() {
+    MeasuredPoint point;
+    point.rest = place();
+    point.organ = number(3) == 0 ? OrganId{} : anOrgan();
+    point.triangle = number(100);
+    point.weights = {real(0, 0.5), real(0, 0.5), 0};
+    point.weights[2] = 1 - point.weights[0] - point.weights[1];
+    return point;
+  }
+
+  Command anyMeasurementEdit(const std::string& text) {
+    const auto one = pick<MeasurementId>(s_.document.measurements(),
+                                         [](const Measurement& measurement) { return measurement.id; });
+    switch (number(8)) {
+    case 0:
+      return removeAllMeasurements();
+    case 1:
+      return removeMeasurements({one});
+    case 2:
+      return renameMeasurement(one, text);
+    default:
+      return moveMeasuredPoint(one, static_cast<std::size_t>(number(3)), aPoint());
+    }
   }
 
   Command restMove() {

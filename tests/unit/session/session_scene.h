@@ -6,6 +6,7 @@
 #include "temporary_folder.h"
 #include "viscera/core/error.h"
 #include "viscera/medical_io/surface_file.h"
+#include "viscera/session/measurement_commands.h"
 #include "viscera/session/open_files.h"
 #include "viscera/session/recording_commands.h"
 #include "viscera/session/session_file.h"
@@ -31,7 +32,7 @@ inline std::filesystem::path ballFile(const viscera::tests::TemporaryFolder& fol
 }
 
 /// One of everything: organs from a file, edited and with a cavity, handles, groups, a pose, parameters,
-/// locks, a recording, a view.
+/// locks, a recording, measurements, a view.
 inline SessionContents fullContents(const viscera::tests::TemporaryFolder& folder) {
   Session s;
   s.undo.perform(addOrgans({{readOrgan(ballFile(folder, "liver.vtp")), -1}}));
@@ -57,6 +58,11 @@ inline SessionContents fullContents(const viscera::tests::TemporaryFolder& folde
   s.undo.perform(recordKey(0.25, sequences::Easing::hold));
   s.undo.perform(recordKey(1.0 / 3));
   s.undo.perform(removeHandles({s.handle(9)})); // The keys still know it.
+  const MeasuredPoint onLiver = surfacePoint(*s.document.organ(liver), 3, {0.1, 0.2, 0.7});
+  s.undo.perform(addMeasurement({onLiver, surfacePoint(*s.document.organ(s.organ()), 7, {1, 0, 0})}));
+  MeasuredPoint fixed;
+  fixed.rest = {0.1, -1e-310, 1.0 / 3};
+  s.undo.perform(addMeasurement({onLiver, fixed, {}}, "Angle \"at\" the \xC3\xBC"));
   SessionContents contents;
   contents.state = s.document.state();
   contents.view = R"({"mode":"deform","camera":{"position":[0.1,-0.0,1e+300]},"other":[1,"two",null]})";

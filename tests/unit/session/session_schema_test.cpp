@@ -115,7 +115,10 @@ TEST(SessionSchema, DoesNotTakeWhatIsRefused) {
         std::pair("/organs/0/name", json("")), std::pair("/organs/0/look/opacity", json(1.5)),
         std::pair("/organs/0/look/color", json({1, 2})), std::pair("/rig/handles/0/locked", json(1)),
         std::pair("/recording/keys/0/easing", json("bouncing")), std::pair("/view", json(nullptr)),
-        std::pair("/system/parameters", json({{"softness", "much"}}))}) {
+        std::pair("/system/parameters", json({{"softness", "much"}})),
+        std::pair("/measurements/0/name", json("")), std::pair("/measurements/0/points", json::array()),
+        std::pair("/measurements/0/points/0/triangle", json(-1)),
+        std::pair("/measurements/0/points/0/weights", json({1, 2, -2}))}) {
     json bad = good;
     bad[json::json_pointer(place)] = value;
     EXPECT_FALSE(schema.takes(bad)) << place;

@@ -7,6 +7,7 @@
 
 #include "viscera/coordinates/parameters.h"
 #include "viscera/session/ids.h"
+#include "viscera/session/measurement.h"
 #include "viscera/session/organ.h"
 #include "viscera/session/recording.h"
 #include "viscera/session/rig.h"
@@ -22,8 +23,8 @@ struct SystemChoice {
   coordinates::ParameterValues parameters;
 };
 
-/// Everything that is saved and undone, in five immutable parts that states share with one another: a copy
-/// costs five pointers, and a state that is kept (by the undo stack, by a worker that saves) never changes.
+/// Everything that is saved and undone, in six immutable parts that states share with one another: a copy
+/// costs six pointers, and a state that is kept (by the undo stack, by a worker that saves) never changes.
 ///
 /// What a user looks at is not in it: the selection (`Selection`), the camera, the mode, the time of a
 /// sequence.
@@ -31,8 +32,9 @@ struct DocumentState {
   std::shared_ptr<const OrganList> organs; ///< Never null, nor is any of its items.
   std::shared_ptr<const Rig> rig;          ///< Never null.
   std::shared_ptr<const Points> pose; ///< `handles x 3` mm, row i belongs to `rig->handles[i]`. Never null.
-  std::shared_ptr<const SystemChoice> system; ///< Never null.
-  std::shared_ptr<const Recording> recording; ///< The keys that a user has recorded. Never null.
+  std::shared_ptr<const SystemChoice> system;          ///< Never null.
+  std::shared_ptr<const Recording> recording;          ///< The keys that a user has recorded. Never null.
+  std::shared_ptr<const MeasurementList> measurements; ///< In the order in which they were made. Never null.
 
   /// An empty document.
   DocumentState();
@@ -62,6 +64,7 @@ struct Change {
   bool pose() const { return before.pose != after.pose; }
   bool system() const { return before.system != after.system; }
   bool recording() const { return before.recording != after.recording; }
+  bool measurements() const { return before.measurements != after.measurements; }
 };
 
 /// The document that is open. Whoever has one reads it; only an `UndoStack` changes it, by commands.
@@ -79,6 +82,7 @@ public:
   const Points& pose() const { return *state_.pose; }
   const SystemChoice& system() const { return *state_.system; }
   const Recording& recording() const { return *state_.recording; }
+  const MeasurementList& measurements() const { return *state_.measurements; }
 
   /// Tells of every change, after it. An observer must not change the document; it may read it.
   [[nodiscard]] Subscription onChange(std::function<void(const Change&)> observer) {

@@ -18,6 +18,7 @@ using OrganId = Id<struct OrganTag>;
 using HandleId = Id<struct HandleTag>;
 using GroupId = Id<struct GroupTag>;
 using KeyId = Id<struct KeyTag>;
+using MeasurementId = Id<struct MeasurementTag>;
 
 /// Hands out the ids of one document, in order.
 class IdSource {
