@@ -7,6 +7,7 @@
 #include "viscera/deformation/inverse_displacements.h"
 #include "viscera/medical_io/displacement_file.h"
 #include "viscera/medical_io/surfaces_file.h"
+#include "viscera/session/measurement_table.h"
 #include "viscera/session/organ_table.h"
 #include "window/actions.h"
 #include "window/settings.h"
@@ -56,6 +57,18 @@ void ExportActions::addTo(Actions& actions) {
               [this] {
                 choose(tr("Export table of volumes"), tr("volumes.csv"), tr("Comma-separated values (*.csv)"),
                        &ExportActions::exportTable);
+              });
+  actions.add("export.measurements",
+              {tr("Export &measurements..."), "export", {}, tr("Write all measured distances and angles")},
+              [this] {
+                if (workspace_.document().measurements().empty())
+                  return workspace_.say({Message::Severity::info,
+                                         tr("Nothing is measured yet. Measure a distance (D) or an angle (A) "
+                                            "first."),
+                                         {},
+                                         6});
+                choose(tr("Export measurements"), tr("measurements.csv"),
+                       tr("Comma-separated values (*.csv)"), &ExportActions::exportMeasurements);
               });
 }
 
@@ -143,6 +156,16 @@ void ExportActions::exportTable(const QString& file) {
     organs.push_back({organ, workspace_.live().points(organ->id)});
   write(tr("table of volumes"), file, [organs = std::move(organs), path = file.toStdString()](Progress&) {
     session::writeOrganTable(path, organs);
+    return QString();
+  });
+}
+
+void ExportActions::exportMeasurements(const QString& file) {
+  auto rows = session::measurementRows(workspace_.state(), [this](session::OrganId organ) -> const Points& {
+    return workspace_.live().points(organ);
+  });
+  write(tr("measurements"), file, [rows = std::move(rows), path = file.toStdString()](Progress&) {
+    session::writeMeasurementTable(path, rows);
     return QString();
   });
 }

@@ -14,7 +14,8 @@ class Actions;
 class Settings;
 class Workspace;
 
-/// What other programs take of the present pose: displacements, a displacement field, a table of volumes.
+/// What other programs take of the present pose: displacements, a displacement field, tables of
+/// volumes and of what is measured.
 /// Written by a worker, as a whole or not at all.
 class ExportActions final : public QObject {
   Q_OBJECT
@@ -22,7 +23,8 @@ class ExportActions final : public QObject {
 public:
   ExportActions(Workspace& workspace, Settings& settings, QWidget* window);
 
-  /// Adds "export.organs", "export.displacements", "export.transform" and "export.table".
+  /// Adds "export.organs", "export.displacements", "export.transform", "export.table" and
+  /// "export.measurements".
   void addTo(Actions& actions);
 
   /// All organs that are shown, as they are posed, with names and colours (.glb).
@@ -33,6 +35,8 @@ public:
   void exportTransform(const QString& file);
   /// Volumes and sizes of all organs (.csv).
   void exportTable(const QString& file);
+  /// Everything that is measured, at rest and now (.csv).
+  void exportMeasurements(const QString& file);
 
 private:
   void choose(const QString& title, const QString& name, const QString& filter,

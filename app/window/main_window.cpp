@@ -16,6 +16,8 @@
 #include "window/export_actions.h"
 #include "window/import/import_desk.h"
 #include "window/import/import_panel.h"
+#include "window/measure/measure_box.h"
+#include "window/measure/measuring.h"
 #include "window/panels/deform_page.h"
 #include "window/panels/explore_page.h"
 #include "window/panels/handle_panel.h"
@@ -70,6 +72,8 @@ MainWindow::MainWindow(Settings& settings, plugin::Registry registry, session::P
   makeDeformScene();
   clickTool_ =
       std::make_unique<ClickTool>(workspace_, *viewArea_->view(), *organScene_, *handleScene_, *gizmoScene_);
+  measuring_ = std::make_unique<Measuring>(workspace_, *viewArea_, *organScene_, *handleScene_,
+                                           [this] { setMode(Mode::explore); });
   play_ = std::make_unique<PlayParts>(
       PlayParts::Window{workspace_, playback_, volumes_, *samples_, *organScene_, *viewArea_, settings_},
       clock);
@@ -80,6 +84,7 @@ MainWindow::MainWindow(Settings& settings, plugin::Registry registry, session::P
   makeEditActions();
   makeModeActions();
   makeViewActions();
+  measuring_->addTo(actions_);
   makeHandleActions();
   makeRegionActions();
   makeDeformActions();
@@ -152,7 +157,7 @@ void MainWindow::makeDocks() {
 
 QWidget* MainWindow::makePages() {
   pages_ = new QStackedWidget;
-  pages_->addWidget(scrolled(new ExplorePage(workspace_, actions_)));
+  pages_->addWidget(scrolled(new ExplorePage(workspace_, actions_, measuring_->makeBox())));
   pages_->addWidget(scrolled(new HandlesPage(workspace_, groupLayout_, actions_)));
   pages_->addWidget(scrolled(new DeformPage(workspace_, poses_, volumes_, actions_)));
   pages_->addWidget(scrolled(stress_->makePage()));
@@ -178,6 +183,10 @@ void MainWindow::connectParts() {
   connect(organScene_.get(), &OrganScene::changed, view, &ViewWidget::scheduleRender);
   connect(handleScene_.get(), &HandleScene::changed, view, &ViewWidget::scheduleRender);
   connect(regionScene_.get(), &RegionScene::changed, view, &ViewWidget::scheduleRender);
+  connect(measuring_.get(), &Measuring::stateChanged, this, [this] {
+    clickTool_->setPaused(measuring_->active());
+    syncHint();
+  });
   connect(view, &ViewWidget::filesDropped, files_, [this](const QStringList& files) { files_->open(files); });
   connect(files_, &FileActions::filesOpened, this, [this] {
     showWelcome(false);
@@ -271,15 +280,20 @@ void MainWindow::setMode(Mode mode) {
   gizmoScene_->setMode(mode);
   motionGuide_->setMode(mode);
   clickTool_->setMode(mode);
+  measuring_->setMode(mode);
   playback_.setMode(mode);
   handleScene_->setPlayed(playback_.showing());
   stress_->setActive(mode == Mode::stress);
   charts_->setCurrentIndex(mode == Mode::stress ? 1 : 0);
   pages_->setCurrentIndex(static_cast<int>(mode));
   syncDeformActions();
+  syncHint();
+}
+
+void MainWindow::syncHint() {
   for (const ModeDescription& description : modeDescriptions())
-    if (description.mode == mode)
-      status_->setHint(description.hint);
+    if (description.mode == mode_)
+      status_->setHint(measuring_->active() ? measuring_->hint() : description.hint);
 }
 
 void MainWindow::setTheme(ThemeKind kind) {
@@ -288,6 +302,7 @@ void MainWindow::setTheme(ThemeKind kind) {
   applyTheme(*qApp, theme);
   viewArea_->view()->setTheme(theme);
   play_->setTheme(theme);
+  measuring_->setTheme();
   volumePanel_->setTheme(theme);
   stress_->setTheme(theme);
   organScene_->setGhostColor({theme.muted.redF(), theme.muted.greenF(), theme.muted.blueF()});
@@ -323,7 +338,7 @@ void MainWindow::escape() {
     widget->CancelDrag();
   else if (gizmoScene_->dragging())
     viewArea_->view()->view().gizmoWidget()->CancelDrag();
-  else if (stress_->escape())
+  else if (stress_->escape() || measuring_->escape())
     return;
   else if (shortcuts_->isVisible())
     shortcuts_->hide();

@@ -28,6 +28,7 @@ class GizmoScene;
 class HandlePanel;
 class HandleScene;
 class ImportDesk;
+class Measuring;
 class ModeRail;
 class MotionGuide;
 class OrganPanel;
@@ -68,6 +69,7 @@ public:
   SampleLoader& samples() { return *samples_; }
   SessionFiles& sessions() { return *sessions_; }
   StressMode& stress() { return *stress_; }
+  Measuring& measuring() { return *measuring_; }
   ViewArea& viewArea() { return *viewArea_; }
   PlayParts& play() { return *play_; }
   const Actions& actions() const { return actions_; }
@@ -99,6 +101,7 @@ private:
   void restoreLayout();
   void focusSelection();
   void escape();
+  void syncHint();
   // main_window_actions.cpp
   void makeFileActions();
   void makeEditActions();
@@ -143,6 +146,7 @@ private:
   std::unique_ptr<GizmoScene> gizmoScene_;
   std::unique_ptr<MotionGuide> motionGuide_;
   std::unique_ptr<ClickTool> clickTool_;
+  std::unique_ptr<Measuring> measuring_;
   std::unique_ptr<StressMode> stress_;
   std::unique_ptr<PlayParts> play_;
   std::unique_ptr<ImportDesk> imports_;

@@ -28,7 +28,7 @@ void MainWindow::makeMenus() {
   sampleMenu_ = file->addMenu(icon("heart"), tr("Sample &organs"));
   fill(file, {"", "file.save", "file.saveAs", "file.recover", "", "handles.save", "file.export"});
   fill(file->addMenu(icon("export"), tr("Export &more")),
-       {"export.organs", "export.displacements", "export.transform", "export.table"});
+       {"export.organs", "export.displacements", "export.transform", "export.table", "export.measurements"});
   fill(file, {"file.screenshot", "", "file.quit"});
   QMenu* edit = menuBar()->addMenu(tr("&Edit"));
   fill(edit, {"edit.undo", "edit.redo"});
@@ -36,9 +36,16 @@ void MainWindow::makeMenus() {
   connect(historyMenu_, &QMenu::aboutToShow, this, &MainWindow::fillHistoryMenu);
   fill(edit, {"", "edit.selectAll", "handles.remove", "", "pose.reset", "pose.resetSelected"});
   QMenu* view = menuBar()->addMenu(tr("&View"));
-  fill(view, {"mode.explore", "mode.handles", "mode.deform", "mode.stress", "mode.play", "", "view.anterior",
-              "view.posterior", "view.left", "view.right", "view.superior", "view.inferior", "view.focus", "",
-              "view.handles", "view.ghost", "view.cube", "view.scale", ""});
+  fill(view, {"mode.explore",      "mode.handles",
+              "mode.deform",       "mode.stress",
+              "mode.play",         "",
+              "view.anterior",     "view.posterior",
+              "view.left",         "view.right",
+              "view.superior",     "view.inferior",
+              "view.focus",        "",
+              "view.handles",      "view.ghost",
+              "view.cube",         "view.scale",
+              "view.measurements", ""});
   stress_->fillMenu(view->addMenu(icon("stress"), tr("St&ress map")));
   QMenu* panels = view->addMenu(tr("&Panels"));
   for (PanelDock* dock : docks_)
@@ -48,7 +55,8 @@ void MainWindow::makeMenus() {
   fill(theme, {"theme.dark", "theme.light"});
   QMenu* organ = menuBar()->addMenu(tr("&Organ"));
   organ->addMenu(sampleMenu_);
-  fill(organ, {"", "volume.lock", "volume.restore", "", "organ.rename", "organ.remove", "", "file.export"});
+  fill(organ, {"", "volume.lock", "volume.restore", "", "measure.distance", "measure.angle",
+               "measure.removeAll", "", "organ.rename", "organ.remove", "", "file.export"});
   QMenu* handles = menuBar()->addMenu(tr("&Handles"));
   fill(handles, {"handles.place", "handles.addEnclosing", "handles.remove", "", "handles.influence",
                  "handles.regions", "handles.zones", "handles.superRegions", "", "handles.save"});

@@ -14,7 +14,9 @@ QString translated(const char* text) {
 std::vector<ModeDescription> modeDescriptions() {
   return {
       {Mode::explore, "explore", "explore", 1, translated("Explore"),
-       translated("Left drag rotates, Shift+left pans, right drag or wheel zooms, click selects an organ")},
+       translated(
+           "Left drag rotates, Shift+left pans, right drag or wheel zooms, click selects an organ, D and A "
+           "measure")},
       {Mode::handles, "handles", "handles", 2, translated("Handles"),
        translated(
            "Click the organ to add a handle, drag to move it, Delete removes it; the rest shape stays")},

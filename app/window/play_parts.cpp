@@ -245,7 +245,8 @@ void PlayParts::addKey() {
 bool PlayParts::record(const RecordingPlan& plan) {
   const bool labels = labels_->labels().shown();
   std::vector<RecordingStage::Source> sources;
-  sources.push_back({window_.workspace, window_.playback, window_.area.view()->view(), labels});
+  const bool measurements = actions_ && (*actions_)["view.measurements"]->isChecked();
+  sources.push_back({window_.workspace, window_.playback, window_.area.view()->view(), labels, measurements});
   if (comparison_->on())
     sources.push_back(
         {comparison_->workspace(), comparison_->playback(), comparison_->view().view(), labels});

@@ -9,13 +9,15 @@
 
 namespace viscera::app {
 
-ExplorePage::ExplorePage(Workspace& workspace, const Actions& actions, QWidget* parent)
+ExplorePage::ExplorePage(Workspace& workspace, const Actions& actions, QWidget* measurements, QWidget* parent)
     : Page(parent), workspace_(workspace) {
   addSection(tr("View from"));
   add(makeViews(actions));
   addButton(actions["view.focus"]);
+  addSection(tr("Measure"));
+  add(measurements);
   addSection(tr("Show"));
-  for (const char* id : {"view.handles", "view.ghost", "view.cube", "view.scale"})
+  for (const char* id : {"view.handles", "view.ghost", "view.cube", "view.scale", "view.measurements"})
     addCheck(actions[id]);
   addSection(tr("Organ"));
   name_ = addFact(tr("Name"));

@@ -6,12 +6,13 @@
 
 namespace viscera::app {
 
-/// Explore: standard views, what the view shows, and what is known of the selected organ.
+/// Explore: standard views, what the view shows, what is measured, and what is known of the selected organ.
 class ExplorePage final : public Page {
   Q_OBJECT
 
 public:
-  ExplorePage(Workspace& workspace, const Actions& actions, QWidget* parent = nullptr);
+  /// `measurements` is put into the page.
+  ExplorePage(Workspace& workspace, const Actions& actions, QWidget* measurements, QWidget* parent = nullptr);
 
 private:
   QWidget* makeViews(const Actions& actions);

@@ -11,6 +11,7 @@
 #include <vtkTextProperty.h>
 
 #include "viscera/scene/picture.h"
+#include "window/measure/measure_scene.h"
 #include "window/view/label_scene.h"
 
 namespace viscera::app {
@@ -38,6 +39,7 @@ RecordingStage::~RecordingStage() {
   if (window_)
     window_->window()->MakeCurrent();
   labels_.reset();
+  measurements_.reset();
   view_.reset(); // Leaves the window while that is there.
 }
 
@@ -49,6 +51,10 @@ void RecordingStage::prepareView(const Source& source, const QSize& size, bool c
   view_->renderer()->GetActiveCamera()->DeepCopy(source.view.renderer()->GetActiveCamera());
   if (source.labels)
     addLabels(source.workspace.document());
+  if (source.measurements && !source.workspace.document().measurements().empty()) {
+    measurements_ = std::make_unique<scene::MeasurementGlyphs>(*view_);
+    measured_ = source.workspace.state();
+  }
   captionShown_ = caption;
   if (caption)
     addCaption(source.view.theme().text);
@@ -136,6 +142,15 @@ void RecordingStage::writeCaption() {
   caption_->SetInput(lines.trimmed().toUtf8().constData());
 }
 
+void RecordingStage::measure() {
+  const auto isShown = [](session::OrganId id) {
+    return [id](const Surface& surface) { return surface.organ->id == id; };
+  };
+  measurements_->setItems(measurementItems(measured_, [&](session::OrganId id) -> const Points& {
+    return std::find_if(surfaces_.begin(), surfaces_.end(), isShown(id))->actor->points();
+  }));
+}
+
 vtkSmartPointer<vtkImageData> RecordingStage::picture() {
   if (!window_)
     openWindow();
@@ -143,6 +158,8 @@ vtkSmartPointer<vtkImageData> RecordingStage::picture() {
   for (const Surface& surface : surfaces_)
     if (surface.deformer)
       surface.actor->pointsChanged();
+  if (measurements_)
+    measure();
   view_->renderer()->ResetCameraClippingRange();
   if (captionShown_)
     writeCaption();

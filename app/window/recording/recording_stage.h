@@ -13,6 +13,7 @@
 #include <vtkTextActor.h>
 
 #include "viscera/deformation/deformer.h"
+#include "viscera/scene/measurement_glyphs.h"
 #include "viscera/scene/organ_labels.h"
 #include "viscera/scene/organ_view.h"
 #include "viscera/scene/surfaceless_window.h"
@@ -31,6 +32,7 @@ public:
     Playback& playback;
     scene::OrganView& view; ///< Its camera and colours are taken over.
     bool labels = false;
+    bool measurements = false;
   };
 
   explicit RecordingStage(const Source& source);
@@ -61,6 +63,7 @@ private:
   void addLabels(const session::Document& document);
   void addCaption(const Vec3& color);
   void openWindow();
+  void measure();
   void writeCaption();
 
   std::shared_ptr<const sequences::Sequence> sequence_;
@@ -72,6 +75,8 @@ private:
   std::unique_ptr<scene::SurfacelessWindow> window_; ///< Of the thread that draws.
   std::unique_ptr<scene::OrganView> view_;
   std::unique_ptr<scene::OrganLabels> labels_;
+  std::unique_ptr<scene::MeasurementGlyphs> measurements_;
+  session::DocumentState measured_; ///< What is measured on which organs.
   vtkNew<vtkTextActor> caption_;
   bool captionShown_ = false;
   Points pose_;

@@ -12,7 +12,7 @@ ClickTool::ClickTool(Workspace& workspace, ViewWidget& view, OrganScene& organs,
 }
 
 void ClickTool::onClick(const QPointF& place, Qt::KeyboardModifiers modifiers) {
-  if (mode_ == Mode::stress) // There a click asks for values.
+  if (paused_ || mode_ == Mode::stress) // There a click asks for values.
     return;
   if (handles_.handleUnderMouse() || gizmo_.underMouse() ||
       (modifiers & (Qt::ShiftModifier | Qt::ControlModifier)))

@@ -20,6 +20,8 @@ public:
             GizmoScene& gizmo, QObject* parent = nullptr);
 
   void setMode(Mode mode) { mode_ = mode; }
+  /// While clicks are meant for somebody else.
+  void setPaused(bool paused) { paused_ = paused; }
 
 private:
   void onClick(const QPointF& place, Qt::KeyboardModifiers modifiers);
@@ -31,6 +33,7 @@ private:
   HandleScene& handles_;
   GizmoScene& gizmo_;
   Mode mode_ = Mode::explore;
+  bool paused_ = false;
 };
 
 } // namespace viscera::app

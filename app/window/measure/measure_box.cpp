@@ -1,0 +1,206 @@
+#include "window/measure/measure_box.h"
+
+#include <QAction>
+#include <QGridLayout>
+#include <QHeaderView>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QPushButton>
+#include <QScopedValueRollback>
+#include <QTreeWidget>
+
+#include <algorithm>
+
+#include "viscera/session/measurement_commands.h"
+#include "window/measure/measure_scene.h"
+#include "window/style/icon.h"
+
+namespace viscera::app {
+namespace {
+
+enum Column { kName, kNow, kRest, kColumns };
+constexpr int kIdRole = Qt::UserRole;
+constexpr int kRowsShown = 6;
+constexpr int kValueInterval = 100; ///< ms
+
+session::MeasurementId idOf(const QTreeWidgetItem* item) {
+  return {item->data(kName, kIdRole).toLongLong()};
+}
+
+} // namespace
+
+MeasureBox::MeasureBox(Workspace& workspace, MeasureTool& tool, const Actions& actions, QWidget* parent)
+    : QWidget(parent), workspace_(workspace), tool_(tool), hint_(new QLabel(this)),
+      list_(new QTreeWidget(this)), remove_(new QPushButton(icon("remove"), tr("Remove"), this)) {
+  setObjectName(QStringLiteral("measureBox"));
+  auto* grid = new QGridLayout(this);
+  grid->setContentsMargins(0, 0, 0, 0);
+  grid->setSpacing(4);
+  grid->addWidget(makeButton(actions["measure.distance"]), 0, 0);
+  grid->addWidget(makeButton(actions["measure.angle"]), 0, 1);
+  hint_->setObjectName(QStringLiteral("muted"));
+  hint_->setWordWrap(true);
+  grid->addWidget(hint_, 1, 0, 1, 2);
+  makeList();
+  grid->addWidget(list_, 2, 0, 1, 2);
+  remove_->setObjectName(QStringLiteral("measureRemove"));
+  remove_->setToolTip(tr("Remove the chosen measurement (Delete in the list)"));
+  connect(remove_, &QPushButton::clicked, this, &MeasureBox::removeChosen);
+  grid->addWidget(remove_, 3, 0);
+  forAll_ = {makeButton(actions["measure.removeAll"]), makeButton(actions["export.measurements"])};
+  forAll_[0]->setText(tr("Remove all"));
+  forAll_[1]->setText(tr("Export CSV..."));
+  grid->addWidget(forAll_[0], 3, 1);
+  grid->addWidget(forAll_[1], 4, 0, 1, 2);
+  grid->setColumnStretch(0, 1);
+  grid->setColumnStretch(1, 1);
+  values_.setSingleShot(true);
+  values_.setInterval(kValueInterval);
+  connect(&values_, &QTimer::timeout, this, &MeasureBox::syncValues);
+  connect(&tool, &MeasureTool::changed, this, &MeasureBox::syncChosen);
+  connect(&tool, &MeasureTool::stateChanged, this, &MeasureBox::syncChosen);
+  subscriptions_.push_back(workspace.onChange([this](const session::Change& change) {
+    if (change.measurements())
+      rebuild();
+  }));
+  subscriptions_.push_back(workspace.live().onEvent([this](const session::LiveEvent& event) {
+    if ((event.moved || event.replaced) && !values_.isActive() && list_->topLevelItemCount() > 0)
+      values_.start();
+  }));
+  rebuild();
+}
+
+QPushButton* MeasureBox::makeButton(QAction* action) {
+  auto* button = new QPushButton(action->icon(), action->iconText(), this);
+  button->setObjectName(action->objectName());
+  button->setCheckable(action->isCheckable());
+  const auto sync = [button, action] {
+    button->setEnabled(action->isEnabled());
+    button->setToolTip(action->toolTip());
+    button->setChecked(action->isChecked());
+  };
+  connect(button, &QPushButton::clicked, action, &QAction::trigger);
+  connect(action, &QAction::changed, button, sync);
+  sync();
+  return button;
+}
+
+void MeasureBox::makeList() {
+  list_->setObjectName(QStringLiteral("measureList"));
+  list_->setAccessibleName(tr("Measurements"));
+  list_->setColumnCount(kColumns);
+  list_->setHeaderLabels({tr("Name"), tr("Now"), tr("At rest")});
+  list_->setRootIsDecorated(false);
+  list_->setUniformRowHeights(true);
+  list_->header()->setStretchLastSection(false);
+  list_->header()->setSectionResizeMode(kName, QHeaderView::Stretch);
+  for (const int column : {kNow, kRest}) {
+    list_->header()->setSectionResizeMode(column, QHeaderView::ResizeToContents);
+    list_->headerItem()->setTextAlignment(column, Qt::AlignRight | Qt::AlignVCenter);
+  }
+  list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  list_->setEditTriggers(QAbstractItemView::NoEditTriggers);
+  list_->installEventFilter(this);
+  connect(list_, &QTreeWidget::itemChanged, this, &MeasureBox::rename);
+  connect(list_, &QTreeWidget::itemDoubleClicked, this,
+          [this](QTreeWidgetItem* item) { list_->editItem(item, kName); });
+  connect(list_, &QTreeWidget::itemSelectionChanged, this, [this] {
+    if (updating_)
+      return;
+    const auto chosen = list_->selectedItems();
+    tool_.choose(chosen.isEmpty() ? session::MeasurementId{} : idOf(chosen.front()));
+  });
+}
+
+/// Delete is the window's key for handles, F2 nobody's: with the list in focus both are meant for it.
+bool MeasureBox::eventFilter(QObject* watched, QEvent* event) {
+  if (watched != list_ || (event->type() != QEvent::ShortcutOverride && event->type() != QEvent::KeyPress))
+    return false;
+  const auto* key = static_cast<QKeyEvent*>(event);
+  const auto chosen = list_->selectedItems();
+  if (chosen.isEmpty() || (key->key() != Qt::Key_Delete && key->key() != Qt::Key_F2))
+    return false;
+  if (event->type() == QEvent::ShortcutOverride)
+    event->accept();
+  else if (key->key() == Qt::Key_Delete)
+    removeChosen();
+  else
+    list_->editItem(chosen.front(), kName);
+  return true;
+}
+
+void MeasureBox::rebuild() {
+  const QScopedValueRollback<bool> quiet(updating_, true);
+  const session::MeasurementList& measurements = workspace_.document().measurements();
+  const int rows = static_cast<int>(measurements.size());
+  while (list_->topLevelItemCount() > rows)
+    delete list_->takeTopLevelItem(rows);
+  while (list_->topLevelItemCount() < rows)
+    list_->addTopLevelItem(new QTreeWidgetItem);
+  for (int row = 0; row < rows; ++row) {
+    const session::Measurement& measurement = measurements[static_cast<std::size_t>(row)];
+    QTreeWidgetItem* item = list_->topLevelItem(row);
+    item->setFlags(item->flags() | Qt::ItemIsEditable);
+    item->setText(kName, text(measurement.name));
+    item->setToolTip(kName, text(measurement.name));
+    item->setData(kName, kIdRole, static_cast<qlonglong>(measurement.id.value));
+    for (const int column : {kNow, kRest})
+      item->setTextAlignment(column, Qt::AlignRight | Qt::AlignVCenter);
+  }
+  syncValues();
+  const int shown = std::min(rows, kRowsShown);
+  const int rowHeight = rows > 0 ? list_->sizeHintForRow(0) : 0;
+  list_->setFixedHeight(list_->header()->sizeHint().height() + shown * rowHeight + 2 * list_->frameWidth() +
+                        2);
+  list_->setVisible(rows > 0);
+  remove_->setVisible(rows > 0);
+  for (QPushButton* button : forAll_)
+    button->setVisible(rows > 0);
+  syncChosen();
+}
+
+void MeasureBox::syncValues() {
+  const QScopedValueRollback<bool> quiet(updating_, true);
+  const session::MeasurementList& measurements = workspace_.document().measurements();
+  for (std::size_t row = 0; row < measurements.size(); ++row) {
+    const session::MeasuredValues values = measuredNow(workspace_, measurements[row]);
+    const session::MeasurementKind kind = kindOf(measurements[row]);
+    QTreeWidgetItem* item = list_->topLevelItem(static_cast<int>(row));
+    item->setText(kNow, formatMeasured(kind, values.now));
+    item->setText(kRest, formatMeasured(kind, values.rest));
+  }
+}
+
+void MeasureBox::syncChosen() {
+  const QScopedValueRollback<bool> quiet(updating_, true);
+  bool any = false;
+  for (int row = 0; row < list_->topLevelItemCount(); ++row) {
+    QTreeWidgetItem* item = list_->topLevelItem(row);
+    const bool chosen = idOf(item) == tool_.chosen();
+    if (item->isSelected() != chosen)
+      item->setSelected(chosen);
+    any = any || chosen;
+  }
+  remove_->setEnabled(any);
+  const auto kind = tool_.kind();
+  hint_->setText(!kind ? tr("Points stay on the organ while it moves, and can be dragged along it.")
+                 : *kind == session::MeasurementKind::distance
+                     ? tr("Click two points on an organ. Esc ends.")
+                     : tr("Click three points on an organ, the corner second. Esc ends."));
+}
+
+void MeasureBox::removeChosen() {
+  if (tool_.chosen())
+    workspace_.perform(session::removeMeasurements({tool_.chosen()}));
+}
+
+void MeasureBox::rename(QTreeWidgetItem* item, int column) {
+  if (updating_ || column != kName)
+    return;
+  const session::MeasurementId id = idOf(item);
+  const std::string name = item->text(kName).trimmed().toStdString();
+  if (!workspace_.perform(session::renameMeasurement(id, name)) || item->text(kName) != text(name))
+    rebuild();
+}
+
+} // namespace viscera::app

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <QTimer>
+#include <QWidget>
+
+#include "window/actions.h"
+#include "window/measure/measure_tool.h"
+
+class QLabel;
+class QPushButton;
+class QTreeWidget;
+class QTreeWidgetItem;
+
+namespace viscera::app {
+
+/// The measurements of the document: what begins one, and the list with each value now and at rest. Names
+/// are edited in the list; the chosen one is highlighted in the view, and the other way round.
+class MeasureBox final : public QWidget {
+  Q_OBJECT
+
+public:
+  MeasureBox(Workspace& workspace, MeasureTool& tool, const Actions& actions, QWidget* parent = nullptr);
+
+protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
+private:
+  QPushButton* makeButton(QAction* action);
+  void makeList();
+  void rebuild();
+  void syncValues();
+  void syncChosen();
+  void removeChosen();
+  void rename(QTreeWidgetItem* item, int column);
+
+  Workspace& workspace_;
+  MeasureTool& tool_;
+  QLabel* hint_;
+  QTreeWidget* list_;
+  QPushButton* remove_;
+  std::vector<QPushButton*> forAll_; ///< Of use while there is any measurement.
+  QTimer values_;                    ///< Figures follow a motion at a rate that can be read.
+  bool updating_ = false;
+  std::vector<session::Subscription> subscriptions_;
+};
+
+} // namespace viscera::app

@@ -1,0 +1,227 @@
+#include "window/measure/measure_tool.h"
+
+#include <QMouseEvent>
+
+#include <algorithm>
+#include <utility>
+
+#include "viscera/session/measurement_commands.h"
+
+namespace viscera::app {
+namespace {
+
+std::size_t pointsOf(session::MeasurementKind kind) {
+  return kind == session::MeasurementKind::distance ? 2 : 3;
+}
+
+/// Whether points are on surfaces that a document has.
+bool areOn(const session::Document& document, const std::vector<session::MeasuredPoint>& points) {
+  return std::all_of(points.begin(), points.end(), [&](const auto& point) {
+    const auto organ = document.organ(point.organ);
+    return organ && point.triangle < organ->mesh->triangles.rows();
+  });
+}
+
+} // namespace
+
+MeasureTool::MeasureTool(Workspace& workspace, ViewWidget& view, OrganScene& organs, HandleScene& handles,
+                         const scene::MeasurementGlyphs& glyphs, QObject* parent)
+    : QObject(parent), workspace_(workspace), view_(view), organs_(organs), handles_(handles),
+      glyphs_(glyphs) {
+  view.installEventFilter(this);
+  connect(&view, &ViewWidget::clicked, this, [this](const QPointF& place, Qt::KeyboardModifiers modifiers) {
+    if (kind_ && !(modifiers & (Qt::ShiftModifier | Qt::ControlModifier)))
+      onClick(place);
+  });
+  subscription_ = workspace.onChange([this](const session::Change& change) {
+    if (change.organs()) { // The surface that points were clicked on may be gone or another one.
+      points_.clear();
+      underMouse_.reset();
+      if (change.after.organs->empty())
+        end();
+    }
+    if (change.measurements())
+      hovered_.reset();
+  });
+}
+
+void MeasureTool::begin(Kind kind) {
+  if (mode_ != Mode::explore || kind_ == kind)
+    return;
+  kind_ = kind;
+  points_.clear();
+  underMouse_.reset();
+  hovered_.reset();
+  chosen_ = {};
+  syncCursor();
+  Q_EMIT stateChanged();
+  Q_EMIT changed();
+}
+
+void MeasureTool::end() {
+  if (!kind_)
+    return;
+  kind_.reset();
+  points_.clear();
+  underMouse_.reset();
+  syncCursor();
+  Q_EMIT stateChanged();
+  Q_EMIT changed();
+}
+
+void MeasureTool::setMode(Mode mode) {
+  mode_ = mode;
+  if (mode == Mode::explore)
+    return;
+  if (held_)
+    release();
+  hovered_.reset();
+  end();
+  syncCursor();
+}
+
+bool MeasureTool::escape() {
+  if (held_) {
+    held_.reset();
+    workspace_.undo().cancelStep();
+  } else if (!points_.empty()) {
+    points_.clear();
+  } else if (kind_) {
+    end();
+  } else if (chosen_) {
+    chosen_ = {};
+  } else {
+    return false;
+  }
+  syncCursor();
+  Q_EMIT changed();
+  return true;
+}
+
+void MeasureTool::choose(session::MeasurementId measurement) {
+  if (measurement == chosen_)
+    return;
+  chosen_ = measurement;
+  Q_EMIT changed();
+}
+
+std::vector<session::MeasuredPoint> MeasureTool::pending() const {
+  std::vector<session::MeasuredPoint> points = points_;
+  if (kind_ && underMouse_)
+    points.push_back(*underMouse_);
+  return areOn(workspace_.document(), points) ? points : std::vector<session::MeasuredPoint>();
+}
+
+bool MeasureTool::eventFilter(QObject* watched, QEvent* event) {
+  if (watched != &view_ || mode_ != Mode::explore)
+    return false;
+  switch (event->type()) {
+  case QEvent::MouseButtonPress:
+    return press(static_cast<QMouseEvent&>(*event));
+  case QEvent::MouseMove:
+    move(static_cast<QMouseEvent&>(*event));
+    return held_.has_value();
+  case QEvent::MouseButtonRelease:
+    if (!held_)
+      return false;
+    release();
+    return true;
+  case QEvent::Leave:
+    underMouse_.reset();
+    hovered_.reset();
+    Q_EMIT changed();
+    return false;
+  default:
+    return false;
+  }
+}
+
+void MeasureTool::onClick(const QPointF& place) {
+  if (handles_.handleUnderMouse())
+    return;
+  const auto point = pointOf(view_.pickNear(place));
+  if (!point)
+    return;
+  points_.push_back(*point);
+  if (points_.size() == pointsOf(*kind_)) {
+    const auto points = std::exchange(points_, {});
+    underMouse_.reset();
+    workspace_.perform(session::addMeasurement(points));
+  }
+  Q_EMIT changed();
+}
+
+/// While measuring, a press begins a click or turns the view, as ever.
+bool MeasureTool::press(const QMouseEvent& event) {
+  if (held_)
+    return true; // Another button during a drag.
+  if (kind_ || event.button() != Qt::LeftButton || event.modifiers() != Qt::NoModifier ||
+      handles_.handleUnderMouse())
+    return false;
+  const auto mark = markUnder(event.localPos());
+  if (!mark)
+    return false;
+  const session::Measurement& measurement = workspace_.document().measurements()[mark->item];
+  held_ = Held{measurement.id, mark->point};
+  chosen_ = measurement.id;
+  workspace_.undo().beginStep("Move measured point");
+  Q_EMIT changed();
+  return true;
+}
+
+void MeasureTool::move(const QMouseEvent& event) {
+  if (held_) {
+    dragTo(event.localPos());
+  } else if (kind_) {
+    // While the view turns, what is under the mouse stays under it.
+    underMouse_ = event.buttons() ? std::nullopt : pointUnder(event.localPos());
+    Q_EMIT changed();
+  } else if (const auto mark = event.buttons() ? std::nullopt : markUnder(event.localPos());
+             mark != hovered_) {
+    hovered_ = mark;
+    syncCursor();
+    Q_EMIT changed();
+  }
+}
+
+void MeasureTool::dragTo(const QPointF& place) {
+  if (const auto point = pointUnder(place))
+    workspace_.perform(session::moveMeasuredPoint(held_->measurement, held_->point, *point));
+}
+
+void MeasureTool::release() {
+  held_.reset();
+  workspace_.undo().endStep();
+  Q_EMIT changed();
+}
+
+std::optional<session::MeasuredPoint>
+MeasureTool::pointOf(const std::optional<scene::SurfacePick>& pick) const {
+  const auto organ = pick ? workspace_.document().organ(organs_.organOf(pick->organ)) : nullptr;
+  if (!organ)
+    return std::nullopt;
+  return session::surfacePoint(*organ, pick->triangle,
+                               Vec3(pick->weights[0], pick->weights[1], pick->weights[2]));
+}
+
+std::optional<session::MeasuredPoint> MeasureTool::pointUnder(const QPointF& place) const {
+  const double ratio = view_.devicePixelRatioF();
+  return pointOf(view_.view().pick(ratio * place.x(), ratio * (view_.height() - 1 - place.y())));
+}
+
+std::optional<scene::MeasurementGlyphs::Mark> MeasureTool::markUnder(const QPointF& place) const {
+  const double ratio = view_.devicePixelRatioF();
+  const auto mark = glyphs_.markAt(ratio * place.x(), ratio * (view_.height() - 1 - place.y()));
+  return mark && mark->item < workspace_.document().measurements().size() ? mark : std::nullopt;
+}
+
+void MeasureTool::syncCursor() {
+  if (kind_)
+    view_.setCursor(Qt::CrossCursor);
+  else if (hovered_ || held_)
+    view_.setCursor(Qt::PointingHandCursor);
+  else
+    view_.unsetCursor();
+}
+
+} // namespace viscera::app

@@ -1,0 +1,89 @@
+#pragma once
+
+#include <QObject>
+
+#include <optional>
+#include <vector>
+
+#include "viscera/scene/measurement_glyphs.h"
+#include "viscera/session/measurement.h"
+#include "window/mode.h"
+#include "window/view/handle_scene.h"
+#include "window/view/organ_scene.h"
+#include "window/view/view_widget.h"
+
+namespace viscera::app {
+
+/// What the mouse does with measurements in Explore mode: while a kind is being measured every click on an
+/// organ is a point, and the last one completes a measurement; else points that are there can be dragged
+/// along the organs, which is one undo step. Nothing is in the document before a measurement is complete.
+class MeasureTool final : public QObject {
+  Q_OBJECT
+
+public:
+  using Kind = session::MeasurementKind;
+
+  /// `glyphs` draws the document's measurements first, in their order. All have to live longer.
+  MeasureTool(Workspace& workspace, ViewWidget& view, OrganScene& organs, HandleScene& handles,
+              const scene::MeasurementGlyphs& glyphs, QObject* parent = nullptr);
+
+  /// Measures again and again until `end`. Another mode than Explore ends it too.
+  void begin(Kind kind);
+  void end();
+  bool active() const { return kind_.has_value(); }
+  std::optional<Kind> kind() const { return kind_; }
+  void setMode(Mode mode);
+  /// Takes back what the mouse is at: a drag, points that are no measurement yet, measuring, the choice.
+  /// False when there was nothing.
+  bool escape();
+
+  /// The measurement that is chosen in the list or by a press on one of its points.
+  session::MeasurementId chosen() const { return chosen_; }
+  void choose(session::MeasurementId measurement);
+
+  /// The points so far, with the place under the mouse behind them when there is one.
+  std::vector<session::MeasuredPoint> pending() const;
+  /// The mark under the mouse that a press would take hold of.
+  std::optional<scene::MeasurementGlyphs::Mark> hovered() const { return hovered_; }
+
+Q_SIGNALS:
+  /// Measuring began or ended.
+  void stateChanged();
+  /// Something looks different, or something else is chosen.
+  void changed();
+
+protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
+private:
+  struct Held {
+    session::MeasurementId measurement;
+    std::size_t point = 0;
+  };
+
+  void onClick(const QPointF& place);
+  bool press(const QMouseEvent& event);
+  void move(const QMouseEvent& event);
+  void dragTo(const QPointF& place);
+  void release();
+  std::optional<session::MeasuredPoint> pointOf(const std::optional<scene::SurfacePick>& pick) const;
+  std::optional<session::MeasuredPoint> pointUnder(const QPointF& place) const;
+  std::optional<scene::MeasurementGlyphs::Mark> markUnder(const QPointF& place) const;
+  void syncCursor();
+
+  Workspace& workspace_;
+  ViewWidget& view_;
+  OrganScene& organs_;
+  HandleScene& handles_;
+  const scene::MeasurementGlyphs& glyphs_;
+  Mode mode_ = Mode::explore;
+  std::optional<Kind> kind_;
+  std::vector<session::MeasuredPoint> points_;
+  std::optional<session::MeasuredPoint> underMouse_;
+  std::optional<scene::MeasurementGlyphs::Mark> hovered_;
+  std::optional<Held> held_;
+  session::MeasurementId chosen_;
+  session::Subscription subscription_;
+};
+
+} // namespace viscera::app
