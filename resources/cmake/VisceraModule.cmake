@@ -28,6 +28,26 @@ function(viscera_warnings target)
   endif()
 endfunction()
 
+# Flags of a target whose files begin with a precompiled header.
+function(viscera_with_precompiled target)
+  if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+    # So that ccache sees what the header holds.
+    target_compile_options(${target} PRIVATE $<$<COMPILE_LANGUAGE:CXX>:-fpch-preprocess>)
+    if(CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
+      # GCC 12 forgets that warnings were switched off inside a precompiled system header.
+      target_compile_options(${target} PRIVATE $<$<COMPILE_LANGUAGE:CXX>:-Wno-stringop-overflow>)
+    endif()
+  endif()
+endfunction()
+
+# viscera_precompile(<target> <header>): the header is compiled once and comes first in every file of the target.
+function(viscera_precompile target header)
+  if(VISCERA_PRECOMPILE)
+    target_precompile_headers(${target} PRIVATE "$<$<COMPILE_LANGUAGE:CXX>:${header}>")
+    viscera_with_precompiled(${target})
+  endif()
+endfunction()
+
 # viscera_module(<name> SOURCES a.cpp ... [USES targets-in-public-headers...] [PRIVATELY targets...])
 # makes the shared library viscera_<name> (alias Viscera::<name>) from files under src/,
 # whose public headers are in include/viscera/<name>/.

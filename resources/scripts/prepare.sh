@@ -77,6 +77,8 @@ install_packages() {
 # use_shared_cache SOURCE_DIRECTORY: ccache finds the same source again in another build directory and wherever the project lies.
 use_shared_cache() {
   export CCACHE_BASEDIR=$1 CCACHE_NOHASHDIR=1
+  # Files that begin with a precompiled header are cached too.
+  export CCACHE_SLOPPINESS=pch_defines,time_macros
 }
 
 # configure_and_build SOURCE_DIRECTORY BUILD_DIRECTORY [CMAKE_OPTION...]
