@@ -2,12 +2,19 @@
 
 #include <QAction>
 #include <QApplication>
+#include <QComboBox>
 #include <QDockWidget>
+#include <QDoubleSpinBox>
 #include <QImage>
 #include <QLabel>
 #include <QPushButton>
+#include <QScrollArea>
+#include <QScrollBar>
 #include <QSet>
+#include <QSlider>
+#include <QSpinBox>
 #include <QTest>
+#include <QWheelEvent>
 
 #include "window/style/icon.h"
 #include "window/style/theme.h"
@@ -70,6 +77,49 @@ TEST_P(ModeTest, NothingIsClippedInASmallWindow) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Keys, ModeTest, testing::Values(1, 2, 3, 4, 5));
+
+void turnWheel(QWidget& widget) {
+  const QPointF middle = QRectF(widget.rect()).center();
+  QWheelEvent event(middle, widget.mapToGlobal(middle.toPoint()), QPoint(), QPoint(0, -120), Qt::NoButton,
+                    Qt::NoModifier, Qt::NoScrollPhase, false);
+  QApplication::sendEvent(&widget, &event);
+}
+
+class PanelWheelTest : public WindowTest, public testing::WithParamInterface<int> {};
+
+TEST_P(PanelWheelTest, TheWheelScrollsThePanelAndChangesNoValue) {
+  key(static_cast<Qt::Key>(Qt::Key_0 + GetParam()));
+  settle();
+  int turned = 0;
+  for (QScrollArea* panel : window().findChildren<QScrollArea*>(QStringLiteral("panelScroll"))) {
+    if (!panel->isVisible())
+      continue;
+    QScrollBar* bar = panel->verticalScrollBar();
+    const auto turnOver = [&](QWidget* field, const auto& value) {
+      if (!field->isVisible())
+        return;
+      bar->setValue(0);
+      const auto before = value();
+      turnWheel(*field);
+      EXPECT_EQ(value(), before) << field->metaObject()->className() << ' '
+                                 << field->objectName().toStdString();
+      EXPECT_EQ(bar->value() > 0, bar->maximum() > 0);
+      ++turned;
+    };
+    for (QComboBox* field : panel->findChildren<QComboBox*>())
+      turnOver(field, [field] { return field->currentIndex(); });
+    for (QSpinBox* field : panel->findChildren<QSpinBox*>())
+      turnOver(field, [field] { return field->value(); });
+    for (QDoubleSpinBox* field : panel->findChildren<QDoubleSpinBox*>())
+      turnOver(field, [field] { return field->value(); });
+    for (QSlider* field : panel->findChildren<QSlider*>())
+      turnOver(field, [field] { return field->value(); });
+  }
+  EXPECT_GT(turned, 0);
+}
+
+// Each of these modes shows fields from the beginning.
+INSTANTIATE_TEST_SUITE_P(Keys, PanelWheelTest, testing::Values(2, 4, 5));
 
 TEST_F(WindowTest, TheWindowFitsAScreenAtTwiceTheScale) {
   window().showWelcome(true);

@@ -121,7 +121,7 @@ QString styleSheetOf(const Theme& theme) {
       {"@warning", theme.warning}};
   for (const auto& [word, color] : words)
     sheet.replace(QLatin1String(word), color.name());
-  for (const char* image : {"chevron", "check"})
+  for (const char* image : {"arrowup", "chevron", "check"})
     sheet.replace(QLatin1Char('@') + QLatin1String(image),
                   QStringLiteral(":/viscera/style/%1_%2.svg").arg(QLatin1String(image), nameOf(theme.kind)));
   return sheet;

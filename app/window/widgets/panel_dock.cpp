@@ -6,6 +6,7 @@
 #include <QToolButton>
 
 #include "window/style/icon.h"
+#include "window/widgets/wheel_guard.h"
 
 namespace viscera::app {
 
@@ -63,6 +64,7 @@ QWidget* scrolled(QWidget* contents) {
   contents->setObjectName(QStringLiteral("page"));
   contents->setAttribute(Qt::WA_StyledBackground);
   scroll->setWidget(contents);
+  new WheelGuard(contents);
   return scroll;
 }
 
