@@ -14,7 +14,9 @@
 #include "viscera/core/error.h"
 #include "viscera/scene/vtkVisceraHandleSetRepresentation.h"
 #include "viscera/session/live_binding.h"
+#include "viscera/session/measurement.h"
 #include "viscera/session/undo_stack.h"
+#include "window/measure/measure_scene.h"
 
 namespace viscera::app::cli {
 namespace {
@@ -80,6 +82,20 @@ std::vector<std::string> undrawn(const ordered_json& view) {
   return list;
 }
 
+/// Each with its value at rest.
+ordered_json measurementsJson(const session::DocumentState& state) {
+  const auto atRest = [&](session::OrganId id) -> const Points& { return state.organ(id)->mesh->points; };
+  ordered_json list = ordered_json::array();
+  for (const session::Measurement& measurement : *state.measurements) {
+    const auto kind = session::kindOf(measurement);
+    list.push_back({{"name", measurement.name},
+                    {"kind", session::nameOf(kind)},
+                    {"valueAtRest", session::measure(measurement, state, atRest).rest},
+                    {"unit", session::unitOf(kind)}});
+  }
+  return list;
+}
+
 std::shared_ptr<scene::OrganActor> addOrgan(Stage& stage, const session::Organ& organ,
                                             const session::LiveBinding& live) {
   auto actor = stage.add(organ, organ.look.opacity);
@@ -124,6 +140,7 @@ Outcome describeSession(const std::string& file, Surroundings& surroundings) {
                   {"posed", !session::atRest(state)},
                   {"system", {{"id", state.system->id}, {"parameters", std::move(parameters)}}},
                   {"recordedKeys", state.recording->keys.size()},
+                  {"measurements", measurementsJson(state)},
                   {"warnings", opened.warnings}};
   listing.add("handles",
               std::to_string(state.rig->handles.size()) + (session::atRest(state) ? ", at rest" : ", posed"));
@@ -131,6 +148,10 @@ Outcome describeSession(const std::string& file, Surroundings& surroundings) {
     listing.add("group", group.name + ": " + std::to_string(group.handles.size()));
   listing.add("coordinates", state.system->id)
       .add("recorded keys", std::to_string(state.recording->keys.size()));
+  for (const ordered_json& item : outcome.json["measurements"])
+    listing.add("measurement", item["name"].get<std::string>() + ": " +
+                                   fixed(item["valueAtRest"].get<double>(), 1) + ' ' +
+                                   item["unit"].get<std::string>() + " at rest");
   outcome.text = listing.text();
   outcome.warnings = opened.warnings;
   return outcome;
@@ -151,6 +172,7 @@ SessionPicture sessionPicture(const session::OpenedSession& opened, const StageO
   undo.reset(state);
   Stage stage(options, surroundings.threads);
   StagedSession staged{document, live, jobs, box, stage, {}};
+  scene::MeasurementGlyphs measurements(stage.view());
   std::unique_ptr<SessionStress> stress;
   SessionPicture picture;
   try {
@@ -163,6 +185,11 @@ SessionPicture sessionPicture(const session::OpenedSession& opened, const StageO
     if (showsHandles(view)) {
       stage.showHandles(rigOf(*state.rig));
       stage.view().handles()->SetPositions(live.shownPose());
+    }
+    if (on(view, "view.measurements", true)) {
+      measurements.setTheme(stage.view().theme());
+      measurements.setItems(measurementItems(
+          state, [&live](session::OrganId organ) -> const Points& { return live.points(organ); }));
     }
     stage.view().setOrientationCubeShown(on(view, "view.cube", true));
     stage.view().setScaleBarShown(on(view, "view.scale", true));

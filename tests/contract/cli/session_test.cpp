@@ -135,6 +135,30 @@ TEST_F(CliSession, RenderDrawsTheStressMapAsItWasLookedAt) {
   EXPECT_NE(said.find("the glyphs of the stretches"), std::string::npos) << said;
 }
 
+TEST_F(CliSession, MeasurementsAreListedAndDrawnUnlessTheyWereHidden) {
+  write("none.viscera");
+  EXPECT_TRUE(runJson({"info", path("none.viscera")})["measurements"].empty());
+  const std::string without = drawn("none.viscera");
+  session::Measurement edge;
+  edge.id = session::MeasurementId{900};
+  edge.name = "Edge";
+  edge.points.resize(2);
+  edge.points[0].rest = Vec3(-10, -10, 10);
+  edge.points[1].rest = Vec3(10, -10, 10);
+  contents_.state.measurements = std::make_shared<session::MeasurementList>(session::MeasurementList{edge});
+  write("measured.viscera");
+  const json listed = runJson({"info", path("measured.viscera")})["measurements"];
+  ASSERT_EQ(listed.size(), 1U);
+  EXPECT_EQ(listed[0]["name"], "Edge");
+  EXPECT_EQ(listed[0]["kind"], "distance");
+  EXPECT_NEAR(listed[0]["valueAtRest"].get<double>(), 20, 1e-9);
+  EXPECT_EQ(listed[0]["unit"], "mm");
+  EXPECT_NE(drawn("measured.viscera"), without);
+  contents_.view = R"({"switches": {"view.measurements": false}})";
+  write("hidden.viscera");
+  EXPECT_EQ(drawn("hidden.viscera"), without);
+}
+
 TEST_F(CliSession, DamagedOnesAndOnesWithOtherThingsAreRefused) {
   put("bad.viscera", "{\"format\": \"viscera-session\"");
   expectFailure({"info", path("bad.viscera")}, kBadData, "bad.viscera");
