@@ -30,6 +30,29 @@ bool endsWith(const std::string& text, const std::string& ending) {
          text.compare(text.size() - ending.size(), ending.size(), ending) == 0;
 }
 
+/// The name without this ending, packed or not; empty when it ends otherwise.
+std::string withoutEnding(const std::filesystem::path& file, const std::string& ending) {
+  const std::string name = lowerName(file);
+  for (const std::string& form : {ending, ending + ".gz"})
+    if (endsWith(name, form))
+      return name.substr(0, name.size() - form.size());
+  return {};
+}
+
+/// The files without voxels (.img) whose header (.hdr) is there too: that brings them along.
+std::vector<std::filesystem::path> withoutHalves(const std::vector<std::filesystem::path>& files) {
+  std::set<std::pair<std::filesystem::path, std::string>> headers;
+  for (const auto& file : files)
+    headers.emplace(file.parent_path(), withoutEnding(file, ".hdr"));
+  std::vector<std::filesystem::path> rest;
+  for (const auto& file : files) {
+    const std::string voxelsOf = withoutEnding(file, ".img");
+    if (voxelsOf.empty() || !headers.contains({file.parent_path(), voxelsOf}))
+      rest.push_back(file);
+  }
+  return rest;
+}
+
 void requireKnown(const std::filesystem::path& file) {
   const auto& extensions = medical_io::surfaceExtensions();
   const std::string name = lowerName(file);
@@ -92,9 +115,10 @@ Organ readOrgan(const std::filesystem::path& file) {
   return readBoth(file).first;
 }
 
-OpenedFiles openFiles(const std::vector<std::filesystem::path>& files, Progress& progress) {
-  if (files.empty())
+OpenedFiles openFiles(const std::vector<std::filesystem::path>& named, Progress& progress) {
+  if (named.empty())
     throw UsageError("There is no file to open");
+  const std::vector<std::filesystem::path> files = withoutHalves(named);
   if (std::count_if(files.begin(), files.end(), isHandleFile) > 1)
     throw UsageError("Two handle files cannot be opened at a time", {}, "choose one of them");
   for (const auto& file : files)

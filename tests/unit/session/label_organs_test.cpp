@@ -76,5 +76,17 @@ TEST(LabelOrgans, AreOpenedLikeOtherFiles) {
   EXPECT_THAT(opened.warnings, Contains(HasSubstr("a.seg.nrrd: liver: a liver of")));
 }
 
+TEST(LabelOrgans, OfTwoFilesOpenedTogetherComeOnce) {
+  const TemporaryFolder folder;
+  LabelImage image = viscera::tests::emptyLabels();
+  image.fill({2, 2, 2}, {8, 9, 9}, 1);
+  const auto halves = viscera::tests::niftiHalves(image);
+  const auto header = folder.put("Liver.hdr", halves.header), voxels = folder.put("Liver.img", halves.voxels);
+  Progress progress;
+  EXPECT_EQ(openFiles({header, voxels}, progress).organs.size(), 1U);
+  EXPECT_EQ(openFiles({voxels, header}, progress).organs.size(), 1U);
+  EXPECT_EQ(openFiles({voxels}, progress).organs.size(), 1U);
+}
+
 } // namespace
 } // namespace viscera::session
