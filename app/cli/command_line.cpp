@@ -20,6 +20,7 @@
 #include "cli/picture_size.h"
 #include "cli/progress_bar.h"
 #include "viscera/core/error.h"
+#include "viscera/organs/sample_organ.h"
 
 namespace viscera::app::cli {
 namespace {
@@ -48,7 +49,8 @@ struct CommonOptions {
 
 /// What the window takes.
 void addWindowOptions(CLI::App& app, WindowOptions& window, std::string& size) {
-  app.add_option("FILE", window.files, "Sessions, organs, label maps and handles to open in the window");
+  app.add_option("FILE", window.files,
+                 "Sessions, organs, label maps and handles to open in the window, or one sample:NAME");
   app.add_option("--theme", window.theme, "Colours of the window")->check(CLI::IsMember({"dark", "light"}));
   app.add_option("--mode", window.mode, "What the mouse does to begin with")
       ->check(CLI::IsMember({"explore", "handles", "deform", "stress", "play"}));
@@ -131,6 +133,23 @@ void readSize(const std::string& text, WindowOptions& window) {
   window.height = size.height;
 }
 
+/// `viscera sample:stomach` shows that sample organ instead of the heart.
+void takeSample(WindowOptions& window, const organs::SampleLibrary& samples) {
+  static const std::string kSample = "sample:";
+  for (const std::string& file : window.files) {
+    if (file.rfind(kSample, 0) != 0)
+      continue;
+    if (window.files.size() > 1)
+      throw UsageError("is opened in the window alone", file, "open the files by the window's menu File");
+    window.sample = file.substr(kSample.size());
+    const std::vector<std::string> names = organs::sampleNames(samples);
+    if (std::find(names.begin(), names.end(), window.sample) == names.end())
+      throw UsageError("is no sample organ that the window opens", file, "viscera sample --list shows them");
+    window.files.clear();
+    return;
+  }
+}
+
 /// A file that is not there is said before a window opens; a word that looks like a mistyped command as such.
 void requireFiles(const std::vector<std::string>& files) {
   for (const std::string& file : files) {
@@ -182,6 +201,7 @@ int runCommandLine(int argc, const char* const* argv, std::ostream& out, std::os
     return runCommand(*chosen, common, out, err);
   return guarded(err, [&] {
     readSize(windowSize, window);
+    takeSample(window, organs::standardLibrary());
     requireFiles(window.files);
     return openWindow(window);
   });

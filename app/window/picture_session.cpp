@@ -50,7 +50,7 @@ int takePicture(const WindowOptions& options) {
   for (const std::string& file : options.files)
     files.push_back(QString::fromStdString(file));
   if (files.isEmpty())
-    window.samples().load(QStringLiteral("heart"), false);
+    window.samples().load(QString::fromStdString(options.sample), false);
   else
     window.files().open(files);
   const bool ready = waitFor(

@@ -31,7 +31,7 @@ bool displayThere() {
 void begin(MainWindow& window, const WindowOptions& options) {
   window.setMode(modeFromId(QString::fromStdString(options.mode)));
   if (options.files.empty()) {
-    window.samples().load(QStringLiteral("heart"), true);
+    window.samples().load(QString::fromStdString(options.sample), true);
     return;
   }
   QStringList files;

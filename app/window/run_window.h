@@ -7,7 +7,8 @@ namespace viscera::app {
 
 /// How the window is started.
 struct WindowOptions {
-  std::vector<std::string> files; ///< Opened after the window shows; none: the sample heart beats.
+  std::vector<std::string> files; ///< Opened after the window shows.
+  std::string sample = "heart";   ///< Shown, and moving if it can, where no file is opened.
   std::string theme;              ///< "dark", "light", or empty for the one used last.
   std::string screenshot; ///< Not empty: a PNG of the window once everything shows, then the program ends.
   std::string mode;       ///< "explore", "handles", "deform", "play"; empty: the standard one.

@@ -30,6 +30,16 @@ TEST_F(CliUsage, UnknownOptionsAndCommandsAreUsageErrors) {
   EXPECT_EQ(run({"nosuchcommand"}).exitCode, kUsage);
 }
 
+TEST_F(CliUsage, TheWindowOpensOneSampleOrganThatThereIs) {
+  const auto refusal = [this](const std::vector<std::string>& arguments) {
+    const test::ProcessResult result = run(arguments);
+    EXPECT_EQ(result.exitCode, kUsage);
+    return result.err;
+  };
+  EXPECT_NE(refusal({"sample:spleen"}).find("sample --list"), std::string::npos);
+  EXPECT_NE(refusal({"sample:heart", "sample:liver"}).find("alone"), std::string::npos);
+}
+
 TEST_F(CliUsage, MissingArgumentsAreUsageErrors) {
   expectFailure({"info"}, kUsage, "FILE");
   expectFailure({"bind", "sample:heart"}, kUsage, "--handles");
