@@ -15,6 +15,7 @@
 #include <vtkMapper.h>
 #include <vtkPlaneCollection.h>
 
+#include "sway.h"
 #include "viscera/scene/vtkVisceraHandleSetRepresentation.h"
 #include "viscera/session/stress_quantity.h"
 #include "window/stress/histogram.h"
@@ -25,26 +26,6 @@ namespace viscera::tests {
 namespace {
 
 constexpr int kWitnesses = 600;
-
-/// The handles' rest places, one of them swaying.
-class Sway final : public sequences::Sequence {
-public:
-  explicit Sway(Points rest) : rest_(std::move(rest)) {}
-  std::string id() const override { return "sway"; }
-  std::string name() const override { return "Sway"; }
-  const Points& restHandles() const override { return rest_; }
-  double standardRatePerMinute() const override { return 60; }
-  double lowestRatePerMinute() const override { return 10; }
-  double highestRatePerMinute() const override { return 120; }
-  void poseAt(double seconds, double rate, Points& pose) const override {
-    pose = rest_;
-    pose.row(0).x() += 30 * std::sin(2 * std::numbers::pi * seconds * rate / 60);
-  }
-  std::vector<sequences::Phase> phases(double) const override { return {{"sway", 0, 1}}; }
-
-private:
-  Points rest_;
-};
 
 TEST(SteppedRange, GoesInRoundStepsAndDoesNotCreep) {
   using app::steppedRange;
@@ -243,7 +224,8 @@ TEST_F(StressModeTest, EveryMapHasItsLegendAndNumbers) {
 
 TEST_F(StressModeTest, APlayingSequenceMovesTheMapAndIsRecorded) {
   enter();
-  const auto sway = std::make_shared<Sway>(document().rig().restPositions());
+  const auto sway =
+      std::make_shared<Sway>(document().rig().restPositions(), std::vector<Swing>{{0, Vec3(30, 0, 0)}});
   window().playback().setSequence(sway, document().organs().front()->id);
   key(Qt::Key_Space);
   EXPECT_EQ(window().mode(), app::Mode::stress);

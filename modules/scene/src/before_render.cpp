@@ -25,6 +25,16 @@ void BeforeRender::setRenderer(vtkRenderer* renderer) {
     tag_ = renderer_->AddObserver(vtkCommand::StartEvent, command_);
 }
 
+void BeforeRender::setRenderer(vtkRenderer* renderer, std::span<vtkProp* const> actors) {
+  for (vtkProp* actor : actors) {
+    if (renderer_)
+      renderer_->RemoveViewProp(actor);
+    if (renderer)
+      renderer->AddViewProp(actor);
+  }
+  setRenderer(renderer);
+}
+
 vtkRenderer* BeforeRender::renderer() const {
   return renderer_;
 }

@@ -1,11 +1,13 @@
 #pragma once
 
 #include <functional>
+#include <span>
 
 #include <vtkNew.h>
 #include <vtkWeakPointer.h>
 
 class vtkCallbackCommand;
+class vtkProp;
 class vtkRenderer;
 
 namespace viscera::scene {
@@ -21,6 +23,8 @@ public:
 
   /// Null: nowhere. The renderer may die first.
   void setRenderer(vtkRenderer* renderer);
+  /// The same, and takes these actors along.
+  void setRenderer(vtkRenderer* renderer, std::span<vtkProp* const> actors);
   vtkRenderer* renderer() const;
 
 private:

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <vector>
 #include <utility>
 
 #include <vtkArrowSource.h>
@@ -133,14 +134,9 @@ ConstraintGlyph::~ConstraintGlyph() {
 }
 
 void ConstraintGlyph::setRenderer(vtkRenderer* renderer) {
-  auto& p = *parts_;
-  if (auto* old = p.beforeRender.renderer())
-    for (auto* actor : p.actors())
-      old->RemoveActor(actor);
-  p.beforeRender.setRenderer(renderer);
-  if (renderer)
-    for (auto* actor : p.actors())
-      renderer->AddActor(actor);
+  const auto actors = parts_->actors();
+  const std::vector<vtkProp*> props(actors.begin(), actors.end());
+  parts_->beforeRender.setRenderer(renderer, props);
 }
 
 void ConstraintGlyph::drawAfterOrgans() {

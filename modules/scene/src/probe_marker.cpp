@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <vector>
 
 #include <vtkMatrix4x4.h>
 #include <vtkNew.h>
@@ -80,14 +81,9 @@ ProbeMarker::~ProbeMarker() {
 }
 
 void ProbeMarker::setRenderer(vtkRenderer* renderer) {
-  auto& p = *parts_;
-  if (auto* old = p.beforeRender.renderer())
-    for (auto* actor : p.actors())
-      old->RemoveActor(actor);
-  p.beforeRender.setRenderer(renderer);
-  if (renderer)
-    for (auto* actor : p.actors())
-      renderer->AddActor(actor);
+  const auto actors = parts_->actors();
+  const std::vector<vtkProp*> props(actors.begin(), actors.end());
+  parts_->beforeRender.setRenderer(renderer, props);
 }
 
 void ProbeMarker::setTheme(const Theme& theme) {

@@ -208,14 +208,9 @@ RegionHulls::~RegionHulls() {
 }
 
 void RegionHulls::setRenderer(vtkRenderer* renderer) {
-  auto& p = *parts_;
-  if (auto* old = p.beforeRender.renderer())
-    for (auto* actor : p.actors())
-      old->RemoveActor(actor);
-  p.beforeRender.setRenderer(renderer);
-  if (renderer)
-    for (auto* actor : p.actors())
-      renderer->AddActor(actor);
+  const auto actors = parts_->actors();
+  const std::vector<vtkProp*> props(actors.begin(), actors.end());
+  parts_->beforeRender.setRenderer(renderer, props);
 }
 
 void RegionHulls::setHulls(std::vector<RegionHull> hulls) {

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "session_fixture.h"
+#include "sway.h"
 #include "viscera/core/error.h"
 #include "viscera/deformation/bind_witnesses.h"
 #include "viscera/session/stress_quantity.h"
@@ -58,27 +59,6 @@ struct Stressed : tests::Session {
     position = document.pose().row(static_cast<Eigen::Index>(handle)) + by.transpose();
     undo.perform(moveHandles({this->handle(handle)}, position));
   }
-};
-
-/// Handles that sway about their rest places.
-class Sway final : public sequences::Sequence {
-public:
-  explicit Sway(Points rest) : rest_(std::move(rest)) {}
-  std::string id() const override { return "sway"; }
-  std::string name() const override { return "Sway"; }
-  const Points& restHandles() const override { return rest_; }
-  double standardRatePerMinute() const override { return 60; }
-  double lowestRatePerMinute() const override { return 10; }
-  double highestRatePerMinute() const override { return 120; }
-  void poseAt(double seconds, double rate, Points& pose) const override {
-    pose = rest_;
-    pose.row(0).x() += 20 * std::sin(2 * std::numbers::pi * seconds * rate / 60);
-    pose.row(9).z() += 15 * std::cos(2 * std::numbers::pi * seconds * rate / 60);
-  }
-  std::vector<sequences::Phase> phases(double) const override { return {}; }
-
-private:
-  Points rest_;
 };
 
 double largest(const Values& values) {
@@ -239,7 +219,9 @@ TEST(LiveStress, LeavesOutTheOrgansCavities) {
 TEST(LiveStress, PeakIsTheLargestOverTheFrames) {
   Stressed s;
   s.begin();
-  const auto sway = std::make_shared<Sway>(s.restHandles());
+  const auto sway = std::make_shared<tests::Sway>(
+      s.restHandles(),
+      std::vector<tests::Swing>{{0, Vec3(20, 0, 0)}, {9, Vec3(0, 0, 15), std::numbers::pi / 2}});
   s.stress.findPeak(sway, 60);
   s.box.runUntil([&] { return s.stress.peak() != nullptr; });
   const StressPeak& peak = *s.stress.peak();
