@@ -1,9 +1,12 @@
 #include <cmath>
 #include <limits>
+#include <utility>
+#include <vector>
 
 #include <gtest/gtest.h>
 #include <vtkImageData.h>
 #include <vtkRenderWindow.h>
+#include <vtkSmartPointer.h>
 
 #include "viscera/core/error.h"
 #include "viscera/scene/picture.h"
@@ -32,6 +35,25 @@ int count(vtkImageData* picture, int channel, int left, int right) {
     }
   return found;
 }
+
+/// A chart in a picture of its own, 200 pixels high.
+struct DrawnChart {
+  SurfacelessWindow surface;
+  VolumeChart chart;
+
+  DrawnChart(std::vector<ChartLine> lines, double seconds, int width = 500, const Theme& theme = darkTheme())
+      : surface(width, 200) {
+    chart.setWindow(surface.window());
+    chart.setTheme(theme);
+    chart.setLines(std::move(lines));
+    chart.setTimeRange({0, seconds});
+  }
+
+  vtkSmartPointer<vtkImageData> picture() {
+    chart.update();
+    return grabPicture(surface.window());
+  }
+};
 
 TEST(VolumeChart, KeepsWhatFitsIntoItsTimeSpan) {
   VolumeChart chart;
@@ -68,36 +90,25 @@ TEST(VolumeChart, FixedTimeRangeDropsNothing) {
 }
 
 TEST(VolumeChart, DrawsItsLinesInTheirColoursAndHidesThemOnRequest) {
-  SurfacelessWindow surface(500, 200);
-  VolumeChart chart;
-  chart.setWindow(surface.window());
-  chart.setTheme(darkTheme());
-  chart.setLines({kRed, kGreen});
-  chart.setTimeRange({0, 10});
+  DrawnChart drawn({kRed, kGreen}, 10);
+  VolumeChart& chart = drawn.chart;
   for (int i = 0; i <= 100; ++i)
     chart.append(0.1 * i, two(100 + 20 * std::sin(0.3 * i), 120 + 20 * std::cos(0.3 * i)));
-  chart.update();
   // The legend on the right is left out of the count.
-  const auto both = grabPicture(surface.window());
+  const auto both = drawn.picture();
   EXPECT_GT(count(both, 0, 60, 400), 150);
   EXPECT_GT(count(both, 1, 60, 400), 150);
   chart.setLineShown(0, false);
-  chart.update();
-  EXPECT_EQ(count(grabPicture(surface.window()), 0, 60, 400), 0);
+  EXPECT_EQ(count(drawn.picture(), 0, 60, 400), 0);
 }
 
 TEST(VolumeChart, WhatRoundingLeavesOfALockedVolumeIsDrawnFlat) {
   const auto redWith = [](double noise) {
-    SurfacelessWindow surface(500, 200);
-    VolumeChart chart;
-    chart.setWindow(surface.window());
-    chart.setTheme(darkTheme());
-    chart.setLines({kRed});
-    chart.setTimeRange({0, 10});
+    DrawnChart drawn({kRed}, 10);
+    VolumeChart& chart = drawn.chart;
     for (int i = 0; i <= 100; ++i)
       chart.append(0.1 * i, Values::Constant(1, 936 * (1 + (i % 2 ? noise : -noise))));
-    chart.update();
-    return count(grabPicture(surface.window()), 0, 60, 400);
+    return count(drawn.picture(), 0, 60, 400);
   };
   // A zigzag between the edges of the chart would take many times the pixels of a line.
   EXPECT_LT(redWith(1e-12), 1.2 * redWith(0));
@@ -105,52 +116,34 @@ TEST(VolumeChart, WhatRoundingLeavesOfALockedVolumeIsDrawnFlat) {
 }
 
 TEST(VolumeChart, NotANumberIsAGap) {
-  SurfacelessWindow surface(500, 200);
-  VolumeChart chart;
-  chart.setWindow(surface.window());
-  chart.setTheme(darkTheme());
-  chart.setLines({kRed});
-  chart.setTimeRange({0, 10});
+  DrawnChart drawn({kRed}, 10);
+  VolumeChart& chart = drawn.chart;
   for (int i = 0; i <= 100; ++i)
     chart.append(0.1 * i, Values::Constant(1, i > 20 ? std::numeric_limits<double>::quiet_NaN() : 50));
-  chart.update();
-  const auto picture = grabPicture(surface.window());
+  const auto picture = drawn.picture();
   EXPECT_GT(count(picture, 0, 60, 120), 20);
   EXPECT_EQ(count(picture, 0, 200, 400), 0);
 }
 
 TEST(VolumeChart, CursorAndBandAreSeen) {
-  SurfacelessWindow surface(400, 200);
-  VolumeChart chart;
-  chart.setWindow(surface.window());
-  chart.setTheme(lightTheme());
-  chart.setLines({kRed, kGreen});
-  chart.setTimeRange({0, 10});
-  chart.update();
-  const auto without = grabPicture(surface.window());
+  DrawnChart drawn({kRed, kGreen}, 10, 400, lightTheme());
+  VolumeChart& chart = drawn.chart;
+  const auto without = drawn.picture();
   chart.setCursor(5);
-  chart.update();
-  const double cursor = comparePictures(without, grabPicture(surface.window())).differing;
+  const double cursor = comparePictures(without, drawn.picture()).differing;
   EXPECT_GT(cursor, 0.001);
   EXPECT_LT(cursor, 0.03);
   chart.hideCursor();
   chart.setLineShown(1, false);
-  chart.update();
-  EXPECT_GT(comparePictures(without, grabPicture(surface.window()), 4).differing, 0.1)
-      << "the band goes with its line";
+  EXPECT_GT(comparePictures(without, drawn.picture(), 4).differing, 0.1) << "the band goes with its line";
 }
 
 TEST(VolumeChart, ACurveMayHaveTimesOfItsOwnUntilItIsCleared) {
-  SurfacelessWindow surface(500, 200);
-  VolumeChart chart;
-  chart.setWindow(surface.window());
-  chart.setTheme(darkTheme());
-  chart.setLines({kRed, kGreen});
-  chart.setTimeRange({0, 1});
+  DrawnChart drawn({kRed, kGreen}, 1);
+  VolumeChart& chart = drawn.chart;
   chart.setCurve(0, {0, 0.1, 0.3}, {50, 60, 70});
   chart.setCurve(1, {0.5, 1}, {80, 90});
-  chart.update();
-  const auto picture = grabPicture(surface.window());
+  const auto picture = drawn.picture();
   EXPECT_GT(count(picture, 0, 40, 200), 30);
   EXPECT_EQ(count(picture, 0, 220, 400), 0) << "the red curve ends at a third of the width";
   EXPECT_GT(count(picture, 1, 220, 400), 30);
@@ -158,29 +151,21 @@ TEST(VolumeChart, ACurveMayHaveTimesOfItsOwnUntilItIsCleared) {
   chart.clear();
   for (const double time : {0.0, 0.5, 1.0})
     chart.append(time, two(50, 60));
-  chart.update();
-  EXPECT_GT(count(grabPicture(surface.window()), 0, 220, 400), 30) << "the common times are back";
+  EXPECT_GT(count(drawn.picture(), 0, 220, 400), 30) << "the common times are back";
 }
 
 TEST(VolumeChart, OtherBandsLeaveTheCurvesAsTheyAre) {
-  SurfacelessWindow surface(500, 200);
-  VolumeChart chart;
-  chart.setWindow(surface.window());
-  chart.setTheme(darkTheme());
-  chart.setLines({kRed});
-  chart.setTimeRange({0, 1});
+  DrawnChart drawn({kRed}, 1);
+  VolumeChart& chart = drawn.chart;
   for (const double time : {0.0, 0.5, 1.0})
     chart.append(time, Values::Constant(1, 50));
-  chart.update();
-  const auto without = grabPicture(surface.window());
+  const auto without = drawn.picture();
   chart.setBands(0, {{{45, 55}, "normal"}});
-  chart.update();
-  const auto with = grabPicture(surface.window());
+  const auto with = drawn.picture();
   EXPECT_EQ(chart.pointCount(), 3);
   EXPECT_GT(comparePictures(without, with, 4).differing, 0.1);
   chart.setBands(0, {});
-  chart.update();
-  EXPECT_LT(comparePictures(without, grabPicture(surface.window()), 4).differing, 0.001);
+  EXPECT_LT(comparePictures(without, drawn.picture(), 4).differing, 0.001);
 }
 
 TEST(VolumeChart, EmptyAndSinglePointAreOrdinaryStates) {
