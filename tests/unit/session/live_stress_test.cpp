@@ -219,9 +219,9 @@ TEST(LiveStress, LeavesOutTheOrgansCavities) {
 TEST(LiveStress, PeakIsTheLargestOverTheFrames) {
   Stressed s;
   s.begin();
-  const auto sway = std::make_shared<tests::Sway>(
+  const auto sway = std::make_shared<viscera::tests::Sway>(
       s.restHandles(),
-      std::vector<tests::Swing>{{0, Vec3(20, 0, 0)}, {9, Vec3(0, 0, 15), std::numbers::pi / 2}});
+      std::vector<viscera::tests::Swing>{{0, Vec3(20, 0, 0)}, {9, Vec3(0, 0, 15), std::numbers::pi / 2}});
   s.stress.findPeak(sway, 60);
   s.box.runUntil([&] { return s.stress.peak() != nullptr; });
   const StressPeak& peak = *s.stress.peak();
