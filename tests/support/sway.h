@@ -13,7 +13,7 @@ namespace viscera::tests {
 /// A handle that goes so far to either side, mm, and when in the cycle.
 struct Swing {
   int handle = 0;
-  Vec3 way;
+  Vec3 way = Vec3::Zero();
   double phase = 0; ///< rad
 };
 
