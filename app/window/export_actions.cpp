@@ -2,7 +2,6 @@
 
 #include <QFileDialog>
 #include <QFileInfo>
-#include <QStandardPaths>
 
 #include "viscera/deformation/inverse_displacements.h"
 #include "viscera/medical_io/displacement_file.h"
@@ -77,9 +76,7 @@ void ExportActions::choose(const QString& title, const QString& name, const QStr
   if (workspace_.document().organs().empty())
     return workspace_.say(
         {Message::Severity::info, tr("There is no organ to export. Open one first."), {}, 6});
-  const QString folder =
-      settings_.value(kFolderKey, QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation))
-          .toString();
+  const QString folder = settings_.folder(kFolderKey, QStandardPaths::DocumentsLocation);
   const QString file = QFileDialog::getSaveFileName(window_, title, folder + QLatin1Char('/') + name, filter);
   if (!file.isEmpty())
     (this->*exporting)(file);

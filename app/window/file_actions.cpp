@@ -3,7 +3,6 @@
 #include <QDesktopServices>
 #include <QFileDialog>
 #include <QFileInfo>
-#include <QStandardPaths>
 #include <QUrl>
 
 #include <algorithm>
@@ -34,8 +33,7 @@ FileActions::FileActions(Workspace& workspace, HandlePlacer& placer, Settings& s
     : QObject(window), workspace_(workspace), placer_(placer), settings_(settings), window_(window) {}
 
 QString FileActions::folder() const {
-  return settings_.value(kFolderKey, QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation))
-      .toString();
+  return settings_.folder(kFolderKey, QStandardPaths::DocumentsLocation);
 }
 
 void FileActions::rememberFolder(const QString& file) {

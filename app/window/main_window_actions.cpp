@@ -4,9 +4,7 @@
 #include <QApplication>
 #include <QDateTime>
 #include <QDesktopServices>
-#include <QDir>
 #include <QFileInfo>
-#include <QStandardPaths>
 #include <QUrl>
 
 #include "viscera/scene/picture.h"
@@ -225,12 +223,10 @@ void MainWindow::makeHelpActions() {
 }
 
 QString MainWindow::saveScreenshot() {
-  const QString standard = QStandardPaths::writableLocation(QStandardPaths::PicturesLocation);
-  const QString folder = settings_.value("files/pictures", standard).toString();
+  const QString folder = settings_.folder("files/pictures", QStandardPaths::PicturesLocation);
   const QString file =
       QStringLiteral("%1/viscera_%2.png")
           .arg(folder, QDateTime::currentDateTime().toString(QStringLiteral("yyyyMMdd_hhmmss_zzz")));
-  QDir().mkpath(folder);
   const bool done =
       workspace_.guarded([&] { scene::savePicture(viewArea_->view()->renderWindow(), file.toStdString()); });
   if (!done)

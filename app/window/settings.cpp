@@ -1,7 +1,7 @@
 #include "window/settings.h"
 
+#include <QDir>
 #include <QFileInfo>
-#include <QStandardPaths>
 
 #include <utility>
 
@@ -34,6 +34,13 @@ void Settings::setValue(const char* key, const QVariant& value) {
     memory_->insert(QLatin1String(key), value);
   if (store_)
     store_->setValue(QLatin1String(key), value);
+}
+
+QString Settings::folder(const char* key, QStandardPaths::StandardLocation standard) const {
+  for (const QString& folder : {value(key).toString(), QStandardPaths::writableLocation(standard)})
+    if (!folder.isEmpty() && QFileInfo(folder).isDir())
+      return folder;
+  return QDir::homePath();
 }
 
 void Settings::remove(const char* key) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QSettings>
+#include <QStandardPaths>
 #include <QString>
 #include <QVariant>
 
@@ -22,6 +23,9 @@ public:
 
   QVariant value(const char* key, const QVariant& standard = {}) const;
   void setValue(const char* key, const QVariant& value);
+  /// The folder remembered by this key; where there is none or it is gone, the user's standard one for what
+  /// is kept in it; where that is not there either, the home folder.
+  QString folder(const char* key, QStandardPaths::StandardLocation standard) const;
   /// What is kept in memory.
   QVariantMap values() const { return memory_.value_or(QVariantMap()); }
   /// Forgets one value.

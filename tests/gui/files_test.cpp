@@ -7,11 +7,13 @@
 #include <QFile>
 #include <QFileInfo>
 #include <QMimeData>
+#include <QStandardPaths>
 #include <QUrl>
 
 #include "viscera/medical_io/handle_file.h"
 #include "viscera/medical_io/surface_file.h"
 #include "viscera/session/pose_commands.h"
+#include "window/settings.h"
 #include "window/view/view_area.h"
 
 namespace viscera::tests {
@@ -33,6 +35,16 @@ TEST_F(WindowTest, OpeningASurfaceShowsItBoundToHandlesAroundIt) {
   ASSERT_EQ(view().view().organs().size(), 1u);
   EXPECT_EQ(view().view().organs().front()->mesh().points.rows(), organ.mesh->points.rows());
   EXPECT_EQ(message(), QString());
+}
+
+TEST_F(WindowTest, FoldersThatAreGoneAreNotProposed) {
+  const auto proposed = [&](const QString& remembered) {
+    app::Settings kept(QVariantMap{{QStringLiteral("folder"), remembered}});
+    return kept.folder("folder", QStandardPaths::MoviesLocation);
+  };
+  EXPECT_EQ(proposed(path(QString())), path(QString()));
+  for (const QString& gone : {path(QStringLiteral("gone")), sphereFile(), QString()})
+    EXPECT_TRUE(QFileInfo(proposed(gone)).isDir()) << proposed(gone).toStdString();
 }
 
 TEST_F(WindowTest, OpeningIsOneUndoStep) {

@@ -1,6 +1,7 @@
 #include "window_test.h"
 
 #include <QApplication>
+#include <QDir>
 #include <QTest>
 
 #include <vtkInteractorObserver.h>
@@ -20,6 +21,7 @@ constexpr int kDragSteps = 8;
 
 void WindowTest::SetUp() {
   settings_ = std::make_unique<app::Settings>(path(QStringLiteral("viscera.ini")));
+  QDir().mkpath(path(QStringLiteral("pictures")));
   settings_->setValue("files/pictures", path(QStringLiteral("pictures")));
   reopenWindow();
 }

@@ -10,7 +10,6 @@
 #include <QPushButton>
 #include <QSpinBox>
 #include <QStandardItemModel>
-#include <QStandardPaths>
 #include <QToolButton>
 #include <QVBoxLayout>
 
@@ -179,8 +178,7 @@ void RecordBox::syncFormat() {
 void RecordBox::proposeFile() {
   if (chosen_ || running_)
     return;
-  const QString standard = QStandardPaths::writableLocation(QStandardPaths::MoviesLocation);
-  const QString folder = settings_.value(kFolderKey, standard).toString();
+  const QString folder = settings_.folder(kFolderKey, QStandardPaths::MoviesLocation);
   file_->setText(freeRecordingFile(folder, name_.isEmpty() ? QStringLiteral("viscera") : name_, format()));
   file_->setToolTip(file_->text());
 }

@@ -6,7 +6,6 @@
 #include <QLocale>
 #include <QMessageBox>
 #include <QPushButton>
-#include <QStandardPaths>
 
 #include <chrono>
 #include <utility>
@@ -76,8 +75,7 @@ void SessionFiles::chooseAndSave(std::function<void()> then) {
   const QString linked = tr("Session that names its organs' files") + pattern;
   const QString embedded = tr("Session with all surfaces inside") + pattern;
   QString chosen = embed_ ? embedded : linked;
-  const QString standard = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
-  const QString folder = settings_.value(kFolderKey, standard).toString();
+  const QString folder = settings_.folder(kFolderKey, QStandardPaths::DocumentsLocation);
   const QString start =
       file_.isEmpty() ? folder + QLatin1Char('/') + tr("session") + QLatin1String(kEnding) : file_;
   QString file = QFileDialog::getSaveFileName(window_, tr("Save the session as"), start,
