@@ -9,6 +9,7 @@
 #include "viscera/core/error.h"
 #include "viscera/medical_io/handle_file.h"
 #include "viscera/medical_io/label_map.h"
+#include "viscera/session/cage_commands.h"
 #include "viscera/session/label_organs.h"
 #include "viscera/session/open_files.h"
 
@@ -152,9 +153,11 @@ RigInput rigInput(const std::filesystem::path& file, std::vector<std::string>& w
     input.handles.groups.push_back({group.name, group.handles});
     input.groupColors.push_back(group.color);
   }
-  if (!cage.empty())
+  if (!cage.empty()) {
+    Progress nobodyLooks;
     input.handles.cage =
-        coordinates::cageOver(input.handles.positions, *session::readOrgan(cage.string()).mesh);
+        coordinates::cageOver(input.handles.positions, *session::readCage(cage, nobodyLooks).mesh);
+  }
   return input;
 }
 

@@ -54,7 +54,7 @@ struct RigInput {
 
 /// Reads a handle file as rest handles. Throws `NoInputError`, and `DataError` also for handles that nothing
 /// can be bound to: fewer than four, all in one plane, two at one place. Where `cage` names a surface file,
-/// the handles at its vertices get its triangles; throws as `session::readOrgan` and `coordinates::cageOver`.
+/// the handles at its vertices get its triangles; throws as `session::readCage` and `coordinates::cageOver`.
 RigInput rigInput(const std::filesystem::path& file, std::vector<std::string>& warnings,
                   const std::filesystem::path& cage = {});
 

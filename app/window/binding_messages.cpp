@@ -1,5 +1,6 @@
 #include "window/binding_messages.h"
 
+#include "viscera/session/cage_commands.h"
 #include "viscera/session/rig_commands.h"
 
 namespace viscera::app {
@@ -9,8 +10,8 @@ constexpr int kNoteSeconds = 12;
 
 } // namespace
 
-BindingMessages::BindingMessages(Workspace& workspace, MessageBar* bar, QObject* parent)
-    : QObject(parent), workspace_(workspace), bar_(bar) {
+BindingMessages::BindingMessages(Workspace& workspace, MessageBar* bar, QObject* parent, Workspace* mended)
+    : QObject(parent), workspace_(workspace), mended_(mended ? *mended : workspace), bar_(bar) {
   subscription_ = workspace.live().onEvent([this](const session::LiveEvent& event) {
     if (event.status)
       sync();
@@ -68,12 +69,19 @@ Message BindingMessages::messageFor(const session::Organ& organ, const session::
         {tr("Bind now"), [this] { workspace_.guarded([this] { workspace_.live().rebind(); }); }});
     return message;
   }
+  if (status.givenCage) {
+    message.text = tr("%1: %2").arg(text(organ.name), asSentence(status.message));
+    message.offers.push_back(
+        {tr("Take the hull as the cage"), [this] { mended_.perform(session::dropCage()); }});
+    message.offers.push_back({tr("Undo"), [this] { mended_.guarded([this] { mended_.undo().undo(); }); }});
+    return message;
+  }
   if (!status.inNoRegion.empty()) {
     message.text = tr("%n {vertex of %1 lies|vertices of %1 lie} in no group's region.", nullptr,
                       static_cast<int>(status.inNoRegion.size()))
                        .arg(text(organ.name));
     message.offers.push_back({tr("Add enclosing group"), [this, id = organ.id, vertices = status.inNoRegion] {
-                                workspace_.perform(session::addEnclosingGroup(id, vertices));
+                                mended_.perform(session::addEnclosingGroup(id, vertices));
                               }});
     return message;
   }
@@ -82,12 +90,11 @@ Message BindingMessages::messageFor(const session::Organ& organ, const session::
                       status.outsideHull)
                        .arg(text(organ.name));
     message.offers.push_back(
-        {tr("Add enclosing handles"), [this] { workspace_.perform(session::addEnclosingHandles()); }});
+        {tr("Add enclosing handles"), [this] { mended_.perform(session::addEnclosingHandles()); }});
     return message;
   }
   message.text = asSentence(status.message);
-  message.offers.push_back(
-      {tr("Undo"), [this] { workspace_.guarded([this] { workspace_.undo().undo(); }); }});
+  message.offers.push_back({tr("Undo"), [this] { mended_.guarded([this] { mended_.undo().undo(); }); }});
   return message;
 }
 

@@ -13,7 +13,10 @@ class BindingMessages final : public QObject {
   Q_OBJECT
 
 public:
-  BindingMessages(Workspace& workspace, MessageBar* bar, QObject* parent = nullptr);
+  /// Offers change the document of `mended`, of which that of `workspace` may be a mirror image; null: its
+  /// own.
+  BindingMessages(Workspace& workspace, MessageBar* bar, QObject* parent = nullptr,
+                  Workspace* mended = nullptr);
 
 Q_SIGNALS:
   /// Everything is bound anew; how long that took.
@@ -26,6 +29,7 @@ private:
   void tellNotes(const QStringList& notes);
 
   Workspace& workspace_;
+  Workspace& mended_;
   MessageBar* bar_;
   QString shown_;
   QStringList notes_; ///< Of the bindings in use.

@@ -190,6 +190,40 @@ void FileActions::saveHandles(const QString& file) {
     saySaved(tr("Handles"), file);
 }
 
+void FileActions::chooseAndLoadCage() {
+  const QString file = QFileDialog::getOpenFileName(
+      window_, tr("Load a cage"), folder(),
+      tr("Closed surfaces (%1);;All files (*)").arg(patterns(medical_io::surfaceExtensions())));
+  if (!file.isEmpty())
+    loadCage(file);
+}
+
+void FileActions::loadCage(const QString& file) {
+  workspace_.jobs().submit<session::GivenCage>(
+      tr("Reading the cage %1").arg(QFileInfo(file).fileName()).toStdString(), "cage",
+      [path = file.toStdString()](Progress& progress) { return session::readCage(path, progress); },
+      [this, file](session::JobResult<session::GivenCage> result) {
+        if (result.error)
+          workspace_.report(*result.error);
+        if (result.value)
+          takeCage(*result.value, file);
+      });
+}
+
+void FileActions::takeCage(const session::GivenCage& cage, const QString& file) {
+  const int vertices = static_cast<int>(cage.mesh->points.rows());
+  Message message;
+  message.seconds = 8;
+  message.text =
+      session::standAt(workspace_.document().rig(), *cage.mesh)
+          ? tr("The handles at the vertices of %1 are the corners of the cage now.").arg(text(cage.name))
+          : tr("The %n {vertex|vertices} of %1 are the handles now.", nullptr, vertices).arg(text(cage.name));
+  workspace_.say(message); // First: what binding to it has to say counts more.
+  workspace_.undo().seal();
+  if (workspace_.perform(session::takeCage(cage)))
+    rememberFolder(file);
+}
+
 void FileActions::chooseAndExportOrgan() {
   const auto organ = workspace_.currentOrgan();
   if (!organ)

@@ -5,6 +5,7 @@
 
 #include <functional>
 
+#include "viscera/session/cage_commands.h"
 #include "viscera/session/import_draft.h"
 #include "window/handle_placer.h"
 #include "window/settings.h"
@@ -42,6 +43,10 @@ public:
   /// Asks where to, and writes the handles at rest as `.mrk.json`.
   void chooseAndSaveHandles();
   void saveHandles(const QString& file);
+  /// Asks for a closed surface around the organs, and takes it as the cage.
+  void chooseAndLoadCage();
+  /// Reads a cage on a worker; says whether the handles have become its corners or its vertices the handles.
+  void loadCage(const QString& file);
   /// Asks where to, and writes the current organ as it is posed now.
   void chooseAndExportOrgan();
   void exportOrgan(const QString& file);
@@ -60,6 +65,7 @@ private:
   /// Gives organs that are named after a tissue its colour.
   void dressNewOrgans();
   void sayWarnings(const std::vector<std::string>& warnings);
+  void takeCage(const session::GivenCage& cage, const QString& file);
   void saySaved(const QString& what, const QString& file);
 
   Workspace& workspace_;

@@ -8,6 +8,7 @@
 #include <QUrl>
 
 #include "viscera/scene/picture.h"
+#include "viscera/session/cage_commands.h"
 #include "viscera/session/organ_commands.h"
 #include "viscera/session/pose_commands.h"
 #include "viscera/session/rig_commands.h"
@@ -163,6 +164,18 @@ void MainWindow::makeHandleActions() {
   actions_.add("handles.remove",
                {tr("&Remove handles"), "remove", {QKeySequence::Delete}, tr("Remove the selected handles")},
                [this] { workspace_.perform(session::removeHandles(workspace_.selection().handles())); });
+  actions_.add("cage.load",
+               {tr("Load a &cage..."),
+                "open",
+                {},
+                tr("Take a closed surface around the organ as the cage; its vertices are the handles")},
+               [this] { files_->chooseAndLoadCage(); });
+  actions_.add("cage.hull",
+               {tr("Take the &hull as the cage"),
+                "enclosing",
+                {},
+                tr("Give the loaded cage up: the convex hull of the handles is the cage again")},
+               [this] { workspace_.perform(session::dropCage()); });
   actions_.addToggle("handles.influence",
                      {tr("&Influence map"),
                       "influence",
@@ -181,7 +194,10 @@ void MainWindow::makeRegionActions() {
     });
   };
   toggle("handles.regions",
-         {tr("Show &regions"), "enclosing", {Qt::Key_R}, tr("Show where each group of handles acts")},
+         {tr("Show &regions"),
+          "enclosing",
+          {Qt::Key_R},
+          tr("Show where each group of handles acts, and the cage of coordinates that need one")},
          &scene::LayoutParts::regions);
   toggle("handles.zones", {tr("Show &zones"), nullptr, {Qt::Key_Z}, tr("Show where regions meet, in red")},
          &scene::LayoutParts::zones);
@@ -257,6 +273,9 @@ void MainWindow::syncActions() {
   const bool handles = !workspace_.document().rig().handles.empty();
   actions_["handles.save"]->setEnabled(handles);
   actions_["edit.selectAll"]->setEnabled(handles);
+  const bool needsCage = workspace_.systemTraits().needsCage;
+  actions_["cage.load"]->setEnabled(needsCage);
+  actions_["cage.hull"]->setEnabled(needsCage && !workspace_.document().rig().cage.empty());
   syncDeformActions();
 }
 

@@ -58,8 +58,9 @@ void MainWindow::makeMenus() {
   fill(organ, {"", "volume.lock", "volume.restore", "", "measure.distance", "measure.angle",
                "measure.removeAll", "", "organ.rename", "organ.remove", "", "file.export"});
   QMenu* handles = menuBar()->addMenu(tr("&Handles"));
-  fill(handles, {"handles.place", "handles.addEnclosing", "handles.remove", "", "handles.influence",
-                 "handles.regions", "handles.zones", "handles.superRegions", "", "handles.save"});
+  fill(handles,
+       {"handles.place", "handles.addEnclosing", "handles.remove", "", "cage.load", "cage.hull", "",
+        "handles.influence", "handles.regions", "handles.zones", "handles.superRegions", "", "handles.save"});
   fill(handles, {"", "handles.gizmo", "handles.compensate"});
   QMenu* mirror = handles->addMenu(icon("mirror"), tr("&Mirror drags"));
   fill(mirror, {"mirror.off", "mirror.sagittal", "mirror.coronal", "mirror.axial", "", "mirror.next"});

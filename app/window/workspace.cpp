@@ -49,6 +49,11 @@ void Workspace::report(const Error& error) {
   say(message);
 }
 
+coordinates::Traits Workspace::systemTraits() const {
+  const std::string& id = document_.system().id;
+  return registry_.contains(id) ? registry_.find(id)->traits() : coordinates::Traits();
+}
+
 std::shared_ptr<const session::Organ> Workspace::currentOrgan() const {
   if (auto selected = document_.organ(selection_.organ()))
     return selected;

@@ -43,6 +43,9 @@ public:
   /// Qt.
   bool guarded(const std::function<void()>& work);
 
+  /// What the chosen coordinates promise; the standard ones' where there are none of that name.
+  coordinates::Traits systemTraits() const;
+
   void say(const Message& message) { Q_EMIT messageRaised(message); }
   void report(const Error& error);
 

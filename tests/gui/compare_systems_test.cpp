@@ -1,7 +1,10 @@
 #include <QComboBox>
+#include <QPushButton>
 #include <QTest>
 
+#include "shapes.h"
 #include "viscera/scene/vtkVisceraHandleSetRepresentation.h"
+#include "viscera/session/cage_commands.h"
 #include "window/compare/compared_system.h"
 #include "window/compare/comparison.h"
 #include "window/play_parts.h"
@@ -77,6 +80,26 @@ TEST_F(TwoSystems, AnotherSystemIsChosenFromTheListAndShowsItsInfluence) {
   ASSERT_TRUE(bound());
   EXPECT_EQ(second().document().system().id, "s-celestial");
   EXPECT_EQ(second().live().influence(organ_, handle), first) << "the same system in both now";
+}
+
+TEST_F(TwoSystems, HaveTheSameCageAndWhatDoesNotFitItIsMendedInTheFirst) {
+  auto cage = std::make_shared<geometry::TriangleMesh>(box(180, 180, 180));
+  cage->points.array() -= 90;
+  ASSERT_TRUE(window().workspace().perform(session::takeCage({"box.off", cage})));
+  comparison().comparedSystem()->choose("green");
+  ASSERT_TRUE(bound());
+  EXPECT_EQ(second().document().rig().cage, document().rig().cage);
+  EXPECT_EQ(second().live().status(organ_).state, session::BindingStatus::State::bound);
+  auto dented = std::make_shared<geometry::TriangleMesh>(*cage);
+  dented->points.row(7).setConstant(10);
+  ASSERT_TRUE(window().workspace().perform(session::takeCage({"dented.off", dented})));
+  ASSERT_TRUE(bound());
+  EXPECT_EQ(second().live().status(organ_).state, session::BindingStatus::State::failed);
+  for (auto* button : window().viewArea().messages()->findChildren<QPushButton*>())
+    if (button->text() == QLatin1String("Take the hull as the cage"))
+      button->click();
+  EXPECT_TRUE(document().rig().cage.empty());
+  EXPECT_EQ(second().document().rig(), document().rig());
 }
 
 TEST_F(TwoSystems, TheFirstViewsSystemStaysItsOwnAndOneViewIsLeft) {

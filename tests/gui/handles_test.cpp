@@ -1,10 +1,17 @@
 #include "window_test.h"
 
+#include <QAction>
+#include <QLabel>
+#include <QPushButton>
 #include <QSlider>
 #include <QTest>
 
+#include "shapes.h"
 #include "viscera/geometry/convex_hull.h"
+#include "viscera/medical_io/surface_file.h"
+#include "viscera/scene/region_hulls.h"
 #include "viscera/scene/vtkVisceraHandleSetRepresentation.h"
+#include "viscera/session/system_commands.h"
 #include "window/widgets/value_slider.h"
 
 namespace viscera::tests {
@@ -109,6 +116,115 @@ TEST_F(HandlesMode, RemovingTooManyHandlesSaysWhatIsWrongAndUndoMends) {
   key(Qt::Key_Z, Qt::ControlModifier);
   EXPECT_EQ(window().workspace().live().status(document().organs().front()->id).state,
             session::BindingStatus::State::bound);
+}
+
+/// Handles mode with a ball of 60 mm, mean value coordinates, and a cage of one's own.
+class Cage : public HandlesMode {
+protected:
+  void SetUp() override {
+    HandlesMode::SetUp();
+    choose("mean-value");
+  }
+  void choose(const char* system) {
+    ASSERT_TRUE(window().workspace().perform(session::setSystem({system, {}})));
+    settle();
+  }
+  /// A box around the middle; `triangles` below 12 leave it open.
+  void load(double half, Eigen::Index triangles = 12) {
+    auto cage = box(2 * half, 2 * half, 2 * half);
+    cage.points.array() -= half;
+    cage.triangles.conservativeResize(triangles, 3);
+    medical_io::writeSurface(path("cage.off").toStdString(), cage);
+    window().files().loadCage(path("cage.off"));
+    ASSERT_TRUE(waitUntil([this] { return window().workspace().jobs().idle(); }));
+    settle();
+  }
+  const session::Rig& rig() { return document().rig(); }
+  const std::vector<scene::RegionHull>& hulls() { return view().view().regions().hulls(); }
+  bool says(const QString& sentence) {
+    for (const QLabel* label : window().findChildren<QLabel*>())
+      if (label->isVisible() && label->text() == sentence)
+        return true;
+    return false;
+  }
+  QPushButton* button(const QString& label) {
+    for (QPushButton* button : window().findChildren<QPushButton*>())
+      if (button->isVisible() && button->text() == label)
+        return button;
+    return nullptr;
+  }
+};
+
+TEST_F(Cage, IsLoadedAndShownAndTakenBack) {
+  EXPECT_TRUE(says(QStringLiteral("The cage is the convex hull of the handles.")));
+  ASSERT_EQ(hulls().size(), 1u) << "the hull";
+  const Eigen::Index hullTriangles = hulls().front().triangles.rows();
+  const session::Rig before = rig();
+  load(100);
+  EXPECT_EQ(rig().handles.size(), 8u);
+  EXPECT_EQ(rig().cage.size(), 12u);
+  EXPECT_TRUE(message().contains(QStringLiteral("8 vertices of cage.off are the handles")))
+      << message().toStdString();
+  EXPECT_TRUE(says(QStringLiteral("The cage has 12 triangles over 8 handles.")));
+  ASSERT_EQ(hulls().size(), 1u);
+  EXPECT_EQ(hulls().front().triangles.rows(), 12);
+  EXPECT_EQ(window().workspace().live().status(document().organs().front()->id).state,
+            session::BindingStatus::State::bound);
+  load(100);
+  EXPECT_TRUE(message().contains(QStringLiteral("corners of the cage"))) << message().toStdString();
+  key(Qt::Key_Z, Qt::ControlModifier);
+  settle();
+  EXPECT_EQ(rig(), before);
+  EXPECT_TRUE(says(QStringLiteral("The cage is the convex hull of the handles.")));
+  EXPECT_EQ(hulls().front().triangles.rows(), hullTriangles);
+  key(Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
+  settle();
+  EXPECT_EQ(rig().cage.size(), 12u);
+  key(Qt::Key_R);
+  EXPECT_TRUE(hulls().empty());
+}
+
+TEST_F(Cage, ThatIsOpenIsRefusedAndNothingChanges) {
+  const session::DocumentState before = document().state();
+  load(100, 11);
+  EXPECT_TRUE(message().contains(QStringLiteral("open at 3 edges"))) << message().toStdString();
+  EXPECT_TRUE(message().contains(QStringLiteral("cage.off"))) << message().toStdString();
+  EXPECT_EQ(document().state(), before);
+}
+
+TEST_F(Cage, GivesWayToTheHullByTheButton) {
+  QPushButton* hull = button(QStringLiteral("Take the hull as the cage"));
+  ASSERT_NE(hull, nullptr);
+  EXPECT_FALSE(hull->isEnabled()) << "it is the hull already";
+  load(100);
+  ASSERT_TRUE(hull->isEnabled());
+  hull->click();
+  EXPECT_TRUE(rig().cage.empty());
+  EXPECT_EQ(rig().handles.size(), 8u);
+}
+
+TEST_F(Cage, ThatCannotHoldTheOrganIsSaidWithTheHullAsAnOffer) {
+  choose("green");
+  load(50);
+  EXPECT_TRUE(message().contains(QStringLiteral("have no coordinates in the cage")))
+      << message().toStdString();
+  QPushButton* offer = nullptr;
+  for (auto* button : window().viewArea().messages()->findChildren<QPushButton*>())
+    if (button->isVisible() && button->text() == QLatin1String("Take the hull as the cage"))
+      offer = button;
+  ASSERT_NE(offer, nullptr);
+  offer->click();
+  settle();
+  EXPECT_TRUE(rig().cage.empty());
+}
+
+TEST_F(Cage, IsOfferedOnlyForCoordinatesThatNeedOne) {
+  EXPECT_TRUE(window().actions()["cage.load"]->isEnabled());
+  EXPECT_NE(button(QStringLiteral("Load a cage...")), nullptr);
+  choose("s-celestial");
+  EXPECT_FALSE(window().actions()["cage.load"]->isEnabled());
+  EXPECT_EQ(button(QStringLiteral("Load a cage...")), nullptr);
+  EXPECT_TRUE(hulls().empty());
 }
 
 } // namespace

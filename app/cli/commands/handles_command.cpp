@@ -7,15 +7,13 @@
 
 #include "cli/inputs.h"
 #include "cli/listing.h"
-#include "viscera/coordinates/cage/given_cage.h"
 #include "viscera/core/error.h"
 #include "viscera/deformation/place_handles.h"
 #include "viscera/geometry/convex_hull.h"
-#include "viscera/geometry/surface_check.h"
 #include "viscera/geometry/winding_number.h"
 #include "viscera/medical_io/handle_file.h"
 #include "viscera/session/automatic_groups.h"
-#include "viscera/session/open_files.h"
+#include "viscera/session/cage_commands.h"
 
 namespace viscera::app::cli {
 namespace {
@@ -64,19 +62,8 @@ Rig groupedRig(const Points& positions, const session::Organ& organ, const sessi
   return rig;
 }
 
-std::shared_ptr<const geometry::TriangleMesh> readCage(const std::string& file) {
-  auto mesh = session::readOrgan(file).mesh;
-  coordinates::requireCage(*mesh);
-  if (mesh->points.rows() > kMostHandles)
-    throw DataError("has " + std::to_string(mesh->points.rows()) + " vertices", file,
-                    "a cage is a coarse surface: take one of at most " + std::to_string(kMostHandles));
-  return mesh;
-}
-
 std::size_t outsideCage(const geometry::TriangleMesh& cage, const Points& points) {
-  geometry::TriangleMesh outward = cage;
-  geometry::orientOutward(outward);
-  const geometry::WindingNumber winding(outward);
+  const geometry::WindingNumber winding(cage);
   std::size_t outside = 0;
   for (Eigen::Index i = 0; i < points.rows(); ++i)
     outside += winding.inside(points.row(i).transpose()) ? 0 : 1;
@@ -141,7 +128,7 @@ Outcome HandlesCommand::run(Surroundings& surroundings) {
   deformation::Placement placement;
   placement.count = count_;
   placement.enclosing = enclosing_;
-  const auto cage = cage_.empty() ? nullptr : readCage(cage_);
+  const auto cage = cage_.empty() ? nullptr : session::readCage(cage_, surroundings.progress).mesh;
   const Points positions = cage ? cage->points : deformation::placeHandles(*organ.mesh, placement);
   const Rig rig = grouped() ? groupedRig(positions, organ, choice) : plainRig(positions, enclosing_);
   const std::size_t outside = cage ? outsideCage(*cage, organ.mesh->points)

@@ -14,7 +14,7 @@ std::string firstChoice(const session::SystemChoice& other) {
 ComparedSystem::ComparedSystem(const Side& first, const Side& second, MessageBar* messages, QObject* parent)
     : QObject(parent), first_(first), second_(second), poses_(second.workspace),
       handles_(std::make_unique<HandleScene>(second.workspace, poses_, second.view.view())),
-      messages_(second.workspace, messages) {
+      messages_(second.workspace, messages, nullptr, &first.workspace) {
   auto choice = std::make_shared<session::SystemChoice>();
   choice->id = firstChoice(first.workspace.document().system());
   choice_ = std::move(choice);

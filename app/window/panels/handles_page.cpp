@@ -1,6 +1,7 @@
 #include "window/panels/handles_page.h"
 
 #include <QLabel>
+#include <QPushButton>
 
 #include "window/panels/group_panel.h"
 #include "window/panels/position_box.h"
@@ -32,6 +33,9 @@ HandlesPage::HandlesPage(Workspace& workspace, GroupLayout& layout, const Action
     : Page(parent), workspace_(workspace) {
   addSection(tr("Coordinates"));
   add(new SystemBox(workspace, layout, this));
+  cage_ = addRemark(QString());
+  for (const char* id : {"cage.load", "cage.hull"})
+    cageButtons_.push_back(addButton(actions[id]));
   addButton(actions["play.compareSystems"]);
   addSection(tr("Groups"));
   add(new GroupPanel(workspace, this));
@@ -51,6 +55,8 @@ HandlesPage::HandlesPage(Workspace& workspace, GroupLayout& layout, const Action
   subscriptions_.push_back(workspace.onChange([this](const session::Change& change) {
     if (change.organs())
       sync();
+    if (change.rig() || change.system())
+      syncCage();
   }));
   subscriptions_.push_back(workspace.selection().onChange([this] { sync(); }));
   subscriptions_.push_back(workspace.live().onEvent([this](const session::LiveEvent& event) {
@@ -58,6 +64,19 @@ HandlesPage::HandlesPage(Workspace& workspace, GroupLayout& layout, const Action
       sync();
   }));
   sync();
+  syncCage();
+}
+
+void HandlesPage::syncCage() {
+  const session::Rig& rig = workspace_.document().rig();
+  const bool needed = workspace_.systemTraits().needsCage;
+  cage_->setText(
+      rig.cage.empty()
+          ? tr("The cage is the convex hull of the handles.")
+          : tr("The cage has %1 triangles over %2 handles.").arg(rig.cage.size()).arg(rig.cornerCount()));
+  cage_->setVisible(needed);
+  for (QWidget* button : cageButtons_)
+    button->setVisible(needed);
 }
 
 void HandlesPage::sync() {

@@ -7,8 +7,8 @@
 
 namespace viscera::app {
 
-/// Handles: the coordinates and their parameters, the groups, how well the organ is bound, and the place of
-/// the current handle.
+/// Handles: the coordinates and their parameters, the cage of those that need one, the groups, how well the
+/// organ is bound, and the place of the current handle.
 class HandlesPage final : public Page {
   Q_OBJECT
 
@@ -17,8 +17,11 @@ public:
 
 private:
   void sync();
+  void syncCage();
 
   Workspace& workspace_;
+  QLabel* cage_ = nullptr;
+  std::vector<QWidget*> cageButtons_;
   QLabel* state_ = nullptr;
   QLabel* time_ = nullptr;
   QLabel* identity_ = nullptr;

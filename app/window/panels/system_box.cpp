@@ -103,7 +103,8 @@ void SystemBox::rebuildBadges(const coordinates::Traits& traits) {
     badges_->layout()->addWidget(widget);
   };
   badge(!traits.needsCage, tr("no cage"), tr("Handles may stand anywhere around the organ"));
-  badge(traits.needsCage, tr("cage"), tr("Handles have to be the corners of a closed cage"));
+  badge(traits.needsCage, tr("cage"),
+        tr("Works with a closed surface over the handles: their convex hull, or a cage that was loaded"));
   badge(traits.positive, tr("positive"), tr("No handle ever pushes the organ the other way"));
   badge(traits.interpolates, tr("interpolating"), tr("A point at a handle follows it exactly"));
   badge(traits.closedFormGradient, tr("exact gradient"), tr("Stress is computed without differences"));

@@ -9,7 +9,8 @@
 
 namespace viscera::app {
 
-/// Shows the regions, zones and super-regions of the groups while the handles are edited at rest.
+/// Shows the regions, zones and super-regions of the groups, and the cage of coordinates that need one, while
+/// the handles are edited at rest.
 class RegionScene final : public QObject {
   Q_OBJECT
 

@@ -11,7 +11,21 @@
 namespace viscera::deformation {
 namespace {
 
-[[noreturn]] void refuse(const coordinates::HandleSet& handles, bool groupsCount, const Points& organ,
+using Of = UnboundVertices::Of;
+
+const char* adviceFor(Of of) {
+  switch (of) {
+  case Of::regions:
+    return "add a group that encloses them, or put handles around them into a group";
+  case Of::cage:
+    return "take a cage that surrounds the organ, or the handles' convex hull as the cage";
+  case Of::hull:
+    break;
+  }
+  return "add the enclosing handles, or move handles outward until they surround the organ";
+}
+
+[[noreturn]] void refuse(const coordinates::HandleSet& handles, Of of, const Points& organ,
                          const std::vector<int>& failures) {
   const geometry::ConvexHull hull(handles.positions);
   double farthest = 0;
@@ -23,36 +37,34 @@ namespace {
   }
   std::ostringstream what;
   what << failures.size() << " of " << organ.rows() << " vertices ";
-  if (groupsCount)
-    what << "lie in no group's region";
-  else
-    what << "have no coordinates";
+  what << (of == Of::regions ? "lie in no group's region" : "have no coordinates");
+  if (of == Of::cage)
+    what << " in the cage";
   if (outside > 0)
     what << ": " << outside << " lie outside the handles' hull, by up to " << farthest << " mm";
-  throw UnboundVertices(failures, outside, groupsCount, what.str(),
-                        groupsCount
-                            ? "add a group that encloses them, or put handles around them into a group"
-                            : "add the enclosing handles, or move handles outward until they surround "
-                              "the organ");
+  throw UnboundVertices(failures, outside, of, what.str(), adviceFor(of));
 }
 
 } // namespace
 
-UnboundVertices::UnboundVertices(std::vector<int> vertices, int outsideHull, bool groupsCount,
-                                 const std::string& what, const std::string& tryThis)
+UnboundVertices::UnboundVertices(std::vector<int> vertices, int outsideHull, Of of, const std::string& what,
+                                 const std::string& tryThis)
     : DataError(what, vertices.empty() ? std::string() : "vertex " + std::to_string(vertices.front()),
                 tryThis),
-      vertices_(std::move(vertices)), outsideHull_(outsideHull), groupsCount_(groupsCount) {}
+      vertices_(std::move(vertices)), outsideHull_(outsideHull), of_(of) {}
 
 std::shared_ptr<const coordinates::Binding>
 bindOrgan(const coordinates::CoordinateSystem& system, const coordinates::HandleSet& handles,
           const Points& organPoints, const coordinates::BindOptions& options, Progress& progress) {
   std::shared_ptr<const coordinates::Binding> binding =
       system.bind(handles, organPoints, withTetgen(options), progress);
-  if (!binding->report().failures.empty())
-    refuse(handles, system.traits().usesGroups && !handles.groups.empty(), organPoints,
-           binding->report().failures);
-  return binding;
+  if (binding->report().failures.empty())
+    return binding;
+  const coordinates::Traits traits = system.traits();
+  const Of of = traits.usesGroups && !handles.groups.empty()  ? Of::regions
+                : traits.needsCage && handles.cage.rows() > 0 ? Of::cage
+                                                              : Of::hull;
+  refuse(handles, of, organPoints, binding->report().failures);
 }
 
 } // namespace viscera::deformation

@@ -1,5 +1,8 @@
 #include "viscera/scene/layout_hulls.h"
 
+#include <algorithm>
+#include <set>
+
 namespace viscera::scene {
 namespace {
 
@@ -45,6 +48,16 @@ std::vector<RegionHull> layoutHulls(const coordinates::SpaceLayout& layout,
     hulls.push_back(std::move(hull));
   }
   return hulls;
+}
+
+RegionHull cageHull(const Points& handles, const Triangles& cage) {
+  std::set<std::array<int, 2>> edges;
+  for (Eigen::Index t = 0; t < cage.rows(); ++t)
+    for (int k = 0; k < 3; ++k) {
+      const int a = cage(t, k), b = cage(t, (k + 1) % 3);
+      edges.insert({std::min(a, b), std::max(a, b)});
+    }
+  return {handles, cage, {edges.begin(), edges.end()}, kNoGroup, kRegionOpacity};
 }
 
 } // namespace viscera::scene

@@ -17,7 +17,19 @@ bool sameGroups(const coordinates::HandleSet& a, const coordinates::HandleSet& b
                     });
 }
 
+bool sameCage(const coordinates::HandleSet& a, const coordinates::HandleSet& b) {
+  return a.cage.rows() == b.cage.rows() && a.cage == b.cage;
+}
+
+bool needsCage(const BindingTarget& target) {
+  return target.system && target.system->traits().needsCage;
+}
+
 } // namespace
+
+bool usesGivenCage(const BindingTarget& target) {
+  return needsCage(target) && target.handles.cage.rows() > 0;
+}
 
 BindingTarget makeTarget(const DocumentState& state, const plugin::Registry& registry) {
   BindingTarget target;
@@ -40,11 +52,13 @@ bool sameBinding(const BindingTarget& a, const BindingTarget& b) {
       (a.system && a.system->traits().usesGroups) || (b.system && b.system->traits().usesGroups);
   return a.system == b.system && a.problem == b.problem && a.ids == b.ids &&
          a.handles.positions == b.handles.positions && a.parameters.all() == b.parameters.all() &&
-         (!groupsMatter || sameGroups(a.handles, b.handles));
+         (!groupsMatter || sameGroups(a.handles, b.handles)) &&
+         (!(needsCage(a) || needsCage(b)) || sameCage(a.handles, b.handles));
 }
 
 bool worthWaitingFor(const BindingTarget& underWay, const BindingTarget& wanted) {
-  return underWay.system == wanted.system && underWay.ids == wanted.ids;
+  return underWay.system == wanted.system && underWay.ids == wanted.ids &&
+         (!needsCage(wanted) || sameCage(underWay.handles, wanted.handles));
 }
 
 std::optional<BindingFailure> whyNot(const BindingTarget& target) {

@@ -23,12 +23,16 @@ struct BindingTarget {
 
 BindingTarget makeTarget(const DocumentState& state, const plugin::Registry& registry);
 
-/// Whether a binding to one is as good as a binding to the other. Groups count only where the system looks at
-/// them.
+/// Whether a binding to one is as good as a binding to the other. Groups and cages count only where the
+/// system looks at them.
 bool sameBinding(const BindingTarget& a, const BindingTarget& b);
 
+/// Whether it is the rig's own cage that binding works with.
+bool usesGivenCage(const BindingTarget& target);
+
 /// Whether a binding to `underWay` is worth waiting for when `wanted` has taken its place: the same handles,
-/// elsewhere perhaps, in the same system. A drag or a slider would else give up one binding after the other.
+/// elsewhere perhaps, in the same system and cage. A drag or a slider would else give up one binding after
+/// the other.
 bool worthWaitingFor(const BindingTarget& underWay, const BindingTarget& wanted);
 
 /// Why an organ has no binding, in the words of its status.
@@ -37,6 +41,7 @@ struct BindingFailure {
   std::string message;
   int outsideHull = 0;
   std::vector<int> inNoRegion = {};
+  bool givenCage = false;
 };
 
 /// What is wrong with a target before any organ is looked at, if anything.

@@ -37,14 +37,19 @@ BindingResult bindToTarget(const Organ& organ, const BindingTarget& target, Thre
   } catch (const Cancelled&) {
     throw;
   } catch (const deformation::UnboundVertices& error) {
-    result.failure = BindingFailure{BindingStatus::State::failed, error.what(), error.outsideHull(),
+    result.failure = BindingFailure{BindingStatus::State::failed, error.what(),
+                                    error.cageCounts() ? 0 : error.outsideHull(),
                                     error.groupsCount() ? error.vertices() : std::vector<int>()};
   } catch (const DataError& error) {
     result.failure = BindingFailure{BindingStatus::State::failed, error.what(),
-                                    countOutside(target.handles.positions, organ.mesh->points)};
+                                    usesGivenCage(target)
+                                        ? 0 // Handles that are no corners of the cage would mend nothing.
+                                        : countOutside(target.handles.positions, organ.mesh->points)};
   } catch (const std::exception& error) {
     result.failure = BindingFailure{BindingStatus::State::failed, error.what(), 0};
   }
+  if (result.failure)
+    result.failure->givenCage = usesGivenCage(target);
   return result;
 }
 
@@ -65,7 +70,7 @@ void BoundOrgan::fail(const BindingFailure& failure) {
     pending.replaced = pending.moved = true;
   deformer.reset();
   boundTo.reset();
-  status = {failure.state, failure.message, failure.outsideHull, {}, failure.inNoRegion};
+  status = {failure.state, failure.message, failure.outsideHull, {}, failure.inNoRegion, failure.givenCage};
   pending.status = true;
 }
 
@@ -74,6 +79,7 @@ void BoundOrgan::setState(BindingStatus::State state) {
   status.message.clear();
   status.outsideHull = 0;
   status.inNoRegion.clear();
+  status.givenCage = false;
   pending.status = true;
 }
 

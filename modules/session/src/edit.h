@@ -66,6 +66,19 @@ inline std::string freeName(const std::string& wanted, const std::function<bool(
   return name;
 }
 
+/// Triangles over the rows of a rig as the rig keeps them. Throws `UsageError` for a row that there is not.
+inline std::vector<CageTriangle> cageOf(const Rig& rig, const Triangles& rows) {
+  std::vector<CageTriangle> cage(static_cast<std::size_t>(rows.rows()));
+  for (std::size_t t = 0; t < cage.size(); ++t)
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto row = rows(static_cast<Eigen::Index>(t), static_cast<Eigen::Index>(k));
+      if (row < 0 || static_cast<std::size_t>(row) >= rig.handles.size())
+        throw UsageError("The cage names a handle that is not there", "triangle " + std::to_string(t));
+      cage[t][k] = rig.handles[static_cast<std::size_t>(row)].id;
+    }
+  return cage;
+}
+
 /// The state with another rig and pose.
 inline DocumentState withRig(DocumentState state, Rig rig, Points pose) {
   state.rig = std::make_shared<const Rig>(std::move(rig));

@@ -1,6 +1,8 @@
 #include "viscera/session/rig.h"
 
 #include <algorithm>
+#include <map>
+#include <set>
 
 namespace viscera::session {
 namespace {
@@ -9,6 +11,18 @@ template <class List, class Same>
 int placeOf(const List& list, Same same) {
   const auto found = std::find_if(list.begin(), list.end(), same);
   return found == list.end() ? -1 : static_cast<int>(found - list.begin());
+}
+
+/// The cage by the rows of its handles.
+Triangles cageRows(const Rig& rig) {
+  Triangles cage(static_cast<Eigen::Index>(rig.cage.size()), 3);
+  std::map<HandleId, int> rows;
+  for (std::size_t i = 0; !rig.cage.empty() && i < rig.handles.size(); ++i)
+    rows.emplace(rig.handles[i].id, static_cast<int>(i));
+  for (Eigen::Index t = 0; t < cage.rows(); ++t)
+    for (int k = 0; k < 3; ++k)
+      cage(t, k) = rows.at(rig.cage[static_cast<std::size_t>(t)][static_cast<std::size_t>(k)]);
+  return cage;
 }
 
 } // namespace
@@ -39,6 +53,13 @@ const Group* Rig::groupOf(HandleId id) const {
   return nullptr;
 }
 
+int Rig::cornerCount() const {
+  std::set<HandleId> corners;
+  for (const CageTriangle& triangle : cage)
+    corners.insert(triangle.begin(), triangle.end());
+  return static_cast<int>(corners.size());
+}
+
 std::string describe(const Rig& rig, const std::vector<HandleId>& handles) {
   if (handles.size() == 1)
     if (const int row = rig.indexOf(handles.front()); row >= 0)
@@ -55,6 +76,7 @@ coordinates::HandleSet handleSet(const Rig& rig) {
       out.handles.push_back(rig.indexOf(id));
     set.groups.push_back(std::move(out));
   }
+  set.cage = cageRows(rig);
   return set;
 }
 

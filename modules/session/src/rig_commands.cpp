@@ -155,6 +155,12 @@ DocumentState withoutHandles(const DocumentState& state, const std::vector<Handl
   rig.groups = state.rig->groups;
   for (Group& group : rig.groups)
     std::erase_if(group.handles, [&gone](HandleId id) { return gone.count(id) > 0; });
+  const auto& cage = state.rig->cage;
+  const bool open = std::any_of(cage.begin(), cage.end(), [&gone](const CageTriangle& triangle) {
+    return std::any_of(triangle.begin(), triangle.end(), [&gone](HandleId id) { return gone.count(id) > 0; });
+  });
+  if (!open)
+    rig.cage = cage;
   return edit::withRig(state, std::move(rig), std::move(pose));
 }
 
@@ -174,6 +180,7 @@ DocumentState withNewRig(const DocumentState& state, const NewRig& replacement, 
     }
     rig.groups.push_back(std::move(group));
   }
+  rig.cage = edit::cageOf(rig, replacement.cage);
   return edit::withRig(state, std::move(rig), std::move(pose));
 }
 

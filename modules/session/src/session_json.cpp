@@ -35,6 +35,13 @@ void requireFinite(const Vec3& value, const std::string& place) {
     requireFinite(value[k], place);
 }
 
+ordered_json cageJson(const std::vector<CageTriangle>& cage) {
+  ordered_json triangles = ordered_json::array();
+  for (const CageTriangle& triangle : cage)
+    triangles.push_back({triangle[0].value, triangle[1].value, triangle[2].value});
+  return triangles;
+}
+
 } // namespace
 
 ordered_json organJson(const Organ& organ) {
@@ -80,7 +87,10 @@ ordered_json rigJson(const Rig& rig, const Points& pose) {
                       {"color", listOf(group.color)},
                       {"handles", std::move(members)}});
   }
-  return {{"handles", std::move(handles)}, {"groups", std::move(groups)}};
+  ordered_json item{{"handles", std::move(handles)}, {"groups", std::move(groups)}};
+  if (!rig.cage.empty())
+    item["cage"] = cageJson(rig.cage);
+  return item;
 }
 
 ordered_json systemJson(const SystemChoice& system) {
@@ -219,9 +229,29 @@ Group SessionReader::readGroup(const ordered_json& item, const Rig& rig, const s
   return group;
 }
 
+void SessionReader::readCage(const ordered_json& list, Rig& rig) const {
+  std::set<HandleId> known;
+  for (const Handle& handle : rig.handles)
+    known.insert(handle.id);
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    const std::string place = at("rig.cage", i);
+    if (!list[i].is_array() || list[i].size() != 3)
+      fail("is not a triangle of three handles", place);
+    CageTriangle triangle;
+    for (std::size_t k = 0; k < 3; ++k) {
+      triangle[k] = HandleId{wholeOf(list[i][k], place)};
+      if (!known.count(triangle[k]))
+        fail("there is no handle " + std::to_string(triangle[k].value), place);
+    }
+    if (triangle[0] == triangle[1] || triangle[1] == triangle[2] || triangle[2] == triangle[0])
+      fail("has a handle at two corners", place);
+    rig.cage.push_back(triangle);
+  }
+}
+
 void SessionReader::readRig(const ordered_json& item, DocumentState& state) {
   requireObject(item, "rig");
-  noteUnknown(item, {"handles", "groups"}, "rig");
+  noteUnknown(item, {"handles", "groups", "cage"}, "rig");
   Rig rig;
   const ordered_json& handles = listOf(item, "handles", "rig");
   Points pose(static_cast<Eigen::Index>(handles.size()), 3);
@@ -243,6 +273,8 @@ void SessionReader::readRig(const ordered_json& item, DocumentState& state) {
     if (!names.insert(rig.groups.back().name).second)
       fail("the name \"" + rig.groups.back().name + "\" comes twice", at("rig.groups", i));
   }
+  if (item.contains("cage"))
+    readCage(listOf(item, "cage", "rig"), rig);
   state.rig = std::make_shared<const Rig>(std::move(rig));
   state.pose = std::make_shared<const Points>(std::move(pose));
 }

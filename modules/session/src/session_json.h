@@ -46,6 +46,7 @@ private:
   AnyId newId(const nlohmann::ordered_json& object, const std::string& place);
   Handle readHandle(const nlohmann::ordered_json& item, const std::string& place);
   Group readGroup(const nlohmann::ordered_json& item, const Rig& rig, const std::string& place);
+  void readCage(const nlohmann::ordered_json& list, Rig& rig) const;
   RecordedKey readKey(const nlohmann::ordered_json& item, const std::string& place);
   MeasuredPoint readMeasuredPoint(const nlohmann::ordered_json& item, const std::string& place);
 

@@ -44,7 +44,7 @@ std::size_t newBytes(const DocumentState& before, const DocumentState& after) {
     }
   }
   if (after.rig != before.rig) {
-    bytes += after.rig->handles.size() * sizeof(Handle);
+    bytes += after.rig->handles.size() * sizeof(Handle) + after.rig->cage.size() * sizeof(CageTriangle);
     for (const Group& group : after.rig->groups)
       bytes += sizeof(Group) + group.handles.size() * sizeof(HandleId);
   }

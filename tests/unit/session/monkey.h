@@ -95,7 +95,7 @@ private:
 
   Command anyCommand() {
     const std::string text = "T" + std::to_string(number(12));
-    switch (number(24)) {
+    switch (number(25)) {
     case 0:
       return addOrgans({ball(text, real(5, 40), 1, place())});
     case 1:
@@ -143,9 +143,22 @@ private:
                             : addMeasurement({aPoint(), aPoint(), aPoint()}, text);
     case 22:
       return anyMeasurementEdit(text);
+    case 23:
+      return anyCageEdit(text);
     default:
       return poseMove();
     }
+  }
+
+  /// A cage whose corners become the handles, one at handles that are there, or none.
+  Command anyCageEdit(const std::string& text) {
+    if (number(3) == 0)
+      return dropCage();
+    auto cage = std::make_shared<geometry::TriangleMesh>(viscera::tests::sphere(1, real(20, 90), place()));
+    const Points handles = s_.document.rig().restPositions();
+    if (number(2) == 0 && handles.rows() >= cage->points.rows())
+      cage->points = handles.topRows(cage->points.rows());
+    return takeCage({text, cage});
   }
 
   Command anyRecordingEdit() {

@@ -68,6 +68,9 @@ TEST_P(RandomCommands, KeepThePoseAndTheGroupsInStepWithTheRig) {
     for (const Group& group : rig.groups)
       for (const HandleId id : group.handles)
         ASSERT_GE(rig.indexOf(id), 0) << group.name;
+    for (const CageTriangle& triangle : rig.cage)
+      for (const HandleId id : triangle)
+        ASSERT_GE(rig.indexOf(id), 0) << "a corner of the cage";
     for (const auto& organ : s.document.organs())
       ASSERT_TRUE(!organ->parent || s.document.organ(organ->parent));
   }

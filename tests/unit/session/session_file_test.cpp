@@ -97,6 +97,35 @@ TEST(SessionFile, IdsOfRemovedHandlesThatKeysKnowAreNotGivenAgain) {
     EXPECT_EQ(key.displacements.count(document.rig().handles.back().id), 0u);
 }
 
+TEST(SessionFile, HasACageOnlyWhereOneWasGivenAndRefusesOneOfOtherHandles) {
+  TemporaryFolder folder;
+  SessionContents contents = fullContents(folder);
+  write(folder / "a.viscera", contents);
+  const ordered_json good = jsonOf(folder / "a.viscera");
+  EXPECT_EQ(good["rig"]["cage"].size(), 12u);
+  EXPECT_EQ(readBack(folder / "a.viscera").contents.state.rig->cage, contents.state.rig->cage);
+  const std::int64_t first = good["rig"]["cage"][2][0];
+  for (const auto& [triangle, problem] :
+       {std::pair(ordered_json({first, 987654, first + 1}), "there is no handle 987654"),
+        std::pair(ordered_json({first, first + 1, first}), "a handle at two corners"),
+        std::pair(ordered_json({first, first + 1}), "not a triangle of three handles")}) {
+    ordered_json bad = good;
+    bad["rig"]["cage"][2] = triangle;
+    try {
+      readBack(folder.put("bad.viscera", bad.dump()));
+      ADD_FAILURE() << problem;
+    } catch (const DataError& error) {
+      EXPECT_THAT(error.what(), HasSubstr(problem));
+      EXPECT_THAT(error.what(), HasSubstr("rig.cage[2]"));
+    }
+  }
+  Rig hull = *contents.state.rig;
+  hull.cage.clear();
+  contents.state.rig = std::make_shared<const Rig>(hull);
+  write(folder / "hull.viscera", contents);
+  EXPECT_FALSE(jsonOf(folder / "hull.viscera")["rig"].contains("cage"));
+}
+
 TEST(SessionFile, HoldsSurfacesThatWereEditedOrMadeAndNamesThoseOfFilesAndSamples) {
   TemporaryFolder folder;
   SessionContents contents = fullContents(folder);

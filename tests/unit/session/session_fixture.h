@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "shapes.h"
+#include "viscera/session/cage_commands.h"
 #include "viscera/session/document.h"
 #include "viscera/session/group_commands.h"
 #include "viscera/session/organ_commands.h"
@@ -29,6 +30,13 @@ inline std::vector<NewHandle> cubeHandles(double half = 60) {
   handles.push_back({Vec3(0, 0, 40)});
   handles.push_back({Vec3(40, 3, -1)});
   return handles;
+}
+
+/// A box with its corners at the first eight of `cubeHandles`.
+inline std::shared_ptr<geometry::TriangleMesh> cubeCage(double half = 60) {
+  auto cage = std::make_shared<geometry::TriangleMesh>(viscera::tests::box(2 * half, 2 * half, 2 * half));
+  cage->points.array() -= half;
+  return cage;
 }
 
 inline Points row(double x, double y, double z) {

@@ -31,8 +31,8 @@ inline std::filesystem::path ballFile(const viscera::tests::TemporaryFolder& fol
   return folder / name;
 }
 
-/// One of everything: organs from a file, edited and with a cavity, handles, groups, a pose, parameters,
-/// locks, a recording, measurements, a view.
+/// One of everything: organs from a file, edited and with a cavity, handles, groups, a cage, a pose,
+/// parameters, locks, a recording, measurements, a view.
 inline SessionContents fullContents(const viscera::tests::TemporaryFolder& folder) {
   Session s;
   s.undo.perform(addOrgans({{readOrgan(ballFile(folder, "liver.vtp")), -1}}));
@@ -53,6 +53,7 @@ inline SessionContents fullContents(const viscera::tests::TemporaryFolder& folde
     moved << -60.1, 1e-310, -0.0, 41.0 / 3, 4.9e-324, -1.7976931348623157e308;
     return moved;
   }()));
+  s.undo.perform(takeCage({"cube.off", cubeCage()}));
   s.undo.perform(setSystem({"t-celestial", {}}));
   s.undo.perform(setParameter("softness", 0.1 + 0.2));
   s.undo.perform(recordKey(0.25, sequences::Easing::hold));

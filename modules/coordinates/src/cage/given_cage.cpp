@@ -13,37 +13,46 @@ constexpr double kSamePlace = 1e-6;
 
 } // namespace
 
-void requireCage(const geometry::TriangleMesh& cage) {
-  geometry::requireValid(cage, "the cage");
+void requireCage(const geometry::TriangleMesh& cage, const std::string& where) {
+  constexpr const char* kTryThis =
+      "take a closed cage, or none: then the convex hull of the handles is the cage";
+  geometry::requireValid(cage, where);
+  if (cage.triangles.rows() == 0)
+    throw DataError("has no triangles", where, kTryThis);
   const auto report = geometry::checkSurface(cage);
-  const auto refuse = [](int edges, const std::string& problem) {
+  const auto refuse = [&where](int edges, const std::string& problem) {
     if (edges > 0)
-      throw DataError(problem + " at " + std::to_string(edges) + " edges", "the cage",
-                      "take a closed cage, or none: then the convex hull of the handles is the cage");
+      throw DataError(problem + " at " + std::to_string(edges) + " edges", where, kTryThis);
   };
   refuse(report.boundaryEdges, "is open");
   refuse(report.nonManifoldEdges + report.misorientedEdges, "is not manifold");
+}
+
+std::vector<int> handlesAtVertices(const Points& handles, const geometry::TriangleMesh& cage) {
+  std::vector<int> found(static_cast<std::size_t>(cage.points.rows()), -1);
+  if (handles.rows() == 0)
+    return found;
+  const double tolerance = kSamePlace * boundsOf(cage.points).diagonal();
+  for (std::size_t vertex = 0; vertex < found.size(); ++vertex) {
+    Eigen::Index nearest = 0;
+    const auto place = cage.points.row(static_cast<Eigen::Index>(vertex));
+    const double squared = (handles.rowwise() - place).rowwise().squaredNorm().minCoeff(&nearest);
+    if (squared <= tolerance * tolerance)
+      found[vertex] = static_cast<int>(nearest);
+  }
+  return found;
 }
 
 Triangles cageOver(const Points& handles, const geometry::TriangleMesh& cage) {
   requireCage(cage);
   geometry::TriangleMesh outward = cage;
   geometry::orientOutward(outward);
-  const double tolerance = kSamePlace * boundsOf(cage.points).diagonal();
-  std::vector<std::int32_t> names(static_cast<std::size_t>(cage.points.rows()), -1);
+  const std::vector<int> names = handlesAtVertices(handles, cage);
   for (std::int32_t& corner : outward.triangles.reshaped<Eigen::RowMajor>()) {
-    std::int32_t& name = names[static_cast<std::size_t>(corner)];
-    if (name < 0) {
-      Eigen::Index nearest = 0;
-      const double distance =
-          handles.rows() == 0
-              ? tolerance + 1
-              : (handles.rowwise() - cage.points.row(corner)).rowwise().norm().minCoeff(&nearest);
-      if (!(distance <= tolerance))
-        throw DataError("there is no handle at vertex " + std::to_string(corner), "the cage",
-                        "make the handles from this cage: viscera handles ORGAN --cage FILE");
-      name = static_cast<std::int32_t>(nearest);
-    }
+    const int name = names[static_cast<std::size_t>(corner)];
+    if (name < 0)
+      throw DataError("there is no handle at vertex " + std::to_string(corner), "the cage",
+                      "make the handles from this cage: viscera handles ORGAN --cage FILE");
     corner = name;
   }
   return outward.triangles;

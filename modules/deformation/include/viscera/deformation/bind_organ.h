@@ -13,24 +13,28 @@ namespace viscera::deformation {
 /// Vertices without coordinates, and why.
 class UnboundVertices final : public DataError {
 public:
-  /// `outsideHull` of the `vertices` lie outside the hull of all handles; `groupsCount` when it is the
-  /// groups' regions that they lie outside of.
-  UnboundVertices(std::vector<int> vertices, int outsideHull, bool groupsCount, const std::string& what,
+  /// What the vertices lie outside of.
+  enum class Of { hull, regions, cage };
+
+  /// `outsideHull` of the `vertices` lie outside the hull of all handles.
+  UnboundVertices(std::vector<int> vertices, int outsideHull, Of of, const std::string& what,
                   const std::string& tryThis);
 
   const std::vector<int>& vertices() const { return vertices_; } ///< Rows of the organ's points, ascending.
   int outsideHull() const { return outsideHull_; }
-  bool groupsCount() const { return groupsCount_; }
+  /// It is the groups' regions, or the rig's own cage, that count.
+  bool groupsCount() const { return of_ == Of::regions; }
+  bool cageCounts() const { return of_ == Of::cage; }
 
 private:
   std::vector<int> vertices_;
   int outsideHull_;
-  bool groupsCount_;
+  Of of_;
 };
 
 /// Binds an organ to handles and does not accept a partial answer. Throws what the system throws, and
 /// `UnboundVertices` when vertices have no coordinates: how many, the first of them, how far out, and what
-/// helps: enclosing handles, or where groups count a group around them.
+/// helps: enclosing handles, where groups count a group around them, where a given cage counts another one.
 std::shared_ptr<const coordinates::Binding>
 bindOrgan(const coordinates::CoordinateSystem& system, const coordinates::HandleSet& handles,
           const Points& organPoints, const coordinates::BindOptions& options, Progress& progress);

@@ -20,4 +20,7 @@ struct LayoutParts {
 std::vector<RegionHull> layoutHulls(const coordinates::SpaceLayout& layout,
                                     const std::vector<Vec3>& groupColors, const LayoutParts& shown);
 
+/// A cage as it is drawn, by its triangles over the handles (`n x 3` mm), in the grey of what has no group.
+RegionHull cageHull(const Points& handles, const Triangles& cage);
+
 } // namespace viscera::scene

@@ -12,8 +12,8 @@ namespace viscera::session {
 /// it back is to go back to the state before, so an undo is exact whatever the command does.
 ///
 /// `apply` throws an `Error` when the change is not possible; the document is then as it was. The commands
-/// there are come from the functions in organ_commands.h, rig_commands.h, group_commands.h, pose_commands.h,
-/// system_commands.h and open_files.h.
+/// there are come from the functions in organ_commands.h, rig_commands.h, group_commands.h, cage_commands.h,
+/// pose_commands.h, system_commands.h and open_files.h.
 struct Command {
   std::string name; ///< "Move handle H-3", for the menu; a user reads it.
   std::function<DocumentState(const DocumentState& state, IdSource& ids)> apply;

@@ -30,6 +30,8 @@ struct BindingStatus {
   coordinates::BindingReport report; ///< Of the binding in use; `report.seconds` is the time on the badge.
   /// Failed: vertices that lie in no group's region; `addEnclosingGroup` would mend it.
   std::vector<int> inNoRegion = {};
+  /// Failed: it was a given cage that could not hold the organ; `dropCage` may mend it.
+  bool givenCage = false;
 };
 
 /// What one organ's volume is and was. Meaningless for an open surface.

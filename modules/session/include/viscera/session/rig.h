@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -34,11 +35,17 @@ struct Group {
   friend bool operator==(const Group&, const Group&) = default;
 };
 
+/// The corners of one triangle of a cage, counter-clockwise seen from outside.
+using CageTriangle = std::array<HandleId, 3>;
+
 /// The handles that all organs of a document share. The order of the handles is that of the rows of every
 /// pose.
 struct Rig {
   std::vector<Handle> handles;
   std::vector<Group> groups;
+  /// The closed surface over handles at rest that systems with a cage work with; empty: the convex hull of
+  /// all handles.
+  std::vector<CageTriangle> cage;
 
   /// Rest positions, `n x 3` mm.
   Points restPositions() const;
@@ -51,13 +58,16 @@ struct Rig {
   /// The first group that a handle is in (it gives the handle its colour), or null.
   const Group* groupOf(HandleId id) const;
 
+  /// How many handles are corners of the given cage.
+  int cornerCount() const;
+
   friend bool operator==(const Rig&, const Rig&) = default;
 };
 
 /// What a user calls these handles: "handle H-3", or "5 handles".
 std::string describe(const Rig& rig, const std::vector<HandleId>& handles);
 
-/// The rig as a coordinate system takes it: positions and groups, without a cage.
+/// The rig as a coordinate system takes it: positions, groups, and the cage that was given, if any.
 coordinates::HandleSet handleSet(const Rig& rig);
 
 } // namespace viscera::session

@@ -36,6 +36,7 @@ struct NewGroup {
 struct NewRig {
   std::vector<NewHandle> handles;
   std::vector<NewGroup> groups;
+  Triangles cage = {}; ///< Indices into `handles`, closed and outward; empty: the handles' convex hull.
 };
 
 /// A new handle for every row of `positions` (`n x 3`), unlabelled.
@@ -53,7 +54,8 @@ Command addEnclosingHandles();
 /// when vertices lie in no group's region. Throws `UsageError` for an organ or vertices that are not there.
 Command addEnclosingGroup(OrganId organ, std::vector<int> vertices);
 
-/// Removes handles; groups lose them but stay.
+/// Removes handles; groups lose them but stay. With a corner of the cage goes the cage: the convex hull takes
+/// its place.
 Command removeHandles(std::vector<HandleId> handles);
 
 /// Moves handles at rest to `positions` (`handles x 3`). A handle keeps its displacement in the pose: one at
