@@ -220,10 +220,10 @@ TEST_F(Cage, ThatCannotHoldTheOrganIsSaidWithTheHullAsAnOffer) {
 
 TEST_F(Cage, IsOfferedOnlyForCoordinatesThatNeedOne) {
   EXPECT_TRUE(window().actions()["cage.load"]->isEnabled());
-  EXPECT_NE(button(QStringLiteral("Load a cage...")), nullptr);
+  EXPECT_NE(button(QStringLiteral("Load a cage")), nullptr);
   choose("s-celestial");
   EXPECT_FALSE(window().actions()["cage.load"]->isEnabled());
-  EXPECT_EQ(button(QStringLiteral("Load a cage...")), nullptr);
+  EXPECT_EQ(button(QStringLiteral("Load a cage")), nullptr);
   EXPECT_TRUE(hulls().empty());
 }
 

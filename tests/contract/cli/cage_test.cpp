@@ -48,6 +48,11 @@ TEST_F(CliCage, ThatIsOpenOrFitsNoHandlesIsRefused) {
   text.replace(text.find("8 12 0"), 6, "8 11 0");
   expectFailure({"handles", organ_, "--cage", put("open.off", text), "-o", path("h.mrk.json")}, kBadData,
                 "open at 3 edges");
+  std::string crossing = cubeOff(30);
+  const std::string corner = "30.000000 30.000000 30.000000\n";
+  crossing.replace(crossing.rfind(corner), corner.size(), "-50 0 0\n");
+  expectFailure({"handles", organ_, "--cage", put("crossing.off", crossing), "-o", path("h.mrk.json")},
+                kBadData, "crosses itself");
   put("h.mrk.json", markups(corners(25)));
   expectFailure({"bind", organ_, "--handles", path("h.mrk.json"), "--cage", cage_, "--system", "green"},
                 kBadData, "no handle at vertex 0");
