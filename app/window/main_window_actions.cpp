@@ -164,12 +164,14 @@ void MainWindow::makeHandleActions() {
   actions_.add("handles.remove",
                {tr("&Remove handles"), "remove", {QKeySequence::Delete}, tr("Remove the selected handles")},
                [this] { workspace_.perform(session::removeHandles(workspace_.selection().handles())); });
-  actions_.add("cage.load",
-               {tr("Load a &cage..."),
-                "open",
-                {},
-                tr("Take a closed surface around the organ as the cage; its vertices are the handles")},
-               [this] { files_->chooseAndLoadCage(); });
+  actions_.add(
+      "cage.load",
+      {tr("Load a &cage..."),
+       "open",
+       {},
+       tr("For coordinates with a cage: take a closed surface around the organ; its vertices are the "
+          "handles")},
+      [this] { files_->chooseAndLoadCage(); });
   actions_.add("cage.hull",
                {tr("Take the &hull as the cage"),
                 "enclosing",

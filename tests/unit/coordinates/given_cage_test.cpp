@@ -44,6 +44,17 @@ TEST(GivenCage, ThatIsOpenOrWithoutAHandleIsRefusedByName) {
   EXPECT_THAT(refusal(handles, box), testing::HasSubstr("no handle at vertex 5"));
   box.triangles.conservativeResize(11, 3);
   EXPECT_THAT(refusal(box.points, box), testing::HasSubstr("open at 3 edges"));
+  box.triangles.resize(0, 3);
+  EXPECT_THAT(refusal(box.points, box), testing::HasSubstr("no triangles"));
+}
+
+TEST(GivenCage, KnowsWhichHandlesLieAtItsVertices) {
+  const auto box = tests::box(20, 30, 40);
+  Points handles = box.points.bottomRows(7);
+  handles(0, 0) += 1e-5;
+  handles(1, 0) += 1e-3;
+  EXPECT_THAT(handlesAtVertices(handles, box), testing::ElementsAre(-1, 0, -1, 2, 3, 4, 5, 6));
+  EXPECT_THAT(handlesAtVertices(Points(0, 3), box), testing::Each(-1));
 }
 
 } // namespace

@@ -3,8 +3,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "concave_cage.h"
 #include "shapes.h"
 #include "viscera/coordinates/celestial/s_celestial.h"
+#include "viscera/coordinates/green/green_coordinates.h"
 #include "viscera/core/error.h"
 #include "viscera/deformation/place_handles.h"
 
@@ -48,6 +50,23 @@ TEST(BindOrgan, SaysHowManyVerticesAreOutsideAndByHowMuch) {
     EXPECT_THAT(error.problem(), testing::HasSubstr("by up to 1 mm"));
     EXPECT_EQ(error.where(), "vertex " + std::to_string(first));
     EXPECT_THAT(error.tryThis(), testing::HasSubstr("enclosing"));
+  }
+}
+
+TEST(BindOrgan, SaysThatItIsTheGivenCageThatVerticesLieOutsideOf) {
+  const coordinates::HandleSet handles = tests::concaveCage();
+  Points organ(3, 3);
+  organ << 20, 20, 20, 60, 60, 60, 60, 55, 60; // The last two lie in the dent.
+  Progress progress;
+  try {
+    bindOrgan(coordinates::GreenCoordinates(), handles, organ, {}, progress);
+    FAIL() << "vertices outside the cage were accepted";
+  } catch (const UnboundVertices& error) {
+    EXPECT_TRUE(error.cageCounts());
+    EXPECT_FALSE(error.groupsCount());
+    EXPECT_EQ(error.vertices(), (std::vector<int>{1, 2}));
+    EXPECT_THAT(error.problem(), testing::HasSubstr("2 of 3 vertices have no coordinates in the cage"));
+    EXPECT_THAT(error.tryThis(), testing::HasSubstr("convex hull"));
   }
 }
 
