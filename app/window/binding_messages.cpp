@@ -70,7 +70,11 @@ Message BindingMessages::messageFor(const session::Organ& organ, const session::
     return message;
   }
   if (status.givenCage) {
-    message.text = tr("%1: %2").arg(text(organ.name), asSentence(status.message));
+    message.text = asSentence(status.message);
+    if (status.outsideCage > 0)
+      message.text = tr("%n {vertex of %1 has|vertices of %1 have} no coordinates in the cage.", nullptr,
+                        status.outsideCage)
+                         .arg(text(organ.name));
     message.offers.push_back(
         {tr("Take the hull as the cage"), [this] { mended_.perform(session::dropCage()); }});
     message.offers.push_back({tr("Undo"), [this] { mended_.guarded([this] { mended_.undo().undo(); }); }});

@@ -42,6 +42,7 @@ struct BindingFailure {
   int outsideHull = 0;
   std::vector<int> inNoRegion = {};
   bool givenCage = false;
+  int outsideCage = 0;
 };
 
 /// What is wrong with a target before any organ is looked at, if anything.

@@ -40,6 +40,7 @@ BindingResult bindToTarget(const Organ& organ, const BindingTarget& target, Thre
     result.failure = BindingFailure{BindingStatus::State::failed, error.what(),
                                     error.cageCounts() ? 0 : error.outsideHull(),
                                     error.groupsCount() ? error.vertices() : std::vector<int>()};
+    result.failure->outsideCage = error.cageCounts() ? static_cast<int>(error.vertices().size()) : 0;
   } catch (const DataError& error) {
     result.failure = BindingFailure{BindingStatus::State::failed, error.what(),
                                     usesGivenCage(target)
@@ -70,7 +71,8 @@ void BoundOrgan::fail(const BindingFailure& failure) {
     pending.replaced = pending.moved = true;
   deformer.reset();
   boundTo.reset();
-  status = {failure.state, failure.message, failure.outsideHull, {}, failure.inNoRegion, failure.givenCage};
+  status = {failure.state,      failure.message,   failure.outsideHull, {},
+            failure.inNoRegion, failure.givenCage, failure.outsideCage};
   pending.status = true;
 }
 
@@ -80,6 +82,7 @@ void BoundOrgan::setState(BindingStatus::State state) {
   status.outsideHull = 0;
   status.inNoRegion.clear();
   status.givenCage = false;
+  status.outsideCage = 0;
   pending.status = true;
 }
 

@@ -208,12 +208,14 @@ TEST(CageBinding, SaysHowManyVerticesHaveNoCoordinatesAndTheHullMends) {
   const BindingStatus status = s.status();
   ASSERT_EQ(status.state, State::failed);
   EXPECT_TRUE(status.givenCage);
+  EXPECT_GT(status.outsideCage, 0);
   EXPECT_EQ(status.outsideHull, 0);
   EXPECT_THAT(status.message, AllOf(HasSubstr("have no coordinates in the cage"), HasSubstr("convex hull")));
   EXPECT_TRUE(s.live.points(s.organ()).allFinite());
   s.undo.perform(dropCage());
   EXPECT_EQ(s.status().state, State::bound);
   EXPECT_FALSE(s.status().givenCage);
+  EXPECT_EQ(s.status().outsideCage, 0);
 }
 
 } // namespace

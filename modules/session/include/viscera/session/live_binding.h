@@ -32,6 +32,7 @@ struct BindingStatus {
   std::vector<int> inNoRegion = {};
   /// Failed: it was a given cage that could not hold the organ; `dropCage` may mend it.
   bool givenCage = false;
+  int outsideCage = 0; ///< Failed: vertices that have no coordinates in the given cage.
 };
 
 /// What one organ's volume is and was. Meaningless for an open surface.
