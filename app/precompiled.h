@@ -1,5 +1,6 @@
-// What most files of the program include, compiled once (option VISCERA_PRECOMPILE). No file relies on it: each includes
-// what it uses, and builds without it. CLI11 and JSON stay out: few files need them, and they slow down all others.
+// What most files of the program include, compiled once (option VISCERA_PRECOMPILE). No file relies on it:
+// each includes what it uses, and builds without it. CLI11 and JSON stay out: few files need them, and they
+// slow down all others.
 #pragma once
 
 #include <QAction>

@@ -20,8 +20,8 @@ private:
   QWidget* makeTitle(const QString& title);
 };
 
-/// `contents` in an area that scrolls up and down and is as wide as it is given. The wheel scrolls it and changes no
-/// value in it.
+/// `contents` in an area that scrolls up and down and is as wide as it is given. The wheel scrolls it and
+/// changes no value in it.
 QWidget* scrolled(QWidget* contents);
 
 } // namespace viscera::app

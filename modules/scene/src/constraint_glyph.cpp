@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <array>
-#include <vector>
 #include <utility>
+#include <vector>
 
 #include <vtkArrowSource.h>
 #include <vtkMatrix4x4.h>
