@@ -10,13 +10,12 @@
 
 #include "camera_json.h"
 #include "cli/listing.h"
-#include "cli/session_maps.h"
+#include "cli/session_overlays.h"
 #include "viscera/core/error.h"
 #include "viscera/scene/vtkVisceraHandleSetRepresentation.h"
 #include "viscera/session/live_binding.h"
 #include "viscera/session/measurement.h"
 #include "viscera/session/undo_stack.h"
-#include "window/measure/measure_scene.h"
 
 namespace viscera::app::cli {
 namespace {
@@ -57,29 +56,9 @@ Points shownPose(const session::DocumentState& state, const ordered_json& view) 
   return pose;
 }
 
-bool on(const ordered_json& view, const char* name, bool standard) {
-  const ordered_json switches = view.value("switches", ordered_json::object());
-  return switches.is_object() ? switches.value(name, standard) : standard;
-}
-
 bool showsHandles(const ordered_json& view) {
   const std::string mode = view.value("mode", std::string());
-  return mode == "handles" || mode == "deform" || on(view, "view.handles", false);
-}
-
-/// What was switched on and is not drawn.
-std::vector<std::string> undrawn(const ordered_json& view) {
-  static constexpr std::array<std::pair<const char*, const char*>, 5> kUndrawn = {
-      {{"view.ghost", "the ghost of the rest shape"},
-       {"view.labels", "the labels of the organs"},
-       {"handles.regions", "the regions of the groups"},
-       {"handles.zones", "the zones of the groups"},
-       {"handles.superRegions", "the super-regions of the groups"}}};
-  std::vector<std::string> list;
-  for (const auto& [name, description] : kUndrawn)
-    if (on(view, name, false))
-      list.emplace_back(description);
-  return list;
+  return mode == "handles" || mode == "deform" || switchedOn(view, "view.handles", false);
 }
 
 /// Each with its value at rest.
@@ -137,6 +116,7 @@ Outcome describeSession(const std::string& file, Surroundings& surroundings) {
                   {"organs", std::move(organs)},
                   {"handles", state.rig->handles.size()},
                   {"groups", std::move(groups)},
+                  {"cageTriangles", state.rig->cage.size()},
                   {"posed", !session::atRest(state)},
                   {"system", {{"id", state.system->id}, {"parameters", std::move(parameters)}}},
                   {"recordedKeys", state.recording->keys.size()},
@@ -146,6 +126,8 @@ Outcome describeSession(const std::string& file, Surroundings& surroundings) {
               std::to_string(state.rig->handles.size()) + (session::atRest(state) ? ", at rest" : ", posed"));
   for (const session::Group& group : state.rig->groups)
     listing.add("group", group.name + ": " + std::to_string(group.handles.size()));
+  if (!state.rig->cage.empty())
+    listing.add("cage", std::to_string(state.rig->cage.size()) + " triangles");
   listing.add("coordinates", state.system->id)
       .add("recorded keys", std::to_string(state.recording->keys.size()));
   for (const ordered_json& item : outcome.json["measurements"])
@@ -172,7 +154,7 @@ SessionPicture sessionPicture(const session::OpenedSession& opened, const StageO
   undo.reset(state);
   Stage stage(options, surroundings.threads);
   StagedSession staged{document, live, jobs, box, stage, {}};
-  scene::MeasurementGlyphs measurements(stage.view());
+  std::unique_ptr<SessionOverlays> overlays;
   std::unique_ptr<SessionStress> stress;
   SessionPicture picture;
   try {
@@ -186,20 +168,15 @@ SessionPicture sessionPicture(const session::OpenedSession& opened, const StageO
       stage.showHandles(rigOf(*state.rig));
       stage.view().handles()->SetPositions(live.shownPose());
     }
-    if (on(view, "view.measurements", true)) {
-      measurements.setTheme(stage.view().theme());
-      measurements.setItems(measurementItems(
-          state, [&live](session::OrganId organ) -> const Points& { return live.points(organ); }));
-    }
-    stage.view().setOrientationCubeShown(on(view, "view.cube", true));
-    stage.view().setScaleBarShown(on(view, "view.scale", true));
+    stage.view().setOrientationCubeShown(switchedOn(view, "view.cube", true));
+    stage.view().setScaleBarShown(switchedOn(view, "view.scale", true));
+    overlays = std::make_unique<SessionOverlays>(staged, view, surroundings.systems);
     stage.compose();
-    picture.leftOut = undrawn(view);
     if (showsInfluence(view))
       drawInfluence(staged, view);
     if (showsStress(view)) {
       stress = std::make_unique<SessionStress>(staged, view, surroundings.systems, surroundings.threads);
-      picture.leftOut.insert(picture.leftOut.end(), stress->leftOut().begin(), stress->leftOut().end());
+      picture.leftOut = stress->leftOut();
     }
     if (!fromSide && view.contains("camera"))
       setCamera(view.at("camera"), *stage.view().renderer());

@@ -2,24 +2,24 @@
 
 namespace viscera::app {
 
+coordinates::SpaceLayout layoutOf(const session::DocumentState& state, const plugin::Registry& systems) {
+  if (!systems.contains(state.system->id) || state.rig->handles.empty())
+    return {};
+  try {
+    return systems.find(state.system->id)->layout(session::handleSet(*state.rig), state.system->parameters);
+  } catch (const Error&) {
+    return {}; // A flat group, say: binding fails for the same reason and tells it.
+  }
+}
+
 const coordinates::SpaceLayout& GroupLayout::now() {
   const session::DocumentState& state = workspace_.state();
   if (state.rig != rig_ || state.system != system_) {
     rig_ = state.rig;
     system_ = state.system;
-    layout_ = compute();
+    layout_ = layoutOf(state, workspace_.registry());
   }
   return layout_;
-}
-
-coordinates::SpaceLayout GroupLayout::compute() const {
-  if (!workspace_.registry().contains(system_->id) || rig_->handles.empty())
-    return {};
-  try {
-    return workspace_.registry().find(system_->id)->layout(session::handleSet(*rig_), system_->parameters);
-  } catch (const Error&) {
-    return {}; // A flat group, say: binding fails for the same reason and tells it.
-  }
 }
 
 } // namespace viscera::app

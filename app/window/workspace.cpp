@@ -49,9 +49,13 @@ void Workspace::report(const Error& error) {
   say(message);
 }
 
+coordinates::Traits traitsOf(const session::DocumentState& state, const plugin::Registry& systems) {
+  const std::string& id = state.system->id;
+  return systems.contains(id) ? systems.find(id)->traits() : coordinates::Traits();
+}
+
 coordinates::Traits Workspace::systemTraits() const {
-  const std::string& id = document_.system().id;
-  return registry_.contains(id) ? registry_.find(id)->traits() : coordinates::Traits();
+  return traitsOf(document_.state(), registry_);
 }
 
 std::shared_ptr<const session::Organ> Workspace::currentOrgan() const {

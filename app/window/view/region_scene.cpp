@@ -18,6 +18,20 @@ Triangles cageOf(const coordinates::HandleSet& handles) {
 
 } // namespace
 
+std::vector<scene::RegionHull> regionHulls(const session::Rig& rig, const coordinates::SpaceLayout& layout,
+                                           const scene::LayoutParts& shown, bool withCage) {
+  std::vector<Vec3> colors;
+  for (const session::Group& group : rig.groups)
+    colors.push_back(group.color);
+  std::vector<scene::RegionHull> hulls = scene::layoutHulls(layout, colors, shown);
+  if (!withCage || !shown.regions)
+    return hulls;
+  const coordinates::HandleSet handles = session::handleSet(rig);
+  if (const Triangles cage = cageOf(handles); cage.rows() > 0)
+    hulls.push_back(scene::cageHull(handles.positions, cage));
+  return hulls;
+}
+
 RegionScene::RegionScene(Workspace& workspace, GroupLayout& layout, scene::OrganView& view, QObject* parent)
     : QObject(parent), workspace_(workspace), layout_(layout), view_(view) {
   subscription_ = workspace.onChange([this](const session::Change& change) {
@@ -42,17 +56,9 @@ void RegionScene::setShown(const scene::LayoutParts& shown) {
 
 void RegionScene::sync() {
   std::vector<scene::RegionHull> hulls;
-  if (mode_ == Mode::handles && shown_.any()) {
-    std::vector<Vec3> colors;
-    for (const session::Group& group : workspace_.document().rig().groups)
-      colors.push_back(group.color);
-    hulls = scene::layoutHulls(layout_.now(), colors, shown_);
-  }
-  if (mode_ == Mode::handles && shown_.regions && workspace_.systemTraits().needsCage) {
-    const coordinates::HandleSet handles = session::handleSet(workspace_.document().rig());
-    if (const Triangles cage = cageOf(handles); cage.rows() > 0)
-      hulls.push_back(scene::cageHull(handles.positions, cage));
-  }
+  if (mode_ == Mode::handles)
+    hulls =
+        regionHulls(workspace_.document().rig(), layout_.now(), shown_, workspace_.systemTraits().needsCage);
   if (hulls.empty() && view_.regions().hulls().empty())
     return;
   view_.regions().setHulls(std::move(hulls));

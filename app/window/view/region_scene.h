@@ -9,6 +9,11 @@
 
 namespace viscera::app {
 
+/// What is drawn of a layout over handles at rest, in the colours of the groups, and with the regions also
+/// the cage where `withCage`.
+std::vector<scene::RegionHull> regionHulls(const session::Rig& rig, const coordinates::SpaceLayout& layout,
+                                           const scene::LayoutParts& shown, bool withCage);
+
 /// Shows the regions, zones and super-regions of the groups, and the cage of coordinates that need one, while
 /// the handles are edited at rest.
 class RegionScene final : public QObject {

@@ -1,4 +1,5 @@
 #include "cli_test.h"
+#include "shapes.h"
 #include "viscera/session/open_files.h"
 #include "viscera/session/pose_commands.h"
 #include "viscera/session/session_file.h"
@@ -35,8 +36,9 @@ protected:
     session::writeSession(path(name), contents_, progress);
   }
 
-  std::string drawn(const std::string& name, const std::vector<std::string>& more = {}) const {
-    std::vector<std::string> arguments = {"render", path(name), "-o", path("p.png"), "--size", "200x160"};
+  std::string drawn(const std::string& name, const std::vector<std::string>& more = {},
+                    const std::string& size = "200x160") const {
+    std::vector<std::string> arguments = {"render", path(name), "-o", path("p.png"), "--size", size};
     arguments.insert(arguments.end(), more.begin(), more.end());
     runJson(arguments);
     return contents(path("p.png"));
@@ -53,6 +55,7 @@ TEST_F(CliSession, InfoSaysWhatIsInIt) {
   EXPECT_NEAR(result["organs"][0]["volumeMl"].get<double>(), 8, 1e-9);
   EXPECT_EQ(result["handles"], 8);
   EXPECT_EQ(result["groups"][0]["name"], "All");
+  EXPECT_EQ(result["cageTriangles"], 0);
   EXPECT_EQ(result["posed"], true);
   EXPECT_EQ(result["system"]["id"], "s-celestial");
   EXPECT_TRUE(result["warnings"].empty());
@@ -130,9 +133,27 @@ TEST_F(CliSession, RenderDrawsTheStressMapAsItWasLookedAt) {
   view(glyphs, "glyphs.viscera");
   const std::string said =
       run({"render", path("glyphs.viscera"), "-o", path("p.png"), "--size", "200x160"}).err;
-  EXPECT_NE(said.find("warning: the window showed what is not drawn here: the ghost"), std::string::npos)
+  EXPECT_NE(said.find("warning: the window showed what is not drawn here: the glyphs of the stretches"),
+            std::string::npos)
       << said;
-  EXPECT_NE(said.find("the glyphs of the stretches"), std::string::npos) << said;
+}
+
+TEST_F(CliSession, RenderDrawsGhostsLabelsAndRegionsThatWereSwitchedOn) {
+  session::Organ ball = session::makeOrgan("Ball", tests::sphere(3, 10));
+  ball.id = contents_.state.organs->front()->id;
+  contents_.state.organs = std::make_shared<session::OrganList>(
+      session::OrganList{std::make_shared<const session::Organ>(std::move(ball))});
+  const auto view = [this](const std::string& mode, const std::string& name, bool on) {
+    contents_.view = json{{"mode", mode}, {"switches", {{name, on}}}}.dump();
+    write("overlay.viscera");
+    return drawn("overlay.viscera", {}, "600x400"); // Labels need room.
+  };
+  for (const std::string name : {"view.ghost", "view.labels"})
+    EXPECT_TRUE(view("deform", name, true) != view("deform", name, false)) << name;
+  contents_.state.system = std::make_shared<session::SystemChoice>(session::SystemChoice{"mean-value", {}});
+  EXPECT_TRUE(view("handles", "handles.regions", true) != view("handles", "handles.regions", false))
+      << "these coordinates have a cage";
+  EXPECT_TRUE(view("deform", "handles.regions", true) == view("deform", "handles.regions", false));
 }
 
 TEST_F(CliSession, MeasurementsAreListedAndDrawnUnlessTheyWereHidden) {
