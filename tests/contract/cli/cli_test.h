@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -67,6 +68,21 @@ protected:
     json parsed = json::parse(result.out, nullptr, false);
     EXPECT_TRUE(parsed.is_object()) << "not one JSON object:\n" << result.out;
     return parsed.is_object() ? parsed : json::object();
+  }
+
+  /// Runs and interrupts after this time; a quick machine may be done before that: then again, earlier,
+  /// without what the test's folder has of these names.
+  test::ProcessResult interrupted(const std::vector<std::string>& arguments, std::chrono::milliseconds after,
+                                  const std::vector<std::string>& written) {
+    options_.interruptAfter = after;
+    test::ProcessResult result = run(arguments);
+    while (result.exitCode == kOk && options_.interruptAfter->count() > 1) {
+      for (const std::string& name : written)
+        std::filesystem::remove_all(folder_ / name);
+      *options_.interruptAfter /= 2;
+      result = run(arguments);
+    }
+    return result;
   }
 
   /// Runs with and without --json; both have to fail with `exitCode`, with one line on stderr that holds

@@ -8,9 +8,10 @@ namespace viscera::app::cli {
 class CliInterrupt : public CliTest, public testing::WithParamInterface<int> {};
 
 TEST_P(CliInterrupt, LeavesNothingHalfWritten) {
-  options_.interruptAfter = std::chrono::milliseconds(GetParam());
   options_.environment["XDG_CACHE_HOME"] = path("cache"); // Nothing is there: the organ has to be made.
-  const test::ProcessResult result = run({"sample", "digestive_system@high", "-o", path("d.vtp"), "--json"});
+  const test::ProcessResult result =
+      interrupted({"sample", "digestive_system@high", "-o", path("d.vtp"), "--json"},
+                  std::chrono::milliseconds(GetParam()), {"d.vtp", "cache"});
   ASSERT_EQ(result.exitCode, kCancelled) << result.err;
   EXPECT_EQ(result.out, "");
   EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
