@@ -41,10 +41,10 @@ std::vector<std::shared_ptr<const session::Organ>> wallsOf(const session::OrganL
 PlayParts::PlayParts(const Window& window, const session::Player::Clock& clock)
     : window_(window),
       labels_(std::make_unique<LabelScene>(window.workspace, window.organs, window.area.view()->view())),
-      comparison_(
-          std::make_unique<Comparison>(Comparison::First{window.workspace, window.playback, window.volumes,
-                                                         window.area, window.settings, window.organs},
-                                       clock)),
+      comparison_(std::make_unique<Comparison>(Comparison::First{window.workspace, window.playback,
+                                                                 window.volumes, window.area, window.settings,
+                                                                 window.organs, window.handles},
+                                               clock)),
       recorder_(std::make_unique<Recorder>(window.workspace)),
       recorded_(std::make_unique<RecordedMotion>(window.workspace, window.playback)) {
   connect(labels_.get(), &LabelScene::changed, window.area.view(), &ViewWidget::scheduleRender);

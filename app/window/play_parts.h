@@ -20,6 +20,7 @@
 
 namespace viscera::app {
 
+class HandleScene;
 class PlayPage;
 class StatusLine;
 class TimelineBar;
@@ -38,6 +39,7 @@ public:
     VolumeMonitor& volumes;
     SampleLoader& samples;
     OrganScene& organs;
+    HandleScene& handles;
     ViewArea& area;
     Settings& settings;
   };

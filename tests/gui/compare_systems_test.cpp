@@ -51,6 +51,16 @@ TEST_F(TwoSystems, FollowTheSameDragInTheirOwnWay) {
   EXPECT_TRUE(second().undo().names().empty()) << "only the first document has steps";
 }
 
+TEST_F(TwoSystems, ShowTheirHandlesInTheSameModes) {
+  const auto shown = [](app::ViewWidget& view) { return view.view().handles()->GetHandleShown(0) != 0; };
+  for (const Qt::Key mode : {Qt::Key_3, Qt::Key_1, Qt::Key_2, Qt::Key_5}) {
+    key(mode);
+    settle();
+    EXPECT_EQ(shown(view()), mode == Qt::Key_3 || mode == Qt::Key_2);
+    EXPECT_EQ(shown(comparison().view()), shown(view())) << mode;
+  }
+}
+
 TEST_F(TwoSystems, ShowTheWholeOrganInHalfTheWidthAndHaveNothingToComplainOf) {
   settle();
   const Bounds box = boundsOf(document().organs().front()->mesh->points);

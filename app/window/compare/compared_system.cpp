@@ -11,17 +11,18 @@ std::string firstChoice(const session::SystemChoice& other) {
 
 } // namespace
 
-ComparedSystem::ComparedSystem(const Side& first, const Side& second, MessageBar* messages, QObject* parent)
-    : QObject(parent), first_(first), second_(second), poses_(second.workspace),
+ComparedSystem::ComparedSystem(const Side& first, const HandleScene& handles, const Side& second,
+                               MessageBar* messages, QObject* parent)
+    : QObject(parent), first_(first), second_(second), poses_(second.workspace), firstHandles_(handles),
       handles_(std::make_unique<HandleScene>(second.workspace, poses_, second.view.view())),
       messages_(second.workspace, messages, nullptr, &first.workspace) {
   auto choice = std::make_shared<session::SystemChoice>();
   choice->id = firstChoice(first.workspace.document().system());
   choice_ = std::move(choice);
   handles_->setMode(Mode::explore);
-  handles_->setAlwaysShown(true);
   connect(handles_.get(), &HandleScene::changed, &second.view, &ViewWidget::scheduleRender);
   connect(&first.organs, &OrganScene::changed, this, &ComparedSystem::followLook);
+  connect(&handles, &HandleScene::changed, this, &ComparedSystem::followLook);
   subscriptions_.push_back(first.workspace.selection().onChange([this] { followSelection(); }));
 }
 
@@ -69,6 +70,8 @@ void ComparedSystem::followLook() {
     second_.organs.setGhostShown(first_.organs.ghostShown());
   if (second_.organs.influenceShown() != first_.organs.influenceShown())
     second_.organs.setInfluenceShown(first_.organs.influenceShown());
+  if (handles_->alwaysShown() != firstHandles_.shown())
+    handles_->setAlwaysShown(firstHandles_.shown());
 }
 
 void ComparedSystem::followSelection() {

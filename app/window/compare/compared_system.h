@@ -30,9 +30,10 @@ public:
     ViewWidget& view;
   };
 
-  /// Begins with T-Celestial coordinates, which take any handles as the program's own do; with those when the
-  /// first view has T-Celestial.
-  ComparedSystem(const Side& first, const Side& second, MessageBar* messages, QObject* parent = nullptr);
+  /// `handles` are those of the first view. Begins with T-Celestial coordinates, which take any handles as
+  /// the program's own do; with those when the first view has T-Celestial.
+  ComparedSystem(const Side& first, const HandleScene& handles, const Side& second, MessageBar* messages,
+                 QObject* parent = nullptr);
   ~ComparedSystem() override;
 
   /// The list of systems, for the second view's header, which owns it from then on.
@@ -55,6 +56,7 @@ private:
   Side first_;
   Side second_;
   PoseEditor poses_; ///< Moves nothing: handles are moved in the first view.
+  const HandleScene& firstHandles_;
   std::unique_ptr<HandleScene> handles_;
   BindingMessages messages_;
   std::shared_ptr<const session::SystemChoice> choice_;

@@ -169,7 +169,7 @@ void Comparison::showOtherCoordinates() {
     return;
   same_ = true;
   second_->system = std::make_unique<ComparedSystem>(
-      ComparedSystem::Side{first_.workspace, first_.organs, *first_.area.view()},
+      ComparedSystem::Side{first_.workspace, first_.organs, *first_.area.view()}, first_.handles,
       ComparedSystem::Side{second_->workspace, *second_->organs, *second_->view}, first_.area.messages());
   secondHeader_->addControl(second_->system->makeChooser());
   connect(second_->system.get(), &ComparedSystem::chosen, this, [this] {

@@ -16,6 +16,7 @@ class QSpinBox;
 namespace viscera::app {
 
 class ComparedSystem;
+class HandleScene;
 class OrganScene;
 class SideHeader;
 class ViewArea;
@@ -36,6 +37,7 @@ public:
     ViewArea& area;
     Settings& settings;
     OrganScene& organs;
+    const HandleScene& handles;
   };
 
   /// `clock` is the one that drives the first playback.

@@ -13,7 +13,7 @@ constexpr int kNarrowest = 160;
 } // namespace
 
 SideHeader::SideHeader(const QString& letter, QWidget* parent)
-    : QFrame(parent), row_(new QHBoxLayout(this)), title_(new QLabel(this)), phase_(new QLabel(this)),
+    : QFrame(parent), row_(new QHBoxLayout(this)), title_(new QLabel(this)), phase_(new ElidedLabel(this)),
       volumes_(new ElidedLabel(this)) {
   setObjectName(QStringLiteral("sideHeader"));
   setAttribute(Qt::WA_StyledBackground);
@@ -29,6 +29,7 @@ SideHeader::SideHeader(const QString& letter, QWidget* parent)
   badge->setFont(bold);
   title_->setFont(bold);
   phase_->setObjectName(QStringLiteral("muted"));
+  phase_->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Preferred);
   volumes_->setObjectName(QStringLiteral("sideVolumes"));
   row_->addWidget(badge);
   row_->addWidget(title_);
@@ -41,7 +42,7 @@ void SideHeader::setTitle(const QString& title) {
 }
 
 void SideHeader::setState(const QString& phase, const QString& volumes) {
-  phase_->setText(phase);
+  phase_->setFullText(phase);
   if (volumes_->fullText() != volumes)
     volumes_->setFullText(volumes);
 }
@@ -51,7 +52,7 @@ QString SideHeader::volumes() const {
 }
 
 QString SideHeader::phase() const {
-  return phase_->text();
+  return phase_->fullText();
 }
 
 void SideHeader::addControl(QWidget* control) {

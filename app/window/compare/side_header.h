@@ -29,7 +29,7 @@ public:
 private:
   QHBoxLayout* row_;
   QLabel* title_;
-  QLabel* phase_;
+  ElidedLabel* phase_;
   ElidedLabel* volumes_;
 };
 

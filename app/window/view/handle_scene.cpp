@@ -118,10 +118,9 @@ void HandleScene::syncRig() {
 void HandleScene::syncShown() {
   const session::Rig& rig = workspace_.document().rig();
   auto* handles = view_.handles();
-  const bool shown = editable() || alwaysShown_;
   for (std::size_t row = 0; row < rig.handles.size(); ++row) {
     const bool here = !shownWhere_ || shownWhere_(handles->GetPosition(static_cast<int>(row)));
-    handles->SetHandleShown(static_cast<int>(row), shown && here && rig.handles[row].visible);
+    handles->SetHandleShown(static_cast<int>(row), shown() && here && rig.handles[row].visible);
     handles->SetHandleLocked(static_cast<int>(row), rig.handles[row].locked || !editable());
   }
   Q_EMIT changed();

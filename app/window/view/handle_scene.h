@@ -24,6 +24,8 @@ public:
   /// Shows the handles also where they cannot be moved (Explore, Play).
   void setAlwaysShown(bool shown);
   bool alwaysShown() const { return alwaysShown_; }
+  /// Whether there are handles to be seen, by the mode or always.
+  bool shown() const { return editable() || alwaysShown_; }
   /// In Stress mode handles can be moved only while the document's pose is shown, not a sequence's.
   void setPlayed(bool played);
   /// Shows only handles at places of which `wanted` says so; null: all again. Asked when it is set and when

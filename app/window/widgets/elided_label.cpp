@@ -14,7 +14,13 @@ void ElidedLabel::setFullText(const QString& text) {
     return;
   full_ = text;
   setToolTip(text);
+  updateGeometry();
   elide();
+}
+
+QSize ElidedLabel::sizeHint() const {
+  const int around = width() - contentsRect().width();
+  return {fontMetrics().horizontalAdvance(full_) + around, QLabel::sizeHint().height()};
 }
 
 QSize ElidedLabel::minimumSizeHint() const {
