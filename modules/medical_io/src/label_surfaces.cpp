@@ -36,6 +36,9 @@ constexpr std::array<double, 3> kTries = {1, 0.25, 0};
 /// The volume is corrected until it is this close, relative to the voxels'.
 constexpr double kCorrectedWithin = 1e-4;
 constexpr int kMostCorrections = 20;
+/// By steps of at most this part of a voxel, and by no more than a voxel's diagonal in all: what smoothing
+/// has shrunk to almost nothing would else be blown up to shards that reach across the image.
+constexpr double kMostStep = 0.25;
 
 /// The steps between the voxels, in mm LPS, outward.
 TriangleMesh contourOf(VoxelBox& box, const LabelMap& map) {
@@ -72,16 +75,25 @@ bool isSound(const TriangleMesh& mesh) {
   return report.closed() && report.manifold() && report.volumeMm3 > 0;
 }
 
-/// Moves all vertices along their normals until the surface encloses `target` mm^3.
-void correctVolume(TriangleMesh& mesh, double target) {
+/// Moves all vertices along their normals until the surface encloses `target` mm^3, or they are too far from
+/// the voxels, whose axes are the columns of `voxel`.
+void correctVolume(TriangleMesh& mesh, double target, const Eigen::Matrix3d& voxel) {
+  const double mostStep = kMostStep * std::cbrt(std::abs(voxel.determinant()));
+  const double mostReach = voxel.colwise().norm().norm();
+  double reach = 0;
   const geometry::VertexTriangles around = geometry::vertexTriangles(mesh.points.rows(), mesh.triangles);
   geometry::Normals normals;
   for (int i = 0; i < kMostCorrections; ++i) {
     const double missing = target - geometry::volume(mesh.points, mesh.triangles, Threads{1});
     if (std::abs(missing) <= kCorrectedWithin * target)
       return;
+    const double step =
+        std::clamp(missing / geometry::area(mesh.points, mesh.triangles), -mostStep, mostStep);
+    reach += step;
+    if (!(std::abs(reach) <= mostReach))
+      return;
     geometry::vertexNormals(mesh.points, mesh.triangles, around, normals, Threads{1});
-    mesh.points += missing / geometry::area(mesh.points, mesh.triangles) * normals.cast<double>();
+    mesh.points += step * normals.cast<double>();
   }
 }
 
@@ -122,7 +134,7 @@ LabelSurface surfaceOf(const LabelMap& map, std::size_t segment, const LabelSurf
     surface.mesh = smoothed(contour, part * options.smoothing);
     if (options.triangles > 0)
       surface.mesh = geometry::thinClosedSurface(surface.mesh, options.triangles, progress);
-    correctVolume(surface.mesh, surface.voxelVolumeMm3);
+    correctVolume(surface.mesh, surface.voxelVolumeMm3, map.indexToLps.linear());
     surface.volumeMm3 = geometry::volume(surface.mesh.points, surface.mesh.triangles, Threads{1});
     const double error = std::abs(surface.volumeMm3 - surface.voxelVolumeMm3);
     if (isSound(surface.mesh) && error <= kVolumeTolerance * surface.voxelVolumeMm3)

@@ -102,6 +102,9 @@ std::vector<LengthUnit> unitsThatFit(std::string_view name, double diagonalMm, d
         (byVolume ? awayFrom(*norm->volumeMl, scaledMl) <= kNormTolerance : isTypical(diagonalMm * unit.mm)))
       fitting.push_back(unit);
   }
+  // A shrunken liver has no usual volume in any unit, but still the size of an organ in the right one.
+  if (byVolume && odd && fitting.empty())
+    return unitsThatFit(name, diagonalMm, 0);
   if (byVolume)
     std::stable_sort(fitting.begin(), fitting.end(), [&](const LengthUnit& a, const LengthUnit& b) {
       return awayFrom(*norm->volumeMl, volumeMl * std::pow(a.mm, 3)) <

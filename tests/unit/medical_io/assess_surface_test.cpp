@@ -95,6 +95,13 @@ TEST(AssessSurface, AnOrganOfUnknownNameInMetresIsNoticedByItsSize) {
   expectOneClick(geometry::scaled(liver(), 0.001), "metres", "unit-m", "segment_7");
 }
 
+TEST(AssessSurface, AShrunkenLiverInMetresIsNoticedByItsSizeToo) {
+  const std::vector<Finding> found = doubts(assess(geometry::scaled(liver(), 0.0005)));
+  ASSERT_EQ(found.size(), 1u) << texts(found);
+  EXPECT_THAT(found[0].text, HasSubstr("metres"));
+  EXPECT_THAT(found[0].repairs, ElementsAre("unit-m"));
+}
+
 TEST(AssessSurface, ASmallVesselOfALabelMapIsSmallAndNotInCentimetres) {
   const TriangleMesh vessel = tests::sphere(3, 6, {-10, 20, 300});
   Progress progress;

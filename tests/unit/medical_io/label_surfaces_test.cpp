@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <random>
 #include <string>
@@ -48,6 +49,28 @@ TEST(LabelSurfaces, OfOneVoxelAreClosedAndAsLarge) {
   ASSERT_EQ(surfaces.size(), 1U);
   expectSound(surfaces[0]);
   EXPECT_NEAR(surfaces[0].voxelVolumeMm3, 0.7 * 0.8 * 3, 1e-9);
+}
+
+/// What smoothing leaves of a few voxels is next to nothing: to make it as large as they were must not blow
+/// it up to shards. These are what a segmentation left over.
+TEST(LabelSurfaces, OfScatteredVoxelsStayWhereTheVoxelsAre) {
+  LabelImage image = tests::emptyLabels();
+  const Vec3 voxel(0.9375, 0.9375, 1.5);
+  image.indexToLps.linear() = Vec3(voxel.x(), -voxel.y(), -voxel.z()).asDiagonal();
+  for (const auto& [x, y, z] :
+       {std::array{6, 2, 1}, {5, 3, 1},  {5, 4, 1},  {5, 5, 1},  {4, 7, 1},  {8, 7, 1},
+        {4, 8, 1},           {3, 11, 2}, {5, 10, 5}, {4, 11, 5}, {5, 11, 5}, {6, 11, 5},
+        {3, 12, 5},          {6, 12, 5}, {2, 13, 5}, {6, 13, 5}, {3, 14, 5}, {4, 14, 5},
+        {5, 14, 5},          {12, 3, 6}, {13, 4, 6}, {18, 3, 6}, {19, 3, 6}})
+    image.at(x, y, z) = 1;
+  const LabelMap map = mapOf(image);
+  const LabelSurface surface = surfacesOf(map).at(0);
+  expectSound(surface);
+  const Vec3 first = map.indexToLps * Vec3(2, 2, 1), last = map.indexToLps * Vec3(19, 14, 6);
+  const Bounds box = boundsOf(surface.mesh.points);
+  EXPECT_TRUE((box.low.array() >= (first.cwiseMin(last) - 1.5 * voxel).array()).all()) << box.low.transpose();
+  EXPECT_TRUE((box.high.array() <= (first.cwiseMax(last) + 1.5 * voxel).array()).all())
+      << box.high.transpose();
 }
 
 TEST(LabelSurfaces, OfOrgansThatTheImageCutsOffAreClosed) {

@@ -43,7 +43,7 @@ struct LengthUnit {
 const std::vector<LengthUnit>& lengthUnits();
 
 /// Units, mm apart, in which the surface would have a size that is usual for the organ named (by its volume;
-/// 0: it is open) or, when that says nothing, for any organ (by its box's diagonal). Empty when mm do, or
+/// 0: it is open) or, when that says nothing or no unit does, for any organ (by its box's diagonal). Empty when mm do, or
 /// nothing does. Best first.
 std::vector<LengthUnit> unitsThatFit(std::string_view name, double diagonalMm, double volumeMl);
 
