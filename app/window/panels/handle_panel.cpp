@@ -48,7 +48,8 @@ HandlePanel::HandlePanel(Workspace& workspace, HandlePlacer& placer, QWidget* pa
   empty_->setObjectName(QStringLiteral("muted"));
   empty_->setWordWrap(true);
   empty_->setContentsMargins(12, 8, 12, 8);
-  column->addWidget(empty_);
+  empty_->setAlignment(Qt::AlignTop);
+  column->addWidget(empty_, 1);
   list_->setObjectName(QStringLiteral("handleList"));
   list_->setHeaderHidden(true);
   list_->setIndentation(14);
