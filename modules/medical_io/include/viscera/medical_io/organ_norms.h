@@ -43,8 +43,8 @@ struct LengthUnit {
 const std::vector<LengthUnit>& lengthUnits();
 
 /// Units, mm apart, in which the surface would have a size that is usual for the organ named (by its volume;
-/// 0: it is open) or, when that says nothing or no unit does, for any organ (by its box's diagonal). Empty when mm do, or
-/// nothing does. Best first.
+/// 0: it is open) or, when that says nothing or no unit does, for any organ (by its box's diagonal). Empty
+/// when mm do, or nothing does. Best first.
 std::vector<LengthUnit> unitsThatFit(std::string_view name, double diagonalMm, double volumeMl);
 
 /// "the surface is 0.24 mm across, which no organ is": when so.
