@@ -107,6 +107,7 @@ void FileActions::take(const session::OpenedFiles& opened, const QStringList& fi
   const bool onlySamples =
       std::all_of(present.begin(), present.end(), [](const auto& o) { return !o->origin.sample.empty(); });
   const bool replaces = !opened.organs.empty() && onlySamples;
+  const std::size_t firstNew = replaces ? 0 : present.size();
   const QString name = tr("Open %1").arg(QFileInfo(files.front()).fileName());
   const bool done = workspace_.guarded([&] {
     session::UndoStack& undo = workspace_.undo();
@@ -121,7 +122,7 @@ void FileActions::take(const session::OpenedFiles& opened, const QStringList& fi
       undo.perform(opened.command());
       dressNewOrgans();
       if (!opened.organs.empty() && workspace_.document().rig().handles.empty())
-        undo.perform(placer_.command(*workspace_.document().organs().back()));
+        undo.perform(placer_.command(*workspace_.document().organs()[firstNew]));
     } catch (...) {
       undo.cancelStep();
       throw;
@@ -134,7 +135,7 @@ void FileActions::take(const session::OpenedFiles& opened, const QStringList& fi
   rememberFolder(files.front());
   Q_EMIT recentFilesChanged();
   if (!opened.organs.empty())
-    workspace_.selection().setOrgan(workspace_.document().organs().back()->id);
+    workspace_.selection().setOrgan(workspace_.document().organs()[firstNew]->id);
   Q_EMIT filesOpened();
   sayWarnings(opened.warnings);
 }

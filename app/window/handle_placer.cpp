@@ -46,9 +46,27 @@ void HandlePlacer::place() {
   Q_EMIT placementChanged();
 }
 
+Points HandlePlacer::around(const session::Organ& organ) const {
+  Points handles = deformation::placeHandles(*organ.mesh, placement_);
+  if (!placement_.enclosing)
+    return handles;
+  const session::OrganList& organs = workspace_.document().organs();
+  Points ends(2 * static_cast<Eigen::Index>(organs.size()) + 2, 3);
+  auto addEnds = [&, row = Eigen::Index{0}](const session::Organ& one) mutable {
+    const Bounds box = boundsOf(one.mesh->points);
+    ends.row(row++) = box.low.transpose();
+    ends.row(row++) = box.high.transpose();
+  };
+  addEnds(organ);
+  for (const auto& other : organs)
+    addEnds(*other);
+  handles.topRows(kCorners) = deformation::enclosingHandles(ends, placement_.boxMargin);
+  return handles;
+}
+
 session::Command HandlePlacer::command(const session::Organ& organ) const {
   session::NewRig rig;
-  rig.handles = session::newHandles(deformation::placeHandles(*organ.mesh, placement_));
+  rig.handles = session::newHandles(around(organ));
   const int corners = placement_.enclosing ? kCorners : 0;
   session::NewGroup enclosing{tr("Enclosing").toStdString(), kEnclosingColor, {}};
   session::NewGroup surface{tr("Surface").toStdString(), kSurfaceColor, {}};

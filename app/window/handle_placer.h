@@ -25,13 +25,16 @@ public:
   void finish();
   /// Places with the present choice.
   void place();
-  /// The command that places around an organ with the present choice; may throw `DataError`.
+  /// The command that places around an organ with the present choice, the enclosing ones around all organs of
+  /// the document: every one of them can be bound. May throw `DataError`.
   session::Command command(const session::Organ& organ) const;
 
 Q_SIGNALS:
   void placementChanged();
 
 private:
+  Points around(const session::Organ& organ) const;
+
   deformation::Placement placement_;
   Workspace& workspace_;
   bool choosing_ = false;

@@ -1,5 +1,6 @@
 #include "window_test.h"
 
+#include <QAction>
 #include <QApplication>
 #include <QDir>
 #include <QDragEnterEvent>
@@ -45,6 +46,25 @@ TEST_F(WindowTest, FoldersThatAreGoneAreNotProposed) {
   EXPECT_EQ(proposed(path(QString())), path(QString()));
   for (const QString& gone : {path(QStringLiteral("gone")), sphereFile(), QString()})
     EXPECT_TRUE(QFileInfo(proposed(gone)).isDir()) << proposed(gone).toStdString();
+}
+
+TEST_F(WindowTest, SeveralFilesOpenedTogetherAreAllBoundAndTheFirstIsSelected) {
+  window().files().open(
+      {sphereFile(QStringLiteral("large.stl"), 90), sphereFile(QStringLiteral("small.stl"), 20)});
+  ASSERT_TRUE(waitUntil([this] { return document().organs().size() == 2; }));
+  settle();
+  const auto expectAllBound = [this] {
+    for (const auto& organ : document().organs())
+      EXPECT_EQ(window().workspace().live().status(organ->id).state, session::BindingStatus::State::bound)
+          << organ->name;
+  };
+  expectAllBound();
+  EXPECT_EQ(window().workspace().selection().organ(), document().organs().front()->id);
+  // Around the small one, the large one is enclosed as well.
+  window().workspace().selection().setOrgan(document().organs().back()->id);
+  window().actions()["handles.place"]->trigger();
+  settle();
+  expectAllBound();
 }
 
 TEST_F(WindowTest, OpeningIsOneUndoStep) {

@@ -189,11 +189,13 @@ VolumePanel::Tile VolumePanel::addTile(const VolumeMonitor::Line& line) {
   column->setSpacing(0);
   auto* name = new QToolButton(box);
   name->setObjectName(QStringLiteral("tileName"));
-  name->setText(nameOf(line));
+  // A long name must not push the second column out of sight.
+  box->setFixedWidth(kTileWidth);
+  name->setText(name->fontMetrics().elidedText(nameOf(line), Qt::ElideRight, kTileWidth - 2 * kSwatch - 8));
   name->setIcon(swatch(line.color));
   name->setIconSize(QSize(kSwatch, kSwatch));
   name->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
-  name->setToolTip(tr("Show what is normal for %1 in the chart").arg(line.name));
+  name->setToolTip(tr("%1: show what is normal for it in the chart").arg(nameOf(line)));
   connect(name, &QToolButton::clicked, this,
           [this, index] { setNormalsOf(static_cast<std::size_t>(index)); });
   Tile tile{new QLabel(box), new QLabel(box)};
