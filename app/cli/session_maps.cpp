@@ -44,13 +44,17 @@ session::OrganId chosenOrgan(const session::Document& document, const ordered_js
 
 } // namespace
 
+bool switchedOn(const ordered_json& view, const char* name, bool standard) {
+  const ordered_json switches = view.value("switches", ordered_json::object());
+  return switches.is_object() ? switches.value(name, standard) : standard;
+}
+
 bool showsStress(const ordered_json& view) {
   return view.value("mode", std::string()) == "stress";
 }
 
 bool showsInfluence(const ordered_json& view) {
-  return !showsStress(view) &&
-         view.value("switches", ordered_json::object()).value("handles.influence", false);
+  return !showsStress(view) && switchedOn(view, "handles.influence", false);
 }
 
 void drawInfluence(const StagedSession& staged, const ordered_json& view) {

@@ -24,6 +24,9 @@ struct StagedSession {
   std::map<session::OrganId, std::shared_ptr<scene::OrganActor>> actors;
 };
 
+/// Whether a switch of the window was on; `standard` where the session does not say.
+bool switchedOn(const nlohmann::ordered_json& view, const char* name, bool standard);
+
 /// Whether the window showed the influence of a handle, or a stress map.
 bool showsInfluence(const nlohmann::ordered_json& view);
 bool showsStress(const nlohmann::ordered_json& view);

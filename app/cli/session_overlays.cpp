@@ -22,11 +22,6 @@ void addRegions(const StagedSession& staged, const ordered_json& view, const plu
 
 } // namespace
 
-bool switchedOn(const ordered_json& view, const char* name, bool standard) {
-  const ordered_json switches = view.value("switches", ordered_json::object());
-  return switches.is_object() ? switches.value(name, standard) : standard;
-}
-
 SessionOverlays::SessionOverlays(const StagedSession& staged, const ordered_json& view,
                                  const plugin::Registry& systems)
     : labels_(staged.stage.view()), measurements_(staged.stage.view()) {

@@ -10,9 +10,6 @@
 
 namespace viscera::app::cli {
 
-/// Whether a switch of the window was on; `standard` where the session does not say.
-bool switchedOn(const nlohmann::ordered_json& view, const char* name, bool standard);
-
 /// What the window drew over and around a session's organs: ghosts of their rest shapes, labels,
 /// measurements, and the groups' regions. Has to live until the picture is taken.
 class SessionOverlays {

@@ -1,16 +1,14 @@
 #include "window/view/region_scene.h"
 
-#include "viscera/geometry/convex_hull.h"
+#include "viscera/coordinates/cage/cage.h"
 
 namespace viscera::app {
 namespace {
 
 /// The cage that the chosen coordinates work with; without triangles where there is none.
-Triangles cageOf(const coordinates::HandleSet& handles) {
-  if (handles.cage.rows() > 0)
-    return handles.cage;
+Triangles cageToDraw(const coordinates::HandleSet& handles) {
   try {
-    return geometry::ConvexHull(handles.positions).triangles();
+    return coordinates::cageOf(handles);
   } catch (const Error&) {
     return {}; // Flat handles, say: binding fails for the same reason and tells it.
   }
@@ -27,7 +25,7 @@ std::vector<scene::RegionHull> regionHulls(const session::Rig& rig, const coordi
   if (!withCage || !shown.regions)
     return hulls;
   const coordinates::HandleSet handles = session::handleSet(rig);
-  if (const Triangles cage = cageOf(handles); cage.rows() > 0)
+  if (const Triangles cage = cageToDraw(handles); cage.rows() > 0)
     hulls.push_back(scene::cageHull(handles.positions, cage));
   return hulls;
 }

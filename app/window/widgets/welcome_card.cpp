@@ -14,7 +14,7 @@ WelcomeCard::WelcomeCard(QMenu* samples, QWidget* parent) : QFrame(parent) {
   setObjectName(QStringLiteral("welcomeCard"));
   auto* row = new FlowLayout(this, 8);
   row->setContentsMargins(16, 8, 8, 8);
-  auto* title = new QLabel(tr("Welcome to Viscera"), this);
+  auto* title = new QLabel(tr("Welcome"), this);
   QFont font = title->font();
   font.setBold(true);
   title->setFont(font);

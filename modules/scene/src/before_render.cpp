@@ -25,14 +25,13 @@ void BeforeRender::setRenderer(vtkRenderer* renderer) {
     tag_ = renderer_->AddObserver(vtkCommand::StartEvent, command_);
 }
 
-void BeforeRender::setRenderer(vtkRenderer* renderer, std::span<vtkProp* const> actors) {
+void BeforeRender::takeAlong(const std::vector<vtkProp*>& actors, vtkRenderer* renderer) const {
   for (vtkProp* actor : actors) {
     if (renderer_)
       renderer_->RemoveViewProp(actor);
     if (renderer)
       renderer->AddViewProp(actor);
   }
-  setRenderer(renderer);
 }
 
 vtkRenderer* BeforeRender::renderer() const {

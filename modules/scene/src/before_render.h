@@ -1,7 +1,7 @@
 #pragma once
 
 #include <functional>
-#include <span>
+#include <vector>
 
 #include <vtkNew.h>
 #include <vtkWeakPointer.h>
@@ -23,11 +23,18 @@ public:
 
   /// Null: nowhere. The renderer may die first.
   void setRenderer(vtkRenderer* renderer);
-  /// The same, and takes these actors along.
-  void setRenderer(vtkRenderer* renderer, std::span<vtkProp* const> actors);
+  /// The same, and takes these actors along (`std::array<vtkActor*, n>`, say).
+  template <class Actors>
+  void setRenderer(vtkRenderer* renderer, const Actors& actors) {
+    const std::vector<vtkProp*> props(actors.begin(), actors.end());
+    takeAlong(props, renderer);
+    setRenderer(renderer);
+  }
   vtkRenderer* renderer() const;
 
 private:
+  void takeAlong(const std::vector<vtkProp*>& actors, vtkRenderer* renderer) const;
+
   std::function<void()> call_;
   vtkNew<vtkCallbackCommand> command_;
   vtkWeakPointer<vtkRenderer> renderer_;

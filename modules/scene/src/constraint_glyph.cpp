@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <utility>
-#include <vector>
 
 #include <vtkArrowSource.h>
 #include <vtkMatrix4x4.h>
@@ -134,9 +133,7 @@ ConstraintGlyph::~ConstraintGlyph() {
 }
 
 void ConstraintGlyph::setRenderer(vtkRenderer* renderer) {
-  const auto actors = parts_->actors();
-  const std::vector<vtkProp*> props(actors.begin(), actors.end());
-  parts_->beforeRender.setRenderer(renderer, props);
+  parts_->beforeRender.setRenderer(renderer, parts_->actors());
 }
 
 void ConstraintGlyph::drawAfterOrgans() {

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <vector>
 
 #include <vtkMatrix4x4.h>
 #include <vtkNew.h>
@@ -81,9 +80,7 @@ ProbeMarker::~ProbeMarker() {
 }
 
 void ProbeMarker::setRenderer(vtkRenderer* renderer) {
-  const auto actors = parts_->actors();
-  const std::vector<vtkProp*> props(actors.begin(), actors.end());
-  parts_->beforeRender.setRenderer(renderer, props);
+  parts_->beforeRender.setRenderer(renderer, parts_->actors());
 }
 
 void ProbeMarker::setTheme(const Theme& theme) {

@@ -208,9 +208,7 @@ RegionHulls::~RegionHulls() {
 }
 
 void RegionHulls::setRenderer(vtkRenderer* renderer) {
-  const auto actors = parts_->actors();
-  const std::vector<vtkProp*> props(actors.begin(), actors.end());
-  parts_->beforeRender.setRenderer(renderer, props);
+  parts_->beforeRender.setRenderer(renderer, parts_->actors());
 }
 
 void RegionHulls::setHulls(std::vector<RegionHull> hulls) {

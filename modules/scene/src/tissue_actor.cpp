@@ -252,9 +252,7 @@ const Points& TissueActor::points() const {
 }
 
 void TissueActor::setRenderer(vtkRenderer* renderer) {
-  const auto actors = parts_->actors();
-  const std::vector<vtkProp*> props(actors.begin(), actors.end());
-  parts_->beforeRender.setRenderer(renderer, props);
+  parts_->beforeRender.setRenderer(renderer, parts_->actors());
 }
 
 void TissueActor::setPoints(std::shared_ptr<const Points> points) {

@@ -1,7 +1,4 @@
 #include "viscera/session/cage_commands.h"
-
-#include <limits>
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -19,16 +16,9 @@ using testing::HasSubstr;
 using tests::cubeCage;
 using State = BindingStatus::State;
 
-constexpr double kAtOnce = std::numeric_limits<double>::infinity();
-
 /// A ball of 30 mm, handles at the corners of a cube of 120 mm and two more inside, mean value coordinates,
 /// and what keeps it bound.
-struct Caged : tests::Session {
-  plugin::Registry registry = plugin::builtInRegistry();
-  PostBox box;
-  JobQueue jobs{box.post()};
-  LiveBinding live{document, registry, jobs, {kAtOnce, {2}}};
-
+struct Caged : tests::BoundSession {
   Caged() {
     undo.perform(setSystem({"mean-value", {}}));
     undo.reset(document.state());

@@ -20,11 +20,7 @@ using State = StressStatus::State;
 constexpr double kAtOnce = std::numeric_limits<double>::infinity();
 
 /// A document with a ball, bound, and its stress.
-struct Stressed : tests::Session {
-  plugin::Registry registry = plugin::builtInRegistry();
-  PostBox box;
-  JobQueue jobs{box.post()};
-  LiveBinding live{document, registry, jobs, {kAtOnce, {}}};
+struct Stressed : tests::BoundSession {
   LiveStress stress;
   StressEvent heard;
   Subscription subscription;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <memory>
 #include <string>
 #include <vector>
@@ -8,6 +9,8 @@
 #include "viscera/session/cage_commands.h"
 #include "viscera/session/document.h"
 #include "viscera/session/group_commands.h"
+#include "viscera/session/job_queue.h"
+#include "viscera/session/live_binding.h"
 #include "viscera/session/organ_commands.h"
 #include "viscera/session/pose_commands.h"
 #include "viscera/session/rig_commands.h"
@@ -58,6 +61,14 @@ struct Session {
 
   HandleId handle(std::size_t row) const { return document.rig().handles.at(row).id; }
   OrganId organ(std::size_t place = 0) const { return document.organs().at(place)->id; }
+};
+
+/// The same, bound at once by the coordinates that there are without plugins.
+struct BoundSession : Session {
+  plugin::Registry registry = plugin::builtInRegistry();
+  PostBox box;
+  JobQueue jobs{box.post()};
+  LiveBinding live{document, registry, jobs, {std::numeric_limits<double>::infinity(), {}}};
 };
 
 } // namespace viscera::session::tests

@@ -1,4 +1,4 @@
-#include "cage/cage.h"
+#include "viscera/coordinates/cage/cage.h"
 
 #include "viscera/coordinates/cage/given_cage.h"
 #include "viscera/geometry/convex_hull.h"

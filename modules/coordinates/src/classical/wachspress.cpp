@@ -6,7 +6,7 @@
 
 #include <Eigen/Geometry>
 
-#include "cage/cage.h"
+#include "viscera/coordinates/cage/cage.h"
 #include "viscera/core/error.h"
 
 namespace viscera::coordinates {

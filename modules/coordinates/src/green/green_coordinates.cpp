@@ -3,9 +3,9 @@
 #include <numbers>
 #include <utility>
 
-#include "cage/cage.h"
 #include "green/cage_normals.h"
 #include "green/triangle_potentials.h"
+#include "viscera/coordinates/cage/cage.h"
 
 namespace viscera::coordinates {
 namespace {

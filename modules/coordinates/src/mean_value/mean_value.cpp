@@ -5,9 +5,9 @@
 
 #include <Eigen/Geometry>
 
-#include "cage/cage.h"
 #include "mean_value/mean_value_solver.h"
 #include "mean_value/triangle_share.h"
+#include "viscera/coordinates/cage/cage.h"
 
 namespace viscera::coordinates {
 namespace {

@@ -6,9 +6,9 @@
 
 #include <Eigen/LU>
 
-#include "cage/cage.h"
 #include "choice_parameter.h"
 #include "sphere/sphere_samples.h"
+#include "viscera/coordinates/cage/cage.h"
 
 namespace viscera::coordinates {
 namespace {

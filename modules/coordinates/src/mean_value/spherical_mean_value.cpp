@@ -9,7 +9,7 @@
 
 #include <Eigen/Geometry>
 
-#include "cage/cage.h"
+#include "viscera/coordinates/cage/cage.h"
 
 namespace viscera::coordinates {
 namespace {

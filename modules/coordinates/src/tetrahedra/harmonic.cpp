@@ -6,10 +6,10 @@
 
 #include <Eigen/Geometry>
 
-#include "cage/cage.h"
 #include "tetrahedra/filled_domain.h"
 #include "tetrahedra/finite_elements.h"
 #include "tetrahedra/tetrahedra_field.h"
+#include "viscera/coordinates/cage/cage.h"
 #include "viscera/core/error.h"
 
 namespace viscera::coordinates {
