@@ -7,8 +7,8 @@
 
 #include "viscera/core/parallel.h"
 #include "viscera/core/progress.h"
-#include "viscera/organs/sample_organ.h"
 #include "viscera/plugin/registry.h"
+#include "viscera/sample_organs/sample_organ.h"
 
 namespace CLI {
 class App;
@@ -25,10 +25,10 @@ struct Outcome {
 
 /// What every command works with. Lives as long as the command runs.
 struct Surroundings {
-  Progress& progress;                   ///< Cancelled by Ctrl+C.
-  Threads threads;                      ///< As the user wants it.
-  const organs::SampleLibrary& samples; ///< Where `sample:heart` comes from.
-  const plugin::Registry& systems;      ///< The coordinate systems that `--system` names.
+  Progress& progress;                          ///< Cancelled by Ctrl+C.
+  Threads threads;                             ///< As the user wants it.
+  const sample_organs::SampleLibrary& samples; ///< Where `sample:heart` comes from.
+  const plugin::Registry& systems;             ///< The coordinate systems that `--system` names.
 };
 
 /// One subcommand: `viscera <name>`.

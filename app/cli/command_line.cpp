@@ -20,7 +20,7 @@
 #include "cli/picture_size.h"
 #include "cli/progress_bar.h"
 #include "viscera/core/error.h"
-#include "viscera/organs/sample_organ.h"
+#include "viscera/sample_organs/sample_organ.h"
 
 namespace viscera::app::cli {
 namespace {
@@ -113,7 +113,7 @@ int runCommand(Command& command, const CommonOptions& common, std::ostream& out,
     ProgressBar bar(err, ::isatty(STDERR_FILENO) == 1); // Gone before an error is said.
     Progress progress([&](double fraction, const std::string& step) { bar.show(fraction, step); });
     const Interrupt interrupt(progress);
-    const organs::SampleLibrary samples = organs::standardLibrary();
+    const sample_organs::SampleLibrary samples = sample_organs::standardLibrary();
     const AvailableSystems systems = availableSystems(common.pluginPath);
     warn(err, systems.problems);
     Surroundings surroundings{progress, Threads{common.threads}, samples, systems.registry};
@@ -134,7 +134,7 @@ void readSize(const std::string& text, WindowOptions& window) {
 }
 
 /// `viscera sample:stomach` shows that sample organ instead of the heart.
-void takeSample(WindowOptions& window, const organs::SampleLibrary& samples) {
+void takeSample(WindowOptions& window, const sample_organs::SampleLibrary& samples) {
   static const std::string kSample = "sample:";
   for (const std::string& file : window.files) {
     if (file.rfind(kSample, 0) != 0)
@@ -142,7 +142,7 @@ void takeSample(WindowOptions& window, const organs::SampleLibrary& samples) {
     if (window.files.size() > 1)
       throw UsageError("is opened in the window alone", file, "open the files by the window's menu File");
     window.sample = file.substr(kSample.size());
-    const std::vector<std::string> names = organs::sampleNames(samples);
+    const std::vector<std::string> names = sample_organs::sampleNames(samples);
     if (std::find(names.begin(), names.end(), window.sample) == names.end())
       throw UsageError("is no sample organ that the window opens", file, "viscera sample --list shows them");
     window.files.clear();
@@ -201,7 +201,7 @@ int runCommandLine(int argc, const char* const* argv, std::ostream& out, std::os
     return runCommand(*chosen, common, out, err);
   return guarded(err, [&] {
     readSize(windowSize, window);
-    takeSample(window, organs::standardLibrary());
+    takeSample(window, sample_organs::standardLibrary());
     requireFiles(window.files);
     return openWindow(window);
   });

@@ -7,11 +7,11 @@
 
 #include "viscera/coordinates/cage/given_cage.h"
 #include "viscera/core/error.h"
+#include "viscera/document/cage_commands.h"
+#include "viscera/document/label_organs.h"
+#include "viscera/document/open_files.h"
 #include "viscera/medical_io/handle_file.h"
 #include "viscera/medical_io/label_map.h"
-#include "viscera/session/cage_commands.h"
-#include "viscera/session/label_organs.h"
-#include "viscera/session/open_files.h"
 
 namespace viscera::app::cli {
 namespace {
@@ -27,15 +27,16 @@ std::string listed(const std::vector<std::string>& names) {
                                      : text;
 }
 
-void requireSize(const session::Organ& organ, const std::string& where) {
+void requireSize(const document::Organ& organ, const std::string& where) {
   if (!(boundsOf(organ.mesh->points).diagonal() > 0))
     throw DataError("all its vertices are at one place", where, "export the surface again");
 }
 
-session::Organ organOf(const organs::SampleOrgan& sample, const organs::SampleSurface& surface) {
+document::Organ organOf(const sample_organs::SampleOrgan& sample,
+                        const sample_organs::SampleSurface& surface) {
   const bool outer = &surface == &sample.surfaces.front();
-  session::Organ organ =
-      session::makeOrgan(outer ? sample.name : sample.name + "/" + surface.name, surface.mesh);
+  document::Organ organ =
+      document::makeOrgan(outer ? sample.name : sample.name + "/" + surface.name, surface.mesh);
   organ.look.color = surface.color;
   return organ;
 }
@@ -64,7 +65,7 @@ SampleReference sampleReference(const std::string& text) {
   std::string rest = isSample(text) ? text.substr(kSamplePrefix.size()) : text;
   SampleReference reference;
   if (const std::size_t at = rest.rfind('@'); at != std::string::npos) {
-    reference.resolution = organs::resolutionFromName(rest.substr(at + 1));
+    reference.resolution = sample_organs::resolutionFromName(rest.substr(at + 1));
     rest.resize(at);
   }
   if (const std::size_t slash = rest.find('/'); slash != std::string::npos) {
@@ -86,24 +87,24 @@ bool namesLabel(const std::string& organ) {
   return reference && !reference->labels.empty();
 }
 
-std::vector<session::Organ> organInputs(const std::string& organ, const organs::SampleLibrary& samples,
-                                        Progress& progress) {
-  std::vector<session::Organ> result;
+std::vector<document::Organ> organInputs(const std::string& organ,
+                                         const sample_organs::SampleLibrary& samples, Progress& progress) {
+  std::vector<document::Organ> result;
   if (const auto labels = labelReference(organ)) {
-    result = session::readLabelOrgans(labels->file, labels->labels, progress);
-    for (session::Organ& one : result)
+    result = document::readLabelOrgans(labels->file, labels->labels, progress);
+    for (document::Organ& one : result)
       for (std::string& warning : one.warnings)
         warning = organ + ": " + one.name + ": " + warning;
   } else if (!isSample(organ)) {
-    result.push_back(session::readOrgan(organ));
+    result.push_back(document::readOrgan(organ));
     for (std::string& warning : result.back().warnings)
       warning = organ + ": " + warning;
   } else {
     const SampleReference reference = sampleReference(organ);
-    const organs::SampleOrgan sample =
-        organs::sampleOrgan(samples, reference.organ, reference.resolution, progress);
+    const sample_organs::SampleOrgan sample =
+        sample_organs::sampleOrgan(samples, reference.organ, reference.resolution, progress);
     std::vector<std::string> names;
-    for (const organs::SampleSurface& surface : sample.surfaces) {
+    for (const sample_organs::SampleSurface& surface : sample.surfaces) {
       names.push_back(surface.name);
       if (reference.surface.empty() || reference.surface == surface.name)
         result.push_back(organOf(sample, surface));
@@ -111,17 +112,17 @@ std::vector<session::Organ> organInputs(const std::string& organ, const organs::
     if (result.empty())
       throw UsageError("has no surface \"" + reference.surface + "\"", organ, "it has " + listed(names));
   }
-  for (const session::Organ& one : result)
+  for (const document::Organ& one : result)
     requireSize(one, organ);
   return result;
 }
 
-session::Organ organInput(const std::string& organ, const organs::SampleLibrary& samples,
-                          Progress& progress) {
-  std::vector<session::Organ> organs = organInputs(organ, samples, progress);
+document::Organ organInput(const std::string& organ, const sample_organs::SampleLibrary& samples,
+                           Progress& progress) {
+  std::vector<document::Organ> organs = organInputs(organ, samples, progress);
   if (organs.size() > 1 && !isSample(organ)) {
     std::vector<std::string> names;
-    for (const session::Organ& one : organs)
+    for (const document::Organ& one : organs)
       names.push_back(one.name);
     throw UsageError("is a label map of several organs", organ,
                      "name one of them behind a slash, " + organ + "/" + names.front() + "; there are " +
@@ -142,21 +143,21 @@ RigInput rigInput(const std::filesystem::path& file, std::vector<std::string>& w
   const medical_io::HandleFile contents = medical_io::readHandles(file);
   for (const std::string& warning : contents.warnings)
     warnings.push_back(file.string() + ": " + warning);
-  const session::NewRig rig = session::rigFrom(contents, file.string());
+  const document::NewRig rig = document::rigFrom(contents, file.string());
   RigInput input;
   input.handles.positions.resize(static_cast<Eigen::Index>(rig.handles.size()), 3);
   for (std::size_t i = 0; i < rig.handles.size(); ++i) {
     input.handles.positions.row(static_cast<Eigen::Index>(i)) = rig.handles[i].rest.transpose();
     input.labels.push_back(rig.handles[i].label);
   }
-  for (const session::NewGroup& group : rig.groups) {
+  for (const document::NewGroup& group : rig.groups) {
     input.handles.groups.push_back({group.name, group.handles});
     input.groupColors.push_back(group.color);
   }
   if (!cage.empty()) {
     Progress nobodyLooks;
     input.handles.cage =
-        coordinates::cageOver(input.handles.positions, *session::readCage(cage, nobodyLooks).mesh);
+        coordinates::cageOver(input.handles.positions, *document::readCage(cage, nobodyLooks).mesh);
   }
   return input;
 }

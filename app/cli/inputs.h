@@ -8,8 +8,8 @@
 
 #include "viscera/coordinates/handle_set.h"
 #include "viscera/core/progress.h"
-#include "viscera/organs/sample_organ.h"
-#include "viscera/session/organ.h"
+#include "viscera/document/organ.h"
+#include "viscera/sample_organs/sample_organ.h"
 
 /// What commands take as ORGAN and as handle files.
 namespace viscera::app::cli {
@@ -18,7 +18,7 @@ namespace viscera::app::cli {
 struct SampleReference {
   std::string organ;   ///< "heart"
   std::string surface; ///< "lv"; empty: the outer one.
-  organs::Resolution resolution = organs::Resolution::medium;
+  sample_organs::Resolution resolution = sample_organs::Resolution::medium;
 };
 
 /// Takes `[sample:]NAME[/SURFACE][@RESOLUTION]` apart. Throws `UsageError` for an empty name or a resolution
@@ -34,13 +34,14 @@ bool namesLabel(const std::string& organ);
 /// Reads the file, or makes the sample organ, that ORGAN names; of a sample organ with cavities the outer
 /// surface unless another one is named; of a label map the label that is named behind a slash
 /// ("abdomen.nrrd/liver"), which may be left out when there is only one. The mesh has a size, else
-/// `DataError`; throws also what `session::readOrgan` and `organs::sampleOrgan` throw, and `UsageError` for a
-/// surface that the sample does not have.
-session::Organ organInput(const std::string& organ, const organs::SampleLibrary& samples, Progress& progress);
+/// `DataError`; throws also what `document::readOrgan` and `sample_organs::sampleOrgan` throw, and
+/// `UsageError` for a surface that the sample does not have.
+document::Organ organInput(const std::string& organ, const sample_organs::SampleLibrary& samples,
+                           Progress& progress);
 
 /// As above, but all surfaces of a sample organ, and all labels of a label map, when none is named.
-std::vector<session::Organ> organInputs(const std::string& organ, const organs::SampleLibrary& samples,
-                                        Progress& progress);
+std::vector<document::Organ> organInputs(const std::string& organ,
+                                         const sample_organs::SampleLibrary& samples, Progress& progress);
 
 /// The rest handles of a file.
 struct RigInput {
@@ -54,7 +55,7 @@ struct RigInput {
 
 /// Reads a handle file as rest handles. Throws `NoInputError`, and `DataError` also for handles that nothing
 /// can be bound to: fewer than four, all in one plane, two at one place. Where `cage` names a surface file,
-/// the handles at its vertices get its triangles; throws as `session::readCage` and `coordinates::cageOver`.
+/// the handles at its vertices get its triangles; throws as `document::readCage` and `coordinates::cageOver`.
 RigInput rigInput(const std::filesystem::path& file, std::vector<std::string>& warnings,
                   const std::filesystem::path& cage = {});
 

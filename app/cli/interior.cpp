@@ -7,12 +7,12 @@
 
 namespace viscera::app::cli {
 
-Interior interiorOf(const session::Organ& organ, const coordinates::HandleSet& handles,
+Interior interiorOf(const document::Organ& organ, const coordinates::HandleSet& handles,
                     const coordinates::CoordinateSystem& system, const coordinates::BindOptions& options,
-                    const session::WitnessOptions& witnesses, std::vector<std::string>& warnings,
+                    const live::WitnessOptions& witnesses, std::vector<std::string>& warnings,
                     Progress& progress) {
   Interior interior;
-  interior.sample = session::sampleWitnesses(*organ.mesh, witnesses, progress);
+  interior.sample = live::sampleWitnesses(*organ.mesh, witnesses, progress);
   interior.gradients = deformation::bindWitnesses(system, handles, interior.mesh().points, options, progress);
   warnings.insert(warnings.end(), interior.sample.remarks.begin(), interior.sample.remarks.end());
   const auto& failures = interior.gradients->failures();

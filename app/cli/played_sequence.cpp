@@ -6,19 +6,20 @@
 #include "cli/inputs.h"
 #include "viscera/core/error.h"
 #include "viscera/deformation/bind_organ.h"
+#include "viscera/document/sequence_rig.h"
 #include "viscera/medical_io/handle_file.h"
-#include "viscera/session/player.h"
-#include "viscera/session/sequence_file.h"
-#include "viscera/session/sequence_setup.h"
+#include "viscera/motion/player.h"
+#include "viscera/motion/sequence_file.h"
+#include "viscera/motion/sequence_setup.h"
 
 namespace viscera::app::cli {
 namespace {
 
 /// An organ of the command line as it appears in tables: "outer" where it has cavities.
-std::vector<PlayedSurface> surfacesOf(const organs::SampleOrgan& sample) {
+std::vector<PlayedSurface> surfacesOf(const sample_organs::SampleOrgan& sample) {
   std::vector<PlayedSurface> surfaces;
-  for (const organs::SampleSurface& surface : sample.surfaces) {
-    session::Organ organ = session::makeOrgan(surface.name, surface.mesh);
+  for (const sample_organs::SampleSurface& surface : sample.surfaces) {
+    document::Organ organ = document::makeOrgan(surface.name, surface.mesh);
     organ.look.color = surface.color;
     surfaces.push_back({surface.name, std::move(organ), nullptr, false});
   }
@@ -27,9 +28,9 @@ std::vector<PlayedSurface> surfacesOf(const organs::SampleOrgan& sample) {
 }
 
 /// The resolution of ORGAN when it is the sequence's own organ as a whole; else nothing.
-std::optional<organs::Resolution> resolutionOf(const std::string& organ, const std::string& own) {
+std::optional<sample_organs::Resolution> resolutionOf(const std::string& organ, const std::string& own) {
   if (organ.empty())
-    return organs::Resolution::medium;
+    return sample_organs::Resolution::medium;
   if (!isSample(organ))
     return std::nullopt;
   const SampleReference reference = sampleReference(organ);
@@ -38,7 +39,7 @@ std::optional<organs::Resolution> resolutionOf(const std::string& organ, const s
 }
 
 std::string ownOrgan(const std::string& sequence) {
-  for (const session::SampleSequence& sample : session::sampleSequences())
+  for (const motion::SampleSequence& sample : motion::sampleSequences())
     if (sample.id == sequence)
       return sample.organ;
   return {};
@@ -48,17 +49,17 @@ std::string ownOrgan(const std::string& sequence) {
 void requireOwnHandles(const std::string& file, const sequences::Sequence& sequence,
                        std::vector<std::string>& warnings) {
   const RigInput input = rigInput(file, warnings);
-  session::Rig rig;
+  document::Rig rig;
   for (const auto& position : input.handles.positions.rowwise()) {
-    session::Handle handle;
+    document::Handle handle;
     handle.rest = position.transpose();
     rig.handles.push_back(handle);
   }
-  session::requireFits(rig, sequence);
+  document::requireFits(rig, sequence);
 }
 
 /// "apex=1,2,3" taken apart.
-session::Landmark landmarkOf(const std::string& text) {
+motion::Landmark landmarkOf(const std::string& text) {
   const std::size_t equal = text.find('=');
   std::istringstream numbers(equal == std::string::npos ? "" : text.substr(equal + 1));
   Vec3 place;
@@ -71,8 +72,8 @@ session::Landmark landmarkOf(const std::string& text) {
   return {text.substr(0, equal), place, false};
 }
 
-session::Landmarks givenLandmarks(const PlayRequest& request, std::vector<std::string>& warnings) {
-  session::Landmarks landmarks;
+motion::Landmarks givenLandmarks(const PlayRequest& request, std::vector<std::string>& warnings) {
+  motion::Landmarks landmarks;
   for (const std::string& text : request.landmark)
     landmarks.points.push_back(landmarkOf(text));
   if (request.landmarks.empty())
@@ -80,8 +81,8 @@ session::Landmarks givenLandmarks(const PlayRequest& request, std::vector<std::s
   const medical_io::HandleFile file = medical_io::readHandles(request.landmarks);
   for (const std::string& warning : file.warnings)
     warnings.push_back(request.landmarks + ": " + warning);
-  const session::Landmarks inFile = session::landmarksFrom(file, request.sequence, request.landmarks);
-  for (const session::Landmark& landmark : inFile.points)
+  const motion::Landmarks inFile = motion::landmarksFrom(file, request.sequence, request.landmarks);
+  for (const motion::Landmark& landmark : inFile.points)
     if (!landmarks.find(landmark.role) || landmarks.find(landmark.role)->role == "centreline")
       landmarks.points.push_back(landmark);
   return landmarks;
@@ -90,7 +91,8 @@ session::Landmarks givenLandmarks(const PlayRequest& request, std::vector<std::s
 /// Ties surfaces to the handles of a sequence.
 class Binder {
 public:
-  Binder(const sequences::Sequence& sequence, const session::SystemChoice& choice, Surroundings& surroundings)
+  Binder(const sequences::Sequence& sequence, const document::SystemChoice& choice,
+         Surroundings& surroundings)
       : choice_(choice), surroundings_(surroundings), system_(surroundings.systems.find(choice.id)) {
     handles_.positions = sequence.restHandles();
     for (const sequences::HandleGroup& group : sequence.groups())
@@ -106,13 +108,13 @@ public:
   }
 
 private:
-  const session::SystemChoice& choice_;
+  const document::SystemChoice& choice_;
   Surroundings& surroundings_;
   std::shared_ptr<const coordinates::CoordinateSystem> system_;
   coordinates::HandleSet handles_;
 };
 
-void bindAll(PlayedSequence& played, const session::SystemChoice& system, Surroundings& surroundings) {
+void bindAll(PlayedSequence& played, const document::SystemChoice& system, Surroundings& surroundings) {
   const Binder binder(*played.sequence, system, surroundings);
   for (PlayedSurface& surface : played.surfaces)
     surface.deformer = binder.bound(surface.organ.mesh);
@@ -120,11 +122,11 @@ void bindAll(PlayedSequence& played, const session::SystemChoice& system, Surrou
 
 /// A shipped sequence on its own organ, or on one of that organ's surfaces.
 PlayedSequence onOwnOrgan(const PlayRequest& request, Surroundings& surroundings) {
-  const std::optional<organs::Resolution> resolution =
+  const std::optional<sample_organs::Resolution> resolution =
       resolutionOf(request.organ, ownOrgan(request.sequence));
-  const session::SequenceSetup setup = session::setUpSequence(surroundings.samples, request.sequence,
-                                                              resolution.value_or(organs::Resolution::medium),
-                                                              surroundings.progress, surroundings.threads);
+  const motion::SequenceSetup setup = motion::setUpSequence(
+      surroundings.samples, request.sequence, resolution.value_or(sample_organs::Resolution::medium),
+      surroundings.progress, surroundings.threads);
   PlayedSequence played;
   played.sequence = setup.sequence;
   played.rig = setup.rig;
@@ -135,7 +137,7 @@ PlayedSequence onOwnOrgan(const PlayRequest& request, Surroundings& surroundings
         {"outer", organInput(request.organ, surroundings.samples, surroundings.progress), nullptr, false});
   bindAll(played, setup.system, surroundings);
   if (played.find("lv")) {
-    const organs::SampleSurface chambers = organs::sampleSurface(
+    const sample_organs::SampleSurface chambers = sample_organs::sampleSurface(
         surroundings.samples, "heart", "chambers", *resolution, surroundings.progress, surroundings.threads);
     played.chambers = Binder(*played.sequence, setup.system, surroundings).bound(chambers.mesh);
   }
@@ -145,11 +147,11 @@ PlayedSequence onOwnOrgan(const PlayRequest& request, Surroundings& surroundings
 /// A shipped sequence on an organ that it is not made for.
 PlayedSequence onOtherOrgan(const PlayRequest& request, Surroundings& surroundings) {
   PlayedSequence played;
-  const session::Landmarks given = givenLandmarks(request, played.warnings);
+  const motion::Landmarks given = givenLandmarks(request, played.warnings);
   const std::string name = request.organ.empty() ? "sample:" + ownOrgan(request.sequence) : request.organ;
-  session::Organ organ = organInput(name, surroundings.samples, surroundings.progress);
-  session::RetargetedSequence fitted =
-      session::retargetSequence(request.sequence, organ, given, surroundings.progress, surroundings.threads);
+  document::Organ organ = organInput(name, surroundings.samples, surroundings.progress);
+  motion::RetargetedSequence fitted =
+      motion::retargetSequence(request.sequence, organ, given, surroundings.progress, surroundings.threads);
   played.warnings.insert(played.warnings.end(), organ.warnings.begin(), organ.warnings.end());
   played.warnings.insert(played.warnings.end(), fitted.warnings.begin(), fitted.warnings.end());
   played.sequence = fitted.sequence;
@@ -163,17 +165,17 @@ PlayedSequence onOtherOrgan(const PlayRequest& request, Surroundings& surroundin
 PlayedSequence fromFile(const PlayRequest& request, Surroundings& surroundings) {
   if (request.organ.empty())
     throw UsageError("needs an organ to move", request.sequence, "name one with --organ");
-  const session::SequenceFile file = session::readSequence(request.sequence);
+  const motion::SequenceFile file = motion::readSequence(request.sequence);
   PlayedSequence played;
   played.sequence = std::make_shared<sequences::KeyframedSequence>(file.track);
-  played.rig = session::rigOf(file);
-  for (session::Organ& organ : organInputs(request.organ, surroundings.samples, surroundings.progress)) {
+  played.rig = motion::rigOf(file);
+  for (document::Organ& organ : organInputs(request.organ, surroundings.samples, surroundings.progress)) {
     played.warnings.insert(played.warnings.end(), organ.warnings.begin(), organ.warnings.end());
     const std::string name = played.surfaces.empty() ? "outer" : organ.name.substr(organ.name.find('/') + 1);
     played.surfaces.push_back({name, std::move(organ), nullptr, false});
   }
   played.surfaces.front().wall = played.surfaces.size() > 1;
-  bindAll(played, file.system.value_or(session::SystemChoice()), surroundings);
+  bindAll(played, file.system.value_or(document::SystemChoice()), surroundings);
   return played;
 }
 
@@ -197,7 +199,7 @@ const PlayedSurface* PlayedSequence::find(const std::string& name) const {
 }
 
 PlayedSequence playedSequence(const PlayRequest& request, Surroundings& surroundings) {
-  const bool isFile = session::isSequenceFile(request.sequence);
+  const bool isFile = motion::isSequenceFile(request.sequence);
   if (isFile && (!request.landmarks.empty() || !request.landmark.empty()))
     throw UsageError("is played on the handles that it holds", request.sequence, "leave the landmarks out");
   PlayedSequence played = isFile             ? fromFile(request, surroundings)

@@ -7,9 +7,9 @@
 
 #include "cli/command.h"
 #include "viscera/deformation/deformer.h"
+#include "viscera/document/organ.h"
+#include "viscera/motion/retarget.h"
 #include "viscera/sequences/sequence.h"
-#include "viscera/session/organ.h"
-#include "viscera/session/retarget.h"
 
 namespace viscera::app::cli {
 
@@ -25,7 +25,7 @@ struct PlayRequest {
 /// One surface that a sequence moves.
 struct PlayedSurface {
   std::string name; ///< "outer", "lv", "rv": its column in tables.
-  session::Organ organ;
+  document::Organ organ;
   std::shared_ptr<deformation::Deformer> deformer;
   bool wall = false; ///< The outer surface of an organ with cavities, drawn translucent.
 };
@@ -33,13 +33,13 @@ struct PlayedSurface {
 /// A sequence with what it moves, bound and ready.
 struct PlayedSequence {
   std::shared_ptr<const sequences::Sequence> sequence;
-  session::NewRig rig;                 ///< The handles with their labels and groups.
+  document::NewRig rig;                ///< The handles with their labels and groups.
   std::vector<PlayedSurface> surfaces; ///< The outer surface first.
   std::vector<std::string> warnings;   ///< About the files that were read.
   /// Of the sample heart: its chambers from outside, without vessels. Only measured.
   std::shared_ptr<deformation::Deformer> chambers;
   /// What was computed when the organ is not the sequence's own.
-  std::optional<session::RetargetedSequence> retargeted;
+  std::optional<motion::RetargetedSequence> retargeted;
 
   /// The surface with that name, or null.
   const PlayedSurface* find(const std::string& name) const;

@@ -12,17 +12,17 @@
 #include "cli/listing.h"
 #include "cli/session_overlays.h"
 #include "viscera/core/error.h"
+#include "viscera/document/measurement.h"
+#include "viscera/document/undo_stack.h"
+#include "viscera/live/live_binding.h"
 #include "viscera/scene/vtkVisceraHandleSetRepresentation.h"
-#include "viscera/session/live_binding.h"
-#include "viscera/session/measurement.h"
-#include "viscera/session/undo_stack.h"
 
 namespace viscera::app::cli {
 namespace {
 
 using nlohmann::ordered_json;
 
-ordered_json organJson(const session::Organ& organ) {
+ordered_json organJson(const document::Organ& organ) {
   return {
       {"name", organ.name},
       {"vertices", organ.mesh->points.rows()},
@@ -34,18 +34,18 @@ ordered_json organJson(const session::Organ& organ) {
 }
 
 /// The handles of a session as a picture shows them.
-RigInput rigOf(const session::Rig& rig) {
+RigInput rigOf(const document::Rig& rig) {
   RigInput input;
-  input.handles = session::handleSet(rig);
-  for (const session::Handle& handle : rig.handles)
+  input.handles = document::handleSet(rig);
+  for (const document::Handle& handle : rig.handles)
     input.labels.push_back(handle.label);
-  for (const session::Group& group : rig.groups)
+  for (const document::Group& group : rig.groups)
     input.groupColors.push_back(group.color);
   return input;
 }
 
 /// The pose that the window showed: an instant of a motion, else the document's.
-Points shownPose(const session::DocumentState& state, const ordered_json& view) {
+Points shownPose(const document::DocumentState& state, const ordered_json& view) {
   Points pose = *state.pose;
   const ordered_json rows = view.value("shownPose", ordered_json());
   if (!rows.is_array() || static_cast<Eigen::Index>(rows.size()) != pose.rows())
@@ -62,21 +62,21 @@ bool showsHandles(const ordered_json& view) {
 }
 
 /// Each with its value at rest.
-ordered_json measurementsJson(const session::DocumentState& state) {
-  const auto atRest = [&](session::OrganId id) -> const Points& { return state.organ(id)->mesh->points; };
+ordered_json measurementsJson(const document::DocumentState& state) {
+  const auto atRest = [&](document::OrganId id) -> const Points& { return state.organ(id)->mesh->points; };
   ordered_json list = ordered_json::array();
-  for (const session::Measurement& measurement : *state.measurements) {
-    const auto kind = session::kindOf(measurement);
+  for (const document::Measurement& measurement : *state.measurements) {
+    const auto kind = document::kindOf(measurement);
     list.push_back({{"name", measurement.name},
-                    {"kind", session::nameOf(kind)},
-                    {"valueAtRest", session::measure(measurement, state, atRest).rest},
-                    {"unit", session::unitOf(kind)}});
+                    {"kind", document::nameOf(kind)},
+                    {"valueAtRest", document::measure(measurement, state, atRest).rest},
+                    {"unit", document::unitOf(kind)}});
   }
   return list;
 }
 
-std::shared_ptr<scene::OrganActor> addOrgan(Stage& stage, const session::Organ& organ,
-                                            const session::LiveBinding& live) {
+std::shared_ptr<scene::OrganActor> addOrgan(Stage& stage, const document::Organ& organ,
+                                            const live::LiveBinding& live) {
   auto actor = stage.add(organ, organ.look.opacity);
   actor->setVertexColorsShown(organ.look.vertexColors);
   actor->setVisible(organ.look.visible);
@@ -87,15 +87,15 @@ std::shared_ptr<scene::OrganActor> addOrgan(Stage& stage, const session::Organ& 
 } // namespace
 
 Outcome describeSession(const std::string& file, Surroundings& surroundings) {
-  const session::OpenedSession opened =
-      session::readSession(file, surroundings.samples, surroundings.progress);
-  const session::DocumentState& state = opened.contents.state;
+  const document::OpenedSession opened =
+      document::readSession(file, surroundings.samples, surroundings.progress);
+  const document::DocumentState& state = opened.contents.state;
   Listing listing;
   listing.add("kind", "session");
   ordered_json organs = ordered_json::array();
   auto organ = state.organs->begin();
-  for (const session::SurfaceFinding& finding : opened.surfaces) {
-    const bool there = finding.state != session::SurfaceFinding::State::missing;
+  for (const document::SurfaceFinding& finding : opened.surfaces) {
+    const bool there = finding.state != document::SurfaceFinding::State::missing;
     ordered_json item = there ? organJson(**organ++) : ordered_json{{"name", finding.organ}};
     item["surface"] = nameOf(finding.state);
     item["source"] = finding.source;
@@ -104,7 +104,7 @@ Outcome describeSession(const std::string& file, Surroundings& surroundings) {
     organs.push_back(std::move(item));
   }
   ordered_json groups = ordered_json::array();
-  for (const session::Group& group : state.rig->groups)
+  for (const document::Group& group : state.rig->groups)
     groups.push_back({{"name", group.name}, {"handles", group.handles.size()}});
   ordered_json parameters = ordered_json::object();
   for (const auto& [name, value] : state.system->parameters.all())
@@ -117,14 +117,14 @@ Outcome describeSession(const std::string& file, Surroundings& surroundings) {
                   {"handles", state.rig->handles.size()},
                   {"groups", std::move(groups)},
                   {"cageTriangles", state.rig->cage.size()},
-                  {"posed", !session::atRest(state)},
+                  {"posed", !document::atRest(state)},
                   {"system", {{"id", state.system->id}, {"parameters", std::move(parameters)}}},
                   {"recordedKeys", state.recording->keys.size()},
                   {"measurements", measurementsJson(state)},
                   {"warnings", opened.warnings}};
-  listing.add("handles",
-              std::to_string(state.rig->handles.size()) + (session::atRest(state) ? ", at rest" : ", posed"));
-  for (const session::Group& group : state.rig->groups)
+  listing.add("handles", std::to_string(state.rig->handles.size()) +
+                             (document::atRest(state) ? ", at rest" : ", posed"));
+  for (const document::Group& group : state.rig->groups)
     listing.add("group", group.name + ": " + std::to_string(group.handles.size()));
   if (!state.rig->cage.empty())
     listing.add("cage", std::to_string(state.rig->cage.size()) + " triangles");
@@ -139,18 +139,18 @@ Outcome describeSession(const std::string& file, Surroundings& surroundings) {
   return outcome;
 }
 
-SessionPicture sessionPicture(const session::OpenedSession& opened, const StageOptions& options,
+SessionPicture sessionPicture(const document::OpenedSession& opened, const StageOptions& options,
                               bool fromSide, Surroundings& surroundings) {
-  const session::DocumentState& state = opened.contents.state;
+  const document::DocumentState& state = opened.contents.state;
   const auto view = ordered_json::parse(opened.contents.view);
-  session::Document document;
-  session::UndoStack undo(document);
-  session::PostBox box;
-  session::JobQueue jobs(box.post());
-  session::LiveBinding::Options atOnce;
+  document::Document document;
+  document::UndoStack undo(document);
+  PostBox box;
+  JobQueue jobs(box.post());
+  live::LiveBinding::Options atOnce;
   atOnce.frameSeconds = std::numeric_limits<double>::infinity();
   atOnce.threads = surroundings.threads;
-  session::LiveBinding live(document, surroundings.systems, jobs, atOnce);
+  live::LiveBinding live(document, surroundings.systems, jobs, atOnce);
   undo.reset(state);
   Stage stage(options, surroundings.threads);
   StagedSession staged{document, live, jobs, box, stage, {}};

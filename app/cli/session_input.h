@@ -7,14 +7,14 @@
 
 #include "cli/command.h"
 #include "cli/stage.h"
-#include "viscera/session/session_file.h"
+#include "viscera/document/session_file.h"
 
 class vtkImageData;
 
 /// What commands make of session files.
 namespace viscera::app::cli {
 
-/// What is in a session, with what became of its organs' files. Throws as `session::readSession`.
+/// What is in a session, with what became of its organs' files. Throws as `document::readSession`.
 Outcome describeSession(const std::string& file, Surroundings& surroundings);
 
 struct SessionPicture {
@@ -24,7 +24,7 @@ struct SessionPicture {
 
 /// The session as the window showed it: looks, pose, the instant of its motion, the influence of a handle or
 /// the stress map, and the camera, unless `fromSide` asks for the side of `options`.
-SessionPicture sessionPicture(const session::OpenedSession& opened, const StageOptions& options,
+SessionPicture sessionPicture(const document::OpenedSession& opened, const StageOptions& options,
                               bool fromSide, Surroundings& surroundings);
 
 } // namespace viscera::app::cli

@@ -14,7 +14,7 @@ namespace viscera::app::cli {
 namespace {
 
 using nlohmann::ordered_json;
-using State = session::StressStatus::State;
+using State = live::StressStatus::State;
 
 constexpr double kPercent = 100;
 /// Magenta: in none of the colour maps.
@@ -22,17 +22,17 @@ constexpr std::array<std::uint8_t, 3> kFoldedColor = {232, 40, 200};
 /// Handles this little on the side that is cut away stay, of the organ's radius; as in the window.
 constexpr double kHandleSlack = 0.08;
 
-session::LiveStress::Options atOnce(Threads threads) {
-  session::LiveStress::Options options;
+live::LiveStress::Options atOnce(Threads threads) {
+  live::LiveStress::Options options;
   options.frameSeconds = std::numeric_limits<double>::infinity();
   options.threads = options.witnesses.threads = threads;
   return options;
 }
 
 /// The organ that was selected, else the first that is no part of another.
-session::OrganId chosenOrgan(const session::Document& document, const ordered_json& view) {
+document::OrganId chosenOrgan(const document::Document& document, const ordered_json& view) {
   if (view.contains("selection")) {
-    const session::OrganId chosen{view.at("selection").at("organ").get<std::int64_t>()};
+    const document::OrganId chosen{view.at("selection").at("organ").get<std::int64_t>()};
     if (document.organ(chosen))
       return chosen;
   }
@@ -60,11 +60,11 @@ bool showsInfluence(const ordered_json& view) {
 void drawInfluence(const StagedSession& staged, const ordered_json& view) {
   const ordered_json chosen = view.value("selection", ordered_json::object());
   const ordered_json handles = chosen.value("handles", ordered_json::array());
-  const session::HandleId handle{handles.empty() ? 0 : handles.back().get<std::int64_t>()};
+  const document::HandleId handle{handles.empty() ? 0 : handles.back().get<std::int64_t>()};
   const int row = staged.document.rig().indexOf(handle);
   if (row < 0)
     return;
-  std::map<session::OrganId, std::shared_ptr<const Values>> influences;
+  std::map<document::OrganId, std::shared_ptr<const Values>> influences;
   scene::ValueRange range{0, 0};
   for (const auto& [id, actor] : staged.actors) {
     Values influence = staged.live.influence(id, handle);
@@ -118,9 +118,9 @@ bool SessionStress::onSurface() const {
 void SessionStress::draw() {
   if (look_.glyphs != GlyphChoice::none)
     leftOut_.emplace_back("the glyphs of the stretches");
-  const session::StressQuantityDescription& quantity = session::describe(look_.quantity);
-  session::quantityOf(live_.map(), look_.quantity, *values_);
-  const auto summary = session::summaryOf(*values_, live_.mesh()->witnesses);
+  const live::StressQuantityDescription& quantity = live::describe(look_.quantity);
+  live::quantityOf(live_.map(), look_.quantity, *values_);
+  const auto summary = live::summaryOf(*values_, live_.mesh()->witnesses);
   const auto range = steppedRange(look_.quantity, {summary.percentile5, summary.percentile95}, {0, 0});
   scene::ColorMap colors = scene::colorMapByName(quantity.ratio ? "diverging" : "viridis");
   colors.missing = kFoldedColor;

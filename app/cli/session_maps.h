@@ -8,20 +8,20 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/stage.h"
+#include "viscera/live/live_stress.h"
 #include "viscera/scene/tissue_actor.h"
-#include "viscera/session/live_stress.h"
 #include "window/stress/stress_look.h"
 
 namespace viscera::app::cli {
 
 /// A session on a stage: its organs are bound, posed and drawn.
 struct StagedSession {
-  session::Document& document;
-  session::LiveBinding& live;
-  session::JobQueue& jobs;
-  session::PostBox& box;
+  document::Document& document;
+  live::LiveBinding& live;
+  JobQueue& jobs;
+  PostBox& box;
   Stage& stage;
-  std::map<session::OrganId, std::shared_ptr<scene::OrganActor>> actors;
+  std::map<document::OrganId, std::shared_ptr<scene::OrganActor>> actors;
 };
 
 /// Whether a switch of the window was on; `standard` where the session does not say.
@@ -58,7 +58,7 @@ private:
 
   const StagedSession& staged_;
   StressLook look_;
-  session::LiveStress live_;
+  live::LiveStress live_;
   std::unique_ptr<scene::TissueActor> tissue_;
   std::shared_ptr<Values> values_ = std::make_shared<Values>();
   scene::CutPlane plane_;

@@ -15,7 +15,7 @@ void addRegions(const StagedSession& staged, const ordered_json& view, const plu
   const scene::LayoutParts shown{.regions = switchedOn(view, "handles.regions", true),
                                  .zones = switchedOn(view, "handles.zones", false),
                                  .superRegions = switchedOn(view, "handles.superRegions", false)};
-  const session::DocumentState& state = staged.document.state();
+  const document::DocumentState& state = staged.document.state();
   staged.stage.view().regions().setHulls(
       regionHulls(*state.rig, layoutOf(state, systems), shown, traitsOf(state, systems).needsCage));
 }
@@ -47,14 +47,15 @@ void SessionOverlays::addGhosts(const StagedSession& staged) {
 
 void SessionOverlays::addLabels(const StagedSession& staged) {
   labels_.setTheme(staged.stage.view().theme());
-  labels_.setItems(labelItems(staged.document, [&](session::OrganId id) { return staged.actors.at(id); }));
+  labels_.setItems(labelItems(staged.document, [&](document::OrganId id) { return staged.actors.at(id); }));
   labels_.setShown(true);
 }
 
 void SessionOverlays::addMeasurements(const StagedSession& staged) {
   measurements_.setTheme(staged.stage.view().theme());
-  measurements_.setItems(measurementItems(
-      staged.document.state(), [&](session::OrganId id) -> const Points& { return staged.live.points(id); }));
+  measurements_.setItems(
+      measurementItems(staged.document.state(),
+                       [&](document::OrganId id) -> const Points& { return staged.live.points(id); }));
 }
 
 } // namespace viscera::app::cli

@@ -54,7 +54,7 @@ Stage::Stage(const StageOptions& options, Threads threads)
   view_.setTheme(options.theme == "light" ? scene::lightTheme() : scene::darkTheme());
 }
 
-std::shared_ptr<scene::OrganActor> Stage::add(const session::Organ& organ, double opacity) {
+std::shared_ptr<scene::OrganActor> Stage::add(const document::Organ& organ, double opacity) {
   auto actor = std::make_shared<scene::OrganActor>(organ.mesh, threads_);
   actor->setColor(organ.look.color);
   actor->setOpacity(opacity);

@@ -40,7 +40,7 @@ public:
   explicit Stage(const StageOptions& options, Threads threads = {});
 
   /// Puts an organ on the stage, at rest.
-  std::shared_ptr<scene::OrganActor> add(const session::Organ& organ, double opacity = 1);
+  std::shared_ptr<scene::OrganActor> add(const document::Organ& organ, double opacity = 1);
 
   /// Shows handles at `rig`'s rest, each in the colour of its group.
   void showHandles(const RigInput& rig);

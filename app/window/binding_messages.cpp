@@ -1,7 +1,7 @@
 #include "window/binding_messages.h"
 
-#include "viscera/session/cage_commands.h"
-#include "viscera/session/rig_commands.h"
+#include "viscera/document/cage_commands.h"
+#include "viscera/document/rig_commands.h"
 
 namespace viscera::app {
 namespace {
@@ -12,19 +12,19 @@ constexpr int kNoteSeconds = 12;
 
 BindingMessages::BindingMessages(Workspace& workspace, MessageBar* bar, QObject* parent, Workspace* mended)
     : QObject(parent), workspace_(workspace), mended_(mended ? *mended : workspace), bar_(bar) {
-  subscription_ = workspace.live().onEvent([this](const session::LiveEvent& event) {
+  subscription_ = workspace.live().onEvent([this](const live::LiveEvent& event) {
     if (event.status)
       sync();
   });
 }
 
 void BindingMessages::sync() {
-  using State = session::BindingStatus::State;
+  using State = live::BindingStatus::State;
   double seconds = 0;
   QStringList notes;
   bool allBound = !workspace_.document().organs().empty();
   for (const auto& organ : workspace_.document().organs()) {
-    const session::BindingStatus status = workspace_.live().status(organ->id);
+    const live::BindingStatus status = workspace_.live().status(organ->id);
     if (status.state == State::failed || status.state == State::stale) {
       const Message message = messageFor(*organ, status);
       if (message.text != shown_ || bar_->text().isEmpty())
@@ -60,10 +60,10 @@ void BindingMessages::tellNotes(const QStringList& notes) {
   bar_->showMessage(message);
 }
 
-Message BindingMessages::messageFor(const session::Organ& organ, const session::BindingStatus& status) const {
+Message BindingMessages::messageFor(const document::Organ& organ, const live::BindingStatus& status) const {
   Message message;
   message.severity = Message::Severity::warning;
-  if (status.state == session::BindingStatus::State::stale) {
+  if (status.state == live::BindingStatus::State::stale) {
     message.text = tr("%1 is not bound to these handles: binding was cancelled.").arg(text(organ.name));
     message.offers.push_back(
         {tr("Bind now"), [this] { workspace_.guarded([this] { workspace_.live().rebind(); }); }});
@@ -76,7 +76,7 @@ Message BindingMessages::messageFor(const session::Organ& organ, const session::
                         status.outsideCage)
                          .arg(text(organ.name));
     message.offers.push_back(
-        {tr("Take the hull as the cage"), [this] { mended_.perform(session::dropCage()); }});
+        {tr("Take the hull as the cage"), [this] { mended_.perform(document::dropCage()); }});
     message.offers.push_back({tr("Undo"), [this] { mended_.guarded([this] { mended_.undo().undo(); }); }});
     return message;
   }
@@ -85,7 +85,7 @@ Message BindingMessages::messageFor(const session::Organ& organ, const session::
                       static_cast<int>(status.inNoRegion.size()))
                        .arg(text(organ.name));
     message.offers.push_back({tr("Add enclosing group"), [this, id = organ.id, vertices = status.inNoRegion] {
-                                mended_.perform(session::addEnclosingGroup(id, vertices));
+                                mended_.perform(document::addEnclosingGroup(id, vertices));
                               }});
     return message;
   }
@@ -94,7 +94,7 @@ Message BindingMessages::messageFor(const session::Organ& organ, const session::
                       status.outsideHull)
                        .arg(text(organ.name));
     message.offers.push_back(
-        {tr("Add enclosing handles"), [this] { mended_.perform(session::addEnclosingHandles()); }});
+        {tr("Add enclosing handles"), [this] { mended_.perform(document::addEnclosingHandles()); }});
     return message;
   }
   message.text = asSentence(status.message);

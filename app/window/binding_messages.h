@@ -24,7 +24,7 @@ Q_SIGNALS:
 
 private:
   void sync();
-  Message messageFor(const session::Organ& organ, const session::BindingStatus& status) const;
+  Message messageFor(const document::Organ& organ, const live::BindingStatus& status) const;
 
   void tellNotes(const QStringList& notes);
 
@@ -33,7 +33,7 @@ private:
   MessageBar* bar_;
   QString shown_;
   QStringList notes_; ///< Of the bindings in use.
-  session::Subscription subscription_;
+  Subscription subscription_;
 };
 
 } // namespace viscera::app

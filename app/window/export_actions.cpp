@@ -4,10 +4,10 @@
 #include <QFileInfo>
 
 #include "viscera/deformation/inverse_displacements.h"
+#include "viscera/document/measurement_table.h"
+#include "viscera/document/organ_table.h"
 #include "viscera/medical_io/displacement_file.h"
 #include "viscera/medical_io/surfaces_file.h"
-#include "viscera/session/measurement_table.h"
-#include "viscera/session/organ_table.h"
 #include "window/actions.h"
 #include "window/settings.h"
 #include "window/workspace.h"
@@ -84,7 +84,7 @@ void ExportActions::choose(const QString& title, const QString& name, const QStr
 
 void ExportActions::write(const QString& what, const QString& file, std::function<QString(Progress&)> work) {
   workspace_.jobs().submit<QString>(tr("Exporting %1").arg(what).toStdString(), "export", std::move(work),
-                                    [this, file](session::JobResult<QString> result) {
+                                    [this, file](JobResult<QString> result) {
                                       if (result.error)
                                         workspace_.report(*result.error);
                                       if (!result.value)
@@ -127,7 +127,7 @@ void ExportActions::exportDisplacements(const QString& file) {
 
 void ExportActions::exportTransform(const QString& file) {
   const auto organ = workspace_.currentOrgan();
-  const session::Document& document = workspace_.document();
+  const document::Document& document = workspace_.document();
   if (!organ || !workspace_.guarded([&] { workspace_.registry().find(document.system().id); }))
     return;
   const double spacing = boundsOf(organ->mesh->points).diagonal() / kCellsAlongDiagonal;
@@ -136,7 +136,7 @@ void ExportActions::exportTransform(const QString& file) {
   write(text(organ->name), file,
         [system = workspace_.registry().find(document.system().id),
          options = coordinates::BindOptions{document.system().parameters, {}},
-         handles = session::handleSet(document.rig()), pose = document.pose(), grid,
+         handles = document::handleSet(document.rig()), pose = document.pose(), grid,
          path = file.toStdString()](Progress& progress) {
           const deformation::DisplacementGrid field =
               deformation::inverseDisplacements(*system, handles, pose, options, grid, progress);
@@ -148,21 +148,21 @@ void ExportActions::exportTransform(const QString& file) {
 }
 
 void ExportActions::exportTable(const QString& file) {
-  std::vector<session::PosedOrgan> organs;
+  std::vector<document::PosedOrgan> organs;
   for (const auto& organ : workspace_.document().organs())
     organs.push_back({organ, workspace_.live().points(organ->id)});
   write(tr("table of volumes"), file, [organs = std::move(organs), path = file.toStdString()](Progress&) {
-    session::writeOrganTable(path, organs);
+    document::writeOrganTable(path, organs);
     return QString();
   });
 }
 
 void ExportActions::exportMeasurements(const QString& file) {
-  auto rows = session::measurementRows(workspace_.state(), [this](session::OrganId organ) -> const Points& {
+  auto rows = document::measurementRows(workspace_.state(), [this](document::OrganId organ) -> const Points& {
     return workspace_.live().points(organ);
   });
   write(tr("measurements"), file, [rows = std::move(rows), path = file.toStdString()](Progress&) {
-    session::writeMeasurementTable(path, rows);
+    document::writeMeasurementTable(path, rows);
     return QString();
   });
 }

@@ -7,10 +7,10 @@
 
 #include <algorithm>
 
+#include "viscera/document/session_file.h"
 #include "viscera/medical_io/handle_file.h"
 #include "viscera/medical_io/label_map.h"
 #include "viscera/medical_io/surface_file.h"
-#include "viscera/session/session_file.h"
 #include "window/panels/color_palette.h"
 
 namespace viscera::app {
@@ -67,7 +67,7 @@ void FileActions::chooseAndOpenFolder() {
 }
 
 void FileActions::open(const QStringList& files, bool check) {
-  if (openSession_ && files.size() == 1 && session::isSessionFile(files.front().toStdString()))
+  if (openSession_ && files.size() == 1 && document::isSessionFile(files.front().toStdString()))
     return openSession_(files.front());
   std::vector<std::filesystem::path> paths;
   for (const QString& file : files)
@@ -75,10 +75,12 @@ void FileActions::open(const QStringList& files, bool check) {
   const QString name = files.size() == 1
                            ? tr("Opening %1").arg(QFileInfo(files.front()).fileName())
                            : tr("Opening %n {file|files}", nullptr, static_cast<int>(files.size()));
-  workspace_.jobs().submit<session::ImportDraft>(
+  workspace_.jobs().submit<document::ImportDraft>(
       name.toStdString(), "open",
-      [paths](Progress& progress) { return session::draftOf(session::openFiles(paths, progress), progress); },
-      [this, files, check](session::JobResult<session::ImportDraft> result) {
+      [paths](Progress& progress) {
+        return document::draftOf(document::openFiles(paths, progress), progress);
+      },
+      [this, files, check](JobResult<document::ImportDraft> result) {
         if (result.error)
           workspace_.report(*result.error);
         if (result.value)
@@ -86,23 +88,23 @@ void FileActions::open(const QStringList& files, bool check) {
       });
 }
 
-void FileActions::checkOrTake(session::ImportDraft draft, const QStringList& files, bool check) {
+void FileActions::checkOrTake(document::ImportDraft draft, const QStringList& files, bool check) {
   const bool odd = draft.questionable();
   if (checker_ && !draft.organs.empty() && (odd || check))
     return checker_(std::move(draft), files);
-  take(session::accepted(draft), files);
+  take(document::accepted(draft), files);
   if (!odd && !draft.organs.empty())
     Q_EMIT foundNothingOdd(files);
 }
 
-void FileActions::take(const session::ImportDraft& draft, const QStringList& files) {
-  session::OpenedFiles opened = session::accepted(draft);
+void FileActions::take(const document::ImportDraft& draft, const QStringList& files) {
+  document::OpenedFiles opened = document::accepted(draft);
   opened.warnings.clear(); // Who checked them has seen them; they stay with the organs.
   take(opened, files);
 }
 
-void FileActions::take(const session::OpenedFiles& opened, const QStringList& files) {
-  const session::OrganList& present = workspace_.document().organs();
+void FileActions::take(const document::OpenedFiles& opened, const QStringList& files) {
+  const document::OrganList& present = workspace_.document().organs();
   // What the program made itself was only there to look at.
   const bool onlySamples =
       std::all_of(present.begin(), present.end(), [](const auto& o) { return !o->origin.sample.empty(); });
@@ -110,14 +112,14 @@ void FileActions::take(const session::OpenedFiles& opened, const QStringList& fi
   const std::size_t firstNew = replaces ? 0 : present.size();
   const QString name = tr("Open %1").arg(QFileInfo(files.front()).fileName());
   const bool done = workspace_.guarded([&] {
-    session::UndoStack& undo = workspace_.undo();
+    document::UndoStack& undo = workspace_.undo();
     undo.beginStep(name.toStdString());
     try {
       if (replaces) {
         if (!present.empty())
-          undo.perform(session::removeAllOrgans());
+          undo.perform(document::removeAllOrgans());
         if (!opened.rig)
-          undo.perform(session::replaceRig({}));
+          undo.perform(document::replaceRig({}));
       }
       undo.perform(opened.command());
       dressNewOrgans();
@@ -141,15 +143,15 @@ void FileActions::take(const session::OpenedFiles& opened, const QStringList& fi
 }
 
 void FileActions::dressNewOrgans() {
-  const session::OrganList organs = workspace_.document().organs();
+  const document::OrganList organs = workspace_.document().organs();
   for (const auto& organ : organs) {
     const auto color = tissueColor(text(organ->name));
-    const bool untouched = organ->look == session::OrganLook();
+    const bool untouched = organ->look == document::OrganLook();
     if (!color || !untouched || organ->mesh->colors.rows() > 0)
       continue;
-    session::OrganLook look = organ->look;
+    document::OrganLook look = organ->look;
     look.color = asVec3(*color);
-    workspace_.undo().perform(session::setOrganLook(organ->id, look));
+    workspace_.undo().perform(document::setOrganLook(organ->id, look));
   }
 }
 
@@ -185,7 +187,7 @@ void FileActions::saveHandles(const QString& file) {
   const bool done = workspace_.guarded([&] {
     if (workspace_.document().rig().handles.empty())
       throw UsageError("there are no handles to save", {}, "place some first");
-    medical_io::writeHandles(file.toStdString(), session::handleFile(workspace_.document().rig()));
+    medical_io::writeHandles(file.toStdString(), document::handleFile(workspace_.document().rig()));
   });
   if (done)
     saySaved(tr("Handles"), file);
@@ -200,10 +202,10 @@ void FileActions::chooseAndLoadCage() {
 }
 
 void FileActions::loadCage(const QString& file) {
-  workspace_.jobs().submit<session::GivenCage>(
+  workspace_.jobs().submit<document::GivenCage>(
       tr("Reading the cage %1").arg(QFileInfo(file).fileName()).toStdString(), "cage",
-      [path = file.toStdString()](Progress& progress) { return session::readCage(path, progress); },
-      [this, file](session::JobResult<session::GivenCage> result) {
+      [path = file.toStdString()](Progress& progress) { return document::readCage(path, progress); },
+      [this, file](JobResult<document::GivenCage> result) {
         if (result.error)
           workspace_.report(*result.error);
         if (result.value)
@@ -211,17 +213,17 @@ void FileActions::loadCage(const QString& file) {
       });
 }
 
-void FileActions::takeCage(const session::GivenCage& cage, const QString& file) {
+void FileActions::takeCage(const document::GivenCage& cage, const QString& file) {
   const int vertices = static_cast<int>(cage.mesh->points.rows());
   Message message;
   message.seconds = 8;
   message.text =
-      session::standAt(workspace_.document().rig(), *cage.mesh)
+      document::standAt(workspace_.document().rig(), *cage.mesh)
           ? tr("The handles at the vertices of %1 are the corners of the cage now.").arg(text(cage.name))
           : tr("The %n {vertex|vertices} of %1 are the handles now.", nullptr, vertices).arg(text(cage.name));
   workspace_.say(message); // First: what binding to it has to say counts more.
   workspace_.undo().seal();
-  if (workspace_.perform(session::takeCage(cage)))
+  if (workspace_.perform(document::takeCage(cage)))
     rememberFolder(file);
 }
 
@@ -252,7 +254,7 @@ void FileActions::exportOrgan(const QString& file) {
         medical_io::writeSurface(path, mesh, options);
         return true;
       },
-      [this, file, name = text(organ->name)](session::JobResult<bool> result) {
+      [this, file, name = text(organ->name)](JobResult<bool> result) {
         if (result.error)
           workspace_.report(*result.error);
         if (result.value)

@@ -5,8 +5,8 @@
 
 #include <functional>
 
-#include "viscera/session/cage_commands.h"
-#include "viscera/session/import_draft.h"
+#include "viscera/document/cage_commands.h"
+#include "viscera/document/import_draft.h"
 #include "window/handle_placer.h"
 #include "window/settings.h"
 #include "window/workspace.h"
@@ -25,7 +25,7 @@ public:
 
   /// Who gets files of which something should be looked at before they are accepted, and gives them back by
   /// `take`. Without anybody they are taken as they are.
-  using Checker = std::function<void(session::ImportDraft, const QStringList&)>;
+  using Checker = std::function<void(document::ImportDraft, const QStringList&)>;
   void setChecker(Checker checker) { checker_ = std::move(checker); }
 
   /// Takes what opens a session file, which replaces everything. Without one, sessions are refused.
@@ -39,7 +39,7 @@ public:
   /// later ones come beside those there are. Organs that come without handles get some.
   void open(const QStringList& files, bool check = false);
   /// Adds what a draft has accepted to the document.
-  void take(const session::ImportDraft& draft, const QStringList& files);
+  void take(const document::ImportDraft& draft, const QStringList& files);
   /// Asks where to, and writes the handles at rest as `.mrk.json`.
   void chooseAndSaveHandles();
   void saveHandles(const QString& file);
@@ -60,12 +60,12 @@ Q_SIGNALS:
 private:
   QString folder() const;
   void rememberFolder(const QString& file);
-  void take(const session::OpenedFiles& opened, const QStringList& files);
-  void checkOrTake(session::ImportDraft draft, const QStringList& files, bool check);
+  void take(const document::OpenedFiles& opened, const QStringList& files);
+  void checkOrTake(document::ImportDraft draft, const QStringList& files, bool check);
   /// Gives organs that are named after a tissue its colour.
   void dressNewOrgans();
   void sayWarnings(const std::vector<std::string>& warnings);
-  void takeCage(const session::GivenCage& cage, const QString& file);
+  void takeCage(const document::GivenCage& cage, const QString& file);
   void saySaved(const QString& what, const QString& file);
 
   Workspace& workspace_;

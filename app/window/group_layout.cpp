@@ -2,18 +2,18 @@
 
 namespace viscera::app {
 
-coordinates::SpaceLayout layoutOf(const session::DocumentState& state, const plugin::Registry& systems) {
+coordinates::SpaceLayout layoutOf(const document::DocumentState& state, const plugin::Registry& systems) {
   if (!systems.contains(state.system->id) || state.rig->handles.empty())
     return {};
   try {
-    return systems.find(state.system->id)->layout(session::handleSet(*state.rig), state.system->parameters);
+    return systems.find(state.system->id)->layout(document::handleSet(*state.rig), state.system->parameters);
   } catch (const Error&) {
     return {}; // A flat group, say: binding fails for the same reason and tells it.
   }
 }
 
 const coordinates::SpaceLayout& GroupLayout::now() {
-  const session::DocumentState& state = workspace_.state();
+  const document::DocumentState& state = workspace_.state();
   if (state.rig != rig_ || state.system != system_) {
     rig_ = state.rig;
     system_ = state.system;

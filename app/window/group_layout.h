@@ -7,7 +7,7 @@ namespace viscera::app {
 
 /// How the coordinates of a document divide the space around its handles at rest; empty when they treat all
 /// space alike, are not there, or cannot use these handles or groups.
-coordinates::SpaceLayout layoutOf(const session::DocumentState& state, const plugin::Registry& systems);
+coordinates::SpaceLayout layoutOf(const document::DocumentState& state, const plugin::Registry& systems);
 
 /// How the chosen coordinates divide the space around the handles at rest, for everybody in the window who
 /// shows something of it. Computed when asked for after a change, about a millisecond.
@@ -21,8 +21,8 @@ public:
 
 private:
   const Workspace& workspace_;
-  std::shared_ptr<const session::Rig> rig_; ///< For which `layout_` was computed.
-  std::shared_ptr<const session::SystemChoice> system_;
+  std::shared_ptr<const document::Rig> rig_; ///< For which `layout_` was computed.
+  std::shared_ptr<const document::SystemChoice> system_;
   coordinates::SpaceLayout layout_;
 };
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "viscera/session/rig_commands.h"
+#include "viscera/document/rig_commands.h"
 
 namespace viscera::app {
 namespace {
@@ -46,13 +46,13 @@ void HandlePlacer::place() {
   Q_EMIT placementChanged();
 }
 
-Points HandlePlacer::around(const session::Organ& organ) const {
+Points HandlePlacer::around(const document::Organ& organ) const {
   Points handles = deformation::placeHandles(*organ.mesh, placement_);
   if (!placement_.enclosing)
     return handles;
-  const session::OrganList& organs = workspace_.document().organs();
+  const document::OrganList& organs = workspace_.document().organs();
   Points ends(2 * static_cast<Eigen::Index>(organs.size()) + 2, 3);
-  auto addEnds = [&, row = Eigen::Index{0}](const session::Organ& one) mutable {
+  auto addEnds = [&, row = Eigen::Index{0}](const document::Organ& one) mutable {
     const Bounds box = boundsOf(one.mesh->points);
     ends.row(row++) = box.low.transpose();
     ends.row(row++) = box.high.transpose();
@@ -64,18 +64,18 @@ Points HandlePlacer::around(const session::Organ& organ) const {
   return handles;
 }
 
-session::Command HandlePlacer::command(const session::Organ& organ) const {
-  session::NewRig rig;
-  rig.handles = session::newHandles(around(organ));
+document::Command HandlePlacer::command(const document::Organ& organ) const {
+  document::NewRig rig;
+  rig.handles = document::newHandles(around(organ));
   const int corners = placement_.enclosing ? kCorners : 0;
-  session::NewGroup enclosing{tr("Enclosing").toStdString(), kEnclosingColor, {}};
-  session::NewGroup surface{tr("Surface").toStdString(), kSurfaceColor, {}};
+  document::NewGroup enclosing{tr("Enclosing").toStdString(), kEnclosingColor, {}};
+  document::NewGroup surface{tr("Surface").toStdString(), kSurfaceColor, {}};
   for (int i = 0; i < static_cast<int>(rig.handles.size()); ++i)
     (i < corners ? enclosing : surface).handles.push_back(i);
   rig.groups.push_back(std::move(surface));
   if (corners > 0)
     rig.groups.push_back(std::move(enclosing));
-  return session::replaceRig(std::move(rig), tr("Place handles").toStdString());
+  return document::replaceRig(std::move(rig), tr("Place handles").toStdString());
 }
 
 } // namespace viscera::app

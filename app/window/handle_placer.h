@@ -27,13 +27,13 @@ public:
   void place();
   /// The command that places around an organ with the present choice, the enclosing ones around all organs of
   /// the document: every one of them can be bound. May throw `DataError`.
-  session::Command command(const session::Organ& organ) const;
+  document::Command command(const document::Organ& organ) const;
 
 Q_SIGNALS:
   void placementChanged();
 
 private:
-  Points around(const session::Organ& organ) const;
+  Points around(const document::Organ& organ) const;
 
   deformation::Placement placement_;
   Workspace& workspace_;

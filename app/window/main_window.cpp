@@ -56,7 +56,7 @@ constexpr int kChartHeight = 200;
 
 } // namespace
 
-MainWindow::MainWindow(Settings& settings, plugin::Registry registry, session::Player::Clock clock,
+MainWindow::MainWindow(Settings& settings, plugin::Registry registry, motion::Player::Clock clock,
                        QWidget* parent)
     : QMainWindow(parent), settings_(settings), actions_(this), workspace_(std::move(registry)),
       poses_(workspace_), playback_(workspace_, clock), volumes_(workspace_, playback_),
@@ -198,12 +198,12 @@ void MainWindow::connectParts() {
     if (mode_ == Mode::handles)
       viewArea_->showBadge(tr("Bound in %1 ms").arg(1000 * seconds, 0, 'f', 1));
   });
-  connect(organPanel_, &OrganPanel::focusRequested, this, [this](session::OrganId organ) {
+  connect(organPanel_, &OrganPanel::focusRequested, this, [this](document::OrganId organ) {
     workspace_.selection().setOrgan(organ);
     focusSelection();
   });
   subscriptions_.push_back(workspace_.undo().onChange([this] { syncActions(); }));
-  subscriptions_.push_back(workspace_.onChange([this](const session::Change&) { syncActions(); }));
+  subscriptions_.push_back(workspace_.onChange([this](const document::Change&) { syncActions(); }));
   subscriptions_.push_back(workspace_.selection().onChange([this] { syncActions(); }));
   connect(new QShortcut(QKeySequence(Qt::Key_Escape), this), &QShortcut::activated, this,
           &MainWindow::escape);
@@ -211,7 +211,7 @@ void MainWindow::connectParts() {
 }
 
 void MainWindow::connectImports() {
-  files_->setChecker([this](session::ImportDraft draft, const QStringList& files) {
+  files_->setChecker([this](document::ImportDraft draft, const QStringList& files) {
     imports_->begin(std::move(draft), files);
   });
   connect(imports_.get(), &ImportDesk::opened, this, &MainWindow::showImports);
@@ -253,7 +253,7 @@ void MainWindow::connectTimeline() {
 }
 
 void MainWindow::syncTimeline() {
-  const session::Player& player = playback_.player();
+  const motion::Player& player = playback_.player();
   const sequences::Sequence* sequence = playback_.sequence();
   for (const char* id : {"play.toggle", "play.loop", "play.forward", "play.back", "play.start"})
     actions_[id]->setEnabled(sequence);
@@ -323,7 +323,7 @@ void MainWindow::frameFromFront() {
 
 void MainWindow::focusSelection() {
   scene::OrganView& view = viewArea_->view()->view();
-  const session::OrganId selected = workspace_.selection().organ();
+  const document::OrganId selected = workspace_.selection().organ();
   Bounds bounds = view.bounds();
   for (const auto& organ : view.organs())
     if (organScene_->organOf(organ.get()) == selected)

@@ -55,7 +55,7 @@ class MainWindow final : public QMainWindow {
 public:
   /// `settings` has to outlive the window. `registry` has the coordinate systems to choose from, `clock`
   /// drives the sequences.
-  MainWindow(Settings& settings, plugin::Registry registry, session::Player::Clock clock,
+  MainWindow(Settings& settings, plugin::Registry registry, motion::Player::Clock clock,
              QWidget* parent = nullptr);
   ~MainWindow() override;
 
@@ -172,7 +172,7 @@ private:
   QByteArray standardLayout_;
   ThemeKind theme_ = ThemeKind::dark;
   Mode mode_ = Mode::explore;
-  std::vector<session::Subscription> subscriptions_;
+  std::vector<Subscription> subscriptions_;
 };
 
 } // namespace viscera::app

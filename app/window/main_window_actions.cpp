@@ -7,11 +7,11 @@
 #include <QFileInfo>
 #include <QUrl>
 
+#include "viscera/document/cage_commands.h"
+#include "viscera/document/organ_commands.h"
+#include "viscera/document/pose_commands.h"
+#include "viscera/document/rig_commands.h"
 #include "viscera/scene/picture.h"
-#include "viscera/session/cage_commands.h"
-#include "viscera/session/organ_commands.h"
-#include "viscera/session/pose_commands.h"
-#include "viscera/session/rig_commands.h"
 #include "window/export_actions.h"
 #include "window/import/import_desk.h"
 #include "window/main_window.h"
@@ -63,7 +63,7 @@ void MainWindow::makeEditActions() {
                [this] { workspace_.guarded([this] { workspace_.undo().redo(); }); });
   actions_.add("pose.reset",
                {tr("Reset &pose"), "reset", {tr("Ctrl+R")}, tr("Put every handle back to rest")},
-               [this] { workspace_.perform(session::resetPose()); });
+               [this] { workspace_.perform(document::resetPose()); });
   actions_.add("pose.resetSelected",
                {tr("Reset selected handles"),
                 "reset",
@@ -71,15 +71,15 @@ void MainWindow::makeEditActions() {
                 tr("Put the selected handles back to rest")},
                [this] { poses_.reset(workspace_.selection().handles()); });
   actions_.add("edit.selectAll", {tr("Select &all handles"), nullptr, {QKeySequence::SelectAll}, {}}, [this] {
-    std::vector<session::HandleId> all;
-    for (const session::Handle& handle : workspace_.document().rig().handles)
+    std::vector<document::HandleId> all;
+    for (const document::Handle& handle : workspace_.document().rig().handles)
       all.push_back(handle.id);
     workspace_.selection().setHandles(all);
   });
   actions_.add("organ.rename", {tr("Re&name organ"), "rename", {}, {}}, [this] { organPanel_->editName(); });
   actions_.add("organ.remove", {tr("&Remove organ"), "remove", {}, {}}, [this] {
     if (const auto organ = workspace_.currentOrgan())
-      workspace_.perform(session::removeOrgans({organ->id}));
+      workspace_.perform(document::removeOrgans({organ->id}));
   });
 }
 
@@ -160,10 +160,10 @@ void MainWindow::makeHandleActions() {
   actions_.add(
       "handles.addEnclosing",
       {tr("Add &enclosing handles"), "enclosing", {}, tr("Add the eight corners of a box around everything")},
-      [this] { workspace_.perform(session::addEnclosingHandles()); });
+      [this] { workspace_.perform(document::addEnclosingHandles()); });
   actions_.add("handles.remove",
                {tr("&Remove handles"), "remove", {QKeySequence::Delete}, tr("Remove the selected handles")},
-               [this] { workspace_.perform(session::removeHandles(workspace_.selection().handles())); });
+               [this] { workspace_.perform(document::removeHandles(workspace_.selection().handles())); });
   actions_.add(
       "cage.load",
       {tr("Load a &cage..."),
@@ -177,7 +177,7 @@ void MainWindow::makeHandleActions() {
                 "enclosing",
                 {},
                 tr("Give the loaded cage up: the convex hull of the handles is the cage again")},
-               [this] { workspace_.perform(session::dropCage()); });
+               [this] { workspace_.perform(document::dropCage()); });
   actions_.addToggle("handles.influence",
                      {tr("&Influence map"),
                       "influence",
@@ -259,7 +259,7 @@ QString MainWindow::saveScreenshot() {
 }
 
 void MainWindow::syncActions() {
-  session::UndoStack& undo = workspace_.undo();
+  document::UndoStack& undo = workspace_.undo();
   const bool selected = !workspace_.selection().handles().empty();
   const bool organs = !workspace_.document().organs().empty();
   actions_["edit.undo"]->setEnabled(undo.canUndo());
@@ -268,7 +268,7 @@ void MainWindow::syncActions() {
   actions_["edit.redo"]->setText(undo.canRedo() ? tr("&Redo: %1").arg(text(undo.redoName())) : tr("&Redo"));
   actions_["handles.remove"]->setEnabled(selected);
   actions_["pose.resetSelected"]->setEnabled(selected);
-  actions_["pose.reset"]->setEnabled(!session::atRest(workspace_.state()));
+  actions_["pose.reset"]->setEnabled(!document::atRest(workspace_.state()));
   for (const char* id :
        {"handles.place", "handles.addEnclosing", "organ.rename", "organ.remove", "file.export", "view.focus"})
     actions_[id]->setEnabled(organs);

@@ -104,11 +104,11 @@ void MainWindow::syncDeformActions() {
   const auto organ = workspace_.currentOrgan();
   actions_["volume.lock"]->setEnabled(organ != nullptr);
   actions_["volume.lock"]->setChecked(organ && organ->volumeLocked);
-  actions_["volume.restore"]->setEnabled(organ && organ->closed() && !session::atRest(workspace_.state()));
+  actions_["volume.restore"]->setEnabled(organ && organ->closed() && !document::atRest(workspace_.state()));
   const auto& selected = workspace_.selection().handles();
-  const session::Rig& rig = workspace_.document().rig();
+  const document::Rig& rig = workspace_.document().rig();
   const bool compensating =
-      !selected.empty() && std::all_of(selected.begin(), selected.end(), [&rig](session::HandleId id) {
+      !selected.empty() && std::all_of(selected.begin(), selected.end(), [&rig](document::HandleId id) {
         const int row = rig.indexOf(id);
         return row >= 0 && rig.handles[static_cast<std::size_t>(row)].compensates;
       });

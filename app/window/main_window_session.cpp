@@ -63,7 +63,7 @@ void MainWindow::syncTitle() {
 /// The steps around the present one, the youngest first; those that were undone are grey.
 void MainWindow::fillHistoryMenu() {
   historyMenu_->clear();
-  const session::UndoStack& undo = workspace_.undo();
+  const document::UndoStack& undo = workspace_.undo();
   const std::vector<std::string> names = undo.names();
   const std::size_t present = undo.position();
   const std::size_t first = present > kShownSteps ? present - kShownSteps : 0;

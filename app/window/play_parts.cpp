@@ -8,8 +8,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "viscera/session/organ_commands.h"
-#include "viscera/session/sequence_setup.h"
+#include "viscera/document/organ_commands.h"
+#include "viscera/motion/sequence_setup.h"
 #include "window/panels/play_page.h"
 #include "window/status_line.h"
 #include "window/timeline/timeline_bar.h"
@@ -24,13 +24,13 @@ constexpr double kPlainOpacity = 0.45;
 constexpr double kOpaque = 0.99;
 constexpr double kSpeeds[] = {1, 0.5, 0.25, 0.1};
 
-bool hasInside(const session::OrganList& organs, session::OrganId id) {
+bool hasInside(const document::OrganList& organs, document::OrganId id) {
   return std::any_of(organs.begin(), organs.end(), [id](const auto& other) { return other->parent == id; });
 }
 
 /// The organs through which one looks: walls of cavities, or all of them when there is none.
-std::vector<std::shared_ptr<const session::Organ>> wallsOf(const session::OrganList& organs) {
-  std::vector<std::shared_ptr<const session::Organ>> walls;
+std::vector<std::shared_ptr<const document::Organ>> wallsOf(const document::OrganList& organs) {
+  std::vector<std::shared_ptr<const document::Organ>> walls;
   std::copy_if(organs.begin(), organs.end(), std::back_inserter(walls),
                [&](const auto& organ) { return hasInside(organs, organ->id); });
   return walls.empty() ? organs : walls;
@@ -38,7 +38,7 @@ std::vector<std::shared_ptr<const session::Organ>> wallsOf(const session::OrganL
 
 } // namespace
 
-PlayParts::PlayParts(const Window& window, const session::Player::Clock& clock)
+PlayParts::PlayParts(const Window& window, const motion::Player::Clock& clock)
     : window_(window),
       labels_(std::make_unique<LabelScene>(window.workspace, window.organs, window.area.view()->view())),
       comparison_(std::make_unique<Comparison>(Comparison::First{window.workspace, window.playback,
@@ -49,7 +49,7 @@ PlayParts::PlayParts(const Window& window, const session::Player::Clock& clock)
       recorded_(std::make_unique<RecordedMotion>(window.workspace, window.playback)) {
   connect(labels_.get(), &LabelScene::changed, window.area.view(), &ViewWidget::scheduleRender);
   connect(recorder_.get(), &Recorder::finished, this, &PlayParts::sayRecorded);
-  subscription_ = window.workspace.onChange([this](const session::Change& change) {
+  subscription_ = window.workspace.onChange([this](const document::Change& change) {
     if (change.organs())
       syncLookActions();
   });
@@ -160,7 +160,7 @@ void PlayParts::connectPanels(TimelineBar& timeline, VolumePanel& chart, StatusL
   };
   const auto syncMarks = [&timeline, &playback] {
     std::vector<CourseMark> marks;
-    const session::Player& player = playback.player();
+    const motion::Player& player = playback.player();
     if (const sequences::Sequence* sequence = playback.sequence())
       for (const auto& mark : sequence->travelling(player.secondsInCycle(), player.ratePerMinute()))
         marks.push_back({mark.place, mark.strength});
@@ -187,7 +187,7 @@ void PlayParts::chooseSequence(const QString& id) {
     window_.playback.play();
     return;
   }
-  for (const session::SampleSequence& sample : session::sampleSequences())
+  for (const motion::SampleSequence& sample : motion::sampleSequences())
     if (text(sample.id) == id)
       window_.samples.load(text(sample.organ), true);
 }
@@ -201,23 +201,23 @@ bool PlayParts::seesThrough() const {
 void PlayParts::setSeeThrough(bool on) {
   if (on == seesThrough())
     return;
-  const session::OrganList& organs = window_.workspace.document().organs();
-  std::vector<session::Command> commands;
+  const document::OrganList& organs = window_.workspace.document().organs();
+  std::vector<document::Command> commands;
   for (const auto& organ : wallsOf(organs)) {
-    session::OrganLook look = organ->look;
+    document::OrganLook look = organ->look;
     look.opacity = !on ? 1 : hasInside(organs, organ->id) ? kWallOpacity : kPlainOpacity;
-    commands.push_back(session::setOrganLook(organ->id, look));
+    commands.push_back(document::setOrganLook(organ->id, look));
   }
   for (const auto& organ : organs) {
-    session::OrganLook look = organ->look;
+    document::OrganLook look = organ->look;
     look.visible = true;
     look.opacity = 1;
     if (on && organ->parent)
-      commands.push_back(session::setOrganLook(organ->id, look));
+      commands.push_back(document::setOrganLook(organ->id, look));
   }
   if (!commands.empty())
-    window_.workspace.perform(session::combined((on ? tr("See through") : tr("Close the wall")).toStdString(),
-                                                std::move(commands)));
+    window_.workspace.perform(document::combined(
+        (on ? tr("See through") : tr("Close the wall")).toStdString(), std::move(commands)));
   syncLookActions();
 }
 

@@ -44,7 +44,7 @@ public:
     Settings& settings;
   };
 
-  PlayParts(const Window& window, const session::Player::Clock& clock);
+  PlayParts(const Window& window, const motion::Player::Clock& clock);
   ~PlayParts() override;
 
   /// Adds the actions of Play mode.
@@ -83,8 +83,8 @@ private:
   const Actions* actions_ = nullptr;
   VolumePanel* chart_ = nullptr;
   StatusLine* status_ = nullptr;
-  session::JobQueue* secondJobs_ = nullptr;
-  session::Subscription subscription_;
+  JobQueue* secondJobs_ = nullptr;
+  Subscription subscription_;
 };
 
 } // namespace viscera::app

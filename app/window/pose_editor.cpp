@@ -2,16 +2,16 @@
 
 #include <utility>
 
-#include "viscera/session/organ_commands.h"
-#include "viscera/session/pose_commands.h"
-#include "viscera/session/rig_commands.h"
+#include "viscera/document/organ_commands.h"
+#include "viscera/document/pose_commands.h"
+#include "viscera/document/rig_commands.h"
 
 namespace viscera::app {
 
 PoseEditor::PoseEditor(Workspace& workspace, QObject* parent)
     : QObject(parent), workspace_(workspace), keeper_(workspace.document(), workspace.live()) {}
 
-bool PoseEditor::begin(const QString& name, const std::vector<session::HandleId>& handles, bool mirrored) {
+bool PoseEditor::begin(const QString& name, const std::vector<document::HandleId>& handles, bool mirrored) {
   cancel();
   const bool begun = workspace_.guarded([&] {
     motion_.emplace(keeper_.begin(handles, mirrored ? mirrorPlane() : std::nullopt));
@@ -24,12 +24,12 @@ bool PoseEditor::begin(const QString& name, const std::vector<session::HandleId>
 }
 
 /// Poses the handles as the motion answers the wish. What is wanted beyond that is said, once.
-void PoseEditor::follow(const std::function<void(session::LockedMotion&)>& wish) {
+void PoseEditor::follow(const std::function<void(live::LockedMotion&)>& wish) {
   if (!motion_ || !workspace_.undo().stepOpen())
     return;
   try {
     wish(*motion_);
-    workspace_.undo().perform(session::setPose(motion_->pose()));
+    workspace_.undo().perform(document::setPose(motion_->pose()));
     setObstacle(text(motion_->obstacle()));
   } catch (const Error& error) {
     if (obstacle_.isEmpty())
@@ -40,15 +40,15 @@ void PoseEditor::follow(const std::function<void(session::LockedMotion&)>& wish)
 }
 
 void PoseEditor::translate(const Vec3& by) {
-  follow([&by](session::LockedMotion& motion) { motion.translate(by); });
+  follow([&by](live::LockedMotion& motion) { motion.translate(by); });
 }
 
 void PoseEditor::rotate(const Vec3& center, const Vec3& axis, double angle) {
-  follow([&](session::LockedMotion& motion) { motion.rotate(center, axis, angle); });
+  follow([&](live::LockedMotion& motion) { motion.rotate(center, axis, angle); });
 }
 
 void PoseEditor::scale(const Vec3& center, const Vec3& factors) {
-  follow([&](session::LockedMotion& motion) { motion.scale(center, factors); });
+  follow([&](live::LockedMotion& motion) { motion.scale(center, factors); });
 }
 
 void PoseEditor::end(const std::function<void()>& close) {
@@ -73,14 +73,14 @@ void PoseEditor::setObstacle(const QString& obstacle) {
     Q_EMIT obstacleChanged(obstacle);
 }
 
-std::optional<Vec3> PoseEditor::moveBy(const std::vector<session::HandleId>& handles, const Vec3& by) {
+std::optional<Vec3> PoseEditor::moveBy(const std::vector<document::HandleId>& handles, const Vec3& by) {
   std::optional<Vec3> moved;
   workspace_.guarded([&] {
-    session::LockedMotion motion = keeper_.begin(handles, mirrorPlane());
+    live::LockedMotion motion = keeper_.begin(handles, mirrorPlane());
     motion.translate(by);
     if (motion.selection().empty())
       return;
-    session::Command command = session::setPose(motion.pose());
+    document::Command command = document::setPose(motion.pose());
     command.name =
         handles.size() == 1
             ? tr("Move handle %1")
@@ -97,14 +97,14 @@ std::optional<Vec3> PoseEditor::moveBy(const std::vector<session::HandleId>& han
   return moved;
 }
 
-void PoseEditor::reset(const std::vector<session::HandleId>& handles) {
+void PoseEditor::reset(const std::vector<document::HandleId>& handles) {
   workspace_.guarded([&] {
-    session::LockedMotion motion = keeper_.begin(handles);
+    live::LockedMotion motion = keeper_.begin(handles);
     Points wanted = motion.start();
     for (const int row : motion.selection())
       wanted.row(row) = workspace_.document().rig().handles[static_cast<std::size_t>(row)].rest.transpose();
     motion.reach(wanted);
-    workspace_.undo().perform(session::setPose(
+    workspace_.undo().perform(document::setPose(
         motion.pose(),
         tr("Reset %n {handle|handles}", nullptr, static_cast<int>(handles.size())).toStdString()));
     if (motion.obstacle().empty())
@@ -116,20 +116,20 @@ void PoseEditor::reset(const std::vector<session::HandleId>& handles) {
   });
 }
 
-bool PoseEditor::setVolume(session::OrganId organ, double milliliters) {
+bool PoseEditor::setVolume(document::OrganId organ, double milliliters) {
   return workspace_.guarded([&] {
     const Points pose = keeper_.poseOfVolume(organ, milliliters * kMm3PerMl);
     workspace_.undo().perform(
-        session::setPose(pose, tr("Volume %1").arg(formatMilliliters(milliliters)).toStdString()));
+        document::setPose(pose, tr("Volume %1").arg(formatMilliliters(milliliters)).toStdString()));
   });
 }
 
-void PoseEditor::setLocked(session::OrganId id, bool locked) {
+void PoseEditor::setLocked(document::OrganId id, bool locked) {
   const auto organ = workspace_.document().organ(id);
   if (!organ)
     return;
   if (!locked || organ->closed()) {
-    workspace_.perform(session::setVolumeLocked(id, locked));
+    workspace_.perform(document::setVolumeLocked(id, locked));
     return;
   }
   Message message;
@@ -137,18 +137,18 @@ void PoseEditor::setLocked(session::OrganId id, bool locked) {
   message.text = tr("%1 is open (%n boundary {edge|edges}), so it has no volume that could be locked.",
                     nullptr, organ->boundaryEdges)
                      .arg(text(organ->name));
-  message.offers.push_back(
-      {tr("Close the holes and lock"), [this, id] {
-         workspace_.perform(session::combined(tr("Close holes and lock volume").toStdString(),
-                                              {session::closeHoles(id), session::setVolumeLocked(id, true)}));
-       }});
+  message.offers.push_back({tr("Close the holes and lock"), [this, id] {
+                              workspace_.perform(document::combined(
+                                  tr("Close holes and lock volume").toStdString(),
+                                  {document::closeHoles(id), document::setVolumeLocked(id, true)}));
+                            }});
   workspace_.say(message);
 }
 
 void PoseEditor::setCompensating(bool compensating) {
-  session::HandleEdit edit;
+  document::HandleEdit edit;
   edit.compensates = compensating;
-  workspace_.perform(session::editHandles(workspace_.selection().handles(), edit));
+  workspace_.perform(document::editHandles(workspace_.selection().handles(), edit));
 }
 
 void PoseEditor::setMirror(Mirror mirror) {
@@ -165,12 +165,12 @@ std::optional<deformation::MirrorPlane> PoseEditor::mirrorPlane() const {
   return deformation::MirrorPlane{boundsOf(organ->mesh->points).center(), Vec3::Unit(axis)};
 }
 
-std::vector<session::HandleId> PoseEditor::partnersOfSelection() const {
+std::vector<document::HandleId> PoseEditor::partnersOfSelection() const {
   const auto plane = mirrorPlane();
-  std::vector<session::HandleId> partners;
+  std::vector<document::HandleId> partners;
   if (!plane)
     return partners;
-  const session::Rig& rig = workspace_.document().rig();
+  const document::Rig& rig = workspace_.document().rig();
   for (const int row : keeper_.partners(workspace_.selection().handles(), *plane))
     if (row >= 0)
       partners.push_back(rig.handles[static_cast<std::size_t>(row)].id);

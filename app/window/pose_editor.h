@@ -4,7 +4,7 @@
 
 #include <optional>
 
-#include "viscera/session/volume_keeper.h"
+#include "viscera/live/volume_keeper.h"
 #include "window/workspace.h"
 
 namespace viscera::app {
@@ -22,10 +22,10 @@ public:
 
   /// Begins a gesture with these handles; `mirrored`: their partners move along when a mirror is on. When it
   /// is not possible now, says why and returns false.
-  bool begin(const QString& name, const std::vector<session::HandleId>& handles, bool mirrored);
+  bool begin(const QString& name, const std::vector<document::HandleId>& handles, bool mirrored);
   bool active() const { return motion_.has_value(); }
   /// The motion of the present gesture, or null.
-  const session::LockedMotion* motion() const { return motion_ ? &*motion_ : nullptr; }
+  const live::LockedMotion* motion() const { return motion_ ? &*motion_ : nullptr; }
   /// What is wanted since the gesture began. Nothing happens without one.
   void translate(const Vec3& by);
   void rotate(const Vec3& center, const Vec3& axis, double angle);
@@ -35,13 +35,13 @@ public:
 
   /// Moves handles by a vector, mm, and mirrors it. Returns how far the first one went, or nothing when that
   /// was not possible.
-  std::optional<Vec3> moveBy(const std::vector<session::HandleId>& handles, const Vec3& by);
+  std::optional<Vec3> moveBy(const std::vector<document::HandleId>& handles, const Vec3& by);
   /// Puts handles back to rest; under a lock others make up for the volume.
-  void reset(const std::vector<session::HandleId>& handles);
+  void reset(const std::vector<document::HandleId>& handles);
   /// Gives an organ another volume; false when it cannot be reached.
-  bool setVolume(session::OrganId organ, double milliliters);
+  bool setVolume(document::OrganId organ, double milliliters);
   /// Locks or unlocks an organ's volume; offers to close a surface that is open.
-  void setLocked(session::OrganId organ, bool locked);
+  void setLocked(document::OrganId organ, bool locked);
   /// Makes the selected handles compensate, or no longer.
   void setCompensating(bool compensating);
 
@@ -50,7 +50,7 @@ public:
   /// The plane, when a mirror is on and there is an organ.
   std::optional<deformation::MirrorPlane> mirrorPlane() const;
   /// Which handles would mirror the selected ones.
-  std::vector<session::HandleId> partnersOfSelection() const;
+  std::vector<document::HandleId> partnersOfSelection() const;
 
 Q_SIGNALS:
   /// A gesture began, went on or ended.
@@ -61,13 +61,13 @@ Q_SIGNALS:
   void obstacleChanged(const QString& obstacle);
 
 private:
-  void follow(const std::function<void(session::LockedMotion&)>& wish);
+  void follow(const std::function<void(live::LockedMotion&)>& wish);
   void setObstacle(const QString& obstacle);
   void end(const std::function<void()>& close);
 
   Workspace& workspace_;
-  session::VolumeKeeper keeper_;
-  std::optional<session::LockedMotion> motion_;
+  live::VolumeKeeper keeper_;
+  std::optional<live::LockedMotion> motion_;
   Mirror mirror_ = Mirror::off;
   QString obstacle_;
 };

@@ -60,7 +60,7 @@ int runWindow(int argc, char** argv, const WindowOptions& options) {
   if (!options.theme.empty())
     settings.setValue("window/theme", QString::fromStdString(options.theme));
   AvailableSystems systems = availableSystems(options.pluginPath);
-  MainWindow window(settings, std::move(systems.registry), session::Player::steadyClock());
+  MainWindow window(settings, std::move(systems.registry), motion::Player::steadyClock());
   if (!options.theme.empty())
     window.setTheme(themeFromName(QString::fromStdString(options.theme)));
   if (options.width > 0 && options.height > 0)
@@ -74,7 +74,7 @@ int runWindow(int argc, char** argv, const WindowOptions& options) {
   if (!problems.isEmpty()) // Together: a second message would take the place of the first.
     window.workspace().say({Message::Severity::warning, problems.join(QLatin1Char('\n')), {}, 0});
   if (!options.freshSettings) {
-    window.sessions().startAutosave(session::standardRecoveryFolder());
+    window.sessions().startAutosave(document::standardRecoveryFolder());
     window.sessions().offerRecovery();
   }
   QTimer::singleShot(0, &window, [&] { begin(window, options); });

@@ -1,8 +1,8 @@
 #include "window/sample_loader.h"
 
-#include "viscera/session/open_files.h"
-#include "viscera/session/sequence_setup.h"
-#include "viscera/session/system_commands.h"
+#include "viscera/document/open_files.h"
+#include "viscera/document/system_commands.h"
+#include "viscera/motion/sequence_setup.h"
 #include "window/session/motion_recipe.h"
 
 namespace viscera::app {
@@ -17,11 +17,11 @@ const Vec3 kVenousBlood(0.20, 0.36, 0.80);
 
 SampleLoader::SampleLoader(Workspace& workspace, HandlePlacer& placer, Playback& playback, QObject* parent)
     : QObject(parent), workspace_(workspace), placer_(placer), playback_(playback),
-      library_(organs::standardLibrary()) {}
+      library_(sample_organs::standardLibrary()) {}
 
 QStringList SampleLoader::names() const {
   QStringList names;
-  for (const std::string& name : organs::sampleNames(library_))
+  for (const std::string& name : sample_organs::sampleNames(library_))
     names.push_back(text(name));
   return names;
 }
@@ -32,7 +32,7 @@ void SampleLoader::load(const QString& name, bool play) {
       [library = library_, id = name.toStdString()](Progress& progress) {
         return make(library, id, progress);
       },
-      [this, name, play](session::JobResult<Sample> result) {
+      [this, name, play](JobResult<Sample> result) {
         if (result.error)
           workspace_.report(*result.error);
         if (!result.value)
@@ -43,15 +43,15 @@ void SampleLoader::load(const QString& name, bool play) {
       });
 }
 
-SampleLoader::Sample SampleLoader::make(const organs::SampleLibrary& library, const std::string& name,
+SampleLoader::Sample SampleLoader::make(const sample_organs::SampleLibrary& library, const std::string& name,
                                         Progress& progress) {
-  constexpr auto resolution = organs::Resolution::medium;
+  constexpr auto resolution = sample_organs::Resolution::medium;
   Sample sample;
-  for (const session::SampleSequence& motion : session::sampleSequences()) {
+  for (const motion::SampleSequence& motion : motion::sampleSequences()) {
     if (motion.organ != name)
       continue;
-    session::SequenceSetup setup = session::setUpSequence(library, motion.id, resolution, progress);
-    sample.organs = session::organsFrom(setup.organ);
+    motion::SequenceSetup setup = motion::setUpSequence(library, motion.id, resolution, progress);
+    sample.organs = document::organsFrom(setup.organ);
     sample.motion = setup.sequence;
     sample.recipe = sampleRecipe(motion.id, resolution);
     sample.rig = std::move(setup.rig);
@@ -59,17 +59,17 @@ SampleLoader::Sample SampleLoader::make(const organs::SampleLibrary& library, co
     break;
   }
   if (!sample.motion)
-    sample.organs = session::organsFrom(organs::sampleOrgan(library, name, resolution, progress));
+    sample.organs = document::organsFrom(sample_organs::sampleOrgan(library, name, resolution, progress));
   dress(sample.organs);
   return sample;
 }
 
-void SampleLoader::dress(std::vector<session::NewOrgan>& organs) {
-  for (const session::NewOrgan& organ : organs)
+void SampleLoader::dress(std::vector<document::NewOrgan>& organs) {
+  for (const document::NewOrgan& organ : organs)
     if (organ.parentInBatch >= 0)
       organs[organ.parentInBatch].organ.look.opacity = kWallOpacity;
-  for (session::NewOrgan& organ : organs) {
-    session::OrganLook& look = organ.organ.look;
+  for (document::NewOrgan& organ : organs) {
+    document::OrganLook& look = organ.organ.look;
     const Colors& painted = organ.organ.mesh->colors;
     if (painted.rows() > 0)
       look.color = painted.cast<double>().colwise().mean().transpose() / 255.0;
@@ -86,16 +86,16 @@ void SampleLoader::take(const Sample& sample, const QString& name) {
   playback_.setSequence(nullptr, {});
   const bool untouched = workspace_.undo().isClean();
   const bool done = workspace_.guarded([&] {
-    session::UndoStack& undo = workspace_.undo();
+    document::UndoStack& undo = workspace_.undo();
     undo.beginStep(tr("Sample %1").arg(name).toStdString());
     try {
-      const session::OrganList& present = workspace_.document().organs();
+      const document::OrganList& present = workspace_.document().organs();
       if (!present.empty())
-        undo.perform(session::removeAllOrgans());
-      undo.perform(session::replaceRig({}));
-      undo.perform(session::setSystem(sample.system));
-      undo.perform(session::addOrgans(sample.organs));
-      undo.perform(sample.motion ? session::replaceRig(sample.rig)
+        undo.perform(document::removeAllOrgans());
+      undo.perform(document::replaceRig({}));
+      undo.perform(document::setSystem(sample.system));
+      undo.perform(document::addOrgans(sample.organs));
+      undo.perform(sample.motion ? document::replaceRig(sample.rig)
                                  : placer_.command(*workspace_.document().organs().front()));
     } catch (...) {
       undo.cancelStep();

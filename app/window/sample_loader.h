@@ -6,10 +6,10 @@
 #include <memory>
 #include <string>
 
-#include "viscera/organs/sample_organ.h"
+#include "viscera/document/organ_commands.h"
+#include "viscera/document/rig_commands.h"
+#include "viscera/sample_organs/sample_organ.h"
 #include "viscera/sequences/sequence.h"
-#include "viscera/session/organ_commands.h"
-#include "viscera/session/rig_commands.h"
 #include "window/handle_placer.h"
 #include "window/timeline/playback.h"
 #include "window/workspace.h"
@@ -36,21 +36,22 @@ Q_SIGNALS:
 private:
   /// What a worker makes.
   struct Sample {
-    std::vector<session::NewOrgan> organs;
+    std::vector<document::NewOrgan> organs;
     std::shared_ptr<const sequences::Sequence> motion;
-    std::string recipe;  ///< Of the motion.
-    session::NewRig rig; ///< The motion's handles.
-    session::SystemChoice system;
+    std::string recipe;   ///< Of the motion.
+    document::NewRig rig; ///< The motion's handles.
+    document::SystemChoice system;
   };
 
-  static Sample make(const organs::SampleLibrary& library, const std::string& name, Progress& progress);
+  static Sample make(const sample_organs::SampleLibrary& library, const std::string& name,
+                     Progress& progress);
   void take(const Sample& sample, const QString& name);
-  static void dress(std::vector<session::NewOrgan>& organs);
+  static void dress(std::vector<document::NewOrgan>& organs);
 
   Workspace& workspace_;
   HandlePlacer& placer_;
   Playback& playback_;
-  organs::SampleLibrary library_;
+  sample_organs::SampleLibrary library_;
 };
 
 } // namespace viscera::app

@@ -26,12 +26,12 @@ StatusLine::StatusLine(Workspace& workspace, VolumeMonitor& volumes, QStatusBar*
       shownQueue_->cancel(shownJob_);
   });
   connect(&volumes, &VolumeMonitor::updated, this, &StatusLine::syncVolume);
-  subscriptions_.push_back(workspace.onChange([this](const session::Change&) {
+  subscriptions_.push_back(workspace.onChange([this](const document::Change&) {
     syncVolume();
     syncBinding();
   }));
   subscriptions_.push_back(workspace.selection().onChange([this] { syncVolume(); }));
-  subscriptions_.push_back(workspace.live().onEvent([this](const session::LiveEvent& event) {
+  subscriptions_.push_back(workspace.live().onEvent([this](const live::LiveEvent& event) {
     if (event.status)
       syncBinding();
   }));
@@ -48,7 +48,7 @@ void StatusLine::syncVolume() {
   const auto organ = workspace_.currentOrgan();
   if (!organ)
     return volume_->setText(tr("No organ"));
-  const session::OrganVolume volume = workspace_.live().volume(organ->id);
+  const live::OrganVolume volume = workspace_.live().volume(organ->id);
   if (!volume.closed)
     return volume_->setText(tr("%1: open surface, no volume").arg(text(organ->name)));
   QString line = tr("%1  %2  (%3, %4)")
@@ -69,17 +69,17 @@ QString StatusLine::bindingText() const {
     line += QStringLiteral(", ") + text(workspace_.registry().find(id)->name());
   double seconds = 0;
   for (const auto& organ : workspace_.document().organs()) {
-    const session::BindingStatus status = workspace_.live().status(organ->id);
+    const live::BindingStatus status = workspace_.live().status(organ->id);
     switch (status.state) {
-    case session::BindingStatus::State::binding:
+    case live::BindingStatus::State::binding:
       return line + tr(", binding...");
-    case session::BindingStatus::State::failed:
+    case live::BindingStatus::State::failed:
       return line + tr(", not bound");
-    case session::BindingStatus::State::stale:
+    case live::BindingStatus::State::stale:
       return line + tr(", binding cancelled");
-    case session::BindingStatus::State::unbound:
+    case live::BindingStatus::State::unbound:
       return line;
-    case session::BindingStatus::State::bound:
+    case live::BindingStatus::State::bound:
       seconds += status.report.seconds;
     }
   }
@@ -92,18 +92,18 @@ void StatusLine::syncBinding() {
   binding_->setText(bindingText());
 }
 
-void StatusLine::watch(session::JobQueue& jobs) {
+void StatusLine::watch(JobQueue& jobs) {
   queues_.push_back({&jobs, jobs.onChange([this] { syncJobs(); })});
 }
 
-void StatusLine::unwatch(session::JobQueue& jobs) {
+void StatusLine::unwatch(JobQueue& jobs) {
   std::erase_if(queues_, [&](const Watched& watched) { return watched.jobs == &jobs; });
   syncJobs();
 }
 
 void StatusLine::syncJobs() {
   for (const Watched& watched : queues_)
-    for (const session::JobInfo& job : watched.jobs->jobs()) {
+    for (const JobInfo& job : watched.jobs->jobs()) {
       if (!job.running)
         continue;
       shownQueue_ = watched.jobs;

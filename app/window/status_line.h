@@ -23,8 +23,8 @@ public:
 
   void setHint(const QString& hint);
   /// Shows the jobs of another queue as well, which has to live until it is no longer watched.
-  void watch(session::JobQueue& jobs);
-  void unwatch(session::JobQueue& jobs);
+  void watch(JobQueue& jobs);
+  void unwatch(JobQueue& jobs);
 
 private:
   void syncVolume();
@@ -38,13 +38,13 @@ private:
   ElidedLabel* hint_;
   JobIndicator* job_;
   struct Watched {
-    session::JobQueue* jobs = nullptr;
-    session::Subscription subscription;
+    JobQueue* jobs = nullptr;
+    Subscription subscription;
   };
   std::vector<Watched> queues_;
-  session::JobQueue* shownQueue_ = nullptr;
+  JobQueue* shownQueue_ = nullptr;
   std::int64_t shownJob_ = 0;
-  std::vector<session::Subscription> subscriptions_;
+  std::vector<Subscription> subscriptions_;
 };
 
 } // namespace viscera::app

@@ -16,7 +16,7 @@ Workspace::Workspace(plugin::Registry registry, QObject* parent)
 
 Workspace::~Workspace() = default;
 
-bool Workspace::perform(const session::Command& command) {
+bool Workspace::perform(const document::Command& command) {
   return guarded([&] { undo_.perform(command); });
 }
 
@@ -49,7 +49,7 @@ void Workspace::report(const Error& error) {
   say(message);
 }
 
-coordinates::Traits traitsOf(const session::DocumentState& state, const plugin::Registry& systems) {
+coordinates::Traits traitsOf(const document::DocumentState& state, const plugin::Registry& systems) {
   const std::string& id = state.system->id;
   return systems.contains(id) ? systems.find(id)->traits() : coordinates::Traits();
 }
@@ -58,7 +58,7 @@ coordinates::Traits Workspace::systemTraits() const {
   return traitsOf(document_.state(), registry_);
 }
 
-std::shared_ptr<const session::Organ> Workspace::currentOrgan() const {
+std::shared_ptr<const document::Organ> Workspace::currentOrgan() const {
   if (auto selected = document_.organ(selection_.organ()))
     return selected;
   for (const auto& organ : document_.organs())
@@ -85,11 +85,11 @@ QString withSign(double value, int decimals) {
 
 } // namespace
 
-QString formatChange(const session::OrganVolume& volume) {
+QString formatChange(const live::OrganVolume& volume) {
   return QObject::tr("%1 ml").arg(withSign(volume.changeMl(), std::abs(volume.restMl) < 10 ? 3 : 1));
 }
 
-QString formatRelativeChange(const session::OrganVolume& volume) {
+QString formatRelativeChange(const live::OrganVolume& volume) {
   return QObject::tr("%1 %").arg(withSign(100 * volume.relativeChange(), 1));
 }
 

@@ -4,22 +4,22 @@
 #include <benchmark/benchmark.h>
 
 #include "viscera/core/progress.h"
-#include "viscera/organs/sample_organ.h"
+#include "viscera/sample_organs/sample_organ.h"
 
 namespace viscera {
 namespace {
 
-organs::SampleLibrary libraryWithoutCache() {
+sample_organs::SampleLibrary libraryWithoutCache() {
   return {std::filesystem::path(VISCERA_SOURCE_DIR) / "sample_organs", {}};
 }
 
-void generate(benchmark::State& state, const std::string& organ, organs::Resolution resolution) {
+void generate(benchmark::State& state, const std::string& organ, sample_organs::Resolution resolution) {
   Eigen::Index triangles = 0;
   for (auto _ : state) {
     Progress progress;
     triangles = 0;
     for (const auto& surface :
-         organs::sampleOrgan(libraryWithoutCache(), organ, resolution, progress).surfaces)
+         sample_organs::sampleOrgan(libraryWithoutCache(), organ, resolution, progress).surfaces)
       triangles += surface.mesh->triangles.rows();
   }
   state.counters["triangles"] = static_cast<double>(triangles);
@@ -28,14 +28,15 @@ void generate(benchmark::State& state, const std::string& organ, organs::Resolut
 /// What a user waits for when the cache is empty and every organ is asked for.
 void generateAllMedium(benchmark::State& state) {
   for (auto _ : state)
-    for (const std::string& organ : organs::sampleNames(libraryWithoutCache())) {
+    for (const std::string& organ : sample_organs::sampleNames(libraryWithoutCache())) {
       Progress progress;
-      organs::sampleOrgan(libraryWithoutCache(), organ, organs::Resolution::medium, progress);
+      sample_organs::sampleOrgan(libraryWithoutCache(), organ, sample_organs::Resolution::medium, progress);
     }
 }
 
 void evaluate(benchmark::State& state, const std::string& organ, const std::string& node) {
-  const organs::ImplicitSurface surface = organs::implicitSurface(libraryWithoutCache(), organ, node);
+  const sample_organs::ImplicitSurface surface =
+      sample_organs::implicitSurface(libraryWithoutCache(), organ, node);
   double sum = 0, x = 0;
   for (auto _ : state) {
     x = x < 60 ? x + 0.37 : -60;
@@ -51,19 +52,19 @@ BENCHMARK(generateAllMedium)
     ->Iterations(1)
     ->UseRealTime()
     ->MeasureProcessCPUTime();
-BENCHMARK_CAPTURE(generate, heart_medium, "heart", organs::Resolution::medium)
+BENCHMARK_CAPTURE(generate, heart_medium, "heart", sample_organs::Resolution::medium)
     ->Unit(benchmark::kMillisecond)
     ->UseRealTime()
     ->MeasureProcessCPUTime();
-BENCHMARK_CAPTURE(generate, heart_high, "heart", organs::Resolution::high)
+BENCHMARK_CAPTURE(generate, heart_high, "heart", sample_organs::Resolution::high)
     ->Unit(benchmark::kMillisecond)
     ->UseRealTime()
     ->MeasureProcessCPUTime();
-BENCHMARK_CAPTURE(generate, stomach_medium, "stomach", organs::Resolution::medium)
+BENCHMARK_CAPTURE(generate, stomach_medium, "stomach", sample_organs::Resolution::medium)
     ->Unit(benchmark::kMillisecond)
     ->UseRealTime()
     ->MeasureProcessCPUTime();
-BENCHMARK_CAPTURE(generate, digestive_system_medium, "digestive_system", organs::Resolution::medium)
+BENCHMARK_CAPTURE(generate, digestive_system_medium, "digestive_system", sample_organs::Resolution::medium)
     ->Unit(benchmark::kMillisecond)
     ->UseRealTime()
     ->MeasureProcessCPUTime();

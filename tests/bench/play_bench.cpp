@@ -6,14 +6,14 @@
 
 #include <benchmark/benchmark.h>
 
+#include "viscera/document/undo_stack.h"
+#include "viscera/live/live_binding.h"
+#include "viscera/motion/cycle_trace.h"
+#include "viscera/motion/sequence_setup.h"
+#include "viscera/motion/volume_record.h"
 #include "viscera/plugin/registry.h"
 #include "viscera/scene/organ_actor.h"
 #include "viscera/scene/volume_chart.h"
-#include "viscera/session/cycle_trace.h"
-#include "viscera/session/live_binding.h"
-#include "viscera/session/sequence_setup.h"
-#include "viscera/session/undo_stack.h"
-#include "viscera/session/volume_record.h"
 
 /// What a frame of the window costs while an organ moves, but for drawing it.
 namespace viscera {
@@ -28,11 +28,11 @@ public:
   PlayedOrgan(const char* sequence, double rate)
       : rate_(rate), live_(document_, registry_, jobs_, {std::numeric_limits<double>::infinity(), {}}) {
     Progress progress;
-    const organs::SampleLibrary library{std::filesystem::path(VISCERA_SOURCE_DIR) / "sample_organs",
-                                        std::filesystem::path(VISCERA_BINARY_DIR) / "test_organs"};
-    const auto setup = session::setUpSequence(library, sequence, organs::Resolution::medium, progress);
+    const sample_organs::SampleLibrary library{std::filesystem::path(VISCERA_SOURCE_DIR) / "sample_organs",
+                                               std::filesystem::path(VISCERA_BINARY_DIR) / "test_organs"};
+    const auto setup = motion::setUpSequence(library, sequence, sample_organs::Resolution::medium, progress);
     sequence_ = setup.sequence;
-    undo_.perform(session::showSequence(setup));
+    undo_.perform(motion::showSequence(setup));
     std::vector<std::string> names;
     std::vector<scene::ChartLine> lines;
     for (const auto& organ : document_.organs()) {
@@ -41,7 +41,7 @@ public:
       names.push_back(organ->name);
       lines.push_back({organ->name, organ->look.color});
     }
-    record_ = session::VolumeRecord(names, 7200);
+    record_ = motion::VolumeRecord(names, 7200);
     cycles_.resize(names.size());
     chart_.setLines(lines);
     chart_.setTimeRange({0, 60 / rate});
@@ -82,14 +82,14 @@ public:
 private:
   double rate_;
   std::shared_ptr<const sequences::Sequence> sequence_;
-  session::Document document_;
-  session::UndoStack undo_{document_};
+  document::Document document_;
+  document::UndoStack undo_{document_};
   plugin::Registry registry_ = plugin::builtInRegistry();
-  session::JobQueue jobs_{[](std::function<void()> work) { work(); }};
-  session::LiveBinding live_;
+  JobQueue jobs_{[](std::function<void()> work) { work(); }};
+  live::LiveBinding live_;
   std::vector<std::unique_ptr<scene::OrganActor>> actors_;
-  session::VolumeRecord record_;
-  std::vector<session::CycleTrace> cycles_;
+  motion::VolumeRecord record_;
+  std::vector<motion::CycleTrace> cycles_;
   scene::VolumeChart chart_;
   Points pose_;
   std::vector<double> row_;

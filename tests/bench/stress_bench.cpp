@@ -7,8 +7,8 @@
 #include "tetrahedra.h"
 #include "viscera/coordinates/built_in_systems.h"
 #include "viscera/deformation/bind_witnesses.h"
+#include "viscera/live/stress_quantity.h"
 #include "viscera/scene/tissue_actor.h"
-#include "viscera/session/stress_quantity.h"
 
 namespace viscera::scene {
 namespace {
@@ -51,8 +51,8 @@ void stressFrame(benchmark::State& state) {
     gradients->evaluate(pose, map);
     binding->deform(pose, *points);
     benchmark::DoNotOptimize(deformation::statisticsOf(map));
-    session::quantityOf(map, session::StressQuantity::rotationalStress, *values);
-    benchmark::DoNotOptimize(session::summaryOf(*values, values->size()));
+    live::quantityOf(map, live::StressQuantity::rotationalStress, *values);
+    benchmark::DoNotOptimize(live::summaryOf(*values, values->size()));
     tissue.setPoints(points);
     tissue.setValues(values);
     tissue.update();

@@ -10,7 +10,7 @@
 #include "viscera/deformation/deformer.h"
 #include "viscera/deformation/volume_form.h"
 #include "viscera/geometry/volume.h"
-#include "viscera/organs/sample_organ.h"
+#include "viscera/sample_organs/sample_organ.h"
 
 /// Table 5.2 of the thesis on the sample heart: volume, and its gradient with respect to 30 handles, for
 /// surfaces of the thesis's numbers of vertices.
@@ -28,8 +28,8 @@ struct BoundHeart {
 
 BoundHeart makeHeart(Eigen::Index vertices) {
   Progress progress;
-  const auto organ =
-      organs::sampleOrgan(organs::standardLibrary(), "heart", organs::Resolution::high, progress);
+  const auto organ = sample_organs::sampleOrgan(sample_organs::standardLibrary(), "heart",
+                                                sample_organs::Resolution::high, progress);
   BoundHeart heart;
   heart.rest =
       std::make_shared<geometry::TriangleMesh>(bench::withVertices(*organ.surfaces.front().mesh, vertices));

@@ -3,8 +3,8 @@
 #include <QTest>
 
 #include "shapes.h"
+#include "viscera/document/cage_commands.h"
 #include "viscera/scene/vtkVisceraHandleSetRepresentation.h"
-#include "viscera/session/cage_commands.h"
 #include "window/compare/compared_system.h"
 #include "window/compare/comparison.h"
 #include "window/play_parts.h"
@@ -32,7 +32,7 @@ protected:
   }
   const Points& points(app::Workspace& workspace) { return workspace.live().points(organ_); }
 
-  session::OrganId organ_;
+  document::OrganId organ_;
 };
 
 TEST_F(TwoSystems, FollowTheSameDragInTheirOwnWay) {
@@ -73,7 +73,7 @@ TEST_F(TwoSystems, ShowTheWholeOrganInHalfTheWidthAndHaveNothingToComplainOf) {
 }
 
 TEST_F(TwoSystems, AnotherSystemIsChosenFromTheListAndShowsItsInfluence) {
-  const session::HandleId handle = document().rig().handles.front().id;
+  const document::HandleId handle = document().rig().handles.front().id;
   window().workspace().selection().setHandles({handle});
   EXPECT_EQ(second().selection().currentHandle(), handle);
   const Values first = window().workspace().live().influence(organ_, handle);
@@ -95,16 +95,16 @@ TEST_F(TwoSystems, AnotherSystemIsChosenFromTheListAndShowsItsInfluence) {
 TEST_F(TwoSystems, HaveTheSameCageAndWhatDoesNotFitItIsMendedInTheFirst) {
   auto cage = std::make_shared<geometry::TriangleMesh>(box(180, 180, 180));
   cage->points.array() -= 90;
-  ASSERT_TRUE(window().workspace().perform(session::takeCage({"box.off", cage})));
+  ASSERT_TRUE(window().workspace().perform(document::takeCage({"box.off", cage})));
   comparison().comparedSystem()->choose("green");
   ASSERT_TRUE(bound());
   EXPECT_EQ(second().document().rig().cage, document().rig().cage);
-  EXPECT_EQ(second().live().status(organ_).state, session::BindingStatus::State::bound);
+  EXPECT_EQ(second().live().status(organ_).state, live::BindingStatus::State::bound);
   auto dented = std::make_shared<geometry::TriangleMesh>(*cage);
   dented->points.row(7).setConstant(10);
-  ASSERT_TRUE(window().workspace().perform(session::takeCage({"dented.off", dented})));
+  ASSERT_TRUE(window().workspace().perform(document::takeCage({"dented.off", dented})));
   ASSERT_TRUE(bound());
-  EXPECT_EQ(second().live().status(organ_).state, session::BindingStatus::State::failed);
+  EXPECT_EQ(second().live().status(organ_).state, live::BindingStatus::State::failed);
   for (auto* button : window().viewArea().messages()->findChildren<QPushButton*>())
     if (button->text() == QLatin1String("Take the hull as the cage"))
       button->click();

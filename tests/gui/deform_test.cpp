@@ -23,7 +23,7 @@ protected:
   const Points& points() { return window().workspace().live().points(organ_); }
   QString status() { return window().findChild<QLabel*>(QStringLiteral("statusVolume"))->text(); }
 
-  session::OrganId organ_;
+  document::OrganId organ_;
   int handle_ = -1;
 };
 
@@ -33,7 +33,7 @@ TEST_F(DeformMode, DraggingAHandleMovesTheOrganAndItsVolume) {
   const QPoint from = onScreen(handleInView(handle_));
   drag(from, from + QPoint(80, 0));
   EXPECT_GT((points() - before).rowwise().norm().maxCoeff(), 1);
-  const session::OrganVolume volume = window().workspace().live().volume(organ_);
+  const live::OrganVolume volume = window().workspace().live().volume(organ_);
   const geometry::TriangleMesh& mesh = *document().organs().front()->mesh;
   EXPECT_NEAR(volume.nowMl, geometry::volume(points(), mesh.triangles) / kMm3PerMl, 1e-6);
   EXPECT_GT(std::abs(volume.relativeChange()), 1e-4);
@@ -85,12 +85,12 @@ TEST_F(DeformMode, ResetPoseGoesBackToRestExactly) {
   const QPoint from = onScreen(handleInView(handle_));
   drag(from, from + QPoint(60, 30));
   key(Qt::Key_R, Qt::ControlModifier);
-  EXPECT_TRUE(session::atRest(document().state()));
+  EXPECT_TRUE(document::atRest(document().state()));
   EXPECT_EQ(points(), document().organs().front()->mesh->points);
 }
 
 TEST_F(DeformMode, ADragBesideTheHandlesTurnsTheCameraAndChangesNothing) {
-  const session::DocumentState before = document().state();
+  const document::DocumentState before = document().state();
   const Vec3 handleBefore = handleInView(handle_);
   const QPoint place = onScreen(handleBefore);
   drag(QPoint(8, view().height() - 60), QPoint(120, view().height() - 120));

@@ -11,9 +11,9 @@
 #include <QStandardPaths>
 #include <QUrl>
 
+#include "viscera/document/pose_commands.h"
 #include "viscera/medical_io/handle_file.h"
 #include "viscera/medical_io/surface_file.h"
-#include "viscera/session/pose_commands.h"
 #include "window/settings.h"
 #include "window/view/view_area.h"
 
@@ -32,7 +32,7 @@ TEST_F(WindowTest, OpeningASurfaceShowsItBoundToHandlesAroundIt) {
   const auto& organ = *document().organs().front();
   EXPECT_EQ(organ.name, "ball");
   EXPECT_EQ(document().rig().handles.size(), 30u);
-  EXPECT_EQ(window().workspace().live().status(organ.id).state, session::BindingStatus::State::bound);
+  EXPECT_EQ(window().workspace().live().status(organ.id).state, live::BindingStatus::State::bound);
   ASSERT_EQ(view().view().organs().size(), 1u);
   EXPECT_EQ(view().view().organs().front()->mesh().points.rows(), organ.mesh->points.rows());
   EXPECT_EQ(message(), QString());
@@ -55,7 +55,7 @@ TEST_F(WindowTest, SeveralFilesOpenedTogetherAreAllBoundAndTheFirstIsSelected) {
   settle();
   const auto expectAllBound = [this] {
     for (const auto& organ : document().organs())
-      EXPECT_EQ(window().workspace().live().status(organ->id).state, session::BindingStatus::State::bound)
+      EXPECT_EQ(window().workspace().live().status(organ->id).state, live::BindingStatus::State::bound)
           << organ->name;
   };
   expectAllBound();
@@ -82,7 +82,7 @@ class BadFile : public WindowTest, public testing::WithParamInterface<std::pair<
 
 TEST_P(BadFile, SaysOneThingAndLeavesTheDocument) {
   open(sphereFile());
-  const session::DocumentState before = document().state();
+  const document::DocumentState before = document().state();
   const QString file = path(QString::fromLatin1(GetParam().first));
   write(file, GetParam().second);
   int messages = 0;
@@ -126,13 +126,13 @@ TEST_F(WindowTest, AnOrganOutsideTheHandlesOffersEnclosingOnesAndTheOfferMends) 
   open(sphereFile(QStringLiteral("larger.stl"), 200));
   ASSERT_EQ(document().organs().size(), 2u);
   const auto larger = document().organs()[1]->id;
-  ASSERT_EQ(window().workspace().live().status(larger).state, session::BindingStatus::State::failed);
+  ASSERT_EQ(window().workspace().live().status(larger).state, live::BindingStatus::State::failed);
   EXPECT_TRUE(message().contains(QStringLiteral("outside"))) << message().toStdString();
   auto* offer = window().viewArea().messages()->findChild<QWidget*>(QStringLiteral("offer"));
   ASSERT_NE(offer, nullptr);
   QMetaObject::invokeMethod(offer, "click");
   settle();
-  EXPECT_EQ(window().workspace().live().status(larger).state, session::BindingStatus::State::bound);
+  EXPECT_EQ(window().workspace().live().status(larger).state, live::BindingStatus::State::bound);
   EXPECT_EQ(document().rig().handles.size(), 38u);
   EXPECT_EQ(message(), QString());
 }
@@ -158,7 +158,7 @@ TEST_F(WindowTest, TheExportedOrganIsTheDeformedOne) {
   open(sphereFile());
   Points pose = document().pose();
   pose.rowwise() += Eigen::RowVector3d(5, 0, 0);
-  ASSERT_TRUE(window().workspace().perform(session::setPose(pose)));
+  ASSERT_TRUE(window().workspace().perform(document::setPose(pose)));
   const QString file = path(QStringLiteral("moved.vtp"));
   window().files().exportOrgan(file);
   settle();

@@ -8,18 +8,18 @@
 #include <QTest>
 #include <QTreeWidget>
 
+#include "viscera/document/group_commands.h"
+#include "viscera/document/rig_commands.h"
+#include "viscera/document/system_commands.h"
 #include "viscera/plugin/plugin_loader.h"
 #include "viscera/scene/region_hulls.h"
 #include "viscera/scene/vtkVisceraHandleSetRepresentation.h"
-#include "viscera/session/group_commands.h"
-#include "viscera/session/rig_commands.h"
-#include "viscera/session/system_commands.h"
 #include "window/widgets/value_slider.h"
 
 namespace viscera::tests {
 namespace {
 
-using State = session::BindingStatus::State;
+using State = live::BindingStatus::State;
 
 /// Handles mode with a ball, and the coordinates that look at groups, from their plugin.
 class Groups : public WindowTest {
@@ -34,10 +34,10 @@ protected:
     WindowTest::SetUp();
     open(sphereFile());
     key(Qt::Key_2);
-    perform(session::setSystem({"localised-s-celestial", {}}));
+    perform(document::setSystem({"localised-s-celestial", {}}));
   }
 
-  void perform(const session::Command& command) {
+  void perform(const document::Command& command) {
     ASSERT_TRUE(window().workspace().perform(command));
     settle();
   }
@@ -63,15 +63,13 @@ protected:
     press("groupAutomatically");
   }
   void select(std::size_t first, std::size_t count) {
-    std::vector<session::HandleId> ids;
+    std::vector<document::HandleId> ids;
     for (std::size_t i = first; i < first + count; ++i)
       ids.push_back(rig().handles.at(i).id);
     window().workspace().selection().setHandles(ids);
   }
-  const session::Rig& rig() { return document().rig(); }
-  session::BindingStatus status() {
-    return window().workspace().live().status(document().organs().front()->id);
-  }
+  const document::Rig& rig() { return document().rig(); }
+  live::BindingStatus status() { return window().workspace().live().status(document().organs().front()->id); }
   const std::vector<scene::RegionHull>& hulls() { return view().view().regions().hulls(); }
   std::size_t steps() { return window().workspace().undo().position(); }
 };
@@ -134,9 +132,9 @@ TEST_F(Groups, AreMadeChangedAndRemovedOneUndoStepEach) {
 
 TEST_F(Groups, AHullTakesTheColourThatItsGroupIsGiven) {
   groupAutomatically(2);
-  session::GroupEdit edit;
+  document::GroupEdit edit;
   edit.color = Vec3(0.2, 0.4, 0.6);
-  perform(session::editGroup(rig().groups[0].id, edit));
+  perform(document::editGroup(rig().groups[0].id, edit));
   EXPECT_EQ(hulls()[0].color, *edit.color);
 }
 
@@ -174,7 +172,7 @@ TEST_F(Groups, HullsFollowAHandleThatIsDraggedAtRest) {
   window().workspace().undo().beginStep("Drag");
   Points to(1, 3);
   to << 1.1 * rig().handles[std::size_t(handle)].rest.transpose();
-  perform(session::moveRestHandles({rig().handles[std::size_t(handle)].id}, to));
+  perform(document::moveRestHandles({rig().handles[std::size_t(handle)].id}, to));
   EXPECT_NE(verticesOf(), before) << "in the middle of the drag";
   EXPECT_EQ(status().state, State::bound);
   window().workspace().undo().cancelStep();
@@ -184,7 +182,7 @@ TEST_F(Groups, HullsFollowAHandleThatIsDraggedAtRest) {
 
 TEST_F(Groups, AGroupThatIsTooSmallOrFlatIsNamedAndUndoMends) {
   groupAutomatically(2);
-  const session::DocumentState good = document().state();
+  const document::DocumentState good = document().state();
   select(8, 3);
   press("groupCreate");
   EXPECT_EQ(status().state, State::failed);
@@ -206,7 +204,7 @@ TEST_F(Groups, AGroupThatIsTooSmallOrFlatIsNamedAndUndoMends) {
 
 TEST_F(Groups, VerticesInNoRegionAreCountedAndAnEnclosingGroupMendsIt) {
   groupAutomatically(3);
-  perform(session::removeGroup(rig().groups[1].id));
+  perform(document::removeGroup(rig().groups[1].id));
   ASSERT_EQ(status().state, State::failed);
   const auto lost = status().inNoRegion.size();
   ASSERT_GT(lost, 0u);
@@ -221,7 +219,7 @@ TEST_F(Groups, VerticesInNoRegionAreCountedAndAnEnclosingGroupMendsIt) {
 
 TEST_F(Groups, AnOffsetBeyondItsBoundIsSaidOnce) {
   groupAutomatically(3);
-  perform(session::setParameter("offset", 900));
+  perform(document::setParameter("offset", 900));
   EXPECT_EQ(status().state, State::bound);
   EXPECT_TRUE(message().contains(QStringLiteral("is cut to"))) << message().toStdString();
 }

@@ -7,11 +7,11 @@
 #include <QTest>
 
 #include "shapes.h"
+#include "viscera/document/system_commands.h"
 #include "viscera/geometry/convex_hull.h"
 #include "viscera/medical_io/surface_file.h"
 #include "viscera/scene/region_hulls.h"
 #include "viscera/scene/vtkVisceraHandleSetRepresentation.h"
-#include "viscera/session/system_commands.h"
 #include "window/widgets/value_slider.h"
 
 namespace viscera::tests {
@@ -69,7 +69,7 @@ TEST_F(HandlesMode, DeleteRemovesTheSelectedHandleAndBindsAnew) {
   const std::size_t before = document().rig().handles.size();
   const int handle = reachableHandle();
   ASSERT_GE(handle, 0);
-  const session::HandleId id = document().rig().handles[handle].id;
+  const document::HandleId id = document().rig().handles[handle].id;
   click(onScreen(handleInView(handle)));
   ASSERT_EQ(window().workspace().selection().currentHandle(), id);
   key(Qt::Key_Delete);
@@ -115,7 +115,7 @@ TEST_F(HandlesMode, RemovingTooManyHandlesSaysWhatIsWrongAndUndoMends) {
   EXPECT_TRUE(document().rig().handles.empty());
   key(Qt::Key_Z, Qt::ControlModifier);
   EXPECT_EQ(window().workspace().live().status(document().organs().front()->id).state,
-            session::BindingStatus::State::bound);
+            live::BindingStatus::State::bound);
 }
 
 /// Handles mode with a ball of 60 mm, mean value coordinates, and a cage of one's own.
@@ -126,7 +126,7 @@ protected:
     choose("mean-value");
   }
   void choose(const char* system) {
-    ASSERT_TRUE(window().workspace().perform(session::setSystem({system, {}})));
+    ASSERT_TRUE(window().workspace().perform(document::setSystem({system, {}})));
     settle();
   }
   /// A box around the middle; `triangles` below 12 leave it open.
@@ -139,7 +139,7 @@ protected:
     ASSERT_TRUE(waitUntil([this] { return window().workspace().jobs().idle(); }));
     settle();
   }
-  const session::Rig& rig() { return document().rig(); }
+  const document::Rig& rig() { return document().rig(); }
   const std::vector<scene::RegionHull>& hulls() { return view().view().regions().hulls(); }
   bool says(const QString& sentence) {
     for (const QLabel* label : window().findChildren<QLabel*>())
@@ -159,7 +159,7 @@ TEST_F(Cage, IsLoadedAndShownAndTakenBack) {
   EXPECT_TRUE(says(QStringLiteral("The cage is the convex hull of the handles.")));
   ASSERT_EQ(hulls().size(), 1u) << "the hull";
   const Eigen::Index hullTriangles = hulls().front().triangles.rows();
-  const session::Rig before = rig();
+  const document::Rig before = rig();
   load(100);
   EXPECT_EQ(rig().handles.size(), 8u);
   EXPECT_EQ(rig().cage.size(), 12u);
@@ -169,7 +169,7 @@ TEST_F(Cage, IsLoadedAndShownAndTakenBack) {
   ASSERT_EQ(hulls().size(), 1u);
   EXPECT_EQ(hulls().front().triangles.rows(), 12);
   EXPECT_EQ(window().workspace().live().status(document().organs().front()->id).state,
-            session::BindingStatus::State::bound);
+            live::BindingStatus::State::bound);
   load(100);
   EXPECT_TRUE(message().contains(QStringLiteral("corners of the cage"))) << message().toStdString();
   key(Qt::Key_Z, Qt::ControlModifier);
@@ -185,7 +185,7 @@ TEST_F(Cage, IsLoadedAndShownAndTakenBack) {
 }
 
 TEST_F(Cage, ThatIsOpenIsRefusedAndNothingChanges) {
-  const session::DocumentState before = document().state();
+  const document::DocumentState before = document().state();
   load(100, 11);
   EXPECT_TRUE(message().contains(QStringLiteral("open at 3 edges"))) << message().toStdString();
   EXPECT_TRUE(message().contains(QStringLiteral("cage.off"))) << message().toStdString();

@@ -9,10 +9,10 @@
 #include <fstream>
 
 #include "shapes.h"
+#include "viscera/document/pose_commands.h"
 #include "viscera/geometry/transformed_surface.h"
 #include "viscera/medical_io/displacement_file.h"
 #include "viscera/medical_io/surface_file.h"
-#include "viscera/session/pose_commands.h"
 #include "window/export_actions.h"
 #include "window/import/import_desk.h"
 #include "window/import/import_panel.h"
@@ -75,7 +75,7 @@ protected:
 
   /// Opens a file that is caught, presses one button, accepts; the organ is a good liver then.
   void expectOneClick(const QString& file, const QString& says, const QString& repair) {
-    const session::DocumentState before = document().state();
+    const document::DocumentState before = document().state();
     open(file);
     ASSERT_TRUE(window().imports().isOpen());
     EXPECT_TRUE(panel().isVisible());
@@ -88,7 +88,7 @@ protected:
     EXPECT_FALSE(window().imports().isOpen());
     EXPECT_FALSE(panel().isVisible());
     ASSERT_EQ(document().organs().size(), 1u);
-    const session::Organ& organ = *document().organs().front();
+    const document::Organ& organ = *document().organs().front();
     EXPECT_EQ(organ.name, "liver");
     EXPECT_TRUE(organ.closed());
     EXPECT_NEAR(organ.restVolumeMm3 / kMm3PerMl, 1540, 20);
@@ -122,7 +122,7 @@ TEST_F(Import, ASurfaceInRasThatDoesNotSaySoIsCaughtAndTurnedByOneClick) {
 
 TEST_F(Import, CancelLeavesTheDocumentUntouched) {
   open(sphereFile());
-  const session::DocumentState before = document().state();
+  const document::DocumentState before = document().state();
   const std::size_t actors = view().view().organs().size();
   open(write(geometry::scaled(liver(), 0.001)));
   ASSERT_TRUE(window().imports().isOpen());
@@ -196,7 +196,7 @@ TEST_F(Import, OrgansDisplacementsFieldAndTableOfAPoseAreWritten) {
   open(sphereFile());
   Points pose = document().pose();
   pose.rowwise() += Eigen::RowVector3d(5, 0, 0);
-  ASSERT_TRUE(window().workspace().perform(session::setPose(pose)));
+  ASSERT_TRUE(window().workspace().perform(document::setPose(pose)));
   window().exports().exportTransform(path(QStringLiteral("field.nrrd")));
   settle();
   window().exports().exportDisplacements(path(QStringLiteral("moved.vtp")));

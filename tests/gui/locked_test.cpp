@@ -9,10 +9,10 @@
 #include <QTreeWidget>
 
 #include "shapes.h"
+#include "viscera/document/pose_commands.h"
 #include "viscera/medical_io/surface_file.h"
 #include "viscera/scene/vtkVisceraGizmoRepresentation.h"
 #include "viscera/scene/vtkVisceraHandleSetRepresentation.h"
-#include "viscera/session/pose_commands.h"
 #include "window/import/import_desk.h"
 
 namespace viscera::tests {
@@ -33,7 +33,7 @@ protected:
     ASSERT_GE(handle_, 0);
   }
 
-  const session::Organ& organ() { return *document().organ(organ_); }
+  const document::Organ& organ() { return *document().organ(organ_); }
   double relativeChange() { return window().workspace().live().volume(organ_).relativeChange(); }
   QString status() { return window().findChild<QLabel*>(QStringLiteral("statusVolume"))->text(); }
   QTreeWidget* list() { return window().findChild<QTreeWidget*>(QStringLiteral("organList")); }
@@ -55,14 +55,14 @@ protected:
   Points displacement() { return document().pose() - document().rig().restPositions(); }
 
   void selectRows(const std::vector<int>& rows) {
-    std::vector<session::HandleId> ids;
+    std::vector<document::HandleId> ids;
     for (const int row : rows)
       ids.push_back(document().rig().handles[static_cast<std::size_t>(row)].id);
     window().workspace().selection().setHandles(ids);
     settle();
   }
 
-  session::OrganId organ_;
+  document::OrganId organ_;
   int handle_ = -1;
 };
 
@@ -128,7 +128,7 @@ TEST_F(LockedDeform, AnOpenSurfaceIsRefusedAndTheOfferClosesItInOneStep) {
   open(file);
   window().imports().accept(); // As it is, open.
   settle();
-  const session::OrganId opened = document().organs().back()->id;
+  const document::OrganId opened = document().organs().back()->id;
   const int edges = document().organ(opened)->boundaryEdges;
   ASSERT_GT(edges, 0);
   const std::size_t stepsBefore = steps();
@@ -207,7 +207,7 @@ TEST_F(LockedDeform, ATypedDisplacementMovesTheSelectionOnceAsOneStep) {
   EXPECT_EQ(steps(), stepsBefore + 1);
   EXPECT_LE((displacement().row(handle_) - Eigen::RowVector3d(5, -2.5, 0)).norm(), 1e-12);
   key(Qt::Key_Z, Qt::ControlModifier);
-  EXPECT_TRUE(session::atRest(document().state()));
+  EXPECT_TRUE(document::atRest(document().state()));
 }
 
 TEST_F(LockedDeform, ATargetVolumeIsReachedOrRefusedInWords) {
@@ -243,7 +243,7 @@ TEST_F(LockedDeform, MarkedHandlesCompensateWhileTheDraggedOneFollowsTheCursor) 
 TEST_F(LockedDeform, TheChartHasTheVolumesOfTheLastDrags) {
   const QPoint from = onScreen(handleInView(handle_));
   drag(from, from + QPoint(60, 20));
-  const session::VolumeRecord& drags = window().volumes().drags();
+  const motion::VolumeRecord& drags = window().volumes().drags();
   ASSERT_GE(drags.rows(), 2u);
   EXPECT_NE(drags.milliliters(0, 0), drags.milliliters(drags.rows() - 1, 0));
   EXPECT_NEAR(drags.milliliters(drags.rows() - 1, 0), window().workspace().live().volume(organ_).nowMl, 1e-9);

@@ -9,9 +9,9 @@
 #include <fstream>
 #include <sstream>
 
-#include "viscera/session/measurement_commands.h"
-#include "viscera/session/organ_commands.h"
-#include "viscera/session/pose_commands.h"
+#include "viscera/document/measurement_commands.h"
+#include "viscera/document/organ_commands.h"
+#include "viscera/document/pose_commands.h"
 #include "window/export_actions.h"
 #include "window/measure/measuring.h"
 
@@ -39,7 +39,7 @@ protected:
     key(Qt::Key_Escape);
   }
 
-  const session::MeasurementList& measurements() { return document().measurements(); }
+  const document::MeasurementList& measurements() { return document().measurements(); }
   QTreeWidget& list() { return *window().findChild<QTreeWidget*>(QStringLiteral("measureList")); }
   double listed(int row, int column) {
     QString text = list().topLevelItem(row)->text(column);
@@ -102,7 +102,7 @@ TEST_F(MeasureTest, ThreeClicksAreTheAngleAtTheSecond) {
 TEST_F(MeasureTest, TheValueFollowsThePoseAndTheOneAtRestStays) {
   measureDistance();
   const double rest = listed(0, 2);
-  ASSERT_TRUE(window().workspace().perform(session::setPose(1.5 * document().pose())));
+  ASSERT_TRUE(window().workspace().perform(document::setPose(1.5 * document().pose())));
   ASSERT_TRUE(waitUntil([&] { return std::abs(listed(0, 1) - 1.5 * rest) < 0.2; }))
       << listed(0, 1) << " mm now, " << rest << " mm at rest";
   EXPECT_DOUBLE_EQ(listed(0, 2), rest);
@@ -162,7 +162,7 @@ TEST_F(MeasureTest, APointIsDraggedAlongTheOrganInOneStep) {
 
 TEST_F(MeasureTest, EscapeDuringADragPutsThePointBack) {
   measureDistance();
-  const session::DocumentState before = window().workspace().state();
+  const document::DocumentState before = window().workspace().state();
   QTest::mouseMove(&view(), onScreen(b_));
   QTest::mousePress(&view(), Qt::LeftButton, Qt::NoModifier, onScreen(b_));
   QTest::mouseMove(&view(), onScreen(onFront(5, 30)));
@@ -201,7 +201,7 @@ TEST_F(MeasureTest, EndsInAnotherModeAndBeginsInExplore) {
   key(Qt::Key_A);
   EXPECT_EQ(window().mode(), app::Mode::explore);
   EXPECT_TRUE(window().measuring().active());
-  ASSERT_TRUE(window().workspace().perform(session::removeAllOrgans()));
+  ASSERT_TRUE(window().workspace().perform(document::removeAllOrgans()));
   settle();
   EXPECT_FALSE(window().measuring().active()) << "there is nothing to measure";
   EXPECT_FALSE(window().actions()["measure.angle"]->isEnabled());

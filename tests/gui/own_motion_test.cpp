@@ -8,9 +8,9 @@
 #include <QTableWidget>
 #include <QTest>
 
+#include "viscera/document/pose_commands.h"
 #include "viscera/medical_io/surface_file.h"
 #include "viscera/sequences/keyframes.h"
-#include "viscera/session/pose_commands.h"
 #include "window/play_parts.h"
 #include "window/recorded/fit_box.h"
 #include "window/recorded/key_box.h"
@@ -44,14 +44,14 @@ protected:
   }
   /// Moves all handles, as Deform mode does.
   void pose(double factor) {
-    std::vector<session::HandleId> all;
-    for (const session::Handle& handle : document().rig().handles)
+    std::vector<document::HandleId> all;
+    for (const document::Handle& handle : document().rig().handles)
       all.push_back(handle.id);
     ASSERT_TRUE(
-        window().workspace().perform(session::moveHandles(all, factor * document().rig().restPositions())));
+        window().workspace().perform(document::moveHandles(all, factor * document().rig().restPositions())));
     settle();
   }
-  const session::Recording& recording() { return document().recording(); }
+  const document::Recording& recording() { return document().recording(); }
   double volume() { return window().workspace().live().volume(document().organs().front()->id).nowMl; }
 };
 
@@ -109,11 +109,11 @@ TEST_F(OwnMotion, AKeysPoseComesBackForChangingAndTheFileHoldsItAll) {
   auto& table = find<QTableWidget>("keyTable");
   table.selectRow(0);
   press("takeKey");
-  EXPECT_TRUE(session::atRest(document().state()));
+  EXPECT_TRUE(document::atRest(document().state()));
   pose(0.9);
   table.selectRow(0);
   press("replaceKey");
-  const session::Recording saved = recording();
+  const document::Recording saved = recording();
   const QString file = path(QStringLiteral("mine.sequence.json"));
   window().play().recorded().save(file);
   ASSERT_TRUE(QFile::exists(file)) << message().toStdString();

@@ -19,7 +19,7 @@ protected:
     ASSERT_EQ(window().mode(), app::Mode::play);
   }
   void loadSample(const QString& name) {
-    const auto before = document().organs().empty() ? session::OrganId{} : document().organs().front()->id;
+    const auto before = document().organs().empty() ? document::OrganId{} : document().organs().front()->id;
     window().samples().load(name, false);
     const auto there = [&] {
       return !document().organs().empty() && document().organs().front()->id != before &&

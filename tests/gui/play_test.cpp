@@ -6,8 +6,8 @@
 #include <QLabel>
 #include <QTest>
 
-#include "viscera/organs/sample_organ.h"
-#include "viscera/session/organ_commands.h"
+#include "viscera/document/organ_commands.h"
+#include "viscera/sample_organs/sample_organ.h"
 #include "window/timeline/phase_scrubber.h"
 #include "window/timeline/volume_panel.h"
 
@@ -81,7 +81,7 @@ TEST_F(PlayMode, UndoOfOpeningAFileIsHeardByEveryPanelThoughTheSelectionGoesWith
   key(Qt::Key_2);
   ASSERT_EQ(window().mode(), app::Mode::handles);
   open(sphereFile());
-  session::Selection& selection = window().workspace().selection();
+  document::Selection& selection = window().workspace().selection();
   ASSERT_TRUE(selection.organ());
   selection.setHandles({document().rig().handles.front().id});
   settle();
@@ -212,7 +212,7 @@ TEST_F(PlayMode, ALockedVolumeStaysWhileTheSequencePlays) {
   const double lost = volumeOf("Heart") - document().organs().front()->restVolumeMm3 / kMm3PerMl;
   EXPECT_LT(lost, -20) << "the heart is smallest at the end of systole";
   window().playback().stop();
-  ASSERT_TRUE(window().workspace().perform(session::setVolumeLocked(document().organs().front()->id, true)));
+  ASSERT_TRUE(window().workspace().perform(document::setVolumeLocked(document().organs().front()->id, true)));
   settle();
   const double before = volumeOf("Heart");
   const double ventricle = volumeOf("LV");

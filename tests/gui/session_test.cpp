@@ -8,10 +8,10 @@
 #include <vtkRenderer.h>
 
 #include "temporary_folder.h"
-#include "viscera/session/autosave.h"
-#include "viscera/session/organ_commands.h"
-#include "viscera/session/pose_commands.h"
-#include "viscera/session/recording_commands.h"
+#include "viscera/document/autosave.h"
+#include "viscera/document/organ_commands.h"
+#include "viscera/document/pose_commands.h"
+#include "viscera/document/recording_commands.h"
 #include "window/session/session_files.h"
 
 namespace viscera::tests {
@@ -22,7 +22,7 @@ using Answer = app::SessionFiles::Answer;
 class SessionTest : public WindowTest {
 protected:
   app::SessionFiles& sessions() { return window().sessions(); }
-  session::UndoStack& undo() { return window().workspace().undo(); }
+  document::UndoStack& undo() { return window().workspace().undo(); }
 
   void save(const QString& file, bool embed = false) {
     bool done = false;
@@ -35,8 +35,8 @@ protected:
     open(sphereFile());
     Points pose = document().pose();
     pose(0, 0) += 7.1;
-    ASSERT_TRUE(window().workspace().perform(session::setPose(pose)));
-    ASSERT_TRUE(window().workspace().perform(session::recordKey(0.5)));
+    ASSERT_TRUE(window().workspace().perform(document::setPose(pose)));
+    ASSERT_TRUE(window().workspace().perform(document::recordKey(0.5)));
     window().setMode(app::Mode::deform);
     view().view().lookFrom(scene::StandardView::left);
     camera()->Azimuth(21);
@@ -62,7 +62,7 @@ TEST_F(SessionTest, SavedAndOpenedInAnotherWindowIsTheSameDocumentModeAndCamera)
   window().actions()["view.ghost"]->setChecked(true);
   window().workspace().selection().setHandles({document().rig().handles[3].id});
   save(path(QStringLiteral("work.viscera")));
-  const session::DocumentState state = document().state();
+  const document::DocumentState state = document().state();
   double position[3], up[3];
   camera()->GetPosition(position);
   camera()->GetViewUp(up);
@@ -71,7 +71,7 @@ TEST_F(SessionTest, SavedAndOpenedInAnotherWindowIsTheSameDocumentModeAndCamera)
 
   reopenWindow();
   open(path(QStringLiteral("work.viscera")));
-  EXPECT_TRUE(session::identical(document().state(), state));
+  EXPECT_TRUE(document::identical(document().state(), state));
   EXPECT_EQ(window().mode(), app::Mode::deform);
   EXPECT_TRUE(window().actions()["view.ghost"]->isChecked());
   EXPECT_EQ(window().workspace().selection().currentHandle(), document().rig().handles[3].id);
@@ -95,7 +95,7 @@ TEST_F(SessionTest, SavedTwiceWithoutAChangeIsTheSameFile) {
 TEST_F(SessionTest, CtrlSSavesToTheSessionsFileAgain) {
   work();
   save(path(QStringLiteral("work.viscera")));
-  ASSERT_TRUE(window().workspace().perform(session::resetPose()));
+  ASSERT_TRUE(window().workspace().perform(document::resetPose()));
   EXPECT_TRUE(window().isWindowModified());
   key(Qt::Key_S, Qt::ControlModifier);
   EXPECT_TRUE(waitUntil([this] { return !window().isWindowModified(); }));
@@ -108,7 +108,7 @@ TEST_F(SessionTest, CtrlSSavesToTheSessionsFileAgain) {
 TEST_F(SessionTest, CancelKeepsTheWindowAndTheWork) {
   work();
   answer(Answer::cancel);
-  const session::DocumentState state = document().state();
+  const document::DocumentState state = document().state();
   EXPECT_FALSE(window().close());
   open(path(QStringLiteral("other.viscera")));
   sessions().begin();
@@ -120,15 +120,15 @@ TEST_F(SessionTest, CancelKeepsTheWindowAndTheWork) {
 TEST_F(SessionTest, SaveBeforeClosingSavesAndCloses) {
   work();
   save(path(QStringLiteral("work.viscera")));
-  ASSERT_TRUE(window().workspace().perform(session::resetPose()));
-  const session::DocumentState state = document().state();
+  ASSERT_TRUE(window().workspace().perform(document::resetPose()));
+  const document::DocumentState state = document().state();
   answer(Answer::save);
   window().close();
   ASSERT_TRUE(waitUntil([this] { return !window().isVisible(); }));
   EXPECT_EQ(asked_, 1);
   reopenWindow();
   open(path(QStringLiteral("work.viscera")));
-  EXPECT_TRUE(session::identical(document().state(), state));
+  EXPECT_TRUE(document::identical(document().state(), state));
 }
 
 TEST_F(SessionTest, NothingIsAskedWhenNothingIsLost) {
@@ -149,7 +149,7 @@ TEST_F(SessionTest, ASaveThatFailsSaysSoAndTheWorkStaysUnsaved) {
 TEST_F(SessionTest, ADamagedSessionSaysOneThingAndLeavesTheDocument) {
   work();
   answer(Answer::discard);
-  const session::DocumentState state = document().state();
+  const document::DocumentState state = document().state();
   QFile file(path(QStringLiteral("bad.viscera")));
   ASSERT_TRUE(file.open(QIODevice::WriteOnly));
   file.write("{\"format\": \"viscera-session\", \"version\": 1, ");
@@ -200,12 +200,12 @@ TEST_F(SessionTest, ASampleAtItsInstantComesBackPlayingThere) {
 TEST_F(SessionTest, UnsavedWorkIsOfferedAfterACrashAndComesBackUnsaved) {
   const auto folder = std::filesystem::path(path(QStringLiteral("state")).toStdString());
   work();
-  const session::DocumentState state = document().state();
+  const document::DocumentState state = document().state();
   {
     // Another program that worked on this and was killed: its lock is gone, its file is not.
-    session::PostBox box;
-    session::Autosave killed(folder, box.post(), [] { return 0.0; });
-    session::SessionContents contents = sessions().contents();
+    PostBox box;
+    document::Autosave killed(folder, box.post(), [] { return 0.0; });
+    document::SessionContents contents = sessions().contents();
     contents.recovers = path(QStringLiteral("work.viscera")).toStdString();
     bool written = false;
     killed.write(contents, [&](const auto& error) {
@@ -222,7 +222,7 @@ TEST_F(SessionTest, UnsavedWorkIsOfferedAfterACrashAndComesBackUnsaved) {
   QMetaObject::invokeMethod(window().viewArea().messages()->findChild<QWidget*>(QStringLiteral("offer")),
                             "click");
   settle();
-  EXPECT_TRUE(session::identical(document().state(), state));
+  EXPECT_TRUE(document::identical(document().state(), state));
   EXPECT_TRUE(window().isWindowModified());
   EXPECT_EQ(sessions().name(), QStringLiteral("work.viscera"));
   EXPECT_FALSE(std::filesystem::is_empty(folder)) << "until it is saved it is kept";
@@ -242,7 +242,7 @@ TEST_F(SessionTest, WorkIsKeptWhileItIsDoneAndGoneAfterACleanEnd) {
     return false;
   };
   EXPECT_TRUE(waitUntil(kept));
-  EXPECT_TRUE(session::findRecoveries(folder).empty()) << "this program is still running";
+  EXPECT_TRUE(document::findRecoveries(folder).empty()) << "this program is still running";
   answer(Answer::discard);
   EXPECT_TRUE(window().close());
   EXPECT_TRUE(std::filesystem::is_empty(folder));

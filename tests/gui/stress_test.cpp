@@ -16,8 +16,8 @@
 #include <vtkPlaneCollection.h>
 
 #include "sway.h"
+#include "viscera/live/stress_quantity.h"
 #include "viscera/scene/vtkVisceraHandleSetRepresentation.h"
-#include "viscera/session/stress_quantity.h"
 #include "window/stress/histogram.h"
 #include "window/stress/stress_mode.h"
 #include "window/stress/value_steps.h"
@@ -29,7 +29,7 @@ constexpr int kWitnesses = 600;
 
 TEST(SteppedRange, GoesInRoundStepsAndDoesNotCreep) {
   using app::steppedRange;
-  using Quantity = session::StressQuantity;
+  using Quantity = live::StressQuantity;
   const scene::ValueRange first = steppedRange(Quantity::rotationalStress, {0, 11}, {0, 0});
   EXPECT_EQ(first.low, 0);
   EXPECT_GE(first.high, 11);
@@ -139,7 +139,7 @@ TEST_F(StressModeTest, DraggingAHandleMovesTheMapAndItsNumbers) {
   deformation::StressMap expected;
   model().live().gradients()->evaluate(document().pose(), expected);
   Values values;
-  session::quantityOf(expected, session::StressQuantity::rotationalStress, values);
+  live::quantityOf(expected, live::StressQuantity::rotationalStress, values);
   EXPECT_EQ(*model().values(), values);
   const auto& bars = find<app::Histogram>("stressHistogram")->bars();
   int counted = 0;
@@ -209,7 +209,7 @@ TEST_F(StressModeTest, ALimitHidesTissueAndGlyphsShowInIt) {
 TEST_F(StressModeTest, EveryMapHasItsLegendAndNumbers) {
   enter();
   dragAHandle();
-  for (const session::StressQuantityDescription& quantity : session::stressQuantities()) {
+  for (const live::StressQuantityDescription& quantity : live::stressQuantities()) {
     EXPECT_EQ(model().look().quantity, quantity.quantity);
     EXPECT_EQ(find<QComboBox>("stressQuantity")->currentText().toStdString(), quantity.name);
     const scene::ValueRange range = model().range();
@@ -258,7 +258,7 @@ TEST_F(StressModeTest, TheNumberOfWitnessesAndTheLookAreKeptInTheSettings) {
   ASSERT_TRUE(waitUntil([this] { return model().ready() && model().live().mesh()->witnesses > 1000; }));
   look([](app::StressLook& look) {
     look.style = scene::CutStyle::crinkle;
-    look.quantity = session::StressQuantity::stretchMin;
+    look.quantity = live::StressQuantity::stretchMin;
   });
   settle();
   EXPECT_FALSE(organ().visible()) << "whole tetrahedra stay";
@@ -266,7 +266,7 @@ TEST_F(StressModeTest, TheNumberOfWitnessesAndTheLookAreKeptInTheSettings) {
   EXPECT_EQ(window().workspace().undo().names().size(), 1u) << "how one looks is no undo step";
   reopenWindow();
   EXPECT_EQ(model().look().style, scene::CutStyle::crinkle);
-  EXPECT_EQ(model().look().quantity, session::StressQuantity::stretchMin);
+  EXPECT_EQ(model().look().quantity, live::StressQuantity::stretchMin);
   EXPECT_EQ(model().look().witnesses, 1500);
 }
 
@@ -275,7 +275,7 @@ TEST_F(StressModeTest, ACancelledTaskSaysSoAndGoesOnWhenAsked) {
   window().setMode(app::Mode::stress);
   window().workspace().jobs().cancelAll();
   ASSERT_TRUE(
-      waitUntil([this] { return model().live().status().state == session::StressStatus::State::cancelled; }));
+      waitUntil([this] { return model().live().status().state == live::StressStatus::State::cancelled; }));
   EXPECT_TRUE(find<QLabel>("stressState")->isVisible());
   EXPECT_TRUE(organ().visible());
   model().live().retry();

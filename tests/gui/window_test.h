@@ -24,7 +24,7 @@ protected:
   virtual plugin::Registry registry() const { return plugin::builtInRegistry(); }
 
   app::MainWindow& window() { return *window_; }
-  const session::Document& document() { return window_->workspace().document(); }
+  const document::Document& document() { return window_->workspace().document(); }
   app::ViewWidget& view();
   /// Closes the window and makes another one with the same settings.
   void reopenWindow();

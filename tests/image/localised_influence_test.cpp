@@ -11,7 +11,7 @@
 #include "viscera/deformation/place_handles.h"
 #include "viscera/localised_scc/localised_s_celestial.h"
 #include "viscera/localised_scc/region_layout.h"
-#include "viscera/organs/sample_organ.h"
+#include "viscera/sample_organs/sample_organ.h"
 #include "viscera/scene/contact_sheet.h"
 #include "viscera/scene/layout_hulls.h"
 
@@ -27,8 +27,8 @@ class LocalisedInfluence : public testing::Test {
 protected:
   LocalisedInfluence() {
     Progress progress;
-    const auto sample =
-        organs::sampleOrgan(organs::standardLibrary(), "stomach", organs::Resolution::low, progress);
+    const auto sample = sample_organs::sampleOrgan(sample_organs::standardLibrary(), "stomach",
+                                                   sample_organs::Resolution::low, progress);
     stomach_ = sample.surfaces.front().mesh;
     deformation::Placement placement;
     placement.enclosing = false;

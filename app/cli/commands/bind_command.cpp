@@ -34,7 +34,7 @@ Outcome BindCommand::run(Surroundings& surroundings) {
   const coordinates::BindOptions options = system_.bindOptions(*system, surroundings);
   Outcome outcome;
   const RigInput rig = rigInput(handles_, outcome.warnings, system_.cage());
-  const session::Organ organ = organInput(organ_, surroundings.samples, surroundings.progress);
+  const document::Organ organ = organInput(organ_, surroundings.samples, surroundings.progress);
   const auto binding =
       deformation::bindOrgan(*system, rig.handles, organ.mesh->points, options, surroundings.progress);
   const coordinates::BindingReport& report = binding->report();

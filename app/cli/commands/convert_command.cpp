@@ -5,6 +5,7 @@
 #include "cli/findings.h"
 #include "cli/listing.h"
 #include "viscera/core/error.h"
+#include "viscera/document/open_files.h"
 #include "viscera/geometry/surface_check.h"
 #include "viscera/geometry/transformed_surface.h"
 #include "viscera/medical_io/assess_surface.h"
@@ -12,7 +13,6 @@
 #include "viscera/medical_io/organ_norms.h"
 #include "viscera/medical_io/surface_file.h"
 #include "viscera/medical_io/surface_repairs.h"
-#include "viscera/session/open_files.h"
 
 namespace viscera::app::cli {
 namespace {
@@ -86,7 +86,7 @@ medical_io::Space ConvertCommand::written() const {
 }
 
 Outcome ConvertCommand::convertSurface(Surroundings& surroundings) const {
-  if (session::isHandleFile(out_))
+  if (document::isHandleFile(out_))
     throw UsageError("a surface cannot be written as a handle file", out_, "viscera handles places handles");
   medical_io::SurfaceFile surface = medical_io::readSurface(in_);
   const auto assess = [&](const geometry::TriangleMesh& mesh) {
@@ -132,7 +132,7 @@ Outcome ConvertCommand::convertSurface(Surroundings& surroundings) const {
 
 Outcome ConvertCommand::convertHandles() const {
   requireNoSurfaceOptions();
-  if (!session::isHandleFile(out_))
+  if (!document::isHandleFile(out_))
     throw UsageError("a handle file cannot be written as a surface", out_, "use .mrk.json or .fcsv");
   medical_io::HandleFile handles = medical_io::readHandles(in_);
   const double mm = millimetres(unit_);
@@ -158,7 +158,7 @@ Outcome ConvertCommand::convertHandles() const {
 }
 
 Outcome ConvertCommand::run(Surroundings& surroundings) {
-  return session::isHandleFile(in_) ? convertHandles() : convertSurface(surroundings);
+  return document::isHandleFile(in_) ? convertHandles() : convertSurface(surroundings);
 }
 
 } // namespace viscera::app::cli

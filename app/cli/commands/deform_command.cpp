@@ -75,7 +75,7 @@ double DeformCommand::targetMl(const deformation::Deformer& deformer) const {
 }
 
 void DeformCommand::keepVolume(deformation::Deformer& deformer, const RigInput& rig,
-                               const session::Organ& organ,
+                               const document::Organ& organ,
                                const deformation::RestorationModel& model) const {
   if (!lockVolume_ && !targetMl_) {
     if (!compensate_.empty())
@@ -95,12 +95,12 @@ void DeformCommand::keepVolume(deformation::Deformer& deformer, const RigInput& 
 }
 
 std::unique_ptr<deformation::RestorationModel>
-DeformCommand::model(const session::Organ& organ, const RigInput& rig,
+DeformCommand::model(const document::Organ& organ, const RigInput& rig,
                      const coordinates::CoordinateSystem& system, const coordinates::BindOptions& options,
                      std::vector<std::string>& warnings, Progress& progress) const {
   if (restore_ == kLeastDisplacement || (!lockVolume_ && !targetMl_))
     return std::make_unique<deformation::LeastDisplacement>();
-  session::WitnessOptions witnesses;
+  live::WitnessOptions witnesses;
   witnesses.wanted = witnesses_;
   witnesses.threads = options.threads;
   const Interior interior = interiorOf(organ, rig.handles, system, options, witnesses, warnings, progress);
@@ -108,7 +108,7 @@ DeformCommand::model(const session::Organ& organ, const RigInput& rig,
                                                     options.threads);
 }
 
-void DeformCommand::writeOutputs(const session::Organ& organ, const deformation::Deformer& deformer,
+void DeformCommand::writeOutputs(const document::Organ& organ, const deformation::Deformer& deformer,
                                  const RigInput& rig, const coordinates::CoordinateSystem& system,
                                  const coordinates::BindOptions& options, Progress& progress,
                                  Outcome& outcome, Listing& listing) const {
@@ -151,7 +151,7 @@ Outcome DeformCommand::run(Surroundings& surroundings) {
   Outcome outcome;
   const RigInput rig = rigInput(handles_, outcome.warnings, system_.cage());
   const Points pose = poseInput(pose_, rig, outcome.warnings);
-  const session::Organ organ = organInput(organ_, surroundings.samples, surroundings.progress);
+  const document::Organ organ = organInput(organ_, surroundings.samples, surroundings.progress);
   deformation::Deformer deformer(
       organ.mesh,
       deformation::bindOrgan(*system, rig.handles, organ.mesh->points, options, surroundings.progress),

@@ -24,18 +24,18 @@ public:
 
 private:
   /// Moves compensating handles so that the volume is the one asked for. Nothing to do when none is.
-  void keepVolume(deformation::Deformer& deformer, const RigInput& rig, const session::Organ& organ,
+  void keepVolume(deformation::Deformer& deformer, const RigInput& rig, const document::Organ& organ,
                   const deformation::RestorationModel& model) const;
   /// What a compensating motion costs, as `--restore` says. Fills the organ with witness points where that
   /// takes some.
-  std::unique_ptr<deformation::RestorationModel> model(const session::Organ& organ, const RigInput& rig,
+  std::unique_ptr<deformation::RestorationModel> model(const document::Organ& organ, const RigInput& rig,
                                                        const coordinates::CoordinateSystem& system,
                                                        const coordinates::BindOptions& options,
                                                        std::vector<std::string>& warnings,
                                                        Progress& progress) const;
   double targetMl(const deformation::Deformer& deformer) const;
   /// Writes the posed surface, the displacements and the displacement field that are asked for, and says so.
-  void writeOutputs(const session::Organ& organ, const deformation::Deformer& deformer, const RigInput& rig,
+  void writeOutputs(const document::Organ& organ, const deformation::Deformer& deformer, const RigInput& rig,
                     const coordinates::CoordinateSystem& system, const coordinates::BindOptions& options,
                     Progress& progress, Outcome& outcome, Listing& listing) const;
 

@@ -9,11 +9,11 @@
 #include "cli/listing.h"
 #include "viscera/core/error.h"
 #include "viscera/deformation/place_handles.h"
+#include "viscera/document/automatic_groups.h"
+#include "viscera/document/cage_commands.h"
 #include "viscera/geometry/convex_hull.h"
 #include "viscera/geometry/winding_number.h"
 #include "viscera/medical_io/handle_file.h"
-#include "viscera/session/automatic_groups.h"
-#include "viscera/session/cage_commands.h"
 
 namespace viscera::app::cli {
 namespace {
@@ -51,14 +51,15 @@ Rig plainRig(const Points& positions, bool enclosing) {
   return rig;
 }
 
-Rig groupedRig(const Points& positions, const session::Organ& organ, const session::GroupingChoice& choice) {
+Rig groupedRig(const Points& positions, const document::Organ& organ,
+               const document::GroupingChoice& choice) {
   deformation::Grouping grouping =
-      session::makeGroups(choice, {std::make_shared<const session::Organ>(organ)}, positions);
+      document::makeGroups(choice, {std::make_shared<const document::Organ>(organ)}, positions);
   Rig rig{
       Points(positions.rows() + grouping.added.rows(), 3), positions.rows(), std::move(grouping.groups), {}};
   rig.positions << positions, grouping.added;
   for (std::size_t i = 0; i < rig.groups.size(); ++i)
-    rig.colors.push_back(session::groupColor(i));
+    rig.colors.push_back(document::groupColor(i));
   return rig;
 }
 
@@ -77,7 +78,7 @@ medical_io::HandleFile fileOf(const Rig& rig) {
     medical_io::HandleGroupRecord record{rig.groups[i].name, rig.colors[i], {}};
     for (const int row : rig.groups[i].handles)
       record.handles.push_back({"H-" + std::to_string(row + 1), rig.positions.row(row).transpose(),
-                                row < rig.placed ? std::string() : session::kAddedByGrouping, false, true});
+                                row < rig.placed ? std::string() : document::kAddedByGrouping, false, true});
     file.groups.push_back(std::move(record));
   }
   return file;
@@ -121,14 +122,14 @@ Outcome HandlesCommand::run(Surroundings& surroundings) {
   if (enclosing_ && count_ < kEnclosing)
     throw UsageError("is too few for the eight enclosing handles", "--count " + std::to_string(count_),
                      "ask for 8 or more");
-  session::GroupingChoice choice;
-  choice.by = groupBy_.empty() ? choice.by : session::groupingFromName(groupBy_);
+  document::GroupingChoice choice;
+  choice.by = groupBy_.empty() ? choice.by : document::groupingFromName(groupBy_);
   choice.count = groups_ > 0 ? groups_ : choice.count;
-  const session::Organ organ = organInput(organ_, surroundings.samples, surroundings.progress);
+  const document::Organ organ = organInput(organ_, surroundings.samples, surroundings.progress);
   deformation::Placement placement;
   placement.count = count_;
   placement.enclosing = enclosing_;
-  const auto cage = cage_.empty() ? nullptr : session::readCage(cage_, surroundings.progress).mesh;
+  const auto cage = cage_.empty() ? nullptr : document::readCage(cage_, surroundings.progress).mesh;
   const Points positions = cage ? cage->points : deformation::placeHandles(*organ.mesh, placement);
   const Rig rig = grouped() ? groupedRig(positions, organ, choice) : plainRig(positions, enclosing_);
   const std::size_t outside = cage ? outsideCage(*cage, organ.mesh->points)

@@ -8,13 +8,13 @@
 #include "cli/inputs.h"
 #include "cli/listing.h"
 #include "cli/session_input.h"
+#include "viscera/document/open_files.h"
+#include "viscera/document/session_file.h"
 #include "viscera/geometry/surface_check.h"
 #include "viscera/medical_io/assess_surface.h"
 #include "viscera/medical_io/handle_file.h"
 #include "viscera/medical_io/label_map.h"
 #include "viscera/medical_io/surface_file.h"
-#include "viscera/session/open_files.h"
-#include "viscera/session/session_file.h"
 
 namespace viscera::app::cli {
 namespace {
@@ -185,7 +185,7 @@ void InfoCommand::addOptions(CLI::App& options) {
 
 Outcome InfoCommand::run(Surroundings& surroundings) {
   if (isSample(file_) || namesLabel(file_)) {
-    const session::Organ organ = organInput(file_, surroundings.samples, surroundings.progress);
+    const document::Organ organ = organInput(file_, surroundings.samples, surroundings.progress);
     medical_io::SurfaceFile surface;
     surface.mesh = *organ.mesh;
     surface.name = organ.name;
@@ -193,9 +193,9 @@ Outcome InfoCommand::run(Surroundings& surroundings) {
     surface.warnings = organ.warnings;
     return describe(surface, file_, surroundings);
   }
-  if (session::isSessionFile(file_))
+  if (document::isSessionFile(file_))
     return describeSession(file_, surroundings);
-  if (session::isHandleFile(file_))
+  if (document::isHandleFile(file_))
     return describe(medical_io::readHandles(file_), file_);
   if (medical_io::isLabelMap(file_))
     return describe(medical_io::readLabelMap(file_, surroundings.progress), file_);

@@ -11,14 +11,14 @@
 #include "cli/listing.h"
 #include "viscera/core/atomic_file.h"
 #include "viscera/core/error.h"
+#include "viscera/document/open_files.h"
 #include "viscera/medical_io/handle_file.h"
+#include "viscera/motion/cardiac_indices.h"
+#include "viscera/motion/sequence_setup.h"
+#include "viscera/motion/volume_table.h"
 #include "viscera/scene/contact_sheet.h"
 #include "viscera/scene/movie_writer.h"
 #include "viscera/scene/picture.h"
-#include "viscera/session/cardiac_indices.h"
-#include "viscera/session/open_files.h"
-#include "viscera/session/sequence_setup.h"
-#include "viscera/session/volume_table.h"
 
 namespace viscera::app::cli {
 namespace {
@@ -77,7 +77,7 @@ private:
 
 std::string sequenceNames() {
   std::string names;
-  for (const session::SampleSequence& sequence : session::sampleSequences())
+  for (const motion::SampleSequence& sequence : motion::sampleSequences())
     names += (names.empty() ? "" : " or ") + sequence.id;
   return names;
 }
@@ -103,12 +103,12 @@ void addWall(const PlayedSequence& played, const std::vector<double>& wall, nloh
 }
 
 /// What was found out about an organ that the sequence was fitted to.
-void addFit(const session::RetargetedSequence& fitted, nlohmann::ordered_json& json, Listing& listing) {
+void addFit(const motion::RetargetedSequence& fitted, nlohmann::ordered_json& json, Listing& listing) {
   json["retargeted"] = {{"scale", fitted.scale},
                         {"handles", fitted.rig.handles.size()},
                         {"landmarks", nlohmann::ordered_json::array()}};
   std::string computed;
-  for (const session::Landmark& landmark : fitted.landmarks.points) {
+  for (const motion::Landmark& landmark : fitted.landmarks.points) {
     const Vec3& p = landmark.position;
     json["retargeted"]["landmarks"].push_back(
         {{"name", landmark.role}, {"positionMm", {p.x(), p.y(), p.z()}}, {"computed", landmark.computed}});
@@ -179,7 +179,7 @@ Outcome PlayCommand::run(Surroundings& surroundings) {
   const int frames = std::max(1, static_cast<int>(std::lround(cycles_ * 60.0 / rate * framesPerSecond_)));
   const Measured measured = play(played, rate, frames, surroundings);
   if (!csv_.empty())
-    session::writeVolumeTable(csv_, measured.volumes);
+    motion::writeVolumeTable(csv_, measured.volumes);
   Outcome outcome = report(played, measured, rate);
   outcome.warnings = std::move(played.warnings);
   outcome.json["seconds"] = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
@@ -199,13 +199,13 @@ double PlayCommand::rateOf(const sequences::Sequence& sequence) const {
 
 void PlayCommand::writeRig(const PlayedSequence& played) const {
   if (!handlesOut_.empty())
-    medical_io::writeHandles(handlesOut_, session::handleFile(played.rig));
+    medical_io::writeHandles(handlesOut_, document::handleFile(played.rig));
   if (landmarksOut_.empty())
     return;
   if (!played.retargeted)
     throw UsageError("there are no landmarks: the sequence plays on its own organ", "--write-landmarks",
                      "name another organ with --organ");
-  medical_io::writeHandles(landmarksOut_, session::landmarkFile(played.retargeted->landmarks, "Landmarks"));
+  medical_io::writeHandles(landmarksOut_, motion::landmarkFile(played.retargeted->landmarks, "Landmarks"));
 }
 
 PlayCommand::Measured PlayCommand::play(PlayedSequence& played, double rate, int frames,
@@ -213,7 +213,7 @@ PlayCommand::Measured PlayCommand::play(PlayedSequence& played, double rate, int
   std::vector<std::string> names;
   for (const PlayedSurface& surface : played.surfaces)
     names.push_back(surface.name);
-  Measured measured{session::VolumeRecord(names), {}};
+  Measured measured{motion::VolumeRecord(names), {}};
   std::optional<Recording> recording;
   if (!frames_.empty() || !movie_.empty() || !sheet_.empty())
     recording.emplace(played, stage_, sheet_.empty() ? 0 : kRoomOnASheet, surroundings.threads);
@@ -256,7 +256,7 @@ PlayCommand::Measured PlayCommand::play(PlayedSequence& played, double rate, int
 }
 
 Outcome PlayCommand::report(const PlayedSequence& played, const Measured& measured, double rate) const {
-  const session::VolumeRecord& volumes = measured.volumes;
+  const motion::VolumeRecord& volumes = measured.volumes;
   Outcome outcome;
   outcome.json = {{"sequence", played.sequence->id()},
                   {"ratePerMinute", rate},
@@ -280,7 +280,7 @@ Outcome PlayCommand::report(const PlayedSequence& played, const Measured& measur
   listing.add("outer change", fixed(100 * outerChange, 1) + " % at most");
   outcome.json["ejectionFraction"] = nullptr;
   if (const PlayedSurface* ventricle = played.find("lv")) {
-    const session::CardiacIndices indices = session::cardiacIndices(
+    const motion::CardiacIndices indices = motion::cardiacIndices(
         volumes.column(static_cast<std::size_t>(ventricle - played.surfaces.data())), rate);
     outcome.json["ejectionFraction"] = indices.ejectionFraction;
     outcome.json["strokeVolumeMl"] = indices.strokeVolumeMl;

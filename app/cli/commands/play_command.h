@@ -6,7 +6,7 @@
 #include "cli/command.h"
 #include "cli/played_sequence.h"
 #include "cli/stage.h"
-#include "viscera/session/volume_record.h"
+#include "viscera/motion/volume_record.h"
 
 namespace viscera::app::cli {
 
@@ -21,7 +21,7 @@ public:
 private:
   /// What playing has shown.
   struct Measured {
-    session::VolumeRecord volumes;
+    motion::VolumeRecord volumes;
     std::vector<double> wallMl; ///< Of the sample heart: chambers from outside less both cavities.
   };
 

@@ -19,11 +19,11 @@
 #include "viscera/core/error.h"
 #include "viscera/deformation/bind_organ.h"
 #include "viscera/deformation/bind_witnesses.h"
+#include "viscera/document/open_files.h"
+#include "viscera/document/session_file.h"
 #include "viscera/scene/contact_sheet.h"
 #include "viscera/scene/picture.h"
 #include "viscera/scene/vtkVisceraHandleSetRepresentation.h"
-#include "viscera/session/open_files.h"
-#include "viscera/session/session_file.h"
 
 namespace viscera::app::cli {
 namespace {
@@ -37,13 +37,13 @@ Contents read(const std::vector<std::string>& files, const std::string& cage,
               const Surroundings& surroundings) {
   Contents contents;
   for (const std::string& file : files) {
-    if (session::isHandleFile(file)) {
+    if (document::isHandleFile(file)) {
       if (contents.rig)
         throw UsageError("a second handle file", file, "name one handle file");
       contents.rig = rigInput(file, contents.warnings, cage);
       continue;
     }
-    for (session::Organ& organ : organInputs(file, surroundings.samples, surroundings.progress)) {
+    for (document::Organ& organ : organInputs(file, surroundings.samples, surroundings.progress)) {
       contents.warnings.insert(contents.warnings.end(), organ.warnings.begin(), organ.warnings.end());
       contents.organs.push_back(std::move(organ));
     }
@@ -59,7 +59,7 @@ std::vector<std::shared_ptr<Values>> influencesOf(const Contents& contents, int 
                                                   const coordinates::BindOptions& options,
                                                   Progress& progress) {
   std::vector<std::shared_ptr<Values>> influences;
-  for (const session::Organ& organ : contents.organs) {
+  for (const document::Organ& organ : contents.organs) {
     const auto binding =
         deformation::bindOrgan(system, contents.rig->handles, organ.mesh->points, options, progress);
     influences.push_back(std::make_shared<Values>(binding->influence(handle)));
@@ -86,7 +86,7 @@ void showStress(Stage& stage, const Contents& contents, const coordinates::Coord
   std::vector<std::shared_ptr<Values>> stresses;
   scene::ValueRange range{0, 0};
   int folded = 0;
-  for (const session::Organ& organ : contents.organs) {
+  for (const document::Organ& organ : contents.organs) {
     deformation::StressMap map;
     deformation::bindWitnesses(system, contents.rig->handles, organ.mesh->points, options, progress)
         ->evaluate(*contents.pose, map, options.threads);
@@ -166,7 +166,7 @@ RenderCommand::Pictures RenderCommand::draw(const Shown& shown, const Contents& 
   StageOptions options = stage_;
   options.size.width = width;
   Stage stage(options, surroundings.threads);
-  for (const session::Organ& organ : contents.organs)
+  for (const document::Organ& organ : contents.organs)
     stage.add(organ, opacity_);
   if (contents.rig) {
     stage.showHandles(*contents.rig);
@@ -204,8 +204,8 @@ Outcome RenderCommand::drawSession(Surroundings& surroundings) {
     throw UsageError("is drawn as it is: only --view, --size and --theme go with a session", files_.front(),
                      "draw its organs' and handles' own files for anything else");
   stage_.size = pictureSize(size_);
-  const session::OpenedSession opened =
-      session::readSession(files_.front(), surroundings.samples, surroundings.progress);
+  const document::OpenedSession opened =
+      document::readSession(files_.front(), surroundings.samples, surroundings.progress);
   const SessionPicture picture = sessionPicture(opened, stage_, viewGiven_->count() > 0, surroundings);
   scene::writePng(output_, picture.image);
   Outcome outcome;
@@ -226,7 +226,7 @@ Outcome RenderCommand::drawSession(Surroundings& surroundings) {
 
 Outcome RenderCommand::run(Surroundings& surroundings) {
   if (std::any_of(files_.begin(), files_.end(),
-                  [](const auto& file) { return session::isSessionFile(file); }))
+                  [](const auto& file) { return document::isSessionFile(file); }))
     return drawSession(surroundings);
   std::vector<Shown> all = shown(surroundings);
   stage_.size = pictureSize(size_);

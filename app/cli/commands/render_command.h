@@ -21,7 +21,7 @@ namespace viscera::app::cli {
 
 /// What the files named hold.
 struct Contents {
-  std::vector<session::Organ> organs;
+  std::vector<document::Organ> organs;
   std::optional<RigInput> rig;
   std::optional<Points> pose; ///< Of the rig; none: at rest.
   std::vector<std::string> warnings;

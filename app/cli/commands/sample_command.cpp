@@ -51,7 +51,7 @@ Outcome SampleCommand::run(Surroundings& surroundings) {
 
 Outcome SampleCommand::list(const Surroundings& surroundings) const {
   Outcome outcome;
-  outcome.json["organs"] = organs::sampleNames(surroundings.samples);
+  outcome.json["organs"] = sample_organs::sampleNames(surroundings.samples);
   for (const auto& name : outcome.json["organs"])
     outcome.text += name.get<std::string>() + "\n";
   return outcome;
@@ -61,20 +61,20 @@ Outcome SampleCommand::make(Surroundings& surroundings) const {
   std::string reference = isSample(organ_) ? organ_ : "sample:" + organ_;
   if (!resolution_.empty())
     reference = reference.substr(0, reference.rfind('@')) + "@" + resolution_;
-  const std::vector<session::Organ> surfaces =
+  const std::vector<document::Organ> surfaces =
       organInputs(reference, surroundings.samples, surroundings.progress);
 
   Outcome outcome;
   ordered_json& json = outcome.json;
-  const session::Organ& outer = surfaces.front();
+  const document::Organ& outer = surfaces.front();
   json = {{"organ", sampleReference(reference).organ},
-          {"resolution", organs::nameOf(sampleReference(reference).resolution)},
+          {"resolution", sample_organs::nameOf(sampleReference(reference).resolution)},
           {"vertices", outer.mesh->points.rows()},
           {"triangles", outer.mesh->triangles.rows()},
           {"volumeMl", outer.restVolumeMm3 / kMm3PerMl},
           {"surfaces", ordered_json::array()}};
   Listing listing;
-  for (const session::Organ& surface : surfaces) {
+  for (const document::Organ& surface : surfaces) {
     const double volumeMl = surface.restVolumeMm3 / kMm3PerMl;
     const bool first = &surface == &outer;
     ordered_json row = {{"name", first && surfaces.size() > 1 ? "outer" : lastPart(surface.name)},

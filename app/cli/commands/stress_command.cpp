@@ -21,13 +21,13 @@ namespace {
 
 constexpr double kDegrees = 180 / std::numbers::pi;
 
-const char* nameOf(session::WitnessOrigin origin) {
+const char* nameOf(live::WitnessOrigin origin) {
   switch (origin) {
-  case session::WitnessOrigin::surface:
+  case live::WitnessOrigin::surface:
     return "surface";
-  case session::WitnessOrigin::repairedSurface:
+  case live::WitnessOrigin::repairedSurface:
     return "repaired";
-  case session::WitnessOrigin::grid:
+  case live::WitnessOrigin::grid:
     return "grid";
   }
   return "";
@@ -168,8 +168,8 @@ Outcome StressCommand::run(Surroundings& surroundings) {
   std::vector<std::string> warnings;
   const RigInput rig = rigInput(handles_, warnings, system_.cage());
   const Points pose = poseInput(pose_, rig, warnings);
-  const session::Organ organ = organInput(organ_, surroundings.samples, surroundings.progress);
-  session::WitnessOptions witnesses = witnesses_;
+  const document::Organ organ = organInput(organ_, surroundings.samples, surroundings.progress);
+  live::WitnessOptions witnesses = witnesses_;
   witnesses.memoryLimitBytes = static_cast<std::uint64_t>(memoryMb_ * 1024 * 1024);
   witnesses.threads = surroundings.threads;
   const Measured measured =

@@ -6,7 +6,7 @@
 #include "cli/inputs.h"
 #include "cli/system_options.h"
 #include "viscera/deformation/witness_gradients.h"
-#include "viscera/session/witness_sampling.h"
+#include "viscera/live/witness_sampling.h"
 
 namespace viscera::app::cli {
 
@@ -25,7 +25,7 @@ private:
   std::string output_;
   std::string csv_;
   double memoryMb_ = 2048;
-  session::WitnessOptions witnesses_;
+  live::WitnessOptions witnesses_;
   SystemOptions system_;
 };
 

@@ -5,8 +5,8 @@ namespace {
 
 constexpr const char* kWithoutCage = "t-celestial";
 
-std::string firstChoice(const session::SystemChoice& other) {
-  return other.id == kWithoutCage ? session::SystemChoice().id : kWithoutCage;
+std::string firstChoice(const document::SystemChoice& other) {
+  return other.id == kWithoutCage ? document::SystemChoice().id : kWithoutCage;
 }
 
 } // namespace
@@ -16,7 +16,7 @@ ComparedSystem::ComparedSystem(const Side& first, const HandleScene& handles, co
     : QObject(parent), first_(first), second_(second), poses_(second.workspace), firstHandles_(handles),
       handles_(std::make_unique<HandleScene>(second.workspace, poses_, second.view.view())),
       messages_(second.workspace, messages, nullptr, &first.workspace) {
-  auto choice = std::make_shared<session::SystemChoice>();
+  auto choice = std::make_shared<document::SystemChoice>();
   choice->id = firstChoice(first.workspace.document().system());
   choice_ = std::move(choice);
   handles_->setMode(Mode::explore);
@@ -47,7 +47,7 @@ QComboBox* ComparedSystem::makeChooser() {
 }
 
 void ComparedSystem::choose(const std::string& id) {
-  auto choice = std::make_shared<session::SystemChoice>();
+  auto choice = std::make_shared<document::SystemChoice>();
   choice->id = id;
   choice_ = std::move(choice);
   if (chooser_)
@@ -60,7 +60,7 @@ void ComparedSystem::mirrored() {
   followLook();
 }
 
-session::DocumentState ComparedSystem::applied(session::DocumentState state) const {
+document::DocumentState ComparedSystem::applied(document::DocumentState state) const {
   state.system = choice_;
   return state;
 }
@@ -75,8 +75,8 @@ void ComparedSystem::followLook() {
 }
 
 void ComparedSystem::followSelection() {
-  const session::Selection& first = first_.workspace.selection();
-  session::Selection& second = second_.workspace.selection();
+  const document::Selection& first = first_.workspace.selection();
+  document::Selection& second = second_.workspace.selection();
   if (second.handles() != first.handles())
     second.setHandles(first.handles());
   if (second.organ() != first.organ())

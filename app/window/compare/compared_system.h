@@ -41,7 +41,7 @@ public:
   void choose(const std::string& id);
   const std::string& system() const { return choice_->id; }
   /// The first document's state with the other coordinates.
-  session::DocumentState applied(session::DocumentState state) const;
+  document::DocumentState applied(document::DocumentState state) const;
 
   /// The second document has become the first one's mirror image, with all of its organs and handles.
   void mirrored();
@@ -59,9 +59,9 @@ private:
   const HandleScene& firstHandles_;
   std::unique_ptr<HandleScene> handles_;
   BindingMessages messages_;
-  std::shared_ptr<const session::SystemChoice> choice_;
+  std::shared_ptr<const document::SystemChoice> choice_;
   QPointer<QComboBox> chooser_;
-  std::vector<session::Subscription> subscriptions_;
+  std::vector<Subscription> subscriptions_;
 };
 
 } // namespace viscera::app

@@ -26,7 +26,7 @@ namespace viscera::app {
 
 /// Everything that belongs to the second view; the widgets in the window go by themselves.
 struct Comparison::Second {
-  Second(const First& first, const session::Player::Clock& clock, QWidget* window)
+  Second(const First& first, const motion::Player::Clock& clock, QWidget* window)
       : workspace(first.workspace.registry()), playback(workspace, clock), placer(workspace),
         samples(workspace, placer, playback), files(workspace, placer, first.settings, window),
         view(new ViewWidget), organs(std::make_unique<OrganScene>(workspace, view->view())),
@@ -42,10 +42,10 @@ struct Comparison::Second {
   std::unique_ptr<LabelScene> labels;
   std::unique_ptr<CameraLink> cameras;
   std::unique_ptr<ComparedSystem> system; ///< While other coordinates are compared.
-  std::vector<session::Subscription> subscriptions;
+  std::vector<Subscription> subscriptions;
 };
 
-Comparison::Comparison(const First& first, session::Player::Clock clock, QObject* parent)
+Comparison::Comparison(const First& first, motion::Player::Clock clock, QObject* parent)
     : QObject(parent), first_(first), clock_(std::move(clock)) {
   connect(&first.playback, &Playback::advanced, this, &Comparison::syncHeaders);
   connect(&first.playback, &Playback::stateChanged, this, [this] {
@@ -92,7 +92,7 @@ void Comparison::begin() {
   connect(&second.playback, &Playback::advanced, this, &Comparison::syncHeaders);
   connect(&second.samples, &SampleLoader::loaded, this, &Comparison::linkCameras);
   connect(&second.files, &FileActions::filesOpened, this, &Comparison::linkCameras);
-  second.subscriptions.push_back(first_.workspace.onChange([this](const session::Change&) {
+  second.subscriptions.push_back(first_.workspace.onChange([this](const document::Change&) {
     if (same_)
       mirror();
   }));
@@ -196,7 +196,7 @@ void Comparison::showSameOrgan() {
   dropSystem();
   same_ = true;
   mirror();
-  const session::Player& first = first_.playback.player();
+  const motion::Player& first = first_.playback.player();
   if (first_.playback.sequence()) {
     const double fastest = first_.playback.sequence()->highestRatePerMinute();
     const double twice = std::min(fastest, 2 * first.ratePerMinute());
@@ -267,7 +267,7 @@ void Comparison::setLabelsShown(bool shown) {
 /// The second document becomes the first one as it is now. Organs whose surface and handles are the same stay
 /// bound.
 void Comparison::mirror() {
-  const session::DocumentState& state = first_.workspace.state();
+  const document::DocumentState& state = first_.workspace.state();
   second_->workspace.undo().reset(second_->system ? second_->system->applied(state) : state);
   if (second_->system)
     second_->system->mirrored();
@@ -313,7 +313,7 @@ QString Comparison::titleOf(const Workspace& workspace, const Playback& playback
 void Comparison::syncHeaders() {
   if (!on() || !firstHeader_ || !secondHeader_)
     return;
-  const session::Player& first = first_.playback.player();
+  const motion::Player& first = first_.playback.player();
   const auto systemName = [](const Workspace& workspace) {
     return text(workspace.registry().find(workspace.document().system().id)->name());
   };

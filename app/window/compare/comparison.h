@@ -41,7 +41,7 @@ public:
   };
 
   /// `clock` is the one that drives the first playback.
-  Comparison(const First& first, session::Player::Clock clock, QObject* parent = nullptr);
+  Comparison(const First& first, motion::Player::Clock clock, QObject* parent = nullptr);
   ~Comparison() override;
 
   bool on() const { return second_ != nullptr; }
@@ -87,7 +87,7 @@ private:
   QString titleOf(const Workspace& workspace, const Playback& playback) const;
 
   First first_;
-  session::Player::Clock clock_;
+  motion::Player::Clock clock_;
   std::unique_ptr<Second> second_;
   QPointer<SideHeader> firstHeader_;
   QPointer<SideHeader> secondHeader_;

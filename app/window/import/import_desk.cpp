@@ -25,7 +25,7 @@ ImportDesk::ImportDesk(Workspace& workspace, FileActions& files, ViewWidget& vie
   connect(panel_, &ImportPanel::includedChanged, this, &ImportDesk::include);
 }
 
-void ImportDesk::begin(session::ImportDraft draft, const QStringList& files) {
+void ImportDesk::begin(document::ImportDraft draft, const QStringList& files) {
   if (open_)
     return workspace_.say({Message::Severity::warning,
                            tr("Import or cancel the files in the panel first, then open the others."),
@@ -41,7 +41,7 @@ void ImportDesk::begin(session::ImportDraft draft, const QStringList& files) {
 void ImportDesk::accept() {
   if (!open_)
     return;
-  const session::ImportDraft draft = std::move(draft_);
+  const document::ImportDraft draft = std::move(draft_);
   const QStringList files = names_;
   close();
   files_.take(draft, files);
@@ -74,37 +74,37 @@ void ImportDesk::show() {
   preview_.show(draft_);
 }
 
-void ImportDesk::work(const QString& name, std::function<session::ImportDraft(Progress&)> next) {
+void ImportDesk::work(const QString& name, std::function<document::ImportDraft(Progress&)> next) {
   panel_->setBusy(true);
-  workspace_.jobs().submit<session::ImportDraft>(name.toStdString(), kSlot, std::move(next),
-                                                 [this](session::JobResult<session::ImportDraft> result) {
-                                                   if (!open_)
-                                                     return;
-                                                   if (result.error)
-                                                     workspace_.report(*result.error);
-                                                   if (result.value)
-                                                     draft_ = std::move(*result.value);
-                                                   show();
-                                                 });
+  workspace_.jobs().submit<document::ImportDraft>(name.toStdString(), kSlot, std::move(next),
+                                                  [this](JobResult<document::ImportDraft> result) {
+                                                    if (!open_)
+                                                      return;
+                                                    if (result.error)
+                                                      workspace_.report(*result.error);
+                                                    if (result.value)
+                                                      draft_ = std::move(*result.value);
+                                                    show();
+                                                  });
 }
 
 void ImportDesk::repair(const std::vector<std::size_t>& organs, const std::string& repair) {
   if (open_)
     work(tr("Repairing: %1").arg(repairName(repair)), [draft = draft_, organs, repair](Progress& progress) {
-      return session::repaired(draft, organs, repair, progress);
+      return document::repaired(draft, organs, repair, progress);
     });
 }
 
 void ImportDesk::revert(std::size_t organ) {
   if (open_)
     work(tr("Checking again"),
-         [draft = draft_, organ](Progress& progress) { return session::reverted(draft, organ, progress); });
+         [draft = draft_, organ](Progress& progress) { return document::reverted(draft, organ, progress); });
 }
 
 void ImportDesk::include(std::size_t organ, bool included) {
   if (!open_)
     return;
-  draft_ = session::withIncluded(std::move(draft_), organ, included);
+  draft_ = document::withIncluded(std::move(draft_), organ, included);
   show();
 }
 

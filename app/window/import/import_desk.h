@@ -5,7 +5,7 @@
 
 #include <functional>
 
-#include "viscera/session/import_draft.h"
+#include "viscera/document/import_draft.h"
 #include "window/import/import_preview.h"
 
 namespace viscera::app {
@@ -25,10 +25,10 @@ public:
   /// The panel; whoever shows it owns it.
   ImportPanel* panel() const { return panel_; }
   bool isOpen() const { return open_; }
-  const session::ImportDraft& draft() const { return draft_; }
+  const document::ImportDraft& draft() const { return draft_; }
 
   /// Puts files on the desk. While others lie there, it says so and leaves these alone.
-  void begin(session::ImportDraft draft, const QStringList& files);
+  void begin(document::ImportDraft draft, const QStringList& files);
   void accept();
   void cancel();
   void repair(const std::vector<std::size_t>& organs, const std::string& repair);
@@ -41,7 +41,7 @@ Q_SIGNALS:
   void closed();
 
 private:
-  void work(const QString& name, std::function<session::ImportDraft(Progress&)> next);
+  void work(const QString& name, std::function<document::ImportDraft(Progress&)> next);
   void revert(std::size_t organ);
   void include(std::size_t organ, bool included);
   void show();
@@ -51,7 +51,7 @@ private:
   FileActions& files_;
   ImportPanel* panel_;
   ImportPreview preview_;
-  session::ImportDraft draft_;
+  document::ImportDraft draft_;
   QStringList names_;
   bool open_ = false;
 };

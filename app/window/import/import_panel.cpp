@@ -15,7 +15,7 @@ namespace viscera::app {
 namespace {
 
 /// Worst first, so that what needs a look is not below forty good ones.
-std::vector<std::size_t> byUrgency(const session::ImportDraft& draft) {
+std::vector<std::size_t> byUrgency(const document::ImportDraft& draft) {
   std::vector<std::size_t> order(draft.organs.size());
   for (std::size_t i = 0; i < order.size(); ++i)
     order[i] = i;
@@ -63,7 +63,7 @@ ImportPanel::ImportPanel(QWidget* parent)
   connect(import_, &QPushButton::clicked, this, &ImportPanel::accepted);
 }
 
-void ImportPanel::showDraft(const session::ImportDraft& draft, const QString& title) {
+void ImportPanel::showDraft(const document::ImportDraft& draft, const QString& title) {
   while (QLayoutItem* item = column_->takeAt(0)) {
     // Not at once: it may be the one whose button was pressed.
     if (QWidget* widget = item->widget()) {
@@ -78,7 +78,7 @@ void ImportPanel::showDraft(const session::ImportDraft& draft, const QString& ti
                         : tr("Nothing speaks against it. Nothing is in the document yet."));
   const bool severalFiles =
       std::any_of(draft.organs.begin(), draft.organs.end(),
-                  [&](const session::DraftOrgan& organ) { return organ.file != draft.organs.front().file; });
+                  [&](const document::DraftOrgan& organ) { return organ.file != draft.organs.front().file; });
   addArrangement(draft);
   for (const std::size_t place : byUrgency(draft))
     addOrgan(draft.organs[place], place, severalFiles);
@@ -88,7 +88,7 @@ void ImportPanel::showDraft(const session::ImportDraft& draft, const QString& ti
   import_->setEnabled(!draft.empty());
 }
 
-void ImportPanel::addArrangement(const session::ImportDraft& draft) {
+void ImportPanel::addArrangement(const document::ImportDraft& draft) {
   if (!draft.arrangement)
     return;
   auto* frame = new QFrame(organs_);
@@ -110,7 +110,7 @@ void ImportPanel::addArrangement(const session::ImportDraft& draft) {
   column_->addWidget(frame);
 }
 
-void ImportPanel::addOrgan(const session::DraftOrgan& organ, std::size_t place, bool severalFiles) {
+void ImportPanel::addOrgan(const document::DraftOrgan& organ, std::size_t place, bool severalFiles) {
   auto* check = new OrganCheck(organ, severalFiles, organs_);
   connect(check, &OrganCheck::repairRequested, this,
           [this, place](const QString& id) { Q_EMIT repairRequested({place}, id.toStdString()); });

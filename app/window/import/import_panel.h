@@ -2,7 +2,7 @@
 
 #include <QWidget>
 
-#include "viscera/session/import_draft.h"
+#include "viscera/document/import_draft.h"
 
 class QLabel;
 class QPushButton;
@@ -19,7 +19,7 @@ public:
   explicit ImportPanel(QWidget* parent = nullptr);
 
   /// Shows a draft under a title such as a file's name.
-  void showDraft(const session::ImportDraft& draft, const QString& title);
+  void showDraft(const document::ImportDraft& draft, const QString& title);
   /// While a worker repairs nothing but Cancel can be pressed.
   void setBusy(bool busy);
 
@@ -31,8 +31,8 @@ Q_SIGNALS:
   void includedChanged(std::size_t organ, bool included);
 
 private:
-  void addArrangement(const session::ImportDraft& draft);
-  void addOrgan(const session::DraftOrgan& organ, std::size_t place, bool severalFiles);
+  void addArrangement(const document::ImportDraft& draft);
+  void addOrgan(const document::DraftOrgan& organ, std::size_t place, bool severalFiles);
 
   QLabel* title_;
   QLabel* summary_;

@@ -17,10 +17,10 @@ ImportPreview::~ImportPreview() {
   clear();
 }
 
-void ImportPreview::show(const session::ImportDraft& draft) {
+void ImportPreview::show(const document::ImportDraft& draft) {
   clear();
   Bounds box;
-  for (const session::DraftOrgan& organ : draft.organs) {
+  for (const document::DraftOrgan& organ : draft.organs) {
     if (!organ.included)
       continue;
     auto ghost = std::make_shared<scene::OrganActor>(organ.mesh);

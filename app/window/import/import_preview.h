@@ -3,8 +3,8 @@
 #include <memory>
 #include <vector>
 
+#include "viscera/document/import_draft.h"
 #include "viscera/scene/organ_actor.h"
-#include "viscera/session/import_draft.h"
 
 namespace viscera::app {
 
@@ -19,7 +19,7 @@ public:
   ImportPreview& operator=(const ImportPreview&) = delete;
 
   /// Replaces what was shown, and brings it into the picture when it lies elsewhere or is of another size.
-  void show(const session::ImportDraft& draft);
+  void show(const document::ImportDraft& draft);
   void clear();
 
 private:

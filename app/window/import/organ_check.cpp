@@ -41,7 +41,7 @@ QLabel* wrapped(const QString& text, QWidget* parent) {
   return label;
 }
 
-QString measures(const session::DraftOrgan& organ) {
+QString measures(const document::DraftOrgan& organ) {
   const Vec3& size = organ.assessment.sizeMm;
   const auto number = [](double value) { return QString::number(value, 'g', 3); };
   const QString box =
@@ -78,7 +78,7 @@ FindingLine::FindingLine(const medical_io::Finding& finding, QWidget* parent) : 
   column->addWidget(buttons);
 }
 
-OrganCheck::OrganCheck(const session::DraftOrgan& organ, bool severalFiles, QWidget* parent)
+OrganCheck::OrganCheck(const document::DraftOrgan& organ, bool severalFiles, QWidget* parent)
     : QFrame(parent) {
   setObjectName(QStringLiteral("organCheck"));
   auto* column = new QVBoxLayout(this);
@@ -98,7 +98,7 @@ OrganCheck::OrganCheck(const session::DraftOrgan& organ, bool severalFiles, QWid
   column->addLayout(makeFoot(organ));
 }
 
-QLayout* OrganCheck::makeHeading(const session::DraftOrgan& organ, bool severalFiles) {
+QLayout* OrganCheck::makeHeading(const document::DraftOrgan& organ, bool severalFiles) {
   auto* column = new QVBoxLayout;
   column->setSpacing(0);
   auto* name = new QCheckBox(text(organ.name), this);
@@ -119,7 +119,7 @@ QLayout* OrganCheck::makeHeading(const session::DraftOrgan& organ, bool severalF
   return column;
 }
 
-QWidget* OrganCheck::makeGoodLine(const session::DraftOrgan& organ) {
+QWidget* OrganCheck::makeGoodLine(const document::DraftOrgan& organ) {
   QStringList good;
   for (const medical_io::Finding& finding : organ.assessment.findings)
     if (finding.light == medical_io::Light::good)
@@ -137,7 +137,7 @@ QWidget* OrganCheck::makeGoodLine(const session::DraftOrgan& organ) {
   return line;
 }
 
-QLayout* OrganCheck::makeFoot(const session::DraftOrgan& organ) {
+QLayout* OrganCheck::makeFoot(const document::DraftOrgan& organ) {
   auto* column = new QVBoxLayout;
   column->setSpacing(2);
   QStringList done;

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "viscera/session/import_draft.h"
+#include "viscera/document/import_draft.h"
 
 class QLayout;
 
@@ -27,7 +27,7 @@ class OrganCheck final : public QFrame {
 
 public:
   /// `severalFiles`: whether its file's name has to be told.
-  OrganCheck(const session::DraftOrgan& organ, bool severalFiles, QWidget* parent = nullptr);
+  OrganCheck(const document::DraftOrgan& organ, bool severalFiles, QWidget* parent = nullptr);
 
 Q_SIGNALS:
   void includedChanged(bool included);
@@ -35,10 +35,10 @@ Q_SIGNALS:
   void revertRequested();
 
 private:
-  QLayout* makeHeading(const session::DraftOrgan& organ, bool severalFiles);
-  QLayout* makeFoot(const session::DraftOrgan& organ);
+  QLayout* makeHeading(const document::DraftOrgan& organ, bool severalFiles);
+  QLayout* makeFoot(const document::DraftOrgan& organ);
   /// All that is as it should be, in one line.
-  QWidget* makeGoodLine(const session::DraftOrgan& organ);
+  QWidget* makeGoodLine(const document::DraftOrgan& organ);
 };
 
 } // namespace viscera::app

@@ -11,7 +11,7 @@
 
 #include <algorithm>
 
-#include "viscera/session/measurement_commands.h"
+#include "viscera/document/measurement_commands.h"
 #include "window/measure/measure_scene.h"
 #include "window/style/icon.h"
 
@@ -23,7 +23,7 @@ constexpr int kIdRole = Qt::UserRole;
 constexpr int kRowsShown = 6;
 constexpr int kValueInterval = 100; ///< ms
 
-session::MeasurementId idOf(const QTreeWidgetItem* item) {
+document::MeasurementId idOf(const QTreeWidgetItem* item) {
   return {item->data(kName, kIdRole).toLongLong()};
 }
 
@@ -59,11 +59,11 @@ MeasureBox::MeasureBox(Workspace& workspace, MeasureTool& tool, const Actions& a
   connect(&values_, &QTimer::timeout, this, &MeasureBox::syncValues);
   connect(&tool, &MeasureTool::changed, this, &MeasureBox::syncChosen);
   connect(&tool, &MeasureTool::stateChanged, this, &MeasureBox::syncChosen);
-  subscriptions_.push_back(workspace.onChange([this](const session::Change& change) {
+  subscriptions_.push_back(workspace.onChange([this](const document::Change& change) {
     if (change.measurements())
       rebuild();
   }));
-  subscriptions_.push_back(workspace.live().onEvent([this](const session::LiveEvent& event) {
+  subscriptions_.push_back(workspace.live().onEvent([this](const live::LiveEvent& event) {
     if ((event.moved || event.replaced) && !values_.isActive() && list_->topLevelItemCount() > 0)
       values_.start();
   }));
@@ -108,7 +108,7 @@ void MeasureBox::makeList() {
     if (updating_)
       return;
     const auto chosen = list_->selectedItems();
-    tool_.choose(chosen.isEmpty() ? session::MeasurementId{} : idOf(chosen.front()));
+    tool_.choose(chosen.isEmpty() ? document::MeasurementId{} : idOf(chosen.front()));
   });
 }
 
@@ -131,14 +131,14 @@ bool MeasureBox::eventFilter(QObject* watched, QEvent* event) {
 
 void MeasureBox::rebuild() {
   const QScopedValueRollback<bool> quiet(updating_, true);
-  const session::MeasurementList& measurements = workspace_.document().measurements();
+  const document::MeasurementList& measurements = workspace_.document().measurements();
   const int rows = static_cast<int>(measurements.size());
   while (list_->topLevelItemCount() > rows)
     delete list_->takeTopLevelItem(rows);
   while (list_->topLevelItemCount() < rows)
     list_->addTopLevelItem(new QTreeWidgetItem);
   for (int row = 0; row < rows; ++row) {
-    const session::Measurement& measurement = measurements[static_cast<std::size_t>(row)];
+    const document::Measurement& measurement = measurements[static_cast<std::size_t>(row)];
     QTreeWidgetItem* item = list_->topLevelItem(row);
     item->setFlags(item->flags() | Qt::ItemIsEditable);
     item->setText(kName, text(measurement.name));
@@ -161,10 +161,10 @@ void MeasureBox::rebuild() {
 
 void MeasureBox::syncValues() {
   const QScopedValueRollback<bool> quiet(updating_, true);
-  const session::MeasurementList& measurements = workspace_.document().measurements();
+  const document::MeasurementList& measurements = workspace_.document().measurements();
   for (std::size_t row = 0; row < measurements.size(); ++row) {
-    const session::MeasuredValues values = measuredNow(workspace_, measurements[row]);
-    const session::MeasurementKind kind = kindOf(measurements[row]);
+    const document::MeasuredValues values = measuredNow(workspace_, measurements[row]);
+    const document::MeasurementKind kind = kindOf(measurements[row]);
     QTreeWidgetItem* item = list_->topLevelItem(static_cast<int>(row));
     item->setText(kNow, formatMeasured(kind, values.now));
     item->setText(kRest, formatMeasured(kind, values.rest));
@@ -184,22 +184,22 @@ void MeasureBox::syncChosen() {
   remove_->setEnabled(any);
   const auto kind = tool_.kind();
   hint_->setText(!kind ? tr("Points stay on the organ while it moves, and can be dragged along it.")
-                 : *kind == session::MeasurementKind::distance
+                 : *kind == document::MeasurementKind::distance
                      ? tr("Click two points on an organ. Esc ends.")
                      : tr("Click three points on an organ, the corner second. Esc ends."));
 }
 
 void MeasureBox::removeChosen() {
   if (tool_.chosen())
-    workspace_.perform(session::removeMeasurements({tool_.chosen()}));
+    workspace_.perform(document::removeMeasurements({tool_.chosen()}));
 }
 
 void MeasureBox::rename(QTreeWidgetItem* item, int column) {
   if (updating_ || column != kName)
     return;
-  const session::MeasurementId id = idOf(item);
+  const document::MeasurementId id = idOf(item);
   const std::string name = item->text(kName).trimmed().toStdString();
-  if (!workspace_.perform(session::renameMeasurement(id, name)) || item->text(kName) != text(name))
+  if (!workspace_.perform(document::renameMeasurement(id, name)) || item->text(kName) != text(name))
     rebuild();
 }
 

@@ -41,7 +41,7 @@ private:
   std::vector<QPushButton*> forAll_; ///< Of use while there is any measurement.
   QTimer values_;                    ///< Figures follow a motion at a rate that can be read.
   bool updating_ = false;
-  std::vector<session::Subscription> subscriptions_;
+  std::vector<Subscription> subscriptions_;
 };
 
 } // namespace viscera::app

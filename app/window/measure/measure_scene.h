@@ -10,14 +10,14 @@
 namespace viscera::app {
 
 /// A measured value for a user: "83.4 mm", "57.3 degrees" with the sign for them.
-QString formatMeasured(session::MeasurementKind kind, double value);
+QString formatMeasured(document::MeasurementKind kind, double value);
 
 /// What a measurement says of the organs as they are shown now.
-session::MeasuredValues measuredNow(Workspace& workspace, const session::Measurement& measurement);
+document::MeasuredValues measuredNow(Workspace& workspace, const document::Measurement& measurement);
 
 /// What is drawn of the measurements of a document, in their order.
-std::vector<scene::MeasurementGlyphs::Item> measurementItems(const session::DocumentState& state,
-                                                             const session::PointsOf& pointsOf);
+std::vector<scene::MeasurementGlyphs::Item> measurementItems(const document::DocumentState& state,
+                                                             const document::PointsOf& pointsOf);
 
 /// Keeps the measurements of a view as the document, the organs' motion and the tool have them.
 class MeasureScene final : public QObject {
@@ -42,7 +42,7 @@ private:
   Workspace& workspace_;
   const MeasureTool& tool_;
   scene::MeasurementGlyphs& glyphs_;
-  std::vector<session::Subscription> subscriptions_;
+  std::vector<Subscription> subscriptions_;
 };
 
 } // namespace viscera::app

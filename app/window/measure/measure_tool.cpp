@@ -5,17 +5,17 @@
 #include <algorithm>
 #include <utility>
 
-#include "viscera/session/measurement_commands.h"
+#include "viscera/document/measurement_commands.h"
 
 namespace viscera::app {
 namespace {
 
-std::size_t pointsOf(session::MeasurementKind kind) {
-  return kind == session::MeasurementKind::distance ? 2 : 3;
+std::size_t pointsOf(document::MeasurementKind kind) {
+  return kind == document::MeasurementKind::distance ? 2 : 3;
 }
 
 /// Whether points are on surfaces that a document has.
-bool areOn(const session::Document& document, const std::vector<session::MeasuredPoint>& points) {
+bool areOn(const document::Document& document, const std::vector<document::MeasuredPoint>& points) {
   return std::all_of(points.begin(), points.end(), [&](const auto& point) {
     const auto organ = document.organ(point.organ);
     return organ && point.triangle < organ->mesh->triangles.rows();
@@ -33,7 +33,7 @@ MeasureTool::MeasureTool(Workspace& workspace, ViewWidget& view, OrganScene& org
     if (kind_ && !(modifiers & (Qt::ShiftModifier | Qt::ControlModifier)))
       onClick(place);
   });
-  subscription_ = workspace.onChange([this](const session::Change& change) {
+  subscription_ = workspace.onChange([this](const document::Change& change) {
     if (change.organs()) { // The surface that points were clicked on may be gone or another one.
       points_.clear();
       underMouse_.reset();
@@ -98,18 +98,18 @@ bool MeasureTool::escape() {
   return true;
 }
 
-void MeasureTool::choose(session::MeasurementId measurement) {
+void MeasureTool::choose(document::MeasurementId measurement) {
   if (measurement == chosen_)
     return;
   chosen_ = measurement;
   Q_EMIT changed();
 }
 
-std::vector<session::MeasuredPoint> MeasureTool::pending() const {
-  std::vector<session::MeasuredPoint> points = points_;
+std::vector<document::MeasuredPoint> MeasureTool::pending() const {
+  std::vector<document::MeasuredPoint> points = points_;
   if (kind_ && underMouse_)
     points.push_back(*underMouse_);
-  return areOn(workspace_.document(), points) ? points : std::vector<session::MeasuredPoint>();
+  return areOn(workspace_.document(), points) ? points : std::vector<document::MeasuredPoint>();
 }
 
 bool MeasureTool::eventFilter(QObject* watched, QEvent* event) {
@@ -146,7 +146,7 @@ void MeasureTool::onClick(const QPointF& place) {
   if (points_.size() == pointsOf(*kind_)) {
     const auto points = std::exchange(points_, {});
     underMouse_.reset();
-    workspace_.perform(session::addMeasurement(points));
+    workspace_.perform(document::addMeasurement(points));
   }
   Q_EMIT changed();
 }
@@ -161,7 +161,7 @@ bool MeasureTool::press(const QMouseEvent& event) {
   const auto mark = markUnder(event.localPos());
   if (!mark)
     return false;
-  const session::Measurement& measurement = workspace_.document().measurements()[mark->item];
+  const document::Measurement& measurement = workspace_.document().measurements()[mark->item];
   held_ = Held{measurement.id, mark->point};
   chosen_ = measurement.id;
   workspace_.undo().beginStep("Move measured point");
@@ -186,7 +186,7 @@ void MeasureTool::move(const QMouseEvent& event) {
 
 void MeasureTool::dragTo(const QPointF& place) {
   if (const auto point = pointUnder(place))
-    workspace_.perform(session::moveMeasuredPoint(held_->measurement, held_->point, *point));
+    workspace_.perform(document::moveMeasuredPoint(held_->measurement, held_->point, *point));
 }
 
 void MeasureTool::release() {
@@ -195,16 +195,16 @@ void MeasureTool::release() {
   Q_EMIT changed();
 }
 
-std::optional<session::MeasuredPoint>
+std::optional<document::MeasuredPoint>
 MeasureTool::pointOf(const std::optional<scene::SurfacePick>& pick) const {
   const auto organ = pick ? workspace_.document().organ(organs_.organOf(pick->organ)) : nullptr;
   if (!organ)
     return std::nullopt;
-  return session::surfacePoint(*organ, pick->triangle,
-                               Vec3(pick->weights[0], pick->weights[1], pick->weights[2]));
+  return document::surfacePoint(*organ, pick->triangle,
+                                Vec3(pick->weights[0], pick->weights[1], pick->weights[2]));
 }
 
-std::optional<session::MeasuredPoint> MeasureTool::pointUnder(const QPointF& place) const {
+std::optional<document::MeasuredPoint> MeasureTool::pointUnder(const QPointF& place) const {
   const double ratio = view_.devicePixelRatioF();
   return pointOf(view_.view().pick(ratio * place.x(), ratio * (view_.height() - 1 - place.y())));
 }

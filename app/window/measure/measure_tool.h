@@ -5,8 +5,8 @@
 #include <optional>
 #include <vector>
 
+#include "viscera/document/measurement.h"
 #include "viscera/scene/measurement_glyphs.h"
-#include "viscera/session/measurement.h"
 #include "window/mode.h"
 #include "window/view/handle_scene.h"
 #include "window/view/organ_scene.h"
@@ -21,7 +21,7 @@ class MeasureTool final : public QObject {
   Q_OBJECT
 
 public:
-  using Kind = session::MeasurementKind;
+  using Kind = document::MeasurementKind;
 
   /// `glyphs` draws the document's measurements first, in their order. All have to live longer.
   MeasureTool(Workspace& workspace, ViewWidget& view, OrganScene& organs, HandleScene& handles,
@@ -38,11 +38,11 @@ public:
   bool escape();
 
   /// The measurement that is chosen in the list or by a press on one of its points.
-  session::MeasurementId chosen() const { return chosen_; }
-  void choose(session::MeasurementId measurement);
+  document::MeasurementId chosen() const { return chosen_; }
+  void choose(document::MeasurementId measurement);
 
   /// The points so far, with the place under the mouse behind them when there is one.
-  std::vector<session::MeasuredPoint> pending() const;
+  std::vector<document::MeasuredPoint> pending() const;
   /// The mark under the mouse that a press would take hold of.
   std::optional<scene::MeasurementGlyphs::Mark> hovered() const { return hovered_; }
 
@@ -57,7 +57,7 @@ protected:
 
 private:
   struct Held {
-    session::MeasurementId measurement;
+    document::MeasurementId measurement;
     std::size_t point = 0;
   };
 
@@ -66,8 +66,8 @@ private:
   void move(const QMouseEvent& event);
   void dragTo(const QPointF& place);
   void release();
-  std::optional<session::MeasuredPoint> pointOf(const std::optional<scene::SurfacePick>& pick) const;
-  std::optional<session::MeasuredPoint> pointUnder(const QPointF& place) const;
+  std::optional<document::MeasuredPoint> pointOf(const std::optional<scene::SurfacePick>& pick) const;
+  std::optional<document::MeasuredPoint> pointUnder(const QPointF& place) const;
   std::optional<scene::MeasurementGlyphs::Mark> markUnder(const QPointF& place) const;
   void syncCursor();
 
@@ -78,12 +78,12 @@ private:
   const scene::MeasurementGlyphs& glyphs_;
   Mode mode_ = Mode::explore;
   std::optional<Kind> kind_;
-  std::vector<session::MeasuredPoint> points_;
-  std::optional<session::MeasuredPoint> underMouse_;
+  std::vector<document::MeasuredPoint> points_;
+  std::optional<document::MeasuredPoint> underMouse_;
   std::optional<scene::MeasurementGlyphs::Mark> hovered_;
   std::optional<Held> held_;
-  session::MeasurementId chosen_;
-  session::Subscription subscription_;
+  document::MeasurementId chosen_;
+  Subscription subscription_;
 };
 
 } // namespace viscera::app

@@ -2,7 +2,7 @@
 
 #include <QAction>
 
-#include "viscera/session/measurement_commands.h"
+#include "viscera/document/measurement_commands.h"
 #include "window/measure/measure_box.h"
 
 namespace viscera::app {
@@ -17,14 +17,14 @@ Measuring::Measuring(Workspace& workspace, ViewArea& area, OrganScene& organs, H
     syncActions();
     Q_EMIT stateChanged();
   });
-  subscription_ = workspace.onChange([this](const session::Change& change) {
+  subscription_ = workspace.onChange([this](const document::Change& change) {
     if (change.organs() || change.measurements())
       syncActions();
   });
 }
 
 void Measuring::addTo(Actions& actions) {
-  using Kind = session::MeasurementKind;
+  using Kind = document::MeasurementKind;
   actions_ = &actions;
   actions.addToggle(
       "measure.distance",
@@ -37,7 +37,7 @@ void Measuring::addTo(Actions& actions) {
                      tr("Click three points on an organ, the corner second; Esc ends")},
                     false, [this](bool on) { toggle(Kind::angle, on); });
   actions.add("measure.removeAll", {tr("Remove all &measurements"), "remove", {}, {}},
-              [this] { workspace_.perform(session::removeAllMeasurements()); });
+              [this] { workspace_.perform(document::removeAllMeasurements()); });
   actions.addToggle("view.measurements", {tr("&Measurements"), "distance", {}, tr("Show what is measured")},
                     true, [this](bool on) { scene_.setShown(on); });
   actions["measure.distance"]->setIconText(tr("Distance"));
@@ -54,7 +54,7 @@ void Measuring::setTheme() {
 }
 
 QString Measuring::hint() const {
-  return tool_.kind() == session::MeasurementKind::angle
+  return tool_.kind() == document::MeasurementKind::angle
              ? tr("Click three points on an organ, the corner second; drags turn the view, Esc ends")
              : tr("Click two points on an organ; drags turn the view, Esc ends");
 }
@@ -72,7 +72,7 @@ void Measuring::toggle(MeasureTool::Kind kind, bool on) {
 void Measuring::syncActions() {
   if (!actions_)
     return;
-  using Kind = session::MeasurementKind;
+  using Kind = document::MeasurementKind;
   const auto check = [this](const char* id, bool on) {
     if ((*actions_)[id]->isChecked() != on)
       (*actions_)[id]->setChecked(on);

@@ -48,7 +48,7 @@ private:
   MeasureTool tool_;
   MeasureScene scene_;
   Actions* actions_ = nullptr;
-  session::Subscription subscription_;
+  Subscription subscription_;
 };
 
 } // namespace viscera::app

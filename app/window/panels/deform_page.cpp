@@ -12,12 +12,12 @@ namespace viscera::app {
 namespace {
 
 /// "H-3, H-7", or how many there are when that would be long.
-QString namesOf(const session::Rig& rig, const std::vector<session::HandleId>& handles) {
+QString namesOf(const document::Rig& rig, const std::vector<document::HandleId>& handles) {
   constexpr std::size_t kMostNames = 4;
   if (handles.size() > kMostNames)
     return DeformPage::tr("%n {handle|handles}", nullptr, static_cast<int>(handles.size()));
   QStringList names;
-  for (const session::HandleId id : handles)
+  for (const document::HandleId id : handles)
     if (const int row = rig.indexOf(id); row >= 0)
       names.push_back(text(rig.handles[static_cast<std::size_t>(row)].label));
   return names.join(QStringLiteral(", "));
@@ -59,7 +59,7 @@ DeformPage::DeformPage(Workspace& workspace, PoseEditor& poses, VolumeMonitor& v
   finish();
   connect(&volumes, &VolumeMonitor::updated, this, &DeformPage::sync);
   connect(&poses, &PoseEditor::mirrorChanged, this, &DeformPage::syncHandles);
-  subscriptions_.push_back(workspace.onChange([this](const session::Change& change) {
+  subscriptions_.push_back(workspace.onChange([this](const document::Change& change) {
     if (!change.interactive)
       sync();
     if (change.rig() || change.organs())
@@ -93,7 +93,7 @@ void DeformPage::addMirror() {
 void DeformPage::sync() {
   const auto organ = workspace_.currentOrgan();
   const QString none = QStringLiteral("-");
-  const session::OrganVolume volume = organ ? workspace_.live().volume(organ->id) : session::OrganVolume();
+  const live::OrganVolume volume = organ ? workspace_.live().volume(organ->id) : live::OrganVolume();
   now_->setText(volume.closed ? formatMilliliters(volume.nowMl) : none);
   rest_->setText(volume.closed ? formatMilliliters(volume.restMl) : none);
   change_->setText(volume.closed ? tr("%1 (%2)").arg(formatChange(volume), formatRelativeChange(volume))
@@ -110,9 +110,9 @@ void DeformPage::sync() {
 }
 
 void DeformPage::syncHandles() {
-  const session::Rig& rig = workspace_.document().rig();
-  std::vector<session::HandleId> marked;
-  for (const session::Handle& handle : rig.handles)
+  const document::Rig& rig = workspace_.document().rig();
+  std::vector<document::HandleId> marked;
+  for (const document::Handle& handle : rig.handles)
     if (handle.compensates)
       marked.push_back(handle.id);
   compensating_->setText(marked.empty() ? tr("all that are free") : namesOf(rig, marked));

@@ -37,7 +37,7 @@ private:
   QLabel* compensating_ = nullptr;
   QLabel* partners_ = nullptr;
   QComboBox* mirror_ = nullptr;
-  std::vector<session::Subscription> subscriptions_;
+  std::vector<Subscription> subscriptions_;
 };
 
 } // namespace viscera::app

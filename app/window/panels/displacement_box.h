@@ -28,7 +28,7 @@ private:
   std::array<QDoubleSpinBox*, 3> fields_{};
   QPushButton* apply_;
   QLabel* result_;
-  session::Subscription subscription_;
+  Subscription subscription_;
 };
 
 } // namespace viscera::app

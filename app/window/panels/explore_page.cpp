@@ -28,7 +28,7 @@ ExplorePage::ExplorePage(Workspace& workspace, const Actions& actions, QWidget* 
   file_ = addFact(tr("File"));
   warnings_ = addRemark(QString());
   finish();
-  subscriptions_.push_back(workspace.onChange([this](const session::Change& change) {
+  subscriptions_.push_back(workspace.onChange([this](const document::Change& change) {
     if (change.organs())
       sync();
   }));

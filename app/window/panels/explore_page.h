@@ -26,7 +26,7 @@ private:
   QLabel* surface_ = nullptr;
   QLabel* file_ = nullptr;
   QLabel* warnings_ = nullptr;
-  std::vector<session::Subscription> subscriptions_;
+  std::vector<Subscription> subscriptions_;
 };
 
 } // namespace viscera::app

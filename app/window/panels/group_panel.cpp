@@ -12,15 +12,15 @@
 
 #include <algorithm>
 
-#include "viscera/session/group_commands.h"
-#include "viscera/session/system_commands.h"
+#include "viscera/document/group_commands.h"
+#include "viscera/document/system_commands.h"
 #include "window/panels/color_palette.h"
 #include "window/style/icon.h"
 
 namespace viscera::app {
 namespace {
 
-using By = session::GroupingChoice::By;
+using By = document::GroupingChoice::By;
 
 constexpr int kIdRole = Qt::UserRole;
 constexpr int kRowsShown = 5;
@@ -28,7 +28,7 @@ constexpr int kMostGroups = 12;
 /// Fewer span no region.
 constexpr std::size_t kFewestHandles = 4;
 
-session::GroupId groupOf(const QTreeWidgetItem* item) {
+document::GroupId groupOf(const QTreeWidgetItem* item) {
   return {item->data(0, kIdRole).toLongLong()};
 }
 
@@ -76,9 +76,9 @@ GroupPanel::GroupPanel(Workspace& workspace, QWidget* parent)
     if (updating_)
       return;
     const auto chosen = list_->selectedItems();
-    workspace_.selection().setGroup(chosen.isEmpty() ? session::GroupId{} : groupOf(chosen.front()));
+    workspace_.selection().setGroup(chosen.isEmpty() ? document::GroupId{} : groupOf(chosen.front()));
   });
-  subscriptions_.push_back(workspace.onChange([this](const session::Change& change) {
+  subscriptions_.push_back(workspace.onChange([this](const document::Change& change) {
     if (change.rig() && change.before.rig->groups != change.after.rig->groups)
       rebuild();
     else if (change.rig() || change.system() || change.organs())
@@ -107,27 +107,27 @@ QWidget* GroupPanel::makeButtons() {
   create_ = button("groupCreate", tr("New group"), tr("Make a group of the selected handles"),
                    [this] { create(); });
   select_ = button("groupSelect", tr("Select handles"), tr("Select the handles of the chosen group"), [this] {
-    if (const session::Group* group = current())
+    if (const document::Group* group = current())
       workspace_.selection().setHandles(group->handles);
   });
   add_ = button("groupAdd", tr("Add selected"), tr("Put the selected handles into the chosen group as well"),
                 [this, selected] {
-                  if (const session::Group* group = current())
-                    workspace_.perform(session::addToGroup(group->id, selected()));
+                  if (const document::Group* group = current())
+                    workspace_.perform(document::addToGroup(group->id, selected()));
                 });
   takeOut_ = button("groupTakeOut", tr("Take out"), tr("Take the selected handles out of the chosen group"),
                     [this, selected] {
-                      if (const session::Group* group = current())
-                        workspace_.perform(session::removeFromGroup(group->id, selected()));
+                      if (const document::Group* group = current())
+                        workspace_.perform(document::removeFromGroup(group->id, selected()));
                     });
   color_ = button("groupColor", tr("Colour..."), tr("Choose the colour of the chosen group"), [this] {
-    if (const session::Group* group = current())
+    if (const document::Group* group = current())
       chooseColorOf(*group);
   });
   remove_ =
       button("groupRemove", tr("Remove group"), tr("Remove the chosen group; its handles stay"), [this] {
-        if (const session::Group* group = current())
-          workspace_.perform(session::removeGroup(group->id));
+        if (const document::Group* group = current())
+          workspace_.perform(document::removeGroup(group->id));
       });
   return box;
 }
@@ -163,8 +163,8 @@ QWidget* GroupPanel::makeAutomatic() {
   return box;
 }
 
-const session::Group* GroupPanel::current() const {
-  const session::Rig& rig = workspace_.document().rig();
+const document::Group* GroupPanel::current() const {
+  const document::Rig& rig = workspace_.document().rig();
   const int place = rig.indexOf(workspace_.selection().group());
   return place < 0 ? nullptr : &rig.groups[static_cast<std::size_t>(place)];
 }
@@ -180,36 +180,36 @@ std::string GroupPanel::freeName() const {
 
 void GroupPanel::create() {
   const auto& groups = workspace_.document().rig().groups;
-  if (workspace_.perform(session::addGroup(freeName(), session::groupColor(groups.size()),
-                                           workspace_.selection().handles())))
+  if (workspace_.perform(document::addGroup(freeName(), document::groupColor(groups.size()),
+                                            workspace_.selection().handles())))
     workspace_.selection().setGroup(workspace_.document().rig().groups.back().id);
 }
 
 void GroupPanel::makeAutomatically() {
-  session::GroupingChoice choice;
+  document::GroupingChoice choice;
   choice.by = static_cast<By>(by_->currentData().toInt());
   choice.count = count_->value();
-  workspace_.perform(session::groupAutomatically(choice));
+  workspace_.perform(document::groupAutomatically(choice));
 }
 
 void GroupPanel::useGroups() {
   const auto system = groupedSystem(workspace_.registry());
   if (!system)
     return;
-  session::SystemChoice choice;
+  document::SystemChoice choice;
   choice.id = system->id();
   workspace_.undo().seal();
-  workspace_.perform(session::setSystem(choice));
+  workspace_.perform(document::setSystem(choice));
   workspace_.undo().seal();
 }
 
-void GroupPanel::chooseColorOf(const session::Group& group) {
+void GroupPanel::chooseColorOf(const document::Group& group) {
   chooseColor(
       this, color_->mapToGlobal(QPoint(0, color_->height())), asColor(group.color),
       [this, id = group.id](const QColor& color) {
-        session::GroupEdit edit;
+        document::GroupEdit edit;
         edit.color = asVec3(color);
-        workspace_.perform(session::editGroup(id, edit));
+        workspace_.perform(document::editGroup(id, edit));
       },
       [this] { workspace_.undo().seal(); });
 }
@@ -217,11 +217,11 @@ void GroupPanel::chooseColorOf(const session::Group& group) {
 void GroupPanel::rename(QTreeWidgetItem* item) {
   if (updating_)
     return;
-  session::GroupEdit edit;
+  document::GroupEdit edit;
   edit.name = item->text(0).trimmed().toStdString();
   // Later: the list is made anew, and the item that is telling us would be gone.
   QTimer::singleShot(0, this, [this, id = groupOf(item), edit] {
-    if (!workspace_.perform(session::editGroup(id, edit)))
+    if (!workspace_.perform(document::editGroup(id, edit)))
       rebuild();
   });
 }
@@ -230,7 +230,7 @@ void GroupPanel::rebuild() {
   const QScopedValueRollback<bool> quiet(updating_, true);
   list_->clear();
   const auto& groups = workspace_.document().rig().groups;
-  for (const session::Group& group : groups) {
+  for (const document::Group& group : groups) {
     auto* item = new QTreeWidgetItem(list_);
     item->setFlags(item->flags() | Qt::ItemIsEditable);
     item->setData(0, kIdRole, static_cast<qlonglong>(group.id.value));
@@ -253,7 +253,7 @@ void GroupPanel::rebuild() {
 
 void GroupPanel::sync() {
   const QScopedValueRollback<bool> quiet(updating_, true);
-  const session::Group* group = current();
+  const document::Group* group = current();
   for (int row = 0; row < list_->topLevelItemCount(); ++row) {
     QTreeWidgetItem* item = list_->topLevelItem(row);
     item->setSelected(group && groupOf(item) == group->id);

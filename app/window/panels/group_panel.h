@@ -2,7 +2,7 @@
 
 #include <QWidget>
 
-#include "viscera/session/automatic_groups.h"
+#include "viscera/document/automatic_groups.h"
 #include "window/workspace.h"
 
 class QComboBox;
@@ -28,11 +28,11 @@ private:
   void rebuild();
   void sync();
   void rename(QTreeWidgetItem* item);
-  void chooseColorOf(const session::Group& group);
+  void chooseColorOf(const document::Group& group);
   void create();
   void makeAutomatically();
   void useGroups();
-  const session::Group* current() const;
+  const document::Group* current() const;
   std::string freeName() const;
 
   Workspace& workspace_;
@@ -50,7 +50,7 @@ private:
   QSpinBox* count_ = nullptr;
   QPushButton* automatic_ = nullptr;
   bool updating_ = false;
-  std::vector<session::Subscription> subscriptions_;
+  std::vector<Subscription> subscriptions_;
 };
 
 } // namespace viscera::app

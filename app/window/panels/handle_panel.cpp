@@ -13,7 +13,7 @@
 
 #include <map>
 
-#include "viscera/session/rig_commands.h"
+#include "viscera/document/rig_commands.h"
 #include "window/panels/color_palette.h"
 #include "window/style/icon.h"
 #include "window/widgets/value_slider.h"
@@ -24,7 +24,7 @@ namespace {
 constexpr int kIdRole = Qt::UserRole;
 const QColor kUngrouped(242, 158, 51);
 
-session::HandleId handleOf(const QTreeWidgetItem* item) {
+document::HandleId handleOf(const QTreeWidgetItem* item) {
   return {item->data(0, kIdRole).toLongLong()};
 }
 
@@ -61,7 +61,7 @@ HandlePanel::HandlePanel(Workspace& workspace, HandlePlacer& placer, QWidget* pa
   connect(list_, &QTreeWidget::itemSelectionChanged, this, &HandlePanel::selectFromList);
   connect(list_, &QTreeWidget::itemChanged, this, &HandlePanel::rename);
   connect(&placer, &HandlePlacer::placementChanged, this, &HandlePanel::syncPlacement);
-  subscriptions_.push_back(workspace.onChange([this](const session::Change& change) {
+  subscriptions_.push_back(workspace.onChange([this](const document::Change& change) {
     if (change.rig() &&
         !(change.interactive && change.before.rig->handles.size() == change.after.rig->handles.size()))
       rebuild();
@@ -114,16 +114,16 @@ void HandlePanel::syncPlacement() {
 
 void HandlePanel::rebuild() {
   const QScopedValueRollback<bool> quiet(updating_, true);
-  const session::Rig& rig = workspace_.document().rig();
-  std::map<const session::Group*, std::vector<const session::Handle*>> members;
-  for (const session::Group& group : rig.groups)
-    for (const session::HandleId id : group.handles)
+  const document::Rig& rig = workspace_.document().rig();
+  std::map<const document::Group*, std::vector<const document::Handle*>> members;
+  for (const document::Group& group : rig.groups)
+    for (const document::HandleId id : group.handles)
       members[&group].push_back(&rig.handles[static_cast<std::size_t>(rig.indexOf(id))]);
-  for (const session::Handle& handle : rig.handles)
+  for (const document::Handle& handle : rig.handles)
     if (!rig.groupOf(handle.id))
       members[nullptr].push_back(&handle);
   list_->clear();
-  for (const session::Group& group : rig.groups)
+  for (const document::Group& group : rig.groups)
     addGroup(text(group.name), asColor(group.color), members[&group]);
   if (const auto& alone = members[nullptr]; !alone.empty())
     addGroup(tr("Handles"), kUngrouped, alone);
@@ -135,11 +135,11 @@ void HandlePanel::rebuild() {
 }
 
 void HandlePanel::addGroup(const QString& name, const QColor& color,
-                           const std::vector<const session::Handle*>& handles) {
+                           const std::vector<const document::Handle*>& handles) {
   auto* parent = new QTreeWidgetItem(list_);
   parent->setText(0, tr("%1 (%2)").arg(name).arg(handles.size()));
   parent->setIcon(0, swatch(color));
-  for (const session::Handle* handle : handles) {
+  for (const document::Handle* handle : handles) {
     auto* item = new QTreeWidgetItem(parent);
     item->setFlags(item->flags() | Qt::ItemIsEditable);
     item->setData(0, kIdRole, static_cast<qlonglong>(handle->id.value));
@@ -153,9 +153,9 @@ void HandlePanel::addGroup(const QString& name, const QColor& color,
 
 void HandlePanel::syncSelection() {
   const QScopedValueRollback<bool> quiet(updating_, true);
-  const session::HandleId current = workspace_.selection().currentHandle();
+  const document::HandleId current = workspace_.selection().currentHandle();
   for (QTreeWidgetItemIterator item(list_); *item; ++item) {
-    const session::HandleId id = handleOf(*item);
+    const document::HandleId id = handleOf(*item);
     if (!id)
       continue;
     (*item)->setSelected(workspace_.selection().contains(id));
@@ -169,9 +169,9 @@ void HandlePanel::syncSelection() {
 void HandlePanel::selectFromList() {
   if (updating_)
     return;
-  std::vector<session::HandleId> ids;
+  std::vector<document::HandleId> ids;
   for (const QTreeWidgetItem* item : list_->selectedItems()) {
-    if (const session::HandleId id = handleOf(item))
+    if (const document::HandleId id = handleOf(item))
       ids.push_back(id);
     // A group stands for all its handles.
     for (int child = 0; child < item->childCount(); ++child)
@@ -179,7 +179,7 @@ void HandlePanel::selectFromList() {
   }
   // The row that was clicked is the current one.
   if (const auto* current = list_->currentItem(); current && current->isSelected())
-    if (const session::HandleId id = handleOf(current); std::erase(ids, id) > 0)
+    if (const document::HandleId id = handleOf(current); std::erase(ids, id) > 0)
       ids.push_back(id);
   workspace_.selection().setHandles(ids);
 }
@@ -187,11 +187,11 @@ void HandlePanel::selectFromList() {
 void HandlePanel::rename(QTreeWidgetItem* item) {
   if (updating_ || !handleOf(item))
     return;
-  session::HandleEdit edit;
+  document::HandleEdit edit;
   edit.label = item->text(0).trimmed().toStdString();
   // Later: the list is made anew, and the item that is telling us would be gone.
   QTimer::singleShot(0, this, [this, id = handleOf(item), edit] {
-    if (!workspace_.perform(session::editHandles({id}, edit)))
+    if (!workspace_.perform(document::editHandles({id}, edit)))
       rebuild();
   });
 }

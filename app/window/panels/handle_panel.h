@@ -28,7 +28,8 @@ public:
 private:
   QWidget* makePlacement();
   void rebuild();
-  void addGroup(const QString& name, const QColor& color, const std::vector<const session::Handle*>& handles);
+  void addGroup(const QString& name, const QColor& color,
+                const std::vector<const document::Handle*>& handles);
   void syncSelection();
   void syncPlacement();
   void selectFromList();
@@ -42,7 +43,7 @@ private:
   QTreeWidget* list_ = nullptr;
   QLabel* empty_ = nullptr;
   bool updating_ = false;
-  std::vector<session::Subscription> subscriptions_;
+  std::vector<Subscription> subscriptions_;
 };
 
 } // namespace viscera::app

@@ -10,8 +10,8 @@
 namespace viscera::app {
 namespace {
 
-QString nameOf(session::BindingStatus::State state) {
-  using State = session::BindingStatus::State;
+QString nameOf(live::BindingStatus::State state) {
+  using State = live::BindingStatus::State;
   switch (state) {
   case State::unbound:
     return HandlesPage::tr("not bound");
@@ -52,14 +52,14 @@ HandlesPage::HandlesPage(Workspace& workspace, GroupLayout& layout, const Action
   add(new PositionBox(workspace, PositionBox::Of::rest, this));
   addCheck(actions["handles.influence"]);
   finish();
-  subscriptions_.push_back(workspace.onChange([this](const session::Change& change) {
+  subscriptions_.push_back(workspace.onChange([this](const document::Change& change) {
     if (change.organs())
       sync();
     if (change.rig() || change.system())
       syncCage();
   }));
   subscriptions_.push_back(workspace.selection().onChange([this] { sync(); }));
-  subscriptions_.push_back(workspace.live().onEvent([this](const session::LiveEvent& event) {
+  subscriptions_.push_back(workspace.live().onEvent([this](const live::LiveEvent& event) {
     if (event.status)
       sync();
   }));
@@ -68,7 +68,7 @@ HandlesPage::HandlesPage(Workspace& workspace, GroupLayout& layout, const Action
 }
 
 void HandlesPage::syncCage() {
-  const session::Rig& rig = workspace_.document().rig();
+  const document::Rig& rig = workspace_.document().rig();
   const bool needed = workspace_.systemTraits().needsCage;
   cage_->setText(
       rig.cage.empty()
@@ -81,7 +81,7 @@ void HandlesPage::syncCage() {
 
 void HandlesPage::sync() {
   const auto organ = workspace_.currentOrgan();
-  session::BindingStatus status;
+  live::BindingStatus status;
   if (organ)
     status = workspace_.live().status(organ->id);
   const bool bound = organ && workspace_.live().deformer(organ->id);

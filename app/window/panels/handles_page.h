@@ -27,7 +27,7 @@ private:
   QLabel* identity_ = nullptr;
   QLabel* smallest_ = nullptr;
   QLabel* message_ = nullptr;
-  std::vector<session::Subscription> subscriptions_;
+  std::vector<Subscription> subscriptions_;
 };
 
 } // namespace viscera::app

@@ -11,7 +11,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "viscera/session/organ_commands.h"
+#include "viscera/document/organ_commands.h"
 #include "window/panels/color_palette.h"
 #include "window/style/icon.h"
 #include "window/widgets/value_slider.h"
@@ -84,11 +84,11 @@ OrganPanel::OrganPanel(Workspace& workspace, PoseEditor& poses, VolumeMonitor& v
   });
   connect(opacity_, &ValueSlider::valueChanged, this, [this](double percent) {
     if (const auto organ = workspace_.currentOrgan())
-      changeLook(organ->id, [percent](session::OrganLook& look) { look.opacity = percent / 100; });
+      changeLook(organ->id, [percent](document::OrganLook& look) { look.opacity = percent / 100; });
   });
   connect(opacity_, &ValueSlider::valueChosen, this, [this] { workspace_.undo().seal(); });
   connect(&volumes, &VolumeMonitor::updated, this, &OrganPanel::updateVolumes);
-  subscriptions_.push_back(workspace.onChange([this](const session::Change& change) {
+  subscriptions_.push_back(workspace.onChange([this](const document::Change& change) {
     if (change.organs())
       rebuild();
   }));
@@ -102,13 +102,13 @@ void OrganPanel::editName() {
     list_->editItem(items_[organ->id], kName);
 }
 
-session::OrganId OrganPanel::organOf(const QTreeWidgetItem* item) const {
+document::OrganId OrganPanel::organOf(const QTreeWidgetItem* item) const {
   return {item->data(kName, Qt::UserRole).toLongLong()};
 }
 
 void OrganPanel::rebuild() {
   const QScopedValueRollback<bool> quiet(updating_, true);
-  const session::OrganList& organs = workspace_.document().organs();
+  const document::OrganList& organs = workspace_.document().organs();
   const bool sameRows =
       organs.size() == items_.size() &&
       std::all_of(organs.begin(), organs.end(), [&](const auto& o) { return items_.count(o->id); });
@@ -140,7 +140,7 @@ void OrganPanel::rebuild() {
   syncSelection();
 }
 
-void OrganPanel::updateRow(const session::Organ& organ, QTreeWidgetItem* item) {
+void OrganPanel::updateRow(const document::Organ& organ, QTreeWidgetItem* item) {
   const QScopedValueRollback<bool> quiet(updating_, true);
   item->setText(kName, text(organ.name));
   item->setIcon(kName, swatch(asColor(organ.look.color)));
@@ -154,7 +154,7 @@ void OrganPanel::updateRow(const session::Organ& organ, QTreeWidgetItem* item) {
   item->setToolTip(kName, tip + tr("\nDouble click or F2 renames; a click on the square changes the colour"));
 }
 
-void OrganPanel::updateLock(const session::Organ& organ, QTreeWidgetItem* item) {
+void OrganPanel::updateLock(const document::Organ& organ, QTreeWidgetItem* item) {
   // Only what is locked is to catch the eye.
   const QPixmap open = icon("unlock").pixmap(kIconSize, QIcon::Disabled);
   item->setIcon(kLock, organ.volumeLocked ? icon("lock") : QIcon(open));
@@ -164,7 +164,7 @@ void OrganPanel::updateLock(const session::Organ& organ, QTreeWidgetItem* item) 
   QString tip = organ.volumeLocked
                     ? tr("The volume is locked: nothing in Deform mode changes it (click or K)")
                     : tr("Lock the volume (click or K)");
-  const session::OrganList& all = workspace_.document().organs();
+  const document::OrganList& all = workspace_.document().organs();
   if (std::any_of(all.begin(), all.end(), [&organ](const auto& other) { return other->parent == organ.id; }))
     tip += tr("\nThis is the volume within the outer surface; cavities have locks of their own");
   else if (organ.parent)
@@ -178,7 +178,7 @@ void OrganPanel::updateVolumes() {
     const auto found = items_.find(organ->id);
     if (found == items_.end())
       continue;
-    const session::OrganVolume volume = workspace_.live().volume(organ->id);
+    const live::OrganVolume volume = workspace_.live().volume(organ->id);
     QTreeWidgetItem* item = found->second;
     item->setText(kVolume, volume.closed ? formatMilliliters(volume.nowMl) : tr("open"));
     const bool changed = volume.closed && std::abs(volume.relativeChange()) >= kNoticed;
@@ -204,9 +204,9 @@ void OrganPanel::syncSelection() {
 }
 
 void OrganPanel::onClicked(QTreeWidgetItem* item, int column) {
-  const session::OrganId organ = organOf(item);
+  const document::OrganId organ = organOf(item);
   if (column == kEye) {
-    changeLook(organ, [](session::OrganLook& look) { look.visible = !look.visible; });
+    changeLook(organ, [](document::OrganLook& look) { look.visible = !look.visible; });
     workspace_.undo().seal();
     return;
   }
@@ -226,30 +226,31 @@ void OrganPanel::onClicked(QTreeWidgetItem* item, int column) {
 void OrganPanel::onChanged(QTreeWidgetItem* item, int column) {
   if (updating_ || column != kName)
     return;
-  const session::OrganId id = organOf(item);
+  const document::OrganId id = organOf(item);
   // A name that is refused goes back to what it was.
-  if (!workspace_.perform(session::renameOrgan(id, item->text(kName).trimmed().toStdString())))
+  if (!workspace_.perform(document::renameOrgan(id, item->text(kName).trimmed().toStdString())))
     if (const auto organ = workspace_.document().organ(id))
       updateRow(*organ, item);
 }
 
-void OrganPanel::changeLook(session::OrganId organ, const std::function<void(session::OrganLook&)>& change) {
+void OrganPanel::changeLook(document::OrganId organ,
+                            const std::function<void(document::OrganLook&)>& change) {
   const auto present = workspace_.document().organ(organ);
   if (!present)
     return;
-  session::OrganLook look = present->look;
+  document::OrganLook look = present->look;
   change(look);
-  workspace_.perform(session::setOrganLook(organ, look));
+  workspace_.perform(document::setOrganLook(organ, look));
 }
 
-void OrganPanel::chooseColorOf(session::OrganId organ, const QPoint& globalPlace) {
+void OrganPanel::chooseColorOf(document::OrganId organ, const QPoint& globalPlace) {
   const auto present = workspace_.document().organ(organ);
   if (!present)
     return;
   chooseColor(
       this, globalPlace, asColor(present->look.color),
       [this, organ](const QColor& color) {
-        changeLook(organ, [&](session::OrganLook& look) {
+        changeLook(organ, [&](document::OrganLook& look) {
           look.color = asVec3(color);
           look.vertexColors = false;
         });
@@ -272,7 +273,7 @@ void OrganPanel::contextMenuEvent(QContextMenuEvent* event) {
   QTreeWidgetItem* item = list_->itemAt(list_->viewport()->mapFromGlobal(event->globalPos()));
   if (!item)
     return;
-  const session::OrganId organ = organOf(item);
+  const document::OrganId organ = organOf(item);
   auto* menu = new QMenu(this);
   menu->setAttribute(Qt::WA_DeleteOnClose);
   connect(menu->addAction(icon("focus"), tr("Focus")), &QAction::triggered, this,
@@ -284,7 +285,7 @@ void OrganPanel::contextMenuEvent(QContextMenuEvent* event) {
   const auto present = workspace_.document().organ(organ);
   if (present && present->mesh->colors.rows() > 0 && !present->look.vertexColors)
     connect(menu->addAction(tr("The organ's own colours")), &QAction::triggered, this, [this, organ] {
-      changeLook(organ, [](session::OrganLook& look) { look.vertexColors = true; });
+      changeLook(organ, [](document::OrganLook& look) { look.vertexColors = true; });
       workspace_.undo().seal();
     });
   if (present)
@@ -294,7 +295,7 @@ void OrganPanel::contextMenuEvent(QContextMenuEvent* event) {
             [this, organ, lock = !present->volumeLocked] { poses_.setLocked(organ, lock); });
   menu->addSeparator();
   connect(menu->addAction(icon("remove"), tr("Remove organ")), &QAction::triggered, this,
-          [this, organ] { workspace_.perform(session::removeOrgans({organ})); });
+          [this, organ] { workspace_.perform(document::removeOrgans({organ})); });
   menu->popup(event->globalPos());
 }
 

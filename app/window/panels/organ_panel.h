@@ -28,7 +28,7 @@ public:
   void editName();
 
 Q_SIGNALS:
-  void focusRequested(viscera::session::OrganId organ);
+  void focusRequested(viscera::document::OrganId organ);
 
 protected:
   void changeEvent(QEvent* event) override;
@@ -36,15 +36,15 @@ protected:
 
 private:
   void rebuild();
-  void updateRow(const session::Organ& organ, QTreeWidgetItem* item);
-  void updateLock(const session::Organ& organ, QTreeWidgetItem* item);
+  void updateRow(const document::Organ& organ, QTreeWidgetItem* item);
+  void updateLock(const document::Organ& organ, QTreeWidgetItem* item);
   void updateVolumes();
   void syncSelection();
   void onClicked(QTreeWidgetItem* item, int column);
   void onChanged(QTreeWidgetItem* item, int column);
-  void changeLook(session::OrganId organ, const std::function<void(session::OrganLook&)>& change);
-  void chooseColorOf(session::OrganId organ, const QPoint& globalPlace);
-  session::OrganId organOf(const QTreeWidgetItem* item) const;
+  void changeLook(document::OrganId organ, const std::function<void(document::OrganLook&)>& change);
+  void chooseColorOf(document::OrganId organ, const QPoint& globalPlace);
+  document::OrganId organOf(const QTreeWidgetItem* item) const;
 
   Workspace& workspace_;
   PoseEditor& poses_;
@@ -52,9 +52,9 @@ private:
   QTreeWidget* list_ = nullptr;
   QLabel* empty_;
   ValueSlider* opacity_;
-  std::map<session::OrganId, QTreeWidgetItem*> items_;
+  std::map<document::OrganId, QTreeWidgetItem*> items_;
   bool updating_ = false;
-  std::vector<session::Subscription> subscriptions_;
+  std::vector<Subscription> subscriptions_;
 };
 
 } // namespace viscera::app

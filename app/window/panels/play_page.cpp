@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-#include "viscera/session/normal_ranges.h"
+#include "viscera/motion/normal_ranges.h"
 #include "window/panels/sequence_list.h"
 #include "window/recorded/fit_box.h"
 #include "window/recorded/key_box.h"
@@ -96,7 +96,7 @@ void PlayPage::makeOwnMotions(const Window& window) {
 }
 
 void PlayPage::syncState() {
-  const session::Player& player = playback_.player();
+  const motion::Player& player = playback_.player();
   const sequences::Sequence* sequence = playback_.sequence();
   rate_->setText(sequence ? tr("%1 / min, one cycle %2 s")
                                 .arg(player.ratePerMinute(), 0, 'f', 0)
@@ -160,8 +160,8 @@ void PlayPage::syncIndices() {
   QStringList normal;
   QStringList sources;
   if (best < lines.size())
-    for (const session::NormalRange& range : session::normalRanges(lines[best].name.toStdString())) {
-      const bool percent = range.quantity == session::NormalRange::Quantity::ejectionPercent;
+    for (const motion::NormalRange& range : motion::normalRanges(lines[best].name.toStdString())) {
+      const bool percent = range.quantity == motion::NormalRange::Quantity::ejectionPercent;
       normal.push_back(tr("%1 %2 - %3 %4")
                            .arg(text(range.name))
                            .arg(range.low, 0, 'f', 0)

@@ -5,8 +5,8 @@
 #include <QLabel>
 #include <QSignalBlocker>
 
-#include "viscera/session/pose_commands.h"
-#include "viscera/session/rig_commands.h"
+#include "viscera/document/pose_commands.h"
+#include "viscera/document/rig_commands.h"
 
 namespace viscera::app {
 namespace {
@@ -45,7 +45,7 @@ PositionBox::PositionBox(Workspace& workspace, Of what, QWidget* parent, PoseEdi
     connect(field, QOverload<double>::of(&QDoubleSpinBox::valueChanged), this, &PositionBox::commit);
   }
   grid->setColumnStretch(1, 1);
-  subscriptions_.push_back(workspace.onChange([this](const session::Change& change) {
+  subscriptions_.push_back(workspace.onChange([this](const document::Change& change) {
     if (change.rig() || change.pose())
       sync();
   }));
@@ -54,12 +54,12 @@ PositionBox::PositionBox(Workspace& workspace, Of what, QWidget* parent, PoseEdi
 }
 
 Vec3 PositionBox::present(int row) const {
-  const session::Document& document = workspace_.document();
+  const document::Document& document = workspace_.document();
   return what_ == Of::rest ? document.rig().handles[row].rest : Vec3(document.pose().row(row).transpose());
 }
 
 void PositionBox::sync() {
-  const session::Rig& rig = workspace_.document().rig();
+  const document::Rig& rig = workspace_.document().rig();
   const int row = rig.indexOf(workspace_.selection().currentHandle());
   fieldBox_->setVisible(row >= 0);
   if (row < 0) {
@@ -67,7 +67,7 @@ void PositionBox::sync() {
     title_->setObjectName(QStringLiteral("muted"));
     return;
   }
-  const session::Handle& handle = rig.handles[row];
+  const document::Handle& handle = rig.handles[row];
   const double moved = (workspace_.document().pose().row(row).transpose() - handle.rest).norm();
   QString line = tr("Handle %1").arg(text(handle.label));
   if (what_ == Of::pose)
@@ -84,7 +84,7 @@ void PositionBox::sync() {
 }
 
 void PositionBox::commit() {
-  const session::HandleId id = workspace_.selection().currentHandle();
+  const document::HandleId id = workspace_.selection().currentHandle();
   const int row = workspace_.document().rig().indexOf(id);
   if (row < 0)
     return;
@@ -100,8 +100,8 @@ void PositionBox::commit() {
     return sync(); // The place may be another one than was typed: as near as the locked volumes allow.
   }
   Points positions = place.transpose();
-  if (!workspace_.perform(what_ == Of::rest ? session::moveRestHandles({id}, positions)
-                                            : session::moveHandles({id}, positions)))
+  if (!workspace_.perform(what_ == Of::rest ? document::moveRestHandles({id}, positions)
+                                            : document::moveHandles({id}, positions)))
     sync();
 }
 

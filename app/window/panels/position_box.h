@@ -33,7 +33,7 @@ private:
   QLabel* title_;
   std::array<QDoubleSpinBox*, 3> fields_{};
   QWidget* fieldBox_;
-  std::vector<session::Subscription> subscriptions_;
+  std::vector<Subscription> subscriptions_;
 };
 
 } // namespace viscera::app

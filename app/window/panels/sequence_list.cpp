@@ -4,7 +4,7 @@
 #include <QFile>
 #include <QSignalBlocker>
 
-#include "viscera/session/sequence_setup.h"
+#include "viscera/motion/sequence_setup.h"
 #include "window/style/icon.h"
 
 namespace viscera::app {
@@ -55,7 +55,7 @@ void SequenceList::addSequence(const QString& id, const QString& name, const QSt
 
 void SequenceList::rebuild() {
   std::vector<std::pair<QString, QString>> all;
-  for (const session::SampleSequence& sample : session::sampleSequences())
+  for (const motion::SampleSequence& sample : motion::sampleSequences())
     all.emplace_back(text(sample.id), text(sample.name));
   const std::size_t ours = all.size();
   for (const Playback::Motion& motion : playback_.motions()) {

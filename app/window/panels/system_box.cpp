@@ -10,7 +10,7 @@
 #include <cmath>
 #include <limits>
 
-#include "viscera/session/system_commands.h"
+#include "viscera/document/system_commands.h"
 #include "window/widgets/flow_layout.h"
 #include "window/widgets/value_slider.h"
 
@@ -61,13 +61,13 @@ SystemBox::SystemBox(Workspace& workspace, GroupLayout& layout, QWidget* parent)
   column_->addWidget(summary_);
   column_->addWidget(badges_);
   connect(combo_, QOverload<int>::of(&QComboBox::activated), this, [this](int index) {
-    session::SystemChoice choice;
+    document::SystemChoice choice;
     choice.id = combo_->itemData(index).toString().toStdString();
     workspace_.undo().seal();
-    workspace_.perform(session::setSystem(choice));
+    workspace_.perform(document::setSystem(choice));
     workspace_.undo().seal();
   });
-  subscription_ = workspace.onChange([this](const session::Change& change) {
+  subscription_ = workspace.onChange([this](const document::Change& change) {
     if (change.system() || change.rig())
       sync();
   });
@@ -75,7 +75,7 @@ SystemBox::SystemBox(Workspace& workspace, GroupLayout& layout, QWidget* parent)
 }
 
 void SystemBox::sync() {
-  const session::SystemChoice& choice = workspace_.document().system();
+  const document::SystemChoice& choice = workspace_.document().system();
   const QSignalBlocker quiet(combo_);
   combo_->setCurrentIndex(combo_->findData(text(choice.id)));
   if (choice.id != shownSystem_ && workspace_.registry().contains(choice.id)) {
@@ -146,7 +146,7 @@ QWidget* SystemBox::editorFor(const coordinates::Parameter& parameter) {
     combo->setToolTip(text(parameter.help));
     combo->setAccessibleName(name);
     connect(combo, QOverload<int>::of(&QComboBox::activated), this, [this, parameter](int index) {
-      workspace_.perform(session::setParameter(parameter.name, index));
+      workspace_.perform(document::setParameter(parameter.name, index));
       workspace_.undo().seal();
     });
     readers_.push_back([combo, present] {
@@ -172,7 +172,7 @@ QWidget* SystemBox::sliderFor(const coordinates::Parameter& parameter, const QSt
   column->addWidget(slider);
   column->addWidget(remark);
   connect(slider, &ValueSlider::valueChanged, this, [this, parameter](double value) {
-    workspace_.perform(session::setParameter(parameter.name, value));
+    workspace_.perform(document::setParameter(parameter.name, value));
   });
   connect(slider, &ValueSlider::valueChosen, this, [this] { workspace_.undo().seal(); });
   readers_.push_back([this, slider, remark, parameter] {

@@ -38,7 +38,7 @@ private:
   QVBoxLayout* column_;
   std::string shownSystem_;
   std::vector<std::function<void()>> readers_; ///< Bring the editors up to date.
-  session::Subscription subscription_;
+  Subscription subscription_;
 };
 
 } // namespace viscera::app

@@ -51,9 +51,9 @@ VolumeBox::VolumeBox(Workspace& workspace, PoseEditor& poses, QWidget* parent)
 
 void VolumeBox::sync() {
   const auto organ = workspace_.currentOrgan();
-  const session::OrganVolume volume = organ ? workspace_.live().volume(organ->id) : session::OrganVolume();
+  const live::OrganVolume volume = organ ? workspace_.live().volume(organ->id) : live::OrganVolume();
   setEnabled(volume.closed && organ && workspace_.live().deformer(organ->id));
-  const session::OrganId current = organ ? organ->id : session::OrganId();
+  const document::OrganId current = organ ? organ->id : document::OrganId();
   if (std::exchange(shown_, current) != current)
     typed_ = false;
   if (typed_ || field_->hasFocus() || !volume.closed)

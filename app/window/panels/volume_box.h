@@ -24,8 +24,8 @@ private:
   PoseEditor& poses_;
   QDoubleSpinBox* field_;
   QPushButton* apply_;
-  session::OrganId shown_; ///< The organ that the field is about.
-  bool typed_ = false;     ///< Something was typed and not applied yet.
+  document::OrganId shown_; ///< The organ that the field is about.
+  bool typed_ = false;      ///< Something was typed and not applied yet.
 };
 
 } // namespace viscera::app

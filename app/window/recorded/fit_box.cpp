@@ -10,7 +10,7 @@
 
 #include <algorithm>
 
-#include "viscera/session/sequence_setup.h"
+#include "viscera/motion/sequence_setup.h"
 #include "window/session/motion_recipe.h"
 #include "window/style/icon.h"
 
@@ -48,7 +48,7 @@ FitBox::FitBox(Workspace& workspace, Playback& playback, ViewWidget& view, QWidg
   column->addWidget(target_);
   sequence_->setObjectName(QStringLiteral("fitSequence"));
   sequence_->setAccessibleName(tr("Sequence to fit"));
-  for (const session::SampleSequence& sample : session::sampleSequences())
+  for (const motion::SampleSequence& sample : motion::sampleSequences())
     sequence_->addItem(text(sample.name), text(sample.id));
   column->addWidget(sequence_);
   fit_->setObjectName(QStringLiteral("fitButton"));
@@ -58,7 +58,7 @@ FitBox::FitBox(Workspace& workspace, Playback& playback, ViewWidget& view, QWidg
   connect(sequence_, QOverload<int>::of(&QComboBox::activated), this, &FitBox::rebuildRows);
   connect(fit_, &QPushButton::clicked, this, &FitBox::fit);
   connect(&view, &ViewWidget::clicked, this, &FitBox::onClick);
-  subscriptions_.push_back(workspace.onChange([this](const session::Change& change) {
+  subscriptions_.push_back(workspace.onChange([this](const document::Change& change) {
     if (change.organs()) {
       landmarks_.points.clear(); // They were places on organs that may be gone.
       syncRows();
@@ -88,7 +88,7 @@ void FitBox::rebuildRows() {
   form->setContentsMargins(0, 0, 0, 0);
   form->setVerticalSpacing(2);
   workspace_.guarded([&] {
-    for (const session::LandmarkRole& role : session::landmarkRoles(sequenceId())) {
+    for (const motion::LandmarkRole& role : motion::landmarkRoles(sequenceId())) {
       Row row;
       row.pick = new QToolButton(rowsBox_);
       row.pick->setObjectName(QStringLiteral("landmark_%1").arg(text(role.role)));
@@ -130,10 +130,10 @@ void FitBox::onClick(const QPointF& place) {
 
 void FitBox::setLandmark(const std::string& role, const Vec3& position) {
   bool several = false;
-  for (const session::LandmarkRole& known : session::landmarkRoles(sequenceId()))
+  for (const motion::LandmarkRole& known : motion::landmarkRoles(sequenceId()))
     several = several || (known.role == role && known.several);
   auto& points = landmarks_.points;
-  std::erase_if(points, [&](const session::Landmark& point) {
+  std::erase_if(points, [&](const motion::Landmark& point) {
     return point.computed || (!several && point.role == role);
   });
   points.push_back({role, position, false});
@@ -148,7 +148,7 @@ void FitBox::syncRows() {
     row.pick->setChecked(role == picking_);
     row.place->setText(role == picking_ ? tr("click the organ") : placeText(landmarks_.all(role)));
   }
-  for (const session::Landmark& point : landmarks_.points)
+  for (const motion::Landmark& point : landmarks_.points)
     marks.push_back({point.position, point.computed ? kFound : kGiven});
   glyphs_.setMarks(std::move(marks));
   view_.scheduleRender();
@@ -171,15 +171,14 @@ void FitBox::fit() {
   const auto organ = workspace_.currentOrgan();
   if (!organ)
     return;
-  session::Landmarks given = landmarks_;
-  std::erase_if(given.points, [](const session::Landmark& point) { return point.computed; });
-  workspace_.jobs().submit<session::RetargetedSequence>(
+  motion::Landmarks given = landmarks_;
+  std::erase_if(given.points, [](const motion::Landmark& point) { return point.computed; });
+  workspace_.jobs().submit<motion::RetargetedSequence>(
       tr("Fitting %1").arg(sequence_->currentText()).toStdString(), kSlot,
       [id = sequenceId(), organ, given](Progress& progress) {
-        return session::retargetSequence(id, *organ, given, progress);
+        return motion::retargetSequence(id, *organ, given, progress);
       },
-      [this, id = organ->id, sequence = sequenceId(),
-       given](session::JobResult<session::RetargetedSequence> result) {
+      [this, id = organ->id, sequence = sequenceId(), given](JobResult<motion::RetargetedSequence> result) {
         if (result.error)
           workspace_.report(*result.error);
         if (result.value)
@@ -187,9 +186,9 @@ void FitBox::fit() {
       });
 }
 
-void FitBox::take(const session::RetargetedSequence& fitted, session::OrganId organ,
-                  const std::string& sequence, const session::Landmarks& given) {
-  if (!workspace_.document().organ(organ) || !workspace_.perform(session::useRetargeted(fitted)))
+void FitBox::take(const motion::RetargetedSequence& fitted, document::OrganId organ,
+                  const std::string& sequence, const motion::Landmarks& given) {
+  if (!workspace_.document().organ(organ) || !workspace_.perform(motion::useRetargeted(fitted)))
     return;
   playback_.setSequence(fitted.sequence, organ, fittedRecipe(sequence, given));
   landmarks_ = fitted.landmarks;

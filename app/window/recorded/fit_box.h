@@ -5,8 +5,8 @@
 #include <map>
 #include <string>
 
+#include "viscera/motion/retarget.h"
 #include "viscera/scene/landmark_glyphs.h"
-#include "viscera/session/retarget.h"
 #include "window/timeline/playback.h"
 #include "window/view/view_widget.h"
 #include "window/workspace.h"
@@ -28,7 +28,7 @@ public:
   FitBox(Workspace& workspace, Playback& playback, ViewWidget& view, QWidget* parent = nullptr);
   ~FitBox() override;
 
-  const session::Landmarks& landmarks() const { return landmarks_; }
+  const motion::Landmarks& landmarks() const { return landmarks_; }
 
 Q_SIGNALS:
   /// The sequence of that id was fitted and can be played.
@@ -51,8 +51,8 @@ private:
   void syncRows();
   void syncTarget();
   void fit();
-  void take(const session::RetargetedSequence& fitted, session::OrganId organ, const std::string& sequence,
-            const session::Landmarks& given);
+  void take(const motion::RetargetedSequence& fitted, document::OrganId organ, const std::string& sequence,
+            const motion::Landmarks& given);
 
   Workspace& workspace_;
   Playback& playback_;
@@ -62,10 +62,10 @@ private:
   QWidget* rowsBox_ = nullptr;
   std::map<std::string, Row> rows_;
   QPushButton* fit_;
-  session::Landmarks landmarks_;
+  motion::Landmarks landmarks_;
   std::string picking_; ///< The role for which a click is waited; empty: none.
   scene::LandmarkGlyphs glyphs_;
-  std::vector<session::Subscription> subscriptions_;
+  std::vector<Subscription> subscriptions_;
 };
 
 } // namespace viscera::app

@@ -13,8 +13,8 @@
 #include <QTableWidget>
 #include <QVBoxLayout>
 
-#include "viscera/session/recording.h"
-#include "viscera/session/recording_commands.h"
+#include "viscera/document/recording.h"
+#include "viscera/document/recording_commands.h"
 #include "window/style/icon.h"
 
 namespace viscera::app {
@@ -61,7 +61,7 @@ KeyBox::KeyBox(Workspace& workspace, Playback& playback, RecordedMotion& motion,
   makeTop();
   makeTable();
   makeButtons();
-  subscription_ = workspace.onChange([this](const session::Change& change) {
+  subscription_ = workspace.onChange([this](const document::Change& change) {
     if (change.recording() || change.rig() || change.organs())
       sync();
   });
@@ -122,9 +122,9 @@ void KeyBox::makeButtons() {
   take_ = button("takeKey", "deform", tr("Take pose"), tr("The pose of this key becomes the present one"), 0,
                  0, [this] { motion_.takePose(selectedKey()); });
   replace_ = button("replaceKey", "record", tr("Replace"), tr("This key takes the present pose"), 0, 1,
-                    [this] { workspace_.perform(session::replaceKey(selectedKey())); });
+                    [this] { workspace_.perform(document::replaceKey(selectedKey())); });
   remove_ = button("removeKey", "remove", tr("Remove"), tr("Remove this key"), 1, 0,
-                   [this] { workspace_.perform(session::removeKeys({selectedKey()})); });
+                   [this] { workspace_.perform(document::removeKeys({selectedKey()})); });
   play_ = button("playKeys", "play", tr("Play it"), tr("Play what is recorded"), 1, 1, [this] {
     playback_.choose(motion_.sequence());
     playback_.toStart();
@@ -146,9 +146,9 @@ void KeyBox::makeButtons() {
   period_->setToolTip(tr("How long one cycle is"));
   grid->addWidget(period_, 3, 0, 1, 2);
   connect(period_, QOverload<double>::of(&QDoubleSpinBox::valueChanged), this, [this](double seconds) {
-    session::RecordingEdit edit;
+    document::RecordingEdit edit;
     edit.periodSeconds = seconds;
-    if (!workspace_.perform(session::editRecording(edit)))
+    if (!workspace_.perform(document::editRecording(edit)))
       sync();
   });
   static_cast<QVBoxLayout*>(layout())->addLayout(grid);
@@ -158,11 +158,11 @@ void KeyBox::addKey() {
   motion_.addKey(seconds_->value(), static_cast<Easing>(easing_->currentData().toInt()));
 }
 
-session::KeyId KeyBox::selectedKey() const {
+document::KeyId KeyBox::selectedKey() const {
   const auto& keys = workspace_.document().recording().keys;
   const int row = table_->currentRow();
   return row >= 0 && row < static_cast<int>(keys.size()) ? keys[static_cast<std::size_t>(row)].id
-                                                         : session::KeyId{};
+                                                         : document::KeyId{};
 }
 
 void KeyBox::onTimeEdited(int row) {
@@ -170,12 +170,12 @@ void KeyBox::onTimeEdited(int row) {
   const double seconds = table_->item(row, kTime)->text().toDouble(&number);
   const auto& keys = workspace_.document().recording().keys;
   if (!number || row >= static_cast<int>(keys.size()) ||
-      !workspace_.perform(session::moveKey(keys[static_cast<std::size_t>(row)].id, seconds)))
+      !workspace_.perform(document::moveKey(keys[static_cast<std::size_t>(row)].id, seconds)))
     sync();
 }
 
 void KeyBox::fillRow(int row) {
-  const session::RecordedKey& key = workspace_.document().recording().keys[static_cast<std::size_t>(row)];
+  const document::RecordedKey& key = workspace_.document().recording().keys[static_cast<std::size_t>(row)];
   auto* time = new QTableWidgetItem(QString::number(key.seconds, 'f', 2));
   time->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
   table_->setItem(row, kTime, time);
@@ -187,14 +187,14 @@ void KeyBox::fillRow(int row) {
   connect(
       easing, QOverload<int>::of(&QComboBox::activated), this,
       [this, id = key.id, easing](int index) {
-        workspace_.perform(session::setEasing({id}, static_cast<Easing>(easing->itemData(index).toInt())));
+        workspace_.perform(document::setEasing({id}, static_cast<Easing>(easing->itemData(index).toInt())));
       },
       Qt::QueuedConnection);
 }
 
 void KeyBox::sync() {
   const QScopedValueRollback<bool> quiet(filling_, true);
-  const session::Recording& recording = workspace_.document().recording();
+  const document::Recording& recording = workspace_.document().recording();
   const int selected = table_->currentRow();
   table_->setRowCount(0);
   table_->setRowCount(static_cast<int>(recording.keys.size()));

@@ -33,7 +33,7 @@ private:
   void sync();
   void fillRow(int row);
   void onTimeEdited(int row);
-  session::KeyId selectedKey() const;
+  document::KeyId selectedKey() const;
   QString fileName(bool saving) const;
   void syncButtons();
 
@@ -51,7 +51,7 @@ private:
   QPushButton* play_ = nullptr;
   QPushButton* save_ = nullptr;
   bool filling_ = false;
-  session::Subscription subscription_;
+  Subscription subscription_;
 };
 
 } // namespace viscera::app

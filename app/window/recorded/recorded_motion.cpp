@@ -2,10 +2,10 @@
 
 #include <algorithm>
 
-#include "viscera/session/pose_commands.h"
-#include "viscera/session/recording.h"
-#include "viscera/session/recording_commands.h"
-#include "viscera/session/sequence_file.h"
+#include "viscera/document/pose_commands.h"
+#include "viscera/document/recording.h"
+#include "viscera/document/recording_commands.h"
+#include "viscera/motion/sequence_file.h"
 
 namespace viscera::app {
 namespace {
@@ -13,8 +13,8 @@ namespace {
 constexpr double kKeyStep = 0.5; ///< s
 
 /// Whether any key moves a handle that there is: another rig leaves nothing of a recording.
-bool movesAny(const session::Recording& recording, const session::Rig& rig) {
-  return std::any_of(recording.keys.begin(), recording.keys.end(), [&](const session::RecordedKey& key) {
+bool movesAny(const document::Recording& recording, const document::Rig& rig) {
+  return std::any_of(recording.keys.begin(), recording.keys.end(), [&](const document::RecordedKey& key) {
     return std::any_of(key.displacements.begin(), key.displacements.end(),
                        [&](const auto& moved) { return rig.indexOf(moved.first) >= 0; });
   });
@@ -24,14 +24,14 @@ bool movesAny(const session::Recording& recording, const session::Rig& rig) {
 
 RecordedMotion::RecordedMotion(Workspace& workspace, Playback& playback, QObject* parent)
     : QObject(parent), workspace_(workspace), playback_(playback) {
-  subscription_ = workspace.onChange([this](const session::Change& change) {
+  subscription_ = workspace.onChange([this](const document::Change& change) {
     if (change.recording() || change.rig() || change.organs())
       sync(change.recording());
   });
 }
 
 void RecordedMotion::sync(bool choose) {
-  const session::Recording& recording = workspace_.document().recording();
+  const document::Recording& recording = workspace_.document().recording();
   if (!present_ && recording.keys.empty())
     return;
   const bool present = present_ && playback_.sequence() == present_.get();
@@ -41,7 +41,7 @@ void RecordedMotion::sync(bool choose) {
   const auto& organs = workspace_.document().organs();
   if (organs.empty() || !movesAny(recording, workspace_.document().rig()))
     return;
-  workspace_.guarded([&] { present_ = session::sequenceOf(recording, workspace_.document().rig()); });
+  workspace_.guarded([&] { present_ = document::sequenceOf(recording, workspace_.document().rig()); });
   if (!present_)
     return;
   if (choose || present)
@@ -56,28 +56,28 @@ double RecordedMotion::nextSeconds() const {
 }
 
 bool RecordedMotion::addKey(double seconds, sequences::Easing easing) {
-  std::vector<session::Command> commands;
+  std::vector<document::Command> commands;
   if (seconds >= workspace_.document().recording().periodSeconds) {
-    session::RecordingEdit longer;
+    document::RecordingEdit longer;
     longer.periodSeconds = seconds + kKeyStep;
-    commands.push_back(session::editRecording(longer));
+    commands.push_back(document::editRecording(longer));
   }
-  commands.push_back(session::recordKey(seconds, easing));
-  return workspace_.perform(session::combined(
+  commands.push_back(document::recordKey(seconds, easing));
+  return workspace_.perform(document::combined(
       tr("Record a key at %1 s").arg(seconds, 0, 'f', 2).toStdString(), std::move(commands)));
 }
 
-bool RecordedMotion::takePose(session::KeyId key) {
-  const session::RecordedKey* found = workspace_.document().recording().key(key);
+bool RecordedMotion::takePose(document::KeyId key) {
+  const document::RecordedKey* found = workspace_.document().recording().key(key);
   if (!found)
     return false;
-  return workspace_.perform(session::setPose(session::poseOf(*found, workspace_.document().rig()),
-                                             tr("Take a key's pose").toStdString()));
+  return workspace_.perform(document::setPose(document::poseOf(*found, workspace_.document().rig()),
+                                              tr("Take a key's pose").toStdString()));
 }
 
 void RecordedMotion::save(const QString& file) {
   const bool done = workspace_.guarded([&] {
-    session::writeSequence(file.toStdString(), session::sequenceFile(workspace_.document().state()));
+    motion::writeSequence(file.toStdString(), motion::sequenceFile(workspace_.document().state()));
   });
   if (!done)
     return;
@@ -89,7 +89,7 @@ void RecordedMotion::save(const QString& file) {
 
 void RecordedMotion::open(const QString& file) {
   workspace_.guarded(
-      [&] { workspace_.undo().perform(session::openSequence(session::readSequence(file.toStdString()))); });
+      [&] { workspace_.undo().perform(motion::openSequence(motion::readSequence(file.toStdString()))); });
 }
 
 } // namespace viscera::app

@@ -26,7 +26,7 @@ public:
   /// One undo step.
   bool addKey(double seconds, sequences::Easing easing);
   /// The pose of a key becomes the document's, for changing it.
-  bool takePose(session::KeyId key);
+  bool takePose(document::KeyId key);
   void save(const QString& file);
   void open(const QString& file);
 
@@ -36,7 +36,7 @@ private:
   Workspace& workspace_;
   Playback& playback_;
   std::shared_ptr<const sequences::Sequence> present_;
-  session::Subscription subscription_;
+  Subscription subscription_;
 };
 
 } // namespace viscera::app

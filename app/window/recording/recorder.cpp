@@ -6,9 +6,9 @@
 #include <cmath>
 
 #include "viscera/core/error.h"
+#include "viscera/motion/volume_record.h"
+#include "viscera/motion/volume_table.h"
 #include "viscera/scene/movie_writer.h"
-#include "viscera/session/volume_record.h"
-#include "viscera/session/volume_table.h"
 
 namespace viscera::app {
 namespace {
@@ -84,7 +84,7 @@ std::vector<double> showAt(const Take& take, double seconds) {
 /// go when this returns or throws.
 int record(Take take, Progress& progress) {
   const auto writer = openMovie(take.plan);
-  session::VolumeRecord volumes(take.names);
+  motion::VolumeRecord volumes(take.names);
   for (int frame = 0; frame < take.frames; ++frame) {
     progress.throwIfCancelled();
     const double seconds = frame * take.secondsAFrame;
@@ -102,7 +102,7 @@ int record(Take take, Progress& progress) {
     writer->finish(closing);
   }
   if (take.plan.table || !writer)
-    session::writeVolumeTable((writer ? take.plan.tableFile() : take.plan.file).toStdString(), volumes);
+    motion::writeVolumeTable((writer ? take.plan.tableFile() : take.plan.file).toStdString(), volumes);
   return take.frames;
 }
 
@@ -123,7 +123,7 @@ bool Recorder::start(const RecordingPlan& plan, const std::vector<RecordingStage
   jobs_.submit<int>(
       tr("Recording %1").arg(QFileInfo(plan.file).fileName()).toStdString(), kSlot,
       [take](Progress& progress) { return record(std::move(*take), progress); },
-      [this, plan](const session::JobResult<int>& result) { end(result, plan); });
+      [this, plan](const JobResult<int>& result) { end(result, plan); });
   Q_EMIT stateChanged();
   return true;
 }
@@ -132,7 +132,7 @@ void Recorder::cancel() {
   jobs_.cancelSlot(kSlot);
 }
 
-void Recorder::end(const session::JobResult<int>& result, const RecordingPlan& plan) {
+void Recorder::end(const JobResult<int>& result, const RecordingPlan& plan) {
   running_ = false;
   if (result.error)
     workspace_.report(*result.error);

@@ -5,7 +5,7 @@
 #include <memory>
 #include <vector>
 
-#include "viscera/session/job_queue.h"
+#include "viscera/core/job_queue.h"
 #include "window/recording/recording_plan.h"
 #include "window/recording/recording_stage.h"
 
@@ -25,7 +25,7 @@ public:
   bool running() const { return running_; }
   void cancel();
   /// The jobs of the recorder, for the status bar.
-  session::JobQueue& jobs() { return jobs_; }
+  JobQueue& jobs() { return jobs_; }
 
 Q_SIGNALS:
   void stateChanged();
@@ -36,9 +36,9 @@ private:
   Workspace& workspace_;
   bool running_ = false;
   /// Last: it waits for its thread before anything else goes.
-  session::JobQueue jobs_;
+  JobQueue jobs_;
 
-  void end(const session::JobResult<int>& result, const RecordingPlan& plan);
+  void end(const JobResult<int>& result, const RecordingPlan& plan);
 };
 
 } // namespace viscera::app

@@ -22,7 +22,7 @@ constexpr double kCaptionMargin = 16;
 
 RecordingStage::RecordingStage(const Source& source)
     : sequence_(source.playback.motion().sequence), rate_(source.playback.player().ratePerMinute()) {
-  session::LiveBinding& live = source.workspace.live();
+  live::LiveBinding& live = source.workspace.live();
   for (const auto& organ : source.workspace.document().organs()) {
     Surface surface{organ, nullptr, nullptr, live.volume(organ->id).nowMl};
     const deformation::Deformer* bound = live.deformer(organ->id);
@@ -60,9 +60,9 @@ void RecordingStage::prepareView(const Source& source, const QSize& size, bool c
     addCaption(source.view.theme().text);
 }
 
-void RecordingStage::addLabels(const session::Document& document) {
+void RecordingStage::addLabels(const document::Document& document) {
   labels_ = std::make_unique<scene::OrganLabels>(*view_);
-  labels_->setItems(labelItems(document, [this](session::OrganId id) {
+  labels_->setItems(labelItems(document, [this](document::OrganId id) {
     for (const Surface& surface : surfaces_)
       if (surface.organ->id == id)
         return std::shared_ptr<const scene::OrganActor>(surface.actor);
@@ -90,7 +90,7 @@ void RecordingStage::openWindow() {
 void RecordingStage::addActors(const Source& source) {
   for (Surface& surface : surfaces_) {
     surface.actor = std::make_shared<scene::OrganActor>(surface.organ->mesh);
-    const session::OrganLook& look = surface.organ->look;
+    const document::OrganLook& look = surface.organ->look;
     surface.actor->setColor(look.color);
     surface.actor->setVertexColorsShown(look.vertexColors);
     surface.actor->setOpacity(look.opacity);
@@ -143,10 +143,10 @@ void RecordingStage::writeCaption() {
 }
 
 void RecordingStage::measure() {
-  const auto isShown = [](session::OrganId id) {
+  const auto isShown = [](document::OrganId id) {
     return [id](const Surface& surface) { return surface.organ->id == id; };
   };
-  measurements_->setItems(measurementItems(measured_, [&](session::OrganId id) -> const Points& {
+  measurements_->setItems(measurementItems(measured_, [&](document::OrganId id) -> const Points& {
     return std::find_if(surfaces_.begin(), surfaces_.end(), isShown(id))->actor->points();
   }));
 }

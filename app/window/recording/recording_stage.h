@@ -53,14 +53,14 @@ public:
 
 private:
   struct Surface {
-    std::shared_ptr<const session::Organ> organ;
+    std::shared_ptr<const document::Organ> organ;
     std::shared_ptr<deformation::Deformer> deformer; ///< Null: it does not move.
     std::shared_ptr<scene::OrganActor> actor;
     double stillMl = 0; ///< Of one that does not move.
   };
 
   void addActors(const Source& source);
-  void addLabels(const session::Document& document);
+  void addLabels(const document::Document& document);
   void addCaption(const Vec3& color);
   void openWindow();
   void measure();
@@ -76,7 +76,7 @@ private:
   std::unique_ptr<scene::OrganView> view_;
   std::unique_ptr<scene::OrganLabels> labels_;
   std::unique_ptr<scene::MeasurementGlyphs> measurements_;
-  session::DocumentState measured_; ///< What is measured on which organs.
+  document::DocumentState measured_; ///< What is measured on which organs.
   vtkNew<vtkTextActor> caption_;
   bool captionShown_ = false;
   Points pose_;

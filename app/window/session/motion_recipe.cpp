@@ -3,15 +3,15 @@
 #include <nlohmann/json.hpp>
 
 #include "viscera/core/error.h"
-#include "viscera/session/sequence_setup.h"
+#include "viscera/motion/sequence_setup.h"
 
 namespace viscera::app {
 namespace {
 
 using nlohmann::json;
 
-session::Landmarks landmarksOf(const json& list) {
-  session::Landmarks landmarks;
+motion::Landmarks landmarksOf(const json& list) {
+  motion::Landmarks landmarks;
   for (const json& item : list) {
     const auto at = item.at("position").get<std::array<double, 3>>();
     landmarks.points.push_back({item.at("role").get<std::string>(), {at[0], at[1], at[2]}, false});
@@ -21,28 +21,28 @@ session::Landmarks landmarksOf(const json& list) {
 
 } // namespace
 
-std::string sampleRecipe(const std::string& sequence, organs::Resolution resolution) {
-  return json{{"sequence", sequence}, {"resolution", organs::nameOf(resolution)}}.dump();
+std::string sampleRecipe(const std::string& sequence, sample_organs::Resolution resolution) {
+  return json{{"sequence", sequence}, {"resolution", sample_organs::nameOf(resolution)}}.dump();
 }
 
-std::string fittedRecipe(const std::string& sequence, const session::Landmarks& given) {
+std::string fittedRecipe(const std::string& sequence, const motion::Landmarks& given) {
   json landmarks = json::array();
-  for (const session::Landmark& point : given.points)
+  for (const motion::Landmark& point : given.points)
     landmarks.push_back(
         {{"role", point.role}, {"position", {point.position.x(), point.position.y(), point.position.z()}}});
   return json{{"sequence", sequence}, {"landmarks", landmarks}}.dump();
 }
 
-std::shared_ptr<const sequences::Sequence> makeMotion(const std::string& recipe, const session::Organ& organ,
-                                                      const organs::SampleLibrary& library,
+std::shared_ptr<const sequences::Sequence> makeMotion(const std::string& recipe, const document::Organ& organ,
+                                                      const sample_organs::SampleLibrary& library,
                                                       Progress& progress) {
   try {
     const json made = json::parse(recipe);
     const auto id = made.at("sequence").get<std::string>();
     if (made.contains("landmarks"))
-      return session::retargetSequence(id, organ, landmarksOf(made.at("landmarks")), progress).sequence;
-    const auto resolution = organs::resolutionFromName(made.at("resolution").get<std::string>());
-    return session::setUpSequence(library, id, resolution, progress).sequence;
+      return motion::retargetSequence(id, organ, landmarksOf(made.at("landmarks")), progress).sequence;
+    const auto resolution = sample_organs::resolutionFromName(made.at("resolution").get<std::string>());
+    return motion::setUpSequence(library, id, resolution, progress).sequence;
   } catch (const json::exception&) {
     throw DataError("the motion of an organ cannot be made again: nothing is known of how it was made",
                     organ.name, "choose it again in Play mode");

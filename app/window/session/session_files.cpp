@@ -19,7 +19,7 @@ constexpr int kLookMilliseconds = 1000;
 constexpr int kSavedSeconds = 4;
 constexpr std::size_t kShownWarnings = 4;
 
-session::JobQueue::Post postTo(QObject* receiver) {
+JobQueue::Post postTo(QObject* receiver) {
   return [receiver](std::function<void()> work) {
     QMetaObject::invokeMethod(receiver, std::move(work), Qt::QueuedConnection);
   };
@@ -29,7 +29,7 @@ double steadySeconds() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
-QDateTime dateOf(const session::Recovery& recovery) {
+QDateTime dateOf(const document::Recovery& recovery) {
   const auto age = std::filesystem::file_time_type::clock::now() - recovery.written;
   return QDateTime::currentDateTime().addSecs(-std::chrono::duration_cast<std::chrono::seconds>(age).count());
 }
@@ -54,8 +54,8 @@ bool SessionFiles::modified() const {
   return !workspace_.undo().isClean();
 }
 
-session::SessionContents SessionFiles::contents() const {
-  session::SessionContents contents;
+document::SessionContents SessionFiles::contents() const {
+  document::SessionContents contents;
   contents.state = workspace_.state();
   contents.view = view_.gather();
   contents.embedSurfaces = embed_;
@@ -82,22 +82,22 @@ void SessionFiles::chooseAndSave(std::function<void()> then) {
                                               linked + QStringLiteral(";;") + embedded, &chosen);
   if (file.isEmpty())
     return;
-  if (!session::isSessionFile(file.toStdString()))
+  if (!document::isSessionFile(file.toStdString()))
     file += QLatin1String(kEnding);
   saveTo(file, chosen == embedded, std::move(then));
 }
 
 void SessionFiles::saveTo(const QString& file, bool embed, std::function<void()> then) {
-  session::SessionContents saved = contents();
+  document::SessionContents saved = contents();
   saved.embedSurfaces = embed;
-  const session::DocumentState state = saved.state;
+  const document::DocumentState state = saved.state;
   writes_.submit<bool>(
       tr("Saving %1").arg(QFileInfo(file).fileName()).toStdString(), {},
       [path = file.toStdString(), saved = std::move(saved)](Progress& progress) {
-        session::writeSession(path, saved, progress);
+        document::writeSession(path, saved, progress);
         return true;
       },
-      [this, file, embed, state, then = std::move(then)](session::JobResult<bool> result) {
+      [this, file, embed, state, then = std::move(then)](JobResult<bool> result) {
         if (result.error)
           workspace_.report(*result.error);
         if (!result.value)
@@ -108,7 +108,7 @@ void SessionFiles::saveTo(const QString& file, bool embed, std::function<void()>
       });
 }
 
-void SessionFiles::wrote(const QString& file, bool embed, const session::DocumentState& state) {
+void SessionFiles::wrote(const QString& file, bool embed, const document::DocumentState& state) {
   file_ = QFileInfo(file).absoluteFilePath();
   embed_ = embed;
   settings_.setValue(kFolderKey, QFileInfo(file_).absolutePath());
@@ -162,13 +162,13 @@ void SessionFiles::begin() {
   });
 }
 
-void SessionFiles::read(const QString& file, std::optional<session::Recovery> recovery) {
-  workspace_.jobs().submit<session::OpenedSession>(
+void SessionFiles::read(const QString& file, std::optional<document::Recovery> recovery) {
+  workspace_.jobs().submit<document::OpenedSession>(
       tr("Opening %1").arg(QFileInfo(file).fileName()).toStdString(), "open",
-      [path = file.toStdString(), library = organs::standardLibrary()](Progress& progress) {
-        return session::readSession(path, library, progress);
+      [path = file.toStdString(), library = sample_organs::standardLibrary()](Progress& progress) {
+        return document::readSession(path, library, progress);
       },
-      [this, file, recovery](session::JobResult<session::OpenedSession> result) {
+      [this, file, recovery](JobResult<document::OpenedSession> result) {
         if (result.error)
           workspace_.report(*result.error);
         if (!result.value)
@@ -182,7 +182,7 @@ void SessionFiles::read(const QString& file, std::optional<session::Recovery> re
       });
 }
 
-void SessionFiles::take(const session::OpenedSession& session, const QString& file) {
+void SessionFiles::take(const document::OpenedSession& session, const QString& file) {
   takeContents(session.contents, file);
   if (!file.isEmpty()) {
     settings_.addRecentFiles({file});
@@ -195,7 +195,7 @@ void SessionFiles::take(const session::OpenedSession& session, const QString& fi
 }
 
 /// The document of a session in place of the one before; nothing of that one is left.
-void SessionFiles::takeContents(const session::SessionContents& contents, const QString& file) {
+void SessionFiles::takeContents(const document::SessionContents& contents, const QString& file) {
   if (autosave_)
     autosave_->clear();
   playback_.forgetAll();
@@ -220,8 +220,8 @@ void SessionFiles::sayWarnings(const std::vector<std::string>& warnings) {
 }
 
 void SessionFiles::startAutosave(const std::filesystem::path& folder, double delaySeconds) {
-  recoveries_ = session::findRecoveries(folder);
-  autosave_ = std::make_unique<session::Autosave>(folder, postTo(this), steadySeconds, delaySeconds);
+  recoveries_ = document::findRecoveries(folder);
+  autosave_ = std::make_unique<document::Autosave>(folder, postTo(this), steadySeconds, delaySeconds);
   timer_.start(kLookMilliseconds);
   onUndo();
   Q_EMIT changed();
@@ -230,7 +230,7 @@ void SessionFiles::startAutosave(const std::filesystem::path& folder, double del
 void SessionFiles::autosaveIfDue() {
   if (!autosave_ || !autosave_->due() || workspace_.undo().stepOpen())
     return;
-  session::SessionContents kept = contents();
+  document::SessionContents kept = contents();
   kept.recovers = file_.toStdString();
   autosave_->write(std::move(kept), [this](std::shared_ptr<const Error> error) {
     if (error && !autosaveFailed_)
@@ -260,7 +260,7 @@ void SessionFiles::offerRecovery() {
   message.text = tr("Viscera ended without saving. The work of %1 is still there.").arg(when);
   message.offers.push_back({tr("Bring it back"), [this] { recover(); }});
   message.offers.push_back({tr("Throw it away"), [this] {
-                              session::discard(recoveries_.front());
+                              document::discard(recoveries_.front());
                               recoveries_.erase(recoveries_.begin());
                               Q_EMIT changed();
                               offerRecovery();
@@ -272,7 +272,7 @@ void SessionFiles::recover() {
   if (recoveries_.empty())
     return;
   whenSaved([this] {
-    const session::Recovery recovery = recoveries_.front();
+    const document::Recovery recovery = recoveries_.front();
     recoveries_.erase(recoveries_.begin());
     read(QString::fromStdString(recovery.file.string()), recovery);
     Q_EMIT changed();

@@ -9,8 +9,8 @@
 #include <optional>
 #include <vector>
 
-#include "viscera/session/autosave.h"
-#include "viscera/session/session_file.h"
+#include "viscera/document/autosave.h"
+#include "viscera/document/session_file.h"
 #include "window/session/view_state.h"
 #include "window/settings.h"
 #include "window/workspace.h"
@@ -41,7 +41,7 @@ public:
   /// Whether all surfaces are kept inside the file.
   bool embeds() const { return embed_; }
   /// Everything that is saved, as it is now.
-  session::SessionContents contents() const;
+  document::SessionContents contents() const;
 
   /// Saves to the session's file, or asks for one. `then` follows once it is saved.
   void save(std::function<void()> then = {});
@@ -58,7 +58,7 @@ public:
 
   /// From now on the work is kept in recovery files in this folder.
   void startAutosave(const std::filesystem::path& folder,
-                     double delaySeconds = session::Autosave::kDelaySeconds);
+                     double delaySeconds = document::Autosave::kDelaySeconds);
   /// Offers what an earlier run of the program has left.
   void offerRecovery();
   bool recoverable() const { return !recoveries_.empty(); }
@@ -82,10 +82,10 @@ public Q_SLOTS:
   void sampleLoaded(const QString& name, bool untouched);
 
 private:
-  void read(const QString& file, std::optional<session::Recovery> recovery);
-  void take(const session::OpenedSession& session, const QString& file);
-  void takeContents(const session::SessionContents& contents, const QString& file);
-  void wrote(const QString& file, bool embed, const session::DocumentState& state);
+  void read(const QString& file, std::optional<document::Recovery> recovery);
+  void take(const document::OpenedSession& session, const QString& file);
+  void takeContents(const document::SessionContents& contents, const QString& file);
+  void wrote(const QString& file, bool embed, const document::DocumentState& state);
   void sayWarnings(const std::vector<std::string>& warnings);
   void onUndo();
   void autosaveIfDue();
@@ -98,15 +98,15 @@ private:
   QWidget* window_;
   QString file_;
   bool embed_ = false;
-  std::vector<session::MissingOrgan> missing_;
-  session::JobQueue writes_; ///< Of its own: saving waits for no long work.
-  std::unique_ptr<session::Autosave> autosave_;
-  std::vector<session::Recovery> recoveries_;
+  std::vector<document::MissingOrgan> missing_;
+  JobQueue writes_; ///< Of its own: saving waits for no long work.
+  std::unique_ptr<document::Autosave> autosave_;
+  std::vector<document::Recovery> recoveries_;
   std::function<Answer(const QString&)> question_;
   bool autosaveFailed_ = false; ///< It was said.
   bool wasModified_ = false;
   QTimer timer_;
-  session::Subscription subscription_;
+  Subscription subscription_;
 };
 
 } // namespace viscera::app

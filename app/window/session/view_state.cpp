@@ -41,7 +41,7 @@ ordered_json rowsJson(const Points& points) {
 /// The motions that a view asks for, and what is to be seen of the present one.
 struct ViewState::Wanted {
   struct Motion {
-    std::shared_ptr<const session::Organ> organ;
+    std::shared_ptr<const document::Organ> organ;
     std::string recipe;
     std::shared_ptr<const sequences::Sequence> sequence; ///< Once it is made.
   };
@@ -56,7 +56,7 @@ struct ViewState::Wanted {
 ViewState::ViewState(Window window, QObject* parent) : QObject(parent), window_(std::move(window)) {}
 
 std::string ViewState::gather() const {
-  const session::Selection& selection = window_.workspace.selection();
+  const document::Selection& selection = window_.workspace.selection();
   ordered_json view;
   for (const ModeDescription& description : modeDescriptions())
     if (description.mode == window_.mode())
@@ -69,10 +69,10 @@ std::string ViewState::gather() const {
   view["stress"] = stressJson(window_.stress.look());
   view["selection"] = {{"organ", selection.organ().value}, {"group", selection.group().value}};
   view["selection"]["handles"] = ordered_json::array();
-  for (const session::HandleId id : selection.handles())
+  for (const document::HandleId id : selection.handles())
     view["selection"]["handles"].push_back(id.value);
   const auto motions = window_.playback.motions();
-  const session::Player& player = window_.playback.player();
+  const motion::Player& player = window_.playback.player();
   ordered_json list = ordered_json::array();
   int present = -1;
   for (const Playback::Motion& motion : motions) {
@@ -106,7 +106,7 @@ void ViewState::apply(const std::string& text) {
       window_.stress.setLook(stressLookOf(view.at("stress")));
     if (view.contains("selection")) {
       const ordered_json& chosen = view.at("selection");
-      std::vector<session::HandleId> handles;
+      std::vector<document::HandleId> handles;
       for (const ordered_json& id : chosen.at("handles"))
         handles.push_back({id.get<std::int64_t>()});
       window_.workspace.selection().setOrgan({chosen.at("organ").get<std::int64_t>()});
@@ -140,14 +140,14 @@ void ViewState::makeMotions(const Wanted& wanted) {
     return show(wanted);
   window_.workspace.jobs().submit<Wanted>(
       tr("Preparing the motion").toStdString(), "motions",
-      [wanted, library = organs::standardLibrary()](Progress& progress) {
+      [wanted, library = sample_organs::standardLibrary()](Progress& progress) {
         Wanted made = wanted;
         for (Wanted::Motion& motion : made.motions)
           if (motion.organ)
             motion.sequence = makeMotion(motion.recipe, *motion.organ, library, progress);
         return made;
       },
-      [this](session::JobResult<Wanted> result) {
+      [this](JobResult<Wanted> result) {
         if (result.error)
           window_.workspace.report(*result.error);
         if (result.value)

@@ -27,7 +27,7 @@ ProbeCard::ProbeCard(StressModel& model, QWidget* parent)
   grid->addWidget(place_, 0, 0);
   grid->addWidget(close, 0, 1, Qt::AlignRight);
   int row = 1;
-  for (const session::StressQuantityDescription& quantity : session::stressQuantities()) {
+  for (const live::StressQuantityDescription& quantity : live::stressQuantities()) {
     auto* name = new QLabel(text(quantity.name), this);
     name->setObjectName(QStringLiteral("muted"));
     auto* value = new QLabel(this);
@@ -62,9 +62,9 @@ void ProbeCard::sync() {
                          .arg(axis(at.x(), tr("L"), tr("R")), axis(at.y(), tr("P"), tr("A")),
                               axis(at.z(), tr("S"), tr("I"))));
   for (std::size_t i = 0; i < values_.size(); ++i) {
-    const session::StressQuantityDescription& quantity = session::stressQuantities()[i];
-    const double value = session::quantityAt(map, quantity.quantity, point);
-    if (quantity.quantity == session::StressQuantity::folded)
+    const live::StressQuantityDescription& quantity = live::stressQuantities()[i];
+    const double value = live::quantityAt(map, quantity.quantity, point);
+    if (quantity.quantity == live::StressQuantity::folded)
       values_[i]->setText(value > 0 ? tr("yes") : tr("no"));
     else
       values_[i]->setText(quantity.unit.empty()

@@ -30,7 +30,7 @@ QString numbersOf(const Vec3& normal) {
 
 StressLook loadStressLook(const Settings& settings) {
   StressLook look;
-  look.quantity = session::stressQuantityFromId(settings.value("stress/quantity").toString().toStdString());
+  look.quantity = live::stressQuantityFromId(settings.value("stress/quantity").toString().toStdString());
   look.onSurface = settings.value("stress/onSurface", look.onSurface).toBool();
   look.cut = settings.value("stress/cut", look.cut).toBool();
   look.style = settings.value("stress/cutStyle").toString() == QLatin1String("crinkle")
@@ -45,12 +45,12 @@ StressLook loadStressLook(const Settings& settings) {
   look.handles = settings.value("stress/handles", look.handles).toBool();
   look.others = settings.value("stress/others", look.others).toBool();
   look.witnesses = std::clamp(settings.value("stress/witnesses", look.witnesses).toInt(),
-                              session::WitnessOptions::kFewest, session::WitnessOptions::kMost);
+                              live::WitnessOptions::kFewest, live::WitnessOptions::kMost);
   return look;
 }
 
 void saveStressLook(const StressLook& look, Settings& settings) {
-  settings.setValue("stress/quantity", QString::fromStdString(session::describe(look.quantity).id));
+  settings.setValue("stress/quantity", QString::fromStdString(live::describe(look.quantity).id));
   settings.setValue("stress/onSurface", look.onSurface);
   settings.setValue("stress/cut", look.cut);
   settings.setValue("stress/cutStyle", look.style == scene::CutStyle::crinkle ? QStringLiteral("crinkle")

@@ -1,9 +1,9 @@
 #pragma once
 
 #include "viscera/core/arrays.h"
+#include "viscera/live/stress_quantity.h"
+#include "viscera/live/witness_sampling.h"
 #include "viscera/scene/tissue_actor.h"
-#include "viscera/session/stress_quantity.h"
-#include "viscera/session/witness_sampling.h"
 #include "window/settings.h"
 
 namespace viscera::app {
@@ -13,7 +13,7 @@ enum class GlyphChoice { none, ellipsoids, crosses };
 
 /// How a stress map is looked at: kept in the settings, not in the document.
 struct StressLook {
-  session::StressQuantity quantity = session::StressQuantity::rotationalStress;
+  live::StressQuantity quantity = live::StressQuantity::rotationalStress;
   bool onSurface = true; ///< The map on the organ's own surface instead of on the outer tetrahedra.
   bool pinned = false;   ///< The legend's range stays as it is.
   bool cut = true;
@@ -26,7 +26,7 @@ struct StressLook {
   GlyphChoice glyphs = GlyphChoice::none;
   bool handles = true;
   bool others = false; ///< The other organs stay in the picture.
-  int witnesses = session::WitnessOptions().wanted;
+  int witnesses = live::WitnessOptions().wanted;
 
   bool operator==(const StressLook&) const = default;
 };

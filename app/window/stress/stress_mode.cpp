@@ -43,7 +43,7 @@ void StressMode::changeLook(const std::function<void(StressLook&)>& change) {
 void StressMode::makeActions() {
   actions_.add("stress.next", {tr("&Next map"), "stress", {Qt::Key_M}, tr("The next stress map")}, [this] {
     changeLook([](StressLook& look) {
-      const auto& all = session::stressQuantities();
+      const auto& all = live::stressQuantities();
       look.quantity = all[(static_cast<std::size_t>(look.quantity) + 1) % all.size()].quantity;
     });
   });
@@ -78,7 +78,7 @@ void StressMode::makeActions() {
       model_.look().threshold, [this](bool on) {
         changeLook([&](StressLook& look) {
           look.threshold = on;
-          const bool smallest = look.quantity == session::StressQuantity::stretchMin;
+          const bool smallest = look.quantity == live::StressQuantity::stretchMin;
           look.below = smallest;
           look.limit = model_.ready() ? model_.summary().mean : 0;
         });

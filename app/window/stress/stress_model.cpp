@@ -28,9 +28,9 @@ StressModel::StressModel(Workspace& workspace, Playback& playback, Settings& set
       record_.clear();
     Q_EMIT updated();
   });
-  subscriptions_.push_back(live_.onEvent([this](const session::StressEvent& event) { onStress(event); }));
+  subscriptions_.push_back(live_.onEvent([this](const live::StressEvent& event) { onStress(event); }));
   subscriptions_.push_back(workspace.selection().onChange([this] { follow(); }));
-  subscriptions_.push_back(workspace.onChange([this](const session::Change& change) {
+  subscriptions_.push_back(workspace.onChange([this](const document::Change& change) {
     if (change.organs())
       follow();
   }));
@@ -52,7 +52,7 @@ void StressModel::setActive(bool active) {
 
 void StressModel::follow() {
   const auto organ = active_ ? workspace_.currentOrgan() : nullptr;
-  live_.follow(organ ? organ->id : session::OrganId{});
+  live_.follow(organ ? organ->id : document::OrganId{});
 }
 
 void StressModel::setLook(const StressLook& look) {
@@ -72,7 +72,7 @@ void StressModel::setLook(const StressLook& look) {
   Q_EMIT updated();
 }
 
-void StressModel::onStress(const session::StressEvent& event) {
+void StressModel::onStress(const live::StressEvent& event) {
   if (event.peak)
     peakShown_ = live_.peak() != nullptr;
   if (event.sampled) {
@@ -101,18 +101,18 @@ const deformation::StressMap& StressModel::shownMap() const {
 
 /// The numbers of this instant. They keep their place in memory, so that nobody has to look for them anew.
 void StressModel::recompute() {
-  const session::StressQuantityDescription& quantity = session::describe(look_.quantity);
+  const live::StressQuantityDescription& quantity = live::describe(look_.quantity);
   const char* wanted = quantity.ratio ? "diverging" : "viridis";
   if (colors_.name != wanted) {
     colors_ = scene::colorMapByName(wanted);
     colors_.missing = kFoldedColor;
   }
-  session::quantityOf(shownMap(), look_.quantity, *values_);
+  live::quantityOf(shownMap(), look_.quantity, *values_);
   if (!ready()) {
     summary_ = {};
     return;
   }
-  summary_ = session::summaryOf(*values_, live_.mesh()->witnesses);
+  summary_ = live::summaryOf(*values_, live_.mesh()->witnesses);
   if (!look_.pinned || range_.high <= range_.low)
     range_ = steppedRange(look_.quantity, {summary_.percentile5, summary_.percentile95}, range_);
 }
@@ -124,12 +124,12 @@ int StressModel::folded() const {
 }
 
 QString StressModel::title() const {
-  const QString name = text(session::describe(look_.quantity).name);
+  const QString name = text(live::describe(look_.quantity).name);
   return peakShown() ? tr("Peak of %1").arg(name.left(1).toLower() + name.mid(1)) : name;
 }
 
 QString StressModel::format(double value) const {
-  const session::StressQuantityDescription& quantity = session::describe(look_.quantity);
+  const live::StressQuantityDescription& quantity = live::describe(look_.quantity);
   const QString number = QString::number(value, 'f', quantity.decimals);
   return quantity.unit.empty() ? number : tr("%1 %2").arg(number, text(quantity.unit));
 }
@@ -155,7 +155,7 @@ void StressModel::findPeak() {
 }
 
 void StressModel::sample() {
-  if (!active_ || live_.status().state != session::StressStatus::State::ready)
+  if (!active_ || live_.status().state != live::StressStatus::State::ready)
     return;
   const double seconds = playback_.player().playedSeconds();
   const auto& samples = record_.samples();

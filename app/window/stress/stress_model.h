@@ -6,8 +6,8 @@
 #include <memory>
 #include <optional>
 
+#include "viscera/live/live_stress.h"
 #include "viscera/scene/color_map.h"
-#include "viscera/session/live_stress.h"
 #include "window/settings.h"
 #include "window/stress/stress_look.h"
 #include "window/timeline/playback.h"
@@ -28,8 +28,8 @@ public:
   void setActive(bool active);
   bool active() const { return active_; }
 
-  session::LiveStress& live() { return live_; }
-  const session::LiveStress& live() const { return live_; }
+  live::LiveStress& live() { return live_; }
+  const live::LiveStress& live() const { return live_; }
   const StressLook& look() const { return look_; }
   void setLook(const StressLook& look);
 
@@ -38,7 +38,7 @@ public:
   /// The numbers that are shown, one a point of the mesh, in the quantity's unit.
   std::shared_ptr<const Values> values() const { return values_; }
   /// Of the witnesses among them.
-  const session::QuantitySummary& summary() const { return summary_; }
+  const live::QuantitySummary& summary() const { return summary_; }
   /// Witnesses that are folded in what is shown.
   int folded() const;
   /// The legend: its colours and range. `missing` of the colours is for what is folded.
@@ -57,7 +57,7 @@ public:
   const deformation::StressMap& shownMap() const;
 
   /// The stress of the witnesses while a sequence played.
-  const session::StressRecord& record() const { return record_; }
+  const live::StressRecord& record() const { return record_; }
 
   /// The point that is being looked at, -1: none.
   int probe() const { return probe_; }
@@ -77,25 +77,25 @@ Q_SIGNALS:
 
 private:
   void follow();
-  void onStress(const session::StressEvent& event);
+  void onStress(const live::StressEvent& event);
   void recompute();
   void sample();
 
   Workspace& workspace_;
   Playback& playback_;
   Settings& settings_;
-  session::LiveStress& live_;
+  live::LiveStress& live_;
   StressLook look_;
   bool active_ = false;
   bool peakShown_ = false;
   std::shared_ptr<Values> values_ = std::make_shared<Values>();
-  session::QuantitySummary summary_;
+  live::QuantitySummary summary_;
   scene::ColorMap colors_;
   scene::ValueRange range_{0, 0};
-  session::StressRecord record_;
+  live::StressRecord record_;
   int probe_ = -1;
   QTimer throttle_;
-  std::vector<session::Subscription> subscriptions_;
+  std::vector<Subscription> subscriptions_;
 };
 
 } // namespace viscera::app

@@ -20,7 +20,7 @@
 namespace viscera::app {
 namespace {
 
-using Options = session::WitnessOptions;
+using Options = live::WitnessOptions;
 /// Steps of the slider between the fewest and the most witnesses: it goes by factors.
 constexpr int kCountSteps = 100;
 constexpr int kRound = 100;
@@ -37,13 +37,13 @@ int stepOf(int count) {
                                       std::log(double(Options::kMost) / Options::kFewest)));
 }
 
-QString nameOf(session::WitnessOrigin origin) {
+QString nameOf(live::WitnessOrigin origin) {
   switch (origin) {
-  case session::WitnessOrigin::surface:
+  case live::WitnessOrigin::surface:
     return StressPage::tr("TetGen");
-  case session::WitnessOrigin::repairedSurface:
+  case live::WitnessOrigin::repairedSurface:
     return StressPage::tr("TetGen, surface repaired");
-  case session::WitnessOrigin::grid:
+  case live::WitnessOrigin::grid:
     return StressPage::tr("regular grid");
   }
   return {};
@@ -88,7 +88,7 @@ void StressPage::changeLook(const std::function<void(StressLook&)>& change) {
 void StressPage::makeMap(const Actions& actions) {
   addSection(tr("Map"));
   QStringList names;
-  for (const session::StressQuantityDescription& quantity : session::stressQuantities())
+  for (const live::StressQuantityDescription& quantity : live::stressQuantities())
     names.push_back(text(quantity.name));
   quantity_ = makeChoice(tr("Map"), names, this);
   quantity_->setObjectName(QStringLiteral("stressQuantity"));
@@ -97,7 +97,7 @@ void StressPage::makeMap(const Actions& actions) {
          "by which a direction is turned when the tissue is stretched; it is no pressure."));
   connect(quantity_, QOverload<int>::of(&QComboBox::activated), this, [this](int index) {
     changeLook([index](StressLook& look) {
-      look.quantity = session::stressQuantities()[static_cast<std::size_t>(index)].quantity;
+      look.quantity = live::stressQuantities()[static_cast<std::size_t>(index)].quantity;
     });
   });
   add(quantity_);
@@ -308,8 +308,8 @@ void StressPage::syncThreshold() {
 }
 
 void StressPage::syncStatus() {
-  using State = session::StressStatus::State;
-  const session::StressStatus& status = model_.live().status();
+  using State = live::StressStatus::State;
+  const live::StressStatus& status = model_.live().status();
   QString state;
   switch (status.state) {
   case State::off:
@@ -360,7 +360,7 @@ void StressPage::syncStatus() {
 void StressPage::syncNumbers() {
   const QString none = QStringLiteral("-");
   const bool any = model_.ready();
-  const session::QuantitySummary& summary = model_.summary();
+  const live::QuantitySummary& summary = model_.summary();
   min_->setText(any ? model_.format(summary.min) : none);
   mean_->setText(any ? model_.format(summary.mean) : none);
   percentile_->setText(any ? model_.format(summary.percentile95) : none);

@@ -156,7 +156,7 @@ void StressScene::interpolateLater() {
   const auto work = [mesh, surface = organ->mesh](Progress&) -> Interpolation {
     return std::make_shared<const deformation::WitnessInterpolation>(*mesh, surface->points);
   };
-  const auto done = [self = QPointer<StressScene>(this), mesh](session::JobResult<Interpolation> result) {
+  const auto done = [self = QPointer<StressScene>(this), mesh](JobResult<Interpolation> result) {
     if (!self || !result.value || self->model_.live().mesh() != mesh)
       return;
     self->onSurface_ = *result.value;
@@ -349,7 +349,7 @@ void StressScene::syncLegend() {
   legendTitle_ = title;
   legendRange_ = range;
   legendFolded_ = folded;
-  legend.show(title, session::describe(model_.look().quantity).unit, model_.colors(), range);
+  legend.show(title, live::describe(model_.look().quantity).unit, model_.colors(), range);
   const auto& color = model_.colors().missing;
   legend.setMark(folded ? tr("folded").toStdString() : std::string(),
                  Vec3(color[0], color[1], color[2]) / 255);
@@ -378,7 +378,7 @@ void StressScene::onClick(const QPointF& place) {
     return model_.setProbe(inside->point);
   if (!surface)
     return model_.setProbe(-1);
-  const session::OrganId organ = organs_.organOf(surface->organ);
+  const document::OrganId organ = organs_.organOf(surface->organ);
   if (organ != model_.live().organ())
     return workspace_.selection().setOrgan(organ);
   const Points& points = model_.live().points();

@@ -20,11 +20,11 @@ double stepAbove(const double (&steps)[count], double value) {
 
 } // namespace
 
-scene::ValueRange steppedRange(session::StressQuantity quantity, scene::ValueRange bulk,
+scene::ValueRange steppedRange(live::StressQuantity quantity, scene::ValueRange bulk,
                                scene::ValueRange before) {
-  if (quantity == session::StressQuantity::folded)
+  if (quantity == live::StressQuantity::folded)
     return {0, 1};
-  const bool ratio = session::describe(quantity).ratio;
+  const bool ratio = live::describe(quantity).ratio;
   const double most =
       kWider * (ratio ? std::max(std::abs(bulk.low - 1), std::abs(bulk.high - 1)) : bulk.high);
   const double reach = ratio ? before.high - 1 : before.high;

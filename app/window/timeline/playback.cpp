@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "viscera/session/rig_commands.h"
+#include "viscera/document/rig_commands.h"
+#include "viscera/document/sequence_rig.h"
 
 namespace viscera::app {
 namespace {
@@ -13,13 +14,13 @@ constexpr double kStepSeconds = 1.0 / 25.0;
 constexpr std::size_t kMostMotions = 8;
 } // namespace
 
-Playback::Playback(Workspace& workspace, session::Player::Clock clock, QObject* parent)
+Playback::Playback(Workspace& workspace, motion::Player::Clock clock, QObject* parent)
     : QObject(parent), workspace_(workspace), player_(std::move(clock)),
       keeper_(workspace.document(), workspace.live()) {
   frames_.setTimerType(Qt::PreciseTimer);
   frames_.setInterval(kFrameMilliseconds);
   connect(&frames_, &QTimer::timeout, this, &Playback::advance);
-  subscription_ = workspace.onChange([this](const session::Change& change) {
+  subscription_ = workspace.onChange([this](const document::Change& change) {
     if (started_ && (change.rig() || !sequence()))
       stop();
     if (change.organs()) {
@@ -29,7 +30,7 @@ Playback::Playback(Workspace& workspace, session::Player::Clock clock, QObject* 
   });
 }
 
-void Playback::setSequence(std::shared_ptr<const sequences::Sequence> sequence, session::OrganId organ,
+void Playback::setSequence(std::shared_ptr<const sequences::Sequence> sequence, document::OrganId organ,
                            std::string recipe) {
   stop();
   const Motion motion{std::move(sequence), organ, std::move(recipe)};
@@ -38,7 +39,7 @@ void Playback::setSequence(std::shared_ptr<const sequences::Sequence> sequence, 
   Q_EMIT stateChanged();
 }
 
-void Playback::offer(std::shared_ptr<const sequences::Sequence> sequence, session::OrganId organ,
+void Playback::offer(std::shared_ptr<const sequences::Sequence> sequence, document::OrganId organ,
                      std::string recipe) {
   remember({std::move(sequence), organ, std::move(recipe)});
   Q_EMIT stateChanged();
@@ -158,7 +159,7 @@ bool Playback::start() {
   if (!sequence())
     return false;
   try {
-    session::requireFits(workspace_.document().rig(), *present_.sequence);
+    document::requireFits(workspace_.document().rig(), *present_.sequence);
   } catch (const Error&) {
     offerOwnHandles();
     return false;
@@ -176,8 +177,8 @@ void Playback::offerOwnHandles() {
       tr("%1 moves handles of its own, and these are others.").arg(text(present_.sequence->name()));
   message.offers.push_back(
       {tr("Use its handles"), [this] {
-         if (workspace_.perform(session::replaceRig(session::rigOf(*present_.sequence),
-                                                    tr("Use the sequence's handles").toStdString())))
+         if (workspace_.perform(document::replaceRig(document::rigOf(*present_.sequence),
+                                                     tr("Use the sequence's handles").toStdString())))
            play();
        }});
   workspace_.say(message);

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "viscera/session/player.h"
-#include "viscera/session/volume_keeper.h"
+#include "viscera/live/volume_keeper.h"
+#include "viscera/motion/player.h"
 #include "window/mode.h"
 #include "window/workspace.h"
 
@@ -24,20 +24,20 @@ public:
   /// A sequence and the organ that it moves.
   struct Motion {
     std::shared_ptr<const sequences::Sequence> sequence;
-    session::OrganId organ;
+    document::OrganId organ;
     /// How to make the sequence again (motion_recipe.h); empty for one that the document itself holds.
     std::string recipe;
   };
 
   /// `clock` in seconds; a test or a picture brings its own.
-  Playback(Workspace& workspace, session::Player::Clock clock, QObject* parent = nullptr);
+  Playback(Workspace& workspace, motion::Player::Clock clock, QObject* parent = nullptr);
 
   /// Takes a sequence and the organ that it belongs to, and makes it the present one; it is offered while
   /// that organ is in the document. Null: none is present.
-  void setSequence(std::shared_ptr<const sequences::Sequence> sequence, session::OrganId organ,
+  void setSequence(std::shared_ptr<const sequences::Sequence> sequence, document::OrganId organ,
                    std::string recipe = {});
   /// Takes a sequence to choose from, and leaves the present one.
-  void offer(std::shared_ptr<const sequences::Sequence> sequence, session::OrganId organ,
+  void offer(std::shared_ptr<const sequences::Sequence> sequence, document::OrganId organ,
              std::string recipe = {});
   /// Takes back a sequence that was set or offered.
   void forget(const sequences::Sequence* sequence);
@@ -53,7 +53,7 @@ public:
   Motion motion() const { return sequence() ? present_ : Motion{}; }
   /// The present one, for a worker that needs it longer; null when there is none.
   std::shared_ptr<const sequences::Sequence> sharedSequence() const { return motion().sequence; }
-  const session::Player& player() const { return player_; }
+  const motion::Player& player() const { return player_; }
   /// Whether the organs show the sequence's pose.
   bool showing() const { return started_ && follows(); }
 
@@ -102,10 +102,10 @@ private:
   void offerOwnHandles();
 
   Workspace& workspace_;
-  session::Player player_;
+  motion::Player player_;
   std::vector<Motion> known_; ///< Also those whose organ is gone: undo may bring it back.
   Motion present_;
-  session::VolumeKeeper keeper_;
+  live::VolumeKeeper keeper_;
   bool outOfReach_ = false; ///< It was said that a locked volume cannot be kept.
   Mode mode_ = Mode::explore;
   bool started_ = false;
@@ -113,7 +113,7 @@ private:
   Playback* follower_ = nullptr;
   Points pose_;
   QTimer frames_;
-  session::Subscription subscription_;
+  Subscription subscription_;
 };
 
 } // namespace viscera::app

@@ -45,14 +45,14 @@ void VolumeMonitor::setSecond(Workspace* workspace, Playback* playback) {
 
 void VolumeMonitor::watch(Side& side) {
   const bool first = &side == &sides_[0];
-  side.subscriptions.push_back(side.workspace->onChange([this, first](const session::Change& change) {
+  side.subscriptions.push_back(side.workspace->onChange([this, first](const document::Change& change) {
     if (change.organs())
       rebuild();
     const bool moved = change.pose() && !change.rig() && !change.organs();
     if (first && (moved || (dragging_ && !change.interactive)))
       sampleDrag(change.interactive);
   }));
-  side.subscriptions.push_back(side.workspace->live().onEvent([this](const session::LiveEvent&) {
+  side.subscriptions.push_back(side.workspace->live().onEvent([this](const live::LiveEvent&) {
     if (!throttle_.isActive())
       throttle_.start();
   }));
@@ -85,9 +85,9 @@ void VolumeMonitor::rebuild() {
   std::vector<std::string> names;
   for (const Line& line : lines_)
     names.push_back(line.name.toStdString());
-  record_ = session::VolumeRecord(names, kRows);
-  drags_ = session::VolumeRecord(std::move(names), kDragRows);
-  cycles_.assign(lines_.size(), session::CycleTrace());
+  record_ = motion::VolumeRecord(names, kRows);
+  drags_ = motion::VolumeRecord(std::move(names), kDragRows);
+  cycles_.assign(lines_.size(), motion::CycleTrace());
   extremes_.clear();
   refresh();
   Q_EMIT linesChanged();
@@ -105,7 +105,7 @@ void VolumeMonitor::refresh() {
 void VolumeMonitor::restart() {
   record_.clear();
   extremes_.clear();
-  for (session::CycleTrace& cycle : cycles_)
+  for (motion::CycleTrace& cycle : cycles_)
     cycle.clear();
 }
 
@@ -193,10 +193,10 @@ std::optional<scene::ValueRange> VolumeMonitor::range(std::size_t line) const {
   return extremes_[line];
 }
 
-std::optional<session::CardiacIndices> VolumeMonitor::indices(std::size_t line) const {
+std::optional<motion::CardiacIndices> VolumeMonitor::indices(std::size_t line) const {
   if (!lines_[line].cavity || !beatSeen(line))
     return std::nullopt;
-  return session::cardiacIndices({extremes_[line].low, extremes_[line].high}, sides_[lines_[line].side].rate);
+  return motion::cardiacIndices({extremes_[line].low, extremes_[line].high}, sides_[lines_[line].side].rate);
 }
 
 } // namespace viscera::app

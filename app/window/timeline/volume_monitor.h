@@ -8,10 +8,10 @@
 #include <optional>
 #include <vector>
 
+#include "viscera/motion/cardiac_indices.h"
+#include "viscera/motion/cycle_trace.h"
+#include "viscera/motion/volume_record.h"
 #include "viscera/scene/color_map.h"
-#include "viscera/session/cardiac_indices.h"
-#include "viscera/session/cycle_trace.h"
-#include "viscera/session/volume_record.h"
 #include "window/timeline/playback.h"
 #include "window/workspace.h"
 
@@ -26,7 +26,7 @@ class VolumeMonitor final : public QObject {
 public:
   /// One organ that is followed.
   struct Line {
-    session::OrganId organ;
+    document::OrganId organ;
     int side = 0; ///< 1: in the second view; `organ` is one of that view's document.
     QString name;
     Vec3 color = Vec3::Ones();
@@ -45,16 +45,16 @@ public:
   /// The first view's organs come first.
   const std::vector<Line>& lines() const { return lines_; }
   /// The record of the sequence as played; one column a line, the time is the first view's.
-  const session::VolumeRecord& record() const { return record_; }
+  const motion::VolumeRecord& record() const { return record_; }
   /// The record of the last changes of the pose, ten rows a second while one goes on: time stands still
   /// between them. One column a line.
-  const session::VolumeRecord& drags() const { return drags_; }
+  const motion::VolumeRecord& drags() const { return drags_; }
   /// A line over one cycle of its sequence, as far as its instants were seen at this rate.
-  const session::CycleTrace& cycle(std::size_t line) const { return cycles_[line]; }
+  const motion::CycleTrace& cycle(std::size_t line) const { return cycles_[line]; }
   /// The playback that moves a line's organ.
   const Playback& playbackOf(std::size_t line) const { return *sides_[lines_[line].side].playback; }
   /// Of a cavity, since the motion began or its rate changed; none before one whole beat was played.
-  std::optional<session::CardiacIndices> indices(std::size_t line) const;
+  std::optional<motion::CardiacIndices> indices(std::size_t line) const;
   /// The smallest and the largest volume since then, ml; none before one whole beat was played.
   std::optional<scene::ValueRange> range(std::size_t line) const;
   /// Volumes as they are this moment.
@@ -73,7 +73,7 @@ private:
     Playback* playback = nullptr;
     double since = 0; ///< Seconds played when its extremes began to be kept.
     double rate = 0;  ///< For which they are kept.
-    std::vector<session::Subscription> subscriptions;
+    std::vector<Subscription> subscriptions;
   };
 
   void watch(Side& side);
@@ -89,12 +89,12 @@ private:
 
   std::array<Side, 2> sides_;
   std::vector<Line> lines_;
-  session::VolumeRecord record_;
-  session::VolumeRecord drags_;
+  motion::VolumeRecord record_;
+  motion::VolumeRecord drags_;
   QElapsedTimer sinceDragged_; ///< Since the last row of a drag that goes on.
   bool dragging_ = false;
   std::vector<scene::ValueRange> extremes_; ///< For each line; frames do not meet the extremes in every beat.
-  std::vector<session::CycleTrace> cycles_; ///< For each line.
+  std::vector<motion::CycleTrace> cycles_;  ///< For each line.
   QTimer throttle_;
 };
 

@@ -15,7 +15,7 @@
 #include <vtkGenericOpenGLRenderWindow.h>
 #include <vtkNew.h>
 
-#include "viscera/session/normal_ranges.h"
+#include "viscera/motion/normal_ranges.h"
 #include "window/widgets/elided_label.h"
 
 namespace viscera::app {
@@ -27,9 +27,9 @@ constexpr int kTileWidth = 148;
 constexpr int kSwatch = 10;
 constexpr double kPercent = 100;
 
-using Quantity = session::NormalRange::Quantity;
+using Quantity = motion::NormalRange::Quantity;
 
-bool inMilliliters(const session::NormalRange& range) {
+bool inMilliliters(const motion::NormalRange& range) {
   return range.quantity != Quantity::ejectionPercent;
 }
 
@@ -39,12 +39,12 @@ QIcon swatch(const Vec3& color) {
   return pixmap;
 }
 
-QString rangeText(const session::NormalRange& range) {
+QString rangeText(const motion::NormalRange& range) {
   return QStringLiteral("%1 - %2").arg(range.low, 0, 'f', 0).arg(range.high, 0, 'f', 0);
 }
 
 /// Short enough to stand in the chart.
-QString shortName(const session::NormalRange& range) {
+QString shortName(const motion::NormalRange& range) {
   switch (range.quantity) {
   case Quantity::endDiastolicMl:
     return VolumePanel::tr("normal at the end of diastole");
@@ -172,7 +172,7 @@ void VolumePanel::rebuild() {
   chart_->setLines(lines);
   charted_ = 0;
   const auto hasNormals = [](const VolumeMonitor::Line& line) {
-    return !session::normalRanges(line.name.toStdString()).empty();
+    return !motion::normalRanges(line.name.toStdString()).empty();
   };
   const auto first = std::find_if(monitor_.lines().begin(), monitor_.lines().end(), hasNormals);
   normalsOf_ = static_cast<std::size_t>(first - monitor_.lines().begin());
@@ -221,8 +221,7 @@ void VolumePanel::syncNormals() {
   for (std::size_t line = 0; line < monitor_.lines().size(); ++line) {
     std::vector<scene::ChartBand> bands;
     if (line == normalsOf_)
-      for (const session::NormalRange& range :
-           session::normalRanges(monitor_.lines()[line].name.toStdString()))
+      for (const motion::NormalRange& range : motion::normalRanges(monitor_.lines()[line].name.toStdString()))
         if (inMilliliters(range))
           bands.push_back({{range.low, range.high}, shortName(range).toStdString()});
     chart_->setBands(static_cast<int>(line), std::move(bands));
@@ -236,7 +235,7 @@ QString VolumePanel::normalsText() const {
   const QString name = monitor_.lines()[normalsOf_].name;
   QStringList parts;
   QString from;
-  for (const session::NormalRange& range : session::normalRanges(name.toStdString())) {
+  for (const motion::NormalRange& range : motion::normalRanges(name.toStdString())) {
     if (!inMilliliters(range))
       continue;
     parts.push_back(tr("%1 %2 ml").arg(text(range.name), rangeText(range)));
@@ -264,7 +263,7 @@ bool VolumePanel::dragsShown() const {
 
 /// What the chart holds: one cycle, the sequence as played, or the drags. Another one begins with an empty
 /// chart.
-void VolumePanel::take(const session::VolumeRecord* record) {
+void VolumePanel::take(const motion::VolumeRecord* record) {
   if (std::exchange(shown_, record) == record)
     return;
   chart_->clear();
@@ -296,7 +295,7 @@ void VolumePanel::refresh() {
 /// Of two views the curves lie over one another by their part of the cycle, whatever their rates.
 void VolumePanel::drawCycle() {
   take(nullptr);
-  const session::Player& player = playback_.player();
+  const motion::Player& player = playback_.player();
   const double length = monitor_.hasSecond() ? kPercent : std::max(player.periodSeconds(), 1e-3);
   if (monitor_.hasSecond())
     chart_->setAxes(tr("Part of the cycle").toStdString(), "%", tr("Volume").toStdString(), "ml");
@@ -317,7 +316,7 @@ void VolumePanel::drawCycle() {
 
 void VolumePanel::drawRecord() {
   const bool drags = dragsShown();
-  const session::VolumeRecord& record = drags ? monitor_.drags() : monitor_.record();
+  const motion::VolumeRecord& record = drags ? monitor_.drags() : monitor_.record();
   take(&record);
   chart_->setAxes((drags ? tr("Time dragged") : tr("Time")).toStdString(), "s", tr("Volume").toStdString(),
                   "ml");

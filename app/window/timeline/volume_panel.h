@@ -51,7 +51,7 @@ private:
   void refresh();
   /// Whether the last drags are in the chart: no sequence is on show.
   bool dragsShown() const;
-  void take(const session::VolumeRecord* record);
+  void take(const motion::VolumeRecord* record);
   void refreshTiles();
   void drawCycle();
   void drawRecord();
@@ -69,8 +69,8 @@ private:
   QWidget* tileBox_ = nullptr;
   QWidget* tileArea_;
   std::vector<Tile> tiles_;
-  const session::VolumeRecord* shown_ = nullptr; ///< What the chart holds; null: one cycle.
-  std::size_t normalsOf_ = 0;                    ///< The line whose normal ranges are drawn.
+  const motion::VolumeRecord* shown_ = nullptr; ///< What the chart holds; null: one cycle.
+  std::size_t normalsOf_ = 0;                   ///< The line whose normal ranges are drawn.
   bool cycleShown_ = true;
   std::size_t charted_ = 0; ///< Rows of the record that the chart has.
   double chartedUntil_ = 0;

@@ -1,7 +1,7 @@
 #include "window/view/click_tool.h"
 
 #include "viscera/deformation/place_handles.h"
-#include "viscera/session/rig_commands.h"
+#include "viscera/document/rig_commands.h"
 
 namespace viscera::app {
 
@@ -33,9 +33,9 @@ void ClickTool::addHandle(const scene::SurfacePick& pick) {
   if (!organ)
     return;
   const double offset = deformation::Placement().offsetFraction * boundsOf(organ->mesh->points).diagonal();
-  session::NewHandle handle;
+  document::NewHandle handle;
   handle.rest = pick.position + offset * pick.normal;
-  if (!workspace_.perform(session::addHandles({handle}, workspace_.selection().group())))
+  if (!workspace_.perform(document::addHandles({handle}, workspace_.selection().group())))
     return;
   workspace_.selection().setHandles({workspace_.document().rig().handles.back().id});
 }

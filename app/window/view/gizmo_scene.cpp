@@ -25,7 +25,7 @@ GizmoScene::GizmoScene(Workspace& workspace, PoseEditor& poses, scene::OrganView
     poses_.cancel();
     sync();
   });
-  subscriptions_.push_back(workspace.onChange([this](const session::Change& change) {
+  subscriptions_.push_back(workspace.onChange([this](const document::Change& change) {
     if (change.rig() || change.pose())
       sync();
   }));
@@ -63,10 +63,10 @@ bool GizmoScene::underMouse() const {
   return shown() && view_.gizmo()->GetActivePart() != vtkVisceraGizmoRepresentation::Nothing;
 }
 
-std::vector<session::HandleId> GizmoScene::movable() const {
-  const session::Rig& rig = workspace_.document().rig();
-  std::vector<session::HandleId> ids;
-  for (const session::HandleId id : workspace_.selection().handles())
+std::vector<document::HandleId> GizmoScene::movable() const {
+  const document::Rig& rig = workspace_.document().rig();
+  std::vector<document::HandleId> ids;
+  for (const document::HandleId id : workspace_.selection().handles())
     if (const int row = rig.indexOf(id); row >= 0 && !rig.handles[static_cast<std::size_t>(row)].locked)
       ids.push_back(id);
   return ids;
@@ -79,9 +79,9 @@ void GizmoScene::sync() {
   const bool show = wanted_ && mode_ == Mode::deform && handles.size() >= kFewestHandles;
   view_.gizmo()->SetVisibility(show);
   if (show) {
-    const session::Rig& rig = workspace_.document().rig();
+    const document::Rig& rig = workspace_.document().rig();
     std::vector<int> rows;
-    for (const session::HandleId id : handles)
+    for (const document::HandleId id : handles)
       rows.push_back(rig.indexOf(id));
     view_.gizmo()->SetCenter(deformation::selectionCenter(workspace_.document().pose(), rows));
   } else {

@@ -32,7 +32,7 @@ Q_SIGNALS:
 
 private:
   /// The selected handles that can be moved.
-  std::vector<session::HandleId> movable() const;
+  std::vector<document::HandleId> movable() const;
   void sync();
   void onGrabbed(const scene::GizmoEvent& event);
   void onMoved(const scene::GizmoEvent& event);
@@ -43,7 +43,7 @@ private:
   Mode mode_ = Mode::explore;
   bool wanted_ = false;
   std::vector<unsigned long> observers_;
-  std::vector<session::Subscription> subscriptions_;
+  std::vector<Subscription> subscriptions_;
 };
 
 } // namespace viscera::app

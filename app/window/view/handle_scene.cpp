@@ -2,10 +2,10 @@
 
 #include <QScopedValueRollback>
 
+#include "viscera/document/rig_commands.h"
 #include "viscera/scene/handle_event.h"
 #include "viscera/scene/vtkVisceraHandleSetRepresentation.h"
 #include "viscera/scene/vtkVisceraHandleSetWidget.h"
-#include "viscera/session/rig_commands.h"
 
 namespace viscera::app {
 namespace {
@@ -20,10 +20,10 @@ const Vec3 kUngrouped(0.95, 0.62, 0.20);
 const Vec3 kCompensating(0.25, 0.75, 0.85);
 constexpr double kTint = 0.7;
 
-Colors handleColors(const session::Rig& rig, bool tinted) {
+Colors handleColors(const document::Rig& rig, bool tinted) {
   Colors colors(static_cast<Eigen::Index>(rig.handles.size()), 3);
   for (std::size_t row = 0; row < rig.handles.size(); ++row) {
-    const session::Group* group = rig.groupOf(rig.handles[row].id);
+    const document::Group* group = rig.groupOf(rig.handles[row].id);
     Vec3 color = 255.0 * (group ? group->color : kUngrouped);
     if (tinted && rig.handles[row].compensates)
       color = (1 - kTint) * color + 255.0 * kTint * kCompensating;
@@ -50,13 +50,13 @@ HandleScene::HandleScene(Workspace& workspace, PoseEditor& poses, scene::OrganVi
   listen(Widget::HandleReleasedEvent, [this](const auto&) { onReleased(); });
   listen(Widget::HandleCancelledEvent, [this](const auto&) { onCancelled(); });
   listen(Widget::SelectionChangedEvent, [this](const auto& event) { onSelected(event); });
-  subscriptions_.push_back(workspace.onChange([this](const session::Change& change) {
+  subscriptions_.push_back(workspace.onChange([this](const document::Change& change) {
     if (change.rig())
       syncRig();
     if (change.rig() || change.pose())
       syncPositions();
   }));
-  subscriptions_.push_back(workspace.live().onEvent([this](const session::LiveEvent& event) {
+  subscriptions_.push_back(workspace.live().onEvent([this](const live::LiveEvent& event) {
     if (event.moved)
       syncPositions();
   }));
@@ -104,7 +104,7 @@ bool HandleScene::dragging() const {
 }
 
 void HandleScene::syncRig() {
-  const session::Rig& rig = workspace_.document().rig();
+  const document::Rig& rig = workspace_.document().rig();
   auto* handles = view_.handles();
   if (handles->GetNumberOfHandles() != static_cast<int>(rig.handles.size()))
     handles->SetPositions(rig.restPositions());
@@ -116,7 +116,7 @@ void HandleScene::syncRig() {
 }
 
 void HandleScene::syncShown() {
-  const session::Rig& rig = workspace_.document().rig();
+  const document::Rig& rig = workspace_.document().rig();
   auto* handles = view_.handles();
   for (std::size_t row = 0; row < rig.handles.size(); ++row) {
     const bool here = !shownWhere_ || shownWhere_(handles->GetPosition(static_cast<int>(row)));
@@ -137,9 +137,9 @@ void HandleScene::syncPositions() {
 }
 
 void HandleScene::syncSelection() {
-  const session::Rig& rig = workspace_.document().rig();
+  const document::Rig& rig = workspace_.document().rig();
   std::vector<int> rows;
-  for (const session::HandleId id : workspace_.selection().handles())
+  for (const document::HandleId id : workspace_.selection().handles())
     rows.push_back(rig.indexOf(id));
   std::sort(rows.begin(), rows.end());
   view_.handles()->SetSelection(std::move(rows));
@@ -147,13 +147,13 @@ void HandleScene::syncSelection() {
 }
 
 void HandleScene::onSelected(const scene::HandleEvent& event) {
-  const session::Rig& rig = workspace_.document().rig();
-  std::vector<session::HandleId> ids;
+  const document::Rig& rig = workspace_.document().rig();
+  std::vector<document::HandleId> ids;
   for (const int row : view_.handles()->GetSelection())
     ids.push_back(rig.handles[row].id);
   // The clicked handle goes last: the last one is the current one.
   if (event.handle >= 0) {
-    const session::HandleId clicked = rig.handles[event.handle].id;
+    const document::HandleId clicked = rig.handles[event.handle].id;
     if (std::erase(ids, clicked) > 0)
       ids.push_back(clicked);
   }
@@ -177,8 +177,8 @@ void HandleScene::onGrabbed(const scene::HandleEvent& event) {
 
 /// The cursor moves the handle in the plane that the locked volume leaves it, when there is one.
 void HandleScene::beginPoseDrag(const QString& name, const scene::HandleEvent& event) {
-  const session::Rig& rig = workspace_.document().rig();
-  std::vector<session::HandleId> ids;
+  const document::Rig& rig = workspace_.document().rig();
+  std::vector<document::HandleId> ids;
   for (const int row : event.moving)
     ids.push_back(rig.handles[row].id);
   const bool begun = poses_.begin(name, ids, true);
@@ -187,15 +187,15 @@ void HandleScene::beginPoseDrag(const QString& name, const scene::HandleEvent& e
     view_.handles()->SetConstraintPlane(normal);
 }
 
-session::Command HandleScene::moveCommand(const std::vector<int>& rows) const {
-  const session::Rig& rig = workspace_.document().rig();
-  std::vector<session::HandleId> ids;
+document::Command HandleScene::moveCommand(const std::vector<int>& rows) const {
+  const document::Rig& rig = workspace_.document().rig();
+  std::vector<document::HandleId> ids;
   Points positions(static_cast<Eigen::Index>(rows.size()), 3);
   for (std::size_t i = 0; i < rows.size(); ++i) {
     ids.push_back(rig.handles[rows[i]].id);
     positions.row(static_cast<Eigen::Index>(i)) = view_.handles()->GetPosition(rows[i]).transpose();
   }
-  return session::moveRestHandles(std::move(ids), std::move(positions));
+  return document::moveRestHandles(std::move(ids), std::move(positions));
 }
 
 void HandleScene::onMoved(const scene::HandleEvent& event) {

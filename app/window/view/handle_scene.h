@@ -54,7 +54,7 @@ private:
   void onReleased();
   void onCancelled();
   void onSelected(const scene::HandleEvent& event);
-  session::Command moveCommand(const std::vector<int>& rows) const;
+  document::Command moveCommand(const std::vector<int>& rows) const;
 
   Workspace& workspace_;
   PoseEditor& poses_;
@@ -66,7 +66,7 @@ private:
   bool fromWidget_ = false; ///< The widget already shows what is being changed.
   bool dragFailed_ = false; ///< This drag has met an error and said so.
   std::vector<unsigned long> observers_;
-  std::vector<session::Subscription> subscriptions_;
+  std::vector<Subscription> subscriptions_;
 };
 
 } // namespace viscera::app

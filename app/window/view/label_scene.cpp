@@ -4,7 +4,7 @@
 
 namespace viscera::app {
 
-QString labelOf(const session::Organ& organ) {
+QString labelOf(const document::Organ& organ) {
   if (organ.name == "LV")
     return LabelScene::tr("Left ventricle");
   if (organ.name == "RV")
@@ -13,8 +13,8 @@ QString labelOf(const session::Organ& organ) {
 }
 
 std::vector<scene::OrganLabels::Item>
-labelItems(const session::Document& document,
-           const std::function<std::shared_ptr<const scene::OrganActor>(session::OrganId)>& actorOf) {
+labelItems(const document::Document& document,
+           const std::function<std::shared_ptr<const scene::OrganActor>(document::OrganId)>& actorOf) {
   std::vector<scene::OrganLabels::Item> items;
   for (const auto& organ : document.organs()) {
     const auto isInside = [&](const auto& other) { return other->parent == organ->id; };
@@ -27,7 +27,7 @@ labelItems(const session::Document& document,
 
 LabelScene::LabelScene(Workspace& workspace, OrganScene& organs, scene::OrganView& view, QObject* parent)
     : QObject(parent), workspace_(workspace), organs_(organs), labels_(view) {
-  subscriptions_.push_back(workspace.onChange([this](const session::Change& change) {
+  subscriptions_.push_back(workspace.onChange([this](const document::Change& change) {
     if (change.organs())
       sync();
   }));
@@ -46,7 +46,7 @@ void LabelScene::setTheme(const scene::Theme& theme) {
 
 void LabelScene::sync() {
   labels_.setItems(
-      labelItems(workspace_.document(), [this](session::OrganId organ) { return organs_.actorOf(organ); }));
+      labelItems(workspace_.document(), [this](document::OrganId organ) { return organs_.actorOf(organ); }));
   Q_EMIT changed();
 }
 

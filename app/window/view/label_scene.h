@@ -13,12 +13,12 @@
 namespace viscera::app {
 
 /// What is written beside an organ: "Left ventricle" for a cavity that is called LV, else its name.
-QString labelOf(const session::Organ& organ);
+QString labelOf(const document::Organ& organ);
 
 /// The labels for organs of a document that have an actor; `actorOf` may give null.
 std::vector<scene::OrganLabels::Item>
-labelItems(const session::Document& document,
-           const std::function<std::shared_ptr<const scene::OrganActor>(session::OrganId)>& actorOf);
+labelItems(const document::Document& document,
+           const std::function<std::shared_ptr<const scene::OrganActor>(document::OrganId)>& actorOf);
 
 /// Keeps the labels of a view as the document has the organs.
 class LabelScene final : public QObject {
@@ -41,7 +41,7 @@ private:
   Workspace& workspace_;
   OrganScene& organs_;
   scene::OrganLabels labels_;
-  std::vector<session::Subscription> subscriptions_;
+  std::vector<Subscription> subscriptions_;
 };
 
 } // namespace viscera::app

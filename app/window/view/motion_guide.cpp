@@ -12,7 +12,7 @@ MotionGuide::MotionGuide(Workspace& workspace, PoseEditor& poses, scene::OrganVi
     : QObject(parent), workspace_(workspace), poses_(poses), view_(view) {
   connect(&poses, &PoseEditor::gestureChanged, this, &MotionGuide::syncConstraint);
   connect(&poses, &PoseEditor::mirrorChanged, this, &MotionGuide::syncMirror);
-  subscriptions_.push_back(workspace.onChange([this](const session::Change& change) {
+  subscriptions_.push_back(workspace.onChange([this](const document::Change& change) {
     if (change.organs())
       syncMirror();
   }));
@@ -25,7 +25,7 @@ void MotionGuide::setMode(Mode mode) {
 }
 
 void MotionGuide::syncConstraint() {
-  const session::LockedMotion* motion = poses_.motion();
+  const live::LockedMotion* motion = poses_.motion();
   const int held = view_.handles()->GetActiveHandle();
   const Vec3 normal = motion && posesHandles(mode_) ? motion->planeNormal() : Vec3(Vec3::Zero());
   if (held >= 0 && normal.norm() > 0 && held < motion->pose().rows())

@@ -30,7 +30,7 @@ private:
   PoseEditor& poses_;
   scene::OrganView& view_;
   Mode mode_ = Mode::explore;
-  std::vector<session::Subscription> subscriptions_;
+  std::vector<Subscription> subscriptions_;
 };
 
 } // namespace viscera::app

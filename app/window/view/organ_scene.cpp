@@ -16,14 +16,13 @@ constexpr double kPercent = 100;
 
 OrganScene::OrganScene(Workspace& workspace, scene::OrganView& view, QObject* parent)
     : QObject(parent), workspace_(workspace), view_(view) {
-  subscriptions_.push_back(workspace.onChange([this](const session::Change& change) {
+  subscriptions_.push_back(workspace.onChange([this](const document::Change& change) {
     if (change.organs())
       syncOrgans();
     if (change.rig())
       syncInfluence();
   }));
-  subscriptions_.push_back(
-      workspace.live().onEvent([this](const session::LiveEvent& event) { onLive(event); }));
+  subscriptions_.push_back(workspace.live().onEvent([this](const live::LiveEvent& event) { onLive(event); }));
   subscriptions_.push_back(workspace.selection().onChange([this] {
     syncSelection();
     syncInfluence();
@@ -39,14 +38,14 @@ OrganScene::~OrganScene() {
   }
 }
 
-session::OrganId OrganScene::organOf(const scene::OrganActor* actor) const {
+document::OrganId OrganScene::organOf(const scene::OrganActor* actor) const {
   for (const auto& [id, shown] : shown_)
     if (shown.actor.get() == actor)
       return id;
   return {};
 }
 
-std::shared_ptr<scene::OrganActor> OrganScene::actorOf(session::OrganId organ) const {
+std::shared_ptr<scene::OrganActor> OrganScene::actorOf(document::OrganId organ) const {
   const auto found = shown_.find(organ);
   return found == shown_.end() ? nullptr : found->second.actor;
 }
@@ -83,7 +82,7 @@ void OrganScene::syncOrgans() {
   Q_EMIT changed();
 }
 
-void OrganScene::addOrgan(const std::shared_ptr<const session::Organ>& organ) {
+void OrganScene::addOrgan(const std::shared_ptr<const document::Organ>& organ) {
   Shown& shown = shown_[organ->id];
   shown.organ = organ;
   shown.actor = std::make_shared<scene::OrganActor>(organ->mesh);
@@ -94,7 +93,7 @@ void OrganScene::addOrgan(const std::shared_ptr<const session::Organ>& organ) {
 }
 
 void OrganScene::applyLook(Shown& shown) {
-  const session::OrganLook& look = shown.organ->look;
+  const document::OrganLook& look = shown.organ->look;
   shown.actor->setColor(look.color);
   shown.actor->setVertexColorsShown(look.vertexColors);
   shown.actor->setOpacity(look.opacity);
@@ -104,7 +103,7 @@ void OrganScene::applyLook(Shown& shown) {
     shown.ghost->setVisible(ghostShown_ && look.visible);
 }
 
-void OrganScene::onLive(const session::LiveEvent& event) {
+void OrganScene::onLive(const live::LiveEvent& event) {
   const auto found = shown_.find(event.organ);
   // The live binding hears of another surface first; what shows the last one is about to go.
   const auto organ = workspace_.document().organ(event.organ);
@@ -121,7 +120,7 @@ void OrganScene::onLive(const session::LiveEvent& event) {
 }
 
 void OrganScene::syncSelection() {
-  const session::OrganId selected = workspace_.selection().organ();
+  const document::OrganId selected = workspace_.selection().organ();
   for (auto& [id, shown] : shown_)
     shown.actor->setSelected(id == selected);
   Q_EMIT changed();
@@ -173,11 +172,11 @@ void OrganScene::setSuspended(bool suspended) {
 void OrganScene::syncInfluence() {
   if (suspended_)
     return;
-  const session::HandleId handle = workspace_.selection().currentHandle();
+  const document::HandleId handle = workspace_.selection().currentHandle();
   const int row = workspace_.document().rig().indexOf(handle);
   const bool show = influenceShown_ && row >= 0;
   const scene::ColorMap map = scene::viridis();
-  std::map<session::OrganId, std::shared_ptr<const Values>> influences;
+  std::map<document::OrganId, std::shared_ptr<const Values>> influences;
   scene::ValueRange range{0, 0};
   for (const auto& [id, shown] : shown_) {
     // What is drawn may outlive its organ for a moment: the selection can change before this observer hears.

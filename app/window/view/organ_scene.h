@@ -22,9 +22,9 @@ public:
   ~OrganScene() override;
 
   /// The organ that an actor of the view shows, or none.
-  session::OrganId organOf(const scene::OrganActor* actor) const;
+  document::OrganId organOf(const scene::OrganActor* actor) const;
   /// The actor that shows an organ, or null.
-  std::shared_ptr<scene::OrganActor> actorOf(session::OrganId organ) const;
+  std::shared_ptr<scene::OrganActor> actorOf(document::OrganId organ) const;
 
   void setGhostShown(bool shown);
   bool ghostShown() const { return ghostShown_; }
@@ -46,27 +46,27 @@ Q_SIGNALS:
 
 private:
   struct Shown {
-    std::shared_ptr<const session::Organ> organ;
+    std::shared_ptr<const document::Organ> organ;
     std::shared_ptr<scene::OrganActor> actor;
     std::unique_ptr<scene::GhostOutline> ghost;
   };
 
   void syncOrgans();
-  void addOrgan(const std::shared_ptr<const session::Organ>& organ);
+  void addOrgan(const std::shared_ptr<const document::Organ>& organ);
   void applyLook(Shown& shown);
-  void onLive(const session::LiveEvent& event);
+  void onLive(const live::LiveEvent& event);
   void syncSelection();
   void syncGhosts();
   void syncInfluence();
 
   Workspace& workspace_;
   scene::OrganView& view_;
-  std::map<session::OrganId, Shown> shown_;
+  std::map<document::OrganId, Shown> shown_;
   Vec3 ghostColor_ = Vec3(0.6, 0.65, 0.7);
   bool ghostShown_ = false;
   bool influenceShown_ = false;
   bool suspended_ = false;
-  std::vector<session::Subscription> subscriptions_;
+  std::vector<Subscription> subscriptions_;
 };
 
 } // namespace viscera::app

@@ -16,15 +16,15 @@ Triangles cageToDraw(const coordinates::HandleSet& handles) {
 
 } // namespace
 
-std::vector<scene::RegionHull> regionHulls(const session::Rig& rig, const coordinates::SpaceLayout& layout,
+std::vector<scene::RegionHull> regionHulls(const document::Rig& rig, const coordinates::SpaceLayout& layout,
                                            const scene::LayoutParts& shown, bool withCage) {
   std::vector<Vec3> colors;
-  for (const session::Group& group : rig.groups)
+  for (const document::Group& group : rig.groups)
     colors.push_back(group.color);
   std::vector<scene::RegionHull> hulls = scene::layoutHulls(layout, colors, shown);
   if (!withCage || !shown.regions)
     return hulls;
-  const coordinates::HandleSet handles = session::handleSet(rig);
+  const coordinates::HandleSet handles = document::handleSet(rig);
   if (const Triangles cage = cageToDraw(handles); cage.rows() > 0)
     hulls.push_back(scene::cageHull(handles.positions, cage));
   return hulls;
@@ -32,7 +32,7 @@ std::vector<scene::RegionHull> regionHulls(const session::Rig& rig, const coordi
 
 RegionScene::RegionScene(Workspace& workspace, GroupLayout& layout, scene::OrganView& view, QObject* parent)
     : QObject(parent), workspace_(workspace), layout_(layout), view_(view) {
-  subscription_ = workspace.onChange([this](const session::Change& change) {
+  subscription_ = workspace.onChange([this](const document::Change& change) {
     if (change.rig() || change.system())
       sync();
   });

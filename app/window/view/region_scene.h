@@ -11,7 +11,7 @@ namespace viscera::app {
 
 /// What is drawn of a layout over handles at rest, in the colours of the groups, and with the regions also
 /// the cage where `withCage`.
-std::vector<scene::RegionHull> regionHulls(const session::Rig& rig, const coordinates::SpaceLayout& layout,
+std::vector<scene::RegionHull> regionHulls(const document::Rig& rig, const coordinates::SpaceLayout& layout,
                                            const scene::LayoutParts& shown, bool withCage);
 
 /// Shows the regions, zones and super-regions of the groups, and the cage of coordinates that need one, while
@@ -38,7 +38,7 @@ private:
   scene::OrganView& view_;
   scene::LayoutParts shown_;
   Mode mode_ = Mode::explore;
-  session::Subscription subscription_;
+  Subscription subscription_;
 };
 
 } // namespace viscera::app

@@ -1,9 +1,9 @@
 #include "cli_test.h"
 #include "shapes.h"
-#include "viscera/session/open_files.h"
-#include "viscera/session/pose_commands.h"
-#include "viscera/session/session_file.h"
-#include "viscera/session/undo_stack.h"
+#include "viscera/document/open_files.h"
+#include "viscera/document/pose_commands.h"
+#include "viscera/document/session_file.h"
+#include "viscera/document/undo_stack.h"
 
 namespace viscera::app::cli {
 namespace {
@@ -14,26 +14,26 @@ protected:
   void SetUp() override {
     CliTest::SetUp();
     put("cube.off", cubeOff(10));
-    session::Document document;
-    session::UndoStack undo(document);
-    undo.perform(session::addOrgans({{session::readOrgan(path("cube.off")), -1}}));
-    session::NewRig rig;
+    document::Document document;
+    document::UndoStack undo(document);
+    undo.perform(document::addOrgans({{document::readOrgan(path("cube.off")), -1}}));
+    document::NewRig rig;
     for (const auto& corner : corners(20))
       rig.handles.push_back({Vec3(corner[0], corner[1], corner[2])});
     rig.groups.push_back({"All", Vec3(1, 0.5, 0), {0, 1, 2, 3, 4, 5, 6, 7}});
-    undo.perform(session::replaceRig(rig));
+    undo.perform(document::replaceRig(rig));
     contents_.state = document.state();
     write("rest.viscera");
     Points pose = document.pose();
     pose.row(7) *= 2;
-    undo.perform(session::setPose(pose));
+    undo.perform(document::setPose(pose));
     contents_.state = document.state();
     write("posed.viscera");
   }
 
   void write(const std::string& name) {
     Progress progress;
-    session::writeSession(path(name), contents_, progress);
+    document::writeSession(path(name), contents_, progress);
   }
 
   std::string drawn(const std::string& name, const std::vector<std::string>& more = {},
@@ -44,7 +44,7 @@ protected:
     return contents(path("p.png"));
   }
 
-  session::SessionContents contents_;
+  document::SessionContents contents_;
 };
 
 TEST_F(CliSession, InfoSaysWhatIsInIt) {
@@ -139,10 +139,10 @@ TEST_F(CliSession, RenderDrawsTheStressMapAsItWasLookedAt) {
 }
 
 TEST_F(CliSession, RenderDrawsGhostsLabelsAndRegionsThatWereSwitchedOn) {
-  session::Organ ball = session::makeOrgan("Ball", tests::sphere(3, 10));
+  document::Organ ball = document::makeOrgan("Ball", tests::sphere(3, 10));
   ball.id = contents_.state.organs->front()->id;
-  contents_.state.organs = std::make_shared<session::OrganList>(
-      session::OrganList{std::make_shared<const session::Organ>(std::move(ball))});
+  contents_.state.organs = std::make_shared<document::OrganList>(
+      document::OrganList{std::make_shared<const document::Organ>(std::move(ball))});
   const auto view = [this](const std::string& mode, const std::string& name, bool on) {
     contents_.view = json{{"mode", mode}, {"switches", {{name, on}}}}.dump();
     write("overlay.viscera");
@@ -150,7 +150,7 @@ TEST_F(CliSession, RenderDrawsGhostsLabelsAndRegionsThatWereSwitchedOn) {
   };
   for (const std::string name : {"view.ghost", "view.labels"})
     EXPECT_TRUE(view("deform", name, true) != view("deform", name, false)) << name;
-  contents_.state.system = std::make_shared<session::SystemChoice>(session::SystemChoice{"mean-value", {}});
+  contents_.state.system = std::make_shared<document::SystemChoice>(document::SystemChoice{"mean-value", {}});
   EXPECT_TRUE(view("handles", "handles.regions", true) != view("handles", "handles.regions", false))
       << "these coordinates have a cage";
   EXPECT_TRUE(view("deform", "handles.regions", true) == view("deform", "handles.regions", false));
@@ -160,13 +160,13 @@ TEST_F(CliSession, MeasurementsAreListedAndDrawnUnlessTheyWereHidden) {
   write("none.viscera");
   EXPECT_TRUE(runJson({"info", path("none.viscera")})["measurements"].empty());
   const std::string without = drawn("none.viscera");
-  session::Measurement edge;
-  edge.id = session::MeasurementId{900};
+  document::Measurement edge;
+  edge.id = document::MeasurementId{900};
   edge.name = "Edge";
   edge.points.resize(2);
   edge.points[0].rest = Vec3(-10, -10, 10);
   edge.points[1].rest = Vec3(10, -10, 10);
-  contents_.state.measurements = std::make_shared<session::MeasurementList>(session::MeasurementList{edge});
+  contents_.state.measurements = std::make_shared<document::MeasurementList>(document::MeasurementList{edge});
   write("measured.viscera");
   const json listed = runJson({"info", path("measured.viscera")})["measurements"];
   ASSERT_EQ(listed.size(), 1U);

@@ -8,7 +8,7 @@
 
 #include "viscera/geometry/surface_check.h"
 #include "viscera/medical_io/surface_file.h"
-#include "viscera/organs/sample_organ.h"
+#include "viscera/sample_organs/sample_organ.h"
 
 namespace viscera::tests {
 
@@ -31,7 +31,8 @@ inline std::vector<OrganCase> organCases() {
 inline std::optional<geometry::TriangleMesh> load(const OrganCase& organ) {
   if (organ.file.empty()) {
     Progress progress;
-    return *organs::sampleOrgan(organs::standardLibrary(), organ.name, organs::Resolution::low, progress)
+    return *sample_organs::sampleOrgan(sample_organs::standardLibrary(), organ.name,
+                                       sample_organs::Resolution::low, progress)
                 .surfaces.front()
                 .mesh;
   }

@@ -7,13 +7,13 @@
 #include "viscera/core/progress.h"
 #include "viscera/deformation/tetrahedralise.h"
 #include "viscera/geometry/volume.h"
-#include "viscera/organs/sample_organ.h"
+#include "viscera/sample_organs/sample_organ.h"
 
 /// TetGen takes every surface of every sample organ as it is.
 namespace viscera::tests {
 namespace {
 
-using organs::Resolution;
+using sample_organs::Resolution;
 
 class TetGenOnOrgans : public testing::TestWithParam<std::tuple<std::string, Resolution>> {};
 
@@ -34,19 +34,19 @@ std::string nameOfCase(const testing::TestParamInfo<TetGenOnOrgans::ParamType>& 
   for (const char c : std::get<0>(info.param))
     if (c != '_')
       name += c;
-  return name + "_" + organs::nameOf(std::get<1>(info.param));
+  return name + "_" + sample_organs::nameOf(std::get<1>(info.param));
 }
 
 TEST_P(TetGenOnOrgans, FillsEverySurfaceWithoutChangingIt) {
   const auto& [name, resolution] = GetParam();
-  const organs::SampleLibrary library{std::filesystem::path(VISCERA_SOURCE_DIR) / "sample_organs",
-                                      std::filesystem::path(VISCERA_BINARY_DIR) / "test_organs"};
+  const sample_organs::SampleLibrary library{std::filesystem::path(VISCERA_SOURCE_DIR) / "sample_organs",
+                                             std::filesystem::path(VISCERA_BINARY_DIR) / "test_organs"};
   Progress progress;
   deformation::TetrahedraOptions options;
   options.radiusEdgeRatio = 0; // As `tetgen -pYQ`: any shape, the surface stays.
   options.timeLimitSeconds = 250;
-  for (const organs::SampleSurface& surface :
-       organs::sampleOrgan(library, name, resolution, progress).surfaces) {
+  for (const sample_organs::SampleSurface& surface :
+       sample_organs::sampleOrgan(library, name, resolution, progress).surfaces) {
     SCOPED_TRACE(surface.name);
     const deformation::WitnessMesh mesh = deformation::tetrahedralise(*surface.mesh, options, progress);
     const double wanted = geometry::volume(surface.mesh->points, surface.mesh->triangles);

@@ -3,11 +3,11 @@
 #include "viscera/coordinates/celestial/s_celestial.h"
 #include "viscera/deformation/bind_witnesses.h"
 #include "viscera/geometry/surface_check.h"
+#include "viscera/live/witness_sampling.h"
 #include "viscera/medical_io/surface_file.h"
-#include "viscera/organs/sample_organ.h"
-#include "viscera/session/witness_sampling.h"
+#include "viscera/sample_organs/sample_organ.h"
 
-namespace viscera::session {
+namespace viscera::live {
 namespace {
 
 /// Fills an organ, binds the points to the handles that the program places, and measures a pose.
@@ -48,11 +48,11 @@ class SampleOrganWitnesses : public testing::TestWithParam<const char*> {};
 
 TEST_P(SampleOrganWitnesses, GiveAUsableMapStraightFromTheSurface) {
   Progress progress;
-  expectAUsableMap(
-      *organs::sampleOrgan(organs::standardLibrary(), GetParam(), organs::Resolution::low, progress)
-           .surfaces.front()
-           .mesh,
-      WitnessOrigin::surface);
+  expectAUsableMap(*sample_organs::sampleOrgan(sample_organs::standardLibrary(), GetParam(),
+                                               sample_organs::Resolution::low, progress)
+                        .surfaces.front()
+                        .mesh,
+                   WitnessOrigin::surface);
 }
 
 INSTANTIATE_TEST_SUITE_P(, SampleOrganWitnesses,
@@ -78,12 +78,12 @@ INSTANTIATE_TEST_SUITE_P(, SharedOrganWitnesses, testing::Values("liver.vtk", "k
 
 TEST(MediumHeartWitnesses, GiveAUsableMap) {
   Progress progress;
-  expectAUsableMap(
-      *organs::sampleOrgan(organs::standardLibrary(), "heart", organs::Resolution::medium, progress)
-           .surfaces.front()
-           .mesh,
-      WitnessOrigin::surface);
+  expectAUsableMap(*sample_organs::sampleOrgan(sample_organs::standardLibrary(), "heart",
+                                               sample_organs::Resolution::medium, progress)
+                        .surfaces.front()
+                        .mesh,
+                   WitnessOrigin::surface);
 }
 
 } // namespace
-} // namespace viscera::session
+} // namespace viscera::live

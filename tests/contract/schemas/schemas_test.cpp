@@ -12,7 +12,7 @@
 
 /// What is written for other programs follows the schemas that say what it is; a validator that is not ours
 /// says so.
-namespace viscera::session {
+namespace viscera::document {
 namespace {
 
 using nlohmann::json;
@@ -155,4 +155,4 @@ TEST_F(Schemas, BrokenSessionsAreRefused) {
 }
 
 } // namespace
-} // namespace viscera::session
+} // namespace viscera::document

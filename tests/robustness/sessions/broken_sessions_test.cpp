@@ -11,7 +11,7 @@
 
 /// Session files that somebody's disk, editor or program has damaged: each is refused as bad data that names
 /// the file, or opened; none brings the program down.
-namespace viscera::session {
+namespace viscera::document {
 namespace {
 
 using nlohmann::ordered_json;
@@ -187,4 +187,4 @@ TEST_F(BrokenSession, ThatIsNoSessionSaysWhatItIs) {
 }
 
 } // namespace
-} // namespace viscera::session
+} // namespace viscera::document

@@ -19,11 +19,11 @@
 #include "session_scene.h"
 #include "viscera/core/atomic_file.h"
 #include "viscera/core/error.h"
-#include "viscera/session/autosave.h"
+#include "viscera/document/autosave.h"
 
 /// Programs that are killed while they save, and disks with no room: the old session or the new one is there,
 /// never a third thing.
-namespace viscera::session {
+namespace viscera::document {
 namespace {
 
 using viscera::tests::contentsOf;
@@ -243,4 +243,4 @@ TEST(FullDisk, ASmallDiskThatIsFullKeepsTheOldSession) {
 }
 
 } // namespace
-} // namespace viscera::session
+} // namespace viscera::document

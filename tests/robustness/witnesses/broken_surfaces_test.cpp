@@ -3,9 +3,9 @@
 #include "broken_surfaces.h"
 #include "viscera/core/error.h"
 #include "viscera/geometry/volume.h"
-#include "viscera/session/witness_sampling.h"
+#include "viscera/live/witness_sampling.h"
 
-namespace viscera::session {
+namespace viscera::live {
 namespace {
 
 constexpr double kBall = 4.0 / 3 * M_PI * 27'000;
@@ -170,4 +170,4 @@ TEST(WitnessSampling, GivesTheSamePointsForAnyNumberOfThreads) {
 }
 
 } // namespace
-} // namespace viscera::session
+} // namespace viscera::live

@@ -35,4 +35,7 @@ private:
   std::atomic<bool> cancelled_{false};
 };
 
+/// Runs a part of a job as [from, to] of `progress`; cancelling goes through.
+void runPart(Progress& progress, double from, double to, const std::function<void(Progress& part)>& job);
+
 } // namespace viscera

@@ -1,0 +1,88 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <vector>
+
+#include "viscera/core/error.h"
+#include "viscera/core/job_queue.h"
+#include "viscera/document/session_file.h"
+
+/// What a program that ends without being asked to leaves of a user's work: one recovery file a running
+/// program, a session like any other (session_file.h).
+namespace viscera::document {
+
+class FileLock;
+
+/// A recovery file that nobody else looks after: the program that wrote it is gone. While this lives, no
+/// other program is offered it.
+struct Recovery {
+  std::filesystem::path file;
+  std::filesystem::file_time_type written;
+  std::shared_ptr<FileLock> lock; ///< Never null.
+};
+
+/// `$XDG_STATE_HOME/viscera`, or `~/.local/state/viscera`.
+std::filesystem::path standardRecoveryFolder();
+
+/// The recovery files of programs that run no more, the youngest first; leftovers without contents are
+/// removed. A folder that is not there holds none.
+std::vector<Recovery> findRecoveries(const std::filesystem::path& folder);
+
+/// Removes the file: its contents are not wanted, or are saved.
+void discard(const Recovery& recovery);
+
+/// Writes the recovery file of this program, a while after the first change that is not saved. Whoever owns
+/// one says `changed` and `clear`, looks at `due` now and then, and then hands over what is to be written: a
+/// state that never changes, so that writing it on a worker stops nobody. For one thread.
+///
+/// The file stays when the program ends without `clear`; a lock that the system releases tells other programs
+/// that this one is gone.
+class Autosave {
+public:
+  /// Seconds that never go back.
+  using Clock = std::function<double()>;
+  /// What a write ended with: null, or why it failed.
+  using Done = std::function<void(std::shared_ptr<const Error>)>;
+
+  /// How long a change may be unsaved, s.
+  static constexpr double kDelaySeconds = 60;
+
+  /// The folder is made when the first file is written. `post` as for a `JobQueue`.
+  Autosave(std::filesystem::path folder, JobQueue::Post post, Clock clock,
+           double delaySeconds = kDelaySeconds);
+  /// Waits for a write that has begun. The file stays.
+  ~Autosave();
+  Autosave(const Autosave&) = delete;
+  Autosave& operator=(const Autosave&) = delete;
+
+  /// The document is not what was saved any more; the time runs from the first call since the last write.
+  void changed();
+  /// Whether the contents should be written now.
+  bool due() const;
+  /// Writes the contents soon, in place of earlier ones. `done` is called through `post`, unless a later
+  /// write or `clear` made this one unnecessary.
+  void write(SessionContents contents, Done done = {});
+  /// Everything is saved, or not wanted: the recovery file goes, and what waits to be written is forgotten.
+  void clear();
+  /// Looks after this file from now on in place of a new one: its contents are the document's now.
+  void adopt(const Recovery& recovery);
+
+  /// Of this program; whether it is there or not. Empty before the first write.
+  std::filesystem::path file() const;
+
+private:
+  struct Target;
+
+  std::filesystem::path folder_;
+  Clock clock_;
+  double delaySeconds_;
+  std::optional<double> changedAt_;
+  std::shared_ptr<Target> target_;
+  JobQueue jobs_;
+};
+
+} // namespace viscera::document

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "viscera/document/document.h"
+
+namespace viscera::document {
+
+/// A change of the document, as a value: it makes a new state from a state and touches nothing else. To take
+/// it back is to go back to the state before, so an undo is exact whatever the command does.
+///
+/// `apply` throws an `Error` when the change is not possible; the document is then as it was. The commands
+/// there are come from the functions in organ_commands.h, rig_commands.h, group_commands.h, cage_commands.h,
+/// pose_commands.h, system_commands.h and open_files.h.
+struct Command {
+  std::string name; ///< "Move handle H-3", for the menu; a user reads it.
+  std::function<DocumentState(const DocumentState& state, IdSource& ids)> apply;
+  /// Not empty: a command that follows one with the same key joins its undo step (a slider that moves).
+  std::string mergeKey;
+};
+
+/// One command that does all of `commands` in order, or none.
+Command combined(std::string name, std::vector<Command> commands);
+
+} // namespace viscera::document

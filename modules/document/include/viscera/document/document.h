@@ -1,0 +1,104 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "viscera/coordinates/parameters.h"
+#include "viscera/core/signal.h"
+#include "viscera/document/ids.h"
+#include "viscera/document/measurement.h"
+#include "viscera/document/organ.h"
+#include "viscera/document/recording.h"
+#include "viscera/document/rig.h"
+
+namespace viscera::document {
+
+using OrganList = std::vector<std::shared_ptr<const Organ>>;
+
+/// Which coordinates tie the organs to the handles.
+struct SystemChoice {
+  std::string id = "s-celestial"; ///< As in the registry.
+  coordinates::ParameterValues parameters;
+};
+
+/// Everything that is saved and undone, in six immutable parts that states share with one another: a copy
+/// costs six pointers, and a state that is kept (by the undo stack, by a worker that saves) never changes.
+///
+/// What a user looks at is not in it: the selection (`Selection`), the camera, the mode, the time of a
+/// sequence.
+struct DocumentState {
+  std::shared_ptr<const OrganList> organs; ///< Never null, nor is any of its items.
+  std::shared_ptr<const Rig> rig;          ///< Never null.
+  std::shared_ptr<const Points> pose; ///< `handles x 3` mm, row i belongs to `rig->handles[i]`. Never null.
+  std::shared_ptr<const SystemChoice> system;          ///< Never null.
+  std::shared_ptr<const Recording> recording;          ///< The keys that a user has recorded. Never null.
+  std::shared_ptr<const MeasurementList> measurements; ///< In the order in which they were made. Never null.
+
+  /// An empty document.
+  DocumentState();
+
+  /// The organ with that id, or null. O(organs).
+  std::shared_ptr<const Organ> organ(OrganId id) const;
+
+  /// The same parts, by address: what `isClean` of the undo stack means. O(1).
+  friend bool operator==(const DocumentState&, const DocumentState&) = default;
+};
+
+/// The same contents to the last bit, wherever they are stored. Linear in the size of the contents.
+bool identical(const DocumentState& a, const DocumentState& b);
+
+/// Whether the pose is the rest pose, exactly.
+bool atRest(const DocumentState& state);
+
+/// What an observer is told after a change.
+struct Change {
+  DocumentState before;
+  DocumentState after;
+  /// A step that a user is still in the middle of (a drag, a slider): another change or an end follows.
+  bool interactive = false;
+
+  bool organs() const { return before.organs != after.organs; }
+  bool rig() const { return before.rig != after.rig; }
+  bool pose() const { return before.pose != after.pose; }
+  bool system() const { return before.system != after.system; }
+  bool recording() const { return before.recording != after.recording; }
+  bool measurements() const { return before.measurements != after.measurements; }
+};
+
+/// The document that is open. Whoever has one reads it; only an `UndoStack` changes it, by commands.
+/// For one thread; other threads are given a `DocumentState`.
+class Document {
+public:
+  Document() = default;
+  Document(const Document&) = delete;
+  Document& operator=(const Document&) = delete;
+
+  const DocumentState& state() const { return state_; }
+  const OrganList& organs() const { return *state_.organs; }
+  std::shared_ptr<const Organ> organ(OrganId id) const { return state_.organ(id); }
+  const Rig& rig() const { return *state_.rig; }
+  const Points& pose() const { return *state_.pose; }
+  const SystemChoice& system() const { return *state_.system; }
+  const Recording& recording() const { return *state_.recording; }
+  const MeasurementList& measurements() const { return *state_.measurements; }
+
+  /// Tells of every change, after it. An observer must not change the document; it may read it.
+  [[nodiscard]] Subscription onChange(std::function<void(const Change&)> observer) {
+    return changed_.connect(std::move(observer));
+  }
+
+private:
+  friend class UndoStack;
+
+  /// Tells the observers also when nothing but `interactive` is new: the end of a step is news.
+  void replace(DocumentState state, bool interactive);
+
+  DocumentState state_;
+  IdSource ids_;
+  Signal<const Change&> changed_;
+  bool notifying_ = false;
+};
+
+} // namespace viscera::document

@@ -1,0 +1,100 @@
+#pragma once
+
+#include <algorithm>
+#include <functional>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "viscera/core/error.h"
+#include "viscera/document/document.h"
+
+/// What the commands have in common.
+namespace viscera::document::edit {
+
+/// The row of a handle; throws `UsageError` when it is not there.
+inline int requireHandle(const Rig& rig, HandleId id) {
+  const int row = rig.indexOf(id);
+  if (row < 0)
+    throw UsageError("There is no such handle any more", "handle " + std::to_string(id.value));
+  return row;
+}
+
+/// The rows of handles that nothing locks.
+inline std::vector<std::pair<int, int>> freeRows(const Rig& rig, const std::vector<HandleId>& ids) {
+  std::vector<std::pair<int, int>> rows; // Row in the rig, index in `ids`.
+  for (std::size_t i = 0; i < ids.size(); ++i) {
+    const int row = requireHandle(rig, ids[i]);
+    if (!rig.handles[static_cast<std::size_t>(row)].locked)
+      rows.emplace_back(row, static_cast<int>(i));
+  }
+  return rows;
+}
+
+/// Throws `DataError` that names the first row that is not finite.
+inline void requireFinite(const Points& positions, const Rig& rig, const std::vector<HandleId>& ids) {
+  for (Eigen::Index i = 0; i < positions.rows(); ++i)
+    if (!positions.row(i).allFinite()) {
+      const int row =
+          static_cast<std::size_t>(i) < ids.size() ? rig.indexOf(ids[static_cast<std::size_t>(i)]) : -1;
+      throw DataError("A handle's position is not a finite number",
+                      row >= 0 ? "handle " + rig.handles[static_cast<std::size_t>(row)].label
+                               : "row " + std::to_string(i + 1));
+    }
+}
+
+/// Throws `UsageError` unless there is one position for each handle.
+inline void requireMatch(const Points& positions, const std::vector<HandleId>& ids) {
+  if (positions.rows() != static_cast<Eigen::Index>(ids.size()))
+    throw UsageError("There are " + std::to_string(positions.rows()) + " positions for " +
+                     std::to_string(ids.size()) + " handles");
+}
+
+/// Throws `UsageError` for a colour that is not in [0, 1]; also for one that is no number.
+inline void requireColor(const Vec3& color) {
+  for (int k = 0; k < 3; ++k)
+    if (!(color[k] >= 0 && color[k] <= 1))
+      throw UsageError("A colour's parts have to lie between 0 and 1");
+}
+
+/// `wanted`, or with the first number from 2 that makes it new.
+inline std::string freeName(const std::string& wanted, const std::function<bool(const std::string&)>& taken) {
+  std::string name = wanted;
+  for (int number = 2; taken(name); ++number)
+    name = wanted + " " + std::to_string(number);
+  return name;
+}
+
+/// Triangles over the rows of a rig as the rig keeps them. Throws `UsageError` for a row that there is not.
+inline std::vector<CageTriangle> cageOf(const Rig& rig, const Triangles& rows) {
+  std::vector<CageTriangle> cage(static_cast<std::size_t>(rows.rows()));
+  for (std::size_t t = 0; t < cage.size(); ++t)
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto row = rows(static_cast<Eigen::Index>(t), static_cast<Eigen::Index>(k));
+      if (row < 0 || static_cast<std::size_t>(row) >= rig.handles.size())
+        throw UsageError("The cage names a handle that is not there", "triangle " + std::to_string(t));
+      cage[t][k] = rig.handles[static_cast<std::size_t>(row)].id;
+    }
+  return cage;
+}
+
+/// The state with another rig and pose.
+inline DocumentState withRig(DocumentState state, Rig rig, Points pose) {
+  state.rig = std::make_shared<const Rig>(std::move(rig));
+  state.pose = std::make_shared<const Points>(std::move(pose));
+  return state;
+}
+
+/// The state with another rig; the pose stays.
+inline DocumentState withRig(DocumentState state, Rig rig) {
+  state.rig = std::make_shared<const Rig>(std::move(rig));
+  return state;
+}
+
+/// "Remove handle", "Remove 5 handles".
+inline std::string counted(const std::string& verb, std::size_t count, const std::string& one) {
+  return count == 1 ? verb + " " + one : verb + " " + std::to_string(count) + " " + one + "s";
+}
+
+} // namespace viscera::document::edit

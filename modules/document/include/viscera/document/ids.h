@@ -1,0 +1,42 @@
+#pragma once
+
+#include <compare>
+#include <cstdint>
+
+namespace viscera::document {
+
+/// A number that names one thing of a document for as long as the program runs; never given twice, not even
+/// after an undo. 0 names nothing.
+template <class Tag>
+struct Id {
+  std::int64_t value = 0;
+  explicit operator bool() const { return value != 0; }
+  friend auto operator<=>(const Id&, const Id&) = default;
+};
+
+using OrganId = Id<struct OrganTag>;
+using HandleId = Id<struct HandleTag>;
+using GroupId = Id<struct GroupTag>;
+using KeyId = Id<struct KeyTag>;
+using MeasurementId = Id<struct MeasurementTag>;
+
+/// Hands out the ids of one document, in order.
+class IdSource {
+public:
+  template <class AnyId>
+  AnyId next() {
+    return AnyId{++last_};
+  }
+
+  /// Never hands out `id` any more: it came with a document that was loaded.
+  template <class AnyId>
+  void reserve(AnyId id) {
+    if (id.value > last_)
+      last_ = id.value;
+  }
+
+private:
+  std::int64_t last_ = 0;
+};
+
+} // namespace viscera::document

@@ -1,0 +1,63 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "viscera/core/progress.h"
+#include "viscera/document/command.h"
+#include "viscera/document/organ_commands.h"
+#include "viscera/document/rig_commands.h"
+#include "viscera/medical_io/handle_file.h"
+#include "viscera/medical_io/space.h"
+#include "viscera/sample_organs/sample_organ.h"
+
+/// Files into commands. Reading touches no document, so a worker does it; the command is performed
+/// afterwards.
+namespace viscera::document {
+
+/// A surface as its file has it, before an organ was made of it, which may turn it around.
+struct ReadSurface {
+  std::shared_ptr<const geometry::TriangleMesh> mesh;
+  std::optional<medical_io::Space> statedSpace; ///< None: the file does not say.
+};
+
+/// What some files hold, read but in no document yet: organs may still be repaired, or left out.
+struct OpenedFiles {
+  std::string name; ///< Of the undo step: "Open liver.stl".
+  std::vector<NewOrgan> organs;
+  std::map<std::size_t, ReadSurface> surfaces; ///< Of those `organs` that come from surface files.
+  std::optional<NewRig> rig;                   ///< When there was a handle file.
+  std::vector<std::string> warnings;           ///< What a user should know, each with its file's name.
+
+  /// Adds every organ, and the rig: one undo step.
+  Command command() const;
+};
+
+/// Whether the name ends like a handle file (.mrk.json, .fcsv).
+bool isHandleFile(const std::filesystem::path& file);
+
+/// Reads all files, surfaces, label maps and folders of masks (an organ for each label) and at most one
+/// handle file, or throws what the first that fails throws (`NoInputError`, `DataError`, `UsageError` for an
+/// ending that nothing is known about or no file at all, `Cancelled`).
+OpenedFiles openFiles(const std::vector<std::filesystem::path>& files, Progress& progress);
+
+/// Reads one surface as an organ, with its warnings.
+Organ readOrgan(const std::filesystem::path& file);
+
+/// A handle file's contents as a rig: one group a markup list; a handle that lists share (same label, same
+/// place) is one handle in several groups. Throws `DataError` for a rig that nothing can be bound to: fewer
+/// than four handles, all in one plane, two at one place.
+NewRig rigFrom(const medical_io::HandleFile& file, const std::string& where);
+/// The rig at rest as a handle file has it; handles without a group form the list "Handles".
+medical_io::HandleFile handleFile(const Rig& rig);
+/// The same of a rig that is not in a document.
+medical_io::HandleFile handleFile(const NewRig& rig);
+
+/// A sample organ's surfaces: the outer one, with the others as its cavities.
+std::vector<NewOrgan> organsFrom(const sample_organs::SampleOrgan& sample);
+
+} // namespace viscera::document

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "viscera/document/ids.h"
+#include "viscera/geometry/triangle_mesh.h"
+
+namespace viscera::document {
+
+/// How an organ is shown. Part of the document: it is saved and undone.
+struct OrganLook {
+  Vec3 color = {0.80, 0.45, 0.40}; ///< Red green blue, 0 to 1.
+  bool vertexColors = true;        ///< The mesh's own colours, when it has some, go before `color`.
+  double opacity = 1;              ///< 0 to 1.
+  bool visible = true;
+  bool tracked = true; ///< Its volume is a line of the chart.
+
+  friend bool operator==(const OrganLook&, const OrganLook&) = default;
+};
+
+/// Where a surface can be read or made again, bit for bit, so that a session need not hold it. Empty for one
+/// that was edited or made otherwise.
+struct OrganOrigin {
+  std::string fileHash; ///< SHA-256, in hex, of the bytes of `Organ::file` when the surface was read from it.
+  std::string sample;   ///< A sample organ with its resolution: "heart@medium".
+  std::string surface;  ///< Which of the sample's surfaces: "lv".
+
+  friend bool operator==(const OrganOrigin&, const OrganOrigin&) = default;
+};
+
+/// One surface of the document. Immutable once in a document.
+struct Organ {
+  OrganId id;
+  std::string name;
+  std::shared_ptr<const geometry::TriangleMesh> mesh; ///< At rest, mm, LPS; never null.
+  OrganLook look;
+  OrganId parent;             ///< The organ whose cavity this is; none for an organ of its own.
+  std::filesystem::path file; ///< Where it was read from; empty for one that the program made.
+  OrganOrigin origin;
+  std::vector<std::string>
+      warnings;             ///< What a user should know: assumed space, implausible size, what was mended.
+  int boundaryEdges = 0;    ///< Edges with one triangle. An open surface has no volume.
+  double restVolumeMm3 = 0; ///< Signed, of the rest mesh; 0 for an open one.
+
+  /// No motion of the handles in the pose may change the volume. Only of a closed surface.
+  bool volumeLocked = false;
+
+  bool closed() const { return boundaryEdges == 0; }
+};
+
+/// Makes an organ without an id from a surface: checks the indices and coordinates, counts its open edges and
+/// measures its volume, O(m log m), so that a worker can do it before the document is touched. What is wrong
+/// with the surface becomes a warning each; a closed one that is inside out is turned around. Throws
+/// `DataError` for an invalid mesh or one without triangles.
+Organ makeOrgan(std::string name, geometry::TriangleMesh mesh);
+/// The same for a mesh that is shared; it is copied only when it has to be turned around.
+Organ makeOrgan(std::string name, std::shared_ptr<const geometry::TriangleMesh> mesh);
+
+} // namespace viscera::document

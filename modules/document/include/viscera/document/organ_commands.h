@@ -1,0 +1,41 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "viscera/document/command.h"
+
+namespace viscera::document {
+
+/// An organ on its way into a document.
+struct NewOrgan {
+  Organ organ; ///< From `makeOrgan`; its id is given when it is added, `parent` may name one there is.
+  int parentInBatch = -1; ///< Or the index of its parent among the organs added with it.
+};
+
+/// Adds organs behind those there are, in order. A name that is taken gets a number ("Liver 2").
+Command addOrgans(std::vector<NewOrgan> organs);
+
+/// Removes organs and the cavities inside them. Throws `UsageError` for an organ that is not there.
+Command removeOrgans(std::vector<OrganId> organs);
+/// Removes all that there are.
+Command removeAllOrgans();
+
+/// Sets how an organ is shown. Throws `UsageError` for a colour or an opacity outside [0, 1]. Commands for
+/// the same organ that follow each other join one step until `UndoStack::seal`.
+Command setOrganLook(OrganId organ, OrganLook look);
+
+/// Locks or unlocks an organ's volume: with it locked, no motion of handles in the pose changes it
+/// (volume_keeper.h). Throws `DataError` for an open surface (it says how many edges are open), `UsageError`
+/// for an organ that is not there.
+Command setVolumeLocked(OrganId organ, bool locked);
+
+/// Fills the holes of an organ's surface (`geometry::closeHoles`), which thereby gets a volume; the organ
+/// stays what it is otherwise, and is bound anew. Throws `DataError` when it cannot be closed, `UsageError`
+/// for an organ that is not there. O(m log m).
+Command closeHoles(OrganId organ);
+
+/// Gives an organ another name. Throws `UsageError` for an empty one.
+Command renameOrgan(OrganId organ, std::string name);
+
+} // namespace viscera::document

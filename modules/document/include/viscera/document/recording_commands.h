@@ -1,0 +1,41 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "viscera/document/command.h"
+
+/// Commands that change the recording of the document. All throw `UsageError` for keys that are not there and
+/// for times outside the period or where another key is (`sequences::kShortestSpan`).
+namespace viscera::document {
+
+/// Records the present pose at `seconds`. Where there is a key already, its pose is replaced and its easing
+/// stays.
+Command recordKey(double seconds, sequences::Easing easing = sequences::Easing::smooth);
+
+/// Moves a key in time. Moves of one key one after the other are one undo step.
+Command moveKey(KeyId key, double seconds);
+
+/// Takes the present pose for a key.
+Command replaceKey(KeyId key);
+
+Command removeKeys(std::vector<KeyId> keys);
+Command setEasing(std::vector<KeyId> keys, sequences::Easing easing);
+
+/// What is given is changed, all else stays. A shorter period than the last key needs is refused; with
+/// `stretch` the keys keep their part of the period.
+struct RecordingEdit {
+  std::optional<std::string> name = {};
+  std::optional<double> periodSeconds = {};
+  bool stretch = false;
+  std::optional<bool> loop = {};
+  std::optional<sequences::Interpolation> interpolation = {};
+};
+Command editRecording(RecordingEdit change);
+
+/// Takes another recording in place of the one there is; its keys get new ids.
+Command replaceRecording(Recording recording);
+Command clearRecording();
+
+} // namespace viscera::document

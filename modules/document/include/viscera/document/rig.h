@@ -1,0 +1,73 @@
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "viscera/coordinates/handle_set.h"
+#include "viscera/core/arrays.h"
+#include "viscera/document/ids.h"
+
+namespace viscera::document {
+
+/// One handle at rest.
+struct Handle {
+  HandleId id;
+  std::string label;        ///< "H-1"; unique in the rig.
+  Vec3 rest = Vec3::Zero(); ///< mm, LPS.
+  bool locked = false;      ///< A locked handle is moved by no command, neither at rest nor in the pose.
+  bool visible = true;
+  std::string description; ///< Free text, kept for the files that have it.
+  /// Moves to make up for what other handles' motions change of a locked volume. Where no handle does, all
+  /// that are free do.
+  bool compensates = false;
+
+  friend bool operator==(const Handle&, const Handle&) = default;
+};
+
+/// A named set of handles. A handle may be in several groups (regions that overlap) or in none.
+struct Group {
+  GroupId id;
+  std::string name;              ///< Unique in the rig.
+  Vec3 color = {1.0, 0.5, 0.2};  ///< Red green blue, 0 to 1.
+  std::vector<HandleId> handles; ///< Each once, in the order of the rig.
+
+  friend bool operator==(const Group&, const Group&) = default;
+};
+
+/// The corners of one triangle of a cage, counter-clockwise seen from outside.
+using CageTriangle = std::array<HandleId, 3>;
+
+/// The handles that all organs of a document share. The order of the handles is that of the rows of every
+/// pose.
+struct Rig {
+  std::vector<Handle> handles;
+  std::vector<Group> groups;
+  /// The closed surface over handles at rest that systems with a cage work with; empty: the convex hull of
+  /// all handles.
+  std::vector<CageTriangle> cage;
+
+  /// Rest positions, `n x 3` mm.
+  Points restPositions() const;
+  /// The row of a handle, or -1.
+  int indexOf(HandleId id) const;
+  /// The place of a group in `groups`, or -1.
+  int indexOf(GroupId id) const;
+  /// The handle with that label, or -1.
+  int indexOf(const std::string& label) const;
+  /// The first group that a handle is in (it gives the handle its colour), or null.
+  const Group* groupOf(HandleId id) const;
+
+  /// How many handles are corners of the given cage.
+  int cornerCount() const;
+
+  friend bool operator==(const Rig&, const Rig&) = default;
+};
+
+/// What a user calls these handles: "handle H-3", or "5 handles".
+std::string describe(const Rig& rig, const std::vector<HandleId>& handles);
+
+/// The rig as a coordinate system takes it: positions, groups, and the cage that was given, if any.
+coordinates::HandleSet handleSet(const Rig& rig);
+
+} // namespace viscera::document

@@ -1,0 +1,80 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "viscera/core/arrays.h"
+#include "viscera/document/command.h"
+
+/// Commands that change the handles at rest. All of them throw `DataError` for positions
+/// that are not finite and for two handles at one place (closer than `kSamePlace` of the rig's size), and
+/// `UsageError` for handles and groups that are not there.
+namespace viscera::document {
+
+/// Handles nearer to each other than this part of the rig's diagonal (of 1 mm at least) are at one place.
+inline constexpr double kSamePlace = 1e-9;
+
+/// A handle on its way into a document.
+struct NewHandle {
+  Vec3 rest = Vec3::Zero();                 ///< mm, LPS.
+  std::optional<Vec3> posed = std::nullopt; ///< Where it is in the present pose; at rest when not given.
+  std::string label = {};                   ///< Empty: the next free "H-n". One that is taken gets a number.
+  std::string description = {};
+  bool locked = false;
+  bool visible = true;
+};
+
+/// A group on its way into a document, with the handles of `NewRig` that are in it.
+struct NewGroup {
+  std::string name;
+  Vec3 color = {1.0, 0.5, 0.2};
+  std::vector<int> handles; ///< Indices into `NewRig::handles`.
+};
+
+/// A whole rig on its way into a document.
+struct NewRig {
+  std::vector<NewHandle> handles;
+  std::vector<NewGroup> groups;
+  Triangles cage = {}; ///< Indices into `handles`, closed and outward; empty: the handles' convex hull.
+};
+
+/// A new handle for every row of `positions` (`n x 3`), unlabelled.
+std::vector<NewHandle> newHandles(const Points& positions);
+
+/// Adds handles behind those there are, in order, and puts them into `group` when one is given.
+Command addHandles(std::vector<NewHandle> handles, GroupId group = {});
+
+/// Adds the eight corners of a box around everything: all organs and all handles there are. They come as a
+/// group of their own, "Enclosing". What is offered when vertices lie outside the handles' hull. Throws
+/// `UsageError` without any organ.
+Command addEnclosingHandles();
+
+/// Adds a group of eight new handles, the corners of a box around those vertices of an organ. What is offered
+/// when vertices lie in no group's region. Throws `UsageError` for an organ or vertices that are not there.
+Command addEnclosingGroup(OrganId organ, std::vector<int> vertices);
+
+/// Removes handles; groups lose them but stay. With a corner of the cage goes the cage: the convex hull takes
+/// its place.
+Command removeHandles(std::vector<HandleId> handles);
+
+/// Moves handles at rest to `positions` (`handles x 3`). A handle keeps its displacement in the pose: one at
+/// rest stays at rest exactly. Locked ones stay where they are.
+Command moveRestHandles(std::vector<HandleId> handles, Points positions);
+
+/// Puts another rig in the place of the one there is, at rest: automatic placement, a file, a sequence's own
+/// handles.
+Command replaceRig(NewRig rig, std::string name = "Replace handles");
+
+/// A label, a lock, a description, visibility, whether it compensates. What is not given stays. Throws
+/// `UsageError` for a label that is empty or taken.
+struct HandleEdit {
+  std::optional<std::string> label;
+  std::optional<std::string> description;
+  std::optional<bool> locked;
+  std::optional<bool> visible;
+  std::optional<bool> compensates = std::nullopt;
+};
+Command editHandles(std::vector<HandleId> handles, HandleEdit change);
+
+} // namespace viscera::document

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <vector>
+
+#include "viscera/document/document.h"
+
+namespace viscera::document {
+
+/// What is selected. It is a way of looking at the document, not a part of it: selecting is no undo step, is
+/// not saved, and what leaves the document leaves the selection. For the document's thread.
+class Selection {
+public:
+  explicit Selection(Document& document);
+
+  /// Selected handles in the order in which they were selected; the last one is the current one.
+  const std::vector<HandleId>& handles() const { return handles_; }
+  bool contains(HandleId handle) const;
+  /// The last handle that was selected, or none.
+  HandleId currentHandle() const { return handles_.empty() ? HandleId{} : handles_.back(); }
+  /// The selected organ, or none.
+  OrganId organ() const { return organ_; }
+  /// The selected group, or none: handles that are added go into it.
+  GroupId group() const { return group_; }
+
+  /// Each replaces what was selected of its kind; ids that the document does not have are left out.
+  void setHandles(const std::vector<HandleId>& handles);
+  void toggle(HandleId handle);
+  void setOrgan(OrganId organ);
+  void setGroup(GroupId group);
+  void clear();
+
+  /// Tells of every change, after it.
+  [[nodiscard]] Subscription onChange(std::function<void()> observer) {
+    return changed_.connect(std::move(observer));
+  }
+
+private:
+  void drop();
+
+  Document& document_;
+  std::vector<HandleId> handles_;
+  OrganId organ_;
+  GroupId group_;
+  Signal<> changed_;
+  Subscription subscription_;
+};
+
+} // namespace viscera::document

@@ -1,0 +1,81 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "viscera/core/progress.h"
+#include "viscera/document/document.h"
+#include "viscera/sample_organs/sample_organ.h"
+
+/// Sessions as `.viscera` files (docs/session_format.md): all that is needed to come back to the same picture
+/// and the same numbers.
+namespace viscera::document {
+
+/// An organ of a session whose surface was not found when the session was opened. It is not in the document,
+/// but it is written again as it was, so that it comes back when its file does.
+struct MissingOrgan {
+  std::string name;
+  std::string record;            ///< As in the file: a JSON object.
+  std::size_t place = 0;         ///< Among the organs of the session.
+  OrganId id;                    ///< As `parent` of organs in `children`.
+  std::vector<OrganId> children; ///< Organs of the document that are its cavities.
+};
+
+/// What a session file holds.
+struct SessionContents {
+  DocumentState state;
+  /// What the window shows, as a JSON object of its own; kept as it is.
+  std::string view = "{}";
+  /// Whether all surfaces are inside the file. Else those that can be read or made again are named only; a
+  /// surface that was edited, or whose file is not what was read, is inside in any case.
+  bool embedSurfaces = false;
+  std::vector<MissingOrgan> missing;
+  /// The session file that these contents belong to, when they are a recovery file's; empty else.
+  std::filesystem::path recovers;
+};
+
+/// Where the surface of an organ came from when a session was opened.
+struct SurfaceFinding {
+  enum class State {
+    embedded, ///< It is inside the session file.
+    found,    ///< Its file, or its sample organ, is what it was.
+    moved,    ///< The same file, in another place.
+    changed,  ///< Another surface than the one that was saved is there now, and is used.
+    missing   ///< Nothing that can be read; the organ was left out.
+  };
+  std::string organ;  ///< Its name.
+  std::string source; ///< The file as found (or as it was), "sample:heart/lv@medium", or empty.
+  State state = State::found;
+};
+
+/// "embedded", "found", "moved", "changed", "missing".
+std::string nameOf(SurfaceFinding::State state);
+
+/// A session that was read.
+struct OpenedSession {
+  SessionContents contents;
+  std::vector<SurfaceFinding> surfaces; ///< One an organ, in the order of the file.
+  std::vector<std::string> warnings;    ///< What a user should know: missing, changed and moved files,
+                                        ///< keys of the file that nothing is known about.
+};
+
+/// Whether the name ends like a session file (.viscera).
+bool isSessionFile(const std::filesystem::path& file);
+
+/// Reads a session. An organ's file is looked for where it was relative to the session file, where it was,
+/// beside the session file, and by its contents in those folders; sample organs are made again (seconds, the
+/// first time). What cannot be found is left out and named, the rest is opened. Throws `NoInputError` when
+/// the session file cannot be read; `DataError` that names file, place and reason for one that is damaged, no
+/// session, or of a later version; `Cancelled`. For any thread.
+OpenedSession readSession(const std::filesystem::path& file, const sample_organs::SampleLibrary& samples,
+                          Progress& progress);
+
+/// Writes a session; reading it back gives the same document to the last bit, and writing that again the same
+/// bytes. Atomic: what was there before stays until the new file is complete on the disk. Reads the organs'
+/// files to see that they are still what they were. Throws `CannotCreateError` (also for a name that does not
+/// end in .viscera), `DataError` for numbers that are not finite, `Cancelled`. For any thread.
+void writeSession(const std::filesystem::path& file, const SessionContents& contents, Progress& progress);
+
+} // namespace viscera::document

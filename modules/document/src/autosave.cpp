@@ -1,0 +1,155 @@
+#include "viscera/document/autosave.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <random>
+#include <string>
+#include <system_error>
+#include <utility>
+
+#include <unistd.h>
+
+#include "file_lock.h"
+#include "viscera/core/atomic_file.h"
+
+namespace viscera::document {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kSlot = "autosave";
+constexpr const char* kPrefix = "recovery-";
+constexpr const char* kEnding = ".viscera";
+constexpr const char* kLockEnding = ".lock";
+
+fs::path withEnding(fs::path file, const char* ending) {
+  return file.replace_extension(ending);
+}
+
+std::vector<fs::path> locksIn(const fs::path& folder) {
+  std::vector<fs::path> locks;
+  std::error_code error;
+  for (fs::directory_iterator item(folder, error), end; !error && item != end; item.increment(error))
+    if (item->path().filename().string().starts_with(kPrefix) && item->path().extension() == kLockEnding)
+      locks.push_back(item->path());
+  return locks;
+}
+
+} // namespace
+
+fs::path standardRecoveryFolder() {
+  if (const char* state = std::getenv("XDG_STATE_HOME"); state && *state)
+    return fs::path(state) / "viscera";
+  const char* home = std::getenv("HOME");
+  return fs::path(home ? home : "") / ".local" / "state" / "viscera";
+}
+
+std::vector<Recovery> findRecoveries(const fs::path& folder) {
+  std::vector<Recovery> found;
+  for (const fs::path& lockFile : locksIn(folder)) {
+    auto lock = FileLock::take(lockFile);
+    if (!lock)
+      continue; // Its program is running.
+    const fs::path file = withEnding(lockFile, kEnding);
+    removeAbandonedWrites(file);
+    std::error_code error;
+    const auto written = fs::last_write_time(file, error);
+    if (error)
+      lock->remove();
+    else
+      found.push_back({file, written, std::move(lock)});
+  }
+  std::sort(found.begin(), found.end(),
+            [](const Recovery& a, const Recovery& b) { return a.written > b.written; });
+  return found;
+}
+
+void discard(const Recovery& recovery) {
+  std::error_code ignored;
+  fs::remove(recovery.file, ignored);
+  recovery.lock->remove();
+}
+
+/// The file, for the worker that writes it and the thread that removes it.
+struct Autosave::Target {
+  std::mutex mutex;
+  fs::path folder;
+  fs::path file;
+  std::shared_ptr<FileLock> lock;
+
+  /// Takes a name that no other program has.
+  void require() {
+    if (lock)
+      return;
+    std::error_code error;
+    fs::create_directories(folder, error);
+    fs::permissions(folder, fs::perms::owner_all, error); // Organs of patients are nobody else's business.
+    const std::string name =
+        kPrefix + std::to_string(::getpid()) + "-" + std::to_string(std::random_device()());
+    lock = FileLock::take(folder / (name + kLockEnding));
+    if (!lock)
+      throw CannotCreateError("unsaved work cannot be kept safe: the folder cannot be written to",
+                              folder.string(), "save often, or make room there");
+    file = withEnding(lock->file(), kEnding);
+  }
+};
+
+Autosave::Autosave(fs::path folder, JobQueue::Post post, Clock clock, double delaySeconds)
+    : folder_(std::move(folder)), clock_(std::move(clock)), delaySeconds_(delaySeconds),
+      target_(std::make_shared<Target>()), jobs_(std::move(post)) {
+  target_->folder = folder_;
+}
+
+Autosave::~Autosave() = default;
+
+void Autosave::changed() {
+  if (!changedAt_)
+    changedAt_ = clock_();
+}
+
+bool Autosave::due() const {
+  return changedAt_ && clock_() - *changedAt_ >= delaySeconds_;
+}
+
+void Autosave::write(SessionContents contents, Done done) {
+  changedAt_.reset();
+  jobs_.submit<bool>(
+      "Autosave", kSlot,
+      [target = target_, contents = std::move(contents)](Progress& progress) {
+        const std::lock_guard guard(target->mutex);
+        progress.throwIfCancelled();
+        target->require();
+        writeSession(target->file, contents, progress);
+        return true;
+      },
+      [done = std::move(done)](JobResult<bool> result) {
+        if (done && !result.cancelled())
+          done(result.error);
+      });
+}
+
+void Autosave::clear() {
+  changedAt_.reset();
+  jobs_.cancelSlot(kSlot);
+  const std::lock_guard guard(target_->mutex);
+  if (!target_->lock)
+    return;
+  std::error_code ignored;
+  fs::remove(target_->file, ignored);
+  target_->lock->remove();
+  target_->lock.reset();
+}
+
+void Autosave::adopt(const Recovery& recovery) {
+  clear();
+  const std::lock_guard guard(target_->mutex);
+  target_->file = recovery.file;
+  target_->lock = recovery.lock;
+}
+
+fs::path Autosave::file() const {
+  const std::lock_guard guard(target_->mutex);
+  return target_->lock ? target_->file : fs::path();
+}
+
+} // namespace viscera::document

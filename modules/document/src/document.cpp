@@ -1,0 +1,71 @@
+#include "viscera/document/document.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cstring>
+#include <utility>
+
+namespace viscera::document {
+namespace {
+
+template <class Array>
+bool sameBits(const Array& a, const Array& b) {
+  if (a.rows() != b.rows() || a.cols() != b.cols())
+    return false;
+  const auto bytes = static_cast<std::size_t>(a.size()) * sizeof(typename Array::Scalar);
+  return bytes == 0 || std::memcmp(a.data(), b.data(), bytes) == 0;
+}
+
+bool identical(const geometry::TriangleMesh& a, const geometry::TriangleMesh& b) {
+  return &a == &b ||
+         (sameBits(a.points, b.points) && sameBits(a.triangles, b.triangles) && sameBits(a.colors, b.colors));
+}
+
+bool identical(const Organ& a, const Organ& b) {
+  return &a == &b || (a.id == b.id && a.name == b.name && a.look == b.look && a.parent == b.parent &&
+                      a.file == b.file && a.origin == b.origin && a.warnings == b.warnings &&
+                      a.boundaryEdges == b.boundaryEdges && a.restVolumeMm3 == b.restVolumeMm3 &&
+                      a.volumeLocked == b.volumeLocked && identical(*a.mesh, *b.mesh));
+}
+
+bool identical(const OrganList& a, const OrganList& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                    [](const auto& x, const auto& y) { return identical(*x, *y); });
+}
+
+} // namespace
+
+DocumentState::DocumentState()
+    : organs(std::make_shared<const OrganList>()), rig(std::make_shared<const Rig>()),
+      pose(std::make_shared<const Points>(0, 3)), system(std::make_shared<const SystemChoice>()),
+      recording(std::make_shared<const Recording>()),
+      measurements(std::make_shared<const MeasurementList>()) {}
+
+std::shared_ptr<const Organ> DocumentState::organ(OrganId id) const {
+  const auto found =
+      std::find_if(organs->begin(), organs->end(), [id](const auto& item) { return item->id == id; });
+  return found == organs->end() ? nullptr : *found;
+}
+
+bool identical(const DocumentState& a, const DocumentState& b) {
+  if (a == b)
+    return true;
+  return identical(*a.organs, *b.organs) && *a.rig == *b.rig &&
+         sameBits(a.rig->restPositions(), b.rig->restPositions()) && sameBits(*a.pose, *b.pose) &&
+         a.system->id == b.system->id && a.system->parameters.all() == b.system->parameters.all() &&
+         *a.recording == *b.recording && *a.measurements == *b.measurements;
+}
+
+bool atRest(const DocumentState& state) {
+  return *state.pose == state.rig->restPositions();
+}
+
+void Document::replace(DocumentState state, bool interactive) {
+  assert(!notifying_ && "an observer changes the document that it is told about");
+  Change change{std::exchange(state_, state), std::move(state), interactive};
+  notifying_ = true;
+  changed_.emit(change);
+  notifying_ = false;
+}
+
+} // namespace viscera::document

@@ -1,0 +1,142 @@
+#include "viscera/document/import_draft.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "viscera/core/error.h"
+#include "viscera/medical_io/surface_repairs.h"
+
+namespace viscera::document {
+namespace {
+
+void assess(DraftOrgan& organ, const OpenedFiles& files, std::size_t place, Progress& progress) {
+  const auto read = files.surfaces.find(place);
+  const bool labelMap = read == files.surfaces.end();
+  const bool stated = labelMap || read->second.statedSpace ||
+                      std::count(organ.repairs.begin(), organ.repairs.end(), "ras-to-lps") > 0;
+  const auto space = labelMap || !read->second.statedSpace ? std::optional(medical_io::Space::lps)
+                                                           : read->second.statedSpace;
+  organ.assessment =
+      medical_io::assessSurface(*organ.mesh, {organ.name, stated ? space : std::nullopt, labelMap}, progress);
+}
+
+void assessArrangement(ImportDraft& draft) {
+  std::vector<medical_io::PlacedOrgan> placed;
+  for (const DraftOrgan& organ : draft.organs)
+    if (organ.included)
+      placed.push_back({organ.name, boundsOf(organ.mesh->points)});
+  draft.arrangement = medical_io::assessArrangement(placed);
+}
+
+bool isIncluded(const ImportDraft& draft, std::size_t organ) {
+  const int parent = draft.files.organs[organ].parentInBatch;
+  return draft.organs[organ].included && (parent < 0 || isIncluded(draft, static_cast<std::size_t>(parent)));
+}
+
+std::string listed(const std::vector<std::string>& words) {
+  std::string list;
+  for (const std::string& word : words)
+    list += (list.empty() ? "" : ", ") + word;
+  return list;
+}
+
+/// The organ as the draft has it now; what the file's name, look and parent are stays.
+Organ finished(const Organ& read, const DraftOrgan& organ) {
+  if (organ.mesh == organ.asRead)
+    return read;
+  Organ result = makeOrgan(read.name, organ.mesh);
+  result.look = read.look;
+  result.parent = read.parent;
+  result.file = read.file;
+  if (!organ.repairs.empty())
+    result.warnings.push_back("repaired on import: " + listed(organ.repairs));
+  return result;
+}
+
+} // namespace
+
+bool ImportDraft::questionable() const {
+  return arrangement || std::any_of(organs.begin(), organs.end(), [](const DraftOrgan& organ) {
+           return organ.included && organ.assessment.questionable();
+         });
+}
+
+bool ImportDraft::empty() const {
+  return !files.rig &&
+         std::none_of(organs.begin(), organs.end(), [](const DraftOrgan& organ) { return organ.included; });
+}
+
+ImportDraft draftOf(OpenedFiles files, Progress& progress) {
+  ImportDraft draft;
+  draft.files = std::move(files);
+  const auto count = static_cast<double>(draft.files.organs.size());
+  for (std::size_t i = 0; i < draft.files.organs.size(); ++i) {
+    const Organ& read = draft.files.organs[i].organ;
+    progress.report(static_cast<double>(i) / count, "Checking " + read.name);
+    const auto known = draft.files.surfaces.find(i);
+    DraftOrgan organ;
+    organ.name = read.name;
+    organ.file = read.file.filename().string();
+    organ.asRead = known == draft.files.surfaces.end() ? read.mesh : known->second.mesh;
+    organ.mesh = organ.asRead;
+    assess(organ, draft.files, i, progress);
+    draft.organs.push_back(std::move(organ));
+  }
+  assessArrangement(draft);
+  progress.report(1);
+  return draft;
+}
+
+ImportDraft repaired(ImportDraft draft, const std::vector<std::size_t>& organs, const std::string& repair,
+                     Progress& progress) {
+  const medical_io::SurfaceRepair& what = medical_io::surfaceRepair(repair);
+  for (std::size_t done = 0; done < organs.size(); ++done) {
+    DraftOrgan& organ = draft.organs.at(organs[done]);
+    progress.report(static_cast<double>(done) / static_cast<double>(organs.size()),
+                    "Repairing " + organ.name);
+    try {
+      organ.mesh = std::make_shared<const geometry::TriangleMesh>(what.apply(*organ.mesh, progress, {}));
+    } catch (const DataError& error) {
+      throw DataError(error.problem(), organ.name, error.tryThis());
+    }
+    organ.repairs.push_back(repair);
+    assess(organ, draft.files, organs[done], progress);
+  }
+  assessArrangement(draft);
+  return draft;
+}
+
+ImportDraft reverted(ImportDraft draft, std::size_t place, Progress& progress) {
+  DraftOrgan& organ = draft.organs.at(place);
+  organ.mesh = organ.asRead;
+  organ.repairs.clear();
+  assess(organ, draft.files, place, progress);
+  assessArrangement(draft);
+  return draft;
+}
+
+ImportDraft withIncluded(ImportDraft draft, std::size_t organ, bool included) {
+  draft.organs.at(organ).included = included;
+  assessArrangement(draft);
+  return draft;
+}
+
+OpenedFiles accepted(const ImportDraft& draft) {
+  OpenedFiles files = draft.files;
+  files.organs.clear();
+  files.surfaces.clear();
+  std::vector<int> places(draft.organs.size(), -1);
+  for (std::size_t i = 0; i < draft.organs.size(); ++i) {
+    if (!isIncluded(draft, i))
+      continue;
+    NewOrgan organ = draft.files.organs[i];
+    organ.organ = finished(organ.organ, draft.organs[i]);
+    if (organ.parentInBatch >= 0)
+      organ.parentInBatch = places[static_cast<std::size_t>(organ.parentInBatch)];
+    places[i] = static_cast<int>(files.organs.size());
+    files.organs.push_back(std::move(organ));
+  }
+  return files;
+}
+
+} // namespace viscera::document

@@ -1,0 +1,137 @@
+#include "viscera/document/measurement.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "viscera/core/error.h"
+#include "viscera/document/document.h"
+
+namespace viscera::document {
+namespace {
+
+constexpr double kDegreesPerRadian = 180 / M_PI;
+/// How far weights may be from a place in the triangle before they are taken for wrong.
+constexpr double kWeightTolerance = 1e-6;
+
+using Corners = Eigen::Matrix3d; ///< One a column.
+
+Corners cornersOf(const Triangles& triangles, const Points& points, Eigen::Index triangle) {
+  Corners corners;
+  for (int k = 0; k < 3; ++k)
+    corners.col(k) = points.row(triangles(triangle, k)).transpose();
+  return corners;
+}
+
+/// The weights of the point of the segment from corner `a` to corner `b` that is nearest to `place`.
+Vec3 nearestOnEdge(const Corners& corners, int a, int b, const Vec3& place) {
+  const Vec3 along = corners.col(b) - corners.col(a);
+  const double square = along.squaredNorm();
+  const double t = square > 0 ? std::clamp((place - corners.col(a)).dot(along) / square, 0.0, 1.0) : 0;
+  Vec3 weights = Vec3::Zero();
+  weights[a] = 1 - t;
+  weights[b] = t;
+  return weights;
+}
+
+/// The weights of the point of a triangle that is nearest to `place`: the foot of the perpendicular where it
+/// lies inside, else on one of the edges. Also for triangles without area.
+Vec3 nearestInTriangle(const Corners& corners, const Vec3& place) {
+  const Vec3 u = corners.col(1) - corners.col(0);
+  const Vec3 v = corners.col(2) - corners.col(0);
+  const Vec3 normal = u.cross(v);
+  const double square = normal.squaredNorm();
+  if (square > 0) {
+    const Vec3 w = place - corners.col(0);
+    const double second = w.cross(v).dot(normal) / square;
+    const double third = u.cross(w).dot(normal) / square;
+    if (second >= 0 && third >= 0 && second + third <= 1)
+      return {1 - second - third, second, third};
+  }
+  Vec3 best = nearestOnEdge(corners, 0, 1, place);
+  for (const auto& [a, b] : {std::pair{1, 2}, std::pair{2, 0}}) {
+    const Vec3 other = nearestOnEdge(corners, a, b, place);
+    if ((corners * other - place).squaredNorm() < (corners * best - place).squaredNorm())
+      best = other;
+  }
+  return best;
+}
+
+Vec3 placeNow(const MeasuredPoint& point, const DocumentState& state, const PointsOf& pointsOf) {
+  const auto organ = point.organ ? state.organ(point.organ) : nullptr;
+  if (!organ)
+    return point.rest;
+  return cornersOf(organ->mesh->triangles, pointsOf(point.organ), point.triangle) * point.weights;
+}
+
+} // namespace
+
+MeasurementKind kindOf(const Measurement& measurement) {
+  return measurement.points.size() == 2 ? MeasurementKind::distance : MeasurementKind::angle;
+}
+
+std::string nameOf(MeasurementKind kind) {
+  return kind == MeasurementKind::distance ? "distance" : "angle";
+}
+
+std::string unitOf(MeasurementKind kind) {
+  return kind == MeasurementKind::distance ? "mm" : "deg";
+}
+
+double measuredValue(const std::vector<Vec3>& places) {
+  if (places.size() == 2)
+    return (places[1] - places[0]).norm();
+  const Vec3 a = places.at(0) - places.at(1);
+  const Vec3 b = places.at(2) - places.at(1);
+  // Exact to rounding also near 0 and 180 degrees, where the arc cosine is not.
+  return kDegreesPerRadian * std::atan2(a.cross(b).norm(), a.dot(b));
+}
+
+MeasuredValues measure(const Measurement& measurement, const DocumentState& state, const PointsOf& pointsOf) {
+  MeasuredValues values;
+  std::vector<Vec3> rest;
+  for (const MeasuredPoint& point : measurement.points) {
+    rest.push_back(point.rest);
+    values.places.push_back(placeNow(point, state, pointsOf));
+  }
+  values.rest = measuredValue(rest);
+  values.now = measuredValue(values.places);
+  return values;
+}
+
+MeasuredPoint surfacePoint(const Organ& organ, int triangle, const Vec3& weights) {
+  if (triangle < 0 || triangle >= organ.mesh->triangles.rows())
+    throw DataError("there is no triangle " + std::to_string(triangle), organ.name,
+                    "pick the point on the surface again");
+  if (!(weights.minCoeff() >= -kWeightTolerance && std::abs(weights.sum() - 1) <= kWeightTolerance))
+    throw DataError("the weights of a measured point are no place in its triangle", organ.name,
+                    "pick the point on the surface again");
+  MeasuredPoint point;
+  point.organ = organ.id;
+  point.triangle = triangle;
+  point.weights = weights.cwiseMax(0.0);
+  point.weights /= point.weights.sum();
+  point.rest = cornersOf(organ.mesh->triangles, organ.mesh->points, triangle) * point.weights;
+  return point;
+}
+
+MeasuredPoint nearestPoint(const Organ& organ, const Vec3& place) {
+  const Triangles& triangles = organ.mesh->triangles;
+  double nearest = std::numeric_limits<double>::infinity();
+  int triangle = 0;
+  Vec3 weights = Vec3::UnitX();
+  for (Eigen::Index i = 0; i < triangles.rows(); ++i) {
+    const Corners corners = cornersOf(triangles, organ.mesh->points, i);
+    const Vec3 found = nearestInTriangle(corners, place);
+    const double away = (corners * found - place).squaredNorm();
+    if (away < nearest) {
+      nearest = away;
+      triangle = static_cast<int>(i);
+      weights = found;
+    }
+  }
+  return surfacePoint(organ, triangle, weights);
+}
+
+} // namespace viscera::document

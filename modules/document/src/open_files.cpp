@@ -1,0 +1,238 @@
+#include "viscera/document/open_files.h"
+
+#include <algorithm>
+#include <cctype>
+#include <map>
+#include <set>
+#include <tuple>
+#include <utility>
+
+#include "sha256.h"
+#include "viscera/core/error.h"
+#include "viscera/document/label_organs.h"
+#include "viscera/geometry/convex_hull.h"
+#include "viscera/medical_io/label_map.h"
+#include "viscera/medical_io/surface_file.h"
+
+namespace viscera::document {
+namespace {
+
+constexpr std::size_t kFewestHandles = 4; ///< Fewer have no inside.
+
+std::string lowerName(const std::filesystem::path& file) {
+  std::string name = file.filename().string();
+  std::transform(name.begin(), name.end(), name.begin(), [](unsigned char c) { return std::tolower(c); });
+  return name;
+}
+
+bool endsWith(const std::string& text, const std::string& ending) {
+  return text.size() >= ending.size() &&
+         text.compare(text.size() - ending.size(), ending.size(), ending) == 0;
+}
+
+/// The name without this ending, packed or not; empty when it ends otherwise.
+std::string withoutEnding(const std::filesystem::path& file, const std::string& ending) {
+  const std::string name = lowerName(file);
+  for (const std::string& form : {ending, ending + ".gz"})
+    if (endsWith(name, form))
+      return name.substr(0, name.size() - form.size());
+  return {};
+}
+
+/// The files without voxels (.img) whose header (.hdr) is there too: that brings them along.
+std::vector<std::filesystem::path> withoutHalves(const std::vector<std::filesystem::path>& files) {
+  std::set<std::pair<std::filesystem::path, std::string>> headers;
+  for (const auto& file : files)
+    headers.emplace(file.parent_path(), withoutEnding(file, ".hdr"));
+  std::vector<std::filesystem::path> rest;
+  for (const auto& file : files) {
+    const std::string voxelsOf = withoutEnding(file, ".img");
+    if (voxelsOf.empty() || !headers.contains({file.parent_path(), voxelsOf}))
+      rest.push_back(file);
+  }
+  return rest;
+}
+
+void requireKnown(const std::filesystem::path& file) {
+  const auto& extensions = medical_io::surfaceExtensions();
+  const std::string name = lowerName(file);
+  if (isHandleFile(file) || medical_io::isLabelMap(file) ||
+      std::any_of(extensions.begin(), extensions.end(),
+                  [&](const std::string& e) { return endsWith(name, e); }))
+    return;
+  std::string known = ".mrk.json, .fcsv";
+  for (const auto* list : {&extensions, &medical_io::labelMapExtensions()})
+    for (const std::string& extension : *list)
+      known += ", " + extension;
+  throw UsageError("Nothing is known about files of this kind", file.string(), "use one of " + known);
+}
+
+void addWarnings(std::vector<std::string>& all, const std::filesystem::path& file,
+                 const std::vector<std::string>& warnings) {
+  for (const std::string& warning : warnings)
+    all.push_back(file.filename().string() + ": " + warning);
+}
+
+/// "LV" for "lv", "Outer wall" for "outer wall": the definitions' names are written small.
+std::string displayName(std::string name) {
+  constexpr std::size_t kLongestAbbreviation = 3;
+  const std::size_t upper = name.size() <= kLongestAbbreviation ? name.size() : 1;
+  for (std::size_t i = 0; i < upper; ++i)
+    name[i] = static_cast<char>(std::toupper(static_cast<unsigned char>(name[i])));
+  std::replace(name.begin(), name.end(), '_', ' ');
+  return name;
+}
+
+} // namespace
+
+bool isHandleFile(const std::filesystem::path& file) {
+  const std::string name = lowerName(file);
+  return endsWith(name, ".mrk.json") || endsWith(name, ".fcsv");
+}
+
+namespace {
+
+/// As an organ, and as it is in the file.
+std::pair<Organ, ReadSurface> readBoth(const std::filesystem::path& file) {
+  medical_io::SurfaceFile surface = medical_io::readSurface(file);
+  ReadSurface read{std::make_shared<const geometry::TriangleMesh>(std::move(surface.mesh)),
+                   surface.spaceStated ? std::optional(surface.space) : std::nullopt};
+  const std::string name = surface.name.empty() ? file.stem().string() : surface.name;
+  Organ organ = makeOrgan(name, read.mesh);
+  organ.file = file;
+  organ.origin.fileHash = sha256OfFile(file);
+  // Both looked at the surface and say the same of it; only the file knows of units and axes.
+  for (std::string& warning : organ.warnings)
+    if (std::find(surface.warnings.begin(), surface.warnings.end(), warning) == surface.warnings.end())
+      surface.warnings.push_back(std::move(warning));
+  organ.warnings = std::move(surface.warnings);
+  return {std::move(organ), std::move(read)};
+}
+
+} // namespace
+
+Organ readOrgan(const std::filesystem::path& file) {
+  return readBoth(file).first;
+}
+
+OpenedFiles openFiles(const std::vector<std::filesystem::path>& named, Progress& progress) {
+  if (named.empty())
+    throw UsageError("There is no file to open");
+  const std::vector<std::filesystem::path> files = withoutHalves(named);
+  if (std::count_if(files.begin(), files.end(), isHandleFile) > 1)
+    throw UsageError("Two handle files cannot be opened at a time", {}, "choose one of them");
+  for (const auto& file : files)
+    requireKnown(file);
+  OpenedFiles opened;
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    progress.report(static_cast<double>(i) / static_cast<double>(files.size()), files[i].filename().string());
+    progress.throwIfCancelled();
+    if (isHandleFile(files[i])) {
+      const medical_io::HandleFile handles = medical_io::readHandles(files[i]);
+      addWarnings(opened.warnings, files[i], handles.warnings);
+      opened.rig = rigFrom(handles, files[i].string());
+    } else if (medical_io::isLabelMap(files[i])) {
+      for (Organ& organ : readLabelOrgans(files[i], {}, progress)) {
+        for (const std::string& warning : organ.warnings)
+          opened.warnings.push_back(files[i].filename().string() + ": " + organ.name + ": " + warning);
+        opened.organs.push_back({std::move(organ), -1});
+      }
+    } else {
+      auto [organ, read] = readBoth(files[i]);
+      opened.surfaces.emplace(opened.organs.size(), std::move(read));
+      opened.organs.push_back({std::move(organ), -1});
+      addWarnings(opened.warnings, files[i], opened.organs.back().organ.warnings);
+    }
+  }
+  opened.name = files.size() == 1 ? "Open " + files.front().filename().string()
+                                  : "Open " + std::to_string(files.size()) + " files";
+  progress.report(1);
+  return opened;
+}
+
+Command OpenedFiles::command() const {
+  std::vector<Command> commands;
+  if (!organs.empty())
+    commands.push_back(addOrgans(organs));
+  if (rig)
+    commands.push_back(replaceRig(*rig));
+  return combined(name, std::move(commands));
+}
+
+NewRig rigFrom(const medical_io::HandleFile& file, const std::string& where) {
+  NewRig rig;
+  std::map<std::tuple<double, double, double>, int> known;
+  for (const medical_io::HandleGroupRecord& list : file.groups) {
+    NewGroup group{list.name, list.color, {}};
+    std::set<int> inList;
+    for (const medical_io::HandleRecord& record : list.handles) {
+      const Vec3& p = record.position;
+      const auto [found, isNew] =
+          known.emplace(std::tuple(p.x(), p.y(), p.z()), static_cast<int>(rig.handles.size()));
+      if (isNew)
+        rig.handles.push_back(
+            {p, std::nullopt, record.label, record.description, record.locked, record.visible});
+      if (!inList.insert(found->second).second)
+        throw DataError("Two handles are at one place",
+                        where + ", handles " + rig.handles[static_cast<std::size_t>(found->second)].label +
+                            " and " + record.label,
+                        "remove one of them from the file");
+      group.handles.push_back(found->second);
+    }
+    rig.groups.push_back(std::move(group));
+  }
+  if (rig.handles.size() < kFewestHandles)
+    throw DataError("coordinates need at least four handles, there are " + std::to_string(rig.handles.size()),
+                    where, "add handles, or place them automatically");
+  Points positions(static_cast<Eigen::Index>(rig.handles.size()), 3);
+  for (std::size_t i = 0; i < rig.handles.size(); ++i)
+    positions.row(static_cast<Eigen::Index>(i)) = rig.handles[i].rest.transpose();
+  try {
+    geometry::ConvexHull hull(positions);
+  } catch (const DataError& error) {
+    throw DataError("the handles enclose nothing: " + error.problem(), where, error.tryThis());
+  }
+  return rig;
+}
+
+medical_io::HandleFile handleFile(const Rig& rig) {
+  medical_io::HandleFile file;
+  const auto record = [](const Handle& handle) {
+    return medical_io::HandleRecord{handle.label, handle.rest, handle.description, handle.locked,
+                                    handle.visible};
+  };
+  for (const Group& group : rig.groups) {
+    medical_io::HandleGroupRecord list{group.name, group.color, {}};
+    for (const HandleId id : group.handles)
+      list.handles.push_back(record(rig.handles[static_cast<std::size_t>(rig.indexOf(id))]));
+    file.groups.push_back(std::move(list));
+  }
+  medical_io::HandleGroupRecord others;
+  others.name = "Handles";
+  for (const Handle& handle : rig.handles)
+    if (!rig.groupOf(handle.id))
+      others.handles.push_back(record(handle));
+  if (!others.handles.empty())
+    file.groups.push_back(std::move(others));
+  return file;
+}
+
+medical_io::HandleFile handleFile(const NewRig& rig) {
+  IdSource ids;
+  return handleFile(*replaceRig(rig).apply(DocumentState(), ids).rig);
+}
+
+std::vector<NewOrgan> organsFrom(const sample_organs::SampleOrgan& sample) {
+  std::vector<NewOrgan> list;
+  for (const sample_organs::SampleSurface& surface : sample.surfaces) {
+    const bool outer = list.empty();
+    NewOrgan item{makeOrgan(displayName(outer ? sample.name : surface.name), surface.mesh), outer ? -1 : 0};
+    item.organ.look.color = surface.color;
+    item.organ.origin.sample = sample.name + "@" + sample_organs::nameOf(sample.resolution);
+    item.organ.origin.surface = surface.name;
+    list.push_back(std::move(item));
+  }
+  return list;
+}
+
+} // namespace viscera::document

@@ -1,0 +1,34 @@
+#include "viscera/document/organ.h"
+
+#include <utility>
+
+#include "viscera/core/error.h"
+#include "viscera/geometry/surface_check.h"
+
+namespace viscera::document {
+Organ makeOrgan(std::string name, geometry::TriangleMesh mesh) {
+  return makeOrgan(std::move(name), std::make_shared<const geometry::TriangleMesh>(std::move(mesh)));
+}
+
+Organ makeOrgan(std::string name, std::shared_ptr<const geometry::TriangleMesh> mesh) {
+  geometry::requireValid(*mesh, name);
+  if (mesh->triangles.rows() == 0)
+    throw DataError("The surface has no triangle", name, "choose a file with a triangle surface");
+  Organ organ;
+  geometry::SurfaceReport report = geometry::checkSurface(*mesh);
+  organ.warnings = geometry::faults(report);
+  if (report.closed() && report.volumeMm3 < 0) {
+    geometry::TriangleMesh turned = *mesh;
+    geometry::orientOutward(turned);
+    mesh = std::make_shared<const geometry::TriangleMesh>(std::move(turned));
+    report.volumeMm3 = -report.volumeMm3;
+    organ.warnings.push_back("its triangles were turned around to face outward");
+  }
+  organ.name = std::move(name);
+  organ.mesh = std::move(mesh);
+  organ.boundaryEdges = report.boundaryEdges;
+  organ.restVolumeMm3 = report.closed() ? report.volumeMm3 : 0;
+  return organ;
+}
+
+} // namespace viscera::document

@@ -1,0 +1,201 @@
+#include "viscera/document/organ_commands.h"
+
+#include <algorithm>
+#include <set>
+#include <utility>
+
+#include "viscera/document/edit.h"
+#include "viscera/geometry/close_holes.h"
+#include "viscera/geometry/surface_check.h"
+
+namespace viscera::document {
+namespace {
+
+bool hasName(const OrganList& organs, const std::string& name) {
+  return std::any_of(organs.begin(), organs.end(),
+                     [&name](const auto& organ) { return organ->name == name; });
+}
+
+/// The state with one organ replaced by what `change` makes of it.
+DocumentState withOrgan(DocumentState state, OrganId id, const std::function<void(Organ&)>& change) {
+  OrganList organs = *state.organs;
+  const auto found =
+      std::find_if(organs.begin(), organs.end(), [id](const auto& organ) { return organ->id == id; });
+  if (found == organs.end())
+    throw UsageError("There is no such organ any more", "organ " + std::to_string(id.value));
+  Organ changed = **found;
+  change(changed);
+  *found = std::make_shared<const Organ>(std::move(changed));
+  state.organs = std::make_shared<const OrganList>(std::move(organs));
+  return state;
+}
+
+DocumentState added(DocumentState state, IdSource& ids, const std::vector<NewOrgan>& newOrgans) {
+  OrganList organs = *state.organs;
+  const auto present = organs.size();
+  for (const NewOrgan& item : newOrgans) {
+    if (!item.organ.mesh)
+      throw UsageError("An organ needs a surface", item.organ.name);
+    Organ organ = item.organ;
+    organ.id = ids.next<OrganId>();
+    organ.name =
+        edit::freeName(organ.name, [&organs](const std::string& name) { return hasName(organs, name); });
+    if (item.parentInBatch >= 0) {
+      const std::size_t parent = present + static_cast<std::size_t>(item.parentInBatch);
+      if (parent >= organs.size())
+        throw UsageError("A cavity has to come after the organ that it is in", organ.name);
+      organ.parent = organs[parent]->id;
+    } else if (organ.parent && !state.organ(organ.parent)) {
+      throw UsageError("The organ that this cavity is in is not there any more", organ.name);
+    }
+    organs.push_back(std::make_shared<const Organ>(std::move(organ)));
+  }
+  state.organs = std::make_shared<const OrganList>(std::move(organs));
+  return state;
+}
+
+/// A measurement goes with the organs that its points are on.
+DocumentState withoutMeasurementsOf(DocumentState state, const std::set<OrganId>& gone) {
+  MeasurementList measurements = *state.measurements;
+  const auto removed = std::erase_if(measurements, [&gone](const Measurement& measurement) {
+    return std::any_of(measurement.points.begin(), measurement.points.end(),
+                       [&gone](const MeasuredPoint& point) { return gone.count(point.organ) > 0; });
+  });
+  if (removed > 0)
+    state.measurements = std::make_shared<const MeasurementList>(std::move(measurements));
+  return state;
+}
+
+/// Puts the measured points of an organ onto the surface that it has now.
+DocumentState withPointsOnSurfaceOf(DocumentState state, OrganId id) {
+  const Organ& organ = *state.organ(id);
+  MeasurementList measurements = *state.measurements;
+  for (Measurement& measurement : measurements)
+    for (MeasuredPoint& point : measurement.points)
+      if (point.organ == id)
+        point = nearestPoint(organ, point.rest);
+  if (measurements != *state.measurements)
+    state.measurements = std::make_shared<const MeasurementList>(std::move(measurements));
+  return state;
+}
+
+DocumentState removed(DocumentState state, const std::vector<OrganId>& ids) {
+  std::set<OrganId> gone;
+  for (const OrganId id : ids) {
+    if (!state.organ(id))
+      throw UsageError("There is no such organ any more", "organ " + std::to_string(id.value));
+    gone.insert(id);
+  }
+  OrganList organs;
+  // A cavity comes after the organ that it is in, so one pass finds cavities of cavities too.
+  for (const auto& organ : *state.organs) {
+    if (gone.count(organ->id) || gone.count(organ->parent))
+      gone.insert(organ->id);
+    else
+      organs.push_back(organ);
+  }
+  state.organs = std::make_shared<const OrganList>(std::move(organs));
+  return withoutMeasurementsOf(std::move(state), gone);
+}
+
+/// The organ with the surface that its holes leave when they are filled.
+Organ withoutHoles(const Organ& open) {
+  const geometry::ClosedSurface filled = geometry::closeHoles(*open.mesh);
+  Organ closed = makeOrgan(open.name, filled.mesh);
+  closed.id = open.id;
+  closed.look = open.look;
+  closed.parent = open.parent;
+  closed.file = open.file;
+  // What the file said of itself is still true; what was found out about the surface was found out anew.
+  const std::vector<std::string> outdated = geometry::faults(geometry::checkSurface(*open.mesh));
+  std::vector<std::string> warnings = open.warnings;
+  std::erase_if(warnings, [&outdated](const std::string& warning) {
+    return std::find(outdated.begin(), outdated.end(), warning) != outdated.end();
+  });
+  warnings.push_back(
+      edit::counted("its surface was closed by", static_cast<std::size_t>(filled.holes), "cap"));
+  warnings.insert(warnings.end(), closed.warnings.begin(), closed.warnings.end());
+  closed.warnings = std::move(warnings);
+  return closed;
+}
+
+} // namespace
+
+Command addOrgans(std::vector<NewOrgan> organs) {
+  const std::string name =
+      organs.size() == 1 ? "Add " + organs.front().organ.name : edit::counted("Add", organs.size(), "organ");
+  return {name,
+          [organs = std::move(organs)](const DocumentState& state, IdSource& ids) {
+            return added(state, ids, organs);
+          },
+          {}};
+}
+
+Command removeOrgans(std::vector<OrganId> organs) {
+  const std::string name = edit::counted("Remove", organs.size(), "organ");
+  return {
+      name,
+      [organs = std::move(organs)](const DocumentState& state, IdSource&) { return removed(state, organs); },
+      {}};
+}
+
+Command removeAllOrgans() {
+  return {"Remove all organs",
+          [](DocumentState state, IdSource&) {
+            state.organs = std::make_shared<const OrganList>();
+            state.measurements = std::make_shared<const MeasurementList>();
+            return state;
+          },
+          {}};
+}
+
+Command setOrganLook(OrganId organ, OrganLook look) {
+  return {"Change look",
+          [organ, look](const DocumentState& state, IdSource&) {
+            edit::requireColor(look.color);
+            if (!(look.opacity >= 0 && look.opacity <= 1))
+              throw UsageError("An opacity has to lie between 0 and 1");
+            return withOrgan(state, organ, [&look](Organ& changed) { changed.look = look; });
+          },
+          "look/" + std::to_string(organ.value)};
+}
+
+Command setVolumeLocked(OrganId organ, bool locked) {
+  return {locked ? "Lock volume" : "Unlock volume",
+          [organ, locked](const DocumentState& state, IdSource&) {
+            return withOrgan(state, organ, [locked](Organ& changed) {
+              if (locked && !changed.closed())
+                throw DataError("the surface is open (" + std::to_string(changed.boundaryEdges) +
+                                    " boundary edges), so it has no volume that could be locked",
+                                changed.name, "close its holes first");
+              changed.volumeLocked = locked;
+            });
+          },
+          {}};
+}
+
+Command closeHoles(OrganId organ) {
+  return {"Close holes",
+          [organ](const DocumentState& state, IdSource&) {
+            bool filled = false;
+            DocumentState closed = withOrgan(state, organ, [&filled](Organ& changed) {
+              filled = !changed.closed();
+              if (filled)
+                changed = withoutHoles(changed);
+            });
+            return filled ? withPointsOnSurfaceOf(std::move(closed), organ) : closed;
+          },
+          {}};
+}
+
+Command renameOrgan(OrganId organ, std::string name) {
+  return {"Rename organ",
+          [organ, name = std::move(name)](const DocumentState& state, IdSource&) {
+            if (name.empty())
+              throw UsageError("An organ needs a name");
+            return withOrgan(state, organ, [&name](Organ& changed) { changed.name = name; });
+          },
+          {}};
+}
+
+} // namespace viscera::document

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "viscera/core/progress.h"
+#include "viscera/document/organ.h"
+#include "viscera/document/organ_commands.h"
+#include "viscera/sample_organs/sample_organ.h"
+
+/// Surfaces that a session names but does not hold.
+namespace viscera::document {
+
+/// A surface file as a session remembers it.
+struct FileSource {
+  std::filesystem::path relative; ///< To the session file's folder.
+  std::filesystem::path absolute;
+  std::string hash;       ///< SHA-256 of its bytes; empty when it is not known.
+  std::int64_t bytes = 0; ///< Its size.
+};
+
+/// A file, and whether it has the contents that were looked for.
+struct FoundFile {
+  std::filesystem::path file; ///< Absolute.
+  bool same = false;
+};
+
+/// Looks for the file: relative to `folder`, where it was, in `folder` by its name, and then for any file of
+/// the same contents in those folders. A file of other contents counts only when the right ones are nowhere.
+std::optional<FoundFile> findFile(const FileSource& source, const std::filesystem::path& folder);
+
+/// The file of an organ as it is now, when it still is what the organ was read from; else nothing.
+std::optional<FileSource> unchangedFile(const Organ& organ, const std::filesystem::path& folder);
+
+/// How a session names an organ's file, without looking at it.
+FileSource fileSource(const Organ& organ, const std::filesystem::path& folder);
+
+/// Sample organs that are made once, however many of their surfaces a session has.
+class SampleMaker {
+public:
+  explicit SampleMaker(const sample_organs::SampleLibrary& library) : library_(library) {}
+
+  /// The surface of a sample ("heart@medium", "lv"). Throws what `sample_organs::sampleOrgan` throws, and
+  /// `UsageError` for a surface that it does not have.
+  Organ make(const std::string& sample, const std::string& surface, Progress& progress);
+
+private:
+  const sample_organs::SampleLibrary& library_;
+  std::map<std::string, std::vector<NewOrgan>> made_;
+};
+
+} // namespace viscera::document

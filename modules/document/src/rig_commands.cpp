@@ -1,0 +1,297 @@
+#include "viscera/document/rig_commands.h"
+
+#include <charconv>
+#include <numeric>
+#include <set>
+#include <utility>
+
+#include "viscera/deformation/place_handles.h"
+#include "viscera/document/edit.h"
+
+namespace viscera::document {
+namespace {
+
+/// How far a box around vertices in no region reaches beyond them, as a part of their organ's diagonal.
+constexpr double kEnclosingMargin = 0.03;
+
+/// The number of a label "H-n", or 0.
+int numberOf(const std::string& label) {
+  int number = 0;
+  if (label.rfind("H-", 0) == 0)
+    std::from_chars(label.data() + 2, label.data() + label.size(), number);
+  return number;
+}
+
+/// Throws when a rest position is not finite or two are one place. Neighbours along x only: O(n log n) as a
+/// rule.
+void requireApart(const Rig& rig) {
+  const Points rest = rig.restPositions();
+  std::vector<HandleId> ids;
+  for (const Handle& handle : rig.handles)
+    ids.push_back(handle.id);
+  edit::requireFinite(rest, rig, ids);
+  const double apart = kSamePlace * std::max(boundsOf(rest).diagonal(), 1.0);
+  std::vector<Eigen::Index> order(static_cast<std::size_t>(rest.rows()));
+  std::iota(order.begin(), order.end(), Eigen::Index{0});
+  std::sort(order.begin(), order.end(), [&rest](auto a, auto b) { return rest(a, 0) < rest(b, 0); });
+  for (std::size_t i = 0; i < order.size(); ++i)
+    for (std::size_t j = i + 1; j < order.size() && rest(order[j], 0) - rest(order[i], 0) <= apart; ++j)
+      if ((rest.row(order[i]) - rest.row(order[j])).norm() <= apart)
+        throw DataError("Two handles are at one place",
+                        "handles " + rig.handles[static_cast<std::size_t>(order[i])].label + " and " +
+                            rig.handles[static_cast<std::size_t>(order[j])].label,
+                        "move or remove one of them");
+}
+
+/// Puts new handles behind those of `rig`, and their positions behind `pose`. Returns their ids.
+std::vector<HandleId> append(Rig& rig, Points& pose, const std::vector<NewHandle>& handles, IdSource& ids) {
+  std::set<std::string> labels;
+  int number = 0;
+  for (const Handle& handle : rig.handles) {
+    labels.insert(handle.label);
+    number = std::max(number, numberOf(handle.label));
+  }
+  for (const NewHandle& handle : handles)
+    number = std::max(number, numberOf(handle.label));
+  const Eigen::Index present = pose.rows();
+  pose.conservativeResize(present + static_cast<Eigen::Index>(handles.size()), 3);
+  std::vector<HandleId> added;
+  for (const NewHandle& item : handles) {
+    const std::string wanted = item.label.empty() ? "H-" + std::to_string(++number) : item.label;
+    const std::string label =
+        edit::freeName(wanted, [&](const std::string& name) { return labels.count(name) > 0; });
+    labels.insert(label);
+    pose.row(present + static_cast<Eigen::Index>(added.size())) = item.posed.value_or(item.rest).transpose();
+    added.push_back(ids.next<HandleId>());
+    rig.handles.push_back({added.back(), label, item.rest, item.locked, item.visible, item.description});
+  }
+  edit::requireFinite(pose, rig, {});
+  return added;
+}
+
+std::string freeGroupName(const Rig& rig, const std::string& wanted) {
+  return edit::freeName(wanted, [&rig](const std::string& name) {
+    return std::any_of(rig.groups.begin(), rig.groups.end(),
+                       [&name](const Group& g) { return g.name == name; });
+  });
+}
+
+/// Puts the corners of a box into a rig as a group of their own.
+DocumentState withBox(const DocumentState& state, const Points& corners, const std::string& name,
+                      IdSource& ids) {
+  std::vector<NewHandle> handles = newHandles(corners);
+  for (std::size_t i = 0; i < handles.size(); ++i)
+    handles[i].label = "E-" + std::to_string(i + 1);
+  Rig rig = *state.rig;
+  Points pose = *state.pose;
+  const std::vector<HandleId> added = append(rig, pose, handles, ids);
+  requireApart(rig);
+  rig.groups.push_back({ids.next<GroupId>(), freeGroupName(rig, name), {0.6, 0.6, 0.65}, added});
+  return edit::withRig(state, std::move(rig), std::move(pose));
+}
+
+DocumentState enclosed(const DocumentState& state, IdSource& ids) {
+  Eigen::Index count = state.pose->rows();
+  for (const auto& organ : *state.organs)
+    count += organ->mesh->points.rows();
+  if (state.organs->empty())
+    throw UsageError("There is no organ to enclose", {}, "open one first");
+  Points everything(count, 3);
+  Eigen::Index row = state.pose->rows();
+  everything.topRows(row) = state.rig->restPositions();
+  for (const auto& organ : *state.organs) {
+    everything.middleRows(row, organ->mesh->points.rows()) = organ->mesh->points;
+    row += organ->mesh->points.rows();
+  }
+  return withBox(state, deformation::enclosingHandles(everything), "Enclosing", ids);
+}
+
+DocumentState withEnclosingGroup(const DocumentState& state, OrganId id, const std::vector<int>& vertices,
+                                 IdSource& ids) {
+  const auto organ = state.organ(id);
+  if (!organ)
+    throw UsageError("There is no such organ any more", "organ " + std::to_string(id.value));
+  const Points& points = organ->mesh->points;
+  if (vertices.empty() || *std::min_element(vertices.begin(), vertices.end()) < 0 ||
+      *std::max_element(vertices.begin(), vertices.end()) >= points.rows())
+    throw UsageError("There are no such vertices to enclose", organ->name);
+  const Bounds box = boundsOf(points(vertices, Eigen::all));
+  const double grow = kEnclosingMargin * boundsOf(points).diagonal();
+  Points ends(2, 3);
+  ends << (box.low.array() - grow).transpose(), (box.high.array() + grow).transpose();
+  return withBox(state, deformation::enclosingHandles(ends, 0), "Enclosing", ids);
+}
+
+DocumentState movedAtRest(const DocumentState& state, const std::vector<HandleId>& handles,
+                          const Points& positions) {
+  edit::requireMatch(positions, handles);
+  edit::requireFinite(positions, *state.rig, handles);
+  Rig rig = *state.rig;
+  Points pose = *state.pose;
+  for (const auto& [row, item] : edit::freeRows(rig, handles)) {
+    Vec3& rest = rig.handles[static_cast<std::size_t>(row)].rest;
+    const Vec3 moved = positions.row(item).transpose();
+    const Vec3 posed = pose.row(row).transpose();
+    const bool wasAtRest = posed == rest;
+    pose.row(row) = (wasAtRest ? moved : Vec3(moved + (posed - rest))).transpose();
+    rest = moved;
+  }
+  requireApart(rig);
+  return edit::withRig(state, std::move(rig), std::move(pose));
+}
+
+DocumentState withoutHandles(const DocumentState& state, const std::vector<HandleId>& handles) {
+  Rig rig;
+  Points pose(state.pose->rows(), 3);
+  for (const HandleId id : handles)
+    edit::requireHandle(*state.rig, id);
+  const std::set<HandleId> gone(handles.begin(), handles.end());
+  for (std::size_t i = 0; i < state.rig->handles.size(); ++i)
+    if (!gone.count(state.rig->handles[i].id)) {
+      pose.row(static_cast<Eigen::Index>(rig.handles.size())) = state.pose->row(static_cast<Eigen::Index>(i));
+      rig.handles.push_back(state.rig->handles[i]);
+    }
+  pose.conservativeResize(static_cast<Eigen::Index>(rig.handles.size()), 3);
+  rig.groups = state.rig->groups;
+  for (Group& group : rig.groups)
+    std::erase_if(group.handles, [&gone](HandleId id) { return gone.count(id) > 0; });
+  const auto& cage = state.rig->cage;
+  const bool open = std::any_of(cage.begin(), cage.end(), [&gone](const CageTriangle& triangle) {
+    return std::any_of(triangle.begin(), triangle.end(), [&gone](HandleId id) { return gone.count(id) > 0; });
+  });
+  if (!open)
+    rig.cage = cage;
+  return edit::withRig(state, std::move(rig), std::move(pose));
+}
+
+DocumentState withNewRig(const DocumentState& state, const NewRig& replacement, IdSource& ids) {
+  Rig rig;
+  Points pose(0, 3);
+  const std::vector<HandleId> added = append(rig, pose, replacement.handles, ids);
+  requireApart(rig);
+  for (const NewGroup& item : replacement.groups) {
+    edit::requireColor(item.color);
+    Group group{ids.next<GroupId>(), freeGroupName(rig, item.name), item.color, {}};
+    const std::set<int> members(item.handles.begin(), item.handles.end());
+    for (const int index : members) {
+      if (index < 0 || index >= static_cast<int>(added.size()))
+        throw UsageError("A group names a handle that is not there", item.name);
+      group.handles.push_back(added[static_cast<std::size_t>(index)]);
+    }
+    rig.groups.push_back(std::move(group));
+  }
+  rig.cage = edit::cageOf(rig, replacement.cage);
+  return edit::withRig(state, std::move(rig), std::move(pose));
+}
+
+DocumentState edited(const DocumentState& state, const std::vector<HandleId>& handles,
+                     const HandleEdit& change) {
+  Rig rig = *state.rig;
+  for (const HandleId id : handles) {
+    const int row = edit::requireHandle(rig, id);
+    Handle& handle = rig.handles[static_cast<std::size_t>(row)];
+    if (change.label) {
+      if (change.label->empty())
+        throw UsageError("A handle needs a label", "handle " + handle.label);
+      if (const int taken = rig.indexOf(*change.label); taken >= 0 && taken != row)
+        throw UsageError("There is already a handle \"" + *change.label + "\"", "handle " + handle.label);
+      handle.label = *change.label;
+    }
+    handle.description = change.description.value_or(handle.description);
+    handle.locked = change.locked.value_or(handle.locked);
+    handle.visible = change.visible.value_or(handle.visible);
+    handle.compensates = change.compensates.value_or(handle.compensates);
+  }
+  return edit::withRig(state, std::move(rig));
+}
+
+std::string nameOf(const HandleEdit& change, std::size_t count) {
+  if (change.label)
+    return "Rename handle";
+  if (change.locked)
+    return edit::counted(*change.locked ? "Lock" : "Unlock", count, "handle");
+  if (change.compensates)
+    return edit::counted(*change.compensates ? "Compensate with" : "Stop compensating with", count, "handle");
+  if (change.visible)
+    return edit::counted(*change.visible ? "Show" : "Hide", count, "handle");
+  return edit::counted("Describe", count, "handle");
+}
+
+} // namespace
+
+std::vector<NewHandle> newHandles(const Points& positions) {
+  std::vector<NewHandle> handles(static_cast<std::size_t>(positions.rows()));
+  for (std::size_t i = 0; i < handles.size(); ++i)
+    handles[i].rest = positions.row(static_cast<Eigen::Index>(i)).transpose();
+  return handles;
+}
+
+Command addHandles(std::vector<NewHandle> handles, GroupId group) {
+  const std::string name = edit::counted("Add", handles.size(), "handle");
+  return {name,
+          [handles = std::move(handles), group](const DocumentState& state, IdSource& ids) {
+            Rig rig = *state.rig;
+            Points pose = *state.pose;
+            const int place = rig.indexOf(group);
+            if (group && place < 0)
+              throw UsageError("There is no such group any more", "group " + std::to_string(group.value));
+            const std::vector<HandleId> added = append(rig, pose, handles, ids);
+            requireApart(rig);
+            if (place >= 0) {
+              auto& members = rig.groups[static_cast<std::size_t>(place)].handles;
+              members.insert(members.end(), added.begin(), added.end());
+            }
+            return edit::withRig(state, std::move(rig), std::move(pose));
+          },
+          {}};
+}
+
+Command addEnclosingHandles() {
+  return {"Add enclosing handles",
+          [](const DocumentState& state, IdSource& ids) { return enclosed(state, ids); },
+          {}};
+}
+
+Command addEnclosingGroup(OrganId organ, std::vector<int> vertices) {
+  return {"Add enclosing group",
+          [organ, vertices = std::move(vertices)](const DocumentState& state, IdSource& ids) {
+            return withEnclosingGroup(state, organ, vertices, ids);
+          },
+          {}};
+}
+
+Command removeHandles(std::vector<HandleId> handles) {
+  const std::string name = edit::counted("Remove", handles.size(), "handle");
+  return {name,
+          [handles = std::move(handles)](const DocumentState& state, IdSource&) {
+            return withoutHandles(state, handles);
+          },
+          {}};
+}
+
+Command moveRestHandles(std::vector<HandleId> handles, Points positions) {
+  const std::string name = edit::counted("Move", handles.size(), "handle") + " at rest";
+  return {name,
+          [handles = std::move(handles), positions = std::move(positions)](
+              const DocumentState& state, IdSource&) { return movedAtRest(state, handles, positions); },
+          {}};
+}
+
+Command replaceRig(NewRig rig, std::string name) {
+  return {std::move(name),
+          [rig = std::move(rig)](const DocumentState& state, IdSource& ids) {
+            return withNewRig(state, rig, ids);
+          },
+          {}};
+}
+
+Command editHandles(std::vector<HandleId> handles, HandleEdit change) {
+  const std::string name = nameOf(change, handles.size());
+  return {name,
+          [handles = std::move(handles), change = std::move(change)](const DocumentState& state, IdSource&) {
+            return edited(state, handles, change);
+          },
+          {}};
+}
+
+} // namespace viscera::document

@@ -1,0 +1,71 @@
+#include "viscera/document/selection.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace viscera::document {
+
+Selection::Selection(Document& document)
+    : document_(document), subscription_(document.onChange([this](const Change& change) {
+        if (change.rig() || change.organs())
+          drop();
+      })) {}
+
+bool Selection::contains(HandleId handle) const {
+  return std::find(handles_.begin(), handles_.end(), handle) != handles_.end();
+}
+
+void Selection::setHandles(const std::vector<HandleId>& handles) {
+  std::vector<HandleId> present;
+  for (const HandleId handle : handles)
+    if (document_.rig().indexOf(handle) >= 0 &&
+        std::find(present.begin(), present.end(), handle) == present.end())
+      present.push_back(handle);
+  if (std::exchange(handles_, present) != present)
+    changed_.emit();
+}
+
+void Selection::toggle(HandleId handle) {
+  std::vector<HandleId> handles = handles_;
+  if (std::erase(handles, handle) == 0)
+    handles.push_back(handle);
+  setHandles(handles);
+}
+
+void Selection::setOrgan(OrganId organ) {
+  const OrganId present = document_.organ(organ) ? organ : OrganId{};
+  if (std::exchange(organ_, present) != present)
+    changed_.emit();
+}
+
+void Selection::setGroup(GroupId group) {
+  const GroupId present = document_.rig().indexOf(group) >= 0 ? group : GroupId{};
+  if (std::exchange(group_, present) != present)
+    changed_.emit();
+}
+
+void Selection::clear() {
+  const bool any = !handles_.empty() || organ_ || group_;
+  handles_.clear();
+  organ_ = {};
+  group_ = {};
+  if (any)
+    changed_.emit();
+}
+
+void Selection::drop() {
+  const Rig& rig = document_.rig();
+  auto gone = std::erase_if(handles_, [&rig](HandleId handle) { return rig.indexOf(handle) < 0; });
+  if (organ_ && !document_.organ(organ_)) {
+    organ_ = {};
+    ++gone;
+  }
+  if (group_ && rig.indexOf(group_) < 0) {
+    group_ = {};
+    ++gone;
+  }
+  if (gone > 0)
+    changed_.emit();
+}
+
+} // namespace viscera::document

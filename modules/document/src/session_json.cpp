@@ -1,0 +1,377 @@
+#include "session_json.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <utility>
+
+#include "viscera/core/error.h"
+
+namespace viscera::document {
+namespace {
+
+using nlohmann::ordered_json;
+
+constexpr JsonReader::Format kFormat = {
+    kSessionFormat, kSessionVersion, "session", "choose a file that Viscera has saved as .viscera",
+    "take a backup of the file, or begin a new session with the organs' own files"};
+
+/// How far the sum of weights may be from 1.
+constexpr double kWeightTolerance = 1e-6;
+
+bool sameBits(const Vec3& a, const Vec3& b) {
+  return std::memcmp(a.data(), b.data(), 3 * sizeof(double)) == 0;
+}
+
+/// JSON has no such numbers, and a document should have none.
+void requireFinite(double value, const std::string& place) {
+  if (!std::isfinite(value))
+    throw DataError("is not a finite number and cannot be saved", place, "undo the step that set it");
+}
+
+void requireFinite(const Vec3& value, const std::string& place) {
+  for (int k = 0; k < 3; ++k)
+    requireFinite(value[k], place);
+}
+
+ordered_json cageJson(const std::vector<CageTriangle>& cage) {
+  ordered_json triangles = ordered_json::array();
+  for (const CageTriangle& triangle : cage)
+    triangles.push_back({triangle[0].value, triangle[1].value, triangle[2].value});
+  return triangles;
+}
+
+} // namespace
+
+ordered_json organJson(const Organ& organ) {
+  requireFinite(organ.look.color, "colour of " + organ.name);
+  requireFinite(organ.look.opacity, "opacity of " + organ.name);
+  ordered_json item{{"id", organ.id.value}, {"name", organ.name}};
+  if (organ.parent)
+    item["parent"] = organ.parent.value;
+  item["look"] = {{"color", listOf(organ.look.color)},
+                  {"vertexColors", organ.look.vertexColors},
+                  {"opacity", organ.look.opacity},
+                  {"visible", organ.look.visible},
+                  {"tracked", organ.look.tracked}};
+  item["volumeLocked"] = organ.volumeLocked;
+  return item;
+}
+
+ordered_json rigJson(const Rig& rig, const Points& pose) {
+  ordered_json handles = ordered_json::array();
+  for (std::size_t i = 0; i < rig.handles.size(); ++i) {
+    const Handle& handle = rig.handles[i];
+    const Vec3 posed = pose.row(static_cast<Eigen::Index>(i)).transpose();
+    requireFinite(handle.rest, "handle " + handle.label);
+    requireFinite(posed, "handle " + handle.label);
+    ordered_json item{{"id", handle.id.value}, {"label", handle.label}, {"rest", listOf(handle.rest)}};
+    if (!sameBits(posed, handle.rest))
+      item["pose"] = listOf(posed);
+    item["locked"] = handle.locked;
+    item["visible"] = handle.visible;
+    item["compensates"] = handle.compensates;
+    if (!handle.description.empty())
+      item["description"] = handle.description;
+    handles.push_back(std::move(item));
+  }
+  ordered_json groups = ordered_json::array();
+  for (const Group& group : rig.groups) {
+    requireFinite(group.color, "colour of group " + group.name);
+    ordered_json members = ordered_json::array();
+    for (const HandleId id : group.handles)
+      members.push_back(id.value);
+    groups.push_back({{"id", group.id.value},
+                      {"name", group.name},
+                      {"color", listOf(group.color)},
+                      {"handles", std::move(members)}});
+  }
+  ordered_json item{{"handles", std::move(handles)}, {"groups", std::move(groups)}};
+  if (!rig.cage.empty())
+    item["cage"] = cageJson(rig.cage);
+  return item;
+}
+
+ordered_json systemJson(const SystemChoice& system) {
+  ordered_json parameters = ordered_json::object();
+  for (const auto& [name, value] : system.parameters.all()) {
+    requireFinite(value, "parameter " + name);
+    parameters[name] = value;
+  }
+  return {{"id", system.id}, {"parameters", std::move(parameters)}};
+}
+
+ordered_json recordingJson(const Recording& recording) {
+  ordered_json keys = ordered_json::array();
+  for (const RecordedKey& key : recording.keys) {
+    ordered_json displacements = ordered_json::array();
+    for (const auto& [handle, moved] : key.displacements) {
+      requireFinite(moved, "a recorded key");
+      displacements.push_back({{"handle", handle.value}, {"by", listOf(moved)}});
+    }
+    keys.push_back({{"id", key.id.value},
+                    {"seconds", key.seconds},
+                    {"easing", nameOf(key.easing)},
+                    {"displacements", std::move(displacements)}});
+  }
+  return {{"name", recording.name},
+          {"periodSeconds", recording.periodSeconds},
+          {"loop", recording.loop},
+          {"interpolation", nameOf(recording.interpolation)},
+          {"keys", std::move(keys)}};
+}
+
+ordered_json measurementsJson(const MeasurementList& measurements,
+                              const std::function<bool(OrganId)>& isKnown) {
+  ordered_json list = ordered_json::array();
+  for (const Measurement& measurement : measurements) {
+    ordered_json points = ordered_json::array();
+    for (const MeasuredPoint& point : measurement.points) {
+      requireFinite(point.rest, "measurement " + measurement.name);
+      ordered_json item{{"rest", listOf(point.rest)}};
+      if (point.organ && isKnown(point.organ)) {
+        item["organ"] = point.organ.value;
+        item["triangle"] = point.triangle;
+        item["weights"] = listOf(point.weights);
+      }
+      points.push_back(std::move(item));
+    }
+    list.push_back({{"id", measurement.id.value}, {"name", measurement.name}, {"points", std::move(points)}});
+  }
+  return list;
+}
+
+SessionReader::SessionReader(const std::string& where) : JsonReader(where, kFormat) {}
+
+std::string SessionReader::at(const std::string& list, std::size_t index) {
+  return list + "[" + std::to_string(index) + "]";
+}
+
+std::string SessionReader::optionalText(const ordered_json& object, const char* key,
+                                        const std::string& place) const {
+  const auto found = object.find(key);
+  if (found == object.end())
+    return {};
+  if (!found->is_string())
+    fail("\"" + std::string(key) + "\" is not a text", place);
+  return found->get<std::string>();
+}
+
+template <class AnyId>
+AnyId SessionReader::newId(const ordered_json& object, const std::string& place) {
+  const AnyId id{wholeOf(field(object, "id", place), place + ".id")};
+  if (!id)
+    fail("its id is 0, which names nothing", place);
+  if (!ids_.insert(id.value).second)
+    fail("the id " + std::to_string(id.value) + " comes twice", place);
+  return id;
+}
+
+Organ SessionReader::readOrganRecord(const ordered_json& item, const std::string& place) {
+  requireObject(item, place);
+  noteUnknown(item,
+              {"id", "name", "parent", "look", "volumeLocked", "source", "sha256", "surface", "warnings"},
+              place);
+  Organ organ;
+  organ.id = newId<OrganId>(item, place);
+  organ.name = textOf(item, "name", place);
+  if (item.contains("parent"))
+    organ.parent = OrganId{wholeOf(item.at("parent"), place + ".parent")};
+  const ordered_json& look = field(item, "look", place);
+  const std::string inLook = place + ".look";
+  requireObject(look, inLook);
+  noteUnknown(look, {"color", "vertexColors", "opacity", "visible", "tracked"}, inLook);
+  organ.look.color = colorOf(field(look, "color", inLook), inLook + ".color");
+  organ.look.vertexColors = flagOf(look, "vertexColors", inLook);
+  organ.look.opacity = numberOf(field(look, "opacity", inLook), inLook + ".opacity");
+  if (!(organ.look.opacity >= 0 && organ.look.opacity <= 1))
+    fail("does not lie between 0 and 1", inLook + ".opacity");
+  organ.look.visible = flagOf(look, "visible", inLook);
+  organ.look.tracked = flagOf(look, "tracked", inLook);
+  organ.volumeLocked = flagOf(item, "volumeLocked", place);
+  return organ;
+}
+
+Handle SessionReader::readHandle(const ordered_json& item, const std::string& place) {
+  requireObject(item, place);
+  noteUnknown(item, {"id", "label", "rest", "pose", "locked", "visible", "compensates", "description"},
+              place);
+  Handle handle;
+  handle.id = newId<HandleId>(item, place);
+  handle.label = textOf(item, "label", place);
+  handle.rest = vectorOf(field(item, "rest", place), place + ".rest");
+  handle.locked = flagOf(item, "locked", place);
+  handle.visible = flagOf(item, "visible", place);
+  handle.compensates = flagOf(item, "compensates", place);
+  handle.description = optionalText(item, "description", place);
+  return handle;
+}
+
+Group SessionReader::readGroup(const ordered_json& item, const Rig& rig, const std::string& place) {
+  requireObject(item, place);
+  noteUnknown(item, {"id", "name", "color", "handles"}, place);
+  Group group;
+  group.id = newId<GroupId>(item, place);
+  group.name = textOf(item, "name", place);
+  group.color = colorOf(field(item, "color", place), place + ".color");
+  int last = -1;
+  for (const ordered_json& member : listOf(item, "handles", place)) {
+    const HandleId id{wholeOf(member, place + ".handles")};
+    const int row = rig.indexOf(id);
+    if (row < 0)
+      fail("there is no handle " + std::to_string(id.value), place + ".handles");
+    if (row <= last)
+      fail("its handles are not in the order of the rig, each once", place + ".handles");
+    last = row;
+    group.handles.push_back(id);
+  }
+  return group;
+}
+
+void SessionReader::readCage(const ordered_json& list, Rig& rig) const {
+  std::set<HandleId> known;
+  for (const Handle& handle : rig.handles)
+    known.insert(handle.id);
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    const std::string place = at("rig.cage", i);
+    if (!list[i].is_array() || list[i].size() != 3)
+      fail("is not a triangle of three handles", place);
+    CageTriangle triangle;
+    for (std::size_t k = 0; k < 3; ++k) {
+      triangle[k] = HandleId{wholeOf(list[i][k], place)};
+      if (!known.count(triangle[k]))
+        fail("there is no handle " + std::to_string(triangle[k].value), place);
+    }
+    if (triangle[0] == triangle[1] || triangle[1] == triangle[2] || triangle[2] == triangle[0])
+      fail("has a handle at two corners", place);
+    rig.cage.push_back(triangle);
+  }
+}
+
+void SessionReader::readRig(const ordered_json& item, DocumentState& state) {
+  requireObject(item, "rig");
+  noteUnknown(item, {"handles", "groups", "cage"}, "rig");
+  Rig rig;
+  const ordered_json& handles = listOf(item, "handles", "rig");
+  Points pose(static_cast<Eigen::Index>(handles.size()), 3);
+  std::set<std::string> labels;
+  for (std::size_t i = 0; i < handles.size(); ++i) {
+    const std::string place = at("rig.handles", i);
+    rig.handles.push_back(readHandle(handles[i], place));
+    const Handle& handle = rig.handles.back();
+    if (!labels.insert(handle.label).second)
+      fail("the label \"" + handle.label + "\" comes twice", place);
+    pose.row(static_cast<Eigen::Index>(i)) =
+        (handles[i].contains("pose") ? vectorOf(handles[i].at("pose"), place + ".pose") : handle.rest)
+            .transpose();
+  }
+  const ordered_json& groups = listOf(item, "groups", "rig");
+  std::set<std::string> names;
+  for (std::size_t i = 0; i < groups.size(); ++i) {
+    rig.groups.push_back(readGroup(groups[i], rig, at("rig.groups", i)));
+    if (!names.insert(rig.groups.back().name).second)
+      fail("the name \"" + rig.groups.back().name + "\" comes twice", at("rig.groups", i));
+  }
+  if (item.contains("cage"))
+    readCage(listOf(item, "cage", "rig"), rig);
+  state.rig = std::make_shared<const Rig>(std::move(rig));
+  state.pose = std::make_shared<const Points>(std::move(pose));
+}
+
+void SessionReader::readSystem(const ordered_json& item, DocumentState& state) {
+  requireObject(item, "system");
+  noteUnknown(item, {"id", "parameters"}, "system");
+  SystemChoice choice;
+  choice.id = textOf(item, "id", "system");
+  const ordered_json& parameters = field(item, "parameters", "system");
+  requireObject(parameters, "system.parameters");
+  for (const auto& [name, value] : parameters.items())
+    choice.parameters.set(name, numberOf(value, "system.parameters." + name));
+  state.system = std::make_shared<const SystemChoice>(std::move(choice));
+}
+
+RecordedKey SessionReader::readKey(const ordered_json& item, const std::string& place) {
+  requireObject(item, place);
+  noteUnknown(item, {"id", "seconds", "easing", "displacements"}, place);
+  RecordedKey key;
+  key.id = newId<KeyId>(item, place);
+  key.seconds = numberOf(field(item, "seconds", place), place + ".seconds");
+  key.easing = named(sequences::easingFromName, item, "easing", place, "linear, smooth, in, out, hold");
+  const ordered_json& list = listOf(item, "displacements", place);
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    const std::string inList = at(place + ".displacements", i);
+    requireObject(list[i], inList);
+    noteUnknown(list[i], {"handle", "by"}, inList);
+    const HandleId handle{wholeOf(field(list[i], "handle", inList), inList + ".handle")};
+    if (!key.displacements.emplace(handle, vectorOf(field(list[i], "by", inList), inList + ".by")).second)
+      fail("the handle " + std::to_string(handle.value) + " comes twice", inList);
+  }
+  return key;
+}
+
+void SessionReader::readRecording(const ordered_json& item, DocumentState& state) {
+  requireObject(item, "recording");
+  noteUnknown(item, {"name", "periodSeconds", "loop", "interpolation", "keys"}, "recording");
+  Recording recording;
+  recording.name = optionalText(item, "name", "recording");
+  recording.periodSeconds = numberOf(field(item, "periodSeconds", "recording"), "recording.periodSeconds");
+  if (!(recording.periodSeconds >= sequences::kShortestSpan))
+    fail("is not a positive number of seconds", "recording.periodSeconds");
+  recording.loop = flagOf(item, "loop", "recording");
+  recording.interpolation =
+      named(sequences::interpolationFromName, item, "interpolation", "recording", "eased, curve");
+  const ordered_json& keys = listOf(item, "keys", "recording");
+  for (std::size_t i = 0; i < keys.size(); ++i) {
+    const std::string place = at("recording.keys", i);
+    recording.keys.push_back(readKey(keys[i], place));
+    const double seconds = recording.keys[i].seconds;
+    const bool behind =
+        i == 0 ? seconds >= 0 : seconds - recording.keys[i - 1].seconds >= sequences::kShortestSpan;
+    if (!behind || !(seconds < recording.periodSeconds))
+      fail("its time does not lie behind the key before it and within the period", place);
+  }
+  state.recording = std::make_shared<const Recording>(std::move(recording));
+}
+
+MeasuredPoint SessionReader::readMeasuredPoint(const ordered_json& item, const std::string& place) {
+  requireObject(item, place);
+  noteUnknown(item, {"rest", "organ", "triangle", "weights"}, place);
+  MeasuredPoint point;
+  point.rest = vectorOf(field(item, "rest", place), place + ".rest");
+  if (!item.contains("organ"))
+    return point;
+  point.organ = OrganId{wholeOf(item.at("organ"), place + ".organ")};
+  const std::int64_t triangle = wholeOf(field(item, "triangle", place), place + ".triangle");
+  if (triangle > std::numeric_limits<int>::max())
+    fail("no surface has so many triangles", place + ".triangle");
+  point.triangle = static_cast<int>(triangle);
+  point.weights = vectorOf(field(item, "weights", place), place + ".weights");
+  if (!(point.weights.minCoeff() >= 0 && std::abs(point.weights.sum() - 1) <= kWeightTolerance))
+    fail("are no place in a triangle: they have to be 0 at least, and 1 together", place + ".weights");
+  return point;
+}
+
+void SessionReader::readMeasurements(const ordered_json& root, DocumentState& state) {
+  if (!root.contains("measurements"))
+    return;
+  MeasurementList measurements;
+  const ordered_json& list = listOf(root, "measurements", "");
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    const std::string place = at("measurements", i);
+    requireObject(list[i], place);
+    noteUnknown(list[i], {"id", "name", "points"}, place);
+    Measurement measurement;
+    measurement.id = newId<MeasurementId>(list[i], place);
+    measurement.name = textOf(list[i], "name", place);
+    const ordered_json& points = listOf(list[i], "points", place);
+    if (points.size() != 2 && points.size() != 3)
+      fail("has neither the two points of a distance nor the three of an angle", place + ".points");
+    for (std::size_t k = 0; k < points.size(); ++k)
+      measurement.points.push_back(readMeasuredPoint(points[k], at(place + ".points", k)));
+    measurements.push_back(std::move(measurement));
+  }
+  state.measurements = std::make_shared<const MeasurementList>(std::move(measurements));
+}
+
+} // namespace viscera::document

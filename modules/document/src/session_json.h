@@ -1,0 +1,60 @@
+#pragma once
+
+#include <functional>
+#include <set>
+#include <string>
+
+#include <nlohmann/json.hpp>
+
+#include "viscera/document/document.h"
+#include "viscera/document/json_reader.h"
+
+/// The parts of a document as a session file has them (docs/session_format.md). Organs' surfaces are not
+/// written and read here.
+namespace viscera::document {
+
+/// All of an organ but its surface and where it came from.
+nlohmann::ordered_json organJson(const Organ& organ);
+nlohmann::ordered_json rigJson(const Rig& rig, const Points& pose);
+nlohmann::ordered_json systemJson(const SystemChoice& system);
+nlohmann::ordered_json recordingJson(const Recording& recording);
+/// Points on an organ that `isKnown` does not know are written as places that stay.
+nlohmann::ordered_json measurementsJson(const MeasurementList& measurements,
+                                        const std::function<bool(OrganId)>& isKnown);
+
+/// Reads the parts of one session; keeps watch that no id comes twice.
+class SessionReader : public JsonReader {
+public:
+  explicit SessionReader(const std::string& where);
+
+  /// What the file says of an organ; the rest is as in a new one.
+  Organ readOrganRecord(const nlohmann::ordered_json& item, const std::string& place);
+  void readRig(const nlohmann::ordered_json& item, DocumentState& state);
+  void readSystem(const nlohmann::ordered_json& item, DocumentState& state);
+  void readRecording(const nlohmann::ordered_json& item, DocumentState& state);
+  /// Whether the organs and triangles that points name are there is not looked at.
+  void readMeasurements(const nlohmann::ordered_json& root, DocumentState& state);
+
+  /// A text that may be empty or left out.
+  std::string optionalText(const nlohmann::ordered_json& object, const char* key,
+                           const std::string& place) const;
+  /// A place in a list: "organs[2]".
+  static std::string at(const std::string& list, std::size_t index);
+
+private:
+  template <class AnyId>
+  AnyId newId(const nlohmann::ordered_json& object, const std::string& place);
+  Handle readHandle(const nlohmann::ordered_json& item, const std::string& place);
+  Group readGroup(const nlohmann::ordered_json& item, const Rig& rig, const std::string& place);
+  void readCage(const nlohmann::ordered_json& list, Rig& rig) const;
+  RecordedKey readKey(const nlohmann::ordered_json& item, const std::string& place);
+  MeasuredPoint readMeasuredPoint(const nlohmann::ordered_json& item, const std::string& place);
+
+  std::set<std::int64_t> ids_;
+};
+
+/// The format of session files.
+inline constexpr const char* kSessionFormat = "viscera-session";
+inline constexpr int kSessionVersion = 1;
+
+} // namespace viscera::document

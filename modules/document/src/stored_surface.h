@@ -1,0 +1,24 @@
+#pragma once
+
+#include <string>
+
+#include <nlohmann/json.hpp>
+
+#include "viscera/document/json_reader.h"
+#include "viscera/geometry/triangle_mesh.h"
+
+/// Surfaces inside a session file: every bit of them, compressed, as base64.
+namespace viscera::document {
+
+/// The SHA-256 of a surface's points, triangles and colours, in hexadecimal. O(n + m).
+std::string surfaceHash(const geometry::TriangleMesh& mesh);
+
+/// The surface as JSON. Throws `CannotCreateError` for one of more than 2 GB.
+nlohmann::ordered_json storedSurface(const geometry::TriangleMesh& mesh);
+
+/// The surface of `stored`; throws `DataError` through `reader` when it is damaged. What it says of its size
+/// is believed only as far as what is really there can hold it.
+geometry::TriangleMesh surfaceFrom(JsonReader& reader, const nlohmann::ordered_json& stored,
+                                   const std::string& place);
+
+} // namespace viscera::document

@@ -1,0 +1,219 @@
+#include "viscera/document/undo_stack.h"
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+namespace viscera::document {
+namespace {
+
+/// Lets `after` use the parts of `before` that it only copied, so that equal states are equal by address.
+void shareEqualParts(const DocumentState& before, DocumentState& after) {
+  // Each part is compared within an otherwise equal state, so that the one definition of "identical" decides.
+  const auto share = [&](auto part) {
+    DocumentState mixed = before;
+    mixed.*part = after.*part;
+    if (identical(before, mixed))
+      after.*part = before.*part;
+  };
+  share(&DocumentState::organs);
+  share(&DocumentState::rig);
+  share(&DocumentState::pose);
+  share(&DocumentState::system);
+  share(&DocumentState::recording);
+  share(&DocumentState::measurements);
+}
+
+template <class Array>
+std::size_t bytesOf(const Array& array) {
+  return static_cast<std::size_t>(array.size()) * sizeof(typename Array::Scalar);
+}
+
+std::size_t bytesOf(const geometry::TriangleMesh& mesh) {
+  return bytesOf(mesh.points) + bytesOf(mesh.triangles) + bytesOf(mesh.colors);
+}
+
+/// Roughly what `after` holds in memory that `before` does not.
+std::size_t newBytes(const DocumentState& before, const DocumentState& after) {
+  std::size_t bytes = sizeof(DocumentState);
+  if (after.organs != before.organs) {
+    for (const auto& organ : *after.organs) {
+      const bool known = std::any_of(before.organs->begin(), before.organs->end(),
+                                     [&](const auto& other) { return other->mesh == organ->mesh; });
+      bytes += sizeof(Organ) + (known ? 0 : bytesOf(*organ->mesh));
+    }
+  }
+  if (after.rig != before.rig) {
+    bytes += after.rig->handles.size() * sizeof(Handle) + after.rig->cage.size() * sizeof(CageTriangle);
+    for (const Group& group : after.rig->groups)
+      bytes += sizeof(Group) + group.handles.size() * sizeof(HandleId);
+  }
+  if (after.pose != before.pose)
+    bytes += bytesOf(*after.pose);
+  if (after.recording != before.recording)
+    for (const RecordedKey& key : after.recording->keys)
+      bytes += sizeof(key) + key.displacements.size() * sizeof(*key.displacements.begin());
+  if (after.measurements != before.measurements)
+    for (const Measurement& measurement : *after.measurements)
+      bytes += sizeof(measurement) + measurement.points.size() * sizeof(MeasuredPoint);
+  return bytes;
+}
+
+} // namespace
+
+UndoStack::UndoStack(Document& document, std::size_t memory)
+    : document_(document), memory_(memory), saved_(document.state()) {}
+
+void UndoStack::perform(const Command& command) {
+  const DocumentState before = document_.state();
+  DocumentState after = command.apply(before, document_.ids_);
+  shareEqualParts(before, after);
+  if (after == before)
+    return;
+  if (!stepOpen_)
+    push({command.name, command.mergeKey, before, after}, merges(command));
+  document_.replace(std::move(after), stepOpen_);
+  changed_.emit();
+}
+
+bool UndoStack::merges(const Command& command) const {
+  // What was saved has to stay reachable by undo, so the step that ended there is left alone.
+  return !sealed_ && !command.mergeKey.empty() && position_ > 0 && position_ == entries_.size() &&
+         entries_.back().mergeKey == command.mergeKey && !(entries_.back().after == saved_);
+}
+
+void UndoStack::push(Entry entry, bool merge) {
+  if (merge) {
+    entries_.back().after = std::move(entry.after);
+  } else {
+    entries_.erase(entries_.begin() + static_cast<std::ptrdiff_t>(position_), entries_.end());
+    entries_.push_back(std::move(entry));
+    position_ = entries_.size();
+  }
+  entries_.back().bytes = newBytes(entries_.back().before, entries_.back().after);
+  forgetOldest();
+  sealed_ = false;
+}
+
+/// The last step stays, however large it is.
+void UndoStack::forgetOldest() {
+  std::size_t kept = 0;
+  auto oldest = entries_.end();
+  while (oldest != entries_.begin() &&
+         (oldest == entries_.end() || kept + std::prev(oldest)->bytes <= memory_))
+    kept += (--oldest)->bytes;
+  position_ -= static_cast<std::size_t>(oldest - entries_.begin());
+  entries_.erase(entries_.begin(), oldest);
+}
+
+void UndoStack::beginStep(const std::string& name) {
+  endStep();
+  stepBefore_ = document_.state();
+  stepName_ = name;
+  stepOpen_ = true;
+  changed_.emit();
+}
+
+void UndoStack::endStep() {
+  if (!stepOpen_)
+    return;
+  stepOpen_ = false;
+  DocumentState after = document_.state();
+  shareEqualParts(stepBefore_, after);
+  if (!(after == stepBefore_))
+    push({stepName_, {}, stepBefore_, after}, false);
+  stepBefore_ = {};
+  seal();
+  document_.replace(std::move(after), false);
+  changed_.emit();
+}
+
+void UndoStack::cancelStep() {
+  if (!stepOpen_)
+    return;
+  stepOpen_ = false;
+  document_.replace(std::exchange(stepBefore_, {}), false);
+  changed_.emit();
+}
+
+void UndoStack::undo() {
+  if (canUndo())
+    goTo(position_ - 1);
+}
+
+void UndoStack::redo() {
+  if (canRedo())
+    goTo(position_ + 1);
+}
+
+void UndoStack::goTo(std::size_t steps) {
+  if (stepOpen_ || steps > entries_.size() || steps == position_)
+    return;
+  DocumentState state = steps < position_ ? entries_[steps].before : entries_[steps - 1].after;
+  position_ = steps;
+  seal();
+  document_.replace(std::move(state), false);
+  changed_.emit();
+}
+
+std::string UndoStack::undoName() const {
+  return canUndo() ? entries_[position_ - 1].name : std::string();
+}
+
+std::string UndoStack::redoName() const {
+  return canRedo() ? entries_[position_].name : std::string();
+}
+
+std::vector<std::string> UndoStack::names() const {
+  std::vector<std::string> list;
+  for (const Entry& entry : entries_)
+    list.push_back(entry.name);
+  return list;
+}
+
+void UndoStack::markSaved() {
+  endStep();
+  markSaved(document_.state());
+}
+
+void UndoStack::markSaved(DocumentState state) {
+  saved_ = std::move(state);
+  changed_.emit();
+}
+
+void UndoStack::markUnsaved() {
+  markSaved(DocumentState()); // Equal to none: states are compared by address.
+}
+
+bool UndoStack::isClean() const {
+  return document_.state() == saved_;
+}
+
+void UndoStack::reset(DocumentState state) {
+  stepOpen_ = false;
+  stepBefore_ = {};
+  entries_.clear();
+  position_ = 0;
+  for (const auto& organ : *state.organs)
+    document_.ids_.reserve(organ->id);
+  for (const Handle& handle : state.rig->handles)
+    document_.ids_.reserve(handle.id);
+  for (const Group& group : state.rig->groups)
+    document_.ids_.reserve(group.id);
+  for (const RecordedKey& key : state.recording->keys) {
+    document_.ids_.reserve(key.id);
+    for (const auto& [handle, moved] : key.displacements) // Handles that were removed are still meant.
+      document_.ids_.reserve(handle);
+  }
+  for (const Measurement& measurement : *state.measurements) {
+    document_.ids_.reserve(measurement.id);
+    for (const MeasuredPoint& point : measurement.points) // An organ whose file is missing is still meant.
+      document_.ids_.reserve(point.organ);
+  }
+  seal();
+  saved_ = state;
+  document_.replace(std::move(state), false);
+  changed_.emit();
+}
+
+} // namespace viscera::document

@@ -1,0 +1,117 @@
+#pragma once
+
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "viscera/coordinates/binding.h"
+#include "viscera/core/job_queue.h"
+#include "viscera/core/parallel.h"
+#include "viscera/deformation/deformer.h"
+#include "viscera/document/document.h"
+#include "viscera/plugin/registry.h"
+
+namespace viscera::live {
+
+/// How an organ and the handles stand to each other.
+struct BindingStatus {
+  enum class State {
+    unbound, ///< Too few handles for any coordinates: the organ is at rest.
+    binding, ///< A worker is at it. The organ follows the binding before, when there is one.
+    bound,
+    stale,  ///< Somebody cancelled: the organ follows the binding before, when there is one, else it is at
+            ///< rest.
+    failed, ///< These handles cannot hold the organ: it is at rest, `message` says why.
+  };
+  State state = State::unbound;
+  std::string message; ///< For a user: what is wrong and what to try. Empty when bound.
+  int outsideHull = 0; ///< Failed: vertices outside the handles' hull; `addEnclosingHandles` would mend it.
+  coordinates::BindingReport report; ///< Of the binding in use; `report.seconds` is the time on the badge.
+  /// Failed: vertices that lie in no group's region; `addEnclosingGroup` would mend it.
+  std::vector<int> inNoRegion = {};
+  /// Failed: it was a given cage that could not hold the organ; `dropCage` may mend it.
+  bool givenCage = false;
+  int outsideCage = 0; ///< Failed: vertices that have no coordinates in the given cage.
+};
+
+/// What one organ's volume is and was. Meaningless for an open surface.
+struct OrganVolume {
+  bool closed = false;
+  double restMl = 0;
+  double nowMl = 0;
+  double changeMl() const { return nowMl - restMl; }
+  double relativeChange() const { return restMl != 0 ? (nowMl - restMl) / restMl : 0; }
+};
+
+/// What happened to one organ.
+struct LiveEvent {
+  document::OrganId organ;
+  bool moved = false;    ///< `points` has other values.
+  bool replaced = false; ///< `points` is another array: whoever looks at its memory must look again.
+  bool status = false;   ///< `status` is new.
+};
+
+/// Keeps every organ of a document bound to its handles and in the pose that is shown. Edits of the rest
+/// handles, of the system and its parameters bind anew, at once when that takes less than a frame, else on
+/// the job queue in a slot of each organ ("bind/<id>"), with the old binding in use until the new one is
+/// there. While a handle is dragged at rest, or a parameter's slider moves, a binding under way is not given
+/// up: it arrives, and the next one begins with what is wanted then, so that the organ follows however long a
+/// binding takes. It never changes the document. For the document's thread.
+class LiveBinding {
+public:
+  struct Options {
+    /// Binding anew is done at once when it is expected to take no longer, all organs together, s. 0: always
+    /// on the queue; infinity: never, for programs without an event loop.
+    double frameSeconds = 1.0 / 60.0;
+    Threads threads;
+  };
+
+  /// All three must live longer.
+  LiveBinding(document::Document& document, const plugin::Registry& registry, JobQueue& jobs,
+              Options options);
+  LiveBinding(document::Document& document, const plugin::Registry& registry, JobQueue& jobs);
+  ~LiveBinding();
+  LiveBinding(const LiveBinding&) = delete;
+  LiveBinding& operator=(const LiveBinding&) = delete;
+
+  /// Which pose the organs take: the document's (the one to begin with), rest (editing handles at rest), or
+  /// another one
+  /// (`n x 3` in the order of the rig), for playing a sequence without touching the document. A given pose is
+  /// dropped for the document's when the rig changes. Throws `DataError` for a pose of another size or not
+  /// finite.
+  void showDocumentPose();
+  void showRest();
+  void showPose(const Points& pose);
+  /// Where the handles are shown, `n x 3`, in the order of the rig.
+  const Points& shownPose() const;
+
+  /// What follows throws `UsageError` for an organ that the document does not have.
+  ///
+  /// The organ's vertices now, `n x 3`. The reference holds until an event with `replaced`, or the organ is
+  /// removed.
+  const Points& points(document::OrganId organ) const;
+  /// The bound organ, or null when it is shown at rest because there is no binding.
+  deformation::Deformer* deformer(document::OrganId organ);
+  BindingStatus status(document::OrganId organ) const;
+  /// Volume at rest and now. Computed when asked for, O(triangles) after a move.
+  OrganVolume volume(document::OrganId organ);
+  /// The influence of a handle on every vertex, or empty when the organ is not bound to it.
+  Values influence(document::OrganId organ, document::HandleId handle) const;
+
+  /// Tries again for organs that are stale.
+  void rebind();
+  /// Whether any organ waits for a worker.
+  bool busy() const;
+
+  /// Tells what happened to an organ, after everything that one change did. An organ that is new to the
+  /// document is told with `replaced` and `status`, possibly before other observers of the document know of
+  /// it.
+  [[nodiscard]] Subscription onEvent(std::function<void(const LiveEvent&)> observer);
+
+private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+} // namespace viscera::live

@@ -1,0 +1,110 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "viscera/core/job_queue.h"
+#include "viscera/core/parallel.h"
+#include "viscera/deformation/principal_stretches.h"
+#include "viscera/deformation/witness_gradients.h"
+#include "viscera/deformation/witness_mesh.h"
+#include "viscera/document/document.h"
+#include "viscera/live/live_binding.h"
+#include "viscera/live/stress_record.h"
+#include "viscera/live/witness_sampling.h"
+#include "viscera/plugin/registry.h"
+
+namespace viscera::live {
+
+/// How far the stress map of the organ that is followed has come.
+struct StressStatus {
+  enum class State {
+    off,       ///< No organ is followed.
+    sampling,  ///< A worker fills the organ with witness points.
+    binding,   ///< A worker derives the coordinates at the witness points.
+    ready,     ///< The map follows the pose.
+    cancelled, ///< Somebody cancelled; `retry` goes on.
+    failed,    ///< `message` says why.
+  };
+  State state = State::off;
+  std::string message;                           ///< For a user; empty unless failed.
+  WitnessOrigin origin = WitnessOrigin::surface; ///< Meaningful once there is a mesh.
+  std::vector<std::string> remarks;              ///< Of the sampling, a sentence each.
+  double sampleSeconds = 0;
+  double bindSeconds = 0;
+  bool closedForm = false; ///< The derivatives; false: central differences.
+  int outside = 0;         ///< Points outside the handles' hull, which do not move.
+};
+
+/// What is new.
+struct StressEvent {
+  bool status = false;
+  bool sampled = false; ///< Another witness mesh, or none.
+  bool moved = false;   ///< Points, map and statistics have other values.
+  bool peak = false;    ///< A peak was found, or is no longer valid.
+};
+
+/// The rotational stress of one organ of a document in every pose that a `LiveBinding` shows. It fills the
+/// organ with witness points on the job queue (slot "stress/sample"), derives the coordinates at them (slot
+/// "stress/bind", or at once when that takes less than a frame), and evaluates the map whenever the organ
+/// moves. The organ's cavities (closed surfaces whose parent it is) are left out: blood is no tissue. Rest
+/// handles, the system or the surface that change lead to another binding or mesh; the map before stays until
+/// then, except where it would be wrong. What depends on nothing but surface, number of witnesses, handles
+/// and pose is the same to the last bit, whatever the way there. It never changes the document. For the
+/// document's thread.
+class LiveStress {
+public:
+  struct Options {
+    WitnessOptions witnesses;
+    double frameSeconds = 1.0 / 60.0; ///< Binding is done at once when it is expected to take no longer.
+    Threads threads;
+  };
+
+  /// All four must live longer.
+  LiveStress(document::Document& document, const plugin::Registry& registry, LiveBinding& live,
+             JobQueue& jobs, Options options);
+  LiveStress(document::Document& document, const plugin::Registry& registry, LiveBinding& live,
+             JobQueue& jobs);
+  ~LiveStress();
+  LiveStress(const LiveStress&) = delete;
+  LiveStress& operator=(const LiveStress&) = delete;
+
+  /// Follows this organ from now on; none: stops work, and keeps what it has for when the same organ is
+  /// followed again.
+  void follow(document::OrganId organ);
+  document::OrganId organ() const;
+  /// Witness points to ask for, within the limits of `WitnessOptions`. Throws `UsageError` outside.
+  void setWanted(int witnesses);
+  int wanted() const;
+  /// Tries again after a cancellation or a failure.
+  void retry();
+
+  const StressStatus& status() const;
+  /// The organ's witnesses at rest; null before there are any.
+  std::shared_ptr<const deformation::WitnessMesh> mesh() const;
+  /// The mesh's points in the pose that is shown, `n x 3` mm, and what happens at them. Empty before the
+  /// first binding. Both stay where they are until an event with `sampled`.
+  const Points& points() const;
+  const deformation::StressMap& map() const;
+  /// Of the witness points (not of those on the surface), now.
+  const deformation::StressStatistics& statistics() const;
+  /// The axes of the ellipsoid that a small ball at `point` becomes. Identity before the first binding.
+  deformation::PrincipalStretches stretchesAt(Eigen::Index point) const;
+  /// The derivatives in use; null before the first binding.
+  std::shared_ptr<const deformation::WitnessGradients> gradients() const;
+
+  /// Finds the peak over one cycle of `sequence` (slot "stress/peak"). Throws `UsageError` when the map is
+  /// not ready, what `requireFits` throws when the sequence moves other handles.
+  void findPeak(std::shared_ptr<const sequences::Sequence> sequence, double ratePerMinute);
+  /// The peak for the mesh and binding in use; null when none was found.
+  std::shared_ptr<const StressPeak> peak() const;
+
+  [[nodiscard]] Subscription onEvent(std::function<void(const StressEvent&)> observer);
+
+private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+} // namespace viscera::live

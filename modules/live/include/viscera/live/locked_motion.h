@@ -1,0 +1,92 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "viscera/core/arrays.h"
+#include "viscera/deformation/selection_motion.h"
+#include "viscera/deformation/volume_lock.h"
+
+namespace viscera::live {
+
+/// One motion of some handles, a drag from press to release or a number that was typed, under the locks of
+/// volumes: given where the handles are wanted, it finds the pose that keeps every locked volume and comes as
+/// near as that allows. All wishes count from the pose at the start, so a drag that goes back to where it
+/// began ends where it began.
+///
+/// How a lock acts:
+/// * A selection that moves as a whole, alone or with its mirror image, under one lock: the way is bent onto
+///   the surface of constant volume, a plane for a selection alone (the thesis's 5.1.3), and nothing else
+///   moves.
+/// * Anything else (rotation, scaling, several locks, or handles that the user made compensate): the handles
+/// go
+///   where they are wanted, and the others make up for the volume by the least displacement.
+/// * Where that would take more than `limitMm`, the handles stop on their way, and `obstacle` says why.
+///
+/// A wish costs one to three evaluations of the volumes when it is bent, about four evaluations and gradients
+/// when others compensate. For one thread; free of VTK and Qt.
+class LockedMotion {
+public:
+  /// A motion that the mirror images of the handles take part in.
+  struct Mirror {
+    deformation::MirrorPlane plane;
+    std::vector<int> partners; ///< One for each handle of the selection, or -1 (`mirrorPartners`).
+  };
+
+  struct Setup {
+    std::shared_ptr<const deformation::VolumeLock> lock; ///< Null when nothing is locked.
+    Points start;                                        ///< `n x 3` mm; has the locked volumes.
+    std::vector<int> selection;                          ///< The handles that are moved, ascending.
+    std::optional<Mirror> mirror = std::nullopt;
+    std::vector<int> compensating = {}; ///< Those that may make up for the volume, ascending.
+    bool alwaysCompensate = false;      ///< They do so even where the motion could be bent instead.
+    double limitMm = 0;                 ///< The farthest that one of them may go.
+  };
+
+  explicit LockedMotion(Setup setup);
+
+  /// Each of these is wanted in place of what was wanted before, counted from the start; returns `pose()`.
+  ///
+  /// Moves the selection by `by` (mm), and its partners by the mirrored vector.
+  const Points& translate(const Vec3& by);
+  /// Turns the selection about `center` by `angle` (rad) around the unit `axis`.
+  const Points& rotate(const Vec3& center, const Vec3& axis, double angle);
+  /// Scales the selection about `center` along x, y and z.
+  const Points& scale(const Vec3& center, const Vec3& factors);
+  /// Puts the selection where it is in `wanted` (`n x 3`).
+  const Points& reach(const Points& wanted);
+
+  /// The last pose that kept the volumes, `n x 3`; the start to begin with.
+  const Points& pose() const { return pose_; }
+  const Points& start() const { return setup_.start; }
+  const std::vector<int>& selection() const { return setup_.selection; }
+  /// The unit normal of the plane in which the selection may be translated, the way in which the volume
+  /// grows; zero when no plane binds it. With a mirror it is the tangent plane at the start.
+  Vec3 planeNormal() const;
+  /// Why the last wish was not met as far as the volumes go; empty when it was.
+  const std::string& obstacle() const { return obstacle_; }
+
+private:
+  enum class Way { free, bent, compensated };
+
+  Points moved(const Vec3& by) const;
+  Points gradientsOfMotion(const Points& pose) const;
+  void chooseWay();
+  bool bend(const Vec3& wanted);
+  bool compensate(const Points& wanted);
+  double relativeError(const std::vector<double>& volumes) const;
+
+  Setup setup_;
+  std::vector<int> partners_; ///< Those that move and are not themselves selected, each once.
+  std::size_t bending_ = 0;   ///< The one surface that the motion is bent for.
+  Way translations_ = Way::free;
+  Vec3 gradient_ = Vec3::Zero(); ///< Of its volume, for the motion as a whole, at the start.
+  Points pose_;
+  Points wanted_;                ///< The last wish that was met, before others compensated.
+  Vec3 wantedBy_ = Vec3::Zero(); ///< The same for a translation that was bent.
+  std::string obstacle_;
+};
+
+} // namespace viscera::live

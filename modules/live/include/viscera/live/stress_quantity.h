@@ -1,0 +1,54 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "viscera/deformation/witness_gradients.h"
+
+namespace viscera::live {
+
+/// What a stress map shows.
+enum class StressQuantity {
+  rotationalStress, ///< Degrees: the largest angle between a direction and its image under the stretch.
+  volumeRatio,      ///< det M.
+  stretchMax,
+  stretchMin,
+  folded ///< 1 where det M <= 0, else 0.
+};
+
+/// A quantity as a user meets it.
+struct StressQuantityDescription {
+  StressQuantity quantity = StressQuantity::rotationalStress;
+  std::string id;     ///< "rotational-stress"; as in settings.
+  std::string name;   ///< "Rotational stress"
+  std::string unit;   ///< "deg" or empty.
+  bool ratio = false; ///< 1 means unchanged.
+  int decimals = 2;
+};
+
+/// All of them, in the order of a list.
+const std::vector<StressQuantityDescription>& stressQuantities();
+const StressQuantityDescription& describe(StressQuantity quantity);
+/// The quantity of that id, or the rotational stress.
+StressQuantity stressQuantityFromId(const std::string& id);
+
+/// Fills `values` (resized) with the quantity at every point of the map, in its unit; not a number where the
+/// tissue is folded, except for the folded quantity itself: what is folded is never hidden in an angle. O(n).
+void quantityOf(const deformation::StressMap& map, StressQuantity quantity, Values& values);
+
+/// Numbers in one line: those that are none are counted apart.
+struct QuantitySummary {
+  double min = 0;
+  double percentile5 = 0;
+  double mean = 0;
+  double percentile95 = 0;
+  double max = 0;
+  int missing = 0;
+};
+/// Of the first `count` values; zeros when there is no number among them. O(count).
+QuantitySummary summaryOf(const Values& values, Eigen::Index count);
+
+/// The quantity at one point, folded or not.
+double quantityAt(const deformation::StressMap& map, StressQuantity quantity, Eigen::Index point);
+
+} // namespace viscera::live

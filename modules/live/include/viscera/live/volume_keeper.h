@@ -1,0 +1,68 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "viscera/core/parallel.h"
+#include "viscera/deformation/selection_motion.h"
+#include "viscera/deformation/volume_lock.h"
+#include "viscera/document/document.h"
+#include "viscera/live/live_binding.h"
+#include "viscera/live/locked_motion.h"
+
+namespace viscera::live {
+
+/// A handle mirrors another when it is this near to its image, as a part of the diagonal of all handles.
+inline constexpr double kMirrorTolerance = 0.06;
+/// Handles that make up for a volume go at most this far, as a part of the diagonal of all handles.
+inline constexpr double kFarthestCompensation = 0.5;
+/// A volume this near to the one at rest (relative) is meant to be the one at rest: so it does not drift.
+inline constexpr double kSameVolume = 1e-9;
+
+/// Begins motions of a document's handles under its locked volumes. The volume that a lock keeps is the one
+/// that the organ has when the motion begins. Organs that do not follow the handles (they are unbound) keep
+/// theirs anyway. For the document's thread.
+class VolumeKeeper {
+public:
+  /// Both must live longer.
+  VolumeKeeper(const document::Document& document, LiveBinding& live, Threads threads = {});
+
+  /// A motion of these handles from the document's pose; locked handles among them are left out. Throws
+  /// `DataError` when an organ with a locked volume is still being bound: what it will be is not known yet.
+  LockedMotion begin(const std::vector<document::HandleId>& handles,
+                     const std::optional<deformation::MirrorPlane>& mirror = std::nullopt);
+
+  /// The pose in which an organ has another volume, mm^3: the compensating handles, or all that are free,
+  /// move as little as that takes, and other locked volumes stay. Throws `DataError` when there is none
+  /// within `kFarthestCompensation`, for an open surface, for a volume that is not positive, or when the
+  /// organ follows no handles.
+  Points poseOfVolume(document::OrganId organ, double targetMm3);
+
+  /// What a pose that is not a drag (a sequence's) becomes under the locks: the compensating handles, or all
+  /// that are free, move as little as the volumes need. The volumes are those in the document's pose.
+  /// `restored` is false, with the reason, where that is too far. Throws as `begin`.
+  deformation::RestoredPose keep(const Points& wanted);
+
+  /// The rows of the handles that would mirror these, or -1.
+  std::vector<int> partners(const std::vector<document::HandleId>& handles,
+                            const deformation::MirrorPlane& mirror) const;
+
+private:
+  std::shared_ptr<deformation::VolumeLock>
+  lockOf(const std::vector<std::shared_ptr<const document::Organ>>& organs);
+  void takeTargets(deformation::VolumeLock& lock,
+                   const std::vector<std::shared_ptr<const document::Organ>>& organs) const;
+  std::vector<std::shared_ptr<const document::Organ>> lockedOrgans();
+  deformation::Deformer* boundOrNull(const document::Organ& organ);
+  std::vector<int> compensating(const std::vector<int>& moving) const;
+  bool anyMarked(const std::vector<int>& rows) const;
+  double limitMm() const;
+
+  const document::Document& document_;
+  LiveBinding& live_;
+  Threads threads_;
+  std::shared_ptr<deformation::VolumeLock> lock_; ///< Of the last motion: the next one is likely to need it.
+};
+
+} // namespace viscera::live

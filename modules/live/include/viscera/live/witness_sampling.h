@@ -1,0 +1,57 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "viscera/core/parallel.h"
+#include "viscera/core/progress.h"
+#include "viscera/deformation/witness_mesh.h"
+#include "viscera/geometry/triangle_mesh.h"
+
+namespace viscera::live {
+
+/// How an organ is filled with witness points.
+struct WitnessOptions {
+  static constexpr int kFewest = 200;
+  static constexpr int kMost = 200'000;
+
+  int wanted = 20'000;            ///< Witness points, kFewest to kMost; met to `kWitnessCountTolerance`.
+  double radiusEdgeRatio = 1.414; ///< Quality: the largest circumradius by shortest edge, 1.1 to 10.
+  double timeLimitSeconds = 60;   ///< Of one run of TetGen; what takes longer is given up.
+  std::uint64_t memoryLimitBytes = std::uint64_t{2} << 30; ///< Of TetGen's process.
+  std::filesystem::path worker; ///< The program that runs TetGen; empty: the one installed with this library.
+  Threads threads;
+};
+
+/// How witness points came about, best first.
+enum class WitnessOrigin {
+  surface,         ///< TetGen filled the surface as it is, or thinned out where it is finer than needed.
+  repairedSurface, ///< TetGen filled a closed surface made from the organ's, which it had refused.
+  grid,            ///< A regular grid inside the surface: TetGen could not be used.
+};
+
+/// An organ filled with witness points.
+struct WitnessSample {
+  std::shared_ptr<const deformation::WitnessMesh> mesh; ///< Never null.
+  WitnessOrigin origin = WitnessOrigin::surface;
+  std::vector<std::string> remarks; ///< What the user should know, a sentence each; empty when all went well.
+  double seconds = 0;
+};
+
+/// The number of witnesses is within this part of what was wanted, unless a remark says otherwise.
+inline constexpr double kWitnessCountTolerance = 0.15;
+
+/// Fills the inside of `surface` (mm, LPS) with witness points. TetGen does it in a process of its own, which
+/// may fail in any way without harm; a surface that it refuses (open, self-intersecting) is repaired through
+/// a signed distance grid and filled again, and if that fails too, the points are those of a regular grid.
+///
+/// Throws `UsageError` for options out of range, `DataError` for a surface that encloses nothing (no
+/// triangles, flat, coordinates that are not finite), `Cancelled`. Seconds; for a worker thread. The same
+/// surface and options give the same points, whatever the number of threads.
+WitnessSample sampleWitnesses(const geometry::TriangleMesh& surface, const WitnessOptions& options,
+                              Progress& progress);
+
+} // namespace viscera::live

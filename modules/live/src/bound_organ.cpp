@@ -1,0 +1,138 @@
+#include "bound_organ.h"
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include "viscera/core/error.h"
+#include "viscera/deformation/bind_organ.h"
+#include "viscera/geometry/convex_hull.h"
+
+namespace viscera::live {
+namespace {
+
+/// Moving a handle by its column costs more than its share of a full pose; below this part of all handles it
+/// pays.
+constexpr Eigen::Index kFewHandles = 8;
+
+int countOutside(const Points& handles, const Points& points) {
+  try {
+    return static_cast<int>(geometry::ConvexHull(handles).outside(points).size());
+  } catch (const DataError&) {
+    return 0; // The handles have no hull: that was the error then.
+  }
+}
+
+} // namespace
+
+BindingResult bindToTarget(const document::Organ& organ, const BindingTarget& target, Threads threads,
+                           Progress& progress) {
+  BindingResult result;
+  try {
+    auto binding = deformation::bindOrgan(*target.system, target.handles, organ.mesh->points,
+                                          {target.parameters, threads}, progress);
+    progress.throwIfCancelled();
+    result.deformer = std::make_unique<deformation::Deformer>(organ.mesh, std::move(binding),
+                                                              target.handles.positions, threads);
+  } catch (const Cancelled&) {
+    throw;
+  } catch (const deformation::UnboundVertices& error) {
+    result.failure = BindingFailure{BindingStatus::State::failed, error.what(),
+                                    error.cageCounts() ? 0 : error.outsideHull(),
+                                    error.groupsCount() ? error.vertices() : std::vector<int>()};
+    result.failure->outsideCage = error.cageCounts() ? static_cast<int>(error.vertices().size()) : 0;
+  } catch (const DataError& error) {
+    result.failure = BindingFailure{BindingStatus::State::failed, error.what(),
+                                    usesGivenCage(target)
+                                        ? 0 // Handles that are no corners of the cage would mend nothing.
+                                        : countOutside(target.handles.positions, organ.mesh->points)};
+  } catch (const std::exception& error) {
+    result.failure = BindingFailure{BindingStatus::State::failed, error.what(), 0};
+  }
+  if (result.failure)
+    result.failure->givenCage = usesGivenCage(target);
+  return result;
+}
+
+void BoundOrgan::take(BindingResult result, std::shared_ptr<const BindingTarget> of) {
+  if (result.failure) {
+    fail(*result.failure);
+    return;
+  }
+  deformer = std::move(result.deformer);
+  boundTo = std::move(of);
+  rough_ = false;
+  status = {BindingStatus::State::bound, {}, 0, deformer->binding().report()};
+  pending.replaced = pending.moved = pending.status = true;
+}
+
+void BoundOrgan::fail(const BindingFailure& failure) {
+  if (deformer)
+    pending.replaced = pending.moved = true;
+  deformer.reset();
+  boundTo.reset();
+  status = {failure.state,      failure.message,   failure.outsideHull, {},
+            failure.inNoRegion, failure.givenCage, failure.outsideCage};
+  pending.status = true;
+}
+
+void BoundOrgan::setState(BindingStatus::State state) {
+  status.state = state;
+  status.message.clear();
+  status.outsideHull = 0;
+  status.inNoRegion.clear();
+  status.givenCage = false;
+  status.outsideCage = 0;
+  pending.status = true;
+}
+
+/// The pose for the handles that the organ is still bound to: each is displaced as its namesake is now; one
+/// that is gone is at rest.
+Points BoundOrgan::translated(const BindingTarget& now, const Points& pose) const {
+  Points own = boundTo->handles.positions;
+  for (std::size_t i = 0; i < boundTo->ids.size(); ++i) {
+    const auto found = std::find(now.ids.begin(), now.ids.end(), boundTo->ids[i]);
+    if (found == now.ids.end())
+      continue;
+    const auto row = static_cast<Eigen::Index>(found - now.ids.begin());
+    const auto mine = static_cast<Eigen::Index>(i);
+    own.row(mine) += pose.row(row) - now.handles.positions.row(row);
+  }
+  return own;
+}
+
+/// Moves single handles; false when too many have moved for that.
+bool BoundOrgan::moveFew(const Points& pose) {
+  std::vector<Eigen::Index> moved;
+  for (Eigen::Index i = 0; i < pose.rows(); ++i)
+    if (pose.row(i) != deformer->pose().row(i))
+      moved.push_back(i);
+  if (moved.empty())
+    return true;
+  if (moved.size() > 1 && static_cast<Eigen::Index>(moved.size()) * kFewHandles > pose.rows())
+    return false;
+  for (const Eigen::Index row : moved)
+    deformer->moveHandle(static_cast<int>(row), pose.row(row).transpose());
+  rough_ = true;
+  pending.moved = true;
+  return true;
+}
+
+void BoundOrgan::setPose(const BindingTarget& now, const Points& pose, bool interactive) {
+  if (!deformer)
+    return;
+  const bool current = boundTo.get() == &now;
+  const Points own = current ? pose : translated(now, pose);
+  if (interactive && moveFew(own))
+    return;
+  if (!rough_ && own == deformer->pose())
+    return;
+  if (own == deformer->restHandles())
+    deformer->reset();
+  else
+    deformer->setPose(own);
+  rough_ = false;
+  pending.moved = true;
+}
+
+} // namespace viscera::live

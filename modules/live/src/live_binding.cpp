@@ -1,0 +1,329 @@
+#include "viscera/live/live_binding.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "bound_organ.h"
+#include "viscera/core/error.h"
+
+namespace viscera::live {
+namespace {
+
+/// What binding is expected to cost before it was measured, s per (vertex x handle).
+constexpr double kExpectedSeconds = 30e-9;
+
+using State = BindingStatus::State;
+
+/// Whose pose is shown.
+enum class Shown { document, rest, given };
+
+void requirePose(const Points& pose, Eigen::Index handles) {
+  if (pose.rows() != handles)
+    throw DataError("The pose has " + std::to_string(pose.rows()) + " handles, the document " +
+                    std::to_string(handles));
+  if (!pose.allFinite())
+    throw DataError("The pose has a position that is not a finite number");
+}
+
+} // namespace
+
+struct LiveBinding::Impl {
+  Impl(document::Document& documentIn, const plugin::Registry& registryIn, JobQueue& jobsIn,
+       Options optionsIn)
+      : document(documentIn), registry(registryIn), jobs(jobsIn), options(optionsIn) {}
+
+  document::Document& document;
+  const plugin::Registry& registry;
+  JobQueue& jobs;
+  Options options;
+  std::map<document::OrganId, BoundOrgan> organs;
+  std::shared_ptr<const BindingTarget> target;   ///< What every organ is to be bound to; never null.
+  std::map<std::string, double> secondsOfSystem; ///< Measured, per (vertex x handle).
+  std::int64_t lastTicket = 0;
+  Shown shown = Shown::document;
+  Points shownPose = Points(0, 3);
+  Signal<const LiveEvent&> events;
+  Subscription subscription;
+  /// Results that arrive after the end see that it is gone.
+  std::shared_ptr<Impl*> self = std::make_shared<Impl*>(this);
+
+  void onChange(const document::Change& change);
+  void matchOrgans();
+  void matchTarget();
+  void matchPose();
+  void bindWaiting();
+  double expectedSeconds(const BoundOrgan& organ) const;
+  void bindNow(BoundOrgan& organ);
+  void bindLater(BoundOrgan& organ);
+  void arrived(document::OrganId id, std::int64_t ticket, JobResult<BindingResult> result);
+  void take(BoundOrgan& organ, BindingResult result, std::shared_ptr<const BindingTarget> of);
+  void poseAll(bool interactive);
+  void tell();
+  const BoundOrgan& require(document::OrganId id) const;
+};
+
+void LiveBinding::Impl::onChange(const document::Change& change) {
+  if (change.organs())
+    matchOrgans();
+  if (change.rig() && shown == Shown::given)
+    shown = Shown::document;
+  if (change.rig() || change.system())
+    matchTarget();
+  matchPose();
+  bindWaiting();
+  poseAll(change.interactive);
+  tell();
+}
+
+/// Organs of the document come and go; one whose surface is another one counts as new.
+void LiveBinding::Impl::matchOrgans() {
+  for (auto item = organs.begin(); item != organs.end();) {
+    const auto present = document.organ(item->first);
+    if (present && present->mesh == item->second.organ->mesh) {
+      item->second.organ = present;
+      ++item;
+    } else {
+      jobs.cancelSlot(item->second.slot());
+      item = organs.erase(item);
+    }
+  }
+  for (const auto& organ : document.organs()) {
+    const auto [item, isNew] = organs.try_emplace(organ->id, organ);
+    item->second.pending.organ = organ->id;
+    if (isNew)
+      item->second.pending.replaced = item->second.pending.status = true;
+  }
+}
+
+void LiveBinding::Impl::matchTarget() {
+  auto wanted = std::make_shared<const BindingTarget>(makeTarget(document.state(), registry));
+  if (!target || !sameBinding(*target, *wanted))
+    target = std::move(wanted);
+}
+
+void LiveBinding::Impl::matchPose() {
+  if (shown == Shown::document)
+    shownPose = document.pose();
+  else if (shown == Shown::rest)
+    shownPose = target->handles.positions;
+}
+
+/// Binds every organ for which the target has not been tried: all at once when that takes no longer than a
+/// frame.
+void LiveBinding::Impl::bindWaiting() {
+  std::vector<BoundOrgan*> waiting;
+  double expected = 0;
+  const auto failure = whyNot(*target);
+  for (auto& [id, organ] : organs) {
+    if (organ.attempted == target)
+      continue;
+    const bool underWay = organ.status.state == State::binding;
+    organ.attempted = target;
+    const bool known = organ.boundTo && sameBinding(*organ.boundTo, *target);
+    if (underWay && !known && !failure && worthWaitingFor(*organ.underWay, *target))
+      continue;
+    if (underWay)
+      jobs.cancelSlot(organ.slot());
+    if (known) {
+      organ.boundTo = target; // Back to where it was, by undo perhaps, before another binding was there.
+      organ.setState(State::bound);
+    } else if (failure) {
+      organ.fail(*failure);
+    } else {
+      waiting.push_back(&organ);
+      expected += expectedSeconds(organ);
+    }
+  }
+  const bool now = options.frameSeconds > 0 && expected <= options.frameSeconds;
+  for (BoundOrgan* organ : waiting)
+    now ? bindNow(*organ) : bindLater(*organ);
+}
+
+double LiveBinding::Impl::expectedSeconds(const BoundOrgan& organ) const {
+  if (target->system->traits().needsTetrahedra)
+    return std::numeric_limits<double>::infinity(); // Seconds, whatever the size: never while a frame waits.
+  const auto measured = secondsOfSystem.find(target->system->id());
+  const double each = measured == secondsOfSystem.end() ? kExpectedSeconds : measured->second;
+  return each * static_cast<double>(organ.organ->mesh->points.rows()) *
+         static_cast<double>(target->ids.size());
+}
+
+void LiveBinding::Impl::bindNow(BoundOrgan& organ) {
+  Progress nobodyLooks;
+  take(organ, bindToTarget(*organ.organ, *target, options.threads, nobodyLooks), target);
+}
+
+void LiveBinding::Impl::bindLater(BoundOrgan& organ) {
+  organ.setState(State::binding);
+  organ.ticket = ++lastTicket;
+  organ.underWay = target;
+  const auto work = [item = organ.organ, wanted = target, threads = options.threads](Progress& progress) {
+    return bindToTarget(*item, *wanted, threads, progress);
+  };
+  const auto done = [weak = std::weak_ptr<Impl*>(self), id = organ.organ->id,
+                     ticket = organ.ticket](JobResult<BindingResult> result) {
+    if (const auto alive = weak.lock())
+      (*alive)->arrived(id, ticket, std::move(result));
+  };
+  jobs.submit<BindingResult>("Binding " + organ.organ->name, organ.slot(), work, done);
+}
+
+/// A result from the queue, perhaps for an organ or a target that nobody wants any more: each job has its
+/// ticket.
+void LiveBinding::Impl::arrived(document::OrganId id, std::int64_t ticket, JobResult<BindingResult> result) {
+  const auto found = organs.find(id);
+  if (found == organs.end() || found->second.ticket != ticket || found->second.status.state != State::binding)
+    return;
+  BoundOrgan& organ = found->second;
+  const auto of = std::exchange(organ.underWay, nullptr);
+  const bool last = of == organ.attempted;
+  if (result.cancelled()) {
+    organ.setState(State::stale);
+  } else {
+    if (result.error && last)
+      organ.fail({State::failed, result.error->what(), 0});
+    if (result.value && (last || result.value->deformer)) // What is no longer wanted may fail unsaid.
+      take(organ, std::move(*result.value), of);
+    if (!last) {
+      organ.attempted.reset();
+      organ.setState(State::bound); // Nothing is under way any more.
+      bindWaiting();
+    }
+  }
+  organ.setPose(*target, shownPose, false);
+  tell();
+}
+
+void LiveBinding::Impl::take(BoundOrgan& organ, BindingResult result,
+                             std::shared_ptr<const BindingTarget> of) {
+  organ.take(std::move(result), std::move(of));
+  const auto sizes =
+      static_cast<double>(organ.organ->mesh->points.rows()) * static_cast<double>(target->ids.size());
+  if (organ.deformer && sizes > 0)
+    secondsOfSystem[target->system->id()] = organ.status.report.seconds / sizes;
+}
+
+void LiveBinding::Impl::poseAll(bool interactive) {
+  for (auto& [id, organ] : organs)
+    organ.setPose(*target, shownPose, interactive);
+}
+
+/// Tells what happened, after all of it: an observer may ask about any organ, or show another pose.
+void LiveBinding::Impl::tell() {
+  std::vector<LiveEvent> news;
+  for (auto& [id, organ] : organs) {
+    const LiveEvent event = std::exchange(organ.pending, {id});
+    if (event.moved || event.replaced || event.status)
+      news.push_back(event);
+  }
+  for (const LiveEvent& event : news)
+    events.emit(event);
+}
+
+const BoundOrgan& LiveBinding::Impl::require(document::OrganId id) const {
+  const auto found = organs.find(id);
+  if (found == organs.end())
+    throw UsageError("There is no such organ any more", "organ " + std::to_string(id.value));
+  return found->second;
+}
+
+LiveBinding::LiveBinding(document::Document& document, const plugin::Registry& registry, JobQueue& jobs,
+                         Options options)
+    : impl_(std::make_unique<Impl>(document, registry, jobs, options)) {
+  impl_->matchTarget();
+  impl_->matchOrgans();
+  impl_->matchPose();
+  impl_->bindWaiting();
+  impl_->poseAll(false);
+  impl_->tell(); // Nobody listens yet; what is told later is news.
+  impl_->subscription =
+      document.onChange([this](const document::Change& change) { impl_->onChange(change); });
+}
+
+LiveBinding::LiveBinding(document::Document& document, const plugin::Registry& registry, JobQueue& jobs)
+    : LiveBinding(document, registry, jobs, Options{}) {}
+
+LiveBinding::~LiveBinding() {
+  for (const auto& [id, organ] : impl_->organs)
+    if (organ.status.state == State::binding)
+      impl_->jobs.cancelSlot(organ.slot());
+}
+
+void LiveBinding::showDocumentPose() {
+  impl_->shown = Shown::document;
+  impl_->matchPose();
+  impl_->poseAll(false);
+  impl_->tell();
+}
+
+void LiveBinding::showRest() {
+  impl_->shown = Shown::rest;
+  impl_->matchPose();
+  impl_->poseAll(false);
+  impl_->tell();
+}
+
+void LiveBinding::showPose(const Points& pose) {
+  requirePose(pose, static_cast<Eigen::Index>(impl_->target->ids.size()));
+  impl_->shown = Shown::given;
+  impl_->shownPose = pose;
+  impl_->poseAll(false);
+  impl_->tell();
+}
+
+const Points& LiveBinding::shownPose() const {
+  return impl_->shownPose;
+}
+
+const Points& LiveBinding::points(document::OrganId organ) const {
+  return impl_->require(organ).points();
+}
+
+deformation::Deformer* LiveBinding::deformer(document::OrganId organ) {
+  return impl_->require(organ).deformer.get();
+}
+
+BindingStatus LiveBinding::status(document::OrganId organ) const {
+  return impl_->require(organ).status;
+}
+
+OrganVolume LiveBinding::volume(document::OrganId organ) {
+  const BoundOrgan& item = impl_->require(organ);
+  OrganVolume volume;
+  volume.closed = item.organ->closed();
+  volume.restMl = item.organ->restVolumeMm3 / kMm3PerMl;
+  volume.nowMl = volume.closed && item.deformer ? item.deformer->volumeMm3() / kMm3PerMl : volume.restMl;
+  return volume;
+}
+
+Values LiveBinding::influence(document::OrganId organ, document::HandleId handle) const {
+  const BoundOrgan& item = impl_->require(organ);
+  if (!item.deformer)
+    return {};
+  const auto& ids = item.boundTo->ids;
+  const auto found = std::find(ids.begin(), ids.end(), handle);
+  return found == ids.end() ? Values{}
+                            : item.deformer->binding().influence(static_cast<int>(found - ids.begin()));
+}
+
+void LiveBinding::rebind() {
+  for (auto& [id, organ] : impl_->organs)
+    if (organ.status.state == State::stale)
+      organ.attempted.reset();
+  impl_->bindWaiting();
+  impl_->poseAll(false);
+  impl_->tell();
+}
+
+bool LiveBinding::busy() const {
+  return std::any_of(impl_->organs.begin(), impl_->organs.end(),
+                     [](const auto& item) { return item.second.status.state == State::binding; });
+}
+
+Subscription LiveBinding::onEvent(std::function<void(const LiveEvent&)> observer) {
+  return impl_->events.connect(std::move(observer));
+}
+
+} // namespace viscera::live

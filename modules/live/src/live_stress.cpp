@@ -1,0 +1,437 @@
+#include "viscera/live/live_stress.h"
+
+#include <chrono>
+#include <cmath>
+#include <utility>
+
+#include "binding_target.h"
+#include "viscera/core/error.h"
+#include "viscera/deformation/bind_witnesses.h"
+#include "viscera/deformation/carve_witnesses.h"
+#include "viscera/deformation/tetrahedralise.h"
+#include "viscera/document/sequence_rig.h"
+
+namespace viscera::live {
+namespace {
+
+using State = StressStatus::State;
+
+constexpr const char* kSampleSlot = "stress/sample";
+constexpr const char* kBindSlot = "stress/bind";
+constexpr const char* kPeakSlot = "stress/peak";
+/// What deriving is expected to cost before it was measured, s per (point x handle).
+constexpr double kExpectedSeconds = 150e-9;
+/// The part of a binding's progress that the derivatives take; the rest is for moving the points.
+constexpr double kGradientsPart = 0.8;
+constexpr int kPeakFrames = 100;
+
+/// Witnesses hung on the handles.
+struct BoundWitnesses {
+  std::shared_ptr<const deformation::WitnessGradients> gradients;
+  std::shared_ptr<const coordinates::Binding> positions;
+  double seconds = 0;
+};
+
+BoundWitnesses bindTo(const BindingTarget& target, const Points& points, Threads threads,
+                      Progress& progress) {
+  const auto begin = std::chrono::steady_clock::now();
+  BoundWitnesses bound;
+  const auto options = deformation::withTetgen({target.parameters, threads});
+  runPart(progress, 0, kGradientsPart, [&](Progress& part) {
+    bound.gradients = deformation::bindWitnesses(*target.system, target.handles, points, options, part);
+  });
+  runPart(progress, kGradientsPart, 1, [&](Progress& part) {
+    bound.positions = target.system->bind(target.handles, points, options, part);
+  });
+  bound.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  return bound;
+}
+
+} // namespace
+
+struct LiveStress::Impl {
+  Impl(document::Document& documentIn, const plugin::Registry& registryIn, LiveBinding& liveIn,
+       JobQueue& jobsIn, Options optionsIn)
+      : document(documentIn), registry(registryIn), live(liveIn), jobs(jobsIn),
+        options(std::move(optionsIn)) {}
+
+  document::Document& document;
+  const plugin::Registry& registry;
+  LiveBinding& live;
+  JobQueue& jobs;
+  Options options;
+
+  document::OrganId organ;
+  std::shared_ptr<const geometry::TriangleMesh> surface; ///< That was sampled or is being sampled.
+  std::vector<std::shared_ptr<const geometry::TriangleMesh>> cavities; ///< Left out of it.
+  int sampledWanted = 0;
+  bool sampleMissing = false; ///< Sampling failed or was cancelled: only `retry` and another surface go on.
+  std::shared_ptr<const deformation::WitnessMesh> mesh;
+  std::shared_ptr<const BindingTarget> target; ///< What was bound to or is being bound to.
+  BoundWitnesses bound;
+  bool boundToTarget = false;
+  std::shared_ptr<const document::Rig> rigSeen; ///< With which `target` was last found right.
+  std::shared_ptr<const document::SystemChoice> systemSeen;
+  double secondsEach = kExpectedSeconds;
+
+  StressStatus status;
+  Points points = Points(0, 3);
+  deformation::StressMap map;
+  deformation::StressStatistics statistics;
+  std::shared_ptr<const StressPeak> peak;
+  StressEvent pending;
+  Signal<const StressEvent&> events;
+  std::int64_t ticket = 0;
+  std::vector<Subscription> subscriptions;
+  std::shared_ptr<Impl*> self = std::make_shared<Impl*>(this);
+
+  void setState(State state, std::string message = {});
+  std::vector<std::shared_ptr<const geometry::TriangleMesh>> cavitiesOf(document::OrganId parent) const;
+  void refresh();
+  void sampleLater();
+  void sampled(JobResult<WitnessSample> result);
+  void refreshBinding();
+  void bindLater();
+  void takeBound(BoundWitnesses result);
+  void dropMesh();
+  void dropBinding();
+  void dropPeak();
+  void evaluate();
+  void tell();
+  template <class Value>
+  bool failedOrCancelled(const JobResult<Value>& result);
+  /// A function for a job's end that is called only while this lives and nothing newer was asked for.
+  template <class Value>
+  std::function<void(JobResult<Value>)> ending(void (Impl::*end)(JobResult<Value>));
+  void boundArrived(JobResult<BoundWitnesses> result);
+};
+
+void LiveStress::Impl::setState(State state, std::string message) {
+  status.state = state;
+  status.message = std::move(message);
+  pending.status = true;
+}
+
+template <class Value>
+std::function<void(JobResult<Value>)> LiveStress::Impl::ending(void (Impl::*end)(JobResult<Value>)) {
+  return [weak = std::weak_ptr<Impl*>(self), mine = ++ticket, end](JobResult<Value> result) {
+    const auto alive = weak.lock();
+    if (!alive || (*alive)->ticket != mine)
+      return;
+    ((*alive)->*end)(std::move(result));
+    (*alive)->tell();
+  };
+}
+
+template <class Value>
+bool LiveStress::Impl::failedOrCancelled(const JobResult<Value>& result) {
+  if (result.value)
+    return false;
+  if (result.error)
+    setState(State::failed, result.error->what());
+  else
+    setState(State::cancelled);
+  return true;
+}
+
+/// Closed surfaces of the document inside this organ: what they hold is no tissue.
+std::vector<std::shared_ptr<const geometry::TriangleMesh>>
+LiveStress::Impl::cavitiesOf(document::OrganId parent) const {
+  std::vector<std::shared_ptr<const geometry::TriangleMesh>> hollow;
+  for (const auto& item : document.organs())
+    if (item->parent == parent && item->closed())
+      hollow.push_back(item->mesh);
+  return hollow;
+}
+
+/// Brings mesh and binding to what the document wants, as far as that can be done now.
+void LiveStress::Impl::refresh() {
+  const auto item = organ ? document.organ(organ) : nullptr;
+  if (!item) {
+    ++ticket; // What still runs ends unheard.
+    for (const char* slot : {kSampleSlot, kBindSlot, kPeakSlot})
+      jobs.cancelSlot(slot);
+    if (status.state == State::sampling || sampleMissing)
+      surface.reset();
+    if (status.state == State::binding)
+      target.reset();
+    if (status.state != State::off)
+      setState(State::off);
+    return;
+  }
+  if (surface != item->mesh || sampledWanted != options.witnesses.wanted || cavities != cavitiesOf(organ))
+    sampleLater();
+  else if (!sampleMissing && status.state != State::sampling && status.state != State::cancelled)
+    refreshBinding();
+}
+
+void LiveStress::Impl::sampleLater() {
+  const auto item = document.organ(organ);
+  const auto hollow = cavitiesOf(organ);
+  if (surface != item->mesh || cavities != hollow)
+    dropMesh();
+  surface = item->mesh;
+  cavities = hollow;
+  sampledWanted = options.witnesses.wanted;
+  sampleMissing = false;
+  jobs.cancelSlot(kBindSlot);
+  setState(State::sampling);
+  const auto work = [mesh = item->mesh, hollow, wanted = options.witnesses](Progress& progress) {
+    WitnessSample sample = sampleWitnesses(*mesh, wanted, progress);
+    if (!hollow.empty())
+      sample.mesh = std::make_shared<const deformation::WitnessMesh>(
+          deformation::withoutCavities(*sample.mesh, hollow, wanted.threads));
+    return sample;
+  };
+  jobs.submit<WitnessSample>("Witness points of " + item->name, kSampleSlot, work,
+                             ending<WitnessSample>(&Impl::sampled));
+}
+
+void LiveStress::Impl::sampled(JobResult<WitnessSample> result) {
+  sampleMissing = failedOrCancelled(result);
+  if (sampleMissing)
+    return;
+  dropMesh();
+  mesh = result.value->mesh;
+  status.origin = result.value->origin;
+  status.remarks = result.value->remarks;
+  status.sampleSeconds = result.value->seconds;
+  pending.sampled = true;
+  refreshBinding();
+}
+
+/// Binds the mesh when the handles or the system are others than those it is bound to.
+void LiveStress::Impl::refreshBinding() {
+  if (!mesh)
+    return;
+  auto wanted = std::make_shared<const BindingTarget>(makeTarget(document.state(), registry));
+  rigSeen = document.state().rig;
+  systemSeen = document.state().system;
+  if (target && sameBinding(*target, *wanted)) {
+    if (status.state == State::binding || (status.state == State::failed && !boundToTarget))
+      return;
+    if (boundToTarget) {
+      if (status.state != State::ready)
+        setState(State::ready);
+      return evaluate();
+    }
+  }
+  target = std::move(wanted);
+  boundToTarget = false;
+  jobs.cancelSlot(kBindSlot);
+  dropPeak();
+  if (const auto failure = whyNot(*target)) {
+    ++ticket;
+    dropBinding();
+    return setState(State::failed,
+                    failure->message.empty() ? "An organ needs handles around it" : failure->message);
+  }
+  const double expected =
+      secondsEach * static_cast<double>(mesh->points.rows()) * static_cast<double>(target->ids.size());
+  if (expected > options.frameSeconds || target->system->traits().needsTetrahedra)
+    return bindLater();
+  ++ticket;
+  try {
+    Progress nobodyLooks;
+    takeBound(bindTo(*target, mesh->points, options.threads, nobodyLooks));
+  } catch (const Error& error) {
+    dropBinding();
+    setState(State::failed, error.what());
+  }
+}
+
+void LiveStress::Impl::bindLater() {
+  setState(State::binding);
+  const auto work = [wanted = target, witnesses = mesh, threads = options.threads](Progress& progress) {
+    return bindTo(*wanted, witnesses->points, threads, progress);
+  };
+  jobs.submit<BoundWitnesses>("Stress at the witness points", kBindSlot, work,
+                              ending<BoundWitnesses>(&Impl::boundArrived));
+}
+
+void LiveStress::Impl::boundArrived(JobResult<BoundWitnesses> result) {
+  if (failedOrCancelled(result))
+    return dropBinding();
+  takeBound(std::move(*result.value));
+}
+
+void LiveStress::Impl::takeBound(BoundWitnesses result) {
+  bound = std::move(result);
+  boundToTarget = true;
+  secondsEach =
+      bound.seconds / (static_cast<double>(mesh->points.rows()) * static_cast<double>(target->ids.size()));
+  status.bindSeconds = bound.seconds;
+  status.closedForm = bound.gradients->closedForm();
+  status.outside = static_cast<int>(bound.positions->report().failures.size());
+  setState(State::ready);
+  evaluate();
+}
+
+void LiveStress::Impl::dropPeak() {
+  jobs.cancelSlot(kPeakSlot);
+  if (peak)
+    pending.peak = true;
+  peak.reset();
+}
+
+void LiveStress::Impl::dropBinding() {
+  bound = {};
+  boundToTarget = false;
+  points.resize(0, 3);
+  map = {};
+  statistics = {};
+  pending.moved = true;
+  dropPeak();
+}
+
+void LiveStress::Impl::dropMesh() {
+  if (mesh)
+    pending.sampled = true;
+  mesh.reset();
+  target.reset();
+  dropBinding();
+}
+
+/// The map in the pose that is shown; nothing while the document has other handles than the binding.
+void LiveStress::Impl::evaluate() {
+  if (!organ || !boundToTarget || rigSeen != document.state().rig || systemSeen != document.state().system)
+    return;
+  const Points& pose = live.shownPose();
+  if (pose.rows() != bound.gradients->handles())
+    return;
+  bound.gradients->evaluate(pose, map, options.threads);
+  bound.positions->deform(pose, points, options.threads);
+  for (const int point : bound.positions->report().failures)
+    points.row(point) = mesh->points.row(point);
+  statistics = deformation::statisticsOf(map, mesh->witnesses);
+  pending.moved = true;
+}
+
+void LiveStress::Impl::tell() {
+  const StressEvent event = std::exchange(pending, {});
+  if (event.status || event.sampled || event.moved || event.peak)
+    events.emit(event);
+}
+
+LiveStress::LiveStress(document::Document& document, const plugin::Registry& registry, LiveBinding& live,
+                       JobQueue& jobs, Options options)
+    : impl_(std::make_unique<Impl>(document, registry, live, jobs, std::move(options))) {
+  impl_->subscriptions.push_back(document.onChange([this](const document::Change& change) {
+    if (!impl_->organ || (!change.organs() && !change.rig() && !change.system()))
+      return;
+    impl_->refresh();
+    impl_->tell();
+  }));
+  impl_->subscriptions.push_back(live.onEvent([this](const LiveEvent& event) {
+    if (event.organ != impl_->organ || !event.moved)
+      return;
+    impl_->evaluate();
+    impl_->tell();
+  }));
+}
+
+LiveStress::LiveStress(document::Document& document, const plugin::Registry& registry, LiveBinding& live,
+                       JobQueue& jobs)
+    : LiveStress(document, registry, live, jobs, Options{}) {}
+
+LiveStress::~LiveStress() {
+  for (const char* slot : {kSampleSlot, kBindSlot, kPeakSlot})
+    impl_->jobs.cancelSlot(slot);
+}
+
+void LiveStress::follow(document::OrganId organ) {
+  if (organ == impl_->organ)
+    return;
+  impl_->organ = organ;
+  impl_->refresh();
+  impl_->tell();
+}
+
+document::OrganId LiveStress::organ() const {
+  return impl_->organ;
+}
+
+void LiveStress::setWanted(int witnesses) {
+  if (witnesses < WitnessOptions::kFewest || witnesses > WitnessOptions::kMost)
+    throw UsageError("The number of witness points must be from " + std::to_string(WitnessOptions::kFewest) +
+                     " to " + std::to_string(WitnessOptions::kMost));
+  if (witnesses == impl_->options.witnesses.wanted)
+    return;
+  impl_->options.witnesses.wanted = witnesses;
+  impl_->refresh();
+  impl_->tell();
+}
+
+int LiveStress::wanted() const {
+  return impl_->options.witnesses.wanted;
+}
+
+void LiveStress::retry() {
+  Impl& impl = *impl_;
+  if (impl.status.state != State::cancelled && impl.status.state != State::failed)
+    return;
+  if (impl.sampleMissing)
+    impl.surface.reset();
+  impl.target.reset();
+  impl.status.state = State::off;
+  impl.refresh();
+  impl.tell();
+}
+
+const StressStatus& LiveStress::status() const {
+  return impl_->status;
+}
+std::shared_ptr<const deformation::WitnessMesh> LiveStress::mesh() const {
+  return impl_->mesh;
+}
+const Points& LiveStress::points() const {
+  return impl_->points;
+}
+const deformation::StressMap& LiveStress::map() const {
+  return impl_->map;
+}
+const deformation::StressStatistics& LiveStress::statistics() const {
+  return impl_->statistics;
+}
+
+deformation::PrincipalStretches LiveStress::stretchesAt(Eigen::Index point) const {
+  if (!impl_->bound.gradients || impl_->live.shownPose().rows() != impl_->bound.gradients->handles())
+    return {};
+  return deformation::principalStretches(
+      impl_->bound.gradients->deformationGradient(point, impl_->live.shownPose()));
+}
+
+std::shared_ptr<const deformation::WitnessGradients> LiveStress::gradients() const {
+  return impl_->bound.gradients;
+}
+
+void LiveStress::findPeak(std::shared_ptr<const sequences::Sequence> sequence, double ratePerMinute) {
+  Impl& impl = *impl_;
+  if (impl.status.state != State::ready)
+    throw UsageError("There is no stress map yet", {}, "wait until the witness points are there");
+  document::requireFits(impl.document.rig(), *sequence);
+  const auto work = [sequence = std::move(sequence), ratePerMinute, gradients = impl.bound.gradients,
+                     witnesses = impl.mesh->witnesses, threads = impl.options.threads](Progress& progress) {
+    return stressPeak(*gradients, witnesses, *sequence, ratePerMinute, kPeakFrames, threads, progress);
+  };
+  const auto done = [weak = std::weak_ptr<Impl*>(impl.self),
+                     gradients = impl.bound.gradients](JobResult<StressPeak> result) {
+    const auto alive = weak.lock();
+    if (!alive || !result.value || (*alive)->bound.gradients != gradients)
+      return;
+    (*alive)->peak = std::make_shared<const StressPeak>(std::move(*result.value));
+    (*alive)->pending.peak = true;
+    (*alive)->tell();
+  };
+  impl.jobs.submit<StressPeak>("Peak stress", kPeakSlot, work, done);
+}
+
+std::shared_ptr<const StressPeak> LiveStress::peak() const {
+  return impl_->peak;
+}
+
+Subscription LiveStress::onEvent(std::function<void(const StressEvent&)> observer) {
+  return impl_->events.connect(std::move(observer));
+}
+
+} // namespace viscera::live

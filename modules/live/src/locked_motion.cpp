@@ -1,0 +1,164 @@
+#include "viscera/live/locked_motion.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace viscera::live {
+namespace {
+
+/// A motion with a gradient this much smaller than the surface cannot change the volume.
+constexpr double kNoInfluence = 1e-12;
+/// As good as rounding allows; more steps would follow noise.
+constexpr double kRoundingOfVolume = 1e-13;
+constexpr int kMostSteps = 12;
+/// How far towards a wish to try to go when all of it is too much.
+constexpr double kParts[] = {1, 0.5, 0.25, 0.125};
+
+bool contains(const std::vector<int>& list, int value) {
+  return std::find(list.begin(), list.end(), value) != list.end();
+}
+
+} // namespace
+
+LockedMotion::LockedMotion(Setup setup)
+    : setup_(std::move(setup)), pose_(setup_.start), wanted_(setup_.start) {
+  if (setup_.mirror)
+    for (const int partner : setup_.mirror->partners)
+      if (partner >= 0 && !contains(setup_.selection, partner) && !contains(partners_, partner))
+        partners_.push_back(partner);
+  std::erase_if(setup_.compensating,
+                [&](int row) { return contains(setup_.selection, row) || contains(partners_, row); });
+  if (setup_.lock)
+    chooseWay();
+}
+
+/// How translations keep the volumes: that depends on how many surfaces the motion has an influence on.
+void LockedMotion::chooseWay() {
+  const auto& surfaces = setup_.lock->surfaces();
+  const Points gradients = gradientsOfMotion(setup_.start);
+  int influenced = 0;
+  for (std::size_t k = 0; k < surfaces.size(); ++k) {
+    const Vec3 gradient = gradients.row(static_cast<Eigen::Index>(k)).transpose();
+    if (gradient.norm() <= kNoInfluence * std::pow(surfaces[k].targetMm3, 2.0 / 3))
+      continue;
+    ++influenced;
+    bending_ = k;
+    gradient_ = gradient;
+  }
+  if (influenced > 0)
+    translations_ = influenced > 1 || setup_.alwaysCompensate ? Way::compensated : Way::bent;
+}
+
+/// The start with the selection, and the partners, translated.
+Points LockedMotion::moved(const Vec3& by) const {
+  if (!setup_.mirror)
+    return deformation::translated(setup_.start, setup_.selection, by);
+  return deformation::mirroredTranslation(setup_.start, setup_.selection, setup_.mirror->partners,
+                                          setup_.mirror->plane, by);
+}
+
+/// How the volumes change with the vector of the motion, `surfaces x 3`.
+Points LockedMotion::gradientsOfMotion(const Points& pose) const {
+  Points gradients = setup_.lock->translationGradient(pose, setup_.selection);
+  if (partners_.empty())
+    return gradients;
+  const Points ofPartners = setup_.lock->translationGradient(pose, partners_);
+  for (Eigen::Index k = 0; k < gradients.rows(); ++k)
+    gradients.row(k) += setup_.mirror->plane.reflectedDirection(ofPartners.row(k).transpose()).transpose();
+  return gradients;
+}
+
+Vec3 LockedMotion::planeNormal() const {
+  return translations_ == Way::bent ? Vec3(gradient_.normalized()) : Vec3(Vec3::Zero());
+}
+
+double LockedMotion::relativeError(const std::vector<double>& volumes) const {
+  double worst = 0;
+  for (std::size_t k = 0; k < volumes.size(); ++k) {
+    const double target = setup_.lock->surfaces()[k].targetMm3;
+    worst = std::max(worst, std::abs(volumes[k] - target) / target);
+  }
+  return worst;
+}
+
+/// Goes to the point nearest to `wanted` on the surface of constant volume, by Newton's steps: one is enough
+/// where that surface is a plane.
+bool LockedMotion::bend(const Vec3& wanted) {
+  const double target = setup_.lock->surfaces()[bending_].targetMm3;
+  Vec3 gradient = gradient_;
+  Vec3 by = Vec3::Zero();
+  double missing = target - setup_.lock->volumes(setup_.start)[bending_];
+  double error = 0;
+  Points pose;
+  for (int step = 0; step < kMostSteps; ++step) {
+    // The nearest point of the tangent plane at `by`, where the volume is short of `missing`.
+    by = wanted + gradient * ((missing - gradient.dot(wanted - by)) / gradient.squaredNorm());
+    pose = moved(by);
+    const auto volumes = setup_.lock->volumes(pose);
+    const double before = std::exchange(error, relativeError(volumes));
+    if (error <= kRoundingOfVolume || (step > 0 && error >= before))
+      break;
+    missing = target - volumes[bending_];
+    gradient = gradientsOfMotion(pose).row(static_cast<Eigen::Index>(bending_)).transpose();
+    if (gradient.squaredNorm() == 0)
+      return false;
+  }
+  if (!(error <= deformation::VolumeLock::kRelativeTolerance) || !pose.allFinite())
+    return false;
+  pose_ = std::move(pose);
+  wantedBy_ = wanted;
+  return true;
+}
+
+bool LockedMotion::compensate(const Points& wanted) {
+  deformation::RestoredPose restored =
+      setup_.lock->restore(wanted, setup_.compensating, deformation::LeastDisplacement(), setup_.limitMm);
+  if (!restored.restored) {
+    if (obstacle_.empty())
+      obstacle_ = restored.reason;
+    return false;
+  }
+  pose_ = std::move(restored.pose);
+  wanted_ = wanted;
+  return true;
+}
+
+const Points& LockedMotion::translate(const Vec3& by) {
+  obstacle_.clear();
+  if (translations_ == Way::free) {
+    pose_ = moved(by);
+    return pose_;
+  }
+  if (translations_ == Way::compensated)
+    return reach(moved(by));
+  const Vec3 from = wantedBy_;
+  for (const double part : kParts)
+    if (bend(from + part * (by - from)))
+      return pose_;
+  obstacle_ = "no motion near to this one keeps the volume";
+  return pose_;
+}
+
+const Points& LockedMotion::rotate(const Vec3& center, const Vec3& axis, double angle) {
+  return reach(deformation::rotated(setup_.start, setup_.selection, center, axis, angle));
+}
+
+const Points& LockedMotion::scale(const Vec3& center, const Vec3& factors) {
+  return reach(deformation::scaled(setup_.start, setup_.selection, center, factors));
+}
+
+const Points& LockedMotion::reach(const Points& wanted) {
+  obstacle_.clear();
+  if (!setup_.lock) {
+    pose_ = wanted;
+    return pose_;
+  }
+  const Points from = wanted_;
+  for (const double part : kParts)
+    if (compensate(part == 1 ? wanted : Points(from + part * (wanted - from))))
+      break;
+  return pose_;
+}
+
+} // namespace viscera::live

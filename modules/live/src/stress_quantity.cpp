@@ -1,0 +1,83 @@
+#include "viscera/live/stress_quantity.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <numeric>
+
+namespace viscera::live {
+namespace {
+constexpr double kDegrees = 180 / std::numbers::pi;
+} // namespace
+
+const std::vector<StressQuantityDescription>& stressQuantities() {
+  static const std::vector<StressQuantityDescription> all = {
+      {StressQuantity::rotationalStress, "rotational-stress", "Rotational stress", "deg", false, 1},
+      {StressQuantity::volumeRatio, "volume-ratio", "Volume ratio", "", true, 3},
+      {StressQuantity::stretchMax, "largest-stretch", "Largest stretch", "", true, 3},
+      {StressQuantity::stretchMin, "smallest-stretch", "Smallest stretch", "", true, 3},
+      {StressQuantity::folded, "folded", "Folded tissue", "", false, 0}};
+  return all;
+}
+
+const StressQuantityDescription& describe(StressQuantity quantity) {
+  return stressQuantities()[static_cast<std::size_t>(quantity)];
+}
+
+StressQuantity stressQuantityFromId(const std::string& id) {
+  for (const StressQuantityDescription& description : stressQuantities())
+    if (description.id == id)
+      return description.quantity;
+  return StressQuantity::rotationalStress;
+}
+
+double quantityAt(const deformation::StressMap& map, StressQuantity quantity, Eigen::Index point) {
+  switch (quantity) {
+  case StressQuantity::rotationalStress:
+    return kDegrees * map.rotationalStress[point];
+  case StressQuantity::volumeRatio:
+    return map.volumeRatio[point];
+  case StressQuantity::stretchMax:
+    return map.stretchMax[point];
+  case StressQuantity::stretchMin:
+    return map.stretchMin[point];
+  case StressQuantity::folded:
+    break;
+  }
+  return map.volumeRatio[point] <= 0 ? 1 : 0;
+}
+
+void quantityOf(const deformation::StressMap& map, StressQuantity quantity, Values& values) {
+  values.resize(map.volumeRatio.size());
+  for (Eigen::Index i = 0; i < values.size(); ++i)
+    values[i] = map.volumeRatio[i] <= 0 && quantity != StressQuantity::folded
+                    ? std::numeric_limits<double>::quiet_NaN()
+                    : quantityAt(map, quantity, i);
+}
+
+QuantitySummary summaryOf(const Values& values, Eigen::Index count) {
+  QuantitySummary summary;
+  std::vector<double> numbers;
+  numbers.reserve(static_cast<std::size_t>(count));
+  for (Eigen::Index i = 0; i < count; ++i)
+    if (std::isfinite(values[i]))
+      numbers.push_back(values[i]);
+  summary.missing = static_cast<int>(count - static_cast<Eigen::Index>(numbers.size()));
+  if (numbers.empty())
+    return summary;
+  const auto [low, high] = std::minmax_element(numbers.begin(), numbers.end());
+  summary.min = *low;
+  summary.max = *high;
+  summary.mean = std::accumulate(numbers.begin(), numbers.end(), 0.0) / static_cast<double>(numbers.size());
+  const auto ranked = [&numbers](double part) {
+    const auto rank = static_cast<std::ptrdiff_t>(std::ceil(part * static_cast<double>(numbers.size()))) - 1;
+    std::nth_element(numbers.begin(), numbers.begin() + rank, numbers.end());
+    return numbers[static_cast<std::size_t>(rank)];
+  };
+  summary.percentile5 = ranked(0.05);
+  summary.percentile95 = ranked(0.95);
+  return summary;
+}
+
+} // namespace viscera::live

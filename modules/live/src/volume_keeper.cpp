@@ -1,0 +1,164 @@
+#include "viscera/live/volume_keeper.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "viscera/core/error.h"
+#include "viscera/document/edit.h"
+
+namespace viscera::live {
+namespace {
+
+using deformation::LockedSurface;
+using deformation::VolumeLock;
+
+bool sameSurfaces(const std::vector<LockedSurface>& a, const std::vector<LockedSurface>& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const auto& x, const auto& y) {
+    return x.rest == y.rest && x.binding == y.binding && x.name == y.name;
+  });
+}
+
+std::vector<int> rowsOf(const document::Rig& rig, const std::vector<document::HandleId>& handles) {
+  std::vector<int> rows;
+  for (const auto& [row, item] : document::edit::freeRows(rig, handles))
+    rows.push_back(row);
+  std::sort(rows.begin(), rows.end());
+  rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
+  return rows;
+}
+
+} // namespace
+
+VolumeKeeper::VolumeKeeper(const document::Document& document, LiveBinding& live, Threads threads)
+    : document_(document), live_(live), threads_(threads) {}
+
+/// The organ as it is bound to the handles there are, or null when it does not follow them.
+deformation::Deformer* VolumeKeeper::boundOrNull(const document::Organ& organ) {
+  using State = BindingStatus::State;
+  const State state = live_.status(organ.id).state;
+  if (state == State::binding || state == State::stale)
+    throw DataError("its volume can be kept only when it is bound to the handles there are", organ.name,
+                    state == State::binding ? "wait a moment" : "bind it first");
+  return state == State::bound ? live_.deformer(organ.id) : nullptr;
+}
+
+std::vector<std::shared_ptr<const document::Organ>> VolumeKeeper::lockedOrgans() {
+  std::vector<std::shared_ptr<const document::Organ>> locked;
+  for (const auto& organ : document_.organs())
+    if (organ->volumeLocked && organ->closed() && boundOrNull(*organ))
+      locked.push_back(organ);
+  return locked;
+}
+
+std::shared_ptr<VolumeLock>
+VolumeKeeper::lockOf(const std::vector<std::shared_ptr<const document::Organ>>& organs) {
+  if (organs.empty())
+    return nullptr;
+  std::vector<LockedSurface> surfaces;
+  for (const auto& organ : organs) {
+    const deformation::Deformer& deformer = *live_.deformer(organ->id);
+    surfaces.push_back({organ->name, deformer.sharedRest(), deformer.sharedBinding(), organ->restVolumeMm3});
+  }
+  // Which triangles meet where takes longer to find out than a frame lasts.
+  if (!lock_ || !sameSurfaces(lock_->surfaces(), surfaces))
+    lock_ = std::make_shared<VolumeLock>(std::move(surfaces), threads_);
+  return lock_;
+}
+
+/// The volumes that the organs have now.
+void VolumeKeeper::takeTargets(VolumeLock& lock,
+                               const std::vector<std::shared_ptr<const document::Organ>>& organs) const {
+  const std::vector<double> now = lock.volumes(document_.pose());
+  for (std::size_t k = 0; k < organs.size(); ++k) {
+    const double rest = organs[k]->restVolumeMm3;
+    lock.setTarget(k, std::abs(now[k] - rest) <= kSameVolume * rest ? rest : now[k]);
+  }
+}
+
+double VolumeKeeper::limitMm() const {
+  return kFarthestCompensation * boundsOf(document_.rig().restPositions()).diagonal();
+}
+
+bool VolumeKeeper::anyMarked(const std::vector<int>& rows) const {
+  return std::any_of(rows.begin(), rows.end(), [this](int row) {
+    return document_.rig().handles[static_cast<std::size_t>(row)].compensates;
+  });
+}
+
+/// Those that the user marked and that are free, else all that are free.
+std::vector<int> VolumeKeeper::compensating(const std::vector<int>& moving) const {
+  std::vector<int> free;
+  const auto& handles = document_.rig().handles;
+  for (int row = 0; row < static_cast<int>(handles.size()); ++row)
+    if (!handles[static_cast<std::size_t>(row)].locked &&
+        std::find(moving.begin(), moving.end(), row) == moving.end())
+      free.push_back(row);
+  if (anyMarked(free))
+    std::erase_if(free, [&handles](int row) { return !handles[static_cast<std::size_t>(row)].compensates; });
+  return free;
+}
+
+std::vector<int> VolumeKeeper::partners(const std::vector<document::HandleId>& handles,
+                                        const deformation::MirrorPlane& mirror) const {
+  const Points rest = document_.rig().restPositions();
+  auto found = deformation::mirrorPartners(rest, rowsOf(document_.rig(), handles), mirror,
+                                           kMirrorTolerance * boundsOf(rest).diagonal());
+  for (int& partner : found)
+    if (partner >= 0 && document_.rig().handles[static_cast<std::size_t>(partner)].locked)
+      partner = -1;
+  return found;
+}
+
+LockedMotion VolumeKeeper::begin(const std::vector<document::HandleId>& handles,
+                                 const std::optional<deformation::MirrorPlane>& mirror) {
+  const auto organs = lockedOrgans();
+  LockedMotion::Setup setup{lockOf(organs), document_.pose(), rowsOf(document_.rig(), handles)};
+  if (mirror)
+    setup.mirror = {*mirror, partners(handles, *mirror)};
+  if (setup.lock) {
+    takeTargets(*lock_, organs);
+    std::vector<int> moving = setup.selection;
+    if (setup.mirror)
+      moving.insert(moving.end(), setup.mirror->partners.begin(), setup.mirror->partners.end());
+    setup.compensating = compensating(moving);
+    setup.alwaysCompensate = anyMarked(setup.compensating);
+    setup.limitMm = limitMm();
+  }
+  return LockedMotion(std::move(setup));
+}
+
+deformation::RestoredPose VolumeKeeper::keep(const Points& wanted) {
+  const auto organs = lockedOrgans();
+  const auto lock = lockOf(organs);
+  if (!lock)
+    return {wanted, true, 0, 0, {}};
+  takeTargets(*lock, organs);
+  return lock->restore(wanted, compensating({}), deformation::LeastDisplacement(), limitMm());
+}
+
+Points VolumeKeeper::poseOfVolume(document::OrganId id, double targetMm3) {
+  const auto organ = document_.organ(id);
+  if (!organ)
+    throw UsageError("There is no such organ any more", "organ " + std::to_string(id.value));
+  if (!organ->closed())
+    throw DataError("the surface is open (" + std::to_string(organ->boundaryEdges) +
+                        " boundary edges), so it has no volume",
+                    organ->name, "close its holes first");
+  if (!boundOrNull(*organ))
+    throw DataError("it follows no handles, so nothing can change its volume", organ->name,
+                    "place handles around it");
+  auto organs = lockedOrgans();
+  std::erase_if(organs, [id](const auto& other) { return other->id == id; });
+  organs.insert(organs.begin(), organ);
+  const auto lock = lockOf(organs);
+  takeTargets(*lock, organs);
+  lock->setTarget(0, targetMm3);
+  const auto restored =
+      lock->restore(document_.pose(), compensating({}), deformation::LeastDisplacement(), limitMm());
+  if (!restored.restored)
+    throw DataError(restored.reason, organ->name,
+                    "choose a volume nearer to the present one, or let more handles compensate");
+  return restored.pose;
+}
+
+} // namespace viscera::live

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "viscera/document/command.h"
+#include "viscera/document/recording.h"
+#include "viscera/document/rig_commands.h"
+
+/// Recorded sequences as `.sequence.json` files (docs/file_formats.md).
+namespace viscera::motion {
+
+/// What a sequence file holds: by itself enough to play it.
+struct SequenceFile {
+  sequences::KeyframedSequence::Track track;    ///< Handles at rest in the order of `labels`; groups; keys.
+  std::vector<std::string> labels;              ///< One a handle, unique.
+  std::optional<document::SystemChoice> system; ///< The coordinates it was recorded with, when the file says.
+};
+
+/// Whether the name ends like a sequence file (.sequence.json).
+bool isSequenceFile(const std::filesystem::path& file);
+
+/// Reads a sequence file. Throws `NoInputError` when it cannot be read and `DataError` that names file, key
+/// and field for one that is cut off or no such file, of a later version, with another unit or axes, with
+/// numbers that are not finite, handles that share a label, keys that share a time or lie outside the period,
+/// a pose for an unknown handle, fewer than four handles, or an easing that there is not.
+SequenceFile readSequence(const std::filesystem::path& file);
+
+/// Writes one; reading it back gives the same bits. Atomic. Throws `CannotCreateError`.
+void writeSequence(const std::filesystem::path& file, const SequenceFile& sequence);
+
+/// The document's recording as a file has it. Throws `UsageError` when nothing is recorded.
+SequenceFile sequenceFile(const document::DocumentState& state);
+
+/// The rig of a sequence file, in its order.
+document::NewRig rigOf(const SequenceFile& sequence);
+
+/// Takes a sequence file into the document in one undo step: when the rig has all its handles by label (at
+/// their rest places to 1e-6 of the size), only the recording; else the file's handles and, when it says
+/// which, its coordinates too.
+document::Command openSequence(SequenceFile sequence);
+
+} // namespace viscera::motion

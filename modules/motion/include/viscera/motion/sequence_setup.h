@@ -1,0 +1,44 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "viscera/core/parallel.h"
+#include "viscera/core/progress.h"
+#include "viscera/document/command.h"
+#include "viscera/document/rig_commands.h"
+#include "viscera/sample_organs/sample_organ.h"
+#include "viscera/sequences/sequence.h"
+
+namespace viscera::motion {
+
+/// A sequence with all that it moves: what the window shows and the command line plays.
+struct SequenceSetup {
+  std::shared_ptr<const sequences::Sequence> sequence; ///< Never null.
+  sample_organs::SampleOrgan organ;                    ///< On whose surfaces it was calibrated.
+  document::NewRig rig;          ///< The sequence's rest handles, in its order, with labels and groups.
+  document::SystemChoice system; ///< The coordinates and parameters with which it was calibrated.
+};
+
+/// A sequence that the program ships.
+struct SampleSequence {
+  std::string id;    ///< As on the command line: "heartbeat".
+  std::string name;  ///< As in the window: "Heartbeat".
+  std::string organ; ///< The sample organ that it moves: "heart".
+};
+
+/// The sequences there are, in the order in which a list shows them.
+const std::vector<SampleSequence>& sampleSequences();
+
+/// Makes the sample organ of a sequence, its handles and the sequence itself, calibrated on that organ at
+/// that resolution. What takes long is kept in the library's cache. Throws `UsageError` for an unknown
+/// sequence (it names those there are), what `sample_organs::sampleOrgan` throws, `Cancelled`. For any
+/// thread.
+SequenceSetup setUpSequence(const sample_organs::SampleLibrary& library, const std::string& id,
+                            sample_organs::Resolution resolution, Progress& progress, Threads threads = {});
+
+/// Adds the organ, takes the rig in place of the one there is, and chooses the coordinates: one undo step.
+document::Command showSequence(const SequenceSetup& setup);
+
+} // namespace viscera::motion

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace viscera::motion {
+
+/// Volumes over time, for the chart and for tables: one row an instant, one column a surface. For one thread.
+class VolumeRecord {
+public:
+  /// Keeps the last `capacity` rows at least, twice as many at most; 0 keeps all.
+  explicit VolumeRecord(std::vector<std::string> names = {}, std::size_t capacity = 0);
+
+  /// Adds a row; `milliliters` has one number for each name. A time that is not later than the last one
+  /// (somebody went back) begins a new record.
+  void add(double seconds, const std::vector<double>& milliliters);
+  void clear();
+
+  const std::vector<std::string>& names() const { return names_; }
+  std::size_t rows() const { return seconds_.size(); }
+  double seconds(std::size_t row) const { return seconds_[row]; }
+  double milliliters(std::size_t row, std::size_t column) const {
+    return values_[row * names_.size() + column];
+  }
+  /// One surface over all rows, or those not earlier than `sinceSeconds`.
+  std::vector<double> column(std::size_t column, double sinceSeconds = -1e300) const;
+
+private:
+  std::vector<std::string> names_;
+  std::size_t capacity_;
+  std::vector<double> seconds_;
+  std::vector<double> values_;
+};
+
+} // namespace viscera::motion

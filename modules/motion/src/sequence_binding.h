@@ -1,0 +1,52 @@
+#pragma once
+
+#include <array>
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "viscera/coordinates/binding.h"
+#include "viscera/core/parallel.h"
+#include "viscera/core/progress.h"
+#include "viscera/document/document.h"
+#include "viscera/document/rig_commands.h"
+#include "viscera/geometry/triangle_mesh.h"
+#include "viscera/sample_organs/sample_organ.h"
+#include "viscera/sequences/pose_compensation.h"
+
+/// What setting up any sequence on a sample organ takes.
+namespace viscera::motion {
+
+/// S-Celestial coordinates that are local and smooth.
+document::SystemChoice softCoordinates(double softnessMm);
+
+/// The volume of a surface while handles move it.
+class MovedVolume {
+public:
+  /// Binds the surface on several threads; measuring is for one.
+  MovedVolume(std::shared_ptr<const geometry::TriangleMesh> mesh, const Points& restHandles,
+              const document::SystemChoice& system, Threads threads);
+
+  /// With the handles at `pose` (`n x 3`), ml. May be asked from several threads.
+  double at(const Points& pose) const;
+  /// The surface itself with the handles at `pose`.
+  geometry::TriangleMesh surfaceAt(const Points& pose) const;
+
+  /// With the handles at `pose + x direction`, as a cubic in x, ml: `sequences::VolumeAlong`.
+  std::array<double, 4> along(const Points& pose, const Points& direction) const;
+
+private:
+  std::shared_ptr<const geometry::TriangleMesh> mesh_;
+  std::unique_ptr<const coordinates::Binding> binding_;
+};
+
+/// Lets handles overshoot by what these coordinates take back. Handles without coordinates of their own are
+/// left alone.
+sequences::PoseCompensation compensationFor(const Points& restHandles, const document::SystemChoice& system,
+                                            Threads threads);
+
+/// The surface of that name. Throws `DataError` when the organ has none.
+std::shared_ptr<const geometry::TriangleMesh> surfaceOf(const sample_organs::SampleOrgan& organ,
+                                                        const std::string& name);
+
+} // namespace viscera::motion

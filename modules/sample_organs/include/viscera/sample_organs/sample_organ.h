@@ -1,0 +1,73 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "viscera/core/parallel.h"
+#include "viscera/core/progress.h"
+#include "viscera/geometry/triangle_mesh.h"
+
+/// Organs that the program makes itself, from the compact definitions in `sample_organs/`.
+namespace viscera::sample_organs {
+
+enum class Resolution { low, medium, high };
+
+/// "low", "medium", "high". Throws `UsageError` for anything else.
+Resolution resolutionFromName(const std::string& name);
+std::string nameOf(Resolution resolution);
+
+/// One closed surface of a sample organ.
+struct SampleSurface {
+  std::string name; ///< "outer", "lv", "rv"
+  std::shared_ptr<const geometry::TriangleMesh> mesh;
+  Vec3 color = {0.8, 0.45, 0.4}; ///< The surface's own colour, red green blue, 0 to 1.
+};
+
+struct SampleOrgan {
+  std::string name; ///< "heart"
+  Resolution resolution = Resolution::medium;
+  std::vector<SampleSurface> surfaces; ///< The outer surface first.
+};
+
+/// Where definitions are read from and generated surfaces are kept.
+struct SampleLibrary {
+  std::filesystem::path definitions; ///< The folder `sample_organs`.
+  std::filesystem::path cache;       ///< Written to when possible; may be lost at any time.
+};
+
+/// The library of this build or installation: `VISCERA_SAMPLE_ORGANS` when set, else the installed folder
+/// beside the program, else the source tree's; the cache is `$XDG_CACHE_HOME/viscera/organs`.
+SampleLibrary standardLibrary();
+
+/// The names of the definitions in the library, sorted.
+std::vector<std::string> sampleNames(const SampleLibrary& library);
+
+/// Loads an organ from the cache or makes it (seconds), then caches it under the hash of its definition and
+/// of the generator's version; a damaged cache is mended silently. Throws `UsageError` for an unknown organ
+/// (it names those there are), `NoInputError` for a definition that cannot be read, `DataError` for a faulty
+/// one (it names file, node and field), `Cancelled`. The same definition gives the same surface, whatever the
+/// number of threads.
+SampleOrgan sampleOrgan(const SampleLibrary& library, const std::string& name, Resolution resolution,
+                        Progress& progress, Threads threads = {});
+
+/// One surface of an organ by name, also one that is only for checks and so not part of `sampleOrgan` (the
+/// heart's "chambers": without the great vessels). As `sampleOrgan`; throws `UsageError` for an unknown
+/// surface too.
+SampleSurface sampleSurface(const SampleLibrary& library, const std::string& organ,
+                            const std::string& surface, Resolution resolution, Progress& progress,
+                            Threads threads = {});
+
+/// A named implicit surface of a definition: negative inside, about the distance in mm near the surface. For
+/// placing handles by the anatomy. Thread-safe.
+using ImplicitSurface = std::function<double(const Vec3& point)>;
+
+/// `node` is the name of a node ("ventricles") or "surf " and the name of a surface ("surf rv"), with the
+/// detail of `resolution`. Throws as `sampleSurface`. Takes some milliseconds; a call of the result about a
+/// microsecond.
+ImplicitSurface implicitSurface(const SampleLibrary& library, const std::string& organ,
+                                const std::string& node, Resolution resolution = Resolution::high);
+
+} // namespace viscera::sample_organs

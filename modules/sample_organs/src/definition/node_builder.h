@@ -1,0 +1,57 @@
+#pragma once
+
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "definition/fields.h"
+#include "definition/organ_definition.h"
+#include "implicit/implicit_node.h"
+
+namespace viscera::sample_organs {
+
+/// Builds the implicit surfaces of a definition at one resolution. Named nodes are built once, when first
+/// referred to. The definition must outlive the builder. Not thread-safe; what it builds is.
+class NodeBuilder {
+public:
+  NodeBuilder(const OrganDefinition& definition, Resolution resolution);
+
+  /// The node of this name. Throws `UsageError` that names the nodes there are.
+  NodePtr named(const std::string& name);
+
+  /// The root of a surface. Throws `DataError` that names the file, the node and the field.
+  NodePtr root(const SurfaceDefinition& surface);
+
+private:
+  using Json = nlohmann::json;
+  using NewNode = std::shared_ptr<ImplicitNode>;
+
+  /// Null when the node is not meant for this resolution.
+  NodePtr build(const Json& content, const std::string& where);
+  NodePtr buildNamed(const std::string& name, const std::string& askedBy);
+  NewNode buildType(const std::string& type, Fields& fields);
+  NodePtr required(const Json& content, const std::string& where);
+  NodePtr child(Fields& fields, const std::string& key);
+  std::vector<NodePtr> children(Fields& fields);
+  bool presentAt(Fields& fields) const;
+  double blend(Fields& fields) const;
+
+  NewNode ellipsoid(Fields& fields) const;
+  NewNode halfSpace(Fields& fields) const;
+  NewNode tube(Fields& fields) const;
+  NewNode unionOf(Fields& fields);
+  NewNode subtraction(Fields& fields);
+  NewNode intersection(Fields& fields);
+  NewNode offset(Fields& fields);
+  NewNode frame(Fields& fields);
+  NewNode displacement(Fields& fields);
+  NewNode surfaceVessels(Fields& fields);
+
+  const OrganDefinition& definition_;
+  int level_;
+  std::map<std::string, NodePtr> built_;
+  std::set<std::string> underConstruction_;
+};
+
+} // namespace viscera::sample_organs

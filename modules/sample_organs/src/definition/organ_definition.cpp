@@ -1,0 +1,146 @@
+#include "definition/organ_definition.h"
+
+#include <fstream>
+#include <iterator>
+#include <set>
+
+#include "definition/fields.h"
+#include "viscera/core/content_hash.h"
+#include "viscera/core/error.h"
+
+namespace viscera::sample_organs {
+namespace {
+
+using nlohmann::json;
+
+constexpr int kFewestTriangles = 100;
+constexpr int kMostTriangles = 5'000'000;
+
+std::string readText(const std::filesystem::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::string text{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+  if (!file.is_open() || file.bad())
+    throw NoInputError("the organ definition cannot be read", path.string(),
+                       "check that the file exists and that you may read it");
+  return text;
+}
+
+json parse(const std::string& text, const std::string& where) {
+  try {
+    return json::parse(text, nullptr, true, true);
+  } catch (const json::parse_error& error) {
+    throw DataError(std::string("not valid JSON: ") + error.what(), where, "mend the place that is named");
+  }
+}
+
+/// Reads one file after the other into one definition.
+class Reader {
+public:
+  OrganDefinition read(const std::filesystem::path& path) {
+    readFile(path, true);
+    return std::move(definition_);
+  }
+
+private:
+  void readFile(const std::filesystem::path& path, bool main) {
+    const std::string where = path.filename().string();
+    if (!files_.insert(std::filesystem::weakly_canonical(path)).second)
+      throw DataError("the file is included twice, or includes itself", where, "remove one of the includes");
+    const std::string text = readText(path);
+    definition_.contentHash = contentHash(text, definition_.contentHash);
+    const json content = parse(text, where);
+    Fields fields(content, where);
+    const std::string name = fields.text("name");
+    checkFrame(fields);
+    if (fields.has("include"))
+      for (const json& other : fields.list("include", 0)) {
+        if (!other.is_string())
+          fields.fail("include", "is not a list of file names");
+        readFile(path.parent_path() / other.get<std::string>(), false);
+      }
+    fields.ignore("nodes");
+    if (fields.has("nodes"))
+      for (const json& node : fields.list("nodes", 0))
+        addNode(node, where);
+    if (main) {
+      definition_.name = name;
+      definition_.file = where;
+      for (const json& surface : fields.list("surfaces"))
+        addSurface(surface, where);
+    }
+    fields.ignore("surfaces");
+    fields.requireNothingElse();
+  }
+
+  static void checkFrame(Fields& fields) {
+    if (fields.text("units") != "mm")
+      fields.fail("units", "is not \"mm\"", "convert the numbers to mm");
+    if (fields.text("frame") != "LPS")
+      fields.fail("frame", "is not \"LPS\"", "turn the signs of x and y of numbers in RAS");
+  }
+
+  void addNode(const json& node, const std::string& file) {
+    Fields fields(node, file + ", \"nodes\"");
+    const std::string name = fields.text("name");
+    const std::string where = file + ", node \"" + name + "\"";
+    if (!definition_.nodes.emplace(name, NodeDefinition{node, where}).second)
+      throw DataError("there is another node of this name", where, "rename one of them");
+  }
+
+  void addSurface(const json& content, const std::string& file) {
+    Fields named(content, file + ", \"surfaces\"");
+    SurfaceDefinition surface;
+    surface.name = named.text("name");
+    surface.where = file + ", surface \"" + surface.name + "\"";
+    Fields fields(content, surface.where);
+    fields.ignore("name");
+    fields.ignore("check_only");
+    if (fields.has("check_only")) {
+      if (!fields.get("check_only").is_boolean())
+        fields.fail("check_only", "is neither true nor false");
+      surface.checkOnly = fields.get("check_only").get<bool>();
+    }
+    surface.color = fields.vector("color", surface.color);
+    surface.largestSpacing = fields.positive("spacing", surface.largestSpacing);
+    fields.ignore("triangles");
+    if (fields.has("triangles"))
+      readLevels(fields.get("triangles"), surface);
+    surface.root = fields.get("root");
+    fields.requireNothingElse();
+    for (const SurfaceDefinition& other : definition_.surfaces)
+      if (other.name == surface.name)
+        throw DataError("there is another surface of this name", surface.where, "rename one of them");
+    definition_.surfaces.push_back(std::move(surface));
+  }
+
+  static void readLevels(const json& content, SurfaceDefinition& surface) {
+    Fields levels(content, surface.where + ", \"triangles\"");
+    for (const Resolution resolution : {Resolution::low, Resolution::medium, Resolution::high}) {
+      int& count = surface.triangles[static_cast<std::size_t>(resolution)];
+      levels.get(nameOf(resolution));
+      count = levels.integer(nameOf(resolution), count, kFewestTriangles, kMostTriangles);
+    }
+    levels.requireNothingElse();
+  }
+
+  OrganDefinition definition_;
+  std::set<std::filesystem::path> files_;
+};
+
+} // namespace
+
+const SurfaceDefinition& OrganDefinition::surface(const std::string& surfaceName) const {
+  std::set<std::string> names;
+  for (const SurfaceDefinition& candidate : surfaces) {
+    if (candidate.name == surfaceName)
+      return candidate;
+    names.insert(candidate.name);
+  }
+  throw UsageError("the organ has no surface \"" + surfaceName + "\"", name, "it has " + listed(names));
+}
+
+OrganDefinition readDefinition(const std::filesystem::path& path) {
+  return Reader().read(path);
+}
+
+} // namespace viscera::sample_organs

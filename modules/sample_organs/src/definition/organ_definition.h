@@ -1,0 +1,53 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include "viscera/core/arrays.h"
+#include "viscera/sample_organs/sample_organ.h"
+
+namespace viscera::sample_organs {
+
+/// A surface that a definition asks for.
+struct SurfaceDefinition {
+  std::string name;
+  bool checkOnly = false;                               ///< Made only when asked for by name.
+  Vec3 color = {0.8, 0.45, 0.4};                        ///< Red green blue, 0 to 1.
+  std::array<int, 3> triangles = {3000, 30000, 150000}; ///< Low, medium, high.
+  double largestSpacing = 1.6;                          ///< mm between samples of the field.
+  nlohmann::json root;
+  std::string where; ///< File and surface, for messages.
+
+  int trianglesAt(Resolution resolution) const { return triangles[static_cast<std::size_t>(resolution)]; }
+};
+
+/// A named node, not yet built.
+struct NodeDefinition {
+  nlohmann::json node;
+  std::string where; ///< File and node, for messages.
+};
+
+/// One definition file with those that it includes, read but not built.
+struct OrganDefinition {
+  std::string name;
+  std::string file;                            ///< The file's name, for messages.
+  std::map<std::string, NodeDefinition> nodes; ///< Of this file and of the included ones.
+  std::vector<SurfaceDefinition> surfaces;     ///< Of this file only, the outer surface first.
+  std::uint64_t contentHash = 0;               ///< Of the bytes of all files read.
+
+  /// Throws `UsageError` that names the surfaces there are.
+  const SurfaceDefinition& surface(const std::string& surfaceName) const;
+};
+
+/// Reads `path` and what it includes. Throws `NoInputError` for a file that cannot be read, `DataError` for
+/// one that is not a definition: not JSON (with line and column), a missing or misspelt field, a name used
+/// twice, files that include each other.
+OrganDefinition readDefinition(const std::filesystem::path& path);
+
+} // namespace viscera::sample_organs

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <vector>
+
+#include "implicit/centerline.h"
+#include "implicit/extent.h"
+
+namespace viscera::sample_organs {
+
+/// Where on a sampled axis the tube's surface is nearest.
+struct NearestOnAxis {
+  int segment = -1;    ///< Between samples `segment` and `segment + 1`; -1 for none.
+  double t = 0;        ///< 0 at its start, 1 at its end.
+  double distance = 0; ///< From the surface of the round cone, mm, negative inside.
+};
+
+/// A bounding-volume tree over the round cones between the samples of an axis. Immutable; thread-safe.
+class SegmentTree {
+public:
+  /// At least two samples.
+  explicit SegmentTree(const std::vector<AxisSample>& samples);
+
+  /// The round cone whose surface is nearest (deepest, when inside): O(log n) for points near the tube.
+  /// None when all are at least `limit` mm away.
+  NearestOnAxis nearest(const Vec3& point, double limit) const;
+
+private:
+  /// The hull of two balls, with what its distance needs.
+  struct RoundCone {
+    int segment;
+    Vec3 start;
+    Vec3 direction; ///< Unit.
+    double length;
+    double radius; ///< At the start.
+    double rise;   ///< Change of the radius from start to end.
+    double shift;  ///< Foot of the nearest point moves along the axis by this much per mm away from the axis.
+  };
+  struct Branch {
+    Extent box;        ///< Of the axis.
+    double radius = 0; ///< Largest within.
+    int begin = 0, end = 0;
+    int right = 0; ///< Index of the second child; the first follows its parent. 0 for a leaf.
+  };
+
+  int grow(int begin, int end);
+  /// Whether nothing in the branch can be nearer than `distance` mm to the point.
+  static bool isFarther(const Branch& branch, double axisDistance2, double distance) {
+    const double reach = distance + branch.radius;
+    return reach <= 0 || axisDistance2 >= reach * reach;
+  }
+  void searchLeaf(const Branch& leaf, const Vec3& point, NearestOnAxis& best) const;
+
+  std::vector<RoundCone> cones_; ///< In the order of the leaves.
+  std::vector<Branch> branches_;
+};
+
+} // namespace viscera::sample_organs

@@ -1,0 +1,131 @@
+#include "viscera/sample_organs/sample_organ.h"
+
+#include <algorithm>
+#include <set>
+#include <utility>
+
+#include "definition/node_builder.h"
+#include "definition/organ_definition.h"
+#include "surface/generate_surface.h"
+#include "surface_cache.h"
+#include "viscera/core/content_hash.h"
+#include "viscera/core/error.h"
+
+namespace viscera::sample_organs {
+namespace {
+
+constexpr std::pair<Resolution, const char*> kNames[] = {
+    {Resolution::low, "low"}, {Resolution::medium, "medium"}, {Resolution::high, "high"}};
+
+OrganDefinition definitionOf(const SampleLibrary& library, const std::string& organ) {
+  const std::vector<std::string> names = sampleNames(library);
+  if (std::find(names.begin(), names.end(), organ) == names.end()) {
+    const std::set<std::string> known(names.begin(), names.end());
+    throw UsageError("there is no sample organ \"" + organ + "\"", library.definitions.string(),
+                     "there are " + listed(known));
+  }
+  return readDefinition(library.definitions / (organ + ".json"));
+}
+
+/// Makes surfaces of one definition at one resolution; builds the tree only when the cache does not have
+/// them.
+class Maker {
+public:
+  Maker(const SampleLibrary& library, OrganDefinition definition, Resolution resolution, Threads threads)
+      : definition_(std::move(definition)), resolution_(resolution), threads_(threads), cache_(library.cache),
+        builder_(definition_, resolution) {}
+
+  const OrganDefinition& definition() const { return definition_; }
+
+  SampleSurface make(const SurfaceDefinition& surface, const ProgressSpan& progress) {
+    progress.throwIfCancelled();
+    progress.report(0, definition_.name + ", " + surface.name);
+    const CacheKey key = keyOf(surface);
+    std::optional<geometry::TriangleMesh> mesh = cache_.load(key);
+    if (!mesh) {
+      mesh = generated(surface, progress);
+      cache_.store(key, *mesh);
+    }
+    return {surface.name, std::make_shared<const geometry::TriangleMesh>(std::move(*mesh)), surface.color};
+  }
+
+private:
+  CacheKey keyOf(const SurfaceDefinition& surface) const {
+    const std::string name = definition_.name + "-" + surface.name + "-" + nameOf(resolution_);
+    const std::string all = name + "/" + std::to_string(kGeneratorVersion);
+    return {name, contentHash(all, definition_.contentHash)};
+  }
+
+  geometry::TriangleMesh generated(const SurfaceDefinition& surface, const ProgressSpan& progress) {
+    const NodePtr root = builder_.root(surface);
+    const SurfaceGoal goal{surface.trianglesAt(resolution_), surface.largestSpacing};
+    try {
+      return generateSurface(*root, goal, threads_, progress);
+    } catch (const DataError& error) {
+      throw DataError(error.problem(), surface.where, error.tryThis());
+    }
+  }
+
+  OrganDefinition definition_;
+  Resolution resolution_;
+  Threads threads_;
+  SurfaceCache cache_;
+  NodeBuilder builder_;
+};
+
+} // namespace
+
+Resolution resolutionFromName(const std::string& name) {
+  for (const auto& [resolution, known] : kNames)
+    if (name == known)
+      return resolution;
+  throw UsageError("there is no resolution \"" + name + "\"", {}, "use low, medium or high");
+}
+
+std::string nameOf(Resolution resolution) {
+  for (const auto& [candidate, name] : kNames)
+    if (candidate == resolution)
+      return name;
+  return {};
+}
+
+SampleOrgan sampleOrgan(const SampleLibrary& library, const std::string& name, Resolution resolution,
+                        Progress& progress, Threads threads) {
+  Maker maker(library, definitionOf(library, name), resolution, threads);
+  const OrganDefinition& definition = maker.definition();
+  double triangles = 0;
+  for (const SurfaceDefinition& surface : definition.surfaces)
+    if (!surface.checkOnly)
+      triangles += surface.trianglesAt(resolution);
+  SampleOrgan organ{definition.name, resolution, {}};
+  double from = 0;
+  for (const SurfaceDefinition& surface : definition.surfaces) {
+    if (surface.checkOnly)
+      continue;
+    const double to = from + surface.trianglesAt(resolution) / triangles;
+    organ.surfaces.push_back(maker.make(surface, {progress, from, to}));
+    from = to;
+  }
+  progress.report(1);
+  return organ;
+}
+
+SampleSurface sampleSurface(const SampleLibrary& library, const std::string& organ,
+                            const std::string& surface, Resolution resolution, Progress& progress,
+                            Threads threads) {
+  Maker maker(library, definitionOf(library, organ), resolution, threads);
+  return maker.make(maker.definition().surface(surface), {progress, 0, 1});
+}
+
+ImplicitSurface implicitSurface(const SampleLibrary& library, const std::string& organ,
+                                const std::string& node, Resolution resolution) {
+  const OrganDefinition definition = definitionOf(library, organ);
+  NodeBuilder builder(definition, resolution);
+  const std::string prefix = "surf ";
+  const bool surface = node.rfind(prefix, 0) == 0;
+  const NodePtr root =
+      surface ? builder.root(definition.surface(node.substr(prefix.size()))) : builder.named(node);
+  return [root](const Vec3& point) { return root->distance(point); };
+}
+
+} // namespace viscera::sample_organs

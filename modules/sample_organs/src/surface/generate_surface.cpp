@@ -1,0 +1,68 @@
+#include "surface/generate_surface.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "surface/polygonise.h"
+#include "surface/remesh.h"
+#include "viscera/core/error.h"
+#include "viscera/geometry/surface_check.h"
+#include "viscera/geometry/volume.h"
+
+namespace viscera::sample_organs {
+namespace {
+
+using geometry::TriangleMesh;
+
+constexpr double kTriangleArea = 0.433; // of an equilateral triangle with edges of length 1
+constexpr double kSpacingPerEdge =
+    1.05; // a raw mesh about as fine as the result keeps what the result can show
+constexpr int kTries = 4;
+constexpr double kFiner = 0.93; // a grid that is not aligned with the one before
+constexpr Eigen::Index kGrain = 512;
+
+/// Two sheets that pass through one cell can touch along an edge; another spacing tells them apart.
+TriangleMesh manifoldRaw(const ImplicitNode& node, double spacing, Threads threads,
+                         const ProgressSpan& progress) {
+  for (int attempt = 0; attempt < kTries; ++attempt) {
+    TriangleMesh raw = polygonise(node, spacing, threads, progress);
+    const geometry::SurfaceReport report = geometry::checkSurface(raw);
+    if (report.closed() && report.manifold())
+      return raw;
+    spacing *= kFiner;
+  }
+  throw DataError("the implicit surface touches itself", {}, "keep parts apart by twice the \"spacing\"");
+}
+
+TriangleMesh rawSurface(const ImplicitNode& node, const SurfaceGoal& goal, Threads threads,
+                        const ProgressSpan& progress) {
+  TriangleMesh raw = manifoldRaw(node, goal.largestSpacing, threads, progress.part(0, 0.5));
+  const double edge = std::sqrt(geometry::area(raw.points, raw.triangles) / (kTriangleArea * goal.triangles));
+  if (kSpacingPerEdge * edge >= goal.largestSpacing)
+    return raw;
+  return manifoldRaw(node, kSpacingPerEdge * edge, threads, progress.part(0.5, 1));
+}
+
+void paint(const ImplicitNode& node, TriangleMesh& mesh, Threads threads) {
+  mesh.colors.resize(mesh.points.rows(), 3);
+  parallelRanges(mesh.points.rows(), kGrain, threads, [&](Eigen::Index begin, Eigen::Index end) {
+    for (Eigen::Index v = begin; v < end; ++v) {
+      const Vec3 color = node.shade(mesh.points.row(v)).color;
+      for (int k = 0; k < 3; ++k)
+        mesh.colors(v, k) = static_cast<std::uint8_t>(std::lround(255 * std::clamp(color[k], 0.0, 1.0)));
+    }
+  });
+}
+
+} // namespace
+
+TriangleMesh generateSurface(const ImplicitNode& node, const SurfaceGoal& goal, Threads threads,
+                             const ProgressSpan& progress) {
+  const TriangleMesh raw = rawSurface(node, goal, threads, progress.part(0, 0.4));
+  TriangleMesh mesh = remesh(raw, node, goal.triangles, threads, progress.part(0.4, 0.98));
+  paint(node, mesh, threads);
+  progress.report(1);
+  return mesh;
+}
+
+} // namespace viscera::sample_organs

@@ -1,0 +1,26 @@
+#pragma once
+
+#include "implicit/implicit_node.h"
+#include "surface/progress_span.h"
+#include "viscera/core/parallel.h"
+#include "viscera/geometry/triangle_mesh.h"
+
+namespace viscera::sample_organs {
+
+/// Raised whenever the same definition gives another surface than before; cached surfaces of older versions
+/// are then made anew.
+inline constexpr int kGeneratorVersion = 2;
+
+/// What `generateSurface` aims at.
+struct SurfaceGoal {
+  int triangles = 30000;
+  double largestSpacing = 1.6; ///< mm between samples of the field.
+};
+
+/// The closed, manifold, outward surface of `node` with a colour for every vertex. Throws `DataError` when
+/// there is no surface or no spacing gives a manifold one; `Cancelled`. Bitwise independent of the number of
+/// threads.
+geometry::TriangleMesh generateSurface(const ImplicitNode& node, const SurfaceGoal& goal, Threads threads,
+                                       const ProgressSpan& progress);
+
+} // namespace viscera::sample_organs

@@ -1,0 +1,118 @@
+#include "viscera/document/import_draft.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "shapes.h"
+#include "temporary_folder.h"
+#include "viscera/core/error.h"
+#include "viscera/document/document.h"
+#include "viscera/document/undo_stack.h"
+#include "viscera/geometry/transformed_surface.h"
+#include "viscera/medical_io/surface_file.h"
+
+namespace viscera::document {
+namespace {
+
+using geometry::TriangleMesh;
+
+class ImportDrafts : public testing::Test {
+protected:
+  /// A ball of a normal liver's volume on the right side.
+  static TriangleMesh liver() { return tests::sphere(3, 71.8, {-80, 10, 300}); }
+  static TriangleMesh insideOut() {
+    TriangleMesh mesh = liver();
+    mesh.triangles.col(1).swap(mesh.triangles.col(2));
+    return mesh;
+  }
+
+  ImportDraft draft(const std::vector<std::pair<std::string, TriangleMesh>>& surfaces) {
+    std::vector<std::filesystem::path> files;
+    for (const auto& [name, mesh] : surfaces) {
+      files.push_back(folder_ / name);
+      medical_io::writeSurface(files.back(), mesh);
+    }
+    return draftOf(openFiles(files, progress_), progress_);
+  }
+
+  tests::TemporaryFolder folder_;
+  Progress progress_;
+};
+
+TEST_F(ImportDrafts, AGoodSurfaceIsNotQuestionable) {
+  const ImportDraft good = draft({{"liver.ply", liver()}});
+  EXPECT_FALSE(good.questionable());
+  EXPECT_EQ(good.organs.at(0).file, "liver.ply");
+  EXPECT_EQ(accepted(good).organs.at(0).organ.mesh->points, liver().points);
+}
+
+TEST_F(ImportDrafts, SeesASurfaceThatIsInsideOutAsItIsInTheFile) {
+  const ImportDraft bad = draft({{"liver.ply", insideOut()}});
+  ASSERT_TRUE(bad.questionable());
+  const ImportDraft good = repaired(bad, {0}, "orient", progress_);
+  EXPECT_FALSE(good.questionable());
+  EXPECT_TRUE(bad.questionable()) << "a draft is a value";
+  const OpenedFiles files = accepted(good);
+  EXPECT_EQ(files.organs.at(0).organ.mesh->triangles.rows(), liver().triangles.rows());
+  EXPECT_GT(files.organs.at(0).organ.restVolumeMm3, 0);
+  EXPECT_THAT(files.organs.at(0).organ.warnings, testing::ElementsAre("repaired on import: orient"));
+  EXPECT_EQ(files.organs.at(0).organ.file.filename(), "liver.ply");
+}
+
+TEST_F(ImportDrafts, RepairsAreTakenBackOneOrganAtATime) {
+  ImportDraft both = draft({{"liver.ply", geometry::scaled(liver(), 0.001)}, {"spleen.ply", insideOut()}});
+  both = repaired(both, {0}, "unit-m", progress_);
+  both = repaired(both, {1}, "orient", progress_);
+  both = reverted(both, 0, progress_);
+  EXPECT_TRUE(both.organs[0].repairs.empty());
+  EXPECT_TRUE(both.organs[0].assessment.questionable());
+  EXPECT_THAT(both.organs[1].repairs, testing::ElementsAre("orient"));
+}
+
+TEST_F(ImportDrafts, AMirroredPatientIsNoticedByHowTheOrgansLie) {
+  const TriangleMesh spleen = tests::sphere(3, 36, {90, 40, 300});
+  const ImportDraft right = draft({{"liver.ply", liver()}, {"spleen.ply", spleen}});
+  EXPECT_EQ(right.arrangement, std::nullopt);
+  const ImportDraft wrong =
+      draft({{"liver.ply", geometry::mirrored(liver())}, {"spleen.ply", geometry::mirrored(spleen)}});
+  ASSERT_TRUE(wrong.arrangement);
+  EXPECT_EQ(repaired(wrong, {0, 1}, "mirror", progress_).arrangement, std::nullopt);
+  EXPECT_EQ(withIncluded(wrong, 1, false).arrangement, std::nullopt);
+}
+
+TEST_F(ImportDrafts, WhatIsLeftOutDoesNotComeAndTheRestIsOneUndoStep) {
+  ImportDraft both = draft({{"liver.ply", liver()}, {"bad.ply", geometry::scaled(liver(), 0.001)}});
+  both = withIncluded(both, 1, false);
+  EXPECT_FALSE(both.questionable());
+  Document document;
+  UndoStack undo(document);
+  undo.perform(accepted(both).command());
+  ASSERT_EQ(document.organs().size(), 1u);
+  EXPECT_EQ(document.organs()[0]->name, "liver");
+  EXPECT_EQ(undo.names(), std::vector<std::string>{"Open 2 files"});
+  EXPECT_TRUE(withIncluded(both, 0, false).empty());
+}
+
+TEST_F(ImportDrafts, ACavityComesWithTheOrganThatItIsIn) {
+  OpenedFiles files;
+  for (const double radius : {60.0, 50.0, 30.0})
+    files.organs.push_back({makeOrgan("ball", tests::sphere(2, radius)), -1});
+  files.organs[2].parentInBatch = 1;
+  ImportDraft all = draftOf(files, progress_);
+  const OpenedFiles later = accepted(withIncluded(all, 0, false));
+  ASSERT_EQ(later.organs.size(), 2u);
+  EXPECT_EQ(later.organs[1].parentInBatch, 0);
+  EXPECT_EQ(accepted(withIncluded(all, 1, false)).organs.size(), 1u)
+      << "without its organ a cavity is nothing";
+}
+
+TEST_F(ImportDrafts, ARepairCanBeCancelledAndAnUnknownOneIsRefused) {
+  const ImportDraft bad = draft({{"liver.ply", insideOut()}});
+  Progress cancelled;
+  cancelled.cancel();
+  EXPECT_THROW(repaired(bad, {0}, "remesh", cancelled), Cancelled);
+  EXPECT_THROW(repaired(bad, {0}, "magic", progress_), UsageError);
+}
+
+} // namespace
+} // namespace viscera::document

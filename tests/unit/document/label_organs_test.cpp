@@ -1,0 +1,92 @@
+#include "viscera/document/label_organs.h"
+
+#include <filesystem>
+#include <string>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "label_files.h"
+#include "temporary_folder.h"
+#include "viscera/core/error.h"
+#include "viscera/document/open_files.h"
+
+namespace viscera::document {
+namespace {
+
+using ::testing::Contains;
+using ::testing::HasSubstr;
+using viscera::tests::LabelImage;
+using viscera::tests::TemporaryFolder;
+
+/// A liver and a left kidney of Slicer, far too small.
+std::filesystem::path segmentation(const TemporaryFolder& folder) {
+  LabelImage image = viscera::tests::emptyLabels();
+  image.fill({2, 2, 2}, {8, 9, 9}, 1);
+  image.fill({12, 2, 2}, {18, 9, 9}, 2);
+  return folder.put("a.seg.nrrd", viscera::tests::nrrdFile(
+                                      image, "right-anterior-superior",
+                                      "Segment0_ID:=S1\nSegment0_Name:=liver\nSegment0_Color:=0.5 0.25 0\n"
+                                      "Segment0_LabelValue:=1\nSegment1_ID:=S2\nSegment1_Name:=left kidney\n"
+                                      "Segment1_LabelValue:=2\n"));
+}
+
+TEST(LabelOrgans, AreClosedAndHaveTheirNamesColoursAndVolumes) {
+  const TemporaryFolder folder;
+  const auto file = segmentation(folder);
+  Progress progress;
+  const std::vector<Organ> organs = readLabelOrgans(file, {}, progress);
+  ASSERT_EQ(organs.size(), 2U);
+  EXPECT_EQ(organs[0].name, "liver");
+  EXPECT_TRUE(organs[0].look.color.isApprox(Vec3(0.5, 0.25, 0)));
+  EXPECT_TRUE(organs[0].closed());
+  EXPECT_NEAR(organs[0].restVolumeMm3, 7 * 8 * 8, 0.01 * 7 * 8 * 8);
+  EXPECT_EQ(organs[0].file, file);
+  EXPECT_THAT(organs[0].warnings, Contains(HasSubstr("not life-sized")));
+  EXPECT_EQ(organs[1].name, "left kidney");
+}
+
+TEST(LabelOrgans, AreThoseThatAreAskedFor) {
+  const TemporaryFolder folder;
+  const auto file = segmentation(folder);
+  Progress progress;
+  EXPECT_EQ(readLabelOrgans(file, {"Left_Kidney"}, progress).at(0).name, "left kidney");
+  EXPECT_EQ(readLabelOrgans(file, {"1"}, progress).at(0).name, "liver");
+  EXPECT_THROW(readLabelOrgans(file, {"spleen"}, progress), UsageError);
+}
+
+TEST(LabelOrgans, OfAFolderOfMasksAreOnePatient) {
+  const TemporaryFolder folder;
+  for (const int place : {2, 12}) {
+    LabelImage mask = viscera::tests::emptyLabels();
+    mask.fill({place, 2, 2}, {place + 6, 9, 9}, 1);
+    folder.put(place == 2 ? "liver.nii" : "spleen.nii", viscera::tests::niftiFile(mask));
+  }
+  Progress progress;
+  const std::vector<Organ> organs = readLabelOrgans(folder.path(), {}, progress);
+  ASSERT_EQ(organs.size(), 2U);
+  EXPECT_EQ(organs[1].name, "spleen");
+}
+
+TEST(LabelOrgans, AreOpenedLikeOtherFiles) {
+  const TemporaryFolder folder;
+  Progress progress;
+  const OpenedFiles opened = openFiles({segmentation(folder)}, progress);
+  EXPECT_EQ(opened.organs.size(), 2U);
+  EXPECT_THAT(opened.warnings, Contains(HasSubstr("a.seg.nrrd: liver: a liver of")));
+}
+
+TEST(LabelOrgans, OfTwoFilesOpenedTogetherComeOnce) {
+  const TemporaryFolder folder;
+  LabelImage image = viscera::tests::emptyLabels();
+  image.fill({2, 2, 2}, {8, 9, 9}, 1);
+  const auto halves = viscera::tests::niftiHalves(image);
+  const auto header = folder.put("Liver.hdr", halves.header), voxels = folder.put("Liver.img", halves.voxels);
+  Progress progress;
+  EXPECT_EQ(openFiles({header, voxels}, progress).organs.size(), 1U);
+  EXPECT_EQ(openFiles({voxels, header}, progress).organs.size(), 1U);
+  EXPECT_EQ(openFiles({voxels}, progress).organs.size(), 1U);
+}
+
+} // namespace
+} // namespace viscera::document

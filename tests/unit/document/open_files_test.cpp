@@ -1,0 +1,170 @@
+#include "viscera/document/open_files.h"
+
+#include <filesystem>
+#include <fstream>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "session_fixture.h"
+#include "viscera/core/error.h"
+#include "viscera/medical_io/surface_file.h"
+
+namespace viscera::document {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::HasSubstr;
+
+/// A folder of its own for each test.
+class OpenFiles : public ::testing::Test {
+protected:
+  void SetUp() override {
+    const auto* info = ::testing::UnitTest::GetInstance()->current_test_info();
+    folder_ = fs::path(::testing::TempDir()) / (std::string("viscera_open_files_") + info->name());
+    fs::remove_all(folder_);
+    fs::create_directories(folder_);
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  fs::path surface(const std::string& name, double radius) {
+    medical_io::writeSurface(folder_ / name, viscera::tests::sphere(3, radius));
+    return folder_ / name;
+  }
+  fs::path handles(const std::string& name, const std::vector<Vec3>& places) {
+    medical_io::HandleFile file;
+    file.groups.push_back({"Mine", {0, 0.5, 1}, {}});
+    for (std::size_t i = 0; i < places.size(); ++i)
+      file.groups[0].handles.push_back({"P" + std::to_string(i), places[i], "", i == 0, true});
+    medical_io::writeHandles(folder_ / name, file);
+    return folder_ / name;
+  }
+  static std::vector<Vec3> corners() {
+    std::vector<Vec3> places;
+    for (const NewHandle& handle : tests::cubeHandles())
+      places.push_back(handle.rest);
+    return places;
+  }
+  /// The message of what `openFiles` throws.
+  template <class Expected>
+  std::string refusal(const std::vector<fs::path>& files) {
+    Progress progress;
+    try {
+      openFiles(files, progress);
+    } catch (const Expected& error) {
+      return error.what();
+    }
+    ADD_FAILURE() << "the files were opened";
+    return {};
+  }
+
+  fs::path folder_;
+};
+
+TEST_F(OpenFiles, BringOrgansAndHandlesAsOneStep) {
+  Document document;
+  UndoStack undo(document);
+  Progress progress;
+  const OpenedFiles opened = openFiles(
+      {surface("liver.vtp", 30), handles("rig.mrk.json", corners()), surface("kidney.stl", 20)}, progress);
+  EXPECT_EQ(opened.organs.size(), 2u);
+  EXPECT_EQ(opened.rig->handles.size(), 10u);
+  EXPECT_TRUE(document.organs().empty()) << "reading alone must not change a document";
+  undo.perform(opened.command());
+  EXPECT_EQ(undo.names(), std::vector<std::string>{"Open 3 files"});
+  ASSERT_EQ(document.organs().size(), 2u);
+  EXPECT_EQ(document.organs()[1]->file.filename(), "kidney.stl");
+  EXPECT_TRUE(document.organs()[0]->closed());
+  const Rig& rig = document.rig();
+  ASSERT_EQ(rig.handles.size(), 10u);
+  EXPECT_EQ(rig.handles[0].label, "P0");
+  EXPECT_TRUE(rig.handles[0].locked);
+  ASSERT_EQ(rig.groups.size(), 1u);
+  EXPECT_EQ(rig.groups[0].name, "Mine");
+  EXPECT_EQ(rig.groups[0].handles.size(), 10u);
+  undo.undo();
+  EXPECT_TRUE(document.organs().empty());
+  EXPECT_TRUE(document.rig().handles.empty());
+}
+
+TEST_F(OpenFiles, FailAsAWholeWhenOneOfThemFails) {
+  const fs::path good = surface("liver.vtp", 30);
+  std::ofstream(folder_ / "empty.stl").close();
+  EXPECT_THAT(refusal<DataError>({good, folder_ / "empty.stl"}), HasSubstr("empty.stl"));
+  EXPECT_THAT(refusal<NoInputError>({good, folder_ / "missing.stl"}), HasSubstr("missing.stl"));
+  EXPECT_THAT(refusal<UsageError>({good, folder_ / "notes.docx"}), HasSubstr(".mrk.json"));
+  refusal<UsageError>({});
+  const fs::path rig = handles("a.mrk.json", corners());
+  refusal<UsageError>({rig, rig});
+}
+
+TEST_F(OpenFiles, RefuseHandlesThatNothingCanBeBoundTo) {
+  EXPECT_THAT(refusal<DataError>({handles("three.mrk.json", {{0, 0, 0}, {9, 0, 0}, {0, 9, 0}})}),
+              HasSubstr("three.mrk.json"));
+  EXPECT_THAT(refusal<DataError>({handles("flat.mrk.json", {{0, 0, 0}, {9, 0, 0}, {0, 9, 0}, {9, 9, 0}})}),
+              HasSubstr("flat.mrk.json"));
+  auto twice = corners();
+  twice.push_back(twice[2]);
+  EXPECT_THAT(refusal<DataError>({handles("twice.mrk.json", twice)}), HasSubstr("P2 and P10"));
+}
+
+TEST_F(OpenFiles, CanBeCancelled) {
+  Progress progress;
+  progress.cancel();
+  EXPECT_THROW(openFiles({surface("liver.vtp", 30)}, progress), Cancelled);
+}
+
+TEST_F(OpenFiles, WarnOnceOfEachFaultWithTheFilesName) {
+  geometry::TriangleMesh mesh = viscera::tests::sphere(3, 0.05);
+  mesh.triangles.col(0).swap(mesh.triangles.col(1));
+  medical_io::writeSurface(folder_ / "odd.vtp", mesh);
+  Progress progress;
+  const OpenedFiles opened = openFiles({folder_ / "odd.vtp"}, progress);
+  EXPECT_THAT(opened.warnings,
+              ::testing::UnorderedElementsAre(HasSubstr("odd.vtp: the surface is 0.173 mm across"),
+                                              HasSubstr("odd.vtp: the surface is inside out"),
+                                              HasSubstr("turned around")));
+}
+
+TEST_F(OpenFiles, KeepHandlesInSeveralGroupsThroughAFile) {
+  tests::Session s;
+  s.undo.perform(addGroup("A", {1, 0, 0}, {s.handle(0), s.handle(1), s.handle(8)}));
+  s.undo.perform(addGroup("B", {0, 1, 0}, {s.handle(1), s.handle(9)}));
+  medical_io::writeHandles(folder_ / "rig.mrk.json", handleFile(s.document.rig()));
+  const NewRig back = rigFrom(medical_io::readHandles(folder_ / "rig.mrk.json"), "rig.mrk.json");
+  ASSERT_EQ(back.handles.size(), 10u);
+  ASSERT_EQ(back.groups.size(), 3u);
+  EXPECT_EQ(back.groups[0].handles.size(), 3u);
+  EXPECT_EQ(back.groups[1].handles.size(), 2u);
+  EXPECT_EQ(back.groups[1].handles[0], back.groups[0].handles[1]) << "one handle, two groups";
+  EXPECT_EQ(back.groups[2].name, "Handles");
+  EXPECT_EQ(back.groups[2].handles.size(), 6u);
+  for (const NewHandle& handle : back.handles) {
+    const int row = s.document.rig().indexOf(handle.label);
+    ASSERT_GE(row, 0) << handle.label;
+    EXPECT_EQ(s.document.rig().handles[static_cast<std::size_t>(row)].rest, handle.rest);
+  }
+}
+
+TEST(SampleOrgans, BecomeAnOrganWithItsCavities) {
+  sample_organs::SampleOrgan heart;
+  heart.name = "heart";
+  for (const std::string name : {"outer", "lv", "rv"}) {
+    const double radius = heart.surfaces.empty() ? 40 : 15;
+    heart.surfaces.push_back(
+        {name,
+         std::make_shared<const geometry::TriangleMesh>(viscera::tests::sphere(2, radius)),
+         {0.7, 0.2, 0.2}});
+  }
+  Document document;
+  UndoStack undo(document);
+  undo.perform(addOrgans(organsFrom(heart)));
+  ASSERT_EQ(document.organs().size(), 3u);
+  EXPECT_EQ(document.organs()[0]->name, "Heart");
+  EXPECT_EQ(document.organs()[1]->name, "LV");
+  EXPECT_EQ(document.organs()[2]->parent, document.organs()[0]->id);
+  EXPECT_EQ(document.organs()[1]->look.color, Vec3(0.7, 0.2, 0.2));
+}
+
+} // namespace
+} // namespace viscera::document

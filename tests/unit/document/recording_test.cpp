@@ -1,0 +1,150 @@
+#include "viscera/document/recording_commands.h"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "session_fixture.h"
+#include "viscera/core/error.h"
+#include "viscera/motion/sequence_file.h"
+
+namespace viscera::document {
+namespace {
+
+using sequences::Easing;
+using tests::row;
+
+/// A document in which a ball has been recorded at rest, moved, and at rest.
+struct Recorded : tests::Session {
+  Recorded() {
+    undo.perform(recordKey(0));
+    undo.perform(moveHandles({handle(8)}, row(5, 6, 50)));
+    undo.perform(recordKey(1, Easing::linear));
+    undo.perform(resetPose());
+    undo.perform(recordKey(1.5));
+  }
+  const Recording& recording() const { return document.recording(); }
+  KeyId key(std::size_t i) const { return recording().keys.at(i).id; }
+};
+
+TEST(Recording, playsThePosesThatWereRecorded) {
+  const Recorded session;
+  const auto sequence = sequenceOf(session.recording(), session.document.rig());
+  ASSERT_TRUE(sequence);
+  Points pose;
+  sequence->poseAt(1, sequence->standardRatePerMinute(), pose);
+  EXPECT_LT((pose.row(8) - row(5, 6, 50)).norm(), 1e-12);
+  EXPECT_EQ(pose.row(3), session.document.rig().restPositions().row(3));
+  sequence->poseAt(1.25, sequence->standardRatePerMinute(), pose);
+  EXPECT_LT((pose.row(8) - row(2.5, 3, 45)).norm(), 1e-12) << "linear: half of the way in half of the time";
+}
+
+TEST(Recording, everyCommandIsOneUndoStepAndUndoingIsExact) {
+  Recorded session;
+  const auto check = [&](const Command& command) {
+    const DocumentState before = session.document.state();
+    const std::size_t steps = session.undo.position();
+    session.undo.perform(command);
+    EXPECT_EQ(session.undo.position(), steps + 1) << command.name;
+    EXPECT_FALSE(session.document.state() == before) << command.name;
+    const DocumentState after = session.document.state();
+    session.undo.undo();
+    EXPECT_TRUE(identical(session.document.state(), before)) << command.name;
+    session.undo.redo();
+    EXPECT_TRUE(identical(session.document.state(), after)) << command.name;
+  };
+  check(recordKey(0.5));
+  check(moveKey(session.key(1), 0.75));
+  check(setEasing({session.key(0), session.key(1)}, Easing::out));
+  check(removeKeys({session.key(1)}));
+  check(editRecording({.name = "Hop", .periodSeconds = 8, .stretch = true}));
+  check(editRecording({.loop = false, .interpolation = sequences::Interpolation::curve}));
+  session.undo.perform(moveHandles({session.handle(8)}, row(1, 1, 41)));
+  check(replaceKey(session.key(0)));
+  check(clearRecording());
+}
+
+TEST(Recording, aKeyRecordedAtTheTimeOfAnotherTakesItsPlace) {
+  Recorded session;
+  const KeyId first = session.key(0);
+  session.undo.perform(moveHandles({session.handle(9)}, row(44, 3, 1)));
+  session.undo.perform(recordKey(0));
+  EXPECT_EQ(session.recording().keys.size(), 3u);
+  EXPECT_EQ(session.key(0), first);
+  EXPECT_EQ(session.recording().keys[0].displacements.at(session.handle(9)), Vec3(4, 0, 2));
+}
+
+TEST(Recording, movingAKeyPastAnotherKeepsThemInOrderOfTimeAndADragIsOneStep) {
+  Recorded session;
+  const KeyId first = session.key(0);
+  const std::size_t steps = session.undo.position();
+  for (const double seconds : {0.3, 0.7, 1.2, 1.7})
+    session.undo.perform(moveKey(first, seconds));
+  EXPECT_EQ(session.undo.position(), steps + 1);
+  EXPECT_EQ(session.key(2), first);
+  EXPECT_EQ(session.recording().keys[2].seconds, 1.7);
+}
+
+TEST(Recording, outlivesHandlesThatAreAddedRemovedAndMovedAtRest) {
+  Recorded session;
+  session.undo.perform(moveRestHandles({session.handle(8)}, row(0, 0, 45)));
+  session.undo.perform(removeHandles({session.handle(9)}));
+  session.undo.perform(addHandles(newHandles(row(-40, 2, 3))));
+  const auto sequence = sequenceOf(session.recording(), session.document.rig());
+  Points pose;
+  sequence->poseAt(1, sequence->standardRatePerMinute(), pose);
+  ASSERT_EQ(pose.rows(), 10);
+  EXPECT_LT((pose.row(8) - row(5, 6, 55)).norm(), 1e-12);
+  EXPECT_EQ(pose.row(9), row(-40, 2, 3));
+}
+
+TEST(Recording, refusesTimesAndKeysThatCannotBe) {
+  Recorded session;
+  const DocumentState before = session.document.state();
+  const auto refused = [&](const Command& command) {
+    EXPECT_THROW(session.undo.perform(command), UsageError) << command.name;
+    EXPECT_TRUE(session.document.state() == before);
+  };
+  refused(recordKey(-0.1));
+  refused(recordKey(2));
+  refused(recordKey(std::nan("")));
+  refused(moveKey(session.key(0), 1));
+  refused(moveKey(KeyId{12345}, 0.5));
+  refused(removeKeys({KeyId{12345}}));
+  refused(editRecording({.periodSeconds = 1.2}));
+  refused(editRecording({.periodSeconds = -1}));
+  refused(editRecording({.periodSeconds = 1e-4, .stretch = true}));
+  refused(editRecording({.name = ""}));
+  tests::Session empty;
+  EXPECT_THROW(motion::sequenceFile(empty.document.state()), UsageError);
+  EXPECT_EQ(sequenceOf(empty.document.recording(), empty.document.rig()), nullptr);
+}
+
+TEST(Recording, comesBackFromAFileIntoTheSameHandlesOrIntoItsOwn) {
+  Recorded session;
+  session.undo.perform(editRecording({.name = "Hop", .periodSeconds = 3}));
+  const motion::SequenceFile file = motion::sequenceFile(session.document.state());
+  const auto wanted = sequenceOf(session.recording(), session.document.rig());
+  session.undo.perform(clearRecording());
+  const auto rig = session.document.state().rig;
+  session.undo.perform(motion::openSequence(file));
+  EXPECT_EQ(session.document.state().rig, rig) << "the handles are there already";
+  Document other;
+  UndoStack undo(other);
+  undo.perform(motion::openSequence(file));
+  EXPECT_EQ(other.rig().restPositions(), session.document.rig().restPositions());
+  for (const Document* document : {&session.document, &other}) {
+    const auto sequence = sequenceOf(document->recording(), document->rig());
+    ASSERT_TRUE(sequence);
+    EXPECT_EQ(sequence->name(), "Hop");
+    Points a, b;
+    sequence->poseAt(0.8, 20, a);
+    wanted->poseAt(0.8, 20, b);
+    EXPECT_LT((a - b).norm(), 1e-12);
+  }
+  undo.undo();
+  EXPECT_TRUE(other.rig().handles.empty());
+}
+
+} // namespace
+} // namespace viscera::document

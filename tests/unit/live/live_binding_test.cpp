@@ -1,0 +1,398 @@
+#include "viscera/live/live_binding.h"
+
+#include <atomic>
+#include <condition_variable>
+#include <limits>
+#include <mutex>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "session_fixture.h"
+#include "viscera/core/error.h"
+
+namespace viscera::live {
+namespace {
+
+using ::testing::HasSubstr;
+using State = BindingStatus::State;
+using tests::ball;
+using tests::row;
+
+/// S-Celestial coordinates that wait for the test before they begin, or for being cancelled.
+class PatientSystem final : public coordinates::CoordinateSystem {
+public:
+  explicit PatientSystem(std::shared_ptr<const coordinates::CoordinateSystem> inner)
+      : inner_(std::move(inner)) {}
+  std::string id() const override { return "patient"; }
+  std::string name() const override { return "Patient"; }
+  std::string summary() const override { return {}; }
+  coordinates::Traits traits() const override { return inner_->traits(); }
+  std::vector<coordinates::Parameter> parameters() const override { return inner_->parameters(); }
+  std::unique_ptr<coordinates::Binding> bind(const coordinates::HandleSet& handles, const Points& points,
+                                             const coordinates::BindOptions& options,
+                                             Progress& progress) const override {
+    ++begun;
+    while (!open) {
+      progress.throwIfCancelled();
+      std::this_thread::yield();
+    }
+    return inner_->bind(handles, points, options, progress);
+  }
+
+  mutable std::atomic<int> begun{0};
+  std::atomic<bool> open{false};
+
+private:
+  std::shared_ptr<const coordinates::CoordinateSystem> inner_;
+};
+
+constexpr double kAtOnce = std::numeric_limits<double>::infinity();
+
+/// A document with a ball, and everything that keeps it bound.
+struct Live : tests::Session {
+  plugin::Registry registry = plugin::builtInRegistry();
+  std::shared_ptr<PatientSystem> patient = std::make_shared<PatientSystem>(registry.find("s-celestial"));
+  PostBox box;
+  JobQueue jobs{box.post()};
+  LiveBinding live;
+
+  explicit Live(double frameSeconds = kAtOnce)
+      : live(document, (registry.add(patient, "test"), registry), jobs, {frameSeconds, {2}}) {
+    settle();
+  }
+  void settle() {
+    box.runUntil([this] { return !live.busy(); });
+  }
+  void drag(document::HandleId handle, const Vec3& from, const Vec3& step, int moves) {
+    undo.beginStep("Drag");
+    for (int i = 1; i <= moves; ++i) {
+      const Vec3 to = from + i * step;
+      undo.perform(document::moveHandles({handle}, row(to.x(), to.y(), to.z())));
+    }
+  }
+  Points points(std::size_t place = 0) { return live.points(organ(place)); }
+};
+
+TEST(LiveBinding, BindsAnOrganAndReportsIt) {
+  Live l;
+  const BindingStatus status = l.live.status(l.organ());
+  EXPECT_EQ(status.state, State::bound);
+  EXPECT_LT(status.report.identityError, 1e-9 * 120);
+  EXPECT_TRUE(status.message.empty());
+  EXPECT_EQ(l.points(), l.document.organs()[0]->mesh->points);
+  const OrganVolume volume = l.live.volume(l.organ());
+  EXPECT_TRUE(volume.closed);
+  EXPECT_NEAR(volume.changeMl(), 0, 1e-9);
+  EXPECT_NEAR(volume.restMl, 113, 3) << "a ball of 30 mm";
+}
+
+TEST(LiveBinding, FollowsThePoseOfTheDocument) {
+  Live l;
+  std::vector<LiveEvent> events;
+  const Subscription subscription = l.live.onEvent([&](const LiveEvent& event) { events.push_back(event); });
+  l.undo.perform(document::moveHandles({l.handle(8)}, row(0, 0, 60)));
+  ASSERT_EQ(events.size(), 1u);
+  EXPECT_TRUE(events[0].moved);
+  EXPECT_FALSE(events[0].replaced) << "the picture would have to be built again for every move";
+  EXPECT_GT(l.points().col(2).maxCoeff(), 31);
+  EXPECT_GT(l.live.volume(l.organ()).changeMl(), 0.1);
+  l.undo.undo();
+  EXPECT_EQ(l.points(), l.document.organs()[0]->mesh->points) << "back at rest, exactly";
+}
+
+TEST(LiveBinding, GivesBitwiseTheSameVerticesWhenADragIsReplayed) {
+  Live a, b;
+  for (Live* l : {&a, &b}) {
+    l->drag(l->handle(8), Vec3(0, 0, 40), Vec3(0.11, -0.07, 0.13), 100);
+    l->undo.perform(document::moveHandles({l->handle(9)}, row(39, 4, 2)));
+  }
+  EXPECT_EQ(a.points(), b.points()) << "in the middle of the drag";
+  a.undo.endStep();
+  b.undo.endStep();
+  EXPECT_EQ(a.points(), b.points());
+}
+
+TEST(LiveBinding, EndsADragWhereItsEndAloneWouldBe) {
+  Live dragged, jumped;
+  dragged.drag(dragged.handle(8), Vec3(0, 0, 40), Vec3(0.11, -0.07, 0.13), 100);
+  dragged.undo.endStep();
+  const Points end = dragged.document.pose();
+  jumped.undo.perform(document::moveHandles({jumped.handle(8)}, end.row(8)));
+  EXPECT_EQ(dragged.points(), jumped.points()) << "the way there left rounding behind";
+}
+
+TEST(LiveBinding, ComesBackExactlyWhenADragIsCancelled) {
+  Live l;
+  l.undo.perform(document::moveHandles({l.handle(9)}, row(45, 3, -1)));
+  const Points before = l.points();
+  l.drag(l.handle(8), Vec3(0, 0, 40), Vec3(0.3, 0.1, 0.2), 100);
+  EXPECT_NE(l.points(), before);
+  l.undo.cancelStep();
+  EXPECT_EQ(l.points(), before);
+}
+
+TEST(LiveBinding, BindsAnewWhileAHandleMovesAtRest) {
+  Live l;
+  l.undo.beginStep("Move at rest");
+  for (int i = 0; i < 5; ++i) {
+    l.undo.perform(document::moveRestHandles({l.handle(8)}, row(0, i, 42)));
+    EXPECT_EQ(l.live.status(l.organ()).state, State::bound);
+    EXPECT_EQ(l.live.deformer(l.organ())->restHandles().row(8), row(0, i, 42));
+  }
+  l.undo.endStep();
+  EXPECT_EQ(l.points(), l.document.organs()[0]->mesh->points);
+  l.undo.perform(document::addHandles({{Vec3(-40, 1, 2)}}));
+  EXPECT_EQ(l.live.deformer(l.organ())->restHandles().rows(), 11);
+  l.undo.perform(document::removeHandles({l.handle(9)}));
+  EXPECT_EQ(l.live.deformer(l.organ())->restHandles().rows(), 10);
+}
+
+TEST(LiveBinding, DoesNotBindAnewForWhatABindingDoesNotDependOn) {
+  Live l;
+  const auto* deformer = l.live.deformer(l.organ());
+  document::HandleEdit edit;
+  edit.label = "Apex";
+  edit.locked = true;
+  l.undo.perform(document::editHandles({l.handle(8)}, edit));
+  l.undo.perform(document::addGroup("A", {1, 0, 0}, {l.handle(8)}));
+  document::OrganLook look;
+  look.opacity = 0.5;
+  l.undo.perform(document::setOrganLook(l.organ(), look));
+  EXPECT_EQ(l.live.deformer(l.organ()), deformer);
+}
+
+TEST(LiveBinding, BindsAnewForAnotherSystemAndItsParameters) {
+  Live l;
+  l.undo.perform(document::moveHandles({l.handle(8)}, row(0, 0, 60)));
+  const Points plain = l.points();
+  l.undo.perform(document::setParameter("locality", 2));
+  const Points local = l.points();
+  EXPECT_NE(local, plain);
+  l.undo.perform(document::setSystem({"t-celestial", {}}));
+  EXPECT_NE(l.points(), plain);
+  l.undo.undo();
+  EXPECT_EQ(l.points(), local);
+  l.undo.undo();
+  EXPECT_EQ(l.points(), plain);
+}
+
+TEST(LiveBinding, SaysHowManyVerticesLieOutsideAndShowsTheOrganAtRest) {
+  Live l;
+  l.undo.perform(document::addOrgans({ball("Out", 20, 2, Vec3(60, 0, 0))}));
+  l.undo.perform(document::moveHandles({l.handle(8)}, row(0, 0, 60)));
+  const document::DocumentState document = l.document.state();
+  const BindingStatus status = l.live.status(l.organ(1));
+  EXPECT_EQ(status.state, State::failed);
+  const Points& rest = l.document.organs()[1]->mesh->points;
+  const int outside = static_cast<int>((rest.col(0).array() > 60).count());
+  EXPECT_GT(outside, 0);
+  EXPECT_EQ(status.outsideHull, outside);
+  EXPECT_THAT(status.message, HasSubstr(std::to_string(outside)));
+  EXPECT_EQ(l.points(1), rest);
+  EXPECT_EQ(l.live.deformer(l.organ(1)), nullptr);
+  EXPECT_EQ(l.live.status(l.organ(0)).state, State::bound) << "the other organ has nothing to do with it";
+  EXPECT_EQ(l.document.state(), document);
+
+  l.undo.perform(document::addEnclosingHandles());
+  EXPECT_EQ(l.live.status(l.organ(1)).state, State::bound);
+  EXPECT_NE(l.points(1), rest);
+  l.undo.undo();
+  EXPECT_EQ(l.live.status(l.organ(1)).state, State::failed);
+}
+
+TEST(LiveBinding, SaysWhatIsMissingWithTooFewOrFlatHandlesAndUnknownSystems) {
+  Live l;
+  l.undo.perform(document::removeHandles(
+      {l.handle(0), l.handle(1), l.handle(2), l.handle(3), l.handle(4), l.handle(5), l.handle(6)}));
+  EXPECT_EQ(l.live.status(l.organ()).state, State::unbound);
+  EXPECT_THAT(l.live.status(l.organ()).message, HasSubstr("add 1 more"));
+  EXPECT_EQ(l.points(), l.document.organs()[0]->mesh->points);
+  document::NewRig flat;
+  for (int i = 0; i < 6; ++i)
+    flat.handles.push_back({Vec3(100 * std::cos(i), 100 * std::sin(i), 0)});
+  l.undo.perform(document::replaceRig(flat));
+  EXPECT_EQ(l.live.status(l.organ()).state, State::failed);
+  EXPECT_FALSE(l.live.status(l.organ()).message.empty());
+  l.undo.undo();
+  l.undo.undo();
+  EXPECT_EQ(l.live.status(l.organ()).state, State::bound);
+  l.undo.perform(document::setSystem({"no-such-system", {}}));
+  EXPECT_EQ(l.live.status(l.organ()).state, State::failed);
+  EXPECT_THAT(l.live.status(l.organ()).message, HasSubstr("s-celestial"));
+  l.undo.undo();
+  l.undo.perform(document::setParameter("locality", -5));
+  EXPECT_EQ(l.live.status(l.organ()).state, State::failed);
+  EXPECT_THAT(l.live.status(l.organ()).message, HasSubstr("locality"));
+}
+
+TEST(LiveBinding, KeepsTheOldBindingInUseWhileAWorkerBinds) {
+  Live l(0);
+  ASSERT_EQ(l.live.status(l.organ()).state, State::bound);
+  const document::HandleId moving = l.handle(8);
+  l.undo.perform(document::moveHandles({moving}, row(0, 0, 60)));
+  const Points before = l.points();
+  l.undo.perform(document::setSystem({"patient", {}}));
+  EXPECT_EQ(l.live.status(l.organ()).state, State::binding);
+  EXPECT_TRUE(l.live.busy());
+  EXPECT_EQ(l.points(), before);
+  ASSERT_EQ(l.jobs.jobs().size(), 1u);
+  EXPECT_EQ(l.jobs.jobs()[0].name, "Binding Ball");
+
+  // The handles are others by now, and still the old binding follows those that it knows.
+  l.undo.perform(document::removeHandles({l.handle(9)}));
+  EXPECT_EQ(l.points(), [&] {
+    Points shown = before;
+    return shown;
+  }()) << "a handle at rest that is gone changes nothing";
+  l.undo.perform(document::moveHandles({moving}, row(0, 0, 50)));
+  EXPECT_NE(l.points(), before);
+  l.patient->open = true;
+  l.settle();
+  EXPECT_EQ(l.live.status(l.organ()).state, State::bound);
+  EXPECT_EQ(l.live.deformer(l.organ())->restHandles().rows(), 9);
+  EXPECT_EQ(l.live.deformer(l.organ())->pose(), l.document.pose());
+}
+
+TEST(LiveBinding, ADragThatIsFasterThanBindingShowsTheBindingUnderWayAndThenTheLast) {
+  Live l(0);
+  l.undo.perform(document::setSystem({"patient", {}}));
+  for (int i = 1; i <= 10; ++i)
+    l.undo.perform(document::moveRestHandles({l.handle(8)}, row(i, 0, 42)));
+  EXPECT_EQ(l.jobs.jobs().size(), 1u) << "one binding is under way, and no other waits";
+  std::vector<double> bound;
+  const Subscription subscription = l.live.onEvent([&](const LiveEvent& event) {
+    if (event.replaced)
+      bound.push_back(l.live.deformer(l.organ())->restHandles()(8, 0));
+  });
+  l.patient->open = true;
+  l.settle();
+  EXPECT_EQ(bound, (std::vector<double>{0, 10})) << "neither starved nor bound to every step";
+  EXPECT_EQ(l.patient->begun, 2);
+  EXPECT_EQ(l.live.status(l.organ()).state, State::bound);
+  EXPECT_EQ(l.points(), l.document.organs()[0]->mesh->points);
+}
+
+TEST(LiveBinding, ABindingUnderWayIsGivenUpForOtherHandlesOrAnotherSystem) {
+  Live l(0);
+  l.undo.perform(document::setSystem({"patient", {}}));
+  l.undo.perform(document::removeHandles({l.handle(9)}));
+  l.patient->open = true;
+  l.settle();
+  EXPECT_EQ(l.live.deformer(l.organ())->restHandles().rows(), 9);
+  l.patient->open = false;
+  l.undo.perform(document::moveRestHandles({l.handle(8)}, row(0, 1, 42)));
+  l.undo.perform(document::setSystem({"s-celestial", {}}));
+  l.settle();
+  EXPECT_EQ(l.live.status(l.organ()).state, State::bound) << "without waiting for the patient system";
+}
+
+TEST(LiveBinding, LeavesTheDocumentAndTheOldBindingWhenBindingIsCancelled) {
+  Live l(0);
+  l.undo.perform(document::moveHandles({l.handle(8)}, row(0, 0, 60)));
+  const Points before = l.points();
+  l.undo.perform(document::setSystem({"patient", {}}));
+  const document::DocumentState document = l.document.state();
+  l.jobs.cancel(l.jobs.jobs().at(0).id);
+  l.settle();
+  EXPECT_EQ(l.live.status(l.organ()).state, State::stale);
+  EXPECT_EQ(l.document.state(), document);
+  EXPECT_EQ(l.points(), before);
+  l.patient->open = true;
+  l.live.rebind();
+  l.settle();
+  EXPECT_EQ(l.live.status(l.organ()).state, State::bound);
+}
+
+TEST(LiveBinding, NeedsNoNewBindingWhenAnUndoGoesBackToTheOneInUse) {
+  Live l(0);
+  const auto* deformer = l.live.deformer(l.organ());
+  l.undo.perform(document::setSystem({"patient", {}}));
+  EXPECT_TRUE(l.live.busy());
+  l.undo.undo();
+  EXPECT_FALSE(l.live.busy());
+  EXPECT_EQ(l.live.deformer(l.organ()), deformer);
+  l.box.runUntil([&l] { return l.jobs.idle(); });
+  l.box.run();
+  EXPECT_EQ(l.live.status(l.organ()).state, State::bound);
+}
+
+TEST(LiveBinding, ForgetsAnOrganThatIsRemovedWhileItIsBound) {
+  Live l(0);
+  l.undo.perform(document::setSystem({"patient", {}}));
+  const document::OrganId gone = l.organ();
+  l.undo.perform(document::removeOrgans({gone}));
+  EXPECT_FALSE(l.live.busy());
+  EXPECT_THROW(l.live.points(gone), UsageError);
+  l.patient->open = true;
+  l.undo.undo();
+  l.settle();
+  EXPECT_EQ(l.live.status(gone).state, State::bound);
+}
+
+TEST(LiveBinding, MayEndWhileAWorkerBinds) {
+  Live s(kAtOnce);
+  PostBox box;
+  JobQueue jobs(box.post());
+  {
+    s.undo.perform(document::setSystem({"s-celestial", {}}));
+    LiveBinding other(s.document, s.registry, jobs, {0, {1}});
+    EXPECT_TRUE(other.busy());
+  }
+  box.runUntil([&jobs] { return jobs.idle(); });
+  box.run();
+}
+
+TEST(LiveBinding, ShowsRestOrAGivenPoseWithoutTouchingTheDocument) {
+  Live l;
+  l.undo.perform(document::moveHandles({l.handle(8)}, row(0, 0, 60)));
+  const Points posed = l.points();
+  const document::DocumentState document = l.document.state();
+  l.live.showRest();
+  EXPECT_EQ(l.points(), l.document.organs()[0]->mesh->points);
+  Points swing = l.document.rig().restPositions();
+  swing(9, 0) += 7;
+  l.live.showPose(swing);
+  EXPECT_NE(l.points(), posed);
+  EXPECT_EQ(l.live.shownPose(), swing);
+  EXPECT_THROW(l.live.showPose(swing.topRows(9)), DataError);
+  swing(3, 1) = std::nan("");
+  EXPECT_THROW(l.live.showPose(swing), DataError);
+  l.live.showDocumentPose();
+  EXPECT_EQ(l.points(), posed);
+  EXPECT_EQ(l.document.state(), document);
+  EXPECT_EQ(l.undo.names().size(), 1u) << "looking is no step";
+}
+
+TEST(LiveBinding, TellsTheInfluenceOfAHandle) {
+  Live l;
+  const Values influence = l.live.influence(l.organ(), l.handle(8));
+  const Points& rest = l.document.organs()[0]->mesh->points;
+  ASSERT_EQ(influence.size(), rest.rows());
+  Eigen::Index most = 0;
+  influence.maxCoeff(&most);
+  EXPECT_NEAR(rest(most, 2), 30, 1e-9) << "the vertex next to the handle";
+  EXPECT_EQ(l.live.influence(l.organ(), document::HandleId{999}).size(), 0);
+}
+
+TEST(LiveBinding, GivesAnOpenSurfaceNoVolume) {
+  Live l;
+  geometry::TriangleMesh open = viscera::tests::sphere(2, 20);
+  open.triangles.conservativeResize(open.triangles.rows() - 1, 3);
+  l.undo.perform(document::addOrgans({{document::makeOrgan("Open", open), -1}}));
+  l.undo.perform(document::moveHandles({l.handle(8)}, row(0, 0, 60)));
+  const OrganVolume volume = l.live.volume(l.organ(1));
+  EXPECT_FALSE(volume.closed);
+  EXPECT_EQ(volume.changeMl(), 0);
+}
+
+TEST(LiveBinding, BindsAtOnceOnlyWhatFitsIntoAFrame) {
+  Live l(1e-9);
+  l.undo.perform(document::moveRestHandles({l.handle(8)}, row(0, 0, 45)));
+  EXPECT_TRUE(l.live.busy());
+  l.settle();
+  EXPECT_EQ(l.live.status(l.organ()).state, State::bound);
+}
+
+} // namespace
+} // namespace viscera::live

@@ -1,0 +1,293 @@
+#include "viscera/live/live_stress.h"
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "session_fixture.h"
+#include "sway.h"
+#include "viscera/core/error.h"
+#include "viscera/deformation/bind_witnesses.h"
+#include "viscera/live/stress_quantity.h"
+
+namespace viscera::live {
+namespace {
+
+using State = StressStatus::State;
+constexpr double kAtOnce = std::numeric_limits<double>::infinity();
+
+/// A document with a ball, bound, and its stress.
+struct Stressed : tests::BoundSession {
+  LiveStress stress;
+  StressEvent heard;
+  Subscription subscription;
+
+  explicit Stressed(double frameSeconds = kAtOnce, int witnesses = 400)
+      : stress(document, registry, live, jobs, options(frameSeconds, witnesses)) {
+    subscription = stress.onEvent([this](const StressEvent& event) {
+      heard.status |= event.status;
+      heard.sampled |= event.sampled;
+      heard.moved |= event.moved;
+      heard.peak |= event.peak;
+    });
+  }
+
+  static LiveStress::Options options(double frameSeconds, int witnesses) {
+    LiveStress::Options options;
+    options.frameSeconds = frameSeconds;
+    options.witnesses.wanted = witnesses;
+    return options;
+  }
+
+  void waitFor(State state) {
+    box.runUntil([&] { return stress.status().state == state; });
+  }
+  void begin() {
+    stress.follow(organ());
+    waitFor(State::ready);
+  }
+  Points restHandles() const { return document.rig().restPositions(); }
+  void move(std::size_t handle, const Vec3& by) {
+    Points position(1, 3);
+    position = document.pose().row(static_cast<Eigen::Index>(handle)) + by.transpose();
+    undo.perform(document::moveHandles({this->handle(handle)}, position));
+  }
+};
+
+double largest(const Values& values) {
+  return values.cwiseAbs().maxCoeff();
+}
+
+TEST(LiveStress, FillsTheOrganAndIsNothingAtRest) {
+  Stressed s;
+  EXPECT_EQ(s.stress.status().state, State::off);
+  s.begin();
+  ASSERT_TRUE(s.stress.mesh());
+  EXPECT_TRUE(s.heard.sampled && s.heard.moved && s.heard.status);
+  EXPECT_EQ(s.stress.map().rotationalStress.size(), s.stress.mesh()->points.rows());
+  EXPECT_LT(s.stress.statistics().max, 1e-9);
+  EXPECT_LT((s.stress.points() - s.stress.mesh()->points).cwiseAbs().maxCoeff(), 1e-9);
+  EXPECT_TRUE(s.stress.status().closedForm);
+}
+
+TEST(LiveStress, IsTheDirectEvaluationInEveryPoseThatIsShown) {
+  Stressed s;
+  s.begin();
+  const auto system = s.registry.find("s-celestial");
+  coordinates::HandleSet handles;
+  handles.positions = s.restHandles();
+  Progress progress;
+  const auto direct = deformation::bindWitnesses(*system, handles, s.stress.mesh()->points,
+                                                 {s.document.system().parameters, {}}, progress);
+  deformation::StressMap expected;
+  for (int step = 0; step < 3; ++step) {
+    s.heard = {};
+    s.move(static_cast<std::size_t>(step), Vec3(8, -5, 11));
+    EXPECT_TRUE(s.heard.moved);
+    direct->evaluate(s.document.pose(), expected);
+    EXPECT_EQ(s.stress.map().rotationalStress, expected.rotationalStress);
+    EXPECT_EQ(s.stress.map().volumeRatio, expected.volumeRatio);
+    EXPECT_EQ(s.stress.statistics().max,
+              expected.rotationalStress.head(s.stress.mesh()->witnesses).maxCoeff());
+    EXPECT_GT(s.stress.statistics().max, 0.01);
+  }
+  // A sequence's pose is shown without the document knowing.
+  Points pose = s.restHandles();
+  pose.row(4).y() += 17;
+  s.live.showPose(pose);
+  direct->evaluate(pose, expected);
+  EXPECT_EQ(s.stress.map().rotationalStress, expected.rotationalStress);
+}
+
+TEST(LiveStress, OfARigidMotionIsZero) {
+  Stressed s;
+  s.begin();
+  const Eigen::Matrix3d turn = Eigen::AngleAxisd(0.7, Vec3(1, 2, -1).normalized()).toRotationMatrix();
+  const Points pose = (s.restHandles() * turn.transpose()).rowwise() + Eigen::RowVector3d(30, -4, 9);
+  s.live.showPose(pose);
+  EXPECT_LT(largest(s.stress.map().rotationalStress), 1e-9);
+  EXPECT_LT(largest(s.stress.map().volumeRatio.array() - 1), 1e-9);
+  const Points expected =
+      (s.stress.mesh()->points * turn.transpose()).rowwise() + Eigen::RowVector3d(30, -4, 9);
+  EXPECT_LT((s.stress.points() - expected).cwiseAbs().maxCoeff(), 1e-9);
+}
+
+TEST(LiveStress, BindsAnewWhenRestHandlesOrTheSystemChange) {
+  Stressed s;
+  s.begin();
+  s.move(0, Vec3(10, 0, 0));
+  const auto before = s.stress.gradients();
+  const Values mapBefore = s.stress.map().rotationalStress;
+  s.undo.perform(document::moveRestHandles({s.handle(9)}, tests::row(45, 3, -1)));
+  s.waitFor(State::ready);
+  EXPECT_NE(s.stress.gradients(), before);
+  EXPECT_NE(s.stress.map().rotationalStress, mapBefore);
+  const auto second = s.stress.gradients();
+  s.undo.perform(document::setSystem({"t-celestial", {}}));
+  EXPECT_NE(s.stress.gradients(), second);
+  // Back by undo: the same numbers to the last bit.
+  s.undo.undo();
+  s.undo.undo();
+  EXPECT_EQ(s.stress.map().rotationalStress, mapBefore);
+}
+
+TEST(LiveStress, BindsOnTheQueueWhenThatTakesLongAndShowsNoWrongMapMeanwhile) {
+  Stressed s(0);
+  s.stress.follow(s.organ());
+  s.box.runUntil([&] { return s.stress.status().state == State::binding; });
+  EXPECT_EQ(s.stress.points().rows(), 0);
+  s.waitFor(State::ready);
+  s.move(0, Vec3(10, 0, 0));
+  const Values map = s.stress.map().rotationalStress;
+  Stressed atOnce;
+  atOnce.begin();
+  atOnce.move(0, Vec3(10, 0, 0));
+  EXPECT_EQ(atOnce.stress.map().rotationalStress, map) << "the way there does not matter";
+}
+
+TEST(LiveStress, CanBeCancelledAndGoesOnWhenAsked) {
+  Stressed s;
+  s.stress.follow(s.organ());
+  s.jobs.cancelAll();
+  s.waitFor(State::cancelled);
+  s.undo.perform(document::moveRestHandles({s.handle(9)}, tests::row(45, 3, -1)));
+  EXPECT_EQ(s.stress.status().state, State::cancelled) << "no surprise work after a cancellation";
+  s.stress.retry();
+  s.waitFor(State::ready);
+  EXPECT_GT(s.stress.mesh()->witnesses, 0);
+}
+
+TEST(LiveStress, KeepsWhatItHasWhileNobodyLooksAndTakesAnotherNumberOfWitnesses) {
+  Stressed s;
+  s.begin();
+  const auto mesh = s.stress.mesh();
+  s.stress.follow({});
+  EXPECT_EQ(s.stress.status().state, State::off);
+  s.move(0, Vec3(10, 0, 0));
+  s.stress.follow(s.organ());
+  EXPECT_EQ(s.stress.status().state, State::ready);
+  EXPECT_EQ(s.stress.mesh(), mesh);
+  EXPECT_GT(s.stress.statistics().max, 0.01);
+  s.stress.setWanted(800);
+  s.waitFor(State::ready);
+  EXPECT_GT(s.stress.mesh()->witnesses, mesh->witnesses);
+  EXPECT_THROW(s.stress.setWanted(10), UsageError);
+}
+
+TEST(LiveStress, SaysWhyThereIsNoMapAndForgetsAnOrganThatIsGone) {
+  Stressed s;
+  s.begin();
+  std::vector<document::HandleId> most;
+  for (std::size_t i = 2; i < s.document.rig().handles.size(); ++i)
+    most.push_back(s.handle(i));
+  s.undo.perform(document::removeHandles(most));
+  EXPECT_EQ(s.stress.status().state, State::failed);
+  EXPECT_THAT(s.stress.status().message, testing::HasSubstr("handles"));
+  EXPECT_EQ(s.stress.map().rotationalStress.size(), 0);
+  s.undo.undo();
+  EXPECT_EQ(s.stress.status().state, State::ready);
+  s.undo.perform(document::removeOrgans({s.organ()}));
+  EXPECT_EQ(s.stress.status().state, State::off);
+}
+
+TEST(LiveStress, LeavesOutTheOrgansCavities) {
+  Stressed s(kAtOnce, 2000);
+  s.begin();
+  const auto whole = s.stress.mesh();
+  document::NewOrgan cavity = tests::ball("Cavity", 15);
+  cavity.organ.parent = s.organ();
+  s.undo.perform(document::addOrgans({cavity}));
+  s.waitFor(State::ready);
+  EXPECT_LT(s.stress.mesh()->witnesses, whole->witnesses);
+  EXPECT_GT(s.stress.mesh()->witnesses, whole->witnesses / 2);
+  const double volume =
+      deformation::tetrahedronVolumes(s.stress.mesh()->points, s.stress.mesh()->tetrahedra).sum();
+  const double before = deformation::tetrahedronVolumes(whole->points, whole->tetrahedra).sum();
+  EXPECT_NEAR(before - volume, 4.0 / 3 * std::numbers::pi * 15 * 15 * 15, 0.1 * (before - volume));
+  s.undo.undo();
+  s.waitFor(State::ready);
+  EXPECT_EQ(s.stress.mesh()->points, whole->points);
+}
+
+TEST(LiveStress, PeakIsTheLargestOverTheFrames) {
+  Stressed s;
+  s.begin();
+  const auto sway = std::make_shared<viscera::tests::Sway>(
+      s.restHandles(),
+      std::vector<viscera::tests::Swing>{{0, Vec3(20, 0, 0)}, {9, Vec3(0, 0, 15), std::numbers::pi / 2}});
+  s.stress.findPeak(sway, 60);
+  s.box.runUntil([&] { return s.stress.peak() != nullptr; });
+  const StressPeak& peak = *s.stress.peak();
+  Values stress = Values::Zero(peak.map.rotationalStress.size());
+  Values stretch = stress;
+  double worst = 0;
+  deformation::StressMap map;
+  Points pose;
+  const auto frames = peak.cycle.size();
+  for (std::size_t frame = 0; frame < frames; ++frame) {
+    sway->poseAt(static_cast<double>(frame) / static_cast<double>(frames), 60, pose);
+    s.stress.gradients()->evaluate(pose, map);
+    stress = stress.cwiseMax(map.rotationalStress);
+    stretch = stretch.cwiseMax(map.stretchMax);
+    const auto statistics = deformation::statisticsOf(map, s.stress.mesh()->witnesses);
+    EXPECT_NEAR(peak.cycle[frame].statistics.max, statistics.max, 1e-12);
+    worst = std::max(worst, statistics.max);
+  }
+  EXPECT_GE(frames, 50u);
+  EXPECT_LT(largest(peak.map.rotationalStress - stress), 1e-12);
+  EXPECT_LT(largest(peak.map.stretchMax - stretch), 1e-12);
+  EXPECT_GT(worst, 0.01);
+  // Other handles: the peak is not theirs.
+  s.undo.perform(document::moveRestHandles({s.handle(9)}, tests::row(45, 3, -1)));
+  EXPECT_EQ(s.stress.peak(), nullptr);
+  EXPECT_THROW(s.stress.findPeak(sway, 60), DataError);
+}
+
+TEST(StressQuantity, IsNotANumberWhereTheTissueIsFoldedExceptForFoldingItself) {
+  deformation::StressMap map;
+  map.rotationalStress = Eigen::Vector2d(std::numbers::pi / 6, 1);
+  map.volumeRatio = Eigen::Vector2d(1.2, -0.1);
+  map.stretchMax = Eigen::Vector2d(1.5, 2);
+  map.stretchMin = Eigen::Vector2d(0.5, 0.1);
+  Values values;
+  quantityOf(map, StressQuantity::rotationalStress, values);
+  EXPECT_NEAR(values[0], 30, 1e-12);
+  EXPECT_TRUE(std::isnan(values[1]));
+  quantityOf(map, StressQuantity::folded, values);
+  EXPECT_EQ(values, Values(Eigen::Vector2d(0, 1)));
+  for (const auto& description : stressQuantities())
+    EXPECT_EQ(stressQuantityFromId(description.id), description.quantity);
+}
+
+TEST(StressQuantity, SummaryAgreesWithTheStatisticsOfTheMap) {
+  Stressed s;
+  s.begin();
+  s.move(0, Vec3(14, -5, 3));
+  Values values;
+  quantityOf(s.stress.map(), StressQuantity::rotationalStress, values);
+  const QuantitySummary summary = summaryOf(values, s.stress.mesh()->witnesses);
+  const deformation::StressStatistics& statistics = s.stress.statistics();
+  const double degrees = 180 / std::numbers::pi;
+  ASSERT_EQ(statistics.folded, 0);
+  EXPECT_NEAR(summary.min, degrees * statistics.min, 1e-12);
+  EXPECT_NEAR(summary.mean, degrees * statistics.mean, 1e-10);
+  EXPECT_NEAR(summary.percentile95, degrees * statistics.percentile95, 1e-12);
+  EXPECT_NEAR(summary.max, degrees * statistics.max, 1e-12);
+}
+
+TEST(StressRecord, BeginsAnewWhenSomebodyGoesBackAndDropsTheOldest) {
+  StressRecord record(3);
+  for (int i = 0; i < 7; ++i)
+    record.add({0.1 * i, {}});
+  EXPECT_GE(record.samples().size(), 3u);
+  EXPECT_LE(record.samples().size(), 6u);
+  EXPECT_NEAR(record.samples().back().seconds, 0.6, 1e-12);
+  record.add({0.2, {}});
+  EXPECT_EQ(record.samples().size(), 1u);
+}
+
+} // namespace
+} // namespace viscera::live

@@ -1,0 +1,183 @@
+#include "viscera/live/volume_keeper.h"
+
+#include <limits>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "session_fixture.h"
+#include "viscera/core/error.h"
+#include "viscera/geometry/surface_check.h"
+
+namespace viscera::live {
+namespace {
+
+using ::testing::HasSubstr;
+using tests::ball;
+
+constexpr double kAllowedError = 1e-9;
+
+/// A document with a ball, kept bound at once, and a keeper of its locked volumes.
+struct Keeping : tests::Session {
+  plugin::Registry registry = plugin::builtInRegistry();
+  JobQueue jobs{[](std::function<void()> work) { work(); }};
+  LiveBinding live{document, registry, jobs, {std::numeric_limits<double>::infinity(), {2}}};
+  VolumeKeeper keeper{document, live};
+
+  double relativeChange(std::size_t place = 0) { return live.volume(organ(place)).relativeChange(); }
+  void take(const LockedMotion& motion) { undo.perform(document::setPose(motion.pose())); }
+};
+
+/// The same ball without some of its triangles.
+document::NewOrgan openBall(const std::string& name) {
+  geometry::TriangleMesh mesh = viscera::tests::sphere(3, 30);
+  mesh.triangles.conservativeResize(mesh.triangles.rows() - 7, 3);
+  return {document::makeOrgan(name, mesh), -1};
+}
+
+TEST(VolumeKeeper, AMotionOfALockedOrganKeepsItsVolumeAndUndoUnlocksAgain) {
+  Keeping s;
+  s.undo.perform(document::setVolumeLocked(s.organ(), true));
+  LockedMotion motion = s.keeper.begin({s.handle(9)});
+  motion.translate({6, 4, -3});
+  s.take(motion);
+  EXPECT_LE(std::abs(s.relativeChange()), kAllowedError);
+  EXPECT_GT((s.live.points(s.organ()) - s.document.organs().front()->mesh->points).norm(), 0.1);
+  s.undo.undo();
+  s.undo.undo();
+  EXPECT_FALSE(s.document.organs().front()->volumeLocked);
+  motion = s.keeper.begin({s.handle(9)});
+  motion.translate({6, 4, -3});
+  s.take(motion);
+  EXPECT_GT(std::abs(s.relativeChange()), 1e-3);
+}
+
+TEST(VolumeKeeper, TheVolumeThatIsKeptIsTheOneThatTheOrganHas) {
+  Keeping s;
+  s.undo.perform(document::moveHandles({s.handle(9)}, tests::row(60, 3, -1)));
+  const double before = s.relativeChange();
+  ASSERT_GT(std::abs(before), 1e-3);
+  s.undo.perform(document::setVolumeLocked(s.organ(), true));
+  LockedMotion motion = s.keeper.begin({s.handle(8), s.handle(1)});
+  motion.translate({6, 4, -3});
+  s.take(motion);
+  EXPECT_NEAR(s.relativeChange(), before, kAllowedError);
+}
+
+TEST(VolumeKeeper, ALongWalkDoesNotDrift) {
+  Keeping s;
+  s.undo.perform(document::setVolumeLocked(s.organ(), true));
+  for (int i = 0; i < 200; ++i) {
+    LockedMotion motion = s.keeper.begin({s.handle(static_cast<std::size_t>(i % 10))});
+    motion.translate({std::sin(i), std::cos(3 * i), std::sin(2 * i)});
+    s.take(motion);
+  }
+  EXPECT_LE(std::abs(s.relativeChange()), kAllowedError);
+}
+
+TEST(VolumeKeeper, SeveralLockedOrgansOnTheSameHandlesAllKeepTheirVolumes) {
+  Keeping s;
+  s.undo.perform(document::addOrgans({ball("Second", 9, 2, {12, 0, 0}), ball("Third", 7, 2, {-10, 5, 8})}));
+  for (const std::size_t place : {0, 1, 2})
+    s.undo.perform(document::setVolumeLocked(s.organ(place), true));
+  LockedMotion motion = s.keeper.begin({s.handle(9)});
+  motion.translate({5, 1, 2});
+  EXPECT_EQ(motion.obstacle(), "");
+  s.take(motion);
+  for (const std::size_t place : {0, 1, 2})
+    EXPECT_LE(std::abs(s.relativeChange(place)), kAllowedError) << place;
+}
+
+TEST(VolumeKeeper, MarkedHandlesCompensateAndLockedOnesNeverMove) {
+  Keeping s;
+  s.undo.perform(document::setVolumeLocked(s.organ(), true));
+  document::HandleEdit mark;
+  mark.compensates = true;
+  s.undo.perform(document::editHandles({s.handle(8), s.handle(0)}, mark));
+  document::HandleEdit fix;
+  fix.locked = true;
+  s.undo.perform(document::editHandles({s.handle(0)}, fix));
+  LockedMotion motion = s.keeper.begin({s.handle(9), s.handle(0)});
+  EXPECT_EQ(motion.selection(), std::vector<int>{9}) << "a locked handle is no part of the motion";
+  const Points& pose = motion.translate({5, 0, 0});
+  EXPECT_EQ(pose.row(9), motion.start().row(9) + Eigen::RowVector3d(5, 0, 0));
+  EXPECT_NE(pose.row(8), motion.start().row(8));
+  EXPECT_EQ(pose.topRows(8), motion.start().topRows(8));
+}
+
+TEST(VolumeKeeper, AMirroredPairMovesMirroredAndKeepsTheVolume) {
+  Keeping s;
+  s.undo.perform(document::setVolumeLocked(s.organ(), true));
+  const deformation::MirrorPlane sagittal;
+  EXPECT_EQ(s.keeper.partners({s.handle(2)}, sagittal), std::vector<int>{3});
+  LockedMotion motion = s.keeper.begin({s.handle(2)}, sagittal);
+  const Points& pose = motion.translate({-7, 2, 5});
+  const Vec3 one = (pose.row(2) - motion.start().row(2)).transpose();
+  const Vec3 other = (pose.row(3) - motion.start().row(3)).transpose();
+  EXPECT_NEAR((sagittal.reflectedDirection(one) - other).norm(), 0, 1e-12);
+  EXPECT_GT(one.norm(), 1);
+  s.take(motion);
+  EXPECT_LE(std::abs(s.relativeChange()), kAllowedError);
+}
+
+TEST(VolumeKeeper, ATargetVolumeIsMetAndAnotherLockedOrganKeepsItsOwn) {
+  Keeping s;
+  s.undo.perform(document::addOrgans({ball("Second", 9, 2, {12, 0, 0})}));
+  s.undo.perform(document::setVolumeLocked(s.organ(1), true));
+  const double target = 0.93 * s.document.organs().front()->restVolumeMm3;
+  s.undo.perform(document::setPose(s.keeper.poseOfVolume(s.organ(), target)));
+  EXPECT_NEAR(s.relativeChange(0), -0.07, kAllowedError);
+  EXPECT_LE(std::abs(s.relativeChange(1)), kAllowedError);
+}
+
+TEST(VolumeKeeper, ATargetOutOfReachIsRefusedInWords) {
+  Keeping s;
+  const document::DocumentState before = s.document.state();
+  try {
+    s.keeper.poseOfVolume(s.organ(), 40 * s.document.organs().front()->restVolumeMm3);
+    FAIL() << "an organ cannot grow forty times";
+  } catch (const DataError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("mm"));
+    EXPECT_FALSE(error.tryThis().empty());
+  }
+  EXPECT_THROW(s.keeper.poseOfVolume(s.organ(), -1), DataError);
+  EXPECT_EQ(s.document.state(), before);
+}
+
+TEST(VolumeKeeper, AnOrganWithoutHandlesHoldsNobodyUp) {
+  Keeping s;
+  s.undo.perform(document::setVolumeLocked(s.organ(), true));
+  s.undo.perform(document::replaceRig({document::newHandles(tests::row(1, 2, 3)), {}}));
+  LockedMotion motion = s.keeper.begin({s.handle(0)});
+  EXPECT_EQ(motion.translate({1, 0, 0}).row(0), Eigen::RowVector3d(2, 2, 3));
+  EXPECT_THROW(s.keeper.poseOfVolume(s.organ(), 100), DataError);
+}
+
+TEST(VolumeLockCommand, AnOpenSurfaceIsRefusedWithItsOpenEdgesAndCanBeClosed) {
+  Keeping s;
+  s.undo.perform(document::addOrgans({openBall("Cup")}));
+  const document::OrganId cup = s.organ(1);
+  const int edges = s.document.organ(cup)->boundaryEdges;
+  ASSERT_GT(edges, 0);
+  try {
+    s.undo.perform(document::setVolumeLocked(cup, true));
+    FAIL() << "an open surface was locked";
+  } catch (const DataError& error) {
+    EXPECT_THAT(error.what(), HasSubstr(std::to_string(edges) + " boundary edges"));
+  }
+  s.undo.perform(
+      document::combined("Close and lock", {document::closeHoles(cup), document::setVolumeLocked(cup, true)}));
+  const auto closed = s.document.organ(cup);
+  EXPECT_TRUE(closed->closed());
+  EXPECT_TRUE(closed->volumeLocked);
+  EXPECT_EQ(closed->name, "Cup");
+  EXPECT_GT(closed->restVolumeMm3, 0.9 * s.document.organs().front()->restVolumeMm3);
+  for (const std::string& warning : closed->warnings)
+    EXPECT_EQ(warning.find("boundary"), std::string::npos) << warning;
+  EXPECT_EQ(s.live.status(cup).state, BindingStatus::State::bound);
+  s.undo.undo();
+  EXPECT_EQ(s.document.organ(cup)->boundaryEdges, edges);
+}
+
+} // namespace
+} // namespace viscera::live

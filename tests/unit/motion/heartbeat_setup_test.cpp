@@ -1,0 +1,258 @@
+#include "viscera/motion/heartbeat_setup.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <set>
+
+#include <gtest/gtest.h>
+
+#include "self_intersections.h"
+#include "sequence_scene.h"
+#include "surface_clearance.h"
+#include "viscera/core/error.h"
+#include "viscera/document/document.h"
+#include "viscera/document/undo_stack.h"
+#include "viscera/sequences/heartbeat.h"
+
+namespace viscera::motion {
+namespace {
+
+using sample_organs::Resolution;
+using sequences::CalibratedHeartbeat;
+using sequences::CavityVolumes;
+using tests::SequenceScene;
+
+constexpr double kRate = 75;
+
+/// The sample heart with its beat, in the pose of one moment.
+class BeatingHeart : public SequenceScene {
+public:
+  explicit BeatingHeart(Resolution resolution)
+      : SequenceScene([&](Progress& progress) {
+          return heartbeatSetup(tests::cachedLibrary(), resolution, progress);
+        }) {}
+
+  const CalibratedHeartbeat& heartbeat() const {
+    return dynamic_cast<const CalibratedHeartbeat&>(*setup().sequence);
+  }
+};
+
+/// The largest distances of the measured volumes from the curves, and the range of the left one, over one
+/// beat.
+struct Fit {
+  double leftOff = 0;
+  double rightOff = 0;
+  double leftMost = 0;
+  double leftLeast = 1e9;
+};
+
+Fit fitOverOneBeat(BeatingHeart& heart, double rate, int frames) {
+  Fit fit;
+  for (int frame = 0; frame < frames; ++frame) {
+    // Not at the phases where it was calibrated.
+    const double seconds = (frame + 0.37) / frames * 60 / rate;
+    heart.show(seconds, rate);
+    const CavityVolumes wanted = heart.heartbeat().volumesAt(seconds, rate);
+    const double left = heart.volumeMl("lv");
+    fit.leftOff = std::max(fit.leftOff, std::abs(left - wanted.leftMl));
+    fit.rightOff = std::max(fit.rightOff, std::abs(heart.volumeMl("rv") - wanted.rightMl));
+    fit.leftMost = std::max(fit.leftMost, left);
+    fit.leftLeast = std::min(fit.leftLeast, left);
+  }
+  return fit;
+}
+
+TEST(HeartbeatSetup, cavitiesHoldWhatTheCurvesSayAt50And75And150) {
+  BeatingHeart heart(Resolution::medium);
+  for (const double rate : {50.0, 75.0, 150.0}) {
+    const Fit fit = fitOverOneBeat(heart, rate, 60);
+    EXPECT_LT(fit.leftOff, 0.5) << rate;
+    EXPECT_LT(fit.rightOff, 1.0) << rate;
+    EXPECT_NEAR(fit.leftMost, 130.5, 0.5) << rate;
+    EXPECT_NEAR(fit.leftLeast, 55.0, 0.5) << rate;
+    EXPECT_NEAR((fit.leftMost - fit.leftLeast) / fit.leftMost, 0.58, 0.01) << rate;
+  }
+}
+
+TEST(HeartbeatSetup, isCalibratedOnTheResolutionThatIsShown) {
+  // The coarse left cavity holds more than a millilitre less at rest.
+  BeatingHeart heart(Resolution::low);
+  const Fit fit = fitOverOneBeat(heart, kRate, 60);
+  EXPECT_LT(fit.leftOff, 0.5);
+  EXPECT_LT(fit.rightOff, 1.0);
+}
+
+TEST(HeartbeatSetup, wholeHeartLosesAsMuchVolumeInSystoleAsMeasuredInPeople) {
+  BeatingHeart heart(Resolution::medium);
+  double most = 0;
+  double least = 1e9;
+  for (int frame = 0; frame < 48; ++frame) {
+    heart.show(frame / 48.0 * 60 / kRate, kRate);
+    most = std::max(most, heart.volumeMl("outer"));
+    least = std::min(least, heart.volumeMl("outer"));
+  }
+  const double change = (most - least) / most;
+  RecordProperty("outerVolumeChange", std::to_string(change));
+  EXPECT_GT(change, 0.048);
+  EXPECT_LT(change, 0.106);
+}
+
+TEST(HeartbeatSetup, noSurfaceCrossesItselfInAnyFrame) {
+  BeatingHeart heart(Resolution::medium);
+  for (int frame = 0; frame < 24; ++frame) {
+    heart.show(frame / 24.0 * 60 / kRate, kRate);
+    for (const char* surface : {"outer", "lv", "rv"})
+      EXPECT_EQ(tests::selfIntersections(heart.posed(surface)), 0) << surface << " in frame " << frame;
+  }
+}
+
+TEST(HeartbeatSetup, cavitiesStayInsideTheWallAndApartInEveryFrame) {
+  BeatingHeart heart(Resolution::medium);
+  for (int frame = 0; frame < 24; ++frame) {
+    heart.show(frame / 24.0 * 60 / kRate, kRate);
+    const geometry::TriangleMesh outer = heart.posed("outer");
+    const geometry::TriangleMesh left = heart.posed("lv");
+    const Points right = heart.posed("rv").points;
+    EXPECT_GT(tests::clearanceInsideOf(outer, left.points), 5) << frame;
+    EXPECT_GT(tests::clearanceInsideOf(outer, right), 2) << frame;
+    EXPECT_GT(tests::clearanceOutsideOf(left, right), 5) << frame;
+  }
+}
+
+TEST(HeartbeatSetup, trianglesKeepTheirShapeInEveryFrame) {
+  BeatingHeart heart(Resolution::medium);
+  double worstOuter = 1;
+  double worstCavity = 1;
+  for (int frame = 0; frame < 48; ++frame) {
+    heart.show(frame / 48.0 * 60 / kRate, kRate);
+    worstOuter = std::min(worstOuter, heart.worstTriangle("outer"));
+    worstCavity = std::min({worstCavity, heart.worstTriangle("lv"), heart.worstTriangle("rv")});
+  }
+  RecordProperty("worstTriangleOfTheOuterSurface", std::to_string(worstOuter));
+  RecordProperty("worstTriangleOfTheCavities", std::to_string(worstCavity));
+  EXPECT_GT(worstOuter, 0.35);
+  EXPECT_GT(worstCavity, 0.7);
+}
+
+TEST(HeartbeatSetup, handlesComeLabelledInTheGroupsOfTheirRoles) {
+  BeatingHeart heart(Resolution::low);
+  const document::NewRig& rig = heart.setup().rig;
+  ASSERT_EQ(static_cast<Eigen::Index>(rig.handles.size()), heart.setup().sequence->restHandles().rows());
+  std::set<std::string> labels;
+  std::size_t grouped = 0;
+  for (const document::NewHandle& handle : rig.handles)
+    labels.insert(handle.label);
+  for (const document::NewGroup& group : rig.groups)
+    grouped += group.handles.size();
+  EXPECT_EQ(labels.size(), rig.handles.size());
+  EXPECT_EQ(grouped, rig.handles.size());
+  EXPECT_TRUE(labels.contains("LV endocardium 1"));
+  EXPECT_TRUE(labels.contains("Far corners 8"));
+}
+
+TEST(HeartbeatSetup, isShownInOneUndoStepAndPosesFitTheDocument) {
+  BeatingHeart heart(Resolution::low);
+  document::Document document;
+  document::UndoStack undo(document);
+  undo.perform(showSequence(heart.setup()));
+  EXPECT_EQ(document.organs().size(), 3u);
+  EXPECT_EQ(document.rig().restPositions(), heart.setup().sequence->restHandles());
+  EXPECT_EQ(document.system().parameters.all(), heart.setup().system.parameters.all());
+  undo.undo();
+  EXPECT_TRUE(document.organs().empty());
+  EXPECT_TRUE(document.rig().handles.empty());
+}
+
+/// A library whose cache holds the organs of the common one, and may be spoilt.
+class PrivateCache {
+public:
+  PrivateCache() {
+    std::string name = (std::filesystem::temp_directory_path() / "viscera-heartbeat-XXXXXX").string();
+    folder_ = ::mkdtemp(name.data());
+  }
+  ~PrivateCache() {
+    std::error_code ignored;
+    std::filesystem::remove_all(folder_, ignored);
+  }
+  PrivateCache(const PrivateCache&) = delete;
+  PrivateCache& operator=(const PrivateCache&) = delete;
+
+  sample_organs::SampleLibrary library() const { return {tests::cachedLibrary().definitions, folder_}; }
+
+  std::filesystem::path calibration() const {
+    for (const auto& file : std::filesystem::directory_iterator(folder_))
+      if (file.path().extension() == ".json")
+        return file.path();
+    return {};
+  }
+
+private:
+  std::filesystem::path folder_;
+};
+
+Points poseAt(const SequenceSetup& setup, double seconds) {
+  Points pose;
+  setup.sequence->poseAt(seconds, kRate, pose);
+  return pose;
+}
+
+TEST(HeartbeatSetup, secondStartTakesTheCorrectionsFromTheCacheToTheLastBit) {
+  const PrivateCache cache;
+  Progress progress;
+  const SequenceSetup first = heartbeatSetup(cache.library(), Resolution::low, progress);
+  ASSERT_TRUE(std::filesystem::exists(cache.calibration()));
+  const auto written = std::filesystem::last_write_time(cache.calibration());
+  const SequenceSetup second = heartbeatSetup(cache.library(), Resolution::low, progress);
+  EXPECT_EQ(std::filesystem::last_write_time(cache.calibration()), written);
+  EXPECT_EQ(poseAt(first, 0.41), poseAt(second, 0.41));
+}
+
+TEST(HeartbeatSetup, damagedOrForeignCorrectionsAreFoundAnew) {
+  const PrivateCache cache;
+  Progress progress;
+  const SequenceSetup first = heartbeatSetup(cache.library(), Resolution::low, progress);
+  const std::filesystem::path file = cache.calibration();
+  const auto size = std::filesystem::file_size(file);
+  for (const char* contents : {"", "{", "[1]", R"({"key": "0000000000000000", "numbers": {}})"}) {
+    std::ofstream(file, std::ios::trunc) << contents;
+    const SequenceSetup again = heartbeatSetup(cache.library(), Resolution::low, progress);
+    EXPECT_EQ(poseAt(first, 0.41), poseAt(again, 0.41)) << contents;
+    EXPECT_EQ(std::filesystem::file_size(file), size) << contents;
+  }
+}
+
+TEST(HeartbeatSetup, worksWithoutAnyCache) {
+  Progress progress;
+  const SequenceSetup setup =
+      heartbeatSetup({tests::cachedLibrary().definitions, {}}, Resolution::low, progress);
+  EXPECT_EQ(setup.sequence->id(), "heartbeat");
+}
+
+TEST(HeartbeatSetup, canBeCancelledAtAnyPoint) {
+  for (const double limit : {0.0, 0.3, 0.85}) {
+    Progress* running = nullptr;
+    Progress progress([&](double fraction, const std::string&) {
+      if (fraction >= limit)
+        running->cancel();
+    });
+    running = &progress;
+    EXPECT_THROW(heartbeatSetup({tests::cachedLibrary().definitions, {}}, Resolution::low, progress),
+                 Cancelled)
+        << limit;
+  }
+}
+
+TEST(SequenceSetup, namesTheSequencesThereAreWhenAskedForAnother) {
+  Progress progress;
+  try {
+    setUpSequence(tests::cachedLibrary(), "hiccup", Resolution::low, progress);
+    FAIL() << "there is no hiccup";
+  } catch (const UsageError& error) {
+    EXPECT_NE(error.tryThis().find("heartbeat"), std::string::npos) << error.what();
+  }
+}
+
+} // namespace
+} // namespace viscera::motion

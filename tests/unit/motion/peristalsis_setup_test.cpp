@@ -1,0 +1,142 @@
+#include "viscera/motion/peristalsis_setup.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "self_intersections.h"
+#include "sequence_scene.h"
+#include "viscera/sequences/peristalsis.h"
+
+namespace viscera::motion {
+namespace {
+
+using sample_organs::Resolution;
+using sequences::Peristalsis;
+using tests::SequenceScene;
+
+constexpr double kRate = 3;
+
+class WorkingStomach : public SequenceScene {
+public:
+  explicit WorkingStomach(Resolution resolution)
+      : SequenceScene([&](Progress& progress) {
+          return peristalsisSetup(tests::cachedLibrary(), resolution, progress);
+        }) {}
+
+  const Peristalsis& peristalsis() const { return dynamic_cast<const Peristalsis&>(*setup().sequence); }
+};
+
+/// The mean distance of the wall from the centreline, in slices of it that are 4 mm long, for the part below
+/// the middle of the body.
+class WallDistance {
+public:
+  explicit WallDistance(const WorkingStomach& stomach)
+      : line_(stomach.peristalsis().rig().anatomy.centerline),
+        course_(stomach.peristalsis().rig().anatomy.course) {
+    const Points& rest = stomach.setup().organ.surfaces.front().mesh->points;
+    for (Eigen::Index i = 0; i < rest.rows(); ++i)
+      slices_.push_back(static_cast<int>(line_.nearest(rest.row(i).transpose()) / kSlice));
+    rest_ = of(rest);
+  }
+
+  /// The narrowest slice as a part of what it is at rest, where it is, and what the waves say there.
+  void narrowest(const Points& points, double& part, double& s) const {
+    const std::vector<double> now = of(points);
+    part = 2;
+    for (std::size_t i = 0; i < now.size(); ++i) {
+      const double at = (static_cast<double>(i) + 0.5) * kSlice;
+      if (at < course_.midBody || at > course_.pylorus || rest_[i] == 0 || now[i] / rest_[i] > part)
+        continue;
+      part = now[i] / rest_[i];
+      s = at;
+    }
+  }
+
+private:
+  static constexpr double kSlice = 4;
+
+  std::vector<double> of(const Points& points) const {
+    std::vector<double> sums(100, 0);
+    for (Eigen::Index i = 0; i < points.rows(); ++i) {
+      const int slice = slices_[static_cast<std::size_t>(i)];
+      const Vec3 center = line_.at((slice + 0.5) * kSlice).center;
+      sums[static_cast<std::size_t>(slice)] += (points.row(i).transpose() - center).norm();
+    }
+    return sums;
+  }
+
+  const sequences::Centerline& line_;
+  sequences::GastricCourse course_;
+  std::vector<int> slices_;
+  std::vector<double> rest_;
+};
+
+TEST(PeristalsisSetup, volumeStaysToAMillionthOverAMinuteAtEveryRate) {
+  WorkingStomach stomach(Resolution::medium);
+  const double kept = stomach.peristalsis().keptMl();
+  double worst = 0;
+  for (const double rate : {1.0, 3.0, 6.0})
+    for (int frame = 0; frame < 40; ++frame) {
+      stomach.show(frame * 60 / 40.0 + 0.123, rate);
+      worst = std::max(worst, std::abs(stomach.volumeMl("outer") - kept) / kept);
+    }
+  RecordProperty("worstRelativeVolumeError", std::to_string(worst * 1e12) + "e-12");
+  EXPECT_LT(worst, 1e-6);
+}
+
+TEST(PeristalsisSetup, surfaceNarrowsAsMuchAsMeasuredInPeople) {
+  WorkingStomach stomach(Resolution::medium);
+  const WallDistance wall(stomach);
+  double deepest = 0;
+  for (int frame = 0; frame < 40; ++frame) {
+    const double t = frame * 0.5;
+    stomach.show(t, kRate);
+    double part = 0;
+    double s = 0;
+    wall.narrowest(stomach.posed("outer").points, part, s);
+    EXPECT_NEAR(part, 1 - stomach.peristalsis().waves().constriction(s, t, kRate), 0.08) << t << " at " << s;
+    deepest = std::max(deepest, 1 - part);
+  }
+  RecordProperty("deepestConstriction", std::to_string(deepest));
+  EXPECT_NEAR(deepest, 0.58, 0.14);
+}
+
+TEST(PeristalsisSetup, surfaceDoesNotCrossItselfAndItsTrianglesKeepTheirShape) {
+  WorkingStomach stomach(Resolution::medium);
+  for (int frame = 0; frame < 24; ++frame) {
+    stomach.show(frame / 24.0 * 60 / kRate, kRate);
+    EXPECT_EQ(tests::selfIntersections(stomach.posed("outer")), 0) << frame;
+    EXPECT_GT(stomach.worstTriangle("outer"), 0.4) << frame;
+  }
+}
+
+TEST(PeristalsisSetup, oesophagusAndDuodenumHardlyMove) {
+  WorkingStomach stomach(Resolution::medium);
+  const Points& rest = stomach.setup().organ.surfaces.front().mesh->points;
+  for (int frame = 0; frame < 20; ++frame) {
+    stomach.show(frame, kRate);
+    const Points points = stomach.posed("outer").points;
+    for (Eigen::Index i = 0; i < rest.rows(); ++i) {
+      const bool oesophagus = rest(i, 2) > 125;
+      const bool duodenum = rest(i, 0) < -55 && rest(i, 1) > 24;
+      if (oesophagus || duodenum) {
+        ASSERT_LT((points.row(i) - rest.row(i)).norm(), 1.5) << "vertex " << i << " after " << frame << " s";
+      }
+    }
+  }
+}
+
+TEST(PeristalsisSetup, isAmongTheSequencesThereAre) {
+  Progress progress;
+  const SequenceSetup setup = setUpSequence(tests::cachedLibrary(), "peristalsis", Resolution::low, progress);
+  EXPECT_EQ(setup.organ.name, "stomach");
+  EXPECT_EQ(static_cast<Eigen::Index>(setup.rig.handles.size()), setup.sequence->restHandles().rows());
+  ASSERT_GE(sampleSequences().size(), 2u);
+  EXPECT_EQ(sampleSequences()[1].name, setup.sequence->name());
+}
+
+} // namespace
+} // namespace viscera::motion

@@ -1,0 +1,34 @@
+#include "viscera/motion/volume_table.h"
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "viscera/core/error.h"
+
+namespace viscera::motion {
+namespace {
+
+TEST(VolumeTable, HasOneColumnAnOrganAndOneRowAnInstant) {
+  VolumeRecord record({"LV", "Heart, \"left\""});
+  record.add(0, {130.5, 938.25});
+  record.add(0.04, {129, 937});
+  const std::filesystem::path file = std::filesystem::path(testing::TempDir()) / "viscera_volume_table.csv";
+  writeVolumeTable(file, record);
+  std::ifstream stream(file);
+  const std::string contents{std::istreambuf_iterator<char>(stream), {}};
+  std::filesystem::remove(file);
+  EXPECT_EQ(contents, "time_s,LV_ml,\"Heart, \"\"left\"\"_ml\"\n"
+                      "0.000000,130.500000,938.250000\n"
+                      "0.040000,129.000000,937.000000\n");
+}
+
+TEST(VolumeTable, SaysWhenItCannotBeWritten) {
+  EXPECT_THROW(writeVolumeTable("/nowhere/at/all.csv", VolumeRecord({"LV"})), CannotCreateError);
+}
+
+} // namespace
+} // namespace viscera::motion

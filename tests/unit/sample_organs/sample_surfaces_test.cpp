@@ -1,0 +1,156 @@
+#include <algorithm>
+#include <map>
+#include <string>
+#include <utility>
+
+#include <gtest/gtest.h>
+
+#include "library_for_tests.h"
+#include "self_intersections.h"
+#include "viscera/core/error.h"
+#include "viscera/core/progress.h"
+#include "viscera/geometry/surface_check.h"
+#include "viscera/sample_organs/sample_organ.h"
+
+namespace viscera::tests {
+namespace {
+
+using sample_organs::Resolution;
+
+/// What one surface should be: volumes in ml with their share of tolerance, triangles low, medium and high.
+struct Expected {
+  double volumeMl;
+  double tolerance;
+  std::map<Resolution, int> triangles;
+};
+
+constexpr Resolution kLow = Resolution::low, kMedium = Resolution::medium, kHigh = Resolution::high;
+
+const std::map<std::string, std::map<std::string, Expected>>& expectedOrgans() {
+  static const std::map<std::string, std::map<std::string, Expected>> organs = {
+      {"heart",
+       {{"outer", {938, 0.02, {{kLow, 3000}, {kMedium, 30000}, {kHigh, 200000}}}},
+        {"lv", {130.5, 0.015, {{kLow, 1000}, {kMedium, 6000}, {kHigh, 30000}}}},
+        {"rv", {138, 0.03, {{kLow, 1000}, {kMedium, 8000}, {kHigh, 40000}}}}}},
+      {"stomach", {{"outer", {860, 0.015, {{kLow, 3000}, {kMedium, 30000}, {kHigh, 150000}}}}}},
+      {"liver", {{"outer", {1609, 0.015, {{kLow, 3000}, {kMedium, 30000}, {kHigh, 130000}}}}}},
+      {"kidney_left", {{"outer", {151, 0.03, {{kLow, 3000}, {kMedium, 30000}, {kHigh, 150000}}}}}},
+      {"kidney_right", {{"outer", {145, 0.03, {{kLow, 3000}, {kMedium, 30000}, {kHigh, 150000}}}}}},
+      {"digestive_system", {{"outer", {3089, 0.03, {{kLow, 10000}, {kMedium, 60000}, {kHigh, 350000}}}}}}};
+  return organs;
+}
+
+class SampleSurfaces : public testing::TestWithParam<std::tuple<std::string, Resolution>> {};
+
+std::string nameOfCase(const testing::TestParamInfo<SampleSurfaces::ParamType>& info) {
+  std::string organ = std::get<0>(info.param);
+  organ.erase(std::remove(organ.begin(), organ.end(), '_'), organ.end());
+  return organ + "_" + sample_organs::nameOf(std::get<1>(info.param));
+}
+
+void expectClosedOrgan(const sample_organs::SampleSurface& surface, const Expected& expected,
+                       Resolution resolution) {
+  const geometry::TriangleMesh& mesh = *surface.mesh;
+  const geometry::SurfaceReport report = geometry::checkSurface(mesh);
+  EXPECT_EQ(report.boundaryEdges, 0);
+  EXPECT_EQ(report.nonManifoldEdges, 0);
+  EXPECT_EQ(report.misorientedEdges, 0);
+  EXPECT_EQ(report.degenerateTriangles, 0);
+  EXPECT_EQ(report.unusedVertices, 0);
+  EXPECT_EQ(report.components, 1);
+  const double wanted = expected.triangles.at(resolution);
+  EXPECT_NEAR(static_cast<double>(mesh.triangles.rows()), wanted, 0.05 * wanted);
+  // Large triangles cut corners: the low resolution loses up to 3 % more.
+  const double tolerance = expected.tolerance + (resolution == kLow ? 0.03 : 0.0);
+  EXPECT_NEAR(report.volumeMm3 / kMm3PerMl, expected.volumeMl, tolerance * expected.volumeMl);
+  EXPECT_EQ(mesh.colors.rows(), mesh.points.rows());
+  EXPECT_EQ(selfIntersections(mesh), 0);
+}
+
+} // namespace
+
+TEST_P(SampleSurfaces, AreClosedManifoldOutwardOfTheRightSizeAndDoNotIntersectThemselves) {
+  const auto& [name, resolution] = GetParam();
+  Progress progress;
+  const sample_organs::SampleOrgan organ =
+      sample_organs::sampleOrgan(projectLibrary(), name, resolution, progress);
+  const auto& expected = expectedOrgans().at(name);
+  ASSERT_EQ(organ.surfaces.size(), expected.size());
+  EXPECT_EQ(organ.surfaces.front().name, "outer");
+  for (const sample_organs::SampleSurface& surface : organ.surfaces) {
+    SCOPED_TRACE(surface.name);
+    expectClosedOrgan(surface, expected.at(surface.name), resolution);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Every, SampleSurfaces,
+                         testing::Combine(testing::Values("heart", "stomach", "liver", "kidney_left",
+                                                          "kidney_right", "digestive_system"),
+                                          testing::Values(kLow, kMedium, kHigh)),
+                         nameOfCase);
+
+TEST(SampleOrgans, AreAllChecked) {
+  for (const std::string& name : sample_organs::sampleNames(projectLibrary()))
+    EXPECT_EQ(expectedOrgans().count(name), 1U) << name << " has no expected values in this test";
+}
+
+TEST(SampleOrgans, HeartCavitiesLieInsideTheWallAndApart) {
+  Progress progress;
+  const sample_organs::SampleOrgan heart =
+      sample_organs::sampleOrgan(projectLibrary(), "heart", kMedium, progress);
+  const auto& [outer, lv, rv] = std::tie(heart.surfaces[0], heart.surfaces[1], heart.surfaces[2]);
+  EXPECT_FALSE(surfacesMeet(*outer.mesh, *lv.mesh));
+  EXPECT_FALSE(surfacesMeet(*outer.mesh, *rv.mesh));
+  EXPECT_FALSE(surfacesMeet(*lv.mesh, *rv.mesh));
+  const sample_organs::ImplicitSurface wall =
+      sample_organs::implicitSurface(projectLibrary(), "heart", "surf outer");
+  EXPECT_LT(wall(lv.mesh->points.row(0)), 0);
+  EXPECT_LT(wall(rv.mesh->points.row(0)), 0);
+}
+
+TEST(SampleOrgans, DoNotDependOnTheNumberOfThreads) {
+  Progress progress;
+  const auto with = [&](int threads) {
+    return sample_organs::sampleOrgan(projectLibrary(), "stomach", kLow, progress, Threads{threads});
+  };
+  const auto one = with(1).surfaces.front().mesh;
+  for (const int threads : {2, 5}) {
+    const auto several = with(threads).surfaces.front().mesh;
+    EXPECT_TRUE(several->points == one->points) << threads << " threads";
+    EXPECT_TRUE(several->triangles == one->triangles) << threads << " threads";
+    EXPECT_TRUE(several->colors == one->colors) << threads << " threads";
+  }
+}
+
+TEST(SampleOrgans, HaveTheirCheckSurfacesOnlyByName) {
+  Progress progress;
+  const sample_organs::SampleSurface chambers =
+      sample_organs::sampleSurface(projectLibrary(), "heart", "chambers", kLow, progress);
+  const geometry::SurfaceReport report = geometry::checkSurface(*chambers.mesh);
+  EXPECT_TRUE(report.outward());
+  EXPECT_NEAR(report.volumeMm3 / kMm3PerMl, 707, 15);
+}
+
+TEST(SampleOrgans, ReportProgressUpToTheEnd) {
+  double last = -1;
+  bool backwards = false;
+  Progress progress([&](double fraction, const std::string&) {
+    backwards = backwards || fraction < last - 0.05; // blocks of samples may end in another order
+    last = fraction;
+  });
+  sample_organs::sampleOrgan(projectLibrary(), "kidney_left", kLow, progress);
+  EXPECT_EQ(last, 1);
+  EXPECT_FALSE(backwards);
+}
+
+TEST(SampleOrgans, CanBeCancelledWhileTheyAreMade) {
+  Progress* job = nullptr;
+  Progress progress([&](double fraction, const std::string&) {
+    if (fraction > 0.2)
+      job->cancel();
+  });
+  job = &progress;
+  EXPECT_THROW(sample_organs::sampleOrgan(projectLibrary(), "kidney_left", kLow, progress), Cancelled);
+}
+
+} // namespace viscera::tests
