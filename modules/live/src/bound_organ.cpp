@@ -64,11 +64,14 @@ void BoundOrgan::take(BindingResult result, std::shared_ptr<const BindingTarget>
   rough_ = false;
   status = {BindingStatus::State::bound, {}, 0, deformer->binding().report()};
   pending.replaced = pending.moved = pending.status = true;
+  ++revision;
 }
 
 void BoundOrgan::fail(const BindingFailure& failure) {
-  if (deformer)
+  if (deformer) {
     pending.replaced = pending.moved = true;
+    ++revision;
+  }
   deformer.reset();
   boundTo.reset();
   status = {failure.state,      failure.message,   failure.outsideHull, {},
@@ -115,6 +118,7 @@ bool BoundOrgan::moveFew(const Points& pose) {
     deformer->moveHandle(static_cast<int>(row), pose.row(row).transpose());
   rough_ = true;
   pending.moved = true;
+  ++revision;
   return true;
 }
 
@@ -133,6 +137,7 @@ void BoundOrgan::setPose(const BindingTarget& now, const Points& pose, bool inte
     deformer->setPose(own);
   rough_ = false;
   pending.moved = true;
+  ++revision;
 }
 
 } // namespace viscera::live

@@ -28,16 +28,22 @@ public:
 
   std::shared_ptr<const document::Organ> organ;
   BindingStatus status;
-  std::unique_ptr<deformation::Deformer> deformer; ///< Null: at rest.
+  std::shared_ptr<deformation::Deformer> deformer; ///< Null: at rest.
   std::shared_ptr<const BindingTarget> boundTo;    ///< What `deformer` was bound to; null without one.
   std::shared_ptr<const BindingTarget>
       attempted;                                 ///< The last target that was tried, with success or without.
   std::shared_ptr<const BindingTarget> underWay; ///< What a worker binds it to while `binding`.
   std::int64_t ticket = 0;                       ///< Of the last job that was asked to bind it.
+  std::uint64_t revision = 0;                    ///< Another number after every move of the points.
   LiveEvent pending;                             ///< What has not been told yet.
 
   /// The slot of the job queue in which it is bound.
   std::string slot() const { return "bind/" + std::to_string(organ->id.value); }
+  /// The points, with what keeps them.
+  std::shared_ptr<const Points> sharedPoints() const {
+    return deformer ? std::shared_ptr<const Points>(deformer, &deformer->points())
+                    : std::shared_ptr<const Points>(organ->mesh, &organ->mesh->points);
+  }
   const Points& points() const { return deformer ? deformer->points() : organ->mesh->points; }
 
   /// Takes a result that was made for `of`.

@@ -11,6 +11,8 @@
 namespace viscera::live {
 namespace {
 
+constexpr int kRevisionBits = 40; ///< Moves of one organ that are told apart.
+
 /// What binding is expected to cost before it was measured, s per (vertex x handle).
 constexpr double kExpectedSeconds = 30e-9;
 
@@ -42,6 +44,7 @@ struct LiveBinding::Impl {
   std::shared_ptr<const BindingTarget> target;   ///< What every organ is to be bound to; never null.
   std::map<std::string, double> secondsOfSystem; ///< Measured, per (vertex x handle).
   std::int64_t lastTicket = 0;
+  std::uint64_t made = 0; ///< Organs so far: no two of them share a revision.
   Shown shown = Shown::document;
   Points shownPose = Points(0, 3);
   Signal<const LiveEvent&> events;
@@ -92,8 +95,10 @@ void LiveBinding::Impl::matchOrgans() {
   for (const auto& organ : document.organs()) {
     const auto [item, isNew] = organs.try_emplace(organ->id, organ);
     item->second.pending.organ = organ->id;
-    if (isNew)
+    if (isNew) {
       item->second.pending.replaced = item->second.pending.status = true;
+      item->second.revision = ++made << kRevisionBits;
+    }
   }
 }
 
@@ -279,6 +284,14 @@ const Points& LiveBinding::shownPose() const {
 
 const Points& LiveBinding::points(document::OrganId organ) const {
   return impl_->require(organ).points();
+}
+
+std::shared_ptr<const Points> LiveBinding::sharedPoints(document::OrganId organ) const {
+  return impl_->require(organ).sharedPoints();
+}
+
+std::uint64_t LiveBinding::revision(document::OrganId organ) const {
+  return impl_->require(organ).revision;
 }
 
 deformation::Deformer* LiveBinding::deformer(document::OrganId organ) {

@@ -33,7 +33,8 @@ const std::map<std::string, std::set<std::string>>& allowedModules() {
       {"scene", numerical},
       {"document", documentUses},
       {"live", with(documentUses, {"document", "plugin"})},
-      {"motion", with(documentUses, {"document", "plugin", "live"})}};
+      {"motion", with(documentUses, {"document", "plugin", "live"})},
+      {"presentation", with(documentUses, {"document", "plugin", "live", "motion", "scene"})}};
   return allowed;
 }
 

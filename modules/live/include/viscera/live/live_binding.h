@@ -10,6 +10,7 @@
 #include "viscera/core/parallel.h"
 #include "viscera/deformation/deformer.h"
 #include "viscera/document/document.h"
+#include "viscera/live/posed_organs.h"
 #include "viscera/plugin/registry.h"
 
 namespace viscera::live {
@@ -35,15 +36,6 @@ struct BindingStatus {
   int outsideCage = 0; ///< Failed: vertices that have no coordinates in the given cage.
 };
 
-/// What one organ's volume is and was. Meaningless for an open surface.
-struct OrganVolume {
-  bool closed = false;
-  double restMl = 0;
-  double nowMl = 0;
-  double changeMl() const { return nowMl - restMl; }
-  double relativeChange() const { return restMl != 0 ? (nowMl - restMl) / restMl : 0; }
-};
-
 /// What happened to one organ.
 struct LiveEvent {
   document::OrganId organ;
@@ -58,7 +50,7 @@ struct LiveEvent {
 /// there. While a handle is dragged at rest, or a parameter's slider moves, a binding under way is not given
 /// up: it arrives, and the next one begins with what is wanted then, so that the organ follows however long a
 /// binding takes. It never changes the document. For the document's thread.
-class LiveBinding {
+class LiveBinding final : public PosedOrgans {
 public:
   struct Options {
     /// Binding anew is done at once when it is expected to take no longer, all organs together, s. 0: always
@@ -71,7 +63,7 @@ public:
   LiveBinding(document::Document& document, const plugin::Registry& registry, JobQueue& jobs,
               Options options);
   LiveBinding(document::Document& document, const plugin::Registry& registry, JobQueue& jobs);
-  ~LiveBinding();
+  ~LiveBinding() override;
   LiveBinding(const LiveBinding&) = delete;
   LiveBinding& operator=(const LiveBinding&) = delete;
 
@@ -82,22 +74,24 @@ public:
   /// finite.
   void showDocumentPose();
   void showRest();
-  void showPose(const Points& pose);
+  void showPose(const Points& pose) override;
   /// Where the handles are shown, `n x 3`, in the order of the rig.
-  const Points& shownPose() const;
+  const Points& shownPose() const override;
 
   /// What follows throws `UsageError` for an organ that the document does not have.
   ///
   /// The organ's vertices now, `n x 3`. The reference holds until an event with `replaced`, or the organ is
   /// removed.
   const Points& points(document::OrganId organ) const;
+  std::shared_ptr<const Points> sharedPoints(document::OrganId organ) const override;
+  std::uint64_t revision(document::OrganId organ) const override;
   /// The bound organ, or null when it is shown at rest because there is no binding.
   deformation::Deformer* deformer(document::OrganId organ);
   BindingStatus status(document::OrganId organ) const;
   /// Volume at rest and now. Computed when asked for, O(triangles) after a move.
-  OrganVolume volume(document::OrganId organ);
+  OrganVolume volume(document::OrganId organ) override;
   /// The influence of a handle on every vertex, or empty when the organ is not bound to it.
-  Values influence(document::OrganId organ, document::HandleId handle) const;
+  Values influence(document::OrganId organ, document::HandleId handle) const override;
 
   /// Tries again for organs that are stale.
   void rebind();

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+
+#include "viscera/core/arrays.h"
+#include "viscera/document/ids.h"
+
+namespace viscera::live {
+
+/// What one organ's volume is and was. Meaningless for an open surface.
+struct OrganVolume {
+  bool closed = false;
+  double restMl = 0;
+  double nowMl = 0;
+
+  double changeMl() const { return nowMl - restMl; }
+  double relativeChange() const { return restMl != 0 ? (nowMl - restMl) / restMl : 0; }
+};
+
+/// The organs of a document in a pose of its handles, whoever poses them: the open document's
+/// (`LiveBinding`), or a copy of them that a recording moves on a thread of its own (`PosedCopy`). What
+/// draws, measures or plays organs takes this. All members throw `UsageError` for an organ that is not among
+/// them.
+class PosedOrgans {
+public:
+  virtual ~PosedOrgans() = default;
+
+  /// Poses all organs: `n x 3` mm, in the order of the rig. Throws `DataError` for a pose of another size or
+  /// one that is not finite.
+  virtual void showPose(const Points& pose) = 0;
+  /// Where the handles are, `n x 3` mm, in the order of the rig.
+  virtual const Points& shownPose() const = 0;
+
+  /// The organ's vertices, `n x 3` mm: they follow the pose in place as long as the organ stays bound, and
+  /// whoever keeps the pointer keeps the memory.
+  virtual std::shared_ptr<const Points> sharedPoints(document::OrganId organ) const = 0;
+  /// Another number whenever the organ's vertices have other values or another place in memory.
+  virtual std::uint64_t revision(document::OrganId organ) const = 0;
+  /// Volume at rest and now. Computed when asked for, O(triangles) after a move.
+  virtual OrganVolume volume(document::OrganId organ) = 0;
+  /// The influence of a handle on every vertex, or empty when the organ is not bound to it.
+  virtual Values influence(document::OrganId organ, document::HandleId handle) const = 0;
+};
+
+} // namespace viscera::live

@@ -1,0 +1,39 @@
+#pragma once
+
+#include "viscera/core/arrays.h"
+#include "viscera/live/stress_quantity.h"
+#include "viscera/live/witness_sampling.h"
+#include "viscera/scene/color_map.h"
+#include "viscera/scene/tissue_actor.h"
+
+namespace viscera::presentation {
+
+/// Glyphs of the principal stretches.
+enum class GlyphChoice { none, ellipsoids, crosses };
+
+/// How a stress map is looked at.
+struct StressLook {
+  live::StressQuantity quantity = live::StressQuantity::rotationalStress;
+  bool onSurface = true; ///< The map on the organ's own surface instead of on the outer tetrahedra.
+  bool pinned = false;   ///< The legend's range stays as it is.
+  /// Of the legend, in the quantity's unit; empty (high <= low) before there was a map. Kept even when it is
+  /// not pinned: the steps of the range depend on the range before.
+  scene::ValueRange range = {0, 0};
+  bool peak = false; ///< The worst of one cycle of the sequence instead of this instant.
+  bool cut = true;
+  scene::CutStyle style = scene::CutStyle::smooth;
+  Vec3 normal = Vec3::UnitY(); ///< Of the cut, towards what stays. Unit.
+  double offset = 0;           ///< Of the cut from the organ's middle along `normal`, in its radius, -1 to 1.
+  bool threshold = false;
+  double limit = 0;   ///< In the quantity's unit.
+  bool below = false; ///< Shows what is below the limit instead of what is above.
+  GlyphChoice glyphs = GlyphChoice::none;
+  bool handles = true;
+  bool others = false; ///< The other organs stay in the picture.
+  int witnesses = live::WitnessOptions().wanted;
+  int probe = -1; ///< The point of the mesh that is looked at; -1: none.
+
+  bool operator==(const StressLook& other) const;
+};
+
+} // namespace viscera::presentation

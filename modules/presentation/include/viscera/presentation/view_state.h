@@ -1,0 +1,110 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "viscera/core/arrays.h"
+#include "viscera/document/ids.h"
+#include "viscera/presentation/stress_look.h"
+#include "viscera/scene/layout_hulls.h"
+
+/// How a document is looked at, as one value: what a session keeps beside the document, and all that a
+/// `Presenter` has to know to draw the same picture again. The theme is not in it: it is the user's, not the
+/// document's.
+namespace viscera::presentation {
+
+/// Where the eye is.
+struct Camera {
+  Vec3 position = Vec3::Zero(); ///< mm, LPS.
+  Vec3 focus = Vec3::Zero();
+  Vec3 up = Vec3::UnitZ();
+  double angleDegrees = 30;
+  bool parallel = false;
+  double parallelScaleMm = 1;
+
+  bool operator==(const Camera&) const = default;
+};
+
+/// What a mode asks to be seen. A picture depends on this and not on the mode, so that a new mode needs no
+/// line in what draws.
+struct Shown {
+  bool rest = false;         ///< Organs and handles at rest instead of in their pose.
+  bool handles = false;      ///< The handles, also where the user has not asked for them.
+  bool movable = false;      ///< They can be grabbed.
+  bool compensating = false; ///< Those that make up for a locked volume are tinted.
+  bool tools = false;        ///< The gizmo and the mirror plane, where they are wanted.
+  bool regions = false;      ///< What the coordinates divide the space into, and the cage.
+  bool stress = false;       ///< The stress map in place of the organ's own colours.
+
+  bool operator==(const Shown&) const = default;
+};
+
+/// The planes that drags can be mirrored at, through the middle of the organ at rest.
+enum class Mirror { off, sagittal, coronal, axial };
+
+/// A sequence that can be played, by the recipe that makes it again.
+struct MotionChoice {
+  document::OrganId organ;
+  std::string recipe; ///< motion/motion_recipe.h; JSON.
+
+  bool operator==(const MotionChoice&) const = default;
+};
+
+/// Which sequence is on, and where.
+struct Playing {
+  int motion = -1;     ///< Among the motions; -1: the sequence that the document holds.
+  double fraction = 0; ///< Of the cycle, 0 to 1.
+  double ratePerMinute = 0;
+  double speed = 1;
+  bool loop = true;
+  bool shown = false; ///< The organs are in the sequence's pose.
+
+  bool operator==(const Playing&) const = default;
+};
+
+/// What is selected, the last handle being the current one.
+struct SelectionState {
+  document::OrganId organ;
+  document::GroupId group;
+  std::vector<document::HandleId> handles;
+
+  bool operator==(const SelectionState&) const = default;
+};
+
+/// Everything about the view of a document.
+struct ViewState {
+  std::string mode = "explore"; ///< The id of a mode of the window.
+  Shown shown;                  ///< As that mode asks for.
+  std::optional<Camera> camera; ///< None: from the front, everything in the picture.
+
+  bool handles = false; ///< The handles are shown in every mode.
+  bool influence = false;
+  bool ghost = false;
+  bool labels = false;
+  bool measurements = true;
+  bool orientationCube = true;
+  bool scaleBar = true;
+  bool gizmo = false;
+  Mirror mirror = Mirror::off;
+  scene::LayoutParts layout{.regions = true}; ///< Regions, zones, super-regions of the groups.
+  bool chartOfCycle = true;                   ///< The chart shows one cycle, else the last seconds.
+  StressLook stress;
+
+  SelectionState selection;
+  std::vector<MotionChoice> motions;
+  std::optional<Playing> playing;
+  /// Where the handles were seen when it is not the document's pose, `n x 3` mm; empty otherwise.
+  Points shownPose;
+
+  bool operator==(const ViewState& other) const;
+};
+
+/// The view as JSON text, for a session (docs/session_format.md, "view").
+std::string toJson(const ViewState& view);
+
+/// Reads what `toJson` wrote, and the views of sessions of format 1. What is missing or out of range is as at
+/// first. Throws `DataError` for text that is no view.
+ViewState viewFromJson(const std::string& text);
+
+} // namespace viscera::presentation
