@@ -25,6 +25,12 @@ constexpr double kExpectedSeconds = 150e-9;
 constexpr double kGradientsPart = 0.8;
 constexpr int kPeakFrames = 100;
 
+/// An organ filled with witnesses, and how its surface follows their numbers.
+struct SampledOrgan {
+  WitnessSample sample;
+  std::shared_ptr<const deformation::WitnessInterpolation> onSurface;
+};
+
 /// Witnesses hung on the handles.
 struct BoundWitnesses {
   std::shared_ptr<const deformation::WitnessGradients> gradients;
@@ -67,6 +73,8 @@ struct LiveStress::Impl {
   int sampledWanted = 0;
   bool sampleMissing = false; ///< Sampling failed or was cancelled: only `retry` and another surface go on.
   std::shared_ptr<const deformation::WitnessMesh> mesh;
+  std::shared_ptr<const deformation::WitnessInterpolation>
+      onSurface;                               ///< From `mesh` to the organ's vertices.
   std::shared_ptr<const BindingTarget> target; ///< What was bound to or is being bound to.
   BoundWitnesses bound;
   bool boundToTarget = false;
@@ -75,8 +83,9 @@ struct LiveStress::Impl {
   double secondsEach = kExpectedSeconds;
 
   StressStatus status;
-  Points points = Points(0, 3);
-  deformation::StressMap map;
+  std::shared_ptr<Points> points = std::make_shared<Points>(0, 3);
+  std::shared_ptr<deformation::StressMap> map = std::make_shared<deformation::StressMap>();
+  std::uint64_t revision = 0; ///< Another number whenever points and map are others.
   deformation::StressStatistics statistics;
   std::shared_ptr<const StressPeak> peak;
   StressEvent pending;
@@ -89,7 +98,7 @@ struct LiveStress::Impl {
   std::vector<std::shared_ptr<const geometry::TriangleMesh>> cavitiesOf(document::OrganId parent) const;
   void refresh();
   void sampleLater();
-  void sampled(JobResult<WitnessSample> result);
+  void sampled(JobResult<SampledOrgan> result);
   void refreshBinding();
   void bindLater();
   void takeBound(BoundWitnesses result);
@@ -181,21 +190,25 @@ void LiveStress::Impl::sampleLater() {
     if (!hollow.empty())
       sample.mesh = std::make_shared<const deformation::WitnessMesh>(
           deformation::withoutCavities(*sample.mesh, hollow, wanted.threads));
-    return sample;
+    auto toSurface =
+        std::make_shared<const deformation::WitnessInterpolation>(*sample.mesh, mesh->points, wanted.threads);
+    return SampledOrgan{std::move(sample), std::move(toSurface)};
   };
-  jobs.submit<WitnessSample>("Witness points of " + item->name, kSampleSlot, work,
-                             ending<WitnessSample>(&Impl::sampled));
+  jobs.submit<SampledOrgan>("Witness points of " + item->name, kSampleSlot, work,
+                            ending<SampledOrgan>(&Impl::sampled));
 }
 
-void LiveStress::Impl::sampled(JobResult<WitnessSample> result) {
+void LiveStress::Impl::sampled(JobResult<SampledOrgan> result) {
   sampleMissing = failedOrCancelled(result);
   if (sampleMissing)
     return;
   dropMesh();
-  mesh = result.value->mesh;
-  status.origin = result.value->origin;
-  status.remarks = result.value->remarks;
-  status.sampleSeconds = result.value->seconds;
+  const WitnessSample& sample = result.value->sample;
+  mesh = sample.mesh;
+  onSurface = result.value->onSurface;
+  status.origin = sample.origin;
+  status.remarks = sample.remarks;
+  status.sampleSeconds = sample.seconds;
   pending.sampled = true;
   refreshBinding();
 }
@@ -277,8 +290,10 @@ void LiveStress::Impl::dropPeak() {
 void LiveStress::Impl::dropBinding() {
   bound = {};
   boundToTarget = false;
-  points.resize(0, 3);
-  map = {};
+  // Others, not emptied: somebody may still look at those.
+  points = std::make_shared<Points>(0, 3);
+  map = std::make_shared<deformation::StressMap>();
+  ++revision;
   statistics = {};
   pending.moved = true;
   dropPeak();
@@ -288,6 +303,7 @@ void LiveStress::Impl::dropMesh() {
   if (mesh)
     pending.sampled = true;
   mesh.reset();
+  onSurface.reset();
   target.reset();
   dropBinding();
 }
@@ -299,11 +315,12 @@ void LiveStress::Impl::evaluate() {
   const Points& pose = live.shownPose();
   if (pose.rows() != bound.gradients->handles())
     return;
-  bound.gradients->evaluate(pose, map, options.threads);
-  bound.positions->deform(pose, points, options.threads);
+  bound.gradients->evaluate(pose, *map, options.threads);
+  bound.positions->deform(pose, *points, options.threads);
   for (const int point : bound.positions->report().failures)
-    points.row(point) = mesh->points.row(point);
-  statistics = deformation::statisticsOf(map, mesh->witnesses);
+    points->row(point) = mesh->points.row(point);
+  statistics = deformation::statisticsOf(*map, mesh->witnesses);
+  ++revision;
   pending.moved = true;
 }
 
@@ -385,10 +402,10 @@ std::shared_ptr<const deformation::WitnessMesh> LiveStress::mesh() const {
   return impl_->mesh;
 }
 const Points& LiveStress::points() const {
-  return impl_->points;
+  return *impl_->points;
 }
 const deformation::StressMap& LiveStress::map() const {
-  return impl_->map;
+  return *impl_->map;
 }
 const deformation::StressStatistics& LiveStress::statistics() const {
   return impl_->statistics;
@@ -428,6 +445,17 @@ void LiveStress::findPeak(std::shared_ptr<const sequences::Sequence> sequence, d
 
 std::shared_ptr<const StressPeak> LiveStress::peak() const {
   return impl_->peak;
+}
+
+StressFrame LiveStress::frame() const {
+  const Impl& impl = *impl_;
+  StressFrame frame{impl.organ, impl.mesh, impl.onSurface, nullptr, nullptr, impl.peak, {}, impl.revision};
+  if (impl.organ && impl.points->rows() > 0) {
+    frame.points = impl.points;
+    frame.map = impl.map;
+    frame.stretchesAt = [this](Eigen::Index point) { return stretchesAt(point); };
+  }
+  return frame;
 }
 
 Subscription LiveStress::onEvent(std::function<void(const StressEvent&)> observer) {

@@ -11,6 +11,7 @@
 #include "viscera/deformation/witness_mesh.h"
 #include "viscera/document/document.h"
 #include "viscera/live/live_binding.h"
+#include "viscera/live/stress_frame.h"
 #include "viscera/live/stress_record.h"
 #include "viscera/live/witness_sampling.h"
 #include "viscera/plugin/registry.h"
@@ -99,6 +100,9 @@ public:
   void findPeak(std::shared_ptr<const sequences::Sequence> sequence, double ratePerMinute);
   /// The peak for the mesh and binding in use; null when none was found.
   std::shared_ptr<const StressPeak> peak() const;
+
+  /// All of that for whoever draws it. `stretchesAt` may be asked as long as this lives.
+  StressFrame frame() const;
 
   [[nodiscard]] Subscription onEvent(std::function<void(const StressEvent&)> observer);
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string>
+
 #include "viscera/core/arrays.h"
 #include "viscera/live/stress_quantity.h"
 #include "viscera/live/witness_sampling.h"
@@ -35,5 +37,9 @@ struct StressLook {
 
   bool operator==(const StressLook& other) const;
 };
+
+/// The look as JSON text, for settings; text that is none gives the look to begin with.
+std::string toJson(const StressLook& look);
+StressLook stressLookFromJson(const std::string& text);
 
 } // namespace viscera::presentation

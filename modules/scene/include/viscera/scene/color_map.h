@@ -24,6 +24,7 @@ struct ColorMap {
 struct ValueRange {
   double low = 0;
   double high = 1;
+  bool operator==(const ValueRange&) const = default;
 };
 
 /// Dark blue over green to yellow, for amounts (influence, stress): 256 colours interpolated between samples

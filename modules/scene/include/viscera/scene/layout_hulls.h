@@ -13,6 +13,7 @@ struct LayoutParts {
   bool zones = false;
   bool superRegions = false;
   bool any() const { return regions || zones || superRegions; }
+  bool operator==(const LayoutParts&) const = default;
 };
 
 /// The hulls of a layout: regions in the colours of their groups (`groupColors`, red green blue, 0 to 1; grey

@@ -1,10 +1,10 @@
-#include "window/stress/value_steps.h"
+#include "viscera/presentation/value_steps.h"
 
 #include <algorithm>
 #include <cmath>
 #include <iterator>
 
-namespace viscera::app {
+namespace viscera::presentation {
 namespace {
 
 constexpr double kWider = 1.5;
@@ -35,4 +35,4 @@ scene::ValueRange steppedRange(live::StressQuantity quantity, scene::ValueRange 
                : scene::ValueRange{0, stepAbove(kDegrees, most)};
 }
 
-} // namespace viscera::app
+} // namespace viscera::presentation

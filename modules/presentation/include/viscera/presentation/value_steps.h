@@ -3,7 +3,7 @@
 #include "viscera/live/stress_quantity.h"
 #include "viscera/scene/color_map.h"
 
-namespace viscera::app {
+namespace viscera::presentation {
 
 /// The range of a legend for a quantity of which nine tenths lie in `bulk`: from a list of round steps, so
 /// that it does not creep while something moves, and half as wide again as the bulk: a few extreme places do
@@ -14,4 +14,4 @@ scene::ValueRange steppedRange(live::StressQuantity quantity, scene::ValueRange 
 
 inline constexpr double kLeastFilled = 0.35;
 
-} // namespace viscera::app
+} // namespace viscera::presentation

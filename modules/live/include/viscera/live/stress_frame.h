@@ -1,0 +1,33 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+
+#include "viscera/deformation/principal_stretches.h"
+#include "viscera/deformation/witness_gradients.h"
+#include "viscera/deformation/witness_interpolation.h"
+#include "viscera/deformation/witness_mesh.h"
+#include "viscera/document/ids.h"
+#include "viscera/live/stress_record.h"
+
+namespace viscera::live {
+
+/// The stress of one organ at one instant, for whoever draws it: by `LiveStress` for the document that is
+/// open, or evaluated by a recording. Whoever keeps a pointer keeps its memory; points and map follow the
+/// pose in place, and `revision` is another number whenever they do.
+struct StressFrame {
+  document::OrganId organ; ///< None: there is nothing to draw.
+  std::shared_ptr<const deformation::WitnessMesh>
+      mesh; ///< The witnesses at rest; null before they are sampled.
+  /// From the mesh's points to the organ's vertices; null as long as `mesh` is.
+  std::shared_ptr<const deformation::WitnessInterpolation> onSurface;
+  std::shared_ptr<const Points> points;              ///< Of the mesh in the pose, `n x 3` mm; null unbound.
+  std::shared_ptr<const deformation::StressMap> map; ///< At those points; null unbound.
+  std::shared_ptr<const StressPeak> peak;            ///< Null when none was found.
+  /// The axes of the ellipsoid that a small ball at a point of the mesh becomes; empty unbound.
+  std::function<deformation::PrincipalStretches(Eigen::Index point)> stretchesAt;
+  std::uint64_t revision = 0;
+};
+
+} // namespace viscera::live

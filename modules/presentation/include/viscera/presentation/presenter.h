@@ -1,0 +1,115 @@
+#pragma once
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "viscera/core/parallel.h"
+#include "viscera/document/document.h"
+#include "viscera/live/posed_organs.h"
+#include "viscera/live/stress_frame.h"
+#include "viscera/plugin/registry.h"
+#include "viscera/presentation/stress_values.h"
+#include "viscera/presentation/view_state.h"
+#include "viscera/scene/color_map.h"
+#include "viscera/scene/measurement_glyphs.h"
+#include "viscera/scene/organ_labels.h"
+#include "viscera/scene/organ_view.h"
+#include "viscera/scene/probe_marker.h"
+#include "viscera/scene/stretch_glyphs.h"
+#include "viscera/scene/tissue_actor.h"
+
+class vtkVisceraCutPlaneRepresentation;
+
+namespace viscera::presentation {
+
+/// Numbers on the surfaces of organs, in one colour map: an influence, a stress of the surface alone.
+struct SurfaceMap {
+  std::map<document::OrganId, std::shared_ptr<const Values>> values; ///< One a vertex.
+  scene::ColorMap colors;
+  scene::ValueRange range;
+  std::string title; ///< Of the legend.
+  std::string unit;  ///< Or empty.
+  std::string mark;  ///< What has the map's `missing` colour ("folded"); empty: nothing has.
+};
+
+/// What somebody is measuring at the moment: no part of the document yet.
+struct MeasuringNow {
+  std::vector<document::MeasurementId> highlighted; ///< Chosen, or under the mouse.
+  std::vector<document::MeasuredPoint> pending;     ///< One to three points that are no measurement yet.
+  bool angle = false;                               ///< They become an angle: two have no value yet.
+};
+
+/// All that a picture depends on. Only looked at while it is drawn.
+struct Scene {
+  const document::DocumentState& state;
+  live::PosedOrgans& organs;
+  const ViewState& view;
+  const plugin::Registry& systems;
+  const live::StressFrame* stress = nullptr; ///< Null: there is no stress map.
+  const SurfaceMap* map = nullptr;           ///< Null: only what `view` asks for.
+  const MeasuringNow* measuring = nullptr;
+};
+
+/// Draws a document: the one place where organs, handles, ghosts, regions, cages, influence and stress maps,
+/// labels, measurements and the legend become actors. The window, its second view, recordings and the command
+/// line each have one on a view of their own. It owns its actors and the memory that they show, has no user
+/// interface and changes nothing: what handles the mouse is given the presenter.
+///
+/// `update` compares with what it drew last and touches only what is different, so that it may be called
+/// after any change, in any order, and as often as anybody likes. For the thread that renders the view.
+///
+///     scene::OrganView view;
+///     presentation::Presenter presenter(view);
+///     presenter.update({document.state(), live, viewState, systems});
+///     window->Render();
+class Presenter {
+public:
+  /// Says what stands in a picture in the language of its reader.
+  using Translate = std::function<std::string(const char* text)>;
+
+  /// The view has to live longer.
+  explicit Presenter(scene::OrganView& view, Threads threads = {}, Translate translate = {});
+  ~Presenter();
+  Presenter(const Presenter&) = delete;
+  Presenter& operator=(const Presenter&) = delete;
+
+  /// Brings the view to what the scene says, but for the camera. O(organs), and what has changed. Throws
+  /// what the organs throw; the picture is then partly the one before.
+  void update(const Scene& scene);
+
+  scene::OrganView& view() const { return view_; }
+  /// The organ that an actor of the view shows, or none; the actor that shows an organ, or null.
+  document::OrganId organOf(const scene::OrganActor* actor) const;
+  std::shared_ptr<scene::OrganActor> actorOf(document::OrganId organ) const;
+
+  const scene::OrganLabels& labels() const;
+  const scene::MeasurementGlyphs& measurements() const;
+  /// What the stress map shows; not ready while there is none.
+  const StressValues& stressValues() const;
+  /// The inside of the organ under stress, null while it is not drawn; and what belongs to it.
+  scene::TissueActor* tissue() const;
+  const scene::StretchGlyphs& glyphs() const;
+  const scene::ProbeMarker& probe() const;
+  /// The plane that cuts it open, for a widget to take hold of.
+  vtkVisceraCutPlaneRepresentation* cutPlane() const;
+  /// The middle of the organ under stress at rest, and the radius of the ball around it, mm.
+  Vec3 stressMiddle() const;
+  double stressRadius() const;
+
+private:
+  struct Parts;
+  scene::OrganView& view_;
+  std::unique_ptr<Parts> parts_;
+};
+
+/// What is written beside an organ: "Left ventricle" for a cavity that is called LV, else its name.
+std::string labelOf(const document::Organ& organ, const Presenter::Translate& translate = {});
+
+/// A measured value for a reader: "83.4 mm", or degrees with the sign for them. UTF-8.
+std::string formatMeasured(document::MeasurementKind kind, double value);
+
+} // namespace viscera::presentation

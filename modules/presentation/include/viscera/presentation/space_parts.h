@@ -1,0 +1,39 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "viscera/coordinates/coordinate_system.h"
+#include "viscera/deformation/selection_motion.h"
+#include "viscera/document/document.h"
+#include "viscera/plugin/registry.h"
+#include "viscera/presentation/view_state.h"
+#include "viscera/scene/layout_hulls.h"
+
+/// What of a document is drawn beside its organs and handles, as data.
+namespace viscera::presentation {
+
+/// The organ that commands and pictures are about: the selected one, else the first that is nobody's cavity;
+/// null without organs. O(organs).
+std::shared_ptr<const document::Organ> currentOrgan(const document::DocumentState& state,
+                                                    document::OrganId selected);
+
+/// What the chosen coordinates are like; nothing special for some that are not there.
+coordinates::Traits traitsOf(const document::DocumentState& state, const plugin::Registry& systems);
+
+/// How the coordinates of a document divide the space around its handles at rest; empty when they treat all
+/// space alike, are not there, or cannot use these handles or groups. About a millisecond.
+coordinates::SpaceLayout layoutOf(const document::DocumentState& state, const plugin::Registry& systems);
+
+/// What is drawn of a layout over handles at rest, in the colours of the groups, and with the regions also
+/// the cage of coordinates that need one.
+std::vector<scene::RegionHull> regionHulls(const document::DocumentState& state,
+                                           const scene::LayoutParts& shown, const plugin::Registry& systems);
+
+/// The plane that drags are mirrored at, through the middle of the current organ at rest; none without an
+/// organ or a mirror.
+std::optional<deformation::MirrorPlane> mirrorPlaneOf(const document::DocumentState& state,
+                                                      document::OrganId selected, Mirror mirror);
+
+} // namespace viscera::presentation

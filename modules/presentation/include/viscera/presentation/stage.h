@@ -1,0 +1,36 @@
+#pragma once
+
+#include <optional>
+
+#include <vtkImageData.h>
+#include <vtkSmartPointer.h>
+
+#include "viscera/presentation/presenter.h"
+#include "viscera/scene/surfaceless_window.h"
+
+namespace viscera::presentation {
+
+/// A presenter with a window of its own that needs no display: the command line's pictures and recordings.
+/// Belongs to the thread that made it.
+class Stage {
+public:
+  /// Throws `Error` when there is nothing to draw with.
+  Stage(int width, int height, const scene::Theme& theme, Threads threads = {},
+        Presenter::Translate translate = {});
+  ~Stage();
+
+  Presenter& presenter() { return presenter_; }
+  scene::OrganView& view() { return view_; }
+  /// Looks from a side at everything that is shown, with `room` around as a part of its size. Handles that
+  /// lie far off (the corners of an enclosing box) may be outside: the organs are what it is about.
+  void compose(scene::StandardView side, double room = 0);
+  /// Draws what the presenter shows.
+  vtkSmartPointer<vtkImageData> picture();
+
+private:
+  scene::SurfacelessWindow window_;
+  scene::OrganView view_;
+  Presenter presenter_;
+};
+
+} // namespace viscera::presentation

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "viscera/live/stress_frame.h"
+#include "viscera/live/stress_quantity.h"
+#include "viscera/presentation/stress_look.h"
+#include "viscera/scene/color_map.h"
+
+namespace viscera::presentation {
+
+/// The numbers that a stress map shows and how they are coloured: of this instant, or of the peak over a
+/// cycle. For one thread.
+class StressValues {
+public:
+  /// Takes the numbers of a frame as `look` wants them. O(points).
+  void update(const live::StressFrame& frame, const StressLook& look);
+
+  /// Whether there are numbers to show.
+  bool ready() const { return values_->size() > 0; }
+  /// One a point of the mesh, in the quantity's unit. They keep their place in memory.
+  std::shared_ptr<const Values> values() const { return values_; }
+  /// Of the witnesses among them.
+  const live::QuantitySummary& summary() const { return summary_; }
+  /// Witnesses that are folded in what is shown.
+  int folded() const { return folded_; }
+  /// Whether the numbers are those of the peak.
+  bool peak() const { return peak_; }
+  live::StressQuantity quantity() const { return quantity_; }
+  /// `missing` of the colours is for what is folded.
+  const scene::ColorMap& colors() const { return colors_; }
+  scene::ValueRange range() const { return range_; }
+
+private:
+  std::shared_ptr<Values> values_ = std::make_shared<Values>();
+  live::QuantitySummary summary_;
+  int folded_ = 0;
+  bool peak_ = false;
+  live::StressQuantity quantity_ = live::StressQuantity::rotationalStress;
+  std::shared_ptr<const deformation::WitnessMesh> mesh_; ///< That the range belongs to.
+  scene::ColorMap colors_;
+  scene::ValueRange range_{0, 0};
+};
+
+/// The colours of rotational stress and stretches, what is folded in magenta: it is in none of the maps.
+scene::ColorMap stressColors(live::StressQuantity quantity);
+
+} // namespace viscera::presentation

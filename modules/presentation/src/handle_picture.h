@@ -1,0 +1,26 @@
+#pragma once
+
+#include <functional>
+
+#include "viscera/presentation/presenter.h"
+
+namespace viscera::presentation {
+
+/// Places at which handles are seen; null: everywhere.
+using ShownWhere = std::function<bool(const Vec3&)>;
+
+/// The handles of a view as the document, the pose and the selection have them, and the tools around them.
+class HandlePicture {
+public:
+  explicit HandlePicture(scene::OrganView& view);
+
+  void update(const Scene& scene, const ShownWhere& shownWhere);
+
+private:
+  void updateGizmo(const Scene& scene);
+  void updateMirror(const Scene& scene);
+
+  scene::OrganView& view_;
+};
+
+} // namespace viscera::presentation

@@ -1,0 +1,123 @@
+#include "organ_picture.h"
+
+#include <utility>
+
+namespace viscera::presentation {
+
+OrganPicture::~OrganPicture() {
+  for (auto& [id, shown] : shown_)
+    drop(shown);
+}
+
+void OrganPicture::drop(Shown& shown) {
+  if (shown.ghost)
+    shown.ghost->setRenderer(nullptr);
+  view_.remove(shown.actor);
+}
+
+void OrganPicture::add(const std::shared_ptr<const document::Organ>& organ) {
+  Shown& shown = shown_[organ->id];
+  shown.organ = organ;
+  shown.actor = std::make_shared<scene::OrganActor>(organ->mesh, threads_);
+  view_.add(shown.actor);
+}
+
+/// Points that moved in place are computed anew; points elsewhere are taken with what keeps them.
+void OrganPicture::follow(Shown& shown, const live::PosedOrgans& organs) {
+  const std::uint64_t revision = organs.revision(shown.organ->id);
+  auto points = organs.sharedPoints(shown.organ->id);
+  if (points != shown.points)
+    shown.actor->setPoints(points);
+  else if (revision != shown.revision)
+    shown.actor->pointsChanged();
+  shown.points = std::move(points);
+  shown.revision = revision;
+}
+
+bool OrganPicture::updateOrgans(const Scene& scene) {
+  bool others = false;
+  for (auto found = shown_.begin(); found != shown_.end();) {
+    const auto organ = scene.state.organ(found->first);
+    if (organ && organ->mesh == found->second.organ->mesh) {
+      ++found;
+      continue;
+    }
+    drop(found->second);
+    found = shown_.erase(found);
+    others = true;
+  }
+  for (const auto& organ : *scene.state.organs) {
+    if (shown_.count(organ->id) == 0) {
+      add(organ);
+      others = true;
+    }
+    Shown& shown = shown_.at(organ->id);
+    shown.organ = organ;
+    follow(shown, scene.organs);
+  }
+  return others;
+}
+
+void OrganPicture::updateGhost(Shown& shown, bool wanted) {
+  if (wanted && !shown.ghost) {
+    shown.ghost = std::make_unique<scene::GhostOutline>(shown.organ->mesh);
+    shown.ghost->setRenderer(view_.renderer());
+  }
+  if (!shown.ghost)
+    return;
+  shown.ghost->setColor(view_.theme().muted);
+  shown.ghost->setVisible(wanted);
+}
+
+/// A table of colours is made only for other colours; numbers that changed in place are only told.
+void OrganPicture::updateColors(Shown& shown, const Appearance& appearance, const MapColors& colors) {
+  const bool sameTable = colors.colors.name == colors_.colors.name && colors.range == colors_.range;
+  if (!appearance.values) {
+    if (shown.values)
+      shown.actor->hideScalars();
+  } else if (appearance.values != shown.values || !sameTable) {
+    shown.actor->showScalars(appearance.values, colors.colors, colors.range);
+  } else if (colors.revision != colors_.revision) {
+    shown.actor->scalarsChanged();
+  }
+  shown.values = appearance.values;
+}
+
+void OrganPicture::updateLooks(const Scene& scene, const std::map<document::OrganId, Appearance>& appearances,
+                               const MapColors& colors) {
+  for (auto& [id, shown] : shown_) {
+    const document::OrganLook& look = shown.organ->look;
+    const auto found = appearances.find(id);
+    const Appearance appearance =
+        found == appearances.end() ? Appearance{look.visible, look.opacity} : found->second;
+    scene::OrganActor& actor = *shown.actor;
+    actor.setColor(look.color);
+    if (std::exchange(shown.vertexColors, look.vertexColors) != look.vertexColors)
+      actor.setVertexColorsShown(look.vertexColors);
+    actor.setSelected(id == scene.view.selection.organ);
+    actor.setVisible(appearance.visible);
+    actor.setOpacity(appearance.opacity);
+    updateColors(shown, appearance, colors);
+    if (appearance.clip && appearance.clip != shown.clip)
+      actor.setClipPlane(appearance.clip->origin, appearance.clip->normal);
+    else if (!appearance.clip && shown.clip)
+      actor.clearClipPlane();
+    shown.clip = appearance.clip;
+    updateGhost(shown, scene.view.ghost && look.visible);
+  }
+  colors_ = colors;
+}
+
+document::OrganId OrganPicture::organOf(const scene::OrganActor* actor) const {
+  for (const auto& [id, shown] : shown_)
+    if (shown.actor.get() == actor)
+      return id;
+  return {};
+}
+
+std::shared_ptr<scene::OrganActor> OrganPicture::actorOf(document::OrganId organ) const {
+  const auto found = shown_.find(organ);
+  return found == shown_.end() ? nullptr : found->second.actor;
+}
+
+} // namespace viscera::presentation

@@ -1,0 +1,66 @@
+#pragma once
+
+#include <map>
+#include <memory>
+#include <optional>
+
+#include "viscera/presentation/presenter.h"
+#include "viscera/scene/ghost_outline.h"
+
+namespace viscera::presentation {
+
+/// How one organ's surface is seen where something other than its own look decides.
+struct Appearance {
+  bool visible = true;
+  double opacity = 1;
+  std::optional<scene::CutPlane> clip = std::nullopt;
+  std::shared_ptr<const Values> values = nullptr; ///< Null: its own colours.
+};
+
+/// The colours of all numbers on surfaces.
+struct MapColors {
+  scene::ColorMap colors;
+  scene::ValueRange range{0, 0};
+  std::uint64_t revision = 0; ///< Another number when values have changed in place.
+};
+
+/// The surfaces of a document's organs, and the outlines of their rest shapes.
+class OrganPicture {
+public:
+  OrganPicture(scene::OrganView& view, Threads threads) : view_(view), threads_(threads) {}
+  ~OrganPicture();
+
+  /// Organs come and go, and follow their points; true when there are others than before.
+  bool updateOrgans(const Scene& scene);
+  /// How each is seen: as its own look says unless there is an appearance for it.
+  void updateLooks(const Scene& scene, const std::map<document::OrganId, Appearance>& appearances,
+                   const MapColors& colors);
+
+  document::OrganId organOf(const scene::OrganActor* actor) const;
+  std::shared_ptr<scene::OrganActor> actorOf(document::OrganId organ) const;
+
+private:
+  struct Shown {
+    std::shared_ptr<const document::Organ> organ;
+    std::shared_ptr<scene::OrganActor> actor;
+    std::shared_ptr<const Points> points;
+    std::uint64_t revision = 0;
+    std::unique_ptr<scene::GhostOutline> ghost;
+    std::optional<scene::CutPlane> clip;
+    std::shared_ptr<const Values> values;
+    bool vertexColors = true;
+  };
+
+  void drop(Shown& shown);
+  void add(const std::shared_ptr<const document::Organ>& organ);
+  void follow(Shown& shown, const live::PosedOrgans& organs);
+  void updateGhost(Shown& shown, bool wanted);
+  void updateColors(Shown& shown, const Appearance& appearance, const MapColors& colors);
+
+  scene::OrganView& view_;
+  Threads threads_;
+  std::map<document::OrganId, Shown> shown_;
+  MapColors colors_; ///< With which values were shown last.
+};
+
+} // namespace viscera::presentation

@@ -1,0 +1,283 @@
+#include "viscera/presentation/presenter.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <utility>
+
+#include "handle_picture.h"
+#include "organ_picture.h"
+#include "stress_picture.h"
+#include "viscera/presentation/space_parts.h"
+
+namespace viscera::presentation {
+namespace {
+
+constexpr double kPercent = 100;
+
+std::string same(const char* text) {
+  return text;
+}
+
+Vec3 missingColor(const scene::ColorMap& colors) {
+  return Vec3(colors.missing[0], colors.missing[1], colors.missing[2]) / 255;
+}
+
+/// What the legend says.
+struct LegendText {
+  std::string title;
+  std::string unit;
+  std::string mark;
+  scene::ColorMap colors;
+  scene::ValueRange range;
+
+  bool operator==(const LegendText& other) const {
+    return title == other.title && unit == other.unit && mark == other.mark && range == other.range &&
+           colors.name == other.colors.name;
+  }
+};
+
+} // namespace
+
+struct Presenter::Parts {
+  Parts(scene::OrganView& viewIn, Threads threads, Translate translateIn)
+      : view(viewIn), translate(translateIn ? std::move(translateIn) : same), organs(viewIn, threads),
+        handles(viewIn), stress(viewIn), labels(viewIn), measurements(viewIn) {}
+
+  scene::OrganView& view;
+  Translate translate;
+  OrganPicture organs;
+  HandlePicture handles;
+  StressPicture stress;
+  scene::OrganLabels labels;
+  scene::MeasurementGlyphs measurements;
+
+  std::shared_ptr<const document::OrganList> labelled; ///< Whose names are written.
+  /// Of the hulls that are drawn.
+  std::shared_ptr<const document::Rig> hullRig;
+  std::shared_ptr<const document::SystemChoice> hullSystem;
+  std::optional<scene::LayoutParts> hullParts;
+  /// Of the influences that are drawn: what they depend on.
+  document::HandleId influenceOf;
+  std::map<document::OrganId, std::shared_ptr<const Points>> influenceBound;
+  SurfaceMap influence;
+  std::uint64_t mapsMade = 0;
+  std::optional<LegendText> legend;
+
+  void updateInfluence(const Scene& scene);
+  void updateColors(const Scene& scene);
+  void updateLegend(std::optional<LegendText> wanted);
+  void updateRegions(const Scene& scene);
+  void updateLabels(const Scene& scene, bool others);
+  void updateMeasurements(const Scene& scene);
+  std::optional<LegendText> stressLegend(const Scene& scene) const;
+};
+
+/// The influence of the current handle on all organs. It hangs on the bindings alone, so it is asked for only
+/// when one of them is another.
+void Presenter::Parts::updateInfluence(const Scene& scene) {
+  const auto& selected = scene.view.selection.handles;
+  const document::HandleId handle = selected.empty() ? document::HandleId{} : selected.back();
+  const int row = scene.state.rig->indexOf(handle);
+  std::map<document::OrganId, std::shared_ptr<const Points>> bound;
+  if (scene.view.influence && !scene.view.shown.stress && row >= 0)
+    for (const auto& organ : *scene.state.organs)
+      bound[organ->id] = scene.organs.sharedPoints(organ->id);
+  if (handle != influenceOf || bound != influenceBound) {
+    influence.values.clear();
+    for (const auto& [id, points] : bound)
+      if (Values values = scene.organs.influence(id, handle); values.size() > 0)
+        influence.values[id] = std::make_shared<const Values>(kPercent * values);
+    influenceOf = handle;
+    influenceBound = std::move(bound);
+    ++mapsMade;
+  }
+  if (influence.values.empty())
+    return;
+  influence.range = {0, 0};
+  for (const auto& [id, values] : influence.values)
+    if (scene.state.organ(id)->look.visible)
+      influence.range.high = std::max(influence.range.high, values->maxCoeff());
+  if (influence.range.high <= 0)
+    influence.range.high = kPercent;
+  influence.colors = scene::viridis();
+  std::string title = translate("Influence of %1");
+  title.replace(title.find("%1"), 2, scene.state.rig->handles[static_cast<std::size_t>(row)].label);
+  influence.title = std::move(title);
+  influence.unit = "%";
+}
+
+/// Whatever colours the organs: a map that is given, the stress, an influence, or their own looks.
+void Presenter::Parts::updateColors(const Scene& scene) {
+  updateInfluence(scene);
+  const SurfaceMap* map = scene.map ? scene.map : influence.values.empty() ? nullptr : &influence;
+  auto appearances = stress.appearances(scene);
+  if (!map || !appearances.empty()) {
+    organs.updateLooks(scene, appearances, stress.colors());
+    return updateLegend(stressLegend(scene));
+  }
+  for (const auto& [id, values] : map->values)
+    if (const auto organ = scene.state.organ(id))
+      appearances[id] = {organ->look.visible, organ->look.opacity, std::nullopt, values};
+  organs.updateLooks(scene, appearances, {map->colors, map->range, mapsMade});
+  updateLegend(LegendText{map->title, map->unit, map->mark, map->colors, map->range});
+}
+
+std::optional<LegendText> Presenter::Parts::stressLegend(const Scene& scene) const {
+  const StressValues& values = stress.values();
+  if (!scene.view.shown.stress || !stress.drawn())
+    return std::nullopt;
+  const live::StressQuantityDescription& quantity = live::describe(values.quantity());
+  std::string title = translate(quantity.name.c_str());
+  if (values.peak()) {
+    title[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(title[0])));
+    std::string peak = translate("Peak of %1");
+    title = peak.replace(peak.find("%1"), 2, title);
+  }
+  return LegendText{std::move(title), quantity.unit,
+                    values.folded() > 0 ? translate("folded") : std::string(), values.colors(),
+                    values.range()};
+}
+
+void Presenter::Parts::updateLegend(std::optional<LegendText> wanted) {
+  if (wanted == legend)
+    return;
+  legend = std::move(wanted);
+  if (!legend)
+    return view.legend().hide();
+  view.legend().show(legend->title, legend->unit, legend->colors, legend->range);
+  view.legend().setMark(legend->mark, missingColor(legend->colors));
+}
+
+void Presenter::Parts::updateRegions(const Scene& scene) {
+  const auto wanted = scene.view.shown.regions ? std::optional(scene.view.layout) : std::nullopt;
+  const bool sameSpace = !wanted || (hullRig == scene.state.rig && hullSystem == scene.state.system);
+  if (sameSpace && wanted == hullParts)
+    return;
+  hullRig = scene.state.rig;
+  hullSystem = scene.state.system;
+  hullParts = wanted;
+  auto hulls = wanted ? regionHulls(scene.state, *wanted, scene.systems) : std::vector<scene::RegionHull>();
+  if (!hulls.empty() || !view.regions().hulls().empty())
+    view.regions().setHulls(std::move(hulls));
+}
+
+void Presenter::Parts::updateLabels(const Scene& scene, bool others) {
+  labels.setTheme(view.theme());
+  labels.setShown(scene.view.labels);
+  if (!others && labelled == scene.state.organs)
+    return;
+  labelled = scene.state.organs;
+  std::vector<scene::OrganLabels::Item> items;
+  for (const auto& organ : *scene.state.organs) {
+    const auto inside = [&](const auto& other) { return other->parent == organ->id; };
+    const bool full = std::any_of(scene.state.organs->begin(), scene.state.organs->end(), inside);
+    items.push_back({labelOf(*organ, translate), organs.actorOf(organ->id), full});
+  }
+  labels.setItems(std::move(items));
+}
+
+/// The document's measurements in their order, and behind them what is being measured.
+void Presenter::Parts::updateMeasurements(const Scene& scene) {
+  measurements.setTheme(view.theme());
+  measurements.setShown(scene.view.measurements);
+  std::vector<std::shared_ptr<const Points>> kept;
+  const auto pointsOf = [&](document::OrganId organ) -> const Points& {
+    return *kept.emplace_back(scene.organs.sharedPoints(organ));
+  };
+  std::vector<scene::MeasurementGlyphs::Item> items;
+  for (const document::Measurement& measurement : *scene.state.measurements) {
+    document::MeasuredValues values = document::measure(measurement, scene.state, pointsOf);
+    const bool chosen = scene.measuring && std::count(scene.measuring->highlighted.begin(),
+                                                      scene.measuring->highlighted.end(), measurement.id);
+    items.push_back({std::move(values.places),
+                     measurement.name + ": " + formatMeasured(document::kindOf(measurement), values.now),
+                     chosen});
+  }
+  if (scene.measuring && !scene.measuring->pending.empty()) {
+    document::Measurement pending;
+    pending.points = scene.measuring->pending;
+    const bool single = pending.points.size() == 1;
+    if (single)
+      pending.points.push_back(pending.points.front());
+    document::MeasuredValues values = document::measure(pending, scene.state, pointsOf);
+    scene::MeasurementGlyphs::Item item{std::move(values.places), {}, true};
+    if (single)
+      item.points.resize(1);
+    else if (!scene.measuring->angle || item.points.size() == 3) // The first leg of an angle has no value.
+      item.text = formatMeasured(document::kindOf(pending), values.now);
+    items.push_back(std::move(item));
+  }
+  if (!items.empty() || !measurements.items().empty())
+    measurements.setItems(std::move(items));
+}
+
+Presenter::Presenter(scene::OrganView& view, Threads threads, Translate translate)
+    : view_(view), parts_(std::make_unique<Parts>(view, threads, std::move(translate))) {}
+
+Presenter::~Presenter() {
+  view_.regions().setHulls({});
+}
+
+void Presenter::update(const Scene& scene) {
+  Parts& p = *parts_;
+  const bool others = p.organs.updateOrgans(scene);
+  p.stress.update(scene);
+  p.updateColors(scene);
+  p.handles.update(scene, p.stress.shownWhere(scene));
+  p.updateRegions(scene);
+  p.updateLabels(scene, others);
+  p.updateMeasurements(scene);
+  view_.setOrientationCubeShown(scene.view.orientationCube);
+  view_.setScaleBarShown(scene.view.scaleBar);
+}
+
+document::OrganId Presenter::organOf(const scene::OrganActor* actor) const {
+  return parts_->organs.organOf(actor);
+}
+std::shared_ptr<scene::OrganActor> Presenter::actorOf(document::OrganId organ) const {
+  return parts_->organs.actorOf(organ);
+}
+const scene::OrganLabels& Presenter::labels() const {
+  return parts_->labels;
+}
+const scene::MeasurementGlyphs& Presenter::measurements() const {
+  return parts_->measurements;
+}
+const StressValues& Presenter::stressValues() const {
+  return parts_->stress.values();
+}
+scene::TissueActor* Presenter::tissue() const {
+  return parts_->stress.tissue();
+}
+const scene::StretchGlyphs& Presenter::glyphs() const {
+  return parts_->stress.glyphs();
+}
+const scene::ProbeMarker& Presenter::probe() const {
+  return parts_->stress.probe();
+}
+vtkVisceraCutPlaneRepresentation* Presenter::cutPlane() const {
+  return parts_->stress.plane();
+}
+Vec3 Presenter::stressMiddle() const {
+  return parts_->stress.middle();
+}
+double Presenter::stressRadius() const {
+  return parts_->stress.radius();
+}
+
+std::string labelOf(const document::Organ& organ, const Presenter::Translate& translate) {
+  const Presenter::Translate& say = translate ? translate : Presenter::Translate(same);
+  if (organ.name == "LV")
+    return say("Left ventricle");
+  if (organ.name == "RV")
+    return say("Right ventricle");
+  return organ.name;
+}
+
+std::string formatMeasured(document::MeasurementKind kind, double value) {
+  char number[32];
+  std::snprintf(number, sizeof number, "%.1f", value);
+  return number + std::string(kind == document::MeasurementKind::distance ? " mm" : "\u00b0");
+}
+
+} // namespace viscera::presentation
