@@ -8,14 +8,15 @@
 
 #include <vtkImageData.h>
 
-#include "camera_json.h"
 #include "cli/listing.h"
-#include "cli/session_overlays.h"
 #include "viscera/core/error.h"
 #include "viscera/document/measurement.h"
 #include "viscera/document/undo_stack.h"
 #include "viscera/live/live_binding.h"
-#include "viscera/scene/vtkVisceraHandleSetRepresentation.h"
+#include "viscera/live/live_stress.h"
+#include "viscera/presentation/camera.h"
+#include "viscera/presentation/space_parts.h"
+#include "window/session/motion_recipe.h"
 
 namespace viscera::app::cli {
 namespace {
@@ -33,34 +34,6 @@ ordered_json organJson(const document::Organ& organ) {
       {"visible", organ.look.visible}};
 }
 
-/// The handles of a session as a picture shows them.
-RigInput rigOf(const document::Rig& rig) {
-  RigInput input;
-  input.handles = document::handleSet(rig);
-  for (const document::Handle& handle : rig.handles)
-    input.labels.push_back(handle.label);
-  for (const document::Group& group : rig.groups)
-    input.groupColors.push_back(group.color);
-  return input;
-}
-
-/// The pose that the window showed: an instant of a motion, else the document's.
-Points shownPose(const document::DocumentState& state, const ordered_json& view) {
-  Points pose = *state.pose;
-  const ordered_json rows = view.value("shownPose", ordered_json());
-  if (!rows.is_array() || static_cast<Eigen::Index>(rows.size()) != pose.rows())
-    return pose;
-  for (std::size_t i = 0; i < rows.size(); ++i)
-    for (int k = 0; k < 3; ++k)
-      pose(static_cast<Eigen::Index>(i), k) = rows[i].at(static_cast<std::size_t>(k)).get<double>();
-  return pose;
-}
-
-bool showsHandles(const ordered_json& view) {
-  const std::string mode = view.value("mode", std::string());
-  return mode == "handles" || mode == "deform" || switchedOn(view, "view.handles", false);
-}
-
 /// Each with its value at rest.
 ordered_json measurementsJson(const document::DocumentState& state) {
   const auto atRest = [&](document::OrganId id) -> const Points& { return state.organ(id)->mesh->points; };
@@ -75,13 +48,25 @@ ordered_json measurementsJson(const document::DocumentState& state) {
   return list;
 }
 
-std::shared_ptr<scene::OrganActor> addOrgan(Stage& stage, const document::Organ& organ,
-                                            const live::LiveBinding& live) {
-  auto actor = stage.add(organ, organ.look.opacity);
-  actor->setVertexColorsShown(organ.look.vertexColors);
-  actor->setVisible(organ.look.visible);
-  actor->setPoints(std::make_shared<const Points>(live.points(organ.id)));
-  return actor;
+live::LiveStress::Options stressAtOnce(Threads threads) {
+  live::LiveStress::Options options;
+  options.frameSeconds = std::numeric_limits<double>::infinity();
+  options.threads = options.witnesses.threads = threads;
+  return options;
+}
+
+/// The peak over the sequence that the session was playing, made again by its recipe.
+void findPeak(live::LiveStress& stress, const document::DocumentState& state,
+              const presentation::ViewState& view, Surroundings& surroundings) {
+  if (!view.playing)
+    return;
+  std::shared_ptr<const sequences::Sequence> sequence = document::sequenceOf(*state.recording, *state.rig);
+  const auto chosen = static_cast<std::size_t>(view.playing->motion);
+  if (view.playing->motion >= 0 && chosen < view.motions.size())
+    if (const auto organ = state.organ(view.motions[chosen].organ))
+      sequence = makeMotion(view.motions[chosen].recipe, *organ, surroundings.samples, surroundings.progress);
+  if (sequence)
+    stress.findPeak(std::move(sequence), view.playing->ratePerMinute);
 }
 
 } // namespace
@@ -142,47 +127,40 @@ Outcome describeSession(const std::string& file, Surroundings& surroundings) {
 SessionPicture sessionPicture(const document::OpenedSession& opened, const StageOptions& options,
                               bool fromSide, Surroundings& surroundings) {
   const document::DocumentState& state = opened.contents.state;
-  const auto view = ordered_json::parse(opened.contents.view);
+  const presentation::ViewState view = presentation::viewFromJson(opened.contents.view);
   document::Document document;
   document::UndoStack undo(document);
   PostBox box;
   JobQueue jobs(box.post());
-  live::LiveBinding::Options atOnce;
-  atOnce.frameSeconds = std::numeric_limits<double>::infinity();
-  atOnce.threads = surroundings.threads;
-  live::LiveBinding live(document, surroundings.systems, jobs, atOnce);
+  live::LiveBinding live(document, surroundings.systems, jobs,
+                         {std::numeric_limits<double>::infinity(), surroundings.threads});
+  live::LiveStress stress(document, surroundings.systems, live, jobs, stressAtOnce(surroundings.threads));
   undo.reset(state);
-  Stage stage(options, surroundings.threads);
-  StagedSession staged{document, live, jobs, box, stage, {}};
-  std::unique_ptr<SessionOverlays> overlays;
-  std::unique_ptr<SessionStress> stress;
+  if (view.shown.rest)
+    live.showRest();
+  else if (view.shownPose.rows() == state.pose->rows())
+    live.showPose(view.shownPose);
   SessionPicture picture;
-  try {
-    if (view.value("mode", std::string()) == "handles")
-      live.showRest();
-    else
-      live.showPose(shownPose(state, view));
-    for (const auto& organ : *state.organs)
-      staged.actors[organ->id] = addOrgan(stage, *organ, live);
-    if (showsHandles(view)) {
-      stage.showHandles(rigOf(*state.rig));
-      stage.view().handles()->SetPositions(live.shownPose());
-    }
-    stage.view().setOrientationCubeShown(switchedOn(view, "view.cube", true));
-    stage.view().setScaleBarShown(switchedOn(view, "view.scale", true));
-    overlays = std::make_unique<SessionOverlays>(staged, view, surroundings.systems);
-    stage.compose();
-    if (showsInfluence(view))
-      drawInfluence(staged, view);
-    if (showsStress(view)) {
-      stress = std::make_unique<SessionStress>(staged, view, surroundings.systems, surroundings.threads);
-      picture.leftOut = stress->leftOut();
-    }
-    if (!fromSide && view.contains("camera"))
-      setCamera(view.at("camera"), *stage.view().renderer());
-  } catch (const ordered_json::exception&) {
-    throw DataError("its view is none that Viscera has written", "view", "give --view for another one");
+  if (view.shown.stress) {
+    stress.setWanted(view.stress.witnesses);
+    if (const auto organ = presentation::currentOrgan(state, view.selection.organ))
+      stress.follow(organ->id);
+    box.runUntil([&] { return jobs.idle(); });
+    const live::StressStatus& status = stress.status();
+    if (status.state != live::StressStatus::State::ready)
+      picture.leftOut.push_back("the stress map (" +
+                                (status.message.empty() ? "there is no organ" : status.message) + ")");
+    else if (view.stress.peak)
+      findPeak(stress, state, view, surroundings);
+    box.runUntil([&] { return jobs.idle(); });
   }
+  const live::StressFrame frame = stress.frame();
+  presentation::Stage stage = stageFor(options, surroundings.threads);
+  stage.presenter().update({document.state(), live, view, surroundings.systems, &frame});
+  if (!fromSide && view.camera)
+    presentation::lookFrom(*view.camera, stage.view());
+  else
+    stage.compose(scene::standardViewFromName(options.view));
   picture.image = stage.picture();
   return picture;
 }

@@ -6,7 +6,7 @@
 #include <vtkSmartPointer.h>
 
 #include "cli/command.h"
-#include "cli/stage.h"
+#include "cli/stage_options.h"
 #include "viscera/document/session_file.h"
 
 class vtkImageData;

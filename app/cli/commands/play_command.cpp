@@ -9,6 +9,7 @@
 #include <vtkImageData.h>
 
 #include "cli/listing.h"
+#include "cli/still_organs.h"
 #include "viscera/core/atomic_file.h"
 #include "viscera/core/error.h"
 #include "viscera/document/open_files.h"
@@ -31,16 +32,28 @@ constexpr double kHighestRate = 240; ///< Frames a second that a movie is good f
 constexpr double kWallOpacity = 0.35;
 constexpr double kDrawingShare = 0.9; ///< Of the progress; the rest is closing the movie.
 
+std::vector<document::Organ> organsOf(const PlayedSequence& played) {
+  std::vector<document::Organ> organs;
+  for (const PlayedSurface& surface : played.surfaces) {
+    organs.push_back(surface.organ);
+    organs.back().look.opacity = surface.wall ? kWallOpacity : 1;
+  }
+  return organs;
+}
+
 /// The surfaces on a stage, and the writers that take the pictures.
 class Recording {
 public:
-  Recording(const PlayedSequence& played, const StageOptions& options, double room, Threads threads)
-      : stage_(options, threads) {
-    for (const PlayedSurface& surface : played.surfaces) {
-      actors_.push_back(stage_.add(surface.organ, surface.wall ? kWallOpacity : 1));
-      actors_.back()->setPoints(std::shared_ptr<const Points>(surface.deformer, &surface.deformer->points()));
+  Recording(const PlayedSequence& played, const StageOptions& options, double room,
+            const Surroundings& surroundings)
+      : systems_(surroundings.systems), organs_(organsOf(played)),
+        stage_(stageFor(options, surroundings.threads)) {
+    for (std::size_t i = 0; i < played.surfaces.size(); ++i) {
+      const auto& deformer = played.surfaces[i].deformer;
+      organs_.setPoints(i, std::shared_ptr<const Points>(deformer, &deformer->points()));
     }
-    stage_.compose(options.view, room);
+    show();
+    stage_.compose(scene::standardViewFromName(options.view), room);
   }
 
   void addWriter(const std::filesystem::path& target, double framesPerSecond) {
@@ -49,8 +62,8 @@ public:
   }
 
   void addFrame() {
-    for (const auto& actor : actors_)
-      actor->pointsChanged();
+    organs_.moved();
+    show();
     const vtkSmartPointer<vtkImageData> picture = stage_.picture();
     for (const auto& writer : writers_)
       writer->add(picture);
@@ -68,8 +81,12 @@ public:
   }
 
 private:
-  Stage stage_;
-  std::vector<std::shared_ptr<scene::OrganActor>> actors_;
+  void show() { stage_.presenter().update({organs_.state(), organs_, view_, systems_}); }
+
+  const plugin::Registry& systems_;
+  StillOrgans organs_;
+  presentation::ViewState view_;
+  presentation::Stage stage_;
   std::vector<std::unique_ptr<scene::MovieWriter>> writers_;
   std::vector<vtkSmartPointer<vtkImageData>> kept_;
   bool keep_ = false;
@@ -216,7 +233,7 @@ PlayCommand::Measured PlayCommand::play(PlayedSequence& played, double rate, int
   Measured measured{motion::VolumeRecord(names), {}};
   std::optional<Recording> recording;
   if (!frames_.empty() || !movie_.empty() || !sheet_.empty())
-    recording.emplace(played, stage_, sheet_.empty() ? 0 : kRoomOnASheet, surroundings.threads);
+    recording.emplace(played, stage_, sheet_.empty() ? 0 : kRoomOnASheet, surroundings);
   if (!frames_.empty())
     recording->addWriter(std::filesystem::path(frames_) / "",
                          framesPerSecond_); // A folder, whatever its name.

@@ -5,7 +5,7 @@
 
 #include "cli/command.h"
 #include "cli/played_sequence.h"
-#include "cli/stage.h"
+#include "cli/stage_options.h"
 #include "viscera/motion/volume_record.h"
 
 namespace viscera::app::cli {

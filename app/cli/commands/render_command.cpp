@@ -1,9 +1,7 @@
 #include "cli/commands/render_command.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdint>
 #include <memory>
 #include <numbers>
 #include <optional>
@@ -16,6 +14,7 @@
 #include "cli/listing.h"
 #include "cli/picture_size.h"
 #include "cli/session_input.h"
+#include "cli/still_organs.h"
 #include "viscera/core/error.h"
 #include "viscera/deformation/bind_organ.h"
 #include "viscera/deformation/bind_witnesses.h"
@@ -23,13 +22,10 @@
 #include "viscera/document/session_file.h"
 #include "viscera/scene/contact_sheet.h"
 #include "viscera/scene/picture.h"
-#include "viscera/scene/vtkVisceraHandleSetRepresentation.h"
 
 namespace viscera::app::cli {
 namespace {
 
-/// Magenta: in none of the colour maps.
-constexpr std::array<std::uint8_t, 3> kFoldedColor = {232, 40, 200};
 /// Degrees; less is rounding.
 constexpr double kNoStress = 1e-6;
 
@@ -68,45 +64,44 @@ std::vector<std::shared_ptr<Values>> influencesOf(const Contents& contents, int 
 }
 
 /// The organs and the handles in a pose.
-void showPose(Stage& stage, const Contents& contents, const coordinates::CoordinateSystem& system,
+void showPose(StillOrgans& organs, const Contents& contents, const coordinates::CoordinateSystem& system,
               const coordinates::BindOptions& options, Progress& progress) {
   for (std::size_t i = 0; i < contents.organs.size(); ++i) {
     auto points = std::make_shared<Points>();
     deformation::bindOrgan(system, contents.rig->handles, contents.organs[i].mesh->points, options, progress)
         ->deform(*contents.pose, *points, options.threads);
-    stage.view().organs()[i]->setPoints(points);
+    organs.setPoints(i, std::move(points));
   }
-  stage.view().handles()->SetPositions(*contents.pose);
+  organs.showPose(*contents.pose);
 }
 
-/// Colours every organ by the rotational stress of its tissue at the surface, in degrees; what is folded has
-/// a colour of its own.
-void showStress(Stage& stage, const Contents& contents, const coordinates::CoordinateSystem& system,
-                const coordinates::BindOptions& options, Progress& progress) {
-  std::vector<std::shared_ptr<Values>> stresses;
-  scene::ValueRange range{0, 0};
-  int folded = 0;
-  for (const document::Organ& organ : contents.organs) {
+/// The rotational stress of every organ's tissue at the surface, in degrees; what is folded has a colour of
+/// its own.
+presentation::SurfaceMap stressOf(const StillOrgans& organs, const Contents& contents,
+                                  const coordinates::CoordinateSystem& system,
+                                  const coordinates::BindOptions& options, Progress& progress) {
+  presentation::SurfaceMap shown;
+  shown.range = {0, 0};
+  for (std::size_t i = 0; i < contents.organs.size(); ++i) {
     deformation::StressMap map;
-    deformation::bindWitnesses(system, contents.rig->handles, organ.mesh->points, options, progress)
+    deformation::bindWitnesses(system, contents.rig->handles, contents.organs[i].mesh->points, options,
+                               progress)
         ->evaluate(*contents.pose, map, options.threads);
     auto degrees = std::make_shared<Values>(180 / std::numbers::pi * map.rotationalStress);
-    range.high = std::max(range.high, degrees->maxCoeff());
-    for (Eigen::Index i = 0; i < degrees->size(); ++i)
-      if (map.volumeRatio[i] <= 0)
-        (*degrees)[i] = std::nan("");
-    folded += map.folded;
-    stresses.push_back(std::move(degrees));
+    shown.range.high = std::max(shown.range.high, degrees->maxCoeff());
+    for (Eigen::Index row = 0; row < degrees->size(); ++row)
+      if (map.volumeRatio[row] <= 0)
+        (*degrees)[row] = std::nan("");
+    if (map.folded > 0)
+      shown.mark = "folded";
+    shown.values[organs.idOf(i)] = std::move(degrees);
   }
-  scene::ColorMap map = scene::viridis();
-  map.missing = kFoldedColor;
-  if (!(range.high > kNoStress))
-    range.high = 1; // Nothing is distorted: one colour, and a scale that says so.
-  for (std::size_t i = 0; i < stresses.size(); ++i)
-    stage.view().organs()[i]->showScalars(stresses[i], map, range);
-  stage.view().legend().show("Rotational stress", "deg", map, range);
-  if (folded > 0)
-    stage.view().legend().setMark("folded", Vec3(kFoldedColor[0], kFoldedColor[1], kFoldedColor[2]) / 255.0);
+  if (!(shown.range.high > kNoStress))
+    shown.range.high = 1; // Nothing is distorted: one colour, and a scale that says so.
+  shown.colors = presentation::stressColors(live::StressQuantity::rotationalStress);
+  shown.title = "Rotational stress";
+  shown.unit = "deg";
+  return shown;
 }
 
 } // namespace
@@ -161,37 +156,48 @@ std::vector<RenderCommand::Shown> RenderCommand::shown(const Surroundings& surro
           {beside, system_.bindOptions(*beside, surroundings, system.get()), {}}};
 }
 
+presentation::SurfaceMap RenderCommand::influenceOf(const Shown& shown, const StillOrgans& organs) const {
+  presentation::SurfaceMap map;
+  for (std::size_t i = 0; i < shown.influences.size(); ++i)
+    map.values[organs.idOf(i)] = shown.influences[i];
+  map.colors = scene::viridis();
+  map.range = shown.range;
+  map.title = "Influence of " + influence_ + (beside_.empty() ? "" : ", " + shown.system->name());
+  return map;
+}
+
 RenderCommand::Pictures RenderCommand::draw(const Shown& shown, const Contents& contents, int width,
                                             Surroundings& surroundings) const {
-  StageOptions options = stage_;
-  options.size.width = width;
-  Stage stage(options, surroundings.threads);
-  for (const document::Organ& organ : contents.organs)
-    stage.add(organ, opacity_);
+  std::vector<document::Organ> seen = contents.organs;
+  for (document::Organ& organ : seen)
+    organ.look.opacity = opacity_;
+  StillOrgans organs(std::move(seen));
+  presentation::ViewState view;
+  std::optional<presentation::SurfaceMap> map;
   if (contents.rig) {
-    stage.showHandles(*contents.rig);
-    stage.view().regions().setHulls(
-        scene::layoutHulls(shown.system->layout(contents.rig->handles, shown.options.parameters),
-                           contents.rig->groupColors, parts_));
+    organs.setRig(*contents.rig, {shown.system->id(), shown.options.parameters});
+    view.handles = view.shown.movable = true;
+    view.shown.regions = parts_.any();
+    view.layout = parts_;
   }
   if (!shown.influences.empty()) {
-    const scene::ColorMap map = scene::viridis();
-    for (std::size_t i = 0; i < shown.influences.size(); ++i)
-      stage.view().organs()[i]->showScalars(shown.influences[i], map, shown.range);
-    const std::string title = "Influence of " + influence_;
-    stage.view().legend().show(beside_.empty() ? title : title + ", " + shown.system->name(), {}, map,
-                               shown.range);
-    stage.view().handles()->SetSelection({contents.rig->indexOf(influence_)});
+    map = influenceOf(shown, organs);
+    view.selection.handles = {organs.handle(contents.rig->indexOf(influence_))};
   }
   if (contents.pose) {
     Progress& progress = surroundings.progress;
-    showPose(stage, contents, *shown.system, shown.options, progress);
+    showPose(organs, contents, *shown.system, shown.options, progress);
     if (stress_)
-      showStress(stage, contents, *shown.system, shown.options, progress);
+      map = stressOf(organs, contents, *shown.system, shown.options, progress);
   }
+  StageOptions options = stage_;
+  options.size.width = width;
+  presentation::Stage stage = stageFor(options, surroundings.threads);
+  stage.presenter().update(
+      {organs.state(), organs, view, surroundings.systems, nullptr, map ? &*map : nullptr});
   Pictures pictures;
-  for (const std::string& view : views_) {
-    stage.compose(view, views_.size() > 1 ? kRoomOnASheet : 0);
+  for (const std::string& side : views_) {
+    stage.compose(scene::standardViewFromName(side), views_.size() > 1 ? kRoomOnASheet : 0);
     pictures.push_back(stage.picture());
   }
   return pictures;

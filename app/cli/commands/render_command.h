@@ -9,7 +9,7 @@
 
 #include "cli/command.h"
 #include "cli/inputs.h"
-#include "cli/stage.h"
+#include "cli/stage_options.h"
 #include "cli/system_options.h"
 #include "viscera/scene/layout_hulls.h"
 
@@ -18,6 +18,8 @@ class Option;
 }
 
 namespace viscera::app::cli {
+
+class StillOrgans;
 
 /// What the files named hold.
 struct Contents {
@@ -41,6 +43,7 @@ private:
   using Pictures = std::vector<vtkSmartPointer<vtkImageData>>;
   /// One picture a side that is asked for.
   Pictures draw(const Shown& shown, const Contents& contents, int width, Surroundings& surroundings) const;
+  presentation::SurfaceMap influenceOf(const Shown& shown, const StillOrgans& organs) const;
   /// A session as the window showed it.
   Outcome drawSession(Surroundings& surroundings);
 

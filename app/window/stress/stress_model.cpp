@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "window/stress/value_steps.h"
+#include "viscera/presentation/value_steps.h"
 
 namespace viscera::app {
 namespace {
@@ -114,7 +114,7 @@ void StressModel::recompute() {
   }
   summary_ = live::summaryOf(*values_, live_.mesh()->witnesses);
   if (!look_.pinned || range_.high <= range_.low)
-    range_ = steppedRange(look_.quantity, {summary_.percentile5, summary_.percentile95}, range_);
+    range_ = presentation::steppedRange(look_.quantity, {summary_.percentile5, summary_.percentile95}, range_);
 }
 
 int StressModel::folded() const {

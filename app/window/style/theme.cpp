@@ -31,8 +31,6 @@ Theme darkTheme() {
   theme.accentText = QColor("#0e1a1c");
   theme.warning = QColor("#e3ab4f");
   theme.error = QColor("#e8746a");
-  theme.viewTop = QColor("#39434b");
-  theme.viewBottom = QColor("#171b1f");
   return theme;
 }
 
@@ -51,8 +49,6 @@ Theme lightTheme() {
   theme.accentText = QColor("#ffffff");
   theme.warning = QColor("#b26a00");
   theme.error = QColor("#c0392b");
-  theme.viewTop = QColor("#fbfcfd");
-  theme.viewBottom = QColor("#ccd6de");
   return theme;
 }
 

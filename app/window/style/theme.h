@@ -29,8 +29,6 @@ struct Theme {
   QColor accentText; ///< On `accent`.
   QColor warning;
   QColor error;
-  QColor viewTop; ///< The 3D view's gradient.
-  QColor viewBottom;
 };
 
 Theme themeOf(ThemeKind kind);

@@ -21,10 +21,6 @@ constexpr double kClickDistance = 4;
 /// Logical pixels around the cursor in which a surface is looked for.
 constexpr double kNearDistances[] = {0, 6, 12};
 
-Vec3 asVec3(const QColor& color) {
-  return {color.redF(), color.greenF(), color.blueF()};
-}
-
 QStringList localFiles(const QMimeData* data) {
   QStringList files;
   for (const QUrl& url : data->urls())
@@ -53,10 +49,7 @@ ViewWidget::~ViewWidget() {
 }
 
 void ViewWidget::setTheme(const Theme& theme) {
-  scene::Theme colors = theme.kind == ThemeKind::dark ? scene::darkTheme() : scene::lightTheme();
-  colors.backgroundTop = asVec3(theme.viewTop);
-  colors.backgroundBottom = asVec3(theme.viewBottom);
-  view_->setTheme(colors);
+  view_->setTheme(theme.kind == ThemeKind::dark ? scene::darkTheme() : scene::lightTheme());
   scheduleRender();
 }
 

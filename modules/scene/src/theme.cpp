@@ -11,7 +11,7 @@ Vec3 fromHex(unsigned rgb) {
 
 Theme darkTheme() {
   Theme theme;
-  theme.backgroundTop = fromHex(0x38424b);
+  theme.backgroundTop = fromHex(0x39434b);
   theme.backgroundBottom = fromHex(0x171b1f);
   theme.panel = fromHex(0x262c31);
   theme.text = fromHex(0xe6e8ea);
@@ -24,8 +24,8 @@ Theme darkTheme() {
 
 Theme lightTheme() {
   Theme theme;
-  theme.backgroundTop = fromHex(0xffffff);
-  theme.backgroundBottom = fromHex(0xdde4ea);
+  theme.backgroundTop = fromHex(0xfbfcfd);
+  theme.backgroundBottom = fromHex(0xccd6de);
   theme.panel = fromHex(0xffffff);
   theme.text = fromHex(0x22272b);
   theme.muted = fromHex(0x6b7781);

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "cli/inputs.h"
+#include "viscera/document/document.h"
+#include "viscera/live/posed_organs.h"
+
+namespace viscera::app::cli {
+
+/// Organs and handles that commands have read and posed themselves, as a presenter takes them.
+class StillOrgans final : public live::PosedOrgans {
+public:
+  /// The organs at rest, in their order.
+  explicit StillOrgans(std::vector<document::Organ> organs);
+
+  /// Takes these handles, at rest, with the groups and the coordinates that they are for.
+  void setRig(const RigInput& rig, document::SystemChoice system);
+  document::OrganId idOf(std::size_t organ) const { return (*state_.organs)[organ]->id; }
+  document::HandleId handle(int row) const {
+    return state_.rig->handles.at(static_cast<std::size_t>(row)).id;
+  }
+  /// Shows an organ at these points, `n x 3` mm.
+  void setPoints(std::size_t organ, std::shared_ptr<const Points> points);
+  /// The points have other values in place.
+  void moved() { ++revision_; }
+  const document::DocumentState& state() const { return state_; }
+
+  void showPose(const Points& pose) override { pose_ = pose; }
+  const Points& shownPose() const override { return pose_; }
+  std::shared_ptr<const Points> sharedPoints(document::OrganId organ) const override;
+  std::uint64_t revision(document::OrganId) const override { return revision_; }
+  /// Nobody here measures.
+  live::OrganVolume volume(document::OrganId) override { return {}; }
+  Values influence(document::OrganId, document::HandleId) const override { return {}; }
+
+private:
+  document::DocumentState state_;
+  std::vector<std::shared_ptr<const Points>> points_;
+  Points pose_ = Points(0, 3);
+  std::uint64_t revision_ = 1;
+};
+
+} // namespace viscera::app::cli
