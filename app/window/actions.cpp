@@ -44,6 +44,19 @@ QAction* Actions::addToggle(const char* id, const Description& description, bool
   return action;
 }
 
+void Actions::enableWhile(const std::vector<const char*>& ids, std::function<bool()> allowed) {
+  whenSynced([this, ids, allowed = std::move(allowed)] {
+    const bool enabled = allowed();
+    for (const char* id : ids)
+      (*this)[id]->setEnabled(enabled);
+  });
+}
+
+void Actions::sync() {
+  for (const auto& bring : syncs_)
+    bring();
+}
+
 QAction* Actions::operator[](const char* id) const {
   const auto found = byId_.find(QLatin1String(id));
   Q_ASSERT(found != byId_.end());

@@ -8,7 +8,6 @@
 #include <vector>
 
 class QAction;
-class QMenu;
 class QWidget;
 
 namespace viscera::app {
@@ -31,6 +30,12 @@ public:
 
   QAction* add(const char* id, const Description& description, std::function<void()> run);
   QAction* addToggle(const char* id, const Description& description, bool on, std::function<void(bool)> run);
+  /// These can be used while `allowed` says so; `sync` asks it.
+  void enableWhile(const std::vector<const char*>& ids, std::function<bool()> allowed);
+  /// Calls `bring` whenever actions are to be as things are now.
+  void whenSynced(std::function<void()> bring) { syncs_.push_back(std::move(bring)); }
+  /// Brings all actions to what things are now; after every change that they may depend on.
+  void sync();
   /// Asserts that it exists.
   QAction* operator[](const char* id) const;
   /// In the order in which they were added.
@@ -42,6 +47,7 @@ private:
   QWidget* window_;
   std::map<QString, QAction*> byId_;
   std::vector<QAction*> order_;
+  std::vector<std::function<void()>> syncs_;
 };
 
 } // namespace viscera::app

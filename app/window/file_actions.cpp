@@ -32,6 +32,41 @@ QString patterns(const std::vector<std::string>& extensions) {
 FileActions::FileActions(Workspace& workspace, HandlePlacer& placer, Settings& settings, QWidget* window)
     : QObject(window), workspace_(workspace), placer_(placer), settings_(settings), window_(window) {}
 
+void FileActions::addTo(Actions& actions) {
+  actions.add(
+      "file.open",
+      {tr("&Open..."), "open", {QKeySequence::Open}, tr("Open a session, organs, label maps or handles")},
+      [this] { chooseAndOpen(); });
+  actions.add("file.openFolder",
+              {tr("Open a &folder of masks..."),
+               "organs",
+               {},
+               tr("Open one patient: a folder with one mask for each organ, as TotalSegmentator writes it")},
+              [this] { chooseAndOpenFolder(); });
+  actions.add("file.check",
+              {tr("&Import with check..."),
+               "patient",
+               {tr("Ctrl+Shift+O")},
+               tr("Look at what files hold, and repair it, before it comes in")},
+              [this] { chooseAndOpen(true); });
+  actions.add("handles.save",
+              {tr("Save &handles..."), "save", {}, tr("Save the handles at rest as Slicer markups")},
+              [this] { chooseAndSaveHandles(); });
+  actions.add("file.export",
+              {tr("&Export organ..."), "export", {tr("Ctrl+E")}, tr("Export the organ as it is posed now")},
+              [this] { chooseAndExportOrgan(); });
+  actions.add("cage.load",
+              {tr("Load a &cage..."),
+               "open",
+               {},
+               tr("For coordinates with a cage: take a closed surface around the organ; its vertices are the "
+                  "handles")},
+              [this] { chooseAndLoadCage(); });
+  actions.enableWhile({"file.export"}, [this] { return !workspace_.document().organs().empty(); });
+  actions.enableWhile({"handles.save"}, [this] { return !workspace_.document().rig().handles.empty(); });
+  actions.enableWhile({"cage.load"}, [this] { return workspace_.systemTraits().needsCage; });
+}
+
 QString FileActions::folder() const {
   return settings_.folder(kFolderKey, QStandardPaths::DocumentsLocation);
 }

@@ -7,6 +7,7 @@
 
 #include "viscera/document/cage_commands.h"
 #include "viscera/document/import_draft.h"
+#include "window/actions.h"
 #include "window/handle_placer.h"
 #include "window/settings.h"
 #include "window/workspace.h"
@@ -22,6 +23,9 @@ class FileActions final : public QObject {
 
 public:
   FileActions(Workspace& workspace, HandlePlacer& placer, Settings& settings, QWidget* window);
+
+  /// Adds "file.open", "file.openFolder", "file.check", "file.export", "handles.save" and "cage.load".
+  void addTo(Actions& actions);
 
   /// Who gets files of which something should be looked at before they are accepted, and gives them back by
   /// `take`. Without anybody they are taken as they are.

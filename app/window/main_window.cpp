@@ -1,299 +1,259 @@
 #include "window/main_window.h"
 
 #include <QAction>
+#include <QActionGroup>
 #include <QApplication>
+#include <QCloseEvent>
 #include <QFileInfo>
-#include <QLayout>
-#include <QMenu>
+#include <QMenuBar>
 #include <QShortcut>
 #include <QStackedWidget>
 #include <QStatusBar>
-#include <QToolBar>
 
-#include "viscera/scene/vtkVisceraGizmoWidget.h"
-#include "viscera/scene/vtkVisceraHandleSetWidget.h"
 #include "window/binding_messages.h"
+#include "window/edit_actions.h"
 #include "window/export_actions.h"
+#include "window/help.h"
 #include "window/import/import_desk.h"
 #include "window/import/import_panel.h"
-#include "window/measure/measure_box.h"
-#include "window/measure/measuring.h"
-#include "window/panels/deform_page.h"
-#include "window/panels/explore_page.h"
+#include "window/menus.h"
+#include "window/modes/deform_mode.h"
+#include "window/modes/explore_mode.h"
+#include "window/modes/handles_mode.h"
+#include "window/modes/play_mode.h"
+#include "window/modes/stress_mode.h"
 #include "window/panels/handle_panel.h"
-#include "window/panels/handles_page.h"
 #include "window/panels/organ_panel.h"
-#include "window/panels/play_page.h"
-#include "window/play_parts.h"
+#include "window/session/session_files.h"
 #include "window/session/view_state.h"
 #include "window/status_line.h"
-#include "window/stress/stress_chart.h"
-#include "window/stress/stress_mode.h"
-#include "window/stress/stress_page.h"
 #include "window/timeline/timeline_bar.h"
+#include "window/timeline/timeline_controller.h"
 #include "window/timeline/volume_panel.h"
-#include "window/view/click_tool.h"
-#include "window/view/gizmo_scene.h"
-#include "window/view/handle_scene.h"
 #include "window/view/motion_guide.h"
-#include "window/view/organ_scene.h"
 #include "window/view/region_scene.h"
+#include "window/view/view_actions.h"
 #include "window/view/view_area.h"
 #include "window/widgets/mode_rail.h"
 #include "window/widgets/panel_dock.h"
-#include "window/widgets/shortcut_card.h"
-#include "window/widgets/tour_card.h"
-#include "window/widgets/welcome_card.h"
+#include "window/window_layout.h"
 
 namespace viscera::app {
-namespace {
-
-constexpr int kLeftWidth = 272;
-constexpr int kRightWidth = 288;
-constexpr int kImportWidth = 360;
-constexpr std::size_t kProperties = 2; ///< Among the docks.
-constexpr int kChartHeight = 200;
-
-} // namespace
 
 MainWindow::MainWindow(Settings& settings, plugin::Registry registry, motion::Player::Clock clock,
                        QWidget* parent)
     : QMainWindow(parent), settings_(settings), actions_(this), workspace_(std::move(registry)),
-      poses_(workspace_), playback_(workspace_, clock), volumes_(workspace_, playback_),
+      poses_(workspace_, view_), playback_(workspace_, clock), volumes_(workspace_, playback_),
       groupLayout_(workspace_), placer_(workspace_),
       files_(new FileActions(workspace_, placer_, settings, this)),
       exports_(new ExportActions(workspace_, settings, this)),
-      samples_(new SampleLoader(workspace_, placer_, playback_, this)), viewArea_(new ViewArea(this)) {
-  setDockOptions(AnimatedDocks | AllowNestedDocks);
+      samples_(new SampleLoader(workspace_, placer_, playback_, this)), viewArea_(new ViewArea(this)),
+      layout_(new WindowLayout(*this, actions_)) {
   setCentralWidget(viewArea_);
-  organScene_ = std::make_unique<OrganScene>(workspace_, viewArea_->view()->view());
-  handleScene_ = std::make_unique<HandleScene>(workspace_, poses_, viewArea_->view()->view());
-  regionScene_ = std::make_unique<RegionScene>(workspace_, groupLayout_, viewArea_->view()->view());
-  makeDeformScene();
-  clickTool_ =
-      std::make_unique<ClickTool>(workspace_, *viewArea_->view(), *organScene_, *handleScene_, *gizmoScene_);
-  measuring_ = std::make_unique<Measuring>(workspace_, *viewArea_, *organScene_, *handleScene_,
-                                           [this] { setMode(Mode::explore); });
-  play_ = std::make_unique<PlayParts>(PlayParts::Window{workspace_, playback_, volumes_, *samples_,
-                                                        *organScene_, *handleScene_, *viewArea_, settings_},
-                                      clock);
+  makeScenes();
   imports_ = std::make_unique<ImportDesk>(workspace_, *files_, *viewArea_->view(), nullptr);
   bindingMessages_ = new BindingMessages(workspace_, viewArea_->messages(), this);
-  makeFileActions();
-  makeSessionActions();
-  makeEditActions();
-  makeModeActions();
-  makeViewActions();
-  measuring_->addTo(actions_);
-  makeHandleActions();
-  makeRegionActions();
-  makeDeformActions();
-  makeSequenceActions();
-  makeHelpActions();
-  stress_ = std::make_unique<StressMode>(workspace_, playback_, settings_, actions_, *viewArea_, *organScene_,
-                                         *handleScene_);
-  makeDocks();
-  makeMenus();
-  makeCards();
-  connectParts();
-  connectImports();
-  connectTimeline();
+  files_->addTo(actions_);
+  exports_->addTo(actions_);
+  actions_.add("file.quit", {tr("&Quit"), nullptr, {QKeySequence::Quit}, {}}, [this] { close(); });
+  edit_ = new EditActions(workspace_, actions_, this);
+  views_ = new ViewActions({workspace_, *organScene_, *viewArea_, view_, settings_}, actions_, this);
+  makeModes(clock);
+  makeThemeActions();
   makeSession();
+  help_ = new Help({workspace_, playback_, *modes_, *files_, settings_, *viewArea_}, actions_, this);
+  placePanels();
+  makeMenus();
+  connectView();
+  connectFiles();
+  connectHints();
+  connectActions();
   setTheme(themeFromName(settings_.value("window/theme", QStringLiteral("dark")).toString()));
-  setMode(Mode::explore);
-  restoreLayout();
+  layout_->restore(settings_);
 }
 
 MainWindow::~MainWindow() = default;
 
-void MainWindow::makeDocks() {
-  rail_ = new ModeRail(this);
-  auto* railBar = new QToolBar(tr("Modes"), this);
-  railBar->setObjectName(QStringLiteral("modes"));
-  railBar->setMovable(false);
-  railBar->setContextMenuPolicy(Qt::PreventContextMenu);
-  railBar->toggleViewAction()->setVisible(false);
-  railBar->layout()->setContentsMargins(0, 0, 0, 0);
-  railBar->setStyleSheet(QStringLiteral("QToolBar { border: none; padding: 0; spacing: 0; }"));
-  railBar->addWidget(rail_);
-  addToolBar(Qt::LeftToolBarArea, railBar);
+void MainWindow::makeScenes() {
+  scene::OrganView& view = viewArea_->view()->view();
+  organScene_ = std::make_unique<OrganScene>(workspace_, view);
+  handleScene_ = std::make_unique<HandleScene>(workspace_, poses_, view_, view);
+  regionScene_ = std::make_unique<RegionScene>(workspace_, groupLayout_, view_, view);
+  gizmoScene_ = std::make_unique<GizmoScene>(workspace_, poses_, view_, view);
+  motionGuide_ = std::make_unique<MotionGuide>(workspace_, poses_, view_, view);
+}
 
-  const auto addDock = [this](const QString& title, const char* id, Qt::DockWidgetArea area,
-                              QWidget* contents, bool scrolling) {
-    auto* dock = new PanelDock(title, id, this);
-    dock->setContents(contents, scrolling);
-    addDockWidget(area, dock);
-    docks_.push_back(dock);
-    return dock;
-  };
+void MainWindow::makeModes(const motion::Player::Clock& clock) {
+  modes_ = std::make_unique<ModeController>(
+      ModeController::Parts{playback_, view_, *viewArea_->view(), *organScene_, *handleScene_, *gizmoScene_});
+  explore_ = &modes_->add(std::make_unique<ExploreMode>(
+      ExploreMode::Parts{workspace_, *organScene_, *handleScene_, *viewArea_, view_}, actions_));
+  modes_->add(std::make_unique<HandlesMode>(
+      HandlesMode::Parts{workspace_, placer_, groupLayout_, *bindingMessages_, *viewArea_, view_}, actions_));
+  modes_->add(std::make_unique<DeformMode>(DeformMode::Parts{workspace_, poses_, volumes_, view_}, actions_));
+  stress_ = &modes_->add(std::make_unique<StressMode>(workspace_, playback_, settings_, actions_, *viewArea_,
+                                                      *organScene_, *handleScene_));
+  play_ = &modes_->add(
+      std::make_unique<PlayMode>(PlayMode::Window{workspace_, playback_, volumes_, *samples_, *organScene_,
+                                                  *handleScene_, *viewArea_, view_, settings_},
+                                 clock, actions_));
+  modes_->addTo(actions_);
+}
+
+void MainWindow::makeThemeActions() {
+  auto* themes = new QActionGroup(this);
+  for (const ThemeKind kind : {ThemeKind::dark, ThemeKind::light}) {
+    const bool dark = kind == ThemeKind::dark;
+    themes->addAction(actions_.addToggle(dark ? "theme.dark" : "theme.light",
+                                         {dark ? tr("&Dark") : tr("&Light"), "theme", {}, {}}, false,
+                                         [this, kind](bool on) {
+                                           if (on && theme_ != kind)
+                                             setTheme(kind);
+                                         }));
+  }
+}
+
+void MainWindow::makeSession() {
+  viewState_ = std::make_unique<ViewState>(
+      ViewState::Window{workspace_, playback_, actions_, *viewArea_, stress_->model(), *modes_});
+  sessions_ = new SessionFiles(workspace_, playback_, *viewState_, settings_, this);
+  sessions_->addTo(actions_);
+  files_->setSessionOpener([this](const QString& file) { sessions_->open(file); });
+}
+
+void MainWindow::placePanels() {
+  auto* timeline = new TimelineBar;
+  new TimelineController(playback_, *timeline, actions_, this);
   organPanel_ = new OrganPanel(workspace_, poses_, volumes_);
-  handlePanel_ = new HandlePanel(workspace_, placer_);
+  organPanel_->addTo(actions_);
+  auto* handlePanel = new HandlePanel(workspace_, placer_);
   for (const char* id : {"handles.addEnclosing", "handles.remove", "handles.influence", "handles.save"})
-    handlePanel_->addTool(actions_[id]);
-  timeline_ = new TimelineBar;
+    handlePanel->addTool(actions_[id]);
   volumePanel_ = new VolumePanel(volumes_, playback_);
-  charts_ = new QStackedWidget;
-  charts_->addWidget(volumePanel_);
-  charts_->addWidget(stress_->makeChart());
-  auto* organs = addDock(tr("Organs"), "organs", Qt::LeftDockWidgetArea, organPanel_, true);
-  auto* handles = addDock(tr("Handles"), "handles", Qt::LeftDockWidgetArea, handlePanel_, true);
-  auto* properties = addDock(tr("Properties"), "properties", Qt::RightDockWidgetArea, makePages(), false);
-  auto* timeline = addDock(tr("Timeline"), "timeline", Qt::BottomDockWidgetArea, timeline_, false);
-  timeline->setTitleBarWidget(new QWidget(timeline));
-  auto* chart = addDock(tr("Volumes"), "volumes", Qt::BottomDockWidgetArea, charts_, false);
-  chart->setTitleBarWidget(new QWidget(chart));
-  splitDockWidget(timeline, chart, Qt::Vertical);
-  resizeDocks({organs, properties}, {kLeftWidth, kRightWidth}, Qt::Horizontal);
-  resizeDocks({organs, handles}, {2, 3}, Qt::Vertical);
-  resizeDocks({chart}, {kChartHeight}, Qt::Vertical);
-  // Only there while files are looked at: in front of the properties, and in no menu.
-  importDock_ = new PanelDock(tr("Import"), "import", this);
-  importDock_->setContents(imports_->panel(), false);
-  tabifyDockWidget(properties, importDock_);
-  importDock_->hide();
+  layout_->place({new ModeRail(*modes_), organPanel_, handlePanel, makePages(), timeline, makeCharts(),
+                  imports_->panel()});
   status_ = new StatusLine(workspace_, volumes_, statusBar());
-  play_->connectPanels(*timeline_, *volumePanel_, *status_);
+  play_->setStatus(*status_);
 }
 
 QWidget* MainWindow::makePages() {
-  pages_ = new QStackedWidget;
-  pages_->addWidget(scrolled(new ExplorePage(workspace_, actions_, measuring_->makeBox())));
-  pages_->addWidget(scrolled(new HandlesPage(workspace_, groupLayout_, actions_)));
-  pages_->addWidget(scrolled(new DeformPage(workspace_, poses_, volumes_, actions_)));
-  pages_->addWidget(scrolled(stress_->makePage()));
-  pages_->addWidget(scrolled(play_->makePage(actions_)));
-  return pages_;
+  auto* pages = new QStackedWidget;
+  for (const auto& mode : modes_->all())
+    pages->addWidget(scrolled(mode->makePage(actions_)));
+  connect(modes_.get(), &ModeController::changed, pages,
+          [this, pages] { pages->setCurrentIndex(modes_->index()); });
+  return pages;
 }
 
-void MainWindow::makeCards() {
-  welcome_ = new WelcomeCard(sampleMenu_, viewArea_);
-  viewArea_->addCard(welcome_, Qt::AlignTop | Qt::AlignHCenter);
-  welcome_->hide();
-  shortcuts_ = new ShortcutCard(actions_, viewArea_);
-  viewArea_->addCard(shortcuts_, Qt::AlignCenter);
-  connect(welcome_, &WelcomeCard::openRequested, files_, [this] { files_->chooseAndOpen(); });
-  connect(welcome_, &WelcomeCard::tourRequested, this, &MainWindow::startTour);
-  connect(welcome_, &WelcomeCard::closed, this, [this] { settings_.setValue("window/welcome", false); });
+QWidget* MainWindow::makeCharts() {
+  auto* charts = new QStackedWidget;
+  charts->addWidget(volumePanel_);
+  std::vector<QWidget*> ofModes;
+  for (const auto& mode : modes_->all()) {
+    QWidget* own = mode->makeChart();
+    if (own)
+      charts->addWidget(own);
+    ofModes.push_back(own ? own : volumePanel_);
+  }
+  connect(modes_.get(), &ModeController::changed, charts, [this, charts, ofModes] {
+    charts->setCurrentWidget(ofModes[static_cast<std::size_t>(modes_->index())]);
+  });
+  return charts;
 }
 
-void MainWindow::connectParts() {
+void MainWindow::makeMenus() {
+  auto* menus = new Menus(
+      *menuBar(), {actions_, *modes_, *edit_, *files_, *samples_, workspace_, settings_, layout_->docks()});
+  connect(files_, &FileActions::recentFilesChanged, menus, &Menus::fillRecent);
+  connect(sessions_, &SessionFiles::recentFilesChanged, menus, &Menus::fillRecent);
+  help_->makeCards(actions_, menus->samples());
+}
+
+void MainWindow::connectView() {
   ViewWidget* view = viewArea_->view();
-  connect(rail_, &ModeRail::modeChosen, this, &MainWindow::setMode);
-  connect(&workspace_, &Workspace::messageRaised, viewArea_->messages(), &MessageBar::showMessage);
   connect(organScene_.get(), &OrganScene::changed, view, &ViewWidget::scheduleRender);
   connect(handleScene_.get(), &HandleScene::changed, view, &ViewWidget::scheduleRender);
   connect(regionScene_.get(), &RegionScene::changed, view, &ViewWidget::scheduleRender);
-  connect(measuring_.get(), &Measuring::stateChanged, this, [this] {
-    clickTool_->setPaused(measuring_->active());
-    syncHint();
-  });
-  connect(view, &ViewWidget::filesDropped, files_, [this](const QStringList& files) { files_->open(files); });
-  connect(files_, &FileActions::filesOpened, this, [this] {
-    showWelcome(false);
-    frameFromFront();
-  });
-  connect(files_, &FileActions::recentFilesChanged, this, &MainWindow::fillRecentMenu);
-  connect(samples_, &SampleLoader::loaded, this, &MainWindow::frameFromFront);
-  connect(bindingMessages_, &BindingMessages::bound, this, [this](double seconds) {
-    if (mode_ == Mode::handles)
-      viewArea_->showBadge(tr("Bound in %1 ms").arg(1000 * seconds, 0, 'f', 1));
+  connect(gizmoScene_.get(), &GizmoScene::changed, view, &ViewWidget::scheduleRender);
+  connect(motionGuide_.get(), &MotionGuide::changed, view, &ViewWidget::scheduleRender);
+  connect(&view_, &ViewModel::changed, this, &MainWindow::applyView);
+  connect(&playback_, &Playback::stateChanged, view, [this, view] {
+    view->view().setMoving(playback_.player().playing());
+    view->scheduleRender();
   });
   connect(organPanel_, &OrganPanel::focusRequested, this, [this](document::OrganId organ) {
     workspace_.selection().setOrgan(organ);
-    focusSelection();
+    views_->focus();
   });
-  subscriptions_.push_back(workspace_.undo().onChange([this] { syncActions(); }));
-  subscriptions_.push_back(workspace_.onChange([this](const document::Change&) { syncActions(); }));
-  subscriptions_.push_back(workspace_.selection().onChange([this] { syncActions(); }));
-  connect(new QShortcut(QKeySequence(Qt::Key_Escape), this), &QShortcut::activated, this,
-          &MainWindow::escape);
-  syncActions();
 }
 
-void MainWindow::connectImports() {
-  files_->setChecker([this](document::ImportDraft draft, const QStringList& files) {
-    imports_->begin(std::move(draft), files);
+/// The switches of the view, for the parts that draw.
+void MainWindow::applyView() {
+  const presentation::ViewState& shown = view_.state();
+  organScene_->setGhostShown(shown.ghost);
+  organScene_->setInfluenceShown(shown.influence);
+  viewArea_->view()->view().setOrientationCubeShown(shown.orientationCube);
+  viewArea_->view()->view().setScaleBarShown(shown.scaleBar);
+  explore_->setMeasurementsShown(shown.measurements);
+  play_->setLabelsShown(shown.labels);
+  volumePanel_->setCycleShown(shown.chartOfCycle);
+  viewArea_->view()->scheduleRender();
+}
+
+void MainWindow::connectFiles() {
+  const auto fromFront = [this] { views_->lookFrom(scene::StandardView::anterior); };
+  connect(viewArea_->view(), &ViewWidget::filesDropped, files_,
+          [this](const QStringList& files) { files_->open(files); });
+  connect(files_, &FileActions::filesOpened, this, [this, fromFront] {
+    showWelcome(false);
+    fromFront();
   });
-  connect(imports_.get(), &ImportDesk::opened, this, &MainWindow::showImports);
-  connect(imports_.get(), &ImportDesk::closed, this, [this] {
-    importDock_->hide();
-    resizeDocks({docks_[kProperties]}, {kRightWidth}, Qt::Horizontal);
-    viewArea_->view()->view().frame();
-  });
-  importDock_->installEventFilter(imports_.get()); // The cross of the panel cancels.
   connect(files_, &FileActions::foundNothingOdd, this, [this](const QStringList& files) {
     viewArea_->showBadge(tr("%1: checked, nothing odd").arg(QFileInfo(files.front()).fileName()));
   });
-}
-
-void MainWindow::showImports() {
-  showWelcome(false);
-  importDock_->show();
-  importDock_->raise();
-  resizeDocks({importDock_}, {kImportWidth}, Qt::Horizontal);
-}
-
-void MainWindow::connectTimeline() {
-  connect(timeline_, &TimelineBar::playToggled, &playback_, &Playback::toggle);
-  connect(timeline_, &TimelineBar::loopToggled, &playback_, &Playback::setLooping);
-  connect(timeline_, &TimelineBar::rateChosen, &playback_, &Playback::setRate);
-  connect(timeline_, &TimelineBar::scrubbed, &playback_, &Playback::seek);
-  connect(timeline_, &TimelineBar::stepRequested, &playback_, &Playback::step);
-  connect(timeline_, &TimelineBar::startRequested, &playback_, &Playback::toStart);
-  connect(&playback_, &Playback::stateChanged, this, [this] {
-    syncTimeline();
-    viewArea_->view()->view().setMoving(playback_.player().playing());
-    viewArea_->view()->scheduleRender();
+  connect(samples_, &SampleLoader::loaded, this, fromFront);
+  connect(samples_, &SampleLoader::loaded, sessions_, &SessionFiles::sampleLoaded);
+  connect(sessions_, &SessionFiles::opened, this, [this] {
+    showWelcome(false);
+    play_->comparison().end();
   });
-  connect(&playback_, &Playback::advanced, this, [this] {
-    timeline_->setInstant(playback_.player().fraction(), playback_.player().secondsInCycle());
+  files_->setChecker([this](document::ImportDraft draft, const QStringList& files) {
+    imports_->begin(std::move(draft), files);
   });
-  connect(&playback_, &Playback::playModeWanted, this, [this] { setMode(Mode::play); });
-  syncTimeline();
+  connect(imports_.get(), &ImportDesk::opened, this, [this] {
+    showWelcome(false);
+    layout_->showImports();
+  });
+  connect(imports_.get(), &ImportDesk::closed, this, [this] {
+    layout_->hideImports();
+    viewArea_->view()->view().frame();
+  });
+  layout_->imports()->installEventFilter(imports_.get()); // The cross of the panel cancels.
 }
 
-void MainWindow::syncTimeline() {
-  const motion::Player& player = playback_.player();
-  const sequences::Sequence* sequence = playback_.sequence();
-  for (const char* id : {"play.toggle", "play.loop", "play.forward", "play.back", "play.start"})
-    actions_[id]->setEnabled(sequence);
-  if (!sequence)
-    return timeline_->clearSequence();
-  timeline_->setSequence(text(sequence->name()), tr("/ min"), sequence->lowestRatePerMinute(),
-                         sequence->highestRatePerMinute());
-  timeline_->setRate(player.ratePerMinute());
-  timeline_->setPlaying(player.playing());
-  timeline_->setLooping(player.loop());
-  actions_["play.loop"]->setChecked(player.loop());
-  std::vector<PhaseBand> bands;
-  for (const sequences::Phase& phase : sequence->phases(player.ratePerMinute()))
-    bands.push_back({text(phase.name), phase.begin, phase.end});
-  timeline_->setPhases(std::move(bands));
-  timeline_->setInstant(player.fraction(), player.secondsInCycle());
+void MainWindow::connectHints() {
+  connect(&workspace_, &Workspace::messageRaised, viewArea_->messages(), &MessageBar::showMessage);
+  const auto hint = [this] { status_->setHint(modes_->present().hint()); };
+  connect(modes_.get(), &ModeController::hintChanged, status_, hint);
+  hint();
+  // Why a drag stops is said where the hint of the mode stands.
+  connect(&poses_, &PoseEditor::obstacleChanged, status_, [this, hint](const QString& obstacle) {
+    if (obstacle.isEmpty())
+      hint();
+    else
+      status_->setHint(tr("As far as it goes: %1").arg(obstacle));
+  });
 }
 
-void MainWindow::setMode(Mode mode) {
-  mode_ = mode;
-  rail_->setMode(mode);
-  handleScene_->setMode(mode);
-  regionScene_->setMode(mode);
-  gizmoScene_->setMode(mode);
-  motionGuide_->setMode(mode);
-  clickTool_->setMode(mode);
-  measuring_->setMode(mode);
-  playback_.setMode(mode);
-  handleScene_->setPlayed(playback_.showing());
-  stress_->setActive(mode == Mode::stress);
-  charts_->setCurrentIndex(mode == Mode::stress ? 1 : 0);
-  pages_->setCurrentIndex(static_cast<int>(mode));
-  syncDeformActions();
-  syncHint();
-}
-
-void MainWindow::syncHint() {
-  for (const ModeDescription& description : modeDescriptions())
-    if (description.mode == mode_)
-      status_->setHint(measuring_->active() ? measuring_->hint() : description.hint);
+void MainWindow::connectActions() {
+  const auto sync = [this] { actions_.sync(); };
+  subscriptions_.push_back(workspace_.undo().onChange(sync));
+  subscriptions_.push_back(workspace_.onChange([sync](const document::Change&) { sync(); }));
+  subscriptions_.push_back(workspace_.selection().onChange(sync));
+  connect(&view_, &ViewModel::changed, &actions_, &Actions::sync);
+  connect(new QShortcut(QKeySequence(Qt::Key_Escape), this), &QShortcut::activated, this,
+          &MainWindow::escape);
+  sync();
 }
 
 void MainWindow::setTheme(ThemeKind kind) {
@@ -301,58 +261,42 @@ void MainWindow::setTheme(ThemeKind kind) {
   const Theme theme = themeOf(kind);
   applyTheme(*qApp, theme);
   viewArea_->view()->setTheme(theme);
-  play_->setTheme(theme);
-  measuring_->setTheme();
+  for (const auto& mode : modes_->all())
+    mode->setTheme(theme);
   volumePanel_->setTheme(theme);
-  stress_->setTheme(theme);
   organScene_->setGhostColor({theme.muted.redF(), theme.muted.greenF(), theme.muted.blueF()});
   actions_[kind == ThemeKind::dark ? "theme.dark" : "theme.light"]->setChecked(true);
   settings_.setValue("window/theme", nameOf(kind));
 }
 
 void MainWindow::showWelcome(bool shown) {
-  welcome_->setVisible(shown);
-  if (shown)
-    welcome_->raise();
-}
-
-void MainWindow::frameFromFront() {
-  viewArea_->view()->view().lookFrom(scene::StandardView::anterior);
-  viewArea_->view()->scheduleRender();
-}
-
-void MainWindow::focusSelection() {
-  scene::OrganView& view = viewArea_->view()->view();
-  const document::OrganId selected = workspace_.selection().organ();
-  Bounds bounds = view.bounds();
-  for (const auto& organ : view.organs())
-    if (organScene_->organOf(organ.get()) == selected)
-      bounds = organ->bounds();
-  view.frame(bounds);
-  viewArea_->view()->scheduleRender();
+  help_->showWelcome(shown);
 }
 
 void MainWindow::escape() {
-  vtkVisceraHandleSetWidget* widget = viewArea_->view()->view().handleWidget();
-  if (widget->IsDragging())
-    widget->CancelDrag();
-  else if (gizmoScene_->dragging())
-    viewArea_->view()->view().gizmoWidget()->CancelDrag();
-  else if (stress_->escape() || measuring_->escape())
+  if (modes_->escape() || help_->closeShortcuts())
     return;
-  else if (shortcuts_->isVisible())
-    shortcuts_->hide();
-  else if (!viewArea_->messages()->isHidden())
+  if (!viewArea_->messages()->isHidden())
     viewArea_->messages()->dismiss();
   else
     workspace_.selection().clear();
 }
 
-void MainWindow::restoreLayout() {
-  resize(1440, 900);
-  standardLayout_ = saveState();
-  restoreGeometry(settings_.value("window/geometry").toByteArray());
-  restoreState(settings_.value("window/layout").toByteArray());
+void MainWindow::closeEvent(QCloseEvent* event) {
+  // Saving goes on behind this, and closes the window when it is done.
+  const auto atOnce = std::make_shared<bool>(true);
+  const bool leaves = sessions_->whenSaved([this, atOnce] {
+    if (!*atOnce)
+      close();
+  });
+  *atOnce = false;
+  if (!leaves)
+    return event->ignore();
+  imports_->cancel();
+  layout_->save(settings_);
+  workspace_.jobs().cancelAll();
+  sessions_->endCleanly();
+  QMainWindow::closeEvent(event);
 }
 
 } // namespace viscera::app

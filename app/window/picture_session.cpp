@@ -9,7 +9,9 @@
 #include "available_systems.h"
 #include "window/import/import_desk.h"
 #include "window/main_window.h"
+#include "window/modes/mode_controller.h"
 #include "window/session/session_files.h"
+#include "window/view/view_actions.h"
 #include "window/view/view_area.h"
 
 namespace viscera::app {
@@ -45,7 +47,7 @@ int takePicture(const WindowOptions& options) {
   window.setTheme(themeFromName(QString::fromStdString(options.theme)));
   window.resize(options.width > 0 ? options.width : kWidth, options.height > 0 ? options.height : kHeight);
   window.show();
-  window.setMode(modeFromId(QString::fromStdString(options.mode)));
+  window.setMode(options.mode);
   QStringList files;
   for (const std::string& file : options.files)
     files.push_back(QString::fromStdString(file));
@@ -64,7 +66,8 @@ int takePicture(const WindowOptions& options) {
     return kSoftware;
   }
   const bool session = !window.sessions().file().isEmpty(); // It has a view of its own.
-  const bool moves = !session && (window.mode() == Mode::explore || window.mode() == Mode::play);
+  const Mode& mode = window.modes().present();
+  const bool moves = !session && mode.pose() == WantedPose::sequence && !mode.shown().stress;
   if (moves && window.playback().sequence()) {
     window.playback().play();
     while (now < kPlayedSeconds) {
@@ -74,7 +77,7 @@ int takePicture(const WindowOptions& options) {
   }
   waitWhile(kSettle);
   if (!session)
-    window.frameFromFront();
+    window.views().lookFrom(scene::StandardView::anterior);
   waitWhile(kSettle);
   if (!window.grab().save(QString::fromStdString(options.screenshot), "PNG")) {
     std::fprintf(stderr, "viscera: cannot write %s\n", options.screenshot.c_str());

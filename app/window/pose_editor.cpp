@@ -8,8 +8,9 @@
 
 namespace viscera::app {
 
-PoseEditor::PoseEditor(Workspace& workspace, QObject* parent)
-    : QObject(parent), workspace_(workspace), keeper_(workspace.document(), workspace.live()) {}
+PoseEditor::PoseEditor(Workspace& workspace, const ViewModel& model, QObject* parent)
+    : QObject(parent), workspace_(workspace), model_(model), keeper_(workspace.document(), workspace.live()) {
+}
 
 bool PoseEditor::begin(const QString& name, const std::vector<document::HandleId>& handles, bool mirrored) {
   cancel();
@@ -151,17 +152,14 @@ void PoseEditor::setCompensating(bool compensating) {
   workspace_.perform(document::editHandles(workspace_.selection().handles(), edit));
 }
 
-void PoseEditor::setMirror(Mirror mirror) {
-  if (std::exchange(mirror_, mirror) != mirror)
-    Q_EMIT mirrorChanged();
-}
-
 std::optional<deformation::MirrorPlane> PoseEditor::mirrorPlane() const {
+  using presentation::Mirror;
+  const Mirror mirror = model_.state().mirror;
   const auto organ = workspace_.currentOrgan();
-  if (mirror_ == Mirror::off || !organ)
+  if (mirror == Mirror::off || !organ)
     return std::nullopt;
   // LPS: x runs from side to side, y from front to back, z from foot to head.
-  const int axis = mirror_ == Mirror::sagittal ? 0 : mirror_ == Mirror::coronal ? 1 : 2;
+  const int axis = mirror == Mirror::sagittal ? 0 : mirror == Mirror::coronal ? 1 : 2;
   return deformation::MirrorPlane{boundsOf(organ->mesh->points).center(), Vec3::Unit(axis)};
 }
 

@@ -5,12 +5,10 @@
 #include <optional>
 
 #include "viscera/live/volume_keeper.h"
+#include "window/view/view_model.h"
 #include "window/workspace.h"
 
 namespace viscera::app {
-
-/// The planes that drags can be mirrored at, through the middle of the organ at rest.
-enum class Mirror { off, sagittal, coronal, axial };
 
 /// What moves handles in the pose, whether by mouse or by number: it keeps the locked volumes, mirrors where
 /// that is wanted, and makes one undo step of every gesture.
@@ -18,7 +16,8 @@ class PoseEditor final : public QObject {
   Q_OBJECT
 
 public:
-  explicit PoseEditor(Workspace& workspace, QObject* parent = nullptr);
+  /// `model` says which mirror is on.
+  PoseEditor(Workspace& workspace, const ViewModel& model, QObject* parent = nullptr);
 
   /// Begins a gesture with these handles; `mirrored`: their partners move along when a mirror is on. When it
   /// is not possible now, says why and returns false.
@@ -45,8 +44,6 @@ public:
   /// Makes the selected handles compensate, or no longer.
   void setCompensating(bool compensating);
 
-  void setMirror(Mirror mirror);
-  Mirror mirror() const { return mirror_; }
   /// The plane, when a mirror is on and there is an organ.
   std::optional<deformation::MirrorPlane> mirrorPlane() const;
   /// Which handles would mirror the selected ones.
@@ -55,8 +52,6 @@ public:
 Q_SIGNALS:
   /// A gesture began, went on or ended.
   void gestureChanged();
-  /// Another mirror.
-  void mirrorChanged();
   /// Why the gesture does not follow the mouse; empty when it does again, or is over.
   void obstacleChanged(const QString& obstacle);
 
@@ -66,9 +61,9 @@ private:
   void end(const std::function<void()>& close);
 
   Workspace& workspace_;
+  const ViewModel& model_;
   live::VolumeKeeper keeper_;
   std::optional<live::LockedMotion> motion_;
-  Mirror mirror_ = Mirror::off;
   QString obstacle_;
 };
 

@@ -29,7 +29,7 @@ bool displayThere() {
 }
 
 void begin(MainWindow& window, const WindowOptions& options) {
-  window.setMode(modeFromId(QString::fromStdString(options.mode)));
+  window.setMode(options.mode);
   if (options.files.empty()) {
     window.samples().load(QString::fromStdString(options.sample), true);
     return;

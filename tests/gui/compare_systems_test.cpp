@@ -7,7 +7,7 @@
 #include "viscera/scene/vtkVisceraHandleSetRepresentation.h"
 #include "window/compare/compared_system.h"
 #include "window/compare/comparison.h"
-#include "window/play_parts.h"
+#include "window/modes/play_mode.h"
 #include "window_test.h"
 
 namespace viscera::tests {

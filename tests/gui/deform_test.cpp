@@ -14,7 +14,7 @@ protected:
     WindowTest::SetUp();
     open(sphereFile());
     key(Qt::Key_3);
-    ASSERT_EQ(window().mode(), app::Mode::deform);
+    ASSERT_EQ(window().mode(), "deform");
     organ_ = document().organs().front()->id;
     handle_ = reachableHandle();
     ASSERT_GE(handle_, 0);

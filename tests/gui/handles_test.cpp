@@ -23,7 +23,7 @@ protected:
     WindowTest::SetUp();
     open(sphereFile());
     key(Qt::Key_2);
-    ASSERT_EQ(window().mode(), app::Mode::handles);
+    ASSERT_EQ(window().mode(), "handles");
   }
 };
 

@@ -13,7 +13,7 @@
 #include "viscera/document/organ_commands.h"
 #include "viscera/document/pose_commands.h"
 #include "window/export_actions.h"
-#include "window/measure/measuring.h"
+#include "window/modes/explore_mode.h"
 
 namespace viscera::tests {
 namespace {
@@ -46,7 +46,7 @@ protected:
     return text.remove(QStringLiteral(" mm")).remove(QChar(0xb0)).toDouble();
   }
   std::string label() {
-    const auto drawn = window().measuring().glyphs().drawn();
+    const auto drawn = window().explore().glyphs().drawn();
     return drawn.empty() ? std::string() : drawn[0].text;
   }
 
@@ -56,7 +56,7 @@ protected:
 
 TEST_F(MeasureTest, TwoClicksAreADistanceInTheListTheViewAndTheFile) {
   key(Qt::Key_D);
-  EXPECT_TRUE(window().measuring().active());
+  EXPECT_TRUE(window().explore().measuring());
   clickAt(a_);
   EXPECT_TRUE(measurements().empty()) << "nothing is in the document before it is complete";
   clickAt(b_);
@@ -66,7 +66,7 @@ TEST_F(MeasureTest, TwoClicksAreADistanceInTheListTheViewAndTheFile) {
   EXPECT_NEAR(listed(0, 2), expected, kClickTolerance);
   EXPECT_EQ(label(), "Distance 1: " + list().topLevelItem(0)->text(1).toStdString());
   EXPECT_EQ(window().workspace().undo().undoName(), "Measure distance");
-  EXPECT_TRUE(window().measuring().active()) << "the next one can be measured at once";
+  EXPECT_TRUE(window().explore().measuring()) << "the next one can be measured at once";
 
   window().exports().exportMeasurements(path(QStringLiteral("m.csv")));
   settle();
@@ -115,11 +115,11 @@ TEST_F(MeasureTest, EscapeTakesBackPointsThenEndsAndClicksSelectAgain) {
   clickAt(a_);
   EXPECT_FALSE(window().workspace().selection().organ()) << "the click was meant for the measurement";
   key(Qt::Key_Escape);
-  EXPECT_TRUE(window().measuring().active());
-  for (const auto& item : window().measuring().glyphs().items())
+  EXPECT_TRUE(window().explore().measuring());
+  for (const auto& item : window().explore().glyphs().items())
     EXPECT_EQ(item.points.size(), 1u) << "what is left is the place under the mouse";
   key(Qt::Key_Escape);
-  EXPECT_FALSE(window().measuring().active());
+  EXPECT_FALSE(window().explore().measuring());
   EXPECT_FALSE(window().actions()["measure.distance"]->isChecked());
   clickAt(b_);
   EXPECT_TRUE(window().workspace().selection().organ());
@@ -132,7 +132,7 @@ TEST_F(MeasureTest, ADragTurnsTheViewAndSetsNoPointAndAClickBesideTheOrganNone) 
   click(QPoint(5, view().height() / 2));
   QTest::mouseMove(&view(), QPoint(5, 5));
   settle();
-  EXPECT_TRUE(window().measuring().glyphs().items().empty());
+  EXPECT_TRUE(window().explore().glyphs().items().empty());
 }
 
 TEST_F(MeasureTest, TheNextPointIsShownUnderTheMouseWithTheDistanceToIt) {
@@ -140,7 +140,7 @@ TEST_F(MeasureTest, TheNextPointIsShownUnderTheMouseWithTheDistanceToIt) {
   clickAt(a_);
   QTest::mouseMove(&view(), onScreen(b_));
   settle();
-  const auto& items = window().measuring().glyphs().items();
+  const auto& items = window().explore().glyphs().items();
   ASSERT_EQ(items.size(), 1u);
   EXPECT_LT((items[0].points.at(1) - b_).norm(), kClickTolerance);
   EXPECT_NEAR(QString::fromStdString(items[0].text).remove(QStringLiteral(" mm")).toDouble(),
@@ -184,7 +184,7 @@ TEST_F(MeasureTest, NamesAreEditedInTheListAndTheChosenOneIsRemoved) {
   EXPECT_EQ(list().topLevelItem(0)->text(0), QStringLiteral("Width")) << "an empty name is refused";
   list().topLevelItem(0)->setSelected(true);
   settle();
-  EXPECT_TRUE(window().measuring().glyphs().items().at(0).highlighted);
+  EXPECT_TRUE(window().explore().glyphs().items().at(0).highlighted);
   list().setFocus();
   QTest::keyClick(&list(), Qt::Key_Delete);
   settle();
@@ -197,13 +197,13 @@ TEST_F(MeasureTest, NamesAreEditedInTheListAndTheChosenOneIsRemoved) {
 TEST_F(MeasureTest, EndsInAnotherModeAndBeginsInExplore) {
   key(Qt::Key_D);
   key(Qt::Key_3);
-  EXPECT_FALSE(window().measuring().active());
+  EXPECT_FALSE(window().explore().measuring());
   key(Qt::Key_A);
-  EXPECT_EQ(window().mode(), app::Mode::explore);
-  EXPECT_TRUE(window().measuring().active());
+  EXPECT_EQ(window().mode(), "explore");
+  EXPECT_TRUE(window().explore().measuring());
   ASSERT_TRUE(window().workspace().perform(document::removeAllOrgans()));
   settle();
-  EXPECT_FALSE(window().measuring().active()) << "there is nothing to measure";
+  EXPECT_FALSE(window().explore().measuring()) << "there is nothing to measure";
   EXPECT_FALSE(window().actions()["measure.angle"]->isEnabled());
 }
 

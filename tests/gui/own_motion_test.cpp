@@ -11,7 +11,7 @@
 #include "viscera/document/pose_commands.h"
 #include "viscera/medical_io/surface_file.h"
 #include "viscera/sequences/keyframes.h"
-#include "window/play_parts.h"
+#include "window/modes/play_mode.h"
 #include "window/recorded/fit_box.h"
 #include "window/recorded/key_box.h"
 #include "window/widgets/fold.h"

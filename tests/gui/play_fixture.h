@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "window/play_parts.h"
+#include "window/modes/play_mode.h"
 #include "window_test.h"
 
 namespace viscera::tests {
@@ -16,7 +16,7 @@ protected:
     WindowTest::SetUp();
     loadSample(QStringLiteral("heart"));
     key(Qt::Key_5);
-    ASSERT_EQ(window().mode(), app::Mode::play);
+    ASSERT_EQ(window().mode(), "play");
   }
   void loadSample(const QString& name) {
     const auto before = document().organs().empty() ? document::OrganId{} : document().organs().front()->id;
@@ -44,7 +44,7 @@ protected:
       QTest::qWait(1);
     }
   }
-  app::PlayParts& parts() { return window().play(); }
+  app::PlayMode& parts() { return window().play(); }
 };
 
 } // namespace viscera::tests

@@ -79,7 +79,7 @@ TEST_F(PlayMode, OpeningAFileTakesThePlaceOfTheSampleAndUndoBringsItBackWithItsM
 
 TEST_F(PlayMode, UndoOfOpeningAFileIsHeardByEveryPanelThoughTheSelectionGoesWithIt) {
   key(Qt::Key_2);
-  ASSERT_EQ(window().mode(), app::Mode::handles);
+  ASSERT_EQ(window().mode(), "handles");
   open(sphereFile());
   document::Selection& selection = window().workspace().selection();
   ASSERT_TRUE(selection.organ());

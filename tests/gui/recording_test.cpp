@@ -78,7 +78,7 @@ TEST_F(Recordings, AnOggMovieOfOneBeatHasAllItsFramesAndATableBesideIt) {
   press();
   EXPECT_TRUE(parts().recorder().running());
   key(Qt::Key_1); // The window is free for other things.
-  EXPECT_EQ(window().mode(), app::Mode::explore);
+  EXPECT_EQ(window().mode(), "explore");
   ASSERT_TRUE(recorded());
   // A beat of 0.8 s at ten frames a second, behind three headers.
   EXPECT_EQ(oggPackets(contents(file)), 3 + 8);

@@ -37,7 +37,7 @@ protected:
     pose(0, 0) += 7.1;
     ASSERT_TRUE(window().workspace().perform(document::setPose(pose)));
     ASSERT_TRUE(window().workspace().perform(document::recordKey(0.5)));
-    window().setMode(app::Mode::deform);
+    window().setMode("deform");
     view().view().lookFrom(scene::StandardView::left);
     camera()->Azimuth(21);
     camera()->Dolly(1.3);
@@ -72,7 +72,7 @@ TEST_F(SessionTest, SavedAndOpenedInAnotherWindowIsTheSameDocumentModeAndCamera)
   reopenWindow();
   open(path(QStringLiteral("work.viscera")));
   EXPECT_TRUE(document::identical(document().state(), state));
-  EXPECT_EQ(window().mode(), app::Mode::deform);
+  EXPECT_EQ(window().mode(), "deform");
   EXPECT_TRUE(window().actions()["view.ghost"]->isChecked());
   EXPECT_EQ(window().workspace().selection().currentHandle(), document().rig().handles[3].id);
   for (int k = 0; k < 3; ++k) {
@@ -184,7 +184,7 @@ TEST_F(SessionTest, ASampleAtItsInstantComesBackPlayingThere) {
   ASSERT_TRUE(waitUntil([this] { return window().playback().sequence() != nullptr; }));
   settle();
   EXPECT_FALSE(window().isWindowModified()) << "a sample by itself is no work";
-  window().setMode(app::Mode::play);
+  window().setMode("play");
   window().playback().setRate(90);
   window().playback().seek(1.0 / 3);
   const Points pose = window().workspace().live().shownPose();

@@ -18,8 +18,8 @@
 #include "sway.h"
 #include "viscera/live/stress_quantity.h"
 #include "viscera/scene/vtkVisceraHandleSetRepresentation.h"
+#include "window/modes/stress_mode.h"
 #include "window/stress/histogram.h"
-#include "window/stress/stress_mode.h"
 #include "window/stress/value_steps.h"
 
 namespace viscera::tests {
@@ -69,7 +69,7 @@ protected:
   }
   void enter() {
     key(Qt::Key_4);
-    ASSERT_EQ(window().mode(), app::Mode::stress);
+    ASSERT_EQ(window().mode(), "stress");
     ASSERT_TRUE(waitUntil([this] { return model().ready() && scene().tissue(); }));
     settle();
   }
@@ -228,7 +228,7 @@ TEST_F(StressModeTest, APlayingSequenceMovesTheMapAndIsRecorded) {
       std::make_shared<Sway>(document().rig().restPositions(), std::vector<Swing>{{0, Vec3(30, 0, 0)}});
   window().playback().setSequence(sway, document().organs().front()->id);
   key(Qt::Key_Space);
-  EXPECT_EQ(window().mode(), app::Mode::stress);
+  EXPECT_EQ(window().mode(), "stress");
   for (int frame = 0; frame < 12; ++frame) {
     now_ += 0.02;
     window().playback().advance();
@@ -272,7 +272,7 @@ TEST_F(StressModeTest, TheNumberOfWitnessesAndTheLookAreKeptInTheSettings) {
 
 TEST_F(StressModeTest, ACancelledTaskSaysSoAndGoesOnWhenAsked) {
   key(Qt::Key_1);
-  window().setMode(app::Mode::stress);
+  window().setMode("stress");
   window().workspace().jobs().cancelAll();
   ASSERT_TRUE(
       waitUntil([this] { return model().live().status().state == live::StressStatus::State::cancelled; }));

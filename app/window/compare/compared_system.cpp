@@ -13,13 +13,13 @@ std::string firstChoice(const document::SystemChoice& other) {
 
 ComparedSystem::ComparedSystem(const Side& first, const HandleScene& handles, const Side& second,
                                MessageBar* messages, QObject* parent)
-    : QObject(parent), first_(first), second_(second), poses_(second.workspace), firstHandles_(handles),
-      handles_(std::make_unique<HandleScene>(second.workspace, poses_, second.view.view())),
+    : QObject(parent), first_(first), second_(second), poses_(second.workspace, view_),
+      firstHandles_(handles),
+      handles_(std::make_unique<HandleScene>(second.workspace, poses_, view_, second.view.view())),
       messages_(second.workspace, messages, nullptr, &first.workspace) {
   auto choice = std::make_shared<document::SystemChoice>();
   choice->id = firstChoice(first.workspace.document().system());
   choice_ = std::move(choice);
-  handles_->setMode(Mode::explore);
   connect(handles_.get(), &HandleScene::changed, &second.view, &ViewWidget::scheduleRender);
   connect(&first.organs, &OrganScene::changed, this, &ComparedSystem::followLook);
   connect(&handles, &HandleScene::changed, this, &ComparedSystem::followLook);
@@ -70,8 +70,7 @@ void ComparedSystem::followLook() {
     second_.organs.setGhostShown(first_.organs.ghostShown());
   if (second_.organs.influenceShown() != first_.organs.influenceShown())
     second_.organs.setInfluenceShown(first_.organs.influenceShown());
-  if (handles_->alwaysShown() != firstHandles_.shown())
-    handles_->setAlwaysShown(firstHandles_.shown());
+  view_.change([this](presentation::ViewState& view) { view.handles = firstHandles_.shown(); });
 }
 
 void ComparedSystem::followSelection() {

@@ -55,6 +55,7 @@ private:
 
   Side first_;
   Side second_;
+  ViewModel view_;   ///< Says only whether handles are shown.
   PoseEditor poses_; ///< Moves nothing: handles are moved in the first view.
   const HandleScene& firstHandles_;
   std::unique_ptr<HandleScene> handles_;

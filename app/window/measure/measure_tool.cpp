@@ -46,7 +46,7 @@ MeasureTool::MeasureTool(Workspace& workspace, ViewWidget& view, OrganScene& org
 }
 
 void MeasureTool::begin(Kind kind) {
-  if (mode_ != Mode::explore || kind_ == kind)
+  if (!enabled_ || kind_ == kind)
     return;
   kind_ = kind;
   points_.clear();
@@ -69,9 +69,9 @@ void MeasureTool::end() {
   Q_EMIT changed();
 }
 
-void MeasureTool::setMode(Mode mode) {
-  mode_ = mode;
-  if (mode == Mode::explore)
+void MeasureTool::setEnabled(bool enabled) {
+  enabled_ = enabled;
+  if (enabled)
     return;
   if (held_)
     release();
@@ -113,7 +113,7 @@ std::vector<document::MeasuredPoint> MeasureTool::pending() const {
 }
 
 bool MeasureTool::eventFilter(QObject* watched, QEvent* event) {
-  if (watched != &view_ || mode_ != Mode::explore)
+  if (watched != &view_ || !enabled_)
     return false;
   switch (event->type()) {
   case QEvent::MouseButtonPress:

@@ -7,15 +7,14 @@
 
 #include "viscera/document/measurement.h"
 #include "viscera/scene/measurement_glyphs.h"
-#include "window/mode.h"
 #include "window/view/handle_scene.h"
 #include "window/view/organ_scene.h"
 #include "window/view/view_widget.h"
 
 namespace viscera::app {
 
-/// What the mouse does with measurements in Explore mode: while a kind is being measured every click on an
-/// organ is a point, and the last one completes a measurement; else points that are there can be dragged
+/// What the mouse does with measurements, where it is enabled: while a kind is being measured every click on
+/// an organ is a point, and the last one completes a measurement; else points that are there can be dragged
 /// along the organs, which is one undo step. Nothing is in the document before a measurement is complete.
 class MeasureTool final : public QObject {
   Q_OBJECT
@@ -27,12 +26,12 @@ public:
   MeasureTool(Workspace& workspace, ViewWidget& view, OrganScene& organs, HandleScene& handles,
               const scene::MeasurementGlyphs& glyphs, QObject* parent = nullptr);
 
-  /// Measures again and again until `end`. Another mode than Explore ends it too.
+  /// Measures again and again until `end`, or until the tool is no longer enabled.
   void begin(Kind kind);
   void end();
   bool active() const { return kind_.has_value(); }
   std::optional<Kind> kind() const { return kind_; }
-  void setMode(Mode mode);
+  void setEnabled(bool enabled);
   /// Takes back what the mouse is at: a drag, points that are no measurement yet, measuring, the choice.
   /// False when there was nothing.
   bool escape();
@@ -76,7 +75,7 @@ private:
   OrganScene& organs_;
   HandleScene& handles_;
   const scene::MeasurementGlyphs& glyphs_;
-  Mode mode_ = Mode::explore;
+  bool enabled_ = false;
   std::optional<Kind> kind_;
   std::vector<document::MeasuredPoint> points_;
   std::optional<document::MeasuredPoint> underMouse_;

@@ -25,9 +25,8 @@ QString namesOf(const document::Rig& rig, const std::vector<document::HandleId>&
 
 } // namespace
 
-DeformPage::DeformPage(Workspace& workspace, PoseEditor& poses, VolumeMonitor& volumes,
-                       const Actions& actions, QWidget* parent)
-    : Page(parent), workspace_(workspace), poses_(poses) {
+DeformPage::DeformPage(const Window& window, const Actions& actions, QWidget* parent)
+    : Page(parent), workspace_(window.workspace), poses_(window.poses), view_(window.view) {
   addSection(tr("Volume"));
   now_ = addFact(tr("Now"));
   rest_ = addFact(tr("At rest"));
@@ -35,11 +34,11 @@ DeformPage::DeformPage(Workspace& workspace, PoseEditor& poses, VolumeMonitor& v
   farthest_ = addFact(tr("Largest shift"));
   farthest_->setToolTip(tr("How far the organ's surface has moved from rest, at most"));
   addCheck(actions["volume.lock"]);
-  add(volume_ = new VolumeBox(workspace, poses, this));
+  add(volume_ = new VolumeBox(workspace_, poses_, this));
   addButton(actions["volume.restore"]);
   addSection(tr("Selected handles"));
-  add(new PositionBox(workspace, PositionBox::Of::pose, this, &poses));
-  add(new DisplacementBox(workspace, poses, this));
+  add(new PositionBox(workspace_, PositionBox::Of::pose, this, &poses_));
+  add(new DisplacementBox(workspace_, poses_, this));
   addCheck(actions["handles.gizmo"]);
   addCheck(actions["handles.compensate"]);
   compensating_ = addFact(tr("Compensating"));
@@ -57,15 +56,15 @@ DeformPage::DeformPage(Workspace& workspace, PoseEditor& poses, VolumeMonitor& v
   addCheck(actions["handles.influence"]);
   addButton(actions["play.compareSystems"]);
   finish();
-  connect(&volumes, &VolumeMonitor::updated, this, &DeformPage::sync);
-  connect(&poses, &PoseEditor::mirrorChanged, this, &DeformPage::syncHandles);
-  subscriptions_.push_back(workspace.onChange([this](const document::Change& change) {
+  connect(&window.volumes, &VolumeMonitor::updated, this, &DeformPage::sync);
+  connect(&view_, &ViewModel::changed, this, &DeformPage::syncHandles);
+  subscriptions_.push_back(workspace_.onChange([this](const document::Change& change) {
     if (!change.interactive)
       sync();
     if (change.rig() || change.organs())
       syncHandles();
   }));
-  subscriptions_.push_back(workspace.selection().onChange([this] {
+  subscriptions_.push_back(workspace_.selection().onChange([this] {
     sync();
     syncHandles();
   }));
@@ -86,8 +85,10 @@ void DeformPage::addMirror() {
   mirror_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   add(mirror_);
   partners_ = addFact(tr("Moves along"));
-  connect(mirror_, QOverload<int>::of(&QComboBox::activated), this,
-          [this](int index) { poses_.setMirror(static_cast<Mirror>(index)); });
+  connect(mirror_, QOverload<int>::of(&QComboBox::activated), this, [this](int index) {
+    view_.change(
+        [index](presentation::ViewState& view) { view.mirror = static_cast<presentation::Mirror>(index); });
+  });
 }
 
 void DeformPage::sync() {
@@ -117,12 +118,13 @@ void DeformPage::syncHandles() {
       marked.push_back(handle.id);
   compensating_->setText(marked.empty() ? tr("all that are free") : namesOf(rig, marked));
   const QSignalBlocker quiet(mirror_);
-  mirror_->setCurrentIndex(static_cast<int>(poses_.mirror()));
+  const presentation::Mirror mirror = view_.state().mirror;
+  mirror_->setCurrentIndex(static_cast<int>(mirror));
   const bool selected = !workspace_.selection().handles().empty();
   const auto partners = poses_.partnersOfSelection();
-  partners_->setText(poses_.mirror() == Mirror::off || !selected ? QStringLiteral("-")
-                     : partners.empty()                          ? tr("no handle is near the mirror image")
-                                                                 : namesOf(rig, partners));
+  partners_->setText(mirror == presentation::Mirror::off || !selected ? QStringLiteral("-")
+                     : partners.empty() ? tr("no handle is near the mirror image")
+                                        : namesOf(rig, partners));
 }
 
 } // namespace viscera::app

@@ -18,8 +18,15 @@ class DeformPage final : public Page {
   Q_OBJECT
 
 public:
-  DeformPage(Workspace& workspace, PoseEditor& poses, VolumeMonitor& volumes, const Actions& actions,
-             QWidget* parent = nullptr);
+  /// What the page speaks of; all have to live longer.
+  struct Window {
+    Workspace& workspace;
+    PoseEditor& poses;
+    VolumeMonitor& volumes;
+    ViewModel& view;
+  };
+
+  DeformPage(const Window& window, const Actions& actions, QWidget* parent = nullptr);
 
 private:
   void addMirror();
@@ -28,6 +35,7 @@ private:
 
   Workspace& workspace_;
   PoseEditor& poses_;
+  ViewModel& view_;
   VolumeBox* volume_ = nullptr;
   QLabel* now_ = nullptr;
   QLabel* rest_ = nullptr;

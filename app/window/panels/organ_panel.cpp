@@ -96,6 +96,16 @@ OrganPanel::OrganPanel(Workspace& workspace, PoseEditor& poses, VolumeMonitor& v
   rebuild();
 }
 
+void OrganPanel::addTo(Actions& actions) {
+  actions.add("organ.rename", {tr("Re&name organ"), "rename", {}, {}}, [this] { editName(); });
+  actions.add("organ.remove", {tr("&Remove organ"), "remove", {}, {}}, [this] {
+    if (const auto organ = workspace_.currentOrgan())
+      workspace_.perform(document::removeOrgans({organ->id}));
+  });
+  actions.enableWhile({"organ.rename", "organ.remove"},
+                      [this] { return !workspace_.document().organs().empty(); });
+}
+
 void OrganPanel::editName() {
   const auto organ = workspace_.currentOrgan();
   if (organ && items_.count(organ->id))

@@ -24,6 +24,8 @@ class OrganPanel final : public QWidget {
 public:
   OrganPanel(Workspace& workspace, PoseEditor& poses, VolumeMonitor& volumes, QWidget* parent = nullptr);
 
+  /// Adds "organ.rename" and "organ.remove".
+  void addTo(Actions& actions);
   /// Opens the name of the selected organ for editing.
   void editName();
 

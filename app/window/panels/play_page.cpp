@@ -47,7 +47,7 @@ void PlayPage::makeMotion(const Actions& actions) {
   addSection(tr("Sequence"));
   auto* list = new SequenceList(playback_, this);
   add(list);
-  connect(list, &SequenceList::sequenceChosen, &parts_, &PlayParts::chooseSequence);
+  connect(list, &SequenceList::sequenceChosen, &parts_, &PlayMode::chooseSequence);
   rate_ = addFact(tr("Rate"));
   phase_ = addFact(tr("Phase"));
   addCheck(actions["play.loop"]);
@@ -82,7 +82,7 @@ void PlayPage::makeRecording(Settings& settings) {
   record_ = new RecordBox(settings, this);
   add(new Fold(tr("Record a movie"), record_, true, this));
   Recorder& recorder = parts_.recorder();
-  connect(record_, &RecordBox::recordRequested, &parts_, &PlayParts::record);
+  connect(record_, &RecordBox::recordRequested, &parts_, &PlayMode::record);
   connect(record_, &RecordBox::cancelRequested, &recorder, &Recorder::cancel);
   connect(&recorder, &Recorder::stateChanged, this,
           [this, &recorder] { record_->setRunning(recorder.running()); });

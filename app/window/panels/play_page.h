@@ -1,7 +1,7 @@
 #pragma once
 
 #include "window/actions.h"
-#include "window/play_parts.h"
+#include "window/modes/play_mode.h"
 #include "window/recording/record_box.h"
 #include "window/timeline/volume_monitor.h"
 #include "window/widgets/page.h"
@@ -22,7 +22,7 @@ public:
     Playback& playback;
     VolumeMonitor& volumes;
     ViewWidget& view;
-    PlayParts& parts;
+    PlayMode& parts;
     Settings& settings;
   };
 
@@ -40,7 +40,7 @@ private:
 
   Playback& playback_;
   VolumeMonitor& volumes_;
-  PlayParts& parts_;
+  PlayMode& parts_;
   QLabel* rate_ = nullptr;
   QLabel* phase_ = nullptr;
   QTableWidget* table_ = nullptr;

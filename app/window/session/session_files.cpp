@@ -42,9 +42,36 @@ SessionFiles::SessionFiles(Workspace& workspace, Playback& playback, ViewState& 
       window_(window), writes_(postTo(this)) {
   subscription_ = workspace.undo().onChange([this] { onUndo(); });
   connect(&timer_, &QTimer::timeout, this, &SessionFiles::autosaveIfDue);
+  connect(this, &SessionFiles::changed, this, &SessionFiles::syncTitle);
+  syncTitle();
 }
 
 SessionFiles::~SessionFiles() = default;
+
+void SessionFiles::addTo(Actions& actions) {
+  actions.add("file.new", {tr("&New session"), nullptr, {QKeySequence::New}, tr("Begin with nothing")},
+              [this] { begin(); });
+  actions.add("file.save", {tr("&Save"), "save", {QKeySequence::Save}, tr("Save the session")},
+              [this] { save(); });
+  actions.add("file.saveAs",
+              {tr("Save &as..."), nullptr, {tr("Ctrl+Shift+S")}, tr("Save the session in another file")},
+              [this] { chooseAndSave(); });
+  actions.add("file.recover",
+              {tr("&Bring back unsaved work"),
+               nullptr,
+               {},
+               tr("Open what Viscera kept when it ended without saving")},
+              [this] { recover(); });
+  actions.enableWhile({"file.recover"}, [this] { return recoverable(); });
+  connect(this, &SessionFiles::changed, &actions, &Actions::sync);
+}
+
+void SessionFiles::syncTitle() {
+  const bool nameless = file_.isEmpty() && !modified();
+  window_->setWindowTitle((nameless ? tr("Viscera") : name()) + QStringLiteral("[*]"));
+  window_->setWindowModified(modified());
+  window_->setWindowFilePath(file_);
+}
 
 QString SessionFiles::name() const {
   return file_.isEmpty() ? tr("Untitled session") : QFileInfo(file_).fileName();

@@ -11,6 +11,7 @@
 
 #include "viscera/document/autosave.h"
 #include "viscera/document/session_file.h"
+#include "window/actions.h"
 #include "window/session/view_state.h"
 #include "window/settings.h"
 #include "window/workspace.h"
@@ -31,6 +32,9 @@ public:
   SessionFiles(Workspace& workspace, Playback& playback, ViewState& view, Settings& settings,
                QWidget* window);
   ~SessionFiles() override;
+
+  /// Adds "file.new", "file.save", "file.saveAs" and "file.recover".
+  void addTo(Actions& actions);
 
   /// The file of the session; empty for one that was never saved.
   const QString& file() const { return file_; }
@@ -88,6 +92,8 @@ private:
   void wrote(const QString& file, bool embed, const document::DocumentState& state);
   void sayWarnings(const std::vector<std::string>& warnings);
   void onUndo();
+  /// Says in the window's title which session it is and whether it is saved.
+  void syncTitle();
   void autosaveIfDue();
   Answer ask() const;
 

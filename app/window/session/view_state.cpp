@@ -58,9 +58,7 @@ ViewState::ViewState(Window window, QObject* parent) : QObject(parent), window_(
 std::string ViewState::gather() const {
   const document::Selection& selection = window_.workspace.selection();
   ordered_json view;
-  for (const ModeDescription& description : modeDescriptions())
-    if (description.mode == window_.mode())
-      view["mode"] = description.id;
+  view["mode"] = window_.modes.present().description().id;
   view["camera"] = cameraJson(*window_.area.view()->view().renderer());
   view["switches"] = ordered_json::object();
   for (const QAction* action : window_.actions.all())
@@ -97,7 +95,7 @@ std::string ViewState::gather() const {
 void ViewState::apply(const std::string& text) {
   try {
     const ordered_json view = ordered_json::parse(text);
-    window_.setMode(modeFromId(QString::fromStdString(view.value("mode", std::string()))));
+    window_.modes.choose(view.value("mode", std::string()));
     const ordered_json switches = view.value("switches", ordered_json::object());
     for (QAction* action : window_.actions.all())
       if (isOfTheView(*action) && switches.contains(action->objectName().toStdString()))

@@ -1,10 +1,9 @@
 #pragma once
 
-#include <functional>
 #include <string>
 
 #include "window/actions.h"
-#include "window/mode.h"
+#include "window/modes/mode_controller.h"
 #include "window/stress/stress_model.h"
 #include "window/timeline/playback.h"
 #include "window/view/view_area.h"
@@ -26,8 +25,7 @@ public:
     Actions& actions;
     ViewArea& area;
     StressModel& stress;
-    std::function<Mode()> mode;
-    std::function<void(Mode)> setMode;
+    ModeController& modes;
   };
 
   explicit ViewState(Window window, QObject* parent = nullptr);

@@ -117,7 +117,7 @@ void Playback::setFollower(Playback* follower) {
     return;
   follower_->driven_ = true;
   follower_->frames_.stop();
-  follower_->setMode(mode_);
+  follower_->setPose(wanted_);
   follower_->setSpeed(player_.speed());
   if (showing())
     follower_->lookAtSecond(player_.secondsInCycle());
@@ -135,18 +135,18 @@ void Playback::advance() {
     pause();
 }
 
-void Playback::setMode(Mode mode) {
-  mode_ = mode;
+void Playback::setPose(WantedPose wanted) {
+  wanted_ = wanted;
   if (!follows())
     pause();
   if (follower_)
-    follower_->setMode(mode);
-  showWhatModeWants();
+    follower_->setPose(wanted);
+  showWhatIsWanted();
 }
 
-void Playback::showWhatModeWants() {
+void Playback::showWhatIsWanted() {
   workspace_.guarded([this] {
-    if (mode_ == Mode::handles)
+    if (wanted_ == WantedPose::rest)
       workspace_.live().showRest();
     else if (showing())
       showPose();
@@ -273,7 +273,7 @@ void Playback::stop() {
   if (!started_)
     return;
   started_ = false;
-  showWhatModeWants();
+  showWhatIsWanted();
   Q_EMIT stateChanged();
 }
 

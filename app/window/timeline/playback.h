@@ -9,13 +9,19 @@
 
 #include "viscera/live/volume_keeper.h"
 #include "viscera/motion/player.h"
-#include "window/mode.h"
 #include "window/workspace.h"
 
 namespace viscera::app {
 
+/// Which pose a mode wants to be shown.
+enum class WantedPose {
+  rest,     ///< The handles at rest.
+  document, ///< The document's.
+  sequence  ///< The sequence's once it has been started, else the document's.
+};
+
 /// Plays a sequence on the organs, frame by frame, without touching the document; and decides which pose is
-/// shown: rest in Handles mode, the document's in Deform mode, else the sequence's once it has been started.
+/// shown, of those that the mode wants.
 /// It knows the motions of several organs: undo brings an organ back with its motion.
 class Playback final : public QObject {
   Q_OBJECT
@@ -57,7 +63,7 @@ public:
   /// Whether the organs show the sequence's pose.
   bool showing() const { return started_ && follows(); }
 
-  void setMode(Mode mode);
+  void setPose(WantedPose wanted);
 
   /// Another playback that does what this one does, at the same seconds and at a rate of its own, for organs
   /// beside these; null: none. It has to live until another one is set.
@@ -89,7 +95,7 @@ Q_SIGNALS:
   void playModeWanted();
 
 private:
-  bool follows() const { return mode_ == Mode::explore || mode_ == Mode::stress || mode_ == Mode::play; }
+  bool follows() const { return wanted_ == WantedPose::sequence; }
   void remember(const Motion& motion);
   void take(const Motion& motion);
   void takeWhatFits();
@@ -98,7 +104,7 @@ private:
   void lookAtSecond(double seconds);
   void showPose();
   void showKept();
-  void showWhatModeWants();
+  void showWhatIsWanted();
   void offerOwnHandles();
 
   Workspace& workspace_;
@@ -107,7 +113,7 @@ private:
   Motion present_;
   live::VolumeKeeper keeper_;
   bool outOfReach_ = false; ///< It was said that a locked volume cannot be kept.
-  Mode mode_ = Mode::explore;
+  WantedPose wanted_ = WantedPose::sequence;
   bool started_ = false;
   bool driven_ = false; ///< It is a follower: another playback says when the time goes on.
   Playback* follower_ = nullptr;

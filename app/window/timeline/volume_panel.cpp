@@ -125,6 +125,8 @@ void VolumePanel::setTheme(const Theme& theme) {
 }
 
 void VolumePanel::setCycleShown(bool shown) {
+  if (shown == cycleShown_)
+    return;
   cycleShown_ = shown;
   chart_->clear();
   charted_ = 0;

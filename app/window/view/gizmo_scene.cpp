@@ -8,8 +8,9 @@ namespace {
 constexpr std::size_t kFewestHandles = 2;
 } // namespace
 
-GizmoScene::GizmoScene(Workspace& workspace, PoseEditor& poses, scene::OrganView& view, QObject* parent)
-    : QObject(parent), workspace_(workspace), poses_(poses), view_(view) {
+GizmoScene::GizmoScene(Workspace& workspace, PoseEditor& poses, const ViewModel& model,
+                       scene::OrganView& view, QObject* parent)
+    : QObject(parent), workspace_(workspace), poses_(poses), model_(model), view_(view) {
   using Widget = vtkVisceraGizmoWidget;
   const auto listen = [this](unsigned long event, std::function<void(const scene::GizmoEvent&)> listener) {
     observers_.push_back(scene::observe(view_.gizmoWidget(), event, std::move(listener)));
@@ -30,25 +31,16 @@ GizmoScene::GizmoScene(Workspace& workspace, PoseEditor& poses, scene::OrganView
       sync();
   }));
   subscriptions_.push_back(workspace.selection().onChange([this] { sync(); }));
+  connect(&model, &ViewModel::changed, this, [this] {
+    if (dragging() && !wanted())
+      view_.gizmoWidget()->CancelDrag();
+    sync();
+  });
 }
 
 GizmoScene::~GizmoScene() {
   for (const unsigned long tag : observers_)
     view_.gizmoWidget()->RemoveObserver(tag);
-}
-
-void GizmoScene::setMode(Mode mode) {
-  if (dragging())
-    view_.gizmoWidget()->CancelDrag();
-  mode_ = mode;
-  sync();
-}
-
-void GizmoScene::setWanted(bool wanted) {
-  if (dragging())
-    view_.gizmoWidget()->CancelDrag();
-  wanted_ = wanted;
-  sync();
 }
 
 bool GizmoScene::shown() const {
@@ -76,7 +68,7 @@ void GizmoScene::sync() {
   if (dragging()) // It stays where it was grabbed.
     return;
   const auto handles = movable();
-  const bool show = wanted_ && mode_ == Mode::deform && handles.size() >= kFewestHandles;
+  const bool show = wanted() && handles.size() >= kFewestHandles;
   view_.gizmo()->SetVisibility(show);
   if (show) {
     const document::Rig& rig = workspace_.document().rig();

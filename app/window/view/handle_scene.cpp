@@ -34,8 +34,9 @@ Colors handleColors(const document::Rig& rig, bool tinted) {
 
 } // namespace
 
-HandleScene::HandleScene(Workspace& workspace, PoseEditor& poses, scene::OrganView& view, QObject* parent)
-    : QObject(parent), workspace_(workspace), poses_(poses), view_(view) {
+HandleScene::HandleScene(Workspace& workspace, PoseEditor& poses, const ViewModel& model,
+                         scene::OrganView& view, QObject* parent)
+    : QObject(parent), workspace_(workspace), poses_(poses), model_(model), view_(view) {
   using Widget = vtkVisceraHandleSetWidget;
   Widget* widget = view.handleWidget();
   widget->SetRenderOnChange(false);
@@ -61,6 +62,9 @@ HandleScene::HandleScene(Workspace& workspace, PoseEditor& poses, scene::OrganVi
       syncPositions();
   }));
   subscriptions_.push_back(workspace.selection().onChange([this] { syncSelection(); }));
+  connect(&model, &ViewModel::changed, this, &HandleScene::syncView);
+  seen_ = model.state().shown;
+  alwaysShown_ = model.state().handles;
   syncRig();
   syncPositions();
 }
@@ -70,24 +74,16 @@ HandleScene::~HandleScene() {
     view_.handleWidget()->RemoveObserver(tag);
 }
 
-void HandleScene::setMode(Mode mode) {
-  if (dragging())
+void HandleScene::syncView() {
+  const presentation::ViewState& view = model_.state();
+  if (seen_ == view.shown && alwaysShown_ == view.handles)
+    return;
+  if (dragging() && !(seen_ == view.shown))
     view_.handleWidget()->CancelDrag();
-  mode_ = mode;
+  seen_ = view.shown;
+  alwaysShown_ = view.handles;
   syncRig();
   syncPositions();
-}
-
-void HandleScene::setAlwaysShown(bool shown) {
-  alwaysShown_ = shown;
-  syncShown();
-}
-
-void HandleScene::setPlayed(bool played) {
-  if (played == played_)
-    return;
-  played_ = played;
-  syncShown();
 }
 
 void HandleScene::setShownWhere(std::function<bool(const Vec3&)> wanted) {
@@ -108,9 +104,9 @@ void HandleScene::syncRig() {
   auto* handles = view_.handles();
   if (handles->GetNumberOfHandles() != static_cast<int>(rig.handles.size()))
     handles->SetPositions(rig.restPositions());
-  handles->SetColors(handleColors(rig, mode_ == Mode::deform));
+  handles->SetColors(handleColors(rig, seen_.compensating));
   for (std::size_t row = 0; row < rig.handles.size(); ++row)
-    handles->SetHandleLocked(static_cast<int>(row), rig.handles[row].locked || !editable());
+    handles->SetHandleLocked(static_cast<int>(row), rig.handles[row].locked || !seen_.movable);
   syncShown();
   syncSelection();
 }
@@ -121,7 +117,7 @@ void HandleScene::syncShown() {
   for (std::size_t row = 0; row < rig.handles.size(); ++row) {
     const bool here = !shownWhere_ || shownWhere_(handles->GetPosition(static_cast<int>(row)));
     handles->SetHandleShown(static_cast<int>(row), shown() && here && rig.handles[row].visible);
-    handles->SetHandleLocked(static_cast<int>(row), rig.handles[row].locked || !editable());
+    handles->SetHandleLocked(static_cast<int>(row), rig.handles[row].locked || !seen_.movable);
   }
   Q_EMIT changed();
 }
@@ -162,13 +158,13 @@ void HandleScene::onSelected(const scene::HandleEvent& event) {
 
 void HandleScene::onGrabbed(const scene::HandleEvent& event) {
   const auto& rig = workspace_.document().rig();
-  if (!editable() || event.handle < 0)
+  if (!seen_.movable || event.handle < 0)
     return;
   dragFailed_ = false;
   const QString name = event.moving.size() > 1
                            ? tr("Move %n {handle|handles}", nullptr, static_cast<int>(event.moving.size()))
                            : tr("Move handle %1").arg(text(rig.handles[event.handle].label));
-  if (posesHandles(mode_))
+  if (!seen_.rest)
     beginPoseDrag(name, event);
   else
     workspace_.guarded([&] { workspace_.undo().beginStep(name.toStdString()); });
@@ -199,9 +195,9 @@ document::Command HandleScene::moveCommand(const std::vector<int>& rows) const {
 }
 
 void HandleScene::onMoved(const scene::HandleEvent& event) {
-  if (!editable())
+  if (!seen_.movable)
     return;
-  if (posesHandles(mode_)) {
+  if (!seen_.rest) {
     poses_.translate(event.delta());
     // Where the handles are now, not where the cursor wanted them; and others that moved along.
     return syncPositions();
@@ -221,7 +217,7 @@ void HandleScene::onMoved(const scene::HandleEvent& event) {
 
 void HandleScene::onReleased() {
   view_.handles()->ClearConstraintPlane();
-  if (posesHandles(mode_))
+  if (!seen_.rest)
     poses_.finish();
   else
     workspace_.guarded([&] { workspace_.undo().endStep(); });
@@ -231,7 +227,7 @@ void HandleScene::onReleased() {
 
 void HandleScene::onCancelled() {
   view_.handles()->ClearConstraintPlane();
-  if (posesHandles(mode_))
+  if (!seen_.rest)
     poses_.cancel();
   else
     workspace_.guarded([&] { workspace_.undo().cancelStep(); });

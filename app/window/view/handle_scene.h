@@ -4,30 +4,25 @@
 
 #include "viscera/scene/handle_event.h"
 #include "viscera/scene/organ_view.h"
-#include "window/mode.h"
 #include "window/pose_editor.h"
+#include "window/view/view_model.h"
 #include "window/workspace.h"
 
 namespace viscera::app {
 
 /// Keeps the handle widget as the document and the selection have them, and turns what the mouse does with it
-/// into commands: in Handles mode it edits the rest shape, in Deform mode the pose, where locked volumes are
-/// kept. One drag is one undo step.
+/// into commands: at rest it edits the rest shape, else the pose, where locked volumes are kept. One drag is
+/// one undo step.
 class HandleScene final : public QObject {
   Q_OBJECT
 
 public:
-  HandleScene(Workspace& workspace, PoseEditor& poses, scene::OrganView& view, QObject* parent = nullptr);
+  HandleScene(Workspace& workspace, PoseEditor& poses, const ViewModel& model, scene::OrganView& view,
+              QObject* parent = nullptr);
   ~HandleScene() override;
 
-  void setMode(Mode mode);
-  /// Shows the handles also where they cannot be moved (Explore, Play).
-  void setAlwaysShown(bool shown);
-  bool alwaysShown() const { return alwaysShown_; }
   /// Whether there are handles to be seen, by the mode or always.
-  bool shown() const { return editable() || alwaysShown_; }
-  /// In Stress mode handles can be moved only while the document's pose is shown, not a sequence's.
-  void setPlayed(bool played);
+  bool shown() const { return seen_.handles || alwaysShown_; }
   /// Shows only handles at places of which `wanted` says so; null: all again. Asked when it is set and when
   /// the handles change.
   void setShownWhere(std::function<bool(const Vec3&)> wanted);
@@ -41,9 +36,7 @@ Q_SIGNALS:
   void dragEnded();
 
 private:
-  bool editable() const {
-    return mode_ == Mode::handles || mode_ == Mode::deform || (mode_ == Mode::stress && !played_);
-  }
+  void syncView();
   void syncRig();
   void syncPositions();
   void syncSelection();
@@ -58,11 +51,11 @@ private:
 
   Workspace& workspace_;
   PoseEditor& poses_;
+  const ViewModel& model_;
   scene::OrganView& view_;
-  Mode mode_ = Mode::explore;
+  presentation::Shown seen_; ///< As the view had it last: a drag ends as it began.
   bool alwaysShown_ = false;
   std::function<bool(const Vec3&)> shownWhere_;
-  bool played_ = false;     ///< What is shown is a sequence's pose.
   bool fromWidget_ = false; ///< The widget already shows what is being changed.
   bool dragFailed_ = false; ///< This drag has met an error and said so.
   std::vector<unsigned long> observers_;

@@ -8,10 +8,11 @@ namespace {
 constexpr double kHalfSide = 0.42;
 } // namespace
 
-MotionGuide::MotionGuide(Workspace& workspace, PoseEditor& poses, scene::OrganView& view, QObject* parent)
-    : QObject(parent), workspace_(workspace), poses_(poses), view_(view) {
+MotionGuide::MotionGuide(Workspace& workspace, PoseEditor& poses, const ViewModel& model,
+                         scene::OrganView& view, QObject* parent)
+    : QObject(parent), workspace_(workspace), poses_(poses), model_(model), view_(view) {
   connect(&poses, &PoseEditor::gestureChanged, this, &MotionGuide::syncConstraint);
-  connect(&poses, &PoseEditor::mirrorChanged, this, &MotionGuide::syncMirror);
+  connect(&model, &ViewModel::changed, this, &MotionGuide::syncMirror);
   subscriptions_.push_back(workspace.onChange([this](const document::Change& change) {
     if (change.organs())
       syncMirror();
@@ -19,15 +20,10 @@ MotionGuide::MotionGuide(Workspace& workspace, PoseEditor& poses, scene::OrganVi
   subscriptions_.push_back(workspace.selection().onChange([this] { syncMirror(); }));
 }
 
-void MotionGuide::setMode(Mode mode) {
-  mode_ = mode;
-  syncMirror();
-}
-
 void MotionGuide::syncConstraint() {
   const live::LockedMotion* motion = poses_.motion();
   const int held = view_.handles()->GetActiveHandle();
-  const Vec3 normal = motion && posesHandles(mode_) ? motion->planeNormal() : Vec3(Vec3::Zero());
+  const Vec3 normal = motion ? motion->planeNormal() : Vec3(Vec3::Zero());
   if (held >= 0 && normal.norm() > 0 && held < motion->pose().rows())
     view_.constraint().show(motion->pose().row(held).transpose(), normal);
   else
@@ -38,7 +34,7 @@ void MotionGuide::syncConstraint() {
 void MotionGuide::syncMirror() {
   const auto plane = poses_.mirrorPlane();
   const auto organ = workspace_.currentOrgan();
-  if (plane && organ && mode_ == Mode::deform)
+  if (plane && organ && model_.state().shown.tools)
     view_.mirrorPlane().show(plane->point, plane->normal,
                              kHalfSide * boundsOf(organ->mesh->points).diagonal());
   else

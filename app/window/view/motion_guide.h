@@ -3,8 +3,8 @@
 #include <QObject>
 
 #include "viscera/scene/organ_view.h"
-#include "window/mode.h"
 #include "window/pose_editor.h"
+#include "window/view/view_model.h"
 #include "window/workspace.h"
 
 namespace viscera::app {
@@ -15,9 +15,8 @@ class MotionGuide final : public QObject {
   Q_OBJECT
 
 public:
-  MotionGuide(Workspace& workspace, PoseEditor& poses, scene::OrganView& view, QObject* parent = nullptr);
-
-  void setMode(Mode mode);
+  MotionGuide(Workspace& workspace, PoseEditor& poses, const ViewModel& model, scene::OrganView& view,
+              QObject* parent = nullptr);
 
 Q_SIGNALS:
   void changed();
@@ -28,8 +27,8 @@ private:
 
   Workspace& workspace_;
   PoseEditor& poses_;
+  const ViewModel& model_;
   scene::OrganView& view_;
-  Mode mode_ = Mode::explore;
   std::vector<Subscription> subscriptions_;
 };
 

@@ -1,5 +1,7 @@
 #include "window/view/organ_scene.h"
 
+#include <utility>
+
 #include "viscera/scene/color_map.h"
 
 namespace viscera::app {
@@ -127,8 +129,8 @@ void OrganScene::syncSelection() {
 }
 
 void OrganScene::setGhostShown(bool shown) {
-  ghostShown_ = shown;
-  syncGhosts();
+  if (std::exchange(ghostShown_, shown) != shown)
+    syncGhosts();
 }
 
 void OrganScene::setGhostColor(const Vec3& color) {
@@ -152,8 +154,8 @@ void OrganScene::syncGhosts() {
 }
 
 void OrganScene::setInfluenceShown(bool shown) {
-  influenceShown_ = shown;
-  syncInfluence();
+  if (std::exchange(influenceShown_, shown) != shown)
+    syncInfluence();
 }
 
 void OrganScene::setSuspended(bool suspended) {

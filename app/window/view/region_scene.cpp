@@ -30,8 +30,10 @@ std::vector<scene::RegionHull> regionHulls(const document::Rig& rig, const coord
   return hulls;
 }
 
-RegionScene::RegionScene(Workspace& workspace, GroupLayout& layout, scene::OrganView& view, QObject* parent)
-    : QObject(parent), workspace_(workspace), layout_(layout), view_(view) {
+RegionScene::RegionScene(Workspace& workspace, GroupLayout& layout, const ViewModel& model,
+                         scene::OrganView& view, QObject* parent)
+    : QObject(parent), workspace_(workspace), layout_(layout), model_(model), view_(view) {
+  connect(&model, &ViewModel::changed, this, &RegionScene::sync);
   subscription_ = workspace.onChange([this](const document::Change& change) {
     if (change.rig() || change.system())
       sync();
@@ -42,21 +44,11 @@ RegionScene::~RegionScene() {
   view_.regions().setHulls({});
 }
 
-void RegionScene::setMode(Mode mode) {
-  mode_ = mode;
-  sync();
-}
-
-void RegionScene::setShown(const scene::LayoutParts& shown) {
-  shown_ = shown;
-  sync();
-}
-
 void RegionScene::sync() {
   std::vector<scene::RegionHull> hulls;
-  if (mode_ == Mode::handles)
-    hulls =
-        regionHulls(workspace_.document().rig(), layout_.now(), shown_, workspace_.systemTraits().needsCage);
+  if (model_.state().shown.regions)
+    hulls = regionHulls(workspace_.document().rig(), layout_.now(), model_.state().layout,
+                        workspace_.systemTraits().needsCage);
   if (hulls.empty() && view_.regions().hulls().empty())
     return;
   view_.regions().setHulls(std::move(hulls));

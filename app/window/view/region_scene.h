@@ -5,7 +5,7 @@
 #include "viscera/scene/layout_hulls.h"
 #include "viscera/scene/organ_view.h"
 #include "window/group_layout.h"
-#include "window/mode.h"
+#include "window/view/view_model.h"
 
 namespace viscera::app {
 
@@ -14,18 +14,15 @@ namespace viscera::app {
 std::vector<scene::RegionHull> regionHulls(const document::Rig& rig, const coordinates::SpaceLayout& layout,
                                            const scene::LayoutParts& shown, bool withCage);
 
-/// Shows the regions, zones and super-regions of the groups, and the cage of coordinates that need one, while
-/// the handles are edited at rest.
+/// Shows the regions, zones and super-regions of the groups, and the cage of coordinates that need one, where
+/// the view has them.
 class RegionScene final : public QObject {
   Q_OBJECT
 
 public:
-  RegionScene(Workspace& workspace, GroupLayout& layout, scene::OrganView& view, QObject* parent = nullptr);
+  RegionScene(Workspace& workspace, GroupLayout& layout, const ViewModel& model, scene::OrganView& view,
+              QObject* parent = nullptr);
   ~RegionScene() override;
-
-  void setMode(Mode mode);
-  void setShown(const scene::LayoutParts& shown);
-  const scene::LayoutParts& shown() const { return shown_; }
 
 Q_SIGNALS:
   void changed();
@@ -35,9 +32,8 @@ private:
 
   Workspace& workspace_;
   GroupLayout& layout_;
+  const ViewModel& model_;
   scene::OrganView& view_;
-  scene::LayoutParts shown_;
-  Mode mode_ = Mode::explore;
   Subscription subscription_;
 };
 

@@ -5,6 +5,7 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include "window/modes/mode_controller.h"
 #include "window/style/icon.h"
 
 namespace viscera::app {
@@ -12,13 +13,15 @@ namespace {
 constexpr int kIconSize = 24;
 } // namespace
 
-ModeRail::ModeRail(QWidget* parent) : QWidget(parent), buttons_(new QButtonGroup(this)) {
+ModeRail::ModeRail(ModeController& modes, QWidget* parent) : QWidget(parent) {
+  auto* buttons = new QButtonGroup(this);
   setObjectName(QStringLiteral("modeRail"));
   setAttribute(Qt::WA_StyledBackground);
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(4, 8, 4, 8);
   column->setSpacing(4);
-  for (const ModeDescription& description : modeDescriptions()) {
+  for (const auto& mode : modes.all()) {
+    const Mode::Description& description = mode->description();
     auto* button = new QToolButton(this);
     button->setObjectName(QStringLiteral("modeButton"));
     button->setProperty("mode", QString::fromLatin1(description.id));
@@ -30,17 +33,14 @@ ModeRail::ModeRail(QWidget* parent) : QWidget(parent), buttons_(new QButtonGroup
     button->setCheckable(true);
     button->setFixedSize(std::max(60, button->fontMetrics().horizontalAdvance(description.name) + 12),
                          kIconSize + button->fontMetrics().height() + 20);
-    buttons_->addButton(button, static_cast<int>(description.mode));
+    buttons->addButton(button);
+    connect(button, &QToolButton::clicked, &modes, [&modes, id = description.id] { modes.choose(id); });
+    const auto sync = [&modes, button, shown = mode.get()] { button->setChecked(&modes.present() == shown); };
+    connect(&modes, &ModeController::changed, button, sync);
+    sync();
     column->addWidget(button, 0, Qt::AlignHCenter);
   }
   column->addStretch(1);
-  connect(buttons_, &QButtonGroup::idClicked, this,
-          [this](int id) { Q_EMIT modeChosen(static_cast<Mode>(id)); });
-}
-
-void ModeRail::setMode(Mode mode) {
-  if (auto* button = buttons_->button(static_cast<int>(mode)))
-    button->setChecked(true);
 }
 
 } // namespace viscera::app

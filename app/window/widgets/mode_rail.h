@@ -2,26 +2,17 @@
 
 #include <QWidget>
 
-#include "window/mode.h"
-
-class QButtonGroup;
-
 namespace viscera::app {
+
+class ModeController;
 
 /// The slim column of modes at the left edge: an icon and a word each.
 class ModeRail final : public QWidget {
   Q_OBJECT
 
 public:
-  explicit ModeRail(QWidget* parent = nullptr);
-
-  void setMode(Mode mode);
-
-Q_SIGNALS:
-  void modeChosen(viscera::app::Mode mode);
-
-private:
-  QButtonGroup* buttons_;
+  /// `modes` has all of them, and has to live longer.
+  explicit ModeRail(ModeController& modes, QWidget* parent = nullptr);
 };
 
 } // namespace viscera::app

@@ -1,7 +1,6 @@
-#include "window/stress/stress_mode.h"
+#include "window/modes/stress_mode.h"
 
 #include <QAction>
-#include <QMenu>
 
 #include "window/stress/probe_card.h"
 #include "window/stress/stress_chart.h"
@@ -15,20 +14,21 @@ constexpr const char* kActionIds[] = {"stress.next",   "stress.peak",    "stress
 } // namespace
 
 StressMode::StressMode(Workspace& workspace, Playback& playback, Settings& settings, Actions& actions,
-                       ViewArea& area, OrganScene& organs, HandleScene& handles, QObject* parent)
-    : QObject(parent), workspace_(workspace), playback_(playback), actions_(actions), area_(area),
-      model_(workspace, playback, settings), scene_(workspace, model_, *area.view(), organs, handles),
-      card_(new ProbeCard(model_, &area)) {
+                       ViewArea& area, OrganScene& organs, HandleScene& handles)
+    : Mode(workspace,
+           {"stress", "stress", 4, tr("Stress"),
+            tr("Click the tissue to see its values; C cuts the organ open; drag a handle, the map follows")}),
+      playback_(playback), actions_(actions), area_(area), model_(workspace, playback, settings),
+      scene_(workspace, model_, *area.view(), organs, handles), card_(new ProbeCard(model_, &area)) {
   area.addCard(card_, Qt::AlignVCenter | Qt::AlignLeft);
   makeActions();
   connect(&scene_, &StressScene::changed, area.view(), &ViewWidget::scheduleRender);
   connect(&model_, &StressModel::lookChanged, this, &StressMode::syncActions);
   connect(&model_, &StressModel::statusChanged, this, &StressMode::syncActions);
   connect(&model_, &StressModel::activeChanged, this, &StressMode::syncActions);
-  connect(&playback, &Playback::stateChanged, this, [this, &handles] {
-    handles.setPlayed(playback_.showing());
-    syncActions();
-  });
+  connect(&playback, &Playback::stateChanged, this, &StressMode::syncActions);
+  connect(&playback, &Playback::stateChanged, this, &Mode::shownChanged);
+  connect(&playback, &Playback::advanced, this, &Mode::shownChanged); // Dragging the timeline shows it too.
   syncActions();
 }
 
@@ -116,22 +116,22 @@ void StressMode::syncActions() {
   actions_["stress.peak"]->setEnabled(model_.active() && model_.ready() && playback_.sequence());
 }
 
-StressPage* StressMode::makePage() {
-  return new StressPage(workspace_, playback_, model_, scene_, actions_);
+std::vector<const char*> StressMode::actions() const {
+  return {std::begin(kActionIds), std::end(kActionIds)};
 }
 
-StressChart* StressMode::makeChart() {
+QWidget* StressMode::makePage(const Actions& actions) {
+  return new StressPage(workspace_, playback_, model_, scene_, actions);
+}
+
+QWidget* StressMode::makeChart() {
   chart_ = new StressChart(model_);
   return chart_;
 }
 
-void StressMode::fillMenu(QMenu* menu) const {
-  for (const char* id : kActionIds)
-    menu->addAction(actions_[id]);
-}
-
-void StressMode::setActive(bool active) {
-  model_.setActive(active);
+presentation::Shown StressMode::shown() const {
+  const bool movable = !playback_.showing();
+  return {.handles = movable, .movable = movable, .stress = true};
 }
 
 void StressMode::setTheme(const Theme& theme) {

@@ -1,34 +1,27 @@
 #pragma once
 
-#include <QObject>
-
-#include <functional>
 #include <memory>
 
 #include "window/actions.h"
 #include "window/compare/comparison.h"
+#include "window/modes/mode.h"
 #include "window/recorded/recorded_motion.h"
 #include "window/recording/recorder.h"
 #include "window/sample_loader.h"
 #include "window/settings.h"
-#include "window/style/theme.h"
-#include "window/timeline/playback.h"
 #include "window/timeline/volume_monitor.h"
 #include "window/view/label_scene.h"
 #include "window/view/view_area.h"
-#include "window/workspace.h"
+#include "window/view/view_model.h"
 
 namespace viscera::app {
 
 class HandleScene;
-class PlayPage;
 class StatusLine;
-class TimelineBar;
-class VolumePanel;
 
-/// What belongs to Play mode and its teaching: the sequences to choose from, labels, looking through walls,
-/// two views, and recording; with their actions. The window only says where they stand.
-class PlayParts final : public QObject {
+/// Looking at sequences and teaching with them: the sequences to choose from, labels, looking through walls,
+/// two views, and recording.
+class PlayMode final : public Mode {
   Q_OBJECT
 
 public:
@@ -41,20 +34,21 @@ public:
     OrganScene& organs;
     HandleScene& handles;
     ViewArea& area;
+    ViewModel& view;
     Settings& settings;
   };
 
-  PlayParts(const Window& window, const motion::Player::Clock& clock);
-  ~PlayParts() override;
+  PlayMode(const Window& window, const motion::Player::Clock& clock, Actions& actions);
+  ~PlayMode() override;
 
-  /// Adds the actions of Play mode.
-  void makeActions(Actions& actions);
-  /// The ids of those actions for a menu, "" for a line between them.
-  static std::vector<const char*> menu();
-  PlayPage* makePage(const Actions& actions);
-  /// Connects timeline, chart and status bar.
-  void connectPanels(TimelineBar& timeline, VolumePanel& chart, StatusLine& status);
-  void setTheme(const Theme& theme);
+  std::vector<const char*> actions() const override;
+  QWidget* makePage(const Actions& actions) override;
+  presentation::Shown shown() const override { return {}; }
+  WantedPose pose() const override { return WantedPose::sequence; }
+  void setTheme(const Theme& theme) override;
+  /// Shows what is recorded and what the second view does in the status bar.
+  void setStatus(StatusLine& status);
+  void setLabelsShown(bool shown);
 
   Comparison& comparison() { return *comparison_; }
   Recorder& recorder() { return *recorder_; }
@@ -67,8 +61,9 @@ public:
   bool record(const RecordingPlan& plan);
 
 private:
+  void makeMotionActions(Actions& actions);
+  void makeComparisonActions(Actions& actions);
   void makeLookActions(Actions& actions);
-  void syncLookActions();
   void setSeeThrough(bool on);
   bool seesThrough() const;
   void slower();
@@ -80,11 +75,8 @@ private:
   std::unique_ptr<Comparison> comparison_;
   std::unique_ptr<Recorder> recorder_;
   std::unique_ptr<RecordedMotion> recorded_;
-  const Actions* actions_ = nullptr;
-  VolumePanel* chart_ = nullptr;
   StatusLine* status_ = nullptr;
   JobQueue* secondJobs_ = nullptr;
-  Subscription subscription_;
 };
 
 } // namespace viscera::app

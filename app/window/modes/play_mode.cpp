@@ -1,4 +1,4 @@
-#include "window/play_parts.h"
+#include "window/modes/play_mode.h"
 
 #include <QAction>
 #include <QDesktopServices>
@@ -12,8 +12,6 @@
 #include "viscera/motion/sequence_setup.h"
 #include "window/panels/play_page.h"
 #include "window/status_line.h"
-#include "window/timeline/timeline_bar.h"
-#include "window/timeline/volume_panel.h"
 
 namespace viscera::app {
 namespace {
@@ -38,8 +36,10 @@ std::vector<std::shared_ptr<const document::Organ>> wallsOf(const document::Orga
 
 } // namespace
 
-PlayParts::PlayParts(const Window& window, const motion::Player::Clock& clock)
-    : window_(window),
+PlayMode::PlayMode(const Window& window, const motion::Player::Clock& clock, Actions& actions)
+    : Mode(window.workspace, {"play", "beat", 5, tr("Play"),
+                              tr("Space plays or pauses; drag the timeline to look at one instant")}),
+      window_(window),
       labels_(std::make_unique<LabelScene>(window.workspace, window.organs, window.area.view()->view())),
       comparison_(std::make_unique<Comparison>(Comparison::First{window.workspace, window.playback,
                                                                  window.volumes, window.area, window.settings,
@@ -48,38 +48,35 @@ PlayParts::PlayParts(const Window& window, const motion::Player::Clock& clock)
       recorder_(std::make_unique<Recorder>(window.workspace)),
       recorded_(std::make_unique<RecordedMotion>(window.workspace, window.playback)) {
   connect(labels_.get(), &LabelScene::changed, window.area.view(), &ViewWidget::scheduleRender);
-  connect(recorder_.get(), &Recorder::finished, this, &PlayParts::sayRecorded);
-  subscription_ = window.workspace.onChange([this](const document::Change& change) {
-    if (change.organs())
-      syncLookActions();
-  });
+  connect(recorder_.get(), &Recorder::finished, this, &PlayMode::sayRecorded);
+  makeLookActions(actions);
+  makeMotionActions(actions);
+  makeComparisonActions(actions);
 }
 
-PlayParts::~PlayParts() {
+PlayMode::~PlayMode() {
   comparison_->end();
   if (status_)
     status_->unwatch(recorder_->jobs());
 }
 
-void PlayParts::makeActions(Actions& actions) {
-  actions_ = &actions;
-  makeLookActions(actions);
+void PlayMode::makeMotionActions(Actions& actions) {
   actions.add("play.slower",
               {tr("Slow &motion"), "tour", {Qt::Key_S}, tr("Slower, down to a tenth; then real time again")},
               [this] { slower(); });
-  actions.addToggle("play.cycle",
-                    {tr("&Chart of one cycle"),
-                     "chart",
-                     {Qt::Key_O},
-                     tr("Draw one cycle with a cursor; else the last seconds")},
-                    true, [this](bool on) {
-                      if (chart_)
-                        chart_->setCycleShown(on);
-                    });
+  window_.view.addToggle(actions, "play.cycle",
+                         {tr("&Chart of one cycle"),
+                          "chart",
+                          {Qt::Key_O},
+                          tr("Draw one cycle with a cursor; else the last seconds")},
+                         [](presentation::ViewState& view) -> bool& { return view.chartOfCycle; });
   actions.add(
       "play.addKey",
       {tr("Record a &key"), "record", {tr("Ctrl+K")}, tr("Take the present pose into the recorded sequence")},
       [this] { addKey(); });
+}
+
+void PlayMode::makeComparisonActions(Actions& actions) {
   actions.add("play.compare",
               {tr("Compare two &rates"),
                "compare",
@@ -95,10 +92,12 @@ void PlayParts::makeActions(Actions& actions) {
   actions.add("play.compareFiles",
               {tr("Compare with another &organ..."), "patient", {}, tr("Open files beside these organs")},
               [this] { comparison_->chooseFiles(); });
-  actions.add("play.single", {tr("&One view"), nullptr, {tr("Ctrl+1")}, tr("Close the second view")},
-              [this] { comparison_->end(); });
-  connect(comparison_.get(), &Comparison::toggled, this, [this, &actions](bool on) {
-    actions["play.single"]->setEnabled(on);
+  QAction* single =
+      actions.add("play.single", {tr("&One view"), nullptr, {tr("Ctrl+1")}, tr("Close the second view")},
+                  [this] { comparison_->end(); });
+  single->setEnabled(false);
+  connect(comparison_.get(), &Comparison::toggled, this, [this, single](bool on) {
+    single->setEnabled(on);
     if (!status_)
       return;
     if (secondJobs_)
@@ -107,23 +106,23 @@ void PlayParts::makeActions(Actions& actions) {
     if (secondJobs_)
       status_->watch(*secondJobs_);
   });
-  actions["play.single"]->setEnabled(false);
 }
 
-void PlayParts::makeLookActions(Actions& actions) {
-  actions.addToggle("view.labels",
-                    {tr("Organ &labels"), "label", {Qt::Key_N}, tr("Write names beside the organs")}, false,
-                    [this](bool on) {
-                      labels_->setShown(on);
-                      comparison_->setLabelsShown(on);
-                    });
-  actions.addToggle(
+void PlayMode::makeLookActions(Actions& actions) {
+  window_.view.addToggle(actions, "view.labels",
+                         {tr("Organ &labels"), "label", {Qt::Key_N}, tr("Write names beside the organs")},
+                         [](presentation::ViewState& view) -> bool& { return view.labels; });
+  QAction* through = actions.addToggle(
       "view.seeThrough",
       {tr("See &through"), "see_through", {Qt::Key_X}, tr("Look through the wall at the cavities")}, false,
       [this](bool on) { setSeeThrough(on); });
+  actions.whenSynced([this, through] {
+    through->setChecked(seesThrough());
+    through->setEnabled(!workspace_.document().organs().empty());
+  });
 }
 
-std::vector<const char*> PlayParts::menu() {
+std::vector<const char*> PlayMode::actions() const {
   return {"play.addKey",
           "",
           "play.slower",
@@ -138,48 +137,28 @@ std::vector<const char*> PlayParts::menu() {
           "play.single"};
 }
 
-PlayPage* PlayParts::makePage(const Actions& actions) {
+QWidget* PlayMode::makePage(const Actions& actions) {
   return new PlayPage(
       {window_.workspace, window_.playback, window_.volumes, *window_.area.view(), *this, window_.settings},
       actions);
 }
 
-void PlayParts::connectPanels(TimelineBar& timeline, VolumePanel& chart, StatusLine& status) {
-  chart_ = &chart;
+void PlayMode::setStatus(StatusLine& status) {
   status_ = &status;
   status.watch(recorder_->jobs());
-  Playback& playback = window_.playback;
-  connect(&timeline, &TimelineBar::speedChosen, &playback, &Playback::setSpeed);
-  const auto syncCourse = [&timeline, &playback] {
-    std::vector<CoursePlace> course;
-    if (const sequences::Sequence* sequence = playback.sequence())
-      for (const sequences::NamedPlace& place : sequence->course())
-        course.push_back({text(place.name), place.place});
-    timeline.setCourse(std::move(course));
-    timeline.setSpeed(playback.player().speed());
-  };
-  const auto syncMarks = [&timeline, &playback] {
-    std::vector<CourseMark> marks;
-    const motion::Player& player = playback.player();
-    if (const sequences::Sequence* sequence = playback.sequence())
-      for (const auto& mark : sequence->travelling(player.secondsInCycle(), player.ratePerMinute()))
-        marks.push_back({mark.place, mark.strength});
-    timeline.setMarks(std::move(marks));
-  };
-  connect(&playback, &Playback::stateChanged, this, [syncCourse, syncMarks] {
-    syncCourse();
-    syncMarks();
-  });
-  connect(&playback, &Playback::advanced, this, syncMarks);
-  syncCourse();
 }
 
-void PlayParts::setTheme(const Theme& theme) {
+void PlayMode::setLabelsShown(bool shown) {
+  labels_->setShown(shown);
+  comparison_->setLabelsShown(shown);
+}
+
+void PlayMode::setTheme(const Theme& theme) {
   labels_->setTheme(window_.area.view()->view().theme());
   comparison_->setTheme(theme);
 }
 
-void PlayParts::chooseSequence(const QString& id) {
+void PlayMode::chooseSequence(const QString& id) {
   for (const Playback::Motion& motion : window_.playback.motions()) {
     if (text(motion.sequence->id()) != id)
       continue;
@@ -192,13 +171,13 @@ void PlayParts::chooseSequence(const QString& id) {
       window_.samples.load(text(sample.organ), true);
 }
 
-bool PlayParts::seesThrough() const {
+bool PlayMode::seesThrough() const {
   const auto walls = wallsOf(window_.workspace.document().organs());
   return !walls.empty() && std::all_of(walls.begin(), walls.end(),
                                        [](const auto& organ) { return organ->look.opacity < kOpaque; });
 }
 
-void PlayParts::setSeeThrough(bool on) {
+void PlayMode::setSeeThrough(bool on) {
   if (on == seesThrough())
     return;
   const document::OrganList& organs = window_.workspace.document().organs();
@@ -218,34 +197,25 @@ void PlayParts::setSeeThrough(bool on) {
   if (!commands.empty())
     window_.workspace.perform(document::combined(
         (on ? tr("See through") : tr("Close the wall")).toStdString(), std::move(commands)));
-  syncLookActions();
 }
 
-void PlayParts::syncLookActions() {
-  if (!actions_)
-    return;
-  QAction* action = (*actions_)["view.seeThrough"];
-  action->setChecked(seesThrough());
-  action->setEnabled(!window_.workspace.document().organs().empty());
-}
-
-void PlayParts::slower() {
+void PlayMode::slower() {
   const double speed = window_.playback.player().speed();
   const auto* next = std::find_if(std::begin(kSpeeds), std::end(kSpeeds),
                                   [speed](double other) { return other < speed - 1e-9; });
   window_.playback.setSpeed(next == std::end(kSpeeds) ? 1 : *next);
 }
 
-void PlayParts::addKey() {
+void PlayMode::addKey() {
   const double seconds = recorded_->nextSeconds();
   if (recorded_->addKey(seconds, sequences::Easing::smooth))
     window_.area.showBadge(tr("Key at %1 s").arg(seconds, 0, 'f', 2));
 }
 
-bool PlayParts::record(const RecordingPlan& plan) {
-  const bool labels = labels_->labels().shown();
+bool PlayMode::record(const RecordingPlan& plan) {
+  const bool labels = window_.view.state().labels;
   std::vector<RecordingStage::Source> sources;
-  const bool measurements = actions_ && (*actions_)["view.measurements"]->isChecked();
+  const bool measurements = window_.view.state().measurements;
   sources.push_back({window_.workspace, window_.playback, window_.area.view()->view(), labels, measurements});
   if (comparison_->on())
     sources.push_back(
@@ -253,7 +223,7 @@ bool PlayParts::record(const RecordingPlan& plan) {
   return recorder_->start(plan, sources);
 }
 
-void PlayParts::sayRecorded(bool complete, const RecordingPlan& plan) {
+void PlayMode::sayRecorded(bool complete, const RecordingPlan& plan) {
   if (!complete)
     return;
   const QFileInfo file(plan.file);

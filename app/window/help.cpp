@@ -1,0 +1,94 @@
+#include "window/help.h"
+
+#include "window/widgets/shortcut_card.h"
+#include "window/widgets/tour_card.h"
+#include "window/widgets/welcome_card.h"
+
+namespace viscera::app {
+
+Help::Help(const Parts& parts, Actions& actions, QObject* parent) : QObject(parent), parts_(parts) {
+  actions.add("help.shortcuts",
+              {tr("&Mouse and keys"), "help", {Qt::Key_Question, tr("Shift+?"), Qt::Key_F1}, {}}, [this] {
+                shortcuts_->setVisible(!shortcuts_->isVisible());
+                shortcuts_->raise();
+              });
+  actions.add("help.tour", {tr("Two-minute &tour"), "tour", {}, {}}, [this] { startTour(); });
+  actions.add("help.welcome", {tr("&Welcome"), "heart", {}, {}}, [this] { showWelcome(true); });
+  actions.add("help.about", {tr("&About Viscera"), "info", {}, {}}, [this] { tellAbout(); });
+}
+
+void Help::makeCards(const Actions& actions, QMenu* samples) {
+  welcome_ = new WelcomeCard(samples, &parts_.area);
+  parts_.area.addCard(welcome_, Qt::AlignTop | Qt::AlignHCenter);
+  welcome_->hide();
+  shortcuts_ = new ShortcutCard(actions, &parts_.area);
+  parts_.area.addCard(shortcuts_, Qt::AlignCenter);
+  connect(welcome_, &WelcomeCard::openRequested, &parts_.files, [this] { parts_.files.chooseAndOpen(); });
+  connect(welcome_, &WelcomeCard::tourRequested, this, &Help::startTour);
+  connect(welcome_, &WelcomeCard::closed, this,
+          [this] { parts_.settings.setValue("window/welcome", false); });
+}
+
+void Help::showWelcome(bool shown) {
+  welcome_->setVisible(shown);
+  if (shown)
+    welcome_->raise();
+}
+
+bool Help::closeShortcuts() {
+  const bool shown = shortcuts_->isVisible();
+  shortcuts_->hide();
+  return shown;
+}
+
+void Help::tellAbout() {
+  Message message;
+  message.text =
+      tr("Viscera %1: organs deformed by handles, without a cage. BSD-3-Clause; a program for research and "
+         "teaching, not a medical device.")
+          .arg(QStringLiteral(VISCERA_VERSION));
+  parts_.workspace.say(message);
+}
+
+void Help::startTour() {
+  if (!tour_) {
+    std::vector<TourStep> steps = {
+        {tr("Look around"),
+         tr("Drag with the left button to rotate, with Shift to pan; the wheel zooms. Click an organ to "
+            "select it, press F "
+            "to bring it into the picture. The eye in the list on the left hides it, the square changes its "
+            "colour."),
+         [this] { parts_.modes.choose("explore"); }},
+        {tr("See it move"),
+         tr("Space plays and pauses. The timeline shows the phases of the cycle: drag along it to look at "
+            "one instant. "
+            "Below, the volumes are drawn as they change."),
+         [this] {
+           parts_.modes.choose("play");
+           parts_.playback.play();
+         }},
+        {tr("Handles"),
+         tr("Organs follow handles around them. Here you edit them at rest: click the organ to add one, drag "
+            "to move it, "
+            "Delete to remove it. Everything is bound anew at once. I shows how far a handle reaches."),
+         [this] { parts_.modes.choose("handles"); }},
+        {tr("Deform"),
+         tr("Drag a handle and the organ follows; its volume is in the status bar. The padlock in the list "
+            "on "
+            "the left (K) keeps the volume whatever you do. T turns and scales selected handles, M mirrors "
+            "drags. "
+            "Ctrl+Z takes any change back, G shows the rest shape as an outline."),
+         [this] { parts_.modes.choose("deform"); }},
+        {tr("Your own organs"),
+         tr("Open surfaces (STL, OBJ, PLY, OFF, VTK, VTP, GLB) with Ctrl+O or drop them here; they get "
+            "handles at once. "
+            "Ctrl+S saves all of it as a session. ? lists all keys."),
+         [this] { parts_.modes.choose("explore"); }}};
+    tour_ = new TourCard(std::move(steps), &parts_.area);
+    parts_.area.addCard(tour_, Qt::AlignBottom | Qt::AlignHCenter);
+  }
+  showWelcome(false);
+  tour_->start();
+}
+
+} // namespace viscera::app

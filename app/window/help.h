@@ -1,0 +1,52 @@
+#pragma once
+
+#include <QObject>
+
+#include "window/actions.h"
+#include "window/file_actions.h"
+#include "window/modes/mode_controller.h"
+#include "window/view/view_area.h"
+
+class QMenu;
+
+namespace viscera::app {
+
+class ShortcutCard;
+class TourCard;
+class WelcomeCard;
+
+/// What the program tells of itself: the welcome, the tour, the list of keys.
+class Help final : public QObject {
+  Q_OBJECT
+
+public:
+  /// What help speaks of and where it stands; all have to live longer.
+  struct Parts {
+    Workspace& workspace;
+    Playback& playback;
+    ModeController& modes;
+    FileActions& files;
+    Settings& settings;
+    ViewArea& area;
+  };
+
+  /// Adds "help.shortcuts", "help.tour", "help.welcome" and "help.about".
+  Help(const Parts& parts, Actions& actions, QObject* parent = nullptr);
+
+  /// Makes the cards over the view, once all actions are there; `samples` is the menu of sample organs.
+  void makeCards(const Actions& actions, QMenu* samples);
+  void showWelcome(bool shown);
+  /// Puts the list of keys away; false when it was not there.
+  bool closeShortcuts();
+
+private:
+  void startTour();
+  void tellAbout();
+
+  Parts parts_;
+  WelcomeCard* welcome_ = nullptr;
+  ShortcutCard* shortcuts_ = nullptr;
+  TourCard* tour_ = nullptr;
+};
+
+} // namespace viscera::app

@@ -1,0 +1,154 @@
+#include "window/modes/deform_mode.h"
+
+#include <QAction>
+#include <QActionGroup>
+
+#include <algorithm>
+
+#include "viscera/document/pose_commands.h"
+#include "window/actions.h"
+#include "window/panels/deform_page.h"
+
+namespace viscera::app {
+namespace {
+
+bool compensates(const document::Rig& rig, document::HandleId id) {
+  const int row = rig.indexOf(id);
+  return row >= 0 && rig.handles[static_cast<std::size_t>(row)].compensates;
+}
+
+} // namespace
+
+DeformMode::DeformMode(const Parts& parts, Actions& actions)
+    : Mode(parts.workspace,
+           {"deform", "deform", 3, tr("Deform"),
+            tr("Drag a handle and the organ follows; K locks the volume, T turns and scales, M mirrors")}),
+      parts_(parts) {
+  makePoseActions(actions);
+  makeVolumeActions(actions);
+  makeCompensate(actions);
+  parts_.view.addToggle(actions, "handles.gizmo",
+                        {tr("&Turn and scale"),
+                         "gizmo",
+                         {Qt::Key_T},
+                         tr("In Deform mode, rings turn and cubes scale the selected handles, two at least")},
+                        [](presentation::ViewState& view) -> bool& { return view.gizmo; });
+  makeMirrorActions(actions);
+  // Their keys mean something else in other modes.
+  actions.enableWhile({"handles.gizmo", "mirror.next"}, [this] { return parts_.view.state().shown.tools; });
+}
+
+void DeformMode::makePoseActions(Actions& actions) {
+  actions.add("pose.reset", {tr("Reset &pose"), "reset", {tr("Ctrl+R")}, tr("Put every handle back to rest")},
+              [this] { workspace_.perform(document::resetPose()); });
+  actions.add("pose.resetSelected",
+              {tr("Reset selected handles"),
+               "reset",
+               {tr("Ctrl+Shift+R")},
+               tr("Put the selected handles back to rest")},
+              [this] { parts_.poses.reset(workspace_.selection().handles()); });
+  actions.enableWhile({"pose.reset"}, [this] { return !document::atRest(workspace_.state()); });
+  actions.enableWhile({"pose.resetSelected"}, [this] { return !workspace_.selection().handles().empty(); });
+}
+
+void DeformMode::makeVolumeActions(Actions& actions) {
+  QAction* lock = actions.add(
+      "volume.lock",
+      {tr("&Lock volume"),
+       "lock",
+       {Qt::Key_K},
+       tr("Nothing in Deform mode changes the volume of the organ any more; of an organ with cavities, the "
+          "volume within its outer surface")},
+      [this, &actions] {
+        if (const auto organ = workspace_.currentOrgan())
+          parts_.poses.setLocked(organ->id, !organ->volumeLocked);
+        actions.sync(); // Where it was refused, the mark goes again.
+      });
+  lock->setCheckable(true);
+  actions.add("volume.restore",
+              {tr("Restore &rest volume"),
+               "reset",
+               {},
+               tr("Give the organ the volume it has at rest, by the least motion of the handles")},
+              [this] {
+                if (const auto organ = workspace_.currentOrgan())
+                  parts_.poses.setVolume(organ->id, organ->restVolumeMm3 / kMm3PerMl);
+              });
+  actions.enableWhile({"volume.lock"}, [this] { return workspace_.currentOrgan() != nullptr; });
+  actions.enableWhile({"volume.restore"}, [this] {
+    const auto organ = workspace_.currentOrgan();
+    return organ && organ->closed() && !document::atRest(workspace_.state());
+  });
+  actions.whenSynced([this, lock] {
+    const auto organ = workspace_.currentOrgan();
+    lock->setChecked(organ && organ->volumeLocked);
+  });
+}
+
+void DeformMode::makeCompensate(Actions& actions) {
+  QAction* compensate = actions.add(
+      "handles.compensate",
+      {tr("Selected handles &compensate"),
+       nullptr,
+       {},
+       tr("The selected handles make up for what others change of a locked volume, and no other does")},
+      [this, &actions] {
+        parts_.poses.setCompensating(actions["handles.compensate"]->isChecked());
+        actions.sync();
+      });
+  compensate->setCheckable(true);
+  actions.whenSynced([this, compensate] {
+    const auto& selected = workspace_.selection().handles();
+    const document::Rig& rig = workspace_.document().rig();
+    compensate->setEnabled(!selected.empty());
+    compensate->setChecked(!selected.empty() &&
+                           std::all_of(selected.begin(), selected.end(),
+                                       [&rig](document::HandleId id) { return compensates(rig, id); }));
+  });
+}
+
+void DeformMode::makeMirrorActions(Actions& actions) {
+  using presentation::Mirror;
+  struct Plane {
+    const char* id;
+    QString name;
+    Mirror mirror;
+  };
+  const Plane planes[] = {{"mirror.off", tr("&Off"), Mirror::off},
+                          {"mirror.sagittal", tr("&Sagittal plane"), Mirror::sagittal},
+                          {"mirror.coronal", tr("&Coronal plane"), Mirror::coronal},
+                          {"mirror.axial", tr("&Axial plane"), Mirror::axial}};
+  const auto choose = [this](Mirror mirror) {
+    parts_.view.change([mirror](presentation::ViewState& view) { view.mirror = mirror; });
+  };
+  auto* group = new QActionGroup(this);
+  for (const Plane& plane : planes) {
+    QAction* action = actions.addToggle(
+        plane.id, {plane.name, "mirror", {}, tr("In Deform mode, mirrored handles move along with a drag")},
+        plane.mirror == Mirror::off, [choose, mirror = plane.mirror](bool on) {
+          if (on)
+            choose(mirror);
+        });
+    group->addAction(action);
+    actions.whenSynced([this, action, mirror = plane.mirror] {
+      if (parts_.view.state().mirror == mirror)
+        action->setChecked(true);
+    });
+  }
+  actions.add("mirror.next",
+              {tr("&Next mirror plane"), "mirror", {Qt::Key_M}, tr("Off, sagittal, coronal, axial, off")},
+              [this, choose] {
+                constexpr int kMirrors = 4;
+                choose(static_cast<Mirror>((static_cast<int>(parts_.view.state().mirror) + 1) % kMirrors));
+              });
+}
+
+QWidget* DeformMode::makePage(const Actions& actions) {
+  return new DeformPage({workspace_, parts_.poses, parts_.volumes, parts_.view}, actions);
+}
+
+presentation::Shown DeformMode::shown() const {
+  return {.handles = true, .movable = true, .compensating = true, .tools = true};
+}
+
+} // namespace viscera::app

@@ -1,0 +1,83 @@
+#include "window/modes/explore_mode.h"
+
+#include <QAction>
+
+#include "viscera/document/measurement_commands.h"
+#include "window/measure/measure_box.h"
+#include "window/panels/explore_page.h"
+
+namespace viscera::app {
+
+using Kind = document::MeasurementKind;
+
+ExploreMode::ExploreMode(const Parts& parts, Actions& actions)
+    : Mode(parts.workspace, {"explore", "explore", 1, tr("Explore"),
+                             tr("Left drag rotates, Shift+left pans, right drag or wheel zooms, click "
+                                "selects an organ, D and A measure")}),
+      parts_(parts), glyphs_(parts.area.view()->view()),
+      tool_(parts.workspace, *parts.area.view(), parts.organs, parts.handles, glyphs_),
+      scene_(parts.workspace, tool_, glyphs_) {
+  connect(&scene_, &MeasureScene::changed, parts.area.view(), &ViewWidget::scheduleRender);
+  connect(&tool_, &MeasureTool::stateChanged, &actions, &Actions::sync);
+  connect(&tool_, &MeasureTool::stateChanged, this, &Mode::hintChanged);
+  makeMeasure(
+      actions, Kind::distance, "measure.distance",
+      {tr("Measure &distance"), "distance", {Qt::Key_D}, tr("Click two points on an organ; Esc ends")})
+      ->setIconText(tr("Distance"));
+  makeMeasure(actions, Kind::angle, "measure.angle",
+              {tr("Measure &angle"),
+               "angle",
+               {Qt::Key_A},
+               tr("Click three points on an organ, the corner second; Esc ends")})
+      ->setIconText(tr("Angle"));
+  actions.add("measure.removeAll", {tr("Remove all &measurements"), "remove", {}, {}},
+              [this] { workspace_.perform(document::removeAllMeasurements()); });
+  actions.enableWhile({"measure.removeAll"},
+                      [this] { return !workspace_.document().measurements().empty(); });
+  parts.view.addToggle(actions, "view.measurements",
+                       {tr("&Measurements"), "distance", {}, tr("Show what is measured")},
+                       [](presentation::ViewState& view) -> bool& { return view.measurements; });
+}
+
+QAction* ExploreMode::makeMeasure(Actions& actions, Kind kind, const char* id,
+                                  const Actions::Description& description) {
+  QAction* action = actions.addToggle(id, description, false, [this, kind](bool on) {
+    if (on) {
+      Q_EMIT wanted();
+      parts_.view.change([](presentation::ViewState& view) { view.measurements = true; });
+      tool_.begin(kind);
+    } else if (tool_.kind() == kind) {
+      tool_.end();
+    }
+  });
+  actions.enableWhile({id}, [this] { return !workspace_.document().organs().empty(); });
+  actions.whenSynced([this, action, kind] { action->setChecked(tool_.kind() == kind); });
+  return action;
+}
+
+std::vector<const char*> ExploreMode::actions() const {
+  return {"measure.distance", "measure.angle", "measure.removeAll"};
+}
+
+QWidget* ExploreMode::makePage(const Actions& actions) {
+  return new ExplorePage(workspace_, actions, new MeasureBox(workspace_, tool_, actions));
+}
+
+QString ExploreMode::hint() const {
+  if (!measuring())
+    return Mode::hint();
+  return tool_.kind() == Kind::angle
+             ? tr("Click three points on an organ, the corner second; drags turn the view, Esc ends")
+             : tr("Click two points on an organ; drags turn the view, Esc ends");
+}
+
+void ExploreMode::setTheme(const Theme&) {
+  scene_.setTheme(parts_.area.view()->view().theme());
+}
+
+void ExploreMode::click(const ClickedPlace* place) {
+  if (!measuring())
+    Mode::click(place);
+}
+
+} // namespace viscera::app

@@ -1,0 +1,110 @@
+#include "window/modes/handles_mode.h"
+
+#include "viscera/document/cage_commands.h"
+#include "viscera/document/rig_commands.h"
+#include "window/panels/handles_page.h"
+
+namespace viscera::app {
+
+HandlesMode::HandlesMode(const Parts& parts, Actions& actions)
+    : Mode(parts.workspace,
+           {"handles", "handles", 2, tr("Handles"),
+            tr("Click the organ to add a handle, drag to move it, Delete removes it; the rest shape stays")}),
+      parts_(parts) {
+  makeRigActions(actions);
+  makeViewActions(actions);
+}
+
+void HandlesMode::makeRigActions(Actions& actions) {
+  actions.add(
+      "handles.place",
+      {tr("&Place automatically"), "place", {tr("Ctrl+P")}, tr("Spread handles evenly around the organ")},
+      [this] { parts_.placer.place(); });
+  actions.add(
+      "handles.addEnclosing",
+      {tr("Add &enclosing handles"), "enclosing", {}, tr("Add the eight corners of a box around everything")},
+      [this] { workspace_.perform(document::addEnclosingHandles()); });
+  actions.add("handles.remove",
+              {tr("&Remove handles"), "remove", {QKeySequence::Delete}, tr("Remove the selected handles")},
+              [this] { workspace_.perform(document::removeHandles(workspace_.selection().handles())); });
+  actions.add("cage.hull",
+              {tr("Take the &hull as the cage"),
+               "enclosing",
+               {},
+               tr("Give the loaded cage up: the convex hull of the handles is the cage again")},
+              [this] { workspace_.perform(document::dropCage()); });
+  actions.enableWhile({"handles.place", "handles.addEnclosing"},
+                      [this] { return !workspace_.document().organs().empty(); });
+  actions.enableWhile({"handles.remove"}, [this] { return !workspace_.selection().handles().empty(); });
+  actions.enableWhile({"cage.hull"}, [this] {
+    return workspace_.systemTraits().needsCage && !workspace_.document().rig().cage.empty();
+  });
+}
+
+void HandlesMode::makeViewActions(Actions& actions) {
+  using presentation::ViewState;
+  parts_.view.addToggle(actions, "handles.influence",
+                        {tr("&Influence map"),
+                         "influence",
+                         {Qt::Key_I},
+                         tr("Colour the organ by the influence of the selected handle")},
+                        [](ViewState& view) -> bool& { return view.influence; });
+  parts_.view.addToggle(
+      actions, "handles.regions",
+      {tr("Show &regions"),
+       "enclosing",
+       {Qt::Key_R},
+       tr("Show where each group of handles acts, and the cage of coordinates that need one")},
+      [](ViewState& view) -> bool& { return view.layout.regions; });
+  parts_.view.addToggle(actions, "handles.zones",
+                        {tr("Show &zones"), nullptr, {Qt::Key_Z}, tr("Show where regions meet, in red")},
+                        [](ViewState& view) -> bool& { return view.layout.zones; });
+  parts_.view.addToggle(actions, "handles.superRegions",
+                        {tr("Show &super-regions"), nullptr, {}, tr("Show what counts in a zone, in yellow")},
+                        [](ViewState& view) -> bool& { return view.layout.superRegions; });
+}
+
+std::vector<const char*> HandlesMode::actions() const {
+  return {"handles.place",
+          "handles.addEnclosing",
+          "handles.remove",
+          "",
+          "cage.load",
+          "cage.hull",
+          "",
+          "handles.influence",
+          "handles.regions",
+          "handles.zones",
+          "handles.superRegions",
+          "",
+          "handles.save"};
+}
+
+QWidget* HandlesMode::makePage(const Actions& actions) {
+  return new HandlesPage(workspace_, parts_.layout, actions);
+}
+
+presentation::Shown HandlesMode::shown() const {
+  return {.rest = true, .handles = true, .movable = true, .regions = true};
+}
+
+void HandlesMode::enter() {
+  bound_ = connect(&parts_.binding, &BindingMessages::bound, this, [this](double seconds) {
+    parts_.area.showBadge(tr("Bound in %1 ms").arg(1000 * seconds, 0, 'f', 1));
+  });
+}
+
+void HandlesMode::click(const ClickedPlace* place) {
+  if (!place)
+    return Mode::click(place);
+  const auto organ = workspace_.document().organ(place->organ);
+  if (!organ)
+    return;
+  const double offset = deformation::Placement().offsetFraction * boundsOf(organ->mesh->points).diagonal();
+  document::NewHandle handle;
+  handle.rest = place->position + offset * place->normal;
+  if (workspace_.perform(document::addHandles({handle}, workspace_.selection().group())))
+    workspace_.selection().setHandles({workspace_.document().rig().handles.back().id});
+}
+
+} // namespace viscera::app

@@ -1,0 +1,85 @@
+#pragma once
+
+#include <QObject>
+
+#include <vector>
+
+#include "viscera/presentation/view_state.h"
+#include "window/style/theme.h"
+#include "window/timeline/playback.h"
+#include "window/workspace.h"
+
+class QWidget;
+
+namespace viscera::app {
+
+class Actions;
+
+/// Where a click met an organ: mm, on the surface as it is shown.
+struct ClickedPlace {
+  document::OrganId organ;
+  Vec3 position = Vec3::Zero();
+  Vec3 normal = Vec3::UnitZ();
+};
+
+/// One way to work with the organs: what is seen of them, what a click on the view does, and the actions and
+/// the property page for it. It adds its actions when it is made; which mode is on, only the `ModeController`
+/// knows.
+class Mode : public QObject {
+  Q_OBJECT
+
+public:
+  /// The mode as the user meets it.
+  struct Description {
+    const char* id = "";   ///< "explore"; as in sessions and options.
+    const char* icon = ""; ///< Of the icon set.
+    int key = 0;           ///< The digit that chooses it; stays the same whatever other modes there are.
+    QString name;          ///< Under the icon.
+    QString hint;          ///< For the status bar: what the mouse does.
+  };
+
+  /// `workspace` has to live longer.
+  Mode(Workspace& workspace, Description description)
+      : workspace_(workspace), description_(std::move(description)) {}
+
+  const Description& description() const { return description_; }
+  /// The ids of its actions as in a menu, "" for a line between them.
+  virtual std::vector<const char*> actions() const { return {}; }
+  /// The property page; the actions of all parts are there. The caller owns it.
+  virtual QWidget* makePage(const Actions& actions) = 0;
+  /// The chart below the timeline, the caller's; null: the volumes.
+  virtual QWidget* makeChart() { return nullptr; }
+
+  /// What it wants to be seen, while it is on; `shownChanged` tells that it is something else.
+  virtual presentation::Shown shown() const = 0;
+  virtual WantedPose pose() const = 0;
+  /// What the mouse does; `hintChanged` tells that it is something else.
+  virtual QString hint() const { return description_.hint; }
+
+  virtual void setTheme(const Theme&) {}
+  virtual void enter() {}
+  virtual void leave() {}
+  /// Takes back what the user is at; false when there is nothing.
+  virtual bool escape() { return false; }
+  /// A click, not on a handle; null: beside all organs. Selects the organ, where a mode has no other use.
+  virtual void click(const ClickedPlace* place) {
+    if (place)
+      workspace_.selection().setOrgan(place->organ);
+    else
+      workspace_.selection().clear();
+  }
+
+Q_SIGNALS:
+  /// It asks to be the present mode.
+  void wanted();
+  void shownChanged();
+  void hintChanged();
+
+protected:
+  Workspace& workspace_;
+
+private:
+  Description description_;
+};
+
+} // namespace viscera::app

@@ -1,0 +1,79 @@
+#pragma once
+
+#include <QObject>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "window/actions.h"
+#include "window/modes/mode.h"
+#include "window/view/gizmo_scene.h"
+#include "window/view/handle_scene.h"
+#include "window/view/organ_scene.h"
+#include "window/view/view_model.h"
+#include "window/view/view_widget.h"
+
+namespace viscera::app {
+
+/// The modes of the window and which of them is on: nobody else keeps it. What the present mode wants to be
+/// seen is written into the view's state, where everybody who draws looks for it.
+class ModeController final : public QObject {
+  Q_OBJECT
+
+public:
+  /// What modes change, and where the mouse works; all have to live longer.
+  struct Parts {
+    Playback& playback;
+    ViewModel& model;
+    ViewWidget& view;
+    const OrganScene& organs;
+    const HandleScene& handles;
+    const GizmoScene& gizmo;
+  };
+
+  explicit ModeController(const Parts& parts, QObject* parent = nullptr);
+  ~ModeController() override;
+
+  /// Adds a mode behind the others in the rail; the first one is on at first.
+  template <typename AnyMode>
+  AnyMode& add(std::unique_ptr<AnyMode> mode) {
+    AnyMode& added = *mode;
+    take(std::move(mode));
+    return added;
+  }
+  /// Adds "mode.explore" and so on, which choose a mode.
+  void addTo(Actions& actions);
+
+  const std::vector<std::unique_ptr<Mode>>& all() const { return modes_; }
+  /// Only when there are modes.
+  const Mode& present() const { return *modes_[present_]; }
+  /// Of the present mode, among `all`.
+  int index() const { return static_cast<int>(present_); }
+  /// The mode of that id; the first one when there is none.
+  const Mode& find(const std::string& id) const { return *modes_[rowOf(id)]; }
+  /// Changes to the mode of that id, or to the first one.
+  void choose(const std::string& id);
+  /// Puts back what the mouse holds, or takes back what the mode is at; false when there is nothing.
+  bool escape();
+
+Q_SIGNALS:
+  /// Another mode is on.
+  void changed();
+  /// The present mode has another hint.
+  void hintChanged();
+
+private:
+  void take(std::unique_ptr<Mode> mode);
+  std::size_t rowOf(const std::string& id) const;
+  void begin(std::size_t row);
+  bool cancelDrag();
+  void onClick(const QPointF& place, Qt::KeyboardModifiers modifiers);
+  void syncShown();
+
+  Parts parts_;
+  std::vector<std::unique_ptr<Mode>> modes_;
+  std::size_t present_ = 0;
+};
+
+} // namespace viscera::app

@@ -1,0 +1,90 @@
+#include "window/view/view_actions.h"
+
+#include <QDateTime>
+#include <QDesktopServices>
+#include <QUrl>
+
+#include "viscera/scene/picture.h"
+
+namespace viscera::app {
+
+ViewActions::ViewActions(const Parts& parts, Actions& actions, QObject* parent)
+    : QObject(parent), parts_(parts) {
+  actions.add("file.screenshot",
+              {tr("Save s&creenshot"), "camera", {Qt::Key_F12}, tr("Save a picture of the 3D view")},
+              [this] { saveScreenshot(); });
+  makeViews(actions);
+  actions.add("view.focus",
+              {tr("&Focus"), "focus", {Qt::Key_F}, tr("Bring the selected organ, or all, into the picture")},
+              [this] { focus(); });
+  actions.enableWhile({"view.focus"}, [this] { return !parts_.workspace.document().organs().empty(); });
+  makeSwitches(actions);
+}
+
+void ViewActions::makeViews(Actions& actions) {
+  struct View {
+    const char* id;
+    QString name;
+    QKeySequence key;
+    scene::StandardView view;
+  };
+  // The digits of the keypad; those of the main row choose the mode.
+  const auto keypad = [](int key, bool shift) {
+    return QKeySequence(static_cast<int>(Qt::KeypadModifier) + (shift ? static_cast<int>(Qt::SHIFT) : 0) +
+                        key);
+  };
+  using scene::StandardView;
+  const View views[] = {
+      {"view.anterior", tr("&Anterior"), keypad(Qt::Key_1, false), StandardView::anterior},
+      {"view.posterior", tr("&Posterior"), keypad(Qt::Key_1, true), StandardView::posterior},
+      {"view.left", tr("&Left"), keypad(Qt::Key_3, false), StandardView::left},
+      {"view.right", tr("&Right"), keypad(Qt::Key_3, true), StandardView::right},
+      {"view.superior", tr("&Superior"), keypad(Qt::Key_7, false), StandardView::superior},
+      {"view.inferior", tr("&Inferior"), keypad(Qt::Key_7, true), StandardView::inferior}};
+  for (const View& view : views)
+    actions.add(view.id, {view.name, "view", {view.key}, {}}, [this, from = view.view] { lookFrom(from); });
+}
+
+void ViewActions::makeSwitches(Actions& actions) {
+  using presentation::ViewState;
+  ViewModel& view = parts_.view;
+  view.addToggle(actions, "view.handles", {tr("Show &handles in every mode"), "handles", {Qt::Key_H}, {}},
+                 [](ViewState& state) -> bool& { return state.handles; });
+  view.addToggle(actions, "view.ghost", {tr("&Ghost of the rest shape"), "ghost", {Qt::Key_G}, {}},
+                 [](ViewState& state) -> bool& { return state.ghost; });
+  view.addToggle(actions, "view.cube", {tr("Orientation &cube"), "view", {}, {}},
+                 [](ViewState& state) -> bool& { return state.orientationCube; });
+  view.addToggle(actions, "view.scale", {tr("Scale &bar"), nullptr, {}, {}},
+                 [](ViewState& state) -> bool& { return state.scaleBar; });
+}
+
+void ViewActions::lookFrom(scene::StandardView from) {
+  parts_.area.view()->view().lookFrom(from);
+  parts_.area.view()->scheduleRender();
+}
+
+void ViewActions::focus() {
+  scene::OrganView& view = parts_.area.view()->view();
+  const auto selected = parts_.organs.actorOf(parts_.workspace.selection().organ());
+  view.frame(selected ? selected->bounds() : view.bounds());
+  parts_.area.view()->scheduleRender();
+}
+
+void ViewActions::saveScreenshot() {
+  const QString folder = parts_.settings.folder("files/pictures", QStandardPaths::PicturesLocation);
+  const QString file =
+      QStringLiteral("%1/viscera_%2.png")
+          .arg(folder, QDateTime::currentDateTime().toString(QStringLiteral("yyyyMMdd_hhmmss_zzz")));
+  const bool done = parts_.workspace.guarded(
+      [&] { scene::savePicture(parts_.area.view()->renderWindow(), file.toStdString()); });
+  if (!done)
+    return;
+  Message message;
+  message.text = tr("Picture saved as %1").arg(file);
+  message.seconds = 8;
+  message.offers.push_back(
+      {tr("Open folder"), [folder] { QDesktopServices::openUrl(QUrl::fromLocalFile(folder)); }});
+  parts_.workspace.say(message);
+}
+
+} // namespace viscera::app

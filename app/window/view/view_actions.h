@@ -1,0 +1,42 @@
+#pragma once
+
+#include <QObject>
+
+#include "window/actions.h"
+#include "window/settings.h"
+#include "window/view/organ_scene.h"
+#include "window/view/view_area.h"
+#include "window/view/view_model.h"
+
+namespace viscera::app {
+
+/// Where one looks from, what is shown in every mode, and pictures of it.
+class ViewActions final : public QObject {
+  Q_OBJECT
+
+public:
+  /// What is looked at; all have to live longer.
+  struct Parts {
+    Workspace& workspace;
+    OrganScene& organs;
+    ViewArea& area;
+    ViewModel& view;
+    Settings& settings;
+  };
+
+  /// Adds the standard views, "view.focus", the switches of the view and "file.screenshot".
+  ViewActions(const Parts& parts, Actions& actions, QObject* parent = nullptr);
+
+  void lookFrom(scene::StandardView from);
+  /// Brings the selected organ into the picture, or all.
+  void focus();
+
+private:
+  void makeViews(Actions& actions);
+  void makeSwitches(Actions& actions);
+  void saveScreenshot();
+
+  Parts parts_;
+};
+
+} // namespace viscera::app
