@@ -5,10 +5,6 @@
 
 namespace viscera::app {
 
-/// How the coordinates of a document divide the space around its handles at rest; empty when they treat all
-/// space alike, are not there, or cannot use these handles or groups.
-coordinates::SpaceLayout layoutOf(const document::DocumentState& state, const plugin::Registry& systems);
-
 /// How the chosen coordinates divide the space around the handles at rest, for everybody in the window who
 /// shows something of it. Computed when asked for after a change, about a millisecond.
 class GroupLayout final {

@@ -25,13 +25,11 @@
 #include "window/panels/handle_panel.h"
 #include "window/panels/organ_panel.h"
 #include "window/session/session_files.h"
-#include "window/session/view_state.h"
+#include "window/session/session_view.h"
 #include "window/status_line.h"
 #include "window/timeline/timeline_bar.h"
 #include "window/timeline/timeline_controller.h"
 #include "window/timeline/volume_panel.h"
-#include "window/view/motion_guide.h"
-#include "window/view/region_scene.h"
 #include "window/view/view_actions.h"
 #include "window/view/view_area.h"
 #include "window/widgets/mode_rail.h"
@@ -50,14 +48,15 @@ MainWindow::MainWindow(Settings& settings, plugin::Registry registry, motion::Pl
       samples_(new SampleLoader(workspace_, placer_, playback_, this)), viewArea_(new ViewArea(this)),
       layout_(new WindowLayout(*this, actions_)) {
   setCentralWidget(viewArea_);
-  makeScenes();
-  imports_ = std::make_unique<ImportDesk>(workspace_, *files_, *viewArea_->view(), nullptr);
+  picture_ = std::make_unique<Picture>(workspace_, view_, *viewArea_->view());
+  handles_ = std::make_unique<HandleController>(workspace_, poses_, *picture_);
+  imports_ = std::make_unique<ImportDesk>(workspace_, *files_, *picture_, nullptr);
   bindingMessages_ = new BindingMessages(workspace_, viewArea_->messages(), this);
   files_->addTo(actions_);
   exports_->addTo(actions_);
   actions_.add("file.quit", {tr("&Quit"), nullptr, {QKeySequence::Quit}, {}}, [this] { close(); });
   edit_ = new EditActions(workspace_, actions_, this);
-  views_ = new ViewActions({workspace_, *organScene_, *viewArea_, view_, settings_}, actions_, this);
+  views_ = new ViewActions({workspace_, *picture_, *viewArea_, view_, settings_}, actions_, this);
   makeModes(clock);
   makeThemeActions();
   makeSession();
@@ -74,29 +73,20 @@ MainWindow::MainWindow(Settings& settings, plugin::Registry registry, motion::Pl
 
 MainWindow::~MainWindow() = default;
 
-void MainWindow::makeScenes() {
-  scene::OrganView& view = viewArea_->view()->view();
-  organScene_ = std::make_unique<OrganScene>(workspace_, view);
-  handleScene_ = std::make_unique<HandleScene>(workspace_, poses_, view_, view);
-  regionScene_ = std::make_unique<RegionScene>(workspace_, groupLayout_, view_, view);
-  gizmoScene_ = std::make_unique<GizmoScene>(workspace_, poses_, view_, view);
-  motionGuide_ = std::make_unique<MotionGuide>(workspace_, poses_, view_, view);
-}
-
 void MainWindow::makeModes(const motion::Player::Clock& clock) {
   modes_ = std::make_unique<ModeController>(
-      ModeController::Parts{playback_, view_, *viewArea_->view(), *organScene_, *handleScene_, *gizmoScene_});
+      ModeController::Parts{playback_, view_, *viewArea_->view(), *picture_, *handles_});
   explore_ = &modes_->add(std::make_unique<ExploreMode>(
-      ExploreMode::Parts{workspace_, *organScene_, *handleScene_, *viewArea_, view_}, actions_));
+      ExploreMode::Parts{workspace_, *picture_, *handles_, *viewArea_, view_}, actions_));
   modes_->add(std::make_unique<HandlesMode>(
       HandlesMode::Parts{workspace_, placer_, groupLayout_, *bindingMessages_, *viewArea_, view_}, actions_));
   modes_->add(std::make_unique<DeformMode>(DeformMode::Parts{workspace_, poses_, volumes_, view_}, actions_));
-  stress_ = &modes_->add(std::make_unique<StressMode>(workspace_, playback_, settings_, actions_, *viewArea_,
-                                                      *organScene_, *handleScene_));
-  play_ = &modes_->add(
-      std::make_unique<PlayMode>(PlayMode::Window{workspace_, playback_, volumes_, *samples_, *organScene_,
-                                                  *handleScene_, *viewArea_, view_, settings_},
-                                 clock, actions_));
+  stress_ = &modes_->add(std::make_unique<StressMode>(
+      StressMode::Parts{workspace_, playback_, settings_, *viewArea_, view_, *picture_, *handles_},
+      actions_));
+  play_ = &modes_->add(std::make_unique<PlayMode>(
+      PlayMode::Window{workspace_, playback_, volumes_, *samples_, *picture_, *viewArea_, view_, settings_},
+      clock, actions_));
   modes_->addTo(actions_);
 }
 
@@ -114,9 +104,9 @@ void MainWindow::makeThemeActions() {
 }
 
 void MainWindow::makeSession() {
-  viewState_ = std::make_unique<ViewState>(
-      ViewState::Window{workspace_, playback_, actions_, *viewArea_, stress_->model(), *modes_});
-  sessions_ = new SessionFiles(workspace_, playback_, *viewState_, settings_, this);
+  sessionView_ =
+      std::make_unique<SessionView>(SessionView::Window{workspace_, playback_, view_, *picture_, *modes_});
+  sessions_ = new SessionFiles(workspace_, playback_, *sessionView_, settings_, this);
   sessions_->addTo(actions_);
   files_->setSessionOpener([this](const QString& file) { sessions_->open(file); });
 }
@@ -171,12 +161,8 @@ void MainWindow::makeMenus() {
 
 void MainWindow::connectView() {
   ViewWidget* view = viewArea_->view();
-  connect(organScene_.get(), &OrganScene::changed, view, &ViewWidget::scheduleRender);
-  connect(handleScene_.get(), &HandleScene::changed, view, &ViewWidget::scheduleRender);
-  connect(regionScene_.get(), &RegionScene::changed, view, &ViewWidget::scheduleRender);
-  connect(gizmoScene_.get(), &GizmoScene::changed, view, &ViewWidget::scheduleRender);
-  connect(motionGuide_.get(), &MotionGuide::changed, view, &ViewWidget::scheduleRender);
-  connect(&view_, &ViewModel::changed, this, &MainWindow::applyView);
+  connect(&view_, &ViewModel::changed, volumePanel_,
+          [this] { volumePanel_->setCycleShown(view_.state().chartOfCycle); });
   connect(&playback_, &Playback::stateChanged, view, [this, view] {
     view->view().setMoving(playback_.player().playing());
     view->scheduleRender();
@@ -185,19 +171,6 @@ void MainWindow::connectView() {
     workspace_.selection().setOrgan(organ);
     views_->focus();
   });
-}
-
-/// The switches of the view, for the parts that draw.
-void MainWindow::applyView() {
-  const presentation::ViewState& shown = view_.state();
-  organScene_->setGhostShown(shown.ghost);
-  organScene_->setInfluenceShown(shown.influence);
-  viewArea_->view()->view().setOrientationCubeShown(shown.orientationCube);
-  viewArea_->view()->view().setScaleBarShown(shown.scaleBar);
-  explore_->setMeasurementsShown(shown.measurements);
-  play_->setLabelsShown(shown.labels);
-  volumePanel_->setCycleShown(shown.chartOfCycle);
-  viewArea_->view()->scheduleRender();
 }
 
 void MainWindow::connectFiles() {
@@ -264,7 +237,6 @@ void MainWindow::setTheme(ThemeKind kind) {
   for (const auto& mode : modes_->all())
     mode->setTheme(theme);
   volumePanel_->setTheme(theme);
-  organScene_->setGhostColor({theme.muted.redF(), theme.muted.greenF(), theme.muted.blueF()});
   actions_[kind == ThemeKind::dark ? "theme.dark" : "theme.light"]->setChecked(true);
   settings_.setValue("window/theme", nameOf(kind));
 }

@@ -27,16 +27,14 @@ class ExploreMode;
 class ExportActions;
 class Help;
 class ImportDesk;
-class MotionGuide;
 class OrganPanel;
 class PlayMode;
-class RegionScene;
 class SessionFiles;
+class SessionView;
 class StatusLine;
 class StressMode;
 class ViewActions;
 class ViewArea;
-class ViewState;
 class VolumePanel;
 class WindowLayout;
 
@@ -65,6 +63,7 @@ public:
   ViewArea& viewArea() { return *viewArea_; }
   ViewActions& views() { return *views_; }
   ViewModel& viewModel() { return view_; }
+  const Picture& picture() const { return *picture_; }
   PlayMode& play() { return *play_; }
   ModeController& modes() { return *modes_; }
   const Actions& actions() const { return actions_; }
@@ -79,7 +78,6 @@ protected:
   void closeEvent(QCloseEvent* event) override;
 
 private:
-  void makeScenes();
   void makeModes(const motion::Player::Clock& clock);
   void makeThemeActions();
   void makeSession();
@@ -91,7 +89,6 @@ private:
   void connectFiles();
   void connectHints();
   void connectActions();
-  void applyView();
   void escape();
 
   Settings& settings_;
@@ -108,11 +105,8 @@ private:
   SampleLoader* samples_;
   ViewArea* viewArea_;
   WindowLayout* layout_;
-  std::unique_ptr<OrganScene> organScene_;
-  std::unique_ptr<HandleScene> handleScene_;
-  std::unique_ptr<RegionScene> regionScene_;
-  std::unique_ptr<GizmoScene> gizmoScene_;
-  std::unique_ptr<MotionGuide> motionGuide_;
+  std::unique_ptr<Picture> picture_;
+  std::unique_ptr<HandleController> handles_;
   std::unique_ptr<ImportDesk> imports_;
   BindingMessages* bindingMessages_ = nullptr;
   std::unique_ptr<ModeController> modes_;
@@ -125,7 +119,7 @@ private:
   VolumePanel* volumePanel_ = nullptr;
   StatusLine* status_ = nullptr;
   Help* help_ = nullptr;
-  std::unique_ptr<ViewState> viewState_;
+  std::unique_ptr<SessionView> sessionView_;
   SessionFiles* sessions_ = nullptr;
   ThemeKind theme_ = ThemeKind::dark;
   std::vector<Subscription> subscriptions_;

@@ -5,6 +5,7 @@
 #include "viscera/document/organ_commands.h"
 #include "viscera/document/pose_commands.h"
 #include "viscera/document/rig_commands.h"
+#include "viscera/presentation/space_parts.h"
 
 namespace viscera::app {
 
@@ -153,14 +154,8 @@ void PoseEditor::setCompensating(bool compensating) {
 }
 
 std::optional<deformation::MirrorPlane> PoseEditor::mirrorPlane() const {
-  using presentation::Mirror;
-  const Mirror mirror = model_.state().mirror;
-  const auto organ = workspace_.currentOrgan();
-  if (mirror == Mirror::off || !organ)
-    return std::nullopt;
-  // LPS: x runs from side to side, y from front to back, z from foot to head.
-  const int axis = mirror == Mirror::sagittal ? 0 : mirror == Mirror::coronal ? 1 : 2;
-  return deformation::MirrorPlane{boundsOf(organ->mesh->points).center(), Vec3::Unit(axis)};
+  return presentation::mirrorPlaneOf(workspace_.state(), workspace_.selection().organ(),
+                                     model_.state().mirror);
 }
 
 std::vector<document::HandleId> PoseEditor::partnersOfSelection() const {

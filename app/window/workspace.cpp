@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "viscera/presentation/space_parts.h"
+
 namespace viscera::app {
 
 Workspace::Workspace(plugin::Registry registry, QObject* parent)
@@ -49,22 +51,12 @@ void Workspace::report(const Error& error) {
   say(message);
 }
 
-coordinates::Traits traitsOf(const document::DocumentState& state, const plugin::Registry& systems) {
-  const std::string& id = state.system->id;
-  return systems.contains(id) ? systems.find(id)->traits() : coordinates::Traits();
-}
-
 coordinates::Traits Workspace::systemTraits() const {
-  return traitsOf(document_.state(), registry_);
+  return presentation::traitsOf(document_.state(), registry_);
 }
 
 std::shared_ptr<const document::Organ> Workspace::currentOrgan() const {
-  if (auto selected = document_.organ(selection_.organ()))
-    return selected;
-  for (const auto& organ : document_.organs())
-    if (!organ->parent)
-      return organ;
-  return nullptr;
+  return presentation::currentOrgan(document_.state(), selection_.organ());
 }
 
 QString asSentence(const std::string& utf8) {

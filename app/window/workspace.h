@@ -14,9 +14,6 @@
 
 namespace viscera::app {
 
-/// What the coordinates of a document are like; nothing special for some that are not there.
-coordinates::Traits traitsOf(const document::DocumentState& state, const plugin::Registry& systems);
-
 /// The open document and everything that works on it, for all parts of the window. Parts read the document
 /// and change it by `perform` only; what goes wrong becomes a message over the view.
 class Workspace final : public QObject {

@@ -11,24 +11,12 @@ std::string firstChoice(const document::SystemChoice& other) {
 
 } // namespace
 
-ComparedSystem::ComparedSystem(const Side& first, const HandleScene& handles, const Side& second,
-                               MessageBar* messages, QObject* parent)
-    : QObject(parent), first_(first), second_(second), poses_(second.workspace, view_),
-      firstHandles_(handles),
-      handles_(std::make_unique<HandleScene>(second.workspace, poses_, view_, second.view.view())),
-      messages_(second.workspace, messages, nullptr, &first.workspace) {
+ComparedSystem::ComparedSystem(Workspace& first, Workspace& second, MessageBar* messages, QObject* parent)
+    : QObject(parent), first_(first), second_(second), messages_(second, messages, nullptr, &first) {
   auto choice = std::make_shared<document::SystemChoice>();
-  choice->id = firstChoice(first.workspace.document().system());
+  choice->id = firstChoice(first.document().system());
   choice_ = std::move(choice);
-  connect(handles_.get(), &HandleScene::changed, &second.view, &ViewWidget::scheduleRender);
-  connect(&first.organs, &OrganScene::changed, this, &ComparedSystem::followLook);
-  connect(&handles, &HandleScene::changed, this, &ComparedSystem::followLook);
-  subscriptions_.push_back(first.workspace.selection().onChange([this] { followSelection(); }));
-}
-
-ComparedSystem::~ComparedSystem() {
-  second_.organs.setGhostShown(false);
-  second_.organs.setInfluenceShown(false);
+  subscriptions_.push_back(first.selection().onChange([this] { followSelection(); }));
 }
 
 QComboBox* ComparedSystem::makeChooser() {
@@ -38,7 +26,7 @@ QComboBox* ComparedSystem::makeChooser() {
   chooser_->setToolTip(tr("The coordinates that tie the same organs to the same handles in this view"));
   chooser_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   chooser_->setMinimumContentsLength(14);
-  for (const plugin::Registry::Entry& entry : second_.workspace.registry().list())
+  for (const plugin::Registry::Entry& entry : second_.registry().list())
     chooser_->addItem(text(entry.system->name()), text(entry.system->id()));
   chooser_->setCurrentIndex(chooser_->findData(text(choice_->id)));
   connect(chooser_, QOverload<int>::of(&QComboBox::activated), this,
@@ -57,7 +45,6 @@ void ComparedSystem::choose(const std::string& id) {
 
 void ComparedSystem::mirrored() {
   followSelection();
-  followLook();
 }
 
 document::DocumentState ComparedSystem::applied(document::DocumentState state) const {
@@ -65,17 +52,9 @@ document::DocumentState ComparedSystem::applied(document::DocumentState state) c
   return state;
 }
 
-void ComparedSystem::followLook() {
-  if (second_.organs.ghostShown() != first_.organs.ghostShown())
-    second_.organs.setGhostShown(first_.organs.ghostShown());
-  if (second_.organs.influenceShown() != first_.organs.influenceShown())
-    second_.organs.setInfluenceShown(first_.organs.influenceShown());
-  view_.change([this](presentation::ViewState& view) { view.handles = firstHandles_.shown(); });
-}
-
 void ComparedSystem::followSelection() {
-  const document::Selection& first = first_.workspace.selection();
-  document::Selection& second = second_.workspace.selection();
+  const document::Selection& first = first_.selection();
+  document::Selection& second = second_.selection();
   if (second.handles() != first.handles())
     second.setHandles(first.handles());
   if (second.organ() != first.organ())

@@ -8,33 +8,19 @@
 #include <vector>
 
 #include "window/binding_messages.h"
-#include "window/pose_editor.h"
-#include "window/view/handle_scene.h"
-#include "window/view/organ_scene.h"
-#include "window/view/view_widget.h"
 #include "window/workspace.h"
 
 namespace viscera::app {
 
-/// Other coordinates for the first view's organs and handles in the second view: the list to choose them
-/// from, and the handles, the selection, the ghost and the influence map as the first view has them, so that
-/// the two systems are seen under the same motion.
+/// Other coordinates for the first document's organs and handles in the second one: the list to choose them
+/// from, and the first one's selection, so that the two systems are seen under the same motion.
 class ComparedSystem final : public QObject {
   Q_OBJECT
 
 public:
-  /// One of the two views; its parts have to live longer.
-  struct Side {
-    Workspace& workspace;
-    OrganScene& organs;
-    ViewWidget& view;
-  };
-
-  /// `handles` are those of the first view. Begins with T-Celestial coordinates, which take any handles as
-  /// the program's own do; with those when the first view has T-Celestial.
-  ComparedSystem(const Side& first, const HandleScene& handles, const Side& second, MessageBar* messages,
-                 QObject* parent = nullptr);
-  ~ComparedSystem() override;
+  /// Both have to live longer. Begins with T-Celestial coordinates, which take any handles as the program's
+  /// own do; with those when the first document has T-Celestial.
+  ComparedSystem(Workspace& first, Workspace& second, MessageBar* messages, QObject* parent = nullptr);
 
   /// The list of systems, for the second view's header, which owns it from then on.
   QComboBox* makeChooser();
@@ -50,15 +36,10 @@ Q_SIGNALS:
   void chosen();
 
 private:
-  void followLook();
   void followSelection();
 
-  Side first_;
-  Side second_;
-  ViewModel view_;   ///< Says only whether handles are shown.
-  PoseEditor poses_; ///< Moves nothing: handles are moved in the first view.
-  const HandleScene& firstHandles_;
-  std::unique_ptr<HandleScene> handles_;
+  Workspace& first_;
+  Workspace& second_;
   BindingMessages messages_;
   std::shared_ptr<const document::SystemChoice> choice_;
   QPointer<QComboBox> chooser_;

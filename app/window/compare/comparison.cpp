@@ -18,8 +18,7 @@
 #include "window/sample_loader.h"
 #include "window/style/icon.h"
 #include "window/view/camera_link.h"
-#include "window/view/label_scene.h"
-#include "window/view/organ_scene.h"
+#include "window/view/picture.h"
 #include "window/view/view_area.h"
 
 namespace viscera::app {
@@ -29,8 +28,8 @@ struct Comparison::Second {
   Second(const First& first, const motion::Player::Clock& clock, QWidget* window)
       : workspace(first.workspace.registry()), playback(workspace, clock), placer(workspace),
         samples(workspace, placer, playback), files(workspace, placer, first.settings, window),
-        view(new ViewWidget), organs(std::make_unique<OrganScene>(workspace, view->view())),
-        labels(std::make_unique<LabelScene>(workspace, *organs, view->view())) {}
+        view(new ViewWidget),
+        picture(std::make_unique<Picture>(workspace, first.view, *view, Picture::Role::showing)) {}
 
   Workspace workspace;
   Playback playback;
@@ -38,8 +37,7 @@ struct Comparison::Second {
   SampleLoader samples;
   FileActions files;
   ViewWidget* view; ///< The window's, once it is there.
-  std::unique_ptr<OrganScene> organs;
-  std::unique_ptr<LabelScene> labels;
+  std::unique_ptr<Picture> picture;
   std::unique_ptr<CameraLink> cameras;
   std::unique_ptr<ComparedSystem> system; ///< While other coordinates are compared.
   std::vector<Subscription> subscriptions;
@@ -84,9 +82,6 @@ void Comparison::begin() {
   firstHeader_ = new SideHeader(tr("A"));
   first_.area.splitView(firstHeader_, makeSecondPane());
   setTheme(theme_);
-  setLabelsShown(labelsShown_);
-  connect(second.organs.get(), &OrganScene::changed, second.view, &ViewWidget::scheduleRender);
-  connect(second.labels.get(), &LabelScene::changed, second.view, &ViewWidget::scheduleRender);
   connect(&second.workspace, &Workspace::messageRaised, &first_.workspace, &Workspace::messageRaised);
   connect(&second.playback, &Playback::stateChanged, this, &Comparison::syncHeaders);
   connect(&second.playback, &Playback::advanced, this, &Comparison::syncHeaders);
@@ -168,9 +163,8 @@ void Comparison::showOtherCoordinates() {
   if (second_->system)
     return;
   same_ = true;
-  second_->system = std::make_unique<ComparedSystem>(
-      ComparedSystem::Side{first_.workspace, first_.organs, *first_.area.view()}, first_.handles,
-      ComparedSystem::Side{second_->workspace, *second_->organs, *second_->view}, first_.area.messages());
+  second_->system =
+      std::make_unique<ComparedSystem>(first_.workspace, second_->workspace, first_.area.messages());
   secondHeader_->addControl(second_->system->makeChooser());
   connect(second_->system.get(), &ComparedSystem::chosen, this, [this] {
     mirror();
@@ -241,11 +235,10 @@ void Comparison::end() {
   second_->subscriptions.clear();
   const std::unique_ptr<Second> second = std::move(second_);
   same_ = false;
-  // The scene lets go of the view's renderer before the view goes.
+  // The picture lets go of the view's renderer before the view goes.
   second->system.reset();
   second->cameras.reset();
-  second->labels.reset();
-  second->organs.reset();
+  second->picture.reset();
   first_.area.joinViews();
   Q_EMIT toggled(false);
 }
@@ -255,13 +248,6 @@ void Comparison::setTheme(const Theme& theme) {
   if (!on())
     return;
   second_->view->setTheme(theme);
-  second_->labels->setTheme(second_->view->view().theme());
-}
-
-void Comparison::setLabelsShown(bool shown) {
-  labelsShown_ = shown;
-  if (on())
-    second_->labels->setShown(shown);
 }
 
 /// The second document becomes the first one as it is now. Organs whose surface and handles are the same stay

@@ -9,6 +9,7 @@
 #include "window/style/theme.h"
 #include "window/timeline/playback.h"
 #include "window/timeline/volume_monitor.h"
+#include "window/view/view_model.h"
 #include "window/workspace.h"
 
 class QSpinBox;
@@ -16,8 +17,6 @@ class QSpinBox;
 namespace viscera::app {
 
 class ComparedSystem;
-class HandleScene;
-class OrganScene;
 class SideHeader;
 class ViewArea;
 class ViewWidget;
@@ -36,8 +35,7 @@ public:
     VolumeMonitor& volumes;
     ViewArea& area;
     Settings& settings;
-    OrganScene& organs;
-    const HandleScene& handles;
+    ViewModel& view;
   };
 
   /// `clock` is the one that drives the first playback.
@@ -57,7 +55,6 @@ public:
   void end();
 
   void setTheme(const Theme& theme);
-  void setLabelsShown(bool shown);
 
   /// Of the second view; only while `on`.
   Workspace& workspace();
@@ -94,7 +91,6 @@ private:
   QPointer<QSpinBox> rate_;
   Theme theme_;
   bool same_ = false;
-  bool labelsShown_ = false;
 };
 
 } // namespace viscera::app

@@ -6,7 +6,7 @@
 #include "window/file_actions.h"
 #include "window/import/import_panel.h"
 #include "window/import/repair_texts.h"
-#include "window/view/view_widget.h"
+#include "window/view/picture.h"
 #include "window/workspace.h"
 
 namespace viscera::app {
@@ -16,8 +16,8 @@ constexpr const char* kSlot = "import";
 
 } // namespace
 
-ImportDesk::ImportDesk(Workspace& workspace, FileActions& files, ViewWidget& view, QObject* parent)
-    : QObject(parent), workspace_(workspace), files_(files), panel_(new ImportPanel), preview_(view) {
+ImportDesk::ImportDesk(Workspace& workspace, FileActions& files, Picture& picture, QObject* parent)
+    : QObject(parent), workspace_(workspace), files_(files), panel_(new ImportPanel), preview_(picture) {
   connect(panel_, &ImportPanel::accepted, this, &ImportDesk::accept);
   connect(panel_, &ImportPanel::cancelled, this, &ImportDesk::cancel);
   connect(panel_, &ImportPanel::repairRequested, this, &ImportDesk::repair);

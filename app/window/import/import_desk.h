@@ -20,7 +20,7 @@ class ImportDesk final : public QObject {
   Q_OBJECT
 
 public:
-  ImportDesk(Workspace& workspace, FileActions& files, ViewWidget& view, QObject* parent);
+  ImportDesk(Workspace& workspace, FileActions& files, Picture& picture, QObject* parent);
 
   /// The panel; whoever shows it owns it.
   ImportPanel* panel() const { return panel_; }

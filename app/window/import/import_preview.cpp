@@ -1,7 +1,7 @@
 #include "window/import/import_preview.h"
 
 #include "window/panels/color_palette.h"
-#include "window/view/view_widget.h"
+#include "window/view/picture.h"
 #include "window/workspace.h"
 
 namespace viscera::app {
@@ -18,33 +18,29 @@ ImportPreview::~ImportPreview() {
 }
 
 void ImportPreview::show(const document::ImportDraft& draft) {
-  clear();
+  std::vector<presentation::Guest> guests;
   Bounds box;
   for (const document::DraftOrgan& organ : draft.organs) {
     if (!organ.included)
       continue;
-    auto ghost = std::make_shared<scene::OrganActor>(organ.mesh);
-    ghost->setOpacity(kGlass);
+    presentation::Guest guest{organ.mesh, document::OrganLook().color, kGlass};
     if (const auto color = tissueColor(text(organ.name)))
-      ghost->setColor(asVec3(*color));
-    const Bounds own = ghost->bounds();
-    box = ghosts_.empty() ? own : Bounds{box.low.cwiseMin(own.low), box.high.cwiseMax(own.high)};
-    view_.view().add(ghost);
-    ghosts_.push_back(std::move(ghost));
+      guest.color = asVec3(*color);
+    const Bounds own = boundsOf(organ.mesh->points);
+    box = guests.empty() ? own : Bounds{box.low.cwiseMin(own.low), box.high.cwiseMax(own.high)};
+    guests.push_back(std::move(guest));
   }
   const double moved = (box.low - shown_.low).norm() + (box.high - shown_.high).norm();
-  if (!ghosts_.empty() && moved > kElsewhere * box.diagonal()) {
-    view_.view().frame(box);
-    shown_ = box;
-  }
-  view_.scheduleRender();
+  const bool elsewhere = !guests.empty() && moved > kElsewhere * box.diagonal();
+  picture_.setGuests(std::move(guests));
+  if (!elsewhere)
+    return;
+  picture_.view().frame(box);
+  shown_ = box;
 }
 
 void ImportPreview::clear() {
-  for (const auto& ghost : ghosts_)
-    view_.view().remove(ghost);
-  ghosts_.clear();
-  view_.scheduleRender();
+  picture_.setGuests({});
 }
 
 } // namespace viscera::app

@@ -8,12 +8,12 @@
 
 namespace viscera::app {
 
-class ViewWidget;
+class Picture;
 
 /// Shows a draft's organs as glass in the view, beside what the document holds.
 class ImportPreview {
 public:
-  explicit ImportPreview(ViewWidget& view) : view_(view) {}
+  explicit ImportPreview(Picture& picture) : picture_(picture) {}
   ~ImportPreview();
   ImportPreview(const ImportPreview&) = delete;
   ImportPreview& operator=(const ImportPreview&) = delete;
@@ -23,8 +23,7 @@ public:
   void clear();
 
 private:
-  ViewWidget& view_;
-  std::vector<std::shared_ptr<scene::OrganActor>> ghosts_;
+  Picture& picture_;
   Bounds shown_;
 };
 

@@ -12,7 +12,7 @@
 #include <algorithm>
 
 #include "viscera/document/measurement_commands.h"
-#include "window/measure/measure_scene.h"
+#include "viscera/presentation/presenter.h"
 #include "window/style/icon.h"
 
 namespace viscera::app {
@@ -163,11 +163,13 @@ void MeasureBox::syncValues() {
   const QScopedValueRollback<bool> quiet(updating_, true);
   const document::MeasurementList& measurements = workspace_.document().measurements();
   for (std::size_t row = 0; row < measurements.size(); ++row) {
-    const document::MeasuredValues values = measuredNow(workspace_, measurements[row]);
+    const document::MeasuredValues values = document::measure(
+        measurements[row], workspace_.state(),
+        [this](document::OrganId organ) -> const Points& { return workspace_.live().points(organ); });
     const document::MeasurementKind kind = kindOf(measurements[row]);
     QTreeWidgetItem* item = list_->topLevelItem(static_cast<int>(row));
-    item->setText(kNow, formatMeasured(kind, values.now));
-    item->setText(kRest, formatMeasured(kind, values.rest));
+    item->setText(kNow, text(presentation::formatMeasured(kind, values.now)));
+    item->setText(kRest, text(presentation::formatMeasured(kind, values.rest)));
   }
 }
 

@@ -24,10 +24,9 @@ bool areOn(const document::Document& document, const std::vector<document::Measu
 
 } // namespace
 
-MeasureTool::MeasureTool(Workspace& workspace, ViewWidget& view, OrganScene& organs, HandleScene& handles,
-                         const scene::MeasurementGlyphs& glyphs, QObject* parent)
-    : QObject(parent), workspace_(workspace), view_(view), organs_(organs), handles_(handles),
-      glyphs_(glyphs) {
+MeasureTool::MeasureTool(Workspace& workspace, ViewWidget& view, const Picture& picture,
+                         const HandleController& handles, QObject* parent)
+    : QObject(parent), workspace_(workspace), view_(view), picture_(picture), handles_(handles) {
   view.installEventFilter(this);
   connect(&view, &ViewWidget::clicked, this, [this](const QPointF& place, Qt::KeyboardModifiers modifiers) {
     if (kind_ && !(modifiers & (Qt::ShiftModifier | Qt::ControlModifier)))
@@ -137,7 +136,7 @@ bool MeasureTool::eventFilter(QObject* watched, QEvent* event) {
 }
 
 void MeasureTool::onClick(const QPointF& place) {
-  if (handles_.handleUnderMouse())
+  if (handles_.underMouse())
     return;
   const auto point = pointOf(view_.pickNear(place));
   if (!point)
@@ -156,7 +155,7 @@ bool MeasureTool::press(const QMouseEvent& event) {
   if (held_)
     return true; // Another button during a drag.
   if (kind_ || event.button() != Qt::LeftButton || event.modifiers() != Qt::NoModifier ||
-      handles_.handleUnderMouse())
+      handles_.underMouse())
     return false;
   const auto mark = markUnder(event.localPos());
   if (!mark)
@@ -197,7 +196,7 @@ void MeasureTool::release() {
 
 std::optional<document::MeasuredPoint>
 MeasureTool::pointOf(const std::optional<scene::SurfacePick>& pick) const {
-  const auto organ = pick ? workspace_.document().organ(organs_.organOf(pick->organ)) : nullptr;
+  const auto organ = pick ? workspace_.document().organ(picture_.organOf(pick->organ)) : nullptr;
   if (!organ)
     return std::nullopt;
   return document::surfacePoint(*organ, pick->triangle,
@@ -211,7 +210,8 @@ std::optional<document::MeasuredPoint> MeasureTool::pointUnder(const QPointF& pl
 
 std::optional<scene::MeasurementGlyphs::Mark> MeasureTool::markUnder(const QPointF& place) const {
   const double ratio = view_.devicePixelRatioF();
-  const auto mark = glyphs_.markAt(ratio * place.x(), ratio * (view_.height() - 1 - place.y()));
+  const auto mark =
+      picture_.presenter().measurements().markAt(ratio * place.x(), ratio * (view_.height() - 1 - place.y()));
   return mark && mark->item < workspace_.document().measurements().size() ? mark : std::nullopt;
 }
 

@@ -7,8 +7,8 @@
 
 #include "viscera/document/measurement.h"
 #include "viscera/scene/measurement_glyphs.h"
-#include "window/view/handle_scene.h"
-#include "window/view/organ_scene.h"
+#include "window/view/handle_controller.h"
+#include "window/view/picture.h"
 #include "window/view/view_widget.h"
 
 namespace viscera::app {
@@ -22,9 +22,9 @@ class MeasureTool final : public QObject {
 public:
   using Kind = document::MeasurementKind;
 
-  /// `glyphs` draws the document's measurements first, in their order. All have to live longer.
-  MeasureTool(Workspace& workspace, ViewWidget& view, OrganScene& organs, HandleScene& handles,
-              const scene::MeasurementGlyphs& glyphs, QObject* parent = nullptr);
+  /// All have to live longer.
+  MeasureTool(Workspace& workspace, ViewWidget& view, const Picture& picture, const HandleController& handles,
+              QObject* parent = nullptr);
 
   /// Measures again and again until `end`, or until the tool is no longer enabled.
   void begin(Kind kind);
@@ -72,9 +72,8 @@ private:
 
   Workspace& workspace_;
   ViewWidget& view_;
-  OrganScene& organs_;
-  HandleScene& handles_;
-  const scene::MeasurementGlyphs& glyphs_;
+  const Picture& picture_;
+  const HandleController& handles_;
   bool enabled_ = false;
   std::optional<Kind> kind_;
   std::vector<document::MeasuredPoint> points_;

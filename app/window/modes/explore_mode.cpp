@@ -14,10 +14,8 @@ ExploreMode::ExploreMode(const Parts& parts, Actions& actions)
     : Mode(parts.workspace, {"explore", "explore", 1, tr("Explore"),
                              tr("Left drag rotates, Shift+left pans, right drag or wheel zooms, click "
                                 "selects an organ, D and A measure")}),
-      parts_(parts), glyphs_(parts.area.view()->view()),
-      tool_(parts.workspace, *parts.area.view(), parts.organs, parts.handles, glyphs_),
-      scene_(parts.workspace, tool_, glyphs_) {
-  connect(&scene_, &MeasureScene::changed, parts.area.view(), &ViewWidget::scheduleRender);
+      parts_(parts), tool_(parts.workspace, *parts.area.view(), parts.picture, parts.handles) {
+  connect(&tool_, &MeasureTool::changed, this, &ExploreMode::showMeasuring);
   connect(&tool_, &MeasureTool::stateChanged, &actions, &Actions::sync);
   connect(&tool_, &MeasureTool::stateChanged, this, &Mode::hintChanged);
   makeMeasure(
@@ -71,8 +69,15 @@ QString ExploreMode::hint() const {
              : tr("Click two points on an organ; drags turn the view, Esc ends");
 }
 
-void ExploreMode::setTheme(const Theme&) {
-  scene_.setTheme(parts_.area.view()->view().theme());
+/// What the mouse is at, which is in no document yet.
+void ExploreMode::showMeasuring() {
+  presentation::MeasuringNow now{{}, tool_.pending(), tool_.kind() == Kind::angle};
+  if (tool_.chosen())
+    now.highlighted.push_back(tool_.chosen());
+  const auto& measurements = workspace_.document().measurements();
+  if (const auto hovered = tool_.hovered(); hovered && hovered->item < measurements.size())
+    now.highlighted.push_back(measurements[hovered->item].id);
+  parts_.picture.setMeasuring(std::move(now));
 }
 
 void ExploreMode::click(const ClickedPlace* place) {

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "window/actions.h"
-#include "window/measure/measure_scene.h"
+#include "window/measure/measure_tool.h"
 #include "window/modes/mode.h"
 #include "window/view/view_area.h"
 #include "window/view/view_model.h"
@@ -16,8 +16,8 @@ public:
   /// What the mode works with; all have to live longer.
   struct Parts {
     Workspace& workspace;
-    OrganScene& organs;
-    HandleScene& handles;
+    Picture& picture;
+    const HandleController& handles;
     ViewArea& area;
     ViewModel& view;
   };
@@ -29,7 +29,6 @@ public:
   presentation::Shown shown() const override { return {}; }
   WantedPose pose() const override { return WantedPose::sequence; }
   QString hint() const override;
-  void setTheme(const Theme& theme) override;
   void enter() override { tool_.setEnabled(true); }
   void leave() override { tool_.setEnabled(false); }
   bool escape() override { return tool_.escape(); }
@@ -37,17 +36,14 @@ public:
 
   /// Whether clicks are points of a measurement.
   bool measuring() const { return tool_.active(); }
-  void setMeasurementsShown(bool shown) { scene_.setShown(shown); }
-  const scene::MeasurementGlyphs& glyphs() const { return glyphs_; }
 
 private:
+  void showMeasuring();
   QAction* makeMeasure(Actions& actions, MeasureTool::Kind kind, const char* id,
                        const Actions::Description& description);
 
   Parts parts_;
-  scene::MeasurementGlyphs glyphs_;
   MeasureTool tool_;
-  MeasureScene scene_;
 };
 
 } // namespace viscera::app

@@ -61,6 +61,9 @@ public:
   virtual void leave() {}
   /// Takes back what the user is at; false when there is nothing.
   virtual bool escape() { return false; }
+  /// A click at a place of the view: true when the mode has used it, because it looks deeper than to the
+  /// organs' surfaces. Else `click` follows.
+  virtual bool press(const QPointF&) { return false; }
   /// A click, not on a handle; null: beside all organs. Selects the organ, where a mode has no other use.
   virtual void click(const ClickedPlace* place) {
     if (place)

@@ -2,9 +2,6 @@
 
 #include <algorithm>
 
-#include "viscera/scene/vtkVisceraGizmoWidget.h"
-#include "viscera/scene/vtkVisceraHandleSetWidget.h"
-
 namespace viscera::app {
 
 ModeController::ModeController(const Parts& parts, QObject* parent) : QObject(parent), parts_(parts) {
@@ -45,7 +42,7 @@ void ModeController::choose(const std::string& id) {
   const std::size_t row = rowOf(id);
   if (row == present_)
     return;
-  cancelDrag();
+  parts_.handles.cancelDrag();
   modes_[present_]->leave();
   begin(row);
 }
@@ -69,30 +66,20 @@ void ModeController::syncShown() {
     parts_.model.change([&shown](presentation::ViewState& state) { state.shown = shown; });
 }
 
-bool ModeController::cancelDrag() {
-  scene::OrganView& view = parts_.view.view();
-  if (view.handleWidget()->IsDragging())
-    view.handleWidget()->CancelDrag();
-  else if (view.gizmoWidget()->IsDragging())
-    view.gizmoWidget()->CancelDrag();
-  else
-    return false;
-  return true;
-}
-
 void ModeController::onClick(const QPointF& place, Qt::KeyboardModifiers modifiers) {
-  if (parts_.handles.handleUnderMouse() || parts_.gizmo.underMouse() ||
-      (modifiers & (Qt::ShiftModifier | Qt::ControlModifier)))
+  if (parts_.handles.underMouse() || (modifiers & (Qt::ShiftModifier | Qt::ControlModifier)))
+    return;
+  if (modes_[present_]->press(place))
     return;
   const auto pick = parts_.view.pickNear(place);
   if (!pick)
     return modes_[present_]->click(nullptr);
-  const ClickedPlace clicked{parts_.organs.organOf(pick->organ), pick->position, pick->normal};
+  const ClickedPlace clicked{parts_.picture.organOf(pick->organ), pick->position, pick->normal};
   modes_[present_]->click(&clicked);
 }
 
 bool ModeController::escape() {
-  return cancelDrag() || modes_[present_]->escape();
+  return parts_.handles.cancelDrag() || modes_[present_]->escape();
 }
 
 } // namespace viscera::app

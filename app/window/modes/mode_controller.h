@@ -8,9 +8,8 @@
 
 #include "window/actions.h"
 #include "window/modes/mode.h"
-#include "window/view/gizmo_scene.h"
-#include "window/view/handle_scene.h"
-#include "window/view/organ_scene.h"
+#include "window/view/handle_controller.h"
+#include "window/view/picture.h"
 #include "window/view/view_model.h"
 #include "window/view/view_widget.h"
 
@@ -27,9 +26,8 @@ public:
     Playback& playback;
     ViewModel& model;
     ViewWidget& view;
-    const OrganScene& organs;
-    const HandleScene& handles;
-    const GizmoScene& gizmo;
+    const Picture& picture;
+    HandleController& handles;
   };
 
   explicit ModeController(const Parts& parts, QObject* parent = nullptr);
@@ -67,7 +65,6 @@ private:
   void take(std::unique_ptr<Mode> mode);
   std::size_t rowOf(const std::string& id) const;
   void begin(std::size_t row);
-  bool cancelDrag();
   void onClick(const QPointF& place, Qt::KeyboardModifiers modifiers);
   void syncShown();
 

@@ -39,15 +39,12 @@ std::vector<std::shared_ptr<const document::Organ>> wallsOf(const document::Orga
 PlayMode::PlayMode(const Window& window, const motion::Player::Clock& clock, Actions& actions)
     : Mode(window.workspace, {"play", "beat", 5, tr("Play"),
                               tr("Space plays or pauses; drag the timeline to look at one instant")}),
-      window_(window),
-      labels_(std::make_unique<LabelScene>(window.workspace, window.organs, window.area.view()->view())),
-      comparison_(std::make_unique<Comparison>(Comparison::First{window.workspace, window.playback,
-                                                                 window.volumes, window.area, window.settings,
-                                                                 window.organs, window.handles},
-                                               clock)),
+      window_(window), comparison_(std::make_unique<Comparison>(
+                           Comparison::First{window.workspace, window.playback, window.volumes, window.area,
+                                             window.settings, window.view},
+                           clock)),
       recorder_(std::make_unique<Recorder>(window.workspace)),
       recorded_(std::make_unique<RecordedMotion>(window.workspace, window.playback)) {
-  connect(labels_.get(), &LabelScene::changed, window.area.view(), &ViewWidget::scheduleRender);
   connect(recorder_.get(), &Recorder::finished, this, &PlayMode::sayRecorded);
   makeLookActions(actions);
   makeMotionActions(actions);
@@ -148,13 +145,7 @@ void PlayMode::setStatus(StatusLine& status) {
   status.watch(recorder_->jobs());
 }
 
-void PlayMode::setLabelsShown(bool shown) {
-  labels_->setShown(shown);
-  comparison_->setLabelsShown(shown);
-}
-
 void PlayMode::setTheme(const Theme& theme) {
-  labels_->setTheme(window_.area.view()->view().theme());
   comparison_->setTheme(theme);
 }
 

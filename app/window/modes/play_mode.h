@@ -10,13 +10,12 @@
 #include "window/sample_loader.h"
 #include "window/settings.h"
 #include "window/timeline/volume_monitor.h"
-#include "window/view/label_scene.h"
-#include "window/view/view_area.h"
+#include "window/view/picture.h"
+"window/view/view_area.h"
 #include "window/view/view_model.h"
 
 namespace viscera::app {
 
-class HandleScene;
 class StatusLine;
 
 /// Looking at sequences and teaching with them: the sequences to choose from, labels, looking through walls,
@@ -31,8 +30,7 @@ public:
     Playback& playback;
     VolumeMonitor& volumes;
     SampleLoader& samples;
-    OrganScene& organs;
-    HandleScene& handles;
+    Picture& picture;
     ViewArea& area;
     ViewModel& view;
     Settings& settings;
@@ -48,12 +46,10 @@ public:
   void setTheme(const Theme& theme) override;
   /// Shows what is recorded and what the second view does in the status bar.
   void setStatus(StatusLine& status);
-  void setLabelsShown(bool shown);
 
   Comparison& comparison() { return *comparison_; }
   Recorder& recorder() { return *recorder_; }
   RecordedMotion& recorded() { return *recorded_; }
-  const LabelScene& labels() const { return *labels_; }
 
   /// Shows a sequence: on the organ that is there when it has it, else on its sample organ.
   void chooseSequence(const QString& id);
@@ -71,7 +67,6 @@ private:
   void sayRecorded(bool complete, const RecordingPlan& plan);
 
   Window window_;
-  std::unique_ptr<LabelScene> labels_;
   std::unique_ptr<Comparison> comparison_;
   std::unique_ptr<Recorder> recorder_;
   std::unique_ptr<RecordedMotion> recorded_;

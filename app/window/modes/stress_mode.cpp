@@ -13,16 +13,17 @@ constexpr const char* kActionIds[] = {"stress.next",   "stress.peak",    "stress
                                       "stress.glyphs", "stress.handles", "stress.others"};
 } // namespace
 
-StressMode::StressMode(Workspace& workspace, Playback& playback, Settings& settings, Actions& actions,
-                       ViewArea& area, OrganScene& organs, HandleScene& handles)
-    : Mode(workspace,
+StressMode::StressMode(const Parts& parts, Actions& actions)
+    : Mode(parts.workspace,
            {"stress", "stress", 4, tr("Stress"),
             tr("Click the tissue to see its values; C cuts the organ open; drag a handle, the map follows")}),
-      playback_(playback), actions_(actions), area_(area), model_(workspace, playback, settings),
-      scene_(workspace, model_, *area.view(), organs, handles), card_(new ProbeCard(model_, &area)) {
-  area.addCard(card_, Qt::AlignVCenter | Qt::AlignLeft);
+      playback_(parts.playback), actions_(actions), area_(parts.area),
+      model_(parts.workspace, parts.playback, parts.settings, parts.view, parts.picture),
+      cut_(parts.workspace, model_, *parts.area.view(), parts.picture, parts.handles),
+      card_(new ProbeCard(model_, &parts.area)) {
+  Playback& playback = parts.playback;
+  area_.addCard(card_, Qt::AlignVCenter | Qt::AlignLeft);
   makeActions();
-  connect(&scene_, &StressScene::changed, area.view(), &ViewWidget::scheduleRender);
   connect(&model_, &StressModel::lookChanged, this, &StressMode::syncActions);
   connect(&model_, &StressModel::statusChanged, this, &StressMode::syncActions);
   connect(&model_, &StressModel::activeChanged, this, &StressMode::syncActions);
@@ -121,7 +122,7 @@ std::vector<const char*> StressMode::actions() const {
 }
 
 QWidget* StressMode::makePage(const Actions& actions) {
-  return new StressPage(workspace_, playback_, model_, scene_, actions);
+  return new StressPage(workspace_, playback_, model_, cut_, actions);
 }
 
 QWidget* StressMode::makeChart() {
@@ -135,14 +136,13 @@ presentation::Shown StressMode::shown() const {
 }
 
 void StressMode::setTheme(const Theme& theme) {
-  scene_.setTheme(area_.view()->view().theme());
   if (chart_)
     chart_->setTheme(theme);
 }
 
 bool StressMode::escape() {
-  if (scene_.planeWidget()->IsDragging()) {
-    scene_.planeWidget()->CancelDrag();
+  if (cut_.planeWidget()->IsDragging()) {
+    cut_.planeWidget()->CancelDrag();
     return true;
   }
   if (!model_.active() || model_.probe() < 0)

@@ -2,8 +2,8 @@
 
 #include "window/actions.h"
 #include "window/modes/mode.h"
+#include "window/stress/cut_controller.h"
 #include "window/stress/stress_model.h"
-#include "window/stress/stress_scene.h"
 #include "window/view/view_area.h"
 
 namespace viscera::app {
@@ -16,8 +16,18 @@ class StressMode final : public Mode {
   Q_OBJECT
 
 public:
-  StressMode(Workspace& workspace, Playback& playback, Settings& settings, Actions& actions, ViewArea& area,
-             OrganScene& organs, HandleScene& handles);
+  /// What the mode works with; all have to live longer.
+  struct Parts {
+    Workspace& workspace;
+    Playback& playback;
+    Settings& settings;
+    ViewArea& area;
+    ViewModel& view;
+    Picture& picture;
+    const HandleController& handles;
+  };
+
+  StressMode(const Parts& parts, Actions& actions);
   ~StressMode() override;
 
   std::vector<const char*> actions() const override;
@@ -27,15 +37,15 @@ public:
   presentation::Shown shown() const override;
   WantedPose pose() const override { return WantedPose::sequence; }
   void setTheme(const Theme& theme) override;
-  void enter() override { model_.setActive(true); }
-  void leave() override { model_.setActive(false); }
   /// Closes the probe or puts a dragged plane back; false when there was nothing to do.
   bool escape() override;
-  /// The scene asks for the values there.
-  void click(const ClickedPlace*) override {}
+  bool press(const QPointF& place) override {
+    cut_.probeAt(place);
+    return true;
+  }
 
   StressModel& model() { return model_; }
-  StressScene& scene() { return scene_; }
+  CutController& cut() { return cut_; }
 
 private:
   void makeActions();
@@ -46,7 +56,7 @@ private:
   Actions& actions_;
   ViewArea& area_;
   StressModel model_;
-  StressScene scene_;
+  CutController cut_;
   ProbeCard* card_;
   StressChart* chart_ = nullptr;
 };

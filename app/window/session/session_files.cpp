@@ -36,7 +36,7 @@ QDateTime dateOf(const document::Recovery& recovery) {
 
 } // namespace
 
-SessionFiles::SessionFiles(Workspace& workspace, Playback& playback, ViewState& view, Settings& settings,
+SessionFiles::SessionFiles(Workspace& workspace, Playback& playback, SessionView& view, Settings& settings,
                            QWidget* window)
     : QObject(window), workspace_(workspace), playback_(playback), view_(view), settings_(settings),
       window_(window), writes_(postTo(this)) {

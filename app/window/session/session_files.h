@@ -12,7 +12,7 @@
 #include "viscera/document/autosave.h"
 #include "viscera/document/session_file.h"
 #include "window/actions.h"
-#include "window/session/view_state.h"
+#include "window/session/session_view.h"
 #include "window/settings.h"
 #include "window/workspace.h"
 
@@ -29,7 +29,7 @@ public:
   /// What is to become of changes that are not saved.
   enum class Answer { save, discard, cancel };
 
-  SessionFiles(Workspace& workspace, Playback& playback, ViewState& view, Settings& settings,
+  SessionFiles(Workspace& workspace, Playback& playback, SessionView& view, Settings& settings,
                QWidget* window);
   ~SessionFiles() override;
 
@@ -99,7 +99,7 @@ private:
 
   Workspace& workspace_;
   Playback& playback_;
-  ViewState& view_;
+  SessionView& view_;
   Settings& settings_;
   QWidget* window_;
   QString file_;

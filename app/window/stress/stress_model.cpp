@@ -1,8 +1,6 @@
 #include "window/stress/stress_model.h"
 
-#include <cmath>
-
-#include "viscera/presentation/value_steps.h"
+#include <utility>
 
 namespace viscera::app {
 namespace {
@@ -10,15 +8,22 @@ namespace {
 constexpr int kUpdateMilliseconds = 100;
 /// Samples kept: two minutes at 60 frames a second.
 constexpr std::size_t kSamples = 7200;
-/// Magenta is in neither map.
-constexpr std::array<std::uint8_t, 3> kFoldedColor = {232, 40, 200};
+constexpr const char* kSetting = "stress/look";
+
+/// What of a look is the user's own, and outlives the document.
+StressLook habit(StressLook look) {
+  look.pinned = look.threshold = look.peak = false;
+  look.range = {0, 0};
+  look.probe = -1;
+  return look;
+}
 
 } // namespace
 
-StressModel::StressModel(Workspace& workspace, Playback& playback, Settings& settings, QObject* parent)
-    : QObject(parent), workspace_(workspace), playback_(playback), settings_(settings),
-      live_(workspace.stress()), look_(loadStressLook(settings)), record_(kSamples) {
-  live_.setWanted(look_.witnesses);
+StressModel::StressModel(Workspace& workspace, Playback& playback, Settings& settings, ViewModel& view,
+                         const Picture& picture, QObject* parent)
+    : QObject(parent), workspace_(workspace), playback_(playback), settings_(settings), view_(view),
+      picture_(picture), live_(workspace.stress()), record_(kSamples) {
   throttle_.setSingleShot(true);
   throttle_.setInterval(kUpdateMilliseconds);
   connect(&throttle_, &QTimer::timeout, this, &StressModel::updated);
@@ -26,123 +31,103 @@ StressModel::StressModel(Workspace& workspace, Playback& playback, Settings& set
   connect(&playback, &Playback::stateChanged, this, [this] {
     if (!playback_.showing())
       record_.clear();
+    findWantedPeak();
     Q_EMIT updated();
   });
+  connect(&view, &ViewModel::changed, this, &StressModel::onView);
+  connect(&picture, &Picture::changed, this, &StressModel::shownChanged);
   subscriptions_.push_back(live_.onEvent([this](const live::StressEvent& event) { onStress(event); }));
   subscriptions_.push_back(workspace.selection().onChange([this] { follow(); }));
   subscriptions_.push_back(workspace.onChange([this](const document::Change& change) {
     if (change.organs())
       follow();
   }));
-  recompute();
+  const std::string kept = settings.value(kSetting).toString().toStdString();
+  view.change([&](presentation::ViewState& state) { state.stress = presentation::stressLookFromJson(kept); });
+  onView();
 }
 
 StressModel::~StressModel() = default;
 
-void StressModel::setActive(bool active) {
-  if (active == active_)
-    return;
-  active_ = active;
-  record_.clear();
-  follow();
-  recompute();
-  Q_EMIT activeChanged();
-  Q_EMIT updated();
-}
-
 void StressModel::follow() {
-  const auto organ = active_ ? workspace_.currentOrgan() : nullptr;
-  live_.follow(organ ? organ->id : document::OrganId{});
+  const auto organ = active() ? workspace_.currentOrgan() : nullptr;
+  workspace_.guarded([&] { live_.follow(organ ? organ->id : document::OrganId{}); });
 }
 
-void StressModel::setLook(const StressLook& look) {
-  if (look == look_)
-    return;
-  const bool otherQuantity = look.quantity != look_.quantity;
-  look_ = look;
-  saveStressLook(look_, settings_);
-  workspace_.guarded([&] { live_.setWanted(look_.witnesses); });
-  if (otherQuantity) {
-    look_.pinned = look_.threshold = false; // They were meant for the other numbers.
-    range_ = {0, 0};
+/// The view's state is another one: tells what of it concerns the stress.
+void StressModel::onView() {
+  if (const bool now = active(); std::exchange(knownActive_, now) != now) {
+    record_.clear();
+    follow();
+    Q_EMIT activeChanged();
+    Q_EMIT updated();
   }
-  recompute();
+  const StressLook before = std::exchange(known_, look());
+  if (known_ == before)
+    return;
+  workspace_.guarded([&] { live_.setWanted(known_.witnesses); });
+  settings_.setValue(kSetting, QString::fromStdString(presentation::toJson(habit(known_))));
+  if (known_.probe != before.probe)
+    Q_EMIT probeChanged();
+  if (known_.peak != before.peak)
+    Q_EMIT statusChanged();
   Q_EMIT lookChanged();
-  Q_EMIT shownChanged();
   Q_EMIT updated();
+}
+
+void StressModel::setLook(StressLook wanted) {
+  if (wanted.quantity != look().quantity) {
+    wanted.pinned = wanted.threshold = false; // They were meant for the other numbers.
+    wanted.range = {0, 0};
+  } else if (wanted.pinned && !look().pinned) {
+    wanted.range = range();
+  }
+  view_.change([&](presentation::ViewState& state) { state.stress = wanted; });
 }
 
 void StressModel::onStress(const live::StressEvent& event) {
-  if (event.peak)
-    peakShown_ = live_.peak() != nullptr;
   if (event.sampled) {
     record_.clear();
-    range_ = {0, 0};
-    probe_ = -1;
-  }
-  if (event.moved || event.peak || event.sampled)
-    recompute();
-  if (event.sampled) {
+    setProbe(-1);
     Q_EMIT sampled();
-    Q_EMIT probeChanged();
   }
-  if (event.status || event.peak)
+  if (event.peak)
+    setPeakShown(live_.peak() != nullptr);
+  if (event.status || event.peak) {
     Q_EMIT statusChanged();
-  if (event.moved || event.peak || event.sampled) {
-    Q_EMIT shownChanged();
-    if (!throttle_.isActive())
-      throttle_.start();
+    findWantedPeak();
   }
+  if ((event.moved || event.peak || event.sampled) && !throttle_.isActive())
+    throttle_.start();
+}
+
+/// A session that was saved with a peak shows it again, once there are a map and its sequence.
+void StressModel::findWantedPeak() {
+  if (look().peak && active() && !live_.peak() && live_.status().state == live::StressStatus::State::ready)
+    findPeak();
 }
 
 const deformation::StressMap& StressModel::shownMap() const {
   return peakShown() ? live_.peak()->map : live_.map();
 }
 
-/// The numbers of this instant. They keep their place in memory, so that nobody has to look for them anew.
-void StressModel::recompute() {
-  const live::StressQuantityDescription& quantity = live::describe(look_.quantity);
-  const char* wanted = quantity.ratio ? "diverging" : "viridis";
-  if (colors_.name != wanted) {
-    colors_ = scene::colorMapByName(wanted);
-    colors_.missing = kFoldedColor;
-  }
-  live::quantityOf(shownMap(), look_.quantity, *values_);
-  if (!ready()) {
-    summary_ = {};
-    return;
-  }
-  summary_ = live::summaryOf(*values_, live_.mesh()->witnesses);
-  if (!look_.pinned || range_.high <= range_.low)
-    range_ = presentation::steppedRange(look_.quantity, {summary_.percentile5, summary_.percentile95}, range_);
-}
-
-int StressModel::folded() const {
-  if (!ready())
-    return 0;
-  return static_cast<int>((shownMap().volumeRatio.head(live_.mesh()->witnesses).array() <= 0).count());
-}
-
 QString StressModel::title() const {
-  const QString name = text(live::describe(look_.quantity).name);
+  const QString name = text(live::describe(look().quantity).name);
   return peakShown() ? tr("Peak of %1").arg(name.left(1).toLower() + name.mid(1)) : name;
 }
 
 QString StressModel::format(double value) const {
-  const live::StressQuantityDescription& quantity = live::describe(look_.quantity);
+  const live::StressQuantityDescription& quantity = live::describe(look().quantity);
   const QString number = QString::number(value, 'f', quantity.decimals);
   return quantity.unit.empty() ? number : tr("%1 %2").arg(number, text(quantity.unit));
 }
 
 void StressModel::setPeakShown(bool shown) {
-  if (shown == peakShown_)
-    return;
-  peakShown_ = shown;
-  range_ = look_.pinned ? range_ : scene::ValueRange{0, 0};
-  recompute();
-  Q_EMIT statusChanged();
-  Q_EMIT shownChanged();
-  Q_EMIT updated();
+  view_.change([&](presentation::ViewState& state) {
+    if (state.stress.peak != shown && !state.stress.pinned)
+      state.stress.range = {0, 0};
+    state.stress.peak = shown;
+  });
 }
 
 void StressModel::findPeak() {
@@ -155,7 +140,7 @@ void StressModel::findPeak() {
 }
 
 void StressModel::sample() {
-  if (!active_ || live_.status().state != live::StressStatus::State::ready)
+  if (!active() || live_.status().state != live::StressStatus::State::ready)
     return;
   const double seconds = playback_.player().playedSeconds();
   const auto& samples = record_.samples();
@@ -167,8 +152,7 @@ void StressModel::sample() {
 }
 
 void StressModel::setProbe(int point) {
-  probe_ = point;
-  Q_EMIT probeChanged();
+  view_.change([point](presentation::ViewState& state) { state.stress.probe = point; });
 }
 
 } // namespace viscera::app

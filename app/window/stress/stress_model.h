@@ -7,50 +7,54 @@
 #include <optional>
 
 #include "viscera/live/live_stress.h"
+#include "viscera/presentation/stress_values.h"
 #include "viscera/scene/color_map.h"
 #include "window/settings.h"
-#include "window/stress/stress_look.h"
 #include "window/timeline/playback.h"
+#include "window/view/picture.h"
 #include "window/workspace.h"
 
 namespace viscera::app {
 
-/// What Stress mode knows: the map of the current organ as it is looked at, live or as the peak over a cycle,
-/// and what became of it over time. View, page, chart and probe all look at this.
+using presentation::GlyphChoice;
+using presentation::StressLook;
+
+/// What Stress mode knows: the map of the current organ as the picture has it, live or as the peak over a
+/// cycle, and what became of it over time. Page, chart and probe all look at this. The look is a part of the
+/// view's state; it is remembered in the settings.
 class StressModel final : public QObject {
   Q_OBJECT
 
 public:
-  StressModel(Workspace& workspace, Playback& playback, Settings& settings, QObject* parent = nullptr);
+  /// All have to live longer.
+  StressModel(Workspace& workspace, Playback& playback, Settings& settings, ViewModel& view,
+              const Picture& picture, QObject* parent = nullptr);
   ~StressModel() override;
 
-  /// While active, the current organ is followed.
-  void setActive(bool active);
-  bool active() const { return active_; }
+  /// Whether a stress map is wanted: then the current organ is followed.
+  bool active() const { return view_.state().shown.stress; }
 
   live::LiveStress& live() { return live_; }
   const live::LiveStress& live() const { return live_; }
-  const StressLook& look() const { return look_; }
-  void setLook(const StressLook& look);
+  const StressLook& look() const { return view_.state().stress; }
+  /// What belongs to another quantity (limit, range) is given up with it.
+  void setLook(StressLook look);
 
-  /// Whether there are numbers to show.
-  bool ready() const { return values_->size() > 0; }
-  /// The numbers that are shown, one a point of the mesh, in the quantity's unit.
-  std::shared_ptr<const Values> values() const { return values_; }
-  /// Of the witnesses among them.
-  const live::QuantitySummary& summary() const { return summary_; }
-  /// Witnesses that are folded in what is shown.
-  int folded() const;
-  /// The legend: its colours and range. `missing` of the colours is for what is folded.
-  const scene::ColorMap& colors() const { return colors_; }
-  scene::ValueRange range() const { return range_; }
+  /// The numbers that are shown, with their colours and range.
+  const presentation::StressValues& shown() const { return picture_.presenter().stressValues(); }
+  bool ready() const { return shown().ready(); }
+  std::shared_ptr<const Values> values() const { return shown().values(); }
+  const live::QuantitySummary& summary() const { return shown().summary(); }
+  int folded() const { return shown().folded(); }
+  const scene::ColorMap& colors() const { return shown().colors(); }
+  scene::ValueRange range() const { return shown().range(); }
   QString title() const;
   /// A number with its unit: "12.3 deg".
   QString format(double value) const;
 
   /// The peak over a cycle instead of the map of this instant; nothing happens while there is none.
   void setPeakShown(bool shown);
-  bool peakShown() const { return peakShown_ && live_.peak(); }
+  bool peakShown() const { return look().peak && live_.peak(); }
   /// Looks for the peak over one cycle of the sequence that is there, and shows it.
   void findPeak();
   /// The map that is shown.
@@ -60,7 +64,7 @@ public:
   const live::StressRecord& record() const { return record_; }
 
   /// The point that is being looked at, -1: none.
-  int probe() const { return probe_; }
+  int probe() const { return look().probe; }
   void setProbe(int point);
 
 Q_SIGNALS:
@@ -77,23 +81,20 @@ Q_SIGNALS:
 
 private:
   void follow();
+  void onView();
   void onStress(const live::StressEvent& event);
-  void recompute();
+  void findWantedPeak();
   void sample();
 
   Workspace& workspace_;
   Playback& playback_;
   Settings& settings_;
+  ViewModel& view_;
+  const Picture& picture_;
   live::LiveStress& live_;
-  StressLook look_;
-  bool active_ = false;
-  bool peakShown_ = false;
-  std::shared_ptr<Values> values_ = std::make_shared<Values>();
-  live::QuantitySummary summary_;
-  scene::ColorMap colors_;
-  scene::ValueRange range_{0, 0};
+  StressLook known_; ///< That everybody was told of.
+  bool knownActive_ = false;
   live::StressRecord record_;
-  int probe_ = -1;
   QTimer throttle_;
   std::vector<Subscription> subscriptions_;
 };

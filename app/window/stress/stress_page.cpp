@@ -58,9 +58,9 @@ QComboBox* makeChoice(const QString& name, const QStringList& items, QWidget* pa
 
 } // namespace
 
-StressPage::StressPage(Workspace& workspace, Playback& playback, StressModel& model, StressScene& scene,
+StressPage::StressPage(Workspace& workspace, Playback& playback, StressModel& model, CutController& cut,
                        const Actions& actions, QWidget* parent)
-    : Page(parent), workspace_(workspace), playback_(playback), model_(model), scene_(scene) {
+    : Page(parent), workspace_(workspace), playback_(playback), model_(model), cut_(cut) {
   makeMap(actions);
   makeNumbers();
   makeInside(actions);
@@ -224,7 +224,7 @@ QWidget* StressPage::makeDirections() {
       });
     });
   addButton(tr("Facing me"), tr("Cut through the middle, across the line of sight"),
-            [this] { scene_.faceReader(); });
+            [this] { cut_.faceReader(); });
   return box;
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "window/actions.h"
-#include "window/stress/stress_scene.h"
+#include "window/stress/cut_controller.h"
 #include "window/widgets/page.h"
 
 class QComboBox;
@@ -21,7 +21,7 @@ class StressPage final : public Page {
   Q_OBJECT
 
 public:
-  StressPage(Workspace& workspace, Playback& playback, StressModel& model, StressScene& scene,
+  StressPage(Workspace& workspace, Playback& playback, StressModel& model, CutController& cut,
              const Actions& actions, QWidget* parent = nullptr);
 
 private:
@@ -41,7 +41,7 @@ private:
   Workspace& workspace_;
   Playback& playback_;
   StressModel& model_;
-  StressScene& scene_;
+  CutController& cut_;
   QPushButton* ownPose_ = nullptr;
   QPushButton* played_ = nullptr;
   QComboBox* quantity_ = nullptr;

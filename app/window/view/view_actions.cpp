@@ -65,7 +65,7 @@ void ViewActions::lookFrom(scene::StandardView from) {
 
 void ViewActions::focus() {
   scene::OrganView& view = parts_.area.view()->view();
-  const auto selected = parts_.organs.actorOf(parts_.workspace.selection().organ());
+  const auto selected = parts_.picture.actorOf(parts_.workspace.selection().organ());
   view.frame(selected ? selected->bounds() : view.bounds());
   parts_.area.view()->scheduleRender();
 }

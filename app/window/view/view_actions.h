@@ -4,7 +4,7 @@
 
 #include "window/actions.h"
 #include "window/settings.h"
-#include "window/view/organ_scene.h"
+#include "window/view/picture.h"
 #include "window/view/view_area.h"
 #include "window/view/view_model.h"
 
@@ -18,7 +18,7 @@ public:
   /// What is looked at; all have to live longer.
   struct Parts {
     Workspace& workspace;
-    OrganScene& organs;
+    const Picture& picture;
     ViewArea& area;
     ViewModel& view;
     Settings& settings;

@@ -51,6 +51,7 @@ ViewWidget::~ViewWidget() {
 void ViewWidget::setTheme(const Theme& theme) {
   view_->setTheme(theme.kind == ThemeKind::dark ? scene::darkTheme() : scene::lightTheme());
   scheduleRender();
+  Q_EMIT themeChanged();
 }
 
 std::optional<scene::SurfacePick> ViewWidget::pickNear(const QPointF& place) const {

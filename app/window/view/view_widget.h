@@ -40,6 +40,7 @@ Q_SIGNALS:
   /// The left button was pressed and released at one place.
   void clicked(const QPointF& place, Qt::KeyboardModifiers modifiers);
   void filesDropped(const QStringList& files);
+  void themeChanged();
 
 protected:
   void mousePressEvent(QMouseEvent* event) override;

@@ -1,5 +1,6 @@
 #include "organ_picture.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace viscera::presentation {
@@ -7,6 +8,7 @@ namespace viscera::presentation {
 OrganPicture::~OrganPicture() {
   for (auto& [id, shown] : shown_)
     drop(shown);
+  updateGuests({});
 }
 
 void OrganPicture::drop(Shown& shown) {
@@ -56,6 +58,23 @@ bool OrganPicture::updateOrgans(const Scene& scene) {
     follow(shown, scene.organs);
   }
   return others;
+}
+
+void OrganPicture::updateGuests(const std::vector<Guest>& guests) {
+  std::vector<std::shared_ptr<scene::OrganActor>> now;
+  for (const Guest& guest : guests) {
+    const auto same = [&guest](const auto& actor) { return &actor->mesh() == guest.mesh.get(); };
+    const auto found = std::find_if(guests_.begin(), guests_.end(), same);
+    now.push_back(found == guests_.end() ? std::make_shared<scene::OrganActor>(guest.mesh, threads_)
+                                         : *found);
+    now.back()->setColor(guest.color);
+    now.back()->setOpacity(guest.opacity);
+    view_.add(now.back());
+  }
+  for (const auto& actor : guests_)
+    if (std::find(now.begin(), now.end(), actor) == now.end())
+      view_.remove(actor);
+  guests_ = std::move(now);
 }
 
 void OrganPicture::updateGhost(Shown& shown, bool wanted) {

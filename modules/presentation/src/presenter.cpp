@@ -221,6 +221,7 @@ Presenter::~Presenter() {
 void Presenter::update(const Scene& scene) {
   Parts& p = *parts_;
   const bool others = p.organs.updateOrgans(scene);
+  p.organs.updateGuests(scene.guests ? *scene.guests : std::vector<Guest>());
   p.stress.update(scene);
   p.updateColors(scene);
   p.handles.update(scene, p.stress.shownWhere(scene));

@@ -43,6 +43,13 @@ struct MeasuringNow {
   bool angle = false;                               ///< They become an angle: two have no value yet.
 };
 
+/// A surface that is in no document yet: an organ of a file that somebody still looks at.
+struct Guest {
+  std::shared_ptr<const geometry::TriangleMesh> mesh; ///< Never null.
+  Vec3 color = Vec3::Ones();
+  double opacity = 1;
+};
+
 /// All that a picture depends on. Only looked at while it is drawn.
 struct Scene {
   const document::DocumentState& state;
@@ -52,6 +59,7 @@ struct Scene {
   const live::StressFrame* stress = nullptr; ///< Null: there is no stress map.
   const SurfaceMap* map = nullptr;           ///< Null: only what `view` asks for.
   const MeasuringNow* measuring = nullptr;
+  const std::vector<Guest>* guests = nullptr;
 };
 
 /// Draws a document: the one place where organs, handles, ghosts, regions, cages, influence and stress maps,

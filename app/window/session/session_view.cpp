@@ -1,0 +1,115 @@
+#include "window/session/session_view.h"
+
+#include <utility>
+#include <vector>
+
+#include "viscera/presentation/camera.h"
+#include "window/session/motion_recipe.h"
+
+namespace viscera::app {
+
+/// The motions that a view asks for, and what is to be seen of the present one.
+struct SessionView::Wanted {
+  struct Motion {
+    std::shared_ptr<const document::Organ> organ;
+    std::string recipe;
+    std::shared_ptr<const sequences::Sequence> sequence; ///< Once it is made.
+  };
+  std::vector<Motion> motions;
+  std::optional<presentation::Playing> playing;
+};
+
+SessionView::SessionView(Window window, QObject* parent) : QObject(parent), window_(std::move(window)) {}
+
+std::string SessionView::gather() const {
+  presentation::ViewState state = window_.picture.state();
+  state.camera = presentation::cameraOf(window_.picture.view());
+  if (const auto& stress = window_.picture.presenter().stressValues(); stress.ready())
+    state.stress.range = stress.range();
+  gatherMotions(state);
+  if (window_.playback.showing())
+    state.shownPose = window_.workspace.live().shownPose();
+  return presentation::toJson(state);
+}
+
+void SessionView::gatherMotions(presentation::ViewState& state) const {
+  const motion::Player& player = window_.playback.player();
+  int present = -1;
+  for (const Playback::Motion& motion : window_.playback.motions()) {
+    if (motion.recipe.empty())
+      continue;
+    if (motion.sequence.get() == window_.playback.sequence())
+      present = static_cast<int>(state.motions.size());
+    state.motions.push_back({motion.organ, motion.recipe});
+  }
+  if (window_.playback.sequence())
+    state.playing = presentation::Playing{present,        player.fraction(), player.ratePerMinute(),
+                                          player.speed(), player.loop(),     window_.playback.showing()};
+}
+
+void SessionView::apply(const std::string& text) {
+  presentation::ViewState state = presentation::viewFromJson(text);
+  Wanted wanted;
+  for (presentation::MotionChoice& motion : state.motions)
+    wanted.motions.push_back(
+        {window_.workspace.document().organ(motion.organ), std::move(motion.recipe), nullptr});
+  wanted.playing = std::exchange(state.playing, std::nullopt);
+  const auto camera = std::exchange(state.camera, std::nullopt);
+  const presentation::SelectionState selection = std::exchange(state.selection, {});
+  state.motions.clear();
+  state.shownPose.resize(0, 3);
+  window_.modes.choose(state.mode);
+  window_.view.change([&](presentation::ViewState& view) {
+    state.mode = view.mode; // The mode that is on says what is to be seen.
+    state.shown = view.shown;
+    view = state;
+  });
+  window_.workspace.selection().setOrgan(selection.organ);
+  window_.workspace.selection().setGroup(selection.group);
+  window_.workspace.selection().setHandles(selection.handles);
+  if (camera)
+    presentation::lookFrom(*camera, window_.picture.view());
+  makeMotions(wanted);
+}
+
+void SessionView::makeMotions(const Wanted& wanted) {
+  if (wanted.motions.empty())
+    return show(wanted);
+  window_.workspace.jobs().submit<Wanted>(
+      tr("Preparing the motion").toStdString(), "motions",
+      [wanted, library = sample_organs::standardLibrary()](Progress& progress) {
+        Wanted made = wanted;
+        for (Wanted::Motion& motion : made.motions)
+          if (motion.organ)
+            motion.sequence = makeMotion(motion.recipe, *motion.organ, library, progress);
+        return made;
+      },
+      [this](JobResult<Wanted> result) {
+        if (result.error)
+          window_.workspace.report(*result.error);
+        if (result.value)
+          show(*result.value);
+      });
+}
+
+void SessionView::show(const Wanted& wanted) {
+  Playback& playback = window_.playback;
+  for (const Wanted::Motion& motion : wanted.motions)
+    if (motion.sequence && window_.workspace.document().organ(motion.organ->id))
+      playback.offer(motion.sequence, motion.organ->id, motion.recipe);
+  if (wanted.playing) {
+    const presentation::Playing& playing = *wanted.playing;
+    if (playing.motion >= 0 && playing.motion < static_cast<int>(wanted.motions.size()))
+      playback.choose(wanted.motions[static_cast<std::size_t>(playing.motion)].sequence.get());
+    if (playback.sequence() && playing.ratePerMinute > 0) {
+      playback.setRate(playing.ratePerMinute);
+      playback.setSpeed(playing.speed);
+      playback.setLooping(playing.loop);
+      if (playing.shown)
+        playback.seek(playing.fraction);
+    }
+  }
+  Q_EMIT applied();
+}
+
+} // namespace viscera::app

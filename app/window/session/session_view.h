@@ -1,0 +1,52 @@
+#pragma once
+
+#include <QObject>
+
+#include <string>
+
+#include "viscera/presentation/view_state.h"
+#include "window/modes/mode_controller.h"
+#include "window/timeline/playback.h"
+#include "window/view/picture.h"
+#include "window/workspace.h"
+
+namespace viscera::app {
+
+/// The view of a session in the window: gathers what is kept elsewhere (camera, selection, motions) into the
+/// view's state, and brings the window to a state that was saved. The theme and the panels are not in it:
+/// they are the user's, not the session's.
+class SessionView final : public QObject {
+  Q_OBJECT
+
+public:
+  /// The parts of the window; all have to live longer.
+  struct Window {
+    Workspace& workspace;
+    Playback& playback;
+    ViewModel& view;
+    const Picture& picture;
+    ModeController& modes;
+  };
+
+  explicit SessionView(Window window, QObject* parent = nullptr);
+
+  /// The present view as JSON (docs/session_format.md).
+  std::string gather() const;
+  /// Brings the window to that view. Motions are made on a worker and shown when they are there, `applied`
+  /// then. Throws `DataError` for text that is no such view, with nothing of it done.
+  void apply(const std::string& view);
+
+Q_SIGNALS:
+  void applied();
+
+private:
+  struct Wanted;
+
+  void gatherMotions(presentation::ViewState& state) const;
+  void makeMotions(const Wanted& wanted);
+  void show(const Wanted& wanted);
+
+  Window window_;
+};
+
+} // namespace viscera::app

@@ -1,0 +1,100 @@
+#include "window/stress/cut_controller.h"
+
+#include <algorithm>
+
+#include <vtkCallbackCommand.h>
+#include <vtkCamera.h>
+#include <vtkRenderer.h>
+
+namespace viscera::app {
+
+CutController::CutController(Workspace& workspace, StressModel& model, ViewWidget& view, Picture& picture,
+                             const HandleController& handles, QObject* parent)
+    : QObject(parent), workspace_(workspace), model_(model), view_(view), picture_(picture),
+      handles_(handles) {
+  widget_->SetRepresentation(picture.presenter().cutPlane());
+  widget_->SetInteractor(view.interactor());
+  widget_->SetDefaultRenderer(view.view().renderer());
+  widget_->SetCurrentRenderer(view.view().renderer());
+  listen();
+  connect(&picture, &Picture::changed, this, &CutController::enable);
+}
+
+CutController::~CutController() {
+  for (const unsigned long tag : observers_)
+    widget_->RemoveObserver(tag);
+  widget_->SetEnabled(0);
+  widget_->SetInteractor(nullptr);
+}
+
+void CutController::listen() {
+  vtkNew<vtkCallbackCommand> command;
+  command->SetClientData(this);
+  command->SetCallback([](vtkObject*, unsigned long event, void* self, void*) {
+    auto& controller = *static_cast<CutController*>(self);
+    if (event == vtkCommand::InteractionEvent)
+      return controller.onPlaneMoved();
+    if (event != vtkCommand::WidgetModifiedEvent)
+      controller.view_.view().setMoving(event == vtkCommand::StartInteractionEvent);
+    controller.view_.scheduleRender();
+  });
+  for (const unsigned long event : {vtkCommand::InteractionEvent, vtkCommand::StartInteractionEvent,
+                                    vtkCommand::EndInteractionEvent, vtkCommand::WidgetModifiedEvent})
+    observers_.push_back(widget_->AddObserver(event, command));
+}
+
+/// The plane can be taken hold of while it is drawn.
+void CutController::enable() {
+  const bool wanted = model_.active() && model_.look().cut && picture_.presenter().tissue();
+  if (static_cast<bool>(widget_->GetEnabled()) != wanted)
+    widget_->SetEnabled(wanted);
+}
+
+void CutController::onPlaneMoved() {
+  const presentation::Presenter& presenter = picture_.presenter();
+  const vtkVisceraCutPlaneRepresentation& plane = *presenter.cutPlane();
+  presentation::StressLook look = model_.look();
+  look.normal = plane.GetPlane().normal;
+  look.offset = std::clamp(
+      (plane.GetMiddle() - presenter.stressMiddle()).dot(look.normal) / presenter.stressRadius(), -1.0, 1.0);
+  model_.setLook(look);
+}
+
+void CutController::faceReader() {
+  double forward[3];
+  view_.view().renderer()->GetActiveCamera()->GetDirectionOfProjection(forward);
+  presentation::StressLook look = model_.look();
+  look.normal = Vec3(forward).normalized();
+  look.offset = 0;
+  look.cut = true;
+  model_.setLook(look);
+}
+
+void CutController::probeAt(const QPointF& place) {
+  if (handles_.underMouse() || widget_->IsUnderCursor())
+    return;
+  scene::OrganView& view = view_.view();
+  scene::TissueActor* tissue = picture_.presenter().tissue();
+  const double ratio = view_.devicePixelRatioF();
+  const double x = ratio * place.x(), y = ratio * (view_.height() - 1 - place.y());
+  const auto surface = view.pick(x, y);
+  auto inside = tissue ? tissue->pick(scene::rayThrough(view.renderer(), x, y)) : std::nullopt;
+  const bool glyphs = model_.look().glyphs != presentation::GlyphChoice::none;
+  if (inside && surface && surface->distance < inside->distance && !glyphs)
+    inside.reset();
+  if (inside)
+    return model_.setProbe(inside->point);
+  if (!surface)
+    return model_.setProbe(-1);
+  const document::OrganId organ = picture_.organOf(surface->organ);
+  if (organ != model_.live().organ())
+    return workspace_.selection().setOrgan(organ);
+  const Points& points = model_.live().points();
+  if (points.rows() == 0)
+    return;
+  Eigen::Index nearest = 0;
+  (points.rowwise() - surface->position.transpose()).rowwise().squaredNorm().minCoeff(&nearest);
+  model_.setProbe(static_cast<int>(nearest));
+}
+
+} // namespace viscera::app

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <QObject>
+
+#include <vector>
+
+#include <vtkNew.h>
+
+#include "viscera/scene/vtkVisceraCutPlaneRepresentation.h"
+#include "viscera/scene/vtkVisceraCutPlaneWidget.h"
+#include "window/stress/stress_model.h"
+#include "window/view/handle_controller.h"
+#include "window/view/view_widget.h"
+
+namespace viscera::app {
+
+/// What the mouse does with a stress map: it moves the plane that cuts the organ open, and asks for the
+/// values at a place.
+class CutController final : public QObject {
+  Q_OBJECT
+
+public:
+  /// All have to live longer.
+  CutController(Workspace& workspace, StressModel& model, ViewWidget& view, Picture& picture,
+                const HandleController& handles, QObject* parent = nullptr);
+  ~CutController() override;
+
+  vtkVisceraCutPlaneWidget* planeWidget() const { return widget_; }
+  /// Lets the cut face the reader, through the organ's middle.
+  void faceReader();
+  /// Asks for the values at the nearest point of what is seen there.
+  void probeAt(const QPointF& place);
+
+private:
+  void listen();
+  void enable();
+  void onPlaneMoved();
+
+  Workspace& workspace_;
+  StressModel& model_;
+  ViewWidget& view_;
+  Picture& picture_;
+  const HandleController& handles_;
+  vtkNew<vtkVisceraCutPlaneWidget> widget_;
+  std::vector<unsigned long> observers_;
+};
+
+} // namespace viscera::app

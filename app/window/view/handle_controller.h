@@ -1,0 +1,61 @@
+#pragma once
+
+#include <QObject>
+
+#include <vector>
+
+#include "viscera/scene/gizmo_event.h"
+#include "viscera/scene/handle_event.h"
+#include "window/pose_editor.h"
+#include "window/view/picture.h"
+#include "window/workspace.h"
+
+namespace viscera::app {
+
+/// What the mouse does with the handles and the gizmo of a view, as commands: at rest it edits the rest
+/// shape, else the pose, where locked volumes are kept. One drag is one undo step. Shows nothing itself but
+/// the plane in which a drag may go; the picture shows the rest.
+class HandleController final : public QObject {
+  Q_OBJECT
+
+public:
+  /// All have to live longer.
+  HandleController(Workspace& workspace, PoseEditor& poses, Picture& picture, QObject* parent = nullptr);
+  ~HandleController() override;
+
+  /// Whether the mouse is on a handle or the gizmo, or holds one: a click there is not one on the organ.
+  bool underMouse() const;
+  bool dragging() const;
+  /// Puts back what the mouse holds; false when it holds nothing.
+  bool cancelDrag();
+
+Q_SIGNALS:
+  void dragStarted();
+  void dragEnded();
+
+private:
+  presentation::Shown shown() const { return picture_.state().shown; }
+  void listenToHandles();
+  void listenToGizmo();
+  void onGrabbed(const scene::HandleEvent& event);
+  void onMoved(const scene::HandleEvent& event);
+  void onReleased();
+  void onCancelled();
+  void onSelected(const scene::HandleEvent& event);
+  void moveAtRest(const std::vector<int>& rows);
+  void onGizmoGrabbed(const scene::GizmoEvent& event);
+  void onGizmoMoved(const scene::GizmoEvent& event);
+  void showConstraint();
+  std::vector<document::HandleId> idsOf(const std::vector<int>& rows) const;
+
+  Workspace& workspace_;
+  PoseEditor& poses_;
+  Picture& picture_;
+  scene::OrganView& view_;
+  presentation::Shown grabbed_; ///< As it was when the drag began.
+  bool dragFailed_ = false;     ///< This drag has met an error and said so.
+  std::vector<unsigned long> handleObservers_;
+  std::vector<unsigned long> gizmoObservers_;
+};
+
+} // namespace viscera::app

@@ -1,0 +1,59 @@
+#include "window/view/picture.h"
+
+#include <QCoreApplication>
+
+#include <utility>
+
+namespace viscera::app {
+namespace {
+
+std::string translated(const char* text) {
+  return QCoreApplication::translate("viscera::presentation", text).toStdString();
+}
+
+} // namespace
+
+Picture::Picture(Workspace& workspace, ViewModel& model, ViewWidget& view, Role role, QObject* parent)
+    : QObject(parent), workspace_(workspace), model_(model), widget_(view), role_(role),
+      presenter_(view.view(), {}, translated) {
+  view.view().handleWidget()->SetRenderOnChange(false);
+  subscriptions_.push_back(workspace.onChange([this](const document::Change&) { refresh(); }));
+  subscriptions_.push_back(workspace.live().onEvent([this](const live::LiveEvent&) { refresh(); }));
+  subscriptions_.push_back(workspace.stress().onEvent([this](const live::StressEvent&) { refresh(); }));
+  subscriptions_.push_back(workspace.selection().onChange([this] { refresh(); }));
+  connect(&model, &ViewModel::changed, this, &Picture::refresh);
+  connect(&view, &ViewWidget::themeChanged, this, &Picture::refresh);
+  refresh();
+}
+
+presentation::ViewState Picture::state() const {
+  presentation::ViewState state = model_.state();
+  const document::Selection& selection = workspace_.selection();
+  state.selection = {selection.organ(), selection.group(), selection.handles()};
+  if (role_ == Role::showing)
+    state.shown.movable = state.shown.tools = state.shown.stress = state.shown.regions = false;
+  return state;
+}
+
+void Picture::setMeasuring(presentation::MeasuringNow measuring) {
+  measuring_ = std::move(measuring);
+  refresh();
+}
+
+void Picture::setGuests(std::vector<presentation::Guest> guests) {
+  guests_ = std::move(guests);
+  refresh();
+}
+
+void Picture::refresh() {
+  workspace_.guarded([this] {
+    const presentation::ViewState view = state();
+    const live::StressFrame stress = workspace_.stress().frame();
+    presenter_.update({workspace_.state(), workspace_.live(), view, workspace_.registry(), &stress, nullptr,
+                       &measuring_, &guests_});
+  });
+  widget_.scheduleRender();
+  Q_EMIT changed();
+}
+
+} // namespace viscera::app

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <QObject>
+
+#include <vector>
+
+#include "viscera/presentation/presenter.h"
+#include "window/view/view_model.h"
+#include "window/view/view_widget.h"
+#include "window/workspace.h"
+
+namespace viscera::app {
+
+/// A view of the window with the presenter that draws the document in it: brings it up to date whenever the
+/// document, its organs, the selection, the stress or the view's state have changed. What handles the mouse
+/// is given this; it is not needed to see something.
+class Picture final : public QObject {
+  Q_OBJECT
+
+public:
+  /// Who looks: the view where one works, or one beside it that only shows.
+  enum class Role { working, showing };
+
+  /// All have to live longer.
+  Picture(Workspace& workspace, ViewModel& model, ViewWidget& view, Role role = Role::working,
+          QObject* parent = nullptr);
+
+  const presentation::Presenter& presenter() const { return presenter_; }
+  scene::OrganView& view() const { return presenter_.view(); }
+  document::OrganId organOf(const scene::OrganActor* actor) const { return presenter_.organOf(actor); }
+  std::shared_ptr<scene::OrganActor> actorOf(document::OrganId organ) const {
+    return presenter_.actorOf(organ);
+  }
+  /// The view's state as it is drawn, with what is selected.
+  presentation::ViewState state() const;
+
+  /// What is being measured, and organs that are in no document yet.
+  void setMeasuring(presentation::MeasuringNow measuring);
+  void setGuests(std::vector<presentation::Guest> guests);
+
+public Q_SLOTS:
+  /// Brings the picture up to date and has it rendered soon.
+  void refresh();
+
+Q_SIGNALS:
+  /// The picture is up to date with something new.
+  void changed();
+
+private:
+  Workspace& workspace_;
+  ViewModel& model_;
+  ViewWidget& widget_;
+  Role role_;
+  presentation::Presenter presenter_;
+  presentation::MeasuringNow measuring_;
+  std::vector<presentation::Guest> guests_;
+  std::vector<Subscription> subscriptions_;
+};
+
+} // namespace viscera::app
