@@ -4,6 +4,8 @@
 
 #include <utility>
 
+#include "viscera/scene/vtkVisceraHandleSetWidget.h"
+
 namespace viscera::app {
 namespace {
 
