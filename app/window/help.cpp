@@ -17,11 +17,11 @@ Help::Help(const Parts& parts, Actions& actions, QObject* parent) : QObject(pare
   actions.add("help.about", {tr("&About Viscera"), "info", {}, {}}, [this] { tellAbout(); });
 }
 
-void Help::makeCards(const Actions& actions, QMenu* samples) {
+void Help::makeCards(const QMenuBar& menus, QMenu* samples) {
   welcome_ = new WelcomeCard(samples, &parts_.area);
   parts_.area.addCard(welcome_, Qt::AlignTop | Qt::AlignHCenter);
   welcome_->hide();
-  shortcuts_ = new ShortcutCard(actions, &parts_.area);
+  shortcuts_ = new ShortcutCard(menus, &parts_.area);
   parts_.area.addCard(shortcuts_, Qt::AlignCenter);
   connect(welcome_, &WelcomeCard::openRequested, &parts_.files, [this] { parts_.files.chooseAndOpen(); });
   connect(welcome_, &WelcomeCard::tourRequested, this, &Help::startTour);

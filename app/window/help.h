@@ -8,6 +8,7 @@
 #include "window/view/view_area.h"
 
 class QMenu;
+class QMenuBar;
 
 namespace viscera::app {
 
@@ -33,8 +34,8 @@ public:
   /// Adds "help.shortcuts", "help.tour", "help.welcome" and "help.about".
   Help(const Parts& parts, Actions& actions, QObject* parent = nullptr);
 
-  /// Makes the cards over the view, once all actions are there; `samples` is the menu of sample organs.
-  void makeCards(const Actions& actions, QMenu* samples);
+  /// Makes the cards over the view, once the menus are there; `samples` is the one of sample organs.
+  void makeCards(const QMenuBar& menus, QMenu* samples);
   void showWelcome(bool shown);
   /// Puts the list of keys away; false when it was not there.
   bool closeShortcuts();

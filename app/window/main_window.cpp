@@ -156,7 +156,7 @@ void MainWindow::makeMenus() {
       *menuBar(), {actions_, *modes_, *edit_, *files_, *samples_, workspace_, settings_, layout_->docks()});
   connect(files_, &FileActions::recentFilesChanged, menus, &Menus::fillRecent);
   connect(sessions_, &SessionFiles::recentFilesChanged, menus, &Menus::fillRecent);
-  help_->makeCards(actions_, menus->samples());
+  help_->makeCards(*menuBar(), menus->samples());
 }
 
 void MainWindow::connectView() {

@@ -60,6 +60,7 @@ protected:
 TEST_F(SessionTest, SavedAndOpenedInAnotherWindowIsTheSameDocumentModeAndCamera) {
   work();
   window().actions()["view.ghost"]->setChecked(true);
+  key(Qt::Key_M); // The sagittal mirror.
   window().workspace().selection().setHandles({document().rig().handles[3].id});
   save(path(QStringLiteral("work.viscera")));
   const document::DocumentState state = document().state();
@@ -74,6 +75,7 @@ TEST_F(SessionTest, SavedAndOpenedInAnotherWindowIsTheSameDocumentModeAndCamera)
   EXPECT_TRUE(document::identical(document().state(), state));
   EXPECT_EQ(window().mode(), "deform");
   EXPECT_TRUE(window().actions()["view.ghost"]->isChecked());
+  EXPECT_TRUE(view().view().mirrorPlane().visible());
   EXPECT_EQ(window().workspace().selection().currentHandle(), document().rig().handles[3].id);
   for (int k = 0; k < 3; ++k) {
     EXPECT_EQ(camera()->GetPosition()[k], position[k]) << k;

@@ -112,7 +112,10 @@ void PlayMode::makeLookActions(Actions& actions) {
   QAction* through = actions.addToggle(
       "view.seeThrough",
       {tr("See &through"), "see_through", {Qt::Key_X}, tr("Look through the wall at the cavities")}, false,
-      [this](bool on) { setSeeThrough(on); });
+      [this, &actions](bool on) {
+        setSeeThrough(on);
+        actions.sync(); // Where it was refused, the mark goes again.
+      });
   actions.whenSynced([this, through] {
     through->setChecked(seesThrough());
     through->setEnabled(!workspace_.document().organs().empty());

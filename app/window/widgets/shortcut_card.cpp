@@ -3,6 +3,8 @@
 #include <QAction>
 #include <QGridLayout>
 #include <QLabel>
+#include <QMenu>
+#include <QMenuBar>
 #include <QScrollArea>
 #include <QToolButton>
 
@@ -37,9 +39,19 @@ QWidget* makeTable(const std::vector<std::pair<QString, QString>>& rows, QWidget
   return table;
 }
 
+/// Adds the actions with a key, menu by menu, each once.
+void collect(const QList<QAction*>& actions, QList<QAction*>& found) {
+  for (QAction* action : actions) {
+    if (action->menu())
+      collect(action->menu()->actions(), found);
+    else if (!action->shortcuts().isEmpty() && !found.contains(action))
+      found.push_back(action);
+  }
+}
+
 } // namespace
 
-ShortcutCard::ShortcutCard(const Actions& actions, QWidget* parent) : QFrame(parent) {
+ShortcutCard::ShortcutCard(const QMenuBar& menus, QWidget* parent) : QFrame(parent) {
   setObjectName(QStringLiteral("welcomeCard"));
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(16, 10, 8, 12);
@@ -64,9 +76,9 @@ ShortcutCard::ShortcutCard(const Actions& actions, QWidget* parent) : QFrame(par
                                                    {tr("Click"), tr("Select, or add a handle")},
                                                    {tr("Shift or Ctrl+click"), tr("Add to the selection")},
                                                    {tr("Esc"), tr("Cancel a drag, close a message")}};
-  for (const QAction* action : actions.all()) {
-    if (action->shortcuts().isEmpty())
-      continue;
+  QList<QAction*> actions;
+  collect(menus.actions(), actions);
+  for (const QAction* action : actions) {
     QString meaning = action->text();
     meaning.remove(QLatin1Char('&'));
     rows.emplace_back(action->shortcut().toString(QKeySequence::NativeText), meaning);

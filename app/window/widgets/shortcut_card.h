@@ -2,16 +2,16 @@
 
 #include <QFrame>
 
-#include "window/actions.h"
+class QMenuBar;
 
 namespace viscera::app {
 
-/// All shortcuts and what the mouse does, over the view.
+/// What the mouse does and all shortcuts, in the order of the menus, over the view.
 class ShortcutCard final : public QFrame {
   Q_OBJECT
 
 public:
-  explicit ShortcutCard(const Actions& actions, QWidget* parent = nullptr);
+  explicit ShortcutCard(const QMenuBar& menus, QWidget* parent = nullptr);
 };
 
 } // namespace viscera::app

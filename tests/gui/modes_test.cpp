@@ -1,0 +1,75 @@
+// What every mode promises, whichever it is.
+#include <QAction>
+#include <QToolButton>
+
+#include "play_fixture.h"
+#include "viscera/scene/vtkVisceraHandleSetRepresentation.h"
+#include "window/modes/mode_controller.h"
+
+namespace viscera::tests {
+namespace {
+
+class Modes : public WindowTest {
+protected:
+  const presentation::ViewState& state() { return window().viewModel().state(); }
+  QStringList pressedButtons() {
+    QStringList pressed;
+    for (const auto* button : window().findChildren<QToolButton*>(QStringLiteral("modeButton")))
+      if (button->isChecked())
+        pressed.push_back(button->property("mode").toString());
+    return pressed;
+  }
+};
+
+TEST_F(Modes, TheViewHasWhatThePresentModeWantsAndTheRailShowsIt) {
+  open(sphereFile());
+  for (const auto& mode : window().modes().all()) {
+    const app::Mode::Description& it = mode->description();
+    key(static_cast<Qt::Key>(Qt::Key_0 + it.key));
+    EXPECT_EQ(state().mode, it.id);
+    EXPECT_EQ(state().shown, mode->shown()) << it.id;
+    EXPECT_EQ(pressedButtons(), QStringList(QString::fromLatin1(it.id)));
+  }
+}
+
+TEST_F(Modes, AModeThatIsNotThereIsExplore) {
+  window().setMode("deform");
+  window().setMode("of another version");
+  EXPECT_EQ(window().mode(), "explore");
+}
+
+TEST_F(Modes, ADragEndsAndIsTakenBackWhenTheModeChanges) {
+  open(sphereFile());
+  window().setMode("deform");
+  settle();
+  const Points before = document().pose();
+  const int handle = reachableHandle();
+  ASSERT_GE(handle, 0);
+  const QPoint from = onScreen(handleInView(handle));
+  QTest::mouseMove(&view(), from);
+  QTest::mousePress(&view(), Qt::LeftButton, Qt::NoModifier, from);
+  QTest::mouseMove(&view(), from + QPoint(20, 10));
+  QTest::mouseMove(&view(), from + QPoint(40, 20));
+  ASSERT_NE(document().pose(), before);
+  window().setMode("handles");
+  EXPECT_EQ(document().pose(), before);
+  QTest::mouseRelease(&view(), Qt::LeftButton, Qt::NoModifier, from + QPoint(40, 20));
+  EXPECT_FALSE(window().workspace().undo().canUndo() && window().workspace().undo().stepOpen());
+}
+
+using ModesOfAMotion = PlayMode;
+
+TEST_F(ModesOfAMotion, HandlesInStressModeCannotBeGrabbedWhileTheTimelineIsLookedAt) {
+  const auto anyLocked = [this] {
+    return view().view().handles()->GetHandleLocked(0) || !window().viewModel().state().shown.movable;
+  };
+  window().setMode("stress");
+  EXPECT_FALSE(anyLocked());
+  window().playback().seek(0.3); // Without playing.
+  EXPECT_TRUE(anyLocked());
+  window().playback().stop();
+  EXPECT_FALSE(anyLocked());
+}
+
+} // namespace
+} // namespace viscera::tests
