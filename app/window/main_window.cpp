@@ -75,8 +75,7 @@ MainWindow::MainWindow(Settings& settings, plugin::Registry registry, motion::Pl
   measuring_ = std::make_unique<Measuring>(workspace_, *viewArea_, *organScene_, *handleScene_,
                                            [this] { setMode(Mode::explore); });
   play_ = std::make_unique<PlayParts>(PlayParts::Window{workspace_, playback_, volumes_, *samples_,
-                                                        *organScene_, *handleScene_, *viewArea_, settings_},
-                                      clock);
+                                                        *organScene_, *handleScene_, *viewArea_, settings_});
   imports_ = std::make_unique<ImportDesk>(workspace_, *files_, *viewArea_->view(), nullptr);
   bindingMessages_ = new BindingMessages(workspace_, viewArea_->messages(), this);
   makeFileActions();

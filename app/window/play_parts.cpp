@@ -38,13 +38,12 @@ std::vector<std::shared_ptr<const document::Organ>> wallsOf(const document::Orga
 
 } // namespace
 
-PlayParts::PlayParts(const Window& window, const motion::Player::Clock& clock)
+PlayParts::PlayParts(const Window& window)
     : window_(window),
       labels_(std::make_unique<LabelScene>(window.workspace, window.organs, window.area.view()->view())),
       comparison_(std::make_unique<Comparison>(Comparison::First{window.workspace, window.playback,
                                                                  window.volumes, window.area, window.settings,
-                                                                 window.organs, window.handles},
-                                               clock)),
+                                                                 window.organs, window.handles})),
       recorder_(std::make_unique<Recorder>(window.workspace)),
       recorded_(std::make_unique<RecordedMotion>(window.workspace, window.playback)) {
   connect(labels_.get(), &LabelScene::changed, window.area.view(), &ViewWidget::scheduleRender);

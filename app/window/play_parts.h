@@ -44,7 +44,7 @@ public:
     Settings& settings;
   };
 
-  PlayParts(const Window& window, const motion::Player::Clock& clock);
+  explicit PlayParts(const Window& window);
   ~PlayParts() override;
 
   /// Adds the actions of Play mode.

@@ -9,7 +9,7 @@
 namespace viscera::app {
 
 PoseEditor::PoseEditor(Workspace& workspace, QObject* parent)
-    : QObject(parent), workspace_(workspace), keeper_(workspace.document(), workspace.live()) {}
+    : QObject(parent), workspace_(workspace), keeper_(workspace.state(), workspace.live()) {}
 
 bool PoseEditor::begin(const QString& name, const std::vector<document::HandleId>& handles, bool mirrored) {
   cancel();

@@ -40,8 +40,7 @@ public:
     const HandleScene& handles;
   };
 
-  /// `clock` is the one that drives the first playback.
-  Comparison(const First& first, motion::Player::Clock clock, QObject* parent = nullptr);
+  explicit Comparison(const First& first, QObject* parent = nullptr);
   ~Comparison() override;
 
   bool on() const { return second_ != nullptr; }
@@ -87,7 +86,6 @@ private:
   QString titleOf(const Workspace& workspace, const Playback& playback) const;
 
   First first_;
-  motion::Player::Clock clock_;
   std::unique_ptr<Second> second_;
   QPointer<SideHeader> firstHeader_;
   QPointer<SideHeader> secondHeader_;

@@ -73,8 +73,7 @@ vtkSmartPointer<vtkImageData> pictureOf(const Take& take) {
 std::vector<double> showAt(const Take& take, double seconds) {
   std::vector<double> row;
   for (const auto& stage : take.stages) {
-    stage->show(seconds);
-    const std::vector<double> milliliters = stage->volumes();
+    const std::vector<double>& milliliters = stage->show(seconds);
     row.insert(row.end(), milliliters.begin(), milliliters.end());
   }
   return row;

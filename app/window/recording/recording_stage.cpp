@@ -21,17 +21,17 @@ constexpr double kCaptionMargin = 16;
 } // namespace
 
 RecordingStage::RecordingStage(const Source& source)
-    : sequence_(source.playback.motion().sequence), rate_(source.playback.player().ratePerMinute()) {
-  live::LiveBinding& live = source.workspace.live();
-  for (const auto& organ : source.workspace.document().organs()) {
-    Surface surface{organ, nullptr, nullptr, live.volume(organ->id).nowMl};
-    const deformation::Deformer* bound = live.deformer(organ->id);
-    if (sequence_ && bound && bound->restHandles().rows() == sequence_->restHandles().rows())
-      surface.deformer =
-          std::make_shared<deformation::Deformer>(organ->mesh, bound->sharedBinding(), bound->restHandles());
+    : state_(source.workspace.state()), organs_(source.workspace.live().copy()), runner_(state_, organs_) {
+  const motion::MotionRunner& played = source.playback.player().runner();
+  if (source.playback.sequence()) {
+    runner_.setSequence(played.sequence());
+    runner_.setRatePerMinute(played.ratePerMinute());
+    runner_.prescribe(played.prescribed());
+  }
+  for (const auto& organ : *state_.organs) {
     if (organ->look.tracked && organ->closed())
       names_.push_back(organ->name);
-    surfaces_.push_back(std::move(surface));
+    surfaces_.push_back({organ, nullptr});
   }
 }
 
@@ -47,14 +47,12 @@ void RecordingStage::prepareView(const Source& source, const QSize& size, bool c
   size_ = size;
   view_ = std::make_unique<scene::OrganView>();
   view_->setTheme(source.view.theme());
-  addActors(source);
+  addActors();
   view_->renderer()->GetActiveCamera()->DeepCopy(source.view.renderer()->GetActiveCamera());
   if (source.labels)
     addLabels(source.workspace.document());
-  if (source.measurements && !source.workspace.document().measurements().empty()) {
+  if (source.measurements && !state_.measurements->empty())
     measurements_ = std::make_unique<scene::MeasurementGlyphs>(*view_);
-    measured_ = source.workspace.state();
-  }
   captionShown_ = caption;
   if (caption)
     addCaption(source.view.theme().text);
@@ -87,7 +85,7 @@ void RecordingStage::openWindow() {
   view_->setWindow(window_->window());
 }
 
-void RecordingStage::addActors(const Source& source) {
+void RecordingStage::addActors() {
   for (Surface& surface : surfaces_) {
     surface.actor = std::make_shared<scene::OrganActor>(surface.organ->mesh);
     const document::OrganLook& look = surface.organ->look;
@@ -95,50 +93,38 @@ void RecordingStage::addActors(const Source& source) {
     surface.actor->setVertexColorsShown(look.vertexColors);
     surface.actor->setOpacity(look.opacity);
     surface.actor->setVisible(look.visible);
-    if (surface.deformer)
-      surface.actor->setPoints(std::shared_ptr<const Points>(surface.deformer, &surface.deformer->points()));
-    else
-      surface.actor->setPoints(std::make_shared<Points>(source.workspace.live().points(surface.organ->id)));
+    surface.actor->setPoints(organs_.sharedPoints(surface.organ->id));
     view_->add(surface.actor);
   }
 }
 
 double RecordingStage::periodSeconds() const {
-  return sequence_ && rate_ > 0 ? 60.0 / rate_ : 0;
+  return runner_.periodSeconds();
 }
 
-void RecordingStage::show(double seconds) {
+const std::vector<double>& RecordingStage::show(double seconds) {
   seconds_ = seconds;
-  if (!sequence_)
-    return;
-  sequence_->poseAt(seconds, rate_, pose_);
-  for (const Surface& surface : surfaces_)
-    if (surface.deformer)
-      surface.deformer->setPose(pose_);
-}
-
-std::vector<double> RecordingStage::volumes() {
-  std::vector<double> milliliters;
-  for (const Surface& surface : surfaces_)
-    if (surface.organ->look.tracked && surface.organ->closed())
-      milliliters.push_back(surface.deformer ? surface.deformer->volumeMm3() / kMm3PerMl : surface.stillMl);
-  return milliliters;
+  const std::vector<double> all = runner_.show(seconds);
+  milliliters_.clear();
+  for (std::size_t i = 0; i < all.size(); ++i)
+    if (surfaces_[i].organ->look.tracked && surfaces_[i].organ->closed())
+      milliliters_.push_back(all[i]);
+  return milliliters_;
 }
 
 void RecordingStage::writeCaption() {
   QString lines;
-  if (sequence_) {
+  if (const sequences::Sequence* sequence = runner_.sequence().get()) {
     lines = QCoreApplication::translate("viscera::app::RecordingStage", "%1, %2 / min")
-                .arg(text(sequence_->name()))
-                .arg(rate_, 0, 'f', 0);
+                .arg(text(sequence->name()))
+                .arg(runner_.ratePerMinute(), 0, 'f', 0);
     const double fraction = std::fmod(seconds_, periodSeconds()) / periodSeconds();
-    for (const sequences::Phase& phase : sequence_->phases(rate_))
+    for (const sequences::Phase& phase : sequence->phases(runner_.ratePerMinute()))
       if (fraction >= phase.begin && fraction < phase.end)
         lines += QLatin1Char('\n') + text(phase.name);
   }
-  const std::vector<double> milliliters = volumes();
   for (std::size_t i = 0; i < names_.size(); ++i)
-    lines += QStringLiteral("\n%1  %2").arg(text(names_[i]), formatMilliliters(milliliters[i]));
+    lines += QStringLiteral("\n%1  %2").arg(text(names_[i]), formatMilliliters(milliliters_[i]));
   caption_->SetInput(lines.trimmed().toUtf8().constData());
 }
 
@@ -146,7 +132,7 @@ void RecordingStage::measure() {
   const auto isShown = [](document::OrganId id) {
     return [id](const Surface& surface) { return surface.organ->id == id; };
   };
-  measurements_->setItems(measurementItems(measured_, [&](document::OrganId id) -> const Points& {
+  measurements_->setItems(measurementItems(state_, [&](document::OrganId id) -> const Points& {
     return std::find_if(surfaces_.begin(), surfaces_.end(), isShown(id))->actor->points();
   }));
 }
@@ -156,8 +142,7 @@ vtkSmartPointer<vtkImageData> RecordingStage::picture() {
     openWindow();
   window_->window()->MakeCurrent(); // Two views are drawn in turn.
   for (const Surface& surface : surfaces_)
-    if (surface.deformer)
-      surface.actor->pointsChanged();
+    surface.actor->pointsChanged();
   if (measurements_)
     measure();
   view_->renderer()->ResetCameraClippingRange();

@@ -12,7 +12,8 @@
 #include <vtkSmartPointer.h>
 #include <vtkTextActor.h>
 
-#include "viscera/deformation/deformer.h"
+#include "viscera/live/posed_copy.h"
+#include "viscera/motion/motion_runner.h"
 #include "viscera/scene/measurement_glyphs.h"
 #include "viscera/scene/organ_labels.h"
 #include "viscera/scene/organ_view.h"
@@ -41,11 +42,10 @@ public:
   /// Takes over the look of the view, for pictures of this size. On the main thread.
   void prepareView(const Source& source, const QSize& size, bool caption);
 
-  /// Poses the organs at `seconds` of the sequence; organs without one stay as they are.
-  void show(double seconds);
-  /// Names and volumes of what is tracked, ml, in the pose that is shown.
-  const std::vector<std::string>& names() const { return names_; }
-  std::vector<double> volumes();
+  /// Poses the organs at `seconds` of the sequence, as the window would show them; organs without one stay as
+  /// they are. Returns the volumes of what is tracked, ml.
+  const std::vector<double>& show(double seconds);
+  const std::vector<std::string>& names() const { return names_; } ///< Of what is tracked.
   /// Draws the pose that is shown, after `prepareView`. Throws `Error` when nothing can be drawn.
   vtkSmartPointer<vtkImageData> picture();
 
@@ -54,32 +54,30 @@ public:
 private:
   struct Surface {
     std::shared_ptr<const document::Organ> organ;
-    std::shared_ptr<deformation::Deformer> deformer; ///< Null: it does not move.
     std::shared_ptr<scene::OrganActor> actor;
-    double stillMl = 0; ///< Of one that does not move.
   };
 
-  void addActors(const Source& source);
+  void addActors();
   void addLabels(const document::Document& document);
   void addCaption(const Vec3& color);
   void openWindow();
   void measure();
   void writeCaption();
 
-  std::shared_ptr<const sequences::Sequence> sequence_;
-  double rate_ = 0;
+  document::DocumentState state_;
+  live::PosedCopy organs_;
+  motion::MotionRunner runner_;
   double seconds_ = 0;
   std::vector<Surface> surfaces_;
   std::vector<std::string> names_;
+  std::vector<double> milliliters_; ///< One a name, of the pose that is shown.
   QSize size_;
   std::unique_ptr<scene::SurfacelessWindow> window_; ///< Of the thread that draws.
   std::unique_ptr<scene::OrganView> view_;
   std::unique_ptr<scene::OrganLabels> labels_;
   std::unique_ptr<scene::MeasurementGlyphs> measurements_;
-  document::DocumentState measured_; ///< What is measured on which organs.
   vtkNew<vtkTextActor> caption_;
   bool captionShown_ = false;
-  Points pose_;
 };
 
 /// Two pictures of the same height beside one another.

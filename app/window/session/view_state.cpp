@@ -10,7 +10,7 @@
 
 #include "camera_json.h"
 #include "stress_json.h"
-#include "window/session/motion_recipe.h"
+#include "viscera/motion/motion_recipe.h"
 
 namespace viscera::app {
 namespace {
@@ -144,7 +144,7 @@ void ViewState::makeMotions(const Wanted& wanted) {
         Wanted made = wanted;
         for (Wanted::Motion& motion : made.motions)
           if (motion.organ)
-            motion.sequence = makeMotion(motion.recipe, *motion.organ, library, progress);
+            motion.sequence = motion::makeMotion(motion.recipe, *motion.organ, library, progress);
         return made;
       },
       [this](JobResult<Wanted> result) {
