@@ -1,12 +1,15 @@
 #include "cli/played_sequence.h"
 
+#include <algorithm>
+#include <limits>
 #include <optional>
 #include <sstream>
 
 #include "cli/inputs.h"
 #include "viscera/core/error.h"
-#include "viscera/deformation/bind_organ.h"
+#include "viscera/document/organ_commands.h"
 #include "viscera/document/sequence_rig.h"
+#include "viscera/document/system_commands.h"
 #include "viscera/medical_io/handle_file.h"
 #include "viscera/motion/player.h"
 #include "viscera/motion/sequence_file.h"
@@ -15,15 +18,29 @@
 namespace viscera::app::cli {
 namespace {
 
-/// An organ of the command line as it appears in tables: "outer" where it has cavities.
-std::vector<PlayedSurface> surfacesOf(const sample_organs::SampleOrgan& sample) {
-  std::vector<PlayedSurface> surfaces;
+constexpr double kWallOpacity = 0.35;
+
+/// The surfaces on their way into a document, each with its name in tables.
+struct Surfaces {
+  std::vector<std::string> names;
+  std::vector<document::NewOrgan> organs;
+
+  void add(std::string name, document::Organ organ) {
+    organ.look.opacity = 1;
+    names.push_back(std::move(name));
+    organs.push_back({std::move(organ), -1});
+    if (organs.size() == 2) // The cavities are seen through the wall around them.
+      organs.front().organ.look.opacity = kWallOpacity;
+  }
+};
+
+Surfaces surfacesOf(const sample_organs::SampleOrgan& sample) {
+  Surfaces surfaces;
   for (const sample_organs::SampleSurface& surface : sample.surfaces) {
     document::Organ organ = document::makeOrgan(surface.name, surface.mesh);
     organ.look.color = surface.color;
-    surfaces.push_back({surface.name, std::move(organ), nullptr, false});
+    surfaces.add(surface.name, std::move(organ));
   }
-  surfaces.front().wall = surfaces.size() > 1;
   return surfaces;
 }
 
@@ -88,36 +105,21 @@ motion::Landmarks givenLandmarks(const PlayRequest& request, std::vector<std::st
   return landmarks;
 }
 
-/// Ties surfaces to the handles of a sequence.
-class Binder {
-public:
-  Binder(const sequences::Sequence& sequence, const document::SystemChoice& choice,
-         Surroundings& surroundings)
-      : choice_(choice), surroundings_(surroundings), system_(surroundings.systems.find(choice.id)) {
-    handles_.positions = sequence.restHandles();
-    for (const sequences::HandleGroup& group : sequence.groups())
-      handles_.groups.push_back({group.name, group.handles});
+/// Puts the surfaces into a document with the handles, and binds them.
+void bindAll(PlayedSequence& played, Surfaces surfaces, const document::SystemChoice& system,
+             Surroundings& surroundings) {
+  played.document = std::make_unique<BoundDocument>(
+      document::combined("Play", {document::addOrgans(std::move(surfaces.organs)),
+                                  document::replaceRig(played.rig), document::setSystem(system)}),
+      surroundings);
+  const document::OrganList& organs = *played.document->state().organs;
+  for (std::size_t i = 0; i < surfaces.names.size(); ++i)
+    played.surfaces.push_back({surfaces.names[i], organs[i]->id});
+  for (const auto& organ : organs) {
+    const live::BindingStatus status = played.document->organs().status(organ->id);
+    if (status.state != live::BindingStatus::State::bound)
+      throw DataError(status.message, organ->name);
   }
-
-  std::shared_ptr<deformation::Deformer> bound(std::shared_ptr<const geometry::TriangleMesh> mesh) const {
-    auto binding =
-        deformation::bindOrgan(*system_, handles_, mesh->points, {choice_.parameters, surroundings_.threads},
-                               surroundings_.progress);
-    return std::make_shared<deformation::Deformer>(std::move(mesh), std::move(binding), handles_.positions,
-                                                   surroundings_.threads);
-  }
-
-private:
-  const document::SystemChoice& choice_;
-  Surroundings& surroundings_;
-  std::shared_ptr<const coordinates::CoordinateSystem> system_;
-  coordinates::HandleSet handles_;
-};
-
-void bindAll(PlayedSequence& played, const document::SystemChoice& system, Surroundings& surroundings) {
-  const Binder binder(*played.sequence, system, surroundings);
-  for (PlayedSurface& surface : played.surfaces)
-    surface.deformer = binder.bound(surface.organ.mesh);
 }
 
 /// A shipped sequence on its own organ, or on one of that organ's surfaces.
@@ -130,17 +132,21 @@ PlayedSequence onOwnOrgan(const PlayRequest& request, Surroundings& surroundings
   PlayedSequence played;
   played.sequence = setup.sequence;
   played.rig = setup.rig;
+  Surfaces surfaces;
   if (resolution)
-    played.surfaces = surfacesOf(setup.organ);
+    surfaces = surfacesOf(setup.organ);
   else
-    played.surfaces.push_back(
-        {"outer", organInput(request.organ, surroundings.samples, surroundings.progress), nullptr, false});
-  bindAll(played, setup.system, surroundings);
-  if (played.find("lv")) {
+    surfaces.add("outer", organInput(request.organ, surroundings.samples, surroundings.progress));
+  const bool heart = std::count(surfaces.names.begin(), surfaces.names.end(), "lv") > 0;
+  if (heart) {
     const sample_organs::SampleSurface chambers = sample_organs::sampleSurface(
         surroundings.samples, "heart", "chambers", *resolution, surroundings.progress, surroundings.threads);
-    played.chambers = Binder(*played.sequence, setup.system, surroundings).bound(chambers.mesh);
+    surfaces.organs.push_back({document::makeOrgan("chambers", chambers.mesh), -1});
+    surfaces.organs.back().organ.look.visible = false;
   }
+  bindAll(played, std::move(surfaces), setup.system, surroundings);
+  if (heart)
+    played.chambers = played.document->state().organs->back()->id;
   return played;
 }
 
@@ -156,8 +162,9 @@ PlayedSequence onOtherOrgan(const PlayRequest& request, Surroundings& surroundin
   played.warnings.insert(played.warnings.end(), fitted.warnings.begin(), fitted.warnings.end());
   played.sequence = fitted.sequence;
   played.rig = fitted.rig;
-  played.surfaces.push_back({"outer", std::move(organ), nullptr, false});
-  bindAll(played, fitted.system, surroundings);
+  Surfaces surfaces;
+  surfaces.add("outer", std::move(organ));
+  bindAll(played, std::move(surfaces), fitted.system, surroundings);
   played.retargeted = std::move(fitted);
   return played;
 }
@@ -169,13 +176,13 @@ PlayedSequence fromFile(const PlayRequest& request, Surroundings& surroundings) 
   PlayedSequence played;
   played.sequence = std::make_shared<sequences::KeyframedSequence>(file.track);
   played.rig = motion::rigOf(file);
+  Surfaces surfaces;
   for (document::Organ& organ : organInputs(request.organ, surroundings.samples, surroundings.progress)) {
     played.warnings.insert(played.warnings.end(), organ.warnings.begin(), organ.warnings.end());
-    const std::string name = played.surfaces.empty() ? "outer" : organ.name.substr(organ.name.find('/') + 1);
-    played.surfaces.push_back({name, std::move(organ), nullptr, false});
+    const std::string name = surfaces.names.empty() ? "outer" : organ.name.substr(organ.name.find('/') + 1);
+    surfaces.add(name, std::move(organ));
   }
-  played.surfaces.front().wall = played.surfaces.size() > 1;
-  bindAll(played, file.system.value_or(document::SystemChoice()), surroundings);
+  bindAll(played, std::move(surfaces), file.system.value_or(document::SystemChoice()), surroundings);
   return played;
 }
 
@@ -191,11 +198,20 @@ bool isOther(const PlayRequest& request) {
 
 } // namespace
 
-const PlayedSurface* PlayedSequence::find(const std::string& name) const {
-  for (const PlayedSurface& surface : surfaces)
-    if (surface.name == name)
-      return &surface;
-  return nullptr;
+BoundDocument::BoundDocument(const document::Command& filling, Surroundings& surroundings)
+    : undo_(document_), jobs_([](const std::function<void()>& work) { work(); }),
+      live_((undo_.perform(filling), document_), surroundings.systems, jobs_,
+            {std::numeric_limits<double>::infinity(), surroundings.threads}) {}
+
+int PlayedSequence::find(const std::string& name) const {
+  for (std::size_t i = 0; i < surfaces.size(); ++i)
+    if (surfaces[i].name == name)
+      return static_cast<int>(i);
+  return -1;
+}
+
+double PlayedSequence::restMl(std::size_t place) const {
+  return (*document->state().organs)[place]->restVolumeMm3 / kMm3PerMl;
 }
 
 PlayedSequence playedSequence(const PlayRequest& request, Surroundings& surroundings) {

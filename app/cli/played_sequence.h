@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "cli/command.h"
-#include "viscera/deformation/deformer.h"
-#include "viscera/document/organ.h"
+#include "viscera/document/undo_stack.h"
+#include "viscera/live/live_binding.h"
 #include "viscera/motion/retarget.h"
 #include "viscera/sequences/sequence.h"
 
@@ -25,24 +25,40 @@ struct PlayRequest {
 /// One surface that a sequence moves.
 struct PlayedSurface {
   std::string name; ///< "outer", "lv", "rv": its column in tables.
-  document::Organ organ;
-  std::shared_ptr<deformation::Deformer> deformer;
-  bool wall = false; ///< The outer surface of an organ with cavities, drawn translucent.
+  document::OrganId organ;
+};
+
+/// A document for one command: its organs are bound at once, and nobody undoes anything.
+class BoundDocument {
+public:
+  BoundDocument(const document::Command& filling, Surroundings& surroundings);
+
+  const document::DocumentState& state() const { return document_.state(); }
+  live::LiveBinding& organs() { return live_; }
+
+private:
+  document::Document document_;
+  document::UndoStack undo_;
+  JobQueue jobs_;
+  live::LiveBinding live_;
 };
 
 /// A sequence with what it moves, bound and ready.
 struct PlayedSequence {
   std::shared_ptr<const sequences::Sequence> sequence;
-  document::NewRig rig;                ///< The handles with their labels and groups.
-  std::vector<PlayedSurface> surfaces; ///< The outer surface first.
-  std::vector<std::string> warnings;   ///< About the files that were read.
-  /// Of the sample heart: its chambers from outside, without vessels. Only measured.
-  std::shared_ptr<deformation::Deformer> chambers;
+  document::NewRig rig;                    ///< The handles with their labels and groups.
+  std::unique_ptr<BoundDocument> document; ///< The surfaces as organs with their looks, the rig, the system.
+  std::vector<PlayedSurface> surfaces;     ///< The first organs of the document, the outer surface first.
+  std::vector<std::string> warnings;       ///< About the files that were read.
+  /// Of the sample heart: its chambers from outside, without vessels. The last organ, hidden: only measured.
+  document::OrganId chambers = {};
   /// What was computed when the organ is not the sequence's own.
   std::optional<motion::RetargetedSequence> retargeted;
 
-  /// The surface with that name, or null.
-  const PlayedSurface* find(const std::string& name) const;
+  /// The place of the surface with that name, or -1.
+  int find(const std::string& name) const;
+  /// At rest, ml.
+  double restMl(std::size_t place) const;
 };
 
 /// Makes a sequence with the organ it is made for, or fits it to the organ that is asked for: by landmarks

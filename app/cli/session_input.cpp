@@ -14,9 +14,9 @@
 #include "viscera/document/undo_stack.h"
 #include "viscera/live/live_binding.h"
 #include "viscera/live/live_stress.h"
+#include "viscera/motion/motion_recipe.h"
 #include "viscera/presentation/camera.h"
 #include "viscera/presentation/space_parts.h"
-#include "window/session/motion_recipe.h"
 
 namespace viscera::app::cli {
 namespace {
@@ -64,7 +64,8 @@ void findPeak(live::LiveStress& stress, const document::DocumentState& state,
   const auto chosen = static_cast<std::size_t>(view.playing->motion);
   if (view.playing->motion >= 0 && chosen < view.motions.size())
     if (const auto organ = state.organ(view.motions[chosen].organ))
-      sequence = makeMotion(view.motions[chosen].recipe, *organ, surroundings.samples, surroundings.progress);
+      sequence = motion::makeMotion(view.motions[chosen].recipe, *organ, surroundings.samples,
+                                    surroundings.progress);
   if (sequence)
     stress.findPeak(std::move(sequence), view.playing->ratePerMinute);
 }

@@ -24,23 +24,21 @@ public:
   }
   /// Shows an organ at these points, `n x 3` mm.
   void setPoints(std::size_t organ, std::shared_ptr<const Points> points);
-  /// The points have other values in place.
-  void moved() { ++revision_; }
   const document::DocumentState& state() const { return state_; }
 
   void showPose(const Points& pose) override { pose_ = pose; }
   const Points& shownPose() const override { return pose_; }
   std::shared_ptr<const Points> sharedPoints(document::OrganId organ) const override;
-  std::uint64_t revision(document::OrganId) const override { return revision_; }
+  std::uint64_t revision(document::OrganId) const override { return 1; }
   /// Nobody here measures.
   live::OrganVolume volume(document::OrganId) override { return {}; }
   Values influence(document::OrganId, document::HandleId) const override { return {}; }
+  const deformation::Deformer* bound(document::OrganId) const override { return nullptr; }
 
 private:
   document::DocumentState state_;
   std::vector<std::shared_ptr<const Points>> points_;
   Points pose_ = Points(0, 3);
-  std::uint64_t revision_ = 1;
 };
 
 } // namespace viscera::app::cli

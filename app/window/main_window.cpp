@@ -38,7 +38,7 @@
 
 namespace viscera::app {
 
-MainWindow::MainWindow(Settings& settings, plugin::Registry registry, motion::Player::Clock clock,
+MainWindow::MainWindow(Settings& settings, plugin::Registry registry, motion::Transport::Clock clock,
                        QWidget* parent)
     : QMainWindow(parent), settings_(settings), actions_(this), workspace_(std::move(registry)),
       poses_(workspace_, view_), playback_(workspace_, clock), volumes_(workspace_, playback_),
@@ -57,7 +57,7 @@ MainWindow::MainWindow(Settings& settings, plugin::Registry registry, motion::Pl
   actions_.add("file.quit", {tr("&Quit"), nullptr, {QKeySequence::Quit}, {}}, [this] { close(); });
   edit_ = new EditActions(workspace_, actions_, this);
   views_ = new ViewActions({workspace_, *picture_, *viewArea_, view_, settings_}, actions_, this);
-  makeModes(clock);
+  makeModes();
   makeThemeActions();
   makeSession();
   help_ = new Help({workspace_, playback_, *modes_, *files_, settings_, *viewArea_}, actions_, this);
@@ -73,7 +73,7 @@ MainWindow::MainWindow(Settings& settings, plugin::Registry registry, motion::Pl
 
 MainWindow::~MainWindow() = default;
 
-void MainWindow::makeModes(const motion::Player::Clock& clock) {
+void MainWindow::makeModes() {
   modes_ = std::make_unique<ModeController>(
       ModeController::Parts{playback_, view_, *viewArea_->view(), *picture_, *handles_});
   explore_ = &modes_->add(std::make_unique<ExploreMode>(
@@ -86,7 +86,7 @@ void MainWindow::makeModes(const motion::Player::Clock& clock) {
       actions_));
   play_ = &modes_->add(std::make_unique<PlayMode>(
       PlayMode::Window{workspace_, playback_, volumes_, *samples_, *picture_, *viewArea_, view_, settings_},
-      clock, actions_));
+      actions_));
   modes_->addTo(actions_);
 }
 

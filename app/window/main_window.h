@@ -45,7 +45,7 @@ class MainWindow final : public QMainWindow {
 public:
   /// `settings` has to outlive the window. `registry` has the coordinate systems to choose from, `clock`
   /// drives the sequences.
-  MainWindow(Settings& settings, plugin::Registry registry, motion::Player::Clock clock,
+  MainWindow(Settings& settings, plugin::Registry registry, motion::Transport::Clock clock,
              QWidget* parent = nullptr);
   ~MainWindow() override;
 
@@ -78,7 +78,7 @@ protected:
   void closeEvent(QCloseEvent* event) override;
 
 private:
-  void makeModes(const motion::Player::Clock& clock);
+  void makeModes();
   void makeThemeActions();
   void makeSession();
   void placePanels();

@@ -10,8 +10,7 @@
 namespace viscera::app {
 
 PoseEditor::PoseEditor(Workspace& workspace, const ViewModel& model, QObject* parent)
-    : QObject(parent), workspace_(workspace), model_(model), keeper_(workspace.document(), workspace.live()) {
-}
+    : QObject(parent), workspace_(workspace), model_(model), keeper_(workspace.state(), workspace.live()) {}
 
 bool PoseEditor::begin(const QString& name, const std::vector<document::HandleId>& handles, bool mirrored) {
   cancel();

@@ -60,7 +60,7 @@ int runWindow(int argc, char** argv, const WindowOptions& options) {
   if (!options.theme.empty())
     settings.setValue("window/theme", QString::fromStdString(options.theme));
   AvailableSystems systems = availableSystems(options.pluginPath);
-  MainWindow window(settings, std::move(systems.registry), motion::Player::steadyClock());
+  MainWindow window(settings, std::move(systems.registry), motion::Transport::steadyClock());
   if (!options.theme.empty())
     window.setTheme(themeFromName(QString::fromStdString(options.theme)));
   if (options.width > 0 && options.height > 0)

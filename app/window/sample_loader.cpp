@@ -2,8 +2,8 @@
 
 #include "viscera/document/open_files.h"
 #include "viscera/document/system_commands.h"
+#include "viscera/motion/motion_recipe.h"
 #include "viscera/motion/sequence_setup.h"
-#include "window/session/motion_recipe.h"
 
 namespace viscera::app {
 namespace {
@@ -53,7 +53,7 @@ SampleLoader::Sample SampleLoader::make(const sample_organs::SampleLibrary& libr
     motion::SequenceSetup setup = motion::setUpSequence(library, motion.id, resolution, progress);
     sample.organs = document::organsFrom(setup.organ);
     sample.motion = setup.sequence;
-    sample.recipe = sampleRecipe(motion.id, resolution);
+    sample.recipe = motion::sampleRecipe(motion.id, resolution);
     sample.rig = std::move(setup.rig);
     sample.system = std::move(setup.system);
     break;

@@ -103,6 +103,34 @@ TEST_F(TwoViews, BeatAtTwoRatesUnderOneTimelineAndChart) {
   playFor(0.1);
 }
 
+TEST_F(TwoViews, ShowTheInstantThatTheirReadoutsNameAlsoAfterAPauseAnUndoAndAnotherMode) {
+  compareRates();
+  const auto* heart = dynamic_cast<const sequences::CalibratedHeartbeat*>(window().playback().sequence());
+  ASSERT_NE(heart, nullptr);
+  const auto expectTrue = [&](const char* when) {
+    settle();
+    const motion::Player& a = window().playback().player();
+    const motion::Player& b = parts().comparison().playback().player();
+    EXPECT_NEAR(volumeOf("LV"), heart->volumesAt(a.secondsInCycle(), a.ratePerMinute()).leftMl, 0.5) << when;
+    EXPECT_NEAR(volumeIn(second(), "LV"), heart->volumesAt(b.secondsInCycle(), b.ratePerMinute()).leftMl, 0.5)
+        << when;
+  };
+  key(Qt::Key_Space);
+  playFor(0.3);
+  now_ += 0.07;
+  key(Qt::Key_Space);
+  expectTrue("paused between two frames");
+  key(Qt::Key_X);
+  key(Qt::Key_Z, Qt::ControlModifier);
+  expectTrue("after an undo");
+  key(Qt::Key_3);
+  key(Qt::Key_5);
+  expectTrue("after another mode");
+  key(Qt::Key_1, Qt::ControlModifier);
+  compareRates();
+  expectTrue("of a view that was opened while paused");
+}
+
 TEST_F(TwoViews, ShareTheInstantTheCamerasAndTheDocument) {
   compareRates();
   auto* rate = window().findChild<QSpinBox*>(QStringLiteral("secondRate"));

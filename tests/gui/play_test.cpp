@@ -3,11 +3,13 @@
 #include <QAbstractButton>
 #include <QAction>
 #include <QComboBox>
+#include <QFile>
 #include <QLabel>
 #include <QTest>
 
 #include "viscera/document/organ_commands.h"
 #include "viscera/sample_organs/sample_organ.h"
+#include "window/panels/curve_box.h"
 #include "window/timeline/phase_scrubber.h"
 #include "window/timeline/volume_panel.h"
 
@@ -205,6 +207,75 @@ TEST_F(PlayMode, WavesTravelDownTheStomachAndUndoBringsBackTheHeartWithItsMotion
   EXPECT_EQ(window().playback().sequence(), first);
   key(Qt::Key_Space);
   EXPECT_TRUE(window().playback().player().playing());
+}
+
+TEST_F(PlayMode, UndoAndRedoOfAChangeOfSequenceStopWhatPlaysOrIsPausedInEveryMode) {
+  const auto* heart = window().playback().sequence();
+  loadSample(QStringLiteral("stomach"));
+  const auto* stomach = window().playback().sequence();
+  const auto expectStopped = [this](const sequences::Sequence* sequence) {
+    settle();
+    EXPECT_EQ(window().playback().sequence(), sequence);
+    EXPECT_FALSE(window().playback().player().playing());
+    EXPECT_FALSE(window().playback().showing());
+    EXPECT_EQ(window().playback().player().fraction(), 0);
+    const Points wanted =
+        window().mode() == app::Mode::handles ? document().rig().restPositions() : document().pose();
+    EXPECT_EQ(window().workspace().live().shownPose(), wanted);
+    EXPECT_FALSE(message().contains(QStringLiteral("range"))) << message().toStdString();
+  };
+  bool playing = false;
+  for (const Qt::Key mode : {Qt::Key_5, Qt::Key_1, Qt::Key_2, Qt::Key_3, Qt::Key_4, Qt::Key_5}) {
+    key(Qt::Key_5);
+    window().playback().seek(0.3);
+    playing = !playing;
+    if (playing) {
+      key(Qt::Key_Space);
+      playFor(0.1);
+    }
+    key(mode);
+    window().workspace().undo().undo();
+    expectStopped(heart);
+    window().playback().seek(0.4);
+    window().workspace().undo().redo();
+    expectStopped(stomach);
+  }
+}
+
+TEST_F(PlayMode, AnUndoThatLeavesTheHandlesLeavesTheInstantAndItsPose) {
+  const document::OrganId organ = document().organs().front()->id;
+  ASSERT_TRUE(window().workspace().perform(document::setVolumeLocked(organ, true)));
+  window().playback().seek(0.5);
+  const double locked = volumeOf("Heart");
+  window().workspace().undo().undo();
+  settle();
+  EXPECT_TRUE(window().playback().showing());
+  EXPECT_EQ(window().playback().player().fraction(), 0.5);
+  EXPECT_LT(volumeOf("Heart"), locked - 20) << "the pose is the one without the lock";
+}
+
+TEST_F(PlayMode, AVolumeCurveIsFollowedUntilItIsTakenBack) {
+  QFile file(path(QStringLiteral("lv.csv")));
+  ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+  file.write("fraction,ml\n0,130\n0.5,75\n");
+  file.close();
+  auto* box = window().findChild<app::CurveBox*>();
+  auto* organ = window().findChild<QComboBox*>(QStringLiteral("curveOrgan"));
+  auto* remove = window().findChild<QAbstractButton*>(QStringLiteral("removeCurve"));
+  ASSERT_TRUE(box && organ && remove);
+  organ->setCurrentIndex(organ->findText(QStringLiteral("LV")));
+  window().playback().seek(0.5);
+  const double own = volumeOf("LV");
+  EXPECT_LT(own, 62);
+  box->load(file.fileName());
+  settle();
+  EXPECT_NEAR(volumeOf("LV"), 75, 1e-6) << message().toStdString();
+  EXPECT_LT(volumeOf("RV"), 80) << "its neighbour beats on";
+  remove->click();
+  settle();
+  EXPECT_EQ(volumeOf("LV"), own);
+  box->load(path(QStringLiteral("none.csv")));
+  EXPECT_TRUE(message().contains(QStringLiteral("none.csv"))) << message().toStdString();
 }
 
 TEST_F(PlayMode, ALockedVolumeStaysWhileTheSequencePlays) {

@@ -14,6 +14,7 @@
 #include <chrono>
 #include <thread>
 
+#include "viscera/document/organ_commands.h"
 #include "window/panels/play_page.h"
 
 namespace viscera::tests {
@@ -87,6 +88,23 @@ TEST_F(Recordings, AnOggMovieOfOneBeatHasAllItsFramesAndATableBesideIt) {
   EXPECT_EQ(rows[0], "time_s,Heart_ml,LV_ml,RV_ml");
   EXPECT_NEAR(rows[3].split(',')[0].toDouble(), 0.2, 1e-9);
   EXPECT_TRUE(message().contains(QStringLiteral("beat.ogv"))) << message().toStdString();
+}
+
+TEST_F(Recordings, KeepALockedVolumeAsTheWindowDoes) {
+  ASSERT_TRUE(window().workspace().perform(document::setVolumeLocked(document().organs().front()->id, true)));
+  settle();
+  const QString file = path(QStringLiteral("locked.csv"));
+  describe(QStringLiteral("Table"), file, 10, 1);
+  press();
+  ASSERT_TRUE(recorded());
+  const QList<QByteArray> rows = contents(file).trimmed().split('\n');
+  ASSERT_EQ(rows.size(), 1 + 8);
+  for (int row = 1; row < rows.size(); ++row) {
+    window().playback().seek((row - 1) / 8.0);
+    EXPECT_NEAR(rows[row].split(',')[1].toDouble(), volumeOf("Heart"), 1e-5) << row;
+    EXPECT_NEAR(rows[row].split(',')[2].toDouble(), volumeOf("LV"), 1e-5) << row;
+    EXPECT_NEAR(rows[row].split(',')[1].toDouble(), rows[1].split(',')[1].toDouble(), 1e-5) << row;
+  }
 }
 
 TEST_F(Recordings, GoesOnWhileTheWindowIsBusyWithOtherThings) {

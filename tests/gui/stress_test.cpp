@@ -227,6 +227,7 @@ TEST_F(StressModeTest, APlayingSequenceMovesTheMapAndIsRecorded) {
   const auto sway =
       std::make_shared<Sway>(document().rig().restPositions(), std::vector<Swing>{{0, Vec3(30, 0, 0)}});
   window().playback().setSequence(sway, document().organs().front()->id);
+  settle();
   key(Qt::Key_Space);
   EXPECT_EQ(window().mode(), "stress");
   for (int frame = 0; frame < 12; ++frame) {

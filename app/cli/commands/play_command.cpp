@@ -9,13 +9,13 @@
 #include <vtkImageData.h>
 
 #include "cli/listing.h"
-#include "cli/still_organs.h"
 #include "viscera/core/atomic_file.h"
 #include "viscera/core/error.h"
 #include "viscera/document/open_files.h"
 #include "viscera/medical_io/handle_file.h"
 #include "viscera/motion/cardiac_indices.h"
 #include "viscera/motion/sequence_setup.h"
+#include "viscera/motion/volume_curve.h"
 #include "viscera/motion/volume_table.h"
 #include "viscera/scene/contact_sheet.h"
 #include "viscera/scene/movie_writer.h"
@@ -27,31 +27,17 @@ namespace {
 constexpr int kMostCycles = 1000;
 constexpr int kMostColumns = 100;
 constexpr int kMostOnASheet = 400;
-constexpr double kLowestRate = 0.1;  ///< Frames a second that a sheet of a slow sequence needs.
-constexpr double kHighestRate = 240; ///< Frames a second that a movie is good for.
-constexpr double kWallOpacity = 0.35;
+constexpr double kLowestRate = 0.1;   ///< Frames a second that a sheet of a slow sequence needs.
+constexpr double kHighestRate = 240;  ///< Frames a second that a movie is good for.
 constexpr double kDrawingShare = 0.9; ///< Of the progress; the rest is closing the movie.
-
-std::vector<document::Organ> organsOf(const PlayedSequence& played) {
-  std::vector<document::Organ> organs;
-  for (const PlayedSurface& surface : played.surfaces) {
-    organs.push_back(surface.organ);
-    organs.back().look.opacity = surface.wall ? kWallOpacity : 1;
-  }
-  return organs;
-}
 
 /// The surfaces on a stage, and the writers that take the pictures.
 class Recording {
 public:
   Recording(const PlayedSequence& played, const StageOptions& options, double room,
             const Surroundings& surroundings)
-      : systems_(surroundings.systems), organs_(organsOf(played)),
+      : systems_(surroundings.systems), played_(*played.document),
         stage_(stageFor(options, surroundings.threads)) {
-    for (std::size_t i = 0; i < played.surfaces.size(); ++i) {
-      const auto& deformer = played.surfaces[i].deformer;
-      organs_.setPoints(i, std::shared_ptr<const Points>(deformer, &deformer->points()));
-    }
     show();
     stage_.compose(scene::standardViewFromName(options.view), room);
   }
@@ -62,7 +48,6 @@ public:
   }
 
   void addFrame() {
-    organs_.moved();
     show();
     const vtkSmartPointer<vtkImageData> picture = stage_.picture();
     for (const auto& writer : writers_)
@@ -81,10 +66,10 @@ public:
   }
 
 private:
-  void show() { stage_.presenter().update({organs_.state(), organs_, view_, systems_}); }
+  void show() { stage_.presenter().update({played_.state(), played_.organs(), view_, systems_}); }
 
   const plugin::Registry& systems_;
-  StillOrgans organs_;
+  BoundDocument& played_;
   presentation::ViewState view_;
   presentation::Stage stage_;
   std::vector<std::unique_ptr<scene::MovieWriter>> writers_;
@@ -99,20 +84,13 @@ std::string sequenceNames() {
   return names;
 }
 
-double volumeMl(const PlayedSurface& surface) {
-  return surface.deformer->volumeMm3() / kMm3PerMl;
-}
-
-double restMl(const PlayedSurface& surface) {
-  return surface.deformer->restVolumeMm3() / kMm3PerMl;
-}
-
 /// The volume between the chambers from outside and the ventricles' cavities: muscle, and the atria, whose
 /// cavities are not modelled.
 void addWall(const PlayedSequence& played, const std::vector<double>& wall, nlohmann::ordered_json& json,
              Listing& listing) {
-  const double rest =
-      played.chambers->restVolumeMm3() / kMm3PerMl - restMl(*played.find("lv")) - restMl(*played.find("rv"));
+  const double rest = played.restMl(played.surfaces.size()) -
+                      played.restMl(static_cast<std::size_t>(played.find("lv"))) -
+                      played.restMl(static_cast<std::size_t>(played.find("rv")));
   const auto [low, high] = std::minmax_element(wall.begin(), wall.end());
   const double change = std::max(*high - rest, rest - *low) / rest;
   json["wallVolume"] = {{"minMl", *low}, {"maxMl", *high}, {"restMl", rest}, {"maxRelativeChange", change}};
@@ -162,6 +140,12 @@ void PlayCommand::addOptions(CLI::App& options) {
   options
       .add_option("--write-handles", handlesOut_,
                   "Where to write the sequence's handles in their groups, at rest (.mrk.json)")
+      ->type_name("FILE");
+  options
+      .add_option(
+          "--volume-curve", volumeCurve_,
+          "Volume over the cycle that the outer surface is to have, as two columns (.csv): fraction of "
+          "the cycle, or time_s, and ml; NAME=FILE for another surface, as in lv=F.csv")
       ->type_name("FILE");
   options.add_option("--rate", rate_, "Cycles a minute; the sequence's own when not said")
       ->type_name("PER_MINUTE")
@@ -225,6 +209,22 @@ void PlayCommand::writeRig(const PlayedSequence& played) const {
   medical_io::writeHandles(landmarksOut_, motion::landmarkFile(played.retargeted->landmarks, "Landmarks"));
 }
 
+/// A runner with the volume that is prescribed: "FILE" for the outer surface, "NAME=FILE" for another one.
+motion::MotionRunner PlayCommand::runnerOf(PlayedSequence& played, double rate, Threads threads) const {
+  motion::MotionRunner runner(played.document->state(), played.document->organs(), threads);
+  runner.setSequence(played.sequence);
+  runner.setRatePerMinute(rate);
+  if (volumeCurve_.empty())
+    return runner;
+  const std::size_t equal = volumeCurve_.find('=');
+  const int named = equal == std::string::npos ? -1 : played.find(volumeCurve_.substr(0, equal));
+  const std::string file = named < 0 ? volumeCurve_ : volumeCurve_.substr(equal + 1);
+  runner.prescribe(motion::PrescribedVolume{played.surfaces[std::max(named, 0)].organ,
+                                            motion::readVolumeCurve(file, 60 / rate)});
+  runner.requireReachable();
+  return runner;
+}
+
 PlayCommand::Measured PlayCommand::play(PlayedSequence& played, double rate, int frames,
                                         Surroundings& surroundings) const {
   std::vector<std::string> names;
@@ -245,22 +245,20 @@ PlayCommand::Measured PlayCommand::play(PlayedSequence& played, double rate, int
                        "ask for fewer with --fps; " + std::to_string(kMostOnASheet) + " at most");
     recording->keep();
   }
-  Points pose;
+  motion::MotionRunner runner = runnerOf(played, rate, surroundings.threads);
   for (int frame = 0; frame < frames; ++frame) {
     surroundings.progress.throwIfCancelled();
     const double seconds = frame / framesPerSecond_;
-    played.sequence->poseAt(seconds, rate, pose);
-    std::vector<double> row;
-    for (const PlayedSurface& surface : played.surfaces) {
-      surface.deformer->setPose(pose);
-      row.push_back(volumeMl(surface));
+    std::vector<double> row = runner.show(seconds);
+    if (!runner.obstacle().empty())
+      throw DataError("the volume cannot be met at " + fixed(seconds, 3) + " s: " + runner.obstacle(),
+                      volumeCurve_, "ask for a volume nearer to that at rest");
+    if (played.chambers) {
+      measured.wallMl.push_back(row.back() - row[static_cast<std::size_t>(played.find("lv"))] -
+                                row[static_cast<std::size_t>(played.find("rv"))]);
+      row.pop_back();
     }
     measured.volumes.add(seconds, row);
-    if (played.chambers) {
-      played.chambers->setPose(pose);
-      const double cavities = volumeMl(*played.find("lv")) + volumeMl(*played.find("rv"));
-      measured.wallMl.push_back(played.chambers->volumeMm3() / kMm3PerMl - cavities);
-    }
     if (recording)
       recording->addFrame();
     surroundings.progress.report(kDrawingShare * (frame + 1) / frames, "playing");
@@ -288,17 +286,18 @@ Outcome PlayCommand::report(const PlayedSequence& played, const Measured& measur
     const PlayedSurface& surface = played.surfaces[i];
     const std::vector<double> values = volumes.column(i);
     const auto [low, high] = std::minmax_element(values.begin(), values.end());
-    outcome.json["volumes"][surface.name] = {{"minMl", *low}, {"maxMl", *high}, {"restMl", restMl(surface)}};
+    const double rest = played.restMl(i);
+    outcome.json["volumes"][surface.name] = {{"minMl", *low}, {"maxMl", *high}, {"restMl", rest}};
     listing.add(surface.name, fixed(*low, 1) + " to " + fixed(*high, 1) + " ml");
-    if (i == 0)
-      outerChange = std::max(*high - restMl(surface), restMl(surface) - *low) / std::abs(restMl(surface));
+    if (i == 0 && rest > 0) // An open surface has no volume.
+      outerChange = std::max(*high - rest, rest - *low) / rest;
   }
   outcome.json["maxRelativeOuterChange"] = outerChange;
   listing.add("outer change", fixed(100 * outerChange, 1) + " % at most");
   outcome.json["ejectionFraction"] = nullptr;
-  if (const PlayedSurface* ventricle = played.find("lv")) {
-    const motion::CardiacIndices indices = motion::cardiacIndices(
-        volumes.column(static_cast<std::size_t>(ventricle - played.surfaces.data())), rate);
+  if (const int ventricle = played.find("lv"); ventricle >= 0) {
+    const motion::CardiacIndices indices =
+        motion::cardiacIndices(volumes.column(static_cast<std::size_t>(ventricle)), rate);
     outcome.json["ejectionFraction"] = indices.ejectionFraction;
     outcome.json["strokeVolumeMl"] = indices.strokeVolumeMl;
     listing.add("ejection fraction", fixed(indices.ejectionFraction, 3))
@@ -311,7 +310,7 @@ Outcome PlayCommand::report(const PlayedSequence& played, const Measured& measur
   for (const auto& [key, target] :
        {std::pair("csv", csv_), std::pair("movie", movie_), std::pair("folder", frames_),
         std::pair("sheet", sheet_), std::pair("handles", handlesOut_),
-        std::pair("landmarksFile", landmarksOut_)})
+        std::pair("landmarksFile", landmarksOut_), std::pair("volumeCurve", volumeCurve_)})
     if (!target.empty()) {
       outcome.json[key] = target;
       listing.add(key, target);

@@ -6,6 +6,7 @@
 #include "cli/command.h"
 #include "cli/played_sequence.h"
 #include "cli/stage_options.h"
+#include "viscera/motion/motion_runner.h"
 #include "viscera/motion/volume_record.h"
 
 namespace viscera::app::cli {
@@ -29,6 +30,7 @@ private:
   double rateOf(const sequences::Sequence& sequence) const;
   /// Writes the handles and landmarks that are asked for.
   void writeRig(const PlayedSequence& played) const;
+  motion::MotionRunner runnerOf(PlayedSequence& played, double rate, Threads threads) const;
   /// Plays every frame, and records those that are asked for.
   Measured play(PlayedSequence& played, double rate, int frames, Surroundings& surroundings) const;
   Outcome report(const PlayedSequence& played, const Measured& measured, double rate) const;
@@ -36,6 +38,7 @@ private:
   PlayRequest request_;
   std::string handlesOut_;
   std::string landmarksOut_;
+  std::string volumeCurve_;
   double rate_ = 0; ///< 0: the sequence's own.
   int cycles_ = 1;
   double framesPerSecond_ = 25;

@@ -25,8 +25,8 @@ namespace viscera::app {
 
 /// Everything that belongs to the second view; the widgets in the window go by themselves.
 struct Comparison::Second {
-  Second(const First& first, const motion::Player::Clock& clock, QWidget* window)
-      : workspace(first.workspace.registry()), playback(workspace, clock), placer(workspace),
+  Second(const First& first, QWidget* window)
+      : workspace(first.workspace.registry()), playback(workspace, first.playback), placer(workspace),
         samples(workspace, placer, playback), files(workspace, placer, first.settings, window),
         view(new ViewWidget),
         picture(std::make_unique<Picture>(workspace, first.view, *view, Picture::Role::showing)) {}
@@ -43,8 +43,7 @@ struct Comparison::Second {
   std::vector<Subscription> subscriptions;
 };
 
-Comparison::Comparison(const First& first, motion::Player::Clock clock, QObject* parent)
-    : QObject(parent), first_(first), clock_(std::move(clock)) {
+Comparison::Comparison(const First& first, QObject* parent) : QObject(parent), first_(first) {
   connect(&first.playback, &Playback::advanced, this, &Comparison::syncHeaders);
   connect(&first.playback, &Playback::stateChanged, this, [this] {
     if (!on())
@@ -74,10 +73,14 @@ ViewWidget& Comparison::view() {
   return *second_->view;
 }
 
+const Picture& Comparison::picture() const {
+  return *second_->picture;
+}
+
 void Comparison::begin() {
   if (on())
     return;
-  second_ = std::make_unique<Second>(first_, clock_, first_.area.window());
+  second_ = std::make_unique<Second>(first_, first_.area.window());
   Second& second = *second_;
   firstHeader_ = new SideHeader(tr("A"));
   first_.area.splitView(firstHeader_, makeSecondPane());
@@ -91,7 +94,6 @@ void Comparison::begin() {
     if (same_)
       mirror();
   }));
-  first_.playback.setFollower(&second.playback);
   first_.volumes.setSecond(&second.workspace, &second.playback);
   // Half as wide now, the view would cut the organ off; it knows its new size only later.
   QTimer::singleShot(0, this, [this] {
@@ -230,7 +232,6 @@ void Comparison::chooseFiles() {
 void Comparison::end() {
   if (!on())
     return;
-  first_.playback.setFollower(nullptr);
   first_.volumes.setSecond(nullptr, nullptr);
   second_->subscriptions.clear();
   const std::unique_ptr<Second> second = std::move(second_);
@@ -262,10 +263,8 @@ void Comparison::mirror() {
 
 void Comparison::syncMotion() {
   const Playback::Motion motion = first_.playback.motion();
-  if (second_->playback.motion().sequence == motion.sequence)
-    return;
-  second_->playback.setSequence(motion.sequence, motion.organ);
-  first_.playback.setFollower(&second_->playback);
+  if (second_->playback.motion().sequence != motion.sequence)
+    second_->playback.setSequence(motion.sequence, motion.organ);
 }
 
 void Comparison::linkCameras() {
@@ -273,8 +272,6 @@ void Comparison::linkCameras() {
   second_->cameras = std::make_unique<CameraLink>(first, *second_->view);
   if (!same_)
     second_->cameras->setOffset(second_->view->view().bounds().center() - first.view().bounds().center());
-  // What was loaded goes where the first one is.
-  first_.playback.setFollower(&second_->playback);
   syncHeaders();
 }
 

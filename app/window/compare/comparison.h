@@ -17,6 +17,7 @@ class QSpinBox;
 namespace viscera::app {
 
 class ComparedSystem;
+class Picture;
 class SideHeader;
 class ViewArea;
 class ViewWidget;
@@ -38,8 +39,7 @@ public:
     ViewModel& view;
   };
 
-  /// `clock` is the one that drives the first playback.
-  Comparison(const First& first, motion::Player::Clock clock, QObject* parent = nullptr);
+  explicit Comparison(const First& first, QObject* parent = nullptr);
   ~Comparison() override;
 
   bool on() const { return second_ != nullptr; }
@@ -60,6 +60,7 @@ public:
   Workspace& workspace();
   Playback& playback();
   ViewWidget& view();
+  const Picture& picture() const;
   /// Whether it shows the first's organs.
   bool sameOrgan() const { return same_; }
   /// The other coordinates of the second view, or null.
@@ -84,7 +85,6 @@ private:
   QString titleOf(const Workspace& workspace, const Playback& playback) const;
 
   First first_;
-  motion::Player::Clock clock_;
   std::unique_ptr<Second> second_;
   QPointer<SideHeader> firstHeader_;
   QPointer<SideHeader> secondHeader_;

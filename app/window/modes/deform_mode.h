@@ -25,7 +25,7 @@ public:
   std::vector<const char*> actions() const override { return {"handles.gizmo", "handles.compensate"}; }
   QWidget* makePage(const Actions& actions) override;
   presentation::Shown shown() const override;
-  WantedPose pose() const override { return WantedPose::document; }
+  motion::WantedPose pose() const override { return motion::WantedPose::document; }
 
 private:
   void makePoseActions(Actions& actions);

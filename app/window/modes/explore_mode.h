@@ -27,7 +27,7 @@ public:
   std::vector<const char*> actions() const override;
   QWidget* makePage(const Actions& actions) override;
   presentation::Shown shown() const override { return {}; }
-  WantedPose pose() const override { return WantedPose::sequence; }
+  motion::WantedPose pose() const override { return motion::WantedPose::sequence; }
   QString hint() const override;
   void enter() override { tool_.setEnabled(true); }
   void leave() override { tool_.setEnabled(false); }

@@ -29,7 +29,7 @@ public:
   std::vector<const char*> actions() const override;
   QWidget* makePage(const Actions& actions) override;
   presentation::Shown shown() const override;
-  WantedPose pose() const override { return WantedPose::rest; }
+  motion::WantedPose pose() const override { return motion::WantedPose::rest; }
   /// While it is on, how long binding took is said over the view.
   void enter() override;
   void leave() override { disconnect(bound_); }

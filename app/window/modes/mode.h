@@ -52,7 +52,7 @@ public:
 
   /// What it wants to be seen, while it is on; `shownChanged` tells that it is something else.
   virtual presentation::Shown shown() const = 0;
-  virtual WantedPose pose() const = 0;
+  virtual motion::WantedPose pose() const = 0;
   /// What the mouse does; `hintChanged` tells that it is something else.
   virtual QString hint() const { return description_.hint; }
 

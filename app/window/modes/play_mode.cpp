@@ -36,13 +36,12 @@ std::vector<std::shared_ptr<const document::Organ>> wallsOf(const document::Orga
 
 } // namespace
 
-PlayMode::PlayMode(const Window& window, const motion::Player::Clock& clock, Actions& actions)
+PlayMode::PlayMode(const Window& window, Actions& actions)
     : Mode(window.workspace, {"play", "beat", 5, tr("Play"),
                               tr("Space plays or pauses; drag the timeline to look at one instant")}),
-      window_(window), comparison_(std::make_unique<Comparison>(
-                           Comparison::First{window.workspace, window.playback, window.volumes, window.area,
-                                             window.settings, window.view},
-                           clock)),
+      window_(window),
+      comparison_(std::make_unique<Comparison>(Comparison::First{
+          window.workspace, window.playback, window.volumes, window.area, window.settings, window.view})),
       recorder_(std::make_unique<Recorder>(window.workspace)),
       recorded_(std::make_unique<RecordedMotion>(window.workspace, window.playback)) {
   connect(recorder_.get(), &Recorder::finished, this, &PlayMode::sayRecorded);
@@ -207,13 +206,9 @@ void PlayMode::addKey() {
 }
 
 bool PlayMode::record(const RecordingPlan& plan) {
-  const bool labels = window_.view.state().labels;
-  std::vector<RecordingStage::Source> sources;
-  const bool measurements = window_.view.state().measurements;
-  sources.push_back({window_.workspace, window_.playback, window_.area.view()->view(), labels, measurements});
+  std::vector<RecordingStage::Source> sources = {{window_.workspace, window_.playback, window_.picture}};
   if (comparison_->on())
-    sources.push_back(
-        {comparison_->workspace(), comparison_->playback(), comparison_->view().view(), labels});
+    sources.push_back({comparison_->workspace(), comparison_->playback(), comparison_->picture()});
   return recorder_->start(plan, sources);
 }
 

@@ -11,15 +11,15 @@
 #include "window/settings.h"
 #include "window/timeline/volume_monitor.h"
 #include "window/view/picture.h"
-"window/view/view_area.h"
+#include "window/view/view_area.h"
 #include "window/view/view_model.h"
 
 namespace viscera::app {
 
 class StatusLine;
 
-/// Looking at sequences and teaching with them: the sequences to choose from, labels, looking through walls,
-/// two views, and recording.
+/// Looking at sequences and teaching with them: the sequences to choose from, labels, looking through
+/// walls, two views, and recording.
 class PlayMode final : public Mode {
   Q_OBJECT
 
@@ -36,13 +36,13 @@ public:
     Settings& settings;
   };
 
-  PlayMode(const Window& window, const motion::Player::Clock& clock, Actions& actions);
+  PlayMode(const Window& window, Actions& actions);
   ~PlayMode() override;
 
   std::vector<const char*> actions() const override;
   QWidget* makePage(const Actions& actions) override;
   presentation::Shown shown() const override { return {}; }
-  WantedPose pose() const override { return WantedPose::sequence; }
+  motion::WantedPose pose() const override { return motion::WantedPose::sequence; }
   void setTheme(const Theme& theme) override;
   /// Shows what is recorded and what the second view does in the status bar.
   void setStatus(StatusLine& status);

@@ -35,7 +35,7 @@ public:
   QWidget* makeChart() override;
   /// Handles can be moved while the document's pose is shown, not a sequence's.
   presentation::Shown shown() const override;
-  WantedPose pose() const override { return WantedPose::sequence; }
+  motion::WantedPose pose() const override { return motion::WantedPose::sequence; }
   void setTheme(const Theme& theme) override;
   /// Closes the probe or puts a dragged plane back; false when there was nothing to do.
   bool escape() override;

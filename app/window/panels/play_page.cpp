@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "viscera/motion/normal_ranges.h"
+#include "window/panels/curve_box.h"
 #include "window/panels/sequence_list.h"
 #include "window/recorded/fit_box.h"
 #include "window/recorded/key_box.h"
@@ -89,6 +90,8 @@ void PlayPage::makeRecording(Settings& settings) {
 }
 
 void PlayPage::makeOwnMotions(const Window& window) {
+  auto* curve = new CurveBox(window.workspace, playback_, window.settings, this);
+  add(new Fold(tr("Prescribe a volume"), curve, false, this));
   auto* keys = new KeyBox(window.workspace, playback_, parts_.recorded(), window.settings, this);
   add(new Fold(tr("Record a sequence"), keys, false, this));
   auto* fit = new FitBox(window.workspace, playback_, window.view, this);

@@ -10,8 +10,8 @@
 
 #include <algorithm>
 
+#include "viscera/motion/motion_recipe.h"
 #include "viscera/motion/sequence_setup.h"
-#include "window/session/motion_recipe.h"
 #include "window/style/icon.h"
 
 namespace viscera::app {
@@ -190,7 +190,7 @@ void FitBox::take(const motion::RetargetedSequence& fitted, document::OrganId or
                   const std::string& sequence, const motion::Landmarks& given) {
   if (!workspace_.document().organ(organ) || !workspace_.perform(motion::useRetargeted(fitted)))
     return;
-  playback_.setSequence(fitted.sequence, organ, fittedRecipe(sequence, given));
+  playback_.setSequence(fitted.sequence, organ, motion::fittedRecipe(sequence, given));
   landmarks_ = fitted.landmarks;
   syncRows();
   for (const std::string& warning : fitted.warnings)

@@ -35,9 +35,7 @@ Take prepare(const RecordingPlan& plan, const std::vector<RecordingStage::Source
   size.setWidth(size.width() / static_cast<int>(sources.size()) / 2 * 2);
   double seconds = 0;
   for (const RecordingStage::Source& source : sources) {
-    auto stage = std::make_unique<RecordingStage>(source);
-    if (infoOf(plan.format).drawn)
-      stage->prepareView(source, size, plan.caption);
+    auto stage = std::make_unique<RecordingStage>(source, size, plan.caption);
     if (seconds == 0)
       seconds = plan.cycles * stage->periodSeconds();
     for (const std::string& name : stage->names())
@@ -73,8 +71,7 @@ vtkSmartPointer<vtkImageData> pictureOf(const Take& take) {
 std::vector<double> showAt(const Take& take, double seconds) {
   std::vector<double> row;
   for (const auto& stage : take.stages) {
-    stage->show(seconds);
-    const std::vector<double> milliliters = stage->volumes();
+    const std::vector<double>& milliliters = stage->show(seconds);
     row.insert(row.end(), milliliters.begin(), milliliters.end());
   }
   return row;

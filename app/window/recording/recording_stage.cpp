@@ -5,14 +5,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include <vtkCamera.h>
-#include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
 #include <vtkTextProperty.h>
 
-#include "viscera/scene/picture.h"
-#include "window/measure/measure_scene.h"
-#include "window/view/label_scene.h"
+#include "viscera/presentation/camera.h"
 
 namespace viscera::app {
 namespace {
@@ -20,150 +16,82 @@ constexpr int kCaptionSize = 18;
 constexpr double kCaptionMargin = 16;
 } // namespace
 
-RecordingStage::RecordingStage(const Source& source)
-    : sequence_(source.playback.motion().sequence), rate_(source.playback.player().ratePerMinute()) {
-  live::LiveBinding& live = source.workspace.live();
-  for (const auto& organ : source.workspace.document().organs()) {
-    Surface surface{organ, nullptr, nullptr, live.volume(organ->id).nowMl};
-    const deformation::Deformer* bound = live.deformer(organ->id);
-    if (sequence_ && bound && bound->restHandles().rows() == sequence_->restHandles().rows())
-      surface.deformer =
-          std::make_shared<deformation::Deformer>(organ->mesh, bound->sharedBinding(), bound->restHandles());
+RecordingStage::RecordingStage(const Source& source, const QSize& size, bool caption)
+    : systems_(source.workspace.registry()), state_(source.workspace.state()),
+      organs_(source.workspace.live().copy()), stress_(source.workspace.stress().copy()),
+      runner_(state_, organs_), view_(source.picture.state()), theme_(source.picture.view().theme()),
+      size_(size), captionWanted_(caption) {
+  view_.camera = presentation::cameraOf(source.picture.view());
+  if (const auto& values = source.picture.presenter().stressValues(); values.ready())
+    view_.stress.range = values.range();
+  const motion::MotionRunner& played = source.playback.player().runner();
+  if (source.playback.sequence()) {
+    runner_.setSequence(played.sequence());
+    runner_.setRatePerMinute(played.ratePerMinute());
+    runner_.prescribe(played.prescribed());
+  }
+  for (const auto& organ : *state_.organs)
     if (organ->look.tracked && organ->closed())
       names_.push_back(organ->name);
-    surfaces_.push_back(std::move(surface));
-  }
 }
 
-RecordingStage::~RecordingStage() {
-  if (window_)
-    window_->window()->MakeCurrent();
-  labels_.reset();
-  measurements_.reset();
-  view_.reset(); // Leaves the window while that is there.
+void RecordingStage::openStage() {
+  stage_ =
+      std::make_unique<presentation::Stage>(size_.width(), size_.height(), theme_, Threads(), translated);
+  presentation::lookFrom(*view_.camera, stage_->view());
+  if (captionWanted_)
+    addCaption();
 }
 
-void RecordingStage::prepareView(const Source& source, const QSize& size, bool caption) {
-  size_ = size;
-  view_ = std::make_unique<scene::OrganView>();
-  view_->setTheme(source.view.theme());
-  addActors(source);
-  view_->renderer()->GetActiveCamera()->DeepCopy(source.view.renderer()->GetActiveCamera());
-  if (source.labels)
-    addLabels(source.workspace.document());
-  if (source.measurements && !source.workspace.document().measurements().empty()) {
-    measurements_ = std::make_unique<scene::MeasurementGlyphs>(*view_);
-    measured_ = source.workspace.state();
-  }
-  captionShown_ = caption;
-  if (caption)
-    addCaption(source.view.theme().text);
-}
-
-void RecordingStage::addLabels(const document::Document& document) {
-  labels_ = std::make_unique<scene::OrganLabels>(*view_);
-  labels_->setItems(labelItems(document, [this](document::OrganId id) {
-    for (const Surface& surface : surfaces_)
-      if (surface.organ->id == id)
-        return std::shared_ptr<const scene::OrganActor>(surface.actor);
-    return std::shared_ptr<const scene::OrganActor>();
-  }));
-  labels_->setShown(true);
-}
-
-void RecordingStage::addCaption(const Vec3& color) {
+void RecordingStage::addCaption() {
   vtkTextProperty* style = caption_->GetTextProperty();
-  style->SetColor(color.x(), color.y(), color.z());
+  style->SetColor(theme_.text.x(), theme_.text.y(), theme_.text.z());
   style->SetFontFamilyToArial();
   style->SetFontSize(kCaptionSize);
   style->SetVerticalJustificationToTop();
   style->SetLineSpacing(1.3);
   caption_->SetPosition(kCaptionMargin, size_.height() - kCaptionMargin);
-  view_->renderer()->AddActor2D(caption_);
-}
-
-void RecordingStage::openWindow() {
-  window_ = std::make_unique<scene::SurfacelessWindow>(size_.width(), size_.height());
-  view_->setWindow(window_->window());
-}
-
-void RecordingStage::addActors(const Source& source) {
-  for (Surface& surface : surfaces_) {
-    surface.actor = std::make_shared<scene::OrganActor>(surface.organ->mesh);
-    const document::OrganLook& look = surface.organ->look;
-    surface.actor->setColor(look.color);
-    surface.actor->setVertexColorsShown(look.vertexColors);
-    surface.actor->setOpacity(look.opacity);
-    surface.actor->setVisible(look.visible);
-    if (surface.deformer)
-      surface.actor->setPoints(std::shared_ptr<const Points>(surface.deformer, &surface.deformer->points()));
-    else
-      surface.actor->setPoints(std::make_shared<Points>(source.workspace.live().points(surface.organ->id)));
-    view_->add(surface.actor);
-  }
+  stage_->view().renderer()->AddActor2D(caption_);
 }
 
 double RecordingStage::periodSeconds() const {
-  return sequence_ && rate_ > 0 ? 60.0 / rate_ : 0;
+  return runner_.periodSeconds();
 }
 
-void RecordingStage::show(double seconds) {
+const std::vector<double>& RecordingStage::show(double seconds) {
   seconds_ = seconds;
-  if (!sequence_)
-    return;
-  sequence_->poseAt(seconds, rate_, pose_);
-  for (const Surface& surface : surfaces_)
-    if (surface.deformer)
-      surface.deformer->setPose(pose_);
-}
-
-std::vector<double> RecordingStage::volumes() {
-  std::vector<double> milliliters;
-  for (const Surface& surface : surfaces_)
-    if (surface.organ->look.tracked && surface.organ->closed())
-      milliliters.push_back(surface.deformer ? surface.deformer->volumeMm3() / kMm3PerMl : surface.stillMl);
-  return milliliters;
+  const std::vector<double> all = runner_.show(seconds);
+  milliliters_.clear();
+  for (std::size_t i = 0; i < all.size(); ++i)
+    if (const document::Organ& organ = *(*state_.organs)[i]; organ.look.tracked && organ.closed())
+      milliliters_.push_back(all[i]);
+  return milliliters_;
 }
 
 void RecordingStage::writeCaption() {
   QString lines;
-  if (sequence_) {
+  if (const sequences::Sequence* sequence = runner_.sequence().get()) {
     lines = QCoreApplication::translate("viscera::app::RecordingStage", "%1, %2 / min")
-                .arg(text(sequence_->name()))
-                .arg(rate_, 0, 'f', 0);
+                .arg(text(sequence->name()))
+                .arg(runner_.ratePerMinute(), 0, 'f', 0);
     const double fraction = std::fmod(seconds_, periodSeconds()) / periodSeconds();
-    for (const sequences::Phase& phase : sequence_->phases(rate_))
+    for (const sequences::Phase& phase : sequence->phases(runner_.ratePerMinute()))
       if (fraction >= phase.begin && fraction < phase.end)
         lines += QLatin1Char('\n') + text(phase.name);
   }
-  const std::vector<double> milliliters = volumes();
   for (std::size_t i = 0; i < names_.size(); ++i)
-    lines += QStringLiteral("\n%1  %2").arg(text(names_[i]), formatMilliliters(milliliters[i]));
+    lines += QStringLiteral("\n%1  %2").arg(text(names_[i]), formatMilliliters(milliliters_[i]));
   caption_->SetInput(lines.trimmed().toUtf8().constData());
 }
 
-void RecordingStage::measure() {
-  const auto isShown = [](document::OrganId id) {
-    return [id](const Surface& surface) { return surface.organ->id == id; };
-  };
-  measurements_->setItems(measurementItems(measured_, [&](document::OrganId id) -> const Points& {
-    return std::find_if(surfaces_.begin(), surfaces_.end(), isShown(id))->actor->points();
-  }));
-}
-
 vtkSmartPointer<vtkImageData> RecordingStage::picture() {
-  if (!window_)
-    openWindow();
-  window_->window()->MakeCurrent(); // Two views are drawn in turn.
-  for (const Surface& surface : surfaces_)
-    if (surface.deformer)
-      surface.actor->pointsChanged();
-  if (measurements_)
-    measure();
-  view_->renderer()->ResetCameraClippingRange();
-  if (captionShown_)
+  if (!stage_)
+    openStage();
+  const live::StressFrame& stress = stress_.at(organs_.shownPose());
+  stage_->presenter().update({state_, organs_, view_, systems_, &stress});
+  if (captionWanted_)
     writeCaption();
-  return scene::grabPicture(window_->window());
+  return stage_->picture();
 }
 
 vtkSmartPointer<vtkImageData> besideEachOther(vtkImageData* left, vtkImageData* right) {

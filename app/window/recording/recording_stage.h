@@ -12,74 +12,57 @@
 #include <vtkSmartPointer.h>
 #include <vtkTextActor.h>
 
-#include "viscera/deformation/deformer.h"
-#include "viscera/scene/measurement_glyphs.h"
-#include "viscera/scene/organ_labels.h"
-#include "viscera/scene/organ_view.h"
-#include "viscera/scene/surfaceless_window.h"
+#include "viscera/live/posed_copy.h"
+#include "viscera/motion/motion_runner.h"
+#include "viscera/presentation/stage.h"
 #include "window/timeline/playback.h"
+#include "window/view/picture.h"
 #include "window/workspace.h"
 
 namespace viscera::app {
 
-/// The organs of one view as they were when a recording began, with poses of their own: whatever the user
-/// does in the meantime, the recording goes on as it was. For the main thread.
+/// One view as it was when a recording began, with organs of its own: whatever the user does in the meantime,
+/// the recording goes on as it was. Made on the main thread, drawn on one other.
 class RecordingStage {
 public:
-  /// What is recorded.
+  /// What is recorded; only looked at while the stage is made.
   struct Source {
     Workspace& workspace;
     Playback& playback;
-    scene::OrganView& view; ///< Its camera and colours are taken over.
-    bool labels = false;
-    bool measurements = false;
+    const Picture& picture;
   };
 
-  explicit RecordingStage(const Source& source);
-  ~RecordingStage();
+  /// For pictures of this size.
+  RecordingStage(const Source& source, const QSize& size, bool caption);
 
-  /// Takes over the look of the view, for pictures of this size. On the main thread.
-  void prepareView(const Source& source, const QSize& size, bool caption);
-
-  /// Poses the organs at `seconds` of the sequence; organs without one stay as they are.
-  void show(double seconds);
-  /// Names and volumes of what is tracked, ml, in the pose that is shown.
-  const std::vector<std::string>& names() const { return names_; }
-  std::vector<double> volumes();
-  /// Draws the pose that is shown, after `prepareView`. Throws `Error` when nothing can be drawn.
+  /// Poses the organs at `seconds` of the sequence, as the window would show them; organs without one stay as
+  /// they are. Returns the volumes of what is tracked, ml.
+  const std::vector<double>& show(double seconds);
+  const std::vector<std::string>& names() const { return names_; } ///< Of what is tracked.
+  /// Draws the pose that is shown, as the window would. Throws `Error` when nothing can be drawn.
   vtkSmartPointer<vtkImageData> picture();
 
   double periodSeconds() const;
 
 private:
-  struct Surface {
-    std::shared_ptr<const document::Organ> organ;
-    std::shared_ptr<deformation::Deformer> deformer; ///< Null: it does not move.
-    std::shared_ptr<scene::OrganActor> actor;
-    double stillMl = 0; ///< Of one that does not move.
-  };
-
-  void addActors(const Source& source);
-  void addLabels(const document::Document& document);
-  void addCaption(const Vec3& color);
-  void openWindow();
-  void measure();
+  void openStage();
+  void addCaption();
   void writeCaption();
 
-  std::shared_ptr<const sequences::Sequence> sequence_;
-  double rate_ = 0;
-  double seconds_ = 0;
-  std::vector<Surface> surfaces_;
-  std::vector<std::string> names_;
+  plugin::Registry systems_;
+  document::DocumentState state_;
+  live::PosedCopy organs_;
+  live::StressCopy stress_;
+  motion::MotionRunner runner_;
+  presentation::ViewState view_;
+  scene::Theme theme_;
   QSize size_;
-  std::unique_ptr<scene::SurfacelessWindow> window_; ///< Of the thread that draws.
-  std::unique_ptr<scene::OrganView> view_;
-  std::unique_ptr<scene::OrganLabels> labels_;
-  std::unique_ptr<scene::MeasurementGlyphs> measurements_;
-  document::DocumentState measured_; ///< What is measured on which organs.
+  bool captionWanted_;
+  double seconds_ = 0;
+  std::vector<std::string> names_;
+  std::vector<double> milliliters_; ///< One a name, of the pose that is shown.
   vtkNew<vtkTextActor> caption_;
-  bool captionShown_ = false;
-  Points pose_;
+  std::unique_ptr<presentation::Stage> stage_; ///< Of the thread that draws.
 };
 
 /// Two pictures of the same height beside one another.

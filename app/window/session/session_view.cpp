@@ -3,8 +3,8 @@
 #include <utility>
 #include <vector>
 
+#include "viscera/motion/motion_recipe.h"
 #include "viscera/presentation/camera.h"
-#include "window/session/motion_recipe.h"
 
 namespace viscera::app {
 
@@ -79,9 +79,9 @@ void SessionView::makeMotions(const Wanted& wanted) {
       tr("Preparing the motion").toStdString(), "motions",
       [wanted, library = sample_organs::standardLibrary()](Progress& progress) {
         Wanted made = wanted;
-        for (Wanted::Motion& motion : made.motions)
-          if (motion.organ)
-            motion.sequence = makeMotion(motion.recipe, *motion.organ, library, progress);
+        for (Wanted::Motion& item : made.motions)
+          if (item.organ)
+            item.sequence = motion::makeMotion(item.recipe, *item.organ, library, progress);
         return made;
       },
       [this](JobResult<Wanted> result) {

@@ -1,48 +1,52 @@
 #include "window/timeline/playback.h"
 
 #include <algorithm>
-#include <cmath>
+#include <utility>
 
 #include "viscera/document/rig_commands.h"
 #include "viscera/document/sequence_rig.h"
 
 namespace viscera::app {
 namespace {
+
 constexpr int kFrameMilliseconds = 16;
 constexpr double kStepSeconds = 1.0 / 25.0;
 /// A motion holds coordinates of its organ: tens of megabytes.
 constexpr std::size_t kMostMotions = 8;
+
 } // namespace
 
-Playback::Playback(Workspace& workspace, motion::Player::Clock clock, QObject* parent)
-    : QObject(parent), workspace_(workspace), player_(std::move(clock)),
-      keeper_(workspace.document(), workspace.live()) {
+Playback::Playback(Workspace& workspace, std::shared_ptr<motion::Transport> transport, QObject* parent)
+    : QObject(parent), workspace_(workspace), transport_(std::move(transport)),
+      player_(*transport_, workspace.state(), workspace.live()) {
   frames_.setTimerType(Qt::PreciseTimer);
   frames_.setInterval(kFrameMilliseconds);
   connect(&frames_, &QTimer::timeout, this, &Playback::advance);
-  subscription_ = workspace.onChange([this](const document::Change& change) {
-    if (started_ && (change.rig() || !sequence()))
-      stop();
-    if (change.organs()) {
-      takeWhatFits();
-      Q_EMIT stateChanged();
-    }
-  });
+  subscriptions_.push_back(transport_->onShown([this] { onShown(); }));
+  subscriptions_.push_back(transport_->onState([this] { onState(); }));
+  subscriptions_.push_back(workspace.onChange([this](const document::Change& change) {
+    if (change.organs() || (change.rig() && transport_->started()))
+      settleLater();
+  }));
 }
+
+Playback::Playback(Workspace& workspace, motion::Transport::Clock clock, QObject* parent)
+    : Playback(workspace, std::make_shared<motion::Transport>(std::move(clock)), parent) {}
+
+Playback::Playback(Workspace& workspace, Playback& first, QObject* parent)
+    : Playback(workspace, first.transport_, parent) {}
 
 void Playback::setSequence(std::shared_ptr<const sequences::Sequence> sequence, document::OrganId organ,
                            std::string recipe) {
-  stop();
   const Motion motion{std::move(sequence), organ, std::move(recipe)};
   remember(motion);
   take(motion);
-  Q_EMIT stateChanged();
 }
 
 void Playback::offer(std::shared_ptr<const sequences::Sequence> sequence, document::OrganId organ,
                      std::string recipe) {
   remember({std::move(sequence), organ, std::move(recipe)});
-  Q_EMIT stateChanged();
+  settleLater();
 }
 
 void Playback::remember(const Motion& motion) {
@@ -57,17 +61,13 @@ void Playback::forget(const sequences::Sequence* sequence) {
   std::erase_if(known_, [sequence](const Motion& motion) { return motion.sequence.get() == sequence; });
   if (present_.sequence.get() != sequence)
     return;
-  stop();
   take({});
   takeWhatFits();
-  Q_EMIT stateChanged();
 }
 
 void Playback::forgetAll() {
-  stop();
   known_.clear();
   take({});
-  Q_EMIT stateChanged();
 }
 
 std::vector<Playback::Motion> Playback::motions() const {
@@ -79,19 +79,16 @@ std::vector<Playback::Motion> Playback::motions() const {
 }
 
 void Playback::choose(const sequences::Sequence* sequence) {
-  for (const Motion& motion : motions()) {
-    if (motion.sequence.get() != sequence || present_.sequence == motion.sequence)
-      continue;
-    stop();
-    take(motion);
-    Q_EMIT stateChanged();
-    return;
-  }
+  for (const Motion& motion : motions())
+    if (motion.sequence.get() == sequence && present_.sequence != motion.sequence)
+      take(motion);
+  settle();
 }
 
 void Playback::take(const Motion& motion) {
   present_ = motion;
-  player_.setSequence(present_.sequence);
+  player_.setSequence(present_.sequence, present_.organ);
+  settleLater();
 }
 
 /// Organs came or went: the youngest motion whose organ is there, unless the present one's still is.
@@ -103,71 +100,46 @@ void Playback::takeWhatFits() {
     take(there.back());
 }
 
-const sequences::Sequence* Playback::sequence() const {
-  return workspace_.document().organ(present_.organ) ? present_.sequence.get() : nullptr;
+/// The parts of the window hear of a change one after the other: what a view shows has to wait until all have
+/// heard of it.
+void Playback::settleLater() {
+  if (!std::exchange(unsettled_, true))
+    QMetaObject::invokeMethod(this, &Playback::settle, Qt::QueuedConnection);
 }
 
-void Playback::setFollower(Playback* follower) {
-  if (follower_) {
-    follower_->pause();
-    follower_->driven_ = false;
-  }
-  follower_ = follower;
-  if (!follower_)
+void Playback::settle() {
+  if (!unsettled_)
     return;
-  follower_->driven_ = true;
-  follower_->frames_.stop();
-  follower_->setPose(wanted_);
-  follower_->setSpeed(player_.speed());
-  if (showing())
-    follower_->lookAtSecond(player_.secondsInCycle());
-  if (player_.playing())
-    follower_->play();
+  takeWhatFits();
+  unsettled_ = false;
+  workspace_.guarded([this] { transport_->match(); });
 }
 
-void Playback::advance() {
-  const bool moved = player_.advance();
-  if (follower_)
-    follower_->advance();
-  if (moved)
-    showPose();
-  if (!player_.playing() && !driven_)
-    pause();
+bool Playback::tell(const std::function<void()>& what) {
+  settle();
+  return workspace_.guarded(what);
 }
 
-void Playback::setPose(WantedPose wanted) {
-  wanted_ = wanted;
-  if (!follows())
-    pause();
-  if (follower_)
-    follower_->setPose(wanted);
-  showWhatIsWanted();
+void Playback::setPose(motion::WantedPose pose) {
+  tell([&] { transport_->setPose(pose); });
 }
 
-void Playback::showWhatIsWanted() {
-  workspace_.guarded([this] {
-    if (wanted_ == WantedPose::rest)
-      workspace_.live().showRest();
-    else if (showing())
-      showPose();
-    else
-      workspace_.live().showDocumentPose();
-  });
+bool Playback::prescribe(const std::optional<motion::PrescribedVolume>& volume) {
+  return tell([&] { player_.prescribe(volume); });
 }
 
+/// Whether there is something to show; asks for a mode in which it is shown.
 bool Playback::start() {
+  settle();
   if (!sequence())
     return false;
-  try {
-    document::requireFits(workspace_.document().rig(), *present_.sequence);
-  } catch (const Error&) {
+  if (!player_.movable()) {
     offerOwnHandles();
     return false;
   }
-  if (!follows())
+  if (transport_->pose() != motion::WantedPose::sequence)
     Q_EMIT playModeWanted();
-  started_ = follows();
-  return started_;
+  return transport_->pose() == motion::WantedPose::sequence;
 }
 
 void Playback::offerOwnHandles() {
@@ -184,122 +156,68 @@ void Playback::offerOwnHandles() {
   workspace_.say(message);
 }
 
+void Playback::advance() {
+  tell([this] { transport_->advance(); });
+}
+
 void Playback::play() {
-  if (player_.playing() || !start())
-    return;
-  player_.play();
-  if (!driven_)
-    frames_.start();
-  if (follower_)
-    follower_->play();
-  showPose();
-  Q_EMIT stateChanged();
+  if (!transport_->playing() && start())
+    tell([this] { transport_->play(); });
 }
 
 void Playback::pause() {
-  const bool was = player_.playing() || frames_.isActive();
-  player_.pause();
-  frames_.stop();
-  if (follower_)
-    follower_->pause();
-  if (was)
-    Q_EMIT stateChanged();
+  tell([this] { transport_->pause(); });
 }
 
 void Playback::toggle() {
-  if (player_.playing())
-    pause();
-  else
-    play();
+  transport_->playing() ? pause() : play();
 }
 
 void Playback::setLooping(bool looping) {
-  player_.setLoop(looping);
-  Q_EMIT stateChanged();
+  tell([&] { transport_->setLoop(looping); });
 }
 
 void Playback::setRate(double perMinute) {
-  workspace_.guarded([&] { player_.setRatePerMinute(perMinute); });
-  Q_EMIT stateChanged();
-  if (showing())
-    showPose();
+  if (!tell([&] { player_.setRatePerMinute(perMinute); }))
+    Q_EMIT stateChanged(); // Who asked shows the rate that there is.
 }
 
 void Playback::setSpeed(double speed) {
-  workspace_.guarded([&] { player_.setSpeed(speed); });
-  if (follower_)
-    follower_->setSpeed(speed);
-  Q_EMIT stateChanged();
-}
-
-/// Goes there; the follower stays where it is.
-bool Playback::look(double fraction) {
-  if (!start())
-    return false;
-  workspace_.guarded([&] { player_.seek(std::clamp(fraction, 0.0, 1.0)); });
-  return true;
-}
-
-void Playback::lookAtSecond(double seconds) {
-  const double period = player_.periodSeconds();
-  if (period > 0 && look(std::fmod(seconds, period) / period))
-    showPose();
+  if (!tell([&] { transport_->setSpeed(speed); }))
+    Q_EMIT stateChanged();
 }
 
 void Playback::seek(double fraction) {
-  if (!look(fraction))
-    return;
-  if (follower_)
-    follower_->lookAtSecond(player_.secondsInCycle());
-  showPose();
+  if (start())
+    tell([&] { transport_->seek(std::clamp(fraction, 0.0, 1.0)); });
 }
 
 void Playback::step(int frames) {
-  if (!sequence())
-    return;
   pause();
-  const double moved = player_.fraction() + frames * kStepSeconds / player_.periodSeconds();
-  if (!look(moved - std::floor(moved)))
-    return;
-  if (follower_)
-    follower_->step(frames);
-  showPose();
+  if (start())
+    tell([&] { transport_->step(frames * kStepSeconds); });
 }
 
 void Playback::stop() {
-  pause();
-  if (follower_)
-    follower_->stop();
-  if (!started_)
-    return;
-  started_ = false;
-  showWhatIsWanted();
-  Q_EMIT stateChanged();
+  tell([this] { transport_->stop(); });
 }
 
-void Playback::showPose() {
-  workspace_.guarded([this] {
-    player_.pose(pose_);
-    const auto& organs = workspace_.document().organs();
-    const bool locked =
-        std::any_of(organs.begin(), organs.end(), [](const auto& o) { return o->volumeLocked; });
-    if (locked && !workspace_.live().busy())
-      showKept();
-    else
-      workspace_.live().showPose(pose_);
-  });
+void Playback::onShown() {
+  const std::string& obstacle = player_.runner().obstacle();
+  if (!obstacle.empty() && !outOfReach_ && !workspace_.live().busy())
+    workspace_.report(DataError("the volume cannot be kept here: " + obstacle, present_.sequence->name(),
+                                "unlock it, or let more handles compensate"));
+  outOfReach_ = !obstacle.empty();
   Q_EMIT advanced();
 }
 
-/// The pose with locked volumes kept; where they cannot be kept, the last one in which they could stays.
-void Playback::showKept() {
-  const auto kept = keeper_.keep(pose_);
-  if (kept.restored)
-    workspace_.live().showPose(kept.pose);
-  else if (!outOfReach_)
-    workspace_.report(DataError("the locked volume cannot be kept here: " + kept.reason, sequence()->name(),
-                                "unlock it, or let more handles compensate"));
-  outOfReach_ = !kept.restored;
+/// The first view's timer makes the frames of all.
+void Playback::onState() {
+  if (transport_->playing() && transport_->isFirst(player_))
+    frames_.start();
+  else
+    frames_.stop();
+  Q_EMIT stateChanged();
 }
 
 } // namespace viscera::app

@@ -7,22 +7,15 @@
 #include <string>
 #include <vector>
 
-#include "viscera/live/volume_keeper.h"
 #include "viscera/motion/player.h"
 #include "window/workspace.h"
 
 namespace viscera::app {
 
-/// Which pose a mode wants to be shown.
-enum class WantedPose {
-  rest,     ///< The handles at rest.
-  document, ///< The document's.
-  sequence  ///< The sequence's once it has been started, else the document's.
-};
-
-/// Plays a sequence on the organs, frame by frame, without touching the document; and decides which pose is
-/// shown, of those that the mode wants.
-/// It knows the motions of several organs: undo brings an organ back with its motion.
+/// The motions of a document's organs, and the present one in its view: a transport's player with the frame
+/// timer, the signals and the messages of a window. It knows the motions of several organs: undo brings an
+/// organ back with its motion. What the document does to a motion is shown after everybody has heard of it,
+/// not from within the document's notification.
 class Playback final : public QObject {
   Q_OBJECT
 
@@ -35,8 +28,10 @@ public:
     std::string recipe;
   };
 
-  /// `clock` in seconds; a test or a picture brings its own.
-  Playback(Workspace& workspace, motion::Player::Clock clock, QObject* parent = nullptr);
+  /// Has a transport of its own. `clock` in seconds; a test or a picture brings its own.
+  Playback(Workspace& workspace, motion::Transport::Clock clock, QObject* parent = nullptr);
+  /// Another view under the transport of `first`.
+  Playback(Workspace& workspace, Playback& first, QObject* parent = nullptr);
 
   /// Takes a sequence and the organ that it belongs to, and makes it the present one; it is offered while
   /// that organ is in the document. Null: none is present.
@@ -54,23 +49,23 @@ public:
   /// Makes one of `motions` the present one, stopped at its beginning.
   void choose(const sequences::Sequence* sequence);
   /// The sequence that can be played; null when there is none for the organs there are.
-  const sequences::Sequence* sequence() const;
+  const sequences::Sequence* sequence() const { return player_.sequence(); }
   /// The same with the organ that it moves; both are empty when there is none.
   Motion motion() const { return sequence() ? present_ : Motion{}; }
   /// The present one, for a worker that needs it longer; null when there is none.
   std::shared_ptr<const sequences::Sequence> sharedSequence() const { return motion().sequence; }
   const motion::Player& player() const { return player_; }
   /// Whether the organs show the sequence's pose.
-  bool showing() const { return started_ && follows(); }
+  bool showing() const { return player_.showing(); }
 
-  void setPose(WantedPose wanted);
-
-  /// Another playback that does what this one does, at the same seconds and at a rate of its own, for organs
-  /// beside these; null: none. It has to live until another one is set.
-  void setFollower(Playback* follower);
+  /// Which pose is wanted; a sequence that plays is paused when it is not its own.
+  void setPose(motion::WantedPose pose);
+  /// Prescribes the volume of an organ while the present sequence moves it; none takes it back. False, with a
+  /// message, where it cannot be reached.
+  bool prescribe(const std::optional<motion::PrescribedVolume>& volume);
 
 public Q_SLOTS:
-  /// Brings the organs to where the clock is; the frame timer calls it while playing.
+  /// Brings the organs of all views to where the clock is; the frame timer calls it while playing.
   void advance();
   void play();
   void pause();
@@ -89,37 +84,34 @@ public Q_SLOTS:
 Q_SIGNALS:
   /// Another sequence, playing or not, rate, loop.
   void stateChanged();
-  /// The organs are in another instant of the sequence; the follower's, too.
+  /// The organs of all views are in another instant of their sequences.
   void advanced();
   /// Playing needs a mode in which the sequence's pose is shown.
   void playModeWanted();
 
 private:
-  bool follows() const { return wanted_ == WantedPose::sequence; }
+  Playback(Workspace& workspace, std::shared_ptr<motion::Transport> transport, QObject* parent);
   void remember(const Motion& motion);
   void take(const Motion& motion);
   void takeWhatFits();
+  void settleLater();
+  void settle();
+  /// Does something with the transport, after what the document did; an error becomes a message.
+  bool tell(const std::function<void()>& what);
   bool start();
-  bool look(double fraction);
-  void lookAtSecond(double seconds);
-  void showPose();
-  void showKept();
-  void showWhatIsWanted();
   void offerOwnHandles();
+  void onShown();
+  void onState();
 
   Workspace& workspace_;
+  std::shared_ptr<motion::Transport> transport_;
   motion::Player player_;
   std::vector<Motion> known_; ///< Also those whose organ is gone: undo may bring it back.
   Motion present_;
-  live::VolumeKeeper keeper_;
+  bool unsettled_ = false;  ///< The document or the sequence has changed, and nothing was shown yet.
   bool outOfReach_ = false; ///< It was said that a locked volume cannot be kept.
-  WantedPose wanted_ = WantedPose::sequence;
-  bool started_ = false;
-  bool driven_ = false; ///< It is a follower: another playback says when the time goes on.
-  Playback* follower_ = nullptr;
-  Points pose_;
-  QTimer frames_;
-  Subscription subscription_;
+  QTimer frames_;           ///< Runs in the first view.
+  std::vector<Subscription> subscriptions_;
 };
 
 } // namespace viscera::app

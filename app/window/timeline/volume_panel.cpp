@@ -10,6 +10,7 @@
 #include <QToolButton>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include <vtkGenericOpenGLRenderWindow.h>
@@ -78,7 +79,7 @@ VolumePanel::VolumePanel(VolumeMonitor& monitor, Playback& playback, QWidget* pa
   makeChart();
   connect(&monitor, &VolumeMonitor::linesChanged, this, &VolumePanel::rebuild);
   connect(&monitor, &VolumeMonitor::updated, this, &VolumePanel::refresh);
-  connect(&playback, &Playback::stateChanged, this, &VolumePanel::refresh);
+  connect(&playback, &Playback::stateChanged, this, &VolumePanel::syncPrescribed);
   rebuild();
 }
 
@@ -162,6 +163,11 @@ void VolumePanel::rebuild() {
     const QString name = right ? tr("%1 (right axis)").arg(nameOf(line)) : nameOf(line);
     lines.push_back({name.toStdString(), line.color, {}, right, line.side == 1});
   }
+  prescribed_ = prescribedLine();
+  if (prescribed_ < monitor_.lines().size()) {
+    const std::string name = tr("%1 prescribed").arg(nameOf(monitor_.lines()[prescribed_])).toStdString();
+    lines.push_back({name, lines[prescribed_].color, {}, lines[prescribed_].rightAxis, true});
+  }
   if (tiles_.empty()) {
     auto* hint = new QLabel(tr("Closed organs show their volume here."), tileBox_);
     hint->setObjectName(QStringLiteral("muted"));
@@ -180,6 +186,33 @@ void VolumePanel::rebuild() {
   normalsOf_ = static_cast<std::size_t>(first - monitor_.lines().begin());
   syncNormals();
   refresh();
+}
+
+/// Of the first view, the line whose volume is prescribed; behind the last one when none is.
+std::size_t VolumePanel::prescribedLine() const {
+  const auto& volume = playback_.player().runner().prescribed();
+  const auto& lines = monitor_.lines();
+  const auto isIt = [&](const VolumeMonitor::Line& line) {
+    return volume && line.side == 0 && line.organ == volume->organ;
+  };
+  return static_cast<std::size_t>(std::find_if(lines.begin(), lines.end(), isIt) - lines.begin());
+}
+
+void VolumePanel::syncPrescribed() {
+  prescribedLine() == prescribed_ ? refresh() : rebuild();
+}
+
+/// The target lies under the curve of its organ, which is the last one of the chart.
+void VolumePanel::drawPrescribed(double length) {
+  const auto& volume = playback_.player().runner().prescribed();
+  if (!volume || chart_->lineCount() == static_cast<int>(tiles_.size()))
+    return;
+  std::vector<double> times, milliliters;
+  for (int i = 0; i <= kPercent; ++i) {
+    times.push_back(length * i / kPercent);
+    milliliters.push_back(volume->milliliters.at(i / kPercent));
+  }
+  chart_->setCurve(chart_->lineCount() - 1, std::move(times), std::move(milliliters));
 }
 
 VolumePanel::Tile VolumePanel::addTile(const VolumeMonitor::Line& line) {
@@ -310,6 +343,7 @@ void VolumePanel::drawCycle() {
       time *= length;
     chart_->setCurve(static_cast<int>(line), std::move(times), monitor_.cycle(line).values());
   }
+  drawPrescribed(length);
   if (playback_.showing())
     chart_->setCursor(player.fraction() * length);
   else
@@ -334,9 +368,9 @@ void VolumePanel::drawRecord() {
   while (row > 0 && (charted_ == 0 || record.seconds(row - 1) > chartedUntil_))
     --row;
   for (; row < rows; ++row) {
-    Values values(static_cast<Eigen::Index>(tiles_.size()));
-    for (Eigen::Index line = 0; line < values.size(); ++line)
-      values[line] = record.milliliters(row, static_cast<std::size_t>(line));
+    Values values = Values::Constant(chart_->lineCount(), std::nan(""));
+    for (std::size_t line = 0; line < tiles_.size(); ++line)
+      values[static_cast<Eigen::Index>(line)] = record.milliliters(row, line);
     chart_->append(record.seconds(row), values);
     chartedUntil_ = record.seconds(row);
   }

@@ -56,6 +56,9 @@ private:
   void drawCycle();
   void drawRecord();
   void syncNormals();
+  std::size_t prescribedLine() const;
+  void syncPrescribed();
+  void drawPrescribed(double length);
   Tile addTile(const VolumeMonitor::Line& line);
   QString nameOf(const VolumeMonitor::Line& line) const;
   QString detailOf(std::size_t line) const;
@@ -71,6 +74,7 @@ private:
   std::vector<Tile> tiles_;
   const motion::VolumeRecord* shown_ = nullptr; ///< What the chart holds; null: one cycle.
   std::size_t normalsOf_ = 0;                   ///< The line whose normal ranges are drawn.
+  std::size_t prescribed_ = 0; ///< The line whose prescribed volume is drawn; behind the last one: none.
   bool cycleShown_ = true;
   std::size_t charted_ = 0; ///< Rows of the record that the chart has.
   double chartedUntil_ = 0;

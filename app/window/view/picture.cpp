@@ -7,13 +7,10 @@
 #include "viscera/scene/vtkVisceraHandleSetWidget.h"
 
 namespace viscera::app {
-namespace {
 
 std::string translated(const char* text) {
   return QCoreApplication::translate("viscera::presentation", text).toStdString();
 }
-
-} // namespace
 
 Picture::Picture(Workspace& workspace, ViewModel& model, ViewWidget& view, Role role, QObject* parent)
     : QObject(parent), workspace_(workspace), model_(model), widget_(view), role_(role),

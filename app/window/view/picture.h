@@ -57,4 +57,7 @@ private:
   std::vector<Subscription> subscriptions_;
 };
 
+/// What a presenter writes, in the window's language. For any thread.
+std::string translated(const char* text);
+
 } // namespace viscera::app

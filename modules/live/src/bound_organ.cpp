@@ -140,4 +140,57 @@ void BoundOrgan::setPose(const BindingTarget& now, const Points& pose, bool inte
   ++revision;
 }
 
+OrganVolume BoundOrgan::volume() const {
+  OrganVolume volume;
+  volume.closed = organ->closed();
+  volume.restMl = organ->restVolumeMm3 / kMm3PerMl;
+  volume.nowMl = volume.closed && deformer ? deformer->volumeMm3() / kMm3PerMl : volume.restMl;
+  return volume;
+}
+
+Values BoundOrgan::influence(document::HandleId handle) const {
+  if (!deformer)
+    return {};
+  const auto& ids = boundTo->ids;
+  const auto found = std::find(ids.begin(), ids.end(), handle);
+  return found == ids.end() ? Values{} : deformer->binding().influence(static_cast<int>(found - ids.begin()));
+}
+
+const deformation::Deformer* BoundOrgan::bound() const {
+  using State = BindingStatus::State;
+  if (status.state == State::binding || status.state == State::stale)
+    throw DataError("its volume can be kept only when it is bound to the handles there are", organ->name,
+                    status.state == State::binding ? "wait a moment" : "bind it first");
+  return status.state == State::bound ? deformer.get() : nullptr;
+}
+
+std::unique_ptr<BoundOrgans> BoundOrgans::copy() const {
+  auto other = std::make_unique<BoundOrgans>(*this);
+  for (auto& [id, organ] : other->organs)
+    if (organ.deformer)
+      organ.deformer = std::make_shared<deformation::Deformer>(*organ.deformer);
+  return other;
+}
+
+const BoundOrgan& BoundOrgans::require(document::OrganId id) const {
+  const auto found = organs.find(id);
+  if (found == organs.end())
+    throw UsageError("There is no such organ any more", "organ " + std::to_string(id.value));
+  return found->second;
+}
+
+void BoundOrgans::requirePose(const Points& pose) const {
+  const auto handles = static_cast<Eigen::Index>(target->ids.size());
+  if (pose.rows() != handles)
+    throw DataError("The pose has " + std::to_string(pose.rows()) + " handles, the document " +
+                    std::to_string(handles));
+  if (!pose.allFinite())
+    throw DataError("The pose has a position that is not a finite number");
+}
+
+void BoundOrgans::poseAll(bool interactive) {
+  for (auto& [id, organ] : organs)
+    organ.setPose(*target, shownPose, interactive);
+}
+
 } // namespace viscera::live

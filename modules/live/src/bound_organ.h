@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -45,6 +46,10 @@ public:
                     : std::shared_ptr<const Points>(organ->mesh, &organ->mesh->points);
   }
   const Points& points() const { return deformer ? deformer->points() : organ->mesh->points; }
+  OrganVolume volume() const;
+  Values influence(document::HandleId handle) const;
+  /// As `PosedOrgans::bound`.
+  const deformation::Deformer* bound() const;
 
   /// Takes a result that was made for `of`.
   void take(BindingResult result, std::shared_ptr<const BindingTarget> of);
@@ -61,6 +66,22 @@ private:
   bool moveFew(const Points& pose);
 
   bool rough_ = false; ///< Moved by columns since the last full pose.
+};
+
+/// The organs that hang on the same handles, in one pose of these.
+struct BoundOrgans {
+  std::map<document::OrganId, BoundOrgan> organs;
+  std::shared_ptr<const BindingTarget> target; ///< What every organ is to be bound to; never null.
+  Points shownPose = Points(0, 3);
+
+  /// The same once more; only what never changes is shared.
+  std::unique_ptr<BoundOrgans> copy() const;
+  /// Throws `UsageError` for an organ that is not among them.
+  const BoundOrgan& require(document::OrganId id) const;
+  /// Throws `DataError` for a pose of another size or one that is not finite.
+  void requirePose(const Points& pose) const;
+  /// Brings all to `shownPose`.
+  void poseAll(bool interactive);
 };
 
 } // namespace viscera::live

@@ -21,17 +21,9 @@ using State = BindingStatus::State;
 /// Whose pose is shown.
 enum class Shown { document, rest, given };
 
-void requirePose(const Points& pose, Eigen::Index handles) {
-  if (pose.rows() != handles)
-    throw DataError("The pose has " + std::to_string(pose.rows()) + " handles, the document " +
-                    std::to_string(handles));
-  if (!pose.allFinite())
-    throw DataError("The pose has a position that is not a finite number");
-}
-
 } // namespace
 
-struct LiveBinding::Impl {
+struct LiveBinding::Impl : BoundOrgans {
   Impl(document::Document& documentIn, const plugin::Registry& registryIn, JobQueue& jobsIn,
        Options optionsIn)
       : document(documentIn), registry(registryIn), jobs(jobsIn), options(optionsIn) {}
@@ -40,13 +32,10 @@ struct LiveBinding::Impl {
   const plugin::Registry& registry;
   JobQueue& jobs;
   Options options;
-  std::map<document::OrganId, BoundOrgan> organs;
-  std::shared_ptr<const BindingTarget> target;   ///< What every organ is to be bound to; never null.
   std::map<std::string, double> secondsOfSystem; ///< Measured, per (vertex x handle).
   std::int64_t lastTicket = 0;
   std::uint64_t made = 0; ///< Organs so far: no two of them share a revision.
   Shown shown = Shown::document;
-  Points shownPose = Points(0, 3);
   Signal<const LiveEvent&> events;
   Subscription subscription;
   /// Results that arrive after the end see that it is gone.
@@ -62,9 +51,7 @@ struct LiveBinding::Impl {
   void bindLater(BoundOrgan& organ);
   void arrived(document::OrganId id, std::int64_t ticket, JobResult<BindingResult> result);
   void take(BoundOrgan& organ, BindingResult result, std::shared_ptr<const BindingTarget> of);
-  void poseAll(bool interactive);
   void tell();
-  const BoundOrgan& require(document::OrganId id) const;
 };
 
 void LiveBinding::Impl::onChange(const document::Change& change) {
@@ -210,11 +197,6 @@ void LiveBinding::Impl::take(BoundOrgan& organ, BindingResult result,
     secondsOfSystem[target->system->id()] = organ.status.report.seconds / sizes;
 }
 
-void LiveBinding::Impl::poseAll(bool interactive) {
-  for (auto& [id, organ] : organs)
-    organ.setPose(*target, shownPose, interactive);
-}
-
 /// Tells what happened, after all of it: an observer may ask about any organ, or show another pose.
 void LiveBinding::Impl::tell() {
   std::vector<LiveEvent> news;
@@ -225,13 +207,6 @@ void LiveBinding::Impl::tell() {
   }
   for (const LiveEvent& event : news)
     events.emit(event);
-}
-
-const BoundOrgan& LiveBinding::Impl::require(document::OrganId id) const {
-  const auto found = organs.find(id);
-  if (found == organs.end())
-    throw UsageError("There is no such organ any more", "organ " + std::to_string(id.value));
-  return found->second;
 }
 
 LiveBinding::LiveBinding(document::Document& document, const plugin::Registry& registry, JobQueue& jobs,
@@ -271,7 +246,7 @@ void LiveBinding::showRest() {
 }
 
 void LiveBinding::showPose(const Points& pose) {
-  requirePose(pose, static_cast<Eigen::Index>(impl_->target->ids.size()));
+  impl_->requirePose(pose);
   impl_->shown = Shown::given;
   impl_->shownPose = pose;
   impl_->poseAll(false);
@@ -303,22 +278,19 @@ BindingStatus LiveBinding::status(document::OrganId organ) const {
 }
 
 OrganVolume LiveBinding::volume(document::OrganId organ) {
-  const BoundOrgan& item = impl_->require(organ);
-  OrganVolume volume;
-  volume.closed = item.organ->closed();
-  volume.restMl = item.organ->restVolumeMm3 / kMm3PerMl;
-  volume.nowMl = volume.closed && item.deformer ? item.deformer->volumeMm3() / kMm3PerMl : volume.restMl;
-  return volume;
+  return impl_->require(organ).volume();
 }
 
 Values LiveBinding::influence(document::OrganId organ, document::HandleId handle) const {
-  const BoundOrgan& item = impl_->require(organ);
-  if (!item.deformer)
-    return {};
-  const auto& ids = item.boundTo->ids;
-  const auto found = std::find(ids.begin(), ids.end(), handle);
-  return found == ids.end() ? Values{}
-                            : item.deformer->binding().influence(static_cast<int>(found - ids.begin()));
+  return impl_->require(organ).influence(handle);
+}
+
+const deformation::Deformer* LiveBinding::bound(document::OrganId organ) const {
+  return impl_->require(organ).bound();
+}
+
+PosedCopy LiveBinding::copy() const {
+  return PosedCopy(impl_->copy());
 }
 
 void LiveBinding::rebind() {

@@ -458,6 +458,12 @@ StressFrame LiveStress::frame() const {
   return frame;
 }
 
+StressCopy LiveStress::copy() const {
+  if (!impl_->organ || !impl_->boundToTarget)
+    return {};
+  return {frame(), impl_->bound.gradients, impl_->bound.positions};
+}
+
 Subscription LiveStress::onEvent(std::function<void(const StressEvent&)> observer) {
   return impl_->events.connect(std::move(observer));
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "viscera/core/error.h"
+#include "viscera/deformation/deformer.h"
 #include "viscera/document/edit.h"
 
 namespace viscera::live {
@@ -29,23 +30,13 @@ std::vector<int> rowsOf(const document::Rig& rig, const std::vector<document::Ha
 
 } // namespace
 
-VolumeKeeper::VolumeKeeper(const document::Document& document, LiveBinding& live, Threads threads)
-    : document_(document), live_(live), threads_(threads) {}
-
-/// The organ as it is bound to the handles there are, or null when it does not follow them.
-deformation::Deformer* VolumeKeeper::boundOrNull(const document::Organ& organ) {
-  using State = BindingStatus::State;
-  const State state = live_.status(organ.id).state;
-  if (state == State::binding || state == State::stale)
-    throw DataError("its volume can be kept only when it is bound to the handles there are", organ.name,
-                    state == State::binding ? "wait a moment" : "bind it first");
-  return state == State::bound ? live_.deformer(organ.id) : nullptr;
-}
+VolumeKeeper::VolumeKeeper(const document::DocumentState& state, PosedOrgans& organs, Threads threads)
+    : state_(state), organs_(organs), threads_(threads) {}
 
 std::vector<std::shared_ptr<const document::Organ>> VolumeKeeper::lockedOrgans() {
   std::vector<std::shared_ptr<const document::Organ>> locked;
-  for (const auto& organ : document_.organs())
-    if (organ->volumeLocked && organ->closed() && boundOrNull(*organ))
+  for (const auto& organ : *state_.organs)
+    if (organ->volumeLocked && organ->closed() && organs_.bound(organ->id))
       locked.push_back(organ);
   return locked;
 }
@@ -56,7 +47,7 @@ VolumeKeeper::lockOf(const std::vector<std::shared_ptr<const document::Organ>>& 
     return nullptr;
   std::vector<LockedSurface> surfaces;
   for (const auto& organ : organs) {
-    const deformation::Deformer& deformer = *live_.deformer(organ->id);
+    const deformation::Deformer& deformer = *organs_.bound(organ->id);
     surfaces.push_back({organ->name, deformer.sharedRest(), deformer.sharedBinding(), organ->restVolumeMm3});
   }
   // Which triangles meet where takes longer to find out than a frame lasts.
@@ -68,7 +59,7 @@ VolumeKeeper::lockOf(const std::vector<std::shared_ptr<const document::Organ>>& 
 /// The volumes that the organs have now.
 void VolumeKeeper::takeTargets(VolumeLock& lock,
                                const std::vector<std::shared_ptr<const document::Organ>>& organs) const {
-  const std::vector<double> now = lock.volumes(document_.pose());
+  const std::vector<double> now = lock.volumes(*state_.pose);
   for (std::size_t k = 0; k < organs.size(); ++k) {
     const double rest = organs[k]->restVolumeMm3;
     lock.setTarget(k, std::abs(now[k] - rest) <= kSameVolume * rest ? rest : now[k]);
@@ -76,19 +67,19 @@ void VolumeKeeper::takeTargets(VolumeLock& lock,
 }
 
 double VolumeKeeper::limitMm() const {
-  return kFarthestCompensation * boundsOf(document_.rig().restPositions()).diagonal();
+  return kFarthestCompensation * boundsOf(state_.rig->restPositions()).diagonal();
 }
 
 bool VolumeKeeper::anyMarked(const std::vector<int>& rows) const {
   return std::any_of(rows.begin(), rows.end(), [this](int row) {
-    return document_.rig().handles[static_cast<std::size_t>(row)].compensates;
+    return state_.rig->handles[static_cast<std::size_t>(row)].compensates;
   });
 }
 
 /// Those that the user marked and that are free, else all that are free.
 std::vector<int> VolumeKeeper::compensating(const std::vector<int>& moving) const {
   std::vector<int> free;
-  const auto& handles = document_.rig().handles;
+  const auto& handles = state_.rig->handles;
   for (int row = 0; row < static_cast<int>(handles.size()); ++row)
     if (!handles[static_cast<std::size_t>(row)].locked &&
         std::find(moving.begin(), moving.end(), row) == moving.end())
@@ -100,11 +91,11 @@ std::vector<int> VolumeKeeper::compensating(const std::vector<int>& moving) cons
 
 std::vector<int> VolumeKeeper::partners(const std::vector<document::HandleId>& handles,
                                         const deformation::MirrorPlane& mirror) const {
-  const Points rest = document_.rig().restPositions();
-  auto found = deformation::mirrorPartners(rest, rowsOf(document_.rig(), handles), mirror,
+  const Points rest = state_.rig->restPositions();
+  auto found = deformation::mirrorPartners(rest, rowsOf(*state_.rig, handles), mirror,
                                            kMirrorTolerance * boundsOf(rest).diagonal());
   for (int& partner : found)
-    if (partner >= 0 && document_.rig().handles[static_cast<std::size_t>(partner)].locked)
+    if (partner >= 0 && state_.rig->handles[static_cast<std::size_t>(partner)].locked)
       partner = -1;
   return found;
 }
@@ -112,7 +103,7 @@ std::vector<int> VolumeKeeper::partners(const std::vector<document::HandleId>& h
 LockedMotion VolumeKeeper::begin(const std::vector<document::HandleId>& handles,
                                  const std::optional<deformation::MirrorPlane>& mirror) {
   const auto organs = lockedOrgans();
-  LockedMotion::Setup setup{lockOf(organs), document_.pose(), rowsOf(document_.rig(), handles)};
+  LockedMotion::Setup setup{lockOf(organs), *state_.pose, rowsOf(*state_.rig, handles)};
   if (mirror)
     setup.mirror = {*mirror, partners(handles, *mirror)};
   if (setup.lock) {
@@ -127,38 +118,42 @@ LockedMotion VolumeKeeper::begin(const std::vector<document::HandleId>& handles,
   return LockedMotion(std::move(setup));
 }
 
-deformation::RestoredPose VolumeKeeper::keep(const Points& wanted) {
-  const auto organs = lockedOrgans();
-  const auto lock = lockOf(organs);
-  if (!lock)
-    return {wanted, true, 0, 0, {}};
-  takeTargets(*lock, organs);
-  return lock->restore(wanted, compensating({}), deformation::LeastDisplacement(), limitMm());
-}
-
-Points VolumeKeeper::poseOfVolume(document::OrganId id, double targetMm3) {
-  const auto organ = document_.organ(id);
+/// An organ that handles can give another volume.
+std::shared_ptr<const document::Organ> VolumeKeeper::requireVolume(document::OrganId id) const {
+  const auto organ = state_.organ(id);
   if (!organ)
     throw UsageError("There is no such organ any more", "organ " + std::to_string(id.value));
   if (!organ->closed())
     throw DataError("the surface is open (" + std::to_string(organ->boundaryEdges) +
                         " boundary edges), so it has no volume",
                     organ->name, "close its holes first");
-  if (!boundOrNull(*organ))
+  if (!organs_.bound(id))
     throw DataError("it follows no handles, so nothing can change its volume", organ->name,
                     "place handles around it");
+  return organ;
+}
+
+deformation::RestoredPose VolumeKeeper::keep(const Points& wanted, const std::optional<AskedVolume>& asked) {
   auto organs = lockedOrgans();
-  std::erase_if(organs, [id](const auto& other) { return other->id == id; });
-  organs.insert(organs.begin(), organ);
+  if (asked) {
+    std::erase_if(organs, [&](const auto& organ) { return organ->id == asked->organ; });
+    organs.insert(organs.begin(), requireVolume(asked->organ));
+  }
   const auto lock = lockOf(organs);
+  if (!lock)
+    return {wanted, true, 0, 0, {}};
   takeTargets(*lock, organs);
-  lock->setTarget(0, targetMm3);
-  const auto restored =
-      lock->restore(document_.pose(), compensating({}), deformation::LeastDisplacement(), limitMm());
+  if (asked)
+    lock->setTarget(0, asked->mm3);
+  return lock->restore(wanted, compensating({}), deformation::LeastDisplacement(), limitMm());
+}
+
+Points VolumeKeeper::poseOfVolume(document::OrganId id, double targetMm3) {
+  auto restored = keep(*state_.pose, AskedVolume{id, targetMm3});
   if (!restored.restored)
-    throw DataError(restored.reason, organ->name,
+    throw DataError(restored.reason, state_.organ(id)->name,
                     "choose a volume nearer to the present one, or let more handles compensate");
-  return restored.pose;
+  return std::move(restored.pose);
 }
 
 } // namespace viscera::live

@@ -1,120 +1,79 @@
 #include "viscera/motion/player.h"
 
 #include <algorithm>
-#include <cassert>
-#include <chrono>
 #include <cmath>
-#include <sstream>
 #include <utility>
 
-#include "viscera/core/error.h"
-
 namespace viscera::motion {
-namespace {
 
-constexpr double kFastestSpeed = 10;
-
-std::string rangeText(double low, double high, const std::string& unit) {
-  std::ostringstream text;
-  text << "choose " << low << " to " << high << " " << unit;
-  return text.str();
+Player::Player(Transport& transport, const document::DocumentState& state, live::LiveBinding& live)
+    : transport_(transport), state_(state), live_(live), runner_(state, live) {
+  transport_.players_.push_back(this);
 }
 
-} // namespace
-
-Player::Clock Player::steadyClock() {
-  return [] {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-  };
+Player::~Player() {
+  std::erase(transport_.players_, this);
 }
 
-Player::Player(Clock clock) : clock_(std::move(clock)) {}
-
-void Player::setSequence(std::shared_ptr<const sequences::Sequence> sequence) {
-  sequence_ = std::move(sequence);
-  rate_ = sequence_ ? sequence_->standardRatePerMinute() : 0;
-  playing_ = false;
+void Player::setSequence(std::shared_ptr<const sequences::Sequence> sequence, document::OrganId organ) {
+  runner_.setSequence(std::move(sequence));
+  organ_ = organ;
   fraction_ = 0;
-  played_ = 0;
+  if (transport_.players_.front() == this) {
+    transport_.playing_ = transport_.started_ = false;
+    transport_.played_ = 0;
+  }
+  transport_.placeOthers();
 }
 
-void Player::play() {
-  if (!sequence_ || playing_)
-    return;
-  if (fraction_ >= 1)
-    fraction_ = 0;
-  lastClock_ = clock_();
-  playing_ = true;
-}
-
-void Player::pause() {
-  advance();
-  playing_ = false;
+const sequences::Sequence* Player::sequence() const {
+  return state_.organ(organ_) ? runner_.sequence().get() : nullptr;
 }
 
 void Player::setRatePerMinute(double rate) {
-  if (!sequence_)
-    throw UsageError("There is no sequence whose rate could be set", {}, "choose a sequence first");
-  const double low = sequence_->lowestRatePerMinute();
-  const double high = sequence_->highestRatePerMinute();
-  if (!(rate >= low && rate <= high))
-    throw UsageError("The rate is out of range", sequence_->name(), rangeText(low, high, "a minute"));
-  advance(); // What has passed, passed at the rate before.
-  rate_ = rate;
+  transport_.passTime(); // What has passed, passed at the rate before.
+  runner_.setRatePerMinute(rate);
+  transport_.placeOthers();
+  transport_.show();
+  transport_.state_.emit();
 }
 
-void Player::setSpeed(double speed) {
-  if (!(speed > 0 && speed <= kFastestSpeed))
-    throw UsageError("The speed is out of range", {}, rangeText(0, kFastestSpeed, "times (0 excluded)"));
-  advance();
-  speed_ = speed;
-}
-
-void Player::seek(double fraction) {
-  if (!(fraction >= 0 && fraction <= 1))
-    throw UsageError("A place in the cycle lies between 0 and 1");
-  fraction_ = loop_ && fraction >= 1 ? 0 : fraction;
-  played_ = 0;
-  if (playing_)
-    lastClock_ = clock_();
-}
-
-bool Player::advance() {
-  if (!playing_)
-    return false;
-  const double now = clock_();
-  const double passed = (now - lastClock_) * speed_;
-  lastClock_ = now;
-  if (passed <= 0)
-    return false;
-  const double ahead = fraction_ + passed / periodSeconds();
-  if (loop_) {
-    played_ += passed;
-    fraction_ = ahead - std::floor(ahead);
-  } else {
-    played_ += std::min(passed, (1 - fraction_) * periodSeconds());
-    fraction_ = std::min(ahead, 1.0);
-    playing_ = fraction_ < 1;
+void Player::prescribe(const std::optional<PrescribedVolume>& volume) {
+  const auto before = runner_.prescribed();
+  runner_.prescribe(volume);
+  try {
+    if (volume)
+      runner_.requireReachable();
+  } catch (...) {
+    runner_.prescribe(before);
+    throw;
   }
-  return true;
-}
-
-double Player::secondsInCycle() const {
-  return fraction_ * periodSeconds();
+  transport_.match();
 }
 
 std::string Player::phase() const {
-  if (!sequence_)
+  if (!sequence())
     return {};
-  for (const sequences::Phase& phase : sequence_->phases(rate_))
+  for (const sequences::Phase& phase : runner_.sequence()->phases(ratePerMinute()))
     if (fraction_ < phase.end)
       return fraction_ >= phase.begin ? phase.name : std::string();
   return {};
 }
 
-void Player::pose(Points& pose) const {
-  assert(sequence_ && "a player without a sequence has no pose");
-  sequence_->poseAt(secondsInCycle(), rate_, pose);
+void Player::pass(double seconds) {
+  if (periodSeconds() <= 0)
+    return;
+  const double ahead = fraction_ + seconds / periodSeconds();
+  fraction_ = ahead - std::floor(ahead);
+}
+
+void Player::show() {
+  if (transport_.pose() == WantedPose::rest)
+    live_.showRest();
+  else if (showing())
+    runner_.show(secondsInCycle());
+  else
+    live_.showDocumentPose();
 }
 
 } // namespace viscera::motion

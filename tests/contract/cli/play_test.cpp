@@ -134,6 +134,40 @@ TEST_F(CliPlay, LandmarksThatAreWrongAreSaid) {
                 "apex, base, right");
 }
 
+TEST_F(CliPlay, APrescribedVolumeIsMetInEveryFrameAndTheOtherSurfacesMoveOn) {
+  const std::string curve = put("lv.csv", "time_s,LV_ml\n0,130\n0.4,70\n0.8,130\n");
+  const std::vector<std::string> play{"play", "heartbeat", "--organ", "sample:heart@low", "--fps", "10"};
+  const auto with = [&play](std::vector<std::string> more) {
+    more.insert(more.begin(), play.begin(), play.end());
+    return more;
+  };
+  const json beat = runJson(with({"--volume-curve", "lv=" + curve, "--csv", path("v.csv")}));
+  EXPECT_EQ(beat["volumeCurve"], "lv=" + curve);
+  EXPECT_NEAR(beat["volumes"]["lv"]["minMl"].get<double>(), 70, 1e-6);
+  EXPECT_NEAR(beat["volumes"]["lv"]["maxMl"].get<double>(), 130, 1e-6);
+  EXPECT_NEAR(beat["ejectionFraction"].get<double>(), 60.0 / 130, 1e-6);
+  EXPECT_GT(beat["volumes"]["rv"]["maxMl"].get<double>(), beat["volumes"]["rv"]["minMl"].get<double>() + 40);
+  std::string heading;
+  const auto rows = rowsOf(contents(path("v.csv")), heading);
+  ASSERT_EQ(rows.size(), 8u);
+  EXPECT_NEAR(rows[4][2], 70, 1e-5);
+
+  const double outer = beat["volumes"]["outer"]["restMl"].get<double>();
+  const json kept = runJson(with({"--volume-curve", put("outer.csv", "0," + std::to_string(outer) + "\n")}));
+  EXPECT_LT(kept["maxRelativeOuterChange"].get<double>(), 1e-6);
+}
+
+TEST_F(CliPlay, VolumeCurvesThatAreWrongAreSaid) {
+  const auto refused = [this](const std::string& curve, int exitCode, const std::string& words) {
+    expectFailure({"play", "heartbeat", "--organ", "sample:heart@low", "--volume-curve", curve}, exitCode,
+                  words);
+  };
+  refused(path("none.csv"), kNoInput, "none.csv");
+  refused(put("three.csv", "time_s,a_ml,b_ml\n0,1,2\n"), kBadData, "3 columns");
+  refused(put("long.csv", "0,100\n7,80\n"), kBadData, "outside the cycle");
+  refused(put("huge.csv", "0,90000\n"), kBadData, "cannot be reached at 0 %");
+}
+
 TEST_F(CliPlay, HandlesComeBackFromTheirFileInTheirGroups) {
   runJson({"play", "heartbeat", "--organ", "sample:heart@low", "--fps", "5", "--write-handles",
            path("h.mrk.json")});

@@ -22,7 +22,7 @@ struct Keeping : tests::Session {
   plugin::Registry registry = plugin::builtInRegistry();
   JobQueue jobs{[](std::function<void()> work) { work(); }};
   LiveBinding live{document, registry, jobs, {std::numeric_limits<double>::infinity(), {2}}};
-  VolumeKeeper keeper{document, live};
+  VolumeKeeper keeper{document.state(), live};
 
   double relativeChange(std::size_t place = 0) { return live.volume(organ(place)).relativeChange(); }
   void take(const LockedMotion& motion) { undo.perform(document::setPose(motion.pose())); }
@@ -165,8 +165,8 @@ TEST(VolumeLockCommand, AnOpenSurfaceIsRefusedWithItsOpenEdgesAndCanBeClosed) {
   } catch (const DataError& error) {
     EXPECT_THAT(error.what(), HasSubstr(std::to_string(edges) + " boundary edges"));
   }
-  s.undo.perform(
-      document::combined("Close and lock", {document::closeHoles(cup), document::setVolumeLocked(cup, true)}));
+  s.undo.perform(document::combined("Close and lock",
+                                    {document::closeHoles(cup), document::setVolumeLocked(cup, true)}));
   const auto closed = s.document.organ(cup);
   EXPECT_TRUE(closed->closed());
   EXPECT_TRUE(closed->volumeLocked);

@@ -10,6 +10,7 @@
 #include "viscera/core/parallel.h"
 #include "viscera/deformation/deformer.h"
 #include "viscera/document/document.h"
+#include "viscera/live/posed_copy.h"
 #include "viscera/live/posed_organs.h"
 #include "viscera/plugin/registry.h"
 
@@ -92,6 +93,10 @@ public:
   OrganVolume volume(document::OrganId organ) override;
   /// The influence of a handle on every vertex, or empty when the organ is not bound to it.
   Values influence(document::OrganId organ, document::HandleId handle) const override;
+  const deformation::Deformer* bound(document::OrganId organ) const override;
+
+  /// The organs as they are now, with their bindings, for whoever poses them on another thread. O(points).
+  PosedCopy copy() const;
 
   /// Tries again for organs that are stale.
   void rebind();

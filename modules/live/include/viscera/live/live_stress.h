@@ -103,6 +103,8 @@ public:
 
   /// All of that for whoever draws it. `stretchesAt` may be asked as long as this lives.
   StressFrame frame() const;
+  /// The same for poses of its own; without an organ while nothing is bound.
+  StressCopy copy() const;
 
   [[nodiscard]] Subscription onEvent(std::function<void(const StressEvent&)> observer);
 

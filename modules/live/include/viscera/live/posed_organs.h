@@ -6,6 +6,10 @@
 #include "viscera/core/arrays.h"
 #include "viscera/document/ids.h"
 
+namespace viscera::deformation {
+class Deformer;
+}
+
 namespace viscera::live {
 
 /// What one organ's volume is and was. Meaningless for an open surface.
@@ -41,6 +45,9 @@ public:
   virtual OrganVolume volume(document::OrganId organ) = 0;
   /// The influence of a handle on every vertex, or empty when the organ is not bound to it.
   virtual Values influence(document::OrganId organ, document::HandleId handle) const = 0;
+  /// The organ as it hangs on the handles there are, for volumes that are to be kept; null when it follows
+  /// none. Throws `DataError` while that is not known: it is being bound, or somebody gave that up.
+  virtual const deformation::Deformer* bound(document::OrganId organ) const = 0;
 };
 
 } // namespace viscera::live

@@ -4,6 +4,7 @@
 #include <functional>
 #include <memory>
 
+#include "viscera/coordinates/binding.h"
 #include "viscera/deformation/principal_stretches.h"
 #include "viscera/deformation/witness_gradients.h"
 #include "viscera/deformation/witness_interpolation.h"
@@ -28,6 +29,27 @@ struct StressFrame {
   /// The axes of the ellipsoid that a small ball at a point of the mesh becomes; empty unbound.
   std::function<deformation::PrincipalStretches(Eigen::Index point)> stretchesAt;
   std::uint64_t revision = 0;
+};
+
+/// The stress of one organ in poses of its own, whatever becomes of the document: for a recording on a thread
+/// of its own. For one thread.
+class StressCopy {
+public:
+  /// Follows nothing: frames without an organ.
+  StressCopy() = default;
+  /// `start` with the derivatives and the coordinates at its points, `failures` being those that do not move.
+  StressCopy(StressFrame start, std::shared_ptr<const deformation::WitnessGradients> gradients,
+             std::shared_ptr<const coordinates::Binding> positions);
+
+  /// In a pose (`n x 3` mm of the handles it was bound to). O(points x handles).
+  const StressFrame& at(const Points& pose);
+
+private:
+  StressFrame frame_;
+  std::shared_ptr<const deformation::WitnessGradients> gradients_;
+  std::shared_ptr<const coordinates::Binding> positions_;
+  std::shared_ptr<Points> points_ = std::make_shared<Points>();
+  std::shared_ptr<deformation::StressMap> map_ = std::make_shared<deformation::StressMap>();
 };
 
 } // namespace viscera::live

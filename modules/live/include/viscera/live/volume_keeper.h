@@ -8,8 +8,8 @@
 #include "viscera/deformation/selection_motion.h"
 #include "viscera/deformation/volume_lock.h"
 #include "viscera/document/document.h"
-#include "viscera/live/live_binding.h"
 #include "viscera/live/locked_motion.h"
+#include "viscera/live/posed_organs.h"
 
 namespace viscera::live {
 
@@ -20,13 +20,20 @@ inline constexpr double kFarthestCompensation = 0.5;
 /// A volume this near to the one at rest (relative) is meant to be the one at rest: so it does not drift.
 inline constexpr double kSameVolume = 1e-9;
 
+/// A volume that an organ is to have, whatever its lock says.
+struct AskedVolume {
+  document::OrganId organ;
+  double mm3 = 0;
+};
+
 /// Begins motions of a document's handles under its locked volumes. The volume that a lock keeps is the one
 /// that the organ has when the motion begins. Organs that do not follow the handles (they are unbound) keep
-/// theirs anyway. For the document's thread.
+/// theirs anyway. For the thread of the organs.
 class VolumeKeeper {
 public:
-  /// Both must live longer.
-  VolumeKeeper(const document::Document& document, LiveBinding& live, Threads threads = {});
+  /// Both must live longer. `state` is the document's own, which is looked at whenever something is asked
+  /// for, or the one of which `organs` are a copy.
+  VolumeKeeper(const document::DocumentState& state, PosedOrgans& organs, Threads threads = {});
 
   /// A motion of these handles from the document's pose; locked handles among them are left out. Throws
   /// `DataError` when an organ with a locked volume is still being bound: what it will be is not known yet.
@@ -41,8 +48,9 @@ public:
 
   /// What a pose that is not a drag (a sequence's) becomes under the locks: the compensating handles, or all
   /// that are free, move as little as the volumes need. The volumes are those in the document's pose.
-  /// `restored` is false, with the reason, where that is too far. Throws as `begin`.
-  deformation::RestoredPose keep(const Points& wanted);
+  /// One organ may be asked to have another volume than that. `restored` is false, with the reason, where
+  /// that is too far. Throws as `begin`, and as `poseOfVolume` for an organ that can have no volume.
+  deformation::RestoredPose keep(const Points& wanted, const std::optional<AskedVolume>& asked = {});
 
   /// The rows of the handles that would mirror these, or -1.
   std::vector<int> partners(const std::vector<document::HandleId>& handles,
@@ -54,13 +62,13 @@ private:
   void takeTargets(deformation::VolumeLock& lock,
                    const std::vector<std::shared_ptr<const document::Organ>>& organs) const;
   std::vector<std::shared_ptr<const document::Organ>> lockedOrgans();
-  deformation::Deformer* boundOrNull(const document::Organ& organ);
+  std::shared_ptr<const document::Organ> requireVolume(document::OrganId id) const;
   std::vector<int> compensating(const std::vector<int>& moving) const;
   bool anyMarked(const std::vector<int>& rows) const;
   double limitMm() const;
 
-  const document::Document& document_;
-  LiveBinding& live_;
+  const document::DocumentState& state_;
+  PosedOrgans& organs_;
   Threads threads_;
   std::shared_ptr<deformation::VolumeLock> lock_; ///< Of the last motion: the next one is likely to need it.
 };

@@ -1,17 +1,17 @@
-#include "window/session/motion_recipe.h"
+#include "viscera/motion/motion_recipe.h"
 
 #include <nlohmann/json.hpp>
 
 #include "viscera/core/error.h"
 #include "viscera/motion/sequence_setup.h"
 
-namespace viscera::app {
+namespace viscera::motion {
 namespace {
 
 using nlohmann::json;
 
-motion::Landmarks landmarksOf(const json& list) {
-  motion::Landmarks landmarks;
+Landmarks landmarksOf(const json& list) {
+  Landmarks landmarks;
   for (const json& item : list) {
     const auto at = item.at("position").get<std::array<double, 3>>();
     landmarks.points.push_back({item.at("role").get<std::string>(), {at[0], at[1], at[2]}, false});
@@ -25,9 +25,9 @@ std::string sampleRecipe(const std::string& sequence, sample_organs::Resolution 
   return json{{"sequence", sequence}, {"resolution", sample_organs::nameOf(resolution)}}.dump();
 }
 
-std::string fittedRecipe(const std::string& sequence, const motion::Landmarks& given) {
+std::string fittedRecipe(const std::string& sequence, const Landmarks& given) {
   json landmarks = json::array();
-  for (const motion::Landmark& point : given.points)
+  for (const Landmark& point : given.points)
     landmarks.push_back(
         {{"role", point.role}, {"position", {point.position.x(), point.position.y(), point.position.z()}}});
   return json{{"sequence", sequence}, {"landmarks", landmarks}}.dump();
@@ -40,13 +40,13 @@ std::shared_ptr<const sequences::Sequence> makeMotion(const std::string& recipe,
     const json made = json::parse(recipe);
     const auto id = made.at("sequence").get<std::string>();
     if (made.contains("landmarks"))
-      return motion::retargetSequence(id, organ, landmarksOf(made.at("landmarks")), progress).sequence;
+      return retargetSequence(id, organ, landmarksOf(made.at("landmarks")), progress).sequence;
     const auto resolution = sample_organs::resolutionFromName(made.at("resolution").get<std::string>());
-    return motion::setUpSequence(library, id, resolution, progress).sequence;
+    return setUpSequence(library, id, resolution, progress).sequence;
   } catch (const json::exception&) {
     throw DataError("the motion of an organ cannot be made again: nothing is known of how it was made",
                     organ.name, "choose it again in Play mode");
   }
 }
 
-} // namespace viscera::app
+} // namespace viscera::motion

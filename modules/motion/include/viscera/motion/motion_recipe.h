@@ -10,17 +10,17 @@
 #include "viscera/sequences/sequence.h"
 
 /// How a motion was made, as JSON, so that a session can make it again.
-namespace viscera::app {
+namespace viscera::motion {
 
 /// A sequence that the program ships, on its sample organ.
 std::string sampleRecipe(const std::string& sequence, sample_organs::Resolution resolution);
 /// The same on another organ, with the landmarks that somebody gave.
-std::string fittedRecipe(const std::string& sequence, const motion::Landmarks& given);
+std::string fittedRecipe(const std::string& sequence, const Landmarks& given);
 
 /// Makes the motion of a recipe; a fitted one for `organ`. Throws `DataError` for a recipe that is none, and
-/// what `motion::setUpSequence` and `motion::retargetSequence` throw. For any thread.
+/// what `setUpSequence` and `retargetSequence` throw. For any thread.
 std::shared_ptr<const sequences::Sequence> makeMotion(const std::string& recipe, const document::Organ& organ,
                                                       const sample_organs::SampleLibrary& library,
                                                       Progress& progress);
 
-} // namespace viscera::app
+} // namespace viscera::motion

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <QWidget>
+
+#include "window/settings.h"
+#include "window/timeline/playback.h"
+
+class QComboBox;
+class QLabel;
+class QPushButton;
+
+namespace viscera::app {
+
+/// Prescribes the volume of an organ over the cycle of the present sequence by a file of two columns, and
+/// takes it back. That belongs to the view: it is no step of undo, and another sequence begins without it.
+class CurveBox final : public QWidget {
+  Q_OBJECT
+
+public:
+  CurveBox(Workspace& workspace, Playback& playback, Settings& settings, QWidget* parent = nullptr);
+
+  /// Reads a file and prescribes it for the organ that is chosen; what is wrong becomes a message.
+  void load(const QString& file);
+
+private:
+  void choose();
+  void sync();
+
+  Workspace& workspace_;
+  Playback& playback_;
+  Settings& settings_;
+  QComboBox* organ_;
+  QPushButton* choose_;
+  QPushButton* remove_;
+  QLabel* shown_;
+  QString name_; ///< Of the file.
+};
+
+} // namespace viscera::app

@@ -1,0 +1,76 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "viscera/core/parallel.h"
+#include "viscera/document/document.h"
+#include "viscera/live/posed_organs.h"
+#include "viscera/live/volume_keeper.h"
+#include "viscera/sequences/curve.h"
+#include "viscera/sequences/sequence.h"
+
+namespace viscera::motion {
+
+/// The volume that an organ is to have at every instant of a cycle, whatever its motion would make of it.
+struct PrescribedVolume {
+  document::OrganId organ;
+  sequences::Curve milliliters; ///< Over the fraction of the cycle, with period 1.
+};
+
+/// Shows organs as they are at an instant of a sequence, and measures them: what the window, a recording and
+/// `viscera play` do for a frame. Locked volumes stay, and a prescribed one is met, each exactly: the
+/// compensating handles move by the least that this takes (`VolumeKeeper`). For the thread of the organs; it
+/// changes no document.
+class MotionRunner {
+public:
+  /// How many instants of a cycle `requireReachable` tries.
+  static constexpr int kTriedInstants = 64;
+
+  /// Both must live longer. `state` is the document's own, or the one of which `organs` are a copy.
+  MotionRunner(const document::DocumentState& state, live::PosedOrgans& organs, Threads threads = {});
+
+  /// Takes another sequence (or none) at its standard rate; nothing is prescribed then.
+  void setSequence(std::shared_ptr<const sequences::Sequence> sequence);
+  const std::shared_ptr<const sequences::Sequence>& sequence() const { return sequence_; }
+  /// Cycles a minute. Throws `UsageError` outside what the sequence allows, and without one.
+  void setRatePerMinute(double rate);
+  double ratePerMinute() const { return rate_; } ///< 0 without a sequence.
+  double periodSeconds() const { return rate_ > 0 ? 60.0 / rate_ : 0; }
+
+  /// Whether the handles are the sequence's, so that it can move them. O(handles).
+  bool movable() const;
+
+  /// Prescribes a volume, or none.
+  void prescribe(std::optional<PrescribedVolume> volume) { prescribed_ = std::move(volume); }
+  const std::optional<PrescribedVolume>& prescribed() const { return prescribed_; }
+  /// Throws `DataError` that names the first instant at which the volumes cannot be kept or met.
+  /// O(`kTriedInstants`) restorations.
+  void requireReachable();
+
+  /// Poses the organs as they are `seconds` after the beginning, where `movable`, and returns `volumesMl`.
+  /// Where volumes cannot be kept, the last pose in which they could stays. Throws `DataError` as
+  /// `PosedOrgans::showPose`.
+  std::vector<double> show(double seconds);
+  /// Why the volumes could not be kept in the pose asked for last; empty when they were.
+  const std::string& obstacle() const { return obstacle_; }
+  /// The volume of each organ of the document, in its order, ml; 0 for an open surface.
+  std::vector<double> volumesMl() const;
+
+private:
+  bool keepsVolumes() const;
+  deformation::RestoredPose keptPose(double seconds);
+
+  const document::DocumentState& state_;
+  live::PosedOrgans& organs_;
+  live::VolumeKeeper keeper_;
+  std::shared_ptr<const sequences::Sequence> sequence_;
+  double rate_ = 0;
+  std::optional<PrescribedVolume> prescribed_;
+  std::string obstacle_;
+  Points pose_;
+};
+
+} // namespace viscera::motion

@@ -1,0 +1,107 @@
+#include "viscera/motion/motion_runner.h"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+#include <utility>
+
+#include "viscera/core/error.h"
+#include "viscera/document/sequence_rig.h"
+
+namespace viscera::motion {
+
+MotionRunner::MotionRunner(const document::DocumentState& state, live::PosedOrgans& organs, Threads threads)
+    : state_(state), organs_(organs), keeper_(state, organs, threads) {}
+
+void MotionRunner::setSequence(std::shared_ptr<const sequences::Sequence> sequence) {
+  sequence_ = std::move(sequence);
+  rate_ = sequence_ ? sequence_->standardRatePerMinute() : 0;
+  prescribed_.reset();
+  obstacle_.clear();
+}
+
+void MotionRunner::setRatePerMinute(double rate) {
+  if (!sequence_)
+    throw UsageError("There is no sequence whose rate could be set", {}, "choose a sequence first");
+  const double low = sequence_->lowestRatePerMinute();
+  const double high = sequence_->highestRatePerMinute();
+  std::ostringstream range;
+  range << "choose " << low << " to " << high << " a minute";
+  if (!(rate >= low && rate <= high))
+    throw UsageError("The rate is out of range", sequence_->name(), range.str());
+  rate_ = rate;
+}
+
+bool MotionRunner::movable() const {
+  if (!sequence_ || state_.organs->empty())
+    return false;
+  try {
+    document::requireFits(*state_.rig, *sequence_);
+    return true;
+  } catch (const DataError&) {
+    return false;
+  }
+}
+
+bool MotionRunner::keepsVolumes() const {
+  return prescribed_ || std::any_of(state_.organs->begin(), state_.organs->end(),
+                                    [](const auto& organ) { return organ->volumeLocked; });
+}
+
+deformation::RestoredPose MotionRunner::keptPose(double seconds) {
+  sequence_->poseAt(seconds, rate_, pose_);
+  if (!keepsVolumes())
+    return {pose_, true, 0, 0, {}};
+  std::optional<live::AskedVolume> asked;
+  if (prescribed_) {
+    const double cycles = seconds / periodSeconds();
+    asked = {prescribed_->organ, kMm3PerMl * prescribed_->milliliters.at(cycles - std::floor(cycles))};
+  }
+  return keeper_.keep(pose_, asked);
+}
+
+void MotionRunner::requireReachable() {
+  for (int instant = 0; movable() && instant < kTriedInstants; ++instant) {
+    const double fraction = static_cast<double>(instant) / kTriedInstants;
+    const auto tried = keptPose(fraction * periodSeconds());
+    if (tried.restored)
+      continue;
+    std::string wanted = "the locked volumes cannot be kept";
+    if (prescribed_)
+      wanted = std::to_string(std::lround(prescribed_->milliliters.at(fraction))) + " ml cannot be reached";
+    throw DataError(
+        wanted + " at " + std::to_string(std::lround(100 * fraction)) + " % of the cycle: " + tried.reason,
+        sequence_->name(), "ask for a volume nearer to that at rest, or let more handles compensate");
+  }
+}
+
+std::vector<double> MotionRunner::show(double seconds) {
+  obstacle_.clear();
+  if (movable()) {
+    try {
+      auto kept = keptPose(seconds);
+      if (kept.restored)
+        pose_ = std::move(kept.pose);
+      else
+        obstacle_ = std::move(kept.reason);
+    } catch (const DataError& error) {
+      obstacle_ = error.what(); // An organ is still being bound: it moves on as the sequence says.
+      organs_.showPose(pose_);
+      return volumesMl();
+    }
+    if (obstacle_.empty())
+      organs_.showPose(pose_);
+  }
+  return volumesMl();
+}
+
+std::vector<double> MotionRunner::volumesMl() const {
+  std::vector<double> milliliters;
+  for (const auto& organ : *state_.organs) {
+    const live::OrganVolume volume = organs_.volume(organ->id);
+    milliliters.push_back(volume.closed ? volume.nowMl : 0);
+  }
+  return milliliters;
+}
+
+} // namespace viscera::motion

@@ -1,0 +1,109 @@
+#include "viscera/motion/volume_curve.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <fstream>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "viscera/core/error.h"
+
+namespace viscera::motion {
+namespace {
+
+constexpr double kSameInstant = 1e-9;
+constexpr double kSameVolume = 1e-3; ///< Relative, of the first and the last key of a whole cycle.
+
+std::vector<std::string> fieldsOf(const std::string& line) {
+  std::vector<std::string> fields(1);
+  for (const char letter : line)
+    if (letter == ',' || letter == ';' || letter == '\t')
+      fields.emplace_back();
+    else if (letter != ' ' && letter != '\r' && letter != '"')
+      fields.back() += letter;
+  return fields;
+}
+
+std::optional<double> numberOf(const std::string& text) {
+  double number = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  const bool whole = error == std::errc() && end == text.data() + text.size() && std::isfinite(number);
+  return whole ? std::optional(number) : std::nullopt;
+}
+
+/// The rows of such a file, one after the other.
+class CurveReader {
+public:
+  CurveReader(std::string file, double periodSeconds) : file_(std::move(file)), period_(periodSeconds) {}
+
+  void take(const std::string& line) {
+    ++line_;
+    if (line.find_first_not_of(" \t\r") == std::string::npos || line.front() == '#')
+      return;
+    const std::vector<std::string> fields = fieldsOf(line);
+    if (fields.size() != 2)
+      fail("has " + std::to_string(fields.size()) + " columns",
+           "leave two: the instant, and the volume in ml");
+    const auto instant = numberOf(fields[0]);
+    const auto milliliters = numberOf(fields[1]);
+    if (!instant && !milliliters && !headerSeen_ && keys_.empty()) {
+      headerSeen_ = true;
+      scale_ = fields[0].rfind("time", 0) == 0 ? 1 / period_ : 1;
+    } else if (instant && milliliters) {
+      add(scale_ * *instant, *milliliters);
+    } else {
+      fail("holds something that is no number", "write the instant and the volume in ml, as in 0.25,98.5");
+    }
+  }
+
+  sequences::Curve curve() {
+    if (keys_.empty())
+      throw DataError("There is no volume in it", file_, "write lines of the instant and the volume in ml");
+    if (keys_.size() > 1 && keys_.back().at > keys_.front().at + 1 - kSameInstant) {
+      if (std::abs(keys_.back().value - keys_.front().value) > kSameVolume * keys_.front().value)
+        fail("ends the cycle at another volume than it begins", "let the last volume be the first one");
+      keys_.pop_back(); // The next cycle begins with it.
+    }
+    return sequences::Curve::periodic(keys_, 1);
+  }
+
+private:
+  void add(double fraction, double milliliters) {
+    if (!(fraction >= 0 && fraction <= 1 + kSameInstant))
+      fail("names an instant outside the cycle",
+           scale_ == 1 ? "name instants from 0 to 1, or write \"time_s\" above them for seconds"
+                       : "play at the rate that the times are for");
+    if (!keys_.empty() && !(fraction > keys_.back().at))
+      fail("is not later than the line before", "sort the lines by their instants");
+    if (!(milliliters > 0))
+      fail("has a volume that is not positive", "write volumes in ml");
+    keys_.push_back({fraction, milliliters});
+  }
+
+  [[noreturn]] void fail(const std::string& problem, const std::string& tryThis) const {
+    throw DataError(problem, file_ + ", line " + std::to_string(line_), tryThis);
+  }
+
+  std::string file_;
+  double period_;
+  double scale_ = 1; ///< Of the instants, to fractions of the cycle.
+  int line_ = 0;
+  bool headerSeen_ = false;
+  std::vector<sequences::Key> keys_;
+};
+
+} // namespace
+
+sequences::Curve readVolumeCurve(const std::filesystem::path& file, double periodSeconds) {
+  std::ifstream stream(file);
+  if (!std::filesystem::is_regular_file(file) || !stream)
+    throw NoInputError("is not a file that can be read", file.string(), "check the name");
+  CurveReader reader(file.string(), periodSeconds);
+  for (std::string line; std::getline(stream, line);)
+    reader.take(line);
+  return reader.curve();
+}
+
+} // namespace viscera::motion

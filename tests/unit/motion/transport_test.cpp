@@ -1,0 +1,283 @@
+#include "viscera/motion/transport.h"
+
+#include <cmath>
+#include <numbers>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "session_fixture.h"
+#include "viscera/core/error.h"
+#include "viscera/document/sequence_rig.h"
+#include "viscera/motion/player.h"
+
+namespace viscera::motion {
+namespace {
+
+using ::testing::HasSubstr;
+
+/// Handles that swing along z once a cycle.
+class Swing final : public sequences::Sequence {
+public:
+  Swing() {
+    rest_.resize(10, 3);
+    const auto handles = tests::cubeHandles();
+    for (Eigen::Index i = 0; i < 10; ++i)
+      rest_.row(i) = handles[static_cast<std::size_t>(i)].rest.transpose();
+  }
+  std::string id() const override { return "swing"; }
+  std::string name() const override { return "Swing"; }
+  const Points& restHandles() const override { return rest_; }
+  std::vector<sequences::HandleGroup> groups() const override { return {{"Top", {1, 0, 0}, {4, 8}}}; }
+  double standardRatePerMinute() const override { return 60; }
+  double lowestRatePerMinute() const override { return 30; }
+  double highestRatePerMinute() const override { return 240; }
+  void poseAt(double seconds, double ratePerMinute, Points& pose) const override {
+    pose = rest_;
+    pose.col(2).array() += std::sin(2 * std::numbers::pi * seconds * ratePerMinute / 60);
+  }
+  std::vector<sequences::Phase> phases(double) const override { return {{"up", 0, 0.25}, {"down", 0.25, 1}}; }
+
+private:
+  Points rest_;
+};
+
+/// A bound ball that swings, under a clock that the test turns.
+struct Stage : tests::BoundSession {
+  double now = 1000;
+  Transport transport{[this] { return now; }};
+  Player player{transport, document.state(), live};
+
+  Stage() {
+    player.setSequence(std::make_shared<Swing>(), organ());
+    transport.match();
+  }
+  void pass(double seconds) {
+    now += seconds;
+    transport.advance();
+  }
+  Points swung(double fraction) const {
+    Points pose;
+    Swing().poseAt(fraction, 60, pose);
+    return pose;
+  }
+};
+
+/// A second ball at a rate of its own, under the same time.
+struct Second : tests::BoundSession {
+  Player player;
+
+  explicit Second(Stage& first) : player(first.transport, document.state(), live) {
+    player.setSequence(std::make_shared<Swing>(), organ());
+    first.transport.match();
+  }
+  bool showsWhatItSays() const {
+    Points pose;
+    Swing().poseAt(player.secondsInCycle(), player.ratePerMinute(), pose);
+    return (live.shownPose() - pose).norm() < 1e-12;
+  }
+};
+
+constexpr double kRounding = 1e-9;
+
+TEST(Transport, StandsStillUntilItPlays) {
+  Stage s;
+  s.pass(5);
+  EXPECT_EQ(s.player.fraction(), 0);
+  EXPECT_EQ(s.player.ratePerMinute(), 60);
+  s.transport.play();
+  s.pass(0.25);
+  EXPECT_NEAR(s.player.fraction(), 0.25, kRounding);
+  s.transport.pause();
+  s.pass(5);
+  EXPECT_NEAR(s.player.fraction(), 0.25, kRounding);
+  s.transport.play();
+  s.pass(0.25);
+  EXPECT_NEAR(s.player.fraction(), 0.5, kRounding) << "the time of the pause was played";
+}
+
+TEST(Transport, PausesAtTheInstantThatIsShown) {
+  Stage s;
+  s.transport.play();
+  s.pass(0.125);
+  s.now += 0.5;
+  s.transport.pause();
+  EXPECT_NEAR(s.player.fraction(), 0.125, kRounding);
+  EXPECT_LT((s.live.shownPose() - s.swung(0.125)).norm(), kRounding);
+}
+
+TEST(Transport, ShowsTheSamePoseEveryCycle) {
+  Stage s;
+  s.transport.play();
+  s.pass(0.375);
+  const Points first = s.live.shownPose();
+  for (int cycle = 0; cycle < 7; ++cycle) {
+    s.pass(1);
+    EXPECT_LT((s.live.shownPose() - first).norm(), kRounding);
+  }
+  EXPECT_NEAR(s.transport.playedSeconds(), 7.375, kRounding);
+}
+
+TEST(Transport, ShowsBitwiseTheSamePoseForTheSamePlace) {
+  Stage a, b;
+  a.transport.play();
+  a.pass(17.3);
+  a.transport.seek(0.3);
+  b.transport.seek(0.3);
+  EXPECT_EQ(a.live.shownPose(), b.live.shownPose());
+  EXPECT_EQ(a.live.points(a.organ()), b.live.points(b.organ()));
+}
+
+TEST(Transport, GoesOnFromTheSamePlaceAtAnotherRateAndShowsIt) {
+  Stage s;
+  s.transport.play();
+  s.pass(0.5);
+  s.now += 0.25;
+  s.player.setRatePerMinute(120);
+  EXPECT_NEAR(s.player.fraction(), 0.75, kRounding) << "what had passed, passed at the old rate";
+  EXPECT_LT((s.live.shownPose() - s.swung(0.75)).norm(), kRounding);
+  s.pass(0.1);
+  EXPECT_NEAR(s.player.fraction(), 0.95, kRounding);
+  EXPECT_NEAR(s.player.secondsInCycle(), 0.475, kRounding);
+}
+
+TEST(Transport, PassesSlowlyInSlowMotionWithTheSequencesOwnTime) {
+  Stage s;
+  s.transport.setSpeed(0.25);
+  s.transport.play();
+  s.pass(1);
+  EXPECT_NEAR(s.player.fraction(), 0.25, kRounding);
+  EXPECT_NEAR(s.transport.playedSeconds(), 0.25, kRounding);
+}
+
+TEST(Transport, StopsAtTheEndWithoutLoopAndBeginsAgain) {
+  Stage s;
+  s.transport.setLoop(false);
+  s.transport.play();
+  s.pass(3.7);
+  EXPECT_EQ(s.player.fraction(), 1);
+  EXPECT_FALSE(s.transport.playing());
+  EXPECT_NEAR(s.transport.playedSeconds(), 1, kRounding);
+  EXPECT_FALSE(s.transport.advance());
+  s.transport.play();
+  EXPECT_EQ(s.player.fraction(), 0);
+  EXPECT_TRUE(s.transport.playing());
+}
+
+TEST(Transport, NamesThePhase) {
+  Stage s;
+  EXPECT_EQ(s.player.phase(), "up");
+  s.transport.seek(0.25);
+  EXPECT_EQ(s.player.phase(), "down");
+}
+
+TEST(Transport, RefusesRatesSpeedsAndPlacesOutOfRange) {
+  Stage s;
+  EXPECT_THROW(s.player.setRatePerMinute(29), UsageError);
+  EXPECT_THROW(s.player.setRatePerMinute(std::nan("")), UsageError);
+  EXPECT_THROW(s.transport.setSpeed(0), UsageError);
+  EXPECT_THROW(s.transport.seek(1.1), UsageError);
+  s.player.setSequence(nullptr, {});
+  EXPECT_THROW(s.player.setRatePerMinute(60), UsageError);
+  s.transport.play();
+  EXPECT_FALSE(s.transport.playing());
+}
+
+TEST(Transport, ShowsThePoseThatIsWantedAndComesBackToItsInstant) {
+  Stage s;
+  s.undo.perform(document::moveHandles({s.handle(9)}, tests::row(45, 3, -1)));
+  s.transport.play();
+  s.pass(0.25);
+  s.transport.setPose(WantedPose::document);
+  EXPECT_FALSE(s.transport.playing());
+  EXPECT_EQ(s.live.shownPose(), s.document.pose());
+  s.transport.setPose(WantedPose::rest);
+  EXPECT_EQ(s.live.shownPose(), s.document.rig().restPositions());
+  s.transport.play();
+  EXPECT_FALSE(s.transport.playing()) << "nobody would see it";
+  s.transport.setPose(WantedPose::sequence);
+  EXPECT_LT((s.live.shownPose() - s.swung(0.25)).norm(), kRounding);
+  s.transport.stop();
+  EXPECT_EQ(s.live.shownPose(), s.document.pose());
+}
+
+TEST(Transport, StopsAtTheBeginningWhenTheHandlesAreNoLongerTheSequences) {
+  for (const bool playing : {true, false}) {
+    Stage s;
+    s.transport.play();
+    s.pass(0.3);
+    if (!playing)
+      s.transport.pause();
+    s.undo.perform(document::removeHandles({s.handle(8)}));
+    s.transport.match();
+    EXPECT_FALSE(s.transport.playing());
+    EXPECT_FALSE(s.transport.started());
+    EXPECT_EQ(s.player.fraction(), 0);
+    EXPECT_EQ(s.live.shownPose(), s.document.pose());
+    s.undo.undo();
+    s.transport.match();
+    EXPECT_FALSE(s.player.showing());
+    EXPECT_EQ(s.live.shownPose(), s.document.pose());
+    s.transport.play();
+    s.pass(0.25);
+    EXPECT_LT((s.live.shownPose() - s.swung(0.25)).norm(), kRounding);
+  }
+}
+
+TEST(Transport, AnEditThatLeavesTheHandlesWhereTheyAreDoesNotEndTheMotion) {
+  Stage s;
+  s.transport.seek(0.25);
+  document::HandleEdit locked;
+  locked.locked = true;
+  s.undo.perform(document::editHandles({s.handle(8)}, locked));
+  s.transport.match();
+  EXPECT_TRUE(s.player.showing());
+  EXPECT_LT((s.live.shownPose() - s.swung(0.25)).norm(), kRounding);
+}
+
+TEST(Transport, AllViewsAreAtTheSameSecondsAndShowWhatTheySay) {
+  Stage s;
+  s.transport.seek(0.7);
+  Second other(s);
+  EXPECT_NEAR(other.player.secondsInCycle(), 0.7, kRounding) << "it joins where the first one is";
+  EXPECT_TRUE(other.showsWhatItSays());
+  other.player.setRatePerMinute(100);
+  EXPECT_NEAR(other.player.secondsInCycle(), 0.1, kRounding) << "in its second cycle";
+  EXPECT_TRUE(other.showsWhatItSays());
+  s.transport.step(0.25);
+  EXPECT_NEAR(s.player.secondsInCycle(), 0.95, kRounding);
+  EXPECT_NEAR(other.player.secondsInCycle(), 0.35, kRounding);
+  EXPECT_TRUE(other.showsWhatItSays());
+  s.transport.play();
+  s.pass(0.5);
+  s.now += 0.3;
+  s.transport.pause();
+  EXPECT_NEAR(s.player.secondsInCycle(), 0.45, kRounding);
+  EXPECT_TRUE(other.showsWhatItSays());
+  other.undo.perform(document::removeHandles({other.handle(0)}));
+  s.transport.seek(0.5);
+  EXPECT_FALSE(other.player.showing());
+  EXPECT_TRUE(s.player.showing()) << "one that cannot be moved holds up nobody";
+}
+
+TEST(SequenceRig, FitsTheRigThatTheSequenceBringsAndNoOther) {
+  const Swing swing;
+  tests::Session s;
+  EXPECT_NO_THROW(document::requireFits(s.document.rig(), swing));
+  s.undo.perform(document::moveRestHandles({s.handle(8)}, tests::row(0, 1, 40)));
+  try {
+    document::requireFits(s.document.rig(), swing);
+    FAIL() << "a rig with a moved handle was taken";
+  } catch (const DataError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("H-9"));
+  }
+  s.undo.perform(document::removeHandles({s.handle(8)}));
+  EXPECT_THROW(document::requireFits(s.document.rig(), swing), DataError);
+  s.undo.perform(document::replaceRig(document::rigOf(swing)));
+  EXPECT_NO_THROW(document::requireFits(s.document.rig(), swing));
+  ASSERT_EQ(s.document.rig().groups.size(), 1u);
+  EXPECT_EQ(s.document.rig().groups[0].handles, (std::vector<document::HandleId>{s.handle(4), s.handle(8)}));
+}
+
+} // namespace
+} // namespace viscera::motion

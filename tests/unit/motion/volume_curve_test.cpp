@@ -1,0 +1,63 @@
+#include "viscera/motion/volume_curve.h"
+
+#include <fstream>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "viscera/core/error.h"
+
+namespace viscera::motion {
+namespace {
+
+class VolumeCurveFile : public testing::Test {
+protected:
+  sequences::Curve read(const std::string& text, double periodSeconds = 0.8) {
+    std::ofstream(file_) << text;
+    return readVolumeCurve(file_, periodSeconds);
+  }
+  std::string refusal(const std::string& text) {
+    try {
+      read(text);
+    } catch (const DataError& error) {
+      EXPECT_FALSE(error.tryThis().empty()) << error.what();
+      return error.what();
+    }
+    ADD_FAILURE() << "taken: " << text;
+    return {};
+  }
+  void TearDown() override { std::filesystem::remove(file_); }
+
+  const std::string file_ = testing::TempDir() + "volume_curve.csv";
+};
+
+TEST_F(VolumeCurveFile, HoldsFractionsOfTheCycleWithOrWithoutAHeader) {
+  for (const char* header : {"", "fraction,volume_ml\n", "# of a ventricle\n\n"}) {
+    const sequences::Curve curve = read(std::string(header) + "0,130.5\n0.4;55\r\n0.7\t90\n");
+    EXPECT_EQ(curve.at(0), 130.5);
+    EXPECT_EQ(curve.at(0.4), 55);
+    EXPECT_EQ(curve.at(1.7), 90) << "every cycle is the same";
+  }
+}
+
+TEST_F(VolumeCurveFile, TakesSecondsUnderAHeaderThatSaysSo) {
+  const sequences::Curve curve = read("time_s,LV_ml\n0,130\n0.4,55\n0.8,130\n");
+  EXPECT_NEAR(curve.at(0.5), 55, 1e-9);
+  EXPECT_NEAR(curve.at(1), 130, 1e-9);
+}
+
+TEST_F(VolumeCurveFile, SaysWhichLineIsWrong) {
+  using testing::HasSubstr;
+  EXPECT_THAT(refusal(""), HasSubstr("no volume"));
+  EXPECT_THAT(refusal("0,130\n0.5\n"), HasSubstr("line 2"));
+  EXPECT_THAT(refusal("time_s,Heart_ml,LV_ml\n"), HasSubstr("3 columns"));
+  EXPECT_THAT(refusal("0,130\n0.5,many\n"), HasSubstr("no number"));
+  EXPECT_THAT(refusal("0,130\n0.5,60\n0.4,70\n"), HasSubstr("line 3"));
+  EXPECT_THAT(refusal("0,130\n1.2,60\n"), HasSubstr("outside the cycle"));
+  EXPECT_THAT(refusal("0,130\n0.5,-60\n"), HasSubstr("not positive"));
+  EXPECT_THAT(refusal("0,130\n1,60\n"), HasSubstr("another volume"));
+  EXPECT_THROW(readVolumeCurve("/nowhere/at/all.csv", 1), NoInputError);
+}
+
+} // namespace
+} // namespace viscera::motion
