@@ -118,6 +118,8 @@ void HandleScene::syncRig() {
 void HandleScene::syncShown() {
   const document::Rig& rig = workspace_.document().rig();
   auto* handles = view_.handles();
+  if (handles->GetNumberOfHandles() != static_cast<int>(rig.handles.size()))
+    return; // Somebody else heard first of another rig; this part is about to.
   for (std::size_t row = 0; row < rig.handles.size(); ++row) {
     const bool here = !shownWhere_ || shownWhere_(handles->GetPosition(static_cast<int>(row)));
     handles->SetHandleShown(static_cast<int>(row), shown() && here && rig.handles[row].visible);
@@ -171,7 +173,7 @@ void HandleScene::onGrabbed(const scene::HandleEvent& event) {
   if (posesHandles(mode_))
     beginPoseDrag(name, event);
   else
-    workspace_.guarded([&] { workspace_.undo().beginStep(name.toStdString()); });
+    workspace_.guarded([&] { drag_.emplace(workspace_.undo(), name.toStdString()); });
   Q_EMIT dragStarted();
 }
 
@@ -206,7 +208,7 @@ void HandleScene::onMoved(const scene::HandleEvent& event) {
     // Where the handles are now, not where the cursor wanted them; and others that moved along.
     return syncPositions();
   }
-  if (!workspace_.undo().stepOpen())
+  if (!drag_)
     return;
   const QScopedValueRollback<bool> quiet(fromWidget_, true);
   try {
@@ -223,8 +225,8 @@ void HandleScene::onReleased() {
   view_.handles()->ClearConstraintPlane();
   if (posesHandles(mode_))
     poses_.finish();
-  else
-    workspace_.guarded([&] { workspace_.undo().endStep(); });
+  else if (auto drag = std::exchange(drag_, std::nullopt))
+    workspace_.guarded([&] { drag->finish(); });
   syncPositions();
   Q_EMIT dragEnded();
 }
@@ -233,8 +235,8 @@ void HandleScene::onCancelled() {
   view_.handles()->ClearConstraintPlane();
   if (posesHandles(mode_))
     poses_.cancel();
-  else
-    workspace_.guarded([&] { workspace_.undo().cancelStep(); });
+  else if (auto drag = std::exchange(drag_, std::nullopt))
+    workspace_.guarded([&] { drag->cancel(); });
   syncPositions();
   Q_EMIT dragEnded();
 }

@@ -62,9 +62,10 @@ private:
   Mode mode_ = Mode::explore;
   bool alwaysShown_ = false;
   std::function<bool(const Vec3&)> shownWhere_;
-  bool played_ = false;     ///< What is shown is a sequence's pose.
-  bool fromWidget_ = false; ///< The widget already shows what is being changed.
-  bool dragFailed_ = false; ///< This drag has met an error and said so.
+  bool played_ = false;                           ///< What is shown is a sequence's pose.
+  bool fromWidget_ = false;                       ///< The widget already shows what is being changed.
+  std::optional<document::UndoStack::Step> drag_; ///< Of handles at rest.
+  bool dragFailed_ = false;                       ///< This drag has met an error and said so.
   std::vector<unsigned long> observers_;
   std::vector<Subscription> subscriptions_;
 };

@@ -105,7 +105,7 @@ void OrganScene::applyLook(Shown& shown) {
 
 void OrganScene::onLive(const live::LiveEvent& event) {
   const auto found = shown_.find(event.organ);
-  // The live binding hears of another surface first; what shows the last one is about to go.
+  // Of another surface this part may have to hear yet; what shows the last one is about to go.
   const auto organ = workspace_.document().organ(event.organ);
   if (found == shown_.end() || !organ || organ->mesh != found->second.organ->mesh)
     return;

@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "binding_target.h"
 #include "viscera/core/progress.h"
@@ -14,7 +15,7 @@ namespace viscera::live {
 /// What binding an organ ended with: one of the two.
 struct BindingResult {
   std::unique_ptr<deformation::Deformer> deformer;
-  std::optional<BindingFailure> failure;
+  std::optional<BindingStatus> failure;
 };
 
 /// Binds an organ. For any thread. Throws nothing but `Cancelled`: an error becomes a failure.
@@ -28,13 +29,15 @@ public:
 
   std::shared_ptr<const document::Organ> organ;
   BindingStatus status;
-  std::unique_ptr<deformation::Deformer> deformer; ///< Null: at rest.
+  std::shared_ptr<deformation::Deformer> deformer; ///< Null: at rest.
   std::shared_ptr<const BindingTarget> boundTo;    ///< What `deformer` was bound to; null without one.
   std::shared_ptr<const BindingTarget>
       attempted;                                 ///< The last target that was tried, with success or without.
   std::shared_ptr<const BindingTarget> underWay; ///< What a worker binds it to while `binding`.
   std::int64_t ticket = 0;                       ///< Of the last job that was asked to bind it.
   LiveEvent pending;                             ///< What has not been told yet.
+  /// Those before that somebody may still look at, until what is pending has been told.
+  std::vector<std::shared_ptr<deformation::Deformer>> retired;
 
   /// The slot of the job queue in which it is bound.
   std::string slot() const { return "bind/" + std::to_string(organ->id.value); }
@@ -42,7 +45,8 @@ public:
 
   /// Takes a result that was made for `of`.
   void take(BindingResult result, std::shared_ptr<const BindingTarget> of);
-  void fail(const BindingFailure& failure);
+  /// Takes a status that holds no binding.
+  void fail(BindingStatus failure);
   void setState(BindingStatus::State state);
 
   /// Poses the organ for `pose`, which belongs to the handles of `now`. While a user drags, a few handles are

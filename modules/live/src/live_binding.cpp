@@ -7,6 +7,7 @@
 
 #include "bound_organ.h"
 #include "viscera/core/error.h"
+#include "viscera/document/validate.h"
 
 namespace viscera::live {
 namespace {
@@ -23,8 +24,8 @@ void requirePose(const Points& pose, Eigen::Index handles) {
   if (pose.rows() != handles)
     throw DataError("The pose has " + std::to_string(pose.rows()) + " handles, the document " +
                     std::to_string(handles));
-  if (!pose.allFinite())
-    throw DataError("The pose has a position that is not a finite number");
+  if (!(pose.array().abs() <= document::kFarthestMm).all())
+    throw DataError("The pose has a position that is not a finite number, or too far away");
 }
 
 } // namespace
@@ -45,6 +46,9 @@ struct LiveBinding::Impl {
   Shown shown = Shown::document;
   Points shownPose = Points(0, 3);
   Signal<const LiveEvent&> events;
+  Signal<> derived; ///< From `shownPose`.
+  std::vector<std::shared_ptr<deformation::Deformer>>
+      retired; ///< As of a `BoundOrgan`, of organs that are gone.
   Subscription subscription;
   /// Results that arrive after the end see that it is gone.
   std::shared_ptr<Impl*> self = std::make_shared<Impl*>(this);
@@ -60,6 +64,7 @@ struct LiveBinding::Impl {
   void arrived(document::OrganId id, std::int64_t ticket, JobResult<BindingResult> result);
   void take(BoundOrgan& organ, BindingResult result, std::shared_ptr<const BindingTarget> of);
   void poseAll(bool interactive);
+  void show();
   void tell();
   const BoundOrgan& require(document::OrganId id) const;
 };
@@ -71,9 +76,12 @@ void LiveBinding::Impl::onChange(const document::Change& change) {
     shown = Shown::document;
   if (change.rig() || change.system())
     matchTarget();
+  const Points before = shownPose;
   matchPose();
   bindWaiting();
   poseAll(change.interactive);
+  if (before.rows() != shownPose.rows() || before != shownPose)
+    derived.emit();
   tell();
 }
 
@@ -86,6 +94,7 @@ void LiveBinding::Impl::matchOrgans() {
       ++item;
     } else {
       jobs.cancelSlot(item->second.slot());
+      retired.push_back(item->second.deformer);
       item = organs.erase(item);
     }
   }
@@ -115,7 +124,7 @@ void LiveBinding::Impl::matchPose() {
 void LiveBinding::Impl::bindWaiting() {
   std::vector<BoundOrgan*> waiting;
   double expected = 0;
-  const auto failure = whyNot(*target);
+  const auto failure = statusWithoutBinding(*target);
   for (auto& [id, organ] : organs) {
     if (organ.attempted == target)
       continue;
@@ -183,7 +192,7 @@ void LiveBinding::Impl::arrived(document::OrganId id, std::int64_t ticket, JobRe
     organ.setState(State::stale);
   } else {
     if (result.error && last)
-      organ.fail({State::failed, result.error->what(), 0});
+      organ.fail({State::failed, result.error->what()});
     if (result.value && (last || result.value->deformer)) // What is no longer wanted may fail unsaid.
       take(organ, std::move(*result.value), of);
     if (!last) {
@@ -210,16 +219,30 @@ void LiveBinding::Impl::poseAll(bool interactive) {
     organ.setPose(*target, shownPose, interactive);
 }
 
-/// Tells what happened, after all of it: an observer may ask about any organ, or show another pose.
+/// Tells what happened, after all of it: an observer may ask about any organ, or show another pose. What they
+/// looked at stays until all have heard.
 void LiveBinding::Impl::tell() {
   std::vector<LiveEvent> news;
+  auto kept = std::exchange(retired, {});
   for (auto& [id, organ] : organs) {
     const LiveEvent event = std::exchange(organ.pending, {id});
     if (event.moved || event.replaced || event.status)
       news.push_back(event);
+    for (auto& deformer : std::exchange(organ.retired, {}))
+      kept.push_back(std::move(deformer));
   }
+  FirstException exception;
   for (const LiveEvent& event : news)
-    events.emit(event);
+    exception.watch([&] { document.announce(events.emission(event)); });
+  document.announce([kept = std::move(kept)] {});
+  exception.rethrow();
+}
+
+void LiveBinding::Impl::show() {
+  matchPose();
+  poseAll(false);
+  derived.emit();
+  tell();
 }
 
 const BoundOrgan& LiveBinding::Impl::require(document::OrganId id) const {
@@ -239,7 +262,7 @@ LiveBinding::LiveBinding(document::Document& document, const plugin::Registry& r
   impl_->poseAll(false);
   impl_->tell(); // Nobody listens yet; what is told later is news.
   impl_->subscription =
-      document.onChange([this](const document::Change& change) { impl_->onChange(change); });
+      document.onDerive([this](const document::Change& change) { impl_->onChange(change); });
 }
 
 LiveBinding::LiveBinding(document::Document& document, const plugin::Registry& registry, JobQueue& jobs)
@@ -253,24 +276,19 @@ LiveBinding::~LiveBinding() {
 
 void LiveBinding::showDocumentPose() {
   impl_->shown = Shown::document;
-  impl_->matchPose();
-  impl_->poseAll(false);
-  impl_->tell();
+  impl_->show();
 }
 
 void LiveBinding::showRest() {
   impl_->shown = Shown::rest;
-  impl_->matchPose();
-  impl_->poseAll(false);
-  impl_->tell();
+  impl_->show();
 }
 
 void LiveBinding::showPose(const Points& pose) {
   requirePose(pose, static_cast<Eigen::Index>(impl_->target->ids.size()));
   impl_->shown = Shown::given;
   impl_->shownPose = pose;
-  impl_->poseAll(false);
-  impl_->tell();
+  impl_->show();
 }
 
 const Points& LiveBinding::shownPose() const {
@@ -324,6 +342,10 @@ bool LiveBinding::busy() const {
 
 Subscription LiveBinding::onEvent(std::function<void(const LiveEvent&)> observer) {
   return impl_->events.connect(std::move(observer));
+}
+
+Subscription LiveBinding::onDerive(std::function<void()> bringUpToDate) {
+  return impl_->derived.connect(std::move(bringUpToDate));
 }
 
 } // namespace viscera::live
