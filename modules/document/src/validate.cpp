@@ -14,6 +14,8 @@ namespace {
 
 /// How far the sum of weights may be from 1.
 constexpr double kWeightTolerance = 1e-6;
+/// Handles nearer to each other than this part of the rig's diagonal (of 1 mm at least) are at one place.
+constexpr double kSamePlace = 1e-9;
 
 void require(bool holds, const char* problem, const std::string& where, const char* tryThis = "") {
   if (!holds)

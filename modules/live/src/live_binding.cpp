@@ -65,6 +65,7 @@ struct LiveBinding::Impl {
   void take(BoundOrgan& organ, BindingResult result, std::shared_ptr<const BindingTarget> of);
   void poseAll(bool interactive);
   void show();
+  void tellShown(bool otherPose);
   void tell();
   const BoundOrgan& require(document::OrganId id) const;
 };
@@ -80,9 +81,7 @@ void LiveBinding::Impl::onChange(const document::Change& change) {
   matchPose();
   bindWaiting();
   poseAll(change.interactive);
-  if (before.rows() != shownPose.rows() || before != shownPose)
-    derived.emit();
-  tell();
+  tellShown(before.rows() != shownPose.rows() || before != shownPose);
 }
 
 /// Organs of the document come and go; one whose surface is another one counts as new.
@@ -238,11 +237,19 @@ void LiveBinding::Impl::tell() {
   exception.rethrow();
 }
 
+/// The same, after what is derived from the shown pose, when that is another one.
+void LiveBinding::Impl::tellShown(bool otherPose) {
+  FirstException exception;
+  if (otherPose)
+    exception.watch([this] { derived.emit(); });
+  exception.watch([this] { tell(); });
+  exception.rethrow();
+}
+
 void LiveBinding::Impl::show() {
   matchPose();
   poseAll(false);
-  derived.emit();
-  tell();
+  tellShown(true);
 }
 
 const BoundOrgan& LiveBinding::Impl::require(document::OrganId id) const {

@@ -205,11 +205,11 @@ TEST(RigCommands, RefuseLabelsThatAreEmptyOrTaken) {
   Session s;
   HandleEdit rename;
   rename.label = "H-1";
-  EXPECT_THAT(refusal<UsageError>(s, editHandles({s.handle(5)}, rename)), HasSubstr("H-1"));
+  EXPECT_THAT(refusal<DataError>(s, editHandles({s.handle(5)}, rename)), HasSubstr("H-1"));
   rename.label = "";
-  refusal<UsageError>(s, editHandles({s.handle(5)}, rename));
+  refusal<DataError>(s, editHandles({s.handle(5)}, rename));
   rename.label = "Apex";
-  refusal<UsageError>(s, editHandles({s.handle(5), s.handle(6)}, rename));
+  refusal<DataError>(s, editHandles({s.handle(5), s.handle(6)}, rename));
 }
 
 TEST(GroupCommands, KeepMembersInTheOrderOfTheRig) {
@@ -264,6 +264,10 @@ TEST(SystemCommands, KeepTheOtherParameters) {
   s.undo.undo();
   EXPECT_EQ(s.document.system().id, "s-celestial");
   EXPECT_EQ(s.document.system().parameters.all().at("softness"), 20);
+}
+
+TEST(SystemCommands, RefuseValuesThatAreNoNumbers) {
+  Session s;
   refusal<DataError>(s, setParameter("locality", std::nan("")));
   coordinates::ParameterValues notNumbers;
   notNumbers.set("locality", std::nan(""));

@@ -65,9 +65,9 @@ TEST(LiveStress, FollowsThePoseWhereTheOrganItselfCannotBeBound) {
   Stressed s;
   s.begin();
   // Some vertices are outside now, so the organ stays at rest.
-  Points in(1, 3);
-  in << 25, 25, 25;
-  s.undo.perform(document::moveRestHandles({s.handle(7)}, in));
+  Points in(2, 3);
+  in << 20, 20, -60, 20, 20, 60;
+  s.undo.perform(document::moveRestHandles({s.handle(3), s.handle(7)}, in));
   s.waitFor(State::ready);
   ASSERT_EQ(s.live.status(s.organ()).state, BindingStatus::State::failed);
   s.move(8, {0, 0, 25});

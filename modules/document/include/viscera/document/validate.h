@@ -8,8 +8,6 @@ namespace viscera::document {
 
 /// How far from the origin a place may be along an axis, mm: volumes of such places are numbers.
 inline constexpr double kFarthestMm = 1e9;
-/// Handles nearer to each other than this part of the rig's diagonal (of 1 mm at least) are at one place.
-inline constexpr double kSamePlace = 1e-9;
 /// No id is larger: JSON's numbers are whole up to twice as much.
 inline constexpr std::int64_t kLargestId = std::int64_t{1} << 52;
 
