@@ -148,23 +148,18 @@ void FileActions::take(const document::OpenedFiles& opened, const QStringList& f
   const QString name = tr("Open %1").arg(QFileInfo(files.front()).fileName());
   const bool done = workspace_.guarded([&] {
     document::UndoStack& undo = workspace_.undo();
-    undo.beginStep(name.toStdString());
-    try {
-      if (replaces) {
-        if (!present.empty())
-          undo.perform(document::removeAllOrgans());
-        if (!opened.rig)
-          undo.perform(document::replaceRig({}));
-      }
-      undo.perform(opened.command());
-      dressNewOrgans();
-      if (!opened.organs.empty() && workspace_.document().rig().handles.empty())
-        undo.perform(placer_.command(*workspace_.document().organs()[firstNew]));
-    } catch (...) {
-      undo.cancelStep();
-      throw;
+    document::UndoStack::Step step(undo, name.toStdString());
+    if (replaces) {
+      if (!present.empty())
+        undo.perform(document::removeAllOrgans());
+      if (!opened.rig)
+        undo.perform(document::replaceRig({}));
     }
-    undo.endStep();
+    undo.perform(opened.command());
+    dressNewOrgans();
+    if (!opened.organs.empty() && workspace_.document().rig().handles.empty())
+      undo.perform(placer_.command(*workspace_.document().organs()[firstNew]));
+    step.finish();
   });
   if (!done)
     return;

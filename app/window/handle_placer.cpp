@@ -1,6 +1,7 @@
 #include "window/handle_placer.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "viscera/document/rig_commands.h"
 
@@ -18,16 +19,13 @@ HandlePlacer::HandlePlacer(Workspace& workspace, QObject* parent) : QObject(pare
 void HandlePlacer::setCount(int count) {
   placement_.count = std::clamp(count, fewest(), most());
   if (!choosing_)
-    workspace_.guarded([this] { workspace_.undo().beginStep(tr("Place handles").toStdString()); });
-  choosing_ = true;
+    workspace_.guarded([this] { choosing_.emplace(workspace_.undo(), tr("Place handles").toStdString()); });
   place();
 }
 
 void HandlePlacer::finish() {
-  if (!choosing_)
-    return;
-  choosing_ = false;
-  workspace_.guarded([this] { workspace_.undo().endStep(); });
+  if (auto step = std::exchange(choosing_, std::nullopt))
+    workspace_.guarded([&step] { step->finish(); });
 }
 
 void HandlePlacer::setEnclosing(bool enclosing) {

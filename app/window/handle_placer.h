@@ -2,6 +2,8 @@
 
 #include <QObject>
 
+#include <optional>
+
 #include "viscera/deformation/place_handles.h"
 #include "window/workspace.h"
 
@@ -37,7 +39,7 @@ private:
 
   deformation::Placement placement_;
   Workspace& workspace_;
-  bool choosing_ = false;
+  std::optional<document::UndoStack::Step> choosing_; ///< From the first choice to `finish`.
 };
 
 } // namespace viscera::app

@@ -16,7 +16,7 @@ bool PoseEditor::begin(const QString& name, const std::vector<document::HandleId
   cancel();
   const bool begun = workspace_.guarded([&] {
     motion_.emplace(keeper_.begin(handles, mirrored ? mirrorPlane() : std::nullopt));
-    workspace_.undo().beginStep(name.toStdString());
+    step_.emplace(workspace_.undo(), name.toStdString());
   });
   if (!begun)
     motion_.reset();
@@ -26,7 +26,7 @@ bool PoseEditor::begin(const QString& name, const std::vector<document::HandleId
 
 /// Poses the handles as the motion answers the wish. What is wanted beyond that is said, once.
 void PoseEditor::follow(const std::function<void(live::LockedMotion&)>& wish) {
-  if (!motion_ || !workspace_.undo().stepOpen())
+  if (!motion_)
     return;
   try {
     wish(*motion_);
@@ -52,21 +52,22 @@ void PoseEditor::scale(const Vec3& center, const Vec3& factors) {
   follow([&](live::LockedMotion& motion) { motion.scale(center, factors); });
 }
 
-void PoseEditor::end(const std::function<void()>& close) {
+void PoseEditor::end(void (document::UndoStack::Step::*close)()) {
   if (!motion_)
     return;
   motion_.reset();
-  workspace_.guarded(close);
+  auto step = std::exchange(step_, std::nullopt);
+  workspace_.guarded([&] { (*step.*close)(); });
   setObstacle({});
   Q_EMIT gestureChanged();
 }
 
 void PoseEditor::finish() {
-  end([this] { workspace_.undo().endStep(); });
+  end(&document::UndoStack::Step::finish);
 }
 
 void PoseEditor::cancel() {
-  end([this] { workspace_.undo().cancelStep(); });
+  end(&document::UndoStack::Step::cancel);
 }
 
 void PoseEditor::setObstacle(const QString& obstacle) {
@@ -118,6 +119,7 @@ void PoseEditor::reset(const std::vector<document::HandleId>& handles) {
 }
 
 bool PoseEditor::setVolume(document::OrganId organ, double milliliters) {
+  finish();
   return workspace_.guarded([&] {
     const Points pose = keeper_.poseOfVolume(organ, milliliters * kMm3PerMl);
     workspace_.undo().perform(
@@ -129,6 +131,7 @@ void PoseEditor::setLocked(document::OrganId id, bool locked) {
   const auto organ = workspace_.document().organ(id);
   if (!organ)
     return;
+  finish();
   if (!locked || organ->closed()) {
     workspace_.perform(document::setVolumeLocked(id, locked));
     return;
@@ -147,6 +150,7 @@ void PoseEditor::setLocked(document::OrganId id, bool locked) {
 }
 
 void PoseEditor::setCompensating(bool compensating) {
+  finish();
   document::HandleEdit edit;
   edit.compensates = compensating;
   workspace_.perform(document::editHandles(workspace_.selection().handles(), edit));

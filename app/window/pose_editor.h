@@ -37,7 +37,8 @@ public:
   std::optional<Vec3> moveBy(const std::vector<document::HandleId>& handles, const Vec3& by);
   /// Puts handles back to rest; under a lock others make up for the volume.
   void reset(const std::vector<document::HandleId>& handles);
-  /// Gives an organ another volume; false when it cannot be reached.
+  /// Gives an organ another volume; false when it cannot be reached. Like what follows, it ends a gesture:
+  /// the locked volumes are others after it.
   bool setVolume(document::OrganId organ, double milliliters);
   /// Locks or unlocks an organ's volume; offers to close a surface that is open.
   void setLocked(document::OrganId organ, bool locked);
@@ -58,12 +59,13 @@ Q_SIGNALS:
 private:
   void follow(const std::function<void(live::LockedMotion&)>& wish);
   void setObstacle(const QString& obstacle);
-  void end(const std::function<void()>& close);
+  void end(void (document::UndoStack::Step::*close)());
 
   Workspace& workspace_;
   const ViewModel& model_;
   live::VolumeKeeper keeper_;
   std::optional<live::LockedMotion> motion_;
+  std::optional<document::UndoStack::Step> step_; ///< Of the present gesture.
   QString obstacle_;
 };
 

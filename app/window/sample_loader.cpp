@@ -87,21 +87,16 @@ void SampleLoader::take(const Sample& sample, const QString& name) {
   const bool untouched = workspace_.undo().isClean();
   const bool done = workspace_.guarded([&] {
     document::UndoStack& undo = workspace_.undo();
-    undo.beginStep(tr("Sample %1").arg(name).toStdString());
-    try {
-      const document::OrganList& present = workspace_.document().organs();
-      if (!present.empty())
-        undo.perform(document::removeAllOrgans());
-      undo.perform(document::replaceRig({}));
-      undo.perform(document::setSystem(sample.system));
-      undo.perform(document::addOrgans(sample.organs));
-      undo.perform(sample.motion ? document::replaceRig(sample.rig)
-                                 : placer_.command(*workspace_.document().organs().front()));
-    } catch (...) {
-      undo.cancelStep();
-      throw;
-    }
-    undo.endStep();
+    document::UndoStack::Step step(undo, tr("Sample %1").arg(name).toStdString());
+    const document::OrganList& present = workspace_.document().organs();
+    if (!present.empty())
+      undo.perform(document::removeAllOrgans());
+    undo.perform(document::replaceRig({}));
+    undo.perform(document::setSystem(sample.system));
+    undo.perform(document::addOrgans(sample.organs));
+    undo.perform(sample.motion ? document::replaceRig(sample.rig)
+                               : placer_.command(*workspace_.document().organs().front()));
+    step.finish();
   });
   if (!done)
     return;

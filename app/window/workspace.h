@@ -57,8 +57,6 @@ Q_SIGNALS:
   void messageRaised(const viscera::app::Message& message);
 
 private:
-  // The live binding hears of every change before the selection does: whoever is told that the selection
-  // changed may ask it about any organ of the document.
   document::Document document_;
   document::UndoStack undo_;
   plugin::Registry registry_;

@@ -169,13 +169,13 @@ TEST_F(Groups, HullsFollowAHandleThatIsDraggedAtRest) {
     return all;
   };
   const auto before = verticesOf();
-  window().workspace().undo().beginStep("Drag");
+  document::UndoStack::Step drag(window().workspace().undo(), "Drag");
   Points to(1, 3);
   to << 1.1 * rig().handles[std::size_t(handle)].rest.transpose();
   perform(document::moveRestHandles({rig().handles[std::size_t(handle)].id}, to));
   EXPECT_NE(verticesOf(), before) << "in the middle of the drag";
   EXPECT_EQ(status().state, State::bound);
-  window().workspace().undo().cancelStep();
+  drag.cancel();
   settle();
   EXPECT_EQ(verticesOf(), before);
 }

@@ -9,7 +9,9 @@
 #include <QTest>
 
 #include "viscera/document/pose_commands.h"
+#include "viscera/document/rig_commands.h"
 #include "viscera/medical_io/surface_file.h"
+#include "viscera/scene/vtkVisceraHandleSetRepresentation.h"
 #include "viscera/sequences/keyframes.h"
 #include "window/modes/play_mode.h"
 #include "window/recorded/fit_box.h"
@@ -154,6 +156,25 @@ TEST_F(OwnMotion, APatientsOrganBreathesAndLandmarksAreClickedInTheView) {
   EXPECT_NEAR(volume(), rest, 1e-6 * rest) << "breathing keeps the volume";
   const Points& points = window().workspace().live().points(document().organs().front()->id);
   EXPECT_LT(boundsOf(points).center().z(), -5) << "and moves the organ down";
+}
+
+TEST_F(OwnMotion, UndoToARigOfMoreHandlesWhilePlayingLeavesTheWindowWhole) {
+  auto& undo = window().workspace().undo();
+  const std::size_t steps = undo.position();
+  const std::size_t handles = document().rig().handles.size();
+  undo.perform(document::removeHandles({document().rig().handles.back().id}));
+  key(Qt::Key_K, Qt::ControlModifier);
+  pose(1.2);
+  key(Qt::Key_K, Qt::ControlModifier);
+  window().playback().play();
+  window().playback().seek(0.3);
+  ASSERT_TRUE(window().playback().showing());
+  EXPECT_NO_THROW(undo.goTo(steps));
+  settle();
+  ASSERT_EQ(document().rig().handles.size(), handles);
+  EXPECT_EQ(view().view().handles()->GetNumberOfHandles(), static_cast<int>(handles));
+  EXPECT_EQ(window().workspace().live().shownPose(), document().pose());
+  EXPECT_FALSE(window().playback().showing());
 }
 
 } // namespace

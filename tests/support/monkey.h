@@ -57,11 +57,11 @@ private:
   }
 
   void drag() {
-    s_.undo.beginStep("Drag");
+    document::UndoStack::Step step(s_.undo, "Drag");
     const auto handles = someHandles();
     for (int i = 0; i < 5; ++i)
       attempt(document::moveHandles(handles, places(handles.size())));
-    number(4) == 0 ? s_.undo.cancelStep() : s_.undo.endStep();
+    number(4) == 0 ? step.cancel() : step.finish();
   }
 
   Points places(std::size_t count) {
@@ -127,7 +127,7 @@ private:
     case 12:
       return document::removeFromGroup(aGroup(), someHandles());
     case 13:
-      return number(2) == 0 ? document::resetPose() : document::resetHandles(someHandles());
+      return document::resetPose();
     case 14:
       return document::setSystem({number(2) == 0 ? "s-celestial" : "t-celestial", {}});
     case 15:

@@ -81,8 +81,7 @@ void MeasureTool::setEnabled(bool enabled) {
 
 bool MeasureTool::escape() {
   if (held_) {
-    held_.reset();
-    workspace_.undo().cancelStep();
+    held_.reset(); // Which takes back what was dragged.
   } else if (!points_.empty()) {
     points_.clear();
   } else if (kind_) {
@@ -161,9 +160,8 @@ bool MeasureTool::press(const QMouseEvent& event) {
   if (!mark)
     return false;
   const document::Measurement& measurement = workspace_.document().measurements()[mark->item];
-  held_ = Held{measurement.id, mark->point};
+  held_.emplace(Held{measurement.id, mark->point, {workspace_.undo(), "Move measured point"}});
   chosen_ = measurement.id;
-  workspace_.undo().beginStep("Move measured point");
   Q_EMIT changed();
   return true;
 }
@@ -189,8 +187,8 @@ void MeasureTool::dragTo(const QPointF& place) {
 }
 
 void MeasureTool::release() {
-  held_.reset();
-  workspace_.undo().endStep();
+  auto held = std::exchange(held_, std::nullopt);
+  held->step.finish();
   Q_EMIT changed();
 }
 

@@ -58,6 +58,7 @@ private:
   struct Held {
     document::MeasurementId measurement;
     std::size_t point = 0;
+    document::UndoStack::Step step;
   };
 
   void onClick(const QPointF& place);

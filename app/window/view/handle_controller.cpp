@@ -1,5 +1,7 @@
 #include "window/view/handle_controller.h"
 
+#include <utility>
+
 #include "viscera/document/rig_commands.h"
 #include "viscera/scene/vtkVisceraGizmoRepresentation.h"
 #include "viscera/scene/vtkVisceraGizmoWidget.h"
@@ -107,7 +109,7 @@ void HandleController::onGrabbed(const scene::HandleEvent& event) {
           ? tr("Move %n {handle|handles}", nullptr, static_cast<int>(event.moving.size()))
           : tr("Move handle %1").arg(text(handles.at(static_cast<std::size_t>(event.handle)).label));
   if (grabbed_.rest) {
-    workspace_.guarded([&] { workspace_.undo().beginStep(name.toStdString()); });
+    workspace_.guarded([&] { step_.emplace(workspace_.undo(), name.toStdString()); });
   } else {
     // The cursor moves the handle in the plane that the locked volume leaves it, when there is one.
     const bool begun = poses_.begin(name, idsOf(event.moving), true);
@@ -129,7 +131,7 @@ void HandleController::onMoved(const scene::HandleEvent& event) {
 }
 
 void HandleController::moveAtRest(const std::vector<int>& rows) {
-  if (!workspace_.undo().stepOpen())
+  if (!step_)
     return;
   Points positions(static_cast<Eigen::Index>(rows.size()), 3);
   for (std::size_t i = 0; i < rows.size(); ++i)
@@ -145,8 +147,8 @@ void HandleController::moveAtRest(const std::vector<int>& rows) {
 
 void HandleController::onReleased() {
   view_.handles()->ClearConstraintPlane();
-  if (grabbed_.rest)
-    workspace_.guarded([&] { workspace_.undo().endStep(); });
+  if (auto step = std::exchange(step_, std::nullopt))
+    workspace_.guarded([&] { step->finish(); });
   else
     poses_.finish();
   picture_.refresh();
@@ -155,8 +157,8 @@ void HandleController::onReleased() {
 
 void HandleController::onCancelled() {
   view_.handles()->ClearConstraintPlane();
-  if (grabbed_.rest)
-    workspace_.guarded([&] { workspace_.undo().cancelStep(); });
+  if (auto step = std::exchange(step_, std::nullopt))
+    workspace_.guarded([&] { step->cancel(); });
   else
     poses_.cancel();
   picture_.refresh();

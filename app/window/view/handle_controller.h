@@ -2,6 +2,7 @@
 
 #include <QObject>
 
+#include <optional>
 #include <vector>
 
 #include "viscera/scene/gizmo_event.h"
@@ -52,7 +53,8 @@ private:
   PoseEditor& poses_;
   Picture& picture_;
   scene::OrganView& view_;
-  presentation::Shown grabbed_; ///< As it was when the drag began.
+  presentation::Shown grabbed_;                   ///< As it was when the drag began.
+  std::optional<document::UndoStack::Step> step_; ///< Of a drag at rest.
   bool dragFailed_ = false;     ///< This drag has met an error and said so.
   std::vector<unsigned long> handleObservers_;
   std::vector<unsigned long> gizmoObservers_;

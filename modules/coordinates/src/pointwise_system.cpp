@@ -24,9 +24,10 @@ std::vector<int> failuresOf(Eigen::Index count, Threads threads, Progress& progr
   std::atomic<Eigen::Index> done{0};
   progress.throwIfCancelled();
   parallelRanges(count, kGrain, threads, [&](Eigen::Index begin, Eigen::Index end) {
-    progress.throwIfCancelled();
-    for (Eigen::Index point = begin; point < end; ++point)
+    for (Eigen::Index point = begin; point < end; ++point) {
+      progress.throwIfCancelled(); // Some systems take seconds a point.
       failed[static_cast<std::size_t>(point)] = solve(point) ? 0 : 1;
+    }
     progress.report(static_cast<double>(done += end - begin) / static_cast<double>(count));
   });
   std::vector<int> failures;

@@ -34,13 +34,10 @@ void Progress::throwIfCancelled() const {
 
 void runPart(Progress& progress, double from, double to, const std::function<void(Progress& part)>& job) {
   progress.throwIfCancelled();
-  Progress* running = nullptr;
   Progress part([&](double fraction, const std::string& step) {
     progress.report(from + fraction * (to - from), step);
-    if (progress.cancelled())
-      running->cancel();
   });
-  running = &part;
+  part.whole_ = &progress;
   job(part);
   progress.throwIfCancelled();
 }

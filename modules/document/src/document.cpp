@@ -1,8 +1,8 @@
 #include "viscera/document/document.h"
 
 #include <algorithm>
-#include <cassert>
 #include <cstring>
+#include <stdexcept>
 #include <utility>
 
 namespace viscera::document {
@@ -60,12 +60,32 @@ bool atRest(const DocumentState& state) {
   return *state.pose == state.rig->restPositions();
 }
 
-void Document::replace(DocumentState state, bool interactive) {
-  assert(!notifying_ && "an observer changes the document that it is told about");
-  Change change{std::exchange(state_, state), std::move(state), interactive};
-  notifying_ = true;
-  changed_.emit(change);
-  notifying_ = false;
+void Document::announce(std::function<void()> news) {
+  if (changing_)
+    news_.push_back(std::move(news));
+  else
+    news();
+}
+
+void Document::requireNoChangeUnderWay() const {
+  if (changing_)
+    throw std::logic_error("an observer changes the document that it is told about");
+}
+
+void Document::replace(DocumentState state, bool interactive, std::function<void()> news) {
+  requireNoChangeUnderWay();
+  const Change change{std::exchange(state_, state), std::move(state), interactive};
+  FirstException exception;
+  changing_ = true;
+  exception.watch([&] { derived_.emit(change); });
+  exception.watch([&] { changed_.emit(change); });
+  for (announce(std::move(news)); !news_.empty();) {
+    const auto telling = std::move(news_.front());
+    news_.pop_front();
+    exception.watch(telling);
+  }
+  changing_ = false;
+  exception.rethrow();
 }
 
 } // namespace viscera::document

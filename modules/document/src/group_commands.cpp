@@ -8,14 +8,6 @@
 namespace viscera::document {
 namespace {
 
-void requireFreeName(const Rig& rig, const std::string& name, GroupId self) {
-  if (name.empty())
-    throw UsageError("A group needs a name");
-  for (const Group& group : rig.groups)
-    if (group.name == name && group.id != self)
-      throw UsageError("There is already a group \"" + name + "\"");
-}
-
 /// The members in the order of the rig, each once. Throws for one that is not there.
 std::vector<HandleId> inOrder(const Rig& rig, const std::vector<HandleId>& handles) {
   std::set<int> rows;
@@ -44,8 +36,6 @@ Command addGroup(std::string name, Vec3 color, std::vector<HandleId> handles) {
   return {"Add group " + name,
           [name, color, handles = std::move(handles)](const DocumentState& state, IdSource& ids) {
             Rig rig = *state.rig;
-            requireFreeName(rig, name, {});
-            edit::requireColor(color);
             Group group{ids.next<GroupId>(), name, color, inOrder(rig, handles)};
             rig.groups.push_back(std::move(group));
             return edit::withRig(state, std::move(rig));
@@ -73,10 +63,6 @@ Command editGroup(GroupId group, GroupEdit change) {
                       : "Change group",
           [group, change = std::move(change)](const DocumentState& state, IdSource&) {
             return withGroup(state, group, [&](const Rig& rig, Group& changed) {
-              if (change.name)
-                requireFreeName(rig, *change.name, group);
-              if (change.color)
-                edit::requireColor(*change.color);
               changed.name = change.name.value_or(changed.name);
               changed.color = change.color.value_or(changed.color);
               if (change.handles)

@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "viscera/core/error.h"
+#include "viscera/core/utf8.h"
 
 namespace viscera::document {
 namespace {
@@ -43,7 +44,7 @@ void JsonReader::fail(const std::string& problem, const std::string& place,
 ordered_json JsonReader::parse(const std::string& text) const {
   ordered_json root;
   try {
-    root = ordered_json::parse(text, [this](int depth, ordered_json::parse_event_t, ordered_json&) {
+    root = ordered_json::parse(toUtf8(text), [this](int depth, ordered_json::parse_event_t, ordered_json&) {
       if (depth > kDeepest)
         fail("is nested too deeply", "");
       return true;

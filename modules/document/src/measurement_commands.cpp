@@ -23,8 +23,6 @@ Measurement& requireMeasurement(MeasurementList& measurements, MeasurementId id)
 /// The point as the organ's surface has it.
 MeasuredPoint sound(const DocumentState& state, const MeasuredPoint& point) {
   if (!point.organ) {
-    if (!point.rest.allFinite())
-      throw DataError("A measured point is not a finite place");
     MeasuredPoint fixed;
     fixed.rest = point.rest;
     return fixed;
@@ -82,8 +80,6 @@ Command moveMeasuredPoint(MeasurementId measurement, std::size_t index, Measured
 Command renameMeasurement(MeasurementId measurement, std::string name) {
   return {"Rename measurement",
           [measurement, name = std::move(name)](const DocumentState& state, IdSource&) {
-            if (name.empty())
-              throw UsageError("A measurement needs a name");
             MeasurementList measurements = *state.measurements;
             requireMeasurement(measurements, measurement).name = name;
             return withMeasurements(state, std::move(measurements));
@@ -96,10 +92,11 @@ Command removeMeasurements(std::vector<MeasurementId> ids) {
   return {name,
           [ids = std::move(ids)](const DocumentState& state, IdSource&) {
             MeasurementList measurements = *state.measurements;
-            for (const MeasurementId id : ids) {
+            for (const MeasurementId id : ids)
               requireMeasurement(measurements, id);
-              std::erase_if(measurements, [id](const Measurement& one) { return one.id == id; });
-            }
+            std::erase_if(measurements, [&ids](const Measurement& one) {
+              return std::find(ids.begin(), ids.end(), one.id) != ids.end();
+            });
             return withMeasurements(state, std::move(measurements));
           },
           {}};

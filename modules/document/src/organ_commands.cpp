@@ -4,6 +4,7 @@
 #include <set>
 #include <utility>
 
+#include "viscera/core/utf8.h"
 #include "viscera/document/edit.h"
 #include "viscera/geometry/close_holes.h"
 #include "viscera/geometry/surface_check.h"
@@ -38,8 +39,10 @@ DocumentState added(DocumentState state, IdSource& ids, const std::vector<NewOrg
       throw UsageError("An organ needs a surface", item.organ.name);
     Organ organ = item.organ;
     organ.id = ids.next<OrganId>();
-    organ.name =
-        edit::freeName(organ.name, [&organs](const std::string& name) { return hasName(organs, name); });
+    for (std::string& warning : organ.warnings)
+      warning = toUtf8(std::move(warning));
+    organ.name = edit::freeName(organ.name.empty() ? "Organ" : toUtf8(organ.name),
+                                [&organs](const std::string& name) { return hasName(organs, name); });
     if (item.parentInBatch >= 0) {
       const std::size_t parent = present + static_cast<std::size_t>(item.parentInBatch);
       if (parent >= organs.size())
@@ -152,9 +155,6 @@ Command removeAllOrgans() {
 Command setOrganLook(OrganId organ, OrganLook look) {
   return {"Change look",
           [organ, look](const DocumentState& state, IdSource&) {
-            edit::requireColor(look.color);
-            if (!(look.opacity >= 0 && look.opacity <= 1))
-              throw UsageError("An opacity has to lie between 0 and 1");
             return withOrgan(state, organ, [&look](Organ& changed) { changed.look = look; });
           },
           "look/" + std::to_string(organ.value)};
@@ -191,8 +191,6 @@ Command closeHoles(OrganId organ) {
 Command renameOrgan(OrganId organ, std::string name) {
   return {"Rename organ",
           [organ, name = std::move(name)](const DocumentState& state, IdSource&) {
-            if (name.empty())
-              throw UsageError("An organ needs a name");
             return withOrgan(state, organ, [&name](Organ& changed) { changed.name = name; });
           },
           {}};

@@ -20,7 +20,6 @@ Command moveHandles(std::vector<HandleId> handles, Points positions) {
           [handles = std::move(handles), positions = std::move(positions)](const DocumentState& state,
                                                                            IdSource&) {
             edit::requireMatch(positions, handles);
-            edit::requireFinite(positions, *state.rig, handles);
             Points pose = *state.pose;
             for (const auto& [row, item] : edit::freeRows(*state.rig, handles))
               pose.row(row) = positions.row(item);
@@ -36,7 +35,6 @@ Command setPose(Points pose, std::string name) {
               throw DataError("The pose has " + std::to_string(pose.rows()) + " handles, the document " +
                                   std::to_string(state.pose->rows()),
                               {}, "use a pose of the same handles");
-            edit::requireFinite(pose, *state.rig, {});
             return withPose(state, pose);
           },
           {}};
@@ -45,18 +43,6 @@ Command setPose(Points pose, std::string name) {
 Command resetPose() {
   return {"Reset pose",
           [](const DocumentState& state, IdSource&) { return withPose(state, state.rig->restPositions()); },
-          {}};
-}
-
-Command resetHandles(std::vector<HandleId> handles) {
-  const std::string name = edit::counted("Reset", handles.size(), "handle");
-  return {name,
-          [handles = std::move(handles)](const DocumentState& state, IdSource&) {
-            Points pose = *state.pose;
-            for (const auto& [row, item] : edit::freeRows(*state.rig, handles))
-              pose.row(row) = state.rig->handles[static_cast<std::size_t>(row)].rest.transpose();
-            return withPose(state, std::move(pose));
-          },
           {}};
 }
 

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 #include <utility>
 
+#include "viscera/core/utf8.h"
 #include "viscera/document/edit.h"
 
 namespace viscera::document {
@@ -17,23 +17,11 @@ DocumentState withRecording(DocumentState state, Recording recording) {
   return state;
 }
 
-std::string inSeconds(double seconds) {
-  std::ostringstream text;
-  text << seconds << " s";
-  return text.str();
-}
-
 RecordedKey& requireKey(Recording& recording, KeyId id) {
   for (RecordedKey& key : recording.keys)
     if (key.id == id)
       return key;
   throw UsageError("There is no such key any more", "key " + std::to_string(id.value));
-}
-
-void requireInPeriod(const Recording& recording, double seconds) {
-  if (!(seconds >= 0 && seconds < recording.periodSeconds))
-    throw UsageError("A key's time has to lie within the period of " + inSeconds(recording.periodSeconds),
-                     recording.name, "lengthen the period first");
 }
 
 /// The key at that time, or null.
@@ -67,18 +55,9 @@ void requireHandles(const DocumentState& state) {
 }
 
 Recording withPeriod(Recording recording, double period, bool stretch) {
-  if (!(period >= kShortestSpan) || !std::isfinite(period))
-    throw UsageError("The period has to be a positive number of seconds", recording.name);
-  for (RecordedKey& key : recording.keys) {
+  for (RecordedKey& key : recording.keys)
     key.seconds *= stretch ? period / recording.periodSeconds : 1;
-    if (key.seconds >= period)
-      throw UsageError("The period is too short for the key at " + inSeconds(key.seconds), recording.name,
-                       "move or remove that key, or stretch the keys with the period");
-  }
   recording.periodSeconds = period;
-  for (std::size_t i = 1; i < recording.keys.size(); ++i)
-    if (recording.keys[i].seconds - recording.keys[i - 1].seconds < kShortestSpan)
-      throw UsageError("The period is too short for so many keys", recording.name);
   return recording;
 }
 
@@ -89,7 +68,6 @@ Command recordKey(double seconds, sequences::Easing easing) {
           [=](const DocumentState& state, IdSource& ids) {
             requireHandles(state);
             Recording recording = *state.recording;
-            requireInPeriod(recording, seconds);
             if (RecordedKey* there = keyAt(recording, seconds)) {
               there->displacements = presentDisplacements(state);
               return withRecording(state, std::move(recording));
@@ -105,11 +83,7 @@ Command moveKey(KeyId key, double seconds) {
   return {"Move key",
           [=](const DocumentState& state, IdSource&) {
             Recording recording = *state.recording;
-            requireInPeriod(recording, seconds);
             RecordedKey& moved = requireKey(recording, key);
-            if (const RecordedKey* there = keyAt(recording, seconds); there && there->id != key)
-              throw UsageError("There is a key at " + inSeconds(there->seconds) + " already", recording.name,
-                               "move it elsewhere, or remove one of the two");
             moved.seconds = seconds;
             sortByTime(recording);
             return withRecording(state, std::move(recording));
@@ -132,10 +106,11 @@ Command removeKeys(std::vector<KeyId> keys) {
   return {name,
           [keys = std::move(keys)](const DocumentState& state, IdSource&) {
             Recording recording = *state.recording;
-            for (const KeyId key : keys) {
+            for (const KeyId key : keys)
               requireKey(recording, key);
-              std::erase_if(recording.keys, [key](const RecordedKey& one) { return one.id == key; });
-            }
+            std::erase_if(recording.keys, [&keys](const RecordedKey& one) {
+              return std::find(keys.begin(), keys.end(), one.id) != keys.end();
+            });
             return withRecording(state, std::move(recording));
           },
           {}};
@@ -156,8 +131,6 @@ Command editRecording(RecordingEdit change) {
   return {"Change recording",
           [change = std::move(change)](const DocumentState& state, IdSource&) {
             Recording recording = *state.recording;
-            if (change.name && change.name->empty())
-              throw UsageError("A recording needs a name");
             if (change.periodSeconds)
               recording = withPeriod(std::move(recording), *change.periodSeconds, change.stretch);
             recording.name = change.name.value_or(recording.name);
@@ -172,20 +145,12 @@ Command replaceRecording(Recording recording) {
   return {"Replace recording",
           [recording = std::move(recording)](const DocumentState& state, IdSource& ids) {
             Recording replaced = recording;
+            replaced.name = replaced.name.empty() ? Recording().name : toUtf8(replaced.name);
             sortByTime(replaced);
-            replaced = withPeriod(std::move(replaced), recording.periodSeconds, false);
-            for (RecordedKey& key : replaced.keys) {
-              requireInPeriod(replaced, key.seconds);
+            for (RecordedKey& key : replaced.keys)
               key.id = ids.next<KeyId>();
-            }
             return withRecording(state, std::move(replaced));
           },
-          {}};
-}
-
-Command clearRecording() {
-  return {"Clear recording",
-          [](const DocumentState& state, IdSource&) { return withRecording(state, Recording()); },
           {}};
 }
 

@@ -1,10 +1,10 @@
 #include "viscera/document/rig_commands.h"
 
 #include <charconv>
-#include <numeric>
 #include <set>
 #include <utility>
 
+#include "viscera/core/utf8.h"
 #include "viscera/deformation/place_handles.h"
 #include "viscera/document/edit.h"
 
@@ -14,33 +14,15 @@ namespace {
 /// How far a box around vertices in no region reaches beyond them, as a part of their organ's diagonal.
 constexpr double kEnclosingMargin = 0.03;
 
+/// Larger numbers of labels are not counted on from: there would be none left.
+constexpr int kLargestNumber = 1'000'000'000;
+
 /// The number of a label "H-n", or 0.
 int numberOf(const std::string& label) {
   int number = 0;
   if (label.rfind("H-", 0) == 0)
     std::from_chars(label.data() + 2, label.data() + label.size(), number);
-  return number;
-}
-
-/// Throws when a rest position is not finite or two are one place. Neighbours along x only: O(n log n) as a
-/// rule.
-void requireApart(const Rig& rig) {
-  const Points rest = rig.restPositions();
-  std::vector<HandleId> ids;
-  for (const Handle& handle : rig.handles)
-    ids.push_back(handle.id);
-  edit::requireFinite(rest, rig, ids);
-  const double apart = kSamePlace * std::max(boundsOf(rest).diagonal(), 1.0);
-  std::vector<Eigen::Index> order(static_cast<std::size_t>(rest.rows()));
-  std::iota(order.begin(), order.end(), Eigen::Index{0});
-  std::sort(order.begin(), order.end(), [&rest](auto a, auto b) { return rest(a, 0) < rest(b, 0); });
-  for (std::size_t i = 0; i < order.size(); ++i)
-    for (std::size_t j = i + 1; j < order.size() && rest(order[j], 0) - rest(order[i], 0) <= apart; ++j)
-      if ((rest.row(order[i]) - rest.row(order[j])).norm() <= apart)
-        throw DataError("Two handles are at one place",
-                        "handles " + rig.handles[static_cast<std::size_t>(order[i])].label + " and " +
-                            rig.handles[static_cast<std::size_t>(order[j])].label,
-                        "move or remove one of them");
+  return number > 0 && number <= kLargestNumber ? number : 0;
 }
 
 /// Puts new handles behind those of `rig`, and their positions behind `pose`. Returns their ids.
@@ -57,20 +39,20 @@ std::vector<HandleId> append(Rig& rig, Points& pose, const std::vector<NewHandle
   pose.conservativeResize(present + static_cast<Eigen::Index>(handles.size()), 3);
   std::vector<HandleId> added;
   for (const NewHandle& item : handles) {
-    const std::string wanted = item.label.empty() ? "H-" + std::to_string(++number) : item.label;
+    const std::string wanted = item.label.empty() ? "H-" + std::to_string(++number) : toUtf8(item.label);
     const std::string label =
         edit::freeName(wanted, [&](const std::string& name) { return labels.count(name) > 0; });
     labels.insert(label);
     pose.row(present + static_cast<Eigen::Index>(added.size())) = item.posed.value_or(item.rest).transpose();
     added.push_back(ids.next<HandleId>());
-    rig.handles.push_back({added.back(), label, item.rest, item.locked, item.visible, item.description});
+    rig.handles.push_back(
+        {added.back(), label, item.rest, item.locked, item.visible, toUtf8(item.description)});
   }
-  edit::requireFinite(pose, rig, {});
   return added;
 }
 
 std::string freeGroupName(const Rig& rig, const std::string& wanted) {
-  return edit::freeName(wanted, [&rig](const std::string& name) {
+  return edit::freeName(wanted.empty() ? "Group" : toUtf8(wanted), [&rig](const std::string& name) {
     return std::any_of(rig.groups.begin(), rig.groups.end(),
                        [&name](const Group& g) { return g.name == name; });
   });
@@ -85,7 +67,6 @@ DocumentState withBox(const DocumentState& state, const Points& corners, const s
   Rig rig = *state.rig;
   Points pose = *state.pose;
   const std::vector<HandleId> added = append(rig, pose, handles, ids);
-  requireApart(rig);
   rig.groups.push_back({ids.next<GroupId>(), freeGroupName(rig, name), {0.6, 0.6, 0.65}, added});
   return edit::withRig(state, std::move(rig), std::move(pose));
 }
@@ -125,7 +106,6 @@ DocumentState withEnclosingGroup(const DocumentState& state, OrganId id, const s
 DocumentState movedAtRest(const DocumentState& state, const std::vector<HandleId>& handles,
                           const Points& positions) {
   edit::requireMatch(positions, handles);
-  edit::requireFinite(positions, *state.rig, handles);
   Rig rig = *state.rig;
   Points pose = *state.pose;
   for (const auto& [row, item] : edit::freeRows(rig, handles)) {
@@ -136,7 +116,6 @@ DocumentState movedAtRest(const DocumentState& state, const std::vector<HandleId
     pose.row(row) = (wasAtRest ? moved : Vec3(moved + (posed - rest))).transpose();
     rest = moved;
   }
-  requireApart(rig);
   return edit::withRig(state, std::move(rig), std::move(pose));
 }
 
@@ -168,9 +147,7 @@ DocumentState withNewRig(const DocumentState& state, const NewRig& replacement, 
   Rig rig;
   Points pose(0, 3);
   const std::vector<HandleId> added = append(rig, pose, replacement.handles, ids);
-  requireApart(rig);
   for (const NewGroup& item : replacement.groups) {
-    edit::requireColor(item.color);
     Group group{ids.next<GroupId>(), freeGroupName(rig, item.name), item.color, {}};
     const std::set<int> members(item.handles.begin(), item.handles.end());
     for (const int index : members) {
@@ -190,13 +167,7 @@ DocumentState edited(const DocumentState& state, const std::vector<HandleId>& ha
   for (const HandleId id : handles) {
     const int row = edit::requireHandle(rig, id);
     Handle& handle = rig.handles[static_cast<std::size_t>(row)];
-    if (change.label) {
-      if (change.label->empty())
-        throw UsageError("A handle needs a label", "handle " + handle.label);
-      if (const int taken = rig.indexOf(*change.label); taken >= 0 && taken != row)
-        throw UsageError("There is already a handle \"" + *change.label + "\"", "handle " + handle.label);
-      handle.label = *change.label;
-    }
+    handle.label = change.label.value_or(handle.label);
     handle.description = change.description.value_or(handle.description);
     handle.locked = change.locked.value_or(handle.locked);
     handle.visible = change.visible.value_or(handle.visible);
@@ -236,7 +207,6 @@ Command addHandles(std::vector<NewHandle> handles, GroupId group) {
             if (group && place < 0)
               throw UsageError("There is no such group any more", "group " + std::to_string(group.value));
             const std::vector<HandleId> added = append(rig, pose, handles, ids);
-            requireApart(rig);
             if (place >= 0) {
               auto& members = rig.groups[static_cast<std::size_t>(place)].handles;
               members.insert(members.end(), added.begin(), added.end());

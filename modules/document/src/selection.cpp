@@ -6,7 +6,7 @@
 namespace viscera::document {
 
 Selection::Selection(Document& document)
-    : document_(document), subscription_(document.onChange([this](const Change& change) {
+    : document_(document), subscription_(document.onDerive([this](const Change& change) {
         if (change.rig() || change.organs())
           drop();
       })) {}
@@ -22,7 +22,7 @@ void Selection::setHandles(const std::vector<HandleId>& handles) {
         std::find(present.begin(), present.end(), handle) == present.end())
       present.push_back(handle);
   if (std::exchange(handles_, present) != present)
-    changed_.emit();
+    document_.announce(changed_.emission());
 }
 
 void Selection::toggle(HandleId handle) {
@@ -35,13 +35,13 @@ void Selection::toggle(HandleId handle) {
 void Selection::setOrgan(OrganId organ) {
   const OrganId present = document_.organ(organ) ? organ : OrganId{};
   if (std::exchange(organ_, present) != present)
-    changed_.emit();
+    document_.announce(changed_.emission());
 }
 
 void Selection::setGroup(GroupId group) {
   const GroupId present = document_.rig().indexOf(group) >= 0 ? group : GroupId{};
   if (std::exchange(group_, present) != present)
-    changed_.emit();
+    document_.announce(changed_.emission());
 }
 
 void Selection::clear() {
@@ -50,7 +50,7 @@ void Selection::clear() {
   organ_ = {};
   group_ = {};
   if (any)
-    changed_.emit();
+    document_.announce(changed_.emission());
 }
 
 void Selection::drop() {
@@ -65,7 +65,7 @@ void Selection::drop() {
     ++gone;
   }
   if (gone > 0)
-    changed_.emit();
+    document_.announce(changed_.emission());
 }
 
 } // namespace viscera::document

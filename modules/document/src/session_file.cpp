@@ -14,6 +14,7 @@
 #include "viscera/core/atomic_file.h"
 #include "viscera/core/error.h"
 #include "viscera/document/open_files.h"
+#include "viscera/document/validate.h"
 
 namespace viscera::document {
 namespace {
@@ -179,11 +180,14 @@ public:
     reader_.readSystem(reader_.field(root, "system", ""), contents.state);
     reader_.readRecording(reader_.field(root, "recording", ""), contents.state);
     reader_.readMeasurements(root, contents.state);
+    const DocumentState cheap = contents.state;
+    reader_.requireValid(cheap, {});
     const ordered_json& view = reader_.field(root, "view", "");
     reader_.requireObject(view, "view");
     contents.view = dumped(view);
     readOrgans(reader_.listOf(root, "organs", ""));
     placeMeasurements();
+    reader_.requireValid(contents.state, cheap);
     for (const std::string& key : reader_.unknownKeys())
       opened_.warnings.push_back(reader_.where() + ": nothing is known about \"" + key +
                                  "\"; it will not be saved again");
@@ -238,15 +242,13 @@ private:
   /// kept for when it is there again.
   void placeMeasurements() {
     std::set<std::string> moved;
-    eachMeasuredPoint([&](MeasuredPoint& point, const std::string& place) {
+    eachMeasuredPoint([&](MeasuredPoint& point, const std::string&) {
       const auto organ = point.organ ? opened_.contents.state.organ(point.organ) : nullptr;
       if (!organ)
         return;
       if (changed_.count(organ->id)) {
         point = nearestPoint(*organ, point.rest);
         moved.insert(organ->name);
-      } else if (point.triangle >= organ->mesh->triangles.rows()) {
-        reader_.fail("the surface of " + organ->name + " has no such triangle", place + ".triangle");
       }
     });
     for (const std::string& organ : moved)
@@ -444,6 +446,7 @@ void writeSession(const fs::path& file, const SessionContents& contents, Progres
                             "name it " + file.filename().string() + std::string(kEnding));
   const fs::path folder = fs::absolute(file).parent_path();
   const DocumentState& state = contents.state;
+  validate(state);
   ordered_json root{{"format", kSessionFormat},
                     {"version", kSessionVersion},
                     {"coordinateSystem", "LPS"},

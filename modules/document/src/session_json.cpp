@@ -1,12 +1,11 @@
 #include "session_json.h"
 
-#include <algorithm>
-#include <cmath>
 #include <cstring>
 #include <limits>
 #include <utility>
 
 #include "viscera/core/error.h"
+#include "viscera/document/validate.h"
 
 namespace viscera::document {
 namespace {
@@ -17,22 +16,8 @@ constexpr JsonReader::Format kFormat = {
     kSessionFormat, kSessionVersion, "session", "choose a file that Viscera has saved as .viscera",
     "take a backup of the file, or begin a new session with the organs' own files"};
 
-/// How far the sum of weights may be from 1.
-constexpr double kWeightTolerance = 1e-6;
-
 bool sameBits(const Vec3& a, const Vec3& b) {
   return std::memcmp(a.data(), b.data(), 3 * sizeof(double)) == 0;
-}
-
-/// JSON has no such numbers, and a document should have none.
-void requireFinite(double value, const std::string& place) {
-  if (!std::isfinite(value))
-    throw DataError("is not a finite number and cannot be saved", place, "undo the step that set it");
-}
-
-void requireFinite(const Vec3& value, const std::string& place) {
-  for (int k = 0; k < 3; ++k)
-    requireFinite(value[k], place);
 }
 
 ordered_json cageJson(const std::vector<CageTriangle>& cage) {
@@ -45,8 +30,6 @@ ordered_json cageJson(const std::vector<CageTriangle>& cage) {
 } // namespace
 
 ordered_json organJson(const Organ& organ) {
-  requireFinite(organ.look.color, "colour of " + organ.name);
-  requireFinite(organ.look.opacity, "opacity of " + organ.name);
   ordered_json item{{"id", organ.id.value}, {"name", organ.name}};
   if (organ.parent)
     item["parent"] = organ.parent.value;
@@ -64,8 +47,6 @@ ordered_json rigJson(const Rig& rig, const Points& pose) {
   for (std::size_t i = 0; i < rig.handles.size(); ++i) {
     const Handle& handle = rig.handles[i];
     const Vec3 posed = pose.row(static_cast<Eigen::Index>(i)).transpose();
-    requireFinite(handle.rest, "handle " + handle.label);
-    requireFinite(posed, "handle " + handle.label);
     ordered_json item{{"id", handle.id.value}, {"label", handle.label}, {"rest", listOf(handle.rest)}};
     if (!sameBits(posed, handle.rest))
       item["pose"] = listOf(posed);
@@ -78,7 +59,6 @@ ordered_json rigJson(const Rig& rig, const Points& pose) {
   }
   ordered_json groups = ordered_json::array();
   for (const Group& group : rig.groups) {
-    requireFinite(group.color, "colour of group " + group.name);
     ordered_json members = ordered_json::array();
     for (const HandleId id : group.handles)
       members.push_back(id.value);
@@ -95,10 +75,8 @@ ordered_json rigJson(const Rig& rig, const Points& pose) {
 
 ordered_json systemJson(const SystemChoice& system) {
   ordered_json parameters = ordered_json::object();
-  for (const auto& [name, value] : system.parameters.all()) {
-    requireFinite(value, "parameter " + name);
+  for (const auto& [name, value] : system.parameters.all())
     parameters[name] = value;
-  }
   return {{"id", system.id}, {"parameters", std::move(parameters)}};
 }
 
@@ -106,10 +84,8 @@ ordered_json recordingJson(const Recording& recording) {
   ordered_json keys = ordered_json::array();
   for (const RecordedKey& key : recording.keys) {
     ordered_json displacements = ordered_json::array();
-    for (const auto& [handle, moved] : key.displacements) {
-      requireFinite(moved, "a recorded key");
+    for (const auto& [handle, moved] : key.displacements)
       displacements.push_back({{"handle", handle.value}, {"by", listOf(moved)}});
-    }
     keys.push_back({{"id", key.id.value},
                     {"seconds", key.seconds},
                     {"easing", nameOf(key.easing)},
@@ -128,7 +104,6 @@ ordered_json measurementsJson(const MeasurementList& measurements,
   for (const Measurement& measurement : measurements) {
     ordered_json points = ordered_json::array();
     for (const MeasuredPoint& point : measurement.points) {
-      requireFinite(point.rest, "measurement " + measurement.name);
       ordered_json item{{"rest", listOf(point.rest)}};
       if (point.organ && isKnown(point.organ)) {
         item["organ"] = point.organ.value;
@@ -158,11 +133,19 @@ std::string SessionReader::optionalText(const ordered_json& object, const char* 
   return found->get<std::string>();
 }
 
+void SessionReader::requireValid(const DocumentState& state, const DocumentState& known) const {
+  try {
+    validate(state, known);
+  } catch (const DataError& error) {
+    fail(error.problem(), error.where());
+  }
+}
+
 template <class AnyId>
 AnyId SessionReader::newId(const ordered_json& object, const std::string& place) {
   const AnyId id{wholeOf(field(object, "id", place), place + ".id")};
-  if (!id)
-    fail("its id is 0, which names nothing", place);
+  if (!id || id.value > kLargestId)
+    fail("its id is not a whole number from 1 to 2^52", place);
   if (!ids_.insert(id.value).second)
     fail("the id " + std::to_string(id.value) + " comes twice", place);
   return id;
@@ -185,7 +168,7 @@ Organ SessionReader::readOrganRecord(const ordered_json& item, const std::string
   organ.look.color = colorOf(field(look, "color", inLook), inLook + ".color");
   organ.look.vertexColors = flagOf(look, "vertexColors", inLook);
   organ.look.opacity = numberOf(field(look, "opacity", inLook), inLook + ".opacity");
-  if (!(organ.look.opacity >= 0 && organ.look.opacity <= 1))
+  if (!(organ.look.opacity >= 0 && organ.look.opacity <= 1)) // Also of an organ whose file is missing.
     fail("does not lie between 0 and 1", inLook + ".opacity");
   organ.look.visible = flagOf(look, "visible", inLook);
   organ.look.tracked = flagOf(look, "tracked", inLook);
@@ -208,43 +191,26 @@ Handle SessionReader::readHandle(const ordered_json& item, const std::string& pl
   return handle;
 }
 
-Group SessionReader::readGroup(const ordered_json& item, const Rig& rig, const std::string& place) {
+Group SessionReader::readGroup(const ordered_json& item, const std::string& place) {
   requireObject(item, place);
   noteUnknown(item, {"id", "name", "color", "handles"}, place);
   Group group;
   group.id = newId<GroupId>(item, place);
   group.name = textOf(item, "name", place);
   group.color = colorOf(field(item, "color", place), place + ".color");
-  int last = -1;
-  for (const ordered_json& member : listOf(item, "handles", place)) {
-    const HandleId id{wholeOf(member, place + ".handles")};
-    const int row = rig.indexOf(id);
-    if (row < 0)
-      fail("there is no handle " + std::to_string(id.value), place + ".handles");
-    if (row <= last)
-      fail("its handles are not in the order of the rig, each once", place + ".handles");
-    last = row;
-    group.handles.push_back(id);
-  }
+  for (const ordered_json& member : listOf(item, "handles", place))
+    group.handles.push_back({wholeOf(member, place + ".handles")});
   return group;
 }
 
 void SessionReader::readCage(const ordered_json& list, Rig& rig) const {
-  std::set<HandleId> known;
-  for (const Handle& handle : rig.handles)
-    known.insert(handle.id);
   for (std::size_t i = 0; i < list.size(); ++i) {
     const std::string place = at("rig.cage", i);
     if (!list[i].is_array() || list[i].size() != 3)
       fail("is not a triangle of three handles", place);
     CageTriangle triangle;
-    for (std::size_t k = 0; k < 3; ++k) {
+    for (std::size_t k = 0; k < 3; ++k)
       triangle[k] = HandleId{wholeOf(list[i][k], place)};
-      if (!known.count(triangle[k]))
-        fail("there is no handle " + std::to_string(triangle[k].value), place);
-    }
-    if (triangle[0] == triangle[1] || triangle[1] == triangle[2] || triangle[2] == triangle[0])
-      fail("has a handle at two corners", place);
     rig.cage.push_back(triangle);
   }
 }
@@ -255,24 +221,17 @@ void SessionReader::readRig(const ordered_json& item, DocumentState& state) {
   Rig rig;
   const ordered_json& handles = listOf(item, "handles", "rig");
   Points pose(static_cast<Eigen::Index>(handles.size()), 3);
-  std::set<std::string> labels;
   for (std::size_t i = 0; i < handles.size(); ++i) {
     const std::string place = at("rig.handles", i);
     rig.handles.push_back(readHandle(handles[i], place));
     const Handle& handle = rig.handles.back();
-    if (!labels.insert(handle.label).second)
-      fail("the label \"" + handle.label + "\" comes twice", place);
     pose.row(static_cast<Eigen::Index>(i)) =
         (handles[i].contains("pose") ? vectorOf(handles[i].at("pose"), place + ".pose") : handle.rest)
             .transpose();
   }
   const ordered_json& groups = listOf(item, "groups", "rig");
-  std::set<std::string> names;
-  for (std::size_t i = 0; i < groups.size(); ++i) {
-    rig.groups.push_back(readGroup(groups[i], rig, at("rig.groups", i)));
-    if (!names.insert(rig.groups.back().name).second)
-      fail("the name \"" + rig.groups.back().name + "\" comes twice", at("rig.groups", i));
-  }
+  for (std::size_t i = 0; i < groups.size(); ++i)
+    rig.groups.push_back(readGroup(groups[i], at("rig.groups", i)));
   if (item.contains("cage"))
     readCage(listOf(item, "cage", "rig"), rig);
   state.rig = std::make_shared<const Rig>(std::move(rig));
@@ -314,23 +273,15 @@ void SessionReader::readRecording(const ordered_json& item, DocumentState& state
   requireObject(item, "recording");
   noteUnknown(item, {"name", "periodSeconds", "loop", "interpolation", "keys"}, "recording");
   Recording recording;
-  recording.name = optionalText(item, "name", "recording");
+  if (const std::string name = optionalText(item, "name", "recording"); !name.empty())
+    recording.name = name;
   recording.periodSeconds = numberOf(field(item, "periodSeconds", "recording"), "recording.periodSeconds");
-  if (!(recording.periodSeconds >= sequences::kShortestSpan))
-    fail("is not a positive number of seconds", "recording.periodSeconds");
   recording.loop = flagOf(item, "loop", "recording");
   recording.interpolation =
       named(sequences::interpolationFromName, item, "interpolation", "recording", "eased, curve");
   const ordered_json& keys = listOf(item, "keys", "recording");
-  for (std::size_t i = 0; i < keys.size(); ++i) {
-    const std::string place = at("recording.keys", i);
-    recording.keys.push_back(readKey(keys[i], place));
-    const double seconds = recording.keys[i].seconds;
-    const bool behind =
-        i == 0 ? seconds >= 0 : seconds - recording.keys[i - 1].seconds >= sequences::kShortestSpan;
-    if (!behind || !(seconds < recording.periodSeconds))
-      fail("its time does not lie behind the key before it and within the period", place);
-  }
+  for (std::size_t i = 0; i < keys.size(); ++i)
+    recording.keys.push_back(readKey(keys[i], at("recording.keys", i)));
   state.recording = std::make_shared<const Recording>(std::move(recording));
 }
 
@@ -347,8 +298,6 @@ MeasuredPoint SessionReader::readMeasuredPoint(const ordered_json& item, const s
     fail("no surface has so many triangles", place + ".triangle");
   point.triangle = static_cast<int>(triangle);
   point.weights = vectorOf(field(item, "weights", place), place + ".weights");
-  if (!(point.weights.minCoeff() >= 0 && std::abs(point.weights.sum() - 1) <= kWeightTolerance))
-    fail("are no place in a triangle: they have to be 0 at least, and 1 together", place + ".weights");
   return point;
 }
 
@@ -365,8 +314,6 @@ void SessionReader::readMeasurements(const ordered_json& root, DocumentState& st
     measurement.id = newId<MeasurementId>(list[i], place);
     measurement.name = textOf(list[i], "name", place);
     const ordered_json& points = listOf(list[i], "points", place);
-    if (points.size() != 2 && points.size() != 3)
-      fail("has neither the two points of a distance nor the three of an angle", place + ".points");
     for (std::size_t k = 0; k < points.size(); ++k)
       measurement.points.push_back(readMeasuredPoint(points[k], at(place + ".points", k)));
     measurements.push_back(std::move(measurement));

@@ -35,6 +35,9 @@ public:
   /// Whether the organs and triangles that points name are there is not looked at.
   void readMeasurements(const nlohmann::ordered_json& root, DocumentState& state);
 
+  /// What `validate` throws, for this file.
+  void requireValid(const DocumentState& state, const DocumentState& known) const;
+
   /// A text that may be empty or left out.
   std::string optionalText(const nlohmann::ordered_json& object, const char* key,
                            const std::string& place) const;
@@ -45,7 +48,7 @@ private:
   template <class AnyId>
   AnyId newId(const nlohmann::ordered_json& object, const std::string& place);
   Handle readHandle(const nlohmann::ordered_json& item, const std::string& place);
-  Group readGroup(const nlohmann::ordered_json& item, const Rig& rig, const std::string& place);
+  Group readGroup(const nlohmann::ordered_json& item, const std::string& place);
   void readCage(const nlohmann::ordered_json& list, Rig& rig) const;
   RecordedKey readKey(const nlohmann::ordered_json& item, const std::string& place);
   MeasuredPoint readMeasuredPoint(const nlohmann::ordered_json& item, const std::string& place);

@@ -1,10 +1,7 @@
 #include "viscera/document/system_commands.h"
 
-#include <cmath>
 #include <memory>
 #include <utility>
-
-#include "viscera/core/error.h"
 
 namespace viscera::document {
 namespace {
@@ -27,8 +24,6 @@ Command setSystem(SystemChoice choice) {
 Command setParameter(std::string name, double value) {
   return {"Set " + name,
           [name, value](const DocumentState& state, IdSource&) {
-            if (!std::isfinite(value))
-              throw UsageError("The value of the parameter \"" + name + "\" is not a finite number");
             SystemChoice choice = *state.system;
             choice.parameters.set(name, value);
             return withSystem(state, std::move(choice));

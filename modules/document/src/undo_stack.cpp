@@ -4,6 +4,8 @@
 #include <iterator>
 #include <utility>
 
+#include "viscera/document/validate.h"
+
 namespace viscera::document {
 namespace {
 
@@ -64,16 +66,31 @@ std::size_t newBytes(const DocumentState& before, const DocumentState& after) {
 UndoStack::UndoStack(Document& document, std::size_t memory)
     : document_(document), memory_(memory), saved_(document.state()) {}
 
+void UndoStack::change(DocumentState state) {
+  document_.replace(std::move(state), stepOpen_, changed_.emission());
+}
+
 void UndoStack::perform(const Command& command) {
+  document_.requireNoChangeUnderWay();
   const DocumentState before = document_.state();
   DocumentState after = command.apply(before, document_.ids_);
   shareEqualParts(before, after);
   if (after == before)
     return;
-  if (!stepOpen_)
-    push({command.name, command.mergeKey, before, after}, merges(command));
-  document_.replace(std::move(after), stepOpen_);
-  changed_.emit();
+  validate(after, before);
+  Entry entry{command.name, command.mergeKey, before, after};
+  if (!stepOpen_ && merges(command)) {
+    entry.before = entries_.back().before;
+    shareEqualParts(entry.before, after);
+    entry.after = after;
+    entries_.pop_back();
+    position_ = entries_.size();
+  }
+  if (entry.before == after)
+    seal(); // A slider that is back where it began has done nothing.
+  else if (!stepOpen_)
+    push(std::move(entry));
+  change(std::move(after));
 }
 
 bool UndoStack::merges(const Command& command) const {
@@ -82,15 +99,11 @@ bool UndoStack::merges(const Command& command) const {
          entries_.back().mergeKey == command.mergeKey && !(entries_.back().after == saved_);
 }
 
-void UndoStack::push(Entry entry, bool merge) {
-  if (merge) {
-    entries_.back().after = std::move(entry.after);
-  } else {
-    entries_.erase(entries_.begin() + static_cast<std::ptrdiff_t>(position_), entries_.end());
-    entries_.push_back(std::move(entry));
-    position_ = entries_.size();
-  }
-  entries_.back().bytes = newBytes(entries_.back().before, entries_.back().after);
+void UndoStack::push(Entry entry) {
+  entries_.erase(entries_.begin() + static_cast<std::ptrdiff_t>(position_), entries_.end());
+  entry.bytes = newBytes(entry.before, entry.after);
+  entries_.push_back(std::move(entry));
+  position_ = entries_.size();
   forgetOldest();
   sealed_ = false;
 }
@@ -106,34 +119,64 @@ void UndoStack::forgetOldest() {
   entries_.erase(entries_.begin(), oldest);
 }
 
+UndoStack::Step::Step(UndoStack& undo, const std::string& name) : undo_(&undo) {
+  undo.beginStep(name);
+  number_ = undo.stepNumber_;
+}
+
+UndoStack::Step::~Step() {
+  try {
+    cancel();
+  } catch (...) { // An observer's; everybody has heard, and there is nobody to tell.
+  }
+}
+
+/// The stack while this step is the one that is open; the step is over then.
+UndoStack* UndoStack::Step::take() {
+  UndoStack* undo = std::exchange(undo_, nullptr);
+  return undo && undo->stepOpen_ && undo->stepNumber_ == number_ ? undo : nullptr;
+}
+
+void UndoStack::Step::finish() {
+  if (UndoStack* undo = take())
+    undo->endStep();
+}
+
+void UndoStack::Step::cancel() {
+  if (UndoStack* undo = take())
+    undo->cancelStep();
+}
+
 void UndoStack::beginStep(const std::string& name) {
+  document_.requireNoChangeUnderWay();
   endStep();
   stepBefore_ = document_.state();
   stepName_ = name;
   stepOpen_ = true;
+  ++stepNumber_;
   changed_.emit();
 }
 
 void UndoStack::endStep() {
   if (!stepOpen_)
     return;
+  document_.requireNoChangeUnderWay();
   stepOpen_ = false;
   DocumentState after = document_.state();
   shareEqualParts(stepBefore_, after);
   if (!(after == stepBefore_))
-    push({stepName_, {}, stepBefore_, after}, false);
+    push({stepName_, {}, stepBefore_, after});
   stepBefore_ = {};
   seal();
-  document_.replace(std::move(after), false);
-  changed_.emit();
+  change(std::move(after));
 }
 
 void UndoStack::cancelStep() {
   if (!stepOpen_)
     return;
+  document_.requireNoChangeUnderWay();
   stepOpen_ = false;
-  document_.replace(std::exchange(stepBefore_, {}), false);
-  changed_.emit();
+  change(std::exchange(stepBefore_, {}));
 }
 
 void UndoStack::undo() {
@@ -150,10 +193,10 @@ void UndoStack::goTo(std::size_t steps) {
   if (stepOpen_ || steps > entries_.size() || steps == position_)
     return;
   DocumentState state = steps < position_ ? entries_[steps].before : entries_[steps - 1].after;
+  document_.requireNoChangeUnderWay();
   position_ = steps;
   seal();
-  document_.replace(std::move(state), false);
-  changed_.emit();
+  change(std::move(state));
 }
 
 std::string UndoStack::undoName() const {
@@ -190,6 +233,7 @@ bool UndoStack::isClean() const {
 }
 
 void UndoStack::reset(DocumentState state) {
+  document_.requireNoChangeUnderWay();
   stepOpen_ = false;
   stepBefore_ = {};
   entries_.clear();
@@ -212,8 +256,7 @@ void UndoStack::reset(DocumentState state) {
   }
   seal();
   saved_ = state;
-  document_.replace(std::move(state), false);
-  changed_.emit();
+  change(std::move(state));
 }
 
 } // namespace viscera::document

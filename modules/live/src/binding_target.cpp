@@ -61,18 +61,16 @@ bool worthWaitingFor(const BindingTarget& underWay, const BindingTarget& wanted)
          (!needsCage(wanted) || sameCage(underWay.handles, wanted.handles));
 }
 
-std::optional<BindingFailure> whyNot(const BindingTarget& target) {
+std::optional<BindingStatus> statusWithoutBinding(const BindingTarget& target) {
+  using State = BindingStatus::State;
   const std::size_t count = target.ids.size();
   if (count == 0)
-    return BindingFailure{BindingStatus::State::unbound, {}, 0};
-  if (count < kFewestHandles) {
-    const std::size_t missing = kFewestHandles - count;
-    return BindingFailure{
-        BindingStatus::State::unbound,
-        "An organ needs at least four handles around it: add " + std::to_string(missing) + " more", 0};
-  }
+    return BindingStatus{State::unbound};
+  if (count < kFewestHandles)
+    return BindingStatus{State::unbound, "An organ needs at least four handles around it: add " +
+                                             std::to_string(kFewestHandles - count) + " more"};
   if (!target.system)
-    return BindingFailure{BindingStatus::State::failed, target.problem, 0};
+    return BindingStatus{State::failed, target.problem};
   return std::nullopt;
 }
 

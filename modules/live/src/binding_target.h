@@ -35,17 +35,7 @@ bool usesGivenCage(const BindingTarget& target);
 /// the other.
 bool worthWaitingFor(const BindingTarget& underWay, const BindingTarget& wanted);
 
-/// Why an organ has no binding, in the words of its status.
-struct BindingFailure {
-  BindingStatus::State state = BindingStatus::State::failed;
-  std::string message;
-  int outsideHull = 0;
-  std::vector<int> inNoRegion = {};
-  bool givenCage = false;
-  int outsideCage = 0;
-};
-
-/// What is wrong with a target before any organ is looked at, if anything.
-std::optional<BindingFailure> whyNot(const BindingTarget& target);
+/// The status of every organ when nothing can be bound to this target; none when it is worth trying.
+std::optional<BindingStatus> statusWithoutBinding(const BindingTarget& target);
 
 } // namespace viscera::live

@@ -5,11 +5,14 @@
 #include <vector>
 
 #include "viscera/core/error.h"
+#include "viscera/document/validate.h"
 #include "viscera/deformation/bind_organ.h"
 #include "viscera/geometry/convex_hull.h"
 
 namespace viscera::live {
 namespace {
+
+using State = BindingStatus::State;
 
 /// Moving a handle by its column costs more than its share of a full pose; below this part of all handles it
 /// pays.
@@ -37,17 +40,19 @@ BindingResult bindToTarget(const document::Organ& organ, const BindingTarget& ta
   } catch (const Cancelled&) {
     throw;
   } catch (const deformation::UnboundVertices& error) {
-    result.failure = BindingFailure{BindingStatus::State::failed, error.what(),
-                                    error.cageCounts() ? 0 : error.outsideHull(),
-                                    error.groupsCount() ? error.vertices() : std::vector<int>()};
-    result.failure->outsideCage = error.cageCounts() ? static_cast<int>(error.vertices().size()) : 0;
+    result.failure = BindingStatus{State::failed, error.what()};
+    if (error.cageCounts())
+      result.failure->outsideCage = static_cast<int>(error.vertices().size());
+    else
+      result.failure->outsideHull = error.outsideHull();
+    if (error.groupsCount())
+      result.failure->inNoRegion = error.vertices();
   } catch (const DataError& error) {
-    result.failure = BindingFailure{BindingStatus::State::failed, error.what(),
-                                    usesGivenCage(target)
-                                        ? 0 // Handles that are no corners of the cage would mend nothing.
-                                        : countOutside(target.handles.positions, organ.mesh->points)};
+    result.failure = BindingStatus{State::failed, error.what()};
+    if (!usesGivenCage(target)) // Handles that are no corners of the cage would mend nothing.
+      result.failure->outsideHull = countOutside(target.handles.positions, organ.mesh->points);
   } catch (const std::exception& error) {
-    result.failure = BindingFailure{BindingStatus::State::failed, error.what(), 0};
+    result.failure = BindingStatus{State::failed, error.what()};
   }
   if (result.failure)
     result.failure->givenCage = usesGivenCage(target);
@@ -56,36 +61,33 @@ BindingResult bindToTarget(const document::Organ& organ, const BindingTarget& ta
 
 void BoundOrgan::take(BindingResult result, std::shared_ptr<const BindingTarget> of) {
   if (result.failure) {
-    fail(*result.failure);
+    fail(std::move(*result.failure));
     return;
   }
   deformer = std::move(result.deformer);
   boundTo = std::move(of);
   rough_ = false;
-  status = {BindingStatus::State::bound, {}, 0, deformer->binding().report()};
+  status = {State::bound};
+  status.report = deformer->binding().report();
   pending.replaced = pending.moved = pending.status = true;
   ++revision;
 }
 
-void BoundOrgan::fail(const BindingFailure& failure) {
+void BoundOrgan::fail(BindingStatus failure) {
   if (deformer) {
     pending.replaced = pending.moved = true;
     ++revision;
   }
   deformer.reset();
   boundTo.reset();
-  status = {failure.state,      failure.message,   failure.outsideHull, {},
-            failure.inNoRegion, failure.givenCage, failure.outsideCage};
+  status = std::move(failure);
   pending.status = true;
 }
 
-void BoundOrgan::setState(BindingStatus::State state) {
-  status.state = state;
-  status.message.clear();
-  status.outsideHull = 0;
-  status.inNoRegion.clear();
-  status.givenCage = false;
-  status.outsideCage = 0;
+void BoundOrgan::setState(State state) {
+  BindingStatus changed{state};
+  changed.report = std::move(status.report);
+  status = std::move(changed);
   pending.status = true;
 }
 
@@ -184,8 +186,8 @@ void BoundOrgans::requirePose(const Points& pose) const {
   if (pose.rows() != handles)
     throw DataError("The pose has " + std::to_string(pose.rows()) + " handles, the document " +
                     std::to_string(handles));
-  if (!pose.allFinite())
-    throw DataError("The pose has a position that is not a finite number");
+  if (!(pose.array().abs() <= document::kFarthestMm).all())
+    throw DataError("The pose has a position that is not a finite number, or too far away");
 }
 
 void BoundOrgans::poseAll(bool interactive) {

@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "binding_target.h"
 #include "viscera/core/progress.h"
@@ -15,7 +16,7 @@ namespace viscera::live {
 /// What binding an organ ended with: one of the two.
 struct BindingResult {
   std::unique_ptr<deformation::Deformer> deformer;
-  std::optional<BindingFailure> failure;
+  std::optional<BindingStatus> failure;
 };
 
 /// Binds an organ. For any thread. Throws nothing but `Cancelled`: an error becomes a failure.
@@ -53,7 +54,8 @@ public:
 
   /// Takes a result that was made for `of`.
   void take(BindingResult result, std::shared_ptr<const BindingTarget> of);
-  void fail(const BindingFailure& failure);
+  /// Takes a status that holds no binding.
+  void fail(BindingStatus failure);
   void setState(BindingStatus::State state);
 
   /// Poses the organ for `pose`, which belongs to the handles of `now`. While a user drags, a few handles are

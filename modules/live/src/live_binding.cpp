@@ -7,6 +7,7 @@
 
 #include "bound_organ.h"
 #include "viscera/core/error.h"
+#include "viscera/document/validate.h"
 
 namespace viscera::live {
 namespace {
@@ -37,6 +38,7 @@ struct LiveBinding::Impl : BoundOrgans {
   std::uint64_t made = 0; ///< Organs so far: no two of them share a revision.
   Shown shown = Shown::document;
   Signal<const LiveEvent&> events;
+  Signal<> derived; ///< From `shownPose`.
   Subscription subscription;
   /// Results that arrive after the end see that it is gone.
   std::shared_ptr<Impl*> self = std::make_shared<Impl*>(this);
@@ -51,6 +53,8 @@ struct LiveBinding::Impl : BoundOrgans {
   void bindLater(BoundOrgan& organ);
   void arrived(document::OrganId id, std::int64_t ticket, JobResult<BindingResult> result);
   void take(BoundOrgan& organ, BindingResult result, std::shared_ptr<const BindingTarget> of);
+  void show();
+  void tellShown(bool otherPose);
   void tell();
 };
 
@@ -61,10 +65,11 @@ void LiveBinding::Impl::onChange(const document::Change& change) {
     shown = Shown::document;
   if (change.rig() || change.system())
     matchTarget();
+  const Points before = shownPose;
   matchPose();
   bindWaiting();
   poseAll(change.interactive);
-  tell();
+  tellShown(before.rows() != shownPose.rows() || before != shownPose);
 }
 
 /// Organs of the document come and go; one whose surface is another one counts as new.
@@ -107,7 +112,7 @@ void LiveBinding::Impl::matchPose() {
 void LiveBinding::Impl::bindWaiting() {
   std::vector<BoundOrgan*> waiting;
   double expected = 0;
-  const auto failure = whyNot(*target);
+  const auto failure = statusWithoutBinding(*target);
   for (auto& [id, organ] : organs) {
     if (organ.attempted == target)
       continue;
@@ -175,7 +180,7 @@ void LiveBinding::Impl::arrived(document::OrganId id, std::int64_t ticket, JobRe
     organ.setState(State::stale);
   } else {
     if (result.error && last)
-      organ.fail({State::failed, result.error->what(), 0});
+      organ.fail({State::failed, result.error->what()});
     if (result.value && (last || result.value->deformer)) // What is no longer wanted may fail unsaid.
       take(organ, std::move(*result.value), of);
     if (!last) {
@@ -205,8 +210,25 @@ void LiveBinding::Impl::tell() {
     if (event.moved || event.replaced || event.status)
       news.push_back(event);
   }
+  FirstException exception;
   for (const LiveEvent& event : news)
-    events.emit(event);
+    exception.watch([&] { document.announce(events.emission(event)); });
+  exception.rethrow();
+}
+
+/// The same, after what is derived from the shown pose, when that is another one.
+void LiveBinding::Impl::tellShown(bool otherPose) {
+  FirstException exception;
+  if (otherPose)
+    exception.watch([this] { derived.emit(); });
+  exception.watch([this] { tell(); });
+  exception.rethrow();
+}
+
+void LiveBinding::Impl::show() {
+  matchPose();
+  poseAll(false);
+  tellShown(true);
 }
 
 LiveBinding::LiveBinding(document::Document& document, const plugin::Registry& registry, JobQueue& jobs,
@@ -219,7 +241,7 @@ LiveBinding::LiveBinding(document::Document& document, const plugin::Registry& r
   impl_->poseAll(false);
   impl_->tell(); // Nobody listens yet; what is told later is news.
   impl_->subscription =
-      document.onChange([this](const document::Change& change) { impl_->onChange(change); });
+      document.onDerive([this](const document::Change& change) { impl_->onChange(change); });
 }
 
 LiveBinding::LiveBinding(document::Document& document, const plugin::Registry& registry, JobQueue& jobs)
@@ -233,24 +255,19 @@ LiveBinding::~LiveBinding() {
 
 void LiveBinding::showDocumentPose() {
   impl_->shown = Shown::document;
-  impl_->matchPose();
-  impl_->poseAll(false);
-  impl_->tell();
+  impl_->show();
 }
 
 void LiveBinding::showRest() {
   impl_->shown = Shown::rest;
-  impl_->matchPose();
-  impl_->poseAll(false);
-  impl_->tell();
+  impl_->show();
 }
 
 void LiveBinding::showPose(const Points& pose) {
   impl_->requirePose(pose);
   impl_->shown = Shown::given;
   impl_->shownPose = pose;
-  impl_->poseAll(false);
-  impl_->tell();
+  impl_->show();
 }
 
 const Points& LiveBinding::shownPose() const {
@@ -309,6 +326,10 @@ bool LiveBinding::busy() const {
 
 Subscription LiveBinding::onEvent(std::function<void(const LiveEvent&)> observer) {
   return impl_->events.connect(std::move(observer));
+}
+
+Subscription LiveBinding::onDerive(std::function<void()> bringUpToDate) {
+  return impl_->derived.connect(std::move(bringUpToDate));
 }
 
 } // namespace viscera::live

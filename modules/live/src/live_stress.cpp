@@ -233,7 +233,7 @@ void LiveStress::Impl::refreshBinding() {
   boundToTarget = false;
   jobs.cancelSlot(kBindSlot);
   dropPeak();
-  if (const auto failure = whyNot(*target)) {
+  if (const auto failure = statusWithoutBinding(*target)) {
     ++ticket;
     dropBinding();
     return setState(State::failed,
@@ -327,21 +327,20 @@ void LiveStress::Impl::evaluate() {
 void LiveStress::Impl::tell() {
   const StressEvent event = std::exchange(pending, {});
   if (event.status || event.sampled || event.moved || event.peak)
-    events.emit(event);
+    document.announce(events.emission(event));
 }
 
 LiveStress::LiveStress(document::Document& document, const plugin::Registry& registry, LiveBinding& live,
                        JobQueue& jobs, Options options)
     : impl_(std::make_unique<Impl>(document, registry, live, jobs, std::move(options))) {
-  impl_->subscriptions.push_back(document.onChange([this](const document::Change& change) {
+  impl_->subscriptions.push_back(document.onDerive([this](const document::Change& change) {
     if (!impl_->organ || (!change.organs() && !change.rig() && !change.system()))
       return;
     impl_->refresh();
     impl_->tell();
   }));
-  impl_->subscriptions.push_back(live.onEvent([this](const LiveEvent& event) {
-    if (event.organ != impl_->organ || !event.moved)
-      return;
+  // Not when the organ moves: where it cannot be bound it does not, and its witnesses inside the hull do.
+  impl_->subscriptions.push_back(live.onDerive([this] {
     impl_->evaluate();
     impl_->tell();
   }));

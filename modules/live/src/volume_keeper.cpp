@@ -50,9 +50,11 @@ VolumeKeeper::lockOf(const std::vector<std::shared_ptr<const document::Organ>>& 
     const deformation::Deformer& deformer = *organs_.bound(organ->id);
     surfaces.push_back({organ->name, deformer.sharedRest(), deformer.sharedBinding(), organ->restVolumeMm3});
   }
-  // Which triangles meet where takes longer to find out than a frame lasts.
-  if (!lock_ || !sameSurfaces(lock_->surfaces(), surfaces))
-    lock_ = std::make_shared<VolumeLock>(std::move(surfaces), threads_);
+  // Which triangles meet where takes longer to find out than a frame lasts; a copy shares it. A motion that
+  // is under way keeps the targets that it began with.
+  lock_ = lock_ && sameSurfaces(lock_->surfaces(), surfaces)
+              ? std::make_shared<VolumeLock>(*lock_)
+              : std::make_shared<VolumeLock>(std::move(surfaces), threads_);
   return lock_;
 }
 

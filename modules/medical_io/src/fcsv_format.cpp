@@ -13,6 +13,7 @@
 #include "handle_formats.h"
 #include "space_tag.h"
 #include "text_scanner.h"
+#include "viscera/core/utf8.h"
 
 namespace viscera::medical_io {
 namespace {
@@ -38,7 +39,7 @@ std::vector<std::string> cells(std::string_view line) {
 class FcsvReader {
 public:
   explicit FcsvReader(const FileBytes& file) : scanner_(file, file.view()) {
-    group_.name = stemOf(file.file);
+    group_.name = toUtf8(stemOf(file.file));
     columns_ = {"id", "x", "y", "z", "ow", "ox", "oy", "oz", "vis", "sel", "lock", "label", "desc"};
   }
 
@@ -84,7 +85,7 @@ private:
   std::string cell(const std::vector<std::string>& row, std::string_view column) const {
     const auto found = std::find(columns_.begin(), columns_.end(), column);
     const auto index = static_cast<std::size_t>(found - columns_.begin());
-    return index < row.size() ? std::string(trimmed(row[index])) : std::string();
+    return index < row.size() ? toUtf8(std::string(trimmed(row[index]))) : std::string();
   }
 
   double coordinate(const std::vector<std::string>& row, std::string_view column) const {

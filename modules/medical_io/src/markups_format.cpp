@@ -11,6 +11,7 @@
 #include "handle_formats.h"
 #include "space_tag.h"
 #include "text_scanner.h"
+#include "viscera/core/utf8.h"
 
 namespace viscera::medical_io {
 namespace {
@@ -44,7 +45,7 @@ public:
 private:
   Json parse() const {
     try {
-      return Json::parse(file_.bytes);
+      return Json::parse(toUtf8(std::string(file_.view())));
     } catch (const Json::exception& error) {
       // nlohmann's "[json.exception...] parse error at line 3, column 5: ..." without its prefix.
       const std::string_view text = error.what();

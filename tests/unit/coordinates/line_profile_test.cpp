@@ -1,11 +1,14 @@
 #include "viscera/coordinates/measure/line_profile.h"
 
+#include <atomic>
 #include <cmath>
+#include <functional>
 
 #include <gtest/gtest.h>
 
 #include "lines.h"
 #include "viscera/coordinates/pointwise_system.h"
+#include "viscera/core/error.h"
 
 namespace viscera::coordinates {
 namespace {
@@ -14,8 +17,8 @@ namespace {
 /// left.
 class MadeUp final : public PointwiseSystem {
 public:
-  using Function = double (*)(double x);
-  explicit MadeUp(Function value) : value_(value) {}
+  using Function = std::function<double(double x)>;
+  explicit MadeUp(Function value) : value_(std::move(value)) {}
   std::string id() const override { return "made-up"; }
   std::string name() const override { return "Made up"; }
   std::string summary() const override { return "For tests"; }
@@ -45,6 +48,18 @@ LineProperties measure(MadeUp::Function value) {
   Progress progress;
   return measureAlong(MadeUp(value), tests::handlesAroundLine(9), {tests::kLineFrom, tests::kLineTo}, 400, {},
                       progress);
+}
+
+TEST(PointwiseSystem, LooksAtEveryPointWhetherItIsCancelled) {
+  Progress progress;
+  std::atomic<int> solved{0};
+  const MadeUp slow([&](double) {
+    ++solved;
+    progress.cancel();
+    return 0.5;
+  });
+  EXPECT_THROW(slow.bind(tests::handlesAroundLine(9), Points::Zero(1000, 3), {{}, {1}}, progress), Cancelled);
+  EXPECT_EQ(solved, 1);
 }
 
 TEST(LineProfile, FindsNothingOnASmoothCurve) {

@@ -38,4 +38,14 @@ TEST(Progress, ThrowsOnceCancelled) {
   EXPECT_THROW(progress.throwIfCancelled(), Cancelled);
 }
 
+TEST(Progress, APartThatReportsNothingSeesThatTheWholeIsCancelled) {
+  Progress whole;
+  EXPECT_THROW(runPart(whole, 0, 0.5,
+                       [&whole](Progress& part) {
+                         whole.cancel();
+                         EXPECT_TRUE(part.cancelled());
+                       }),
+               Cancelled);
+}
+
 } // namespace viscera

@@ -166,10 +166,10 @@ TEST(MeasurementCommands, MakeOneStepOfADraggedPoint) {
   BoxSession s;
   s.undo.perform(addMeasurement({s.vertex(0, 0), s.vertex(1, 1)}));
   const auto steps = s.undo.position();
-  s.undo.beginStep("Move measured point");
+  UndoStack::Step step(s.undo, "Move measured point");
   for (int triangle = 0; triangle < 5; ++triangle)
     s.undo.perform(moveMeasuredPoint(s.only().id, 0, s.vertex(triangle, 2)));
-  s.undo.endStep();
+  step.finish();
   EXPECT_EQ(s.undo.position(), steps + 1);
 }
 
@@ -188,7 +188,9 @@ TEST(MeasurementCommands, RefuseWhatMeasuresNothingAndLeaveTheDocument) {
   EXPECT_THROW(s.undo.perform(addMeasurement({fixedAt(0, 0, 0), fixedAt(0, HUGE_VAL, 0)})), DataError);
   EXPECT_THROW(s.undo.perform(moveMeasuredPoint(s.only().id, 2, fixedAt(0, 0, 0))), UsageError);
   EXPECT_THROW(s.undo.perform(moveMeasuredPoint({4711}, 0, fixedAt(0, 0, 0))), UsageError);
-  EXPECT_THROW(s.undo.perform(renameMeasurement(s.only().id, "")), UsageError);
+  EXPECT_THROW(s.undo.perform(renameMeasurement(s.only().id, "")), DataError);
+  EXPECT_NO_THROW(s.undo.perform(removeMeasurements({s.only().id, s.only().id}))) << "named twice";
+  s.undo.undo();
   EXPECT_THROW(s.undo.perform(removeMeasurements({{4711}})), UsageError);
   EXPECT_EQ(s.document.state(), before);
 }
@@ -302,15 +304,14 @@ TEST_F(MeasurementsInSessions, ThatAreDamagedAreRefusedWithThePlace) {
   EXPECT_THAT(failureOf([](Json& list) { list[0]["id"] = 0; }), HasSubstr("measurements[0]"));
   EXPECT_THAT(failureOf([](Json& list) { list.push_back(list[0]); }), HasSubstr("comes twice"));
   EXPECT_THAT(failureOf([](Json& list) { list[0]["name"] = ""; }), HasSubstr("measurements[0]"));
-  EXPECT_THAT(failureOf([](Json& list) { list[0]["points"].erase(1); }), HasSubstr("measurements[0].points"));
+  EXPECT_THAT(failureOf([](Json& list) { list[0]["points"].erase(1); }), HasSubstr("neither the two points"));
   EXPECT_THAT(failureOf([&](Json& list) {
                 point(list)["rest"] = {1, 2};
               }),
               HasSubstr("measurements[0].points[0].rest"));
   EXPECT_THAT(failureOf([&](Json& list) { point(list)["organ"] = 4711; }),
               HasSubstr("measurements[0].points[0].organ"));
-  EXPECT_THAT(failureOf([&](Json& list) { point(list)["triangle"] = 128; }),
-              HasSubstr("measurements[0].points[0].triangle"));
+  EXPECT_THAT(failureOf([&](Json& list) { point(list)["triangle"] = 128; }), HasSubstr("no such triangle"));
   EXPECT_THAT(failureOf([&](Json& list) { point(list)["triangle"] = 1e15; }),
               HasSubstr("measurements[0].points[0].triangle"));
   EXPECT_THAT(failureOf([&](Json& list) { point(list)["triangle"] = -1; }),
@@ -318,7 +319,7 @@ TEST_F(MeasurementsInSessions, ThatAreDamagedAreRefusedWithThePlace) {
   EXPECT_THAT(failureOf([&](Json& list) {
                 point(list)["weights"] = {0.5, 0.5, 0.5};
               }),
-              HasSubstr("measurements[0].points[0].weights"));
+              HasSubstr("its weights are no place in a triangle"));
   EXPECT_THAT(failureOf([&](Json& list) { point(list).erase("weights"); }), HasSubstr("weights"));
   EXPECT_EQ(failureOf([&](Json& list) { point(list)["triangle"] = 127; }), "was opened");
 }

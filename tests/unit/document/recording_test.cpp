@@ -61,7 +61,7 @@ TEST(Recording, everyCommandIsOneUndoStepAndUndoingIsExact) {
   check(editRecording({.loop = false, .interpolation = sequences::Interpolation::curve}));
   session.undo.perform(moveHandles({session.handle(8)}, row(1, 1, 41)));
   check(replaceKey(session.key(0)));
-  check(clearRecording());
+  check(replaceRecording(Recording()));
 }
 
 TEST(Recording, aKeyRecordedAtTheTimeOfAnotherTakesItsPlace) {
@@ -98,11 +98,27 @@ TEST(Recording, outlivesHandlesThatAreAddedRemovedAndMovedAtRest) {
   EXPECT_EQ(pose.row(9), row(-40, 2, 3));
 }
 
+TEST(Recording, aKeyIsNotMovedOntoAnotherThatIsNearerThanAMillisecondToIt) {
+  Recorded session;
+  session.undo.perform(recordKey(0.5));
+  session.undo.perform(recordKey(0.5012));
+  const KeyId moved = session.key(1);
+  session.undo.perform(moveKey(moved, 0.5002));
+  EXPECT_THROW(session.undo.perform(moveKey(moved, 0.5012)), DataError);
+  EXPECT_EQ(session.recording().keys[1].seconds, 0.5002);
+}
+
+TEST(Recording, aKeyThatIsNamedTwiceIsRemovedOnce) {
+  Recorded session;
+  session.undo.perform(removeKeys({session.key(1), session.key(1)}));
+  EXPECT_EQ(session.recording().keys.size(), 2u);
+}
+
 TEST(Recording, refusesTimesAndKeysThatCannotBe) {
   Recorded session;
   const DocumentState before = session.document.state();
   const auto refused = [&](const Command& command) {
-    EXPECT_THROW(session.undo.perform(command), UsageError) << command.name;
+    EXPECT_THROW(session.undo.perform(command), Error) << command.name;
     EXPECT_TRUE(session.document.state() == before);
   };
   refused(recordKey(-0.1));
@@ -125,7 +141,7 @@ TEST(Recording, comesBackFromAFileIntoTheSameHandlesOrIntoItsOwn) {
   session.undo.perform(editRecording({.name = "Hop", .periodSeconds = 3}));
   const motion::SequenceFile file = motion::sequenceFile(session.document.state());
   const auto wanted = sequenceOf(session.recording(), session.document.rig());
-  session.undo.perform(clearRecording());
+  session.undo.perform(replaceRecording(Recording()));
   const auto rig = session.document.state().rig;
   session.undo.perform(motion::openSequence(file));
   EXPECT_EQ(session.document.state().rig, rig) << "the handles are there already";

@@ -1,5 +1,7 @@
 #include "viscera/document/selection.h"
 
+#include <memory>
+
 #include <gtest/gtest.h>
 
 #include "session_fixture.h"
@@ -35,6 +37,17 @@ TEST(Selection, LosesWhatLeavesTheDocument) {
   s.undo.perform(removeGroup(s.document.rig().groups[0].id));
   EXPECT_FALSE(selection.group());
   EXPECT_EQ(news, 3);
+}
+
+TEST(Selection, IsUpToDateWhoeverHearsFirst) {
+  Session s;
+  std::unique_ptr<Selection> selection;
+  std::size_t seen = 99;
+  const Subscription early = s.document.onChange([&](const Change&) { seen = selection->handles().size(); });
+  selection = std::make_unique<Selection>(s.document);
+  selection->setHandles({s.handle(1), s.handle(2)});
+  s.undo.perform(removeHandles({s.handle(2)}));
+  EXPECT_EQ(seen, 1u);
 }
 
 TEST(Selection, TakesEveryHandleOnceAndOnlyThoseThereAre) {

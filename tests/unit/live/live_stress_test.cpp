@@ -61,6 +61,24 @@ double largest(const Values& values) {
   return values.cwiseAbs().maxCoeff();
 }
 
+TEST(LiveStress, FollowsThePoseWhereTheOrganItselfCannotBeBound) {
+  Stressed s;
+  s.begin();
+  // Some vertices are outside now, so the organ stays at rest.
+  Points in(2, 3);
+  in << 20, 20, -60, 20, 20, 60;
+  s.undo.perform(document::moveRestHandles({s.handle(3), s.handle(7)}, in));
+  s.waitFor(State::ready);
+  ASSERT_EQ(s.live.status(s.organ()).state, BindingStatus::State::failed);
+  s.move(8, {0, 0, 25});
+  Stressed fresh;
+  fresh.undo.reset(s.document.state());
+  fresh.begin();
+  EXPECT_EQ(s.stress.points(), fresh.stress.points());
+  EXPECT_EQ(s.stress.map().rotationalStress, fresh.stress.map().rotationalStress);
+  EXPECT_GT(s.stress.statistics().max, 1e-3);
+}
+
 TEST(LiveStress, FillsTheOrganAndIsNothingAtRest) {
   Stressed s;
   EXPECT_EQ(s.stress.status().state, State::off);

@@ -35,6 +35,16 @@ document::NewOrgan openBall(const std::string& name) {
   return {document::makeOrgan(name, mesh), -1};
 }
 
+TEST(VolumeKeeper, AMotionUnderWayKeepsItsVolumeWhenAnotherOneIsAskedFor) {
+  Keeping s;
+  s.undo.perform(document::setVolumeLocked(s.organ(), true));
+  LockedMotion motion = s.keeper.begin({s.handle(9)});
+  s.keeper.poseOfVolume(s.organ(), 0.9 * s.document.organs().front()->restVolumeMm3);
+  motion.translate({6, 4, -3});
+  s.take(motion);
+  EXPECT_LE(std::abs(s.relativeChange()), kAllowedError);
+}
+
 TEST(VolumeKeeper, AMotionOfALockedOrganKeepsItsVolumeAndUndoUnlocksAgain) {
   Keeping s;
   s.undo.perform(document::setVolumeLocked(s.organ(), true));

@@ -241,5 +241,22 @@ TEST(Fcsv, BadNumbersAreNamedByLine) {
               HasSubstr("line 2"));
 }
 
+TEST(HandleFiles, LabelsThatAreLatin1BecomeUtf8AndStayApart) {
+  const TemporaryFolder folder;
+  const auto labels = [&](const std::string& name, const std::string& text) {
+    std::vector<std::string> list;
+    for (const HandleRecord& handle : readHandles(folder.put(name, text)).groups.at(0).handles)
+      list.push_back(handle.label);
+    return list;
+  };
+  EXPECT_THAT(labels("a.fcsv", "# CoordinateSystem = LPS\n# columns = id,x,y,z,label\n1,0,0,0,N\xE4hte\n"
+                               "2,1,0,0,N\xE5hte\n"),
+              ElementsAre("N\xC3\xA4hte", "N\xC3\xA5hte"));
+  EXPECT_THAT(labels("a.mrk.json", markups(R"({"label": "N)"
+                                           "\xE4"
+                                           R"(hte", "position": [0, 0, 0]})")),
+              ElementsAre("N\xC3\xA4hte"));
+}
+
 } // namespace
 } // namespace viscera::medical_io

@@ -22,17 +22,22 @@ public:
 
   /// Asks the job to stop; it ends with `Cancelled` at its next look.
   void cancel() { cancelled_.store(true, std::memory_order_relaxed); }
-  bool cancelled() const { return cancelled_.load(std::memory_order_relaxed); }
+  bool cancelled() const {
+    return cancelled_.load(std::memory_order_relaxed) || (whole_ && whole_->cancelled());
+  }
 
   /// Throws `Cancelled` when somebody has cancelled.
   void throwIfCancelled() const;
 
 private:
+  friend void runPart(Progress&, double, double, const std::function<void(Progress&)>&);
+
   Listener listener_;
   std::mutex mutex_;
   double lastFraction_ = -1;
   std::string lastStep_;
   std::atomic<bool> cancelled_{false};
+  const Progress* whole_ = nullptr; ///< Of which this is a part.
 };
 
 /// Runs a part of a job as [from, to] of `progress`; cancelling goes through.

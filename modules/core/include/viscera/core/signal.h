@@ -1,8 +1,11 @@
 #pragma once
 
+#include <exception>
 #include <functional>
 #include <map>
 #include <memory>
+#include <tuple>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -33,8 +36,30 @@ private:
   std::function<void()> disconnect_;
 };
 
-/// A list of observers. For one thread. Observers are called in the order in which they were connected and
-/// must not throw; one may connect or disconnect any observer while it is being called.
+/// Keeps the first exception of several pieces of work that have to be done in any case.
+class FirstException {
+public:
+  template <class Work>
+  void watch(Work&& work) {
+    try {
+      work();
+    } catch (...) {
+      if (!first_)
+        first_ = std::current_exception();
+    }
+  }
+  void rethrow() const {
+    if (first_)
+      std::rethrow_exception(first_);
+  }
+
+private:
+  std::exception_ptr first_;
+};
+
+/// A list of observers. For one thread. Observers are called in the order in which they were connected; one
+/// may connect or disconnect any observer while it is being called. One that throws keeps nobody from
+/// hearing: the first exception is thrown again when all have heard.
 template <class... Arguments>
 class Signal {
 public:
@@ -49,22 +74,36 @@ public:
     });
   }
 
-  void emit(Arguments... arguments) const {
-    const std::shared_ptr<Observers> list = observers_; // An observer may destroy the signal.
+  void emit(Arguments... arguments) const { tell(observers_, arguments...); }
+
+  /// The emission for later: it tells those who are connected then, and nobody once the signal is gone.
+  std::function<void()> emission(Arguments... arguments) const {
+    return [list = std::weak_ptr<Observers>(observers_),
+            kept = std::tuple<std::decay_t<Arguments>...>(arguments...)] {
+      if (const auto alive = list.lock())
+        std::apply([&alive](const auto&... each) { tell(alive, each...); }, kept);
+    };
+  }
+
+private:
+  using Observers = std::map<int, std::shared_ptr<Observer>>;
+
+  /// Keeps the list: an observer may destroy the signal.
+  static void tell(const std::shared_ptr<Observers> list, const std::decay_t<Arguments>&... arguments) {
     std::vector<int> keys;
     for (const auto& [key, observer] : *list)
       keys.push_back(key);
+    FirstException exception;
     for (int key : keys) {
       const auto found = list->find(key);
       if (found == list->end())
         continue;
       const std::shared_ptr<Observer> observer = found->second; // It may disconnect itself.
-      (*observer)(arguments...);
+      exception.watch([&] { (*observer)(arguments...); });
     }
+    exception.rethrow();
   }
 
-private:
-  using Observers = std::map<int, std::shared_ptr<Observer>>;
   std::shared_ptr<Observers> observers_ = std::make_shared<Observers>();
   int next_ = 0;
 };

@@ -11,7 +11,8 @@ namespace viscera::document {
 /// A change of the document, as a value: it makes a new state from a state and touches nothing else. To take
 /// it back is to go back to the state before, so an undo is exact whatever the command does.
 ///
-/// `apply` throws an `Error` when the change is not possible; the document is then as it was. The commands
+/// `apply` throws an `Error` when the change is not possible; the document is then as it was. It need not ask
+/// whether the state is one that can be saved: `UndoStack::perform` does (validate.h). The commands
 /// there are come from the functions in organ_commands.h, rig_commands.h, group_commands.h, cage_commands.h,
 /// pose_commands.h, system_commands.h and open_files.h.
 struct Command {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <deque>
 #include <functional>
 #include <memory>
 #include <string>
@@ -69,6 +70,12 @@ struct Change {
 
 /// The document that is open. Whoever has one reads it; only an `UndoStack` changes it, by commands.
 /// For one thread; other threads are given a `DocumentState`.
+///
+/// A change is told in two rounds. First all that is derived from the document and read beside it (selection,
+/// bindings, maps) brings itself up to date and says nothing. Then everybody hears: the observers of the
+/// document, of what is derived from it, and of the undo stack; whoever hears may read all of it, so nothing
+/// depends on the order. An observer that throws keeps nobody from hearing; the first exception is thrown
+/// again by whoever made the change, which stands.
 class Document {
 public:
   Document() = default;
@@ -84,21 +91,33 @@ public:
   const Recording& recording() const { return *state_.recording; }
   const MeasurementList& measurements() const { return *state_.measurements; }
 
-  /// Tells of every change, after it. An observer must not change the document; it may read it.
+  /// Tells of every change. An observer may read the document; to change it is a `std::logic_error`.
   [[nodiscard]] Subscription onChange(std::function<void(const Change&)> observer) {
     return changed_.connect(std::move(observer));
   }
 
+  /// For what is derived from the document: called before anybody hears of a change, in the order in which it
+  /// was connected (what is derived from something else is made after it).
+  [[nodiscard]] Subscription onDerive(std::function<void(const Change&)> bringUpToDate) {
+    return derived_.connect(std::move(bringUpToDate));
+  }
+  /// How what is derived tells its own news: at once, or when the change under way is complete.
+  void announce(std::function<void()> news);
+
 private:
   friend class UndoStack;
 
+  /// Throws `std::logic_error` while a change is being told.
+  void requireNoChangeUnderWay() const;
   /// Tells the observers also when nothing but `interactive` is new: the end of a step is news.
-  void replace(DocumentState state, bool interactive);
+  void replace(DocumentState state, bool interactive, std::function<void()> news);
 
   DocumentState state_;
   IdSource ids_;
+  Signal<const Change&> derived_;
   Signal<const Change&> changed_;
-  bool notifying_ = false;
+  std::deque<std::function<void()>> news_; ///< What is to be told of the change under way.
+  bool changing_ = false;
 };
 
 } // namespace viscera::document

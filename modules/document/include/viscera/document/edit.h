@@ -32,30 +32,11 @@ inline std::vector<std::pair<int, int>> freeRows(const Rig& rig, const std::vect
   return rows;
 }
 
-/// Throws `DataError` that names the first row that is not finite.
-inline void requireFinite(const Points& positions, const Rig& rig, const std::vector<HandleId>& ids) {
-  for (Eigen::Index i = 0; i < positions.rows(); ++i)
-    if (!positions.row(i).allFinite()) {
-      const int row =
-          static_cast<std::size_t>(i) < ids.size() ? rig.indexOf(ids[static_cast<std::size_t>(i)]) : -1;
-      throw DataError("A handle's position is not a finite number",
-                      row >= 0 ? "handle " + rig.handles[static_cast<std::size_t>(row)].label
-                               : "row " + std::to_string(i + 1));
-    }
-}
-
 /// Throws `UsageError` unless there is one position for each handle.
 inline void requireMatch(const Points& positions, const std::vector<HandleId>& ids) {
   if (positions.rows() != static_cast<Eigen::Index>(ids.size()))
     throw UsageError("There are " + std::to_string(positions.rows()) + " positions for " +
                      std::to_string(ids.size()) + " handles");
-}
-
-/// Throws `UsageError` for a colour that is not in [0, 1]; also for one that is no number.
-inline void requireColor(const Vec3& color) {
-  for (int k = 0; k < 3; ++k)
-    if (!(color[k] >= 0 && color[k] <= 1))
-      throw UsageError("A colour's parts have to lie between 0 and 1");
 }
 
 /// `wanted`, or with the first number from 2 that makes it new.

@@ -7,7 +7,7 @@
 #include "viscera/document/command.h"
 
 /// Commands that change the groups of handles. All of them throw `UsageError` for groups and handles that are
-/// not there and for a group's name that is empty or taken.
+/// not there.
 namespace viscera::document {
 
 /// Adds a group of handles that are there.

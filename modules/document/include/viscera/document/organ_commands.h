@@ -13,7 +13,8 @@ struct NewOrgan {
   int parentInBatch = -1; ///< Or the index of its parent among the organs added with it.
 };
 
-/// Adds organs behind those there are, in order. A name that is taken gets a number ("Liver 2").
+/// Adds organs behind those there are, in order. A name that is taken gets a number ("Liver 2");
+/// names and remarks, which may come from files, are made UTF-8, and who has no name is called "Organ".
 Command addOrgans(std::vector<NewOrgan> organs);
 
 /// Removes organs and the cavities inside them. Throws `UsageError` for an organ that is not there.
@@ -21,8 +22,8 @@ Command removeOrgans(std::vector<OrganId> organs);
 /// Removes all that there are.
 Command removeAllOrgans();
 
-/// Sets how an organ is shown. Throws `UsageError` for a colour or an opacity outside [0, 1]. Commands for
-/// the same organ that follow each other join one step until `UndoStack::seal`.
+/// Sets how an organ is shown. Commands for the same organ that follow each other join one step until
+/// `UndoStack::seal`.
 Command setOrganLook(OrganId organ, OrganLook look);
 
 /// Locks or unlocks an organ's volume: with it locked, no motion of handles in the pose changes it
@@ -35,7 +36,7 @@ Command setVolumeLocked(OrganId organ, bool locked);
 /// for an organ that is not there. O(m log m).
 Command closeHoles(OrganId organ);
 
-/// Gives an organ another name. Throws `UsageError` for an empty one.
+/// Gives an organ another name.
 Command renameOrgan(OrganId organ, std::string name);
 
 } // namespace viscera::document

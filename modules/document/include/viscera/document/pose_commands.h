@@ -9,16 +9,14 @@
 namespace viscera::document {
 
 /// Moves handles in the pose to `positions` (`handles x 3` mm). Locked ones stay where they are. Throws
-/// `DataError` for a position that is not finite, `UsageError` for a handle that is not there.
+/// `UsageError` for a handle that is not there.
 Command moveHandles(std::vector<HandleId> handles, Points positions);
 
 /// Sets the whole pose (`n x 3` mm, in the order of the rig), locked handles included. Throws `DataError` for
-/// another size or a position that is not finite.
+/// another size.
 Command setPose(Points pose, std::string name = "Set pose");
 
 /// Back to rest, exactly; locked handles too.
 Command resetPose();
-/// These handles back to rest, exactly, unless they are locked.
-Command resetHandles(std::vector<HandleId> handles);
 
 } // namespace viscera::document

@@ -6,8 +6,7 @@
 
 #include "viscera/document/command.h"
 
-/// Commands that change the recording of the document. All throw `UsageError` for keys that are not there and
-/// for times outside the period or where another key is (`sequences::kShortestSpan`).
+/// Commands that change the recording of the document. All throw `UsageError` for keys that are not there.
 namespace viscera::document {
 
 /// Records the present pose at `seconds`. Where there is a key already, its pose is replaced and its easing
@@ -36,6 +35,5 @@ Command editRecording(RecordingEdit change);
 
 /// Takes another recording in place of the one there is; its keys get new ids.
 Command replaceRecording(Recording recording);
-Command clearRecording();
 
 } // namespace viscera::document

@@ -7,13 +7,9 @@
 #include "viscera/core/arrays.h"
 #include "viscera/document/command.h"
 
-/// Commands that change the handles at rest. All of them throw `DataError` for positions
-/// that are not finite and for two handles at one place (closer than `kSamePlace` of the rig's size), and
-/// `UsageError` for handles and groups that are not there.
+/// Commands that change the handles at rest. All of them throw `UsageError` for handles and groups that are
+/// not there. Texts may come from files: they are made UTF-8, and names where there are none.
 namespace viscera::document {
-
-/// Handles nearer to each other than this part of the rig's diagonal (of 1 mm at least) are at one place.
-inline constexpr double kSamePlace = 1e-9;
 
 /// A handle on its way into a document.
 struct NewHandle {
@@ -66,8 +62,7 @@ Command moveRestHandles(std::vector<HandleId> handles, Points positions);
 /// handles.
 Command replaceRig(NewRig rig, std::string name = "Replace handles");
 
-/// A label, a lock, a description, visibility, whether it compensates. What is not given stays. Throws
-/// `UsageError` for a label that is empty or taken.
+/// A label, a lock, a description, visibility, whether it compensates. What is not given stays.
 struct HandleEdit {
   std::optional<std::string> label;
   std::optional<std::string> description;

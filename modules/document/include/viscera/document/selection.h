@@ -7,7 +7,8 @@
 namespace viscera::document {
 
 /// What is selected. It is a way of looking at the document, not a part of it: selecting is no undo step, is
-/// not saved, and what leaves the document leaves the selection. For the document's thread.
+/// not saved, and what leaves the document leaves the selection, before anybody hears of it. For the
+/// document's thread.
 class Selection {
 public:
   explicit Selection(Document& document);

@@ -75,7 +75,7 @@ OpenedSession readSession(const std::filesystem::path& file, const sample_organs
 /// Writes a session; reading it back gives the same document to the last bit, and writing that again the same
 /// bytes. Atomic: what was there before stays until the new file is complete on the disk. Reads the organs'
 /// files to see that they are still what they were. Throws `CannotCreateError` (also for a name that does not
-/// end in .viscera), `DataError` for numbers that are not finite, `Cancelled`. For any thread.
+/// end in .viscera), `DataError` for a state that is not valid (validate.h), `Cancelled`. For any thread.
 void writeSession(const std::filesystem::path& file, const SessionContents& contents, Progress& progress);
 
 } // namespace viscera::document

@@ -13,7 +13,7 @@ namespace viscera::document {
 Command setSystem(SystemChoice choice);
 
 /// Sets one parameter of the present system. Values of one parameter that follow each other join one step
-/// until `UndoStack::seal` (a slider). Throws `UsageError` for a value that is not finite.
+/// until `UndoStack::seal` (a slider).
 Command setParameter(std::string name, double value);
 
 } // namespace viscera::document

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "viscera/document/command.h"
@@ -19,16 +20,32 @@ public:
   explicit UndoStack(Document& document, std::size_t memory = kMemory);
 
   /// Does a command as one undo step (or as part of the step that is open). A command that changes nothing
-  /// leaves no step. Passes on what the command throws, with the document and the stack as they were.
+  /// leaves no step. Passes on what the command throws, and throws `DataError` for a state that no session
+  /// file could hold (validate.h), with the document and the stack as they were.
   void perform(const Command& command);
 
-  /// Opens a step: all commands until `endStep` become one, under this name. Steps do not nest: an open one
-  /// is ended first. Observers see the changes as interactive.
-  void beginStep(const std::string& name);
-  /// Closes the step. One that changed nothing in the end leaves no entry.
-  void endStep();
-  /// Goes back to the state at `beginStep` and leaves no entry: Esc during a drag.
-  void cancelStep();
+  /// An open step: all commands until `finish` become one undo step, and observers see the changes as
+  /// interactive. Steps do not nest: a new one finishes the one before, whose holder then holds nothing. The
+  /// stack must live longer.
+  class [[nodiscard]] Step {
+  public:
+    Step(UndoStack& undo, const std::string& name);
+    Step(Step&& other) noexcept : undo_(std::exchange(other.undo_, nullptr)), number_(other.number_) {}
+    Step& operator=(Step&&) = delete;
+    /// Cancels what is still open: an error on the way, Esc during a drag.
+    ~Step();
+
+    /// Closes the step. One that changed nothing in the end leaves no entry.
+    void finish();
+    /// Goes back to the state at the beginning and leaves no entry.
+    void cancel();
+
+  private:
+    UndoStack* take();
+
+    UndoStack* undo_; ///< Null when it is over.
+    int number_;
+  };
   bool stepOpen() const { return stepOpen_; }
 
   /// The next command begins a step of its own even when its merge key is that of the last one: a slider was
@@ -76,7 +93,11 @@ private:
     std::size_t bytes = 0; ///< What is in `after` and not in `before`.
   };
 
-  void push(Entry entry, bool merge);
+  void beginStep(const std::string& name);
+  void endStep();
+  void cancelStep();
+  void change(DocumentState state);
+  void push(Entry entry);
   void forgetOldest();
   bool merges(const Command& command) const;
 
@@ -88,6 +109,7 @@ private:
   DocumentState stepBefore_;
   std::string stepName_;
   bool stepOpen_ = false;
+  int stepNumber_ = 0; ///< Of the last step that was opened.
   bool sealed_ = true;
   Signal<> changed_;
 };

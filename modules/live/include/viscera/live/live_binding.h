@@ -27,9 +27,10 @@ struct BindingStatus {
     failed, ///< These handles cannot hold the organ: it is at rest, `message` says why.
   };
   State state = State::unbound;
-  std::string message; ///< For a user: what is wrong and what to try. Empty when bound.
+  std::string message = {}; ///< For a user: what is wrong and what to try. Empty when bound.
   int outsideHull = 0; ///< Failed: vertices outside the handles' hull; `addEnclosingHandles` would mend it.
-  coordinates::BindingReport report; ///< Of the binding in use; `report.seconds` is the time on the badge.
+  coordinates::BindingReport report =
+      {}; ///< Of the binding in use; `report.seconds` is the time on the badge.
   /// Failed: vertices that lie in no group's region; `addEnclosingGroup` would mend it.
   std::vector<int> inNoRegion = {};
   /// Failed: it was a given cage that could not hold the organ; `dropCage` may mend it.
@@ -81,8 +82,8 @@ public:
 
   /// What follows throws `UsageError` for an organ that the document does not have.
   ///
-  /// The organ's vertices now, `n x 3`. The reference holds until an event with `replaced`, or the organ is
-  /// removed.
+  /// The organ's vertices now, `n x 3`. The reference holds until everybody has heard of an event with
+  /// `replaced`, or of the organ's removal.
   const Points& points(document::OrganId organ) const;
   std::shared_ptr<const Points> sharedPoints(document::OrganId organ) const override;
   std::uint64_t revision(document::OrganId organ) const override;
@@ -103,10 +104,11 @@ public:
   /// Whether any organ waits for a worker.
   bool busy() const;
 
-  /// Tells what happened to an organ, after everything that one change did. An organ that is new to the
-  /// document is told with `replaced` and `status`, possibly before other observers of the document know of
-  /// it.
+  /// Tells what happened to an organ, after everything that one change did to the document and all that is
+  /// derived from it. An organ that is new to the document is told with `replaced` and `status`.
   [[nodiscard]] Subscription onEvent(std::function<void(const LiveEvent&)> observer);
+  /// For what is derived from the shown pose: called when it is another one, before anybody hears of it.
+  [[nodiscard]] Subscription onDerive(std::function<void()> bringUpToDate);
 
 private:
   struct Impl;

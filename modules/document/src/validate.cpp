@@ -1,0 +1,223 @@
+#include "viscera/document/validate.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numeric>
+#include <set>
+
+#include "viscera/core/error.h"
+#include "viscera/core/utf8.h"
+
+namespace viscera::document {
+namespace {
+
+/// How far the sum of weights may be from 1.
+constexpr double kWeightTolerance = 1e-6;
+/// Handles nearer to each other than this part of the rig's diagonal (of 1 mm at least) are at one place.
+constexpr double kSamePlace = 1e-9;
+
+void require(bool holds, const char* problem, const std::string& where, const char* tryThis = "") {
+  if (!holds)
+    throw DataError(problem, where, tryThis);
+}
+
+void requireName(const std::string& name, const std::string& where) {
+  require(!name.empty(), "it has no name", where, "give it one");
+  require(isUtf8(name), "its name is not UTF-8", where, "give it another one");
+}
+
+void requireColor(const Vec3& color, const std::string& where) {
+  require((color.array() >= 0 && color.array() <= 1).all(),
+          "the parts of its colour do not lie between 0 and 1", where);
+}
+
+template <class Place>
+void requirePlace(const Place& place, const char* which, const std::string& where) {
+  if (!place.allFinite())
+    throw DataError(std::string(which) + " is not a finite number", where);
+  if (!(place.array().abs() <= kFarthestMm).all())
+    throw DataError(std::string(which) + " is farther away than a thousand kilometres", where,
+                    "check its unit; coordinates are in mm");
+}
+
+void requireId(std::int64_t id, const std::string& where) {
+  require(id > 0 && id <= kLargestId, "its id is not a whole number from 1 to 2^52", where);
+}
+
+void validateIds(const DocumentState& state) {
+  std::set<std::int64_t> taken;
+  const auto take = [&taken](std::int64_t id, const std::string& where) {
+    requireId(id, where);
+    require(taken.insert(id).second, "its id is another thing's, too", where);
+  };
+  for (const auto& organ : *state.organs)
+    take(organ->id.value, "organ " + organ->name);
+  for (const Handle& handle : state.rig->handles)
+    take(handle.id.value, "handle " + handle.label);
+  for (const Group& group : state.rig->groups)
+    take(group.id.value, "group " + group.name);
+  for (const RecordedKey& key : state.recording->keys) {
+    take(key.id.value, "a recorded key");
+    for (const auto& [handle, moved] : key.displacements)
+      requireId(handle.value, "a handle of a recorded key");
+  }
+  for (const Measurement& measurement : *state.measurements)
+    take(measurement.id.value, "measurement " + measurement.name);
+}
+
+void validateOrgan(const Organ& organ, const DocumentState& known) {
+  const std::string where = "organ " + organ.name;
+  requireName(organ.name, where);
+  requireColor(organ.look.color, where);
+  require(organ.look.opacity >= 0 && organ.look.opacity <= 1, "its opacity does not lie between 0 and 1",
+          where);
+  require(!organ.volumeLocked || organ.closed(),
+          "its surface is open, so it has no volume that could be locked", where, "close its holes first");
+  for (const std::string& warning : organ.warnings)
+    require(isUtf8(warning), "a remark on it is not UTF-8", where);
+  const auto before = known.organ(organ.id);
+  if (!before || before->mesh != organ.mesh)
+    requirePlace(organ.mesh->points, "a point of its surface", where);
+}
+
+void validateOrgans(const DocumentState& state, const DocumentState& known) {
+  std::set<OrganId> earlier{OrganId{}};
+  for (const auto& organ : *state.organs) {
+    if (known.organ(organ->id) != organ)
+      validateOrgan(*organ, known);
+    require(earlier.count(organ->parent) > 0, "the organ that it is a cavity of is not before it",
+            "organ " + organ->name);
+    earlier.insert(organ->id);
+  }
+}
+
+/// Neighbours along x only: O(n log n) as a rule.
+void requireApart(const Rig& rig) {
+  const Points rest = rig.restPositions();
+  const double apart = kSamePlace * std::max(boundsOf(rest).diagonal(), 1.0);
+  std::vector<Eigen::Index> order(static_cast<std::size_t>(rest.rows()));
+  std::iota(order.begin(), order.end(), Eigen::Index{0});
+  std::sort(order.begin(), order.end(), [&rest](auto a, auto b) { return rest(a, 0) < rest(b, 0); });
+  for (std::size_t i = 0; i < order.size(); ++i)
+    for (std::size_t j = i + 1; j < order.size() && rest(order[j], 0) - rest(order[i], 0) <= apart; ++j)
+      if ((rest.row(order[i]) - rest.row(order[j])).norm() <= apart)
+        throw DataError("two handles are at one place",
+                        "handles " + rig.handles[static_cast<std::size_t>(order[i])].label + " and " +
+                            rig.handles[static_cast<std::size_t>(order[j])].label,
+                        "move or remove one of them");
+}
+
+void validateRig(const Rig& rig) {
+  std::map<HandleId, int> rows;
+  std::set<std::string> labels, names;
+  for (const Handle& handle : rig.handles) {
+    const std::string where = "handle " + handle.label;
+    requireName(handle.label, where);
+    require(labels.insert(handle.label).second, "two handles have this label", where, "choose another one");
+    require(isUtf8(handle.description), "its description is not UTF-8", where);
+    requirePlace(handle.rest, "its position at rest", where);
+    rows.emplace(handle.id, static_cast<int>(rows.size()));
+  }
+  for (const Group& group : rig.groups) {
+    const std::string where = "group " + group.name;
+    requireName(group.name, where);
+    require(names.insert(group.name).second, "two groups have this name", where, "choose another one");
+    requireColor(group.color, where);
+    int last = -1;
+    for (const HandleId id : group.handles) {
+      const auto row = rows.find(id);
+      require(row != rows.end() && row->second > last,
+              "its handles are not handles of the rig, each once and in their order", where);
+      last = row->second;
+    }
+  }
+  for (const CageTriangle& corners : rig.cage) {
+    require(std::all_of(corners.begin(), corners.end(), [&rows](HandleId id) { return rows.count(id) > 0; }),
+            "a triangle names a handle that is not there", "cage");
+    require(corners[0] != corners[1] && corners[1] != corners[2] && corners[2] != corners[0],
+            "a triangle has a handle at two corners", "cage");
+  }
+  requireApart(rig);
+}
+
+void validatePose(const DocumentState& state) {
+  require(state.pose->rows() == static_cast<Eigen::Index>(state.rig->handles.size()),
+          "the pose has another number of handles than the document", "pose");
+  for (std::size_t i = 0; i < state.rig->handles.size(); ++i)
+    requirePlace(state.pose->row(static_cast<Eigen::Index>(i)), "its position",
+                 "handle " + state.rig->handles[i].label);
+}
+
+void validateSystem(const SystemChoice& system) {
+  requireName(system.id, "coordinates");
+  for (const auto& [name, value] : system.parameters.all()) {
+    require(isUtf8(name), "its name is not UTF-8", "parameter");
+    require(std::isfinite(value), "its value is not a finite number", "parameter " + name);
+  }
+}
+
+void validateRecording(const Recording& recording) {
+  requireName(recording.name, "recording");
+  require(recording.periodSeconds >= sequences::kShortestSpan && std::isfinite(recording.periodSeconds),
+          "the period is not a positive number of seconds", recording.name);
+  double earliest = 0;
+  for (const RecordedKey& key : recording.keys) {
+    const std::string where = recording.name + ", key at " + std::to_string(key.seconds) + " s";
+    require(&key == recording.keys.data() ? key.seconds >= 0
+                                          : key.seconds - earliest >= sequences::kShortestSpan,
+            "it is not a millisecond at least behind the key before it", where,
+            "move it elsewhere, or remove one of the two");
+    require(key.seconds < recording.periodSeconds, "it does not lie within the period", where,
+            "lengthen the period first");
+    earliest = key.seconds;
+    for (const auto& [handle, moved] : key.displacements)
+      requirePlace(moved, "a displacement", where);
+  }
+}
+
+void validateMeasurements(const DocumentState& state) {
+  for (const Measurement& measurement : *state.measurements) {
+    const std::string where = "measurement " + measurement.name;
+    requireName(measurement.name, where);
+    require(measurement.points.size() == 2 || measurement.points.size() == 3,
+            "it has neither the two points of a distance nor the three of an angle", where);
+    for (const MeasuredPoint& point : measurement.points) {
+      requirePlace(point.rest, "one of its points", where);
+      if (!point.organ)
+        continue;
+      requireId(point.organ.value, where);
+      const auto organ = state.organ(point.organ);
+      require(point.triangle >= 0 && (!organ || point.triangle < organ->mesh->triangles.rows()),
+              "the surface has no such triangle", where, "pick the point on the surface again");
+      require(point.weights.allFinite() && point.weights.minCoeff() >= 0 &&
+                  std::abs(point.weights.sum() - 1) <= kWeightTolerance,
+              "its weights are no place in a triangle: they have to be 0 at least, and 1 together", where,
+              "pick the point on the surface again");
+    }
+  }
+}
+
+} // namespace
+
+void validate(const DocumentState& state, const DocumentState& known) {
+  const bool organs = state.organs != known.organs, rig = state.rig != known.rig;
+  const bool recording = state.recording != known.recording;
+  const bool measurements = state.measurements != known.measurements;
+  if (organs)
+    validateOrgans(state, known);
+  if (rig)
+    validateRig(*state.rig);
+  if (rig || state.pose != known.pose)
+    validatePose(state);
+  if (state.system != known.system)
+    validateSystem(*state.system);
+  if (recording)
+    validateRecording(*state.recording);
+  if (measurements || organs)
+    validateMeasurements(state);
+  if (organs || rig || recording || measurements)
+    validateIds(state);
+}
+
+} // namespace viscera::document
