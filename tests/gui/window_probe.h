@@ -2,6 +2,7 @@
 
 #include <QTest>
 
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -77,6 +78,55 @@ inline ShownOrgan shownOrgan(app::MainWindow& window, const document::Organ& org
   shown.colouredByNumbers = actors.front()->scalarsShown();
   shown.points = actors.front()->points();
   return shown;
+}
+
+/// In what the 3D view shows something else than the document and the live binding have; empty when all is
+/// one.
+inline std::string disagreement(app::MainWindow& window) {
+  std::ostringstream wrong;
+  const document::DocumentState& state = window.workspace().state();
+  const auto handles = static_cast<Eigen::Index>(state.rig->handles.size());
+  const Points& shown = window.workspace().live().shownPose();
+  if (state.pose->rows() != handles || shown.rows() != handles)
+    wrong << "poses have " << state.pose->rows() << " and " << shown.rows() << " rows for " << handles
+          << " handles; ";
+  else if (shownHandleCount(window) != handles)
+    wrong << shownHandleCount(window) << " handles are drawn, " << handles << " there are; ";
+  else if (handles > 0 && shownHandlePositions(window) != shown)
+    wrong << "handles are drawn " << (shownHandlePositions(window) - shown).rowwise().norm().maxCoeff()
+          << " mm from where they are; ";
+  if (actorCount(window) != static_cast<int>(state.organs->size()))
+    wrong << actorCount(window) << " organs are drawn, " << state.organs->size() << " there are; ";
+  for (const auto& organ : *state.organs) {
+    const ShownOrgan drawn = shownOrgan(window, *organ);
+    if (!drawn.drawn)
+      wrong << organ->name << " is not drawn once; ";
+    else if (drawn.points != window.workspace().live().points(organ->id))
+      wrong << organ->name << " is drawn with other points than it has; ";
+    else if (window.mode() != app::Mode::stress && drawn.visible != organ->look.visible)
+      wrong << organ->name << (drawn.visible ? " is seen though hidden; " : " is not seen; ");
+  }
+  return wrong.str();
+}
+
+/// In what the pose that is shown is not the one where the timeline stands; empty when they agree. A timeline
+/// that is not followed stands at the beginning.
+inline std::string offTheTimeline(app::Workspace& workspace, app::Playback& playback) {
+  if (!playback.sequence())
+    return {};
+  const double fraction = playback.player().fraction();
+  if (!playback.showing())
+    return fraction == 0 ? std::string()
+                         : "the timeline stands at " + std::to_string(fraction) + ", nothing follows it; ";
+  Points pose;
+  playback.player().pose(pose);
+  const Points& shown = workspace.live().shownPose();
+  if (shown.rows() != pose.rows())
+    return "the timeline moves other handles than there are; ";
+  const double off = (shown - pose).cwiseAbs().maxCoeff();
+  return off <= 1e-9 ? std::string()
+                     : "the pose is " + std::to_string(off) + " mm from the timeline's at " +
+                           std::to_string(fraction) + "; ";
 }
 
 /// Whether nothing is being made: no job runs, every organ is bound, and the stress map is there in its mode.
