@@ -5,6 +5,7 @@
 #include <QApplication>
 
 #include <ostream>
+#include <random>
 
 #include "viscera/document/pose_commands.h"
 #include "viscera/document/recording_commands.h"
@@ -126,6 +127,47 @@ constexpr Moment kMoments[] = {
 };
 INSTANTIATE_TEST_SUITE_P(From, UndoOfAChangeOfSequence, testing::ValuesIn(kMoments),
                          [](const auto& of) { return std::string(of.param.name); });
+
+TEST_F(OneState, StaysOneOnAWalkAmongTheThreeSampleSequences) {
+  std::mt19937 random(7);
+  const auto number = [&random](int end) { return std::uniform_int_distribution<int>(0, end - 1)(random); };
+  chooseBreathing();
+  parts().chooseSequence(QStringLiteral("peristalsis"));
+  ASSERT_TRUE(QTest::qWaitFor(
+      [this] {
+        return window().playback().sequence() && window().playback().sequence()->id() == "peristalsis";
+      },
+      120000));
+  waitForPeace();
+  document::UndoStack& stack = window().workspace().undo();
+  ASSERT_EQ(stack.names().size(), 3u);
+  std::string walked;
+  for (int step = 0; step < 60; ++step) {
+    const int kind = number(6);
+    if (kind < 3) {
+      const auto to = static_cast<std::size_t>(number(4));
+      walked += " step " + std::to_string(to);
+      window().workspace().guarded([&] { stack.goTo(to); });
+    } else if (kind == 3) {
+      walked += " seek";
+      window().playback().seek(0.1 * number(10));
+    } else if (kind == 4) {
+      walked += " play or pause";
+      window().playback().toggle();
+      now_ += 0.05;
+      window().playback().advance();
+    } else {
+      const app::Mode modes[] = {app::Mode::explore, app::Mode::handles, app::Mode::deform, app::Mode::play};
+      const int to = number(4);
+      walked += " mode " + std::to_string(to);
+      window().setMode(modes[to]);
+    }
+    ASSERT_EQ(disagreement(window()), "") << walked;
+    ASSERT_EQ(message().toStdString(), "") << walked;
+    if (step % 10 == 9)
+      waitForPeace();
+  }
+}
 
 /// A ball in Stress mode with its map.
 class AfterStress : public WindowTest {
