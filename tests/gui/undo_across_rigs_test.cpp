@@ -47,10 +47,12 @@ Points spread(int count, std::mt19937& random) {
   return points;
 }
 
-document::NewOrgan smallBall(std::mt19937& random) {
+/// Some are so fine that they are bound by a worker, while the window goes on.
+document::NewOrgan anyBall(std::mt19937& random) {
   std::uniform_real_distribution<double> off(-8, 8);
-  return {document::makeOrgan("Ball", sphere(2, kOrganRadius, Vec3(off(random), off(random), off(random)))),
-          -1};
+  const Vec3 center(off(random), off(random), off(random));
+  const int levels = std::uniform_int_distribution<int>(0, 4)(random) == 0 ? 5 : 2;
+  return {document::makeOrgan("Ball", sphere(levels, kOrganRadius, center)), -1};
 }
 
 /// Random steps in a window whose documents have rigs of different sizes. A step depends on nothing but the
@@ -172,7 +174,7 @@ void Walk::newMotion() {
   name_ = "sequence of " + std::to_string(size) + " handles with its organ";
   const auto motion = std::make_shared<Sway>(
       spread(size, random_), std::vector<Swing>{{0, Vec3(20, 0, 0)}, {size / 2, Vec3(0, 15, 5), 1.0}});
-  const auto organ = smallBall(random_);
+  const auto organ = anyBall(random_);
   playback().setSequence(nullptr, {});
   const bool done = window_.workspace().guarded([&] {
     undo().beginStep("Sample");
@@ -186,9 +188,17 @@ void Walk::newMotion() {
     return;
   playback().setSequence(motion, state().organs->front()->id);
   window_.workspace().selection().setOrgan(state().organs->front()->id);
-  if (number(2) == 0) {
+  const int then = number(4);
+  if (then == 0) {
     name_ += ", looked at in its middle";
     playback().seek(0.4);
+  } else if (then < 3) {
+    name_ += then == 1 ? ", playing" : ", played and paused";
+    playback().play();
+    clock_ += 0.2;
+    playback().advance();
+    if (then == 2)
+      playback().pause();
   }
 }
 
@@ -230,7 +240,7 @@ void Walk::actOnDocument(int kind) {
   switch (kind) {
   case 0:
     name_ = "add an organ";
-    return perform(document::addOrgans({smallBall(random_)}));
+    return perform(document::addOrgans({anyBall(random_)}));
   case 1:
     name_ = "remove an organ";
     if (state().organs->size() > 1 || number(4) == 0)
