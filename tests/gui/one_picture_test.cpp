@@ -13,6 +13,7 @@
 #include <vtkImageData.h>
 
 #include "run_process.h"
+#include "temporary_folder.h"
 #include "viscera/document/pose_commands.h"
 #include "viscera/plugin/plugin_loader.h"
 #include "viscera/scene/picture.h"
@@ -163,6 +164,7 @@ protected:
 TEST_P(OnePicture, OfWindowAndCommandIsOneAndComesBackFromAFile) {
   const QString fixture =
       QStringLiteral(VISCERA_SOURCE_DIR "/tests/gui/sessions/%1.viscera").arg(GetParam().name);
+  ASSERT_NE(contentsOf(fixture.toStdString()).find("\"version\": 1,"), std::string::npos);
   openAndWait(fixture);
   if (HasFatalFailure())
     return;
