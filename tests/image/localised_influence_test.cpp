@@ -85,7 +85,6 @@ TEST_F(LocalisedInfluence, AHandleReachesAllOfTheStomachInOneGroupAndItsOwnPartI
   const double most = std::max(global.maxCoeff(), local.maxCoeff());
   const auto left = picture(global, most, "Influence, one group", {});
   const auto right = picture(local, most, "Influence, four groups", {});
-  EXPECT_GT(comparePictures(left, right).differing, 0.01) << "the pictures show no difference";
   tests::expectLooksLikeReference(contactSheet({left, right}, 2), "localised_influence");
 }
 

@@ -20,13 +20,13 @@ protected:
   }
 };
 
-TEST_F(CliRender, DrawsAnOrganWithoutADisplay) {
+TEST_F(CliRender, WritesAPictureOfTheSizeAskedForWithoutADisplay) {
   const json result = runJson({"render", "sample:stomach@low", "-o", path("s.png"), "--size", "320x200"});
   EXPECT_EQ(result["png"], path("s.png"));
   EXPECT_EQ(sizeOf(contents(path("s.png"))), std::make_pair(320, 200));
 }
 
-TEST_F(CliRender, EverySideIsAnotherPicture) {
+TEST_F(CliRender, NoTwoSidesAreTheSamePicture) {
   std::set<std::string> pictures;
   for (const std::string view : {"anterior", "posterior", "left", "right", "superior", "inferior"}) {
     runJson({"render", "sample:stomach@low", "-o", path(view + ".png"), "--size", "160x120", "--view", view});
@@ -35,7 +35,7 @@ TEST_F(CliRender, EverySideIsAnotherPicture) {
   EXPECT_EQ(pictures.size(), 6u);
 }
 
-TEST_F(CliRender, HandlesAndInfluenceAreSeen) {
+TEST_F(CliRender, HandlesAndTheInfluenceOfEachChangeThePicture) {
   const std::string handles = path("h.mrk.json");
   runJson({"handles", "sample:stomach@low", "-o", handles, "--count", "30", "--enclosing"});
   const auto draw = [&](const std::string& name, std::vector<std::string> more) {

@@ -1,0 +1,214 @@
+#include "window_test.h"
+
+#include <QAction>
+
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+#include <filesystem>
+#include <functional>
+#include <ostream>
+#include <string>
+
+#include <vtkImageData.h>
+
+#include "run_process.h"
+#include "temporary_folder.h"
+#include "viscera/document/pose_commands.h"
+#include "viscera/plugin/plugin_loader.h"
+#include "viscera/scene/picture.h"
+#include "window/session/session_files.h"
+#include "window_probe.h"
+
+namespace viscera::tests {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int kWidth = 900, kHeight = 600;
+/// Drivers and instruments differ in the last bits of colours and at edges.
+constexpr int kSameColor = 8;
+constexpr double kMostDiffering = 0.005;
+
+constexpr const char* kPlugin = VISCERA_BINARY_DIR "/lib/viscera/plugins/localised_scc_plugin.so";
+
+void nothingMore(app::MainWindow&) {}
+
+void changeLook(app::MainWindow& window, const std::function<void(app::StressLook&)>& change) {
+  app::StressModel& model = window.stress().model();
+  app::StressLook look = model.look();
+  change(look);
+  model.setLook(look);
+}
+
+/// A session of format 1, and what is done in the window before it is looked at: what that format does not
+/// keep.
+struct Case {
+  const char* name;
+  void (*arrange)(app::MainWindow&) = nothingMore;
+  const char* theme = "dark";
+};
+
+void PrintTo(const Case& one, std::ostream* stream) {
+  *stream << one.name;
+}
+
+/// Only what is above 12 degrees.
+void hideBelowALimit(app::MainWindow& window) {
+  changeLook(window, [](app::StressLook& look) {
+    look.threshold = true;
+    look.limit = 12;
+    look.below = false;
+  });
+}
+
+/// Only what is below 0.9, in the colours of the range that there was before the last step was taken back.
+void pinTheRangeAndHideAboveALimit(app::MainWindow& window) {
+  changeLook(window, [](app::StressLook& look) { look.pinned = true; });
+  document::UndoStack& undo = window.workspace().undo();
+  Points less = window.workspace().document().rig().restPositions();
+  less += 0.5 * (window.workspace().document().pose() - less);
+  undo.perform(document::setPose(less));
+  changeLook(window, [](app::StressLook& look) {
+    look.threshold = true;
+    look.limit = 0.9;
+    look.below = true;
+  });
+}
+
+void showThePeak(app::MainWindow& window) {
+  window.stress().model().findPeak();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return window.stress().model().peakShown() && atPeace(window); }, 30000));
+}
+
+class OnePicture : public WindowTest, public testing::WithParamInterface<Case> {
+protected:
+  plugin::Registry registry() const override {
+    plugin::Registry systems = plugin::builtInRegistry();
+    plugin::loadPlugins({kPlugin}, systems);
+    return systems;
+  }
+
+  /// Opens a session as a user does and waits until all that it shows is there.
+  void openAndWait(const QString& file) {
+    window().setTheme(app::themeFromName(QString::fromLatin1(GetParam().theme)));
+    setViewSize(window(), kWidth, kHeight);
+    window().files().open({file});
+    ASSERT_TRUE(waitUntil([&] { return !document().organs().empty(); })) << message().toStdString();
+    waitForPeace();
+  }
+
+  /// Work may lead to other work: it is over when it was over for a while.
+  void waitForPeace() {
+    int quiet = 0;
+    EXPECT_TRUE(waitUntil([&] { return (quiet = atPeace(window()) ? quiet + 1 : 0) > 12; }));
+  }
+
+  void save(const QString& file) {
+    bool done = false;
+    window().sessions().saveTo(file, true, [&] { done = true; });
+    ASSERT_TRUE(waitUntil([&] { return done; })) << message().toStdString();
+  }
+
+  vtkSmartPointer<vtkImageData> rendered(const QString& session) {
+    const std::string png = path(QStringLiteral("rendered.png")).toStdString();
+    test::ProcessOptions options;
+    options.environment = {{"DISPLAY", {}}, {"WAYLAND_DISPLAY", {}}, {"QT_QPA_PLATFORM", {}}};
+    const auto size = std::to_string(kWidth) + "x" + std::to_string(kHeight);
+    const auto result = test::runProcess({VISCERA_PROGRAM, "render", session.toStdString(), "-o", png,
+                                          "--size", size, "--theme", GetParam().theme},
+                                         options);
+    EXPECT_EQ(result.exitCode, 0) << result.err;
+    EXPECT_EQ(result.err, "") << "the command left something out";
+    return result.exitCode == 0 ? scene::readPng(png) : nullptr;
+  }
+
+  /// Expects that two pictures are the same; else leaves both, and where they differ, for whoever looks.
+  void expectSame(vtkImageData* window, vtkImageData* other, const std::string& what) {
+    ASSERT_NE(other, nullptr);
+    const fs::path folder = fs::path(VISCERA_BINARY_DIR) / "pictures" / "one_picture";
+    const auto file = [&](const std::string& of) { return folder / (GetParam().name + ("_" + of + ".png")); };
+    for (const std::string& of : {std::string("window"), what, what + "_difference"})
+      fs::remove(file(of));
+    const double differing = scene::comparePictures(window, other, kSameColor).differing;
+    EXPECT_LE(differing, kMostDiffering)
+        << 100 * differing << " % of the pixels differ: compare " << file("window") << " with " << file(what)
+        << ", see " << file(what + "_difference");
+    if (differing <= kMostDiffering && !std::getenv("VISCERA_KEEP_PICTURES"))
+      return;
+    fs::create_directories(folder);
+    scene::writePng(file("window"), window);
+    scene::writePng(file(what), other);
+    scene::writePng(file(what + "_difference"), differenceOf(window, other));
+  }
+
+  /// White where two pictures of one size differ more than they may, else the first one, dark.
+  static vtkSmartPointer<vtkImageData> differenceOf(vtkImageData* a, vtkImageData* b) {
+    auto picture = vtkSmartPointer<vtkImageData>::New();
+    picture->DeepCopy(a);
+    if (!std::equal(a->GetDimensions(), a->GetDimensions() + 2, b->GetDimensions()))
+      return picture;
+    auto* out = static_cast<unsigned char*>(picture->GetScalarPointer());
+    const auto* other = static_cast<const unsigned char*>(b->GetScalarPointer());
+    for (vtkIdType pixel = 0; pixel < a->GetNumberOfPoints(); ++pixel) {
+      bool differs = false;
+      for (vtkIdType i = 3 * pixel; i < 3 * pixel + 3; ++i)
+        differs = differs || std::abs(out[i] - other[i]) > kSameColor;
+      for (vtkIdType i = 3 * pixel; i < 3 * pixel + 3; ++i)
+        out[i] = differs ? 255 : static_cast<unsigned char>(out[i] / 4);
+    }
+    return picture;
+  }
+};
+
+TEST_P(OnePicture, OfWindowAndCommandIsOneAndComesBackFromAFile) {
+  const QString fixture =
+      QStringLiteral(VISCERA_SOURCE_DIR "/tests/gui/sessions/%1.viscera").arg(GetParam().name);
+  ASSERT_NE(contentsOf(fixture.toStdString()).find("\"version\": 1,"), std::string::npos);
+  openAndWait(fixture);
+  if (HasFatalFailure())
+    return;
+  EXPECT_EQ(message(), QString()) << "a session that opens as it was has nothing to say";
+  GetParam().arrange(window());
+  waitForPeace();
+  const auto picture = grab(window());
+  ASSERT_EQ(picture->GetDimensions()[0], kWidth);
+  ASSERT_EQ(picture->GetDimensions()[1], kHeight);
+
+  const QString saved = path(QStringLiteral("saved.viscera"));
+  save(saved);
+  const bool asItWas = GetParam().arrange == nothingMore;
+  expectSame(picture, rendered(asItWas ? fixture : saved), "command");
+
+  reopenWindow();
+  openAndWait(saved);
+  expectSame(picture, grab(window()), "opened");
+}
+
+constexpr Case kCases[] = {
+    {"explore_see_through_labels"},
+    {"explore_hidden_organ_measured_parallel"},
+    {"explore_handles_shown_posed"},
+    {"handles_influence"},
+    {"handles_regions_zones"},
+    {"handles_cage_ghost"},
+    {"handles_hidden_locked"},
+    {"deform_ghost_compensating"},
+    {"deform_influence_translucent"},
+    {"stress_rotational_smooth_handles"},
+    {"stress_volume_crinkle"},
+    {"stress_stretch_max_limit", hideBelowALimit},
+    {"stress_stretch_min_pinned_crosses", pinTheRangeAndHideAboveALimit},
+    {"stress_rotational_ellipsoids"},
+    {"stress_folded_heart_others"},
+    {"stress_peak_recorded", showThePeak},
+    {"play_heartbeat_paused"},
+    {"play_peristalsis_light", nothingMore, "light"},
+    {"play_recorded_locked"},
+};
+
+INSTANTIATE_TEST_SUITE_P(Sessions, OnePicture, testing::ValuesIn(kCases),
+                         [](const auto& of) { return std::string(of.param.name); });
+
+} // namespace
+} // namespace viscera::tests

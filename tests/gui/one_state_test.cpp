@@ -1,0 +1,405 @@
+// What the parts of the window show belongs to one state, whatever came before it.
+#include "play_fixture.h"
+
+#include <QAction>
+#include <QApplication>
+
+#include <ostream>
+#include <random>
+
+#include "viscera/document/pose_commands.h"
+#include "viscera/document/recording_commands.h"
+#include "viscera/document/rig_commands.h"
+#include "viscera/document/system_commands.h"
+#include "window/compare/side_header.h"
+#include "window/session/session_files.h"
+#include "window_probe.h"
+
+namespace viscera::tests {
+namespace {
+
+constexpr std::size_t kHeartHandles = 223, kLiverHandles = 38;
+constexpr double kMostDiffering = 0.005;
+constexpr int kSameColor = 8;
+
+class OneState : public PlayMode {
+protected:
+  /// Small views: what is asserted is not how they look.
+  static constexpr int kWidth = 240, kHeight = 160;
+
+  void SetUp() override {
+    PlayMode::SetUp();
+    setViewSize(window(), kWidth, kHeight);
+  }
+  void waitForPeace() {
+    int quiet = 0;
+    EXPECT_TRUE(waitUntil([&] { return (quiet = atPeace(window()) ? quiet + 1 : 0) > 8; }));
+  }
+  /// The sample liver comes in place of the heart, as from the gallery in Play.
+  void chooseBreathing() {
+    parts().chooseSequence(QStringLiteral("breathing"));
+    ASSERT_TRUE(QTest::qWaitFor(
+        [this] {
+          return window().playback().sequence() && window().playback().sequence()->id() == "breathing";
+        },
+        120000))
+        << message().toStdString();
+    waitForPeace();
+  }
+  void expectAllIsOne(const char* when) {
+    waitForPeace();
+    EXPECT_EQ(message().toStdString(), "") << when;
+    EXPECT_EQ(disagreement(window()), "") << when;
+    EXPECT_EQ(offTheTimeline(window().workspace(), window().playback()), "") << when;
+  }
+  void undo() { window().actions()["edit.undo"]->trigger(); }
+  void redo() { window().actions()["edit.redo"]->trigger(); }
+  /// Whether the middle of the organ is in the picture.
+  bool organInPicture() {
+    const Points& points = window().workspace().live().points(document().organs().front()->id);
+    return view().rect().contains(onScreen(boundsOf(points).center()));
+  }
+  app::Workspace& second() { return parts().comparison().workspace(); }
+  /// Plays for a while and pauses between two frames, as a user does.
+  void playAndPause(double seconds) {
+    key(Qt::Key_Space);
+    playFor(seconds);
+    now_ += 0.013;
+    key(Qt::Key_Space);
+  }
+  app::Playback& secondPlayback() { return parts().comparison().playback(); }
+  void waitForSecond() {
+    parts().comparison().view().setFixedSize(kWidth, kHeight);
+    ASSERT_TRUE(waitUntil([this] { return !second().live().busy() && second().jobs().idle(); }));
+    settle();
+  }
+};
+
+/// How the window is when the change of sequence is undone.
+struct Moment {
+  const char* name;
+  app::Mode mode;
+  bool playing;
+};
+void PrintTo(const Moment& moment, std::ostream* stream) {
+  *stream << moment.name;
+}
+
+class UndoOfAChangeOfSequence : public OneState, public testing::WithParamInterface<Moment> {};
+
+TEST_P(UndoOfAChangeOfSequence, ShowsTheHeartAgainAndRedoTheLiverWithoutAWord) {
+  chooseBreathing();
+  if (HasFatalFailure())
+    return;
+  if (!GetParam().playing)
+    window().playback().pause();
+  window().setMode(GetParam().mode);
+  waitForPeace();
+  for (int round = 0; round < 2; ++round) {
+    undo();
+    expectAllIsOne("after undo");
+    ASSERT_EQ(document().rig().handles.size(), kHeartHandles);
+    EXPECT_EQ(shownHandleCount(window()), int(kHeartHandles));
+    EXPECT_EQ(document().organs().size(), 3u);
+    ASSERT_NE(window().playback().sequence(), nullptr);
+    EXPECT_EQ(window().playback().sequence()->id(), "heartbeat");
+    EXPECT_FALSE(window().playback().player().playing()) << "another motion begins when it is asked to";
+    EXPECT_TRUE(organInPicture());
+    redo();
+    expectAllIsOne("after redo");
+    EXPECT_EQ(document().rig().handles.size(), kLiverHandles);
+    EXPECT_EQ(shownHandleCount(window()), int(kLiverHandles));
+    EXPECT_EQ(document().organs().size(), 1u);
+    EXPECT_TRUE(organInPicture());
+  }
+  undo();
+  window().setMode(app::Mode::play);
+  key(Qt::Key_Space);
+  playFor(0.2);
+  EXPECT_TRUE(window().playback().showing());
+  expectAllIsOne("playing the heart again");
+}
+
+constexpr Moment kMoments[] = {
+    {"PlayingInPlay", app::Mode::play, true}, {"PausedInPlay", app::Mode::play, false},
+    {"InExplore", app::Mode::explore, true},  {"InHandles", app::Mode::handles, false},
+    {"InDeform", app::Mode::deform, false},   {"InStress", app::Mode::stress, false},
+};
+INSTANTIATE_TEST_SUITE_P(From, UndoOfAChangeOfSequence, testing::ValuesIn(kMoments),
+                         [](const auto& of) { return std::string(of.param.name); });
+
+TEST_F(OneState, StaysOneOnAWalkAmongTheThreeSampleSequences) {
+  std::mt19937 random(7);
+  const auto number = [&random](int end) { return std::uniform_int_distribution<int>(0, end - 1)(random); };
+  chooseBreathing();
+  parts().chooseSequence(QStringLiteral("peristalsis"));
+  ASSERT_TRUE(QTest::qWaitFor(
+      [this] {
+        return window().playback().sequence() && window().playback().sequence()->id() == "peristalsis";
+      },
+      120000));
+  waitForPeace();
+  document::UndoStack& stack = window().workspace().undo();
+  ASSERT_EQ(stack.names().size(), 3u);
+  std::string walked;
+  for (int step = 0; step < 60; ++step) {
+    const int kind = number(6);
+    if (kind < 3) {
+      const auto to = static_cast<std::size_t>(number(4));
+      walked += " step " + std::to_string(to);
+      window().workspace().guarded([&] { stack.goTo(to); });
+    } else if (kind == 3) {
+      walked += " seek";
+      window().playback().seek(0.1 * number(10));
+    } else if (kind == 4) {
+      walked += " play or pause";
+      window().playback().toggle();
+      now_ += 0.05;
+      window().playback().advance();
+    } else {
+      const app::Mode modes[] = {app::Mode::explore, app::Mode::handles, app::Mode::deform, app::Mode::play};
+      const int to = number(4);
+      walked += " mode " + std::to_string(to);
+      window().setMode(modes[to]);
+    }
+    ASSERT_EQ(disagreement(window()), "") << walked;
+    ASSERT_EQ(message().toStdString(), "") << walked;
+    if (step % 10 == 9)
+      waitForPeace();
+  }
+}
+
+/// A ball in Stress mode with its map.
+class AfterStress : public WindowTest {
+protected:
+  void SetUp() override {
+    WindowTest::SetUp();
+    setViewSize(window(), 600, 400);
+  }
+  void stress(const QString& file) {
+    open(file);
+    app::StressLook look = window().stress().model().look();
+    look.witnesses = live::WitnessOptions::kFewest;
+    window().stress().model().setLook(look);
+    key(Qt::Key_4);
+    ASSERT_TRUE(waitUntil([this] { return window().stress().model().ready() && atPeace(window()); }));
+    settle();
+  }
+  vtkSmartPointer<vtkImageData> fromFront() {
+    settle();
+    viewOf(window()).lookFrom(scene::StandardView::anterior);
+    return grab(window());
+  }
+  void expectSame(vtkImageData* a, vtkImageData* b) {
+    EXPECT_LE(scene::comparePictures(a, b, kSameColor).differing, kMostDiffering);
+  }
+};
+
+TEST_F(AfterStress, ANewSessionHasNothingOfTheMapInItsView) {
+  const auto empty = grab(window());
+  stress(sphereFile());
+  window().sessions().begin();
+  settle();
+  EXPECT_EQ(actorCount(window()), 0);
+  EXPECT_FALSE(viewOf(window()).legend().visible());
+  EXPECT_FALSE(window().stress().scene().planeWidget()->GetEnabled());
+  expectSame(grab(window()), empty);
+}
+
+TEST_F(AfterStress, TheNextOrganOfANewSessionStandsAlone) {
+  const QString small = sphereFile(QStringLiteral("small.stl"), 30);
+  open(small);
+  key(Qt::Key_1);
+  const auto alone = fromFront();
+  window().sessions().begin();
+  stress(sphereFile());
+  window().sessions().begin();
+  settle();
+  open(small);
+  key(Qt::Key_1);
+  expectSame(fromFront(), alone);
+}
+
+/// How far the map has come when the mode is left.
+struct Stage {
+  const char* name;
+  bool (*reached)(app::MainWindow&);
+};
+void PrintTo(const Stage& stage, std::ostream* stream) {
+  *stream << stage.name;
+}
+
+class LeavingStress : public OneState, public testing::WithParamInterface<Stage> {};
+
+TEST_P(LeavingStress, ForPlayLeavesNoColoursOfTheMapThatWasUnderWay) {
+  app::StressLook look = window().stress().model().look();
+  look.witnesses = 1500;
+  window().stress().model().setLook(look);
+  window().playback().seek(0.3);
+  window().playback().pause();
+  waitForPeace();
+  const auto before = grab(window());
+  window().setMode(app::Mode::stress);
+  while (!GetParam().reached(window()))
+    QApplication::processEvents(QEventLoop::WaitForMoreEvents, 5);
+  window().setMode(app::Mode::play);
+  waitForPeace();
+  for (const auto& organ : document().organs())
+    EXPECT_FALSE(shownOrgan(window(), *organ).colouredByNumbers) << organ->name;
+  EXPECT_FALSE(viewOf(window()).legend().visible());
+  EXPECT_LE(scene::comparePictures(grab(window()), before, kSameColor).differing, kMostDiffering)
+      << "Play looks as it did before";
+  expectAllIsOne("in Play again");
+}
+
+using StressState = live::StressStatus::State;
+constexpr Stage kStages[] = {
+    {"AtOnce", [](app::MainWindow&) { return true; }},
+    {"WhileThePointsAreMade",
+     [](app::MainWindow& window) {
+       return window.workspace().stress().status().state == StressState::sampling;
+     }},
+    {"WhileTheyAreBound",
+     [](app::MainWindow& window) { return window.workspace().stress().mesh() != nullptr; }},
+    {"WhileTheSurfaceIsColoured",
+     [](app::MainWindow& window) {
+       return window.workspace().stress().status().state == StressState::ready;
+     }},
+    {"WhenAllIsThere",
+     [](app::MainWindow& window) { return window.stress().model().ready() && atPeace(window); }},
+};
+INSTANTIATE_TEST_SUITE_P(Stages, LeavingStress, testing::ValuesIn(kStages),
+                         [](const auto& of) { return std::string(of.param.name); });
+
+TEST_F(OneState, APausedComparisonShowsTheInstantThatItsHeadersName) {
+  key(Qt::Key_2, Qt::ControlModifier);
+  ASSERT_TRUE(parts().comparison().on());
+  waitForSecond();
+  for (const double seconds : {0.07, 0.31, 0.5}) {
+    playAndPause(seconds);
+    QTest::qWait(250); // Headers are written ten times a second.
+    EXPECT_EQ(offTheTimeline(window().workspace(), window().playback()), "") << seconds;
+    EXPECT_EQ(offTheTimeline(second(), secondPlayback()), "") << seconds;
+    EXPECT_NEAR(
+        secondPlayback().player().secondsInCycle(),
+        std::fmod(window().playback().player().secondsInCycle(), secondPlayback().player().periodSeconds()),
+        1e-9);
+    const auto headers = window().findChildren<app::SideHeader*>();
+    ASSERT_EQ(headers.size(), 2);
+    const auto expectRead = [&](const app::SideHeader& header, app::Workspace& workspace) {
+      EXPECT_TRUE(header.volumes().contains(app::formatMilliliters(volumeIn(workspace, "LV"))))
+          << header.volumes().toStdString() << " for " << volumeIn(workspace, "LV");
+    };
+    expectRead(*headers[0], window().workspace());
+    expectRead(*headers[1], second());
+  }
+}
+
+TEST_F(OneState, APausedComparisonComesBackAtItsInstant) {
+  key(Qt::Key_2, Qt::ControlModifier);
+  waitForSecond();
+  playAndPause(0.3);
+  const double volume = volumeOf("LV");
+  const double fraction = window().playback().player().fraction();
+  bool done = false;
+  window().sessions().saveTo(path(QStringLiteral("two.viscera")), false, [&] { done = true; });
+  ASSERT_TRUE(waitUntil([&] { return done; }));
+  reopenWindow();
+  open(path(QStringLiteral("two.viscera")));
+  ASSERT_TRUE(waitUntil([this] { return window().playback().showing(); }));
+  waitForPeace();
+  EXPECT_NEAR(volumeOf("LV"), volume, 1e-6);
+  EXPECT_NEAR(window().playback().player().fraction(), fraction, 1e-12);
+  EXPECT_EQ(offTheTimeline(window().workspace(), window().playback()), "");
+}
+
+TEST_F(OneState, AViewThatComesBesideAnotherInDeformStandsAtItsInstantInPlay) {
+  window().playback().toStart();
+  window().playback().pause();
+  key(Qt::Key_3);
+  key(Qt::Key_3, Qt::ControlModifier);
+  waitForSecond();
+  key(Qt::Key_5);
+  waitForSecond();
+  EXPECT_EQ(second().live().shownPose(), window().workspace().live().shownPose());
+  EXPECT_EQ(offTheTimeline(second(), secondPlayback()), "");
+  EXPECT_EQ(secondPlayback().showing(), window().playback().showing());
+  key(Qt::Key_2, Qt::ControlModifier);
+  waitForSecond();
+  EXPECT_EQ(second().live().shownPose(), window().workspace().live().shownPose());
+  EXPECT_EQ(offTheTimeline(second(), secondPlayback()), "");
+}
+
+TEST_F(OneState, UndoAndRedoInAComparisonLeaveBothViewsWhereTheirTimelinesStand) {
+  key(Qt::Key_2, Qt::ControlModifier);
+  waitForSecond();
+  window().playback().seek(0.4);
+  ASSERT_TRUE(window().workspace().perform(document::removeHandles({document().rig().handles.back().id})));
+  for (const bool back : {true, false, true}) {
+    back ? undo() : redo();
+    waitForPeace();
+    waitForSecond();
+    EXPECT_EQ(disagreement(window()), "");
+    EXPECT_EQ(offTheTimeline(window().workspace(), window().playback()), "") << back;
+    EXPECT_EQ(offTheTimeline(second(), secondPlayback()), "") << back;
+    EXPECT_EQ(second().live().shownPose(), window().workspace().live().shownPose()) << back;
+  }
+}
+
+TEST_F(OneState, RedoOfARemovedHandleLeavesNoTimelineInTheMiddle) {
+  ASSERT_TRUE(window().workspace().perform(document::removeHandles({document().rig().handles.back().id})));
+  undo();
+  playAndPause(0.3);
+  redo();
+  ASSERT_EQ(document().rig().handles.size(), kHeartHandles - 1);
+  waitForPeace();
+  EXPECT_EQ(disagreement(window()), "");
+  EXPECT_EQ(offTheTimeline(window().workspace(), window().playback()), "");
+}
+
+TEST_F(OneState, AKeysPoseThatIsTakenIsWhereTheTimelineStands) {
+  Points pose = document().pose();
+  ASSERT_TRUE(window().workspace().perform(document::recordKey(0)));
+  pose.col(2).array() += 9;
+  ASSERT_TRUE(window().workspace().perform(document::setPose(pose)));
+  ASSERT_TRUE(window().workspace().perform(document::recordKey(0.8)));
+  const auto& keys = document().recording().keys;
+  ASSERT_EQ(keys.size(), 2u);
+  window().playback().choose(parts().recorded().sequence());
+  window().playback().seek(0.8 / document().recording().periodSeconds);
+  EXPECT_LT((window().workspace().live().shownPose() - pose).cwiseAbs().maxCoeff(), 1e-9);
+  ASSERT_TRUE(parts().recorded().takePose(keys[0].id));
+  waitForPeace();
+  EXPECT_EQ(disagreement(window()), "");
+  EXPECT_EQ(offTheTimeline(window().workspace(), window().playback()), "");
+  undo();
+  waitForPeace();
+  EXPECT_EQ(offTheTimeline(window().workspace(), window().playback()), "");
+}
+
+TEST_F(OneState, OtherCoordinatesBeginCurveAndIndicesAnew) {
+  key(Qt::Key_Space);
+  playFor(1.1);
+  const auto& monitor = window().volumes();
+  ASSERT_EQ(monitor.lines().at(1).name, QStringLiteral("LV"));
+  ASSERT_TRUE(monitor.indices(1).has_value());
+  key(Qt::Key_Space);
+  ASSERT_TRUE(window().workspace().perform(document::setSystem({"t-celestial", {}})));
+  waitForPeace();
+  EXPECT_FALSE(monitor.indices(1).has_value()) << "the ejection fraction was that of the coordinates before";
+  EXPECT_FALSE(monitor.range(1).has_value());
+}
+
+TEST_F(OneState, AWarningOfOtherHandlesGoesWhenTheyFitAgain) {
+  key(Qt::Key_P, Qt::ControlModifier);
+  ASSERT_NE(document().rig().handles.size(), kHeartHandles);
+  key(Qt::Key_5);
+  key(Qt::Key_Space);
+  ASSERT_TRUE(message().contains(QStringLiteral("handles of its own"))) << message().toStdString();
+  key(Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_EQ(document().rig().handles.size(), kHeartHandles);
+  EXPECT_EQ(message(), QString());
+}
+
+} // namespace
+} // namespace viscera::tests

@@ -1,0 +1,158 @@
+#pragma once
+
+#include <QTest>
+
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include <vtkImageData.h>
+#include <vtkPropCollection.h>
+#include <vtkRenderWindow.h>
+#include <vtkRenderer.h>
+#include <vtkSmartPointer.h>
+
+#include "viscera/scene/picture.h"
+#include "viscera/scene/vtkVisceraHandleSetRepresentation.h"
+#include "window/main_window.h"
+#include "window/stress/stress_mode.h"
+#include "window/view/organ_scene.h"
+#include "window/view/view_area.h"
+
+/// What a window shows, read from its parts: the only place where tests of the whole window know how it is
+/// put together.
+namespace viscera::tests {
+
+/// Where an organ is drawn, or why it is not.
+struct ShownOrgan {
+  bool drawn = false;
+  bool visible = false;
+  bool colouredByNumbers = false;
+  Points points; ///< `n x 3`, mm: what the actor's memory holds.
+};
+
+inline scene::OrganView& viewOf(app::MainWindow& window) {
+  return window.viewArea().view()->view();
+}
+
+inline int shownHandleCount(app::MainWindow& window) {
+  return viewOf(window).handles()->GetNumberOfHandles();
+}
+
+inline Points shownHandlePositions(app::MainWindow& window) {
+  return viewOf(window).handles()->GetPositions();
+}
+
+inline int actorCount(app::MainWindow& window) {
+  return static_cast<int>(viewOf(window).organs().size());
+}
+
+/// All that the 3D view's renderer would draw and that can be seen, whoever added it.
+inline std::vector<vtkProp*> visibleProps(app::MainWindow& window) {
+  std::vector<vtkProp*> seen;
+  vtkPropCollection* props = viewOf(window).renderer()->GetViewProps();
+  vtkCollectionSimpleIterator place;
+  props->InitTraversal(place);
+  while (vtkProp* prop = props->GetNextProp(place))
+    if (prop->GetVisibility())
+      seen.push_back(prop);
+  return seen;
+}
+
+/// The actors that show an organ's surface: one, when all is well.
+inline std::vector<scene::OrganActor*> actorsOf(app::MainWindow& window, const document::Organ& organ) {
+  std::vector<scene::OrganActor*> found;
+  for (const auto& actor : viewOf(window).organs())
+    if (&actor->mesh() == organ.mesh.get())
+      found.push_back(actor.get());
+  return found;
+}
+
+inline ShownOrgan shownOrgan(app::MainWindow& window, const document::Organ& organ) {
+  const auto actors = actorsOf(window, organ);
+  ShownOrgan shown;
+  if (actors.size() != 1)
+    return shown;
+  shown.drawn = true;
+  shown.visible = actors.front()->visible();
+  shown.colouredByNumbers = actors.front()->scalarsShown();
+  shown.points = actors.front()->points();
+  return shown;
+}
+
+/// In what the 3D view shows something else than the document and the live binding have; empty when all is
+/// one.
+inline std::string disagreement(app::MainWindow& window) {
+  std::ostringstream wrong;
+  const document::DocumentState& state = window.workspace().state();
+  const auto handles = static_cast<Eigen::Index>(state.rig->handles.size());
+  const Points& shown = window.workspace().live().shownPose();
+  if (state.pose->rows() != handles || shown.rows() != handles)
+    wrong << "poses have " << state.pose->rows() << " and " << shown.rows() << " rows for " << handles
+          << " handles; ";
+  else if (shownHandleCount(window) != handles)
+    wrong << shownHandleCount(window) << " handles are drawn, " << handles << " there are; ";
+  else if (handles > 0 && shownHandlePositions(window) != shown)
+    wrong << "handles are drawn " << (shownHandlePositions(window) - shown).rowwise().norm().maxCoeff()
+          << " mm from where they are; ";
+  if (actorCount(window) != static_cast<int>(state.organs->size()))
+    wrong << actorCount(window) << " organs are drawn, " << state.organs->size() << " there are; ";
+  for (const auto& organ : *state.organs) {
+    const ShownOrgan drawn = shownOrgan(window, *organ);
+    if (!drawn.drawn)
+      wrong << organ->name << " is not drawn once; ";
+    else if (drawn.points != window.workspace().live().points(organ->id))
+      wrong << organ->name << " is drawn with other points than it has; ";
+    else if (window.mode() != app::Mode::stress && drawn.visible != organ->look.visible)
+      wrong << organ->name << (drawn.visible ? " is seen though hidden; " : " is not seen; ");
+  }
+  return wrong.str();
+}
+
+/// In what the pose that is shown is not the one where the timeline stands; empty when they agree. A timeline
+/// that is not followed stands at the beginning.
+inline std::string offTheTimeline(app::Workspace& workspace, app::Playback& playback) {
+  if (!playback.sequence())
+    return {};
+  const double fraction = playback.player().fraction();
+  if (!playback.showing())
+    return fraction == 0 ? std::string()
+                         : "the timeline stands at " + std::to_string(fraction) + ", nothing follows it; ";
+  Points pose;
+  playback.player().pose(pose);
+  const Points& shown = workspace.live().shownPose();
+  if (shown.rows() != pose.rows())
+    return "the timeline moves other handles than there are; ";
+  const double off = (shown - pose).cwiseAbs().maxCoeff();
+  return off <= 1e-9 ? std::string()
+                     : "the pose is " + std::to_string(off) + " mm from the timeline's at " +
+                           std::to_string(fraction) + "; ";
+}
+
+/// Whether nothing is being made: no job runs, every organ is bound, and the stress map is there in its mode.
+inline bool atPeace(app::MainWindow& window) {
+  app::Workspace& workspace = window.workspace();
+  if (!workspace.jobs().idle() || workspace.live().busy())
+    return false;
+  if (window.mode() != app::Mode::stress || workspace.document().organs().empty())
+    return true;
+  using State = live::StressStatus::State;
+  const State state = workspace.stress().status().state;
+  return state == State::ready || state == State::failed || state == State::cancelled;
+}
+
+/// The 3D view's own pixels, without the widgets over it, with the mouse away from everything.
+inline vtkSmartPointer<vtkImageData> grab(app::MainWindow& window) {
+  QTest::mouseMove(&window, QPoint(2, 2));
+  QTest::qWait(60);
+  viewOf(window).setMoving(false);
+  return scene::grabPicture(viewOf(window).window());
+}
+
+/// Makes the 3D view that large, in pixels.
+inline void setViewSize(app::MainWindow& window, int width, int height) {
+  window.viewArea().view()->setFixedSize(width, height);
+  QTest::qWait(20);
+}
+
+} // namespace viscera::tests
