@@ -67,7 +67,7 @@ int takePicture(const WindowOptions& options) {
   }
   const bool session = !window.sessions().file().isEmpty(); // It has a view of its own.
   const Mode& mode = window.modes().present();
-  const bool moves = !session && mode.pose() == WantedPose::sequence && !mode.shown().stress;
+  const bool moves = !session && mode.pose() == motion::WantedPose::sequence && !mode.shown().stress;
   if (moves && window.playback().sequence()) {
     window.playback().play();
     while (now < kPlayedSeconds) {

@@ -55,7 +55,7 @@ private:
   scene::OrganView& view_;
   presentation::Shown grabbed_;                   ///< As it was when the drag began.
   std::optional<document::UndoStack::Step> step_; ///< Of a drag at rest.
-  bool dragFailed_ = false;     ///< This drag has met an error and said so.
+  bool dragFailed_ = false;                       ///< This drag has met an error and said so.
   std::vector<unsigned long> handleObservers_;
   std::vector<unsigned long> gizmoObservers_;
 };

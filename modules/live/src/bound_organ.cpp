@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "viscera/core/error.h"
-#include "viscera/document/validate.h"
 #include "viscera/deformation/bind_organ.h"
+#include "viscera/document/validate.h"
 #include "viscera/geometry/convex_hull.h"
 
 namespace viscera::live {
