@@ -1,6 +1,6 @@
-#include "reproduction/line_figure.h"
+#include "line_figure.h"
 
-namespace viscera::app::reproduction {
+namespace viscera::reproduction {
 namespace {
 
 using enum Expect;
@@ -152,12 +152,4 @@ std::vector<Item> chapter3() {
   return items;
 }
 
-std::vector<Item> allItems() {
-  std::vector<Item> items;
-  for (auto* chapter : {&chapter3, &chapter4, &chapter5})
-    for (Item& item : chapter())
-      items.push_back(std::move(item));
-  return items;
-}
-
-} // namespace viscera::app::reproduction
+} // namespace viscera::reproduction

@@ -1,21 +1,19 @@
-#include "reproduction/celestial_costs.h"
+#include "celestial_costs.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "cli/inputs.h"
-#include "cli/listing.h"
-#include "cli/measured_scenes.h"
-#include "reproduction/charts.h"
-#include "reproduction/timing.h"
+#include "charts.h"
+#include "timing.h"
 #include "viscera/core/error.h"
+#include "viscera/core/number_text.h"
 #include "viscera/deformation/place_handles.h"
 #include "viscera/deformation/tetrahedralise.h"
+#include "viscera/reproduction/measured_scenes.h"
 
-namespace viscera::app::reproduction {
+namespace viscera::reproduction {
 namespace {
 
-using cli::significant;
 using coordinates::BindOptions;
 using coordinates::CoordinateSystem;
 
@@ -36,10 +34,9 @@ struct Pair {
   double first = NAN, second = NAN;
 };
 
-std::vector<Pair> compare(const Comparison& comparison, Result& result, const cli::Surroundings& surroundings,
+std::vector<Pair> compare(const Comparison& comparison, Result& result, const Bench& bench,
                           Progress& progress) {
-  const auto first = surroundings.systems.find(comparison.first),
-             second = surroundings.systems.find(comparison.second);
+  const auto first = bench.systems.find(comparison.first), second = bench.systems.find(comparison.second);
   BindOptions options = deformation::withTetgen({});
   options.threads = Threads{1};
   BarChart chart;
@@ -52,7 +49,7 @@ std::vector<Pair> compare(const Comparison& comparison, Result& result, const cl
   std::vector<Pair> all;
   double most = 0, least = INFINITY;
   for (const std::string& organ : comparison.organs) {
-    const auto mesh = cli::organInput("sample:" + organ, surroundings.samples, progress).mesh;
+    const auto mesh = outerSurface(organ, bench.samples, progress);
     coordinates::HandleSet handles;
     handles.positions = deformation::placeHandles(*mesh);
     const auto [ofFirst, ofSecond] =
@@ -86,7 +83,7 @@ Finding atMost(const std::vector<Pair>& pairs, double share, const std::string& 
 
 } // namespace
 
-void figure412(Result& result, const cli::Surroundings& surroundings, Progress& progress) {
+void figure412(Result& result, const Bench& bench, Progress& progress) {
   result.title = "Cost of T- and S-Celestial coordinates";
   result.claim = "S-Celestial coordinates are much more efficient than T-Celestial ones.";
   result.setup =
@@ -95,13 +92,13 @@ void figure412(Result& result, const cli::Surroundings& surroundings, Progress& 
       {"t-celestial",
        "s-celestial",
        {"kidney_left@medium", "stomach@medium", "liver@medium", "heart@medium", "digestive_system@medium"}},
-      result, surroundings, progress);
+      result, bench, progress);
   result.findings.push_back(atMost(pairs, 1, "S-Celestial takes less time than T-Celestial on every organ"));
   result.findings.push_back(
       atMost(pairs, 0.5, "S-Celestial takes at most half the time (\"much more efficient\")"));
 }
 
-void figure418(Result& result, const cli::Surroundings& surroundings, Progress& progress) {
+void figure418(Result& result, const Bench& bench, Progress& progress) {
   result.title = "Cost of C-, T- and S-Celestial coordinates";
   result.claim =
       "S-Celestial coordinates are the most efficient, C-Celestial ones with 100,000 samples cannot be "
@@ -110,7 +107,7 @@ void figure418(Result& result, const cli::Surroundings& surroundings, Progress& 
       "A line of 1,000 points among 15 handles, one thread. C-Celestial is timed on 50 of the points and "
       "multiplied: each is solved by itself.";
   constexpr int kPoints = 1000, kTimed = 50;
-  const coordinates::Scene scene = cli::lineScene(15);
+  const coordinates::Scene scene = lineScene(15);
   Points points(kPoints, 3), few(kTimed, 3);
   for (int i = 0; i < kPoints; ++i)
     points.row(i) = scene.line->at(i / (kPoints - 1.0)).transpose();
@@ -118,14 +115,12 @@ void figure418(Result& result, const cli::Surroundings& surroundings, Progress& 
     few.row(i) = points.row(i * kPoints / kTimed);
   BindOptions options, sampled;
   options.threads = sampled.threads = Threads{1};
-  const auto c = surroundings.systems.find("c-celestial");
+  const auto c = bench.systems.find("c-celestial");
   sampled.parameters.setFromText(c->parameters(), "sampling", "sphere");
   sampled.parameters.setFromText(c->parameters(), "samples", "100000");
   const double ofC = seconds(*c, scene.handles, few, sampled, progress) * kPoints / kTimed;
-  const double ofT =
-      seconds(*surroundings.systems.find("t-celestial"), scene.handles, points, options, progress);
-  const double ofS =
-      seconds(*surroundings.systems.find("s-celestial"), scene.handles, points, options, progress);
+  const double ofT = seconds(*bench.systems.find("t-celestial"), scene.handles, points, options, progress);
+  const double ofS = seconds(*bench.systems.find("s-celestial"), scene.handles, points, options, progress);
   BarChart chart;
   chart.title = "Time to bind a line of 1,000 points, one thread";
   chart.y = {"seconds", std::pow(10, std::floor(std::log10(std::min(ofS, ofT)))),
@@ -148,20 +143,20 @@ void figure418(Result& result, const cli::Surroundings& surroundings, Progress& 
                              ofC >= 100 * std::max(ofS, ofT)});
 }
 
-void figure423(Result& result, const cli::Surroundings& surroundings, Progress& progress) {
+void figure423(Result& result, const Bench& bench, Progress& progress) {
   result.title = "Cost of bounded biharmonic weights and S-Celestial coordinates";
   result.claim = "S-Celestial coordinates are much more efficient than bounded biharmonic weights.";
   result.setup =
       "Sample organs with 30 handles; the time for the weights includes filling the organ with tetrahedra.";
   constexpr auto kWeights = "bounded-biharmonic";
-  if (!surroundings.systems.contains(kWeights)) {
+  if (!bench.systems.contains(kWeights)) {
     result.problem = std::string("there is no coordinate system ") + kWeights;
     return;
   }
   const auto pairs = compare({kWeights, "s-celestial", {"kidney_left@low", "liver@low", "heart@low"}, true},
-                             result, surroundings, progress);
+                             result, bench, progress);
   result.findings.push_back(
       atMost(pairs, 0.1, "S-Celestial takes at most a tenth of the time on every organ"));
 }
 
-} // namespace viscera::app::reproduction
+} // namespace viscera::reproduction

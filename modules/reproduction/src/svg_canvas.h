@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-namespace viscera::app::reproduction {
+namespace viscera::reproduction {
 
 /// A place on a picture, in its units, y downward.
 struct Place {
@@ -52,4 +52,4 @@ std::string escaped(const std::string& text);
 /// About how wide the text is at that size, in the canvas's units.
 double widthOf(const std::string& text, double size);
 
-} // namespace viscera::app::reproduction
+} // namespace viscera::reproduction

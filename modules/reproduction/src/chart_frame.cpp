@@ -1,12 +1,12 @@
-#include "reproduction/chart_frame.h"
+#include "chart_frame.h"
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
-#include "cli/listing.h"
+#include "viscera/core/number_text.h"
 
-namespace viscera::app::reproduction {
+namespace viscera::reproduction {
 namespace {
 
 constexpr auto kGrid = "#e3e3e3";
@@ -25,7 +25,7 @@ double roundStep(double rough) {
 std::string tickText(double value, double step) {
   if (std::abs(value) < 1e-9 * step)
     return "0";
-  std::string text = cli::significant(value, 4);
+  std::string text = significant(value, 4);
   if (text.front() == '-')
     text.replace(0, 1, "\xE2\x88\x92"); // A minus, not a hyphen.
   return text;
@@ -107,4 +107,4 @@ Pen penFor(std::size_t index) {
   return {palette()[index % colors], 1.8, dashes[index / colors % 4], 1};
 }
 
-} // namespace viscera::app::reproduction
+} // namespace viscera::reproduction

@@ -3,9 +3,9 @@
 #include <string>
 #include <vector>
 
-#include "reproduction/chart_frame.h"
+#include "chart_frame.h"
 
-namespace viscera::app::reproduction {
+namespace viscera::reproduction {
 
 /// One curve of a chart; places that are not numbers are gaps.
 struct Curve {
@@ -39,4 +39,4 @@ struct BarChart {
   std::string svg() const;
 };
 
-} // namespace viscera::app::reproduction
+} // namespace viscera::reproduction

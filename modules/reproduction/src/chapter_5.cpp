@@ -1,22 +1,20 @@
 #include <array>
 #include <cmath>
 
-#include "cli/inputs.h"
-#include "cli/listing.h"
-#include "reproduction/charts.h"
-#include "reproduction/item.h"
-#include "reproduction/timing.h"
+#include "charts.h"
+#include "timing.h"
 #include "viscera/coordinates/celestial/s_celestial.h"
+#include "viscera/core/number_text.h"
 #include "viscera/deformation/bind_organ.h"
 #include "viscera/deformation/place_handles.h"
 #include "viscera/deformation/stress_polynomial.h"
 #include "viscera/geometry/volume.h"
+#include "viscera/reproduction/item.h"
+#include "viscera/reproduction/measured_scenes.h"
 
-namespace viscera::app::reproduction {
+namespace viscera::reproduction {
 namespace {
 
-using cli::fixed;
-using cli::significant;
 
 /// A frame of 30 a second.
 constexpr double kInteractiveMs = 1000.0 / 30;
@@ -28,31 +26,30 @@ struct VolumeCost {
   double volumeMs = 0, gradientMs = 0;
 };
 
-VolumeCost volumeCost(const std::string& organ, const cli::Surroundings& surroundings, Progress& progress) {
-  const auto mesh = cli::organInput(organ, surroundings.samples, progress).mesh;
+VolumeCost volumeCost(const std::string& organ, const Bench& bench, Progress& progress) {
+  const auto mesh = outerSurface(organ, bench.samples, progress);
   coordinates::HandleSet handles;
   handles.positions = deformation::placeHandles(*mesh);
   coordinates::BindOptions options;
-  options.threads = surroundings.threads;
+  options.threads = bench.threads;
   const auto binding =
       deformation::bindOrgan(coordinates::SCelestial(), handles, mesh->points, options, progress);
   Points pose = handles.positions, points, ofPoints, ofHandles;
   pose.row(12) += Eigen::RowVector3d(9, -4, 6);
-  binding->deform(pose, points, surroundings.threads);
+  binding->deform(pose, points, bench.threads);
   const auto around = geometry::vertexTriangles(points.rows(), mesh->triangles);
   VolumeCost cost{organ, points.rows(), mesh->triangles.rows()};
   double volume = 0;
   cost.volumeMs =
-      1e3 * leastSeconds([&] { volume += geometry::volume(points, mesh->triangles, surroundings.threads); });
-  cost.gradientMs =
-      1e3 * leastSeconds([&] {
-        geometry::volumeGradient(points, mesh->triangles, around, ofPoints, surroundings.threads);
-        binding->pullBack(pose, ofPoints, ofHandles, surroundings.threads);
-      });
+      1e3 * leastSeconds([&] { volume += geometry::volume(points, mesh->triangles, bench.threads); });
+  cost.gradientMs = 1e3 * leastSeconds([&] {
+                      geometry::volumeGradient(points, mesh->triangles, around, ofPoints, bench.threads);
+                      binding->pullBack(pose, ofPoints, ofHandles, bench.threads);
+                    });
   return cost;
 }
 
-void table52(Result& result, const cli::Surroundings& surroundings, Progress& progress) {
+void table52(Result& result, const Bench& bench, Progress& progress) {
   result.title = "Cost of the volume and of its gradient";
   result.claim =
       "Volume and gradient are computed at interactive rates at every size, and their cost grows at most "
@@ -62,13 +59,12 @@ void table52(Result& result, const cli::Surroundings& surroundings, Progress& pr
       "at once (the thesis: for one, on a graphics processor). The least of several runs.";
   Table table{"table_5_2", {"organ", "vertices", "triangles", "volume, ms", "gradient, ms"}, {}, true};
   std::vector<VolumeCost> costs;
-  const char* organs[] = {
-      "sample:kidney_left@low",         "sample:heart@low", "sample:liver@medium", "sample:heart@medium",
-      "sample:digestive_system@medium", "sample:heart@high"};
+  const char* organs[] = {"kidney_left@low",         "heart@low", "liver@medium", "heart@medium",
+                          "digestive_system@medium", "heart@high"};
   for (const char* organ : organs) {
     progress.throwIfCancelled();
-    const VolumeCost& cost = costs.emplace_back(volumeCost(organ, surroundings, progress));
-    table.rows.push_back({cost.organ.substr(7), std::to_string(cost.vertices), std::to_string(cost.triangles),
+    const VolumeCost& cost = costs.emplace_back(volumeCost(organ, bench, progress));
+    table.rows.push_back({cost.organ, std::to_string(cost.vertices), std::to_string(cost.triangles),
                           fixed(cost.volumeMs, 3), fixed(cost.gradientMs, 3)});
   }
   result.tables.push_back(std::move(table));
@@ -92,7 +88,7 @@ void table52(Result& result, const cli::Surroundings& surroundings, Progress& pr
        growth <= 1.5 * sizes});
 }
 
-void figure54(Result& result, const cli::Surroundings&, Progress&) {
+void figure54(Result& result, const Bench&, Progress&) {
   result.title = "Rotational stress and the three singular values";
   result.claim = "The largest angle depends on the largest and the smallest singular value only.";
   result.setup = "Searched over directions, as the thesis did (dots), and by the closed form "
@@ -135,7 +131,7 @@ void figure54(Result& result, const cli::Surroundings&, Progress&) {
                              significant(apart) + " degrees", apart < 0.01});
 }
 
-void figure55(Result& result, const cli::Surroundings&, Progress& progress) {
+void figure55(Result& result, const Bench&, Progress& progress) {
   result.title = "Rotational stress as a polynomial";
   result.claim =
       "A polynomial of degree six in the largest and the smallest singular value is within 0.44 degrees.";
@@ -188,4 +184,4 @@ std::vector<Item> chapter5() {
   return {{"5.2", true, table52}, {"5.4", false, figure54}, {"5.5", false, figure55}};
 }
 
-} // namespace viscera::app::reproduction
+} // namespace viscera::reproduction

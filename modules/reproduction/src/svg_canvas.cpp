@@ -1,15 +1,15 @@
-#include "reproduction/svg_canvas.h"
+#include "svg_canvas.h"
 
-#include "cli/listing.h"
+#include "viscera/core/number_text.h"
 
-namespace viscera::app::reproduction {
+namespace viscera::reproduction {
 namespace {
 
 /// Of a letter's height; the mean of common sans-serif faces, a little generous.
 constexpr double kLetterWidth = 0.56;
 
 std::string number(double value) {
-  return cli::fixed(value, 2);
+  return fixed(value, 2);
 }
 
 std::string attribute(const char* name, const std::string& value) {
@@ -106,4 +106,4 @@ std::string SvgCanvas::svg(const std::string& title) const {
          "</title>\n<rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>\n" + body_ + "</svg>\n";
 }
 
-} // namespace viscera::app::reproduction
+} // namespace viscera::reproduction

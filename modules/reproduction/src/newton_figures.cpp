@@ -1,17 +1,15 @@
-#include "reproduction/newton_figures.h"
+#include "newton_figures.h"
 
 #include <cmath>
 
-#include "cli/listing.h"
-#include "cli/measured_scenes.h"
-#include "reproduction/charts.h"
+#include "charts.h"
 #include "viscera/coordinates/measure/newton_spread.h"
+#include "viscera/core/number_text.h"
+#include "viscera/reproduction/measured_scenes.h"
 
-namespace viscera::app::reproduction {
+namespace viscera::reproduction {
 namespace {
 
-using cli::fixed;
-using cli::significant;
 using coordinates::NeighbourOrder;
 using coordinates::NewtonSpread;
 
@@ -27,10 +25,10 @@ struct Spread {
   NewtonSpread euclidean, jacobian;
 };
 
-std::vector<Spread> spreads(const cli::Surroundings& surroundings, Progress& progress) {
+std::vector<Spread> spreads(const Bench& bench, Progress& progress) {
   std::vector<Spread> all;
   for (const char* organ : {"heart", "liver", "stomach", "digestive_system"}) {
-    const coordinates::Scene scene = cli::organScene(organ, kHandles, kPoints, surroundings, progress);
+    const coordinates::Scene scene = organScene(organ, kHandles, kPoints, bench.samples, progress);
     coordinates::NewtonSpreadOptions options;
     options.radius = kNeighbourhood * boundsOf(scene.points).diagonal();
     const auto by = [&](NeighbourOrder order) {
@@ -84,13 +82,13 @@ Table tableOf(const std::string& name, const std::vector<Spread>& all) {
 
 } // namespace
 
-void figure45(Result& result, const cli::Surroundings& surroundings, Progress& progress) {
+void figure45(Result& result, const Bench& bench, Progress& progress) {
   result.title = "Neighbours tried before Newton's method converges";
   result.claim =
       "Ordered by distance, the first neighbour serves for about half of the points; ordered by the "
       "jacobian, for all.";
   result.setup = setup();
-  const auto all = spreads(surroundings, progress);
+  const auto all = spreads(bench, progress);
   BarChart chart;
   chart.title = "Points solved from the first neighbour tried";
   chart.y = {"share of the points, %", 0, 110, false};
@@ -111,12 +109,12 @@ void figure45(Result& result, const cli::Surroundings& surroundings, Progress& p
                              mostEuclidean <= 60 && mostEuclidean >= 40});
 }
 
-void figure46(Result& result, const cli::Surroundings& surroundings, Progress& progress) {
+void figure46(Result& result, const Bench& bench, Progress& progress) {
   result.title = "Iterations of Newton's method";
   result.claim =
       "From the jacobian order's neighbour it takes a little more iterations than from the nearest one.";
   result.setup = setup();
-  const auto all = spreads(surroundings, progress);
+  const auto all = spreads(bench, progress);
   BarChart chart;
   chart.title = "Mean number of iterations a point";
   double most = 0;
@@ -134,4 +132,4 @@ void figure46(Result& result, const cli::Surroundings& surroundings, Progress& p
   result.tables.push_back(tableOf(result.fileName(), all));
 }
 
-} // namespace viscera::app::reproduction
+} // namespace viscera::reproduction

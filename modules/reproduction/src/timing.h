@@ -5,7 +5,7 @@
 #include <limits>
 #include <utility>
 
-namespace viscera::app::reproduction {
+namespace viscera::reproduction {
 
 /// The least time that `work` took, in seconds, of at least one and at most `most` runs within about half a
 /// second.
@@ -38,4 +38,4 @@ std::pair<double, double> leastSecondsInTurn(const First& first, const Second& s
   return least;
 }
 
-} // namespace viscera::app::reproduction
+} // namespace viscera::reproduction

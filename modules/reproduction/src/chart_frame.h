@@ -3,9 +3,9 @@
 #include <string>
 #include <vector>
 
-#include "reproduction/svg_canvas.h"
+#include "svg_canvas.h"
 
-namespace viscera::app::reproduction {
+namespace viscera::reproduction {
 
 /// Numbers from `low` to `high` on a picture.
 struct Axis {
@@ -50,4 +50,4 @@ const std::vector<std::string>& palette();
 /// A pen for curve or bar `index`: colour after colour, then the same ones dashed, then dotted.
 Pen penFor(std::size_t index);
 
-} // namespace viscera::app::reproduction
+} // namespace viscera::reproduction

@@ -1,11 +1,11 @@
-#include "reproduction/charts.h"
+#include "charts.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "cli/listing.h"
+#include "viscera/core/number_text.h"
 
-namespace viscera::app::reproduction {
+namespace viscera::reproduction {
 namespace {
 
 constexpr double kLeft = 72, kTop = 34, kBottom = 50, kRight = 14;
@@ -24,7 +24,7 @@ double legendWidth(const std::vector<std::string>& names) {
 
 /// Two digits, but no powers of ten for large numbers.
 std::string barText(double value) {
-  return value >= 100 ? cli::fixed(value, 0) : cli::significant(value, 2);
+  return value >= 100 ? fixed(value, 0) : significant(value, 2);
 }
 
 /// A curve may be interrupted: each stretch of numbers by itself.
@@ -109,4 +109,4 @@ std::string BarChart::svg() const {
   return canvas.svg(title);
 }
 
-} // namespace viscera::app::reproduction
+} // namespace viscera::reproduction

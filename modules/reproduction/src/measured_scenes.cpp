@@ -1,15 +1,14 @@
-#include "cli/measured_scenes.h"
+#include "viscera/reproduction/measured_scenes.h"
 
 #include <sstream>
 
 #include <QFile>
 
-#include "cli/inputs.h"
 #include "viscera/core/error.h"
 #include "viscera/deformation/group_handles.h"
 #include "viscera/deformation/place_handles.h"
 
-namespace viscera::app::cli {
+namespace viscera::reproduction {
 namespace {
 
 constexpr double kHalfLine = 50; ///< mm
@@ -30,9 +29,18 @@ coordinates::Scene lineScene(int handles) {
   return scene;
 }
 
+std::shared_ptr<const geometry::TriangleMesh>
+outerSurface(const std::string& organ, const sample_organs::SampleLibrary& samples, Progress& progress) {
+  const std::size_t at = organ.find('@');
+  return sample_organs::sampleOrgan(samples, organ.substr(0, at),
+                                    sample_organs::resolutionFromName(organ.substr(at + 1)), progress)
+      .surfaces.front()
+      .mesh;
+}
+
 coordinates::Scene organScene(const std::string& organ, int handles, int points,
-                              const Surroundings& surroundings, Progress& progress) {
-  const auto surface = organInput("sample:" + organ + "@low", surroundings.samples, progress).mesh;
+                              const sample_organs::SampleLibrary& samples, Progress& progress) {
+  const auto surface = outerSurface(organ + "@low", samples, progress);
   deformation::Placement placement;
   placement.count = handles;
   const Points placed = deformation::placeHandles(*surface, placement);
@@ -49,4 +57,4 @@ coordinates::Scene organScene(const std::string& organ, int handles, int points,
   return scene;
 }
 
-} // namespace viscera::app::cli
+} // namespace viscera::reproduction

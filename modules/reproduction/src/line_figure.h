@@ -5,11 +5,11 @@
 #include <utility>
 #include <vector>
 
-#include "reproduction/item.h"
 #include "viscera/coordinates/measure/line_profile.h"
+#include "viscera/reproduction/item.h"
 
 /// Figures of the thesis that show coordinates along a line among handles.
-namespace viscera::app::reproduction {
+namespace viscera::reproduction {
 
 /// What is expected of a panel's coordinates.
 enum class Expect {
@@ -30,7 +30,7 @@ struct Panel {
   std::string name;   ///< "target 1/d"
   std::string system; ///< Its id.
   Choices choices;    ///< Parameters, by name.
-  int handles = 15;   ///< Around the line, one of `cli::kLineHandles`.
+  int handles = 15;   ///< Around the line, one of `kLineHandles`.
   std::vector<Expect> expected;
   bool sword = false;       ///< The line sags through a point that is in line with two handles.
   bool profileOnly = false; ///< No search for jumps and kinks, and fewer points: for what takes very long.
@@ -59,4 +59,4 @@ struct LineFigure {
 /// The item that measures and draws a figure.
 Item itemOf(const LineFigure& figure);
 
-} // namespace viscera::app::reproduction
+} // namespace viscera::reproduction

@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "reproduction/result.h"
+#include "viscera/reproduction/result.h"
 
-namespace viscera::app::reproduction {
+namespace viscera::reproduction {
 
 /// The whole page as HTML: a table of all verdicts, then every figure and table with its pictures, what the
 /// thesis says, and how that was judged. Takes nothing from outside its folder.
@@ -19,4 +19,4 @@ std::string verdictsOf(const std::vector<Result>& results);
 /// when missing. Each file atomically. Throws `CannotCreateError`.
 void writePage(const std::filesystem::path& folder, const std::vector<Result>& results);
 
-} // namespace viscera::app::reproduction
+} // namespace viscera::reproduction

@@ -1,18 +1,16 @@
-#include "reproduction/line_figure.h"
+#include "line_figure.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "cli/listing.h"
-#include "cli/measured_scenes.h"
-#include "reproduction/charts.h"
+#include "charts.h"
+#include "viscera/core/number_text.h"
 #include "viscera/deformation/tetrahedralise.h"
+#include "viscera/reproduction/measured_scenes.h"
 
-namespace viscera::app::reproduction {
+namespace viscera::reproduction {
 namespace {
-
-using cli::significant;
 
 constexpr int kSearchedParts = 400; ///< Before jumps and kinks are looked for more closely.
 constexpr int kDrawnParts = 500;
@@ -56,7 +54,7 @@ Vec3 sagThroughSword(const coordinates::Scene& scene) {
 }
 
 coordinates::Scene sceneOf(const Panel& panel) {
-  coordinates::Scene scene = cli::lineScene(panel.handles);
+  coordinates::Scene scene = lineScene(panel.handles);
   if (panel.sword)
     scene.line->sag = sagThroughSword(scene);
   return scene;
@@ -185,10 +183,10 @@ Finding finding(const Panel& panel, Expect expected, const coordinates::LineProp
   return {};
 }
 
-PanelResult measured(const Panel& panel, const coordinates::Scene& scene,
-                     const cli::Surroundings& surroundings, Progress& progress) {
-  const auto system = surroundings.systems.find(panel.system);
-  const auto options = optionsOf(*system, panel, surroundings.threads);
+PanelResult measured(const Panel& panel, const coordinates::Scene& scene, const Bench& bench,
+                     Progress& progress) {
+  const auto system = bench.systems.find(panel.system);
+  const auto options = optionsOf(*system, panel, bench.threads);
   PanelResult result;
   result.profile =
       coordinates::profileAlong(*system, scene.handles, *scene.line, drawnParts(panel), options, progress);
@@ -200,13 +198,12 @@ PanelResult measured(const Panel& panel, const coordinates::Scene& scene,
   return result;
 }
 
-void make(const LineFigure& figure, Result& result, const cli::Surroundings& surroundings,
-          Progress& progress) {
+void make(const LineFigure& figure, Result& result, const Bench& bench, Progress& progress) {
   result.title = figure.title;
   result.claim = figure.claim;
   result.setup = figure.setup;
   for (const Panel& panel : figure.panels)
-    if (!surroundings.systems.contains(panel.system)) {
+    if (!bench.systems.contains(panel.system)) {
       result.problem = "there is no coordinate system " + panel.system;
       return;
     }
@@ -214,7 +211,7 @@ void make(const LineFigure& figure, Result& result, const cli::Surroundings& sur
   for (const Panel& panel : figure.panels) {
     progress.throwIfCancelled();
     const coordinates::Scene scene = sceneOf(panel);
-    const PanelResult& one = all.emplace_back(measured(panel, scene, surroundings, progress));
+    const PanelResult& one = all.emplace_back(measured(panel, scene, bench, progress));
     for (const Expect expected : panel.expected)
       result.findings.push_back(finding(panel, expected, one.properties));
     const std::string name =
@@ -242,10 +239,9 @@ Eigen::MatrixXd coordinatesWithGaps(const PanelResult& result) {
 }
 
 Item itemOf(const LineFigure& figure) {
-  return {figure.id, false,
-          [figure](Result& result, const cli::Surroundings& surroundings, Progress& progress) {
-            make(figure, result, surroundings, progress);
+  return {figure.id, false, [figure](Result& result, const Bench& bench, Progress& progress) {
+            make(figure, result, bench, progress);
           }};
 }
 
-} // namespace viscera::app::reproduction
+} // namespace viscera::reproduction

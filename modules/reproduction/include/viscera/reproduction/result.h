@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-namespace viscera::app::reproduction {
+namespace viscera::reproduction {
 
 /// One thing that the thesis says, as a condition on numbers that were measured.
 struct Finding {
@@ -62,4 +62,4 @@ struct Result {
   std::string fileName() const;
 };
 
-} // namespace viscera::app::reproduction
+} // namespace viscera::reproduction

@@ -1,8 +1,8 @@
-#include "reproduction/result.h"
+#include "viscera/reproduction/result.h"
 
 #include <algorithm>
 
-namespace viscera::app::reproduction {
+namespace viscera::reproduction {
 namespace {
 
 std::string cell(const std::string& text) {
@@ -77,4 +77,4 @@ std::string Result::fileName() const {
   return name;
 }
 
-} // namespace viscera::app::reproduction
+} // namespace viscera::reproduction

@@ -1,16 +1,15 @@
-#include "cli/listing.h"
-#include "cli/measured_scenes.h"
-#include "reproduction/celestial_costs.h"
-#include "reproduction/celestial_tables.h"
-#include "reproduction/line_figure.h"
-#include "reproduction/newton_figures.h"
+#include "celestial_costs.h"
+#include "celestial_tables.h"
+#include "line_figure.h"
+#include "newton_figures.h"
 #include "viscera/coordinates/measure/profile_measures.h"
+#include "viscera/core/number_text.h"
+#include "viscera/reproduction/measured_scenes.h"
 
-namespace viscera::app::reproduction {
+namespace viscera::reproduction {
 namespace {
 
 using enum Expect;
-using cli::significant;
 
 const std::string kOwnHandles = "The thesis prints no positions of handles; ours are the tables of "
                                 "resources/lines, a long box with handles "
@@ -84,4 +83,4 @@ std::vector<Item> chapter4() {
           {"4.2", true, table42}};
 }
 
-} // namespace viscera::app::reproduction
+} // namespace viscera::reproduction

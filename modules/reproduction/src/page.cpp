@@ -1,13 +1,13 @@
-#include "reproduction/page.h"
+#include "viscera/reproduction/page.h"
 
 #include <system_error>
 
-#include "cli/listing.h"
-#include "reproduction/svg_canvas.h"
+#include "svg_canvas.h"
 #include "viscera/core/atomic_file.h"
 #include "viscera/core/error.h"
+#include "viscera/core/number_text.h"
 
-namespace viscera::app::reproduction {
+namespace viscera::reproduction {
 namespace {
 
 constexpr auto kStyle = R"(
@@ -89,7 +89,7 @@ std::string sectionOf(const Result& result) {
       html += htmlOf(table);
     files += (files.empty() ? "Numbers: " : ", ") + linkTo(table.name + ".csv", table.name + ".csv");
   }
-  return html + "<p class=\"setup\">" + files + (files.empty() ? "" : "; ") + cli::fixed(result.seconds, 1) +
+  return html + "<p class=\"setup\">" + files + (files.empty() ? "" : "; ") + fixed(result.seconds, 1) +
          " s.</p>\n</section>\n";
 }
 
@@ -143,4 +143,4 @@ void writePage(const std::filesystem::path& folder, const std::vector<Result>& r
   write("index.html", pageOf(results));
 }
 
-} // namespace viscera::app::reproduction
+} // namespace viscera::reproduction

@@ -1,19 +1,18 @@
-#include "reproduction/celestial_tables.h"
+#include "celestial_tables.h"
 
 #include <algorithm>
 #include <functional>
 #include <optional>
 
-#include "cli/listing.h"
-#include "cli/measured_scenes.h"
 #include "viscera/coordinates/measure/profile_measures.h"
 #include "viscera/coordinates/measure/system_properties.h"
+#include "viscera/core/number_text.h"
 #include "viscera/deformation/tetrahedralise.h"
+#include "viscera/reproduction/measured_scenes.h"
 
-namespace viscera::app::reproduction {
+namespace viscera::reproduction {
 namespace {
 
-using cli::significant;
 using coordinates::SceneProperties;
 
 constexpr int kHandles = 15;
@@ -37,7 +36,7 @@ struct Column {
 
 /// The line among its handles; for systems with a cage only the box's corners, which are the cage.
 coordinates::Scene sceneFor(const coordinates::Traits& traits) {
-  coordinates::Scene scene = cli::lineScene(kHandles);
+  coordinates::Scene scene = lineScene(kHandles);
   scene.parts = 200;
   if (traits.needsCage)
     scene.handles.positions = Points(scene.handles.positions.topRows(kCorners));
@@ -45,9 +44,8 @@ coordinates::Scene sceneFor(const coordinates::Traits& traits) {
 }
 
 Column measured(const std::string& id, const std::string& name,
-                const coordinates::ParameterValues& parameters, const cli::Surroundings& surroundings,
-                Progress& progress) {
-  const auto system = surroundings.systems.find(id);
+                const coordinates::ParameterValues& parameters, const Bench& bench, Progress& progress) {
+  const auto system = bench.systems.find(id);
   Column column{id, name, parameters, system->traits(), {}, 0};
   const coordinates::Scene scene = sceneFor(column.traits);
   const auto options = deformation::withTetgen({parameters, Threads{1}, {}});
@@ -138,7 +136,7 @@ void fill(Result& result, const std::vector<Column>& columns, const std::vector<
 
 } // namespace
 
-void table41(Result& result, const cli::Surroundings& surroundings, Progress& progress) {
+void table41(Result& result, const Bench& bench, Progress& progress) {
   result.title = "What distinguishes the three celestial systems";
   result.claim =
       "C-Celestial is not efficient, T-Celestial depends on rotation, S-Celestial is neither of the two; "
@@ -146,12 +144,12 @@ void table41(Result& result, const cli::Surroundings& surroundings, Progress& pr
   result.setup =
       "Measured along the line among 15 handles; C-Celestial with 1,000 samples of its walk, and its time "
       "multiplied by 100 for the 100,000 samples of the thesis.";
-  const auto c = surroundings.systems.find("c-celestial");
+  const auto c = bench.systems.find("c-celestial");
   coordinates::ParameterValues some;
   some.setFromText(c->parameters(), "samples", "1000");
-  std::vector<Column> columns = {measured("c-celestial", "C-Celestial", some, surroundings, progress),
-                                 measured("t-celestial", "T-Celestial", {}, surroundings, progress),
-                                 measured("s-celestial", "S-Celestial", {}, surroundings, progress)};
+  std::vector<Column> columns = {measured("c-celestial", "C-Celestial", some, bench, progress),
+                                 measured("t-celestial", "T-Celestial", {}, bench, progress),
+                                 measured("s-celestial", "S-Celestial", {}, bench, progress)};
   columns[0].found.nanoseconds *= 100;
   fill(result, columns,
        {rotationInvariant({true, false, true}), interpolating({true, true, true}),
@@ -163,16 +161,16 @@ namespace {
 constexpr auto kWeights = "bounded-biharmonic";
 
 /// Mean value, bounded biharmonic where there is such a system, C-, T- and S-Celestial.
-std::vector<Column> comparedColumns(const cli::Surroundings& surroundings, Progress& progress) {
+std::vector<Column> comparedColumns(const Bench& bench, Progress& progress) {
   coordinates::ParameterValues some;
-  some.setFromText(surroundings.systems.find("c-celestial")->parameters(), "samples", "1000");
-  std::vector<Column> columns = {measured("mean-value", "mean value", {}, surroundings, progress)};
-  if (surroundings.systems.contains(kWeights))
-    columns.push_back(measured(kWeights, "bounded biharmonic", {}, surroundings, progress));
-  columns.push_back(measured("c-celestial", "C-Celestial", some, surroundings, progress));
+  some.setFromText(bench.systems.find("c-celestial")->parameters(), "samples", "1000");
+  std::vector<Column> columns = {measured("mean-value", "mean value", {}, bench, progress)};
+  if (bench.systems.contains(kWeights))
+    columns.push_back(measured(kWeights, "bounded biharmonic", {}, bench, progress));
+  columns.push_back(measured("c-celestial", "C-Celestial", some, bench, progress));
   columns.back().found.nanoseconds *= 100;
-  columns.push_back(measured("t-celestial", "T-Celestial", {}, surroundings, progress));
-  columns.push_back(measured("s-celestial", "S-Celestial", {}, surroundings, progress));
+  columns.push_back(measured("t-celestial", "T-Celestial", {}, bench, progress));
+  columns.push_back(measured("s-celestial", "S-Celestial", {}, bench, progress));
   return columns;
 }
 
@@ -214,7 +212,7 @@ Cell withoutMesh(const Column& column) {
 
 } // namespace
 
-void table42(Result& result, const cli::Surroundings& surroundings, Progress& progress) {
+void table42(Result& result, const Bench& bench, Progress& progress) {
   result.title = "Celestial systems beside mean value coordinates and bounded biharmonic weights";
   result.claim =
       "All are well-defined, continuous, smooth and local; all but the weights and C-Celestial are "
@@ -223,7 +221,7 @@ void table42(Result& result, const cli::Surroundings& surroundings, Progress& pr
       "Measured along the line among 15 handles, mean value coordinates in the cage of the box's 8 "
       "corners. Handles of several kinds, simplicity and detail are not numbers of a system and not "
       "measured.";
-  const std::vector<Column> columns = comparedColumns(surroundings, progress);
+  const std::vector<Column> columns = comparedColumns(bench, progress);
   fill(result, columns,
        {{"well-defined", "identity and unity to 1e-9, nothing negative, no point without coordinates",
          wellDefined, allBut(columns, {})},
@@ -235,4 +233,4 @@ void table42(Result& result, const cli::Surroundings& surroundings, Progress& pr
          allBut(columns, {})}});
 }
 
-} // namespace viscera::app::reproduction
+} // namespace viscera::reproduction
