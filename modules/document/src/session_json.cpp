@@ -27,7 +27,7 @@ bool sameBits(const Vec3& a, const Vec3& b) {
 /// JSON has no such numbers, and a document should have none.
 void requireFinite(double value, const std::string& place) {
   if (!std::isfinite(value))
-    throw DataError("is not a finite number and cannot be saved", place, "undo the step that set it");
+    throw DataError("It is not a finite number and cannot be saved", place, "undo the step that set it");
 }
 
 void requireFinite(const Vec3& value, const std::string& place) {
@@ -236,7 +236,7 @@ void SessionReader::readCage(const ordered_json& list, Rig& rig) const {
   for (std::size_t i = 0; i < list.size(); ++i) {
     const std::string place = at("rig.cage", i);
     if (!list[i].is_array() || list[i].size() != 3)
-      fail("is not a triangle of three handles", place);
+      fail("It is not a triangle of three handles", place);
     CageTriangle triangle;
     for (std::size_t k = 0; k < 3; ++k) {
       triangle[k] = HandleId{wholeOf(list[i][k], place)};
@@ -244,7 +244,7 @@ void SessionReader::readCage(const ordered_json& list, Rig& rig) const {
         fail("there is no handle " + std::to_string(triangle[k].value), place);
     }
     if (triangle[0] == triangle[1] || triangle[1] == triangle[2] || triangle[2] == triangle[0])
-      fail("has a handle at two corners", place);
+      fail("It has a handle at two corners", place);
     rig.cage.push_back(triangle);
   }
 }
@@ -317,7 +317,7 @@ void SessionReader::readRecording(const ordered_json& item, DocumentState& state
   recording.name = optionalText(item, "name", "recording");
   recording.periodSeconds = numberOf(field(item, "periodSeconds", "recording"), "recording.periodSeconds");
   if (!(recording.periodSeconds >= sequences::kShortestSpan))
-    fail("is not a positive number of seconds", "recording.periodSeconds");
+    fail("It is not a positive number of seconds", "recording.periodSeconds");
   recording.loop = flagOf(item, "loop", "recording");
   recording.interpolation =
       named(sequences::interpolationFromName, item, "interpolation", "recording", "eased, curve");
@@ -366,7 +366,7 @@ void SessionReader::readMeasurements(const ordered_json& root, DocumentState& st
     measurement.name = textOf(list[i], "name", place);
     const ordered_json& points = listOf(list[i], "points", place);
     if (points.size() != 2 && points.size() != 3)
-      fail("has neither the two points of a distance nor the three of an angle", place + ".points");
+      fail("It has neither the two points of a distance nor the three of an angle", place + ".points");
     for (std::size_t k = 0; k < points.size(); ++k)
       measurement.points.push_back(readMeasuredPoint(points[k], at(place + ".points", k)));
     measurements.push_back(std::move(measurement));

@@ -15,7 +15,7 @@ std::vector<Item> allItems() {
   for (auto* chapter : {&chapter3, &chapter4, &chapter5})
     for (Item& item : chapter())
       items.push_back(std::move(item));
-  items.push_back({"in-the-plane", false, planeFigure});
+  items.push_back({"2d", false, planeFigure});
   return items;
 }
 

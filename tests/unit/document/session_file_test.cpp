@@ -106,7 +106,7 @@ TEST(SessionFile, HasACageOnlyWhereOneWasGivenAndRefusesOneOfOtherHandles) {
   EXPECT_EQ(readBack(folder / "a.viscera").contents.state.rig->cage, contents.state.rig->cage);
   const std::int64_t first = good["rig"]["cage"][2][0];
   for (const auto& [triangle, problem] :
-       {std::pair(ordered_json({first, 987654, first + 1}), "there is no handle 987654"),
+       {std::pair(ordered_json({first, 987654, first + 1}), "There is no handle 987654"),
         std::pair(ordered_json({first, first + 1, first}), "a handle at two corners"),
         std::pair(ordered_json({first, first + 1}), "not a triangle of three handles")}) {
     ordered_json bad = good;
@@ -263,7 +263,7 @@ TEST(SessionFile, OfALaterVersionIsRefusedWithAdvice) {
     readBack(folder.put("b.viscera", root.dump()));
     FAIL() << "a later version was read";
   } catch (const DataError& error) {
-    EXPECT_THAT(error.what(), HasSubstr("b.viscera: is of version 2"));
+    EXPECT_THAT(error.what(), HasSubstr("b.viscera: It is of version 2"));
     EXPECT_THAT(error.tryThis(), HasSubstr("update Viscera"));
   }
 }

@@ -1,10 +1,10 @@
-#include "cubic_root.h"
+#include "viscera/core/cubic_root.h"
 
 #include <algorithm>
 #include <cmath>
 #include <vector>
 
-namespace viscera::deformation {
+namespace viscera {
 namespace {
 
 constexpr int kMostBisections = 200;
@@ -17,8 +17,8 @@ double slopeAt(const std::array<double, 4>& c, double s) {
   return c[1] + s * (2 * c[2] + s * 3 * c[3]);
 }
 
-/// Where the cubic turns, ascending in |s|, within (0, limit) in the direction `sign`.
-std::vector<double> turningPoints(const std::array<double, 4>& c, double sign, double limit) {
+/// Where the cubic turns between 0 and `end`, ascending in |s|.
+std::vector<double> turningPoints(const std::array<double, 4>& c, double end) {
   const double a = 3 * c[3], b = 2 * c[2], d = c[1];
   std::vector<double> turns;
   const double discriminant = b * b - 4 * a * d;
@@ -28,7 +28,7 @@ std::vector<double> turningPoints(const std::array<double, 4>& c, double sign, d
   // roots.
   const double q = -0.5 * (b + std::copysign(std::sqrt(discriminant), b));
   for (const double root : {a != 0 ? q / a : INFINITY, q != 0 ? d / q : INFINITY})
-    if (std::isfinite(root) && root * sign > 0 && std::abs(root) < limit)
+    if (std::isfinite(root) && root * end > 0 && std::abs(root) < std::abs(end))
       turns.push_back(root);
   std::sort(turns.begin(), turns.end(), [](double x, double y) { return std::abs(x) < std::abs(y); });
   return turns;
@@ -54,14 +54,16 @@ double rootBetween(const std::array<double, 4>& c, double low, double high) {
   return s;
 }
 
-std::optional<double> firstRootTowards(const std::array<double, 4>& c, double sign, double limit) {
-  std::vector<double> stops = turningPoints(c, sign, limit);
-  stops.push_back(sign * limit);
+std::optional<double> firstRootTowards(const std::array<double, 4>& c, double end) {
+  std::vector<double> stops = turningPoints(c, end);
+  stops.push_back(end);
   double from = 0;
   for (const double to : stops) {
     const double a = valueAt(c, from), b = valueAt(c, to);
     if (a == 0)
       return from;
+    if (b == 0)
+      return to;
     if ((a > 0) != (b > 0))
       return rootBetween(c, from, to);
     from = to;
@@ -71,9 +73,9 @@ std::optional<double> firstRootTowards(const std::array<double, 4>& c, double si
 
 } // namespace
 
-std::optional<double> nearestCubicRoot(const std::array<double, 4>& c, double limit) {
-  const auto up = firstRootTowards(c, 1, limit);
-  const auto down = firstRootTowards(c, -1, limit);
+std::optional<double> nearestCubicRoot(const std::array<double, 4>& c, double low, double high) {
+  const auto up = firstRootTowards(c, high);
+  const auto down = firstRootTowards(c, low);
   if (!up)
     return down;
   if (!down)
@@ -81,4 +83,4 @@ std::optional<double> nearestCubicRoot(const std::array<double, 4>& c, double li
   return std::abs(*up) <= std::abs(*down) ? up : down;
 }
 
-} // namespace viscera::deformation
+} // namespace viscera

@@ -1,13 +1,11 @@
-#include "child_process.h"
+#include "viscera/core/child_process.h"
 
-#include <array>
+#include <algorithm>
 #include <cerrno>
 #include <chrono>
 #include <cmath>
 #include <csignal>
-#include <cstdio>
 #include <cstring>
-#include <memory>
 #include <thread>
 
 #include <fcntl.h>
@@ -22,7 +20,7 @@
 
 extern char** environ;
 
-namespace viscera::deformation {
+namespace viscera {
 namespace {
 
 using Clock = std::chrono::steady_clock;
@@ -52,90 +50,6 @@ public:
 private:
   int file_;
 };
-
-struct CloseFile {
-  void operator()(std::FILE* file) const { std::fclose(file); }
-};
-
-/// A process group, killed and waited for when this goes.
-class Group {
-public:
-  Group() = default;
-  ~Group() {
-    if (process_ <= 0)
-      return;
-    kill(-process_, SIGKILL);
-    int status = 0;
-    if (!ended_)
-      while (waitpid(process_, &status, 0) < 0 && errno == EINTR) {
-      }
-  }
-  Group(const Group&) = delete;
-  Group& operator=(const Group&) = delete;
-
-  /// The error number, or 0.
-  int start(const std::filesystem::path& program, int socket, int messages, const ChildLimits& limits) {
-    posix_spawn_file_actions_t actions;
-    posix_spawn_file_actions_init(&actions);
-    posix_spawn_file_actions_adddup2(&actions, socket, STDIN_FILENO);
-    posix_spawn_file_actions_adddup2(&actions, socket, STDOUT_FILENO);
-    posix_spawn_file_actions_adddup2(&actions, messages, STDERR_FILENO);
-    posix_spawnattr_t attributes;
-    posix_spawnattr_init(&attributes);
-    sigset_t none;
-    sigemptyset(&none);
-    posix_spawnattr_setsigmask(&attributes, &none); // Ours may be blocked while the program waits for them.
-    posix_spawnattr_setpgroup(&attributes, 0);
-    posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETPGROUP);
-    std::string name = program.string();
-    std::array<char*, 2> arguments = {name.data(), nullptr};
-    const int error = posix_spawn(&process_, name.c_str(), &actions, &attributes, arguments.data(), environ);
-    posix_spawnattr_destroy(&attributes);
-    posix_spawn_file_actions_destroy(&actions);
-    if (error != 0)
-      process_ = -1;
-    else
-      limit(limits);
-    return error;
-  }
-
-  /// Whether the process has ended; fills in how.
-  bool ended(ChildResult& result) {
-    int status = 0;
-    rusage usage{};
-    const pid_t got = wait4(process_, &status, WNOHANG, &usage);
-    if (got != process_)
-      return false;
-    ended_ = true;
-    result.end = WIFEXITED(status) ? ChildResult::End::exited : ChildResult::End::killed;
-    result.code = WIFEXITED(status) ? WEXITSTATUS(status) : WTERMSIG(status);
-    result.peakMemoryBytes = static_cast<std::uint64_t>(usage.ru_maxrss) * 1024;
-    return true;
-  }
-
-private:
-  /// The processor time is limited too, for a program that outlives us.
-  void limit(const ChildLimits& limits) const {
-    const auto set = [this](__rlimit_resource resource, rlim_t most) {
-      const rlimit both{most, most};
-      prlimit(process_, resource, &both, nullptr); // Fails only for one that has ended already.
-    };
-    set(RLIMIT_AS, limits.memoryBytes);
-    set(RLIMIT_CPU, static_cast<rlim_t>(std::ceil(limits.seconds)) + 1);
-    set(RLIMIT_CORE, 0);
-    set(RLIMIT_FSIZE, kMostMessages);
-  }
-
-  pid_t process_ = -1;
-  bool ended_ = false;
-};
-
-std::string beginningOf(std::FILE* file) {
-  std::string text(kMessagesKept, '\0');
-  const ssize_t got = pread(fileno(file), text.data(), text.size(), 0);
-  text.resize(static_cast<std::size_t>(std::max<ssize_t>(got, 0)));
-  return text;
-}
 
 /// Both directions of the talk with the program, until it closes its side or `goOn` says no.
 class Conversation {
@@ -195,25 +109,95 @@ private:
 
 } // namespace
 
+ChildProcess::ChildProcess(std::vector<std::string> arguments, int input, int output)
+    : messages_(std::tmpfile()) {
+  if (!messages_)
+    failed("No file for a program's messages");
+  posix_spawn_file_actions_t actions;
+  posix_spawn_file_actions_init(&actions);
+  posix_spawn_file_actions_adddup2(&actions, input, STDIN_FILENO);
+  if (output >= 0)
+    posix_spawn_file_actions_adddup2(&actions, output, STDOUT_FILENO);
+  else
+    posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
+  posix_spawn_file_actions_adddup2(&actions, fileno(messages_.get()), STDERR_FILENO);
+  posix_spawnattr_t attributes;
+  posix_spawnattr_init(&attributes);
+  sigset_t none;
+  sigemptyset(&none);
+  posix_spawnattr_setsigmask(&attributes, &none); // Ours may be blocked while the program waits for them.
+  posix_spawnattr_setpgroup(&attributes, 0);
+  posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETPGROUP);
+  std::vector<char*> pointers;
+  for (std::string& argument : arguments)
+    pointers.push_back(argument.data());
+  pointers.push_back(nullptr);
+  startError_ = posix_spawnp(&process_, pointers[0], &actions, &attributes, pointers.data(), environ);
+  posix_spawnattr_destroy(&attributes);
+  posix_spawn_file_actions_destroy(&actions);
+  if (startError_ != 0)
+    process_ = -1;
+}
+
+ChildProcess::~ChildProcess() {
+  if (process_ <= 0)
+    return;
+  kill(-process_, SIGKILL);
+  ChildResult ignored;
+  if (!ended_)
+    ended(ignored, true);
+}
+
+void ChildProcess::limit(const ChildLimits& limits) const {
+  const auto set = [this](__rlimit_resource resource, rlim_t most) {
+    const rlimit both{most, most};
+    prlimit(process_, resource, &both, nullptr); // Fails only for one that has ended already.
+  };
+  set(RLIMIT_AS, limits.memoryBytes);
+  set(RLIMIT_CPU, static_cast<rlim_t>(std::ceil(limits.seconds)) + 1);
+  set(RLIMIT_CORE, 0);
+  set(RLIMIT_FSIZE, kMostMessages);
+}
+
+bool ChildProcess::ended(ChildResult& result, bool wait) {
+  int status = 0;
+  rusage usage{};
+  pid_t got = 0;
+  while ((got = wait4(process_, &status, wait ? 0 : WNOHANG, &usage)) < 0 && errno == EINTR) {
+  }
+  if (got != process_)
+    return false;
+  ended_ = true;
+  result.end = WIFEXITED(status) ? ChildResult::End::exited : ChildResult::End::killed;
+  result.code = WIFEXITED(status) ? WEXITSTATUS(status) : WTERMSIG(status);
+  result.peakMemoryBytes = static_cast<std::uint64_t>(usage.ru_maxrss) * 1024;
+  return true;
+}
+
+std::string ChildProcess::messages(std::size_t most) const {
+  std::string text(most, '\0');
+  const ssize_t got = pread(fileno(messages_.get()), text.data(), text.size(), 0);
+  text.resize(static_cast<std::size_t>(std::max<ssize_t>(got, 0)));
+  return text;
+}
+
 ChildResult runChild(const std::filesystem::path& program, const std::vector<char>& input,
                      const ChildLimits& limits, Progress& progress) {
   progress.throwIfCancelled();
   int ends[2];
   if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0)
-    failed("no channel to another program");
+    failed("No channel to another program");
   Descriptor ours(ends[0]), theirs(ends[1]);
-  const std::unique_ptr<std::FILE, CloseFile> messages(std::tmpfile());
-  if (!messages)
-    failed("no file for a program's messages");
   ChildResult result;
-  Group group;
   const auto begin = Clock::now();
-  result.code = group.start(program, theirs.get(), fileno(messages.get()), limits);
+  ChildProcess child({program.string()}, theirs.get(), theirs.get());
+  result.code = child.startError();
   theirs.close();
   if (result.code != 0) {
     result.end = ChildResult::End::notStarted;
     return result;
   }
+  child.limit(limits);
   Conversation conversation(ours.get(), input, result.output, limits.memoryBytes);
   const auto late = [&] {
     return std::chrono::duration<double>(Clock::now() - begin).count() > limits.seconds;
@@ -225,15 +209,15 @@ ChildResult runChild(const std::filesystem::path& program, const std::vector<cha
       conversation.finishSending();
       conversation.step();
     } else {
-      ended = group.ended(result);
+      ended = child.ended(result);
       if (!ended)
         std::this_thread::sleep_for(std::chrono::milliseconds(1));
     }
   }
   if (!ended)
     result.end = conversation.tooLong() ? ChildResult::End::outputLimit : ChildResult::End::timeLimit;
-  result.messages = beginningOf(messages.get());
+  result.messages = child.messages(kMessagesKept);
   return result;
 }
 
-} // namespace viscera::deformation
+} // namespace viscera
