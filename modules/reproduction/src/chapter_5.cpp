@@ -15,7 +15,6 @@
 namespace viscera::reproduction {
 namespace {
 
-
 /// A frame of 30 a second.
 constexpr double kInteractiveMs = 1000.0 / 30;
 
