@@ -100,7 +100,7 @@ void print(std::ostream& out, const Outcome& outcome, bool json) {
     out << outcome.text;
   out.flush();
   if (!out)
-    throw CannotCreateError("cannot be written", "standard output");
+    throw CannotCreateError("It cannot be written", "standard output");
 }
 
 void warn(std::ostream& err, const std::vector<std::string>& warnings) {
@@ -140,11 +140,12 @@ void takeSample(WindowOptions& window, const sample_organs::SampleLibrary& sampl
     if (file.rfind(kSample, 0) != 0)
       continue;
     if (window.files.size() > 1)
-      throw UsageError("is opened in the window alone", file, "open the files by the window's menu File");
+      throw UsageError("It is opened in the window alone", file, "open the files by the window's menu File");
     window.sample = file.substr(kSample.size());
     const std::vector<std::string> names = sample_organs::sampleNames(samples);
     if (std::find(names.begin(), names.end(), window.sample) == names.end())
-      throw UsageError("is no sample organ that the window opens", file, "viscera sample --list shows them");
+      throw UsageError("It is no sample organ that the window opens", file,
+                       "viscera sample --list shows them");
     window.files.clear();
     return;
   }
@@ -157,7 +158,7 @@ void requireFiles(const std::vector<std::string>& files) {
       continue;
     if (std::filesystem::path(file).has_extension() || file.find('/') != std::string::npos)
       throw NoInputError("there is no such file", file, "check the path");
-    throw UsageError("is neither a command nor a file", file, "viscera --help lists the commands");
+    throw UsageError("It is neither a command nor a file", file, "viscera --help lists the commands");
   }
 }
 

@@ -3,7 +3,7 @@
 #include <functional>
 #include <iosfwd>
 
-#include "window/run_window.h"
+#include "window_options.h"
 
 namespace viscera::app::cli {
 

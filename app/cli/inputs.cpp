@@ -73,7 +73,7 @@ SampleReference sampleReference(const std::string& text) {
     rest.resize(slash);
   }
   if (rest.empty())
-    throw UsageError("names no sample organ", text, "viscera sample --list shows them");
+    throw UsageError("It names no sample organ", text, "viscera sample --list shows them");
   reference.organ = rest;
   return reference;
 }
@@ -110,7 +110,7 @@ std::vector<document::Organ> organInputs(const std::string& organ,
         result.push_back(organOf(sample, surface));
     }
     if (result.empty())
-      throw UsageError("has no surface \"" + reference.surface + "\"", organ, "it has " + listed(names));
+      throw UsageError("It has no surface \"" + reference.surface + "\"", organ, "it has " + listed(names));
   }
   for (const document::Organ& one : result)
     requireSize(one, organ);
@@ -124,7 +124,7 @@ document::Organ organInput(const std::string& organ, const sample_organs::Sample
     std::vector<std::string> names;
     for (const document::Organ& one : organs)
       names.push_back(one.name);
-    throw UsageError("is a label map of several organs", organ,
+    throw UsageError("It is a label map of several organs", organ,
                      "name one of them behind a slash, " + organ + "/" + names.front() + "; there are " +
                          listed(names));
   }

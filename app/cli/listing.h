@@ -4,6 +4,8 @@
 #include <utility>
 #include <vector>
 
+#include "viscera/core/number_text.h"
+
 namespace viscera::app::cli {
 
 /// Lines "label  value" for a reader, the values below each other.
@@ -15,10 +17,5 @@ public:
 private:
   std::vector<std::pair<std::string, std::string>> lines_;
 };
-
-/// `value` with that many digits after the point, always with a point: "83.4".
-std::string fixed(double value, int digits);
-/// `value` with that many significant digits: "3.1e-15".
-std::string significant(double value, int digits = 3);
 
 } // namespace viscera::app::cli

@@ -84,7 +84,7 @@ motion::Landmark landmarkOf(const std::string& text) {
   char second = 0;
   numbers >> place[0] >> comma >> place[1] >> second >> place[2];
   if (!numbers || comma != ',' || second != ',' || !(numbers >> std::ws).eof())
-    throw UsageError("is not a name and three numbers", "--landmark " + text,
+    throw UsageError("It is not a name and three numbers", "--landmark " + text,
                      "as in apex=12.5,-40,7 (mm, LPS)");
   return {text.substr(0, equal), place, false};
 }
@@ -171,7 +171,7 @@ PlayedSequence onOtherOrgan(const PlayRequest& request, Surroundings& surroundin
 
 PlayedSequence fromFile(const PlayRequest& request, Surroundings& surroundings) {
   if (request.organ.empty())
-    throw UsageError("needs an organ to move", request.sequence, "name one with --organ");
+    throw UsageError("It needs an organ to move", request.sequence, "name one with --organ");
   const motion::SequenceFile file = motion::readSequence(request.sequence);
   PlayedSequence played;
   played.sequence = std::make_shared<sequences::KeyframedSequence>(file.track);
@@ -217,7 +217,8 @@ double PlayedSequence::restMl(std::size_t place) const {
 PlayedSequence playedSequence(const PlayRequest& request, Surroundings& surroundings) {
   const bool isFile = motion::isSequenceFile(request.sequence);
   if (isFile && (!request.landmarks.empty() || !request.landmark.empty()))
-    throw UsageError("is played on the handles that it holds", request.sequence, "leave the landmarks out");
+    throw UsageError("It is played on the handles that it holds", request.sequence,
+                     "leave the landmarks out");
   PlayedSequence played = isFile             ? fromFile(request, surroundings)
                           : isOther(request) ? onOtherOrgan(request, surroundings)
                                              : onOwnOrgan(request, surroundings);

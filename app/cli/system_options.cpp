@@ -20,7 +20,7 @@ bool takes(const coordinates::CoordinateSystem& system, const std::string& param
 std::pair<std::string, std::string> nameAndValue(const std::string& text) {
   const std::size_t equals = text.find('=');
   if (equals == std::string::npos || equals == 0)
-    throw UsageError("is not NAME=VALUE", "--param " + text, "for instance --param locality=2");
+    throw UsageError("It is not NAME=VALUE", "--param " + text, "for instance --param locality=2");
   return {text.substr(0, equals), text.substr(equals + 1)};
 }
 
@@ -75,7 +75,7 @@ variantsOf(const std::vector<std::shared_ptr<const coordinates::CoordinateSystem
         taken = true;
       }
     if (!taken)
-      throw UsageError("is a parameter of none of the systems", name, "viscera systems lists them");
+      throw UsageError("It is a parameter of none of the systems", name, "viscera systems lists them");
   }
   return variants;
 }

@@ -1,22 +1,8 @@
 #pragma once
 
-#include <string>
-#include <vector>
+#include "window_options.h"
 
 namespace viscera::app {
-
-/// How the window is started.
-struct WindowOptions {
-  std::vector<std::string> files; ///< Opened after the window shows.
-  std::string sample = "heart";   ///< Shown, and moving if it can, where no file is opened.
-  std::string theme;              ///< "dark", "light", or empty for the one used last.
-  std::string screenshot; ///< Not empty: a PNG of the window once everything shows, then the program ends.
-  std::string mode;       ///< "explore", "handles", "deform", "play"; empty: the standard one.
-  int width = 0;          ///< Of the window in pixels; 0: as it was left last time.
-  int height = 0;
-  std::vector<std::string> pluginPath; ///< Folders and files searched for plugins first.
-  bool freshSettings = false; ///< True: neither reads nor writes the user's settings (screenshots, tests).
-};
 
 /// Runs the window until the user closes it and returns the exit code. Makes the QApplication: call it once,
 /// from the main thread, before anything of Qt's. Needs a display: without one it says so on stderr and

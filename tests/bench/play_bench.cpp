@@ -6,6 +6,8 @@
 
 #include <benchmark/benchmark.h>
 
+#include "viscera/document/open_files.h"
+#include "viscera/document/system_commands.h"
 #include "viscera/document/undo_stack.h"
 #include "viscera/live/live_binding.h"
 #include "viscera/motion/cycle_trace.h"
@@ -32,7 +34,9 @@ public:
                                                std::filesystem::path(VISCERA_BINARY_DIR) / "test_organs"};
     const auto setup = motion::setUpSequence(library, sequence, sample_organs::Resolution::medium, progress);
     sequence_ = setup.sequence;
-    undo_.perform(motion::showSequence(setup));
+    undo_.perform(
+        document::combined("Show", {document::addOrgans(document::organsFrom(setup.organ)),
+                                    document::replaceRig(setup.rig), document::setSystem(setup.system)}));
     std::vector<std::string> names;
     std::vector<scene::ChartLine> lines;
     for (const auto& organ : document_.organs()) {

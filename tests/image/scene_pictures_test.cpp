@@ -91,8 +91,9 @@ TEST_F(ScenePicture, InfluenceMapWithLegend) {
 
 TEST_F(ScenePicture, RestShapeAndAllowedPlaneInTheLightTheme) {
   window.view.setTheme(lightTheme());
-  window.view.addGhost(
-      std::make_shared<GhostOutline>(std::shared_ptr<const geometry::TriangleMesh>(organ, &organ->mesh())));
+  GhostOutline ghost(std::shared_ptr<const geometry::TriangleMesh>(organ, &organ->mesh()));
+  ghost.setRenderer(window.view.renderer());
+  ghost.setColor(lightTheme().text);
   auto posed = std::make_shared<Points>(organ->mesh().points);
   posed->col(2) = posed->col(2).unaryExpr([](double z) { return z > 0 ? 1.35 * z : 0.85 * z; });
   organ->setPoints(posed);

@@ -79,9 +79,9 @@ void DeformCommand::keepVolume(deformation::Deformer& deformer, const RigInput& 
                                const deformation::RestorationModel& model) const {
   if (!lockVolume_ && !targetMl_) {
     if (!compensate_.empty())
-      throw UsageError("goes with --lock-volume or --target-ml", "--compensate");
+      throw UsageError("It goes with --lock-volume or --target-ml", "--compensate");
     if (restore_ != kLeastDisplacement)
-      throw UsageError("goes with --lock-volume or --target-ml", "--restore");
+      throw UsageError("It goes with --lock-volume or --target-ml", "--restore");
     return;
   }
   if (!organ.closed())

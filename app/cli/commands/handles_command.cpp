@@ -120,7 +120,7 @@ void HandlesCommand::addOptions(CLI::App& options) {
 
 Outcome HandlesCommand::run(Surroundings& surroundings) {
   if (enclosing_ && count_ < kEnclosing)
-    throw UsageError("is too few for the eight enclosing handles", "--count " + std::to_string(count_),
+    throw UsageError("It is too few for the eight enclosing handles", "--count " + std::to_string(count_),
                      "ask for 8 or more");
   document::GroupingChoice choice;
   choice.by = groupBy_.empty() ? choice.by : document::groupingFromName(groupBy_);

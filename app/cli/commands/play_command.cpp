@@ -191,7 +191,7 @@ double PlayCommand::rateOf(const sequences::Sequence& sequence) const {
   if (rate_ == 0)
     return sequence.standardRatePerMinute();
   if (rate_ < sequence.lowestRatePerMinute() || rate_ > sequence.highestRatePerMinute())
-    throw UsageError("is not a rate at which " + sequence.id() + " can be played",
+    throw UsageError("It is not a rate at which " + sequence.id() + " can be played",
                      "--rate " + significant(rate_, 6),
                      "from " + significant(sequence.lowestRatePerMinute(), 6) + " to " +
                          significant(sequence.highestRatePerMinute(), 6) + " a minute");

@@ -2,12 +2,12 @@
 
 #include <CLI/CLI.hpp>
 
-#include "cli/measured_scenes.h"
 #include "cli/properties_table.h"
 #include "cli/system_options.h"
 #include "viscera/core/atomic_file.h"
 #include "viscera/core/error.h"
 #include "viscera/deformation/tetrahedralise.h"
+#include "viscera/reproduction/measured_scenes.h"
 
 namespace viscera::app::cli {
 namespace {
@@ -18,12 +18,12 @@ constexpr auto kOrgan = "liver";
 
 std::vector<coordinates::Scene> scenesFor(int points, Surroundings& surroundings) {
   std::vector<coordinates::Scene> scenes;
-  for (const int handles : kLineHandles)
-    scenes.push_back(lineScene(handles));
+  for (const int handles : reproduction::kLineHandles)
+    scenes.push_back(reproduction::lineScene(handles));
   scenes.push_back(coordinates::cloudScene(points));
   surroundings.progress.report(0, "organ");
   Progress quiet;
-  scenes.push_back(organScene(kOrgan, kOrganHandles, points, surroundings, quiet));
+  scenes.push_back(reproduction::organScene(kOrgan, kOrganHandles, points, surroundings.samples, quiet));
   return scenes;
 }
 

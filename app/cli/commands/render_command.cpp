@@ -207,8 +207,8 @@ Outcome RenderCommand::drawSession(Surroundings& surroundings) {
   const bool more = files_.size() > 1 || !views_.empty() || !influence_.empty() || !pose_.empty() ||
                     !beside_.empty() || parts_.any();
   if (more)
-    throw UsageError("is drawn as it is: only --view, --size and --theme go with a session", files_.front(),
-                     "draw its organs' and handles' own files for anything else");
+    throw UsageError("It is drawn as it is: only --view, --size and --theme go with a session",
+                     files_.front(), "draw its organs' and handles' own files for anything else");
   stage_.size = pictureSize(size_);
   const document::OpenedSession opened =
       document::readSession(files_.front(), surroundings.samples, surroundings.progress);
@@ -240,12 +240,12 @@ Outcome RenderCommand::run(Surroundings& surroundings) {
     views_.push_back(stage_.view);
   Contents contents = read(files_, system_.cage(), surroundings);
   if (!contents.rig && (!influence_.empty() || parts_.any()))
-    throw UsageError("needs a handle file among the files", influence_.empty()
-                                                                ? "--regions, --zones or --super-regions"
-                                                                : "--influence " + influence_);
+    throw UsageError("It needs a handle file among the files", influence_.empty()
+                                                                   ? "--regions, --zones or --super-regions"
+                                                                   : "--influence " + influence_);
   if (!pose_.empty()) {
     if (!contents.rig)
-      throw UsageError("needs a handle file among the files", "--pose");
+      throw UsageError("It needs a handle file among the files", "--pose");
     contents.pose = poseInput(pose_, *contents.rig, contents.warnings);
   }
   Outcome outcome;

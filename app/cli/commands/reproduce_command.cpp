@@ -1,79 +1,16 @@
 #include "cli/commands/reproduce_command.h"
 
-#include <algorithm>
-#include <chrono>
-
 #include <CLI/CLI.hpp>
 
 #include "cli/listing.h"
-#include "reproduction/item.h"
-#include "reproduction/page.h"
-#include "viscera/core/error.h"
+#include "viscera/reproduction/item.h"
+#include "viscera/reproduction/page.h"
 
 namespace viscera::app::cli {
 namespace {
 
 using nlohmann::ordered_json;
-using reproduction::Item;
 using reproduction::Result;
-
-/// Table 4.1 is "table 4.1", so that it is not taken for figure 4.1.
-std::string nameOf(const Item& item) {
-  return (item.table ? "table-" : "") + item.id;
-}
-
-std::vector<Item> chosenItems(const std::vector<std::string>& only) {
-  std::vector<Item> all = reproduction::allItems(), chosen;
-  std::string known;
-  for (const Item& item : all)
-    known += (known.empty() ? "" : ", ") + nameOf(item);
-  for (const std::string& name : only) {
-    const auto found =
-        std::find_if(all.begin(), all.end(), [&](const Item& item) { return nameOf(item) == name; });
-    if (found == all.end())
-      throw UsageError("is no figure that can be done again", name, "there are " + known);
-    chosen.push_back(*found);
-  }
-  return only.empty() ? all : chosen;
-}
-
-/// What goes wrong with one figure is said there and stops no other one.
-Result made(const Item& item, const Surroundings& surroundings, Progress& progress) {
-  Result result;
-  result.id = item.id;
-  result.table = item.table;
-  const auto start = std::chrono::steady_clock::now();
-  try {
-    item.make(result, surroundings, progress);
-  } catch (const Cancelled&) {
-    throw;
-  } catch (const std::exception& error) {
-    result.problem = error.what();
-  }
-  result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  return result;
-}
-
-std::vector<Result> makeAll(const std::vector<Item>& items, const Surroundings& surroundings) {
-  std::vector<Result> results;
-  Progress& progress = surroundings.progress;
-  for (const Item& item : items) {
-    progress.throwIfCancelled();
-    const double from = static_cast<double>(results.size()), count = static_cast<double>(items.size());
-    progress.report(from / count, nameOf(item));
-    Progress* running = nullptr;
-    Progress part([&](double fraction, const std::string&) {
-      // A figure binds many times; its own fraction would run to and fro.
-      (void)fraction;
-      if (progress.cancelled())
-        running->cancel();
-    });
-    running = &part;
-    results.push_back(made(item, surroundings, part));
-  }
-  progress.throwIfCancelled();
-  return results;
-}
 
 ordered_json jsonOf(const Result& result) {
   const reproduction::Verdict verdict = result.verdict();
@@ -107,7 +44,9 @@ void ReproduceCommand::addOptions(CLI::App& options) {
 }
 
 Outcome ReproduceCommand::run(Surroundings& surroundings) {
-  const std::vector<Result> results = makeAll(chosenItems(only_), surroundings);
+  const reproduction::Bench bench{surroundings.systems, surroundings.samples, surroundings.threads};
+  const std::vector<Result> results =
+      reproduction::makeAll(reproduction::chosenItems(only_), bench, surroundings.progress);
   reproduction::writePage(output_, results);
   Outcome outcome;
   outcome.json["figures"] = ordered_json::array();

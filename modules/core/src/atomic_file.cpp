@@ -24,7 +24,7 @@ constexpr int kAttempts = 100;
 constexpr auto kAdvice = "choose a folder that exists, may be written to and has room";
 
 std::string reason(int error) {
-  return "cannot be written: " + std::generic_category().message(error);
+  return "It cannot be written: " + std::generic_category().message(error);
 }
 
 /// The name that a symbolic link at `target` stands for, so that the link stays.
@@ -109,7 +109,7 @@ AtomicFile::AtomicFile(std::filesystem::path target) : target_(std::move(target)
   std::error_code error;
   const std::filesystem::file_status status = std::filesystem::status(target_, error);
   if (std::filesystem::is_directory(status))
-    throw CannotCreateError("cannot be written: it is a folder", target_.string(), "name a file in it");
+    throw CannotCreateError("It cannot be written: it is a folder", target_.string(), "name a file in it");
   direct_ = std::filesystem::exists(status) && !std::filesystem::is_regular_file(status);
   if (!direct_)
     target_ = resolved(target_);

@@ -5,6 +5,12 @@
 namespace viscera {
 namespace {
 
+/// `text` with a capital letter first: what is said to a user is a sentence, whoever says it.
+std::string sentence(const std::string& text) {
+  const bool small = !text.empty() && text[0] >= 'a' && text[0] <= 'z';
+  return small ? static_cast<char>(text[0] - 'a' + 'A') + text.substr(1) : text;
+}
+
 std::string joined(const std::string& what, const std::string& where, const std::string& tryThis) {
   std::string text = where.empty() ? what : where + ": " + what;
   if (!tryThis.empty())
@@ -15,8 +21,8 @@ std::string joined(const std::string& what, const std::string& where, const std:
 } // namespace
 
 Error::Error(int exitCode, std::string what, std::string where, std::string tryThis)
-    : std::runtime_error(joined(what, where, tryThis)), problem_(std::move(what)), where_(std::move(where)),
-      tryThis_(std::move(tryThis)), exitCode_(exitCode) {}
+    : std::runtime_error(joined(sentence(what), where, tryThis)), problem_(sentence(what)),
+      where_(std::move(where)), tryThis_(std::move(tryThis)), exitCode_(exitCode) {}
 
 UsageError::UsageError(std::string what, std::string where, std::string tryThis)
     : Error(64, std::move(what), std::move(where), std::move(tryThis)) {}

@@ -134,13 +134,13 @@ void solve(std::vector<Search> searches, const Motion& motion, DisplacementGrid&
 
 DisplacementGrid emptyGrid(const GridOptions& options) {
   if (!(options.spacing > 0))
-    throw UsageError("has to be positive", "spacing");
+    throw UsageError("It has to be positive", "spacing");
   DisplacementGrid grid;
   grid.origin = options.box.low;
   grid.spacing = options.spacing;
   const Vec3 cells = ((options.box.high - options.box.low) / options.spacing).array().ceil().max(1);
   if ((cells.array() + 1).prod() > kMostGridPoints)
-    throw UsageError("leads to more than 20 million points", "spacing", "take a larger one");
+    throw UsageError("It leads to more than 20 million points", "spacing", "take a larger one");
   grid.size = cells.cast<int>().array() + 1;
   grid.vectors.setZero(Eigen::Index(grid.size[0]) * grid.size[1] * grid.size[2], 3);
   return grid;

@@ -11,7 +11,7 @@
 #include <dlfcn.h>
 
 #include "../tetgen_worker/tetgen_exchange.h"
-#include "child_process.h"
+#include "viscera/core/child_process.h"
 #include "viscera/geometry/surface_check.h"
 #include "viscera/geometry/winding_number.h"
 

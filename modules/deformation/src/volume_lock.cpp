@@ -8,7 +8,7 @@
 
 #include <Eigen/QR>
 
-#include "cubic_root.h"
+#include "viscera/core/cubic_root.h"
 #include "viscera/core/error.h"
 #include "viscera/geometry/surface_check.h"
 #include "viscera/geometry/volume.h"
@@ -18,7 +18,6 @@ namespace {
 
 constexpr int kMostNewtonSteps = 20;
 /// A selection whose gradient is this much smaller than the surface cannot change the volume.
-constexpr double kNoInfluence = 1e-12;
 /// Above this a form takes longer to make than a user would wait at the first drag: one or two seconds.
 constexpr double kMostFormWork = 4e9;
 /// The polynomial's root is as good as rounding allows; more Newton steps than this only follow noise.
@@ -150,26 +149,6 @@ Points VolumeLock::translationGradient(const Points& pose, const std::vector<int
   return rows;
 }
 
-Vec3 VolumeLock::nearestTranslation(const Points& pose, const std::vector<int>& selection,
-                                    const Vec3& wanted) const {
-  Points rows = translationGradient(pose, selection);
-  const auto now = volumes(pose);
-  Values missing(rows.rows());
-  for (Eigen::Index k = 0; k < rows.rows(); ++k) {
-    const auto& locked = surfaces_[static_cast<std::size_t>(k)];
-    missing[k] = locked.targetMm3 - now[static_cast<std::size_t>(k)];
-    // In units of one millimetre's change of a typical organ, so that surfaces of different sizes count
-    // alike.
-    const double scale = std::pow(locked.targetMm3, 2.0 / 3);
-    const bool influential = rows.row(k).norm() > kNoInfluence * scale;
-    rows.row(k) *= influential ? 1 / scale : 0;
-    missing[k] *= influential ? 1 / scale : 0;
-  }
-  // The smallest correction d with A (wanted + d) = missing.
-  const Eigen::MatrixXd constraints = rows;
-  return wanted + Vec3(constraints.completeOrthogonalDecomposition().solve(missing - constraints * wanted));
-}
-
 /// The only surface's volume at `pose + s direction` as a cubic in s.
 std::array<double, 4> VolumeLock::along(const Points& pose, const Points& direction) const {
   if (const VolumeForm* known = form(0))
@@ -195,7 +174,7 @@ double VolumeLock::cubicStep(const Points& pose, const Points& direction, double
     return std::nan("");
   std::array<double, 4> cubic = along(pose, direction);
   cubic[0] -= surfaces_.front().targetMm3;
-  return nearestCubicRoot(cubic, limitMm / longest).value_or(std::nan(""));
+  return nearestCubicRoot(cubic, -limitMm / longest, limitMm / longest).value_or(std::nan(""));
 }
 
 /// One Newton step of all volumes at once, in the span of the surfaces' restoring directions; false when

@@ -31,13 +31,13 @@ DocumentState withCage(const DocumentState& state, const GivenCage& cage, IdSour
 GivenCage readCage(const std::filesystem::path& file, Progress& progress) {
   geometry::TriangleMesh mesh = medical_io::readSurface(file).mesh;
   if (mesh.points.rows() > kMostCageVertices)
-    throw DataError("has " + std::to_string(mesh.points.rows()) + " vertices", file.string(),
+    throw DataError("It has " + std::to_string(mesh.points.rows()) + " vertices", file.string(),
                     "a cage is a coarse surface: take one of at most " + std::to_string(kMostCageVertices));
   coordinates::requireCage(mesh, file.string());
   const int crossings = geometry::countSelfIntersections(mesh, progress);
   if (crossings > 0)
-    throw DataError("crosses itself, at " + std::to_string(crossings) + " pairs of triangles", file.string(),
-                    "move the vertices there apart, or take another cage");
+    throw DataError("It crosses itself, at " + std::to_string(crossings) + " pairs of triangles",
+                    file.string(), "move the vertices there apart, or take another cage");
   geometry::orientOutward(mesh);
   return {file.filename().string(), std::make_shared<const geometry::TriangleMesh>(std::move(mesh))};
 }

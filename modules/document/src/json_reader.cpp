@@ -22,13 +22,13 @@ constexpr double kLargestWhole = 9007199254740992.0; ///< 2^53
 std::string readText(const std::filesystem::path& file) {
   std::error_code error;
   if (!std::filesystem::is_regular_file(file, error))
-    throw NoInputError("is not a file that can be read", file.string(), "check the name");
+    throw NoInputError("It is not a file that can be read", file.string(), "check the name");
   std::ifstream stream(file, std::ios::binary);
   std::ostringstream text;
   text << stream.rdbuf();
   // An empty file sets the failbit of `text`, which is not what is asked here.
   if (!stream.is_open() || stream.bad())
-    throw NoInputError("cannot be read", file.string(), "check its permissions");
+    throw NoInputError("It cannot be read", file.string(), "check its permissions");
   return std::move(text).str();
 }
 
@@ -46,14 +46,14 @@ ordered_json JsonReader::parse(const std::string& text) const {
   try {
     root = ordered_json::parse(toUtf8(text), [this](int depth, ordered_json::parse_event_t, ordered_json&) {
       if (depth > kDeepest)
-        fail("is nested too deeply", "");
+        fail("It is nested too deeply", "");
       return true;
     });
   } catch (const ordered_json::exception& error) {
     // nlohmann's "[json.exception...] parse error at line 3, column 5: ..." without its prefix.
     const std::string message = error.what();
     const std::size_t end = message.find("] ");
-    fail("is no complete JSON: " + (end == message.npos ? message : message.substr(end + 2)), "");
+    fail("It is no complete JSON: " + (end == message.npos ? message : message.substr(end + 2)), "");
   }
   requireFormat(root);
   return root;
@@ -61,13 +61,14 @@ ordered_json JsonReader::parse(const std::string& text) const {
 
 void JsonReader::requireFormat(const ordered_json& root) const {
   if (!root.is_object() || root.value("format", ordered_json()) != format_.id)
-    fail("is no " + std::string(format_.kind) + ": its \"format\" is not \"" + format_.id + "\"", "",
+    fail("It is no " + std::string(format_.kind) + ": its \"format\" is not \"" + format_.id + "\"", "",
          format_.advice);
   const ordered_json& version = field(root, "version", "");
   if (!version.is_number_integer() || version.get<std::int64_t>() < 1)
     fail("\"version\" is not a positive whole number", "");
   if (version.get<std::int64_t>() > format_.version)
-    fail("is of version " + version.dump() + "; this program reads up to " + std::to_string(format_.version),
+    fail("It is of version " + version.dump() + "; this program reads up to " +
+             std::to_string(format_.version),
          "", "update Viscera");
   for (const auto& [key, wanted] : {std::pair("coordinateSystem", "LPS"), std::pair("units", "mm")})
     if (root.contains(key) && root.at(key) != wanted)
@@ -81,7 +82,7 @@ const ordered_json& JsonReader::field(const ordered_json& object, const char* ke
                                       const std::string& place) const {
   const auto found = object.find(key);
   if (found == object.end())
-    fail("has no \"" + std::string(key) + "\"", place);
+    fail("It has no \"" + std::string(key) + "\"", place);
   return *found;
 }
 
@@ -101,19 +102,19 @@ bool JsonReader::flagOf(const ordered_json& object, const char* key, const std::
 
 double JsonReader::numberOf(const ordered_json& value, const std::string& place) const {
   if (!value.is_number() || !std::isfinite(value.get<double>()))
-    fail("is not a finite number", place);
+    fail("It is not a finite number", place);
   return value.get<double>();
 }
 
 std::int64_t JsonReader::wholeOf(const ordered_json& value, const std::string& place) const {
   if (!value.is_number_integer() || !(value.get<double>() >= 0) || value.get<double>() > kLargestWhole)
-    fail("is not a whole number from 0 to 2^53", place);
+    fail("It is not a whole number from 0 to 2^53", place);
   return value.get<std::int64_t>();
 }
 
 Vec3 JsonReader::vectorOf(const ordered_json& value, const std::string& place) const {
   if (!value.is_array() || value.size() != 3)
-    fail("is not a list of three numbers", place);
+    fail("It is not a list of three numbers", place);
   return {numberOf(value[0], place), numberOf(value[1], place), numberOf(value[2], place)};
 }
 
@@ -134,7 +135,7 @@ const ordered_json& JsonReader::listOf(const ordered_json& object, const char* k
 
 void JsonReader::requireObject(const ordered_json& value, const std::string& place) const {
   if (!value.is_object())
-    fail("is not an object", place);
+    fail("It is not an object", place);
 }
 
 void JsonReader::noteUnknown(const ordered_json& object, std::initializer_list<const char*> known,

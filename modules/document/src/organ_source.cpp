@@ -110,7 +110,7 @@ Organ SampleMaker::make(const std::string& sample, const std::string& surface, P
   for (const NewOrgan& organ : made->second)
     if (organ.organ.origin.surface == surface)
       return organ.organ;
-  throw UsageError("has no surface \"" + surface + "\"", "sample:" + sample);
+  throw UsageError("It has no surface \"" + surface + "\"", "sample:" + sample);
 }
 
 } // namespace viscera::document

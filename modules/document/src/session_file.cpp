@@ -172,7 +172,7 @@ public:
     SessionContents& contents = opened_.contents;
     const std::string surfaces = reader_.textOf(root, "surfaces", "");
     if (surfaces != kEmbedded && surfaces != kLinked)
-      reader_.fail("is neither \"embedded\" nor \"linked\"", "surfaces");
+      reader_.fail("It is neither \"embedded\" nor \"linked\"", "surfaces");
     contents.embedSurfaces = surfaces == kEmbedded;
     contents.recovers = reader_.optionalText(root, "recovers", "");
     // What is cheap to read comes first: a damaged file is refused before a sample organ is made.
@@ -293,7 +293,7 @@ private:
                  SurfaceFinding& finding) {
     geometry::TriangleMesh mesh = surfaceFrom(reader_, item.at("surface"), place + ".surface");
     if (surfaceHash(mesh) != hash)
-      reader_.fail("is damaged: its SHA-256 is not " + hash, place + ".surface");
+      reader_.fail("It is damaged: its SHA-256 is not " + hash, place + ".surface");
     Organ organ;
     try {
       organ = makeOrgan(place, std::move(mesh));
@@ -303,7 +303,7 @@ private:
     organ.warnings.clear();
     for (const ordered_json& warning : reader_.listOf(item, "warnings", place)) {
       if (!warning.is_string())
-        reader_.fail("is not a text", place + ".warnings");
+        reader_.fail("It is not a text", place + ".warnings");
       organ.warnings.push_back(warning.get<std::string>());
     }
     finding.state = State::embedded;

@@ -207,7 +207,7 @@ void SessionReader::readCage(const ordered_json& list, Rig& rig) const {
   for (std::size_t i = 0; i < list.size(); ++i) {
     const std::string place = at("rig.cage", i);
     if (!list[i].is_array() || list[i].size() != 3)
-      fail("is not a triangle of three handles", place);
+      fail("It is not a triangle of three handles", place);
     CageTriangle triangle;
     for (std::size_t k = 0; k < 3; ++k)
       triangle[k] = HandleId{wholeOf(list[i][k], place)};

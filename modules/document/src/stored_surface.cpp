@@ -49,23 +49,23 @@ void unpack(const JsonReader& reader, const ordered_json& stored, const char* ke
   const std::string text = reader.textOf(stored, key, place);
   const std::string where = place + "." + key;
   if (static_cast<std::int64_t>(text.size()) > std::numeric_limits<int>::max())
-    reader.fail("is too long", where);
+    reader.fail("It is too long", where);
   const auto decoded =
       QByteArray::fromBase64Encoding(QByteArray::fromRawData(text.data(), static_cast<int>(text.size())),
                                      QByteArray::Base64Encoding | QByteArray::AbortOnBase64DecodingErrors);
   if (!decoded)
-    reader.fail("is no base64", where);
+    reader.fail("It is no base64", where);
   const QByteArray& compressed = decoded.decoded;
   constexpr std::int64_t kRow = 3 * sizeof(*array.data());
   if (rows > compressed.size() * kMostCompression / kRow)
-    reader.fail("holds less than " + std::to_string(rows) + " rows", where);
+    reader.fail("It holds less than " + std::to_string(rows) + " rows", where);
   array.resize(static_cast<Eigen::Index>(rows), 3);
   uLongf size = static_cast<uLongf>(rows * kRow);
   const int outcome = uncompress(reinterpret_cast<Bytef*>(array.data()), &size,
                                  reinterpret_cast<const Bytef*>(compressed.constData()),
                                  static_cast<uLong>(compressed.size()));
   if (outcome != Z_OK || size != static_cast<uLongf>(rows * kRow))
-    reader.fail("is damaged: it does not hold " + std::to_string(rows) + " rows", where);
+    reader.fail("It is damaged: it does not hold " + std::to_string(rows) + " rows", where);
 }
 
 } // namespace

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <limits>
 #include <map>
-#include <numeric>
 #include <queue>
 #include <utility>
 
@@ -13,6 +12,7 @@
 #include <Eigen/SparseCholesky>
 #include <Eigen/SparseCore>
 
+#include "viscera/core/disjoint_sets.h"
 #include "viscera/core/error.h"
 
 namespace viscera::geometry {
@@ -234,19 +234,12 @@ private:
   }
 
   Slice largestLoop() {
-    std::vector<int> parent(ends_.size());
-    std::iota(parent.begin(), parent.end(), 0);
-    const auto root = [&parent](int i) {
-      while (parent[static_cast<std::size_t>(i)] != i)
-        i = parent[static_cast<std::size_t>(i)] =
-            parent[static_cast<std::size_t>(parent[static_cast<std::size_t>(i)])];
-      return i;
-    };
+    DisjointSets points(ends_.size());
     for (const Segment& segment : segments_)
-      parent[static_cast<std::size_t>(root(segment.points[0]))] = root(segment.points[1]);
-    std::map<int, std::vector<const Segment*>> loops;
+      points.join(static_cast<std::size_t>(segment.points[0]), static_cast<std::size_t>(segment.points[1]));
+    std::map<std::size_t, std::vector<const Segment*>> loops;
     for (const Segment& segment : segments_)
-      loops[root(segment.points[0])].push_back(&segment);
+      loops[points.root(static_cast<std::size_t>(segment.points[0]))].push_back(&segment);
     Slice best;
     for (const auto& [number, loop] : loops)
       if (const Slice slice = sliceOf(loop); slice.area > best.area)
@@ -297,10 +290,6 @@ std::vector<double> evenLevels(const Values& values, int count) {
 }
 
 } // namespace
-
-Values edgeDistances(const TriangleMesh& mesh, const std::vector<int>& sources) {
-  return distancesFrom(neighborsOf(mesh), sources, kEverywhere);
-}
 
 TubeEnds tubeEnds(const TriangleMesh& mesh) {
   const Neighbors neighbors = neighborsOf(mesh);

@@ -77,7 +77,7 @@ public:
       result.mesh = std::move(mesh);
       result.origin = WitnessOrigin::repairedSurface;
     } else {
-      remarks_.push_back("The witness points lie on a regular grid inside the surface, because " +
+      remarks_.push_back("The witness points lie on a regular grid inside the surface. " +
                          failure->problem() + ".");
       result.mesh = std::make_shared<const WitnessMesh>(
           deformation::gridWitnesses(cleaned, options_.wanted, progress_, options_.threads));
@@ -140,7 +140,7 @@ private:
         auto mesh = std::make_shared<const WitnessMesh>(fill(repaired));
         const Bounds box = boundsOf(surface.points);
         const double cell = (box.high - box.low).maxCoeff() / cells;
-        remarks_.push_back("The surface was repaired before it was filled, because " + why.problem() +
+        remarks_.push_back("The surface was repaired before it was filled. " + why.problem() +
                            ". Details smaller than " + formatted("%.2g", cell) + " mm are lost.");
         return mesh;
       } catch (const TetrahedraError& error) {

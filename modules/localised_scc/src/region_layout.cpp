@@ -8,6 +8,7 @@
 
 #include "blend.h"
 #include "viscera/coordinates/handle_checks.h"
+#include "viscera/core/disjoint_sets.h"
 #include "viscera/core/error.h"
 
 namespace viscera::localised_scc {
@@ -36,11 +37,11 @@ Region makeRegion(const coordinates::HandleGroup& group, const Points& positions
   const std::vector<int> handles = sortedUnique(group.handles);
   for (const int handle : handles)
     if (handle < 0 || handle >= positions.rows())
-      throw DataError("refers to handle " + std::to_string(handle) + ", but there are " +
+      throw DataError("It refers to handle " + std::to_string(handle) + ", but there are " +
                           std::to_string(positions.rows()),
                       where);
   if (handles.size() < 4)
-    throw DataError("has " + std::to_string(handles.size()) + " handles; a region needs at least 4", where,
+    throw DataError("It has " + std::to_string(handles.size()) + " handles; a region needs at least 4", where,
                     "add handles to it");
   auto hull = geometry::ConvexPolytope::hullOf(rowsOf(positions, handles), tolerance);
   if (hull.dimension() < 3)
@@ -48,25 +49,6 @@ Region makeRegion(const coordinates::HandleGroup& group, const Points& positions
                     "add a handle off that plane");
   return {group.name, handles, std::move(hull), 0, 0};
 }
-
-/// Groups indices that are joined, directly or through others.
-class Components {
-public:
-  explicit Components(std::size_t count) : parent_(count) {
-    std::iota(parent_.begin(), parent_.end(), std::size_t(0));
-  }
-  std::size_t root(std::size_t i) const {
-    while (parent_[i] != i)
-      i = parent_[i];
-    return i;
-  }
-  void join(std::size_t a, std::size_t b) {
-    parent_[std::max(root(a), root(b))] = std::min(root(a), root(b));
-  }
-
-private:
-  std::vector<std::size_t> parent_;
-};
 
 std::vector<SwappingZone::Part> pairwiseIntersections(const std::vector<Region>& regions) {
   std::vector<SwappingZone::Part> parts;
@@ -109,7 +91,7 @@ void RegionLayout::makeRegions(const coordinates::HandleSet& handles) {
 
 void RegionLayout::makeZones(const coordinates::HandleSet& handles) {
   auto parts = pairwiseIntersections(regions_);
-  Components components(parts.size());
+  DisjointSets components(parts.size());
   for (std::size_t a = 0; a < parts.size(); ++a)
     for (std::size_t b = a + 1; b < parts.size(); ++b)
       if (parts[a].common.intersection(parts[b].common))

@@ -60,7 +60,7 @@ void writeDisplacements(const std::filesystem::path& file, const geometry::Trian
     throw CannotCreateError("displacements are written as .vtp only", file.string(),
                             "choose a name that ends in .vtp");
   if (moved.rows() != rest.points.rows())
-    throw DataError("has " + std::to_string(moved.rows()) + " moved points for " +
+    throw DataError("It has " + std::to_string(moved.rows()) + " moved points for " +
                         std::to_string(rest.points.rows()) + " vertices",
                     file.string());
   geometry::requireValid(rest, file.string());

@@ -21,9 +21,9 @@ void requireReadable(const std::filesystem::path& file) {
   if (!std::filesystem::exists(status))
     throw NoInputError("there is no such file", file.string(), "check the name and the folder");
   if (std::filesystem::is_directory(status))
-    throw NoInputError("is a folder, not a file", file.string(), "name a file in it");
+    throw NoInputError("It is a folder, not a file", file.string(), "name a file in it");
   if (!std::filesystem::is_regular_file(status))
-    throw NoInputError("is not a regular file", file.string(), "copy its contents to a file first");
+    throw NoInputError("It is not a regular file", file.string(), "copy its contents to a file first");
 }
 
 } // namespace
@@ -37,7 +37,7 @@ FileBytes readWholeFile(const std::filesystem::path& file) {
   errno = 0;
   std::ifstream stream(file, std::ios::binary | std::ios::ate);
   if (!stream)
-    throw NoInputError("cannot be opened: " + std::generic_category().message(errno), file.string(),
+    throw NoInputError("It cannot be opened: " + std::generic_category().message(errno), file.string(),
                        "check that you may read it");
   FileBytes result{file, {}};
   try {
@@ -48,7 +48,7 @@ FileBytes readWholeFile(const std::filesystem::path& file) {
   stream.seekg(0);
   stream.read(result.bytes.data(), static_cast<std::streamsize>(result.bytes.size()));
   if (stream.gcount() != static_cast<std::streamsize>(result.bytes.size()))
-    throw NoInputError("cannot be read to its end", file.string(), "check the disk or the connection");
+    throw NoInputError("It cannot be read to its end", file.string(), "check the disk or the connection");
   if (result.bytes.empty())
     result.fail("the file is empty");
   return result;

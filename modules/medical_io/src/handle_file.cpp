@@ -82,7 +82,7 @@ HandleFile readAny(const FileBytes& file) {
     return readFcsv(file);
   const bool json = extension == ".json" || extension == ".mrk.json";
   if (!json && found != Signature::markups)
-    file.fail("is no handle file" +
+    file.fail("It is no handle file" +
                   (found == Signature::unknown ? "" : "; it looks like " + std::string(describe(found))),
               "handles come from .mrk.json or .fcsv files");
   return readMarkups(file);
@@ -119,7 +119,7 @@ HandleFile readHandles(const std::filesystem::path& file) {
   try {
     HandleFile result = readAny(bytes);
     if (result.count() == 0)
-      bytes.fail("holds no points", "place some points and save them again");
+      bytes.fail("It holds no points", "place some points and save them again");
     LabelMender(result).run();
     return result;
   } catch (const std::bad_alloc&) {

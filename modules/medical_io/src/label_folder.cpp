@@ -32,12 +32,13 @@ std::vector<std::filesystem::path> masksIn(const std::filesystem::path& folder) 
         entry->is_regular_file(ignored) && isLabelMap(entry->path()) && !isHalfOfAnother(entry->path()))
       files.push_back(entry->path());
   if (error)
-    throw NoInputError("cannot be opened: " + error.message(), folder.string(), "check that you may read it");
+    throw NoInputError("It cannot be opened: " + error.message(), folder.string(),
+                       "check that you may read it");
   if (files.empty())
-    throw DataError("holds no label map", folder.string(),
+    throw DataError("It holds no label map", folder.string(),
                     "name a folder with one mask for each organ, such as liver.nii.gz");
   if (files.size() > kMostMasks)
-    throw DataError("holds more than " + std::to_string(kMostMasks) + " masks", folder.string(),
+    throw DataError("It holds more than " + std::to_string(kMostMasks) + " masks", folder.string(),
                     "name the folder of one patient");
   std::sort(files.begin(), files.end());
   return files;
@@ -58,7 +59,8 @@ class Patient {
 public:
   void add(const std::filesystem::path& file, LabelMap mask) {
     if (mask.segments.size() > 1)
-      throw DataError("has " + std::to_string(mask.segments.size()) + " labels; a mask in a folder has one",
+      throw DataError("It has " + std::to_string(mask.segments.size()) +
+                          " labels; a mask in a folder has one",
                       file.string(), "open it by itself, or remove it from the folder");
     if (map_.layers.empty()) {
       map_.size = mask.size;
@@ -83,7 +85,7 @@ public:
 
   LabelMap take(const std::filesystem::path& folder) {
     if (map_.segments.empty())
-      throw DataError("holds only empty masks", folder.string(), "check that the segmentation was saved");
+      throw DataError("It holds only empty masks", folder.string(), "check that the segmentation was saved");
     if (!empty_.empty())
       map_.warnings.push_back(counted(empty_.size(), "mask is", "masks are") + " empty (" + empty_.front() +
                               (empty_.size() > 1 ? ", ...)" : ")"));

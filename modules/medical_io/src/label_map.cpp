@@ -56,7 +56,7 @@ const Format& formatOf(const FileBytes& file) {
   if (found == Signature::unknown || found == format->signature || packedNifti)
     return *format;
   const std::string_view usual = usualExtension(found);
-  file.fail("is named " + extension + " but looks like " + std::string(describe(found)),
+  file.fail("It is named " + extension + " but looks like " + std::string(describe(found)),
             usual.empty() ? "save it as a label map" : "rename it to end in " + std::string(usual));
 }
 
@@ -149,7 +149,7 @@ LabelMap readLabelMap(const std::filesystem::path& file, Progress& progress) {
     return readLabelFolder(file, progress);
   LabelMap map = readLabelFile(file, progress);
   if (map.segments.empty())
-    throw DataError("has no labelled voxel: all are 0", file.string(),
+    throw DataError("It has no labelled voxel: all are 0", file.string(),
                     "check that the segmentation was saved");
   nameByTable(map, file);
   completeSegments(map);

@@ -5,15 +5,9 @@
 #include <cmath>
 #include <numeric>
 
-#include <vtkFlyingEdges3D.h>
-#include <vtkImageData.h>
-#include <vtkNew.h>
-#include <vtkPointData.h>
-#include <vtkPolyData.h>
-#include <vtkUnsignedCharArray.h>
-
 #include "file_bytes.h"
 #include "smooth_surface.h"
+#include "viscera/contour/contour.h"
 #include "viscera/core/error.h"
 #include "viscera/geometry/normals.h"
 #include "viscera/geometry/surface_check.h"
@@ -21,7 +15,6 @@
 #include "viscera/geometry/volume.h"
 #include "viscera/medical_io/organ_norms.h"
 #include "voxel_pieces.h"
-#include "vtk_poly_data.h"
 
 namespace viscera::medical_io {
 namespace {
@@ -41,20 +34,8 @@ constexpr int kMostCorrections = 20;
 constexpr double kMostStep = 0.25;
 
 /// The steps between the voxels, in mm LPS, outward.
-TriangleMesh contourOf(VoxelBox& box, const LabelMap& map) {
-  vtkNew<vtkUnsignedCharArray> values;
-  values->SetArray(box.inside.data(), static_cast<vtkIdType>(box.inside.size()), 1);
-  vtkNew<vtkImageData> image;
-  image->SetDimensions(box.size.data());
-  image->GetPointData()->SetScalars(values);
-  vtkNew<vtkFlyingEdges3D> contour;
-  contour->SetInputData(image);
-  contour->SetValue(0, 0.5);
-  contour->ComputeNormalsOff();
-  contour->ComputeGradientsOff();
-  contour->ComputeScalarsOff();
-  contour->Update();
-  TriangleMesh mesh = meshOf(*contour->GetOutput());
+TriangleMesh stepsBetween(const VoxelBox& box, const LabelMap& map) {
+  TriangleMesh mesh = contour::contourOf(box.inside, box.size, 0.5);
   const Vec3 low(box.low[0], box.low[1], box.low[2]);
   for (Eigen::Index v = 0; v < mesh.points.rows(); ++v)
     mesh.points.row(v) = (map.indexToLps * (mesh.points.row(v).transpose() + low)).transpose();
@@ -128,10 +109,10 @@ LabelSurface surfaceOf(const LabelMap& map, std::size_t segment, const LabelSurf
   surface.voxelVolumeMm3 = static_cast<double>(box.count) * map.voxelVolumeMm3();
   surface.warnings = warningsOf(map, segment, pieces, options.largestPieceOnly);
   progress.throwIfCancelled();
-  const TriangleMesh contour = contourOf(box, map);
+  const TriangleMesh steps = stepsBetween(box, map);
   for (const double part : kTries) {
     progress.throwIfCancelled();
-    surface.mesh = smoothed(contour, part * options.smoothing);
+    surface.mesh = smoothed(steps, part * options.smoothing);
     if (options.triangles > 0)
       surface.mesh = geometry::thinClosedSurface(surface.mesh, options.triangles, progress);
     correctVolume(surface.mesh, surface.voxelVolumeMm3, map.indexToLps.linear());

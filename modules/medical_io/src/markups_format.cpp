@@ -35,7 +35,7 @@ public:
     const Json document = parse();
     const auto lists = document.is_object() ? document.find("markups") : document.end();
     if (!document.is_object() || lists == document.end() || !lists->is_array())
-      file_.fail("holds no \"markups\": it is no 3D Slicer markups file",
+      file_.fail("It holds no \"markups\": it is no 3D Slicer markups file",
                  "save the points from Slicer as .mrk.json");
     for (std::size_t i = 0; i < lists->size(); ++i)
       readList((*lists)[i], i);
@@ -50,7 +50,7 @@ private:
       // nlohmann's "[json.exception...] parse error at line 3, column 5: ..." without its prefix.
       const std::string_view text = error.what();
       const std::size_t end = text.find("] ");
-      file_.fail("is no complete JSON: " + std::string(end == text.npos ? text : text.substr(end + 2)));
+      file_.fail("It is no complete JSON: " + std::string(end == text.npos ? text : text.substr(end + 2)));
     }
   }
 

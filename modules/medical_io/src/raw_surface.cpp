@@ -48,10 +48,10 @@ private:
 
   void checkSizes() const {
     if (raw_.polygonCount() == 0)
-      fail("holds no triangles" + std::string(raw_.pointCount() > 0 ? ", only points" : ""),
+      fail("It holds no triangles" + std::string(raw_.pointCount() > 0 ? ", only points" : ""),
            "export it as a surface of triangles");
     if (raw_.pointCount() > std::numeric_limits<std::int32_t>::max() || raw_.corners.size() > kMostCorners)
-      fail("is too large: " + std::to_string(raw_.pointCount()) + " points", "reduce the surface first");
+      fail("It is too large: " + std::to_string(raw_.pointCount()) + " points", "reduce the surface first");
   }
 
   void markUsed() {
@@ -138,7 +138,7 @@ private:
     dropped_ +=
         std::erase_if(triangles_, [](const auto& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; });
     if (triangles_.empty())
-      fail("holds no triangle that has three different corners", "check its scale and its number format");
+      fail("It holds no triangle that has three different corners", "check its scale and its number format");
   }
 
   /// Points may have lost their last triangle.

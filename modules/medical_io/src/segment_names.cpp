@@ -109,7 +109,7 @@ std::vector<std::size_t> segmentsNamed(const LabelMap& map, const std::vector<st
         known = true;
       }
     if (!known)
-      throw UsageError("has no label " + inQuotes(name), where, "it has " + someNames(map));
+      throw UsageError("It has no label " + inQuotes(name), where, "it has " + someNames(map));
   }
   for (std::size_t s = 0; s < map.segments.size() && names.empty(); ++s)
     chosen.insert(s);

@@ -4,6 +4,7 @@
 #include <vtkPolyData.h>
 #include <vtkWindowedSincPolyDataFilter.h>
 
+#include "viscera/contour/contour.h"
 #include "vtk_poly_data.h"
 
 namespace viscera::medical_io {
@@ -18,7 +19,7 @@ geometry::TriangleMesh smoothSurface(const geometry::TriangleMesh& mesh, int ite
   filter->FeatureEdgeSmoothingOff();
   filter->NonManifoldSmoothingOn();
   filter->Update();
-  return meshOf(*filter->GetOutput());
+  return contour::meshOf(*filter->GetOutput());
 }
 
 } // namespace viscera::medical_io

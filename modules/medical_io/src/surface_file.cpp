@@ -59,7 +59,8 @@ void requireKind(const FileBytes& file, const Format& format) {
   if (found == Signature::unknown || found == format.signature)
     return;
   const std::string_view usual = usualExtension(found);
-  file.fail("is named " + std::string(format.extension) + " but looks like " + std::string(describe(found)),
+  file.fail("It is named " + std::string(format.extension) + " but looks like " +
+                std::string(describe(found)),
             usual.empty() ? "export it as a surface" : "rename it to end in " + std::string(usual));
 }
 

@@ -8,15 +8,12 @@
 #include <utility>
 #include <vector>
 
-#include <vtkFloatArray.h>
-#include <vtkFlyingEdges3D.h>
-#include <vtkImageData.h>
 #include <vtkNew.h>
-#include <vtkPointData.h>
 #include <vtkPolyData.h>
 #include <vtkQuadricDecimation.h>
 
 #include "smooth_surface.h"
+#include "viscera/contour/contour.h"
 #include "viscera/core/error.h"
 #include "viscera/geometry/clean_surface.h"
 #include "viscera/geometry/connected_pieces.h"
@@ -39,24 +36,6 @@ constexpr double kSmallestPiece = 0.01; ///< Of the whole volume.
 /// says, or as often as the others when triangles cross.
 constexpr std::array kFirstIterations = {20, 30, 10}, kSecondIterations = {10, 2, 0};
 constexpr double kFirstPassBand = 0.05, kSecondPassBand = 0.1;
-
-TriangleMesh zeroLevel(geometry::SignedDistanceGrid& grid) {
-  vtkNew<vtkFloatArray> values;
-  values->SetArray(grid.values.data(), static_cast<vtkIdType>(grid.values.size()), 1);
-  vtkNew<vtkImageData> image;
-  image->SetDimensions(grid.size.data());
-  image->SetSpacing(grid.spacing, grid.spacing, grid.spacing);
-  image->SetOrigin(grid.origin.data());
-  image->GetPointData()->SetScalars(values);
-  vtkNew<vtkFlyingEdges3D> contour;
-  contour->SetInputData(image);
-  contour->SetValue(0, 0.0);
-  contour->ComputeNormalsOff();
-  contour->ComputeGradientsOff();
-  contour->ComputeScalarsOff();
-  contour->Update();
-  return meshOf(*contour->GetOutput());
-}
 
 /// Drops what is too small to matter, cavities as well as crumbs.
 TriangleMesh withoutCrumbs(TriangleMesh mesh) {
@@ -120,11 +99,12 @@ TriangleMesh repairSurface(const TriangleMesh& mesh, const RepairOptions& option
   geometry::SignedDistanceGrid grid = geometry::signedDistanceGrid(coarse, spacing, progress, threads);
   geometry::smoothen(grid, kSmoothingRounds, threads);
   progress.throwIfCancelled();
-  const TriangleMesh contour = withoutCrumbs(zeroLevel(grid));
-  if (contour.triangles.rows() == 0)
+  const TriangleMesh zeroLevel =
+      withoutCrumbs(contour::contourOf(grid.values, grid.size, 0, grid.origin, grid.spacing));
+  if (zeroLevel.triangles.rows() == 0)
     throw DataError("the surface encloses nothing", "surface",
                     "check that its triangles face outward and that its holes are small");
-  return smoothAndThin(contour, options.triangles, progress, threads);
+  return smoothAndThin(zeroLevel, options.triangles, progress, threads);
 }
 
 TriangleMesh thinSurface(const TriangleMesh& mesh, int triangles) {
@@ -135,7 +115,7 @@ TriangleMesh thinSurface(const TriangleMesh& mesh, int triangles) {
   decimation->SetTargetReduction(1 - static_cast<double>(triangles) / double(mesh.triangles.rows()));
   decimation->VolumePreservationOn();
   decimation->Update();
-  return geometry::cleanSurface(meshOf(*decimation->GetOutput())).mesh;
+  return geometry::cleanSurface(contour::meshOf(*decimation->GetOutput())).mesh;
 }
 
 } // namespace viscera::medical_io

@@ -1,7 +1,8 @@
 #include "voxel_pieces.h"
 
 #include <algorithm>
-#include <numeric>
+
+#include "viscera/core/disjoint_sets.h"
 
 namespace viscera::medical_io {
 namespace {
@@ -21,8 +22,7 @@ public:
       addRuns(row);
     }
     firstOfRow_.push_back(runs_.size());
-    parent_.resize(runs_.size());
-    std::iota(parent_.begin(), parent_.end(), std::size_t{0});
+    pieces_ = DisjointSets(runs_.size());
     const auto width = static_cast<std::size_t>(box_.size[1]);
     for (std::size_t row = 0; row < rows(); ++row) {
       if (row % width > 0)
@@ -36,14 +36,14 @@ public:
   std::vector<std::int64_t> sizes() {
     std::vector<std::int64_t> result(runs_.size(), 0);
     for (std::size_t run = 0; run < runs_.size(); ++run)
-      result[root(run)] += runs_[run].end - runs_[run].begin;
+      result[pieces_.root(run)] += runs_[run].end - runs_[run].begin;
     return result;
   }
 
   void keepOnly(std::size_t piece, VoxelBox& box) {
     for (std::size_t row = 0; row < rows(); ++row)
       for (std::size_t run = firstOfRow_[row]; run < firstOfRow_[row + 1]; ++run)
-        if (root(run) != piece)
+        if (pieces_.root(run) != piece)
           std::fill_n(box.inside.begin() + begin(row) + runs_[run].begin, runs_[run].end - runs_[run].begin,
                       0);
   }
@@ -66,24 +66,16 @@ private:
   void joinRows(std::size_t a, std::size_t b) {
     std::size_t i = firstOfRow_[a], j = firstOfRow_[b];
     while (i < firstOfRow_[a + 1] && j < firstOfRow_[b + 1]) {
-      if (runs_[i].begin < runs_[j].end && runs_[j].begin < runs_[i].end) {
-        const std::size_t one = root(i), other = root(j);
-        parent_[std::max(one, other)] = std::min(one, other);
-      }
+      if (runs_[i].begin < runs_[j].end && runs_[j].begin < runs_[i].end)
+        pieces_.join(i, j);
       runs_[i].end < runs_[j].end ? ++i : ++j;
     }
-  }
-
-  std::size_t root(std::size_t run) {
-    while (parent_[run] != run)
-      run = parent_[run] = parent_[parent_[run]];
-    return run;
   }
 
   const VoxelBox& box_;
   std::vector<Run> runs_;
   std::vector<std::size_t> firstOfRow_;
-  std::vector<std::size_t> parent_;
+  DisjointSets pieces_{0};
 };
 
 } // namespace

@@ -1,7 +1,6 @@
 #include "vtk_poly_data.h"
 
 #include <vtkCellArray.h>
-#include <vtkCellArrayIterator.h>
 #include <vtkDoubleArray.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
@@ -35,23 +34,6 @@ vtkSmartPointer<vtkPolyData> polyDataOf(const geometry::TriangleMesh& mesh) {
     data->GetPointData()->SetScalars(colors);
   }
   return data;
-}
-
-geometry::TriangleMesh meshOf(vtkPolyData& data) {
-  geometry::TriangleMesh mesh;
-  mesh.points.resize(data.GetNumberOfPoints(), 3);
-  for (vtkIdType i = 0; i < data.GetNumberOfPoints(); ++i)
-    data.GetPoint(i, mesh.points.row(i).data());
-  mesh.triangles.resize(data.GetNumberOfPolys(), 3);
-  vtkIdType count = 0, row = 0;
-  const vtkIdType* corners = nullptr;
-  const auto cells = vtk::TakeSmartPointer(data.GetPolys()->NewIterator());
-  for (cells->GoToFirstCell(); !cells->IsDoneWithTraversal(); cells->GoToNextCell(), ++row) {
-    cells->GetCurrentCell(count, corners);
-    for (int k = 0; k < 3; ++k)
-      mesh.triangles(row, k) = static_cast<std::int32_t>(corners[k]);
-  }
-  return mesh;
 }
 
 } // namespace viscera::medical_io

@@ -12,7 +12,4 @@ namespace viscera::medical_io {
 /// + m).
 vtkSmartPointer<vtkPolyData> polyDataOf(const geometry::TriangleMesh& mesh);
 
-/// The points and polygons of a filter's result, all of which are triangles. Without colours. O(n + m).
-geometry::TriangleMesh meshOf(vtkPolyData& data);
-
 } // namespace viscera::medical_io

@@ -60,7 +60,7 @@ private:
     Points& rest = file_.track.restHandles;
     rest.resize(static_cast<Eigen::Index>(list.size()), 3);
     if (rest.rows() < kFewestHandles)
-      fail("has " + std::to_string(list.size()) + " handles; a sequence needs four at least", "handles");
+      fail("It has " + std::to_string(list.size()) + " handles; a sequence needs four at least", "handles");
     for (std::size_t i = 0; i < list.size(); ++i) {
       const std::string place = "handle " + std::to_string(i + 1);
       requireObject(list[i], place);
@@ -76,7 +76,7 @@ private:
   int rowOf(const ordered_json& label, const std::string& place) const {
     const auto row = label.is_string() ? rows_.find(label.get<std::string>()) : rows_.end();
     if (row == rows_.end())
-      fail("names the handle " + label.dump() + ", which is not among \"handles\"", place);
+      fail("It names the handle " + label.dump() + ", which is not among \"handles\"", place);
     return row->second;
   }
 

@@ -1,8 +1,6 @@
 #include "viscera/motion/sequence_setup.h"
 
 #include "viscera/core/error.h"
-#include "viscera/document/open_files.h"
-#include "viscera/document/system_commands.h"
 #include "viscera/motion/breathing_setup.h"
 #include "viscera/motion/heartbeat_setup.h"
 #include "viscera/motion/peristalsis_setup.h"
@@ -47,12 +45,6 @@ SequenceSetup setUpSequence(const sample_organs::SampleLibrary& library, const s
     known += (known.empty() ? "" : ", ") + maker.about.id;
   }
   throw UsageError("there is no sequence \"" + id + "\"", {}, "use one of: " + known);
-}
-
-document::Command showSequence(const SequenceSetup& setup) {
-  const std::string name = "Show " + setup.sequence->name();
-  return document::combined(name, {document::addOrgans(document::organsFrom(setup.organ)),
-                                   document::replaceRig(setup.rig), document::setSystem(setup.system)});
 }
 
 } // namespace viscera::motion

@@ -80,16 +80,6 @@ ValueRange rangeOf(const Values& values) {
   return {low, high};
 }
 
-ValueRange symmetricRangeOf(const Values& values) {
-  double most = 0;
-  for (const double value : values)
-    if (std::isfinite(value))
-      most = std::max(most, std::abs(value));
-  if (most == 0)
-    most = 1;
-  return {-most, most};
-}
-
 vtkSmartPointer<vtkLookupTable> lookupTable(const ColorMap& map, ValueRange range) {
   auto table = vtkSmartPointer<vtkLookupTable>::New();
   table->SetNumberOfTableValues(map.colors.rows());

@@ -7,18 +7,15 @@
 #include <utility>
 
 #include <fcntl.h>
-#include <pthread.h>
-#include <spawn.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include "viscera/core/error.h"
 #include "viscera/scene/movie_writer.h"
 
-extern char** environ;
-
 namespace viscera::scene {
 namespace {
+
+constexpr std::size_t kMostMessages = 1 << 16; ///< Bytes.
 
 /// While it lives, writing to a closed pipe is an error of `write` instead of the end of the program.
 class BrokenPipeBlocked {
@@ -54,37 +51,19 @@ bool ffmpegInstalled() {
 }
 
 FfmpegProcess::FfmpegProcess(const std::vector<std::string>& arguments, std::filesystem::path movie)
-    : movie_(std::move(movie)), messages_(std::tmpfile()) {
+    : movie_(std::move(movie)) {
   int ends[2];
-  if (!messages_ || pipe2(ends, O_CLOEXEC) != 0)
+  if (pipe2(ends, O_CLOEXEC) != 0)
     fail();
-  posix_spawn_file_actions_t actions;
-  posix_spawn_file_actions_init(&actions);
-  posix_spawn_file_actions_adddup2(&actions, ends[0], STDIN_FILENO);
-  posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
-  posix_spawn_file_actions_adddup2(&actions, fileno(messages_), STDERR_FILENO);
-  std::vector<char*> pointers;
-  for (const auto& argument : arguments)
-    pointers.push_back(const_cast<char*>(argument.c_str()));
-  pointers.push_back(nullptr);
-  const int result = posix_spawnp(&process_, pointers[0], &actions, nullptr, pointers.data(), environ);
-  posix_spawn_file_actions_destroy(&actions);
+  process_.emplace(arguments, ends[0], -1);
   ::close(ends[0]);
   input_ = ends[1];
-  if (result != 0) {
-    process_ = -1;
+  if (process_->startError() != 0)
     fail();
-  }
 }
 
 FfmpegProcess::~FfmpegProcess() {
   closeInput();
-  if (process_ > 0) {
-    kill(process_, SIGKILL);
-    waitpid(process_, nullptr, 0);
-  }
-  if (messages_)
-    std::fclose(messages_);
 }
 
 void FfmpegProcess::write(const void* data, std::size_t size) {
@@ -103,11 +82,9 @@ void FfmpegProcess::write(const void* data, std::size_t size) {
 
 void FfmpegProcess::finish() {
   closeInput();
-  int status = 0;
-  while (waitpid(process_, &status, 0) < 0 && errno == EINTR) {
-  }
-  process_ = -1;
-  if (!WIFEXITED(status) || WEXITSTATUS(status) != 0)
+  ChildResult result;
+  process_->ended(result, true);
+  if (result.end != ChildResult::End::exited || result.code != 0)
     fail();
 }
 
@@ -118,19 +95,16 @@ void FfmpegProcess::closeInput() {
 }
 
 void FfmpegProcess::fail() {
+  closeInput();
   std::string said;
-  if (messages_) {
-    closeInput();
-    if (process_ > 0)
-      waitpid(std::exchange(process_, -1), nullptr, 0);
-    std::rewind(messages_);
-    char line[512];
-    while (std::fgets(line, sizeof line, messages_))
-      said = line;
-    while (!said.empty() && std::isspace(static_cast<unsigned char>(said.back())))
-      said.pop_back();
+  if (process_ && process_->startError() == 0) {
+    ChildResult ignored;
+    process_->ended(ignored, true);
+    std::istringstream lines(process_->messages(kMostMessages));
+    for (std::string line; std::getline(lines, line);) // The last line says why.
+      said = line.find_first_not_of(" \t\r") == std::string::npos ? said : line;
   }
-  throw CannotCreateError("ffmpeg could not write the movie" + (said.empty() ? "" : ": " + said),
+  throw CannotCreateError("The program ffmpeg could not write the movie" + (said.empty() ? "" : ": " + said),
                           movie_.string(), "write an .ogv instead");
 }
 

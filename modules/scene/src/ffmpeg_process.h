@@ -1,11 +1,11 @@
 #pragma once
 
-#include <cstdio>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
-#include <sys/types.h>
+#include "viscera/core/child_process.h"
 
 namespace viscera::scene {
 
@@ -29,9 +29,8 @@ private:
   void closeInput();
 
   std::filesystem::path movie_;
-  pid_t process_ = -1;
+  std::optional<ChildProcess> process_;
   int input_ = -1;
-  std::FILE* messages_ = nullptr;
 };
 
 } // namespace viscera::scene

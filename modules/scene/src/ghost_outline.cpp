@@ -135,14 +135,6 @@ void GhostOutline::setRenderer(vtkRenderer* renderer) {
   }
 }
 
-void GhostOutline::drawAfterOrgans() {
-  auto& p = *parts_;
-  if (auto* renderer = p.beforeRender.renderer()) {
-    drawLast(renderer, p.behind);
-    drawLast(renderer, p.front);
-  }
-}
-
 void GhostOutline::setColor(const Vec3& color) {
   parts_->front->GetProperty()->SetColor(color.x(), color.y(), color.z());
   parts_->behind->GetProperty()->SetColor(color.x(), color.y(), color.z());

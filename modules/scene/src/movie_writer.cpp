@@ -177,13 +177,4 @@ void MovieWriter::cancel() {
   p.state = Parts::State::cancelled;
 }
 
-int MovieWriter::framesAdded() const {
-  return parts_->added;
-}
-
-int MovieWriter::framesWritten() const {
-  const std::scoped_lock lock(parts_->mutex);
-  return parts_->written;
-}
-
 } // namespace viscera::scene

@@ -199,10 +199,6 @@ void OrganActor::setVertexColorsShown(bool shown) {
   parts_->chooseColoring();
 }
 
-bool OrganActor::vertexColorsShown() const {
-  return parts_->vertexColors;
-}
-
 void OrganActor::setOpacity(double opacity) {
   parts_->actor->GetProperty()->SetOpacity(opacity);
 }

@@ -80,13 +80,11 @@ bool rendersInSoftware(vtkRenderWindow* window) {
 struct OrganView::Parts {
   Theme theme = darkTheme();
   std::vector<std::shared_ptr<OrganActor>> organs;
-  std::vector<std::shared_ptr<GhostOutline>> ghosts;
   std::function<std::optional<Bounds>()> alsoFramed;
   vtkNew<vtkRenderer> renderer;
   vtkWeakPointer<vtkRenderWindow> window;
   bool knowsGpu = false;
   bool software = false;
-  bool fxaa = false;
   bool moving = false;
   vtkNew<vtkCallbackCommand> motion;
   vtkNew<vtkVisceraHandleSetRepresentation> handles;
@@ -118,7 +116,7 @@ void OrganView::Parts::smoothEdges() {
   const bool smooth = !(software && moving);
   const bool peels = std::any_of(organs.begin(), organs.end(),
                                  [](const auto& organ) { return organ->visible() && organ->opacity() < 1; });
-  const int samples = smooth && !fxaa && !peels ? kSamples : 0;
+  const int samples = smooth && !peels ? kSamples : 0;
   if (window->GetMultiSamples() != samples)
     window->SetMultiSamples(samples);
   renderer->SetUseFXAA(smooth && samples == 0);
@@ -144,8 +142,6 @@ void OrganView::Parts::watchMotion(vtkObject* source) {
 
 /// Organs first, then what is drawn relative to them.
 void OrganView::Parts::orderProps() {
-  for (const auto& ghost : ghosts)
-    ghost->drawAfterOrgans();
   regions.drawAfterOrgans();
   mirrorPlane.drawAfterOrgans();
   constraint.drawAfterOrgans();
@@ -259,8 +255,6 @@ void OrganView::setTheme(const Theme& theme) {
   p.legend.setTheme(theme);
   p.cube.setTheme(theme);
   p.scaleBar.setTheme(theme);
-  for (const auto& ghost : p.ghosts)
-    ghost->setColor(theme.text);
 }
 
 const Theme& OrganView::theme() const {
@@ -293,21 +287,6 @@ void OrganView::clear() {
 
 const std::vector<std::shared_ptr<OrganActor>>& OrganView::organs() const {
   return parts_->organs;
-}
-
-void OrganView::addGhost(std::shared_ptr<GhostOutline> ghost) {
-  auto& p = *parts_;
-  if (std::find(p.ghosts.begin(), p.ghosts.end(), ghost) != p.ghosts.end())
-    return;
-  ghost->setRenderer(p.renderer);
-  ghost->setColor(p.theme.text);
-  p.ghosts.push_back(std::move(ghost));
-  p.orderProps();
-}
-
-void OrganView::removeGhost(const std::shared_ptr<GhostOutline>& ghost) {
-  if (std::erase(parts_->ghosts, ghost) > 0)
-    ghost->setRenderer(nullptr);
 }
 
 Bounds OrganView::bounds() const {
@@ -394,10 +373,6 @@ void OrganView::setOrientationCubeShown(bool shown) {
 }
 void OrganView::setScaleBarShown(bool shown) {
   parts_->scaleBar.setShown(shown);
-}
-
-void OrganView::setFxaa(bool on) {
-  parts_->fxaa = on;
 }
 
 void OrganView::setMoving(bool moving) {

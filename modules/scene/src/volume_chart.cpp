@@ -93,7 +93,6 @@ struct Curve {
   vtkPlot* plot = nullptr;
   std::vector<vtkSmartPointer<NormalBand>> bands;
   vtkNew<vtkTable> table;
-  bool shown = true;
 };
 
 int cornerOf(const Curve& curve) {
@@ -121,7 +120,7 @@ struct VolumeChart::Parts {
   void makePlots();
   void forgetBefore(double seconds);
   ValueRange timeRange() const;
-  /// Of the shown curves at the left axis, or at the right one.
+  /// Of the curves at the left axis, or at the right one.
   ValueRange valueRange(bool right) const;
   void fillCurve(Curve& curve, ValueRange range);
   void fillCursor(ValueRange values);
@@ -236,7 +235,7 @@ ValueRange VolumeChart::Parts::valueRange(bool right) const {
     high = std::max(high, value);
   };
   for (const auto& curve : curves) {
-    if (!curve->shown || curve->line.rightAxis != right)
+    if (curve->line.rightAxis != right)
       continue;
     std::for_each(curve->values.begin(), curve->values.end(), include);
     for (const ChartBand& stripe : curve->line.bands) {
@@ -261,11 +260,9 @@ void VolumeChart::Parts::fillCurve(Curve& curve, ValueRange range) {
             vtkDoubleArray::SafeDownCast(curve.table->GetColumn(1))->GetPointer(0));
   curve.table->Modified();
   // A single point is no line, and VTK draws garbage for an empty table.
-  curve.plot->SetVisible(curve.shown && count >= 2);
-  for (std::size_t i = 0; i < curve.bands.size(); ++i) {
+  curve.plot->SetVisible(count >= 2);
+  for (std::size_t i = 0; i < curve.bands.size(); ++i)
     curve.bands[i]->setExtent(range, curve.line.bands[i].range);
-    curve.bands[i]->SetVisible(curve.shown);
-  }
 }
 
 void VolumeChart::Parts::fillCursor(ValueRange values) {
@@ -323,10 +320,6 @@ void VolumeChart::setLines(const std::vector<ChartLine>& lines) {
   }
   p.makePlots();
   update();
-}
-
-void VolumeChart::setLineShown(int line, bool shown) {
-  parts_->curves.at(std::size_t(line))->shown = shown;
 }
 
 void VolumeChart::setBands(int line, std::vector<ChartBand> bands) {
@@ -418,7 +411,7 @@ void VolumeChart::update() {
     }
     axis->SetCustomTickPositions(positions, labels);
   }
-  const auto atRight = [](const auto& curve) { return curve->line.rightAxis && curve->shown; };
+  const auto atRight = [](const auto& curve) { return curve->line.rightAxis; };
   p.chart->GetAxis(vtkAxis::RIGHT)->SetVisible(std::any_of(p.curves.begin(), p.curves.end(), atRight));
   p.chart->RecalculateBounds();
   p.actor->GetScene()->SetDirty(true);

@@ -261,23 +261,6 @@ bool vtkVisceraHandleSetRepresentation::IsHandleVisible(int handle) {
   return depth > 0 && !isHidden(view, center - GetWorldRadius(handle) * view.forward, Internals->occluders);
 }
 
-std::vector<int> vtkVisceraHandleSetRepresentation::HandlesInBox(int x0, int y0, int x1, int y1,
-                                                                 bool visibleOnly) {
-  std::vector<int> inside;
-  if (!Renderer)
-    return inside;
-  const auto [left, right] = std::minmax(x0, x1);
-  const auto [low, high] = std::minmax(y0, y1);
-  const auto view = viewGeometry(Renderer);
-  for (int i = 0; i < GetNumberOfHandles(); ++i) {
-    const auto at = view.project(GetPosition(i));
-    if (GetHandleShown(i) && at.depth > 0 && at.x >= left && at.x <= right && at.y >= low && at.y <= high &&
-        (!visibleOnly || IsHandleVisible(i)))
-      inside.push_back(i);
-  }
-  return inside;
-}
-
 int vtkVisceraHandleSetRepresentation::ComputeInteractionState(int x, int y, int) {
   SetActiveHandle(Pick(x, y));
   return InteractionState;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "viscera/core/cubic_root.h"
 #include "viscera/core/error.h"
 #include "viscera/sequences/heartbeat_calibration.h"
 
@@ -61,7 +62,9 @@ void OuterHeartbeat::poseAtPhase(double phase, Points& pose) const {
   compensation_.apply(rest_, widened);
   const Points added = widened - rest_;
   const double wanted = restMl_ * (1 - loss_ * cycle_.emptying(phase));
-  const auto root = solveCubic(volume_(pose, added), wanted, 0, -kMostWidening, kMostWidening);
+  std::array<double, 4> missing = volume_(pose, added);
+  missing[0] -= wanted;
+  const auto root = nearestCubicRoot(missing, -kMostWidening, kMostWidening);
   if (!root)
     throw DataError("the heart cannot be brought to the volume that it has to hold",
                     "heartbeat at phase " + std::to_string(phase), "check the landmarks of apex and base");

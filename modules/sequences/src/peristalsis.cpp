@@ -3,6 +3,7 @@
 #include <cmath>
 #include <utility>
 
+#include "viscera/core/cubic_root.h"
 #include "viscera/core/error.h"
 
 namespace viscera::sequences {
@@ -57,7 +58,9 @@ void Peristalsis::affinePose(double seconds, double ratePerMinute, Points& narro
 }
 
 double Peristalsis::wideningFor(const Points& narrowed, const Points& added, double seconds) const {
-  const auto root = solveCubic(volume_(narrowed, added), keptMl_, 0, kLeastWidening, kMostWidening);
+  std::array<double, 4> missing = volume_(narrowed, added);
+  missing[0] -= keptMl_;
+  const auto root = nearestCubicRoot(missing, kLeastWidening, kMostWidening);
   if (!root)
     throw DataError("the upper stomach cannot take in what the waves press out",
                     "peristalsis after " + std::to_string(seconds) + " s", "check the landmarks");

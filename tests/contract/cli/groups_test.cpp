@@ -108,7 +108,7 @@ TEST_F(CliGroups, AGroupOfThreeHandlesIsNamed) {
   few.resize(3);
   const std::string handles = handleFile(
       "few.mrk.json", {list("all", box({-30, -30, -30}, {30, 30, 30}), "A-"), list("apex", few, "B-")});
-  expectFailure(bind(handles), kBadData, "group 'apex': has 3 handles");
+  expectFailure(bind(handles), kBadData, "group 'apex': It has 3 handles");
 }
 
 TEST_F(CliGroups, AFlatGroupIsNamed) {

@@ -1,6 +1,7 @@
 #include <set>
 
 #include "cli_test.h"
+#include "promises.h"
 
 namespace viscera::app::cli {
 
@@ -44,6 +45,46 @@ TEST_F(CliProperties, KnowPluginsAndTheirGroups) {
   const json& organ = row["scenes"].back();
   EXPECT_EQ(organ["failures"], 0);
   EXPECT_EQ(organ["minWeight"], 0.0) << "handles of other groups have none";
+}
+
+/// Systems that take seconds are left out.
+TEST_F(CliProperties, DoNotContradictWhatTheSystemsPromise) {
+  const std::set<std::string> slow = {"c-celestial", "harmonic", "bounded-biharmonic",
+                                      "numerical-integration", "voronoi-regions"};
+  auto table = tests::promises();
+  std::vector<std::string> arguments = {"properties", "--points", "20", "--systems"};
+  for (const auto& [id, row] : table)
+    if (!slow.count(id))
+      arguments.push_back(id);
+  const json rows = runJson(arguments)["rows"];
+  ASSERT_EQ(rows.size(), 21u - slow.size());
+  for (const json& row : rows) {
+    const std::string id = row["system"];
+    auto& promised = table.at(id);
+    EXPECT_EQ(row["refusals"], 0) << id;
+    const auto holds = [&](const char* promise, bool measured) {
+      EXPECT_TRUE(!promised.at(promise) || measured) << id << " is not " << promise << ": " << row.dump();
+    };
+    holds("positive", row["minWeight"] >= 0);
+    holds("everywhere", row["failures"] == 0);
+    holds("continuous", row["largestJump"] == 0);
+    holds("smooth", row["kinks"] == 0);
+    holds("rotationInvariant", row["rotationInvariant"] == true);
+    // A handle that is no corner of the cage has no influence.
+    holds("interpolates", promised.at("needsCage") || row["interpolates"] == true);
+  }
+}
+
+TEST_F(CliProperties, OffersForRegionsTheSystemsThatSuitThem) {
+  std::set<std::string> promised, offered;
+  for (const auto& [id, row] : tests::promises())
+    if (row.at("localisable"))
+      promised.insert(id);
+  for (const json& system : runJson({"systems"})["systems"])
+    for (const json& parameter : system["parameters"])
+      if (system["id"] == "localised-s-celestial" && parameter["name"] == "inner")
+        offered = std::set<std::string>(parameter["choices"].begin(), parameter["choices"].end());
+  EXPECT_EQ(offered, promised);
 }
 
 TEST_F(CliProperties, TakeParametersForTheSystemsThatKnowThem) {

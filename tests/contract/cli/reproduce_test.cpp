@@ -87,13 +87,40 @@ TEST_F(CliReproduce, IsTheSameTwiceAndWithAnyNumberOfThreads) {
 /// The figures that take no time to measure and measure no time.
 TEST_F(CliReproduce, FindsWhatTheDocumentationSays) {
   runJson({"reproduce", "-o", path("page"), "--only", "3.14", "3.15", "3.23", "3.27", "3.28", "3.29", "3.31",
-           "3.34", "3.36", "4.4", "4.6", "4.11", "5.4", "5.5"});
+           "3.34", "3.36", "4.4", "4.6", "4.11", "5.4", "5.5", "2d"});
   const std::string documentation = contents(VISCERA_SOURCE_DIR "/docs/reproduction.md");
   std::istringstream verdicts(contents(path("page") + "/verdicts.md"));
   int rows = 0;
   for (std::string row; std::getline(verdicts, row); ++rows)
     EXPECT_NE(documentation.find(row + "\n"), std::string::npos) << "docs/reproduction.md should say " << row;
-  EXPECT_EQ(rows, 14 + 2);
+  EXPECT_EQ(rows, 15 + 2);
+}
+
+TEST_F(CliReproduce, ShowsInfluenceInThePlane) {
+  const json result = runJson({"reproduce", "-o", path("page"), "--only", "2d"});
+  const json figure = entry(result, "figures", "2d");
+  EXPECT_EQ(figure["pictures"], (json{"figure_2d_convex.svg", "figure_2d_concave.svg"}));
+  std::istringstream measures(contents(path("page") + "/figure_2d.csv"));
+  std::string row;
+  std::getline(measures, row);
+  int rows = 0;
+  for (; std::getline(measures, row); ++rows) {
+    std::vector<std::string> cells;
+    std::istringstream line(row);
+    for (std::string cell; std::getline(line, cell, ',');)
+      cells.push_back(cell);
+    ASSERT_EQ(cells.size(), 8u) << row;
+    for (const int error : {2, 3, 4}) // Unity, identity, at the handles.
+      EXPECT_LT(std::stod(cells[static_cast<std::size_t>(error)]), 1e-9) << row;
+    EXPECT_EQ(std::stoi(cells[6]) > 0, cells[0] == "Mean value" && cells[1] == "concave") << row;
+  }
+  EXPECT_EQ(rows, 2 * 7) << "seven systems in two polygons";
+  // A lattice point where the orange handle pulls the wrong way is drawn so.
+  EXPECT_NE(contents(path("page") + "/figure_2d_concave.svg").find("#f0a06a"), std::string::npos);
+  std::istringstream numbers(contents(path("page") + "/figure_2d_concave.csv"));
+  std::getline(numbers, row);
+  EXPECT_EQ(row, "x_mm,y_mm,s-celestial,t-celestial,mean-value,lagrange-minimisation,gradient-method,"
+                 "determinants-approach,wire-approach");
 }
 
 TEST_F(CliReproduce, SaysWhatCanBeDoneAgainAndWhereItCannotWrite) {

@@ -28,9 +28,11 @@ const std::map<std::string, std::set<std::string>>& allowedModules() {
       {"sequences", {"core"}},
       {"plugin", {"core", "geometry", "coordinates"}},
       {"localised_scc", {"core", "geometry", "coordinates", "plugin"}},
-      {"sample_organs", numerical},
-      {"medical_io", numerical},
+      {"contour", {"core", "geometry"}},
+      {"sample_organs", with(numerical, {"contour"})},
+      {"medical_io", with(numerical, {"contour"})},
       {"scene", numerical},
+      {"reproduction", with(numerical, {"plugin", "sample_organs"})},
       {"document", documentUses},
       {"live", with(documentUses, {"document", "plugin"})},
       {"motion", with(documentUses, {"document", "plugin", "live"})},
@@ -38,8 +40,48 @@ const std::map<std::string, std::set<std::string>>& allowedModules() {
   return allowed;
 }
 
-const std::set<std::string> kMayUseVtk = {"sample_organs", "medical_io", "scene"};
-const std::set<std::string> kMayUseQt = {"plugin", "localised_scc", "document"};
+const std::set<std::string> kMayUseVtk = {"contour", "medical_io", "scene", "presentation"};
+const std::set<std::string> kMayUseQt = {"plugin", "localised_scc", "document", "reproduction"};
+
+/// Includes from the command line, or from what both use, to the window that are still there. Nothing may be
+/// added.
+const std::set<std::pair<std::string, std::string>> kKnownExceptions = {
+    {"app/cli/session_maps.cpp", "window/stress/value_steps.h"},
+    {"app/cli/session_maps.h", "window/stress/stress_look.h"},
+    {"app/cli/session_overlays.cpp", "window/group_layout.h"},
+    {"app/cli/session_overlays.cpp", "window/measure/measure_scene.h"},
+    {"app/cli/session_overlays.cpp", "window/view/label_scene.h"},
+    {"app/cli/session_overlays.cpp", "window/view/region_scene.h"},
+    {"app/stress_json.h", "window/stress/stress_look.h"}};
+
+/// What `line` of `file` includes although command line and window do not know each other; else empty. Only
+/// `app/main.cpp` knows both.
+std::string strangerIn(const std::string& line, const std::string& file) {
+  static const std::regex apps(R"re(^\s*#\s*include\s*"((cli|window)/[^"]*)")re");
+  std::smatch match;
+  if (file == "app/main.cpp" || !std::regex_search(line, match, apps))
+    return {};
+  return file.rfind("app/" + match[2].str() + "/", 0) == 0 ? std::string() : match[1].str();
+}
+
+/// The namespace that the files of a folder open. The window's is the program's own.
+std::string namespaceOf(const std::string& file) {
+  static const std::regex module(R"(^modules/(\w+)/)");
+  std::smatch match;
+  if (std::regex_search(file, match, module))
+    return match[1] == "core" ? "viscera" : "viscera::" + match[1].str();
+  return file.rfind("app/cli/", 0) == 0 ? "viscera::app::cli" : "viscera::app";
+}
+
+/// Whether `line` opens a namespace that is neither the one of `file`'s folder nor within it.
+bool opensAnother(const std::string& line, const std::string& file) {
+  static const std::regex opened(R"(^namespace (viscera[\w:]*) \{)");
+  std::smatch match;
+  if (!std::regex_search(line, match, opened))
+    return false;
+  const std::string wanted = namespaceOf(file), found = match[1];
+  return found != wanted && (wanted == "viscera" || found.rfind(wanted + "::", 0) != 0);
+}
 
 /// The faults of one include line of `module`; empty for none.
 std::string faultOf(const std::string& line, const std::string& module) {
@@ -82,6 +124,34 @@ TEST(IncludeArrows, KnowEveryModule) {
     }
 }
 
+TEST(IncludeArrows, DoNotLeadFromCommandLineToWindowNorBack) {
+  std::set<std::pair<std::string, std::string>> met;
+  for (const std::filesystem::path& file : sourcesUnder("app"))
+    for (const std::string& line : linesOf(file))
+      if (const std::string found = strangerIn(line, shortName(file)); !found.empty()) {
+        met.emplace(shortName(file), found);
+        EXPECT_TRUE(kKnownExceptions.count({shortName(file), found}))
+            << shortName(file) << " includes " << found << ": what both need belongs into a module";
+      }
+  EXPECT_EQ(met, kKnownExceptions) << "an exception that is no longer needed goes from the list";
+}
+
+TEST(Namespaces, EqualFolders) {
+  for (const std::string folder : {"app", "modules"})
+    for (const std::filesystem::path& file : sourcesUnder(folder))
+      for (const std::string& line : linesOf(file))
+        EXPECT_FALSE(opensAnother(line, shortName(file))) << shortName(file) << ": " << line;
+}
+
+TEST(Namespaces, OfAnotherFolderAreSeen) {
+  EXPECT_TRUE(opensAnother("namespace viscera::document {", "modules/live/src/a.cpp"));
+  EXPECT_TRUE(opensAnother("namespace viscera {", "modules/live/src/a.cpp"));
+  EXPECT_TRUE(opensAnother("namespace viscera::app {", "app/cli/a.h"));
+  EXPECT_TRUE(opensAnother("namespace viscera::app::cli {", "modules/reproduction/src/a.h"));
+  EXPECT_FALSE(opensAnother("namespace viscera::document::edit {", "modules/document/src/a.cpp"));
+  EXPECT_FALSE(opensAnother("namespace viscera {", "modules/core/src/a.cpp"));
+}
+
 TEST(IncludeArrows, AreSeenWhenTheyPointUpward) {
   EXPECT_FALSE(faultOf("#include \"viscera/coordinates/binding.h\"", "geometry").empty());
   EXPECT_FALSE(faultOf("#include \"viscera/scene/theme.h\"", "document").empty());
@@ -89,6 +159,10 @@ TEST(IncludeArrows, AreSeenWhenTheyPointUpward) {
   EXPECT_FALSE(faultOf("#include <QString>", "core").empty());
   EXPECT_TRUE(faultOf("#include \"viscera/core/arrays.h\"", "geometry").empty());
   EXPECT_TRUE(faultOf("#include <vtkPolyData.h>", "scene").empty());
+  EXPECT_EQ(strangerIn("#include \"window/mode.h\"", "app/cli/stage.cpp"), "window/mode.h");
+  EXPECT_EQ(strangerIn("#include \"cli/stage.h\"", "app/window/mode.cpp"), "cli/stage.h");
+  EXPECT_EQ(strangerIn("#include \"cli/stage.h\"", "app/camera_json.cpp"), "cli/stage.h");
+  EXPECT_TRUE(strangerIn("#include \"window/mode.h\"", "app/window/actions.cpp").empty());
 }
 
 } // namespace viscera::house

@@ -2,12 +2,14 @@
 #include <cctype>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <set>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "clouds.h"
+#include "promises.h"
 #include "viscera/coordinates/built_in_systems.h"
 #include "viscera/core/error.h"
 #include "viscera/deformation/bind_witnesses.h"
@@ -428,6 +430,35 @@ TEST_P(CoordinateContract, PullsGradientsBackAsTheAdjointOfDeforming) {
   binding->pullBack(pose, pointGradient, pulled);
   const double change = ((forward - backward).array() * pointGradient.array()).sum() / (2 * step);
   EXPECT_NEAR((pulled.array() * way.array()).sum(), change, 1e-6 * pointGradient.norm());
+}
+
+TEST_P(CoordinateContract, PromisesWhatTheCommittedTableSays) {
+  const auto table = tests::promises();
+  ASSERT_TRUE(table.count(system().id())) << "a new system gets a row in tests/contract/systems/promises.csv";
+  std::map<std::string, bool> row = table.at(system().id());
+  row.erase("localisable"); // The plugin's choice, seen through the program.
+  const Traits said = traits();
+  const std::map<std::string, bool> own = {{"needsCage", said.needsCage},
+                                           {"needsTetrahedra", said.needsTetrahedra},
+                                           {"positive", said.positive},
+                                           {"interpolates", said.interpolates},
+                                           {"closedFormGradient", said.closedFormGradient},
+                                           {"usesGroups", said.usesGroups},
+                                           {"rotationInvariant", said.rotationInvariant},
+                                           {"everywhere", said.everywhere},
+                                           {"continuous", said.continuous},
+                                           {"smooth", said.smooth},
+                                           {"affine", said.affine}};
+  EXPECT_EQ(own, row);
+}
+
+TEST(Promises, AreThoseOfSystemsThatThereAre) {
+  std::set<std::string> known, listed;
+  for (const System& system : systems())
+    known.insert(system->id());
+  for (const auto& [id, row] : tests::promises())
+    listed.insert(id);
+  EXPECT_EQ(listed, known);
 }
 
 TEST_P(CoordinateContract, BindsNoPoints) {

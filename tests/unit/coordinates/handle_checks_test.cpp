@@ -33,8 +33,8 @@ Points pressed(double thickness) {
 
 TEST(UsableHandles, AreFourOrMoreAtDifferentPlaces) {
   EXPECT_EQ(fault<3>(tests::cloud(4, 1)), "");
-  EXPECT_THAT(fault<3>(tests::cloud(3, 1)), testing::HasSubstr("only 3 handles"));
-  EXPECT_THAT(fault<3>(Points(0, 3)), testing::HasSubstr("only 0 handles"));
+  EXPECT_THAT(fault<3>(tests::cloud(3, 1)), testing::HasSubstr("Only 3 handles"));
+  EXPECT_THAT(fault<3>(Points(0, 3)), testing::HasSubstr("Only 0 handles"));
 }
 
 TEST(UsableHandles, DoNotLieInOnePlane) {
@@ -68,7 +68,7 @@ TEST(UsableHandles, InThePlaneAreThreeOrMoreNotOnOneLine) {
   PointsOf<2> handles(3, 2);
   handles << 0, 0, 1, 0, 0, 1;
   EXPECT_EQ(fault<2>(handles), "");
-  EXPECT_THAT(fault<2>(handles.topRows(2)), testing::HasSubstr("only 2 handles"));
+  EXPECT_THAT(fault<2>(handles.topRows(2)), testing::HasSubstr("Only 2 handles"));
   handles.row(2) << 2, 0;
   EXPECT_THAT(fault<2>(handles), testing::HasSubstr("one line"));
 }

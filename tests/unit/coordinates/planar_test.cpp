@@ -62,6 +62,14 @@ TEST_P(PlanarSystem, InterpolatesItsHandles) {
   EXPECT_LT((found.weights - Eigen::MatrixXd::Identity(7, 7)).cwiseAbs().maxCoeff(), 1e-12);
 }
 
+TEST_P(PlanarSystem, InterpolatesHandlesInsideTheHull) {
+  PointsOf<2> handles(6, 2);
+  handles << -50, -40, 50, -42, 53, 41, 8, 7, -11, 9, -48, 44; // The fourth and the fifth are inside.
+  const PlanarWeights found = planarWeights(GetParam(), handles, handles);
+  EXPECT_TRUE(found.failures.empty());
+  EXPECT_LT((found.weights - Eigen::MatrixXd::Identity(6, 6)).cwiseAbs().maxCoeff(), 1e-12);
+}
+
 TEST_P(PlanarSystem, RefusesHandlesOnALineAndUnknownParameters) {
   PointsOf<2> line(4, 2);
   line << 0, 0, 1, 1, 2, 2, 3, 3;

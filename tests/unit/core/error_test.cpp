@@ -6,12 +6,20 @@ namespace viscera {
 
 TEST(Error, JoinsWhereWhatAndWhatToTry) {
   const DataError error("the file is truncated", "liver.stl", "export it again");
-  EXPECT_STREQ(error.what(), "liver.stl: the file is truncated (export it again)");
-  EXPECT_EQ(error.problem(), "the file is truncated");
+  EXPECT_STREQ(error.what(), "liver.stl: The file is truncated (export it again)");
+  EXPECT_EQ(error.problem(), "The file is truncated");
 }
 
 TEST(Error, LeavesOutWhatIsNotKnown) {
-  EXPECT_STREQ(UsageError("no such system").what(), "no such system");
+  EXPECT_STREQ(UsageError("no such system").what(), "No such system");
+}
+
+TEST(Error, LeavesWhatIsNoSmallLetterAsItIs) {
+  EXPECT_STREQ(DataError("\"keys\" is missing").what(), "\"keys\" is missing");
+  EXPECT_STREQ(DataError("3 handles are too few").what(), "3 handles are too few");
+  EXPECT_STREQ(DataError("\u00e4u\u00dfere Form").what(), "\u00e4u\u00dfere Form")
+      << "no byte of another letter";
+  EXPECT_STREQ(DataError("").what(), "");
 }
 
 TEST(Error, CarriesTheExitCodesOfSysexits) {

@@ -263,7 +263,7 @@ TEST(SessionFile, OfALaterVersionIsRefusedWithAdvice) {
     readBack(folder.put("b.viscera", root.dump()));
     FAIL() << "a later version was read";
   } catch (const DataError& error) {
-    EXPECT_THAT(error.what(), HasSubstr("b.viscera: is of version 2"));
+    EXPECT_THAT(error.what(), HasSubstr("b.viscera: It is of version 2"));
     EXPECT_THAT(error.tryThis(), HasSubstr("update Viscera"));
   }
 }

@@ -83,7 +83,7 @@ TEST(RequireValid, NamesTheVertexThatIsNotFinite) {
     requireValid(mesh, "box.stl");
     FAIL();
   } catch (const DataError& error) {
-    EXPECT_THAT(error.what(), testing::HasSubstr("box.stl: vertex 3"));
+    EXPECT_THAT(error.what(), testing::HasSubstr("box.stl: Vertex 3"));
   }
 }
 

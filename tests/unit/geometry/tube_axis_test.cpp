@@ -55,13 +55,6 @@ TEST(TubeAxis, slicesHaveTheAreaOfTheTube) {
   }
 }
 
-TEST(TubeAxis, edgeDistancesAreThoseAlongTheSurface) {
-  const TriangleMesh ball = tests::sphere(4, 10);
-  const Values distances = edgeDistances(ball, {0});
-  EXPECT_EQ(distances[0], 0);
-  EXPECT_NEAR(distances.maxCoeff(), 10 * std::numbers::pi, 0.15 * 10 * std::numbers::pi);
-}
-
 TEST(TubeAxis, refusesTwoEndsAtOnePlaceOrOnTwoPieces) {
   const TriangleMesh ball = tests::sphere(2, 10);
   EXPECT_THROW(tubeAxis(ball, 3, 3), DataError);

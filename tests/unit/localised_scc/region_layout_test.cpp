@@ -87,10 +87,10 @@ TEST(RegionLayout, NamesAGroupThatIsTooSmallOrFlat) {
   auto handles = tests::groupsOfBoxes({{{0, 0, 0}, {1, 1, 1}}, {{0.5, 0, 0}, {2, 1, 1}}});
   auto small = handles;
   small.groups[1].handles.resize(3);
-  EXPECT_THAT(messageOf(small), HasSubstr("group 'box 2': has 3 handles"));
+  EXPECT_THAT(messageOf(small), HasSubstr("group 'box 2': It has 3 handles"));
   auto flat = handles;
   flat.groups[0].handles = {0, 1, 2, 3};
-  EXPECT_THAT(messageOf(flat), HasSubstr("group 'box 1': all its handles lie in one plane"));
+  EXPECT_THAT(messageOf(flat), HasSubstr("group 'box 1': All its handles lie in one plane"));
   auto wrong = handles;
   wrong.groups[0].handles.push_back(99);
   EXPECT_THAT(messageOf(wrong), HasSubstr("handle 99"));

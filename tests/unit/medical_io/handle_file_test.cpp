@@ -180,7 +180,7 @@ TEST(HandleFile, BadPositionsAreNamedByListAndPoint) {
   const std::string good = point("a", "[1,0,0]");
   for (const char* position : {"[1, 2]", "[1, 2, \"x\"]", "[1, 2, null]", "\"here\"", "{}"}) {
     const auto file = folder.put("f.mrk.json", markups(good + "," + point("b", position)));
-    EXPECT_THAT(problemOf(file), HasSubstr("list \"F\", point 2")) << position;
+    EXPECT_THAT(problemOf(file), HasSubstr("List \"F\", point 2")) << position;
   }
   EXPECT_THAT(problemOf(folder.put("f.mrk.json", markups(good + R"(,{"label": "b"})"))),
               HasSubstr("point 2"));
@@ -234,11 +234,11 @@ TEST(Fcsv, AxesByNumberAreThoseOfOldSlicers) {
 TEST(Fcsv, BadNumbersAreNamedByLine) {
   const TemporaryFolder folder;
   const auto file = folder.put("f.fcsv", "# CoordinateSystem = LPS\nn,1,2,3,0,0,0,1,1,1,0,a,,\nn,1,x,3\n");
-  EXPECT_THAT(problemOf(file), HasSubstr("line 3"));
+  EXPECT_THAT(problemOf(file), HasSubstr("Line 3"));
   EXPECT_THAT(problemOf(folder.put("g.fcsv", "# CoordinateSystem = LPS\nn,1,2\n")),
               HasSubstr("coordinate z"));
   EXPECT_THAT(problemOf(folder.put("h.fcsv", "# CoordinateSystem = LPS\nn,1,2,nan,0\n")),
-              HasSubstr("line 2"));
+              HasSubstr("Line 2"));
 }
 
 TEST(HandleFiles, LabelsThatAreLatin1BecomeUtf8AndStayApart) {

@@ -175,7 +175,7 @@ TEST_F(LabelFormats, OfNiftiInTwoFilesWithoutTheOtherHalfSayWhichIsMissing) {
   EXPECT_THAT(missing(folder_.put("a.hdr", halves.header)), HasSubstr("\"a.img\", is not beside it"));
   EXPECT_THAT(missing(folder_.put("b.img", halves.voxels)), HasSubstr("\"b.hdr\", is not beside it"));
   folder_.put("a.img", halves.voxels.substr(1));
-  EXPECT_THAT(problemOf(folder_ / "a.hdr"), HasSubstr("\"a.img\", cannot be used: the file is cut off"));
+  EXPECT_THAT(problemOf(folder_ / "a.hdr"), HasSubstr("\"a.img\", cannot be used: The file is cut off"));
   EXPECT_THAT(problemOf(folder_ / "a.img"), HasSubstr("cut off"));
 }
 

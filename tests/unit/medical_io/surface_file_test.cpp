@@ -114,7 +114,7 @@ TEST(ReadSurface, PointsThatAreNotFiniteAreNamedUnlessUnused) {
   const TemporaryFolder folder;
   for (const char* bad : {"nan", "inf", "-inf", "1e999", "1e300"})
     EXPECT_THAT(problemOf(folder.put("a.obj", std::string("v 1 2 3\nv 0 ") + bad + " 0\nv 0 1 0\nf 1 2 3\n")),
-                HasSubstr("point 1 "))
+                HasSubstr("Point 1 "))
         << bad;
   EXPECT_EQ(readSurface(folder.put("b.obj", tetrahedronObj("", "v nan 0 0\n"))).mesh.points.rows(), 4);
 }
@@ -122,7 +122,7 @@ TEST(ReadSurface, PointsThatAreNotFiniteAreNamedUnlessUnused) {
 TEST(ReadSurface, IndicesOutOfRangeAreNamed) {
   const TemporaryFolder folder;
   EXPECT_THAT(problemOf(folder.put("a.obj", tetrahedronObj("", "f 1 2 5\n"))), HasSubstr("point 4"));
-  EXPECT_THAT(problemOf(folder.put("b.obj", "v 0 0 0\nf -1 -2 -1\n")), HasSubstr("line 2"));
+  EXPECT_THAT(problemOf(folder.put("b.obj", "v 0 0 0\nf -1 -2 -1\n")), HasSubstr("Line 2"));
   EXPECT_THAT(problemOf(folder.put("c.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 3\n")),
               HasSubstr("point 3"));
   EXPECT_THAT(problemOf(folder.put("d.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 -1\n")),

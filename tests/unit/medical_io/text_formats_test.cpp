@@ -70,7 +70,7 @@ TEST(Stl, TextThatEndsEarlyIsRefused) {
   EXPECT_THAT(problemOf("a.stl", "solid\n" + kFacets), HasSubstr("cut off"));
   EXPECT_THAT(problemOf("a.stl", "solid\n" + kFacets.substr(0, 60)), HasSubstr("cut off"));
   EXPECT_THAT(problemOf("a.stl", "solid\nfacet normal 0 0 1\nouter loop\nvertex 0 zero 0\n"),
-              HasSubstr("line 4"));
+              HasSubstr("Line 4"));
 }
 
 TEST(Stl, BinaryWhoseHeaderBeginsWithSolidIsBinary) {
@@ -124,10 +124,10 @@ TEST(Obj, ColoursBehindPointsGoToOneOrTo255) {
 }
 
 TEST(Obj, FaultsAreNamedByLine) {
-  EXPECT_THAT(problemOf("a.obj", "v 0 0 0\nv 1 0\n"), HasSubstr("line 2"));
-  EXPECT_THAT(problemOf("a.obj", "v 0 0 0\nv 1 0 x\n"), HasSubstr("line 2"));
-  EXPECT_THAT(problemOf("a.obj", "v 0 0 0\nf 1 1\n"), HasSubstr("line 2"));
-  EXPECT_THAT(problemOf("a.obj", "v 0 0 0\nf 1 0 1\n"), HasSubstr("line 2"));
+  EXPECT_THAT(problemOf("a.obj", "v 0 0 0\nv 1 0\n"), HasSubstr("Line 2"));
+  EXPECT_THAT(problemOf("a.obj", "v 0 0 0\nv 1 0 x\n"), HasSubstr("Line 2"));
+  EXPECT_THAT(problemOf("a.obj", "v 0 0 0\nf 1 1\n"), HasSubstr("Line 2"));
+  EXPECT_THAT(problemOf("a.obj", "v 0 0 0\nf 1 0 1\n"), HasSubstr("Line 2"));
   EXPECT_THAT(problemOf("a.obj", "v 0 0 0\n"), HasSubstr("no triangles, only points"));
 }
 
@@ -178,8 +178,8 @@ TEST(Ply, HeadersThatPromiseMoreThanThereIsAreRefused) {
   const std::string tail = "\nproperty float x\nproperty float y\nproperty float z\n"
                            "element face 1\nproperty list uchar int vertex_indices\nend_header\n";
   EXPECT_THAT(problemOf("a.ply", head + "9000000000000000000" + tail), HasSubstr("cut off"));
-  EXPECT_THAT(problemOf("a.ply", head + "99999999999999999999999" + tail), HasSubstr("line 3"));
-  EXPECT_THAT(problemOf("a.ply", head + "-3" + tail), HasSubstr("line 3"));
+  EXPECT_THAT(problemOf("a.ply", head + "99999999999999999999999" + tail), HasSubstr("Line 3"));
+  EXPECT_THAT(problemOf("a.ply", head + "-3" + tail), HasSubstr("Line 3"));
   EXPECT_THAT(problemOf("a.ply", head + "1" + tail), HasSubstr("cut off"));
   EXPECT_THAT(problemOf("a.ply", head + "0" + tail + "\xff"), HasSubstr("list"));
 }
@@ -206,7 +206,7 @@ TEST(Off, OtherKindsAreRefusedByName) {
   EXPECT_THAT(problemOf("a.off", "4OFF\n1 0 0\n0 0 0 0\n"), HasSubstr("more than three dimensions"));
   EXPECT_THAT(problemOf("a.off", "OFF BINARY\n\1\2"), HasSubstr("binary OFF"));
   EXPECT_THAT(problemOf("a.off", "PUFF\n1 0 0\n"), HasSubstr("no OFF file"));
-  EXPECT_THAT(problemOf("a.off", "OFF\n1000000000000 1 0\n0 0 0\n"), HasSubstr("line 2"));
+  EXPECT_THAT(problemOf("a.off", "OFF\n1000000000000 1 0\n0 0 0\n"), HasSubstr("Line 2"));
   EXPECT_THAT(problemOf("a.off", "OFF\n3 2 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n"), HasSubstr("cut off"));
   EXPECT_THAT(problemOf("a.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1\n"), HasSubstr("fewer corners"));
 }

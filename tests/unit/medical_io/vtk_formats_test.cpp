@@ -148,7 +148,7 @@ TEST(LegacyVtkText, UnknownValuesAtTheEndAreIgnoredWithAWarning) {
 }
 
 TEST(LegacyVtkText, LiesOfTheHeaderAreRefused) {
-  EXPECT_THAT(problemOf("a.vtk", kHead + "POINTS 999999999999999 float\n0 0 0\n"), HasSubstr("line 5"));
+  EXPECT_THAT(problemOf("a.vtk", kHead + "POINTS 999999999999999 float\n0 0 0\n"), HasSubstr("Line 5"));
   EXPECT_THAT(problemOf("a.vtk", kHead + "POINTS -1 float\n0 0 0\n"), HasSubstr("negative"));
   EXPECT_THAT(problemOf("a.vtk", kHead + kPointsText + "POLYGONS 1 4\n9 0 1 2\n"),
               HasSubstr("claims 9 points"));

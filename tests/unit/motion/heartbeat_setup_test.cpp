@@ -13,6 +13,8 @@
 #include "surface_clearance.h"
 #include "viscera/core/error.h"
 #include "viscera/document/document.h"
+#include "viscera/document/open_files.h"
+#include "viscera/document/system_commands.h"
 #include "viscera/document/undo_stack.h"
 #include "viscera/sequences/heartbeat.h"
 
@@ -152,11 +154,13 @@ TEST(HeartbeatSetup, handlesComeLabelledInTheGroupsOfTheirRoles) {
   EXPECT_TRUE(labels.contains("Far corners 8"));
 }
 
-TEST(HeartbeatSetup, isShownInOneUndoStepAndPosesFitTheDocument) {
+TEST(HeartbeatSetup, fitsTheDocument) {
   BeatingHeart heart(Resolution::low);
   document::Document document;
   document::UndoStack undo(document);
-  undo.perform(showSequence(heart.setup()));
+  undo.perform(document::combined("Show", {document::addOrgans(document::organsFrom(heart.setup().organ)),
+                                           document::replaceRig(heart.setup().rig),
+                                           document::setSystem(heart.setup().system)}));
   EXPECT_EQ(document.organs().size(), 3u);
   EXPECT_EQ(document.rig().restPositions(), heart.setup().sequence->restHandles());
   EXPECT_EQ(document.system().parameters.all(), heart.setup().system.parameters.all());

@@ -293,7 +293,7 @@ TEST(RetargetErrors, sayWhatIsWrongWithTheLandmarksOfAHeart) {
   EXPECT_NE(with([&](Landmarks& l) { l.points[0].position = base; }).find("at one place"), std::string::npos);
   EXPECT_NE(with([&](Landmarks& l) { l.points[0].position += Vec3(900, 0, 0); }).find("outside the organ"),
             std::string::npos);
-  EXPECT_NE(with([&](Landmarks& l) { l.points.erase(l.points.begin()); }).find("too few landmarks"),
+  EXPECT_NE(with([&](Landmarks& l) { l.points.erase(l.points.begin()); }).find("Too few landmarks"),
             std::string::npos);
   EXPECT_NE(with([&](Landmarks& l) { l.points.resize(1); }).find("no base"), std::string::npos);
   EXPECT_NE(with([&](Landmarks& l) {
@@ -312,7 +312,7 @@ TEST(RetargetErrors, sayWhatIsWrongWithTheLandmarksOfAStomach) {
   EXPECT_NE(refusal("peristalsis", organ, {{{"fundus", top}, {"pylorus", top}}}).find("at one place"),
             std::string::npos);
   EXPECT_NE(refusal("peristalsis", organ, {{{"fundus", top}}}).find("no pylorus"), std::string::npos);
-  EXPECT_NE(refusal("peristalsis", organ, {{{"body", tube.center(0.4)}}}).find("too few landmarks"),
+  EXPECT_NE(refusal("peristalsis", organ, {{{"body", tube.center(0.4)}}}).find("Too few landmarks"),
             std::string::npos);
   EXPECT_NE(refusal("peristalsis", organ,
                     {{{"fundus", top}, {"centreline", top + Vec3(0, 60, 0)}, {"pylorus", end}}})

@@ -311,17 +311,6 @@ TEST_F(HandleWidget, NoHandlesAtAllIsAnOrdinaryState) {
   mouse.drag(200, 150, 220, 160);
   window.render();
   EXPECT_THAT(log, IsEmpty());
-  EXPECT_THAT(handles->HandlesInBox(0, 0, 400, 300, false), IsEmpty());
-}
-
-TEST_F(HandleWidget, BoxFindsTheHandlesInsideItAndLeavesOutHiddenOnesOnRequest) {
-  place({{0, -60, 0}, {0, 70, 0}, {80, 0, 0}});
-  const auto low = window.display({-20, 0, -20}), high = window.display({20, 0, 20});
-  const auto box = [&](bool visibleOnly) {
-    return handles->HandlesInBox(int(high[0]), int(low[1]), int(low[0]), int(high[1]), visibleOnly);
-  };
-  EXPECT_THAT(box(false), ElementsAre(0, 1));
-  EXPECT_THAT(box(true), ElementsAre(0));
 }
 
 TEST_F(HandleWidget, HandlesKeepTheirSizeOnTheScreenAtAnyZoom) {

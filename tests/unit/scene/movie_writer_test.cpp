@@ -65,7 +65,6 @@ protected:
       writer.add(frame(i));
     Progress progress;
     writer.finish(progress);
-    EXPECT_EQ(writer.framesWritten(), frames);
   }
   // One a test: ctest runs several at a time.
   fs::path folder =

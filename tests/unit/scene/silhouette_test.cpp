@@ -64,14 +64,14 @@ TEST(GhostOutline, IsDrawnAroundTheRestShapeAndGoesWhenHidden) {
   const auto ghost = std::make_shared<GhostOutline>(rest);
   window.view.lookFrom(StandardView::anterior, boundsOf(rest->points));
   const auto without = grabPicture(window.surface.window());
-  window.view.addGhost(ghost);
+  ghost->setRenderer(window.view.renderer());
   const auto with = grabPicture(window.surface.window());
   const double part = comparePictures(without, with).differing;
   EXPECT_GT(part, 0.005);
   EXPECT_LT(part, 0.1) << "a thin line";
   ghost->setVisible(false);
   EXPECT_EQ(comparePictures(without, grabPicture(window.surface.window())).differing, 0);
-  window.view.removeGhost(ghost);
+  ghost->setRenderer(nullptr);
 }
 
 } // namespace

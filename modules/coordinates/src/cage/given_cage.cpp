@@ -18,7 +18,7 @@ void requireCage(const geometry::TriangleMesh& cage, const std::string& where) {
       "take a closed cage, or none: then the convex hull of the handles is the cage";
   geometry::requireValid(cage, where);
   if (cage.triangles.rows() == 0)
-    throw DataError("has no triangles", where, kTryThis);
+    throw DataError("It has no triangles", where, kTryThis);
   const auto report = geometry::checkSurface(cage);
   const auto refuse = [&where](int edges, const std::string& problem) {
     if (edges > 0)

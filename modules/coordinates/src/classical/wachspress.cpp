@@ -51,7 +51,7 @@ public:
       offsets_[t] = normal.dot((a + b + c) / 3);
       for (const auto corner : cage.reshaped())
         if (handles.row(corner).dot(normal) - offsets_[t] > kConvex * size_)
-          throw DataError("is not convex at its triangle " + std::to_string(t), "the cage",
+          throw DataError("It is not convex at its triangle " + std::to_string(t), "the cage",
                           "take a convex cage, or none: then the convex hull of the handles is the cage");
     }
   }

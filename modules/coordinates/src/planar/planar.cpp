@@ -84,7 +84,10 @@ PlanarWeights celestial(const CelestialSystem& system, const PointsOf<2>& handle
   CelestialOptions options;
   options.threads = threads;
   for (const Parameter& parameter : system.parameters())
-    (parameter.name == "locality" ? options.locality : options.softness) = parameters.get(parameter);
+    if (parameter.name == "locality")
+      options.locality = parameters.get(parameter);
+    else if (parameter.name == "softness")
+      options.softness = parameters.get(parameter);
   Progress progress;
   CelestialSolution<2> solution = system.solve<2>(handles, points, options, progress);
   PlanarWeights result{Eigen::MatrixXd(points.rows(), handles.rows()), std::move(solution.failures)};

@@ -74,7 +74,7 @@ private:
     dataset.findAndGetOFString(DCM_SOPClassUID, uid);
     if (uid != UID_SegmentationStorage) {
       const char* kind = dcmFindNameOfUID(uid.c_str(), "of no known kind");
-      file_.fail("is a DICOM file, but no segmentation (" + std::string(kind) + ")",
+      file_.fail("It is a DICOM file, but no segmentation (" + std::string(kind) + ")",
                  "open the segmentation that was made from it");
     }
     require(dataset.findAndGetUint16(DCM_Rows, rows_), "has no number of rows");
@@ -106,7 +106,7 @@ private:
     raw_.size = {axisSize(file_, columns_, "i"), axisSize(file_, rows_, "j"), 1};
     frames_ = segmentation_->getNumberOfFrames();
     if (frames_ == 0)
-      file_.fail("has no frames", "check that the segmentation was saved");
+      file_.fail("It has no frames", "check that the segmentation was saved");
     const std::uint64_t pixels = saturatedProduct(frames_, std::uint64_t{rows_} * columns_);
     if (pixels / (binary_ ? 8 : 1) + (binary_ && pixels % 8 != 0 ? 1 : 0) > pixelBytes_)
       file_.fail("the file is cut off: its " + counted(frames_, "frame has", "frames have") +

@@ -27,7 +27,7 @@ uInt chunk(std::size_t size) {
 std::string inflated(const FileBytes& file, std::string_view packed, std::uint64_t most) {
   Stream stream;
   if (inflateInit2(&stream.z, kAnyHeader) != Z_OK)
-    file.fail("cannot be unpacked: zlib does not start");
+    file.fail("It cannot be unpacked: zlib does not start");
   std::string out;
   std::size_t read = 0, written = 0;
   while (written < most) {
@@ -47,7 +47,7 @@ std::string inflated(const FileBytes& file, std::string_view packed, std::uint64
       if (packed.size() - read < 2 || !packed.substr(read).starts_with("\x1f\x8b"))
         break;
       if (inflateReset(&stream.z) != Z_OK)
-        file.fail("cannot be unpacked: zlib does not start again");
+        file.fail("It cannot be unpacked: zlib does not start again");
     } else if (result != Z_OK && result != Z_BUF_ERROR) {
       file.fail("the packed data are damaged" +
                 (stream.z.msg != nullptr ? " (" + std::string(stream.z.msg) + ")" : std::string()));

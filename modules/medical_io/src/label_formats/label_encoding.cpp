@@ -82,7 +82,7 @@ private:
     constexpr double kLargest = 9007199254740992.0; // All whole numbers up to it are doubles.
     const std::string tryThis = "open the segmentation that was made from the image";
     if (!(value >= 0 && value <= kLargest) || value != std::floor(value))
-      file_.fail("holds an image, not labels: one of its values is " + std::to_string(value), tryThis);
+      file_.fail("It holds an image, not labels: one of its values is " + std::to_string(value), tryThis);
     if (value == 0)
       return 0;
     const auto [found, isNew] =
@@ -90,7 +90,7 @@ private:
     if (isNew)
       labels_.emplace_back(found->first);
     if (labels_.size() > kMostLabels)
-      file_.fail("holds an image, not labels: it has more than " + std::to_string(kMostLabels) +
+      file_.fail("It holds an image, not labels: it has more than " + std::to_string(kMostLabels) +
                      " different values",
                  tryThis);
     return static_cast<std::uint16_t>(found->second);

@@ -20,7 +20,7 @@ public:
     raw_.space = "LPS";
     raw_.scalar = scalar();
     if (parseInteger(value({"ElementNumberOfChannels"}).value_or("1")) != 1)
-      file_.fail("has several values a voxel; a label map has one", "save it as a label map");
+      file_.fail("It has several values a voxel; a label map has one", "save it as a label map");
     readGrid();
     takeValues(file_, storedValues(), raw_);
     return std::move(raw_);
@@ -81,7 +81,7 @@ private:
 
   void readSize() {
     if (parseInteger(value({"NDims"}).value_or("")) != 3)
-      file_.fail("has not three dimensions, which a label map has", "save it as a volume");
+      file_.fail("It has not three dimensions, which a label map has", "save it as a volume");
     std::string_view text = value({"DimSize"}).value_or("");
     for (std::size_t i = 0; i < 3; ++i) {
       const auto size = parseInteger(takeWord(text));

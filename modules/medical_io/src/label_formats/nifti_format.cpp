@@ -110,7 +110,7 @@ Header headerOf(const FileBytes& file, std::string_view bytes) {
   if (bytes.size() < kHeader1)
     file.fail("the file is cut off: it has " + counted(bytes.size(), "byte", "bytes") +
               ", a NIfTI header alone has 348");
-  file.fail("is no NIfTI image: its header is not one", "check what the file is and where it came from");
+  file.fail("It is no NIfTI image: its header is not one", "check what the file is and where it came from");
 }
 
 std::array<int, 3> gridOf(const FileBytes& file, const Header& h) {
@@ -118,7 +118,7 @@ std::array<int, 3> gridOf(const FileBytes& file, const Header& h) {
     file.fail("its header is damaged: an image has 2 to 7 dimensions, not " + std::to_string(h.dim[0]));
   for (std::size_t d = 4; d <= static_cast<std::size_t>(h.dim[0]); ++d)
     if (h.dim[d] > 1)
-      file.fail("has " + std::to_string(h.dim[d]) + " volumes; a label map has one", "save one of them");
+      file.fail("It has " + std::to_string(h.dim[d]) + " volumes; a label map has one", "save one of them");
   return {axisSize(file, h.dim[1], "i"), axisSize(file, h.dim[2], "j"),
           h.dim[0] < 3 ? 1 : axisSize(file, h.dim[3], "k")};
 }
@@ -309,7 +309,7 @@ void replaceByHeader(FileBytes& file) {
   file.bytes = {};
   const auto header = otherHalf(file.file, ".hdr");
   if (!header)
-    throw NoInputError("is the half of a NIfTI image that has the voxels; its header, " +
+    throw NoInputError("It is the half of a NIfTI image that has the voxels; its header, " +
                            inQuotes(stemOf(file.file) + ".hdr") + ", is not beside it",
                        file.name(), "put both files into one folder");
   file.bytes = readWholeFile(*header).bytes;
@@ -319,7 +319,7 @@ void replaceByHeader(FileBytes& file) {
 void takeOtherHalf(FileBytes& file, const Header& h, RawLabels& raw) {
   const auto voxels = otherHalf(file.file, ".img");
   if (!voxels)
-    throw NoInputError("is the header of a NIfTI image in two files; that with its voxels, " +
+    throw NoInputError("It is the header of a NIfTI image in two files; that with its voxels, " +
                            inQuotes(stemOf(file.file) + ".img") + ", is not beside it",
                        file.name(), "put both files into one folder");
   readExtensions(beginOf(file, kMostHeaderBytes), h, raw);

@@ -232,12 +232,12 @@ private:
       if (isSpace)
         ofSpace.push_back(d);
       else if (axes.list && sizes_[d] > 1)
-        file_.fail("has several axes that are not of space", "save it as a label map");
+        file_.fail("It has several axes that are not of space", "save it as a label map");
       else
         axes.list = d;
     }
     if (ofSpace.size() != 3)
-      file_.fail("has " + counted(ofSpace.size(), "axis", "axes") + " in space; a label map has three");
+      file_.fail("It has " + counted(ofSpace.size(), "axis", "axes") + " in space; a label map has three");
     std::copy(ofSpace.begin(), ofSpace.end(), axes.ofSpace.begin());
     if (axes.list && *axes.list != 0 && *axes.list != 3)
       file_.fail("its layers lie between the axes of space", "save it as a segmentation");

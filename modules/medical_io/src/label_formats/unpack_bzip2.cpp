@@ -14,7 +14,7 @@ constexpr std::size_t kFirstOutput = std::size_t{1} << 16U;
 struct Stream {
   explicit Stream(const FileBytes& file) {
     if (BZ2_bzDecompressInit(&bz, 0, 0) != BZ_OK)
-      file.fail("cannot be unpacked: bzip2 does not start");
+      file.fail("It cannot be unpacked: bzip2 does not start");
   }
   ~Stream() { BZ2_bzDecompressEnd(&bz); }
   Stream(const Stream&) = delete;

@@ -85,7 +85,7 @@ void GltfDocument::parseGlb() {
   cursor.takeBytes(4, "the header");
   const auto version = cursor.take<std::uint32_t>("the header");
   if (version != 2)
-    file_.fail("is glTF version " + std::to_string(version) + ", but only 2 can be read",
+    file_.fail("It is glTF version " + std::to_string(version) + ", but only 2 can be read",
                "export it as glTF 2.0");
   const std::uint64_t length = cursor.take<std::uint32_t>("the header");
   if (length > file_.bytes.size())
@@ -114,7 +114,7 @@ void GltfDocument::parseJson(std::string_view text) {
   } catch (const Json::exception& error) {
     const std::string_view what = error.what();
     const std::size_t end = what.find("] ");
-    file_.fail("is no complete JSON: " + std::string(end == what.npos ? what : what.substr(end + 2)));
+    file_.fail("It is no complete JSON: " + std::string(end == what.npos ? what : what.substr(end + 2)));
   }
   if (!json_.is_object())
     file_.fail("its JSON is no object: it is no glTF file");
@@ -125,7 +125,7 @@ void GltfDocument::requireUnderstood() const {
   if (asset == json_.end() || !asset->is_object())
     file_.fail("its JSON has no \"asset\": it is no glTF file");
   if (!text(*asset, "version").starts_with("2."))
-    file_.fail("is glTF version " + inQuotes(text(*asset, "version")) + ", but only 2 can be read",
+    file_.fail("It is glTF version " + inQuotes(text(*asset, "version")) + ", but only 2 can be read",
                "export it as glTF 2.0");
   const auto required = json_.find("extensionsRequired");
   if (required == json_.end() || !required->is_array())
@@ -135,7 +135,7 @@ void GltfDocument::requireUnderstood() const {
     const bool harmless = std::any_of(kHarmless.begin(), kHarmless.end(),
                                       [&](std::string_view prefix) { return name.starts_with(prefix); });
     if (!harmless)
-      file_.fail("needs the glTF extension " + inQuotes(name) + ", which Viscera does not know",
+      file_.fail("It needs the glTF extension " + inQuotes(name) + ", which Viscera does not know",
                  "export it without compression");
   }
 }
@@ -189,7 +189,7 @@ const GltfDocument::Json& GltfDocument::entry(const char* list, std::uint64_t in
   const auto found = json_.find(list);
   const std::size_t size = found != json_.end() && found->is_array() ? found->size() : 0;
   if (index >= size || !(*found)[static_cast<std::size_t>(index)].is_object())
-    fail("refers to number " + std::to_string(index) + " of \"" + list + "\", but there are " +
+    fail("It refers to number " + std::to_string(index) + " of \"" + list + "\", but there are " +
          std::to_string(size) + " (counted from 0)");
   return (*found)[static_cast<std::size_t>(index)];
 }

@@ -92,7 +92,7 @@ public:
         haveFaces_ = true;
     }
     if (!haveFaces_)
-      file_.fail("holds points, but no faces", "export it as a surface of triangles");
+      file_.fail("It holds points, but no faces", "export it as a surface of triangles");
     return std::move(raw_);
   }
 

@@ -41,7 +41,7 @@ bool hasBinarySize(const FileBytes& file) {
 std::uint64_t requireBinaryCount(const FileBytes& file, RawSurface& raw) {
   const std::optional<std::uint64_t> count = binaryCount(file);
   if (!count)
-    file.fail("is too short for an STL file: " + counted(file.bytes.size(), "byte", "bytes"));
+    file.fail("It is too short for an STL file: " + counted(file.bytes.size(), "byte", "bytes"));
   const std::uint64_t expected = kPrefixBytes + *count * kFacetBytes;
   const std::uint64_t size = file.bytes.size();
   if (expected > size)

@@ -144,7 +144,7 @@ private:
   void readDatasetType() {
     const std::string_view type = scanner_.word();
     if (lowered(type) != "polydata")
-      file_.fail("holds a VTK dataset of type " + inQuotes(type) + ", not a surface (POLYDATA)",
+      file_.fail("It holds a VTK dataset of type " + inQuotes(type) + ", not a surface (POLYDATA)",
                  "extract its surface first");
   }
 

@@ -54,7 +54,7 @@ public:
     const auto found =
         std::find_if(kTypes.begin(), kTypes.end(), [&](const ValueType& t) { return t.name == name; });
     if (found == kTypes.end())
-      fail("has the unknown type " + inQuotes(name));
+      fail("It has the unknown type " + inQuotes(name));
     type_ = &*found;
   }
 
@@ -119,7 +119,7 @@ private:
     else if (format == "appended")
       bytes = storage_.appendedIsBase64 ? fromBase64(appendedData()) : fromRaw(appendedData());
     else
-      fail("has the unknown format " + inQuotes(format));
+      fail("It has the unknown format " + inQuotes(format));
     if (bytes.size() % type_->bytes != 0)
       fail("does not hold a whole number of values");
     return bytes;
@@ -148,7 +148,7 @@ private:
     std::optional<std::string> decoded =
         decodeBase64(text.substr(0, static_cast<std::size_t>(encodedSize(bytes))));
     if (!decoded || decoded->size() < bytes)
-      fail("is damaged: it is no valid base64");
+      fail("It is damaged: it is no valid base64");
     decoded->resize(static_cast<std::size_t>(bytes));
     return std::move(*decoded);
   }
@@ -218,7 +218,7 @@ private:
       return vtkSmartPointer<vtkLZ4DataCompressor>::New();
     if (storage_.compressor == "vtkLZMADataCompressor")
       return vtkSmartPointer<vtkLZMADataCompressor>::New();
-    fail("is compressed by " + inQuotes(storage_.compressor) + ", which Viscera does not know");
+    fail("It is compressed by " + inQuotes(storage_.compressor) + ", which Viscera does not know");
   }
 
   /// `header`: number of blocks, size of a block, size of the last one (0: it is full), compressed sizes.
@@ -241,7 +241,7 @@ private:
           reinterpret_cast<const unsigned char*>(data.data()), static_cast<std::size_t>(packed),
           reinterpret_cast<unsigned char*>(result.data() + at), static_cast<std::size_t>(size));
       if (got != size || quiet.failed())
-        fail("cannot be decompressed: the file is damaged");
+        fail("It cannot be decompressed: the file is damaged");
       data.remove_prefix(static_cast<std::size_t>(packed));
     }
     return result;

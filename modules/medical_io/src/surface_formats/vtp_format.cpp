@@ -38,7 +38,7 @@ public:
     checkRoot();
     const XmlElement* data = tree_.root.child("PolyData");
     if (data == nullptr)
-      file_.fail("holds no PolyData", "export it as a surface");
+      file_.fail("It holds no PolyData", "export it as a surface");
     readFields(*data);
     for (const XmlElement& child : data->children)
       if (child.name == "Piece")
@@ -72,10 +72,10 @@ private:
 
   void checkRoot() {
     if (!tree_.error.empty())
-      file_.fail("is no complete XML: " + tree_.error);
+      file_.fail("It is no complete XML: " + tree_.error);
     const XmlElement& root = tree_.root;
     if (root.name != "VTKFile" || root.attribute("type") != "PolyData")
-      file_.fail("holds " + inQuotes(root.attribute("type")) + ", not a VTK surface (PolyData)",
+      file_.fail("It holds " + inQuotes(root.attribute("type")) + ", not a VTK surface (PolyData)",
                  "extract its surface first");
     storage_.order = root.attribute("byte_order") == "BigEndian" ? std::endian::big : std::endian::little;
     storage_.headerBytes = root.attribute("header_type") == "UInt64" ? 8 : 4;
@@ -119,7 +119,7 @@ private:
     const XmlElement* element = piece.child("Points");
     const XmlElement* array = element == nullptr ? nullptr : element->child("DataArray");
     if (array == nullptr)
-      file_.fail("holds a piece without points");
+      file_.fail("It holds a piece without points");
     const std::vector<double> values = readVtpNumbers(storage_, *array);
     if (values.size() != saturatedProduct(points, 3))
       file_.fail("announces " + std::to_string(points) + " points, but holds " +
@@ -131,7 +131,7 @@ private:
     for (const XmlElement& array : cells.children)
       if (array.attribute("Name") == name)
         return array;
-    file_.fail("has cells without the array " + inQuotes(name));
+    file_.fail("It has cells without the array " + inQuotes(name));
   }
 
   void readCells(const XmlElement& piece, std::string_view kind, std::uint64_t cells, std::uint64_t before,
@@ -189,7 +189,7 @@ private:
     const std::uint64_t components = chosen->attribute("NumberOfComponents") == "3" ? 3 : 4;
     const std::vector<std::int64_t> values = readVtpIntegers(storage_, *chosen);
     if (values.size() != saturatedProduct(points, components))
-      file_.fail("has " + std::to_string(values.size()) + " colour values for " + std::to_string(points) +
+      file_.fail("It has " + std::to_string(values.size()) + " colour values for " + std::to_string(points) +
                  " points");
     for (std::size_t i = 0; i < values.size(); ++i)
       if (i % components < 3)

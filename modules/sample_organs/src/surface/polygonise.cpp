@@ -3,16 +3,8 @@
 #include <algorithm>
 #include <vector>
 
-#include <vtkCellArray.h>
-#include <vtkCellArrayIterator.h>
-#include <vtkFloatArray.h>
-#include <vtkFlyingEdges3D.h>
-#include <vtkImageData.h>
-#include <vtkNew.h>
-#include <vtkPointData.h>
-#include <vtkPolyData.h>
-
 #include "surface/sample_grid.h"
+#include "viscera/contour/contour.h"
 #include "viscera/core/error.h"
 #include "viscera/geometry/connected_pieces.h"
 #include "viscera/geometry/surface_check.h"
@@ -21,44 +13,6 @@ namespace viscera::sample_organs {
 namespace {
 
 using geometry::TriangleMesh;
-
-vtkNew<vtkPolyData> contoured(SampleGrid& grid) {
-  vtkNew<vtkFloatArray> values;
-  values->SetArray(grid.values.data(), static_cast<vtkIdType>(grid.values.size()), 1);
-  vtkNew<vtkImageData> image;
-  image->SetDimensions(grid.size.data());
-  image->SetSpacing(grid.spacing, grid.spacing, grid.spacing);
-  image->SetOrigin(grid.origin.data());
-  image->GetPointData()->SetScalars(values);
-  vtkNew<vtkFlyingEdges3D> contour;
-  contour->SetInputData(image);
-  contour->SetValue(0, 0.0);
-  contour->ComputeNormalsOff();
-  contour->ComputeGradientsOff();
-  contour->ComputeScalarsOff();
-  contour->Update();
-  vtkNew<vtkPolyData> result;
-  result->ShallowCopy(contour->GetOutput());
-  return result;
-}
-
-TriangleMesh meshOf(vtkPolyData& data) {
-  TriangleMesh mesh;
-  mesh.points.resize(data.GetNumberOfPoints(), 3);
-  for (vtkIdType i = 0; i < data.GetNumberOfPoints(); ++i)
-    data.GetPoint(i, mesh.points.row(i).data());
-  mesh.triangles.resize(data.GetNumberOfPolys(), 3);
-  vtkIdType count = 0;
-  const vtkIdType* corners = nullptr;
-  vtkIdType row = 0;
-  const auto cells = vtk::TakeSmartPointer(data.GetPolys()->NewIterator());
-  for (cells->GoToFirstCell(); !cells->IsDoneWithTraversal(); cells->GoToNextCell(), ++row) {
-    cells->GetCurrentCell(count, corners);
-    for (int k = 0; k < 3; ++k)
-      mesh.triangles(row, k) = static_cast<std::int32_t>(corners[k]);
-  }
-  return mesh;
-}
 
 /// The piece with the most triangles, points in the order in which triangles name them.
 TriangleMesh largestPart(const TriangleMesh& mesh) {
@@ -96,12 +50,12 @@ TriangleMesh largestPart(const TriangleMesh& mesh) {
 
 TriangleMesh polygonise(const ImplicitNode& node, double spacing, Threads threads,
                         const ProgressSpan& progress) {
-  SampleGrid grid = sampleGrid(node, spacing, threads, progress);
-  const vtkNew<vtkPolyData> contour = contoured(grid);
-  if (contour->GetNumberOfPolys() == 0)
+  const SampleGrid grid = sampleGrid(node, spacing, threads, progress);
+  const TriangleMesh all = contour::contourOf(grid.values, grid.size, 0, grid.origin, grid.spacing);
+  if (all.triangles.rows() == 0)
     throw DataError("the implicit surface is empty", {},
                     "check that its parts meet and that \"spacing\" is fine enough");
-  TriangleMesh mesh = largestPart(meshOf(*contour));
+  TriangleMesh mesh = largestPart(all);
   geometry::orientOutward(mesh);
   return mesh;
 }

@@ -12,7 +12,7 @@ public:
   /// `exitCode` is the program's, after sysexits.h.
   Error(int exitCode, std::string what, std::string where = {}, std::string tryThis = {});
 
-  const std::string& problem() const { return problem_; }
+  const std::string& problem() const { return problem_; } ///< With a capital letter first, whoever said it.
   const std::string& where() const { return where_; }
   const std::string& tryThis() const { return tryThis_; }
   int exitCode() const { return exitCode_; }

@@ -66,11 +66,6 @@ public:
   /// surface the row is the normal of the plane in which the selection may move.
   Points translationGradient(const Points& pose, const std::vector<int>& selection) const;
 
-  /// The translation nearest to `wanted` (mm) that gives the selection, moved from `pose`, the locked
-  /// volumes. With one surface a plane of translations is allowed, with two a line; handles without influence
-  /// move freely.
-  Vec3 nearestTranslation(const Points& pose, const std::vector<int>& selection, const Vec3& wanted) const;
-
   /// Moves the handles `free` (ascending) by the least amount, as `model` measures it, that gives `wanted`
   /// the locked volumes. Fails, and says why, when that takes more than `limitMm`.
   RestoredPose restore(const Points& wanted, const std::vector<int>& free, const RestorationModel& model,

@@ -8,10 +8,6 @@
 /// The middle line of a surface that is about a tube: stomach, bowel, vessel.
 namespace viscera::geometry {
 
-/// The shortest ways along edges from a set of vertices, mm; infinity where there is no way. Dijkstra, O(n
-/// log n).
-Values edgeDistances(const TriangleMesh& mesh, const std::vector<int>& sources);
-
 /// The two ends of a tube as vertices.
 struct TubeEnds {
   int wide = 0;   ///< At the end around which there is most surface.

@@ -6,7 +6,6 @@
 
 #include "viscera/core/parallel.h"
 #include "viscera/core/progress.h"
-#include "viscera/document/command.h"
 #include "viscera/document/rig_commands.h"
 #include "viscera/sample_organs/sample_organ.h"
 #include "viscera/sequences/sequence.h"
@@ -37,8 +36,5 @@ const std::vector<SampleSequence>& sampleSequences();
 /// thread.
 SequenceSetup setUpSequence(const sample_organs::SampleLibrary& library, const std::string& id,
                             sample_organs::Resolution resolution, Progress& progress, Threads threads = {});
-
-/// Adds the organ, takes the rig in place of the one there is, and chooses the coordinates: one undo step.
-document::Command showSequence(const SequenceSetup& setup);
 
 } // namespace viscera::motion

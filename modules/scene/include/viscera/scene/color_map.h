@@ -41,8 +41,6 @@ ColorMap colorMapByName(const std::string& name);
 /// From the smallest to the largest finite value; widened a little when they are equal, {0, 1} when there is
 /// none. O(n).
 ValueRange rangeOf(const Values& values);
-/// The smallest range symmetric about zero that holds every finite value: for `diverging`. O(n).
-ValueRange symmetricRangeOf(const Values& values);
 
 /// A lookup table with those colours; values beyond the range take the end colours, values that are not
 /// numbers the map's `missing`.

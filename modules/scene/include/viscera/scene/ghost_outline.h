@@ -28,10 +28,6 @@ public:
   void setVisible(bool visible);
   bool visible() const;
 
-  /// Has to be called after organs were added to the renderer: what lies behind them is drawn fainter.
-  /// `OrganView` does it.
-  void drawAfterOrgans();
-
 private:
   struct Parts;
   std::unique_ptr<Parts> parts_;

@@ -49,9 +49,6 @@ public:
   /// Stops and removes what was written. Nothing happens after `finish`.
   void cancel();
 
-  int framesAdded() const;
-  int framesWritten() const;
-
 private:
   struct Parts;
   std::unique_ptr<Parts> parts_;

@@ -54,7 +54,6 @@ public:
   Vec3 color() const;
   /// Shows or hides the mesh's own vertex colours. Nothing happens when it has none.
   void setVertexColorsShown(bool shown);
-  bool vertexColorsShown() const;
 
   /// 0 to 1; below 1 the surface is drawn translucent and does not hide handles.
   void setOpacity(double opacity);

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "viscera/scene/constraint_glyph.h"
-#include "viscera/scene/ghost_outline.h"
 #include "viscera/scene/legend.h"
 #include "viscera/scene/mirror_plane_glyph.h"
 #include "viscera/scene/organ_actor.h"
@@ -64,10 +63,6 @@ public:
   void clear();
   const std::vector<std::shared_ptr<OrganActor>>& organs() const;
 
-  /// Outlines of rest shapes, in the theme's text colour.
-  void addGhost(std::shared_ptr<GhostOutline> ghost);
-  void removeGhost(const std::shared_ptr<GhostOutline>& ghost);
-
   /// Box of the visible organs, and of what else is framed; of all handles when there is none. O(vertices).
   Bounds bounds() const;
   /// Something drawn in place of organs that belongs into the picture too: its box, when it is there. Null:
@@ -94,8 +89,6 @@ public:
   void setOrientationCubeShown(bool shown);
   void setScaleBarShown(bool shown);
 
-  /// Smooths edges by FXAA instead of multisampling. Where an organ is translucent FXAA is used in any case.
-  void setFxaa(bool on);
   /// While something moves, a software renderer does not smooth edges: that takes as long as all the rest.
   /// The view notices the mouse by itself; whoever plays a sequence says so here, and renders once more at
   /// the end.

@@ -46,7 +46,6 @@ public:
 
   /// Starts over with these curves, all empty.
   void setLines(const std::vector<ChartLine>& lines);
-  void setLineShown(int line, bool shown);
   /// Other stripes for a curve; its points stay.
   void setBands(int line, std::vector<ChartBand> bands);
   int lineCount() const;

@@ -82,8 +82,6 @@ public:
   int Pick(int x, int y);
   /// Whether the centre of a handle is in front of the camera and not hidden. O(triangles).
   bool IsHandleVisible(int handle);
-  /// The handles whose centres are in a box of the display, ascending; with `visibleOnly` those not hidden.
-  std::vector<int> HandlesInBox(int x0, int y0, int x1, int y1, bool visibleOnly);
   ///@}
 
   ///@{

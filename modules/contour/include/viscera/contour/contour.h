@@ -1,0 +1,23 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "viscera/geometry/triangle_mesh.h"
+
+class vtkPolyData;
+
+/// Surfaces out of values on a grid. VTK's flying edges make them.
+namespace viscera::contour {
+
+/// The surface on which `values` pass `level`: they lie x fastest at `origin` + `spacing` (i, j, k), as many
+/// as the product of `size`. `Value` is float or unsigned char. Empty where nothing passes. Without colours;
+/// which way triangles face depends on the values. O(values). For any thread.
+template <class Value>
+geometry::TriangleMesh contourOf(const std::vector<Value>& values, const std::array<int, 3>& size,
+                                 double level, const Vec3& origin = Vec3::Zero(), double spacing = 1);
+
+/// The points and polygons of a VTK filter's result, all of which are triangles. Without colours. O(n + m).
+geometry::TriangleMesh meshOf(vtkPolyData& data);
+
+} // namespace viscera::contour

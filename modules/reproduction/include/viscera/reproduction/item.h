@@ -1,0 +1,50 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "viscera/core/parallel.h"
+#include "viscera/core/progress.h"
+#include "viscera/plugin/registry.h"
+#include "viscera/reproduction/result.h"
+#include "viscera/sample_organs/sample_organ.h"
+
+/// Figures and tables of the thesis that the program follows, measured again.
+namespace viscera::reproduction {
+
+/// What figures are measured with. Outlived by both references.
+struct Bench {
+  const plugin::Registry& systems;
+  const sample_organs::SampleLibrary& samples;
+  Threads threads = {};
+};
+
+/// One figure or table that can be done again.
+struct Item {
+  std::string id;     ///< "3.14"
+  bool table = false; ///< A table, not a figure.
+  /// Fills everything but `id`, `table` and `seconds`. Throws `Cancelled`, and any other error where it
+  /// cannot be measured.
+  std::function<void(Result& result, const Bench& bench, Progress& progress)> make;
+
+  /// "3.14"; table 4.1 is "table-4.1", so that it is not taken for figure 4.1.
+  std::string name() const { return (table ? "table-" : "") + id; }
+};
+
+/// The figures of chapter 3: attempts at cage-free coordinates, along lines.
+std::vector<Item> chapter3();
+/// Figures and tables of chapter 4: celestial coordinates.
+std::vector<Item> chapter4();
+/// Figures and tables of chapter 5: volume and stress.
+std::vector<Item> chapter5();
+
+/// Those with the given names, all in the order of the thesis for none. Throws `UsageError` for a name that
+/// there is not.
+std::vector<Item> chosenItems(const std::vector<std::string>& names);
+
+/// Does all of them, one after the other; milliseconds to half a minute each. What goes wrong with one is its
+/// `Result::problem` and stops no other one. Throws `Cancelled`.
+std::vector<Result> makeAll(const std::vector<Item>& items, const Bench& bench, Progress& progress);
+
+} // namespace viscera::reproduction

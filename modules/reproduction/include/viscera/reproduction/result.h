@@ -1,0 +1,65 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace viscera::reproduction {
+
+/// One thing that the thesis says, as a condition on numbers that were measured.
+struct Finding {
+  std::string criterion; ///< "S-Celestial: no coordinate below 0"
+  std::string measured;  ///< "least 0.0012"
+  bool met = false;
+};
+
+enum class Judgement { holds, differs, doesNotHold, notMeasured };
+
+/// What becomes of a claim: it holds where all of its findings are met, differs where some are, else it does
+/// not hold. Nobody writes it down.
+struct Verdict {
+  Judgement judgement = Judgement::notMeasured;
+  std::string because; ///< The findings that are not met, with their numbers.
+
+  /// "holds", "differs, because ...".
+  std::string text() const;
+};
+Verdict verdictOf(const std::vector<Finding>& findings);
+std::string nameOf(Judgement judgement);
+
+/// A vector picture with what is below it.
+struct Picture {
+  std::string name; ///< Of its file, without ending.
+  std::string caption;
+  std::string svg;
+};
+
+/// Numbers as a table: a CSV file, and on the page when `shown`.
+struct Table {
+  std::string name;
+  std::vector<std::string> header;
+  std::vector<std::vector<std::string>> rows;
+  bool shown = true;
+
+  std::string csv() const;
+};
+
+/// A figure or table of the thesis, done again.
+struct Result {
+  std::string id;     ///< "3.14"
+  bool table = false; ///< A table, not a figure.
+  std::string title;
+  std::string claim; ///< What the thesis says with it, in our words.
+  std::string setup; ///< What ours shows, and how it was made.
+  std::vector<Finding> findings;
+  std::string problem; ///< Why it was not measured; else empty.
+  std::vector<Picture> pictures;
+  std::vector<Table> tables;
+  double seconds = 0;
+
+  Verdict verdict() const;
+  std::string label() const { return (table ? "Table " : "Figure ") + id; }
+  /// "figure_3_14", for files and links.
+  std::string fileName() const;
+};
+
+} // namespace viscera::reproduction
