@@ -206,6 +206,7 @@ void MainWindow::connectFiles() {
 
 void MainWindow::connectHints() {
   connect(&workspace_, &Workspace::messageRaised, viewArea_->messages(), &MessageBar::showMessage);
+  connect(&workspace_, &Workspace::messageRetracted, viewArea_->messages(), &MessageBar::retract);
   const auto hint = [this] { status_->setHint(modes_->present().hint()); };
   connect(modes_.get(), &ModeController::hintChanged, status_, hint);
   hint();

@@ -48,6 +48,8 @@ public:
 
   void say(const Message& message) { Q_EMIT messageRaised(message); }
   void report(const Error& error);
+  /// What was said is no longer so.
+  void retract(const QString& said) { Q_EMIT messageRetracted(said); }
 
   /// The organ that commands act on: the selected one, else the first that is nobody's cavity; null without
   /// organs.
@@ -55,6 +57,7 @@ public:
 
 Q_SIGNALS:
   void messageRaised(const viscera::app::Message& message);
+  void messageRetracted(const QString& text);
 
 private:
   document::Document document_;

@@ -46,7 +46,7 @@ protected:
     return text.remove(QStringLiteral(" mm")).remove(QChar(0xb0)).toDouble();
   }
   std::string label() {
-    const auto drawn = window().explore().glyphs().drawn();
+    const auto drawn = window().picture().presenter().measurements().drawn();
     return drawn.empty() ? std::string() : drawn[0].text;
   }
 
@@ -116,7 +116,7 @@ TEST_F(MeasureTest, EscapeTakesBackPointsThenEndsAndClicksSelectAgain) {
   EXPECT_FALSE(window().workspace().selection().organ()) << "the click was meant for the measurement";
   key(Qt::Key_Escape);
   EXPECT_TRUE(window().explore().measuring());
-  for (const auto& item : window().explore().glyphs().items())
+  for (const auto& item : window().picture().presenter().measurements().items())
     EXPECT_EQ(item.points.size(), 1u) << "what is left is the place under the mouse";
   key(Qt::Key_Escape);
   EXPECT_FALSE(window().explore().measuring());
@@ -132,7 +132,7 @@ TEST_F(MeasureTest, ADragTurnsTheViewAndSetsNoPointAndAClickBesideTheOrganNone) 
   click(QPoint(5, view().height() / 2));
   QTest::mouseMove(&view(), QPoint(5, 5));
   settle();
-  EXPECT_TRUE(window().explore().glyphs().items().empty());
+  EXPECT_TRUE(window().picture().presenter().measurements().items().empty());
 }
 
 TEST_F(MeasureTest, TheNextPointIsShownUnderTheMouseWithTheDistanceToIt) {
@@ -140,7 +140,7 @@ TEST_F(MeasureTest, TheNextPointIsShownUnderTheMouseWithTheDistanceToIt) {
   clickAt(a_);
   QTest::mouseMove(&view(), onScreen(b_));
   settle();
-  const auto& items = window().explore().glyphs().items();
+  const auto& items = window().picture().presenter().measurements().items();
   ASSERT_EQ(items.size(), 1u);
   EXPECT_LT((items[0].points.at(1) - b_).norm(), kClickTolerance);
   EXPECT_NEAR(QString::fromStdString(items[0].text).remove(QStringLiteral(" mm")).toDouble(),
@@ -184,7 +184,7 @@ TEST_F(MeasureTest, NamesAreEditedInTheListAndTheChosenOneIsRemoved) {
   EXPECT_EQ(list().topLevelItem(0)->text(0), QStringLiteral("Width")) << "an empty name is refused";
   list().topLevelItem(0)->setSelected(true);
   settle();
-  EXPECT_TRUE(window().explore().glyphs().items().at(0).highlighted);
+  EXPECT_TRUE(window().picture().presenter().measurements().items().at(0).highlighted);
   list().setFocus();
   QTest::keyClick(&list(), Qt::Key_Delete);
   settle();

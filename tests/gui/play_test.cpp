@@ -130,7 +130,7 @@ TEST_F(PlayMode, OneKeyLooksThroughTheWallAndUndoClosesItAgain) {
 }
 
 TEST_F(PlayMode, LabelsNameTheOrgansBesideThem) {
-  const auto labels = [this] { return parts().labels().labels().drawn(); };
+  const auto labels = [this] { return window().picture().presenter().labels().drawn(); };
   EXPECT_TRUE(labels().empty());
   key(Qt::Key_N);
   ASSERT_EQ(labels().size(), 3u);
@@ -219,8 +219,7 @@ TEST_F(PlayMode, UndoAndRedoOfAChangeOfSequenceStopWhatPlaysOrIsPausedInEveryMod
     EXPECT_FALSE(window().playback().player().playing());
     EXPECT_FALSE(window().playback().showing());
     EXPECT_EQ(window().playback().player().fraction(), 0);
-    const Points wanted =
-        window().mode() == app::Mode::handles ? document().rig().restPositions() : document().pose();
+    const Points wanted = window().mode() == "handles" ? document().rig().restPositions() : document().pose();
     EXPECT_EQ(window().workspace().live().shownPose(), wanted);
     EXPECT_FALSE(message().contains(QStringLiteral("range"))) << message().toStdString();
   };

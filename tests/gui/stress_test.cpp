@@ -17,10 +17,10 @@
 
 #include "sway.h"
 #include "viscera/live/stress_quantity.h"
+#include "viscera/presentation/value_steps.h"
 #include "viscera/scene/vtkVisceraHandleSetRepresentation.h"
 #include "window/modes/stress_mode.h"
 #include "window/stress/histogram.h"
-#include "window/stress/value_steps.h"
 
 namespace viscera::tests {
 namespace {
@@ -28,7 +28,7 @@ namespace {
 constexpr int kWitnesses = 600;
 
 TEST(SteppedRange, GoesInRoundStepsAndDoesNotCreep) {
-  using app::steppedRange;
+  using presentation::steppedRange;
   using Quantity = live::StressQuantity;
   const scene::ValueRange first = steppedRange(Quantity::rotationalStress, {0, 11}, {0, 0});
   EXPECT_EQ(first.low, 0);
@@ -56,7 +56,9 @@ protected:
   }
 
   app::StressModel& model() { return window().stress().model(); }
-  app::StressScene& scene() { return window().stress().scene(); }
+  const presentation::Presenter& drawn() { return window().picture().presenter(); }
+  app::CutController& cut() { return window().stress().cut(); }
+  scene::CutPlane cutPlane() { return drawn().cutPlane()->GetPlane(); }
   scene::OrganActor& organ() { return *view().view().organs().front(); }
   bool clipped() {
     auto* planes = organ().actor()->GetMapper()->GetClippingPlanes();
@@ -70,7 +72,7 @@ protected:
   void enter() {
     key(Qt::Key_4);
     ASSERT_EQ(window().mode(), "stress");
-    ASSERT_TRUE(waitUntil([this] { return model().ready() && scene().tissue(); }));
+    ASSERT_TRUE(waitUntil([this] { return model().ready() && drawn().tissue(); }));
     settle();
   }
   template <class Widget>
@@ -114,8 +116,8 @@ TEST_F(StressModeTest, KeyFourShowsTheMapAndLeavingPutsTheLooksBack) {
   EXPECT_TRUE(view().view().legend().visible());
   EXPECT_TRUE(organ().scalarsShown());
   EXPECT_TRUE(clipped());
-  EXPECT_TRUE(scene().tissue()->visible());
-  EXPECT_GT(scene().tissue()->cutTriangles(), 10);
+  EXPECT_TRUE(drawn().tissue()->visible());
+  EXPECT_GT(drawn().tissue()->cutTriangles(), 10);
   EXPECT_NEAR(model().live().mesh()->witnesses, kWitnesses, 0.3 * kWitnesses);
   EXPECT_FALSE(label("stressOrigin").isEmpty());
   EXPECT_LT(model().summary().max, 1e-6) << "nothing is distorted at rest";
@@ -124,7 +126,7 @@ TEST_F(StressModeTest, KeyFourShowsTheMapAndLeavingPutsTheLooksBack) {
   EXPECT_FALSE(organ().scalarsShown());
   EXPECT_FALSE(clipped());
   EXPECT_TRUE(organ().visible());
-  EXPECT_FALSE(scene().planeWidget()->GetEnabled());
+  EXPECT_FALSE(cut().planeWidget()->GetEnabled());
 }
 
 TEST_F(StressModeTest, DraggingAHandleMovesTheMapAndItsNumbers) {
@@ -152,19 +154,19 @@ TEST_F(StressModeTest, DraggingAHandleMovesTheMapAndItsNumbers) {
 
 TEST_F(StressModeTest, TheCutIsPushedByItsArrowAndTurnedOffByItsKey) {
   enter();
-  const scene::CutPlane before = scene().cutPlane();
-  auto* plane = scene().planeWidget()->GetPlaneRepresentation();
+  const scene::CutPlane before = cutPlane();
+  auto* plane = cut().planeWidget()->GetPlaneRepresentation();
   look([](app::StressLook& look) { look.normal = Vec3(0.8, 0.6, 0); });
   settle();
-  const scene::CutPlane turned = scene().cutPlane();
+  const scene::CutPlane turned = cutPlane();
   EXPECT_LT(turned.normal.dot(before.normal), 0.9);
   const QPoint from = onScreen(plane->GetArrowTip());
   drag(from, onScreen(plane->GetArrowTip() - 20 * turned.normal));
-  EXPECT_NEAR((scene().cutPlane().origin - turned.origin).dot(turned.normal), -20, 4);
+  EXPECT_NEAR((cutPlane().origin - turned.origin).dot(turned.normal), -20, 4);
   key(Qt::Key_C);
   EXPECT_FALSE(clipped());
-  EXPECT_FALSE(scene().planeWidget()->GetEnabled());
-  EXPECT_FALSE(scene().tissue()->visible()) << "the organ's own surface carries the map";
+  EXPECT_FALSE(cut().planeWidget()->GetEnabled());
+  EXPECT_FALSE(drawn().tissue()->visible()) << "the organ's own surface carries the map";
   key(Qt::Key_C);
   EXPECT_TRUE(clipped());
 }
@@ -172,18 +174,18 @@ TEST_F(StressModeTest, TheCutIsPushedByItsArrowAndTurnedOffByItsKey) {
 TEST_F(StressModeTest, AClickShowsTheValuesOfThePointAndFollowsThePose) {
   enter();
   dragAHandle();
-  click(onScreen(scene().cutPlane().origin + Vec3(9, 0, -13)));
+  click(onScreen(cutPlane().origin + Vec3(9, 0, -13)));
   const int point = model().probe();
   ASSERT_GE(point, 0);
-  EXPECT_LT((model().live().points().row(point).transpose() - scene().cutPlane().origin).norm(), 40);
-  EXPECT_TRUE(scene().marker().visible());
-  EXPECT_NEAR((scene().marker().position() - model().live().points().row(point).transpose()).norm(), 0, 1e-9);
+  EXPECT_LT((model().live().points().row(point).transpose() - cutPlane().origin).norm(), 40);
+  EXPECT_TRUE(drawn().probe().visible());
+  EXPECT_NEAR((drawn().probe().position() - model().live().points().row(point).transpose()).norm(), 0, 1e-9);
   const double degrees = 180 / std::numbers::pi * model().live().map().rotationalStress[point];
   EXPECT_EQ(label("probe_rotational-stress"), QStringLiteral("%1 deg").arg(degrees, 0, 'f', 1));
   EXPECT_TRUE(find<QLabel>("probe_volume-ratio")->isVisible());
   key(Qt::Key_Escape);
   EXPECT_EQ(model().probe(), -1);
-  EXPECT_FALSE(scene().marker().visible());
+  EXPECT_FALSE(drawn().probe().visible());
 }
 
 TEST_F(StressModeTest, ALimitHidesTissueAndGlyphsShowInIt) {
@@ -191,19 +193,19 @@ TEST_F(StressModeTest, ALimitHidesTissueAndGlyphsShowInIt) {
   dragAHandle();
   look([](app::StressLook& look) { look.cut = look.onSurface = false; });
   settle();
-  const int all = scene().tissue()->shownTetrahedra();
+  const int all = drawn().tissue()->shownTetrahedra();
   key(Qt::Key_T);
   EXPECT_TRUE(model().look().threshold);
   EXPECT_GT(model().look().limit, 0);
-  EXPECT_LT(scene().tissue()->shownTetrahedra(), all);
-  EXPECT_GT(scene().tissue()->shownTetrahedra(), 0);
+  EXPECT_LT(drawn().tissue()->shownTetrahedra(), all);
+  EXPECT_GT(drawn().tissue()->shownTetrahedra(), 0);
   key(Qt::Key_T);
   settle();
-  EXPECT_EQ(scene().tissue()->shownTetrahedra(), all);
+  EXPECT_EQ(drawn().tissue()->shownTetrahedra(), all);
   look([](app::StressLook& look) { look.glyphs = app::GlyphChoice::ellipsoids; });
   settle();
-  EXPECT_TRUE(scene().glyphs().visible());
-  EXPECT_GT(scene().glyphs().count(), 50);
+  EXPECT_TRUE(drawn().glyphs().visible());
+  EXPECT_GT(drawn().glyphs().count(), 50);
 }
 
 TEST_F(StressModeTest, EveryMapHasItsLegendAndNumbers) {
@@ -263,7 +265,7 @@ TEST_F(StressModeTest, TheNumberOfWitnessesAndTheLookAreKeptInTheSettings) {
   });
   settle();
   EXPECT_FALSE(organ().visible()) << "whole tetrahedra stay";
-  EXPECT_EQ(scene().tissue()->cutTriangles(), 0);
+  EXPECT_EQ(drawn().tissue()->cutTriangles(), 0);
   EXPECT_EQ(window().workspace().undo().names().size(), 1u) << "how one looks is no undo step";
   reopenWindow();
   EXPECT_EQ(model().look().style, scene::CutStyle::crinkle);

@@ -177,12 +177,12 @@ void Walk::newMotion() {
   const auto organ = anyBall(random_);
   playback().setSequence(nullptr, {});
   const bool done = window_.workspace().guarded([&] {
-    undo().beginStep("Sample");
+    document::UndoStack::Step step(undo(), "Sample");
     undo().perform(document::removeAllOrgans());
     undo().perform(document::replaceRig({}));
     undo().perform(document::addOrgans({organ}));
     undo().perform(document::replaceRig(document::rigOf(*motion)));
-    undo().endStep();
+    step.finish();
   });
   if (!done)
     return;
@@ -327,12 +327,12 @@ void Walk::actOnLooks(int kind) {
   case 1:
   case 2: {
     // Stress takes a while to fill each organ: less often.
-    const auto modes = app::modeDescriptions();
-    auto mode = modes[number(int(modes.size()))];
-    if (mode.mode == app::Mode::stress && number(3) != 0)
-      mode = modes.back();
-    name_ = std::string("mode ") + mode.id;
-    return window_.setMode(mode.mode);
+    const auto& modes = window_.modes().all();
+    std::string mode = modes[std::size_t(number(int(modes.size())))]->description().id;
+    if (mode == "stress" && number(3) != 0)
+      mode = "play";
+    name_ = "mode " + mode;
+    return window_.setMode(mode);
   }
   case 3: {
     name_ = "select handles";
@@ -362,7 +362,7 @@ void Walk::actOnLooks(int kind) {
 
 /// The pose that has to be seen; none where a locked volume may change it.
 std::optional<Points> Walk::expectedPose() {
-  if (window_.mode() == app::Mode::handles)
+  if (window_.mode() == "handles")
     return rig().restPositions();
   if (!playback().showing())
     return *state().pose;
@@ -370,7 +370,8 @@ std::optional<Points> Walk::expectedPose() {
     if (organ->volumeLocked)
       return std::nullopt;
   Points pose;
-  playback().player().pose(pose);
+  playback().sequence()->poseAt(playback().player().secondsInCycle(), playback().player().ratePerMinute(),
+                                pose);
   return pose;
 }
 
@@ -386,16 +387,15 @@ std::string Walk::check() {
   if (const auto expected = expectedPose(); expected && shown.rows() > 0)
     if (expected->rows() != shown.rows() || !((*expected - shown).cwiseAbs().maxCoeff() <= 1e-9))
       return std::string("the pose that is shown is not the one of ") +
-             (window_.mode() == app::Mode::handles ? "rest; "
-              : playback().showing()               ? "the timeline's instant; "
-                                                   : "the document; ");
+             (window_.mode() == "handles" ? "rest; "
+              : playback().showing()      ? "the timeline's instant; "
+                                          : "the document; ");
   return checkColours() + checkSelection();
 }
 
 std::string Walk::checkColours() {
-  const bool wanted =
-      window_.mode() == app::Mode::stress || (window_.actions()["handles.influence"]->isChecked() &&
-                                              window_.workspace().selection().currentHandle());
+  const bool wanted = window_.mode() == "stress" || (window_.actions()["handles.influence"]->isChecked() &&
+                                                     window_.workspace().selection().currentHandle());
   for (const auto& organ : *state().organs)
     if (!wanted && shownOrgan(window_, *organ).colouredByNumbers)
       return organ->name + " is coloured by numbers that nobody asked for; ";

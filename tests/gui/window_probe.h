@@ -15,8 +15,7 @@
 #include "viscera/scene/picture.h"
 #include "viscera/scene/vtkVisceraHandleSetRepresentation.h"
 #include "window/main_window.h"
-#include "window/stress/stress_mode.h"
-#include "window/view/organ_scene.h"
+#include "window/modes/stress_mode.h"
 #include "window/view/view_area.h"
 
 /// What a window shows, read from its parts: the only place where tests of the whole window know how it is
@@ -103,7 +102,7 @@ inline std::string disagreement(app::MainWindow& window) {
       wrong << organ->name << " is not drawn once; ";
     else if (drawn.points != window.workspace().live().points(organ->id))
       wrong << organ->name << " is drawn with other points than it has; ";
-    else if (window.mode() != app::Mode::stress && drawn.visible != organ->look.visible)
+    else if (window.mode() != "stress" && drawn.visible != organ->look.visible)
       wrong << organ->name << (drawn.visible ? " is seen though hidden; " : " is not seen; ");
   }
   return wrong.str();
@@ -119,7 +118,7 @@ inline std::string offTheTimeline(app::Workspace& workspace, app::Playback& play
     return fraction == 0 ? std::string()
                          : "the timeline stands at " + std::to_string(fraction) + ", nothing follows it; ";
   Points pose;
-  playback.player().pose(pose);
+  playback.sequence()->poseAt(playback.player().secondsInCycle(), playback.player().ratePerMinute(), pose);
   const Points& shown = workspace.live().shownPose();
   if (shown.rows() != pose.rows())
     return "the timeline moves other handles than there are; ";
@@ -134,7 +133,7 @@ inline bool atPeace(app::MainWindow& window) {
   app::Workspace& workspace = window.workspace();
   if (!workspace.jobs().idle() || workspace.live().busy())
     return false;
-  if (window.mode() != app::Mode::stress || workspace.document().organs().empty())
+  if (window.mode() != "stress" || workspace.document().organs().empty())
     return true;
   using State = live::StressStatus::State;
   const State state = workspace.stress().status().state;

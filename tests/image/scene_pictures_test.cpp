@@ -5,6 +5,7 @@
 #include <vtkCamera.h>
 #include <vtkImageData.h>
 
+#include "viscera/scene/ghost_outline.h"
 #include "viscera/scene/organ_labels.h"
 #include "viscera/scene/stretch_glyphs.h"
 #include "viscera/scene/tissue_actor.h"

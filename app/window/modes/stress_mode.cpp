@@ -77,6 +77,8 @@ void StressMode::makeActions() {
       "stress.threshold",
       {tr("&Only beyond a limit"), nullptr, {Qt::Key_T}, tr("Show only tissue above or below a limit")},
       model_.look().threshold, [this](bool on) {
+        if (model_.look().threshold == on) // The mark follows the look: of a session, say.
+          return;
         changeLook([&](StressLook& look) {
           look.threshold = on;
           const bool smallest = look.quantity == live::StressQuantity::stretchMin;

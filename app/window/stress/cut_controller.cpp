@@ -45,7 +45,8 @@ void CutController::listen() {
 
 /// The plane can be taken hold of while it is drawn.
 void CutController::enable() {
-  const bool wanted = model_.active() && model_.look().cut && picture_.presenter().tissue();
+  const scene::TissueActor* tissue = picture_.presenter().tissue();
+  const bool wanted = model_.active() && model_.look().cut && tissue && tissue->visible();
   if (static_cast<bool>(widget_->GetEnabled()) != wanted)
     widget_->SetEnabled(wanted);
 }

@@ -27,6 +27,8 @@ Playback::Playback(Workspace& workspace, std::shared_ptr<motion::Transport> tran
   subscriptions_.push_back(workspace.onChange([this](const document::Change& change) {
     if (change.organs() || (change.rig() && transport_->started()))
       settleLater();
+    if (!otherHandles_.isEmpty() && player_.movable())
+      workspace_.retract(std::exchange(otherHandles_, {}));
   }));
 }
 
@@ -153,6 +155,7 @@ void Playback::offerOwnHandles() {
                                                      tr("Use the sequence's handles").toStdString())))
            play();
        }});
+  otherHandles_ = message.text;
   workspace_.say(message);
 }
 

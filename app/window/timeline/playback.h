@@ -109,6 +109,7 @@ private:
   std::vector<Motion> known_; ///< Also those whose organ is gone: undo may bring it back.
   Motion present_;
   bool unsettled_ = false;  ///< The document or the sequence has changed, and nothing was shown yet.
+  QString otherHandles_;    ///< What was said of handles that are not the sequence's.
   bool outOfReach_ = false; ///< It was said that a locked volume cannot be kept.
   QTimer frames_;           ///< Runs in the first view.
   std::vector<Subscription> subscriptions_;

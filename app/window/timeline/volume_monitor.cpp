@@ -48,6 +48,8 @@ void VolumeMonitor::watch(Side& side) {
   side.subscriptions.push_back(side.workspace->onChange([this, first](const document::Change& change) {
     if (change.organs())
       rebuild();
+    if (change.rig() || change.system()) // What was recorded is of other bindings.
+      restart();
     const bool moved = change.pose() && !change.rig() && !change.organs();
     if (first && (moved || (dragging_ && !change.interactive)))
       sampleDrag(change.interactive);

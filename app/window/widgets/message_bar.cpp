@@ -78,6 +78,11 @@ void MessageBar::dismiss() {
   hide();
 }
 
+void MessageBar::retract(const QString& text) {
+  if (text == this->text())
+    dismiss();
+}
+
 void MessageBar::rebuildOffers(const std::vector<Message::Offer>& offers) {
   while (QLayoutItem* item = offers_->takeAt(0)) {
     item->widget()->hide();

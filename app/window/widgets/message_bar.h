@@ -39,6 +39,8 @@ public:
 
 public Q_SLOTS:
   void dismiss();
+  /// Closes the bar when it shows this text.
+  void retract(const QString& text);
 
 private:
   void rebuildOffers(const std::vector<Message::Offer>& offers);

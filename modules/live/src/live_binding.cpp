@@ -55,7 +55,7 @@ struct LiveBinding::Impl : BoundOrgans {
   void take(BoundOrgan& organ, BindingResult result, std::shared_ptr<const BindingTarget> of);
   void show();
   void tellShown(bool otherPose);
-  void tell();
+  void tell(bool otherPose = false);
 };
 
 void LiveBinding::Impl::onChange(const document::Change& change) {
@@ -203,8 +203,10 @@ void LiveBinding::Impl::take(BoundOrgan& organ, BindingResult result,
 }
 
 /// Tells what happened, after all of it: an observer may ask about any organ, or show another pose.
-void LiveBinding::Impl::tell() {
+void LiveBinding::Impl::tell(bool otherPose) {
   std::vector<LiveEvent> news;
+  if (otherPose)
+    news.push_back({{}, true});
   for (auto& [id, organ] : organs) {
     const LiveEvent event = std::exchange(organ.pending, {id});
     if (event.moved || event.replaced || event.status)
@@ -221,7 +223,7 @@ void LiveBinding::Impl::tellShown(bool otherPose) {
   FirstException exception;
   if (otherPose)
     exception.watch([this] { derived.emit(); });
-  exception.watch([this] { tell(); });
+  exception.watch([&] { tell(otherPose); });
   exception.rethrow();
 }
 

@@ -164,7 +164,8 @@ struct OrganLabels::Parts {
   std::vector<Drawn> drawn;
   bool shown = false;
   Theme theme = darkTheme();
-  // The last layout is kept as long as it fits: labels stand still while the organ moves.
+  // While something moves the last layout is kept as long as it fits: labels stand still. At rest a picture
+  // depends on nothing but what is in it.
   std::optional<ViewGeometry> laidOutFor;
   std::vector<std::optional<ScreenBox>> boxes;
   BeforeRender beforeRender{[this] { follow(); }};
@@ -227,7 +228,7 @@ LabelSpace OrganLabels::Parts::space(const ViewGeometry& geometry, double ratio)
 
 bool OrganLabels::Parts::stillFits(const ViewGeometry& geometry, const Footprint& all,
                                    const std::vector<std::optional<Sighting>>& sightings) const {
-  if (!laidOutFor || !sameView(*laidOutFor, geometry) || boxes.size() != items.size())
+  if (!view.moving() || !laidOutFor || !sameView(*laidOutFor, geometry) || boxes.size() != items.size())
     return false;
   for (std::size_t i = 0; i < items.size(); ++i)
     if (sightings[i].has_value() != boxes[i].has_value() || (boxes[i] && all.touches(*boxes[i])))

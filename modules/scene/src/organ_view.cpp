@@ -379,6 +379,10 @@ void OrganView::setMoving(bool moving) {
   parts_->moving = moving;
 }
 
+bool OrganView::moving() const {
+  return parts_->moving;
+}
+
 std::optional<SurfacePick> OrganView::pick(double x, double y) const {
   std::vector<OrganActor*> organs;
   for (const auto& organ : parts_->organs)

@@ -45,14 +45,7 @@ const std::set<std::string> kMayUseQt = {"plugin", "localised_scc", "document", 
 
 /// Includes from the command line, or from what both use, to the window that are still there. Nothing may be
 /// added.
-const std::set<std::pair<std::string, std::string>> kKnownExceptions = {
-    {"app/cli/session_maps.cpp", "window/stress/value_steps.h"},
-    {"app/cli/session_maps.h", "window/stress/stress_look.h"},
-    {"app/cli/session_overlays.cpp", "window/group_layout.h"},
-    {"app/cli/session_overlays.cpp", "window/measure/measure_scene.h"},
-    {"app/cli/session_overlays.cpp", "window/view/label_scene.h"},
-    {"app/cli/session_overlays.cpp", "window/view/region_scene.h"},
-    {"app/stress_json.h", "window/stress/stress_look.h"}};
+const std::set<std::pair<std::string, std::string>> kKnownExceptions = {};
 
 /// What `line` of `file` includes although command line and window do not know each other; else empty. Only
 /// `app/main.cpp` knows both.

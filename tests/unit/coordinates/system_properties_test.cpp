@@ -38,7 +38,7 @@ public:
   std::unique_ptr<Binding> bind(const HandleSet& handles, const Points&, const BindOptions&,
                                 Progress&) const override {
     if (handles.positions.rows() == 9)
-      throw DataError("nine are not enough", "handles");
+      throw DataError("Nine are not enough", "handles");
     throw 42;
   }
 };
@@ -91,7 +91,7 @@ TEST(SystemProperties, BearSystemsThatRefuse) {
   ASSERT_EQ(all.size(), 2u);
   EXPECT_EQ(all[0].id, "refusing");
   EXPECT_EQ(all[0].refusals(), 2);
-  EXPECT_THAT(all[0].scenes[0].refusal, testing::HasSubstr("nine are not enough"));
+  EXPECT_THAT(all[0].scenes[0].refusal, testing::HasSubstr("Nine are not enough"));
   EXPECT_NE(all[0].scenes[1].refusal, "");
   EXPECT_EQ(all[0].worst().points, 0);
   EXPECT_EQ(all[1].refusals(), 0);

@@ -245,7 +245,8 @@ TEST(HandleFiles, LabelsThatAreLatin1BecomeUtf8AndStayApart) {
   const TemporaryFolder folder;
   const auto labels = [&](const std::string& name, const std::string& text) {
     std::vector<std::string> list;
-    for (const HandleRecord& handle : readHandles(folder.put(name, text)).groups.at(0).handles)
+    const HandleFile file = readHandles(folder.put(name, text));
+    for (const HandleRecord& handle : file.groups.at(0).handles)
       list.push_back(handle.label);
     return list;
   };

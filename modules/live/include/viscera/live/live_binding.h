@@ -38,7 +38,7 @@ struct BindingStatus {
   int outsideCage = 0; ///< Failed: vertices that have no coordinates in the given cage.
 };
 
-/// What happened to one organ.
+/// What happened to one organ; without an organ, to the handles: they are shown elsewhere.
 struct LiveEvent {
   document::OrganId organ;
   bool moved = false;    ///< `points` has other values.

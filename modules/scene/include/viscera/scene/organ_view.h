@@ -93,6 +93,7 @@ public:
   /// The view notices the mouse by itself; whoever plays a sequence says so here, and renders once more at
   /// the end.
   void setMoving(bool moving);
+  bool moving() const;
 
   /// What is under a display position (device pixels from the lower left corner).
   std::optional<SurfacePick> pick(double x, double y) const;
