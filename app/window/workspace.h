@@ -37,6 +37,10 @@ public:
     return document_.onChange(std::move(observer));
   }
 
+  /// Calls `what` once everybody has heard of the change of the document that is being told; at once when
+  /// none is.
+  void afterChange(std::function<void()> what) { document_.announce(std::move(what)); }
+
   /// Does the command as one undo step; when it is not possible, says why and returns false.
   bool perform(const document::Command& command);
   /// Calls `work`; an error becomes a message and false. The barrier that no exception passes on its way into

@@ -25,8 +25,10 @@ Playback::Playback(Workspace& workspace, std::shared_ptr<motion::Transport> tran
   subscriptions_.push_back(transport_->onShown([this] { onShown(); }));
   subscriptions_.push_back(transport_->onState([this] { onState(); }));
   subscriptions_.push_back(workspace.onChange([this](const document::Change& change) {
-    if (change.organs() || (change.rig() && transport_->started()))
-      settleLater();
+    if (change.organs() || (change.rig() && transport_->started())) {
+      unsettled_ = true;
+      workspace_.afterChange([this] { settle(); });
+    }
     if (!otherHandles_.isEmpty() && player_.movable())
       workspace_.retract(std::exchange(otherHandles_, {}));
   }));
