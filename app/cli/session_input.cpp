@@ -70,6 +70,17 @@ void findPeak(live::LiveStress& stress, const document::DocumentState& state,
     stress.findPeak(std::move(sequence), view.playing->ratePerMinute);
 }
 
+/// From a side that is asked for, a view that cannot be read is as at first.
+presentation::ViewState viewOf(const document::OpenedSession& opened, bool fromSide) {
+  try {
+    return presentation::viewFromJson(opened.contents.view);
+  } catch (const DataError& error) {
+    if (fromSide)
+      return {};
+    throw DataError(error.problem(), error.where(), "give --view for a picture from another side");
+  }
+}
+
 } // namespace
 
 Outcome describeSession(const std::string& file, Surroundings& surroundings) {
@@ -128,7 +139,7 @@ Outcome describeSession(const std::string& file, Surroundings& surroundings) {
 SessionPicture sessionPicture(const document::OpenedSession& opened, const StageOptions& options,
                               bool fromSide, Surroundings& surroundings) {
   const document::DocumentState& state = opened.contents.state;
-  const presentation::ViewState view = presentation::viewFromJson(opened.contents.view);
+  const presentation::ViewState view = viewOf(opened, fromSide);
   document::Document document;
   document::UndoStack undo(document);
   PostBox box;

@@ -58,6 +58,6 @@ private:
 
 /// The format of session files.
 inline constexpr const char* kSessionFormat = "viscera-session";
-inline constexpr int kSessionVersion = 1;
+inline constexpr int kSessionVersion = 2;
 
 } // namespace viscera::document

@@ -98,7 +98,7 @@ TEST_F(CliConvert, RefusesWhatMakesNoSenseAndLeavesNothing) {
   const std::ptrdiff_t before = files();
   expectFailure({"convert", handles, path("h.stl")}, kUsage, "h.stl");
   expectFailure({"convert", surface, path("c.mrk.json")}, kUsage, "c.mrk.json");
-  expectFailure({"convert", handles, path("h.fcsv"), "--fill-holes"}, kUsage, "handles");
+  expectFailure({"convert", handles, path("h.fcsv"), "--fill-holes"}, kUsage, "Handles");
   expectFailure({"convert", surface, path("c.xyz")}, kCannotCreate, "c.xyz");
   expectFailure({"convert", path("none.stl"), path("c.stl")}, kNoInput, "none.stl");
   EXPECT_EQ(files(), before);

@@ -25,7 +25,7 @@ constexpr int kBreaks = 1;
 constexpr int kNoValidator = 77;
 
 const std::string kMarkups = VISCERA_SCHEMAS "/markups-1.0.3.schema.json";
-const std::string kSession = VISCERA_SOURCE_DIR "/resources/schema/session-1.schema.json";
+const std::string kSession = VISCERA_SOURCE_DIR "/resources/schema/session-2.schema.json";
 
 /// Exit code 0: every file follows the schema; 1: the output says which does not, where and why.
 test::ProcessResult validate(const std::string& schema, const std::vector<std::filesystem::path>& files) {

@@ -258,12 +258,12 @@ TEST(SessionFile, OfALaterVersionIsRefusedWithAdvice) {
   TemporaryFolder folder;
   write(folder / "a.viscera", {});
   ordered_json root = jsonOf(folder / "a.viscera");
-  root["version"] = 2;
+  root["version"] = 3;
   try {
     readBack(folder.put("b.viscera", root.dump()));
     FAIL() << "a later version was read";
   } catch (const DataError& error) {
-    EXPECT_THAT(error.what(), HasSubstr("b.viscera: It is of version 2"));
+    EXPECT_THAT(error.what(), HasSubstr("b.viscera: It is of version 3"));
     EXPECT_THAT(error.tryThis(), HasSubstr("update Viscera"));
   }
 }

@@ -78,7 +78,7 @@ private:
 
 Schema published() {
   return Schema(json::parse(contentsOf(std::filesystem::path(VISCERA_SOURCE_DIR) / "resources" / "schema" /
-                                       "session-1.schema.json")));
+                                       "session-2.schema.json")));
 }
 
 json written(const TemporaryFolder& folder, const SessionContents& contents) {
