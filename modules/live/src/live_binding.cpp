@@ -205,13 +205,14 @@ void LiveBinding::Impl::take(BoundOrgan& organ, BindingResult result,
 /// Tells what happened, after all of it: an observer may ask about any organ, or show another pose.
 void LiveBinding::Impl::tell(bool otherPose) {
   std::vector<LiveEvent> news;
-  if (otherPose)
-    news.push_back({{}, true});
   for (auto& [id, organ] : organs) {
     const LiveEvent event = std::exchange(organ.pending, {id});
     if (event.moved || event.replaced || event.status)
       news.push_back(event);
   }
+  const auto moved = [](const LiveEvent& event) { return event.moved; };
+  if (otherPose && std::none_of(news.begin(), news.end(), moved))
+    news.push_back({{}, true});
   FirstException exception;
   for (const LiveEvent& event : news)
     exception.watch([&] { document.announce(events.emission(event)); });

@@ -80,7 +80,8 @@ TEST_F(CliProperties, OffersForRegionsTheSystemsThatSuitThem) {
   for (const auto& [id, row] : tests::promises())
     if (row.at("localisable"))
       promised.insert(id);
-  for (const json& system : runJson({"systems"})["systems"])
+  const json listing = runJson({"systems"});
+  for (const json& system : listing["systems"])
     for (const json& parameter : system["parameters"])
       if (system["id"] == "localised-s-celestial" && parameter["name"] == "inner")
         offered = std::set<std::string>(parameter["choices"].begin(), parameter["choices"].end());

@@ -319,7 +319,7 @@ TEST_F(MeasurementsInSessions, ThatAreDamagedAreRefusedWithThePlace) {
   EXPECT_THAT(failureOf([&](Json& list) {
                 point(list)["weights"] = {0.5, 0.5, 0.5};
               }),
-              HasSubstr("its weights are no place in a triangle"));
+              HasSubstr("Its weights are no place in a triangle"));
   EXPECT_THAT(failureOf([&](Json& list) { point(list).erase("weights"); }), HasSubstr("weights"));
   EXPECT_EQ(failureOf([&](Json& list) { point(list)["triangle"] = 127; }), "was opened");
 }

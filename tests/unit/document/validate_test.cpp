@@ -257,7 +257,7 @@ TEST(Validate, RefusesDamagedFilesThatWouldMakeTheNextSaveUnreadable) {
                 root["measurements"][0]["points"][0] = {
                     {"rest", {0, 0, 0}}, {"organ", 4711}, {"triangle", 0}, {"weights", {1, 0, 0}}};
               }),
-              HasSubstr("there is no organ 4711"));
+              HasSubstr("There is no organ 4711"));
   EXPECT_EQ(failureOf([](ordered_json&) {}), "was opened");
 }
 

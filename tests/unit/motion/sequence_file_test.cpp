@@ -134,8 +134,8 @@ TEST_F(SequenceFiles, areRefusedWithTheKeyAndFieldThatIsWrong) {
   says("\"Nobody\", which is not among", [](auto& j) { j["keys"][0]["pose"]["Nobody"] = {1, 2, 3}; });
   says("three numbers", [](auto& j) { j["keys"][0]["pose"]["A"] = {1, 2}; });
   says("handle \"A\"", [](auto& j) { j["keys"][0]["pose"]["A"] = {1, 2, nullptr}; });
-  says("there is no easing \"bouncy\"", [](auto& j) { j["keys"][0]["easing"] = "bouncy"; });
-  says("there is no interpolation", [](auto& j) { j["interpolation"] = "zigzag"; });
+  says("There is no easing \"bouncy\"", [](auto& j) { j["keys"][0]["easing"] = "bouncy"; });
+  says("There is no interpolation", [](auto& j) { j["interpolation"] = "zigzag"; });
   says("comes twice", [](auto& j) { j["handles"][1]["label"] = "A"; });
   says("four at least", [](auto& j) {
     j["handles"].erase(0);

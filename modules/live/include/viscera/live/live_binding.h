@@ -38,7 +38,8 @@ struct BindingStatus {
   int outsideCage = 0; ///< Failed: vertices that have no coordinates in the given cage.
 };
 
-/// What happened to one organ; without an organ, to the handles: they are shown elsewhere.
+/// What happened to one organ; without an organ, to the handles alone: they are shown elsewhere, and
+/// no organ follows them.
 struct LiveEvent {
   document::OrganId organ;
   bool moved = false;    ///< `points` has other values.

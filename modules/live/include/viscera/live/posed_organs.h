@@ -4,11 +4,8 @@
 #include <memory>
 
 #include "viscera/core/arrays.h"
+#include "viscera/deformation/deformer.h"
 #include "viscera/document/ids.h"
-
-namespace viscera::deformation {
-class Deformer;
-}
 
 namespace viscera::live {
 
