@@ -146,7 +146,7 @@ TEST_F(Schemas, BrokenSessionsAreRefused) {
   tests::write(folder_ / "a.viscera", tests::fullContents(folder_));
   const json good = json::parse(contentsOf(folder_ / "a.viscera"));
   for (const auto& [place, value] :
-       {std::pair("/version", json(2)), std::pair("/surfaces", json("somewhere")),
+       {std::pair("/version", json(3)), std::pair("/surfaces", json("somewhere")),
         std::pair("/organs/0/id", json(0)), std::pair("/organs/0/look/opacity", json(1.5)),
         std::pair("/rig/handles/0/locked", json(1)), std::pair("/rig/handles/0/rest", json({1, 2})),
         std::pair("/recording/keys/0/easing", json("bouncing")), std::pair("/view", json(nullptr)),

@@ -110,7 +110,7 @@ TEST(SessionSchema, DoesNotTakeWhatIsRefused) {
   const Schema schema = published();
   const json good = written(folder, tests::fullContents(folder));
   for (const auto& [place, value] :
-       {std::pair("/version", json(2)), std::pair("/format", json("viscera-sequence")),
+       {std::pair("/version", json(3)), std::pair("/format", json("viscera-sequence")),
         std::pair("/surfaces", json("somewhere")), std::pair("/organs/0/id", json(0)),
         std::pair("/organs/0/name", json("")), std::pair("/organs/0/look/opacity", json(1.5)),
         std::pair("/organs/0/look/color", json({1, 2})), std::pair("/rig/handles/0/locked", json(1)),
