@@ -10,7 +10,8 @@
 namespace viscera::tests {
 
 /// What every coordinate system promises, by its id and then by the name of the promise: the committed table
-/// `tests/contract/systems/promises.csv`, written from what was measured and not from the systems' own word.
+/// `tests/contract/systems/promises.csv`. A system that changes its word, or that the measurements of
+/// `properties` contradict, fails against it.
 inline std::map<std::string, std::map<std::string, bool>> promises() {
   std::ifstream file(std::filesystem::path(VISCERA_SOURCE_DIR) / "tests/contract/systems/promises.csv");
   std::map<std::string, std::map<std::string, bool>> table;
