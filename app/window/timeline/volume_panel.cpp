@@ -319,7 +319,7 @@ void VolumePanel::refresh() {
   const bool cycle = cycleShown_ && !dragsShown();
   bool anything = dragsShown() || monitor_.record().rows() >= 2;
   for (std::size_t line = 0; cycle && line < tiles_.size(); ++line)
-    anything = anything || monitor_.cycle(line).seen() >= 1;
+    anything = anything || !monitor_.cycle(line).fractions.empty();
   stack_->setCurrentIndex(anything ? 1 : 0);
   source_->setVisible(anything && !dragsShown() && !source_->fullText().isEmpty());
   cycle ? drawCycle() : drawRecord();
@@ -338,10 +338,10 @@ void VolumePanel::drawCycle() {
     chart_->setAxes(tr("Time in the cycle").toStdString(), "s", tr("Volume").toStdString(), "ml");
   chart_->setTimeRange({0, length});
   for (std::size_t line = 0; line < tiles_.size(); ++line) {
-    std::vector<double> times = monitor_.cycle(line).fractions();
-    for (double& time : times)
+    VolumeMonitor::Curve curve = monitor_.cycle(line);
+    for (double& time : curve.fractions)
       time *= length;
-    chart_->setCurve(static_cast<int>(line), std::move(times), monitor_.cycle(line).values());
+    chart_->setCurve(static_cast<int>(line), std::move(curve.fractions), std::move(curve.milliliters));
   }
   drawPrescribed(length);
   if (playback_.showing())
