@@ -28,6 +28,7 @@
 #include "window/status_line.h"
 #include "window/timeline/timeline_bar.h"
 #include "window/timeline/volume_panel.h"
+#include "window/view/organ_pointer.h"
 #include "window/view/view_actions.h"
 #include "window/view/view_area.h"
 #include "window/widgets/mode_rail.h"
@@ -158,10 +159,16 @@ void MainWindow::connectView() {
     view->view().setMoving(playback_.player().playing());
     view->scheduleRender();
   });
-  connect(organPanel_, &OrganPanel::focusRequested, this, [this](document::OrganId organ) {
-    workspace_.selection().setOrgan(organ);
-    views_->focus();
-  });
+  auto* pointer = new OrganPointer(workspace_, *picture_, *view, *organPanel_->menu(), this);
+  // In Handles mode each click of the two adds a handle.
+  const auto trigger = [this](const char* id) {
+    return [this, action = actions_[id]] {
+      if (mode() != "handles")
+        action->trigger();
+    };
+  };
+  connect(pointer, &OrganPointer::aloneWanted, this, trigger("organ.showOnly"));
+  connect(pointer, &OrganPointer::allWanted, this, trigger("organ.showAll"));
 }
 
 void MainWindow::connectFiles() {

@@ -105,7 +105,8 @@ void Menus::makeOrganMenus() {
   organ->addMenu(samples_);
   fill(organ, {"", "volume.lock", "volume.restore", ""});
   fill(organ, parts_.modes.find("explore").actions());
-  fill(organ, {"", "organ.rename", "organ.remove", "", "file.export"});
+  fill(organ, {"", "organ.showOnly", "organ.hide", "organ.showAll", "organ.find", "", "organ.rename",
+               "organ.remove", "", "file.export"});
   QMenu* handles = bar_.addMenu(tr("&Handles"));
   fill(handles, parts_.modes.find("handles").actions());
   fill(handles, {""});

@@ -2,6 +2,7 @@
 
 #include <QDateTime>
 
+#include "viscera/document/organ_commands.h"
 #include "viscera/scene/picture.h"
 
 namespace viscera::app {
@@ -62,7 +63,14 @@ void ViewActions::lookFrom(scene::StandardView from) {
 
 void ViewActions::focus() {
   scene::OrganView& view = parts_.area.view()->view();
-  const auto selected = parts_.picture.actorOf(parts_.workspace.selection().organ());
+  const auto organ = parts_.workspace.document().organ(parts_.workspace.selection().organ());
+  if (organ && !organ->look.visible) { // Who wants to see it does not want an empty place.
+    document::OrganLook look = organ->look;
+    look.visible = true;
+    parts_.workspace.perform(document::setOrganLook(organ->id, look));
+    parts_.workspace.undo().seal();
+  }
+  const auto selected = organ ? parts_.picture.actorOf(organ->id) : nullptr;
   view.frame(selected ? selected->bounds() : view.bounds());
   parts_.area.view()->scheduleRender();
 }
