@@ -181,7 +181,7 @@ protected:
     look.witnesses = live::WitnessOptions::kFewest;
     window().stress().model().setLook(look);
     key(Qt::Key_4);
-    ASSERT_TRUE(waitUntil([this] { return window().stress().model().ready() && atPeace(window()); }));
+    ASSERT_TRUE(waitUntil([this] { return window().stress().model().shown().ready() && atPeace(window()); }));
     settle();
   }
   vtkSmartPointer<vtkImageData> fromFront() {
@@ -265,7 +265,7 @@ constexpr Stage kStages[] = {
        return window.workspace().stress().status().state == StressState::ready;
      }},
     {"WhenAllIsThere",
-     [](app::MainWindow& window) { return window.stress().model().ready() && atPeace(window); }},
+     [](app::MainWindow& window) { return window.stress().model().shown().ready() && atPeace(window); }},
 };
 INSTANTIATE_TEST_SUITE_P(Stages, LeavingStress, testing::ValuesIn(kStages),
                          [](const auto& of) { return std::string(of.param.name); });

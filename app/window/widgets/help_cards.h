@@ -6,9 +6,27 @@
 #include <vector>
 
 class QLabel;
+class QMenu;
+class QMenuBar;
 class QPushButton;
 
+/// What help puts over the view.
 namespace viscera::app {
+
+/// What a first visitor can do, beside the beating heart: open a file, take a sample organ, or be shown
+/// around.
+class WelcomeCard final : public QFrame {
+  Q_OBJECT
+
+public:
+  /// `samples` opens at "Sample organs"; it stays the caller's.
+  explicit WelcomeCard(QMenu* samples, QWidget* parent = nullptr);
+
+Q_SIGNALS:
+  void openRequested();
+  void tourRequested();
+  void closed();
+};
 
 /// One stop of the tour.
 struct TourStep {
@@ -26,9 +44,6 @@ public:
 
   void start();
 
-Q_SIGNALS:
-  void ended();
-
 private:
   void goTo(std::size_t step);
 
@@ -39,6 +54,14 @@ private:
   QLabel* text_;
   QPushButton* back_;
   QPushButton* next_;
+};
+
+/// What the mouse does and all shortcuts, in the order of the menus, over the view.
+class ShortcutCard final : public QFrame {
+  Q_OBJECT
+
+public:
+  explicit ShortcutCard(const QMenuBar& menus, QWidget* parent = nullptr);
 };
 
 } // namespace viscera::app
