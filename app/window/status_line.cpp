@@ -24,8 +24,8 @@ StatusLine::StatusLine(Workspace& workspace, VolumeMonitor& volumes, QStatusBar*
   bar->addWidget(volume_);
   bar->addWidget(binding_);
   bar->addWidget(hint_, 1);
-  bar->addPermanentWidget(job_);
   makeJob();
+  bar->addPermanentWidget(job_);
   connect(&volumes, &VolumeMonitor::updated, this, &StatusLine::syncVolume);
   subscriptions_.push_back(workspace.onChange([this](const document::Change&) {
     syncVolume();
