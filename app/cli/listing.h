@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "viscera/core/number_text.h"
+#include "viscera/core/text.h"
 
 namespace viscera::app::cli {
 

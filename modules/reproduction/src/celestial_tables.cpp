@@ -6,7 +6,7 @@
 
 #include "viscera/coordinates/measure/profile_measures.h"
 #include "viscera/coordinates/measure/system_properties.h"
-#include "viscera/core/number_text.h"
+#include "viscera/core/text.h"
 #include "viscera/deformation/tetrahedralise.h"
 #include "viscera/reproduction/measured_scenes.h"
 
