@@ -9,7 +9,7 @@
 
 #include "mean_value/triangle_share.h"
 #include "nspace/direction_solver.h"
-#include "viscera/geometry/hull_facets.h"
+#include "viscera/geometry/convex_hull.h"
 
 namespace viscera::coordinates {
 namespace {

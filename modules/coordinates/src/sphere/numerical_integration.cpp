@@ -13,7 +13,7 @@
 #include "choice_parameter.h"
 #include "nspace/direction_solver.h"
 #include "sphere/sphere_samples.h"
-#include "viscera/geometry/hull_facets.h"
+#include "viscera/geometry/convex_hull.h"
 
 namespace viscera::coordinates {
 namespace {

@@ -11,7 +11,7 @@
 #include "mean_value/triangle_share.h"
 #include "nspace/direction_solver.h"
 #include "sphere/plane_neighbours.h"
-#include "viscera/geometry/hull_facets.h"
+#include "viscera/geometry/convex_hull.h"
 
 namespace viscera::coordinates {
 namespace {
