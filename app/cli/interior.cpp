@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "viscera/core/error.h"
-#include "viscera/deformation/bind_witnesses.h"
+#include "viscera/deformation/witness_gradients.h"
 
 namespace viscera::app::cli {
 

@@ -6,7 +6,7 @@
 
 #include "tetrahedra.h"
 #include "viscera/coordinates/built_in_systems.h"
-#include "viscera/deformation/bind_witnesses.h"
+#include "viscera/deformation/witness_gradients.h"
 #include "viscera/live/stress_quantity.h"
 #include "viscera/scene/tissue_actor.h"
 

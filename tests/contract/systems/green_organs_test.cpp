@@ -4,7 +4,7 @@
 #include "line_measures.h"
 #include "shapes.h"
 #include "viscera/deformation/bind_organ.h"
-#include "viscera/deformation/bind_witnesses.h"
+#include "viscera/deformation/witness_gradients.h"
 #include "viscera/deformation/deformer.h"
 #include "viscera/deformation/least_stress.h"
 #include "viscera/deformation/volume_lock.h"

@@ -7,7 +7,7 @@
 #include "shapes.h"
 #include "viscera/core/error.h"
 #include "viscera/deformation/bind_organ.h"
-#include "viscera/deformation/bind_witnesses.h"
+#include "viscera/deformation/witness_gradients.h"
 #include "viscera/deformation/tetrahedralise.h"
 
 /// Harmonic coordinates and bounded biharmonic weights on TetGen's meshes.
