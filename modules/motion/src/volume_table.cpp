@@ -14,7 +14,7 @@ void writeVolumeTable(const std::filesystem::path& file, const VolumeRecord& vol
     stream << "time_s";
     for (const std::string& name : volumes.names())
       stream << ',' << csvField(name + "_ml");
-    stream << '\n' << std::fixed << std::setprecision(6);
+    stream << '\n' << std::setprecision(12);
     for (std::size_t row = 0; row < volumes.rows(); ++row) {
       stream << volumes.seconds(row);
       for (std::size_t column = 0; column < volumes.names().size(); ++column)
