@@ -5,7 +5,7 @@
 #include <CLI/CLI.hpp>
 
 #include "viscera/core/error.h"
-#include "viscera/deformation/bind_witnesses.h"
+#include "viscera/deformation/witness_gradients.h"
 
 namespace viscera::app::cli {
 

@@ -5,7 +5,7 @@
 #include <set>
 #include <utility>
 
-#include "viscera/coordinates/cage/given_cage.h"
+#include "viscera/coordinates/cage/cage.h"
 #include "viscera/core/error.h"
 #include "viscera/document/cage_commands.h"
 #include "viscera/document/label_organs.h"

@@ -6,7 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "viscera/core/number_text.h"
+#include "viscera/core/text.h"
 #include "viscera/medical_io/assess_surface.h"
 
 /// What commands say of what they have found.

@@ -10,7 +10,7 @@
 #include "viscera/core/error.h"
 #include "viscera/document/open_files.h"
 #include "viscera/geometry/surface_check.h"
-#include "viscera/geometry/transformed_surface.h"
+#include "viscera/geometry/triangle_mesh.h"
 #include "viscera/medical_io/assess_surface.h"
 #include "viscera/medical_io/handle_file.h"
 #include "viscera/medical_io/organ_norms.h"

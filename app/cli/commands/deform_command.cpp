@@ -17,7 +17,7 @@
 #include "viscera/deformation/inverse_displacements.h"
 #include "viscera/deformation/least_stress.h"
 #include "viscera/deformation/restoration_model.h"
-#include "viscera/deformation/restore_volume.h"
+#include "viscera/deformation/volume_lock.h"
 #include "viscera/medical_io/displacement_file.h"
 #include "viscera/medical_io/surface_file.h"
 

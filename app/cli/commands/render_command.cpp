@@ -20,7 +20,7 @@
 #include "cli/system_options.h"
 #include "viscera/core/error.h"
 #include "viscera/deformation/bind_organ.h"
-#include "viscera/deformation/bind_witnesses.h"
+#include "viscera/deformation/witness_gradients.h"
 #include "viscera/document/open_files.h"
 #include "viscera/document/session_file.h"
 #include "viscera/scene/contact_sheet.h"

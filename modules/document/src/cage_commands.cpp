@@ -4,7 +4,7 @@
 #include <set>
 #include <utility>
 
-#include "viscera/coordinates/cage/given_cage.h"
+#include "viscera/coordinates/cage/cage.h"
 #include "viscera/document/edit.h"
 #include "viscera/document/rig_commands.h"
 #include "viscera/geometry/self_intersections.h"

@@ -6,7 +6,7 @@
 #include <sstream>
 
 #include "viscera/core/error.h"
-#include "viscera/core/utf8.h"
+#include "viscera/core/text.h"
 
 namespace viscera::document {
 namespace {

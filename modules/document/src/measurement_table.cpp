@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "viscera/core/atomic_file.h"
-#include "viscera/core/csv_field.h"
+#include "viscera/core/text.h"
 #include "viscera/document/document.h"
 
 namespace viscera::document {

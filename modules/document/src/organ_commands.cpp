@@ -4,7 +4,7 @@
 #include <set>
 #include <utility>
 
-#include "viscera/core/utf8.h"
+#include "viscera/core/text.h"
 #include "viscera/document/edit.h"
 #include "viscera/geometry/close_holes.h"
 #include "viscera/geometry/surface_check.h"

@@ -5,7 +5,7 @@
 #include <ostream>
 
 #include "viscera/core/atomic_file.h"
-#include "viscera/core/csv_field.h"
+#include "viscera/core/text.h"
 #include "viscera/geometry/volume.h"
 
 namespace viscera::document {

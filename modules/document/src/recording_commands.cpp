@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "viscera/core/utf8.h"
+#include "viscera/core/text.h"
 #include "viscera/document/edit.h"
 
 namespace viscera::document {

@@ -4,7 +4,7 @@
 #include <set>
 #include <utility>
 
-#include "viscera/core/utf8.h"
+#include "viscera/core/text.h"
 #include "viscera/deformation/place_handles.h"
 #include "viscera/document/edit.h"
 

@@ -6,9 +6,9 @@
 
 #include "binding_target.h"
 #include "viscera/core/error.h"
-#include "viscera/deformation/bind_witnesses.h"
-#include "viscera/deformation/carve_witnesses.h"
 #include "viscera/deformation/tetrahedralise.h"
+#include "viscera/deformation/witness_gradients.h"
+#include "viscera/deformation/witness_mesh.h"
 #include "viscera/document/sequence_rig.h"
 
 namespace viscera::live {

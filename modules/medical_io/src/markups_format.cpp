@@ -11,7 +11,7 @@
 #include "handle_formats.h"
 #include "space_tag.h"
 #include "text_scanner.h"
-#include "viscera/core/utf8.h"
+#include "viscera/core/text.h"
 
 namespace viscera::medical_io {
 namespace {

@@ -6,7 +6,7 @@
 #include "viscera/geometry/clean_surface.h"
 #include "viscera/geometry/close_holes.h"
 #include "viscera/geometry/connected_pieces.h"
-#include "viscera/geometry/transformed_surface.h"
+#include "viscera/geometry/triangle_mesh.h"
 #include "viscera/medical_io/organ_norms.h"
 #include "viscera/medical_io/surface_repair.h"
 

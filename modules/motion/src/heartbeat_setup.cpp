@@ -8,8 +8,8 @@
 #include "sequence_binding.h"
 #include "viscera/core/content_hash.h"
 #include "viscera/document/sequence_rig.h"
+#include "viscera/sequences/heart_rig.h"
 #include "viscera/sequences/heartbeat.h"
-#include "viscera/sequences/sample_heart.h"
 
 namespace viscera::motion {
 namespace {

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "viscera/core/atomic_file.h"
-#include "viscera/core/csv_field.h"
+#include "viscera/core/text.h"
 
 namespace viscera::motion {
 

@@ -4,9 +4,9 @@
 #include <functional>
 #include <optional>
 
-#include "viscera/coordinates/measure/profile_measures.h"
+#include "viscera/coordinates/measure/line_profile.h"
 #include "viscera/coordinates/measure/system_properties.h"
-#include "viscera/core/number_text.h"
+#include "viscera/core/text.h"
 #include "viscera/deformation/tetrahedralise.h"
 #include "viscera/reproduction/measured_scenes.h"
 

@@ -2,8 +2,8 @@
 #include "celestial_tables.h"
 #include "line_figure.h"
 #include "newton_figures.h"
-#include "viscera/coordinates/measure/profile_measures.h"
-#include "viscera/core/number_text.h"
+#include "viscera/coordinates/measure/line_profile.h"
+#include "viscera/core/text.h"
 #include "viscera/reproduction/measured_scenes.h"
 
 namespace viscera::reproduction {

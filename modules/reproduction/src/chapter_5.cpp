@@ -4,7 +4,7 @@
 #include "charts.h"
 #include "timing.h"
 #include "viscera/coordinates/celestial/s_celestial.h"
-#include "viscera/core/number_text.h"
+#include "viscera/core/text.h"
 #include "viscera/deformation/bind_organ.h"
 #include "viscera/deformation/place_handles.h"
 #include "viscera/deformation/stress_polynomial.h"

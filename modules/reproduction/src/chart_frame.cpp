@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "viscera/core/number_text.h"
+#include "viscera/core/text.h"
 
 namespace viscera::reproduction {
 namespace {

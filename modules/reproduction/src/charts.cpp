@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "viscera/core/number_text.h"
+#include "viscera/core/text.h"
 
 namespace viscera::reproduction {
 namespace {

@@ -4,7 +4,7 @@
 
 #include "charts.h"
 #include "viscera/coordinates/measure/newton_spread.h"
-#include "viscera/core/number_text.h"
+#include "viscera/core/text.h"
 #include "viscera/reproduction/measured_scenes.h"
 
 namespace viscera::reproduction {

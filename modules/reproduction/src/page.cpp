@@ -5,7 +5,7 @@
 #include "svg_canvas.h"
 #include "viscera/core/atomic_file.h"
 #include "viscera/core/error.h"
-#include "viscera/core/number_text.h"
+#include "viscera/core/text.h"
 
 namespace viscera::reproduction {
 namespace {

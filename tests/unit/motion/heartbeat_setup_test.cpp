@@ -56,7 +56,8 @@ Fit fitOverOneBeat(BeatingHeart& heart, double rate, int frames) {
     // Not at the phases where it was calibrated.
     const double seconds = (frame + 0.37) / frames * 60 / rate;
     heart.show(seconds, rate);
-    const CavityVolumes wanted = heart.heartbeat().volumesAt(seconds, rate);
+    const sequences::CardiacCycle& cycle = heart.heartbeat().cycle();
+    const CavityVolumes wanted = cycle.volumes(cycle.referencePhase(seconds, rate));
     const double left = heart.volumeMl("lv");
     fit.leftOff = std::max(fit.leftOff, std::abs(left - wanted.leftMl));
     fit.rightOff = std::max(fit.rightOff, std::abs(heart.volumeMl("rv") - wanted.rightMl));

@@ -6,7 +6,7 @@
 
 #include "viscera/core/job_queue.h"
 #include "viscera/core/parallel.h"
-#include "viscera/deformation/principal_stretches.h"
+#include "viscera/deformation/rotational_stress.h"
 #include "viscera/deformation/witness_gradients.h"
 #include "viscera/deformation/witness_mesh.h"
 #include "viscera/document/document.h"

@@ -5,7 +5,7 @@
 #include <memory>
 
 #include "viscera/coordinates/binding.h"
-#include "viscera/deformation/principal_stretches.h"
+#include "viscera/deformation/rotational_stress.h"
 #include "viscera/deformation/witness_gradients.h"
 #include "viscera/deformation/witness_interpolation.h"
 #include "viscera/deformation/witness_mesh.h"

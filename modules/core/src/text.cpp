@@ -1,10 +1,19 @@
-#include "viscera/core/utf8.h"
+#include "viscera/core/text.h"
 
+#include <charconv>
 #include <cstddef>
 #include <cstdint>
+#include <system_error>
 
 namespace viscera {
 namespace {
+
+// Not printf, which follows the locale: a reader's script expects a point.
+std::string written(double value, std::chars_format format, int digits) {
+  char buffer[512];
+  const auto [end, error] = std::to_chars(buffer, buffer + sizeof buffer, value, format, digits);
+  return error == std::errc() ? std::string(buffer, end) : std::string("?");
+}
 
 /// The bytes of the character that a text begins with; 0 when that is none. The text is not empty.
 std::size_t lengthOfFirst(std::string_view text) {
@@ -29,6 +38,14 @@ std::size_t lengthOfFirst(std::string_view text) {
 }
 
 } // namespace
+
+std::string fixed(double value, int digits) {
+  return written(value, std::chars_format::fixed, digits);
+}
+
+std::string significant(double value, int digits) {
+  return written(value, std::chars_format::general, digits);
+}
 
 bool isUtf8(std::string_view text) {
   while (!text.empty()) {
