@@ -17,7 +17,6 @@
 #include "viscera/motion/sequence_setup.h"
 #include "viscera/motion/volume_curve.h"
 #include "viscera/motion/volume_table.h"
-#include "viscera/scene/contact_sheet.h"
 #include "viscera/scene/movie_writer.h"
 #include "viscera/scene/picture.h"
 

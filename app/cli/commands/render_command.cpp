@@ -20,7 +20,6 @@
 #include "viscera/deformation/bind_witnesses.h"
 #include "viscera/document/open_files.h"
 #include "viscera/document/session_file.h"
-#include "viscera/scene/contact_sheet.h"
 #include "viscera/scene/picture.h"
 
 namespace viscera::app::cli {

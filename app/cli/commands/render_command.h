@@ -11,7 +11,7 @@
 #include "cli/inputs.h"
 #include "cli/stage_options.h"
 #include "cli/system_options.h"
-#include "viscera/scene/layout_hulls.h"
+#include "viscera/scene/region_hulls.h"
 
 namespace CLI {
 class Option;

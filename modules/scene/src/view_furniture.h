@@ -5,11 +5,12 @@
 #include "viscera/scene/theme.h"
 
 #include "before_render.h"
+#include "flat_shape.h"
 
 class vtkAnnotatedCubeActor;
 class vtkRenderer;
-class vtkRenderWindow;
 
+/// What stands in a corner or at an edge of every view.
 namespace viscera::scene {
 
 /// A small cube in the lower left corner whose faces say where the patient's right, left, front, back, head
@@ -31,5 +32,26 @@ private:
   vtkNew<vtkAnnotatedCubeActor> cube_;
   BeforeRender beforeRender_;
 };
+
+/// A line of a round number of millimetres at the bottom of a view. With a perspective camera it is right in
+/// the plane of the camera's focal point.
+class ScaleBar {
+public:
+  explicit ScaleBar(vtkRenderer* renderer);
+  ~ScaleBar();
+
+  void setTheme(const Theme& theme);
+  void setShown(bool shown);
+
+private:
+  void follow();
+
+  FlatShape line_;
+  vtkSmartPointer<vtkTextActor> text_;
+  BeforeRender beforeRender_;
+};
+
+/// The longest length of 1, 2 or 5 times a power of ten that is at most `most` (> 0).
+double roundLength(double most);
 
 } // namespace viscera::scene
