@@ -42,8 +42,8 @@ scene::ValueRange steppedRange(live::StressQuantity quantity, scene::ValueRange 
   const double most =
       kWider * (ratio ? std::max(std::abs(bulk.low - 1), std::abs(bulk.high - 1)) : bulk.high);
   const double reach = ratio ? before.high - 1 : before.high;
-  const bool valid = reach > 0 && std::abs(before.low - (ratio ? 1 - reach : 0)) < kSame;
-  if (valid && most <= reach && most >= kLeastFilled * reach)
+  const bool stepped = reach > 0 && std::abs(before.low - (ratio ? 1 - reach : 0)) < kSame;
+  if (stepped && most <= reach && most >= kLeastFilled * reach)
     return before;
   return ratio ? scene::ValueRange{1 - stepAbove(kAroundOne, most), 1 + stepAbove(kAroundOne, most)}
                : scene::ValueRange{0, stepAbove(kDegrees, most)};

@@ -11,7 +11,6 @@
 #include "viscera/core/error.h"
 
 // The view of a session as JSON: written in format 2, read in formats 1 and 2 (docs/session_format.md).
-
 namespace viscera::presentation {
 namespace {
 
