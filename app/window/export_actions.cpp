@@ -7,7 +7,7 @@
 #include "viscera/document/measurement_table.h"
 #include "viscera/document/organ_table.h"
 #include "viscera/medical_io/displacement_file.h"
-#include "viscera/medical_io/surfaces_file.h"
+#include "viscera/medical_io/surface_file.h"
 #include "window/actions.h"
 #include "window/settings.h"
 #include "window/workspace.h"

@@ -17,7 +17,7 @@
 
 #include "sway.h"
 #include "viscera/live/stress_quantity.h"
-#include "viscera/presentation/value_steps.h"
+#include "viscera/presentation/stress_values.h"
 #include "viscera/scene/vtkVisceraHandleSetRepresentation.h"
 #include "window/modes/stress_mode.h"
 #include "window/stress/histogram.h"

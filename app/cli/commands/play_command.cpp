@@ -23,7 +23,6 @@
 #include "viscera/motion/volume_curve.h"
 #include "viscera/motion/volume_record.h"
 #include "viscera/motion/volume_table.h"
-#include "viscera/scene/contact_sheet.h"
 #include "viscera/scene/movie_writer.h"
 #include "viscera/scene/picture.h"
 

@@ -23,8 +23,6 @@
 #include "viscera/deformation/witness_gradients.h"
 #include "viscera/document/open_files.h"
 #include "viscera/document/session_file.h"
-#include "viscera/scene/contact_sheet.h"
-#include "viscera/scene/layout_hulls.h"
 #include "viscera/scene/picture.h"
 
 namespace viscera::app::cli {

@@ -8,7 +8,7 @@
 #include <vtkRenderer.h>
 #include <vtkTextProperty.h>
 
-#include "viscera/presentation/camera.h"
+#include "viscera/presentation/presenter.h"
 
 namespace viscera::app {
 namespace {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "viscera/motion/motion_recipe.h"
-#include "viscera/presentation/camera.h"
+#include "viscera/presentation/presenter.h"
 
 namespace viscera::app {
 

@@ -5,8 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "viscera/scene/gizmo_event.h"
-#include "viscera/scene/handle_event.h"
+#include "viscera/scene/widget_events.h"
 #include "window/pose_editor.h"
 #include "window/view/picture.h"
 #include "window/workspace.h"

@@ -14,7 +14,7 @@
 #include "viscera/geometry/clean_surface.h"
 #include "viscera/geometry/split_edges.h"
 #include "viscera/geometry/surface_check.h"
-#include "viscera/medical_io/surface_repair.h"
+#include "viscera/medical_io/surface_repairs.h"
 
 namespace viscera::live {
 namespace {
