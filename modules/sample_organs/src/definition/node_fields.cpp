@@ -1,6 +1,5 @@
-#include "definition/tube_fields.h"
+#include "definition/node_fields.h"
 
-#include <algorithm>
 #include <string>
 
 namespace viscera::sample_organs {
@@ -13,8 +12,11 @@ constexpr int kMostTaeniae = 12;
 constexpr int kMostFolds = 100;
 constexpr int kMostSeed = 1'000'000;
 
-bool presentAt(Fields& part, int level) {
-  return level >= part.integer("lod", 0, 0, 2);
+double shareOfRadius(Fields& part, const char* key, double otherwise) {
+  const double share = part.number(key, otherwise);
+  if (share < 0 || share >= 1)
+    part.fail(key, "is outside 0 to 1", "it is a share of the radius");
+  return share;
 }
 
 void readCaps(Fields& fields, TubeShape& shape) {
@@ -26,10 +28,8 @@ void readCaps(Fields& fields, TubeShape& shape) {
   }
 }
 
-void readLumen(Fields& fields, int level, TubeShape& shape) {
-  Fields part(fields.get("lumen"), fields.where() + ", lumen");
+void readLumen(Fields& part, bool present, TubeShape& shape) {
   const Lumen lumen{part.positive("wall", Lumen{}.wall), part.positive("depth", Lumen{}.depth)};
-  const bool present = presentAt(part, level);
   for (const json& end : part.list("ends")) {
     if (end != 0 && end != 1)
       part.fail("ends", "has " + end.dump(), "0 is the start, 1 the end");
@@ -39,14 +39,12 @@ void readLumen(Fields& fields, int level, TubeShape& shape) {
     if (present)
       shape.lumen[index] = lumen;
   }
-  part.requireNothingElse();
 }
 
-void readHaustra(Fields& fields, int level, TubeShape& shape) {
-  Fields part(fields.get("haustra"), fields.where() + ", haustra");
+Haustra haustraFrom(Fields& part) {
   Haustra h;
   h.period = part.positive("period", h.period);
-  h.depth = part.number("depth", h.depth);
+  h.depth = shareOfRadius(part, "depth", h.depth);
   h.taeniae = part.integer("taeniae", h.taeniae, 1, kMostTaeniae);
   h.taeniaDepth = part.number("taenia_depth", h.taeniaDepth);
   h.taeniaWidth = part.positive("taenia_width", h.taeniaWidth);
@@ -55,44 +53,50 @@ void readHaustra(Fields& fields, int level, TubeShape& shape) {
   h.seed = part.integer("seed", h.seed, 0, kMostSeed);
   h.from = part.number("from", h.from);
   h.to = part.number("to", h.to);
-  if (h.depth < 0 || h.depth >= 1)
-    part.fail("depth", "is outside 0 to 1", "it is a share of the radius");
-  if (presentAt(part, level))
-    shape.relief.haustra = h;
-  part.requireNothingElse();
+  return h;
 }
 
-void readWaves(Fields& fields, int level, TubeShape& shape) {
-  Fields part(fields.get("waves"), fields.where() + ", waves");
+Waves wavesFrom(Fields& part) {
   Waves waves;
   waves.period = part.positive("period", waves.period);
-  waves.amplitude = part.number("amplitude", waves.amplitude);
+  waves.amplitude = shareOfRadius(part, "amplitude", waves.amplitude);
   waves.phase = part.number("phase", waves.phase);
-  if (waves.amplitude < 0 || waves.amplitude >= 1)
-    part.fail("amplitude", "is outside 0 to 1", "it is a share of the radius");
-  if (presentAt(part, level))
-    shape.relief.waves = waves;
-  part.requireNothingElse();
+  return waves;
 }
 
-void readFolds(Fields& fields, int level, TubeShape& shape) {
-  Fields part(fields.get("folds"), fields.where() + ", folds");
+Folds foldsFrom(Fields& part) {
   Folds folds;
   folds.count = part.integer("count", folds.count, 1, kMostFolds);
-  folds.depth = part.number("depth", folds.depth);
+  folds.depth = shareOfRadius(part, "depth", folds.depth);
   folds.wander = part.number("wander", folds.wander);
   folds.wavelength = part.positive("wavelength", folds.wavelength);
   folds.seed = part.integer("seed", folds.seed, 0, kMostSeed);
   folds.from = part.number("from", folds.from);
   folds.to = part.number("to", folds.to);
-  if (folds.depth < 0 || folds.depth >= 1)
-    part.fail("depth", "is outside 0 to 1", "it is a share of the radius");
-  if (presentAt(part, level))
-    shape.relief.folds = folds;
-  part.requireNothingElse();
+  return folds;
 }
 
 } // namespace
+
+bool presentAt(Fields& fields, int level) {
+  return level >= fields.integer("lod", 0, 0, 2);
+}
+
+Finish finishFrom(Fields& fields) {
+  Finish finish;
+  if (fields.optional("paint"))
+    finish.paint = fields.vector("paint");
+  if (fields.optional("edge_scale"))
+    finish.edgeScale = fields.positive("edge_scale");
+  if (finish.paint && ((finish.paint->array() < 0).any() || (finish.paint->array() > 1).any()))
+    fields.fail("paint", "is outside 0 to 1", "divide by 255 when the colour is in bytes");
+  fields.optionalPart("mottle", [&](Fields& part) {
+    finish.mottle = Mottle{part.number("amount"), part.positive("wavelength", Mottle{}.wavelength)};
+    if (finish.mottle->amount < 0 || finish.mottle->amount > 1)
+      part.fail("amount", "is outside 0 to 1", "it is a share of the brightness");
+  });
+  return finish;
+}
 
 std::vector<AxisPoint> axisFrom(Fields& fields) {
   std::vector<AxisPoint> axis;
@@ -114,24 +118,23 @@ std::vector<AxisPoint> axisFrom(Fields& fields) {
 
 TubeShape tubeShapeFrom(Fields& fields, int level) {
   TubeShape shape;
-  for (const char* part : {"flatten", "caps", "lumen", "haustra", "waves", "folds"})
-    fields.ignore(part);
-  if (fields.has("flatten")) {
-    Fields flatten(fields.get("flatten"), fields.where() + ", flatten");
-    shape.flattenDirection = flatten.direction("direction");
-    shape.flattenFactor = flatten.positive("factor");
-    flatten.requireNothingElse();
-  }
-  if (fields.has("caps"))
+  fields.optionalPart("flatten", [&](Fields& part) {
+    shape.flattenDirection = part.direction("direction");
+    shape.flattenFactor = part.positive("factor");
+  });
+  if (fields.optional("caps"))
     readCaps(fields, shape);
-  if (fields.has("lumen"))
-    readLumen(fields, level, shape);
-  if (fields.has("haustra"))
-    readHaustra(fields, level, shape);
-  if (fields.has("waves"))
-    readWaves(fields, level, shape);
-  if (fields.has("folds"))
-    readFolds(fields, level, shape);
+  fields.optionalPart("lumen", [&](Fields& part) { readLumen(part, presentAt(part, level), shape); });
+  const auto readRelief = [&](const char* key, auto& relief, auto from) {
+    fields.optionalPart(key, [&](Fields& part) {
+      const auto read = from(part);
+      if (presentAt(part, level))
+        relief = read;
+    });
+  };
+  readRelief("haustra", shape.relief.haustra, haustraFrom);
+  readRelief("waves", shape.relief.waves, wavesFrom);
+  readRelief("folds", shape.relief.folds, foldsFrom);
   shape.rim = fields.number("rim", shape.rim);
   shape.step = fields.positive("step", shape.step);
   return shape;

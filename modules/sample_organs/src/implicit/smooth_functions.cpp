@@ -1,6 +1,5 @@
-#include "implicit/value_noise.h"
+#include "implicit/smooth_functions.h"
 
-#include <cmath>
 #include <cstdint>
 
 namespace viscera::sample_organs {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "viscera/core/arrays.h"
+
 namespace viscera::sample_organs {
 
 /// Minimum of two distances with a fillet: where they differ by less than `blend` mm, up to `blend / 4` is
@@ -26,5 +28,9 @@ inline double smoothStep(double from, double to, double x) {
   const double t = std::clamp((x - from) / (to - from), 0.0, 1.0);
   return t * t * (3 - 2 * t);
 }
+
+/// Smooth noise in [-1, 1]: a random value for every point of the integer lattice, blended by quintics (two
+/// continuous derivatives). The same `seed` gives the same noise everywhere.
+double valueNoise(const Vec3& point, int seed);
 
 } // namespace viscera::sample_organs
