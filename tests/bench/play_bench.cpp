@@ -10,7 +10,6 @@
 #include "viscera/document/system_commands.h"
 #include "viscera/document/undo_stack.h"
 #include "viscera/live/live_binding.h"
-#include "viscera/motion/cycle_trace.h"
 #include "viscera/motion/sequence_setup.h"
 #include "viscera/motion/volume_record.h"
 #include "viscera/plugin/registry.h"

@@ -5,7 +5,6 @@
 #include <QLabel>
 #include <QSignalBlocker>
 
-#include "viscera/document/pose_commands.h"
 #include "viscera/document/rig_commands.h"
 
 namespace viscera::app {

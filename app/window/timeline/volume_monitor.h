@@ -8,8 +8,7 @@
 #include <optional>
 #include <vector>
 
-#include "viscera/motion/cardiac_indices.h"
-#include "viscera/motion/cycle_trace.h"
+#include "viscera/motion/clinical_numbers.h"
 #include "viscera/motion/volume_record.h"
 #include "viscera/scene/color_map.h"
 #include "window/timeline/playback.h"

@@ -16,7 +16,7 @@
 #include <vtkGenericOpenGLRenderWindow.h>
 #include <vtkNew.h>
 
-#include "viscera/motion/normal_ranges.h"
+#include "viscera/motion/clinical_numbers.h"
 #include "window/widgets/elided_label.h"
 
 namespace viscera::app {

@@ -1,7 +1,13 @@
 #include "viscera/motion/volume_record.h"
 
+#include <algorithm>
 #include <cassert>
+#include <iomanip>
+#include <ostream>
 #include <utility>
+
+#include "viscera/core/atomic_file.h"
+#include "viscera/core/csv_field.h"
 
 namespace viscera::motion {
 
@@ -33,6 +39,41 @@ std::vector<double> VolumeRecord::column(std::size_t column, double sinceSeconds
     if (seconds(row) >= sinceSeconds)
       out.push_back(milliliters(row, column));
   return out;
+}
+
+void writeVolumeTable(const std::filesystem::path& file, const VolumeRecord& volumes) {
+  writeAtomically(file, [&](std::ostream& stream) {
+    stream << "time_s";
+    for (const std::string& name : volumes.names())
+      stream << ',' << csvField(name + "_ml");
+    stream << '\n' << std::fixed << std::setprecision(6);
+    for (std::size_t row = 0; row < volumes.rows(); ++row) {
+      stream << volumes.seconds(row);
+      for (std::size_t column = 0; column < volumes.names().size(); ++column)
+        stream << ',' << volumes.milliliters(row, column);
+      stream << '\n';
+    }
+  });
+}
+
+void CycleTrace::add(double fraction, double value) {
+  assert(fraction >= 0 && fraction <= 1);
+  const auto place = static_cast<std::size_t>(fraction * static_cast<double>(slots_));
+  seen_[std::min(place, slots_ - 1)] = {fraction, value};
+}
+
+std::vector<double> CycleTrace::fractions() const {
+  std::vector<double> list;
+  for (const auto& [slot, instant] : seen_)
+    list.push_back(instant.fraction);
+  return list;
+}
+
+std::vector<double> CycleTrace::values() const {
+  std::vector<double> list;
+  for (const auto& [slot, instant] : seen_)
+    list.push_back(instant.value);
+  return list;
 }
 
 } // namespace viscera::motion

@@ -1,4 +1,4 @@
-#include "viscera/motion/cycle_trace.h"
+#include "viscera/motion/volume_record.h"
 
 #include <gtest/gtest.h>
 

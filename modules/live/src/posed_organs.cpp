@@ -1,4 +1,4 @@
-#include "viscera/live/posed_copy.h"
+#include "viscera/live/posed_organs.h"
 
 #include "bound_organ.h"
 

@@ -1,21 +1,44 @@
-#include "viscera/document/measurement_table.h"
+#include "viscera/document/tables.h"
 
 #include <iomanip>
 #include <locale>
 #include <ostream>
+#include <sstream>
 #include <utility>
 
 #include "viscera/core/atomic_file.h"
 #include "viscera/core/csv_field.h"
 #include "viscera/document/document.h"
+#include "viscera/geometry/volume.h"
 
 namespace viscera::document {
 namespace {
 
+constexpr double kMm2PerCm2 = 100;
+
 constexpr std::size_t kMostPoints = 3;
 constexpr const char* kNoPoint = ",,,,,,,"; ///< Its name and six coordinates.
 
-void writeHeader(std::ostream& out) {
+void writeRow(std::ostream& out, const PosedOrgan& posed) {
+  const Organ& organ = *posed.organ;
+  const Triangles& triangles = organ.mesh->triangles;
+  out << csvField(organ.name) << ',' << posed.points.rows() << ',' << triangles.rows() << ','
+      << (organ.closed() ? "yes" : "no") << ',';
+  if (organ.closed()) {
+    const double rest = organ.restVolumeMm3 / kMm3PerMl;
+    const double now = geometry::volume(posed.points, triangles) / kMm3PerMl;
+    out << rest << ',' << now << ',' << now - rest << ',' << 100 * (now - rest) / rest << ',';
+  } else {
+    out << ",,,,";
+  }
+  const Bounds box = boundsOf(posed.points);
+  const Vec3 size = box.high - box.low;
+  out << geometry::area(posed.points, triangles) / kMm2PerCm2 << ',' << size.x() << ',' << size.y() << ','
+      << size.z() << ',' << (posed.points - organ.mesh->points).rowwise().norm().maxCoeff() << '\n';
+}
+
+std::string measurementHeader() {
+  std::ostringstream out;
   out << "name,kind,value_at_rest,value_now,unit";
   for (std::size_t i = 1; i <= kMostPoints; ++i) {
     out << ",organ_" << i;
@@ -23,7 +46,7 @@ void writeHeader(std::ostream& out) {
       for (const char* axis : {"x_", "y_", "z_"})
         out << ',' << when << axis << i << "_mm";
   }
-  out << '\n';
+  return out.str();
 }
 
 void writeRow(std::ostream& out, const MeasurementRow& row) {
@@ -42,7 +65,24 @@ void writeRow(std::ostream& out, const MeasurementRow& row) {
   out << '\n';
 }
 
+template <class Row>
+void writeTable(const std::filesystem::path& file, const std::string& header, const std::vector<Row>& rows) {
+  writeAtomically(file, [&](std::ostream& out) {
+    out.imbue(std::locale::classic());
+    out << header << '\n' << std::fixed << std::setprecision(6);
+    for (const Row& row : rows)
+      writeRow(out, row);
+  });
+}
+
 } // namespace
+
+void writeOrganTable(const std::filesystem::path& file, const std::vector<PosedOrgan>& organs) {
+  writeTable(file,
+             "name,vertices,triangles,closed,rest_ml,volume_ml,change_ml,change_percent,area_cm2,size_x_mm,"
+             "size_y_mm,size_z_mm,largest_displacement_mm",
+             organs);
+}
 
 std::vector<MeasurementRow> measurementRows(const DocumentState& state, const PointsOf& pointsOf) {
   std::vector<MeasurementRow> rows;
@@ -58,13 +98,7 @@ std::vector<MeasurementRow> measurementRows(const DocumentState& state, const Po
 }
 
 void writeMeasurementTable(const std::filesystem::path& file, const std::vector<MeasurementRow>& rows) {
-  writeAtomically(file, [&](std::ostream& out) {
-    out.imbue(std::locale::classic());
-    writeHeader(out);
-    out << std::fixed << std::setprecision(6);
-    for (const MeasurementRow& row : rows)
-      writeRow(out, row);
-  });
+  writeTable(file, measurementHeader(), rows);
 }
 
 } // namespace viscera::document
