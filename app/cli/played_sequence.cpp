@@ -210,10 +210,6 @@ int PlayedSequence::find(const std::string& name) const {
   return -1;
 }
 
-double PlayedSequence::restMl(std::size_t place) const {
-  return (*document->state().organs)[place]->restVolumeMm3 / kMm3PerMl;
-}
-
 PlayedSequence playedSequence(const PlayRequest& request, Surroundings& surroundings) {
   const bool isFile = motion::isSequenceFile(request.sequence);
   if (isFile && (!request.landmarks.empty() || !request.landmark.empty()))

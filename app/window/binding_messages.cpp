@@ -54,10 +54,7 @@ void BindingMessages::tellNotes(const QStringList& notes) {
   notes_ = notes;
   if (!news)
     return;
-  Message message;
-  message.text = notes.join(QLatin1Char(' '));
-  message.seconds = kNoteSeconds;
-  bar_->showMessage(message);
+  bar_->showMessage({Message::Severity::info, notes.join(QLatin1Char(' ')), {}, kNoteSeconds});
 }
 
 Message BindingMessages::messageFor(const document::Organ& organ, const live::BindingStatus& status) const {

@@ -90,8 +90,7 @@ TEST_F(TwoViews, BeatAtTwoRatesUnderOneTimelineAndChart) {
   playFor(1.0);
   const std::size_t left = 1;
   ASSERT_EQ(monitor.lines()[left].name, QStringLiteral("LV"));
-  ASSERT_TRUE(monitor.indices(left).has_value());
-  ASSERT_TRUE(monitor.indices(left + alone).has_value());
+  ASSERT_TRUE(waitUntil([&] { return monitor.indices(left) && monitor.indices(left + alone); }));
   EXPECT_NEAR(monitor.indices(left + alone)->cardiacOutputLPerMinute /
                   monitor.indices(left)->cardiacOutputLPerMinute,
               2, 0.1)

@@ -15,7 +15,7 @@
 #include "window/modes/play_mode.h"
 #include "window/recorded/fit_box.h"
 #include "window/recorded/key_box.h"
-#include "window/widgets/fold.h"
+#include "window/widgets/page.h"
 
 #include "shapes.h"
 

@@ -2,7 +2,6 @@
 
 #include <QContextMenuEvent>
 #include <QHeaderView>
-#include <QLabel>
 #include <QMenu>
 #include <QScopedValueRollback>
 #include <QTreeWidget>
@@ -14,6 +13,7 @@
 #include "viscera/document/organ_commands.h"
 #include "window/panels/color_palette.h"
 #include "window/style/icon.h"
+#include "window/widgets/ready_made.h"
 #include "window/widgets/value_slider.h"
 
 namespace viscera::app {
@@ -55,21 +55,16 @@ QTreeWidget* makeList(QWidget* parent) {
 } // namespace
 
 OrganPanel::OrganPanel(Workspace& workspace, PoseEditor& poses, VolumeMonitor& volumes, QWidget* parent)
-    : QWidget(parent), workspace_(workspace), poses_(poses), volumes_(volumes), list_(makeList(this)),
-      empty_(new QLabel(this)), opacity_(new ValueSlider(tr("Opacity"), {0, 100, 1, 0, tr(" %")}, this)) {
+    : QWidget(parent), workspace_(workspace), poses_(poses), list_(makeList(this)),
+      empty_(makeRemark({}, this)), opacity_(new ValueSlider(tr("Opacity"), {0, 100, 1, 0, tr(" %")}, this)) {
   setObjectName(QStringLiteral("panel"));
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(0, 4, 0, 8);
-  column->setSpacing(4);
+  auto* column = makeLayout<QVBoxLayout>(this, 4, {0, 4, 0, 8});
   empty_->setText(
       tr("No organ yet.\nOpen a file (Ctrl+O), drop one here, or take a sample organ from the menu."));
-  empty_->setObjectName(QStringLiteral("muted"));
-  empty_->setWordWrap(true);
   empty_->setContentsMargins(12, 8, 12, 8);
   column->addWidget(empty_);
   column->addWidget(list_, 1);
-  auto* inset = new QVBoxLayout;
-  inset->setContentsMargins(12, 0, 12, 0);
+  auto* inset = makeLayout<QVBoxLayout>(nullptr, -1, {12, 0, 12, 0});
   inset->addWidget(opacity_);
   column->addLayout(inset);
   connect(list_, &QTreeWidget::itemClicked, this, &OrganPanel::onClicked);

@@ -50,7 +50,6 @@ private:
 
   Workspace& workspace_;
   PoseEditor& poses_;
-  VolumeMonitor& volumes_;
   QTreeWidget* list_ = nullptr;
   QLabel* empty_;
   ValueSlider* opacity_;

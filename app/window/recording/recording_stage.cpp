@@ -54,10 +54,6 @@ void RecordingStage::addCaption() {
   stage_->view().renderer()->AddActor2D(caption_);
 }
 
-double RecordingStage::periodSeconds() const {
-  return runner_.periodSeconds();
-}
-
 const std::vector<double>& RecordingStage::show(double seconds) {
   seconds_ = seconds;
   const std::vector<double> all = runner_.show(seconds);

@@ -42,7 +42,7 @@ public:
   /// Draws the pose that is shown, as the window would. Throws `Error` when nothing can be drawn.
   vtkSmartPointer<vtkImageData> picture();
 
-  double periodSeconds() const;
+  double periodSeconds() const { return runner_.periodSeconds(); }
 
 private:
   void openStage();

@@ -30,10 +30,6 @@ public:
   /// Puts back what the mouse holds; false when it holds nothing.
   bool cancelDrag();
 
-Q_SIGNALS:
-  void dragStarted();
-  void dragEnded();
-
 private:
   presentation::Shown shown() const { return picture_.state().shown; }
   void listenToHandles();

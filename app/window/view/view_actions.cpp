@@ -1,8 +1,6 @@
 #include "window/view/view_actions.h"
 
 #include <QDateTime>
-#include <QDesktopServices>
-#include <QUrl>
 
 #include "viscera/scene/picture.h"
 
@@ -49,13 +47,12 @@ void ViewActions::makeSwitches(Actions& actions) {
   using presentation::ViewState;
   ViewModel& view = parts_.view;
   view.addToggle(actions, "view.handles", {tr("Show &handles in every mode"), "handles", {Qt::Key_H}, {}},
-                 [](ViewState& state) -> bool& { return state.handles; });
+                 &ViewState::handles);
   view.addToggle(actions, "view.ghost", {tr("&Ghost of the rest shape"), "ghost", {Qt::Key_G}, {}},
-                 [](ViewState& state) -> bool& { return state.ghost; });
+                 &ViewState::ghost);
   view.addToggle(actions, "view.cube", {tr("Orientation &cube"), "view", {}, {}},
-                 [](ViewState& state) -> bool& { return state.orientationCube; });
-  view.addToggle(actions, "view.scale", {tr("Scale &bar"), nullptr, {}, {}},
-                 [](ViewState& state) -> bool& { return state.scaleBar; });
+                 &ViewState::orientationCube);
+  view.addToggle(actions, "view.scale", {tr("Scale &bar"), nullptr, {}, {}}, &ViewState::scaleBar);
 }
 
 void ViewActions::lookFrom(scene::StandardView from) {
@@ -77,14 +74,8 @@ void ViewActions::saveScreenshot() {
           .arg(folder, QDateTime::currentDateTime().toString(QStringLiteral("yyyyMMdd_hhmmss_zzz")));
   const bool done = parts_.workspace.guarded(
       [&] { scene::savePicture(parts_.area.view()->renderWindow(), file.toStdString()); });
-  if (!done)
-    return;
-  Message message;
-  message.text = tr("Picture saved as %1").arg(file);
-  message.seconds = 8;
-  message.offers.push_back(
-      {tr("Open folder"), [folder] { QDesktopServices::openUrl(QUrl::fromLocalFile(folder)); }});
-  parts_.workspace.say(message);
+  if (done)
+    parts_.workspace.noteWritten(tr("Picture saved as %1").arg(file), file);
 }
 
 } // namespace viscera::app

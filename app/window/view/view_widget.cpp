@@ -85,7 +85,6 @@ void ViewWidget::renderPending() {
   timer.start();
   renderWindow()->Render();
   frameSeconds_ = 1e-9 * static_cast<double>(timer.nsecsElapsed());
-  Q_EMIT rendered();
 }
 
 void ViewWidget::mousePressEvent(QMouseEvent* event) {

@@ -36,7 +36,6 @@ public Q_SLOTS:
   void renderPending();
 
 Q_SIGNALS:
-  void rendered();
   /// The left button was pressed and released at one place.
   void clicked(const QPointF& place, Qt::KeyboardModifiers modifiers);
   void filesDropped(const QStringList& files);

@@ -1,6 +1,5 @@
 #include "viscera/motion/volume_record.h"
 
-#include <algorithm>
 #include <cassert>
 #include <iomanip>
 #include <ostream>
@@ -46,7 +45,7 @@ void writeVolumeTable(const std::filesystem::path& file, const VolumeRecord& vol
     stream << "time_s";
     for (const std::string& name : volumes.names())
       stream << ',' << csvField(name + "_ml");
-    stream << '\n' << std::fixed << std::setprecision(6);
+    stream << '\n' << std::setprecision(12);
     for (std::size_t row = 0; row < volumes.rows(); ++row) {
       stream << volumes.seconds(row);
       for (std::size_t column = 0; column < volumes.names().size(); ++column)
@@ -54,26 +53,6 @@ void writeVolumeTable(const std::filesystem::path& file, const VolumeRecord& vol
       stream << '\n';
     }
   });
-}
-
-void CycleTrace::add(double fraction, double value) {
-  assert(fraction >= 0 && fraction <= 1);
-  const auto place = static_cast<std::size_t>(fraction * static_cast<double>(slots_));
-  seen_[std::min(place, slots_ - 1)] = {fraction, value};
-}
-
-std::vector<double> CycleTrace::fractions() const {
-  std::vector<double> list;
-  for (const auto& [slot, instant] : seen_)
-    list.push_back(instant.fraction);
-  return list;
-}
-
-std::vector<double> CycleTrace::values() const {
-  std::vector<double> list;
-  for (const auto& [slot, instant] : seen_)
-    list.push_back(instant.value);
-  return list;
 }
 
 } // namespace viscera::motion

@@ -191,6 +191,7 @@ Traits CatalogueOfLayers::traits() const {
   Traits traits;
   traits.positive = true;
   traits.smooth = false;
+  traits.rotationInvariant = false; // Four handles in one plane are split along one diagonal or the other.
   return traits;
 }
 

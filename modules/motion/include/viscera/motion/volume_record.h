@@ -2,11 +2,9 @@
 
 #include <cstddef>
 #include <filesystem>
-#include <map>
 #include <string>
 #include <vector>
 
-/// Volumes, and numbers made of them, while organs move.
 namespace viscera::motion {
 
 /// Volumes over time, for the chart and for tables: one row an instant, one column a surface. For one thread.
@@ -37,33 +35,8 @@ private:
 };
 
 /// Writes a record as comma-separated values: `time_s`, then one column `<name>_ml` a surface, numbers with
-/// six decimals, one row an instant. Names that hold commas or quotes are quoted. A reader sees the old file
+/// twelve digits, one row an instant. Names that hold commas or quotes are quoted. A reader sees the old file
 /// or the whole new one. Throws `CannotCreateError`.
 void writeVolumeTable(const std::filesystem::path& file, const VolumeRecord& volumes);
-
-/// One number over a cycle, filled in as its instants are seen, in whatever order: what a monitor beside a
-/// bed draws. An instant that is seen again takes the place of what was there. For one thread.
-class CycleTrace {
-public:
-  /// `slots` instants of the cycle are told apart.
-  explicit CycleTrace(std::size_t slots = 160) : slots_(slots) {}
-
-  /// `fraction` of the cycle in [0, 1].
-  void add(double fraction, double value);
-  void clear() { seen_.clear(); }
-
-  /// The instants that were seen, ascending, and the number at each.
-  std::vector<double> fractions() const;
-  std::vector<double> values() const;
-  std::size_t seen() const { return seen_.size(); }
-
-private:
-  struct Instant {
-    double fraction = 0;
-    double value = 0;
-  };
-  std::size_t slots_;
-  std::map<std::size_t, Instant> seen_; ///< By their slots.
-};
 
 } // namespace viscera::motion
