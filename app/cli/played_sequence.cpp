@@ -8,7 +8,7 @@
 #include "cli/inputs.h"
 #include "viscera/core/error.h"
 #include "viscera/document/organ_commands.h"
-#include "viscera/document/sequence_rig.h"
+#include "viscera/document/rig_commands.h"
 #include "viscera/document/system_commands.h"
 #include "viscera/medical_io/handle_file.h"
 #include "viscera/motion/player.h"

@@ -1,7 +1,7 @@
 #include "window/binding_messages.h"
 
-#include "viscera/document/cage_commands.h"
 #include "viscera/document/rig_commands.h"
+#include "viscera/document/system_commands.h"
 
 namespace viscera::app {
 namespace {

@@ -4,8 +4,7 @@
 #include <QFileInfo>
 
 #include "viscera/deformation/inverse_displacements.h"
-#include "viscera/document/measurement_table.h"
-#include "viscera/document/organ_table.h"
+#include "viscera/document/tables.h"
 #include "viscera/medical_io/displacement_file.h"
 #include "viscera/medical_io/surface_file.h"
 #include "window/actions.h"

@@ -3,7 +3,6 @@
 #include <utility>
 
 #include "viscera/document/organ_commands.h"
-#include "viscera/document/pose_commands.h"
 #include "viscera/document/rig_commands.h"
 #include "viscera/presentation/space_parts.h"
 

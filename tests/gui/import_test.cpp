@@ -9,7 +9,7 @@
 #include <fstream>
 
 #include "shapes.h"
-#include "viscera/document/pose_commands.h"
+#include "viscera/document/rig_commands.h"
 #include "viscera/geometry/triangle_mesh.h"
 #include "viscera/medical_io/displacement_file.h"
 #include "viscera/medical_io/surface_file.h"

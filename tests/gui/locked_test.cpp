@@ -9,7 +9,7 @@
 #include <QTreeWidget>
 
 #include "shapes.h"
-#include "viscera/document/pose_commands.h"
+#include "viscera/document/rig_commands.h"
 #include "viscera/medical_io/surface_file.h"
 #include "viscera/scene/vtkVisceraGizmoRepresentation.h"
 #include "viscera/scene/vtkVisceraHandleSetRepresentation.h"

@@ -7,7 +7,6 @@
 #include <ostream>
 #include <random>
 
-#include "viscera/document/pose_commands.h"
 #include "viscera/document/recording_commands.h"
 #include "viscera/document/rig_commands.h"
 #include "viscera/document/system_commands.h"

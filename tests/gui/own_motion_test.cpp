@@ -8,7 +8,6 @@
 #include <QTableWidget>
 #include <QTest>
 
-#include "viscera/document/pose_commands.h"
 #include "viscera/document/rig_commands.h"
 #include "viscera/medical_io/surface_file.h"
 #include "viscera/scene/vtkVisceraHandleSetRepresentation.h"

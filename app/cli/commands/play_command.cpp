@@ -17,12 +17,11 @@
 #include "viscera/core/error.h"
 #include "viscera/document/open_files.h"
 #include "viscera/medical_io/handle_file.h"
-#include "viscera/motion/cardiac_indices.h"
+#include "viscera/motion/clinical_numbers.h"
 #include "viscera/motion/motion_runner.h"
 #include "viscera/motion/sequence_setup.h"
 #include "viscera/motion/volume_curve.h"
 #include "viscera/motion/volume_record.h"
-#include "viscera/motion/volume_table.h"
 #include "viscera/scene/movie_writer.h"
 #include "viscera/scene/picture.h"
 

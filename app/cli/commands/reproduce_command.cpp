@@ -7,7 +7,7 @@
 
 #include "cli/listing.h"
 #include "viscera/reproduction/item.h"
-#include "viscera/reproduction/page.h"
+#include "viscera/reproduction/result.h"
 
 namespace viscera::app::cli {
 namespace {

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "viscera/document/pose_commands.h"
+#include "viscera/document/rig_commands.h"
 #include "window/actions.h"
 #include "window/panels/deform_page.h"
 #include "window/view/view_model.h"

@@ -1,7 +1,7 @@
 #include "window/modes/handles_mode.h"
 
-#include "viscera/document/cage_commands.h"
 #include "viscera/document/rig_commands.h"
+#include "viscera/document/system_commands.h"
 #include "window/binding_messages.h"
 #include "window/panels/handles_page.h"
 #include "window/view/view_area.h"

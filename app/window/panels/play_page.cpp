@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-#include "viscera/motion/normal_ranges.h"
+#include "viscera/motion/clinical_numbers.h"
 #include "window/panels/curve_box.h"
 #include "window/panels/sequence_list.h"
 #include "window/recorded/fit_box.h"

@@ -6,7 +6,6 @@
 #include <QPushButton>
 #include <QSignalBlocker>
 
-#include "viscera/document/pose_commands.h"
 #include "viscera/document/rig_commands.h"
 #include "window/widgets/ready_made.h"
 

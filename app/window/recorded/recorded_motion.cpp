@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "viscera/document/pose_commands.h"
 #include "viscera/document/recording.h"
 #include "viscera/document/recording_commands.h"
+#include "viscera/document/rig_commands.h"
 #include "viscera/motion/sequence_file.h"
 
 namespace viscera::app {

@@ -12,7 +12,7 @@
 #include <vtkSmartPointer.h>
 #include <vtkTextActor.h>
 
-#include "viscera/live/posed_copy.h"
+#include "viscera/live/posed_organs.h"
 #include "viscera/motion/motion_runner.h"
 #include "viscera/presentation/stage.h"
 #include "window/timeline/playback.h"

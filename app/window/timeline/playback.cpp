@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "viscera/document/rig_commands.h"
-#include "viscera/document/sequence_rig.h"
 
 namespace viscera::app {
 namespace {

@@ -9,7 +9,7 @@
 #include <tuple>
 #include <vector>
 
-#include "viscera/motion/cardiac_indices.h"
+#include "viscera/motion/clinical_numbers.h"
 #include "viscera/motion/cycle_curves.h"
 #include "viscera/motion/volume_record.h"
 #include "viscera/scene/color_map.h"

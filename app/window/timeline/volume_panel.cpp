@@ -14,7 +14,7 @@
 #include <vtkGenericOpenGLRenderWindow.h>
 #include <vtkNew.h>
 
-#include "viscera/motion/normal_ranges.h"
+#include "viscera/motion/clinical_numbers.h"
 #include "window/widgets/elided_label.h"
 #include "window/widgets/panel_dock.h"
 #include "window/widgets/ready_made.h"

@@ -1,10 +1,8 @@
 #include "viscera/live/witness_sampling.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
 #include <optional>
 #include <utility>
 
@@ -241,11 +239,9 @@ private:
 WitnessSample sampleWitnesses(const geometry::TriangleMesh& surface, const WitnessOptions& options,
                               Progress& progress) {
   requireInRange(options);
-  const auto begin = std::chrono::steady_clock::now();
   progress.report(0, "witness points");
   WitnessSample sample = Sampler(options, progress).sample(surface);
   progress.report(1);
-  sample.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   return sample;
 }
 

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "viscera/core/error.h"
-#include "viscera/document/sequence_rig.h"
+#include "viscera/document/rig_commands.h"
 
 namespace viscera::motion {
 

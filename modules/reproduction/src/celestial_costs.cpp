@@ -1,4 +1,4 @@
-#include "celestial_costs.h"
+#include "figures.h"
 
 #include <algorithm>
 #include <cmath>

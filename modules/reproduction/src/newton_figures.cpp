@@ -1,6 +1,4 @@
-#include "newton_figures.h"
-
-#include <cmath>
+#include "figures.h"
 
 #include "charts.h"
 #include "viscera/coordinates/measure/newton_spread.h"

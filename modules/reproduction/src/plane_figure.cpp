@@ -1,4 +1,4 @@
-#include "plane_figure.h"
+#include "figures.h"
 
 #include <algorithm>
 #include <cmath>

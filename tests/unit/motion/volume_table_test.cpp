@@ -1,4 +1,4 @@
-#include "viscera/motion/volume_table.h"
+#include "viscera/motion/volume_record.h"
 
 #include <filesystem>
 #include <fstream>
