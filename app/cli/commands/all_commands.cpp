@@ -5,6 +5,7 @@
 #include "cli/commands/deform_command.h"
 #include "cli/commands/handles_command.h"
 #include "cli/commands/info_command.h"
+#include "cli/commands/lesson_command.h"
 #include "cli/commands/play_command.h"
 #include "cli/commands/properties_command.h"
 #include "cli/commands/render_command.h"
@@ -27,6 +28,7 @@ std::vector<std::unique_ptr<Command>> allCommands() {
   commands.push_back(std::make_unique<DeformCommand>());
   commands.push_back(std::make_unique<StressCommand>());
   commands.push_back(std::make_unique<PlayCommand>());
+  commands.push_back(std::make_unique<LessonCommand>());
   commands.push_back(std::make_unique<SegmentCommand>());
   commands.push_back(std::make_unique<RenderCommand>());
   commands.push_back(std::make_unique<PropertiesCommand>());
