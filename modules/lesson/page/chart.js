@@ -27,12 +27,13 @@ function drawChart() {
   c.fillStyle = css('--muted'); c.strokeStyle = css('--line');
   for (let v = low; v <= high + step / 2; v += step) { c.fillText(number(v, step < 1 ? 1 : 0), 4, Y(v) + 4); c.beginPath(); c.moveTo(kLeft, Y(v)); c.lineTo(w - kRight, Y(v)); c.stroke(); }
   const seconds = 60 / motion.rates[state.rate];
-  for (let i = 0; i <= 4; ++i) { c.textAlign = i === 4 ? 'right' : 'left'; c.fillText(say('seconds', number(seconds * i / 4, seconds < 5 ? 2 : 0)), X(i / 4), h - 3); }
+  const ticks = w < 480 ? 2 : 4;
+  for (let i = 0; i <= ticks; ++i) { c.textAlign = i === ticks ? 'right' : 'left'; c.fillText(say('seconds', number(seconds * i / ticks, seconds < 5 ? 2 : 0)), X(i / ticks), h - 3); }
   c.textAlign = 'left'; c.fillText('ml', 4, h - 3);
   for (const r of drawn) {
     c.globalAlpha = 0.17; c.fillStyle = surfaces[r.surface].rgb; c.fillRect(kLeft, Y(r.high), w - kLeft - kRight, Y(r.low) - Y(r.high)); c.globalAlpha = 1;
     if (w < 560) continue;
-    c.fillStyle = css('--muted'); c.fillText(say('normal', r.text), X(freePlace(r.low + step / 8, high - low)) + 6, Y(r.low) - 4, (w - kLeft) * 0.26);
+    c.fillStyle = css('--muted'); c.fillText(say('healthy', r.text), X(freePlace(r.low + step / 8, high - low)) + 6, Y(r.low) - 4, (w - kLeft) * 0.26);
   }
   for (const s of shown) {
     if (s.pulled) { c.setLineDash([4, 4]); drawCurve(c, s, curveOf(s), X, Y, 1.2); c.setLineDash([]); }

@@ -74,7 +74,7 @@ function frame(now) {
   if (changed || turned) render();
   requestAnimationFrame(frame);
 }
-new ResizeObserver(() => { turned = changed = true; }).observe($('stage'));
+new ResizeObserver(() => { turned = changed = true; shortenPhases(); }).observe($('stage'));
 $('motion').hidden = $('pace').hidden = !motion; $('chart').hidden = !charted.length; $('chart').setAttribute('aria-label', say('chart', charted.map(s => s.title).join(', ')));
 $('glass').hidden = !surfaces.some(s => s.wall); $('grips').hidden = !handles.length; $('slides').hidden = !slides.length; $('ask').hidden = !kinds.length;
 setLight(bright.matches); for (const s of surfaces) setOpacity(s, s.opacity);

@@ -1,5 +1,6 @@
 // What lies over the picture: names with their lines, handles, measurements, the scale.
 const css = name => getComputedStyle(document.documentElement).getPropertyValue(name).trim();
+let lastBehind = 0;
 const kFacing = 0.12, kTouch = 28, kMouse = 16;
 const nameItems = surfaces.flatMap(s => {
   const parts = s.labels.map(({text, vertex}) => ({s, text, vertex, part: true}));
@@ -21,6 +22,21 @@ function bestAnchor(s, middles) {
   }
   return found;
 }
+/** Whether a surface hides one of its own vertices from the eye (Moeller and Trumbore 1997). */
+function isBehind({firstTriangle, triangleCount}, vertex) {
+  const p = placeOf(vertex), d = p.map((x, i) => eye[i] - x);
+  for (let t = 3 * firstTriangle, end = t + 3 * triangleCount; t < end; t += 3) {
+    const a = 3 * triangles[t], b = 3 * triangles[t + 1], c = 3 * triangles[t + 2];
+    const ux = points[b] - points[a], uy = points[b + 1] - points[a + 1], uz = points[b + 2] - points[a + 2];
+    const vx = points[c] - points[a], vy = points[c + 1] - points[a + 1], vz = points[c + 2] - points[a + 2];
+    const nx = d[1] * vz - d[2] * vy, ny = d[2] * vx - d[0] * vz, nz = d[0] * vy - d[1] * vx, det = ux * nx + uy * ny + uz * nz;
+    const x = p[0] - points[a], y = p[1] - points[a + 1], z = p[2] - points[a + 2], s = (x * nx + y * ny + z * nz) / det;
+    if (!(s >= 0 && s <= 1)) continue;
+    const qx = y * uz - z * uy, qy = z * ux - x * uz, qz = x * uy - y * ux, w = (d[0] * qx + d[1] * qy + d[2] * qz) / det;
+    if (w >= 0 && s + w <= 1 && (vx * qx + vy * qy + vz * qz) / det > 0.01) return true;
+  }
+  return false;
+}
 /** Puts boxes of one side below one another, each as near to its place as it can be; what finds no room is left out. */
 function column(items, top, bottom) {
   items.sort((a, b) => b.worth - a.worth);
@@ -33,15 +49,17 @@ function column(items, top, bottom) {
 }
 function placeNames() {
   const middles = surfaces.filter(s => s.on).map(s => [s, project([0, 1, 2].map(i => s.anchors.reduce((sum, v) => sum + points[3 * v + i], 0) / s.anchors.length))]);
+  const late = performance.now() - lastBehind > 300;
+  if (late) lastBehind = performance.now();
   for (const i of nameItems) {
     const vertex = i.part ? i.vertex : bestAnchor(i.s, middles);
     i.worth = i.part ? -dot(normalOf(vertex), ahead) : 1;
+    if (i.part && late) i.behind = i.worth > kFacing && isBehind(i.s, vertex);
     [i.x, i.y] = project(placeOf(vertex));
-    i.shown = state.names && i.s.on && i.worth > kFacing && i.x > 0 && i.x < size[0] && i.y > 0 && i.y < size[1];
+    i.shown = state.names && i.s.on && !i.behind && i.worth > kFacing && i.x > 0 && i.x < size[0] && i.y > 0 && i.y < size[1];
     i.box.style.display = i.shown ? '' : 'none';
   }
-  const below = $('slides').hidden ? $('held') : $('slides'), top = $('tools').offsetTop + $('tools').offsetHeight + 6;
-  const bottom = Math.min(size[1] - 40, below.offsetHeight ? below.offsetTop - 4 : size[1]);
+  const top = $('tools').offsetTop + $('tools').offsetHeight + 6, bottom = Math.min(size[1] - 40, $('held').textContent ? $('held').offsetTop - 4 : size[1]);
   const middle = size[0] / 2, shown = nameItems.filter(i => i.shown);
   for (const onLeft of [true, false]) column(shown.filter(i => (i.x < middle) === onLeft), top, bottom);
   for (const i of shown) {

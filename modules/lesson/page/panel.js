@@ -48,6 +48,13 @@ function writePhase() {
   if ($('phase').textContent !== name) $('phase').textContent = name;
   $('time').value = state.fraction; $('time').setAttribute('aria-valuetext', say('timeText', number(state.fraction * 60 / motion.rates[state.rate], 2), name));
 }
+/** Where a phase's name finds no room, its initials stand for it. */
+function shortenPhases() {
+  for (const span of $('phases').children) {
+    span.textContent = span.title;
+    if (span.scrollWidth > span.clientWidth) span.textContent = span.title.split(/\s+/).map(word => word[0]).join('').toUpperCase();
+  }
+}
 function setRate(index) {
   state.rate = index; $('rate').value = index; pullsChanged = changed = true;
   $('rateText').textContent = say('aMinute', number(motion.rates[index], motion.rates[index] % 1 ? 1 : 0));
@@ -55,6 +62,7 @@ function setRate(index) {
   $('phases').replaceChildren(...motion.phases[index].map(([name, from, to]) => {
     const span = element('span', name); span.title = name; span.style.flex = `${to - from} 1 0`; return span;
   }));
+  shortenPhases();
 }
 function setPlaying(on) {
   state.playing = on && !!motion; $('play').textContent = state.playing ? '\u23F8\uFE0E' : '\u25B6\uFE0E';

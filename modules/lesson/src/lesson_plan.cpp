@@ -106,6 +106,14 @@ void addRanges(LessonPlan& plan, const Organ& organ, std::set<std::string>& sour
   }
 }
 
+/// Beside what is in them, walls would press the curves of ventricles flat.
+void chartVentriclesOnly(LessonPlan& plan) {
+  const bool any = std::any_of(plan.surfaces.begin(), plan.surfaces.end(),
+                               [](const PlannedSurface& surface) { return surface.ejects; });
+  for (PlannedSurface& surface : plan.surfaces)
+    surface.charted = surface.charted && !(any && surface.wall);
+}
+
 void addMotion(LessonPlan& plan, const LessonSource& source, const LessonSpec& spec) {
   if (!source.sequence)
     return;
@@ -206,6 +214,7 @@ LessonPlan planLesson(const LessonSource& source, const LessonSpec& spec) {
     }
   if (plan.surfaces.empty())
     throw UsageError("No organ is shown", "the lesson", "show those that the lesson is about");
+  chartVentriclesOnly(plan);
   plan.title = !spec.title.empty() ? spec.title : plan.surfaces.front().title;
   if (spec.title.empty() && source.sequence)
     plan.title += ": " + source.sequence->name();
