@@ -16,8 +16,7 @@ function drawChart() {
   const canvas = $('chart'), ratio = devicePixelRatio || 1, w = canvas.clientWidth, h = canvas.clientHeight;
   if (!charted.length || !w) return;
   canvas.width = w * ratio; canvas.height = h * ratio;
-  const c = canvas.getContext('2d'), shown = charted.filter(s => s.on);
-  c.scale(ratio, ratio); c.font = '12px system-ui,sans-serif';
+  const c = canvas.getContext('2d'), shown = charted.filter(s => s.on); c.scale(ratio, ratio); c.font = '12px system-ui,sans-serif';
   const drawn = bands.filter(r => surfaces[r.surface].on);
   const all = shown.flatMap(s => [...curveOf(s), ...(s.pulled || []), s.ml]).concat(drawn.flatMap(r => [r.low, r.high]));
   if (!all.length) return;
@@ -25,7 +24,7 @@ function drawChart() {
   const low = Math.floor(least / step - 0.1) * step, high = Math.ceil(most / step + 0.1) * step;
   const X = f => kLeft + f * (w - kLeft - kRight), Y = v => 6 + (h - kBelow - 6) * (1 - (v - low) / (high - low));
   c.fillStyle = css('--muted'); c.strokeStyle = css('--line');
-  for (let v = low; v <= high + step / 2; v += step) { c.fillText(number(v, step < 1 ? 1 : 0), 4, Y(v) + 4); c.beginPath(); c.moveTo(kLeft, Y(v)); c.lineTo(w - kRight, Y(v)); c.stroke(); }
+  for (let v = low; v <= high + step / 2; v += step) { if (v > low) c.fillText(number(v, step < 1 ? 1 : 0), 4, Y(v) + 4); c.beginPath(); c.moveTo(kLeft, Y(v)); c.lineTo(w - kRight, Y(v)); c.stroke(); }
   const seconds = 60 / motion.rates[state.rate];
   const ticks = w < 480 ? 2 : 4;
   for (let i = 0; i <= ticks; ++i) { c.textAlign = i === ticks ? 'right' : 'left'; c.fillText(say('seconds', number(seconds * i / ticks, seconds < 5 ? 2 : 0)), X(i / ticks), h - 3); }

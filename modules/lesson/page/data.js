@@ -26,10 +26,7 @@ function integers({at, count, width, stride}) {
   }
   return out;
 }
-function numbers(array) {
-  if (array.step === 0) return new Float32Array(bytes.slice(array.at, array.at + 4 * array.count).buffer);
-  return Float32Array.from(integers(array), v => v * array.step);
-}
+const numbers = array => array.step === 0 ? new Float32Array(bytes.slice(array.at, array.at + 4 * array.count).buffer) : Float32Array.from(integers(array), v => v * array.step);
 const {surfaces, arrays, motion, measurements, slides} = lesson;
 const handles = lesson.handles.map((label, i) => ({label, vertex: lesson.vertices + i, pull: [0, 0, 0]}));
 const rest = numbers(arrays.rest), modes = motion ? numbers(arrays.motion) : [], courses = motion ? numbers(arrays.course) : [];

@@ -29,8 +29,7 @@ addEventListener('keydown', e => {
   turned = true; e.preventDefault();
 });
 // One finger turns or drags a handle, two come nearer and push aside; wheel; Shift or the right button pushes aside.
-const view = $('view'), fingers = new Map();
-let dragging = false;
+const view = $('view'), fingers = new Map(); let dragging = false;
 view.onpointerdown = e => {
   view.setPointerCapture(e.pointerId); fingers.set(e.pointerId, [e.offsetX, e.offsetY]); dragging = false;
   if (!state.handles || fingers.size > 1) return;
@@ -65,8 +64,7 @@ function render() {
   timed('draw', () => { draw(); drawOver(); }); ++times.frames;
   changed = pullsChanged; turned = false;
 }
-let last = 0;
-function frame(now) {
+let last = 0; function frame(now) {
   const seconds = Math.min((now - last) / 1000, 0.1), cycles = motion ? seconds * state.speed * motion.rates[state.rate] / 60 : 0;
   last = now;
   if (state.playing && !dragging) seek(state.fraction + cycles);

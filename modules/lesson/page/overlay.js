@@ -1,16 +1,11 @@
 // What lies over the picture: names with their lines, handles, measurements, the scale.
 const css = name => getComputedStyle(document.documentElement).getPropertyValue(name).trim();
-let lastBehind = 0;
-const kFacing = 0.12, kTouch = 28, kMouse = 16;
+let lastBehind = 0; const kFacing = 0.12, kTouch = 28, kMouse = 16;
 const nameItems = surfaces.flatMap(s => {
   const parts = s.labels.map(({text, vertex}) => ({s, text, vertex, part: true}));
   return s.wall && parts.length ? parts : [{s, text: s.title}, ...parts];
 });
-for (const item of nameItems) {
-  item.box = element('span', item.text, item.part ? 'name part' : 'name');
-  item.box.dir = 'auto';
-  $('names').append(item.box);
-}
+for (const item of nameItems) $('names').append(item.box = Object.assign(element('span', item.text, item.part ? 'name part' : 'name'), {dir: 'auto'}));
 /** Of a whole surface: a place that faces the eye and lies away from the other surfaces, which may stand before it. */
 function bestAnchor(s, middles) {
   let best = -Infinity, found = s.anchors[0];
@@ -26,11 +21,10 @@ function bestAnchor(s, middles) {
 function isBehind({firstTriangle, triangleCount}, vertex) {
   const p = placeOf(vertex), d = p.map((x, i) => eye[i] - x);
   for (let t = 3 * firstTriangle, end = t + 3 * triangleCount; t < end; t += 3) {
-    const a = 3 * triangles[t], b = 3 * triangles[t + 1], c = 3 * triangles[t + 2];
-    const ux = points[b] - points[a], uy = points[b + 1] - points[a + 1], uz = points[b + 2] - points[a + 2];
-    const vx = points[c] - points[a], vy = points[c + 1] - points[a + 1], vz = points[c + 2] - points[a + 2];
+    const a = 3 * triangles[t], b = 3 * triangles[t + 1], c = 3 * triangles[t + 2], px = points[a], py = points[a + 1], pz = points[a + 2];
+    const ux = points[b] - px, uy = points[b + 1] - py, uz = points[b + 2] - pz, vx = points[c] - px, vy = points[c + 1] - py, vz = points[c + 2] - pz;
     const nx = d[1] * vz - d[2] * vy, ny = d[2] * vx - d[0] * vz, nz = d[0] * vy - d[1] * vx, det = ux * nx + uy * ny + uz * nz;
-    const x = p[0] - points[a], y = p[1] - points[a + 1], z = p[2] - points[a + 2], s = (x * nx + y * ny + z * nz) / det;
+    const x = p[0] - px, y = p[1] - py, z = p[2] - pz, s = (x * nx + y * ny + z * nz) / det;
     if (!(s >= 0 && s <= 1)) continue;
     const qx = y * uz - z * uy, qy = z * ux - x * uz, qz = x * uy - y * ux, w = (d[0] * qx + d[1] * qy + d[2] * qz) / det;
     if (w >= 0 && s + w <= 1 && (vx * qx + vy * qy + vz * qz) / det > 0.01) return true;
@@ -49,14 +43,13 @@ function column(items, top, bottom) {
 }
 function placeNames() {
   const middles = surfaces.filter(s => s.on).map(s => [s, project([0, 1, 2].map(i => s.anchors.reduce((sum, v) => sum + points[3 * v + i], 0) / s.anchors.length))]);
-  const late = performance.now() - lastBehind > 300;
-  if (late) lastBehind = performance.now();
+  const late = performance.now() - lastBehind > 300; if (late) lastBehind = performance.now();
   for (const i of nameItems) {
     const vertex = i.part ? i.vertex : bestAnchor(i.s, middles);
     i.worth = i.part ? -dot(normalOf(vertex), ahead) : 1;
     if (i.part && late) i.behind = i.worth > kFacing && isBehind(i.s, vertex);
     [i.x, i.y] = project(placeOf(vertex));
-    i.shown = state.names && i.s.on && !i.behind && i.worth > kFacing && i.x > 0 && i.x < size[0] && i.y > 0 && i.y < size[1];
+    i.shown = state.names && !quiz.on && i.s.on && !i.behind && i.worth > kFacing && i.x > 0 && i.x < size[0] && i.y > 0 && i.y < size[1];
     i.box.style.display = i.shown ? '' : 'none';
   }
   const top = $('tools').offsetTop + $('tools').offsetHeight + 6, bottom = Math.min(size[1] - 40, $('held').textContent ? $('held').offsetTop - 4 : size[1]);
@@ -70,21 +63,17 @@ function placeNames() {
   return shown.filter(i => i.shown);
 }
 const ringAt = (c, x, y, radius, fill, line) => { c.beginPath(); c.arc(x, y, radius, 0, 7); c.fillStyle = fill; c.fill(); c.strokeStyle = line; c.stroke(); };
-function drawHandles(c, text) {
-  handles.forEach((h, i) => {
-    const [x, y] = project(placeOf(h.vertex)), held = i === state.held;
-    ringAt(c, x, y, held ? 10 : 7, held ? css('--accent') : '#e69f00', held ? text : '#fff');
-  });
-}
+const drawHandles = (c, text) => handles.forEach((h, i) => {
+  const [x, y] = project(placeOf(h.vertex)), held = i === state.held;
+  ringAt(c, x, y, held ? 10 : 7, held ? css('--accent') : '#e69f00', held ? text : '#fff');
+});
 function drawMeasurements(c, text) {
-  c.setLineDash([5, 4]);
-  for (const m of measurements) {
+  c.setLineDash([5, 4]); for (const m of measurements) {
     const {at, value} = measure(m), flat = at.map(project);
     c.strokeStyle = text; c.beginPath(); flat.forEach(([x, y]) => c.lineTo(x, y)); c.stroke();
     const [x, y] = flat.length === 3 ? flat[1] : [0, 1].map(i => (flat[0][i] + flat[1][i]) / 2);
     c.fillStyle = text; c.fillText(say(m.kind === 'angle' ? 'degrees' : 'mm', number(value)), x + 6, y - 6);
-  }
-  c.setLineDash([]);
+  } c.setLineDash([]);
 }
 function drawScale(c, text) {
   const perMm = pixels() / far, mm = [1, 2, 5, 10, 20, 50, 100, 200].filter(m => m * perMm < size[0] / 4).pop() || 1;
@@ -103,7 +92,7 @@ function drawOver() {
     c.moveTo(fromLeft ? i.left + i.box.offsetWidth + 2 : i.left - 2, i.top + i.box.offsetHeight / 2); c.lineTo(i.x, i.y); c.stroke();
     c.globalAlpha = 1; ringAt(c, i.x, i.y, 2.5, text, css('--bottom'));
   }
-  drawMeasurements(c, text);
+  if (!quiz.on) drawMeasurements(c, text);
   if (state.handles) drawHandles(c, text);
   if (quiz.vertex >= 0) { const [x, y] = project(placeOf(quiz.vertex)); c.lineWidth = 3; ringAt(c, x, y, 11, '#e69f0055', '#e69f00'); c.fillStyle = text; c.font = 'bold 16px system-ui'; c.fillText('?', x - 4, y + 6); }
   else drawScale(c, text);

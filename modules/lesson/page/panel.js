@@ -1,6 +1,5 @@
 // Numbers, slides and controls beside the picture.
-let changed = true, turned = true, pullsChanged = false, lastBeat = 0;
-const press = (id, on) => $(id).setAttribute('aria-pressed', on);
+let changed = true, turned = true, pullsChanged = false, lastBeat = 0; const press = (id, on) => $(id).setAttribute('aria-pressed', on);
 const tell = (list, name, value, more) => { const dd = element('dd', value); if (more) dd.append(element('small', more)); $(list).append(element('dt', name), dd); };
 for (const s of surfaces) {
   s.tile = element('li', '', 'tile'); s.tile.style.setProperty('--own', s.rgb);
@@ -23,8 +22,7 @@ function writeNumbers() {
     s.value.textContent = say('ml', number(s.ml));
     s.part.textContent = say(pulledNow ? 'byHandles' : 'ofRest', (part < -0.05 ? '\u2212' : '+') + number(Math.abs(part)));
   }
-  $('undo').hidden = !pulledNow;
-  $('measured').replaceChildren();
+  $('undo').hidden = !pulledNow; $('measured').replaceChildren();
   for (const m of measurements) tell('measured', m.title, say(m.kind === 'angle' ? 'degrees' : 'mm', number(measure(m).value)));
 }
 const beatOf = curve => { const high = Math.max(...curve), low = Math.min(...curve); return {part: 100 * (high - low) / high, stroke: high - low}; };
@@ -50,10 +48,8 @@ function writePhase() {
 }
 /** Where a phase's name finds no room, its initials stand for it. */
 function shortenPhases() {
-  for (const span of $('phases').children) {
-    span.textContent = span.title;
-    if (span.scrollWidth > span.clientWidth) span.textContent = span.title.split(/\s+/).map(word => word[0]).join('').toUpperCase();
-  }
+  for (const span of $('phases').children) span.textContent = span.title;
+  for (const span of $('phases').children) if (span.scrollWidth > span.clientWidth) span.textContent = span.title.split(/\s+/).map(word => word[0]).join('').toUpperCase();
 }
 function setRate(index) {
   state.rate = index; $('rate').value = index; pullsChanged = changed = true;
@@ -82,11 +78,9 @@ function pullBy(handle, dx, dy, dz) {
 function setSide(name) { [camera.yaw, camera.pitch] = sides[name]; camera.target = [...lesson.center]; camera.zoom = 1; turned = true; $('side').value = name; }
 let slide = -1;
 function showSlide(index) {
-  slide = mod(index, slides.length);
-  const s = slides[slide];
+  const s = slides[slide = mod(index, slides.length)];
   $('slideTitle').textContent = say('slide', slide + 1, slides.length, s.title); $('slideText').textContent = s.text;
-  if (s.side) setSide(s.side);
-  if (s.position) lookFrom(s);
+  if (s.side) setSide(s.side); if (s.position) lookFrom(s);
   surfaces.forEach((surface, i) => showSurface(surface, !s.hidden.includes(i)));
   if ('seeThrough' in s) setGlass(s.seeThrough);
   if (motion && 'rate' in s) setRate(s.rate);

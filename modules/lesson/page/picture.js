@@ -21,10 +21,7 @@ const zoomBy = factor => { camera.zoom = Math.max(0.3, Math.min(12, camera.zoom 
 const pixels = () => size[1] / 2 / Math.tan(kHalfAngle);
 const pushBy = (dx, dy) => { const mm = far / pixels(); camera.target = camera.target.map((x, i) => x - (right[i] * dx - up[i] * dy) * mm); };
 const turnBy = (dx, dy) => { camera.yaw -= dx; camera.pitch = Math.max(-kSteepest, Math.min(kSteepest, camera.pitch + dy)); };
-function project(p) {
-  const d = p.map((x, i) => x - eye[i]), z = dot(d, ahead), s = pixels() / z;
-  return [size[0] / 2 + dot(d, right) * s, size[1] / 2 - dot(d, up) * s, z];
-}
+const project = p => { const d = p.map((x, i) => x - eye[i]), z = dot(d, ahead), s = pixels() / z; return [size[0] / 2 + dot(d, right) * s, size[1] / 2 - dot(d, up) * s, z]; };
 
 const gl = $('view').getContext('webgl2', {antialias: true, alpha: true, premultipliedAlpha: true});
 if (!gl) await giveUp('noWebGl');
@@ -44,8 +41,7 @@ for (const [kind, text] of [[gl.VERTEX_SHADER, vertexText], [gl.FRAGMENT_SHADER,
   const shader = gl.createShader(kind);
   gl.shaderSource(shader, text); gl.compileShader(shader); gl.attachShader(program, shader);
 }
-gl.linkProgram(program);
-if (!gl.getProgramParameter(program, gl.LINK_STATUS)) await giveUp('noWebGl');
+gl.linkProgram(program); if (!gl.getProgramParameter(program, gl.LINK_STATUS)) await giveUp('noWebGl');
 gl.useProgram(program);
 const uniform = Object.fromEntries(['eye', 'right', 'up', 'ahead', 'lens'].map(u => [u, gl.getUniformLocation(program, u)]));
 const buffers = [points, normals, colors].map((data, i) => {
@@ -78,8 +74,7 @@ function sortTranslucent() {
       depth[v] = (points[3 * v] - eye[0]) * ahead[0] + (points[3 * v + 1] - eye[1]) * ahead[1] + (points[3 * v + 2] - eye[2]) * ahead[2];
     for (let t = s.firstTriangle, end = t + s.triangleCount; t < end; ++t) {
       const z = (depth[triangles[3 * t]] + depth[triangles[3 * t + 1]] + depth[triangles[3 * t + 2]]) / 3;
-      const bin = Math.max(0, Math.min(kDepths - 1, (far + reach - z) / (2 * reach) * kDepths | 0));
-      depths[t] = bin; ++firstOf[bin + 1];
+      ++firstOf[(depths[t] = Math.max(0, Math.min(kDepths - 1, (far + reach - z) / (2 * reach) * kDepths | 0))) + 1];
     }
   }
   for (let bin = 0; bin < kDepths; ++bin) firstOf[bin + 1] += firstOf[bin];
@@ -93,15 +88,13 @@ function sortTranslucent() {
 }
 function draw() {
   look();
-  gl.viewport(0, 0, gl.canvas.width, gl.canvas.height);
-  gl.enable(gl.DEPTH_TEST); gl.depthMask(true); gl.disable(gl.BLEND); // The mask holds for clearing, too.
+  gl.viewport(0, 0, gl.canvas.width, gl.canvas.height); gl.enable(gl.DEPTH_TEST); gl.depthMask(true); gl.disable(gl.BLEND); // The mask holds for clearing, too.
   gl.clearColor(0, 0, 0, 0); gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
   for (const [name, value] of Object.entries({eye, right, up, ahead})) gl.uniform3fv(uniform[name], value);
   const y = 1 / Math.tan(kHalfAngle);
   gl.uniform3f(uniform.lens, y * size[1] / size[0], y, Math.max(far - 2 * lesson.radius, far / 50));
   for (const s of surfaces) if (s.on && s.now >= 1) gl.drawElements(gl.TRIANGLES, 3 * s.triangleCount, gl.UNSIGNED_INT, 12 * s.firstTriangle);
-  const count = sortTranslucent();
-  if (!count) return;
+  const count = sortTranslucent(); if (!count) return;
   gl.bufferSubData(gl.ELEMENT_ARRAY_BUFFER, triangles.byteLength, sorted.subarray(0, count));
   gl.enable(gl.BLEND); gl.blendFunc(gl.ONE, gl.ONE_MINUS_SRC_ALPHA); gl.depthMask(false);
   gl.drawElements(gl.TRIANGLES, count, gl.UNSIGNED_INT, triangles.byteLength);

@@ -1,7 +1,6 @@
 // A quiz: names, phases, what shrinks. Nothing of it leaves the page.
 const kQuestions = 6, kShown = 4, quiz = {on: false, vertex: -1, around: -1, asked: 0, right: 0, answer: -1};
-const anyOf = list => list[Math.floor(Math.random() * list.length)];
-const shuffled = list => list.map(x => [Math.random(), x]).sort((a, b) => a[0] - b[0]).map(x => x[1]);
+const anyOf = list => list[Math.floor(Math.random() * list.length)], shuffled = list => list.map(x => [Math.random(), x]).sort((a, b) => a[0] - b[0]).map(x => x[1]);
 const choicesOf = (answer, others) => shuffled([answer, ...shuffled([...new Set(others)].filter(x => x !== answer)).slice(0, kShown - 1)]);
 function nameQuestion() {
   const items = nameItems.filter(i => i.s.on), item = anyOf(items), vertex = item.part ? item.vertex : item.s.anchors[0];

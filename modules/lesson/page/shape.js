@@ -1,8 +1,6 @@
 // Where the vertices are: rest + sum c_k mode_k + sum w_h pull_h, and what follows from that.
-const points = new Float32Array(rest), pulled = new Float32Array(rest.length), normals = new Float32Array(rest.length);
-const coefficients = new Float64Array(motion ? motion.modes : 0);
-const pullsOf = () => handles.filter(h => h.pull.some(x => x));
-const mod = (a, n) => (a % n + n) % n;
+const points = new Float32Array(rest), pulled = new Float32Array(rest.length), normals = new Float32Array(rest.length), coefficients = new Float64Array(motion ? motion.modes : 0);
+const pullsOf = () => handles.filter(h => h.pull.some(x => x)), mod = (a, n) => (a % n + n) % n;
 
 /** The courses at an instant: cubic B-splines over the cycle, or mirrored at its ends where it does not cycle. */
 function setInstant(fraction, rate) {
@@ -22,18 +20,12 @@ function poseInto(out, from, to) {
     for (let i = from; i < to; ++i) out[i] += c * modes[first + i];
   }
 }
-function pose() {
-  if (motion) setInstant(state.fraction, state.rate);
-  poseInto(points, 0, points.length);
-}
+const pose = () => { if (motion) setInstant(state.fraction, state.rate); poseInto(points, 0, points.length); };
 function takePulls() {
   pulled.fill(0);
   for (const h of pullsOf()) {
     const [x, y, z] = h.pull, first = (h.vertex - lesson.vertices) * lesson.vertices;
-    for (let v = 0, i = 0; v < lesson.vertices; ++v) {
-      const a = weights[first + v];
-      pulled[i++] += a * x; pulled[i++] += a * y; pulled[i++] += a * z;
-    }
+    for (let v = 0, i = 0; v < lesson.vertices; ++v) { const a = weights[first + v]; pulled[i++] += a * x; pulled[i++] += a * y; pulled[i++] += a * z; }
     for (let i = 0; i < 3; ++i) pulled[3 * h.vertex + i] = h.pull[i];
   }
 }
@@ -41,9 +33,8 @@ function takePulls() {
 function shade() {
   normals.fill(0);
   for (let t = 0; t < triangles.length; t += 3) {
-    const a = 3 * triangles[t], b = 3 * triangles[t + 1], c = 3 * triangles[t + 2];
-    const ux = points[b] - points[a], uy = points[b + 1] - points[a + 1], uz = points[b + 2] - points[a + 2];
-    const vx = points[c] - points[a], vy = points[c + 1] - points[a + 1], vz = points[c + 2] - points[a + 2];
+    const a = 3 * triangles[t], b = 3 * triangles[t + 1], c = 3 * triangles[t + 2], px = points[a], py = points[a + 1], pz = points[a + 2];
+    const ux = points[b] - px, uy = points[b + 1] - py, uz = points[b + 2] - pz, vx = points[c] - px, vy = points[c + 1] - py, vz = points[c + 2] - pz;
     const x = uy * vz - uz * vy, y = uz * vx - ux * vz, z = ux * vy - uy * vx;
     normals[a] += x; normals[a + 1] += y; normals[a + 2] += z;
     normals[b] += x; normals[b + 1] += y; normals[b + 2] += z;
@@ -64,10 +55,7 @@ function volumeOf({firstTriangle, triangleCount}, at = points) {
   return sum / 6000;
 }
 const placeOf = vertex => [points[3 * vertex], points[3 * vertex + 1], points[3 * vertex + 2]];
-const normalOf = vertex => {
-  const n = [0, 1, 2].map(i => normals[3 * vertex + i]), size = Math.hypot(...n) || 1;
-  return n.map(x => x / size);
-};
+const normalOf = vertex => { const n = [0, 1, 2].map(i => normals[3 * vertex + i]), size = Math.hypot(...n) || 1; return n.map(x => x / size); };
 /** A surface's curve, ml, as the handles that are pulled make it; the lesson's own when none is. */
 function pulledCurve(s, samples = 48) {
   const out = new Float32Array(points.length), from = 3 * s.firstVertex, curve = [];

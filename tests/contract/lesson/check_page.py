@@ -18,7 +18,7 @@ def check(name, good, detail=""):
 
 
 def largest(found, expected):
-    return max(sum((a - b) ** 2 for a, b in zip(f, e)) ** 0.5 for f, e in zip(found, expected))
+    return max([0] + [sum((a - b) ** 2 for a, b in zip(f, e)) ** 0.5 for f, e in zip(found, expected)])
 
 
 def points_now(b, vertices):
