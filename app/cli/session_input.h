@@ -20,8 +20,8 @@ namespace viscera::app::cli {
 /// What is in a session, with what became of its organs' files. Throws as `document::readSession`.
 Outcome describeSession(const std::string& file, Surroundings& surroundings);
 
-/// The sequence that a session plays, made again by its recipe; else the first that it offers, else the one that
-/// it has recorded; null for none.
+/// The sequence that a session plays, made again by its recipe; else the first that it offers, else the one
+/// that it has recorded; null for none.
 std::shared_ptr<const sequences::Sequence> sequenceOf(const document::DocumentState& state,
                                                       const presentation::ViewState& view,
                                                       Surroundings& surroundings);

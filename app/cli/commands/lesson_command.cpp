@@ -26,9 +26,8 @@ constexpr double kErrorToTell = 0.05; ///< mm; more is said.
 
 bool isSequence(const std::string& name) {
   const auto& known = motion::sampleSequences();
-  return motion::isSequenceFile(name) || std::any_of(known.begin(), known.end(), [&](const auto& sequence) {
-           return sequence.id == name;
-         });
+  return motion::isSequenceFile(name) ||
+         std::any_of(known.begin(), known.end(), [&](const auto& sequence) { return sequence.id == name; });
 }
 
 std::string contentsOf(const std::string& file) {
@@ -54,18 +53,22 @@ nlohmann::ordered_json surfacesJson(const lesson::LessonPlan& plan, const docume
 } // namespace
 
 void LessonCommand::addOptions(CLI::App& options) {
-  options.add_option("WHAT", request_.sequence,
-                     "heartbeat, peristalsis or breathing, a .sequence.json file, a session (.viscera), or organs "
-                     "that are still");
-  options.add_option("-o,--output", output_, "File to write: .html, or .glb for animated glTF; with --ready a folder")
+  options.add_option(
+      "WHAT", request_.sequence,
+      "heartbeat, peristalsis or breathing, a .sequence.json file, a session (.viscera), or organs "
+      "that are still");
+  options
+      .add_option("-o,--output", output_,
+                  "File to write: .html, or .glb for animated glTF; with --ready a folder")
       ->type_name("FILE")
       ->required();
   options.add_flag("--ready", ready_, "Write the three lessons that come with the program");
   options.add_option("--organ", request_.organ, "What a sequence is to move instead of its own organ")
       ->type_name("ORGAN");
   options
-      .add_option("--landmarks", request_.landmarks,
-                  "Points on that organ (.mrk.json), as for viscera play; those that are missing are computed")
+      .add_option(
+          "--landmarks", request_.landmarks,
+          "Points on that organ (.mrk.json), as for viscera play; those that are missing are computed")
       ->type_name("FILE");
   options.add_option("--handles", handles_, "How many handles there are to drag; 0: none")
       ->type_name("N")
@@ -78,7 +81,8 @@ void LessonCommand::addOptions(CLI::App& options) {
       ->type_name("OLD=NEW")
       ->expected(1)
       ->take_all();
-  options.add_option("--spec", spec_, "Names of parts, slides and texts for the lesson (.json, docs/lessons.md)")
+  options
+      .add_option("--spec", spec_, "Names of parts, slides and texts for the lesson (.json, docs/lessons.md)")
       ->type_name("FILE");
 }
 
@@ -176,8 +180,8 @@ Outcome LessonCommand::write(const std::filesystem::path& file, Surroundings& su
   live::PosedOrgans& organs = material.document->organs();
   double error = 0;
   if (file.extension() == ".glb") {
-    const lesson::WrittenGltf written = lesson::writeAnimatedGltf(file, plan, material.source, organs,
-                                                                  surroundings.progress, surroundings.threads);
+    const lesson::WrittenGltf written = lesson::writeAnimatedGltf(
+        file, plan, material.source, organs, surroundings.progress, surroundings.threads);
     outcome.json.update({{"bytes", written.bytes}, {"frames", written.frames}, {"modes", written.modes}});
     error = written.largestErrorMm;
   } else {

@@ -24,8 +24,8 @@ constexpr std::size_t kInTheTable = 2; ///< Behind title and notes, which have f
 
 LessonDialog::LessonDialog(const lesson::LessonPlan& plan, QWidget* parent)
     : QDialog(parent), plan_(plan), title_(new QLineEdit(text(plan.title))),
-      notes_(new QPlainTextEdit(text(plan.notes))), texts_(new QTableWidget),
-      format_(new QComboBox), handles_(new QCheckBox(tr("Handles that a reader can drag"))) {
+      notes_(new QPlainTextEdit(text(plan.notes))), texts_(new QTableWidget), format_(new QComboBox),
+      handles_(new QCheckBox(tr("Handles that a reader can drag"))) {
   setWindowTitle(tr("Export lesson"));
   setObjectName(QStringLiteral("lessonDialog"));
   resize(640, 620);
@@ -37,10 +37,11 @@ LessonDialog::LessonDialog(const lesson::LessonPlan& plan, QWidget* parent)
   notes_->setMaximumHeight(96);
   notes_->setTabChangesFocus(true);
 
-  auto* remark = new QLabel(tr("This is all that a reader will be able to read: names of files, dates and what is "
-                               "hidden are not in the lesson. Look for names of patients, and change what you "
-                               "like by a double click.") +
-                            QLatin1Char(' ') + caution());
+  auto* remark =
+      new QLabel(tr("This is all that a reader will be able to read: names of files, dates and what is "
+                    "hidden are not in the lesson. Look for names of patients, and change what you "
+                    "like by a double click.") +
+                 QLatin1Char(' ') + caution());
   remark->setWordWrap(true);
   auto* form = new QFormLayout;
   form->addRow(tr("Title"), title_);

@@ -16,12 +16,13 @@ namespace {
 using nlohmann::ordered_json;
 
 /// What a vertex may be off by, tried one after the other until the file is small enough.
-constexpr Accuracy kTried[] = {{0.02, 0.02}, {0.05, 0.02}, {0.1, 0.02}, {0.2, 0.02}, {0.35, 0.02}, {0.5, 0.02}};
+constexpr Accuracy kTried[] = {{0.02, 0.02}, {0.05, 0.02}, {0.1, 0.02},
+                               {0.2, 0.02},  {0.35, 0.02}, {0.5, 0.02}};
 constexpr double kRoughness = 0.55;
 
 /// The weights of the modes as the file has them: keys evenly over a cycle, straight lines between them.
 struct Keys {
-  Course weights; ///< `keys x modes`, the last one closes the cycle.
+  Course weights;   ///< `keys x modes`, the last one closes the cycle.
   double offMm = 0; ///< In the middle between two.
 };
 
@@ -35,7 +36,8 @@ Keys keysOf(const SampledMotion& motion, Eigen::Index count) {
   for (Eigen::Index key = 0; key <= count; ++key)
     keys.weights.row(key) = at(static_cast<double>(key));
   for (Eigen::Index key = 0; key < count; ++key)
-    off.row(key) = (keys.weights.row(key) + keys.weights.row(key + 1)) / 2 - at(static_cast<double>(key) + 0.5);
+    off.row(key) =
+        (keys.weights.row(key) + keys.weights.row(key + 1)) / 2 - at(static_cast<double>(key) + 0.5);
   keys.offMm = largestDifference(motion.modes, off).mm;
   return keys;
 }
@@ -71,10 +73,12 @@ private:
       attributes["COLOR_0"] = buffer_.addColors(mesh.colors);
     ordered_json targets = ordered_json::array(), names = ordered_json::array();
     for (const Points& mode : motion_.modes) {
-      targets.push_back({{"POSITION", buffer_.addVectors(mode.middleRows(first, mesh.points.rows()), true)}});
+      targets.push_back(
+          ordered_json{{"POSITION", buffer_.addVectors(mode.middleRows(first, mesh.points.rows()), true)}});
       names.push_back("mode " + std::to_string(names.size() + 1));
     }
-    const std::vector<std::int32_t> indices(mesh.triangles.data(), mesh.triangles.data() + mesh.triangles.size());
+    const std::vector<std::int32_t> indices(mesh.triangles.data(),
+                                            mesh.triangles.data() + mesh.triangles.size());
     ordered_json primitive = {{"attributes", std::move(attributes)},
                               {"indices", buffer_.addIndices(indices, mesh.points.rows())},
                               {"material", tree_["materials"].size()}};
@@ -113,7 +117,8 @@ private:
     tree_["nodes"].push_back({{"name", plan_.title},
                               {"children", std::move(children)},
                               {"matrix", {.001, 0, 0, 0, 0, 0, -.001, 0, 0, .001, 0, 0, 0, 0, 0, 1}}});
-    tree_["scenes"] = {{{"nodes", {plan_.surfaces.size()}}}};
+    tree_["scenes"] =
+        ordered_json::array({ordered_json{{"nodes", ordered_json::array({plan_.surfaces.size()})}}});
   }
 
   void addAnimation(const Keys& keys) {
@@ -128,9 +133,10 @@ private:
     for (std::size_t node = 0; node < plan_.surfaces.size(); ++node)
       channels.push_back({{"sampler", 0}, {"target", {{"node", node}, {"path", "weights"}}}});
     tree_["animations"] = ordered_json::array(
-        {{{"name", plan_.title},
-          {"samplers", ordered_json::array({{{"input", input}, {"output", output}, {"interpolation", "LINEAR"}}})},
-          {"channels", std::move(channels)}}});
+        {ordered_json{{"name", plan_.title},
+                      {"samplers", ordered_json::array({ordered_json{
+                                       {"input", input}, {"output", output}, {"interpolation", "LINEAR"}}})},
+                      {"channels", std::move(channels)}}});
   }
 
   const LessonPlan& plan_;
@@ -162,7 +168,7 @@ double largestError(const SampledMotion& motion, const Keys& keys, double rate, 
       points += (between ? (own + next) / 2 : own) * motion.modes[k];
     }
     carried.poseAt((static_cast<double>(key) + (between ? 0.5 : 0)) / static_cast<double>(count), rate, pose);
-    largest = std::max(largest, (carried.in(pose) - points).rowwise().norm().maxCoeff());
+    largest = std::max(largest, (carried.in(pose)-points).rowwise().norm().maxCoeff());
   }
   return largest;
 }

@@ -23,9 +23,9 @@ CarriedVertices::CarriedVertices(const LessonPlan& plan, const LessonSource& sou
     runner_.setSequence(source.sequence);
     runner_.prescribe(source.prescribed);
   }
-  keepsVolumes_ = source.prescribed.has_value() ||
-                  std::any_of(source.state.organs->begin(), source.state.organs->end(),
-                              [](const auto& organ) { return organ->volumeLocked; });
+  keepsVolumes_ =
+      source.prescribed.has_value() || std::any_of(source.state.organs->begin(), source.state.organs->end(),
+                                                   [](const auto& organ) { return organ->volumeLocked; });
   gather();
   if (isSumOfHandles())
     return;
@@ -45,7 +45,8 @@ void CarriedVertices::gather() {
     rest_.middleRows(first, points.rows()) = points;
     if (const deformation::Deformer* bound = organs_.bound(surface.organ))
       for (Eigen::Index handle = 0; handle < handles; ++handle)
-        weights_.block(first, handle, points.rows(), 1) = bound->binding().influence(static_cast<int>(handle));
+        weights_.block(first, handle, points.rows(), 1) =
+            bound->binding().influence(static_cast<int>(handle));
     first += points.rows();
   }
   rest_.bottomRows(own) = restHandles_.topRows(own);
@@ -89,8 +90,8 @@ Points CarriedVertices::in(const Points& pose) {
 CarriersAt CarriedVertices::carriersAt() {
   return [this](double fraction, double rate, Points& displacements) {
     poseAt(fraction, rate, displacements);
-    displacements = weights_.cols() > 0 ? Points(displacements - restHandles_)
-                                        : Points(in(displacements) - rest_);
+    displacements =
+        weights_.cols() > 0 ? Points(displacements - restHandles_) : Points(in(displacements)-rest_);
   };
 }
 

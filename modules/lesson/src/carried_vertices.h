@@ -10,8 +10,8 @@ namespace viscera::lesson {
 /// what carries them. For the thread of the organs, which it poses as it is asked.
 class CarriedVertices {
 public:
-  /// All must live longer; `organs` are those of `source.state`. Throws `DataError` for an organ that is still
-  /// being bound, and for a sequence that is not for these handles.
+  /// All must live longer; `organs` are those of `source.state`. Throws `DataError` for an organ that is
+  /// still being bound, and for a sequence that is not for these handles.
   CarriedVertices(const LessonPlan& plan, const LessonSource& source, live::PosedOrgans& organs,
                   Threads threads);
 

@@ -52,7 +52,8 @@ Eigen::VectorXd valueAt(const Course& spline, CourseEnd end, double fraction) {
                                          (4 - 3 * v * v * (2 - v)) / 6, u * u * u / 6};
   Eigen::VectorXd value = Eigen::VectorXd::Zero(spline.cols());
   for (Eigen::Index i = 0; i < 4; ++i)
-    value += weights[static_cast<std::size_t>(i)] * spline.row(placeOf(before - 1 + i, count, end)).transpose();
+    value +=
+        weights[static_cast<std::size_t>(i)] * spline.row(placeOf(before - 1 + i, count, end)).transpose();
   return value;
 }
 

@@ -85,8 +85,8 @@ std::size_t GltfBuffer::addColors(const Colors& colors) {
   std::vector<std::uint8_t> stored;
   for (const auto& color : colors.rowwise())
     stored.insert(stored.end(), {table[color[0]], table[color[1]], table[color[2]], 255});
-  const std::size_t accessor = add(stored.data(), stored.size(), static_cast<std::size_t>(colors.rows()), "VEC4",
-                                   kByte, Target::vertices);
+  const std::size_t accessor = add(stored.data(), stored.size(), static_cast<std::size_t>(colors.rows()),
+                                   "VEC4", kByte, Target::vertices);
   accessors_[accessor]["normalized"] = true;
   return accessor;
 }
@@ -96,7 +96,7 @@ std::string GltfBuffer::fileOf(ordered_json tree) const {
   align(binary, '\0');
   tree["accessors"] = accessors_;
   tree["bufferViews"] = views_;
-  tree["buffers"] = {{{"byteLength", binary.size()}}};
+  tree["buffers"] = ordered_json::array({ordered_json{{"byteLength", binary.size()}}});
   std::string text = tree.dump(-1, ' ', false, ordered_json::error_handler_t::replace);
   align(text, ' ');
   const auto textSize = static_cast<std::uint32_t>(text.size()),

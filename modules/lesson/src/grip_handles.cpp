@@ -19,7 +19,8 @@ geometry::TriangleMesh outside(const Lesson& lesson, const document::DocumentSta
       continue;
     const Eigen::Index before = mesh.points.rows(), triangles = mesh.triangles.rows();
     mesh.points.conservativeResize(before + surface.vertexCount, 3);
-    mesh.points.bottomRows(surface.vertexCount) = lesson.rest.middleRows(surface.firstVertex, surface.vertexCount);
+    mesh.points.bottomRows(surface.vertexCount) =
+        lesson.rest.middleRows(surface.firstVertex, surface.vertexCount);
     mesh.triangles.conservativeResize(triangles + surface.triangleCount, 3);
     mesh.triangles.bottomRows(surface.triangleCount) =
         lesson.triangles.middleRows(surface.firstTriangle, surface.triangleCount).array() +

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 #include <set>
+#include <sstream>
 
 #include "page_strings.h"
 #include "viscera/core/error.h"
@@ -25,18 +26,28 @@ std::string capital(std::string text) {
 
 /// Of an organ whose name is only its file's: what kind it is. A patient's file may be called by his name.
 std::string kindOf(const Organ& organ) {
-  const auto norm = medical_io::organNorm(organ.name);
-  if (!norm)
+  std::string letters = organ.name;
+  for (char& c : letters)
+    if (!std::isalpha(static_cast<unsigned char>(c)))
+      c = ' ';
+  std::istringstream words(letters);
+  std::string kind, side;
+  for (std::string word; words >> word;) {
+    if (word == "left" || word == "right")
+      side = word + ' ';
+    else if (const auto norm = medical_io::organNorm(word))
+      kind = norm->name;
+  }
+  if (kind.empty())
     return said("Organ");
-  std::string name(norm->name);
-  if (norm->name == "kidney" && norm->side != medical_io::BodySide::middle)
-    name = (norm->side == medical_io::BodySide::left ? "left " : "right ") + name;
-  return capital(name);
+  return capital(kind == "kidney" ? side + kind : kind);
 }
 
 std::string titleOf(const Organ& organ) {
-  static const std::array<std::pair<const char*, const char*>, 4> kLong = {
-      {{"LV", "Left ventricle"}, {"lv", "Left ventricle"}, {"RV", "Right ventricle"}, {"rv", "Right ventricle"}}};
+  static const std::array<std::pair<const char*, const char*>, 4> kLong = {{{"LV", "Left ventricle"},
+                                                                            {"lv", "Left ventricle"},
+                                                                            {"RV", "Right ventricle"},
+                                                                            {"rv", "Right ventricle"}}};
   for (const auto& [name, title] : kLong)
     if (organ.name == name)
       return said(title);
@@ -72,8 +83,9 @@ PlannedSurface plannedSurface(const Organ& organ, const document::DocumentState&
                       : organ.look.color;
   surface.opacity = organ.look.opacity;
   surface.wall = organ.look.opacity < 1 ||
-                 std::any_of(state.organs->begin(), state.organs->end(),
-                             [&](const auto& other) { return other->look.visible && other->parent == organ.id; });
+                 std::any_of(state.organs->begin(), state.organs->end(), [&](const auto& other) {
+                   return other->look.visible && other->parent == organ.id;
+                 });
   surface.charted = organ.closed() && organ.look.tracked;
   for (const SpecLabel& label : spec.labels)
     if (isCalled(organ, label.surface))
@@ -193,9 +205,8 @@ std::vector<double> offeredRates(const sequences::Sequence& sequence) {
   constexpr int kSteps = static_cast<int>(kMostRates) - 2;
   for (int i = 0; i <= kSteps; ++i) {
     const double rate = rounded(low * std::pow(high / low, static_cast<double>(i) / kSteps));
-    const bool crowded = std::any_of(rates.begin(), rates.end(), [&](double other) {
-      return std::abs(other - rate) < 0.05 * rate;
-    });
+    const bool crowded = std::any_of(rates.begin(), rates.end(),
+                                     [&](double other) { return std::abs(other - rate) < 0.05 * rate; });
     if (rate >= low && rate <= high && !crowded)
       rates.insert(rate);
   }
@@ -219,12 +230,12 @@ LessonPlan planLesson(const LessonSource& source, const LessonSpec& spec) {
   if (spec.title.empty() && source.sequence)
     plan.title += ": " + source.sequence->name();
   for (const document::Measurement& measurement : *state.measurements) {
-    const bool shown = std::all_of(measurement.points.begin(), measurement.points.end(), [&](const auto& point) {
-      return std::any_of(plan.surfaces.begin(), plan.surfaces.end(),
-                         [&](const PlannedSurface& surface) {
-                           return surface.organ == point.organ || point.organ == document::OrganId{};
-                         });
-    });
+    const bool shown =
+        std::all_of(measurement.points.begin(), measurement.points.end(), [&](const auto& point) {
+          return std::any_of(plan.surfaces.begin(), plan.surfaces.end(), [&](const PlannedSurface& surface) {
+            return surface.organ == point.organ || point.organ == document::OrganId{};
+          });
+        });
     if (shown)
       plan.measurements.push_back({measurement, measurement.name});
   }

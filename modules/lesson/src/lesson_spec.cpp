@@ -1,5 +1,7 @@
 #include "viscera/lesson/lesson_spec.h"
 
+#include <array>
+
 #include <QFile>
 
 #include <nlohmann/json.hpp>

@@ -13,11 +13,11 @@ namespace {
 
 constexpr int kAnchors = 40;
 constexpr std::array<double, 4> kChecked = {0.131, 0.377, 0.613, 0.871}; ///< Fractions that are no samples.
-constexpr double kSampled = 0.5; ///< Of the progress.
+constexpr double kSampled = 0.5;                                         ///< Of the progress.
 
 /// Rounded as the page will have it.
 Points stepped(const Points& points) {
-  return (points.array() / kStepMm).round() * kStepMm;
+  return ((points.array() / kStepMm).round() * kStepMm).matrix();
 }
 
 void addSurfaces(const LessonPlan& plan, const document::DocumentState& state, Lesson& lesson) {
@@ -46,7 +46,8 @@ void addSurfaces(const LessonPlan& plan, const document::DocumentState& state, L
     if (plan.surfaces[i].vertexColors)
       colors = organ->mesh->colors;
     else
-      colors.rowwise() = (plan.surfaces[i].color * 255).array().round().cast<std::uint8_t>().matrix().transpose();
+      colors.rowwise() =
+          (plan.surfaces[i].color * 255).array().round().cast<std::uint8_t>().matrix().transpose();
   }
 }
 
@@ -118,13 +119,15 @@ void addCurves(Lesson& lesson, Threads threads) {
       for (LessonSurface& surface : lesson.surfaces) {
         if (!surface.closed)
           continue;
-        const Points points =
-            shownPoints(lesson, static_cast<std::size_t>(i / samples),
-                        fractionOf(i % samples, samples, lesson.end), surface.firstVertex, surface.vertexCount);
+        const Points points = shownPoints(lesson, static_cast<std::size_t>(i / samples),
+                                          fractionOf(i % samples, samples, lesson.end), surface.firstVertex,
+                                          surface.vertexCount);
         const Triangles triangles =
-            lesson.triangles.middleRows(surface.firstTriangle, surface.triangleCount).array() -
-            static_cast<std::int32_t>(surface.firstVertex);
-        surface.curves(i / samples, i % samples) = geometry::volume(points, triangles, Threads{1}) / kMm3PerMl;
+            (lesson.triangles.middleRows(surface.firstTriangle, surface.triangleCount).array() -
+             static_cast<std::int32_t>(surface.firstVertex))
+                .matrix();
+        surface.curves(i / samples, i % samples) =
+            geometry::volume(points, triangles, Threads{1}) / kMm3PerMl;
       }
   });
 }
@@ -138,7 +141,7 @@ double largestError(const Lesson& lesson, const SampledMotion& motion, CarriedVe
     fractions.push_back(motion.worst[course]);
     for (const double fraction : fractions) {
       carried.poseAt(fraction, motion.rates[course], pose);
-      const Points off = carried.in(pose) - shownPoints(lesson, course, fraction, 0, carried.rest().rows());
+      const Points off = carried.in(pose)-shownPoints(lesson, course, fraction, 0, carried.rest().rows());
       largest = std::max(largest, off.rowwise().norm().maxCoeff());
     }
   }

@@ -13,7 +13,8 @@ constexpr Eigen::Index kVertexBlock = 2048;
 /// What is left of an instant, summed over all vertices, when its motion counts as told, mm.
 constexpr double kLeftMm = 1e-3;
 
-/// `W' W` in blocks of vertices whose sums are taken in a fixed order; nothing for carriers that are vertices.
+/// `W' W` in blocks of vertices whose sums are taken in a fixed order; nothing for carriers that are
+/// vertices.
 Eigen::MatrixXd gramOfCarriers(const CarrierWeights& weights, Threads threads) {
   if (weights.cols() == 0)
     return {};
@@ -80,6 +81,8 @@ Eigen::MatrixXd factorOf(const GramRows& gram, Progress& progress) {
 
 /// The left singular vectors of `factor`, the strongest first: `instants x rank`.
 Eigen::MatrixXd coursesOf(const Eigen::MatrixXd& factor) {
+  if (factor.cols() == 0)
+    return factor;
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(factor.transpose() * factor);
   const Eigen::Index rank = factor.cols();
   Eigen::MatrixXd courses(factor.rows(), rank);
@@ -149,8 +152,9 @@ LargestDifference largestDifference(const std::vector<Points>& modes, const Cour
   const Eigen::VectorXd bounds = differences.cwiseAbs() * sizes;
   std::vector<Eigen::Index> order(static_cast<std::size_t>(bounds.size()));
   std::iota(order.begin(), order.end(), 0);
-  std::sort(order.begin(), order.end(),
-            [&](Eigen::Index a, Eigen::Index b) { return std::pair(bounds[b], a) < std::pair(bounds[a], b); });
+  std::sort(order.begin(), order.end(), [&](Eigen::Index a, Eigen::Index b) {
+    return std::pair(bounds[b], a) < std::pair(bounds[a], b);
+  });
   LargestDifference largest;
   for (const Eigen::Index row : order) {
     if (bounds[row] <= largest.mm)

@@ -16,8 +16,8 @@ struct Instants {
   Course x, y, z; ///< mm from rest.
 };
 
-/// `n x c`: the motion of the vertices is this times that of the carriers. Without columns the carriers are the
-/// vertices themselves.
+/// `n x c`: the motion of the vertices is this times that of the carriers. Without columns the carriers are
+/// the vertices themselves.
 using CarrierWeights = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic>;
 
 /// A motion as a sum of modes: at instant t vertex v is off its place at rest by `sum_k course(t, k) *

@@ -96,9 +96,9 @@ std::vector<double> unpacked(const PackedArray& array, const std::string& bytes)
   for (std::size_t i = 0; i < array.count; ++i) {
     std::uint32_t zigzag = 0;
     for (std::size_t plane = 0; plane < width; ++plane)
-      zigzag |= static_cast<std::uint32_t>(
-                    static_cast<unsigned char>(bytes[array.at + plane * array.count + i]))
-                << (8 * plane);
+      zigzag |=
+          static_cast<std::uint32_t>(static_cast<unsigned char>(bytes[array.at + plane * array.count + i]))
+          << (8 * plane);
     const std::int64_t change = static_cast<std::int32_t>((zigzag >> 1) ^ (~(zigzag & 1) + 1));
     const auto back = static_cast<std::size_t>(array.stride);
     whole[i] = wrapped(change + (i >= back ? whole[i - back] : 0), array.width);
@@ -110,8 +110,8 @@ std::vector<double> unpacked(const PackedArray& array, const std::string& bytes)
 std::string deflated(const std::string& bytes) {
   uLongf size = compressBound(bytes.size());
   std::string result(size, '\0');
-  if (compress2(reinterpret_cast<Bytef*>(result.data()), &size,
-                reinterpret_cast<const Bytef*>(bytes.data()), bytes.size(), Z_BEST_COMPRESSION) != Z_OK)
+  if (compress2(reinterpret_cast<Bytef*>(result.data()), &size, reinterpret_cast<const Bytef*>(bytes.data()),
+                bytes.size(), Z_BEST_COMPRESSION) != Z_OK)
     throw std::bad_alloc();
   result.resize(size);
   return result;

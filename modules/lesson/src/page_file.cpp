@@ -35,7 +35,10 @@ QByteArray hashOf(const QByteArray& text) {
 }
 
 QByteArray escaped(const std::string& text) {
-  return QString::fromStdString(text).toHtmlEscaped().replace(QLatin1Char('\''), QStringLiteral("&#39;")).toUtf8();
+  return QString::fromStdString(text)
+      .toHtmlEscaped()
+      .replace(QLatin1Char('\''), QStringLiteral("&#39;"))
+      .toUtf8();
 }
 
 } // namespace

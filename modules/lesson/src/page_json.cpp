@@ -27,7 +27,10 @@ ordered_json jsonOf(const Vec3& place) {
 }
 
 ordered_json jsonOf(const PackedArray& array) {
-  return {{"at", array.at}, {"count", array.count}, {"width", array.width}, {"stride", array.stride},
+  return {{"at", array.at},
+          {"count", array.count},
+          {"width", array.width},
+          {"stride", array.stride},
           {"step", array.step}};
 }
 
@@ -98,7 +101,7 @@ ordered_json measurementJson(const Lesson& lesson, const PlannedMeasurement& pla
   for (const document::MeasuredPoint& point : planned.measurement.points) {
     const Eigen::Index first = firstVertexOf(lesson, point.organ);
     if (first < 0 || point.triangle < 0) {
-      points.push_back({{"at", jsonOf(point.rest)}});
+      points.push_back(ordered_json{{"at", jsonOf(point.rest)}});
       continue;
     }
     Eigen::Index triangle = point.triangle;
@@ -134,8 +137,11 @@ std::size_t nearestRate(const std::vector<double>& rates, double wanted) {
 }
 
 ordered_json slideJson(const Lesson& lesson, const PlannedSlide& slide) {
-  ordered_json json = {{"title", slide.title}, {"text", slide.text}, {"names", slide.names},
-                       {"handles", slide.handles}, {"hidden", slide.hiddenSurfaces}};
+  ordered_json json = {{"title", slide.title},
+                       {"text", slide.text},
+                       {"names", slide.names},
+                       {"handles", slide.handles},
+                       {"hidden", slide.hiddenSurfaces}};
   if (!slide.side.empty())
     json["side"] = slide.side;
   if (slide.eye) {
@@ -184,7 +190,8 @@ std::string scriptSafe(const ordered_json& json) {
   for (const char c : json.dump(-1, ' ', true, ordered_json::error_handler_t::replace)) {
     static constexpr std::array<std::pair<char, const char*>, 3> kEscapes = {
         {{'<', "\\u003c"}, {'>', "\\u003e"}, {'&', "\\u0026"}}};
-    const auto* found = std::find_if(kEscapes.begin(), kEscapes.end(), [c](const auto& e) { return e.first == c; });
+    const auto* found =
+        std::find_if(kEscapes.begin(), kEscapes.end(), [c](const auto& e) { return e.first == c; });
     if (found == kEscapes.end())
       safe += c;
     else

@@ -30,9 +30,10 @@ struct SampledMotion {
 inline constexpr Eigen::Index kFewestSamples = 96;
 inline constexpr Eigen::Index kMostSamples = 768;
 
-/// Samples the rates at `kFewestSamples` instants a cycle: doubled until what lies in the middle between two is
-/// met, or there are `kMostSamples`. Rates whose motion is the same share a course. `weights` as for `modesOf`;
-/// without columns the carriers are the vertices themselves. Throws `Cancelled`, and what `carriersAt` throws.
+/// Samples the rates at `kFewestSamples` instants a cycle: doubled until what lies in the middle between two
+/// is met, or there are `kMostSamples`. Rates whose motion is the same share a course. `weights` as for
+/// `modesOf`; without columns the carriers are the vertices themselves. Throws `Cancelled`, and what
+/// `carriersAt` throws.
 SampledMotion sampledMotion(const std::vector<double>& rates, const CarrierWeights& weights,
                             const CarriersAt& carriersAt, const Accuracy& accuracy, Progress& progress,
                             Threads threads);

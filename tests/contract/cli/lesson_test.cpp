@@ -21,7 +21,8 @@ protected:
 TEST_F(CliLesson, OfASequenceIsAPageOrAScene) {
   for (const std::string ending : {"html", "glb"}) {
     const std::string file = path("breath." + ending);
-    const json lesson = runJson({"lesson", "breathing", "--organ", "sample:liver@low", "-o", file, "--handles", "8"});
+    const json lesson =
+        runJson({"lesson", "breathing", "--organ", "sample:liver@low", "-o", file, "--handles", "8"});
     expectKeys(lesson);
     EXPECT_EQ(lesson["bytes"], std::filesystem::file_size(file));
     EXPECT_GE(lesson["modes"], 1);
@@ -36,11 +37,13 @@ TEST_F(CliLesson, OfASequenceIsAPageOrAScene) {
 
 TEST_F(CliLesson, TakesTitlesAndNames) {
   const std::string file = path("named.html");
-  const json lesson = runJson({"lesson", put("cube.off", cubeOff(30)), "-o", file, "--title", "A <b>cube</b>", "--name", "cube=Box"});
+  const json lesson = runJson(
+      {"lesson", put("cube.off", cubeOff(30)), "-o", file, "--title", "A <b>cube</b>", "--name", "cube=Box"});
   EXPECT_EQ(lesson["surfaces"][0]["title"], "Box");
   EXPECT_EQ(lesson["modes"], 0);
   EXPECT_NE(contents(file).find("<title>A &lt;b&gt;cube&lt;/b&gt;</title>"), std::string::npos);
-  const json spoken = runJson({"lesson", path("cube.off"), "-o", file, "--spec", put("s.json", R"({"title": "From the file"})")});
+  const json spoken = runJson(
+      {"lesson", path("cube.off"), "-o", file, "--spec", put("s.json", R"({"title": "From the file"})")});
   EXPECT_NE(contents(file).find("<title>From the file</title>"), std::string::npos);
 }
 
@@ -50,10 +53,12 @@ TEST_F(CliLesson, SaysWhatIsWrong) {
   expectFailure({"lesson", "-o", path("l.html")}, kUsage, "name a sequence");
   expectFailure({"lesson", path("missing.stl"), "-o", path("l.html")}, kNoInput, "missing.stl");
   expectFailure({"lesson", cube, "-o", path("no/folder/l.html")}, kCannotCreate, "folder");
-  expectFailure({"lesson", cube, "-o", path("l.html"), "--spec", put("bad.json", "[]")}, kBadData, "bad.json");
+  expectFailure({"lesson", cube, "-o", path("l.html"), "--spec", put("bad.json", "[]")}, kBadData,
+                "bad.json");
   expectFailure({"lesson", cube, "-o", path("l.html"), "--spec", path("none.json")}, kNoInput, "none.json");
   expectFailure({"lesson", cube, "-o", path("l.html"), "--name", "cube"}, kUsage, "--name cube");
-  expectFailure({"lesson", "breathing", "--organ", "sample:liver@low", "--rate", "500", "-o", path("l.html")}, kUsage, "a minute");
+  expectFailure({"lesson", "breathing", "--organ", "sample:liver@low", "--rate", "500", "-o", path("l.html")},
+                kUsage, "a minute");
   EXPECT_EQ(files(), 2) << "nothing half-written is left";
 }
 

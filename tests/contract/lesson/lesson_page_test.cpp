@@ -31,7 +31,9 @@ bool browserIsThere() {
 
 std::string hostile() {
   return "</script><script>window.hostile = 1</script><img src=x onerror=\"window.hostile=2\">'\"&amp; "
-         "\xE2\x80\xAE" "abc @SCRIPT@ " + std::string(10000, 'x');
+         "\xE2\x80\xAE"
+         "abc @SCRIPT@ " +
+         std::string(10000, 'x');
 }
 
 class LessonPage : public testing::Test {
@@ -43,8 +45,12 @@ protected:
 
   /// What `check_page.py` holds a lesson against.
   static ordered_json truthOf(const Lesson& lesson, const LessonSource& source, live::PosedOrgans& organs) {
-    ordered_json truth = {{"title", lesson.plan.title}, {"moves", source.sequence != nullptr}, {"whole", true},
-                          {"quiz", 0}, {"texts", ordered_json::array()}, {"vertices", ordered_json::array()},
+    ordered_json truth = {{"title", lesson.plan.title},
+                          {"moves", source.sequence != nullptr},
+                          {"whole", true},
+                          {"quiz", 0},
+                          {"texts", ordered_json::array()},
+                          {"vertices", ordered_json::array()},
                           {"instants", ordered_json::array()}};
     for (const PlannedSurface& surface : lesson.plan.surfaces)
       truth["texts"].push_back(surface.title);
@@ -59,7 +65,8 @@ protected:
   }
 
   /// Checks the page; `extra` for the script's options.
-  static void expectGood(const Lesson& lesson, const ordered_json& truth, const std::vector<std::string>& extra = {}) {
+  static void expectGood(const Lesson& lesson, const ordered_json& truth,
+                         const std::vector<std::string>& extra = {}) {
     const viscera::tests::TemporaryFolder folder;
     const std::filesystem::path page = folder.path() / "lesson.html";
     writePage(page, lesson);
@@ -87,7 +94,9 @@ private:
   static ordered_json instantOf(const Lesson& lesson, const LessonSource& source, live::PosedOrgans& organs,
                                 std::size_t rate, double fraction, const ordered_json& vertices) {
     const Points points = organPoints(lesson, source, organs, rate, fraction);
-    ordered_json instant = {{"rate", rate}, {"fraction", fraction}, {"points", ordered_json::array()},
+    ordered_json instant = {{"rate", rate},
+                            {"fraction", fraction},
+                            {"points", ordered_json::array()},
                             {"volumesMl", ordered_json::array()}};
     for (const auto& vertex : vertices) {
       const auto point = points.row(vertex.get<Eigen::Index>());
@@ -123,14 +132,14 @@ struct ReadyLesson {
   double seconds = 0; ///< Of making and packing, after binding.
 
   explicit ReadyLesson(const std::string& id) {
-    const motion::SequenceSetup setup =
-        motion::setUpSequence(viscera::tests::cachedLibrary(), id, sample_organs::Resolution::medium, progress);
+    const motion::SequenceSetup setup = motion::setUpSequence(viscera::tests::cachedLibrary(), id,
+                                                              sample_organs::Resolution::medium, progress);
     std::vector<document::NewOrgan> organs = document::organsFrom(setup.organ);
     if (organs.size() > 1)
       organs.front().organ.look.opacity = 0.3;
-    undo.perform(document::combined("Sample", {document::addOrgans(std::move(organs)),
-                                               document::replaceRig(setup.rig),
-                                               document::setSystem(setup.system)}));
+    undo.perform(
+        document::combined("Sample", {document::addOrgans(std::move(organs)), document::replaceRig(setup.rig),
+                                      document::setSystem(setup.system)}));
     source = {.state = document.state(), .sequence = setup.sequence};
     const LessonPlan plan = planLesson(source, readySpec(id));
     const auto begin = std::chrono::steady_clock::now();
@@ -151,7 +160,8 @@ TEST_F(LessonPage, OfTheHeartIsWhatTheProgramShows) {
   EXPECT_LE(ready.lesson.largestErrorMm, 0.05);
   ordered_json truth = truthOf(ready.lesson, ready.source, ready.live);
   truth["quiz"] = 3; // Names, phases, what shrinks.
-  expectGood(ready.lesson, truth, {"--references", VISCERA_SOURCE_DIR "/tests/contract/lesson/references", "heart"});
+  expectGood(ready.lesson, truth,
+             {"--references", VISCERA_SOURCE_DIR "/tests/contract/lesson/references", "heart"});
 }
 
 TEST_F(LessonPage, OfTheStomachIsWhatTheProgramShows) {

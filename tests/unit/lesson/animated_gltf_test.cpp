@@ -36,9 +36,11 @@ struct Glb {
     const auto& described = tree["accessors"][accessor];
     const std::size_t each = described["type"] == "VEC3" ? 3 : 1;
     std::vector<float> values(described["count"].get<std::size_t>() * each);
-    std::memcpy(values.data(),
-                bytes.data() + tree["bufferViews"][described["bufferView"].get<std::size_t>()]["byteOffset"].get<std::size_t>(),
-                values.size() * sizeof(float));
+    std::memcpy(
+        values.data(),
+        bytes.data() +
+            tree["bufferViews"][described["bufferView"].get<std::size_t>()]["byteOffset"].get<std::size_t>(),
+        values.size() * sizeof(float));
     return values;
   }
 };
@@ -133,8 +135,8 @@ TEST(AnimatedGltf, OfStillOrgansHasNoAnimation) {
   BallScene scene;
   const viscera::tests::TemporaryFolder folder;
   const LessonSource source = scene.source(nullptr);
-  const WrittenGltf written =
-      writeAnimatedGltf(folder.path() / "still.glb", planLesson(source, {}), source, scene.live, scene.progress);
+  const WrittenGltf written = writeAnimatedGltf(folder.path() / "still.glb", planLesson(source, {}), source,
+                                                scene.live, scene.progress);
   const Glb glb(folder.path() / "still.glb");
   EXPECT_FALSE(glb.tree.contains("animations"));
   EXPECT_EQ(written.modes, 0u);

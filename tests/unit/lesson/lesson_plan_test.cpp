@@ -44,7 +44,8 @@ struct Organs : BallScene {
 TEST(LessonPlan, TellsNoFilesName) {
   const Organs scene({named("Meier_Hans_1954_liver", "/home/doctor/Meier_Hans_1954_liver.stl"),
                       named("scan 17", "/data/scan 17.vtk"), named("Kidney_left", "/data/Kidney_left.stl"),
-                      named("My own name", "/data/other.stl"), named("abdomen/spleen", "/data/abdomen.nrrd")});
+                      named("My own name", "/data/other.stl"),
+                      named("abdomen/spleen", "/data/abdomen.nrrd")});
   EXPECT_THAT(titlesOf(scene.plan()), ElementsAre("Liver", "Organ", "Left kidney", "My own name", "Spleen"));
 }
 
@@ -70,11 +71,12 @@ TEST(LessonPlan, LeavesHiddenOrgansOut) {
 }
 
 TEST(LessonPlan, TakesNamesSlidesAndLabelsFromItsFile) {
-  const LessonSpec spec = readSpec(R"({"title": "T", "notes": "N", "names": {"Ball": "Sphere", "sway": "Swing"},
+  const LessonSpec spec =
+      readSpec(R"({"title": "T", "notes": "N", "names": {"Ball": "Sphere", "sway": "Swing"},
       "labels": [{"surface": "Ball", "text": "Top", "at": [0, 0, 30]}, {"surface": "Other", "text": "X", "at": [0, 0, 0]}],
       "slides": [{"title": "S", "hidden": ["Ball"], "phase": "sway", "rate": 70, "seeThrough": 0.2},
                  {"title": "U", "position": [0, -300, 0], "focus": [0, 0, 0], "fraction": 0.25}], "handles": 5})",
-                                   "test");
+               "test");
   BallScene scene;
   const LessonSource source = scene.source(scene.sway());
   const LessonPlan plan = planLesson(source, spec);
@@ -122,7 +124,8 @@ TEST(LessonPlan, OffersFewRatesAndTheSequencesOwn) {
 TEST(LessonPlan, KeepsTheEyeWhereTheWindowHasIt) {
   BallScene scene;
   LessonSource source = scene.source(nullptr);
-  source.camera = presentation::Camera{.position = Vec3(0, -400, 30), .focus = Vec3(1, 2, 3), .angleDegrees = 30};
+  source.camera =
+      presentation::Camera{.position = Vec3(0, -400, 30), .focus = Vec3(1, 2, 3), .angleDegrees = 30};
   const LessonPlan plan = planLesson(source, {});
   EXPECT_LT((plan.eye->position - Vec3(0, -400, 30)).norm(), 1e-9);
   source.camera->angleDegrees = 10;

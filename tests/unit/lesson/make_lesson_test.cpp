@@ -40,9 +40,9 @@ struct SampleScene {
   LessonSource source;
 
   explicit SampleScene(const motion::SequenceSetup& setup) {
-    undo.perform(document::combined("Sample", {document::addOrgans(document::organsFrom(setup.organ)),
-                                               document::replaceRig(setup.rig),
-                                               document::setSystem(setup.system)}));
+    undo.perform(
+        document::combined("Sample", {document::addOrgans(document::organsFrom(setup.organ)),
+                                      document::replaceRig(setup.rig), document::setSystem(setup.system)}));
     source = {.state = document.state(), .sequence = setup.sequence};
   }
 };
@@ -62,7 +62,8 @@ TEST(MakeLesson, FollowsTheOrgansAtEveryRateAndBetweenSamples) {
 
 TEST(MakeLesson, OfTheHeartFollowsItAtEveryRate) {
   Progress progress;
-  SampleScene scene(motion::heartbeatSetup(viscera::tests::cachedLibrary(), sample_organs::Resolution::low, progress));
+  SampleScene scene(
+      motion::heartbeatSetup(viscera::tests::cachedLibrary(), sample_organs::Resolution::low, progress));
   const LessonPlan plan = planLesson(scene.source, {});
   const Lesson lesson = makeLesson(plan, scene.source, scene.live, progress);
   EXPECT_EQ(lesson.courses.size(), plan.rates.size());
@@ -73,7 +74,8 @@ TEST(MakeLesson, OfTheHeartFollowsItAtEveryRate) {
 
 TEST(MakeLesson, OfTheStomachFollowsItsWaves) {
   Progress progress;
-  SampleScene scene(motion::peristalsisSetup(viscera::tests::cachedLibrary(), sample_organs::Resolution::low, progress));
+  SampleScene scene(
+      motion::peristalsisSetup(viscera::tests::cachedLibrary(), sample_organs::Resolution::low, progress));
   LessonSpec spec;
   spec.rates = {1, 3, 6};
   const Lesson lesson = makeLesson(planLesson(scene.source, spec), scene.source, scene.live, progress);
@@ -96,8 +98,8 @@ TEST(MakeLesson, KnowsTheVolumesOfItsCurves) {
 TEST(MakeLesson, OfAMotionThatDoesNotLeadBackStopsAtItsEnd) {
   BallScene scene;
   const Points rest = scene.document.rig().restPositions();
-  const LessonSource source = scene.source(std::make_shared<sequences::KeyframedSequence>(
-      track(rest, false, sequences::Easing::smooth)));
+  const LessonSource source = scene.source(
+      std::make_shared<sequences::KeyframedSequence>(track(rest, false, sequences::Easing::smooth)));
   const Lesson lesson = scene.made(source);
   EXPECT_EQ(lesson.end, CourseEnd::stops);
   EXPECT_LT(worstOver(lesson, source, scene.live, kBetween), kMost);
@@ -107,7 +109,8 @@ TEST(MakeLesson, DoublesItsSamplesWhereAMotionHasCorners) {
   BallScene scene;
   const Points rest = scene.document.rig().restPositions();
   const auto samplesOf = [&](sequences::Easing easing) {
-    return scene.made(scene.source(std::make_shared<sequences::KeyframedSequence>(track(rest, true, easing)))).samples();
+    return scene.made(scene.source(std::make_shared<sequences::KeyframedSequence>(track(rest, true, easing))))
+        .samples();
   };
   EXPECT_GT(samplesOf(sequences::Easing::linear), samplesOf(sequences::Easing::smooth));
 }
@@ -135,7 +138,8 @@ TEST(MakeLesson, KeepsALockedVolume) {
   BallScene free;
   const Lesson other = free.made(free.source(free.sway(6)));
   const auto& loose = other.surfaces.front().curves;
-  EXPECT_GT(loose.maxCoeff() - loose.minCoeff(), 5e-3 * loose.maxCoeff()) << "without the lock it would change";
+  EXPECT_GT(loose.maxCoeff() - loose.minCoeff(), 5e-3 * loose.maxCoeff())
+      << "without the lock it would change";
 }
 
 TEST(MakeLesson, OfStillOrgansShowsThemAsTheyArePosed) {
@@ -186,8 +190,8 @@ TEST(MakeLesson, RefusesAMotionOfOtherHandles) {
   BallScene scene;
   Points other = scene.document.rig().restPositions();
   other.row(3) += Vec3(9, 0, 0).transpose();
-  const LessonSource source = scene.source(
-      std::make_shared<viscera::tests::Sway>(other, std::vector<viscera::tests::Swing>{}));
+  const LessonSource source =
+      scene.source(std::make_shared<viscera::tests::Sway>(other, std::vector<viscera::tests::Swing>{}));
   EXPECT_THROW(scene.made(source), DataError);
 }
 

@@ -76,8 +76,7 @@ TEST(MotionModes, OfVerticesThatCarryThemselvesAreTheSame) {
   vertices.x = scene.instants.x * scene.weights.transpose();
   vertices.y = scene.instants.y * scene.weights.transpose();
   vertices.z = scene.instants.z * scene.weights.transpose();
-  const MotionModes found =
-      modesOf(vertices, CarrierWeights(Scene::kVertices, 0), 1e-4, progress, {});
+  const MotionModes found = modesOf(vertices, CarrierWeights(Scene::kVertices, 0), 1e-4, progress, {});
   EXPECT_EQ(found.modes.size(), 4u);
   EXPECT_LT(scene.worst(found), 1e-3);
 }

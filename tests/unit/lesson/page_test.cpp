@@ -24,7 +24,9 @@ std::string between(const std::string& page, const std::string& open, const std:
 }
 
 std::string hashOf(const std::string& text) {
-  return QCryptographicHash::hash(QByteArray::fromStdString(text), QCryptographicHash::Sha256).toBase64().toStdString();
+  return QCryptographicHash::hash(QByteArray::fromStdString(text), QCryptographicHash::Sha256)
+      .toBase64()
+      .toStdString();
 }
 
 std::size_t countOf(const std::string& text, const std::string& what) {
@@ -41,7 +43,8 @@ TEST(Page, AllowsItsOwnScriptAndStyleOnly) {
   const std::string page = pageOf(scene.made(scene.source(scene.sway())));
   const std::string policy = between(page, "Content-Security-Policy\" content=\"", "\"");
   EXPECT_THAT(policy, HasSubstr("default-src 'none'"));
-  EXPECT_THAT(policy, HasSubstr("script-src 'sha256-" + hashOf(between(page, "<script type=\"module\">", "</script>")) + "'"));
+  EXPECT_THAT(policy, HasSubstr("script-src 'sha256-" +
+                                hashOf(between(page, "<script type=\"module\">", "</script>")) + "'"));
   EXPECT_THAT(policy, HasSubstr("style-src 'sha256-" + hashOf(between(page, "<style>", "</style>")) + "'"));
   EXPECT_THAT(page, Not(HasSubstr("style=\"")));
   EXPECT_THAT(page, Not(HasSubstr("http:")));
@@ -52,15 +55,17 @@ TEST(Page, AllowsItsOwnScriptAndStyleOnly) {
 TEST(Page, KeepsHostileTextsAsText) {
   BallScene scene;
   const LessonSource source = scene.source(nullptr);
-  const std::string hostile = "</script><script>window.hostile=1</script>'\"&<!-- \xE2\x80\xAE @SCRIPT@ @TITLE@ \xE2\x80\xA8" +
-                              std::string(10000, 'x');
+  const std::string hostile =
+      "</script><script>window.hostile=1</script>'\"&<!-- \xE2\x80\xAE @SCRIPT@ @TITLE@ \xE2\x80\xA8" +
+      std::string(10000, 'x');
   LessonPlan plan = planLesson(source, {});
   for (LessonText& text : textsOf(plan))
     *text.text = hostile;
   const Lesson lesson = makeLesson(plan, source, scene.live, scene.progress);
   const std::string page = pageOf(lesson);
   EXPECT_EQ(countOf(page, "</script>"), 3u);
-  EXPECT_EQ(countOf(page, "window.hostile=1"), 1u + countOf(between(page, "id=\"lesson\">", "</script>"), "window.hostile=1"))
+  EXPECT_EQ(countOf(page, "window.hostile=1"),
+            1u + countOf(between(page, "id=\"lesson\">", "</script>"), "window.hostile=1"))
       << "once as the escaped title";
   const auto json = nlohmann::json::parse(between(page, "id=\"lesson\">", "</script>"));
   EXPECT_EQ(json["title"], hostile);
@@ -82,7 +87,8 @@ TEST(Page, HoldsWhatTheLessonHolds) {
   const Lesson lesson = scene.made(scene.source(scene.sway()));
   const std::string page = pageOf(lesson);
   const auto json = nlohmann::json::parse(between(page, "id=\"lesson\">", "</script>"));
-  const QByteArray packed = QByteArray::fromBase64(QByteArray::fromStdString(between(page, "id=\"arrays\">", "</script>")));
+  const QByteArray packed =
+      QByteArray::fromBase64(QByteArray::fromStdString(between(page, "id=\"arrays\">", "</script>")));
   const std::string bytes = inflated(packed.toStdString());
   const auto array = [&](const char* name) {
     const auto& where = json["arrays"][name];
@@ -108,7 +114,8 @@ TEST(Page, AsksForStringsThatThereAre) {
   BallScene scene;
   const std::string page = pageOf(scene.made(scene.source(nullptr)));
   const auto json = nlohmann::json::parse(between(page, "id=\"lesson\">", "</script>"));
-  const std::string own = page.substr(0, page.find("id=\"lesson\">")) + between(page, "<script type=\"module\">", "</script>");
+  const std::string own =
+      page.substr(0, page.find("id=\"lesson\">")) + between(page, "<script type=\"module\">", "</script>");
   int asked = 0;
   const std::regex names(R"re(say\('(\w+)'|data-(?:say|tip|label)="(\w+)"|giveUp\('(\w+)'\))re");
   for (std::sregex_iterator found(own.begin(), own.end(), names); found != std::sregex_iterator(); ++found) {
@@ -121,7 +128,8 @@ TEST(Page, AsksForStringsThatThereAre) {
 
 TEST(Page, IsShortEnoughToRead) {
   std::size_t lines = 0;
-  for (const auto& entry : std::filesystem::directory_iterator(std::filesystem::path(VISCERA_SOURCE_DIR) / "modules/lesson/page"))
+  for (const auto& entry :
+       std::filesystem::directory_iterator(std::filesystem::path(VISCERA_SOURCE_DIR) / "modules/lesson/page"))
     if (entry.path().extension() != ".qrc") {
       std::ifstream stream(entry.path());
       for (std::string line; std::getline(stream, line);)

@@ -10,8 +10,8 @@ namespace viscera::lesson {
 /// `samples x modes` numbers over a cycle, the first at 0.
 using Course = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-/// How a course goes on behind its last sample: at the first one, a step later; or it ends there, at the end of
-/// the cycle, and jumps.
+/// How a course goes on behind its last sample: at the first one, a step later; or it ends there, at the end
+/// of the cycle, and jumps.
 enum class CourseEnd { cycles, stops };
 
 /// The weights of a cubic B-spline that runs through all samples (Unser 1999, doi 10.1109/79.799930), as many

@@ -29,17 +29,17 @@ struct LessonSurface {
 /// A lesson's numbers, complete. Vertices of all surfaces lie one behind the other, then the handles' places.
 struct Lesson {
   LessonPlan plan;
-  Points rest;            ///< `(vertices + handles) x 3` mm, LPS.
-  Triangles triangles;    ///< Over all vertices.
-  Colors colors;          ///< `vertices x 3`.
+  Points rest;         ///< `(vertices + handles) x 3` mm, LPS.
+  Triangles triangles; ///< Over all vertices.
+  Colors colors;       ///< `vertices x 3`.
   std::vector<LessonSurface> surfaces;
   std::vector<Points> modes; ///< As `rest`; mm.
   CourseEnd end = CourseEnd::cycles;
-  std::vector<Course> courses;    ///< Splines, `samples x modes`; the rates share some.
-  std::vector<int> courseOfRate;  ///< One a rate.
+  std::vector<Course> courses;                       ///< Splines, `samples x modes`; the rates share some.
+  std::vector<int> courseOfRate;                     ///< One a rate.
   std::vector<std::vector<sequences::Phase>> phases; ///< One list a rate, with the names that the plan gives.
   std::vector<std::string> handleLabels;
-  Course weights; ///< `handles x vertices`: how far a vertex goes with a handle.
+  Course weights;            ///< `handles x vertices`: how far a vertex goes with a handle.
   double largestErrorMm = 0; ///< Of a vertex at any rate, at and between samples, as the page computes it.
 
   Eigen::Index vertexCount() const { return colors.rows(); }
@@ -50,11 +50,11 @@ struct Lesson {
 inline constexpr double kStepMm = 0.01;
 inline constexpr double kWeightStep = 1.0 / 4096;
 
-/// Makes a lesson: samples the motion at the plan's rates, doubles the samples until the motion between them is
-/// met, finds its modes, and the weights of the handles to drag. `organs` are those of `source.state`, bound;
-/// they are moved where a volume is to be kept, and posed anyhow afterwards. Some seconds. Throws `DataError`
-/// for volumes that cannot be kept and for an organ that is still being bound, `Cancelled`. For the thread of
-/// the organs.
+/// Makes a lesson: samples the motion at the plan's rates, doubles the samples until the motion between them
+/// is met, finds its modes, and the weights of the handles to drag. `organs` are those of `source.state`,
+/// bound; they are moved where a volume is to be kept, and posed anyhow afterwards. Some seconds. Throws
+/// `DataError` for volumes that cannot be kept and for an organ that is still being bound, `Cancelled`. For
+/// the thread of the organs.
 Lesson makeLesson(const LessonPlan& plan, const LessonSource& source, live::PosedOrgans& organs,
                   Progress& progress, Threads threads = {});
 

@@ -21,11 +21,11 @@ inline constexpr std::size_t kMostOwnHandles = 40;
 
 /// What a lesson is made of.
 struct LessonSource {
-  document::DocumentState state;
-  std::shared_ptr<const sequences::Sequence> sequence;   ///< Null: the organs are still.
-  double ratePerMinute = 0;                              ///< To begin with; 0: the sequence's own.
-  std::optional<motion::PrescribedVolume> prescribed;    ///< As the window plays it.
-  std::optional<presentation::Camera> camera;            ///< Where the reader's eye is to begin with.
+  document::DocumentState state = {};
+  std::shared_ptr<const sequences::Sequence> sequence = {}; ///< Null: the organs are still.
+  double ratePerMinute = 0;                                 ///< To begin with; 0: the sequence's own.
+  std::optional<motion::PrescribedVolume> prescribed = {};  ///< As the window plays it.
+  std::optional<presentation::Camera> camera = {};          ///< Where the reader's eye is to begin with.
 };
 
 /// A name on a place of a surface.
@@ -79,17 +79,17 @@ struct LessonPlan {
   std::vector<PlannedMeasurement> measurements;
   std::vector<PlannedPhase> phases;
   std::vector<PlannedSlide> slides;
-  std::optional<Eye> eye; ///< None: from the front.
+  std::optional<Eye> eye;           ///< None: from the front.
   std::vector<std::string> handles; ///< Labels of the rig's own; empty: others are placed, or none.
   bool ownHandles = false;
-  int placedHandles = 22; ///< When they are not the rig's own; 0: none.
+  int placedHandles = 22;    ///< When they are not the rig's own; 0: none.
   std::vector<double> rates; ///< Ascending; empty when the organs are still.
   double rate = 0;           ///< To begin with, one of them.
 };
 
-/// Plans a lesson of the organs that are shown: titles from their names, ("LV" becomes "Left ventricle"), bands
-/// of healthy people, the document's measurements, and what `spec` says instead. Throws `UsageError` when no
-/// organ is shown, and for names and phases in `spec` that there are not.
+/// Plans a lesson of the organs that are shown: titles from their names, ("LV" becomes "Left ventricle"),
+/// bands of healthy people, the document's measurements, and what `spec` says instead. Throws `UsageError`
+/// when no organ is shown, and for names and phases in `spec` that there are not.
 LessonPlan planLesson(const LessonSource& source, const LessonSpec& spec);
 
 /// At most `kMostRates` rates between a sequence's lowest and highest, its own among them, ascending.

@@ -17,16 +17,16 @@ struct Eye {
 
 /// One view of a lesson that a speaker comes back to.
 struct PlannedSlide {
-  std::string title;
-  std::string text;               ///< What there is to see; may be empty.
-  std::optional<Eye> eye;
-  std::string side;               ///< "anterior", "posterior", "left", "right", "superior", "inferior"; or empty.
-  std::optional<double> fraction; ///< Of the cycle, [0, 1]: the slide stands still there.
-  std::string phase;              ///< Or in the middle of this phase, by its name in the sequence.
-  std::optional<double> rate;     ///< Cycles a minute; the nearest that is offered.
-  std::vector<std::string> hidden; ///< Names of organs that are switched off.
-  std::vector<std::size_t> hiddenSurfaces; ///< The same by their places among the plan's surfaces.
-  std::optional<double> seeThrough; ///< Opacity of the walls, [0, 1].
+  std::string title = {};
+  std::string text = {}; ///< What there is to see; may be empty.
+  std::optional<Eye> eye = {};
+  std::string side = {}; ///< "anterior", "posterior", "left", "right", "superior", "inferior"; or empty.
+  std::optional<double> fraction = {};  ///< Of the cycle, [0, 1]: the slide stands still there.
+  std::string phase = {};               ///< Or in the middle of this phase, by its name in the sequence.
+  std::optional<double> rate = {};      ///< Cycles a minute; the nearest that is offered.
+  std::vector<std::string> hidden = {}; ///< Names of organs that are switched off.
+  std::vector<std::size_t> hiddenSurfaces = {}; ///< The same by their places among the plan's surfaces.
+  std::optional<double> seeThrough = {};        ///< Opacity of the walls, [0, 1].
   bool names = true;
   bool handles = false;
 };

@@ -6,8 +6,8 @@
 
 #include "viscera/core/arrays.h"
 
-/// Numbers on their way into a page: rounded to a step, each as the difference to an earlier one, in planes of
-/// bytes, so that deflate finds little to do (docs/lessons.md, "The file").
+/// Numbers on their way into a page: rounded to a step, each as the difference to an earlier one, in planes
+/// of bytes, so that deflate finds little to do (docs/lessons.md, "The file").
 namespace viscera::lesson {
 
 /// Where an array lies among the bytes, and how to read it. Step 0: plain little-endian floats of width 4.
