@@ -219,8 +219,8 @@ int runCommandLine(int argc, const char* const* argv, std::ostream& out, std::os
   std::vector<std::unique_ptr<Command>> commands;
   Command* chosen = nullptr;
   for (const auto make : {infoCommand, systemsCommand, sampleCommand, convertCommand, handlesCommand,
-                          bindCommand, deformCommand, stressCommand, playCommand, segmentCommand,
-                          renderCommand, propertiesCommand, reproduceCommand}) {
+                          bindCommand, deformCommand, stressCommand, playCommand, lessonCommand,
+                          segmentCommand, renderCommand, propertiesCommand, reproduceCommand}) {
     const auto& command = commands.emplace_back(make());
     CLI::App* options = app.add_subcommand(command->name(), command->summary());
     command->addOptions(*options);

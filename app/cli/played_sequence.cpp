@@ -203,6 +203,11 @@ BoundDocument::BoundDocument(const document::Command& filling, Surroundings& sur
       live_((undo_.perform(filling), document_), surroundings.systems, jobs_,
             {std::numeric_limits<double>::infinity(), surroundings.threads}) {}
 
+BoundDocument::BoundDocument(const document::DocumentState& state, Surroundings& surroundings)
+    : undo_(document_), jobs_([](const std::function<void()>& work) { work(); }),
+      live_((undo_.reset(state), document_), surroundings.systems, jobs_,
+            {std::numeric_limits<double>::infinity(), surroundings.threads}) {}
+
 int PlayedSequence::find(const std::string& name) const {
   for (std::size_t i = 0; i < surfaces.size(); ++i)
     if (surfaces[i].name == name)

@@ -32,6 +32,8 @@ struct PlayedSurface {
 class BoundDocument {
 public:
   BoundDocument(const document::Command& filling, Surroundings& surroundings);
+  /// Of a state that is there already, as a session has it.
+  BoundDocument(const document::DocumentState& state, Surroundings& surroundings);
 
   const document::DocumentState& state() const { return document_.state(); }
   live::LiveBinding& organs() { return live_; }

@@ -55,18 +55,10 @@ live::LiveStress::Options stressAtOnce(Threads threads) {
   return options;
 }
 
-/// The peak over the sequence that the session was playing, made again by its recipe.
+/// The peak over the sequence that the session was playing.
 void findPeak(live::LiveStress& stress, const document::DocumentState& state,
               const presentation::ViewState& view, Surroundings& surroundings) {
-  if (!view.playing)
-    return;
-  std::shared_ptr<const sequences::Sequence> sequence = document::sequenceOf(*state.recording, *state.rig);
-  const auto chosen = static_cast<std::size_t>(view.playing->motion);
-  if (view.playing->motion >= 0 && chosen < view.motions.size())
-    if (const auto organ = state.organ(view.motions[chosen].organ))
-      sequence = motion::makeMotion(view.motions[chosen].recipe, *organ, surroundings.samples,
-                                    surroundings.progress);
-  if (sequence)
+  if (auto sequence = view.playing ? sequenceOf(state, view, surroundings) : nullptr)
     stress.findPeak(std::move(sequence), view.playing->ratePerMinute);
 }
 
@@ -82,6 +74,18 @@ presentation::ViewState viewOf(const document::OpenedSession& opened, bool fromS
 }
 
 } // namespace
+
+std::shared_ptr<const sequences::Sequence> sequenceOf(const document::DocumentState& state,
+                                                      const presentation::ViewState& view,
+                                                      Surroundings& surroundings) {
+  const int motion = view.playing ? view.playing->motion : view.motions.empty() ? -1 : 0;
+  const auto chosen = static_cast<std::size_t>(motion);
+  if (motion >= 0 && chosen < view.motions.size())
+    if (const auto organ = state.organ(view.motions[chosen].organ))
+      return motion::makeMotion(view.motions[chosen].recipe, *organ, surroundings.samples,
+                                surroundings.progress);
+  return document::sequenceOf(*state.recording, *state.rig);
+}
 
 Outcome describeSession(const std::string& file, Surroundings& surroundings) {
   const document::OpenedSession opened =

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -8,6 +9,8 @@
 #include "cli/command.h"
 #include "cli/stage_options.h"
 #include "viscera/document/session_file.h"
+#include "viscera/presentation/view_state.h"
+#include "viscera/sequences/sequence.h"
 
 class vtkImageData;
 
@@ -16,6 +19,12 @@ namespace viscera::app::cli {
 
 /// What is in a session, with what became of its organs' files. Throws as `document::readSession`.
 Outcome describeSession(const std::string& file, Surroundings& surroundings);
+
+/// The sequence that a session plays, made again by its recipe; else the first that it offers, else the one
+/// that it has recorded; null for none.
+std::shared_ptr<const sequences::Sequence> sequenceOf(const document::DocumentState& state,
+                                                      const presentation::ViewState& view,
+                                                      Surroundings& surroundings);
 
 struct SessionPicture {
   vtkSmartPointer<vtkImageData> image;

@@ -15,6 +15,7 @@
 #include "window/help.h"
 #include "window/import/import_desk.h"
 #include "window/import/import_panel.h"
+#include "window/lesson/lesson_export.h"
 #include "window/menus.h"
 #include "window/modes/deform_mode.h"
 #include "window/modes/explore_mode.h"
@@ -52,6 +53,8 @@ MainWindow::MainWindow(Settings& settings, plugin::Registry registry, motion::Tr
   bindingMessages_ = new BindingMessages(workspace_, viewArea_->messages(), this);
   files_->addTo(actions_);
   exports_->addTo(actions_);
+  lessons_ = new LessonExport({workspace_, playback_, *picture_, settings_}, this);
+  lessons_->addTo(actions_);
   actions_.add("file.quit", {tr("&Quit"), nullptr, {QKeySequence::Quit}, {}}, [this] { close(); });
   views_ = new ViewActions({workspace_, *picture_, *viewArea_, view_, settings_}, actions_, this);
   makeModes();

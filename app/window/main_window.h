@@ -25,6 +25,7 @@ class ExploreMode;
 class ExportActions;
 class Help;
 class ImportDesk;
+class LessonExport;
 class OrganPanel;
 class PlayMode;
 class SessionFiles;
@@ -54,6 +55,7 @@ public:
   FileActions& files() { return *files_; }
   ImportDesk& imports() { return *imports_; }
   ExportActions& exports() { return *exports_; }
+  LessonExport& lessons() { return *lessons_; }
   SampleLoader& samples() { return *samples_; }
   SessionFiles& sessions() { return *sessions_; }
   StressMode& stress() { return *stress_; }
@@ -99,6 +101,7 @@ private:
   HandlePlacer placer_;
   FileActions* files_;
   ExportActions* exports_;
+  LessonExport* lessons_ = nullptr;
   SampleLoader* samples_;
   ViewArea* viewArea_;
   WindowLayout* layout_;

@@ -71,7 +71,8 @@ void Menus::makeFileMenu() {
   fill(file, {"file.new", "file.open", "file.openFolder", "file.check"});
   recent_ = file->addMenu(tr("Open &recent"));
   samples_ = file->addMenu(icon("heart"), tr("Sample &organs"));
-  fill(file, {"", "file.save", "file.saveAs", "file.recover", "", "handles.save", "file.export"});
+  fill(file,
+       {"", "file.save", "file.saveAs", "file.recover", "", "handles.save", "file.export", "export.lesson"});
   fill(file->addMenu(icon("export"), tr("Export &more")),
        {"export.organs", "export.displacements", "export.transform", "export.table", "export.measurements"});
   fill(file, {"file.screenshot", "", "file.quit"});

@@ -12,7 +12,7 @@ packages_to_build() {
 
 packages_to_test() {
   printf '%s\n' libgtest-dev libgmock-dev libbenchmark-dev libcgal-dev \
-    xvfb xauth xdotool clang-format-14 python3-jsonschema
+    xvfb xauth xdotool clang-format-14 python3 python3-jsonschema chromium
 }
 
 say() { printf '%s\n' "$*" >&2; }

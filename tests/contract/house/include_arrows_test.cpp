@@ -36,12 +36,13 @@ const std::map<std::string, std::set<std::string>>& allowedModules() {
       {"document", documentUses},
       {"live", with(documentUses, {"document", "plugin"})},
       {"motion", with(documentUses, {"document", "plugin", "live"})},
-      {"presentation", with(documentUses, {"document", "plugin", "live", "motion", "scene"})}};
+      {"presentation", with(documentUses, {"document", "plugin", "live", "motion", "scene"})},
+      {"lesson", with(documentUses, {"document", "plugin", "live", "motion", "scene", "presentation"})}};
   return allowed;
 }
 
 const std::set<std::string> kMayUseVtk = {"contour", "medical_io", "scene", "presentation"};
-const std::set<std::string> kMayUseQt = {"plugin", "localised_scc", "document", "reproduction"};
+const std::set<std::string> kMayUseQt = {"plugin", "localised_scc", "document", "reproduction", "lesson"};
 
 /// Includes from the command line, or from what both use, to the window that are still there. Nothing may be
 /// added.

@@ -1,0 +1,265 @@
+#include "cli/commands/all_commands.h"
+
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+#include "cli/inputs.h"
+#include "cli/listing.h"
+#include "cli/played_sequence.h"
+#include "cli/session_input.h"
+#include "viscera/core/error.h"
+#include "viscera/document/organ_commands.h"
+#include "viscera/lesson/animated_gltf.h"
+#include "viscera/lesson/lesson.h"
+#include "viscera/lesson/lesson_plan.h"
+#include "viscera/motion/sequence_file.h"
+#include "viscera/motion/sequence_setup.h"
+#include "viscera/presentation/view_state.h"
+
+namespace viscera::app::cli {
+namespace {
+
+/// `viscera lesson SEQUENCE|SESSION|ORGAN -o FILE`: organs in motion as a web page, or as animated glTF.
+class LessonCommand final : public Command {
+public:
+  std::string name() const override { return "lesson"; }
+  std::string summary() const override {
+    return "Make a lesson of organs in motion that opens in any browser, or animated glTF";
+  }
+  void addOptions(CLI::App& options) override;
+  Outcome run(Surroundings& surroundings) override;
+
+private:
+  /// What a lesson is made of, bound.
+  struct Material {
+    std::unique_ptr<BoundDocument> document;
+    lesson::LessonSource source;
+    std::vector<std::string> warnings;
+  };
+
+  Material material(Surroundings& surroundings) const;
+  Material ofSession(Surroundings& surroundings) const;
+  Material ofSequence(Surroundings& surroundings) const;
+  Material ofStillOrgans(Surroundings& surroundings) const;
+  lesson::LessonSpec spec() const;
+  Outcome write(const std::filesystem::path& file, Surroundings& surroundings) const;
+  Outcome writeReady(Surroundings& surroundings);
+
+  PlayRequest request_; ///< `sequence` is the file, sequence or organ that was named.
+  std::string output_;
+  std::string spec_;
+  std::string title_;
+  std::vector<std::string> names_;
+  double rate_ = 0;
+  int handles_ = -1; ///< As the spec has it, or as it comes.
+  bool ready_ = false;
+};
+
+constexpr int kMostHandles = 60;
+constexpr double kErrorToTell = 0.05; ///< mm; more is said.
+
+bool isSequence(const std::string& name) {
+  const auto& known = motion::sampleSequences();
+  return motion::isSequenceFile(name) ||
+         std::any_of(known.begin(), known.end(), [&](const auto& sequence) { return sequence.id == name; });
+}
+
+/// Whether it is a sequence of the program on the sample organ that it is made for.
+bool isOnItsOwnOrgan(const std::string& sequence, const std::string& organ) {
+  const auto& known = motion::sampleSequences();
+  return std::any_of(known.begin(), known.end(), [&](const motion::SampleSequence& sample) {
+    return sample.id == sequence &&
+           (organ.empty() || (isSample(organ) && sampleReference(organ).organ == sample.organ));
+  });
+}
+
+std::string contentsOf(const std::string& file) {
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream)
+    throw NoInputError("It cannot be read", file, "check the path");
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+nlohmann::ordered_json surfacesJson(const lesson::LessonPlan& plan, const document::DocumentState& state) {
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  for (const lesson::PlannedSurface& surface : plan.surfaces) {
+    const auto organ = state.organ(surface.organ);
+    list.push_back({{"title", surface.title},
+                    {"vertices", organ->mesh->points.rows()},
+                    {"triangles", organ->mesh->triangles.rows()},
+                    {"restMl", organ->closed() ? nlohmann::ordered_json(organ->restVolumeMm3 / kMm3PerMl)
+                                               : nlohmann::ordered_json(nullptr)}});
+  }
+  return list;
+}
+
+} // namespace
+
+void LessonCommand::addOptions(CLI::App& options) {
+  options.add_option(
+      "WHAT", request_.sequence,
+      "heartbeat, peristalsis or breathing, a .sequence.json file, a session (.viscera), or organs "
+      "that are still");
+  options
+      .add_option("-o,--output", output_,
+                  "File to write: .html, or .glb for animated glTF; with --ready a folder")
+      ->type_name("FILE")
+      ->required();
+  options.add_flag("--ready", ready_, "Write the three lessons that come with the program");
+  options.add_option("--organ", request_.organ, "What a sequence is to move instead of its own organ")
+      ->type_name("ORGAN");
+  options
+      .add_option(
+          "--landmarks", request_.landmarks,
+          "Points on that organ (.mrk.json), as for viscera play; those that are missing are computed")
+      ->type_name("FILE");
+  options.add_option("--handles", handles_, "How many handles there are to drag; 0: none")
+      ->type_name("N")
+      ->check(CLI::Range(0, kMostHandles));
+  options.add_option("--rate", rate_, "Cycles a minute to begin with; of a .glb the only ones")
+      ->type_name("PER_MINUTE")
+      ->check(CLI::PositiveNumber);
+  options.add_option("--title", title_, "What the lesson is called");
+  options.add_option("--name", names_, "Another name for an organ or a phase; may be repeated")
+      ->type_name("OLD=NEW")
+      ->expected(1)
+      ->take_all();
+  options
+      .add_option("--spec", spec_, "Names of parts, slides and texts for the lesson (.json, docs/lessons.md)")
+      ->type_name("FILE");
+}
+
+Outcome LessonCommand::run(Surroundings& surroundings) {
+  if (ready_)
+    return writeReady(surroundings);
+  if (request_.sequence.empty())
+    throw UsageError("It needs to know what the lesson is about", "viscera lesson",
+                     "name a sequence, a session or an organ, or give --ready");
+  const std::string ending = std::filesystem::path(output_).extension().string();
+  if (ending != ".html" && ending != ".glb")
+    throw UsageError("It is not a file that a lesson can be", output_, "let it end in .html or .glb");
+  return write(output_, surroundings);
+}
+
+Outcome LessonCommand::writeReady(Surroundings& surroundings) {
+  std::filesystem::create_directories(output_);
+  Outcome all;
+  all.json = {{"folder", output_}, {"lessons", nlohmann::ordered_json::array()}};
+  for (const motion::SampleSequence& sequence : motion::sampleSequences()) {
+    request_.sequence = sequence.id;
+    Outcome one = write(std::filesystem::path(output_) / (sequence.id + ".html"), surroundings);
+    all.json["lessons"].push_back(std::move(one.json));
+    all.text += one.text;
+    all.warnings.insert(all.warnings.end(), one.warnings.begin(), one.warnings.end());
+  }
+  return all;
+}
+
+LessonCommand::Material LessonCommand::ofSession(Surroundings& surroundings) const {
+  const document::OpenedSession opened =
+      document::readSession(request_.sequence, surroundings.samples, surroundings.progress);
+  const presentation::ViewState view = presentation::viewFromJson(opened.contents.view);
+  Material material;
+  material.warnings = opened.warnings;
+  material.document = std::make_unique<BoundDocument>(opened.contents.state, surroundings);
+  material.source.sequence = sequenceOf(opened.contents.state, view, surroundings);
+  if (view.playing)
+    material.source.ratePerMinute = view.playing->ratePerMinute;
+  material.source.camera = view.camera;
+  return material;
+}
+
+LessonCommand::Material LessonCommand::ofSequence(Surroundings& surroundings) const {
+  PlayedSequence played = playedSequence(request_, surroundings);
+  return {std::move(played.document), {.state = {}, .sequence = played.sequence}, std::move(played.warnings)};
+}
+
+LessonCommand::Material LessonCommand::ofStillOrgans(Surroundings& surroundings) const {
+  Material material;
+  std::vector<document::NewOrgan> organs;
+  for (document::Organ& organ : organInputs(request_.sequence, surroundings.samples, surroundings.progress)) {
+    material.warnings.insert(material.warnings.end(), organ.warnings.begin(), organ.warnings.end());
+    organs.push_back({std::move(organ), -1});
+  }
+  material.document = std::make_unique<BoundDocument>(document::addOrgans(std::move(organs)), surroundings);
+  return material;
+}
+
+LessonCommand::Material LessonCommand::material(Surroundings& surroundings) const {
+  Material material = document::isSessionFile(request_.sequence) ? ofSession(surroundings)
+                      : isSequence(request_.sequence)            ? ofSequence(surroundings)
+                                                                 : ofStillOrgans(surroundings);
+  material.source.state = material.document->state();
+  if (rate_ > 0)
+    material.source.ratePerMinute = rate_;
+  return material;
+}
+
+lesson::LessonSpec LessonCommand::spec() const {
+  const bool own = isOnItsOwnOrgan(request_.sequence, request_.organ);
+  lesson::LessonSpec spec = !spec_.empty() ? lesson::readSpec(contentsOf(spec_), spec_)
+                            : own          ? lesson::readySpec(request_.sequence)
+                                           : lesson::LessonSpec();
+  if (!title_.empty())
+    spec.title = title_;
+  if (handles_ >= 0)
+    spec.handles = handles_;
+  for (const std::string& name : names_) {
+    const std::size_t equal = name.find('=');
+    if (equal == std::string::npos)
+      throw UsageError("It is not an old and a new name", "--name " + name, "as in lv='Left ventricle'");
+    spec.names[name.substr(0, equal)] = name.substr(equal + 1);
+  }
+  return spec;
+}
+
+Outcome LessonCommand::write(const std::filesystem::path& file, Surroundings& surroundings) const {
+  Material material = this->material(surroundings);
+  const lesson::LessonPlan plan = lesson::planLesson(material.source, spec());
+  const auto begin = std::chrono::steady_clock::now();
+  Outcome outcome;
+  outcome.warnings = std::move(material.warnings);
+  outcome.json = {{"file", file.string()}};
+  live::PosedOrgans& organs = material.document->organs();
+  double error = 0;
+  if (file.extension() == ".glb") {
+    const lesson::WrittenGltf written = lesson::writeAnimatedGltf(
+        file, plan, material.source, organs, surroundings.progress, surroundings.threads);
+    outcome.json.update({{"bytes", written.bytes}, {"frames", written.frames}, {"modes", written.modes}});
+    error = written.largestErrorMm;
+  } else {
+    const lesson::Lesson made =
+        lesson::makeLesson(plan, material.source, organs, surroundings.progress, surroundings.threads);
+    lesson::writePage(file, made);
+    outcome.json.update({{"bytes", std::filesystem::file_size(file)},
+                         {"frames", made.samples()},
+                         {"modes", made.modes.size()}});
+    error = made.largestErrorMm;
+  }
+  outcome.json["largestErrorMm"] = error;
+  outcome.json["surfaces"] = surfacesJson(plan, material.source.state);
+  outcome.json["seconds"] = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  if (error > kErrorToTell)
+    outcome.warnings.push_back("the motion in the lesson is off by up to " + fixed(error, 2) + " mm");
+  outcome.text = Listing()
+                     .add("lesson", file.string())
+                     .add("bytes", std::to_string(outcome.json["bytes"].get<std::size_t>()))
+                     .add("modes", std::to_string(outcome.json["modes"].get<std::size_t>()))
+                     .add("largest error", fixed(error, 3) + " mm")
+                     .text();
+  return outcome;
+}
+
+std::unique_ptr<Command> lessonCommand() {
+  return std::make_unique<LessonCommand>();
+}
+
+} // namespace viscera::app::cli

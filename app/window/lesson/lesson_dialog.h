@@ -1,0 +1,41 @@
+#pragma once
+
+#include <QDialog>
+
+#include "viscera/lesson/lesson_plan.h"
+
+class QCheckBox;
+class QComboBox;
+class QLineEdit;
+class QPlainTextEdit;
+class QTableWidget;
+
+namespace viscera::app {
+
+/// Shows every text that a lesson will hold, to be read and changed before it leaves the house, and asks what
+/// it is to become.
+class LessonDialog final : public QDialog {
+  Q_OBJECT
+
+public:
+  explicit LessonDialog(const lesson::LessonPlan& plan, QWidget* parent = nullptr);
+
+  /// The plan with the texts as they are in the dialog.
+  lesson::LessonPlan plan() const;
+  /// A page; else animated glTF.
+  bool wantsPage() const;
+
+private:
+  QWidget* makeTexts();
+  /// What a user should think of before he sends this; empty for nothing.
+  QString caution() const;
+
+  mutable lesson::LessonPlan plan_; ///< `textsOf` leads into it.
+  QLineEdit* title_;
+  QPlainTextEdit* notes_;
+  QTableWidget* texts_;
+  QComboBox* format_;
+  QCheckBox* handles_;
+};
+
+} // namespace viscera::app

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <QObject>
+
+#include "viscera/lesson/lesson_plan.h"
+#include "window/timeline/playback.h"
+#include "window/view/picture.h"
+
+class QWidget;
+
+namespace viscera::app {
+
+class Actions;
+class Settings;
+
+/// File > Export lesson...: the organs that are shown with the present motion as one file that opens in a
+/// browser.
+class LessonExport final : public QObject {
+  Q_OBJECT
+
+public:
+  /// What the lesson is taken from; all have to live longer.
+  struct Window {
+    Workspace& workspace;
+    Playback& playback;
+    const Picture& picture;
+    Settings& settings;
+  };
+
+  LessonExport(Window window, QWidget* parent);
+
+  /// Adds "export.lesson".
+  void addTo(Actions& actions);
+
+  /// What there is to export now.
+  lesson::LessonSource source() const;
+  /// With what the program knows of a sample organ's parts. Throws `UsageError` when no organ is shown.
+  lesson::LessonPlan plan() const;
+  /// Makes the lesson on a worker and writes it: a page, or a .glb by the file's name.
+  void write(const lesson::LessonPlan& plan, const QString& file);
+
+private:
+  void choose();
+
+  Window window_;
+  QWidget* parent_;
+};
+
+} // namespace viscera::app

@@ -1,0 +1,66 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "viscera/core/parallel.h"
+#include "viscera/core/progress.h"
+#include "viscera/lesson/course.h"
+#include "viscera/lesson/lesson_plan.h"
+#include "viscera/live/posed_organs.h"
+
+/// Organs in motion as one file that opens without this program.
+namespace viscera::lesson {
+
+/// A part of the lesson's vertices and triangles.
+struct LessonSurface {
+  Eigen::Index firstVertex = 0;
+  Eigen::Index vertexCount = 0;
+  Eigen::Index firstTriangle = 0;
+  Eigen::Index triangleCount = 0;
+  bool closed = false;
+  double restMl = 0;
+  Course curves;            ///< `courses x samples`, ml; empty when it is not closed.
+  std::vector<int> anchors; ///< Vertices spread over it, for the line of its name.
+  std::vector<int> labels;  ///< The vertex of each of the plan's labels.
+};
+
+/// A lesson's numbers, complete. Vertices of all surfaces lie one behind the other, then the handles' places.
+struct Lesson {
+  LessonPlan plan;
+  Points rest;         ///< `(vertices + handles) x 3` mm, LPS.
+  Triangles triangles; ///< Over all vertices.
+  Colors colors;       ///< `vertices x 3`.
+  std::vector<LessonSurface> surfaces;
+  std::vector<Points> modes; ///< As `rest`; mm.
+  CourseEnd end = CourseEnd::cycles;
+  std::vector<Course> courses;                       ///< Splines, `samples x modes`; the rates share some.
+  std::vector<int> courseOfRate;                     ///< One a rate.
+  std::vector<std::vector<sequences::Phase>> phases; ///< One list a rate, with the names that the plan gives.
+  std::vector<std::string> handleLabels;
+  Course weights;            ///< `handles x vertices`: how far a vertex goes with a handle.
+  double largestErrorMm = 0; ///< Of a vertex at any rate, at and between samples, as the page computes it.
+
+  Eigen::Index vertexCount() const { return colors.rows(); }
+  Eigen::Index samples() const { return courses.empty() ? 0 : courses.front().rows(); }
+};
+
+/// Steps to which a lesson's numbers are rounded.
+inline constexpr double kStepMm = 0.01;
+inline constexpr double kWeightStep = 1.0 / 4096;
+
+/// Makes a lesson: samples the motion at the plan's rates, doubles the samples until the motion between them
+/// is met, finds its modes, and the weights of the handles to drag. `organs` are those of `source.state`,
+/// bound; they are moved where a volume is to be kept, and posed anyhow afterwards. Some seconds. Throws
+/// `DataError` for volumes that cannot be kept and for an organ that is still being bound, `Cancelled`. For
+/// the thread of the organs.
+Lesson makeLesson(const LessonPlan& plan, const LessonSource& source, live::PosedOrgans& organs,
+                  Progress& progress, Threads threads = {});
+
+/// The page, complete (docs/lessons.md).
+std::string pageOf(const Lesson& lesson);
+/// Writes it. Atomic. Throws `CannotCreateError`.
+void writePage(const std::filesystem::path& file, const Lesson& lesson);
+
+} // namespace viscera::lesson

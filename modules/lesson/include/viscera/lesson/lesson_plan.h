@@ -1,0 +1,106 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "viscera/document/document.h"
+#include "viscera/lesson/lesson_spec.h"
+#include "viscera/motion/motion_runner.h"
+#include "viscera/presentation/view_state.h"
+#include "viscera/sequences/sequence.h"
+
+namespace viscera::lesson {
+
+/// A lesson that a reader finds long is one that nobody opens: at most so many rates are offered.
+inline constexpr std::size_t kMostRates = 10;
+/// A rig of more handles is too many to grip: then others are placed.
+inline constexpr std::size_t kMostOwnHandles = 40;
+
+/// What a lesson is made of.
+struct LessonSource {
+  document::DocumentState state = {};
+  std::shared_ptr<const sequences::Sequence> sequence = {}; ///< Null: the organs are still.
+  double ratePerMinute = 0;                                 ///< To begin with; 0: the sequence's own.
+  std::optional<motion::PrescribedVolume> prescribed = {};  ///< As the window plays it.
+  std::optional<presentation::Camera> camera = {};          ///< Where the reader's eye is to begin with.
+};
+
+/// A name on a place of a surface.
+struct PlannedLabel {
+  std::string text;
+  Vec3 at = Vec3::Zero(); ///< mm, LPS, at rest; the nearest vertex takes it along.
+};
+
+/// One organ that a lesson will show.
+struct PlannedSurface {
+  document::OrganId organ;
+  std::string title;
+  Vec3 color = Vec3::Ones(); ///< Red green blue, 0 to 1: of its tile and its curve.
+  bool vertexColors = false; ///< It is drawn in the mesh's own colours.
+  double opacity = 1;
+  bool wall = false;    ///< Others lie in it: it can be made transparent.
+  bool charted = false; ///< Closed and tracked: its volume is a line of the chart.
+  bool ejects = false;  ///< A ventricle: stroke volume and ejection fraction say something.
+  bool output = false;  ///< The left one: its stroke volume times the rate is the cardiac output.
+  std::vector<PlannedLabel> labels;
+};
+
+/// A band of what healthy people have.
+struct PlannedRange {
+  std::size_t surface = 0;
+  std::string kind; ///< "ml", drawn in the chart, or "percent", written beside the ejection fraction.
+  double low = 0;
+  double high = 0;
+  std::string text;
+};
+
+/// A measurement of the document with the name that the lesson gives it.
+struct PlannedMeasurement {
+  document::Measurement measurement;
+  std::string title;
+};
+
+/// A phase's name in the sequence, and in the lesson.
+struct PlannedPhase {
+  std::string name;
+  std::string title;
+};
+
+/// All that will be in a lesson but its numbers: small, made at once, to be looked at and edited before the
+/// lesson itself is made. Nothing of the document comes into a lesson but by this list.
+struct LessonPlan {
+  std::string title;
+  std::string notes; ///< Where it comes from, what it is not for.
+  std::vector<PlannedSurface> surfaces;
+  std::vector<PlannedRange> ranges;
+  std::vector<PlannedMeasurement> measurements;
+  std::vector<PlannedPhase> phases;
+  std::vector<PlannedSlide> slides;
+  std::optional<Eye> eye;           ///< None: from the front.
+  std::vector<std::string> handles; ///< Labels of the rig's own; empty: others are placed, or none.
+  bool ownHandles = false;
+  int placedHandles = 22;    ///< When they are not the rig's own; 0: none.
+  std::vector<double> rates; ///< Ascending; empty when the organs are still.
+  double rate = 0;           ///< To begin with, one of them.
+};
+
+/// Plans a lesson of the organs that are shown: titles from their names, ("LV" becomes "Left ventricle"),
+/// bands of healthy people, the document's measurements, and what `spec` says instead. Throws `UsageError`
+/// when no organ is shown, and for names and phases in `spec` that there are not.
+LessonPlan planLesson(const LessonSource& source, const LessonSpec& spec);
+
+/// At most `kMostRates` rates between a sequence's lowest and highest, its own among them, ascending.
+std::vector<double> offeredRates(const sequences::Sequence& sequence);
+
+/// One text that a reader of the lesson will be able to read.
+struct LessonText {
+  std::string kind; ///< What it is: "Title", "Organ", "Label".
+  std::string* text = nullptr;
+};
+/// All texts of a plan, in the order in which a reader meets them, to be looked at and changed in place.
+std::vector<LessonText> textsOf(LessonPlan& plan);
+
+} // namespace viscera::lesson

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "viscera/core/arrays.h"
+
+namespace viscera::lesson {
+
+/// Where a reader's eye is: it looks at `focus` and stands upright.
+struct Eye {
+  Vec3 position = Vec3::Zero(); ///< mm, LPS; what is seen is as in a picture of 30 degrees from there.
+  Vec3 focus = Vec3::Zero();
+};
+
+/// One view of a lesson that a speaker comes back to.
+struct PlannedSlide {
+  std::string title = {};
+  std::string text = {}; ///< What there is to see; may be empty.
+  std::optional<Eye> eye = {};
+  std::string side = {}; ///< "anterior", "posterior", "left", "right", "superior", "inferior"; or empty.
+  std::optional<double> fraction = {};  ///< Of the cycle, [0, 1]: the slide stands still there.
+  std::string phase = {};               ///< Or in the middle of this phase, by its name in the sequence.
+  std::optional<double> rate = {};      ///< Cycles a minute; the nearest that is offered.
+  std::vector<std::string> hidden = {}; ///< Names of organs that are switched off.
+  std::vector<std::size_t> hiddenSurfaces = {}; ///< The same by their places among the plan's surfaces.
+  std::optional<double> seeThrough = {};        ///< Opacity of the walls, [0, 1].
+  bool names = true;
+  bool handles = false;
+};
+
+/// A name on a place.
+struct SpecLabel {
+  std::string surface; ///< The organ's name, or of a sample organ its surface's: "outer".
+  std::string text;
+  Vec3 at = Vec3::Zero(); ///< mm, LPS.
+};
+
+/// What somebody says of a lesson beyond what the document holds (docs/lessons.md, "A lesson's own file").
+struct LessonSpec {
+  std::string title; ///< Empty: the document's.
+  std::string notes;
+  std::map<std::string, std::string> names; ///< Of an organ, label or phase: what it is called instead.
+  std::vector<double> rates;                ///< Empty: chosen.
+  std::vector<SpecLabel> labels;
+  std::vector<PlannedSlide> slides;
+  std::optional<int> handles; ///< How many are placed; 0: none. Nothing: the rig's own where they are few.
+};
+
+/// Reads one from JSON. Throws `DataError` that names `where` and the key for text that is none.
+LessonSpec readSpec(const std::string& json, const std::string& where);
+
+/// What comes with the program for a sequence on its sample organ: title, names of parts, slides, sources.
+/// Empty for others.
+LessonSpec readySpec(const std::string& sequence);
+
+} // namespace viscera::lesson

@@ -1,0 +1,37 @@
+// What the lesson holds: its description, and its numbers out of one zlib stream.
+const $ = id => document.getElementById(id);
+const lesson = JSON.parse($('lesson').textContent);
+const say = (key, ...values) => lesson.strings[key].replace(/%(\d)/g, (_, i) => values[i - 1]);
+const number = (value, digits = 1) => value.toLocaleString(lesson.language, {minimumFractionDigits: digits, maximumFractionDigits: digits}).replace('-', '\u2212');
+const element = (kind, text = '', className = '') => Object.assign(document.createElement(kind), {textContent: text, className});
+/** Says why there is no lesson, and never comes back. */
+function giveUp(key) {
+  $('failure').textContent = say(key);
+  Object.assign($('failure'), {hidden: false}).style.visibility = 'visible';
+  return new Promise(() => {});
+}
+if (!window.DecompressionStream) await giveUp('tooOld');
+const packed = Uint8Array.from(atob($('arrays').textContent), c => c.charCodeAt(0));
+$('arrays').textContent = '';
+const bytes = new Uint8Array(await new Response(new Blob([packed]).stream().pipeThrough(new DecompressionStream('deflate'))).arrayBuffer());
+
+/** Planes of bytes of zigzag differences to the element `stride` before, modulo 2^(8 width). */
+function integers({at, count, width, stride}) {
+  const out = new Int32Array(count), free = 32 - 8 * width;
+  for (let i = 0; i < count; ++i) {
+    let v = 0;
+    for (let p = 0; p < width; ++p) v |= bytes[at + p * count + i] << 8 * p;
+    v = v >>> 1 ^ -(v & 1);
+    out[i] = (v + (i >= stride ? out[i - stride] : 0)) << free >> free;
+  }
+  return out;
+}
+const numbers = array => array.step === 0 ? new Float32Array(bytes.slice(array.at, array.at + 4 * array.count).buffer) : Float32Array.from(integers(array), v => v * array.step);
+const {surfaces, arrays, motion, measurements, slides} = lesson;
+const handles = lesson.handles.map((label, i) => ({label, vertex: lesson.vertices + i, pull: [0, 0, 0]}));
+const rest = numbers(arrays.rest), modes = motion ? numbers(arrays.motion) : [], courses = motion ? numbers(arrays.course) : [];
+const triangles = Uint32Array.from(integers(arrays.triangles)), weights = handles.length ? numbers(arrays.weights) : [];
+const painted = integers(arrays.colors), colors = new Uint8Array(4 * lesson.vertices);
+for (let i = 0; i < lesson.vertices; ++i) for (let c = 0; c < 3; ++c) colors[4 * i + c] = painted[3 * i + c];
+for (const s of surfaces) Object.assign(s, {on: true, now: s.opacity, rgb: `rgb(${s.color.map(x => Math.round(255 * x)).join()})`});
+const state = {fraction: 0, rate: motion ? motion.rate : 0, speed: 1, playing: false, names: true, handles: false, held: -1};

@@ -1,0 +1,98 @@
+#include "carried_vertices.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "viscera/core/error.h"
+#include "viscera/document/rig_commands.h"
+
+namespace viscera::lesson {
+namespace {
+
+/// A sum of handles differs by rounding only, as a part of the size.
+constexpr double kRounding = 1e-9;
+
+} // namespace
+
+CarriedVertices::CarriedVertices(const LessonPlan& plan, const LessonSource& source,
+                                 live::PosedOrgans& organs, Threads threads)
+    : plan_(plan), source_(source), organs_(organs), runner_(source.state, organs, threads),
+      restHandles_(source.state.rig->restPositions()) {
+  if (source.sequence) {
+    document::requireFits(*source.state.rig, *source.sequence);
+    runner_.setSequence(source.sequence);
+    runner_.prescribe(source.prescribed);
+  }
+  keepsVolumes_ =
+      source.prescribed.has_value() || std::any_of(source.state.organs->begin(), source.state.organs->end(),
+                                                   [](const auto& organ) { return organ->volumeLocked; });
+  gather();
+  if (isSumOfHandles())
+    return;
+  weights_.resize(vertices_, 0);
+  rest_.conservativeResize(vertices_, 3);
+}
+
+void CarriedVertices::gather() {
+  for (const PlannedSurface& surface : plan_.surfaces)
+    vertices_ += source_.state.organ(surface.organ)->mesh->points.rows();
+  const Eigen::Index handles = restHandles_.rows(), own = plan_.ownHandles ? handles : 0;
+  rest_.resize(vertices_ + own, 3);
+  weights_ = CarrierWeights::Zero(vertices_ + own, handles);
+  Eigen::Index first = 0;
+  for (const PlannedSurface& surface : plan_.surfaces) {
+    const Points& points = source_.state.organ(surface.organ)->mesh->points;
+    rest_.middleRows(first, points.rows()) = points;
+    if (const deformation::Deformer* bound = organs_.bound(surface.organ))
+      for (Eigen::Index handle = 0; handle < handles; ++handle)
+        weights_.block(first, handle, points.rows(), 1) =
+            bound->binding().influence(static_cast<int>(handle));
+    first += points.rows();
+  }
+  rest_.bottomRows(own) = restHandles_.topRows(own);
+  weights_.bottomRows(own).setIdentity();
+}
+
+bool CarriedVertices::isSumOfHandles() {
+  if (restHandles_.rows() == 0)
+    return true;
+  const double size = boundsOf(restHandles_).diagonal();
+  Points pose = restHandles_;
+  for (Eigen::Index i = 0; i < pose.size(); ++i)
+    pose.data()[i] += 0.05 * size * std::sin(static_cast<double>(i));
+  return ((rest_ + weights_ * (pose - restHandles_)) - in(pose)).cwiseAbs().maxCoeff() < kRounding * size;
+}
+
+void CarriedVertices::poseAt(double fraction, double ratePerMinute, Points& pose) {
+  if (!keepsVolumes_)
+    return source_.sequence->poseAt(fraction * 60 / ratePerMinute, ratePerMinute, pose);
+  runner_.setRatePerMinute(ratePerMinute);
+  runner_.show(fraction * 60 / ratePerMinute);
+  if (!runner_.obstacle().empty())
+    throw DataError("the volume cannot be kept throughout the cycle: " + runner_.obstacle(), {},
+                    "unlock it, or prescribe a volume nearer to that at rest");
+  pose = organs_.shownPose();
+}
+
+Points CarriedVertices::in(const Points& pose) {
+  organs_.showPose(pose);
+  Points points(rest_.rows(), 3);
+  Eigen::Index first = 0;
+  for (const PlannedSurface& surface : plan_.surfaces) {
+    const Points& posed = *organs_.sharedPoints(surface.organ);
+    points.middleRows(first, posed.rows()) = posed;
+    first += posed.rows();
+  }
+  points.bottomRows(points.rows() - first) = pose.topRows(points.rows() - first);
+  return points;
+}
+
+CarriersAt CarriedVertices::carriersAt() {
+  return [this](double fraction, double rate, Points& displacements) {
+    poseAt(fraction, rate, displacements);
+    displacements =
+        weights_.cols() > 0 ? Points(displacements - restHandles_) : Points(in(displacements)-rest_);
+  };
+}
+
+} // namespace viscera::lesson

@@ -1,0 +1,273 @@
+#include "viscera/lesson/lesson_plan.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cmath>
+#include <numbers>
+#include <set>
+#include <sstream>
+
+#include "page_strings.h"
+#include "viscera/core/error.h"
+#include "viscera/core/text.h"
+#include "viscera/medical_io/organ_norms.h"
+#include "viscera/motion/clinical_numbers.h"
+
+namespace viscera::lesson {
+namespace {
+
+using document::Organ;
+
+std::string capital(std::string text) {
+  if (!text.empty())
+    text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
+  return text;
+}
+
+/// Of an organ whose name is only its file's: what kind it is. A patient's file may be called by his name.
+std::string kindOf(const Organ& organ) {
+  std::string letters = organ.name;
+  for (char& c : letters)
+    if (!std::isalpha(static_cast<unsigned char>(c)))
+      c = ' ';
+  std::istringstream words(letters);
+  std::string kind, side;
+  for (std::string word; words >> word;) {
+    if (word == "left" || word == "right")
+      side = word + ' ';
+    else if (const auto norm = medical_io::organNorm(word))
+      kind = norm->name;
+  }
+  if (kind.empty())
+    return said("Organ");
+  return capital(kind == "kidney" ? side + kind : kind);
+}
+
+std::string titleOf(const Organ& organ) {
+  static const std::array<std::pair<const char*, const char*>, 4> kLong = {{{"LV", "Left ventricle"},
+                                                                            {"lv", "Left ventricle"},
+                                                                            {"RV", "Right ventricle"},
+                                                                            {"rv", "Right ventricle"}}};
+  for (const auto& [name, title] : kLong)
+    if (organ.name == name)
+      return said(title);
+  if (!organ.file.empty() && organ.name == organ.file.stem().string())
+    return kindOf(organ);
+  const std::string afterFile = organ.name.substr(organ.name.find('/') + 1); // "abdomen/liver"
+  return capital(afterFile);
+}
+
+/// Whether somebody who writes `name` means this organ.
+bool isCalled(const Organ& organ, const std::string& name) {
+  return organ.name == name || (!organ.origin.surface.empty() && organ.origin.surface == name);
+}
+
+const std::string* instead(const LessonSpec& spec, const std::string& name) {
+  const auto found = spec.names.find(name);
+  return found == spec.names.end() ? nullptr : &found->second;
+}
+
+PlannedSurface plannedSurface(const Organ& organ, const document::DocumentState& state,
+                              const LessonSpec& spec) {
+  PlannedSurface surface;
+  surface.organ = organ.id;
+  surface.title = titleOf(organ);
+  for (const std::string& name : {organ.name, organ.origin.surface, surface.title})
+    if (const std::string* other = instead(spec, name)) {
+      surface.title = *other;
+      break;
+    }
+  surface.vertexColors = organ.look.vertexColors && organ.mesh->colors.rows() > 0;
+  surface.color = surface.vertexColors
+                      ? Vec3(organ.mesh->colors.cast<double>().colwise().mean().transpose() / 255.0)
+                      : organ.look.color;
+  surface.opacity = organ.look.opacity;
+  surface.wall = organ.look.opacity < 1 ||
+                 std::any_of(state.organs->begin(), state.organs->end(), [&](const auto& other) {
+                   return other->look.visible && other->parent == organ.id;
+                 });
+  surface.charted = organ.closed() && organ.look.tracked;
+  for (const SpecLabel& label : spec.labels)
+    if (isCalled(organ, label.surface))
+      surface.labels.push_back({label.text, label.at});
+  return surface;
+}
+
+/// "End-diastolic volume of the left ventricle: 109 to 189 ml" and where that comes from.
+std::string sourceOf(const motion::NormalRange& range) {
+  return capital(range.name) + ": " + range.people + "; " + range.source + ".";
+}
+
+/// The bands of one organ; a ventricle ejects.
+void addRanges(LessonPlan& plan, const Organ& organ, std::set<std::string>& sources) {
+  PlannedSurface& surface = plan.surfaces.back();
+  std::vector<motion::NormalRange> ranges = motion::normalRanges(organ.name);
+  if (ranges.empty())
+    ranges = motion::normalRanges(surface.title);
+  if (!surface.charted)
+    return;
+  for (const motion::NormalRange& range : ranges) {
+    using Quantity = motion::NormalRange::Quantity;
+    const bool percent = range.quantity == Quantity::ejectionPercent;
+    surface.ejects = surface.ejects || range.quantity == Quantity::endDiastolicMl;
+    surface.output = surface.output || percent;
+    plan.ranges.push_back({plan.surfaces.size() - 1, percent ? "percent" : "ml", range.low, range.high,
+                           surface.title + ", " + said(range.name.c_str())});
+    if (sources.insert(sourceOf(range)).second)
+      plan.notes += (plan.notes.empty() ? "" : "\n") + sourceOf(range);
+  }
+}
+
+/// Beside what is in them, walls would press the curves of ventricles flat.
+void chartVentriclesOnly(LessonPlan& plan) {
+  const bool any = std::any_of(plan.surfaces.begin(), plan.surfaces.end(),
+                               [](const PlannedSurface& surface) { return surface.ejects; });
+  for (PlannedSurface& surface : plan.surfaces)
+    surface.charted = surface.charted && !(any && surface.wall);
+}
+
+void addMotion(LessonPlan& plan, const LessonSource& source, const LessonSpec& spec) {
+  if (!source.sequence)
+    return;
+  const sequences::Sequence& sequence = *source.sequence;
+  plan.rates = spec.rates.empty() ? offeredRates(sequence) : spec.rates;
+  std::sort(plan.rates.begin(), plan.rates.end());
+  plan.rates.erase(std::unique(plan.rates.begin(), plan.rates.end()), plan.rates.end());
+  plan.rate = source.ratePerMinute > 0 ? source.ratePerMinute : sequence.standardRatePerMinute();
+  if (std::find(plan.rates.begin(), plan.rates.end(), plan.rate) == plan.rates.end())
+    plan.rates.insert(std::upper_bound(plan.rates.begin(), plan.rates.end(), plan.rate), plan.rate);
+  const double low = sequence.lowestRatePerMinute(), high = sequence.highestRatePerMinute();
+  if (plan.rates.front() < low || plan.rates.back() > high)
+    throw UsageError("It is no rate at which the sequence can be played", "rates of the lesson",
+                     "from " + significant(low, 4) + " to " + significant(high, 4) + " a minute");
+  for (const double rate : plan.rates)
+    for (const sequences::Phase& phase : sequence.phases(rate)) {
+      const bool known = std::any_of(plan.phases.begin(), plan.phases.end(),
+                                     [&](const PlannedPhase& other) { return other.name == phase.name; });
+      const std::string* other = instead(spec, phase.name);
+      if (!known)
+        plan.phases.push_back({phase.name, other ? *other : capital(phase.name)});
+    }
+}
+
+void addHandles(LessonPlan& plan, const document::Rig& rig, const LessonSpec& spec) {
+  plan.ownHandles = !spec.handles && !rig.handles.empty() && rig.handles.size() <= kMostOwnHandles;
+  if (spec.handles)
+    plan.placedHandles = *spec.handles;
+  if (plan.ownHandles)
+    for (const document::Handle& handle : rig.handles)
+      plan.handles.push_back(handle.label);
+}
+
+/// Takes the slides, with the organs that they hide by their places.
+void addSlides(LessonPlan& plan, const document::DocumentState& state, const LessonSpec& spec) {
+  for (PlannedSlide slide : spec.slides) {
+    const bool known = slide.phase.empty() ||
+                       std::any_of(plan.phases.begin(), plan.phases.end(),
+                                   [&](const PlannedPhase& phase) { return phase.name == slide.phase; });
+    if (!known)
+      throw UsageError("There is no such phase", slide.phase, "viscera play names the phases of a sequence");
+    for (const std::string& name : slide.hidden) {
+      const auto found = std::find_if(plan.surfaces.begin(), plan.surfaces.end(), [&](const auto& surface) {
+        return surface.title == name || isCalled(*state.organ(surface.organ), name);
+      });
+      if (found == plan.surfaces.end())
+        throw UsageError("There is no such organ to hide", name, "name one that is shown");
+      slide.hiddenSurfaces.push_back(static_cast<std::size_t>(found - plan.surfaces.begin()));
+    }
+    plan.slides.push_back(std::move(slide));
+  }
+}
+
+/// A number with one digit that does not vanish, or 1.5, 2.5, 7.5 of them.
+double rounded(double rate) {
+  const double ten = std::pow(10, std::floor(std::log10(rate)));
+  const double step = rate / ten < 5 ? 0.1 : 0.5;
+  return std::round(rate / ten / step) * step * ten;
+}
+
+/// As far away as one has to be to see as much at 30 degrees.
+Eye eyeOf(const presentation::Camera& camera) {
+  constexpr double kHalfAngle = std::numbers::pi / 12;
+  const Vec3 back = camera.position - camera.focus;
+  const double half = camera.angleDegrees * std::numbers::pi / 360;
+  const double seen = camera.parallel ? camera.parallelScaleMm : back.norm() * std::tan(half);
+  return {camera.focus + back.normalized() * seen / std::tan(kHalfAngle), camera.focus};
+}
+
+} // namespace
+
+std::vector<double> offeredRates(const sequences::Sequence& sequence) {
+  const double own = sequence.standardRatePerMinute();
+  const double low = std::max(sequence.lowestRatePerMinute(), own / 4);
+  const double high = std::min(sequence.highestRatePerMinute(), own * 4);
+  std::set<double> rates = {own};
+  constexpr int kSteps = static_cast<int>(kMostRates) - 2;
+  for (int i = 0; i <= kSteps; ++i) {
+    const double rate = rounded(low * std::pow(high / low, static_cast<double>(i) / kSteps));
+    const bool crowded = std::any_of(rates.begin(), rates.end(),
+                                     [&](double other) { return std::abs(other - rate) < 0.05 * rate; });
+    if (rate >= low && rate <= high && !crowded)
+      rates.insert(rate);
+  }
+  return {rates.begin(), rates.end()};
+}
+
+LessonPlan planLesson(const LessonSource& source, const LessonSpec& spec) {
+  const document::DocumentState& state = source.state;
+  LessonPlan plan;
+  plan.notes = spec.notes;
+  std::set<std::string> sources;
+  for (const auto& organ : *state.organs)
+    if (organ->look.visible) {
+      plan.surfaces.push_back(plannedSurface(*organ, state, spec));
+      addRanges(plan, *organ, sources);
+    }
+  if (plan.surfaces.empty())
+    throw UsageError("No organ is shown", "the lesson", "show those that the lesson is about");
+  chartVentriclesOnly(plan);
+  plan.title = !spec.title.empty() ? spec.title : plan.surfaces.front().title;
+  if (spec.title.empty() && source.sequence)
+    plan.title += ": " + source.sequence->name();
+  for (const document::Measurement& measurement : *state.measurements) {
+    const bool shown =
+        std::all_of(measurement.points.begin(), measurement.points.end(), [&](const auto& point) {
+          return std::any_of(plan.surfaces.begin(), plan.surfaces.end(), [&](const PlannedSurface& surface) {
+            return surface.organ == point.organ || point.organ == document::OrganId{};
+          });
+        });
+    if (shown)
+      plan.measurements.push_back({measurement, measurement.name});
+  }
+  if (source.camera && source.camera->position != source.camera->focus)
+    plan.eye = eyeOf(*source.camera);
+  addMotion(plan, source, spec);
+  addHandles(plan, *state.rig, spec);
+  addSlides(plan, state, spec);
+  return plan;
+}
+
+std::vector<LessonText> textsOf(LessonPlan& plan) {
+  std::vector<LessonText> texts = {{said("Title"), &plan.title}, {said("Notes"), &plan.notes}};
+  for (PlannedSurface& surface : plan.surfaces) {
+    texts.push_back({said("Organ"), &surface.title});
+    for (PlannedLabel& label : surface.labels)
+      texts.push_back({said("Name on it"), &label.text});
+  }
+  for (PlannedRange& range : plan.ranges)
+    texts.push_back({said("Normal range"), &range.text});
+  for (PlannedMeasurement& measurement : plan.measurements)
+    texts.push_back({said("Measurement"), &measurement.title});
+  for (PlannedPhase& phase : plan.phases)
+    texts.push_back({said("Phase"), &phase.title});
+  for (PlannedSlide& slide : plan.slides) {
+    texts.push_back({said("Slide"), &slide.title});
+    texts.push_back({said("Text of the slide"), &slide.text});
+  }
+  for (std::string& handle : plan.handles)
+    texts.push_back({said("Handle"), &handle});
+  return texts;
+}
+
+} // namespace viscera::lesson

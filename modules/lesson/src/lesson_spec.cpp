@@ -1,0 +1,73 @@
+#include "viscera/lesson/lesson_spec.h"
+
+#include <array>
+
+#include <QFile>
+
+#include <nlohmann/json.hpp>
+
+#include "viscera/core/error.h"
+
+namespace viscera::lesson {
+namespace {
+
+using nlohmann::json;
+
+Vec3 placeFrom(const json& value) {
+  const auto numbers = value.get<std::array<double, 3>>();
+  return {numbers[0], numbers[1], numbers[2]};
+}
+
+PlannedSlide slideFrom(const json& item) {
+  PlannedSlide slide;
+  slide.title = item.at("title").get<std::string>();
+  slide.text = item.value("text", "");
+  slide.side = item.value("side", "");
+  slide.phase = item.value("phase", "");
+  slide.names = item.value("names", true);
+  slide.handles = item.value("handles", false);
+  slide.hidden = item.value("hidden", std::vector<std::string>());
+  if (item.contains("position"))
+    slide.eye = Eye{placeFrom(item.at("position")), placeFrom(item.at("focus"))};
+  for (const auto& [key, number] : {std::pair("fraction", &slide.fraction), std::pair("rate", &slide.rate),
+                                    std::pair("seeThrough", &slide.seeThrough)})
+    if (item.contains(key))
+      *number = item.at(key).get<double>();
+  return slide;
+}
+
+LessonSpec specFrom(const json& tree) {
+  LessonSpec spec;
+  spec.title = tree.value("title", "");
+  spec.notes = tree.value("notes", "");
+  spec.names = tree.value("names", std::map<std::string, std::string>());
+  spec.rates = tree.value("rates", std::vector<double>());
+  if (tree.contains("handles"))
+    spec.handles = tree.at("handles").get<int>();
+  for (const json& item : tree.value("labels", json::array()))
+    spec.labels.push_back({item.at("surface").get<std::string>(), item.at("text").get<std::string>(),
+                           placeFrom(item.at("at"))});
+  for (const json& item : tree.value("slides", json::array()))
+    spec.slides.push_back(slideFrom(item));
+  return spec;
+}
+
+} // namespace
+
+LessonSpec readSpec(const std::string& text, const std::string& where) {
+  try {
+    return specFrom(json::parse(text));
+  } catch (const json::exception& error) {
+    throw DataError(std::string("It does not describe a lesson: ") + error.what(), where,
+                    "compare it with the example in docs/lessons.md");
+  }
+}
+
+LessonSpec readySpec(const std::string& sequence) {
+  QFile file(QStringLiteral(":/viscera/lesson/%1.json").arg(QString::fromStdString(sequence)));
+  if (!file.open(QIODevice::ReadOnly))
+    return {};
+  return readSpec(file.readAll().toStdString(), sequence);
+}
+
+} // namespace viscera::lesson

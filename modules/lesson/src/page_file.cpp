@@ -1,0 +1,75 @@
+#include <ostream>
+
+#include <QByteArray>
+#include <QCryptographicHash>
+#include <QFile>
+#include <QLocale>
+#include <QMap>
+
+#include "page_json.h"
+#include "page_strings.h"
+#include "viscera/core/atomic_file.h"
+#include "viscera/lesson/lesson.h"
+
+namespace viscera::lesson {
+namespace {
+
+/// The script in the order in which its parts need one another.
+constexpr const char* kScripts[] = {"data", "shape", "picture", "overlay", "chart", "panel", "quiz", "main"};
+
+QByteArray partOf(const QString& name) {
+  QFile file(QStringLiteral(":/viscera/lesson/") + name);
+  return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+}
+
+QByteArray scriptOf() {
+  QByteArray script = "'use strict';\n";
+  for (const char* name : kScripts)
+    script += partOf(QString::fromLatin1(name) + QStringLiteral(".js"));
+  return script;
+}
+
+/// As a source of the policy: of the exact bytes between the tags.
+QByteArray hashOf(const QByteArray& text) {
+  return QCryptographicHash::hash(text, QCryptographicHash::Sha256).toBase64();
+}
+
+QByteArray escaped(const std::string& text) {
+  return QString::fromStdString(text)
+      .toHtmlEscaped()
+      .replace(QLatin1Char('\''), QStringLiteral("&#39;"))
+      .toUtf8();
+}
+
+} // namespace
+
+std::string pageOf(const Lesson& lesson) {
+  ArrayPacker packer;
+  const std::string json = pageJson(lesson, packer);
+  const QByteArray style = partOf(QStringLiteral("page.css")), script = scriptOf();
+  const bool toTheLeft = QLocale().textDirection() == Qt::RightToLeft;
+  const QMap<QByteArray, QByteArray> values = {
+      {"LANGUAGE", QLocale().bcp47Name().toUtf8()},
+      {"DIRECTION", toTheLeft ? "rtl" : "ltr"},
+      {"SCRIPT_HASH", hashOf(script)},
+      {"STYLE_HASH", hashOf(style)},
+      {"TITLE", escaped(lesson.plan.title)},
+      {"FAILURE", escaped(pageStrings().at("failure"))},
+      {"STYLE", style},
+      {"LESSON", QByteArray::fromStdString(json)},
+      {"ARRAYS", QByteArray::fromStdString(deflated(packer.bytes())).toBase64()},
+      {"SCRIPT", script}};
+  // In one pass, so that no value is searched for names.
+  const QList<QByteArray> pieces = partOf(QStringLiteral("page.html")).split('@');
+  QByteArray page;
+  for (int i = 0; i < pieces.size(); ++i)
+    page += i % 2 == 0 ? pieces[i] : values.value(pieces[i]);
+  return page.toStdString();
+}
+
+void writePage(const std::filesystem::path& file, const Lesson& lesson) {
+  const std::string page = pageOf(lesson);
+  writeAtomically(file, [&](std::ostream& stream) { stream << page; });
+}
+
+} // namespace viscera::lesson

@@ -1,0 +1,239 @@
+#include "page_json.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <QLocale>
+
+#include <nlohmann/json.hpp>
+
+#include "page_strings.h"
+
+namespace viscera::lesson {
+namespace {
+
+using nlohmann::ordered_json;
+
+constexpr int kVersion = 1;
+constexpr double kShownOfDiagonal = 0.4; ///< The radius of what the page shows.
+
+double rounded(double value) {
+  return std::round(value * 1000) / 1000;
+}
+
+ordered_json jsonOf(const Vec3& place) {
+  return {rounded(place.x()), rounded(place.y()), rounded(place.z())};
+}
+
+ordered_json jsonOf(const PackedArray& array) {
+  return {{"at", array.at},
+          {"count", array.count},
+          {"width", array.width},
+          {"stride", array.stride},
+          {"step", array.step}};
+}
+
+template <class Matrix>
+std::vector<typename Matrix::Scalar> inOrder(const Matrix& rowMajor) {
+  return {rowMajor.data(), rowMajor.data() + rowMajor.size()};
+}
+
+ordered_json surfaceJson(const PlannedSurface& planned, const LessonSurface& surface) {
+  ordered_json json = {{"title", planned.title},
+                       {"color", jsonOf(planned.color)},
+                       {"opacity", planned.opacity},
+                       {"wall", planned.wall},
+                       {"charted", planned.charted},
+                       {"ejects", planned.ejects},
+                       {"output", planned.output},
+                       {"closed", surface.closed},
+                       {"firstVertex", surface.firstVertex},
+                       {"vertexCount", surface.vertexCount},
+                       {"firstTriangle", surface.firstTriangle},
+                       {"triangleCount", surface.triangleCount},
+                       {"restMl", rounded(surface.restMl)},
+                       {"curves", ordered_json::array()},
+                       {"anchors", surface.anchors},
+                       {"labels", ordered_json::array()}};
+  for (const auto& curve : surface.curves.rowwise()) {
+    std::vector<double> milliliters;
+    for (const double ml : curve)
+      milliliters.push_back(rounded(ml));
+    json["curves"].push_back(std::move(milliliters));
+  }
+  for (std::size_t i = 0; i < planned.labels.size(); ++i)
+    json["labels"].push_back({{"text", planned.labels[i].text}, {"vertex", surface.labels[i]}});
+  return json;
+}
+
+ordered_json motionJson(const Lesson& lesson) {
+  if (lesson.courses.empty())
+    return nullptr;
+  const LessonPlan& plan = lesson.plan;
+  ordered_json phases = ordered_json::array();
+  for (const auto& atRate : lesson.phases) {
+    ordered_json list = ordered_json::array();
+    for (const sequences::Phase& phase : atRate)
+      list.push_back({phase.name, rounded(phase.begin), rounded(phase.end)});
+    phases.push_back(std::move(list));
+  }
+  const auto rate = std::find(plan.rates.begin(), plan.rates.end(), plan.rate) - plan.rates.begin();
+  return {{"modes", lesson.modes.size()},
+          {"samples", lesson.samples()},
+          {"cycles", lesson.end == CourseEnd::cycles},
+          {"rates", plan.rates},
+          {"rate", rate},
+          {"courses", lesson.courseOfRate},
+          {"phases", std::move(phases)}};
+}
+
+/// The first vertex of an organ that the lesson shows, or -1.
+Eigen::Index firstVertexOf(const Lesson& lesson, document::OrganId organ) {
+  for (std::size_t i = 0; i < lesson.surfaces.size(); ++i)
+    if (lesson.plan.surfaces[i].organ == organ)
+      return lesson.surfaces[i].firstVertex;
+  return -1;
+}
+
+ordered_json measurementJson(const Lesson& lesson, const PlannedMeasurement& planned) {
+  ordered_json points = ordered_json::array();
+  for (const document::MeasuredPoint& point : planned.measurement.points) {
+    const Eigen::Index first = firstVertexOf(lesson, point.organ);
+    if (first < 0 || point.triangle < 0) {
+      points.push_back(ordered_json{{"at", jsonOf(point.rest)}});
+      continue;
+    }
+    Eigen::Index triangle = point.triangle;
+    for (const LessonSurface& surface : lesson.surfaces)
+      if (surface.firstVertex == first)
+        triangle += surface.firstTriangle;
+    const auto corners = lesson.triangles.row(triangle);
+    points.push_back({{"vertices", {corners[0], corners[1], corners[2]}},
+                      {"weights", {point.weights.x(), point.weights.y(), point.weights.z()}}});
+  }
+  return {{"title", planned.title},
+          {"kind", document::nameOf(document::kindOf(planned.measurement))},
+          {"points", std::move(points)}};
+}
+
+/// The middle of a phase at a rate of the plan, as a fraction of the cycle.
+double middleOf(const Lesson& lesson, std::size_t rate, const std::string& phase) {
+  std::string title = phase;
+  for (const PlannedPhase& planned : lesson.plan.phases)
+    if (planned.name == phase)
+      title = planned.title;
+  for (const sequences::Phase& each : lesson.phases[rate])
+    if (each.name == title)
+      return (each.begin + each.end) / 2;
+  return 0;
+}
+
+std::size_t nearestRate(const std::vector<double>& rates, double wanted) {
+  return static_cast<std::size_t>(
+      std::min_element(rates.begin(), rates.end(),
+                       [&](double a, double b) { return std::abs(a - wanted) < std::abs(b - wanted); }) -
+      rates.begin());
+}
+
+ordered_json slideJson(const Lesson& lesson, const PlannedSlide& slide) {
+  ordered_json json = {{"title", slide.title},
+                       {"text", slide.text},
+                       {"names", slide.names},
+                       {"handles", slide.handles},
+                       {"hidden", slide.hiddenSurfaces}};
+  if (!slide.side.empty())
+    json["side"] = slide.side;
+  if (slide.eye) {
+    json["position"] = jsonOf(slide.eye->position);
+    json["focus"] = jsonOf(slide.eye->focus);
+  }
+  if (slide.seeThrough)
+    json["seeThrough"] = *slide.seeThrough;
+  if (lesson.courses.empty())
+    return json;
+  const std::size_t rate = nearestRate(lesson.plan.rates, slide.rate.value_or(lesson.plan.rate));
+  if (slide.rate)
+    json["rate"] = rate;
+  if (!slide.phase.empty())
+    json["fraction"] = rounded(middleOf(lesson, rate, slide.phase));
+  if (slide.fraction)
+    json["fraction"] = rounded(*slide.fraction);
+  return json;
+}
+
+ordered_json arraysJson(const Lesson& lesson, ArrayPacker& packer) {
+  ordered_json arrays;
+  arrays["rest"] = jsonOf(packer.add(inOrder(lesson.rest), 3, kStepMm));
+  if (!lesson.courses.empty()) {
+    std::vector<double> modes;
+    std::vector<float> courses;
+    for (const Points& mode : lesson.modes)
+      modes.insert(modes.end(), mode.data(), mode.data() + mode.size());
+    for (const Course& course : lesson.courses)
+      for (Eigen::Index i = 0; i < course.size(); ++i)
+        courses.push_back(static_cast<float>(course.data()[i]));
+    arrays["motion"] = jsonOf(packer.add(modes, 3, kStepMm));
+    arrays["course"] = jsonOf(packer.addFloats(courses));
+  }
+  arrays["triangles"] = jsonOf(packer.add(inOrder(lesson.triangles), 3));
+  std::vector<std::int32_t> colors(lesson.colors.data(), lesson.colors.data() + lesson.colors.size());
+  arrays["colors"] = jsonOf(packer.add(colors, 3));
+  if (!lesson.handleLabels.empty())
+    arrays["weights"] = jsonOf(packer.add(inOrder(lesson.weights), 1, kWeightStep));
+  return arrays;
+}
+
+/// JSON that can stand in a script element.
+std::string scriptSafe(const ordered_json& json) {
+  std::string safe;
+  for (const char c : json.dump(-1, ' ', true, ordered_json::error_handler_t::replace)) {
+    static constexpr std::array<std::pair<char, const char*>, 3> kEscapes = {
+        {{'<', "\\u003c"}, {'>', "\\u003e"}, {'&', "\\u0026"}}};
+    const auto* found =
+        std::find_if(kEscapes.begin(), kEscapes.end(), [c](const auto& e) { return e.first == c; });
+    if (found == kEscapes.end())
+      safe += c;
+    else
+      safe += found->second;
+  }
+  return safe;
+}
+
+} // namespace
+
+std::string pageJson(const Lesson& lesson, ArrayPacker& packer) {
+  const LessonPlan& plan = lesson.plan;
+  const Bounds bounds = boundsOf(lesson.rest.topRows(lesson.vertexCount()));
+  ordered_json json = {{"format", "viscera-lesson"},
+                       {"version", kVersion},
+                       {"language", QLocale().bcp47Name().toStdString()},
+                       {"title", plan.title},
+                       {"notes", plan.notes},
+                       {"strings", pageStrings()},
+                       {"vertices", lesson.vertexCount()},
+                       {"center", jsonOf(bounds.center())},
+                       {"radius", rounded(bounds.diagonal() * kShownOfDiagonal)},
+                       {"handles", lesson.handleLabels}};
+  for (const char* key : {"surfaces", "ranges", "measurements", "slides"})
+    json[key] = ordered_json::array();
+  for (std::size_t i = 0; i < lesson.surfaces.size(); ++i)
+    json["surfaces"].push_back(surfaceJson(plan.surfaces[i], lesson.surfaces[i]));
+  for (const PlannedRange& range : plan.ranges)
+    json["ranges"].push_back({{"surface", range.surface},
+                              {"kind", range.kind},
+                              {"low", rounded(range.low)},
+                              {"high", rounded(range.high)},
+                              {"text", range.text}});
+  for (const PlannedMeasurement& planned : plan.measurements)
+    json["measurements"].push_back(measurementJson(lesson, planned));
+  for (const PlannedSlide& slide : plan.slides)
+    json["slides"].push_back(slideJson(lesson, slide));
+  if (plan.eye)
+    json["eye"] = {{"position", jsonOf(plan.eye->position)}, {"focus", jsonOf(plan.eye->focus)}};
+  json["motion"] = motionJson(lesson);
+  json["arrays"] = arraysJson(lesson, packer);
+  return scriptSafe(json);
+}
+
+} // namespace viscera::lesson

@@ -1,0 +1,109 @@
+#include "page_strings.h"
+
+#include <QCoreApplication>
+
+namespace viscera::lesson {
+namespace {
+
+struct Said {
+  const char* key;
+  const char* text;
+};
+
+// clang-format off
+constexpr Said kSaid[] = {
+    {"stage", QT_TRANSLATE_NOOP("Lesson", "The organs in three dimensions")},
+    {"view", QT_TRANSLATE_NOOP("Lesson", "%1. Drag or use the arrow keys to turn, two fingers, the wheel or plus and minus to come nearer.")},
+    {"tools", QT_TRANSLATE_NOOP("Lesson", "View")},
+    {"panel", QT_TRANSLATE_NOOP("Lesson", "Numbers")},
+    {"measurements", QT_TRANSLATE_NOOP("Lesson", "Measurements")},
+    {"slides", QT_TRANSLATE_NOOP("Lesson", "Slides")},
+    {"quiz", QT_TRANSLATE_NOOP("Lesson", "Quiz")},
+    {"theme", QT_TRANSLATE_NOOP("Lesson", "Light or dark (T)")},
+    {"side", QT_TRANSLATE_NOOP("Lesson", "Seen from (1, 3, 7)")},
+    {"anterior", QT_TRANSLATE_NOOP("Lesson", "Front")},
+    {"posterior", QT_TRANSLATE_NOOP("Lesson", "Back")},
+    {"left", QT_TRANSLATE_NOOP("Lesson", "Left")},
+    {"right", QT_TRANSLATE_NOOP("Lesson", "Right")},
+    {"superior", QT_TRANSLATE_NOOP("Lesson", "Above")},
+    {"inferior", QT_TRANSLATE_NOOP("Lesson", "Below")},
+    {"names", QT_TRANSLATE_NOOP("Lesson", "Names")},
+    {"namesTip", QT_TRANSLATE_NOOP("Lesson", "Names of the parts (N)")},
+    {"handles", QT_TRANSLATE_NOOP("Lesson", "Handles")},
+    {"handlesTip", QT_TRANSLATE_NOOP("Lesson", "Handles to drag (H, Page Down)")},
+    {"reset", QT_TRANSLATE_NOOP("Lesson", "Reset")},
+    {"resetTip", QT_TRANSLATE_NOOP("Lesson", "Back to the shape as sent (R)")},
+    {"hint", QT_TRANSLATE_NOOP("Lesson", "Drag a handle.")},
+    {"held", QT_TRANSLATE_NOOP("Lesson", "Handle %1: arrow keys, plus and minus move it.")},
+    {"slideBefore", QT_TRANSLATE_NOOP("Lesson", "Slide before")},
+    {"slideAfter", QT_TRANSLATE_NOOP("Lesson", "Next slide")},
+    {"slide", QT_TRANSLATE_NOOP("Lesson", "%1 of %2: %3")},
+    {"eye", QT_TRANSLATE_NOOP("Lesson", "Show %1")},
+    {"ml", QT_TRANSLATE_NOOP("Lesson", "%1 ml")},
+    {"mm", QT_TRANSLATE_NOOP("Lesson", "%1 mm")},
+    {"degrees", QT_TRANSLATE_NOOP("Lesson", "%1\xC2\xB0")},
+    {"percent", QT_TRANSLATE_NOOP("Lesson", "%1 %")},
+    {"litres", QT_TRANSLATE_NOOP("Lesson", "%1 l/min")},
+    {"seconds", QT_TRANSLATE_NOOP("Lesson", "%1 s")},
+    {"ofRest", QT_TRANSLATE_NOOP("Lesson", "%1 % of rest")},
+    {"byHandles", QT_TRANSLATE_NOOP("Lesson", "%1 % by the handles")},
+    {"ejection", QT_TRANSLATE_NOOP("Lesson", "%1: ejection fraction")},
+    {"stroke", QT_TRANSLATE_NOOP("Lesson", "Stroke volume")},
+    {"output", QT_TRANSLATE_NOOP("Lesson", "Cardiac output")},
+    {"normal", QT_TRANSLATE_NOOP("Lesson", "normal %1")},
+    {"healthy", QT_TRANSLATE_NOOP("Lesson", "%1 of healthy people")},
+    {"was", QT_TRANSLATE_NOOP("Lesson", "without handles %1")},
+    {"seeThrough", QT_TRANSLATE_NOOP("Lesson", "Wall")},
+    {"speed", QT_TRANSLATE_NOOP("Lesson", "Speed")},
+    {"play", QT_TRANSLATE_NOOP("Lesson", "Play")},
+    {"stop", QT_TRANSLATE_NOOP("Lesson", "Stop")},
+    {"time", QT_TRANSLATE_NOOP("Lesson", "Moment of the cycle")},
+    {"timeText", QT_TRANSLATE_NOOP("Lesson", "%1 s, %2")},
+    {"rate", QT_TRANSLATE_NOOP("Lesson", "Rate")},
+    {"aMinute", QT_TRANSLATE_NOOP("Lesson", "%1 a minute")},
+    {"chart", QT_TRANSLATE_NOOP("Lesson", "Volumes over one cycle: %1")},
+    {"keys", QT_TRANSLATE_NOOP("Lesson", "Keys")},
+    {"keyText", QT_TRANSLATE_NOOP("Lesson", "Space: play or stop\nArrow keys: turn the picture when it has the focus, else go through the cycle\nPlus, minus: nearer, farther\nPage Down, Page Up: choose a handle; arrow keys, plus and minus move it; Escape lets it go\n1, 3, 7: front, left, above\nN: names, H: handles, X: wall, R: reset, T: light or dark, Home: beginning")},
+    {"next", QT_TRANSLATE_NOOP("Lesson", "Next")},
+    {"again", QT_TRANSLATE_NOOP("Lesson", "Again")},
+    {"leave", QT_TRANSLATE_NOOP("Lesson", "Leave the quiz")},
+    {"askName", QT_TRANSLATE_NOOP("Lesson", "What is marked?")},
+    {"askPhase", QT_TRANSLATE_NOOP("Lesson", "Which phase is this?")},
+    {"askShrinks", QT_TRANSLATE_NOOP("Lesson", "Which chamber shrinks now?")},
+    {"all", QT_TRANSLATE_NOOP("Lesson", "Both")},
+    {"none", QT_TRANSLATE_NOOP("Lesson", "None")},
+    {"rightAnswer", QT_TRANSLATE_NOOP("Lesson", "Right.")},
+    {"wrongAnswer", QT_TRANSLATE_NOOP("Lesson", "No. The answer is: %1.")},
+    {"score", QT_TRANSLATE_NOOP("Lesson", "%1 of %2 right")},
+    {"done", QT_TRANSLATE_NOOP("Lesson", "%1 of %2 right.")},
+    {"tooOld", QT_TRANSLATE_NOOP("Lesson", "This lesson needs a browser of 2023 or later.")},
+    {"noWebGl", QT_TRANSLATE_NOOP("Lesson", "This lesson needs WebGL 2. It may be switched off in this browser.")},
+    {"lost", QT_TRANSLATE_NOOP("Lesson", "The graphics were lost. Load the page again.")},
+    {"failure", QT_TRANSLATE_NOOP("Lesson", "This lesson needs a browser of 2023 or later, with JavaScript and WebGL 2.")}};
+
+/// What `said` is asked for elsewhere in this module.
+[[maybe_unused]] constexpr const char* kElsewhere[] = {
+    QT_TRANSLATE_NOOP("Lesson", "Organ"), QT_TRANSLATE_NOOP("Lesson", "Left ventricle"),
+    QT_TRANSLATE_NOOP("Lesson", "Right ventricle"), QT_TRANSLATE_NOOP("Lesson", "Title"),
+    QT_TRANSLATE_NOOP("Lesson", "Notes"), QT_TRANSLATE_NOOP("Lesson", "Name on it"),
+    QT_TRANSLATE_NOOP("Lesson", "Normal range"), QT_TRANSLATE_NOOP("Lesson", "Measurement"),
+    QT_TRANSLATE_NOOP("Lesson", "Phase"), QT_TRANSLATE_NOOP("Lesson", "Slide"),
+    QT_TRANSLATE_NOOP("Lesson", "Text of the slide"), QT_TRANSLATE_NOOP("Lesson", "Handle"),
+    QT_TRANSLATE_NOOP("Lesson", "end-diastolic volume"), QT_TRANSLATE_NOOP("Lesson", "end-systolic volume"),
+    QT_TRANSLATE_NOOP("Lesson", "ejection fraction"), QT_TRANSLATE_NOOP("Lesson", "volume after a meal")};
+// clang-format on
+
+} // namespace
+
+std::string said(const char* text) {
+  return QCoreApplication::translate("Lesson", text).toStdString();
+}
+
+std::map<std::string, std::string> pageStrings() {
+  std::map<std::string, std::string> strings;
+  for (const Said& item : kSaid)
+    strings[item.key] = said(item.text);
+  return strings;
+}
+
+} // namespace viscera::lesson

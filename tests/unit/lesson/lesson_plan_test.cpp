@@ -1,0 +1,179 @@
+#include "viscera/lesson/lesson_plan.h"
+
+#include <set>
+
+#include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
+
+#include "lesson_scene.h"
+#include "page_json.h"
+#include "viscera/core/error.h"
+#include "viscera/document/measurement_commands.h"
+
+namespace viscera::lesson {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::Not;
+
+document::NewOrgan named(const std::string& name, const std::string& file = {}) {
+  document::NewOrgan organ = viscera::tests::ball(name);
+  organ.organ.file = file;
+  return organ;
+}
+
+std::vector<std::string> titlesOf(const LessonPlan& plan) {
+  std::vector<std::string> titles;
+  for (const PlannedSurface& surface : plan.surfaces)
+    titles.push_back(surface.title);
+  return titles;
+}
+
+/// A scene of these organs only.
+struct Organs : BallScene {
+  explicit Organs(std::vector<document::NewOrgan> organs) {
+    undo.perform(document::removeAllOrgans());
+    undo.perform(document::addOrgans(std::move(organs)));
+  }
+  LessonPlan plan(const LessonSpec& spec = {}) const { return planLesson(source(nullptr), spec); }
+};
+
+} // namespace
+
+TEST(LessonPlan, TellsNoFilesName) {
+  const Organs scene({named("Meier_Hans_1954_liver", "/home/doctor/Meier_Hans_1954_liver.stl"),
+                      named("scan 17", "/data/scan 17.vtk"), named("Kidney_left", "/data/Kidney_left.stl"),
+                      named("My own name", "/data/other.stl"),
+                      named("abdomen/spleen", "/data/abdomen.nrrd")});
+  EXPECT_THAT(titlesOf(scene.plan()), ElementsAre("Liver", "Organ", "Left kidney", "My own name", "Spleen"));
+}
+
+TEST(LessonPlan, SpellsVentriclesOutAndKnowsWhatHealthyPeopleHave) {
+  const Organs scene({named("LV"), named("RV")});
+  const LessonPlan plan = scene.plan();
+  EXPECT_THAT(titlesOf(plan), ElementsAre("Left ventricle", "Right ventricle"));
+  EXPECT_TRUE(plan.surfaces[0].ejects && plan.surfaces[1].ejects);
+  EXPECT_TRUE(plan.surfaces[0].output);
+  EXPECT_FALSE(plan.surfaces[1].output) << "the cardiac output is the left ventricle's";
+  ASSERT_EQ(plan.ranges.size(), 5u);
+  EXPECT_THAT(plan.ranges[0].text, HasSubstr("Left ventricle, end-diastolic volume"));
+  EXPECT_THAT(plan.notes, HasSubstr("10.1080/10976640500295516"));
+}
+
+TEST(LessonPlan, LeavesHiddenOrgansOut) {
+  std::vector<document::NewOrgan> organs = {named("Heart"), named("Secret")};
+  organs[1].organ.look.visible = false;
+  const Organs scene(organs);
+  EXPECT_THAT(titlesOf(scene.plan()), ElementsAre("Heart"));
+  organs[0].organ.look.visible = false;
+  EXPECT_THROW(Organs(organs).plan(), UsageError);
+}
+
+TEST(LessonPlan, TakesNamesSlidesAndLabelsFromItsFile) {
+  const LessonSpec spec =
+      readSpec(R"({"title": "T", "notes": "N", "names": {"Ball": "Sphere", "sway": "Swing"},
+      "labels": [{"surface": "Ball", "text": "Top", "at": [0, 0, 30]}, {"surface": "Other", "text": "X", "at": [0, 0, 0]}],
+      "slides": [{"title": "S", "hidden": ["Ball"], "phase": "sway", "rate": 70, "seeThrough": 0.2},
+                 {"title": "U", "position": [0, -300, 0], "focus": [0, 0, 0], "fraction": 0.25}], "handles": 5})",
+               "test");
+  BallScene scene;
+  const LessonSource source = scene.source(scene.sway());
+  const LessonPlan plan = planLesson(source, spec);
+  EXPECT_EQ(plan.title, "T");
+  EXPECT_THAT(titlesOf(plan), ElementsAre("Sphere"));
+  ASSERT_EQ(plan.surfaces[0].labels.size(), 1u);
+  EXPECT_EQ(plan.phases[0].title, "Swing");
+  EXPECT_THAT(plan.slides[0].hiddenSurfaces, ElementsAre(0u));
+  EXPECT_FALSE(plan.ownHandles);
+  const Lesson lesson = scene.made(source, spec);
+  const auto at = lesson.rest.row(lesson.surfaces[0].labels[0]);
+  EXPECT_LT((at - Vec3(0, 0, 30).transpose()).norm(), 3);
+  ArrayPacker packer;
+  const auto json = nlohmann::json::parse(pageJson(lesson, packer));
+  EXPECT_EQ(json["slides"][0]["fraction"], 0.5) << "the middle of the phase";
+  EXPECT_EQ(json["slides"][1]["fraction"], 0.25);
+  EXPECT_EQ(json["motion"]["phases"][0][0][0], "Swing");
+  EXPECT_EQ(lesson.weights.rows(), 5);
+}
+
+TEST(LessonPlan, RefusesASpecThatSpeaksOfNothing) {
+  EXPECT_THROW(readSpec("{\"slides\": [{\"text\": 1}]}", "test"), DataError);
+  EXPECT_THROW(readSpec("no json", "test"), DataError);
+  BallScene scene;
+  LessonSpec spec;
+  spec.slides.push_back({.title = "S", .hidden = {"Spleen"}});
+  EXPECT_THROW(planLesson(scene.source(nullptr), spec), UsageError);
+  spec.slides = {{.title = "S", .phase = "no phase"}};
+  EXPECT_THROW(planLesson(scene.source(scene.sway()), spec), UsageError);
+  LessonSpec fast;
+  fast.rates = {500};
+  EXPECT_THROW(planLesson(scene.source(scene.sway()), fast), UsageError);
+}
+
+TEST(LessonPlan, OffersFewRatesAndTheSequencesOwn) {
+  BallScene scene;
+  const std::vector<double> rates = offeredRates(*scene.sway());
+  EXPECT_LE(rates.size(), kMostRates);
+  EXPECT_TRUE(std::is_sorted(rates.begin(), rates.end()));
+  EXPECT_EQ(std::count(rates.begin(), rates.end(), 60), 1);
+  EXPECT_GE(rates.front(), 10);
+  EXPECT_LE(rates.back(), 120);
+}
+
+TEST(LessonPlan, KeepsTheEyeWhereTheWindowHasIt) {
+  BallScene scene;
+  LessonSource source = scene.source(nullptr);
+  source.camera =
+      presentation::Camera{.position = Vec3(0, -400, 30), .focus = Vec3(1, 2, 3), .angleDegrees = 30};
+  const LessonPlan plan = planLesson(source, {});
+  EXPECT_LT((plan.eye->position - Vec3(0, -400, 30)).norm(), 1e-9);
+  source.camera->angleDegrees = 10;
+  EXPECT_LT((planLesson(source, {}).eye->position - Vec3(1, 2, 3)).norm(), 0.4 * 403)
+      << "what a narrow lens shows is seen from nearer by";
+}
+
+/// Whoever looks at the texts of a plan has seen all that a document says in the file.
+TEST(LessonPlan, ListsEveryTextThatWillBeInTheFile) {
+  BallScene scene;
+  const document::Organ& ball = *scene.document.organs().front();
+  scene.undo.perform(document::addMeasurement(
+      {document::nearestPoint(ball, {30, 0, 0}), document::nearestPoint(ball, {-30, 0, 0})}, "Width"));
+  LessonSpec spec;
+  spec.title = "Title";
+  spec.labels = {{"Ball", "Top", {0, 0, 30}}};
+  spec.slides = {{.title = "Slide", .text = "Text of it"}};
+  const LessonSource source = scene.source(scene.sway());
+  LessonPlan plan = planLesson(source, spec);
+  std::set<std::string> known;
+  int next = 0;
+  for (LessonText& text : textsOf(plan)) {
+    EXPECT_FALSE(text.kind.empty());
+    *text.text = "word " + std::to_string(next++);
+    known.insert(*text.text);
+  }
+  EXPECT_GE(known.size(), 17u);
+  ArrayPacker packer;
+  auto json = nlohmann::json::parse(pageJson(makeLesson(plan, source, scene.live, scene.progress), packer));
+  json.erase("strings"); // What the page itself says.
+  for (const char* key : {"format", "language"})
+    json.erase(key);
+  const std::set<std::string> kinds = {"ml", "percent", "distance", "angle"};
+  for (const auto& [path, value] : json.flatten().items())
+    if (value.is_string()) {
+      EXPECT_TRUE(known.count(value) || kinds.count(value)) << path << ": " << value;
+    }
+}
+
+TEST(LessonPlan, OfWhatComesWithTheProgramIsComplete) {
+  for (const std::string id : {"heartbeat", "peristalsis", "breathing"}) {
+    const LessonSpec spec = readySpec(id);
+    EXPECT_FALSE(spec.title.empty()) << id;
+    EXPECT_GE(spec.labels.size(), 6u) << id;
+    EXPECT_GE(spec.slides.size(), 4u) << id;
+    EXPECT_THAT(spec.notes, HasSubstr("not a medical device")) << id;
+  }
+  EXPECT_TRUE(readySpec("keyframes").title.empty());
+}
+
+} // namespace viscera::lesson

@@ -1,0 +1,71 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "session_fixture.h"
+#include "sway.h"
+#include "viscera/lesson/lesson.h"
+#include "viscera/lesson/packed_arrays.h"
+
+/// What the tests of lessons share.
+namespace viscera::lesson {
+
+/// A ball on ten handles, two of which sway.
+struct BallScene : viscera::tests::BoundSession {
+  Progress progress;
+
+  std::shared_ptr<const sequences::Sequence> sway(double mm = 15) const {
+    return std::make_shared<viscera::tests::Sway>(
+        document.rig().restPositions(),
+        std::vector<viscera::tests::Swing>{{8, Vec3(0, 4, mm), 0.3}, {9, Vec3(mm, 0, -5), 1.9}});
+  }
+  LessonSource source(std::shared_ptr<const sequences::Sequence> sequence) const {
+    return {.state = document.state(), .sequence = std::move(sequence)};
+  }
+  Lesson made(const LessonSource& from, const LessonSpec& spec = {}) {
+    return makeLesson(planLesson(from, spec), from, live, progress);
+  }
+};
+
+/// The vertices as a page computes them from what is in the file.
+inline Points pagePoints(const Lesson& lesson, std::size_t rate, double fraction) {
+  const Eigen::VectorXd values =
+      valueAt(lesson.courses[static_cast<std::size_t>(lesson.courseOfRate[rate])], lesson.end, fraction);
+  Points points = lesson.rest;
+  for (std::size_t k = 0; k < lesson.modes.size(); ++k)
+    points += values[static_cast<Eigen::Index>(k)] * lesson.modes[k];
+  return points.topRows(lesson.vertexCount());
+}
+
+/// And as the organs themselves are.
+inline Points organPoints(const Lesson& lesson, const LessonSource& source, live::PosedOrgans& organs,
+                          std::size_t rate, double fraction) {
+  Points pose;
+  const double perMinute = lesson.plan.rates[rate];
+  source.sequence->poseAt(fraction * 60 / perMinute, perMinute, pose);
+  organs.showPose(pose);
+  Points points(lesson.vertexCount(), 3);
+  for (std::size_t i = 0; i < lesson.surfaces.size(); ++i)
+    points.middleRows(lesson.surfaces[i].firstVertex, lesson.surfaces[i].vertexCount) =
+        *organs.sharedPoints(lesson.plan.surfaces[i].organ);
+  return points;
+}
+
+/// How far they are apart at instants that are no samples, over all rates.
+inline double worstOver(const Lesson& lesson, const LessonSource& source, live::PosedOrgans& organs,
+                        const std::vector<double>& fractions) {
+  double worst = 0;
+  for (std::size_t rate = 0; rate < lesson.plan.rates.size(); ++rate)
+    for (const double fraction : fractions)
+      worst = std::max(
+          worst, (pagePoints(lesson, rate, fraction) - organPoints(lesson, source, organs, rate, fraction))
+                     .rowwise()
+                     .norm()
+                     .maxCoeff());
+  return worst;
+}
+
+} // namespace viscera::lesson
