@@ -1,6 +1,7 @@
 #include "cli/commands/all_commands.h"
 
 #include "cli/commands/bind_command.h"
+#include "cli/commands/circulate_command.h"
 #include "cli/commands/convert_command.h"
 #include "cli/commands/deform_command.h"
 #include "cli/commands/handles_command.h"
@@ -27,6 +28,7 @@ std::vector<std::unique_ptr<Command>> allCommands() {
   commands.push_back(std::make_unique<DeformCommand>());
   commands.push_back(std::make_unique<StressCommand>());
   commands.push_back(std::make_unique<PlayCommand>());
+  commands.push_back(std::make_unique<CirculateCommand>());
   commands.push_back(std::make_unique<SegmentCommand>());
   commands.push_back(std::make_unique<RenderCommand>());
   commands.push_back(std::make_unique<PropertiesCommand>());
