@@ -147,6 +147,11 @@ void PlayCommand::addOptions(CLI::App& options) {
           "Volume over the cycle that the outer surface is to have, as two columns (.csv): fraction of "
           "the cycle, or time_s, and ml; NAME=FILE for another surface, as in lv=F.csv")
       ->type_name("FILE");
+  options
+      .add_option("--scenario", request_.scenario,
+                  "State of the circulation that the heart follows: rest, exercise, ..., "
+                  "as 'viscera circulate --list' has them")
+      ->type_name("NAME");
   options.add_option("--rate", rate_, "Cycles a minute; the sequence's own when not said")
       ->type_name("PER_MINUTE")
       ->check(CLI::PositiveNumber);
@@ -174,6 +179,7 @@ Outcome PlayCommand::run(Surroundings& surroundings) {
   stage_.size = pictureSize(size_);
   if (!csv_.empty())
     const AtomicFile writable(csv_); // Said before the work, not after it.
+  request_.ratePerMinute = rate_;
   PlayedSequence played = playedSequence(request_, surroundings);
   writeRig(played);
   const double rate = rateOf(*played.sequence);
@@ -188,7 +194,7 @@ Outcome PlayCommand::run(Surroundings& surroundings) {
 }
 
 double PlayCommand::rateOf(const sequences::Sequence& sequence) const {
-  if (rate_ == 0)
+  if (rate_ == 0 || !request_.scenario.empty())
     return sequence.standardRatePerMinute();
   if (rate_ < sequence.lowestRatePerMinute() || rate_ > sequence.highestRatePerMinute())
     throw UsageError("It is not a rate at which " + sequence.id() + " can be played",
@@ -278,6 +284,8 @@ Outcome PlayCommand::report(const PlayedSequence& played, const Measured& measur
                   {"frames", volumes.rows()},
                   {"cycles", cycles_},
                   {"framesPerSecond", framesPerSecond_}};
+  if (!request_.scenario.empty())
+    outcome.json["scenario"] = request_.scenario;
   Listing listing;
   listing.add("sequence", played.sequence->name() + ", " + significant(rate, 6) + " a minute")
       .add("frames", std::to_string(volumes.rows()));

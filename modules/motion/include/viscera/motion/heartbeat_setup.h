@@ -1,6 +1,7 @@
 #pragma once
 
 #include "viscera/motion/sequence_setup.h"
+#include "viscera/sequences/course_heartbeat.h"
 
 namespace viscera::motion {
 
@@ -10,5 +11,9 @@ namespace viscera::motion {
 /// calibrating takes about a second otherwise. As `setUpSequence`.
 SequenceSetup heartbeatSetup(const sample_organs::SampleLibrary& library,
                              sample_organs::Resolution resolution, Progress& progress, Threads threads = {});
+
+/// The same heart, following a course (`sequences::CourseHeartbeat`).
+SequenceSetup courseSetup(const sample_organs::SampleLibrary& library, const sequences::HeartCourse& course,
+                          sample_organs::Resolution resolution, Progress& progress, Threads threads = {});
 
 } // namespace viscera::motion
