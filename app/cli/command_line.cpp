@@ -218,9 +218,10 @@ int runCommandLine(int argc, const char* const* argv, std::ostream& out, std::os
   CommonOptions common;
   std::vector<std::unique_ptr<Command>> commands;
   Command* chosen = nullptr;
-  for (const auto make : {infoCommand, systemsCommand, sampleCommand, convertCommand, handlesCommand,
-                          bindCommand, deformCommand, stressCommand, playCommand, lessonCommand,
-                          segmentCommand, renderCommand, propertiesCommand, reproduceCommand}) {
+  for (const auto make :
+       {infoCommand, systemsCommand, sampleCommand, convertCommand, handlesCommand, bindCommand,
+        deformCommand, stressCommand, playCommand, circulateCommand, lessonCommand, segmentCommand,
+        renderCommand, propertiesCommand, reproduceCommand}) {
     const auto& command = commands.emplace_back(make());
     CLI::App* options = app.add_subcommand(command->name(), command->summary());
     command->addOptions(*options);

@@ -6,11 +6,13 @@
 #include <sstream>
 
 #include "cli/inputs.h"
+#include "viscera/circulation/scenario.h"
 #include "viscera/core/error.h"
 #include "viscera/document/organ_commands.h"
 #include "viscera/document/rig_commands.h"
 #include "viscera/document/system_commands.h"
 #include "viscera/medical_io/handle_file.h"
+#include "viscera/motion/circulating_heart.h"
 #include "viscera/motion/player.h"
 #include "viscera/motion/sequence_file.h"
 #include "viscera/motion/sequence_setup.h"
@@ -122,13 +124,25 @@ void bindAll(PlayedSequence& played, Surfaces surfaces, const document::SystemCh
   }
 }
 
+/// The sequence itself, or the heart that follows a circulation.
+motion::SequenceSetup setUpFor(const PlayRequest& request, sample_organs::Resolution resolution,
+                               Surroundings& surroundings) {
+  if (request.scenario.empty())
+    return motion::setUpSequence(surroundings.samples, request.sequence, resolution, surroundings.progress,
+                                 surroundings.threads);
+  circulation::Parameters parameters = circulation::scenarioParameters(request.scenario);
+  if (request.ratePerMinute > 0)
+    circulation::setParameter(parameters, "rate", request.ratePerMinute);
+  return motion::circulatingHeart(surroundings.samples, circulation::scenario(request.scenario).name,
+                                  parameters, resolution, surroundings.progress, surroundings.threads);
+}
+
 /// A shipped sequence on its own organ, or on one of that organ's surfaces.
 PlayedSequence onOwnOrgan(const PlayRequest& request, Surroundings& surroundings) {
   const std::optional<sample_organs::Resolution> resolution =
       resolutionOf(request.organ, ownOrgan(request.sequence));
-  const motion::SequenceSetup setup = motion::setUpSequence(
-      surroundings.samples, request.sequence, resolution.value_or(sample_organs::Resolution::medium),
-      surroundings.progress, surroundings.threads);
+  const motion::SequenceSetup setup =
+      setUpFor(request, resolution.value_or(sample_organs::Resolution::medium), surroundings);
   PlayedSequence played;
   played.sequence = setup.sequence;
   played.rig = setup.rig;
@@ -220,6 +234,9 @@ PlayedSequence playedSequence(const PlayRequest& request, Surroundings& surround
   if (isFile && (!request.landmarks.empty() || !request.landmark.empty()))
     throw UsageError("It is played on the handles that it holds", request.sequence,
                      "leave the landmarks out");
+  if (!request.scenario.empty() && (request.sequence != "heartbeat" || isOther(request)))
+    throw UsageError("Only the sample heart follows a circulation", "--scenario " + request.scenario,
+                     "play heartbeat without --organ and landmarks");
   PlayedSequence played = isFile             ? fromFile(request, surroundings)
                           : isOther(request) ? onOtherOrgan(request, surroundings)
                                              : onOwnOrgan(request, surroundings);

@@ -20,6 +20,8 @@ struct PlayRequest {
   std::string handles;               ///< A handle file that has to hold the sequence's handles; or empty.
   std::string landmarks;             ///< A handle file with landmarks of the organ; or empty.
   std::vector<std::string> landmark; ///< "apex=1,2,3"; these go before those of the file.
+  std::string scenario;     ///< Of the circulation that the heart follows; empty: the textbook's beat.
+  double ratePerMinute = 0; ///< Of that circulation; 0: the scenario's own.
 };
 
 /// One surface that a sequence moves.

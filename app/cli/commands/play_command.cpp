@@ -155,6 +155,11 @@ public:
             "Volume over the cycle that the outer surface is to have, as two columns (.csv): fraction of "
             "the cycle, or time_s, and ml; NAME=FILE for another surface, as in lv=F.csv")
         ->type_name("FILE");
+    options
+        .add_option("--scenario", request_.scenario,
+                    "State of the circulation that the heart follows: rest, exercise, ..., "
+                    "as 'viscera circulate --list' has them")
+        ->type_name("NAME");
     options.add_option("--rate", rate_, "Cycles a minute; the sequence's own when not said")
         ->type_name("PER_MINUTE")
         ->check(CLI::PositiveNumber);
@@ -183,6 +188,7 @@ public:
     stage_.size = pictureSize(size_);
     if (!csv_.empty())
       const AtomicFile writable(csv_); // Said before the work, not after it.
+    request_.ratePerMinute = rate_;
     PlayedSequence played = playedSequence(request_, surroundings);
     writeRig(played);
     const double rate = rateOf(*played.sequence);
@@ -205,7 +211,7 @@ private:
 
   /// The rate to play at. Throws `UsageError` outside what the sequence allows.
   double rateOf(const sequences::Sequence& sequence) const {
-    if (rate_ == 0)
+    if (rate_ == 0 || !request_.scenario.empty())
       return sequence.standardRatePerMinute();
     if (rate_ < sequence.lowestRatePerMinute() || rate_ > sequence.highestRatePerMinute())
       throw UsageError("It is not a rate at which " + sequence.id() + " can be played",
@@ -296,6 +302,8 @@ private:
                     {"frames", volumes.rows()},
                     {"cycles", cycles_},
                     {"framesPerSecond", framesPerSecond_}};
+    if (!request_.scenario.empty())
+      outcome.json["scenario"] = request_.scenario;
     Listing listing;
     listing.add("sequence", played.sequence->name() + ", " + significant(rate, 6) + " a minute")
         .add("frames", std::to_string(volumes.rows()));

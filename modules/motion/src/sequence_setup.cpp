@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <iomanip>
 #include <map>
 #include <optional>
@@ -19,6 +20,7 @@
 #include "viscera/core/content_hash.h"
 #include "viscera/core/error.h"
 #include "viscera/document/rig_commands.h"
+#include "viscera/sequences/course_heartbeat.h"
 #include "viscera/sequences/heart_rig.h"
 #include "viscera/sequences/heartbeat.h"
 #include "viscera/sequences/peristalsis.h"
@@ -37,6 +39,8 @@ using sequences::PoseCompensation;
 /// A little more than one handle spacing: the walls stay smooth between handles (design notes, "Handles that
 /// move organs").
 constexpr double kSoftnessMm = 25;
+/// Of the time that a heart with its beat takes, what the organ takes when nothing is cached.
+constexpr double kHeartPart = 0.8;
 
 /// Lists of numbers by name.
 using NumberTable = std::map<std::string, std::vector<double>>;
@@ -132,6 +136,20 @@ public:
         motion_(makeHeartRig(anatomyOf(library))), rest_(motion_.rig().restHandles()),
         compensation_(compensationFor(rest_, system, threads)) {}
 
+  /// The heart as a course says, whose volumes are those of a circulation.
+  std::shared_ptr<const sequences::Sequence> follow(sequences::HeartCourse course, Progress& progress) const {
+    const auto at = [&course](double phase) { return course.at(phase); };
+    std::vector<double> volumes;
+    for (const sequences::CourseInstant& instant : course.instants)
+      volumes.insert(volumes.end(), {instant.volumes.leftMl, instant.volumes.rightMl});
+    const std::uint64_t key = contentHash(
+        {reinterpret_cast<const char*>(volumes.data()), volumes.size() * sizeof(double)}, keyOf(at));
+    const auto found = kept("heartbeat-course-", key, [&] {
+      return sequences::calibrateCourse(motion_, at, compensation_, measured(), progress);
+    });
+    return std::make_shared<sequences::CourseHeartbeat>(motion_, std::move(course), compensation_, found);
+  }
+
   std::shared_ptr<const sequences::Sequence> make(Progress& progress) const {
     return std::make_shared<sequences::CalibratedHeartbeat>(motion_, cycle_, compensation_,
                                                             calibration(progress));
@@ -139,29 +157,37 @@ public:
 
 private:
   HeartbeatCalibration calibration(Progress& progress) const {
-    const std::string name = "heartbeat-" + sample_organs::nameOf(heart_.resolution);
-    const std::uint64_t key = keyOfAllInputs();
+    const auto at = [this](double phase) {
+      return sequences::CourseInstant{uncorrectedState(cycle_, phase), cycle_.volumes(phase)};
+    };
+    return kept("heartbeat-", keyOf(at),
+                [&] { return calibrateHeartbeat(motion_, cycle_, compensation_, measured(), progress); });
+  }
+
+  /// What the cache has under that name and key, or what is found now and kept.
+  HeartbeatCalibration kept(const std::string& prefix, std::uint64_t key,
+                            const std::function<HeartbeatCalibration()>& find) const {
+    const std::string name = prefix + sample_organs::nameOf(heart_.resolution);
     if (const auto known = numbers_.load(name, key)) {
       const auto left = known->find("leftGain");
       const auto right = known->find("rightShift");
       if (left != known->end() && right != known->end())
         return {left->second, right->second};
     }
-    const HeartbeatCalibration found = calibrate(progress);
+    const HeartbeatCalibration found = find();
     numbers_.store(name, key, {{"leftGain", found.leftGain}, {"rightShift", found.rightShift}});
     return found;
   }
 
-  HeartbeatCalibration calibrate(Progress& progress) const {
-    const MovedVolume left(surfaceOf(heart_, "lv"), rest_, system_, threads_);
-    const MovedVolume right(surfaceOf(heart_, "rv"), rest_, system_, threads_);
-    const auto measure = [&](const Points& pose) { return CavityVolumes{left.at(pose), right.at(pose)}; };
-    return calibrateHeartbeat(motion_, cycle_, compensation_, measure, progress);
+  sequences::MeasureCavities measured() const {
+    const auto left = std::make_shared<MovedVolume>(surfaceOf(heart_, "lv"), rest_, system_, threads_);
+    const auto right = std::make_shared<MovedVolume>(surfaceOf(heart_, "rv"), rest_, system_, threads_);
+    return [left, right](const Points& pose) { return CavityVolumes{left->at(pose), right->at(pose)}; };
   }
 
   /// The cavities, the handles, and what the motion makes of them at a few instants: whoever changes a
   /// formula, a curve or the coordinates changes the key.
-  std::uint64_t keyOfAllInputs() const {
+  std::uint64_t keyOf(const sequences::CourseOverPhase& course) const {
     std::uint64_t key = 0;
     const auto add = [&key](const auto& array) {
       key = contentHash({reinterpret_cast<const char*>(array.data()),
@@ -175,7 +201,7 @@ private:
     add(rest_);
     Points pose;
     for (const double phase : {0.05, 0.2, 0.3, 0.5, 0.65}) {
-      motion_.pose(uncorrectedState(cycle_, phase), pose);
+      motion_.pose(course(phase).state, pose);
       compensation_.apply(rest_, pose);
       add(pose);
     }
@@ -225,7 +251,7 @@ struct Maker {
 
 const std::vector<Maker>& makers() {
   static const std::vector<Maker> list{
-      {{"heartbeat", "Heartbeat", "heart"}, 0.8, makeHeartbeat},
+      {{"heartbeat", "Heartbeat", "heart"}, kHeartPart, makeHeartbeat},
       {{"peristalsis", "Gastric peristalsis", "stomach"}, 0.9, makePeristalsis},
       {{"breathing", "Breathing", "liver"}, 1, makeBreathing}};
   return list;
@@ -241,6 +267,20 @@ const std::vector<SampleSequence>& sampleSequences() {
     return all;
   }();
   return list;
+}
+
+SequenceSetup courseSetup(const SampleLibrary& library, const sequences::HeartCourse& course,
+                          sample_organs::Resolution resolution, Progress& progress, Threads threads) {
+  SequenceSetup setup;
+  runPart(progress, 0, kHeartPart, [&](Progress& part) {
+    setup.organ = sample_organs::sampleOrgan(library, "heart", resolution, part, threads);
+  });
+  setup.system = softCoordinates(kSoftnessMm);
+  runPart(progress, kHeartPart, 1, [&](Progress& part) {
+    setup.sequence = HeartbeatMaker(library, setup.organ, setup.system, threads).follow(course, part);
+  });
+  setup.rig = document::rigOf(*setup.sequence);
+  return setup;
 }
 
 SequenceSetup setUpSequence(const sample_organs::SampleLibrary& library, const std::string& id,

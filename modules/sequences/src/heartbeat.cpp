@@ -3,28 +3,9 @@
 #include <utility>
 
 #include "viscera/core/error.h"
+#include "viscera/sequences/course_heartbeat.h"
 
 namespace viscera::sequences {
-namespace {
-
-constexpr std::size_t kFewestPhases = 8;
-
-/// A curve over one beat through values at even distances.
-Curve overOneBeat(const std::vector<double>& values) {
-  std::vector<Key> keys;
-  for (std::size_t i = 0; i < values.size(); ++i)
-    keys.push_back({static_cast<double>(i) / static_cast<double>(values.size()), values[i]});
-  return Curve::periodic(std::move(keys), 1.0);
-}
-
-const HeartbeatCalibration& checked(const HeartbeatCalibration& calibration) {
-  const std::size_t count = calibration.leftGain.size();
-  if (count < kFewestPhases || calibration.rightShift.size() != count)
-    throw DataError("the calibration does not cover a beat", "heartbeat", "calibrate it again");
-  return calibration;
-}
-
-} // namespace
 
 Heartbeat::Heartbeat(HeartMotion motion, CardiacCycle cycle, PoseCompensation compensation)
     : motion_(std::move(motion)), cycle_(std::move(cycle)), compensation_(std::move(compensation)),
@@ -36,8 +17,8 @@ CalibratedHeartbeat::CalibratedHeartbeat(HeartMotion motion, CardiacCycle cycle,
                                          PoseCompensation compensation,
                                          const HeartbeatCalibration& calibration)
     : Heartbeat(std::move(motion), std::move(cycle), std::move(compensation)),
-      leftGain_(overOneBeat(checked(calibration).leftGain)),
-      rightShift_(overOneBeat(calibration.rightShift)) {}
+      leftGain_(calibrationCurves(calibration).leftGain),
+      rightShift_(calibrationCurves(calibration).rightShift) {}
 
 HeartState CalibratedHeartbeat::stateAtPhase(double phase) const {
   HeartState state = uncorrectedState(cycle_, phase);

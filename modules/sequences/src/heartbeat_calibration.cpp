@@ -21,13 +21,12 @@ using Pair = Eigen::Vector2d;
 
 class PhaseSolver {
 public:
-  PhaseSolver(const HeartMotion& motion, const CardiacCycle& cycle, const PoseCompensation& compensation,
-              const MeasureCavities& measure)
-      : motion_(motion), cycle_(cycle), compensation_(compensation), measure_(measure),
-        rest_(motion.rig().restHandles()) {}
+  PhaseSolver(const HeartMotion& motion, const PoseCompensation& compensation, const MeasureCavities& measure)
+      : motion_(motion), compensation_(compensation), measure_(measure), rest_(motion.rig().restHandles()) {}
 
   /// Improves `corrections` until the volumes fit.
-  void solve(double phase, Pair& corrections) {
+  void solve(const CourseInstant& instant, double phase, Pair& corrections) {
+    instant_ = &instant;
     phase_ = phase;
     Pair error = errorAt(corrections);
     for (int step = 0; !fits(error); ++step) {
@@ -53,13 +52,13 @@ private:
   }
 
   Pair errorAt(const Pair& corrections) {
-    HeartState state = uncorrectedState(cycle_, phase_);
+    HeartState state = instant_->state;
     state.leftGain = corrections[0];
     state.rightShift = corrections[1];
     motion_.pose(state, pose_);
     compensation_.apply(rest_, pose_);
     const CavityVolumes measured = measure_(pose_);
-    const CavityVolumes wanted = cycle_.volumes(phase_);
+    const CavityVolumes& wanted = instant_->volumes;
     const Pair error(measured.leftMl - wanted.leftMl, measured.rightMl - wanted.rightMl);
     if (!error.allFinite())
       throw DataError("the volume of a cavity is not a number", place(), "check the cavities' surfaces");
@@ -84,12 +83,12 @@ private:
   }
 
   const HeartMotion& motion_;
-  const CardiacCycle& cycle_;
   const PoseCompensation& compensation_;
   const MeasureCavities& measure_;
   Points rest_;
   Points pose_;
   Eigen::Matrix2d jacobian_ = Eigen::Matrix2d::Identity();
+  const CourseInstant* instant_ = nullptr;
   double phase_ = 0;
   bool haveJacobian_ = false;
 };
@@ -110,14 +109,25 @@ HeartState uncorrectedState(const CardiacCycle& cycle, double phase) {
 HeartbeatCalibration calibrateHeartbeat(const HeartMotion& motion, const CardiacCycle& cycle,
                                         const PoseCompensation& compensation, const MeasureCavities& measure,
                                         Progress& progress, int phases) {
+  const auto course = [&cycle](double phase) {
+    return CourseInstant{uncorrectedState(cycle, phase), cycle.volumes(phase)};
+  };
+  return calibrateCourse(motion, course, compensation, measure, progress, phases);
+}
+
+HeartbeatCalibration calibrateCourse(const HeartMotion& motion, const CourseOverPhase& course,
+                                     const PoseCompensation& compensation, const MeasureCavities& measure,
+                                     Progress& progress, int phases) {
   assert(phases >= 8);
-  PhaseSolver solver(motion, cycle, compensation, measure);
+  PhaseSolver solver(motion, compensation, measure);
   HeartbeatCalibration calibration;
   Pair corrections(1, 0);
   for (int i = 0; i < phases; ++i) {
     progress.throwIfCancelled();
     progress.report(static_cast<double>(i) / phases, "calibrating the heartbeat");
-    solver.solve(static_cast<double>(i) / phases, corrections);
+    const double phase = static_cast<double>(i) / phases;
+    const CourseInstant instant = course(phase);
+    solver.solve(instant, phase, corrections);
     calibration.leftGain.push_back(corrections[0]);
     calibration.rightShift.push_back(corrections[1]);
   }

@@ -9,7 +9,7 @@ TEST_F(CliUsage, HelpAndVersionGoToStandardOutput) {
   EXPECT_EQ(help.exitCode, kOk);
   EXPECT_EQ(help.err, "");
   for (const std::string command : {"info", "systems", "sample", "handles", "bind", "deform", "play",
-                                    "render", "properties", "reproduce"}) {
+                                    "render", "properties", "reproduce", "circulate"}) {
     EXPECT_NE(help.out.find(command), std::string::npos) << command;
     const test::ProcessResult one = run({command, "--help"});
     EXPECT_EQ(one.exitCode, kOk) << command;
@@ -24,7 +24,7 @@ TEST_F(CliUsage, HelpAndVersionGoToStandardOutput) {
 
 TEST_F(CliUsage, UnknownOptionsAndCommandsAreUsageErrors) {
   for (const std::string command : {"info", "systems", "sample", "handles", "bind", "deform", "play",
-                                    "render", "properties", "reproduce"})
+                                    "render", "properties", "reproduce", "circulate"})
     expectFailure({command, "--no-such-option"}, kUsage, "--help");
   EXPECT_EQ(run({"--no-such-option"}).exitCode, kUsage);
   EXPECT_EQ(run({"nosuchcommand"}).exitCode, kUsage);

@@ -17,8 +17,8 @@ std::set<std::string> with(std::set<std::string> modules, const std::set<std::st
 
 /// What each module may include, itself left out. Arrows point downward only.
 const std::map<std::string, std::set<std::string>>& allowedModules() {
-  static const std::set<std::string> numerical = {"core", "geometry", "coordinates", "deformation",
-                                                  "sequences"};
+  static const std::set<std::string> numerical = {"core",        "geometry",  "coordinates",
+                                                  "deformation", "sequences", "circulation"};
   static const std::set<std::string> documentUses = with(numerical, {"sample_organs", "medical_io"});
   static const std::map<std::string, std::set<std::string>> allowed = {
       {"core", {}},
@@ -26,6 +26,7 @@ const std::map<std::string, std::set<std::string>>& allowedModules() {
       {"coordinates", {"core", "geometry"}},
       {"deformation", {"core", "geometry", "coordinates"}},
       {"sequences", {"core"}},
+      {"circulation", {"core"}},
       {"plugin", {"core", "geometry", "coordinates"}},
       {"localised_scc", {"core", "geometry", "coordinates", "plugin"}},
       {"contour", {"core", "geometry"}},

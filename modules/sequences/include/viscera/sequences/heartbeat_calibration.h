@@ -34,4 +34,18 @@ HeartbeatCalibration calibrateHeartbeat(const HeartMotion& motion, const Cardiac
                                         const PoseCompensation& compensation, const MeasureCavities& measure,
                                         Progress& progress, int phases = 96);
 
+/// What a heart is to be like at one instant of its beat.
+struct CourseInstant {
+  HeartState state;      ///< Without corrections.
+  CavityVolumes volumes; ///< What its cavities are to hold.
+};
+
+/// The same over the beat, for any phase in [0, 1); periodic.
+using CourseOverPhase = std::function<CourseInstant(double phase)>;
+
+/// As `calibrateHeartbeat`, for any course of the beat.
+HeartbeatCalibration calibrateCourse(const HeartMotion& motion, const CourseOverPhase& course,
+                                     const PoseCompensation& compensation, const MeasureCavities& measure,
+                                     Progress& progress, int phases = 96);
+
 } // namespace viscera::sequences

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include "viscera/circulation/curves.h"
+#include "viscera/circulation/indices.h"
+#include "viscera/circulation/response.h"
+
+namespace viscera::app::cli {
+
+/// The indices under the keys of `viscera circulate --json`.
+nlohmann::ordered_json circulationJson(const circulation::Indices& indices);
+
+/// The same as lines for a reader.
+std::string circulationText(const circulation::Indices& indices);
+
+/// One row of `--vary`: the parameter's value and the numbers that answer to it.
+nlohmann::ordered_json responseJson(const circulation::ResponsePoint& point);
+
+/// Writes the curves as columns, a header first. Throws `CannotCreateError`.
+void writeCurves(const std::filesystem::path& file, const std::vector<circulation::NamedCurve>& curves);
+
+} // namespace viscera::app::cli

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "viscera/circulation/beat.h"
+#include "viscera/circulation/indices.h"
+#include "viscera/circulation/parameters.h"
+
+namespace viscera::circulation {
+
+/// One column of a table: "lv_mmHg", "aortic_open".
+struct NamedCurve {
+  std::string name; ///< With its unit: `_s`, `_mmHg`, `_ml`, `_ml_s`, `_open` (0 to 1), `_mV`.
+  std::vector<double> values;
+};
+
+/// All curves of a beat as columns of one length, `time_s` first, then pressures, volumes, flows, openings,
+/// `ecg_mV` and `sound`. O(samples).
+std::vector<NamedCurve> curvesOf(const Parameters& parameters, const Beat& beat, const Indices& indices);
+
+/// The names of chambers ("lv") and valves ("mitral") in tables and JSON.
+std::string nameOf(Compartment compartment);
+std::string nameOf(Valve valve);
+
+} // namespace viscera::circulation

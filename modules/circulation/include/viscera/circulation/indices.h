@@ -1,0 +1,72 @@
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include "viscera/circulation/beat.h"
+#include "viscera/circulation/parameters.h"
+
+namespace viscera::circulation {
+
+/// When a valve opens and shuts, s from the beginning of the ventricles' contraction, 0 to a period.
+struct ValveTimes {
+  double opens = 0;
+  double shuts = 0;
+};
+
+/// What is said of one chamber.
+struct ChamberIndices {
+  double edvMl = 0; ///< The largest volume.
+  double esvMl = 0; ///< The smallest.
+  double svMl = 0;  ///< Their difference: of a leaking ventricle forward and backward together.
+  double ef = 0;    ///< svMl / edvMl
+  /// Of a ventricle: pressure when it begins to contract. Of an atrium: when it is fullest.
+  double edpMmHg = 0;
+  double meanMmHg = 0;
+  double highestMmHg = 0;
+  double dpdtMax = 0;             ///< mmHg/s
+  double strokeWorkJ = 0;         ///< The area of the pressure-volume loop.
+  double strokeWorkByEnergyJ = 0; ///< The work integrated with the equations; the same to 1e-6.
+};
+
+struct ArteryIndices {
+  double systolic = 0; ///< mmHg, as the other two.
+  double diastolic = 0;
+  double mean = 0;
+};
+
+/// The numbers that a chart shows beside its curves.
+struct Indices {
+  std::array<ChamberIndices, kChambers> chambers; ///< In the order of `Compartment`.
+  ArteryIndices aorta, pulmonaryArtery;
+  double forwardStrokeMl = 0;           ///< What a beat brings into the aorta for good.
+  double cardiacOutputLMin = 0;         ///< The same each minute, l.
+  double mitralRegurgitationMl = 0;     ///< What flows back a beat while the left ventricle contracts.
+  double aorticRegurgitationMl = 0;     ///< What flows back a beat through the aortic valve.
+  double mitralRegurgitantFraction = 0; ///< Of the left ventricle's stroke volume.
+  double aorticMeanGradient = 0;        ///< mmHg, while blood flows forward through the open valve.
+  double aorticPeakGradient = 0;
+  double mitralMeanGradient = 0;
+  double ejectionSeconds =
+      0; ///< How long blood flows into the aorta: to the incisura, not to the valve's last touch.
+  double relaxationSeconds =
+      0; ///< Time constant with which the left ventricle's pressure falls between the valves.
+  double arterialElastance = 0; ///< Ea, mmHg/ml: end-systolic pressure by stroke volume (Sunagawa; Kelly and
+                                ///< others 1992, doi 10.1161/01.CIR.86.2.513).
+  double couplingRatio = 0;     ///< Ea / Ees
+  std::array<std::optional<ValveTimes>, kValves>
+      valves; ///< Nothing for a valve that never opens or never shuts.
+
+  const ChamberIndices& of(Compartment c) const { return chambers[static_cast<std::size_t>(c)]; }
+};
+
+/// Computes them from a beat of these parameters. Extremes are those of parabolas through three samples.
+/// O(samples).
+Indices indicesOf(const Parameters& parameters, const Beat& beat);
+
+/// The pressure of the end-systolic (e = 1) and of the relaxed chamber (e = 0) at a volume, mmHg above the
+/// pericardium's: the two relations between which a pressure-volume loop lies.
+double endSystolicPressure(const Chamber& chamber, double volumeMl);
+double relaxedPressure(const Chamber& chamber, double volumeMl);
+
+} // namespace viscera::circulation

@@ -1,0 +1,83 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace viscera::circulation {
+
+/// One chamber of the heart. Its pressure above that of the pericardium is
+/// `(1 - e) a (exp(b (V - v0)) - 1) + e ees (V - v0)`, with e(t) from 0 (relaxed) to 1 (end of systole)
+/// (Burkhoff and Tyberg 1993, doi 10.1152/ajpheart.1993.265.5.H1819).
+struct Chamber {
+  double ees = 0; ///< Elastance at the end of systole, mmHg/ml.
+  double v0 = 0;  ///< Volume without pressure, ml.
+  double a = 0;   ///< Relaxed: the curve's scale, mmHg.
+  double b = 0;   ///< Relaxed: its steepness, 1/ml.
+  double tau = 0; ///< Time constant with which contraction fades, s.
+};
+
+/// One valve: what is open of it at most and what stays open when it is shut, cm^2 (effective areas).
+struct ValveAreas {
+  double open = 0;
+  double leak = 0; ///< 0: tight.
+};
+
+/// Arteries and veins of one circulation: arteries as a three-element windkessel (Westerhof and others 2009,
+/// doi 10.1007/s11517-008-0359-2), then veins that hold blood and resist.
+struct Vessels {
+  double impedance = 0;        ///< Characteristic impedance of the great artery, mmHg s/ml.
+  double arteryCompliance = 0; ///< ml/mmHg
+  double resistance = 0;       ///< From arteries to veins, mmHg s/ml.
+  double veinCompliance = 0;   ///< ml/mmHg
+  double veinResistance = 0;   ///< From veins to the atrium, mmHg s/ml.
+};
+
+/// Everything that the circulation depends on; the defaults are an adult at rest. A plain value.
+struct Parameters {
+  double rate = 72;          ///< Beats a minute.
+  double stressedVolume = 0; ///< Blood that stretches vessels and chambers (preload), ml.
+  double conduction = 0;     ///< From the beginning of the atria's contraction to that of the ventricles', s.
+  Chamber lv, rv, la, ra;
+  Vessels systemic, pulmonary;
+  ValveAreas mitral, aortic, tricuspid, pulmonic;
+  double pericardialFluid = 0; ///< ml
+  double pericardialRoom = 0;  ///< What heart and fluid may fill before the pericardium presses, ml.
+  double pericardialScale = 0; ///< Each further so many ml multiply its pressure by e.
+
+  Parameters();
+};
+
+/// One number of `Parameters`, as a control shows it and `--param` names it.
+struct ParameterInfo {
+  std::string name;  ///< "lvEes"
+  std::string title; ///< "Contractility of the left ventricle"
+  std::string unit;  ///< "mmHg/ml"; empty for none.
+  double rest = 0;   ///< The default.
+  double lowest = 0; ///< What may be set; `checkParameters` refuses the rest.
+  double highest = 0;
+  std::string source;   ///< Where the default comes from: a DOI, or "fitted to the values at rest".
+  bool control = false; ///< Among those that lessons move: rate, preload, afterload, contractility, valves.
+};
+
+/// Every parameter, in the order of the documentation. O(1) after the first call; thread-safe.
+const std::vector<ParameterInfo>& parameterInfos();
+
+/// All of them as lines of a Markdown table, header included: the one of docs/circulation.md.
+std::string parameterTable();
+
+/// The parameter's value. Throws `UsageError` that names the nearest ones for an unknown name.
+double parameter(const Parameters& parameters, const std::string& name);
+
+/// Sets it. Throws `UsageError` for an unknown name, and for a value that is not finite or out of range.
+void setParameter(Parameters& parameters, const std::string& name, double value);
+
+/// Throws `UsageError` naming the first parameter that is out of its range, and when a valve leaks through a
+/// larger area than it opens to.
+void checkParameters(const Parameters& parameters);
+
+/// Seconds from the beginning of the ventricles' contraction to the end of systole: 0.9 of isovolumic
+/// contraction and ejection, which lasts max(413 - 1.7 rate, 371 - 1.2 rate) ms but 130 ms at least (Weissler
+/// and others 1968, doi 10.1161/01.CIR.37.2.149, at rest; the flatter line in exercise).
+double endSystoleSeconds(double ratePerMinute);
+
+} // namespace viscera::circulation

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "viscera/circulation/parameters.h"
+
+namespace viscera::circulation {
+
+/// A named state of health or illness: what it changes against rest.
+struct Scenario {
+  std::string id;      ///< "aortic-stenosis"
+  std::string name;    ///< "Aortic stenosis"
+  std::string summary; ///< One sentence: what is changed, and what to look at.
+  std::vector<std::pair<std::string, double>> changes; ///< Parameter and its value.
+};
+
+/// Rest first, then in the order in which they are taught. Thread-safe.
+const std::vector<Scenario>& scenarios();
+
+/// Throws `UsageError` that lists the scenarios for an unknown id.
+const Scenario& scenario(const std::string& id);
+
+/// Rest with the scenario's changes. Throws as `scenario`.
+Parameters scenarioParameters(const std::string& id);
+
+} // namespace viscera::circulation

@@ -1,0 +1,93 @@
+#include "viscera/circulation/scenario.h"
+
+#include <algorithm>
+
+#include "viscera/core/error.h"
+
+namespace viscera::circulation {
+
+const std::vector<Scenario>& scenarios() {
+  static const std::vector<Scenario> all = {
+      {"rest", "Rest", "A healthy adult lying down.", {}},
+      {"exercise",
+       "Exercise",
+       "Hard upright work: a fast and strong heart, open muscle vessels, veins that give blood back.",
+       {{"rate", 150},
+        {"lvEes", 4.5},
+        {"rvEes", 1.0},
+        {"laEes", 0.8},
+        {"raEes", 0.5},
+        {"lvTau", 0.02},
+        {"rvTau", 0.02},
+        {"conduction", 0.11},
+        {"systemicResistance", 0.37},
+        {"pulmonaryResistance", 0.05},
+        {"stressedVolume", 1600}}},
+      {"haemorrhage",
+       "Haemorrhage",
+       "A quarter of the stressed blood volume is lost; no reflex answers, so that pressures fall more than "
+       "in life.",
+       {{"stressedVolume", 705}}},
+      {"heart-failure-reduced-ef",
+       "Heart failure, reduced EF",
+       "A weak, large left ventricle and retained fluid: the loop lies far to the right, blood backs up to "
+       "the lungs.",
+       {{"lvEes", 0.7},
+        {"lvV0", 30},
+        {"lvB", 0.0145},
+        {"lvTau", 0.05},
+        {"systemicResistance", 1.15},
+        {"stressedVolume", 1250}}},
+      {"heart-failure-preserved-ef",
+       "Heart failure, preserved EF",
+       "A stiff left ventricle that relaxes slowly: it empties well and fills only at a high pressure.",
+       {{"lvEes", 3.0},
+        {"lvA", 0.8},
+        {"lvB", 0.033},
+        {"lvTau", 0.059},
+        {"systemicResistance", 1.2},
+        {"stressedVolume", 1100}}},
+      {"hypertension",
+       "Hypertension",
+       "Narrow small arteries and stiff large ones, against which a stronger, stiffer ventricle works.",
+       {{"systemicResistance", 1.38},
+        {"systemicCompliance", 0.9},
+        {"lvEes", 2.6},
+        {"lvB", 0.0185},
+        {"stressedVolume", 990}}},
+      {"aortic-stenosis",
+       "Aortic stenosis",
+       "The aortic valve opens to 0.8 cm2: the ventricle's pressure towers above that of the aorta.",
+       {{"aorticArea", 0.8}, {"lvEes", 2.8}, {"lvB", 0.0195}, {"stressedVolume", 1020}}},
+      {"mitral-regurgitation",
+       "Mitral regurgitation",
+       "The mitral valve leaks through 0.4 cm2: half of what the ventricle ejects goes back into the atrium.",
+       {{"mitralLeak", 0.4}, {"stressedVolume", 1100}}},
+      {"tamponade",
+       "Tamponade",
+       "Fluid in the pericardium presses on all chambers: they fill little, and all filling pressures are "
+       "the same.",
+       {{"pericardialFluid", 410}, {"rate", 95}, {"systemicResistance", 1.3}, {"stressedVolume", 1600}}},
+  };
+  return all;
+}
+
+const Scenario& scenario(const std::string& id) {
+  const auto& all = scenarios();
+  const auto found = std::find_if(all.begin(), all.end(), [&](const Scenario& s) { return s.id == id; });
+  if (found != all.end())
+    return *found;
+  std::string names;
+  for (const Scenario& s : all)
+    names += (names.empty() ? "" : ", ") + s.id;
+  throw UsageError("there is no such scenario", id, "choose one of " + names);
+}
+
+Parameters scenarioParameters(const std::string& id) {
+  Parameters parameters;
+  for (const auto& [name, value] : scenario(id).changes)
+    setParameter(parameters, name, value);
+  return parameters;
+}
+
+} // namespace viscera::circulation

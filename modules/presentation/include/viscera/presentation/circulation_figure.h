@@ -1,0 +1,35 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "viscera/circulation/beat.h"
+#include "viscera/circulation/indices.h"
+#include "viscera/circulation/parameters.h"
+#include "viscera/scene/curve_panels.h"
+
+namespace viscera::presentation {
+
+/// A circulation that is to be drawn.
+struct ShownCirculation {
+  std::string name; ///< "Aortic stenosis"
+  circulation::Parameters parameters;
+  circulation::Beat beat;
+  circulation::Indices indices;
+};
+
+/// Wiggers's diagram: pressures of the left ventricle, the aorta and the left atrium, when valves are open,
+/// the left ventricle's volume, electrocardiogram and phonocardiogram over one cycle, below each other in the
+/// left part of the window up to `right` (a part of its width). All show the cursor.
+std::vector<scene::CurvePanel> wiggersPanels(const ShownCirculation& shown, double right);
+
+/// The pressure-volume loops of the left and the right ventricle, below each other from `left` on, between
+/// the end-systolic and the relaxed relation; those of `before`, when given, are dashed beside them.
+std::vector<scene::CurvePanel> loopPanels(const ShownCirculation& shown, const ShownCirculation* before,
+                                          double left);
+
+/// Both in one picture.
+std::vector<scene::CurvePanel> circulationFigure(const ShownCirculation& shown,
+                                                 const ShownCirculation* before);
+
+} // namespace viscera::presentation

@@ -1,0 +1,184 @@
+#include "viscera/presentation/circulation_figure.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include "viscera/circulation/signs.h"
+#include "viscera/core/text.h"
+
+namespace viscera::presentation {
+namespace {
+
+using circulation::Compartment;
+using circulation::Valve;
+using scene::CurvePanel;
+using scene::PanelCurve;
+
+// Safe for people who do not tell red from green (Okabe and Ito).
+const Vec3 kVentricle = {0.84, 0.37, 0.0};
+const Vec3 kArtery = {0.80, 0.24, 0.48};
+const Vec3 kAtrium = {0.0, 0.45, 0.70};
+const Vec3 kRight = {0.0, 0.45, 0.70};
+const Vec3 kSign = {0.25, 0.30, 0.34};
+const Vec3 kRelation = {0.0, 0.62, 0.45};
+const Vec3 kBefore = {0.55, 0.58, 0.61};
+
+constexpr double kLeft = 0.06;    ///< Of the left axes.
+constexpr double kHalfOpen = 0.5; ///< A valve is drawn open from here.
+constexpr int kRelationPoints = 60;
+constexpr float kBarWidth = 7;
+constexpr float kThin = 1.3F;
+
+/// A stretch of the window's height for a panel.
+struct Strip {
+  double bottom, top;
+};
+constexpr Strip kPressures{0.50, 0.95}, kValves{0.415, 0.475}, kVolume{0.245, 0.39}, kEcg{0.15, 0.225},
+    kSound{0.065, 0.13};
+
+CurvePanel strip(const Strip& place, double right, double period, const std::string& yTitle) {
+  CurvePanel panel;
+  panel.left = kLeft;
+  panel.right = right;
+  panel.bottom = place.bottom;
+  panel.top = place.top;
+  panel.xRange = scene::ValueRange{0, period};
+  panel.yTitle = yTitle;
+  panel.xLabels = false;
+  panel.cursor = true;
+  return panel;
+}
+
+/// A bar for each time in which the valve is open.
+void addOpenTimes(CurvePanel& panel, const ShownCirculation& shown, Valve valve, double height,
+                  const Vec3& color) {
+  const auto& open = shown.beat.openOf(valve);
+  const auto& time = shown.beat.time;
+  for (std::size_t i = 0; i < open.size();) {
+    const auto isOpen = [](double opening) { return opening > kHalfOpen; };
+    const auto begin = std::find_if(open.begin() + static_cast<std::ptrdiff_t>(i), open.end(), isOpen);
+    const auto end = std::find_if_not(begin, open.end(), isOpen);
+    if (begin == open.end())
+      return;
+    const double last = time[static_cast<std::size_t>(end - open.begin()) - 1];
+    panel.curves.push_back({"",
+                            color,
+                            {time[static_cast<std::size_t>(begin - open.begin())], last},
+                            {height, height},
+                            kBarWidth});
+    i = static_cast<std::size_t>(end - open.begin());
+  }
+}
+
+PanelCurve relation(const std::string& name, double from, double to,
+                    const std::function<double(double)>& pressure) {
+  PanelCurve curve{name, kRelation, {}, {}, kThin};
+  for (int i = 0; i <= kRelationPoints; ++i) {
+    const double volume = from + (to - from) * i / kRelationPoints;
+    curve.x.push_back(volume);
+    curve.y.push_back(pressure(volume));
+  }
+  return curve;
+}
+
+double highest(const ShownCirculation& shown, Compartment ventricle) {
+  return shown.indices.of(ventricle).highestMmHg;
+}
+
+CurvePanel loopPanel(const ShownCirculation& shown, const ShownCirculation* before, Compartment ventricle,
+                     const circulation::Chamber& chamber, const std::string& name, const Vec3& color) {
+  CurvePanel panel;
+  panel.xTitle = name + " volume (ml)";
+  panel.yTitle = "Pressure (mmHg)";
+  panel.legend = true;
+  double top = highest(shown, ventricle);
+  double fullest = shown.indices.of(ventricle).edvMl;
+  if (before) {
+    panel.curves.push_back({before->name, kBefore, before->beat.volumeOf(ventricle),
+                            before->beat.pressureOf(ventricle), 2, true});
+    top = std::max(top, highest(*before, ventricle));
+    fullest = std::max(fullest, before->indices.of(ventricle).edvMl);
+  }
+  panel.curves.push_back(
+      {shown.name, color, shown.beat.volumeOf(ventricle), shown.beat.pressureOf(ventricle), 2.5F});
+  const double pericardium = shown.beat.pericardium.front();
+  top *= 1.12;
+  fullest *= 1.08;
+  panel.curves.push_back(
+      relation("End-systolic and relaxed", chamber.v0,
+               std::min(fullest, chamber.v0 + (top - pericardium) / chamber.ees),
+               [&](double v) { return pericardium + circulation::endSystolicPressure(chamber, v); }));
+  const double steepest = chamber.v0 + std::log1p((top - pericardium) / chamber.a) / chamber.b;
+  panel.curves.push_back(relation("", chamber.v0, std::min(fullest, steepest), [&](double v) {
+    return pericardium + circulation::relaxedPressure(chamber, v);
+  }));
+  panel.xRange = scene::ValueRange{0, fullest};
+  panel.yRange = scene::ValueRange{0, top};
+  return panel;
+}
+
+std::string numbers(const ShownCirculation& shown) {
+  const auto& indices = shown.indices;
+  return shown.name + ": EF " + fixed(indices.of(Compartment::lv).ef, 2) + ", stroke volume " +
+         fixed(indices.of(Compartment::lv).svMl, 0) + " ml, " + fixed(indices.cardiacOutputLMin, 1) +
+         " l/min, aorta " + fixed(indices.aorta.systolic, 0) + "/" + fixed(indices.aorta.diastolic, 0) +
+         " mmHg";
+}
+
+} // namespace
+
+std::vector<CurvePanel> wiggersPanels(const ShownCirculation& shown, double right) {
+  const circulation::Beat& beat = shown.beat;
+  CurvePanel pressures = strip(kPressures, right, beat.period, "Pressure (mmHg)");
+  pressures.title = numbers(shown);
+  pressures.legend = true;
+  pressures.curves = {{"Left ventricle", kVentricle, beat.time, beat.pressureOf(Compartment::lv)},
+                      {"Aorta", kArtery, beat.time, beat.pressureOf(Compartment::systemicArteries)},
+                      {"Left atrium", kAtrium, beat.time, beat.pressureOf(Compartment::la)}};
+  CurvePanel valves = strip(kValves, right, beat.period, "Open");
+  valves.yRange = scene::ValueRange{0, 3};
+  valves.yLabels = false;
+  addOpenTimes(valves, shown, Valve::aortic, 2, kArtery);
+  addOpenTimes(valves, shown, Valve::mitral, 1, kAtrium);
+  CurvePanel volume = strip(kVolume, right, beat.period, "LV (ml)");
+  volume.curves = {{"", kVentricle, beat.time, beat.volumeOf(Compartment::lv)}};
+  CurvePanel ecg = strip(kEcg, right, beat.period, "ECG");
+  ecg.yLabels = false;
+  PanelCurve trace{"", kSign, beat.time, {}, kThin};
+  for (const double seconds : beat.time)
+    trace.y.push_back(circulation::electrocardiogram(shown.parameters, seconds));
+  ecg.curves = {std::move(trace)};
+  CurvePanel sound = strip(kSound, right, beat.period, "Sound");
+  sound.curves = {
+      {"", kSign, beat.time, circulation::phonocardiogram(shown.parameters, beat, shown.indices), kThin}};
+  sound.yRange = scene::ValueRange{-1.5, 1.5};
+  sound.yLabels = false;
+  sound.xLabels = true;
+  sound.xTitle = "Time (s)";
+  return {pressures, valves, volume, ecg, sound};
+}
+
+std::vector<CurvePanel> loopPanels(const ShownCirculation& shown, const ShownCirculation* before,
+                                   double left) {
+  CurvePanel upper =
+      loopPanel(shown, before, Compartment::lv, shown.parameters.lv, "Left ventricular", kVentricle);
+  CurvePanel lower =
+      loopPanel(shown, before, Compartment::rv, shown.parameters.rv, "Right ventricular", kRight);
+  upper.left = lower.left = left;
+  upper.right = lower.right = 0.98;
+  upper.bottom = 0.44;
+  upper.top = 0.95;
+  lower.bottom = 0.065;
+  lower.top = 0.35;
+  return {upper, lower};
+}
+
+std::vector<CurvePanel> circulationFigure(const ShownCirculation& shown, const ShownCirculation* before) {
+  std::vector<CurvePanel> panels = wiggersPanels(shown, 0.58);
+  for (CurvePanel& panel : loopPanels(shown, before, 0.65))
+    panels.push_back(std::move(panel));
+  return panels;
+}
+
+} // namespace viscera::presentation

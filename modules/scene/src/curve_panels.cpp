@@ -1,0 +1,246 @@
+#include "viscera/scene/curve_panels.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include <vtkAxis.h>
+#include <vtkBrush.h>
+#include <vtkChartLegend.h>
+#include <vtkChartXY.h>
+#include <vtkContextScene.h>
+#include <vtkDoubleArray.h>
+#include <vtkNew.h>
+#include <vtkPen.h>
+#include <vtkPlot.h>
+#include <vtkRenderWindow.h>
+#include <vtkRenderer.h>
+#include <vtkSmartPointer.h>
+#include <vtkStringArray.h>
+#include <vtkTable.h>
+#include <vtkTextProperty.h>
+#include <vtkWeakPointer.h>
+
+#include "viscera/core/error.h"
+#include "viscera/scene/legend.h"
+#include "viscera/scene/organ_view.h"
+
+#include "chart_actor.h"
+#include "text_guard.h"
+
+namespace viscera::scene {
+namespace {
+
+constexpr int kFontSize = 12;
+constexpr int kTitleSize = 14;
+constexpr float kCursorWidth = 1.5;
+constexpr double kRoom = 0.06; ///< Above and below the curves, as a part of their range.
+constexpr int kMostTicks = 6;
+constexpr double kGrid = 0.22;
+
+unsigned char byte(double part) {
+  return static_cast<unsigned char>(std::lround(255 * std::clamp(part, 0.0, 1.0)));
+}
+
+void setPen(vtkPen* pen, const Vec3& color, double opacity) {
+  pen->SetColor(byte(color.x()), byte(color.y()), byte(color.z()), byte(opacity));
+}
+
+vtkSmartPointer<vtkTable> tableOf(const std::string& name, const std::vector<double>& x,
+                                  const std::vector<double>& y) {
+  auto table = vtkSmartPointer<vtkTable>::New();
+  const auto add = [&table](const std::string& title, const std::vector<double>& values) {
+    vtkNew<vtkDoubleArray> column;
+    column->SetName(title.c_str());
+    column->SetNumberOfValues(static_cast<vtkIdType>(values.size()));
+    std::copy(values.begin(), values.end(), column->GetPointer(0));
+    table->AddColumn(column);
+  };
+  add("x", x);
+  add(name, y);
+  return table;
+}
+
+ValueRange rangeOf(const CurvePanel& panel, std::vector<double> PanelCurve::*values, double room) {
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+  for (const PanelCurve& curve : panel.curves)
+    for (const double value : curve.*values)
+      if (std::isfinite(value)) {
+        low = std::min(low, value);
+        high = std::max(high, value);
+      }
+  if (low > high)
+    return {0, 1};
+  const double more = high > low ? room * (high - low) : 1;
+  return {low - more, high + more};
+}
+
+/// One panel with what VTK draws it from.
+struct Panel {
+  CurvePanel wanted;
+  vtkSmartPointer<vtkChartXY> chart;
+  vtkPlot* cursor = nullptr;
+  ValueRange y;
+};
+
+void setAxis(vtkAxis* axis, const ValueRange& range, const std::string& title, bool labels) {
+  axis->SetBehavior(vtkAxis::FIXED);
+  axis->SetRange(range.low, range.high);
+  axis->SetTitle(title);
+  const auto ticks = niceTicks(range, kMostTicks);
+  const double spacing = ticks.size() > 1 ? ticks[1] - ticks[0] : 0;
+  vtkNew<vtkDoubleArray> positions;
+  vtkNew<vtkStringArray> names;
+  for (const double tick : ticks) {
+    positions->InsertNextValue(tick);
+    names->InsertNextValue(labels ? tickLabel(tick, spacing) : std::string());
+  }
+  axis->SetCustomTickPositions(positions, names);
+  axis->SetLabelsVisible(labels);
+}
+
+void addCurve(vtkChartXY* chart, const PanelCurve& curve) {
+  if (curve.x.size() < 2)
+    return; // A single point is no line, and VTK draws garbage for an empty table.
+  vtkPlot* plot = chart->AddPlot(vtkChart::LINE);
+  plot->SetInputData(tableOf(curve.name, curve.x, curve.y), 0, 1);
+  plot->SetLabel(curve.name);
+  plot->SetLegendVisibility(!curve.name.empty());
+  setPen(plot->GetPen(), curve.color, 1);
+  plot->GetPen()->SetLineType(curve.dashed ? vtkPen::DASH_LINE : vtkPen::SOLID_LINE);
+}
+
+vtkSmartPointer<vtkChartXY> chartOf(const CurvePanel& panel) {
+  auto chart = vtkSmartPointer<vtkChartXY>::New();
+  chart->SetAutoSize(false);
+  chart->SetLayoutStrategy(vtkChart::AXES_TO_RECT);
+  chart->SetRenderEmpty(true);
+  chart->SetTitle(panel.title);
+  chart->SetShowLegend(panel.legend);
+  chart->GetLegend()->SetHorizontalAlignment(vtkChartLegend::RIGHT);
+  chart->GetLegend()->SetVerticalAlignment(vtkChartLegend::TOP);
+  chart->GetLegend()->SetLabelSize(kFontSize);
+  chart->GetLegend()->GetPen()->SetLineType(vtkPen::NO_PEN);
+  chart->GetBackgroundBrush()->SetOpacity(0);
+  for (const PanelCurve& curve : panel.curves)
+    addCurve(chart, curve);
+  return chart;
+}
+
+void applyTheme(vtkChartXY* chart, const Theme& theme) {
+  const Vec3& text = theme.text;
+  for (const int which : {vtkAxis::BOTTOM, vtkAxis::LEFT}) {
+    auto* axis = chart->GetAxis(which);
+    for (vtkTextProperty* property : {axis->GetLabelProperties(), axis->GetTitleProperties()}) {
+      property->SetColor(text.x(), text.y(), text.z());
+      property->SetFontSize(kFontSize);
+      property->BoldOff();
+    }
+    setPen(axis->GetPen(), theme.muted, 1);
+    setPen(axis->GetGridPen(), theme.muted, kGrid);
+  }
+  chart->GetTitleProperties()->SetColor(text.x(), text.y(), text.z());
+  chart->GetTitleProperties()->SetFontSize(kTitleSize);
+  chart->GetLegend()->GetLabelProperties()->SetColor(text.x(), text.y(), text.z());
+  const Vec3& back = theme.panel;
+  chart->GetLegend()->GetBrush()->SetColor(byte(back.x()), byte(back.y()), byte(back.z()), 190);
+}
+
+} // namespace
+
+struct CurvePanels::Parts {
+  vtkNew<vtkRenderer> renderer;
+  vtkNew<ChartActor> actor;
+  vtkWeakPointer<vtkRenderWindow> window;
+  Theme theme = lightTheme();
+  std::vector<Panel> panels;
+  std::optional<double> cursor;
+
+  void show(const Panel& panel);
+};
+
+void CurvePanels::Parts::show(const Panel& panel) {
+  const int* size = window->GetSize();
+  const auto ratio = static_cast<float>(pixelRatioOf(window));
+  const CurvePanel& p = panel.wanted;
+  panel.chart->SetSize(vtkRectf(static_cast<float>(p.left * size[0]), static_cast<float>(p.bottom * size[1]),
+                                static_cast<float>((p.right - p.left) * size[0]),
+                                static_cast<float>((p.top - p.bottom) * size[1])));
+  int plot = 0;
+  for (const PanelCurve& curve : p.curves)
+    if (curve.x.size() >= 2)
+      panel.chart->GetPlot(plot++)->SetWidth(ratio * curve.width);
+  const bool shown = p.cursor && cursor;
+  panel.cursor->SetVisible(shown);
+  panel.cursor->SetWidth(ratio * kCursorWidth);
+  setPen(panel.cursor->GetPen(), theme.text, 0.8);
+  const double x = cursor.value_or(0);
+  panel.cursor->SetInputData(tableOf("", {x, x}, {panel.y.low, panel.y.high}), 0, 1);
+  applyTheme(panel.chart, theme);
+  panel.chart->RecalculateBounds();
+}
+
+CurvePanels::CurvePanels() : parts_((guardText(), std::make_unique<Parts>())) {
+  parts_->actor->GetScene()->SetRenderer(parts_->renderer);
+  parts_->renderer->AddViewProp(parts_->actor);
+  setTheme(parts_->theme);
+}
+
+CurvePanels::~CurvePanels() {
+  setWindow(nullptr);
+}
+
+void CurvePanels::setWindow(vtkRenderWindow* window) {
+  auto& p = *parts_;
+  if (p.window)
+    p.window->RemoveRenderer(p.renderer);
+  p.window = window;
+  if (!window)
+    return;
+  window->SetMultiSamples(0); // Charts smooth their lines themselves.
+  window->AddRenderer(p.renderer);
+}
+
+void CurvePanels::setTheme(const Theme& theme) {
+  parts_->theme = theme;
+  parts_->renderer->SetBackground(theme.panel.data());
+}
+
+void CurvePanels::setPanels(std::vector<CurvePanel> panels) {
+  auto& p = *parts_;
+  for (const CurvePanel& panel : panels)
+    for (const PanelCurve& curve : panel.curves)
+      if (curve.x.size() != curve.y.size())
+        throw UsageError("a curve needs one y for each x", curve.name);
+  p.actor->GetScene()->ClearItems();
+  p.panels.clear();
+  for (CurvePanel& wanted : panels) {
+    Panel panel{std::move(wanted), nullptr, nullptr, {}};
+    panel.chart = chartOf(panel.wanted);
+    panel.y = panel.wanted.yRange.value_or(rangeOf(panel.wanted, &PanelCurve::y, kRoom));
+    const ValueRange x = panel.wanted.xRange.value_or(rangeOf(panel.wanted, &PanelCurve::x, 0));
+    setAxis(panel.chart->GetAxis(vtkAxis::BOTTOM), x, panel.wanted.xTitle, panel.wanted.xLabels);
+    setAxis(panel.chart->GetAxis(vtkAxis::LEFT), panel.y, panel.wanted.yTitle, panel.wanted.yLabels);
+    panel.cursor = panel.chart->AddPlot(vtkChart::LINE);
+    panel.cursor->SetLegendVisibility(false);
+    p.actor->GetScene()->AddItem(panel.chart);
+    p.panels.push_back(std::move(panel));
+  }
+}
+
+void CurvePanels::setCursor(std::optional<double> x) {
+  parts_->cursor = x;
+}
+
+void CurvePanels::update() {
+  auto& p = *parts_;
+  if (!p.window)
+    return;
+  for (const Panel& panel : p.panels)
+    p.show(panel);
+  p.actor->GetScene()->SetDirty(true);
+}
+
+} // namespace viscera::scene

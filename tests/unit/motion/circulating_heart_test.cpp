@@ -1,0 +1,84 @@
+#include "viscera/motion/circulating_heart.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "self_intersections.h"
+#include "sequence_scene.h"
+#include "viscera/circulation/scenario.h"
+#include "viscera/core/error.h"
+
+namespace viscera::motion {
+namespace {
+
+using sample_organs::Resolution;
+using tests::SequenceScene;
+
+constexpr int kFrames = 40;
+constexpr int kChecked = 5; ///< Every so manieth frame is checked for self-intersection.
+
+/// The sample heart in a scenario, in the pose of one moment.
+class CirculatingHeart : public SequenceScene {
+public:
+  explicit CirculatingHeart(const std::string& scenario)
+      : SequenceScene([&](Progress& progress) {
+          return circulatingHeart(tests::cachedLibrary(), circulation::scenario(scenario).name,
+                                  circulation::scenarioParameters(scenario), Resolution::low, progress);
+        }) {}
+
+  const sequences::CourseHeartbeat& heartbeat() const {
+    return dynamic_cast<const sequences::CourseHeartbeat&>(*setup().sequence);
+  }
+};
+
+} // namespace
+
+TEST(CirculatingHeart, CavitiesHoldTheCirculationsVolumesInEveryScenarioWithoutCrossingThemselves) {
+  for (const circulation::Scenario& scenario : circulation::scenarios()) {
+    CirculatingHeart heart(scenario.id);
+    const double rate = heart.heartbeat().standardRatePerMinute();
+    double leftOff = 0, rightOff = 0;
+    for (int frame = 0; frame < kFrames; ++frame) {
+      // Not at the phases where it was calibrated.
+      const double phase = (frame + 0.37) / kFrames;
+      heart.show(phase * 60 / rate, rate);
+      const sequences::CavityVolumes wanted = heart.heartbeat().course().at(phase).volumes;
+      leftOff = std::max(leftOff, std::abs(heart.volumeMl("lv") - wanted.leftMl));
+      rightOff = std::max(rightOff, std::abs(heart.volumeMl("rv") - wanted.rightMl));
+      if (frame % kChecked == 0)
+        for (const char* surface : {"outer", "lv", "rv"})
+          EXPECT_EQ(tests::selfIntersections(heart.posed(surface)), 0)
+              << scenario.id << ", " << surface << " in frame " << frame;
+    }
+    EXPECT_LT(leftOff, 0.5) << scenario.id;
+    EXPECT_LT(rightOff, 1.0) << scenario.id;
+  }
+}
+
+TEST(CirculatingHeart, HasTheRateAndThePhasesOfItsCirculation) {
+  const CirculatingHeart heart("exercise");
+  const sequences::Sequence& sequence = *heart.setup().sequence;
+  EXPECT_NEAR(sequence.standardRatePerMinute(), 150, 1e-9);
+  EXPECT_EQ(sequence.lowestRatePerMinute(), sequence.highestRatePerMinute());
+  const auto phases = sequence.phases(150);
+  EXPECT_EQ(phases.front().begin, 0);
+  EXPECT_EQ(phases.back().end, 1);
+  for (std::size_t i = 1; i < phases.size(); ++i)
+    EXPECT_EQ(phases[i].begin, phases[i - 1].end);
+  EXPECT_EQ(phases[1].name, "ejection");
+  // The left ventricle empties in this phase and in no other.
+  const auto volumeAt = [&](double phase) { return heart.heartbeat().course().at(phase).volumes.leftMl; };
+  EXPECT_GT(volumeAt(phases[1].begin) - volumeAt(phases[1].end), 80);
+}
+
+TEST(CirculatingHeart, RefusesACirculationThatNeverRepeatsItself) {
+  circulation::Parameters parameters;
+  circulation::setParameter(parameters, "pericardialFluid", 600);
+  Progress progress;
+  EXPECT_THROW(circulatingHeart(tests::cachedLibrary(), "Full", parameters, Resolution::low, progress),
+               DataError);
+}
+
+} // namespace viscera::motion
