@@ -17,6 +17,7 @@ std::unique_ptr<Command> deformCommand();
 std::unique_ptr<Command> stressCommand();
 std::unique_ptr<Command> playCommand();
 std::unique_ptr<Command> circulateCommand();
+std::unique_ptr<Command> trackCommand();
 std::unique_ptr<Command> lessonCommand();
 std::unique_ptr<Command> segmentCommand();
 std::unique_ptr<Command> renderCommand();
