@@ -7,7 +7,7 @@
 #include "file_bytes.h"
 #include "file_signature.h"
 #include "label_formats/raw_labels.h"
-#include "segment_names.h"
+#include "label_segments.h"
 #include "viscera/core/error.h"
 
 namespace viscera::medical_io {

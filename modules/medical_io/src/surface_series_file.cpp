@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "raw_surface.h"
-#include "triangulate_polygon.h"
+#include "raw_surface.h"
 #include "viscera/core/error.h"
 
 namespace viscera::medical_io {
