@@ -28,6 +28,8 @@ install(FILES
   "${PROJECT_SOURCE_DIR}/resources/cmake/VisceraPlugin.cmake"
   DESTINATION "${viscera_config_dir}")
 install(EXPORT VisceraTargets NAMESPACE Viscera:: DESTINATION "${viscera_config_dir}")
+# The filters' own list names these.
+export(EXPORT VisceraTargets NAMESPACE Viscera:: FILE "${PROJECT_BINARY_DIR}/VisceraTargets.cmake")
 install(FILES "${PROJECT_SOURCE_DIR}/LICENSE" DESTINATION ${CMAKE_INSTALL_DOCDIR})
 
 # What a desktop needs to know the program.
