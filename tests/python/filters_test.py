@@ -1,12 +1,18 @@
 """The filters of VTK in one process, against the package for numpy."""
 
+import base64
+import json
+import pathlib
+import tempfile
 import unittest
+import zlib
 
 import numpy as np
 from organ_pieces import cut, data_of, handles, kidney, point_data, solid, surface
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkOutputWindow, vtkStringOutputWindow
 from vtkmodules.vtkCommonDataModel import vtkImageData, vtkMultiBlockDataSet, vtkPartitionedDataSet
+from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLPPolyDataReader, vtkXMLPUnstructuredGridReader
 from viscera_vtk.vtkVisceraFilters import (
     vtkVisceraDeformFilter,
     vtkVisceraHandleSource,
@@ -14,6 +20,7 @@ from viscera_vtk.vtkVisceraFilters import (
 )
 
 import viscera
+from viscera import paraview
 
 POINTS, TRIANGLES = surface()
 REST, POSE = handles(POINTS)
@@ -191,6 +198,58 @@ class Handles(unittest.TestCase):
             points_of(placed.GetOutput()), viscera.place_handles(POINTS, TRIANGLES, 20)
         )
         np.testing.assert_allclose(points_of(made.GetOutput()), POINTS, atol=1e-9)
+
+
+class Export(unittest.TestCase):
+    def test_an_organ_for_paraview_is_read_by_vtk_in_pieces(self):
+        for (points, cells), ending, reader in (
+            ((POINTS, TRIANGLES), "pvtp", vtkXMLPPolyDataReader),
+            (solid(), "pvtu", vtkXMLPUnstructuredGridReader),
+        ):
+            rest, pose = handles(points)
+            with tempfile.TemporaryDirectory() as folder:
+                script = paraview.export(folder, points, cells, rest, pose, 3)
+                compile(script.read_text(), str(script), "exec")
+                read = reader()
+                read.SetFileName(f"{folder}/organ.{ending}")
+                read.Update()
+                here = vtkXMLPolyDataReader()
+                here.SetFileName(f"{folder}/posed.vtp")
+                here.Update()
+            np.testing.assert_array_equal(points_of(here.GetOutput()), pose)
+            made = filter_on(read.GetOutput(), rest=rest, pose=pose)
+            made.Update()
+            whole = filter_on(data_of(points, cells), rest=rest, pose=pose)
+            whole.Update()
+            self.assertEqual(made.GetVolume(), whole.GetVolume())
+            self.assertEqual(made.GetRestVolume(), whole.GetRestVolume())
+
+    def test_a_session_brings_organs_handles_and_coordinates(self):
+        packed = {
+            key: base64.b64encode(zlib.compress(array.tobytes())).decode()
+            for key, array in (("points", POINTS), ("indices", TRIANGLES))
+        }
+        session = {
+            "format": "viscera-session", "version": 2, "system": {"id": "t-celestial", "parameters": {"softness": 4}},
+            "organs": [{"id": 1, "name": "Left kidney", "surface": packed}],
+            "rig": {"handles": [{"id": 2, "label": "A", "rest": [0, 0, 1]},
+                                {"id": 3, "label": "B", "rest": [1, 0, 0], "pose": [2, 0, 0]}]},
+        }
+        with tempfile.TemporaryDirectory() as folder:
+            file = pathlib.Path(folder) / "s.viscera"
+            file.write_text(json.dumps(session))
+            read = paraview.read_session(file)
+            self.assertEqual(len(paraview.export_session(file, folder, 2)), 1)
+            self.assertTrue((pathlib.Path(folder) / "Left_kidney/organ1.vtp").is_file())
+            file.write_text("{}")
+            with self.assertRaises(viscera.DataError):
+                paraview.read_session(file)
+        np.testing.assert_array_equal(read.organs["Left kidney"][0], POINTS)
+        np.testing.assert_array_equal(read.organs["Left kidney"][1], TRIANGLES)
+        self.assertEqual((read.labels, read.system, read.parameters), (["A", "B"], "t-celestial", {"softness": 4}))
+        np.testing.assert_array_equal(read.pose, [[0, 0, 1], [2, 0, 0]])
+        with self.assertRaises(viscera.NoInputError):
+            paraview.read_session("/nowhere.viscera")
 
 
 if __name__ == "__main__":

@@ -11,6 +11,8 @@ from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData, vtkUnstruct
 sys.path.insert(0, str(pathlib.Path(__file__).parents[2] / "modules/python/examples"))
 from _example import kidney  # noqa: E402
 
+from viscera.paraview import cut  # noqa: E402
+
 VTK_TETRA = 10
 
 
@@ -57,25 +59,6 @@ def handles(points):
     pose = rest.copy()
     pose[8:18] += random.normal(0, 4, (10, 3))
     return rest, pose
-
-
-def cut(points, cells, pieces):
-    """For each piece: rows of its points, its cells, and which of both are another piece's (ghosts)."""
-    place = points[cells].mean(axis=1)[:, 2]
-    owner = np.empty(len(cells), int)
-    owner[np.argsort(place, kind="stable")] = np.arange(len(cells)) * pieces // len(cells)
-    first = np.full(len(points), pieces)
-    np.minimum.at(first, cells.ravel(), np.repeat(owner, cells.shape[1]))
-    found = []
-    for piece in range(pieces):
-        touched = np.zeros(len(points), bool)
-        touched[cells[owner == piece]] = True
-        taken = touched[cells].any(axis=1)
-        rows = np.unique(cells[taken])
-        found.append(
-            (rows, np.searchsorted(rows, cells[taken]), owner[taken] != piece, first[rows] != piece)
-        )
-    return found
 
 
 def data_of(points, cells, cell_ghosts=None, point_ghosts=None):

@@ -138,10 +138,12 @@ class Systems(unittest.TestCase):
         for wrong in ({"softness": -1}, {"no_such": 1}, {"softness": "many"}):
             with self.assertRaises(viscera.UsageError):
                 viscera.bind(self.points, self.handles, **wrong)
-        chosen = viscera.bind(self.points, self.handles, "lagrange-minimisation", target="inverse-distance"
-                              if "inverse-distance" in offered_choices("lagrange-minimisation", "target")
-                              else offered_choices("lagrange-minimisation", "target")[-1])
-        self.assertEqual(chosen.system, "lagrange-minimisation")
+        target = next(each for each in viscera.system("lagrange-minimisation").parameters if each.name == "target")
+        by_name, by_number = (
+            viscera.bind(self.points, self.handles, "lagrange-minimisation", target=value)
+            for value in (target.choices[1], 1)
+        )
+        np.testing.assert_array_equal(by_name.weights, by_number.weights)
 
     def test_cages_and_groups_reach_the_system(self):
         box = viscera.enclosing_handles(self.points)
@@ -162,15 +164,10 @@ class Systems(unittest.TestCase):
         )
 
 
-def offered_choices(system, name):
-    return next(each for each in viscera.system(system).parameters if each.name == name).choices
-
-
 class Memory(unittest.TestCase):
     def test_arrays_are_taken_and_returned_without_copies(self):
         points, triangles = kidney()
         own = viscera.as_points(points)
-        self.assertIs(own.base, viscera.as_points(own).base) if own.base is None else None
         self.assertTrue(np.shares_memory(own, viscera.as_points(own)))
         binding = viscera.bind(own, viscera.place_handles(own, triangles))
         self.assertTrue(np.shares_memory(own, binding.points))
@@ -341,13 +338,6 @@ class Documentation(unittest.TestCase):
                     self.assertTrue(inspect.getdoc(member), f"{owner.__name__}.{name}")
         for name in ("bind", "volume", "area", "place_handles", "volume_gradient", "lock_volume"):
             self.assertRegex(getattr(viscera, name).__doc__, "mm", name)
-
-    def test_the_numerical_part_needs_neither_vtk_nor_qt(self):
-        with open("/proc/self/maps") as maps:
-            loaded = maps.read()
-        if "libviscera_core" in loaded and "_files" not in loaded and "_motion" not in loaded:
-            self.assertNotIn("libvtk", loaded)
-            self.assertNotIn("libQt5", loaded)
 
 
 if __name__ == "__main__":

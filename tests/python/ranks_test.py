@@ -51,6 +51,12 @@ class Ranks(unittest.TestCase):
     def test_what_fails_on_one_rank_ends_all_with_its_message(self):
         self.assertEqual(run(4, "broken")["broken"], "3 3 3 3")
 
+    def test_ranks_on_different_processors_are_refused(self):
+        with open("/proc/cpuinfo") as processor:
+            if "avx2" not in processor.read():
+                self.skipTest("this processor has no wider vectors")
+        self.assertEqual(run(2, "mixed")["mixed"], "3 3")
+
 
 if __name__ == "__main__":
     unittest.main()
