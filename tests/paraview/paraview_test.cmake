@@ -1,5 +1,5 @@
-# Run by CTest with -P; the variables in capitals come from CMakeLists.txt. Installs Viscera, builds the plugin against that
-# and ParaView, and runs paraview_test.py.
+# Run by CTest with -P; the variables in capitals come from CMakeLists.txt. Builds the plugin against this build and ParaView,
+# and runs paraview_test.py.
 cmake_minimum_required(VERSION 3.25)
 
 include("${CMAKE_CURRENT_LIST_DIR}/../support/run.cmake")
@@ -14,12 +14,14 @@ if(NOT config OR NOT EXISTS "${paraview}/usr/bin/pvbatch")
   return()
 endif()
 
-set(prefix "${WORK_DIR}/prefix")
-run("Installing" COMMAND ${CMAKE_COMMAND} --install "${BUILD_DIR}" --prefix "${prefix}")
-# The system's VTK, which the other modules take, must not be found beside ParaView's.
+find_program(ccache ccache)
+set(launcher)
+if(ccache)
+  set(launcher -D "CMAKE_CXX_COMPILER_LAUNCHER=${ccache}")
+endif()
 run("Configuring the plugin" COMMAND ${CMAKE_COMMAND} -S "${SOURCE_DIR}/modules/paraview_plugin" -B "${WORK_DIR}/plugin"
-  -G "${GENERATOR}" -D "CMAKE_CXX_COMPILER=${CXX_COMPILER}" -D CMAKE_BUILD_TYPE=Release
-  -D "ParaView_DIR=${config}" -D "CMAKE_PREFIX_PATH=${prefix}" -D "Python3_EXECUTABLE=${PYTHON}")
+  -G "${GENERATOR}" -D "CMAKE_CXX_COMPILER=${CXX_COMPILER}" -D CMAKE_BUILD_TYPE=Release ${launcher}
+  -D "ParaView_DIR=${config}" -D "Viscera_DIR=${BUILD_DIR}" -D "Python3_EXECUTABLE=${PYTHON}")
 set(ENV{LD_LIBRARY_PATH} "${paraview}/usr/lib/${CMAKE_HOST_SYSTEM_PROCESSOR}-linux-gnu")
 run("Building the plugin" COMMAND ${CMAKE_COMMAND} --build "${WORK_DIR}/plugin")
 set(ENV{LD_LIBRARY_PATH})
@@ -29,5 +31,5 @@ if(NOT plugin)
 endif()
 set(ENV{PYTHONPATH} "${PYTHON_PATH}")
 run("The tests in ParaView" COMMAND "${PYTHON}" "${CMAKE_CURRENT_LIST_DIR}/paraview_test.py"
-  "${paraview}" "${WORK_DIR}/files" "${plugin}" "${prefix}" OUTPUT said)
+  "${paraview}" "${WORK_DIR}/files" "${plugin}" OUTPUT said)
 message("${said}")

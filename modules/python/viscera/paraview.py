@@ -162,13 +162,22 @@ import os
 import sys
 
 from paraview import simple
+from vtkmodules.vtkCommonCore import vtkIdTypeArray
+from vtkmodules.vtkParallelCore import vtkCommunicator, vtkMultiProcessController
 
 here = os.path.dirname(os.path.abspath(__file__))
 simple.LoadPlugin(os.environ["VISCERA_PLUGIN"], remote=False, ns=globals())
 organ = simple.{reader}(FileName=[here + "/{name}.p{ending}"])
 organ.UpdatePipeline()
-there = organ.GetDataInformation(0)
-if (there.GetNumberOfPoints(), there.GetNumberOfCells()) != ({points}, {cells}):
+read = organ.GetClientSideObject().GetOutputDataObject(0)
+mine, there = vtkIdTypeArray(), vtkIdTypeArray()
+mine.InsertNextValue(read.GetNumberOfPoints())
+mine.InsertNextValue(read.GetNumberOfCells())
+there.DeepCopy(mine)
+controller = vtkMultiProcessController.GetGlobalController()
+if controller.GetNumberOfProcesses() > 1:
+    controller.AllReduce(mine, there, vtkCommunicator.SUM_OP)
+if (there.GetValue(0), there.GetValue(1)) != ({points}, {cells}):
     sys.exit("Points or cells were lost on the way: this ParaView cannot read these files with this libexpat.")
 bent = VisceraDeform(
     Input=organ,

@@ -32,17 +32,17 @@ void vtkVisceraDeformFilter::Work(Job& job) {
         throw viscera::Cancelled();
     });
   });
-  const vf::GlobalVolume rest = parts.restVolume();
+  const vf::RestVolume rest = parts.restVolume(kept);
   viscera::Points pose = job.rig.pose;
   if (this->LockVolume)
-    pose = parts.restoreVolume(kept, this->TargetVolume > 0 ? this->TargetVolume : rest.mm3);
+    pose = parts.restoreVolume(kept, this->TargetVolume > 0 ? this->TargetVolume : rest.volume.mm3);
   const vf::GlobalVolume volume = parts.volume();
   if (!this->KeepWeights)
-    kept = {};
-  this->RestVolume = rest.mm3;
+    kept.portions.clear();
+  this->RestVolume = rest.volume.mm3;
   this->Volume = volume.mm3;
-  this->VolumeRatio = rest.mm3 != 0 ? volume.mm3 / rest.mm3 : 1;
-  this->VectorArea = volume.vectorAreaMm2;
+  this->VolumeRatio = rest.volume.mm3 != 0 ? volume.mm3 / rest.volume.mm3 : 1;
+  this->VectorArea = rest.vectorAreaMm2;
   this->UnboundPoints = parts.unboundPoints();
   if (this->UnboundPoints > 0 && job.ranks.first())
     vtkWarningMacro(<< this->UnboundPoints << " points lie outside the hull of the handles and do not move.");
@@ -51,7 +51,8 @@ void vtkVisceraDeformFilter::Work(Job& job) {
   vf::tell(job.output, "VolumeRatio", this->VolumeRatio);
   vf::tell(job.output, "VectorArea", this->VectorArea);
   vf::tell(job.output, "UnboundPoints", static_cast<double>(this->UnboundPoints));
-  vf::fillHandles(vtkPolyData::GetData(job.outputs, 1), pose);
+  // Once in all, so that what is drawn or written together has no copies; filters gather them from there.
+  vf::fillHandles(vtkPolyData::GetData(job.outputs, 1), job.ranks.first() ? pose : viscera::Points(0, 3));
 }
 
 void vtkVisceraDeformFilter::PrintSelf(ostream& os, vtkIndent indent) {

@@ -11,8 +11,8 @@
  * tetrahedra, else of the closed surface), VolumeRatio, VectorArea (mm^2: zero to rounding for a closed
  * surface whose cells all count once) and UnboundPoints (outside the hull of the handles, they do not move).
  * These are of the whole organ on every rank; a piece is no organ. Output 1: the handles of the pose, changed
- * by the volume lock where that is on. Cost: O(points x handles) once, then a fifth of it or less for another
- * pose.
+ * by the volume lock where that is on; they lie on the first rank. Cost: O(points x handles) once, then a fifth
+ * of it or less for another pose.
  */
 class VTKVISCERAFILTERS_EXPORT vtkVisceraDeformFilter : public vtkVisceraHandleFilter {
 public:
@@ -27,7 +27,7 @@ public:
   ///@}
 
   ///@{ Move the handles that the pose leaves at rest, each along its own derivative of the volume, so that
-  ///the
+  /// the
   /// whole organ has TargetVolume (mm^3; 0: that at rest) exactly. Keeps the coordinates while it executes.
   vtkSetMacro(LockVolume, vtkTypeBool);
   vtkGetMacro(LockVolume, vtkTypeBool);

@@ -89,50 +89,73 @@ void OrganParts::poseAgain(const KeptWeights& kept, const Points& pose) {
   }
 }
 
-GlobalVolume OrganParts::volumeOf(const std::function<const double*(std::size_t)>& memory,
-                                  const Vec3& origin) const {
-  geometry::ExactVolume surface(origin), solid(origin);
-  ExactSum area, vectorArea[3];
-  std::int64_t tetrahedra = 0;
+void OrganParts::forEachPart(const std::function<void(std::size_t, vtkPointSet*)>& visit) const {
   ranks_.together([&] {
-    for (std::size_t i = 0; i < leaves_.size(); ++i) {
-      if (leaves_[i].from->GetNumberOfPoints() == 0)
-        continue;
-      const double* at = memory(i);
-      forEachCell(
-          leaves_[i].from,
-          [&](vtkIdType a, vtkIdType b, vtkIdType c) {
-            const Vec3 p = corner(at, a), q = corner(at, b), r = corner(at, c);
-            surface.addTriangle(p, q, r);
-            const Vec3 normal = (q - p).cross(r - p);
-            area.add(normal.norm());
-            for (int axis = 0; axis < 3; ++axis)
-              vectorArea[axis].add(normal[axis]);
-          },
-          [&](vtkIdType a, vtkIdType b, vtkIdType c, vtkIdType d) {
-            solid.addTetrahedron(corner(at, a), corner(at, b), corner(at, c), corner(at, d));
-            ++tetrahedra;
-          });
-    }
+    for (std::size_t i = 0; i < leaves_.size(); ++i)
+      if (leaves_[i].from->GetNumberOfPoints() > 0)
+        visit(i, leaves_[i].from);
   });
-  ranks_.add({&surface.sixfold(), &solid.sixfold(), &area, &vectorArea[0], &vectorArea[1], &vectorArea[2]});
-  ranks_.add(tetrahedra);
-  GlobalVolume volume;
-  volume.solid = tetrahedra > 0;
-  volume.mm3 = volume.solid ? solid.mm3() : surface.mm3();
-  volume.areaMm2 = area.value() / 2;
-  volume.vectorAreaMm2 = Vec3(vectorArea[0].value(), vectorArea[1].value(), vectorArea[2].value()).norm() / 2;
-  return volume;
 }
 
-GlobalVolume OrganParts::restVolume() const {
+GlobalVolume OrganParts::volumeOf(const Memory& memory, const Vec3& origin) const {
+  geometry::ExactVolume surface(origin), solid(origin);
+  std::int64_t tetrahedra = 0;
+  forEachPart([&](std::size_t i, vtkPointSet* cells) {
+    const double* at = memory(i);
+    forEachCell(
+        cells,
+        [&](vtkIdType a, vtkIdType b, vtkIdType c) {
+          surface.addTriangle(corner(at, a), corner(at, b), corner(at, c));
+        },
+        [&](vtkIdType a, vtkIdType b, vtkIdType c, vtkIdType d) {
+          solid.addTetrahedron(corner(at, a), corner(at, b), corner(at, c), corner(at, d));
+          ++tetrahedra;
+        });
+  });
+  ranks_.add({&surface.sixfold(), &solid.sixfold()});
+  ranks_.add(tetrahedra);
+  return {tetrahedra > 0 ? solid.mm3() : surface.mm3(), tetrahedra > 0};
+}
+
+void OrganParts::measureClosedness(const Memory& memory, RestVolume& rest) const {
+  ExactSum area, vectorArea[3];
+  forEachPart([&](std::size_t i, vtkPointSet* cells) {
+    const double* at = memory(i);
+    forEachCell(
+        cells,
+        [&](vtkIdType a, vtkIdType b, vtkIdType c) {
+          const Vec3 p = corner(at, a);
+          const Vec3 normal = (corner(at, b) - p).cross(corner(at, c) - p);
+          area.add(normal.norm());
+          for (int axis = 0; axis < 3; ++axis)
+            vectorArea[axis].add(normal[axis]);
+        },
+        [](vtkIdType, vtkIdType, vtkIdType, vtkIdType) {});
+  });
+  ranks_.add({&area, &vectorArea[0], &vectorArea[1], &vectorArea[2]});
+  rest.areaMm2 = area.value() / 2;
+  rest.vectorAreaMm2 = Vec3(vectorArea[0].value(), vectorArea[1].value(), vectorArea[2].value()).norm() / 2;
+}
+
+RestVolume OrganParts::restVolume(KeptWeights& kept) const {
+  std::vector<KeptWeights::Key> parts;
+  for (const Leaf& leaf : leaves_)
+    parts.emplace_back(leaf.from, leaf.from->GetMTime());
+  std::int64_t changed = parts == kept.measured ? 0 : 1;
+  ranks_.add(changed);
+  if (changed == 0)
+    return kept.rest;
   std::vector<Points> rest;
   ranks_.together([&] {
     for (const Leaf& leaf : leaves_)
       rest.push_back(pointsOf(leaf.from, 0, leaf.from->GetNumberOfPoints()));
   });
-  return volumeOf([&](std::size_t leaf) { return rest[leaf].data(); },
-                  rig_.handles.positions.row(0).transpose());
+  const auto memory = [&](std::size_t leaf) -> const double* { return rest[leaf].data(); };
+  // An origin that stays when handles change, so that what is kept has the same bits as what is new.
+  kept.rest.volume = volumeOf(memory, Vec3::Zero());
+  measureClosedness(memory, kept.rest);
+  kept.measured = std::move(parts);
+  return kept.rest;
 }
 
 GlobalVolume OrganParts::volume() const {
@@ -190,48 +213,45 @@ void forEachDerivative(vtkPointSet* set, const double* at, const Vec3& origin, b
       });
 }
 
+/// Adds, for every free handle, its coordinates times the derivatives at the points (three numbers each).
+void pullBack(const Portions& portions, const std::vector<int>& free,
+              const std::vector<std::int64_t>& atPoints, std::vector<ExactSum>& sums) {
+  const std::int64_t* from = atPoints.data();
+  for (const auto& binding : portions) {
+    for (std::size_t f = 0; f < free.size(); ++f) {
+      const Values weights = binding->influence(free[f]);
+      Wide whole[3] = {0, 0, 0};
+      for (Eigen::Index p = 0; p < weights.size(); ++p) {
+        const std::int64_t weight = std::llround(weights[p] * kWeightBits);
+        for (int axis = 0; axis < 3; ++axis)
+          whole[axis] += Wide(weight) * from[3 * p + axis];
+      }
+      for (std::size_t axis = 0; axis < 3; ++axis)
+        addWide(sums[3 * f + axis], whole[axis]);
+    }
+    from += 3 * binding->pointCount();
+  }
+}
+
 } // namespace
 
 Points OrganParts::direction(const KeptWeights& kept, const std::vector<int>& free, bool solid) const {
   const Vec3 origin = rig_.pose.row(0).transpose();
   double most = 0;
-  ranks_.together([&] {
-    for (std::size_t i = 0; i < leaves_.size(); ++i)
-      if (leaves_[i].from->GetNumberOfPoints() > 0)
-        forEachDerivative(
-            leaves_[i].from, memoryOf(posed_[i].points), origin, solid,
-            [&](vtkIdType, const Vec3& by) { most = std::max(most, by.cwiseAbs().maxCoeff()); });
+  forEachPart([&](std::size_t i, vtkPointSet* cells) {
+    forEachDerivative(cells, memoryOf(posed_[i].points), origin, solid,
+                      [&](vtkIdType, const Vec3& by) { most = std::max(most, by.cwiseAbs().maxCoeff()); });
   });
   most = ranks_.largest(most);
   const double scale = most > 0 ? kDerivativeBits / most : 0;
   std::vector<ExactSum> sums(3 * free.size());
-  ranks_.together([&] {
-    for (std::size_t i = 0; i < leaves_.size(); ++i) {
-      const vtkIdType count = leaves_[i].from->GetNumberOfPoints();
-      if (count == 0)
-        continue;
-      std::vector<std::int64_t> atPoints(static_cast<std::size_t>(3 * count), 0);
-      forEachDerivative(
-          leaves_[i].from, memoryOf(posed_[i].points), origin, solid, [&](vtkIdType point, const Vec3& by) {
-            for (int axis = 0; axis < 3; ++axis)
-              atPoints[static_cast<std::size_t>(3 * point + axis)] += std::llround(by[axis] * scale);
-          });
-      const std::int64_t* from = atPoints.data();
-      for (const auto& binding : portionsOf(kept, i)) {
-        for (std::size_t f = 0; f < free.size(); ++f) {
-          const Values weights = binding->influence(free[f]);
-          Wide whole[3] = {0, 0, 0};
-          for (Eigen::Index p = 0; p < weights.size(); ++p) {
-            const std::int64_t weight = std::llround(weights[p] * kWeightBits);
-            for (int axis = 0; axis < 3; ++axis)
-              whole[axis] += Wide(weight) * from[3 * p + axis];
-          }
-          for (std::size_t axis = 0; axis < 3; ++axis)
-            addWide(sums[3 * f + axis], whole[axis]);
-        }
-        from += 3 * binding->pointCount();
-      }
-    }
+  forEachPart([&](std::size_t i, vtkPointSet* cells) {
+    std::vector<std::int64_t> atPoints(static_cast<std::size_t>(3 * cells->GetNumberOfPoints()), 0);
+    forEachDerivative(cells, memoryOf(posed_[i].points), origin, solid, [&](vtkIdType point, const Vec3& by) {
+      for (int axis = 0; axis < 3; ++axis)
+        atPoints[static_cast<std::size_t>(3 * point + axis)] += std::llround(by[axis] * scale);
+    });
+    pullBack(portionsOf(kept, i), free, atPoints, sums);
   });
   std::vector<ExactSum*> all;
   for (ExactSum& sum : sums)
@@ -245,40 +265,41 @@ Points OrganParts::direction(const KeptWeights& kept, const std::vector<int>& fr
   return length > 0 ? Points(found / length) : found;
 }
 
+Points OrganParts::motionOf(const KeptWeights& kept, std::size_t leaf, const Points& to) const {
+  const vtkIdType count = leaves_[leaf].from->GetNumberOfPoints();
+  Points moved(count, 3);
+  double* out = moved.data();
+  for (const auto& binding : portionsOf(kept, leaf)) {
+    deformInto(*binding, to, rig_.options.threads, out);
+    out += 3 * binding->pointCount();
+  }
+  moved -= Eigen::Map<const Points>(memoryOf(posed_[leaf].points), count, 3);
+  return moved;
+}
+
 std::array<double, 4> OrganParts::along(const KeptWeights& kept, const Points& pose, const Points& direction,
                                         bool solid) const {
   geometry::ExactVolumeAlong sums(rig_.pose.row(0).transpose());
-  ranks_.together([&] {
-    for (std::size_t i = 0; i < leaves_.size(); ++i) {
-      const vtkIdType count = leaves_[i].from->GetNumberOfPoints();
-      if (count == 0)
-        continue;
-      const double* at = memoryOf(posed_[i].points);
-      Points moved(count, 3);
-      double* out = moved.data();
-      for (const auto& binding : portionsOf(kept, i)) {
-        deformInto(*binding, pose + direction, rig_.options.threads, out);
-        out += 3 * binding->pointCount();
-      }
-      moved -= Eigen::Map<const Points>(at, count, 3);
-      const double* by = moved.data();
-      forEachCell(
-          leaves_[i].from,
-          [&](vtkIdType a, vtkIdType b, vtkIdType c) {
-            if (solid)
-              return;
-            Eigen::Matrix3d p, u;
-            p << corner(at, a), corner(at, b), corner(at, c);
-            u << corner(by, a), corner(by, b), corner(by, c);
-            sums.addTriangle(p, u);
-          },
-          [&](vtkIdType a, vtkIdType b, vtkIdType c, vtkIdType d) {
-            Eigen::Matrix<double, 3, 4> p, u;
-            p << corner(at, a), corner(at, b), corner(at, c), corner(at, d);
-            u << corner(by, a), corner(by, b), corner(by, c), corner(by, d);
-            sums.addTetrahedron(p, u);
-          });
-    }
+  forEachPart([&](std::size_t i, vtkPointSet* cells) {
+    const double* at = memoryOf(posed_[i].points);
+    const Points motion = motionOf(kept, i, pose + direction);
+    const double* by = motion.data();
+    forEachCell(
+        cells,
+        [&](vtkIdType a, vtkIdType b, vtkIdType c) {
+          if (solid)
+            return;
+          Eigen::Matrix3d p, u;
+          p << corner(at, a), corner(at, b), corner(at, c);
+          u << corner(by, a), corner(by, b), corner(by, c);
+          sums.addTriangle(p, u);
+        },
+        [&](vtkIdType a, vtkIdType b, vtkIdType c, vtkIdType d) {
+          Eigen::Matrix<double, 3, 4> p, u;
+          p << corner(at, a), corner(at, b), corner(at, c), corner(at, d);
+          u << corner(by, a), corner(by, b), corner(by, c), corner(by, d);
+          sums.addTetrahedron(p, u);
+        });
   });
   auto& terms = sums.sixfold();
   ranks_.add({&terms[0], &terms[1], &terms[2], &terms[3]});
@@ -294,7 +315,7 @@ Points OrganParts::restoreVolume(const KeptWeights& kept, double targetMm3) {
   Points pose = rig_.pose;
   const double limit = boundsOf(rig_.handles.positions).diagonal();
   GlobalVolume now = volume();
-  if (!now.solid && now.vectorAreaMm2 > 1e-6 * now.areaMm2)
+  if (!kept.rest.closed())
     throw DataError("the surface is open, or cells that lie on several ranks are not marked as ghosts",
                     "volume lock", "close it, or mark them");
   for (int step = 0; step < kMostSteps && std::abs(now.mm3 / targetMm3 - 1) > kGoodEnough; ++step) {

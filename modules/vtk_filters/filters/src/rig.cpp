@@ -12,6 +12,7 @@
 #include <vtkUnsignedCharArray.h>
 
 #include "viscera/coordinates/built_in_systems.h"
+#include "viscera/coordinates/vector_bits.h"
 #include "viscera/core/error.h"
 #include "viscera/deformation/tetrahedralise.h"
 
@@ -118,7 +119,12 @@ Rig gatherRig(const Ranks& ranks, vtkPointSet* rest, vtkPointSet* posed, const C
   Rig rig;
   rig.handles = gatherHandles(ranks, rest);
   rig.pose = gatherHandles(ranks, posed).positions;
+  const int most = static_cast<int>(ranks.largest(coordinates::vectorBits()));
   ranks.together([&] {
+    if (coordinates::vectorBits() != most)
+      throw DataError("the processor computes with vectors of " + std::to_string(coordinates::vectorBits()) +
+                          " bits, those of other ranks of " + std::to_string(most),
+                      "ranks", "set VISCERA_VECTOR_BITS to the smallest of them on all ranks");
     rig.system = systemNamed(choices.system);
     rig.options = optionsOf(*rig.system, choices, ranks.count() == 1);
     if (rig.handles.positions.rows() == 0)
