@@ -54,6 +54,10 @@ use_own_environment() {
 
 mapfile -t packages < <(packages_to_build && packages_to_test)
 install_packages "${packages[@]}"
+mapfile -t packages < <(packages_to_test_if_there)
+mapfile -t packages < <(known_of "${packages[@]}")
+[ "${#packages[@]}" -eq 0 ] || install_packages "${packages[@]}"
+unpack_paraview "$root/build/paraview"
 
 if [ "$#" -eq 0 ]; then
   say "== The numerical modules alone, without VTK and Qt"

@@ -28,6 +28,9 @@ install(FILES
   "${PROJECT_SOURCE_DIR}/resources/cmake/VisceraPlugin.cmake"
   DESTINATION "${viscera_config_dir}")
 install(EXPORT VisceraTargets NAMESPACE Viscera:: DESTINATION "${viscera_config_dir}")
+# Another project may also take the build as it is, by -DViscera_DIR=: the plugin of ParaView does in the tests.
+export(EXPORT VisceraTargets NAMESPACE Viscera:: FILE "${PROJECT_BINARY_DIR}/VisceraTargets.cmake")
+file(COPY "${PROJECT_SOURCE_DIR}/resources/cmake/VisceraPlugin.cmake" DESTINATION "${PROJECT_BINARY_DIR}")
 install(FILES "${PROJECT_SOURCE_DIR}/LICENSE" DESTINATION ${CMAKE_INSTALL_DOCDIR})
 
 # What a desktop needs to know the program.

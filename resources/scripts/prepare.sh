@@ -7,12 +7,19 @@ packages_to_build() {
   printf '%s\n' cmake ninja-build g++ ccache \
     libeigen3-dev libboost-dev libqhull-dev libtet1.5-dev nlohmann-json3-dev libcli11-dev zlib1g-dev libbz2-dev libdcmtk-dev \
     libvtk9-dev libvtk9-qt-dev qtbase5-dev libqt5svg5-dev \
-    libegl-dev libgl-dev libegl1 libgl1-mesa-dri
+    libegl-dev libgl-dev libegl1 libgl1-mesa-dri \
+    pybind11-dev python3-dev python3-numpy
 }
 
 packages_to_test() {
   printf '%s\n' libgtest-dev libgmock-dev libbenchmark-dev libcgal-dev \
-    xvfb xauth xdotool clang-format-14 python3 python3-jsonschema chromium
+    xvfb xauth xdotool clang-format-14 python3 python3-jsonschema chromium \
+    python3-scipy python3-matplotlib python3-meshio python3-vtk9 python3-mpi4py openmpi-bin libopenmpi-dev
+}
+
+# Packages that tests do without where there are none: they say so and are skipped.
+packages_to_test_if_there() {
+  printf '%s\n' python3-trimesh
 }
 
 say() { printf '%s\n' "$*" >&2; }
@@ -72,6 +79,41 @@ install_packages() {
     apt update
     apt install --no-install-recommends "${missing[@]}" || fail "apt-get could not install: ${missing[*]}" 69
   fi
+}
+
+# Those of the packages named that apt-get's lists know.
+known_of() {
+  local package
+  for package in "$@"; do
+    ! lists_know "$package" || printf '%s\n' "$package"
+  done
+}
+
+# The libraries that a package file depends on.
+libraries_of() {
+  dpkg-deb --field "$1" Depends | tr ',' '\n' | sed 's/|.*//; s/(.*//; s/ //g' | grep '^lib' | sort --unique
+}
+
+# unpack_paraview DIRECTORY: ParaView beside the system's VTK. Its packages conflict with python3-vtk9, so they are not
+# installed but unpacked, into one folder; about 83 MB to download and ten seconds. Says so and goes on where they cannot be
+# had: the tests that want them are skipped.
+unpack_paraview() {
+  local prefix=$1 downloads package
+  [ ! -x "$prefix/usr/bin/pvbatch" ] || return 0
+  command -v apt-get >/dev/null || return 0
+  downloads=$(mktemp -d)
+  if (cd "$downloads" && apt-get --quiet download paraview paraview-dev python3-paraview >&2); then
+    local -a libraries
+    mapfile -t libraries < <(libraries_of "$downloads"/paraview_*.deb)
+    install_packages "${libraries[@]}"
+    mkdir -p "$prefix"
+    for package in "$downloads"/*.deb; do
+      dpkg-deb --extract "$package" "$prefix"
+    done
+  else
+    say "ParaView's packages cannot be had, so its tests will be skipped."
+  fi
+  rm -rf -- "$downloads"
 }
 
 # use_shared_cache SOURCE_DIRECTORY: ccache finds the same source again in another build directory and wherever the project lies.

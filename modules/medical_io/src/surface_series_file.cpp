@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "raw_surface.h"
-#include "raw_surface.h"
 #include "viscera/core/error.h"
 
 namespace viscera::medical_io {

@@ -34,16 +34,19 @@ const std::map<std::string, std::set<std::string>>& allowedModules() {
       {"sample_organs", with(numerical, {"contour"})},
       {"medical_io", with(numerical, {"contour"})},
       {"scene", numerical},
+      {"paraview_plugin", {}},
+      {"vtk_filters", {"core", "geometry", "coordinates", "deformation"}},
       {"reproduction", with(numerical, {"plugin", "sample_organs"})},
       {"document", documentUses},
       {"live", with(documentUses, {"document", "plugin"})},
       {"motion", with(documentUses, {"tracking", "document", "plugin", "live"})},
       {"presentation", with(documentUses, {"document", "plugin", "live", "motion", "scene"})},
-      {"lesson", with(documentUses, {"document", "plugin", "live", "motion", "scene", "presentation"})}};
+      {"lesson", with(documentUses, {"document", "plugin", "live", "motion", "scene", "presentation"})},
+      {"python", with(documentUses, {"document", "plugin", "live", "motion", "localised_scc"})}};
   return allowed;
 }
 
-const std::set<std::string> kMayUseVtk = {"contour", "medical_io", "scene", "presentation"};
+const std::set<std::string> kMayUseVtk = {"contour", "medical_io", "scene", "presentation", "vtk_filters"};
 const std::set<std::string> kMayUseQt = {"plugin", "localised_scc", "document", "reproduction", "lesson"};
 
 /// Includes from the command line, or from what both use, to the window that are still there. Nothing may be

@@ -30,6 +30,27 @@ run("Building the other project" COMMAND ${CMAKE_COMMAND} --build "${WORK_DIR}/c
 run("The other project" COMMAND "${WORK_DIR}/consumer/consumer" OUTPUT said)
 message(STATUS "${said}")
 
+# A stranger's pipeline of VTK.
+if(EXISTS "${prefix}/${LIBDIR}/cmake/Viscera/VisceraVtk-targets.cmake")
+  run("Configuring the pipeline" COMMAND ${CMAKE_COMMAND} -S "${CMAKE_CURRENT_LIST_DIR}/vtk_pipeline"
+    -B "${WORK_DIR}/vtk_pipeline" -G "${GENERATOR}" -D "CMAKE_CXX_COMPILER=${CXX_COMPILER}" -D CMAKE_BUILD_TYPE=Release
+    -D "CMAKE_PREFIX_PATH=${prefix}")
+  run("Building the pipeline" COMMAND ${CMAKE_COMMAND} --build "${WORK_DIR}/vtk_pipeline")
+  run("The pipeline" COMMAND "${WORK_DIR}/vtk_pipeline/vtk_pipeline" OUTPUT said)
+  message(STATUS "${said}")
+endif()
+
+# The installed packages of Python find their libraries.
+if(EXISTS "${prefix}/lib/python3/dist-packages/viscera/__init__.py")
+  set(ENV{PYTHONPATH} "${prefix}/lib/python3/dist-packages")
+  run("import viscera" COMMAND "${PYTHON}" -c "import viscera, viscera._files, viscera._motion; print(viscera.sample_names())"
+    OUTPUT said)
+  if(EXISTS "${prefix}/lib/python3/dist-packages/viscera_vtk")
+    run("import viscera_vtk" COMMAND "${PYTHON}" -c "from viscera_vtk.vtkVisceraFilters import vtkVisceraDeformFilter")
+  endif()
+  unset(ENV{PYTHONPATH})
+endif()
+
 # The installed program finds its libraries and its organs without help, and without the build's.
 unset(ENV{LD_LIBRARY_PATH})
 unset(ENV{VISCERA_SAMPLE_ORGANS})

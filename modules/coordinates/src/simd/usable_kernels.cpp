@@ -1,5 +1,7 @@
 #include "simd/usable_kernels.h"
 
+#include "viscera/coordinates/vector_bits.h"
+
 namespace viscera::coordinates::simd {
 
 #if defined(__x86_64__)
@@ -8,13 +10,9 @@ namespace {
 template <class Kernels>
 std::vector<const Kernels*> usable(const Kernels& avx512, const Kernels& avx2, const Kernels& baseline) {
   std::vector<const Kernels*> usable;
-  const bool runsAvx2 = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
-  const bool runsAvx512 = runsAvx2 && __builtin_cpu_supports("avx512f") &&
-                          __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl") &&
-                          __builtin_cpu_supports("avx512bw");
-  if (runsAvx512)
+  if (vectorBits() >= 512)
     usable.push_back(&avx512);
-  if (runsAvx2)
+  if (vectorBits() >= 256)
     usable.push_back(&avx2);
   usable.push_back(&baseline);
   return usable;

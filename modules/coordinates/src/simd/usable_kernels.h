@@ -5,7 +5,7 @@
 #include "celestial/celestial_kernels.h"
 #include "simd/tile_kernels.h"
 
-/// Those versions of the kernels that can run on this processor, the fastest first.
+/// Those versions of the kernels that can run here (`vectorBits`), the fastest first.
 namespace viscera::coordinates::simd {
 
 std::vector<const CelestialKernels*> usableCelestialKernels();

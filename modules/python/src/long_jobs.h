@@ -1,0 +1,33 @@
+#pragma once
+
+#include <functional>
+#include <utility>
+
+#include <pybind11/pybind11.h>
+
+#include "viscera/core/progress.h"
+
+namespace viscera::python {
+
+/// Runs a job that may take long, without the interpreter's lock, on a thread of its own; the calling thread
+/// meanwhile tells `listener` (`None`, or a callable that takes fraction and step) how far it is and looks
+/// for Ctrl+C, some fifty times a second. KeyboardInterrupt, an exception of the listener, or `False` from it
+/// ends the job. Rethrows what the job threw. To be called with the lock.
+void runLong(const pybind11::object& listener, const std::function<void(Progress&)>& job);
+
+/// The same for a job with a result.
+template <typename Job>
+auto resultOfLong(const pybind11::object& listener, Job job) {
+  decltype(job(std::declval<Progress&>())) result{};
+  runLong(listener, [&](Progress& progress) { result = job(progress); });
+  return result;
+}
+
+/// Runs a job of milliseconds where it is, without the lock.
+template <typename Job>
+auto unlocked(Job job) {
+  const pybind11::gil_scoped_release released;
+  return job();
+}
+
+} // namespace viscera::python

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "viscera/coordinates/parameters.h"
+#include "viscera/geometry/triangle_mesh.h"
+#include "viscera/sequences/sequence.h"
+
+namespace viscera::python {
+
+/// A sequence with what its maker knows besides. Immutable.
+struct MotionSource {
+  std::shared_ptr<const sequences::Sequence> sequence; ///< Never null.
+  std::string system = "s-celestial";                  ///< For which it was made.
+  coordinates::ParameterValues parameters;
+  std::vector<std::string> labels; ///< Of the handles; may be empty.
+  /// The surfaces that it was made for, in order; may be empty.
+  std::vector<std::pair<std::string, std::shared_ptr<const geometry::TriangleMesh>>> surfaces;
+  std::vector<std::string> warnings;
+};
+
+} // namespace viscera::python

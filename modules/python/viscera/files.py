@@ -1,0 +1,70 @@
+"""Surfaces, handles, label maps and sample organs. Needs the part of Viscera that is built with VTK."""
+
+from __future__ import annotations
+
+import os
+from typing import TYPE_CHECKING, Sequence, Union
+
+from numpy.typing import ArrayLike
+
+from ._parts import part
+from .deformation import Progress
+
+if TYPE_CHECKING:
+    from ._files import Handles, LabelMap, Surface
+
+PathLike = Union[str, "os.PathLike[str]"]
+
+
+def read_surface(path: PathLike) -> Surface:
+    """Reads STL, OBJ, PLY, OFF, VTK, VTP, GLB or GLTF by its extension, as mm in LPS.
+
+    The result has `points` (n x 3), `triangles` (m x 3), `colors`, `name` and `warnings`, and unpacks:
+    `points, triangles = read_surface(path)`. Raises NoInputError, DataError.
+    """
+    return part("_files").read_surface(os.fspath(path))
+
+
+def write_surface(
+    path: PathLike, points: ArrayLike, triangles: ArrayLike, space: str = "LPS", name: str = ""
+) -> None:
+    """Writes points (n x 3, mm, LPS) and triangles (m x 3) by extension: STL, OBJ, PLY, OFF, VTK, VTP, GLB.
+
+    `space`: the axes in the file, LPS or RAS. Nothing half-written is left. Raises CannotCreateError, DataError.
+    """
+    part("_files").write_surface(os.fspath(path), points, triangles, space, name)
+
+
+def read_handles(path: PathLike) -> Handles:
+    """Reads handles from 3D Slicer's .mrk.json or .fcsv: `positions` (h x 3, mm, LPS), `labels`, `groups`."""
+    return part("_files").read_handles(os.fspath(path))
+
+
+def write_handles(
+    path: PathLike, positions: ArrayLike, labels: Sequence[str] = (), space: str = "LPS"
+) -> None:
+    """Writes handles (h x 3, mm, LPS) as .mrk.json or .fcsv, in full precision."""
+    part("_files").write_handles(os.fspath(path), positions, list(labels), space)
+
+
+def read_label_map(path: PathLike, progress: Progress | None = None) -> LabelMap:
+    """Reads a label map: NIfTI, NRRD, MetaImage, DICOM-SEG, or a folder with one mask an organ.
+
+    `segments` names the organs, `layers` are the voxels (k x j x i), `surfaces()` makes closed surfaces of them.
+    """
+    return part("_files").read_label_map(os.fspath(path), progress)
+
+
+def sample_names() -> list[str]:
+    """The organs that come with Viscera."""
+    return part("_files").sample_names()
+
+
+def sample_organ(
+    name: str, resolution: str = "medium", progress: Progress | None = None
+) -> dict[str, Surface]:
+    """A sample organ, `resolution` low, medium or high: name and surface, the outer one first.
+
+    Made when it is first asked for (seconds), then kept on disk.
+    """
+    return part("_files").sample_organ(name, resolution, progress)

@@ -1,0 +1,136 @@
+"""Files, sequences and plugins: the parts of the package that take VTK and Qt's core.
+
+parts_test.py PLUGINS: the folder with the plugins of the build.
+"""
+
+import pathlib
+import subprocess
+import sys
+import tempfile
+import unittest
+
+import numpy as np
+
+import viscera
+
+PLUGINS = pathlib.Path(sys.argv.pop(1))
+sys.path.insert(0, str(pathlib.Path(__file__).parents[2] / "modules/python/examples"))
+from _example import kidney  # noqa: E402
+
+
+class Folder(unittest.TestCase):
+    def setUp(self):
+        self.temporary = tempfile.TemporaryDirectory()
+        self.folder = pathlib.Path(self.temporary.name)
+        self.addCleanup(self.temporary.cleanup)
+
+
+class Files(Folder):
+    def test_surfaces_come_back_from_files(self):
+        points, triangles = kidney()
+        for ending in ("ply", "vtp", "obj", "off", "stl"):
+            file = self.folder / f"organ.{ending}"
+            viscera.write_surface(file, points, triangles, name="kidney")
+            surface = viscera.read_surface(file)
+            self.assertEqual(surface.points.shape, points.shape)
+            self.assertLess(abs(viscera.volume(*surface) / viscera.volume(points, triangles) - 1), 1e-6, ending)
+            self.assertFalse(surface.points.flags.writeable)
+            self.assertTrue(np.shares_memory(surface.points, viscera.as_points(surface.points)))
+        with self.assertRaises(viscera.NoInputError) as caught:
+            viscera.read_surface(self.folder / "none.stl")
+        self.assertIsInstance(caught.exception, OSError)
+        self.assertIn("none.stl", caught.exception.where)
+        (self.folder / "bad.stl").write_text("solid nothing")
+        with self.assertRaises(viscera.DataError):
+            viscera.read_surface(self.folder / "bad.stl")
+        for file in ("no/such/folder/o.stl", "organ.docx"):
+            with self.assertRaises(viscera.CannotCreateError):
+                viscera.write_surface(self.folder / file, points, triangles)
+
+    def test_handles_come_back_with_every_bit_and_their_labels(self):
+        places = np.random.default_rng(2).normal(0, 50, (9, 3))
+        labels = [f"Apex {i}" for i in range(9)]
+        for ending in ("mrk.json", "fcsv"):
+            file = self.folder / f"rig.{ending}"
+            viscera.write_handles(file, places, labels)
+            read = viscera.read_handles(file)
+            np.testing.assert_array_equal(read.positions, places)
+            self.assertEqual(read.labels, labels)
+            self.assertEqual(sum(map(len, read.groups.values())), 9)
+        with self.assertRaises(viscera.DataError):
+            viscera.write_handles(self.folder / "rig.fcsv", places, labels[:-1])
+
+    def test_sample_organs_are_named_and_made(self):
+        self.assertIn("heart", viscera.sample_names())
+        heart = viscera.sample_organ("heart", "low")
+        self.assertEqual(next(iter(heart)), "outer")
+        self.assertTrue(viscera.check_surface(*heart["lv"])["outward"])
+        with self.assertRaises(viscera.UsageError):
+            viscera.sample_organ("tail")
+
+
+class Motion(Folder):
+    def test_a_sequence_fits_another_organ_by_its_landmarks(self):
+        stomach = viscera.sample_organ("stomach", "low")["outer"]
+        own = viscera.sequence("peristalsis", 0.9 * stomach.points, stomach.triangles)
+        bound = viscera.bind(own.surfaces["organ"][0], own.rest_handles, own.system, **own.parameters)
+        rest = viscera.volume(*own.surfaces["organ"])
+        for seconds in (0, 5, 11):
+            posed = bound.pose(own.pose(seconds))
+            self.assertLess(abs(viscera.volume(posed, stomach.triangles) / rest - 1), 1e-9)
+        with self.assertRaises(viscera.DataError):
+            viscera.sequence("peristalsis", 0.9 * stomach.points, stomach.triangles, landmarks={"fundus": [900, 0, 0]})
+        with self.assertRaises(viscera.UsageError):
+            viscera.sequence("sneezing")
+        with self.assertRaises(viscera.UsageError):
+            own.pose(0, rate=1e9)
+
+    def test_a_sequence_file_is_read(self):
+        file = self.folder / "mine.sequence.json"
+        file.write_text("{")
+        with self.assertRaises(viscera.DataError):
+            viscera.sequence(file)
+        self.assertIn("heartbeat", viscera.sequence_names())
+
+    def test_breathing_keeps_the_volume(self):
+        points, triangles = kidney()
+        handles = viscera.place_handles(points, triangles)
+        breath = viscera.breathing(handles, points, down=20)
+        bound = viscera.bind(points, handles)
+        low, standard, high = breath.rates
+        posed = bound.pose(breath.pose(60 / standard / 2))
+        self.assertLess(low, high)
+        self.assertAlmostEqual((posed - points)[:, 2].mean(), -20, 0)
+        self.assertLess(abs(viscera.volume(posed, triangles) / viscera.volume(points, triangles) - 1), 1e-9)
+
+
+class Parts(unittest.TestCase):
+    def test_plugins_are_loaded_and_problems_told(self):
+        with tempfile.NamedTemporaryFile(suffix=".so") as none:
+            reports = viscera.load_plugins([PLUGINS, none.name])
+        self.assertTrue(reports[-1].problem)
+        self.assertEqual([report.problem for report in reports[:-1]], [""] * (len(reports) - 1))
+        known = {system.id for system in viscera.systems()}
+        for report in reports[:-1]:
+            self.assertLessEqual(set(report.systems), known)
+
+    def test_the_numerical_part_loads_neither_vtk_nor_qt(self):
+        done = subprocess.run(
+            [sys.executable, "-c", "import viscera\nprint(open('/proc/self/maps').read())"],
+            capture_output=True, text=True, check=True,
+        )
+        self.assertIn("libviscera_coordinates", done.stdout)
+        for stranger in ("libvtk", "libQt5", "libdcm"):
+            self.assertNotIn(stranger, done.stdout)
+
+    def test_a_missing_part_says_what_it_needs(self):
+        code = (
+            "import sys, viscera\nsys.modules['viscera._files'] = None\n"
+            "try:\n  viscera.read_surface('a.stl')\nexcept viscera.MissingPart as error:\n  print(error)"
+        )
+        done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+        self.assertIn("VISCERA_WITH_VTK", done.stdout)
+
+
+if __name__ == "__main__":
+    unittest.main()
