@@ -75,11 +75,8 @@ bool cutEars(std::span<const std::int32_t> polygon, const Points& points,
   return true;
 }
 
-/// Cuts a polygon of three or more different corners (rows of `points`) into triangles of the same
-/// orientation and appends them. Quadrilaterals are cut so that no triangle turns over, along the shorter
-/// diagonal where both ways do; larger polygons by ears, which is quadratic, so that those above 2000 corners
-/// become a fan. False when a polygon that is not a triangle or quadrilateral had to become a fan, which is
-/// right only for a convex one.
+} // namespace
+
 bool triangulatePolygon(std::span<const std::int32_t> polygon, const Points& points,
                         std::vector<std::array<std::int32_t, 3>>& out) {
   if (polygon.size() == 3) {
@@ -96,6 +93,8 @@ bool triangulatePolygon(std::span<const std::int32_t> polygon, const Points& poi
     out.push_back({polygon[0], polygon[k], polygon[k + 1]});
   return false;
 }
+
+namespace {
 
 /// Appends what a user should know before working with the surface: it is open, inside out, in pieces; its
 /// size is none that an organ has in mm, with the units that would explain it; its volume is far from the

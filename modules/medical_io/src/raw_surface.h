@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -58,5 +59,13 @@ RawSurface readRawSurface(const std::filesystem::path& file);
 /// triangle, turns RAS into LPS. Triangles without area but with three different corners stay: without them a
 /// closed surface would have slits. `file` is named in errors. Throws `DataError`.
 SurfaceFile assembleSurface(RawSurface&& raw, const std::filesystem::path& file);
+
+/// Cuts a polygon of three or more different corners (rows of `points`) into triangles of the same
+/// orientation and appends them. Quadrilaterals are cut so that no triangle turns over, along the shorter
+/// diagonal where both ways do; larger polygons by ears, which is quadratic, so that those above 2000 corners
+/// become a fan. False when a polygon that is not a triangle or quadrilateral had to become a fan, which is
+/// right only for a convex one.
+bool triangulatePolygon(std::span<const std::int32_t> polygon, const Points& points,
+                        std::vector<std::array<std::int32_t, 3>>& out);
 
 } // namespace viscera::medical_io

@@ -6,9 +6,9 @@
 
 namespace viscera::scene {
 
-vtkStandardNewMacro(ChartActor);
+vtkStandardNewMacro(ChartActor)
 
-int ChartActor::RenderOverlay(vtkViewport* viewport) {
+    int ChartActor::RenderOverlay(vtkViewport* viewport) {
   const TextGuard guard;
   return Superclass::RenderOverlay(viewport);
 }

@@ -9,9 +9,9 @@ namespace viscera::scene {
 class ChartActor : public vtkOpenGLContextActor {
 public:
   static ChartActor* New();
-  vtkTypeMacro(ChartActor, vtkOpenGLContextActor);
+  vtkTypeMacro(ChartActor, vtkOpenGLContextActor)
 
-  int RenderOverlay(vtkViewport* viewport) override;
+      int RenderOverlay(vtkViewport* viewport) override;
 };
 
 } // namespace viscera::scene
