@@ -72,30 +72,34 @@ TEST(FitDistances, TakesSurfacesOfAnyTriangles) {
   const LabelledShell shell(4, Vec3(4, 4, 4));
   const MotionRig rig = rigOf(shell);
   const geometry::TriangleMesh coarse = tests::sphere(2, 1);
+  const auto targets = [&](std::size_t phase) {
+    const double part = static_cast<double>(phase) / 4;
+    PhaseTargets found{{}, Values(2)};
+    for (const Points& points :
+         {tests::outsideAt(40 * coarse.points, part), tests::cavityAt(25 * coarse.points, part)}) {
+      auto mesh = std::make_shared<geometry::TriangleMesh>(coarse);
+      mesh->points = points;
+      found.volumesMl[static_cast<Eigen::Index>(found.distances.size())] =
+          geometry::volume(mesh->points, mesh->triangles) / 1000;
+      found.distances.push_back(std::make_shared<const MeshDistance>(mesh));
+    }
+    return found;
+  };
   Progress progress;
-  const MotionFit fit = fitDistances(
-      rig,
-      [&](std::size_t phase) {
-        const double part = static_cast<double>(phase) / 4;
-        PhaseTargets targets{{}, Values(2)};
-        for (const Points& points :
-             {tests::outsideAt(40 * coarse.points, part), tests::cavityAt(25 * coarse.points, part)}) {
-          auto mesh = std::make_shared<geometry::TriangleMesh>(coarse);
-          mesh->points = points;
-          targets.volumesMl[static_cast<Eigen::Index>(targets.distances.size())] =
-              geometry::volume(mesh->points, mesh->triangles) / 1000;
-          targets.distances.push_back(std::make_shared<const MeshDistance>(mesh));
-        }
-        return targets;
-      },
-      PhaseTimes::even(4, 1), {}, progress);
-  for (std::size_t phase = 0; phase < 4; ++phase)
+  const MotionFit fit = fitDistances(rig, targets, PhaseTimes::even(4, 1), {}, progress);
+  // Facets do not hold what slides along them, but what leaves them.
+  for (std::size_t phase = 0; phase < 4; ++phase) {
+    const PhaseTargets wanted = targets(phase);
     for (std::size_t i = 0; i < 2; ++i) {
       const Points fitted = rig.vertices(fit.poses[phase], i);
-      // Triangles of both lie within a chord's height of the same shape.
-      EXPECT_LT((fitted - shell.series()[i].phases[phase]).rowwise().norm().mean(), 1.5) << phase << ' ' << i;
+      double apart = 0;
+      Vec3 ignored;
+      for (Eigen::Index v = 0; v < fitted.rows(); ++v)
+        apart += std::abs(wanted.distances[i]->at(fitted.row(v).transpose(), ignored));
+      EXPECT_LT(apart / static_cast<double>(fitted.rows()), 0.6) << phase << ' ' << i;
       EXPECT_TRUE(fit.volumes[phase].met);
     }
+  }
 }
 
 TEST(FitDistances, DoesNotDependOnTheNumberOfThreads) {
