@@ -15,6 +15,8 @@
 #include <vtkContextScene.h>
 #include <vtkDoubleArray.h>
 #include <vtkNew.h>
+#include <vtkObjectFactory.h>
+#include <vtkOpenGLContextActor.h>
 #include <vtkPen.h>
 #include <vtkPlot.h>
 #include <vtkRenderWindow.h>
@@ -29,7 +31,6 @@
 #include "viscera/scene/legend.h"
 #include "viscera/scene/organ_view.h"
 
-#include "chart_actor.h"
 #include "normal_band.h"
 #include "text_guard.h"
 
@@ -64,8 +65,21 @@ void addColumn(vtkTable* table, const std::string& name) {
   table->AddColumn(column);
 }
 
-/// Both ends of a plot that has two points.
-void setRow(vtkTable* table, vtkIdType row, std::initializer_list<double> values) {
+/// Charts write text in their own way.
+class ChartActor : public vtkOpenGLContextActor {
+public:
+  static ChartActor* New();
+  vtkTypeMacro(ChartActor, vtkOpenGLContextActor)
+
+      int RenderOverlay(vtkViewport* viewport) override {
+    const TextGuard guard;
+    return Superclass::RenderOverlay(viewport);
+  }
+};
+vtkStandardNewMacro(ChartActor)
+
+    /// Both ends of a plot that has two points.
+    void setRow(vtkTable* table, vtkIdType row, std::initializer_list<double> values) {
   vtkIdType column = 0;
   for (const double value : values)
     vtkDoubleArray::SafeDownCast(table->GetColumn(column++))->SetValue(row, value);
