@@ -44,7 +44,7 @@ TEST(CirculatingHeart, CavitiesHoldTheCirculationsVolumesInEveryScenarioWithoutC
       // Not at the phases where it was calibrated.
       const double phase = (frame + 0.37) / kFrames;
       heart.show(phase * 60 / rate, rate);
-      const sequences::CavityVolumes wanted = heart.heartbeat().course().at(phase).volumes;
+      const sequences::CavityVolumes wanted = heart.heartbeat().heartCourse().at(phase).volumes;
       leftOff = std::max(leftOff, std::abs(heart.volumeMl("lv") - wanted.leftMl));
       rightOff = std::max(rightOff, std::abs(heart.volumeMl("rv") - wanted.rightMl));
       if (frame % kChecked == 0)
@@ -69,7 +69,9 @@ TEST(CirculatingHeart, HasTheRateAndThePhasesOfItsCirculation) {
     EXPECT_EQ(phases[i].begin, phases[i - 1].end);
   EXPECT_EQ(phases[1].name, "ejection");
   // The left ventricle empties in this phase and in no other.
-  const auto volumeAt = [&](double phase) { return heart.heartbeat().course().at(phase).volumes.leftMl; };
+  const auto volumeAt = [&](double phase) {
+    return heart.heartbeat().heartCourse().at(phase).volumes.leftMl;
+  };
   EXPECT_GT(volumeAt(phases[1].begin) - volumeAt(phases[1].end), 80);
 }
 

@@ -40,7 +40,7 @@ public:
   /// O(n^2) with a compensation, else O(n).
   void poseAt(double seconds, double ratePerMinute, Points& pose) const override;
 
-  const HeartCourse& course() const { return course_; }
+  const HeartCourse& heartCourse() const { return course_; }
 
 private:
   HeartMotion motion_;
