@@ -13,6 +13,8 @@
 #include <vtkContextScene.h>
 #include <vtkDoubleArray.h>
 #include <vtkNew.h>
+#include <vtkObjectFactory.h>
+#include <vtkOpenGLContextActor.h>
 #include <vtkPen.h>
 #include <vtkPlot.h>
 #include <vtkRenderWindow.h>
@@ -27,7 +29,6 @@
 #include "viscera/scene/legend.h"
 #include "viscera/scene/organ_view.h"
 
-#include "chart_actor.h"
 #include "text_guard.h"
 
 namespace viscera::scene {
@@ -76,6 +77,19 @@ ValueRange rangeOf(const CurvePanel& panel, std::vector<double> PanelCurve::*val
   const double more = high > low ? room * (high - low) : 1;
   return {low - more, high + more};
 }
+
+/// Charts write text past the guarded renderer, so what draws them holds the guard.
+class PanelsActor : public vtkOpenGLContextActor {
+public:
+  static PanelsActor* New();
+  vtkTypeMacro(PanelsActor, vtkOpenGLContextActor);
+
+  int RenderOverlay(vtkViewport* viewport) override {
+    const TextGuard guard;
+    return Superclass::RenderOverlay(viewport);
+  }
+};
+vtkStandardNewMacro(PanelsActor);
 
 /// One panel with what VTK draws it from.
 struct Panel {
@@ -152,7 +166,7 @@ void applyTheme(vtkChartXY* chart, const Theme& theme) {
 
 struct CurvePanels::Parts {
   vtkNew<vtkRenderer> renderer;
-  vtkNew<ChartActor> actor;
+  vtkNew<PanelsActor> actor;
   vtkWeakPointer<vtkRenderWindow> window;
   Theme theme = lightTheme();
   std::vector<Panel> panels;

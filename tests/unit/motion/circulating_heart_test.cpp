@@ -69,7 +69,9 @@ TEST(CirculatingHeart, HasTheRateAndThePhasesOfItsCirculation) {
     EXPECT_EQ(phases[i].begin, phases[i - 1].end);
   EXPECT_EQ(phases[1].name, "ejection");
   // The left ventricle empties in this phase and in no other.
-  const auto volumeAt = [&](double phase) { return heart.heartbeat().heartCourse().at(phase).volumes.leftMl; };
+  const auto volumeAt = [&](double phase) {
+    return heart.heartbeat().heartCourse().at(phase).volumes.leftMl;
+  };
   EXPECT_GT(volumeAt(phases[1].begin) - volumeAt(phases[1].end), 80);
 }
 
