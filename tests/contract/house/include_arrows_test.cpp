@@ -25,6 +25,7 @@ const std::map<std::string, std::set<std::string>>& allowedModules() {
       {"geometry", {"core"}},
       {"coordinates", {"core", "geometry"}},
       {"deformation", {"core", "geometry", "coordinates"}},
+      {"tracking", {"core", "geometry", "coordinates", "deformation"}},
       {"sequences", {"core"}},
       {"plugin", {"core", "geometry", "coordinates"}},
       {"localised_scc", {"core", "geometry", "coordinates", "plugin"}},
@@ -35,7 +36,7 @@ const std::map<std::string, std::set<std::string>>& allowedModules() {
       {"reproduction", with(numerical, {"plugin", "sample_organs"})},
       {"document", documentUses},
       {"live", with(documentUses, {"document", "plugin"})},
-      {"motion", with(documentUses, {"document", "plugin", "live"})},
+      {"motion", with(documentUses, {"tracking", "document", "plugin", "live"})},
       {"presentation", with(documentUses, {"document", "plugin", "live", "motion", "scene"})}};
   return allowed;
 }

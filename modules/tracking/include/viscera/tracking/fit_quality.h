@@ -1,0 +1,79 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "viscera/core/parallel.h"
+#include "viscera/core/progress.h"
+#include "viscera/deformation/witness_gradients.h"
+#include "viscera/tracking/motion_rig.h"
+#include "viscera/tracking/surface_distance.h"
+#include "viscera/tracking/surface_series.h"
+
+namespace viscera::tracking {
+
+/// How far one surface is from what it was fitted to, in one phase. All distances are weighted by area.
+struct SurfaceQuality {
+  double meanMm = 0, p95Mm = 0, maxMm = 0; ///< Of the vertices.
+  double measuredMl = 0;                   ///< Of the surface or the voxels.
+  double freeMl = 0;                       ///< Fitted, before volumes were kept.
+  double fittedMl = 0;                     ///< Fitted.
+  std::optional<double> dice;              ///< Of the voxels; none for surfaces.
+  int flipped = 0;                         ///< Triangles that face the wrong way.
+};
+
+/// One phase.
+struct PhaseQuality {
+  std::vector<SurfaceQuality> surfaces;
+  double meanMm = 0, p95Mm = 0, maxMm = 0; ///< Of all surfaces together, each counting the same.
+  std::optional<double> dice;              ///< The lowest of the surfaces.
+  int folded = 0;                          ///< Witness points in the tissue with det M <= 0.
+  int steps = 0;
+  bool volumesMet = true;
+};
+
+/// Weighted mean, 95 % and largest of some numbers.
+struct Spread {
+  double mean = 0, p95 = 0, max = 0;
+};
+/// Of `values` that count as their `weights` say. O(n log n).
+Spread spreadOf(const Values& values, const Values& weights);
+
+/// Triangles of `fitted` whose normal is opposed to that of the same triangle of `measured`. O(m).
+int opposedTriangles(const Triangles& triangles, const Points& fitted, const Points& measured);
+/// Triangles whose normal is opposed to the way in which the distance grows at their middle. O(m).
+int opposedTriangles(const Triangles& triangles, const Points& fitted, const SurfaceDistance& distance);
+
+/// The tissue between an outer surface and its cavities, as witness points: where poses are tried for folds.
+/// The inside of the surface where there is only one.
+class TissueWitnesses {
+public:
+  /// About `wanted` points. Throws what `deformation::gridWitnesses` throws, `Cancelled`.
+  TissueWitnesses(const MotionRig& rig, std::size_t outer, int wanted, Progress& progress,
+                  Threads threads = {});
+
+  int count() const { return static_cast<int>(count_); }
+  /// How many are folded at a pose. O(points x handles).
+  int foldedAt(const Points& pose, Threads threads = {}) const;
+
+private:
+  std::shared_ptr<const deformation::WitnessGradients> gradients_;
+  Eigen::Index count_ = 0;
+};
+
+/// How a phase is to be looked at.
+enum class FitLight { good, amber, red };
+
+/// What a phase is worth, and why: a sentence for each reason.
+struct FitVerdict {
+  FitLight light = FitLight::good;
+  std::vector<std::string> reasons;
+};
+
+/// Judges a phase by the limits of docs/patient_motion.md. `names` of the surfaces, `sliceMm` the distance of
+/// the slices of label maps; 0 for surfaces.
+FitVerdict verdictOf(const PhaseQuality& phase, const std::vector<std::string>& names, double sliceMm);
+
+} // namespace viscera::tracking

@@ -1,0 +1,58 @@
+#include "viscera/tracking/volume_equality.h"
+
+#include <vector>
+
+#include <Eigen/LU>
+
+#include "viscera/geometry/volume.h"
+
+namespace viscera::tracking {
+namespace {
+
+constexpr int kMostSteps = 12;
+constexpr double kMetMl = 1e-6, kMetOfVolume = 1e-9;
+
+/// Of the volume of one surface with respect to every handle, ml / mm, at these vertices of it.
+Points gradientOf(const MotionRig& rig, std::size_t surface, const Points& vertices,
+                  const geometry::VertexTriangles& around) {
+  Points byVertex;
+  geometry::volumeGradient(vertices, rig.surfaces()[surface].triangles, around, byVertex, Threads{1});
+  return rig.weights().middleRows(rig.firstRow(surface), rig.rows(surface)).transpose() * byVertex /
+         kMm3PerMl;
+}
+
+} // namespace
+
+MetVolumes meetVolumes(const MotionRig& rig, const Values& wantedMl, const Metric& metric, Points& pose) {
+  const auto count = static_cast<Eigen::Index>(rig.surfaces().size());
+  std::vector<geometry::VertexTriangles> around;
+  for (const geometry::TriangleMesh& surface : rig.surfaces())
+    around.push_back(geometry::vertexTriangles(surface.points.rows(), surface.triangles));
+  MetVolumes result;
+  for (;; ++result.steps) {
+    const Points vertices = rig.vertices(pose);
+    result.missingMl = wantedMl - rig.volumesMl(vertices);
+    result.met = (result.missingMl.array().abs() <= kMetMl).all() ||
+                 (result.missingMl.array().abs() <= kMetOfVolume * wantedMl.array().abs()).all();
+    if (result.met || result.steps == kMostSteps || !result.missingMl.allFinite())
+      return result;
+    std::vector<Points> gradients, directions;
+    for (Eigen::Index i = 0; i < count; ++i) {
+      const auto surface = static_cast<std::size_t>(i);
+      gradients.push_back(gradientOf(
+          rig, surface, vertices.middleRows(rig.firstRow(surface), rig.rows(surface)), around[surface]));
+      directions.push_back(metric(gradients.back()));
+    }
+    Eigen::MatrixXd system(count, count);
+    for (Eigen::Index i = 0; i < count; ++i)
+      for (Eigen::Index j = 0; j < count; ++j)
+        system(i, j) = gradients[static_cast<std::size_t>(i)]
+                           .cwiseProduct(directions[static_cast<std::size_t>(j)])
+                           .sum();
+    const Values amounts = system.fullPivLu().solve(result.missingMl);
+    for (Eigen::Index i = 0; i < count; ++i)
+      pose += amounts[i] * directions[static_cast<std::size_t>(i)];
+  }
+}
+
+} // namespace viscera::tracking
