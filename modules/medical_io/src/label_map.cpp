@@ -60,37 +60,6 @@ const Format& formatOf(const FileBytes& file) {
             usual.empty() ? "save it as a label map" : "rename it to end in " + std::string(usual));
 }
 
-LabelMap labelMapOf(RawLabels&& raw, const FileBytes& file, Progress& progress) {
-  requireUsableGrid(raw, file);
-  EncodedLabels encoded = encodeLabels(raw, file, progress);
-  LabelMap map;
-  map.size = raw.size;
-  map.indexToLps = raw.indexToLps;
-  map.layers = std::move(encoded.layers);
-  map.space = std::move(raw.space);
-  map.warnings = std::move(raw.warnings);
-  for (const auto& [layer, label] : encoded.labels) {
-    Segment& segment = map.segments.emplace_back();
-    segment.label = label;
-    segment.layer = layer;
-  }
-  raw.storage = {};
-  measureSegments(map, progress);
-  nameSegments(map, raw.stated);
-  return map;
-}
-
-/// The file's own names go before those of a table beside it.
-void nameByTable(LabelMap& map, const std::filesystem::path& file) {
-  if (std::any_of(map.segments.begin(), map.segments.end(), [](const Segment& s) { return s.named; }))
-    return;
-  const LabelTable table = findLabelTable(file);
-  if (table.segments.empty())
-    return;
-  nameSegments(map, table.segments);
-  map.warnings.push_back("the names of its labels are those of " + table.file.filename().string());
-}
-
 void warnOfEmptySegments(LabelMap& map, const std::vector<StatedSegment>& stated) {
   std::size_t empty = 0;
   std::string first;
@@ -114,6 +83,36 @@ bool hasDicomMark(const std::filesystem::path& file) {
 }
 
 } // namespace
+
+LabelMap labelMapOf(RawLabels&& raw, const FileBytes& file, Progress& progress) {
+  requireUsableGrid(raw, file);
+  EncodedLabels encoded = encodeLabels(raw, file, progress);
+  LabelMap map;
+  map.size = raw.size;
+  map.indexToLps = raw.indexToLps;
+  map.layers = std::move(encoded.layers);
+  map.space = std::move(raw.space);
+  map.warnings = std::move(raw.warnings);
+  for (const auto& [layer, label] : encoded.labels) {
+    Segment& segment = map.segments.emplace_back();
+    segment.label = label;
+    segment.layer = layer;
+  }
+  raw.storage = {};
+  measureSegments(map, progress);
+  nameSegments(map, raw.stated);
+  return map;
+}
+
+void nameByTable(LabelMap& map, const std::filesystem::path& file) {
+  if (std::any_of(map.segments.begin(), map.segments.end(), [](const Segment& s) { return s.named; }))
+    return;
+  const LabelTable table = findLabelTable(file);
+  if (table.segments.empty())
+    return;
+  nameSegments(map, table.segments);
+  map.warnings.push_back("the names of its labels are those of " + table.file.filename().string());
+}
 
 Bounds LabelMap::bounds() const {
   Points corners(8, 3);

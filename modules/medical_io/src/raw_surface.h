@@ -36,6 +36,10 @@ struct RawSurface {
   void addStrip(std::span<const std::int64_t> strip);
 };
 
+/// What the reader of the file's format finds. Throws as `readSurface`, but looks neither at indices nor at
+/// coordinates.
+RawSurface readRawSurface(const std::filesystem::path& file);
+
 /// Makes a valid mesh of it: checks indices and coordinates, merges equal points (the first keeps its place
 /// and its colour), cuts polygons into triangles, drops triangles with a repeated corner and points without a
 /// triangle, turns RAS into LPS. Triangles without area but with three different corners stay: without them a

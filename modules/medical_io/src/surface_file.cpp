@@ -4,6 +4,7 @@
 #include <array>
 #include <new>
 #include <string_view>
+#include <utility>
 
 #include "file_bytes.h"
 #include "file_signature.h"
@@ -73,7 +74,7 @@ geometry::TriangleMesh inSpace(const geometry::TriangleMesh& mesh, Space space) 
 
 } // namespace
 
-SurfaceFile readSurface(const std::filesystem::path& file) {
+RawSurface readRawSurface(const std::filesystem::path& file) {
   const FileBytes bytes = readWholeFile(file);
   const Format* format = formatOf(file);
   if (format == nullptr) {
@@ -84,9 +85,18 @@ SurfaceFile readSurface(const std::filesystem::path& file) {
   }
   requireKind(bytes, *format);
   try {
-    return assembleSurface(format->read(bytes), file);
+    return format->read(bytes);
   } catch (const std::bad_alloc&) {
     bytes.fail("does not fit into memory", "reduce the surface first");
+  }
+}
+
+SurfaceFile readSurface(const std::filesystem::path& file) {
+  RawSurface raw = readRawSurface(file);
+  try {
+    return assembleSurface(std::move(raw), file);
+  } catch (const std::bad_alloc&) {
+    throw DataError("It does not fit into memory", file.string(), "reduce the surface first");
   }
 }
 

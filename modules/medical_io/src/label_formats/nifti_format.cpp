@@ -113,12 +113,14 @@ Header headerOf(const FileBytes& file, std::string_view bytes) {
   file.fail("It is no NIfTI image: its header is not one", "check what the file is and where it came from");
 }
 
-std::array<int, 3> gridOf(const FileBytes& file, const Header& h) {
+/// `axes` of the grid: three, or four where volumes are phases.
+std::array<int, 3> gridOf(const FileBytes& file, const Header& h, std::size_t axes) {
   if (h.dim[0] < 2 || h.dim[0] > kMostDimensions)
     file.fail("its header is damaged: an image has 2 to 7 dimensions, not " + std::to_string(h.dim[0]));
-  for (std::size_t d = 4; d <= static_cast<std::size_t>(h.dim[0]); ++d)
+  for (std::size_t d = axes + 1; d <= static_cast<std::size_t>(h.dim[0]); ++d)
     if (h.dim[d] > 1)
-      file.fail("It has " + std::to_string(h.dim[d]) + " volumes; a label map has one", "save one of them");
+      file.fail("It has " + std::to_string(h.dim[d]) + " volumes; a label map has one",
+                "save one of them, or follow the motion over all of them with viscera track");
   return {axisSize(file, h.dim[1], "i"), axisSize(file, h.dim[2], "j"),
           h.dim[0] < 3 ? 1 : axisSize(file, h.dim[3], "k")};
 }
@@ -339,13 +341,36 @@ void takeVoxelsBehind(FileBytes& file, const Header& h, RawLabels& raw) {
   readExtensions(std::string_view(raw.storage).substr(0, raw.offset), h, raw);
 }
 
-} // namespace
+/// Of the volumes, by the fourth axis.
+RawTimes timesOf(const Header& h) {
+  RawTimes times;
+  times.step = std::isfinite(h.pixdim[4]) ? h.pixdim[4] : 0;
+  switch (h.units & 0x38) {
+  case 8:
+    times.unit = "s";
+    break;
+  case 16:
+    times.unit = "ms";
+    break;
+  case 24:
+    times.unit = "us";
+    break;
+  default:
+    break;
+  }
+  return times;
+}
 
-RawLabels readNifti(FileBytes& file) {
+/// `axes` as `gridOf` has it.
+RawLabels readVolumes(FileBytes& file, std::size_t axes) {
   replaceByHeader(file);
   const Header h = headerOf(file, beginOf(file, kHeader2));
   RawLabels raw;
-  raw.size = gridOf(file, h);
+  raw.size = gridOf(file, h, axes);
+  if (axes > 3) {
+    raw.layers = h.dim[0] < 4 ? 1 : axisSize(file, h.dim[4], "of volumes");
+    raw.times = timesOf(h);
+  }
   raw.scalar = scalarOf(file, h.datatype);
   raw.order = h.order;
   if (h.slope != 0 && std::isfinite(h.slope) && std::isfinite(h.intercept)) {
@@ -361,6 +386,16 @@ RawLabels readNifti(FileBytes& file) {
   else
     takeVoxelsBehind(file, h, raw);
   return raw;
+}
+
+} // namespace
+
+RawLabels readNifti(FileBytes& file) {
+  return readVolumes(file, 3);
+}
+
+RawLabels readNiftiSeries(FileBytes& file) {
+  return readVolumes(file, 4);
 }
 
 } // namespace viscera::medical_io

@@ -284,6 +284,7 @@ private:
     if (axes.list) {
       raw_.layers = axisSize(file_, sizes_[*axes.list], "of layers");
       raw_.layersFirst = *axes.list == 0;
+      readTimes(*axes.list);
     }
     if (directions.empty())
       readPlainGrid(axes);
@@ -299,6 +300,16 @@ private:
     raw_.indexToLps =
         Eigen::Scaling(Vec3(turn * unitInMm(header_.field("space units").value_or("")))) * raw_.indexToLps;
     raw_.indexToLps.makeAffine();
+  }
+
+  /// Of 3D Slicer's sequences: what the axis without a direction counts.
+  void readTimes(std::size_t axis) {
+    const std::string prefix = "axis " + std::to_string(axis) + " index ";
+    raw_.times = RawTimes{};
+    std::string_view text = header_.key(prefix + "values").value_or("");
+    for (std::string_view word = takeWord(text); !word.empty(); word = takeWord(text))
+      raw_.times->values.push_back(parseNumber(word).value_or(std::numeric_limits<double>::quiet_NaN()));
+    raw_.times->unit = lowered(trimmed(header_.key(prefix + "unit").value_or("")));
   }
 
   void readSegments() {

@@ -27,6 +27,13 @@ struct StatedSegment {
   std::optional<Vec3> color; ///< 0 to 1.
 };
 
+/// What a file of several volumes says of the time between them.
+struct RawTimes {
+  std::vector<double> values; ///< One a volume, in `unit`; empty: only `step` is known.
+  double step = 0;            ///< Between two volumes, in `unit`; 0: not stated.
+  std::string unit;           ///< "s", "ms", "us" or another; empty: not stated.
+};
+
 /// What a format's reader found, before it is made a label map: the grid is checked, the values are not.
 struct RawLabels {
   std::array<int, 3> size = {};
@@ -39,6 +46,7 @@ struct RawLabels {
   std::string storage;             ///< The values, from `offset` on.
   std::size_t offset = 0;
   std::vector<StatedSegment> stated;
+  std::optional<RawTimes> times; ///< Of volumes that are phases, which stand in for layers.
   std::string space;
   std::vector<std::string> warnings;
 
@@ -58,6 +66,8 @@ void requireUsableGrid(const RawLabels& raw, const FileBytes& file);
 
 /// The readers, one a format. They may take the bytes out of `file`, but leave its name.
 RawLabels readNifti(FileBytes& file);
+/// The same for a file of several volumes, one a phase: they are the layers.
+RawLabels readNiftiSeries(FileBytes& file);
 RawLabels readNrrd(FileBytes& file);
 RawLabels readMetaImage(FileBytes& file);
 /// Parses with DCMTK.

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "viscera/core/progress.h"
+#include "viscera/medical_io/label_map.h"
+
+/// Label maps over time.
+namespace viscera::medical_io {
+
+/// What a series says of its time.
+struct SeriesTimes {
+  std::vector<double> seconds; ///< One a phase, from 0 on; empty: it does not say.
+  /// Of one cycle: as many steps as there are phases; none: it does not say.
+  std::optional<double> periodSeconds;
+  std::string doubt; ///< What had to be assumed, a sentence; empty for nothing.
+};
+
+/// How many volumes a NIfTI (.nii, .nii.gz) or NRRD (.nrrd, .seq.nrrd) file has along its fourth axis: 1 for
+/// a label map, and for every other file. Reads the whole file. Throws as `readLabelMap`.
+std::size_t volumesIn(const std::filesystem::path& file);
+
+/// Reads a file of several volumes, one a phase (a 4D NIfTI with time last; 3D Slicer's .seq.nrrd, whose list
+/// axis comes first or last), and hands them to `visit` in order. Names and colours are as `readLabelMap` has
+/// them; a phase may be empty. Returns what the file says of time: of NIfTI the step and unit of the fourth
+/// axis, of NRRD `axis N index values` and its unit. Throws as `readLabelMap`.
+SeriesTimes readLabelSeries(const std::filesystem::path& file, Progress& progress,
+                            const std::function<void(std::size_t phase, LabelMap&& map)>& visit);
+
+/// What a DICOM file says of when in the heart's cycle it was made.
+struct DicomPhase {
+  std::optional<double> triggerMs;         ///< After the R wave (0018,1060), else (0020,9153).
+  std::optional<double> nominalIntervalMs; ///< From one R wave to the next (0018,1062).
+  std::optional<double> percent;           ///< Of the cycle (0020,9241).
+};
+
+/// Looks into a DICOM file and the sequences in it. Nothing for any other file. Throws nothing.
+DicomPhase dicomPhase(const std::filesystem::path& file);
+
+/// The times of phases by what each DICOM file says; empty where not all do.
+SeriesTimes timesOf(const std::vector<DicomPhase>& phases);
+
+} // namespace viscera::medical_io

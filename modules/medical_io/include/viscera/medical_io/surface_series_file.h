@@ -1,0 +1,31 @@
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "viscera/core/progress.h"
+#include "viscera/geometry/triangle_mesh.h"
+#include "viscera/medical_io/space.h"
+
+namespace viscera::medical_io {
+
+/// One surface in several phases, as files have it: points keep their numbers.
+struct SurfaceSeriesFile {
+  /// `n x 3` mm LPS, one a file; with the points that no triangle uses.
+  std::vector<Points> phases;
+  /// Of the first file: polygons are cut there and the same way in all.
+  Triangles triangles;
+  /// Whether all files have as many points, and polygons of the same numbers, as the first. Where not,
+  /// `phases` holds the first alone.
+  bool correspond = true;
+  std::size_t differs = 0;       ///< The first file that does not correspond.
+  std::vector<Space> spaces;     ///< One a file: what it was written in.
+  std::vector<bool> spaceStated; ///< One a file: whether it says so, or LPS is assumed.
+};
+
+/// Reads surfaces (any format of `readSurface`) of which point i is to be the same place in all: nothing is
+/// merged or dropped, which `readSurface` does file by file, so that numbers would no longer agree. Throws as
+/// `readSurface`; `Cancelled`. O(points of all).
+SurfaceSeriesFile readSurfaceSeries(const std::vector<std::filesystem::path>& files, Progress& progress);
+
+} // namespace viscera::medical_io

@@ -1,0 +1,151 @@
+#include "viscera/medical_io/label_series.h"
+
+#include <algorithm>
+#include <cmath>
+#include <new>
+
+#include "file_bytes.h"
+#include "file_signature.h"
+#include "label_file.h"
+#include "label_formats/raw_labels.h"
+#include "segment_names.h"
+#include "viscera/core/error.h"
+
+namespace viscera::medical_io {
+namespace {
+
+/// Cycles a second that a heart makes.
+constexpr double kSlowestHz = 0.2, kFastestHz = 4;
+
+RawLabels rawSeriesOf(FileBytes& file) {
+  const std::string extension = extensionOf(file.file);
+  const Signature found = signatureOf(file);
+  if (found == Signature::nifti || (found == Signature::gzip && extension.ends_with(".gz")))
+    return readNiftiSeries(file);
+  if (found == Signature::nrrd)
+    return readNrrd(file);
+  file.fail("It is no file of several volumes",
+            "name a 4D NIfTI, a .seq.nrrd of 3D Slicer, or one file for each phase");
+}
+
+/// The values of one volume behind each other, out of those of all.
+std::string volumeOf(const RawLabels& raw, std::size_t volume) {
+  const std::size_t width = sizeOf(raw.scalar), count = static_cast<std::size_t>(raw.layers);
+  const std::size_t voxels = static_cast<std::size_t>(raw.valueCount()) / count;
+  if (!raw.layersFirst)
+    return std::string(raw.values().substr(volume * voxels * width, voxels * width));
+  std::string bytes;
+  bytes.reserve(voxels * width);
+  for (std::size_t v = 0; v < voxels; ++v)
+    bytes.append(raw.values().substr((v * count + volume) * width, width));
+  return bytes;
+}
+
+bool plausible(double periodSeconds) {
+  return periodSeconds > 1 / kFastestHz && periodSeconds < 1 / kSlowestHz;
+}
+
+double secondsOf(const std::string& unit) {
+  return unit == "s" || unit == "sec" || unit == "second" || unit == "seconds" ? 1
+         : unit == "ms" || unit == "msec" || unit == "millisecond"             ? 1e-3
+         : unit == "us"                                                        ? 1e-6
+                                                                               : 0;
+}
+
+/// What a file's statement comes to: nothing where a unit is missing and none makes a heart of it.
+SeriesTimes timesOf(const RawTimes& stated, std::size_t count) {
+  SeriesTimes times;
+  std::vector<double> values = stated.values;
+  if (values.empty() && stated.step > 0)
+    for (std::size_t i = 0; i < count; ++i)
+      values.push_back(stated.step * static_cast<double>(i));
+  const bool usable = values.size() == count && count > 1 &&
+                      std::all_of(values.begin(), values.end(), [](double v) { return std::isfinite(v); });
+  if (!usable)
+    return times;
+  const double period =
+      (values.back() - values.front()) / static_cast<double>(count - 1) * static_cast<double>(count);
+  double unit = secondsOf(stated.unit);
+  if (unit == 0 && stated.unit.empty() && !stated.values.empty() && plausible(1e-3 * period)) {
+    unit = 1e-3;
+    times.doubt = "It does not say the unit of its times; they are taken as milliseconds";
+  }
+  for (const double value : values)
+    times.seconds.push_back((value - values.front()) * (unit > 0 ? unit : 1));
+  if (unit > 0 && plausible(unit * period))
+    times.periodSeconds = unit * period;
+  return times;
+}
+
+} // namespace
+
+std::size_t volumesIn(const std::filesystem::path& file) {
+  const std::string extension = extensionOf(file);
+  if (!extension.starts_with(".nii") && !extension.ends_with("nrrd") && !extension.ends_with("nhdr"))
+    return 1;
+  FileBytes bytes = readWholeFile(file);
+  const RawLabels raw = rawSeriesOf(bytes);
+  // The layers of a segmentation are no phases.
+  const bool isSegmentation = !raw.stated.empty() && !extension.starts_with(".nii");
+  return isSegmentation ? 1 : static_cast<std::size_t>(raw.layers);
+}
+
+SeriesTimes readLabelSeries(const std::filesystem::path& file, Progress& progress,
+                            const std::function<void(std::size_t, LabelMap&&)>& visit) {
+  FileBytes bytes = readWholeFile(file);
+  try {
+    const RawLabels raw = rawSeriesOf(bytes);
+    const auto count = static_cast<std::size_t>(raw.layers);
+    for (std::size_t volume = 0; volume < count; ++volume) {
+      progress.report(static_cast<double>(volume) / static_cast<double>(count),
+                      "volume " + std::to_string(volume + 1));
+      progress.throwIfCancelled();
+      RawLabels one;
+      one.size = raw.size;
+      one.indexToLps = raw.indexToLps;
+      one.scalar = raw.scalar;
+      one.order = raw.order;
+      one.slope = raw.slope;
+      one.intercept = raw.intercept;
+      one.stated = raw.stated;
+      one.space = raw.space;
+      if (volume == 0)
+        one.warnings = raw.warnings;
+      one.storage = volumeOf(raw, volume);
+      Progress quiet;
+      LabelMap map = labelMapOf(std::move(one), bytes, quiet);
+      nameByTable(map, file);
+      completeSegments(map);
+      visit(volume, std::move(map));
+    }
+    progress.report(1);
+    return timesOf(raw.times.value_or(RawTimes{}), count);
+  } catch (const std::bad_alloc&) {
+    bytes.fail("does not fit into memory", "crop the images to the organ");
+  }
+}
+
+SeriesTimes timesOf(const std::vector<DicomPhase>& phases) {
+  SeriesTimes times;
+  const auto all = [&](auto member) {
+    return std::all_of(phases.begin(), phases.end(),
+                       [&](const DicomPhase& phase) { return (phase.*member).has_value(); });
+  };
+  if (phases.size() < 2)
+    return times;
+  const auto count = static_cast<double>(phases.size());
+  if (all(&DicomPhase::nominalIntervalMs))
+    times.periodSeconds = *phases.front().nominalIntervalMs / 1000;
+  if (all(&DicomPhase::triggerMs)) {
+    for (const DicomPhase& phase : phases)
+      times.seconds.push_back((*phase.triggerMs - *phases.front().triggerMs) / 1000);
+    if (!times.periodSeconds)
+      times.periodSeconds = times.seconds.back() / (count - 1) * count;
+  } else if (all(&DicomPhase::percent) && times.periodSeconds) {
+    for (const DicomPhase& phase : phases)
+      times.seconds.push_back((*phase.percent - *phases.front().percent) / 100 * *times.periodSeconds);
+  }
+  return times;
+}
+
+} // namespace viscera::medical_io
