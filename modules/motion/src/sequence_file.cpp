@@ -80,7 +80,7 @@ SequenceFile sequenceFile(const document::DocumentState& state) {
   const auto sequence = document::sequenceOf(*state.recording, *state.rig);
   if (!sequence)
     throw UsageError("Nothing is recorded", {}, "record a pose first");
-  SequenceFile file{sequence->track(), {}, *state.system};
+  SequenceFile file{sequence->track(), {}, *state.system, {}};
   for (const document::Handle& handle : state.rig->handles)
     file.labels.push_back(handle.label);
   return file;

@@ -45,6 +45,7 @@ public:
       track.interpolation =
           named(sequences::interpolationFromName, root, "interpolation", "", "eased, curve");
     readSystem(root);
+    readOrgans(root);
     readKeys(root);
     try {
       const sequences::KeyframedSequence check(track);
@@ -115,6 +116,32 @@ private:
     file_.system = std::move(choice);
   }
 
+  void readOrgans(const ordered_json& root) {
+    if (!root.contains("organs"))
+      return;
+    for (const ordered_json& item : listOf(root, "organs", "")) {
+      const std::string place = "organ " + std::to_string(file_.organs.size() + 1);
+      requireObject(item, place);
+      geometry::TriangleMesh mesh;
+      const ordered_json& points = listOf(item, "points", place);
+      const ordered_json& triangles = listOf(item, "triangles", place);
+      mesh.points.resize(static_cast<Eigen::Index>(points.size() / 3), 3);
+      mesh.triangles.resize(static_cast<Eigen::Index>(triangles.size() / 3), 3);
+      if (points.size() % 3 != 0 || triangles.size() % 3 != 0 || triangles.empty())
+        fail("its points and triangles are no lists of threes", place);
+      for (std::size_t i = 0; i < points.size(); ++i)
+        mesh.points.data()[i] = numberOf(points[i], place + ", points");
+      for (std::size_t i = 0; i < triangles.size(); ++i) {
+        if (!triangles[i].is_number_unsigned() || triangles[i].get<std::uint64_t>() >= points.size() / 3)
+          fail("a triangle refers to a point that is not there", place);
+        mesh.triangles.data()[i] = triangles[i].get<std::int32_t>();
+      }
+      geometry::requireValid(mesh, where() + ", " + place);
+      file_.organs.push_back(
+          {textOf(item, "name", place), std::make_shared<const geometry::TriangleMesh>(std::move(mesh))});
+    }
+  }
+
   void readKeys(const ordered_json& root) {
     for (const ordered_json& item : listOf(root, "keys", "")) {
       const std::string place = "key " + std::to_string(file_.track.keys.size() + 1);
@@ -181,6 +208,14 @@ std::string sequenceToJson(const SequenceFile& sequence) {
   root["keys"] = ordered_json::array();
   for (const sequences::Keyframe& key : track.keys)
     root["keys"].push_back(keyOf(key, sequence));
+  for (const SequenceOrgan& organ : sequence.organs) {
+    const auto& points = organ.mesh->points;
+    const auto& triangles = organ.mesh->triangles;
+    root["organs"].push_back(
+        {{"name", organ.name},
+         {"points", std::vector<double>(points.data(), points.data() + points.size())},
+         {"triangles", std::vector<std::int32_t>(triangles.data(), triangles.data() + triangles.size())}});
+  }
   return root.dump(1) + "\n";
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -12,11 +13,18 @@
 /// Recorded sequences as `.sequence.json` files (docs/file_formats.md).
 namespace viscera::motion {
 
+/// A surface that a sequence was made for, at rest.
+struct SequenceOrgan {
+  std::string name;
+  std::shared_ptr<const geometry::TriangleMesh> mesh; ///< mm LPS; never null.
+};
+
 /// What a sequence file holds: by itself enough to play it.
 struct SequenceFile {
   sequences::KeyframedSequence::Track track;    ///< Handles at rest in the order of `labels`; groups; keys.
   std::vector<std::string> labels;              ///< One a handle, unique.
   std::optional<document::SystemChoice> system; ///< The coordinates it was recorded with, when the file says.
+  std::vector<SequenceOrgan> organs;            ///< What it moves, when the file holds it.
 };
 
 /// Whether the name ends like a sequence file (.sequence.json).

@@ -1,0 +1,73 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "viscera/core/progress.h"
+#include "viscera/geometry/triangle_mesh.h"
+#include "viscera/tracking/mask.h"
+#include "viscera/tracking/phase_times.h"
+#include "viscera/tracking/surface_series.h"
+
+/// A patient's organ over time, out of files.
+namespace viscera::motion {
+
+/// Which labels make a surface: the epicardium of a heart is muscle and both cavities together.
+struct LabelledSurface {
+  std::string name;                ///< "LV"
+  std::vector<std::string> labels; ///< Names or values; all of a map when empty.
+};
+
+/// What a series is made of.
+struct SeriesRequest {
+  /// Surfaces or label maps, one a phase; or one folder of them; or one file of several volumes. Several
+  /// surfaces a phase are told by their files' names without the last number.
+  std::vector<std::filesystem::path> inputs;
+  std::vector<LabelledSurface> surfaces; ///< Of label maps; empty: their only label, or those of a heart.
+  std::optional<double> periodSeconds;   ///< Of one cycle; goes before what the files say.
+  std::vector<double> seconds;           ///< One a phase; goes before what the files say.
+  std::vector<std::size_t> leftOut;      ///< Phases, counted from 0, that are not used.
+  bool loop = true;                      ///< Whether the last phase leads back to the first.
+};
+
+/// One organ in all phases. Volumes and grids are checked.
+struct MotionSeries {
+  std::vector<std::string> names; ///< Of the surfaces, the outer one first.
+  std::size_t outer = 0;          ///< The one that holds the others.
+  tracking::PhaseTimes times;
+  /// With the same triangles in all phases, one a surface; else empty.
+  std::vector<tracking::SurfaceSeries> corresponding;
+  /// Surfaces without correspondence, `[phase][surface]`; else empty.
+  std::vector<std::vector<std::shared_ptr<const geometry::TriangleMesh>>> meshes;
+  /// Voxels of label maps, `[phase][surface]`; else empty.
+  std::vector<std::vector<tracking::Mask>> masks;
+  std::vector<std::vector<double>> volumesMl; ///< Measured, `[phase][surface]`.
+  std::vector<std::string> warnings;          ///< What was mended or assumed, a sentence each.
+
+  std::size_t phases() const { return times.count(); }
+  /// Distance of the slices of label maps, mm; 0 for surfaces.
+  double sliceMm() const;
+};
+
+/// Reads a series: a list of surfaces of any format or of label maps, a folder of them (natural order of the
+/// last number in a name), a 4D NIfTI, a .seq.nrrd of 3D Slicer. Times are the request's, else the files';
+/// phases without times are spread evenly over the period. A last phase that equals the first is dropped,
+/// with a warning.
+///
+/// Throws `NoInputError` and `DataError` of the files, and `DataError` that says what to do for: fewer than
+/// four phases; a surface or label missing in a phase; grids that differ or are sheared; a label that touches
+/// the image's edge in some phases only; times that do not ascend; a cavity that is not inside the outer
+/// surface; a volume that jumps by more than half of the largest between neighbours; axes that differ between
+/// files; a series that does not lead back to its first phase. `UsageError` where the period, or the labels
+/// of surfaces, are not said. `Cancelled`.
+MotionSeries readMotionSeries(const SeriesRequest& request, Progress& progress);
+
+/// The name without its last number, and that number: ("LV", 3) for "LV_003.obj", ("scan", none) for
+/// "scan.nii.gz".
+std::pair<std::string, std::optional<std::uint64_t>> seriesName(const std::filesystem::path& file);
+
+} // namespace viscera::motion

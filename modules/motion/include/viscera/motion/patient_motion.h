@@ -1,0 +1,68 @@
+#pragma once
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "viscera/core/parallel.h"
+#include "viscera/core/progress.h"
+#include "viscera/geometry/triangle_mesh.h"
+#include "viscera/medical_io/handle_file.h"
+#include "viscera/motion/cardiac_indices.h"
+#include "viscera/motion/motion_series.h"
+#include "viscera/motion/sequence_file.h"
+#include "viscera/tracking/fit_quality.h"
+#include "viscera/tracking/motion_rig.h"
+
+/// A patient's own motion: handles and their poses in time that bring one organ through its series.
+namespace viscera::motion {
+
+/// How a motion is looked for. docs/patient_motion.md says where the standards come from.
+struct TrackOptions {
+  tracking::RigOptions rig;
+  std::optional<medical_io::HandleFile> handles; ///< A given rig in the place of one that is made.
+  std::optional<double> smoothing;               ///< In time; 1e-5 for surfaces that correspond, else 1e-4.
+  bool keepVolumes = true;
+  double robustMm = 0;  ///< Beyond it distances count less (Huber); 0: all alike.
+  int triangles = 4000; ///< Of a surface that is made from a label map.
+  int witnesses = 3000; ///< In the tissue, where folds are looked for.
+};
+
+/// One phase of a motion.
+struct TrackedPhase {
+  double seconds = 0;
+  tracking::PhaseQuality quality;
+  tracking::FitVerdict verdict;
+};
+
+/// What was found.
+struct PatientMotion {
+  /// A key for every phase, the handles in groups by surface, the coordinates, and the organ's surfaces at
+  /// rest: by itself enough to play it. Its volumes at the keys are the measured ones.
+  SequenceFile sequence;
+  std::size_t outer = 0; ///< Among `sequence.organs`: the surface that holds the others.
+  std::vector<TrackedPhase> phases;
+  /// Of every cavity, or of the only surface, by its name.
+  std::map<std::string, CardiacIndices> indices;
+  /// The outer surface less its cavities in every phase, ml: tissue, as a check of the data. Empty for one
+  /// surface.
+  std::vector<double> tissueMl;
+  bool corresponding = false; ///< Whether points were known from phase to phase.
+  double sliceMm = 0;         ///< Of label maps.
+  std::vector<std::string> warnings;
+
+  tracking::FitLight worst() const;
+};
+
+/// The motion of a series: a rig on the surfaces of the first phase, their poses in all phases (least squares
+/// where points correspond, else by signed distances), volumes kept exactly, and how well it all fits. For
+/// any thread; progress is said phase by phase. Deterministic, whatever the number of threads. Throws
+/// `DataError` for surfaces that a rig cannot be made for or that lie outside a given one, what reading of
+/// labels throws, `Cancelled`. O(phases x vertices x handles) where points correspond; some seconds a phase
+/// else.
+PatientMotion trackMotion(const MotionSeries& series, const TrackOptions& options, Progress& progress,
+                          Threads threads = {});
+
+} // namespace viscera::motion

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "viscera/motion/motion_series.h"
+
+/// What files make a series.
+namespace viscera::motion {
+
+/// What the inputs of a request are.
+struct SeriesFiles {
+  enum class Kind { surfaces, labelMaps, volumes };
+  Kind kind = Kind::surfaces;
+  /// Surfaces: by name, one file a phase. Label maps: one entry "". Volumes: one entry "" with one file.
+  std::map<std::string, std::vector<std::filesystem::path>> files;
+  std::size_t phases = 0; ///< 0 for volumes.
+};
+
+/// Sorts the inputs into phases. Throws `NoInputError`, `DataError` for kinds that are mixed and for surfaces
+/// that miss a phase, `UsageError` for no inputs.
+SeriesFiles seriesFiles(const SeriesRequest& request);
+
+} // namespace viscera::motion
