@@ -170,18 +170,22 @@ PlayedSequence onOtherOrgan(const PlayRequest& request, Surroundings& surroundin
 }
 
 PlayedSequence fromFile(const PlayRequest& request, Surroundings& surroundings) {
-  if (request.organ.empty())
-    throw UsageError("It needs an organ to move", request.sequence, "name one with --organ");
   const motion::SequenceFile file = motion::readSequence(request.sequence);
+  if (request.organ.empty() && file.organs.empty())
+    throw UsageError("It needs an organ to move", request.sequence, "name one with --organ");
   PlayedSequence played;
   played.sequence = std::make_shared<sequences::KeyframedSequence>(file.track);
   played.rig = motion::rigOf(file);
   Surfaces surfaces;
-  for (document::Organ& organ : organInputs(request.organ, surroundings.samples, surroundings.progress)) {
-    played.warnings.insert(played.warnings.end(), organ.warnings.begin(), organ.warnings.end());
-    const std::string name = surfaces.names.empty() ? "outer" : organ.name.substr(organ.name.find('/') + 1);
-    surfaces.add(name, std::move(organ));
-  }
+  if (request.organ.empty())
+    for (const motion::SequenceOrgan& organ : file.organs)
+      surfaces.add(organ.name, document::makeOrgan(organ.name, organ.mesh));
+  else
+    for (document::Organ& organ : organInputs(request.organ, surroundings.samples, surroundings.progress)) {
+      played.warnings.insert(played.warnings.end(), organ.warnings.begin(), organ.warnings.end());
+      const std::string name = surfaces.names.empty() ? "outer" : organ.name.substr(organ.name.find('/') + 1);
+      surfaces.add(name, std::move(organ));
+    }
   bindAll(played, std::move(surfaces), file.system.value_or(document::SystemChoice()), surroundings);
   return played;
 }

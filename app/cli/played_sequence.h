@@ -63,7 +63,8 @@ struct PlayedSequence {
 
 /// Makes a sequence with the organ it is made for, or fits it to the organ that is asked for: by landmarks
 /// that are given or computed. A sequence file moves any organ that lies within its handles. Throws
-/// `UsageError` that lists the sequences for an unknown name, and for a file without `--organ`; what reading,
+/// `UsageError` that lists the sequences for an unknown name, and for a file that holds no organ, without
+/// `--organ`; what reading,
 /// fitting and binding throw.
 PlayedSequence playedSequence(const PlayRequest& request, Surroundings& surroundings);
 

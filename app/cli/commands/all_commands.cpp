@@ -13,6 +13,7 @@
 #include "cli/commands/segment_command.h"
 #include "cli/commands/stress_command.h"
 #include "cli/commands/systems_command.h"
+#include "cli/commands/track_command.h"
 
 namespace viscera::app::cli {
 
@@ -27,6 +28,7 @@ std::vector<std::unique_ptr<Command>> allCommands() {
   commands.push_back(std::make_unique<DeformCommand>());
   commands.push_back(std::make_unique<StressCommand>());
   commands.push_back(std::make_unique<PlayCommand>());
+  commands.push_back(std::make_unique<TrackCommand>());
   commands.push_back(std::make_unique<SegmentCommand>());
   commands.push_back(std::make_unique<RenderCommand>());
   commands.push_back(std::make_unique<PropertiesCommand>());

@@ -8,7 +8,6 @@
 #include <CLI/CLI.hpp>
 #include <vtkImageData.h>
 
-#include "cli/listing.h"
 #include "viscera/core/atomic_file.h"
 #include "viscera/core/error.h"
 #include "viscera/document/open_files.h"
@@ -20,6 +19,7 @@
 #include "viscera/scene/contact_sheet.h"
 #include "viscera/scene/movie_writer.h"
 #include "viscera/scene/picture.h"
+#include "viscera/sequences/keyframes.h"
 
 namespace viscera::app::cli {
 namespace {
@@ -95,6 +95,28 @@ void addWall(const PlayedSequence& played, const std::vector<double>& wall, nloh
   const double change = std::max(*high - rest, rest - *low) / rest;
   json["wallVolume"] = {{"minMl", *low}, {"maxMl", *high}, {"restMl", rest}, {"maxRelativeChange", change}};
   listing.add("wall", fixed(*low, 1) + " to " + fixed(*high, 1) + " ml, at rest " + fixed(rest, 1) + " ml");
+}
+
+/// Measures at the keys of a recorded sequence: there the volumes are what was recorded.
+void measureKeys(const PlayedSequence& played, motion::MotionRunner& runner, double rate,
+                 motion::VolumeRecord& record) {
+  const auto* keyframes = dynamic_cast<const sequences::KeyframedSequence*>(played.sequence.get());
+  if (keyframes == nullptr)
+    return;
+  const double stretch = 60 / rate / keyframes->track().periodSeconds;
+  for (const sequences::Keyframe& key : keyframes->track().keys)
+    record.add(stretch * key.seconds, runner.show(stretch * key.seconds));
+}
+
+/// The surface whose ejection fraction is the heart's: the left ventricle, else the first cavity, else the
+/// only surface of a recorded sequence. -1 for none.
+int ventricleOf(const PlayedSequence& played) {
+  for (const char* name : {"lv", "LV", "heart_ventricle_left", "left ventricle"})
+    if (const int found = played.find(name); found >= 0)
+      return found;
+  if (dynamic_cast<const sequences::KeyframedSequence*>(played.sequence.get()) == nullptr)
+    return -1;
+  return played.surfaces.size() > 1 ? 1 : 0;
 }
 
 /// What was found out about an organ that the sequence was fitted to.
@@ -230,7 +252,7 @@ PlayCommand::Measured PlayCommand::play(PlayedSequence& played, double rate, int
   std::vector<std::string> names;
   for (const PlayedSurface& surface : played.surfaces)
     names.push_back(surface.name);
-  Measured measured{motion::VolumeRecord(names), {}};
+  Measured measured{motion::VolumeRecord(names), {}, motion::VolumeRecord(names)};
   std::optional<Recording> recording;
   if (!frames_.empty() || !movie_.empty() || !sheet_.empty())
     recording.emplace(played, stage_, sheet_.empty() ? 0 : kRoomOnASheet, surroundings);
@@ -263,11 +285,42 @@ PlayCommand::Measured PlayCommand::play(PlayedSequence& played, double rate, int
       recording->addFrame();
     surroundings.progress.report(kDrawingShare * (frame + 1) / frames, "playing");
   }
+  measureKeys(played, runner, rate, measured.atKeys);
   if (recording)
     recording->finish(surroundings.progress);
   if (!sheet_.empty())
     scene::writeSmallPng(sheet_, scene::contactSheet(recording->kept(), columns_));
   return measured;
+}
+
+void PlayCommand::addIndices(const PlayedSequence& played, const Measured& measured, double rate,
+                             Outcome& outcome, Listing& listing) const {
+  outcome.json["ejectionFraction"] = nullptr;
+  const int ventricle = ventricleOf(played);
+  for (std::size_t i = 0; i < played.surfaces.size(); ++i) {
+    std::vector<double> values = measured.volumes.column(i);
+    const std::vector<double> atKeys = measured.atKeys.column(i);
+    values.insert(values.end(), atKeys.begin(), atKeys.end());
+    const bool isVentricle = static_cast<int>(i) == ventricle;
+    if ((!isVentricle && atKeys.empty()) || !(*std::min_element(values.begin(), values.end()) > 0))
+      continue;
+    const motion::CardiacIndices indices = motion::cardiacIndices(values, rate);
+    if (!atKeys.empty())
+      outcome.json["indices"][played.surfaces[i].name] = {
+          {"endDiastolicMl", indices.endDiastolicMl},
+          {"endSystolicMl", indices.endSystolicMl},
+          {"strokeVolumeMl", indices.strokeVolumeMl},
+          {"ejectionFraction", indices.ejectionFraction},
+          {"cardiacOutputLPerMinute", indices.cardiacOutputLPerMinute}};
+    if (!isVentricle)
+      continue;
+    outcome.json["ejectionFraction"] = indices.ejectionFraction;
+    outcome.json["strokeVolumeMl"] = indices.strokeVolumeMl;
+    outcome.json["cardiacOutputLPerMinute"] = indices.cardiacOutputLPerMinute;
+    listing.add("ejection fraction", fixed(indices.ejectionFraction, 3))
+        .add("stroke volume", fixed(indices.strokeVolumeMl, 1) + " ml")
+        .add("output", fixed(indices.cardiacOutputLPerMinute, 2) + " l a minute");
+  }
 }
 
 Outcome PlayCommand::report(const PlayedSequence& played, const Measured& measured, double rate) const {
@@ -294,15 +347,7 @@ Outcome PlayCommand::report(const PlayedSequence& played, const Measured& measur
   }
   outcome.json["maxRelativeOuterChange"] = outerChange;
   listing.add("outer change", fixed(100 * outerChange, 1) + " % at most");
-  outcome.json["ejectionFraction"] = nullptr;
-  if (const int ventricle = played.find("lv"); ventricle >= 0) {
-    const motion::CardiacIndices indices =
-        motion::cardiacIndices(volumes.column(static_cast<std::size_t>(ventricle)), rate);
-    outcome.json["ejectionFraction"] = indices.ejectionFraction;
-    outcome.json["strokeVolumeMl"] = indices.strokeVolumeMl;
-    listing.add("ejection fraction", fixed(indices.ejectionFraction, 3))
-        .add("stroke volume", fixed(indices.strokeVolumeMl, 1) + " ml");
-  }
+  addIndices(played, measured, rate, outcome, listing);
   if (played.chambers)
     addWall(played, measured.wallMl, outcome.json, listing);
   if (played.retargeted)

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "cli/command.h"
+#include "cli/listing.h"
 #include "cli/played_sequence.h"
 #include "cli/stage_options.h"
 #include "viscera/motion/motion_runner.h"
@@ -23,7 +24,8 @@ private:
   /// What playing has shown.
   struct Measured {
     motion::VolumeRecord volumes;
-    std::vector<double> wallMl; ///< Of the sample heart: chambers from outside less both cavities.
+    std::vector<double> wallMl;  ///< Of the sample heart: chambers from outside less both cavities.
+    motion::VolumeRecord atKeys; ///< Of a recorded sequence: at its keys, which frames may miss.
   };
 
   /// The rate to play at. Throws `UsageError` outside what the sequence allows.
@@ -33,6 +35,9 @@ private:
   motion::MotionRunner runnerOf(PlayedSequence& played, double rate, Threads threads) const;
   /// Plays every frame, and records those that are asked for.
   Measured play(PlayedSequence& played, double rate, int frames, Surroundings& surroundings) const;
+  /// Adds the ejection fraction and what belongs to it, as far as the surfaces are closed.
+  void addIndices(const PlayedSequence& played, const Measured& measured, double rate, Outcome& outcome,
+                  Listing& listing) const;
   Outcome report(const PlayedSequence& played, const Measured& measured, double rate) const;
 
   PlayRequest request_;

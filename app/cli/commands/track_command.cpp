@@ -1,0 +1,290 @@
+#include "cli/commands/track_command.h"
+
+#include <algorithm>
+#include <cctype>
+#include <chrono>
+#include <filesystem>
+#include <memory>
+
+#include <CLI/CLI.hpp>
+
+#include "cli/listing.h"
+#include "viscera/core/atomic_file.h"
+#include "viscera/core/error.h"
+#include "viscera/document/open_files.h"
+#include "viscera/medical_io/handle_file.h"
+#include "viscera/medical_io/surface_file.h"
+
+namespace viscera::app::cli {
+namespace {
+
+using nlohmann::ordered_json;
+
+constexpr double kMsPerSecond = 1000;
+constexpr double kSecondsPerMinute = 60;
+constexpr int kFewestHandles = 12, kMostHandles = 1000;
+constexpr std::size_t kMostWarningsOfAKind = 12;
+
+/// "LV=1,2" taken apart.
+motion::LabelledSurface surfaceOf(const std::string& text) {
+  const std::size_t equal = text.find('=');
+  motion::LabelledSurface surface{text.substr(0, equal), {}};
+  if (equal != std::string::npos)
+    for (std::size_t at = equal + 1; at <= text.size();) {
+      const std::size_t end = std::min(text.find(',', at), text.size());
+      if (end > at)
+        surface.labels.push_back(text.substr(at, end - at));
+      at = end + 1;
+    }
+  if (surface.name.empty() || surface.labels.empty())
+    throw UsageError("It is not a name and labels", "--surface " + text, "as in --surface EPI=1,2,3");
+  return surface;
+}
+
+/// "left_ventricle.obj" for "left ventricle": what every file system takes.
+std::string fileNameOf(std::string name) {
+  std::replace_if(
+      name.begin(), name.end(),
+      [](unsigned char c) { return c < 0x80 && std::isalnum(c) == 0 && c != '-' && c != '.'; }, '_');
+  return name + ".obj";
+}
+
+const char* nameOf(tracking::FitLight light) {
+  return light == tracking::FitLight::good ? "good" : light == tracking::FitLight::amber ? "amber" : "red";
+}
+
+ordered_json optionalNumber(const std::optional<double>& number) {
+  return number ? ordered_json(*number) : ordered_json(nullptr);
+}
+
+ordered_json rowOf(const motion::TrackedPhase& phase, const std::vector<motion::SequenceOrgan>& organs) {
+  ordered_json surfaces;
+  for (std::size_t i = 0; i < organs.size(); ++i) {
+    const tracking::SurfaceQuality& surface = phase.quality.surfaces[i];
+    surfaces[organs[i].name] = {{"volumeMl", surface.measuredMl},
+                                {"fittedMl", surface.fittedMl},
+                                {"freeMl", surface.freeMl},
+                                {"meanMm", surface.meanMm},
+                                {"p95Mm", surface.p95Mm},
+                                {"maxMm", surface.maxMm},
+                                {"dice", optionalNumber(surface.dice)},
+                                {"flipped", surface.flipped}};
+  }
+  return {{"timeMs", kMsPerSecond * phase.seconds},
+          {"meanMm", phase.quality.meanMm},
+          {"p95Mm", phase.quality.p95Mm},
+          {"maxMm", phase.quality.maxMm},
+          {"dice", optionalNumber(phase.quality.dice)},
+          {"surfaces", std::move(surfaces)},
+          {"folded", phase.quality.folded},
+          {"steps", phase.quality.steps},
+          {"light", nameOf(phase.verdict.light)},
+          {"reasons", phase.verdict.reasons}};
+}
+
+/// One surface over all phases.
+struct Overall {
+  double mean = 0, worst = 0, max = 0, lowestDice = 1;
+  int flipped = 0;
+};
+
+Overall overallOf(const motion::PatientMotion& found, std::size_t surface) {
+  Overall overall;
+  for (const motion::TrackedPhase& phase : found.phases) {
+    const tracking::SurfaceQuality& quality = phase.quality.surfaces[surface];
+    overall.mean += quality.meanMm / static_cast<double>(found.phases.size());
+    overall.worst = std::max(overall.worst, quality.meanMm);
+    overall.max = std::max(overall.max, quality.maxMm);
+    overall.lowestDice = std::min(overall.lowestDice, quality.dice.value_or(1));
+    overall.flipped += quality.flipped;
+  }
+  return overall;
+}
+
+} // namespace
+
+void TrackCommand::addOptions(CLI::App& options) {
+  options
+      .add_option("PHASES", phases_,
+                  "Surfaces or label maps, one a phase; a folder of them; a 4D NIfTI; a .seq.nrrd. Several "
+                  "surfaces a phase are told by their files' names without the last number")
+      ->required();
+  options.add_option("-o,--output", output_, "The motion: a .sequence.json")->type_name("FILE")->required();
+  options.add_option("--write-handles", handlesOut_, "Where to write the handles in their groups, at rest")
+      ->type_name("FILE");
+  options
+      .add_option("--write-organs", organsOut_,
+                  "Folder to write the closed surfaces of the first phase into (.obj)")
+      ->type_name("DIR");
+  auto* count = options.add_option("--handles", handles_,
+                                   "How many handles; 60 for one surface, 120 for more when not said");
+  count->type_name("N")->check(CLI::Range(kFewestHandles, kMostHandles));
+  options.add_option("--rig", rig_, "Handles to use in the place of new ones (.mrk.json)")
+      ->type_name("FILE")
+      ->excludes(count);
+  auto* period = options.add_option("--period-ms", periodMs_, "How long one cycle lasts");
+  period->type_name("T")->check(CLI::PositiveNumber);
+  options.add_option("--rate", rate_, "Cycles a minute, in the place of the period")
+      ->type_name("PER_MIN")
+      ->check(CLI::PositiveNumber)
+      ->excludes(period);
+  options.add_option("--times-ms", timesMs_, "When each phase is; evenly over the period when not said")
+      ->type_name("T1,T2,...")
+      ->delimiter(',');
+  options
+      .add_option("--surface", surfaces_,
+                  "A surface and the labels within it, as in LV=1; the outer one has those of its cavities "
+                  "too: EPI=1,2,3; may be repeated")
+      ->type_name("NAME=LABELS")
+      ->expected(1)
+      ->take_all();
+  options.add_option("--leave-out", leftOut_, "Phases not to use, counted from 1")
+      ->type_name("N1,N2,...")
+      ->delimiter(',');
+  options.add_flag("--once", once_, "The series is no whole cycle: its last phase does not lead back");
+  options.add_flag("--free-volumes", freeVolumes_, "Do not keep the measured volumes");
+  options
+      .add_option("--smoothing", smoothing_,
+                  "Of the motion in time; 1e-5 for surfaces with the same triangles, else 1e-4")
+      ->check(CLI::NonNegativeNumber);
+  options
+      .add_option("--robust-mm", robustMm_,
+                  "Distances beyond it count less: for label maps with outliers; 0: all alike")
+      ->check(CLI::NonNegativeNumber);
+}
+
+motion::SeriesRequest TrackCommand::request() const {
+  motion::SeriesRequest request;
+  request.inputs.assign(phases_.begin(), phases_.end());
+  for (const std::string& surface : surfaces_)
+    request.surfaces.push_back(surfaceOf(surface));
+  if (periodMs_ > 0)
+    request.periodSeconds = periodMs_ / kMsPerSecond;
+  if (rate_ > 0)
+    request.periodSeconds = kSecondsPerMinute / rate_;
+  for (const double time : timesMs_)
+    request.seconds.push_back(time / kMsPerSecond);
+  for (const std::size_t phase : leftOut_) {
+    if (phase == 0)
+      throw UsageError("There is no phase 0", "--leave-out", "phases are counted from 1");
+    request.leftOut.push_back(phase - 1);
+  }
+  request.loop = !once_;
+  return request;
+}
+
+motion::TrackOptions TrackCommand::trackOptions(std::vector<std::string>& warnings) const {
+  motion::TrackOptions options;
+  options.rig.handles = handles_;
+  options.keepVolumes = !freeVolumes_;
+  options.robustMm = robustMm_;
+  if (smoothing_ >= 0)
+    options.smoothing = smoothing_;
+  if (!rig_.empty()) {
+    options.handles = medical_io::readHandles(rig_);
+    for (const std::string& warning : options.handles->warnings)
+      warnings.push_back(rig_ + ": " + warning);
+  }
+  return options;
+}
+
+Outcome TrackCommand::run(Surroundings& surroundings) {
+  const auto begin = std::chrono::steady_clock::now();
+  if (!motion::isSequenceFile(output_))
+    throw UsageError("The name of a sequence file ends in .sequence.json", "-o " + output_,
+                     "as in -o beat.sequence.json");
+  for (const std::string* target : {&output_, &handlesOut_})
+    if (!target->empty())
+      const AtomicFile writable(*target); // Said before the work, not after it.
+  const motion::SeriesRequest asked = request();
+  std::vector<std::string> warnings;
+  const motion::TrackOptions options = trackOptions(warnings);
+  motion::MotionSeries series;
+  runPart(surroundings.progress, 0, 0.1,
+          [&](Progress& part) { series = motion::readMotionSeries(asked, part); });
+  motion::PatientMotion found;
+  runPart(surroundings.progress, 0.1, 1,
+          [&](Progress& part) { found = motion::trackMotion(series, options, part, surroundings.threads); });
+  found.warnings.insert(found.warnings.begin(), warnings.begin(), warnings.end());
+  write(found);
+  Outcome outcome = report(found);
+  outcome.json["seconds"] = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  return outcome;
+}
+
+void TrackCommand::write(const motion::PatientMotion& found) const {
+  namespace fs = std::filesystem;
+  if (!organsOut_.empty()) {
+    std::error_code error;
+    fs::create_directories(organsOut_, error);
+    if (error || !fs::is_directory(organsOut_, error))
+      throw CannotCreateError("the folder cannot be made", organsOut_, "choose another one");
+    for (const motion::SequenceOrgan& organ : found.sequence.organs)
+      medical_io::writeSurface(fs::path(organsOut_) / fileNameOf(organ.name), *organ.mesh,
+                               {.name = organ.name});
+  }
+  if (!handlesOut_.empty())
+    medical_io::writeHandles(handlesOut_, document::handleFile(motion::rigOf(found.sequence)));
+  motion::writeSequence(output_, found.sequence);
+}
+
+Outcome TrackCommand::report(const motion::PatientMotion& found) const {
+  Outcome outcome;
+  Listing listing;
+  const auto& track = found.sequence.track;
+  outcome.json["phases"] = ordered_json::array();
+  int folded = 0;
+  for (const motion::TrackedPhase& phase : found.phases) {
+    outcome.json["phases"].push_back(rowOf(phase, found.sequence.organs));
+    folded += phase.quality.folded;
+  }
+  outcome.json["periodMs"] = kMsPerSecond * track.periodSeconds;
+  outcome.json["loop"] = track.loop;
+  outcome.json["handles"] = track.restHandles.rows();
+  outcome.json["folded"] = folded;
+  outcome.json["correspondence"] = found.corresponding;
+  listing
+      .add("phases", std::to_string(found.phases.size()) + " over " +
+                         fixed(kMsPerSecond * track.periodSeconds, 0) + " ms")
+      .add("handles", std::to_string(track.restHandles.rows()));
+  for (std::size_t i = 0; i < found.sequence.organs.size(); ++i) {
+    const Overall overall = overallOf(found, i);
+    std::string text = fixed(overall.mean, 2) + " mm away on average, " + fixed(overall.worst, 2) +
+                       " in the worst phase, " + fixed(overall.max, 1) + " at most";
+    if (!found.corresponding && found.sliceMm > 0)
+      text += ", Dice " + fixed(overall.lowestDice, 3) + " at least";
+    listing.add(found.sequence.organs[i].name, text);
+  }
+  outcome.json["ejectionFraction"] = ordered_json::object();
+  for (const auto& [name, indices] : found.indices) {
+    outcome.json["ejectionFraction"][name] = indices.ejectionFraction;
+    outcome.json["indices"][name] = {{"endDiastolicMl", indices.endDiastolicMl},
+                                     {"endSystolicMl", indices.endSystolicMl},
+                                     {"strokeVolumeMl", indices.strokeVolumeMl},
+                                     {"cardiacOutputLPerMinute", indices.cardiacOutputLPerMinute}};
+    listing.add(name + " EF", fixed(indices.ejectionFraction, 3) + " (" + fixed(indices.endDiastolicMl, 1) +
+                                  " to " + fixed(indices.endSystolicMl, 1) + " ml)");
+  }
+  outcome.json["tissueMl"] = found.tissueMl;
+  listing.add("folded", std::to_string(folded) + " places in all phases")
+      .add("fit", nameOf(found.worst()))
+      .add("sequence", output_);
+  outcome.json["light"] = nameOf(found.worst());
+  outcome.json["sequence"] = output_;
+  for (const auto& [key, target] : {std::pair("handlesFile", handlesOut_), std::pair("organs", organsOut_)})
+    if (!target.empty()) {
+      outcome.json[key] = target;
+      listing.add(key, target);
+    }
+  outcome.json["warnings"] = found.warnings;
+  outcome.warnings = found.warnings;
+  if (outcome.warnings.size() > kMostWarningsOfAKind) {
+    const std::size_t more = outcome.warnings.size() - kMostWarningsOfAKind;
+    outcome.warnings.resize(kMostWarningsOfAKind);
+    outcome.warnings.push_back(std::to_string(more) + " more, which --json lists");
+  }
+  outcome.text = listing.text();
+  return outcome;
+}
+
+} // namespace viscera::app::cli

@@ -1,0 +1,114 @@
+#include <cmath>
+#include <sstream>
+
+#include "beating_labels.h"
+#include "cli_test.h"
+
+namespace viscera::app::cli {
+namespace {
+
+const std::filesystem::path kCine = std::filesystem::path(VISCERA_SHARED_ORGANS) / "cine";
+
+class Track : public CliTest {
+protected:
+  /// The volumes of a table of `viscera play`, by column.
+  std::map<std::string, std::vector<double>> table(const std::string& file) const {
+    std::istringstream lines(contents(file));
+    std::string line, cell;
+    std::vector<std::string> names;
+    std::map<std::string, std::vector<double>> columns;
+    for (bool first = true; std::getline(lines, line); first = false) {
+      std::istringstream cells(line);
+      for (std::size_t i = 0; std::getline(cells, cell, ','); ++i)
+        if (first)
+          names.push_back(cell);
+        else
+          columns[names[i]].push_back(std::stod(cell));
+    }
+    return columns;
+  }
+
+  /// Six phases of a small heart in one file.
+  std::string cine() const {
+    std::vector<tests::LabelImage> phases;
+    for (int phase = 0; phase < 6; ++phase)
+      phases.push_back(tests::beatingLabels(phase / 6.0, Vec3(4, 4, 8)));
+    return put("cine.nii", tests::nifti4d(phases, 150, 16));
+  }
+};
+
+TEST_F(Track, KeepsItsContractAndIsPlayedAgainWithTheSameVolumes) {
+  const json found = runJson({"track", cine(), "-o", path("m.sequence.json"), "--write-handles",
+                              path("h.mrk.json"), "--write-organs", path("organs"), "--handles", "60",
+                              "--surface", "LV=1", "--surface", "RV=2", "--surface", "EPI=1,2,3"});
+  for (const std::string key :
+       {"phases", "periodMs", "handles", "folded", "ejectionFraction", "seconds", "warnings"})
+    EXPECT_TRUE(found.contains(key)) << key;
+  EXPECT_NEAR(found["periodMs"].get<double>(), 900, 1e-3);
+  EXPECT_EQ(found["handles"], 60);
+  ASSERT_EQ(found["phases"].size(), 6U);
+  for (const std::string key : {"timeMs", "meanMm", "p95Mm", "maxMm", "dice", "surfaces"})
+    EXPECT_TRUE(found["phases"][0].contains(key)) << key;
+  EXPECT_EQ(found["ejectionFraction"].size(), 2U);
+  // Six frames a beat are its keys.
+  const json played =
+      runJson({"play", path("m.sequence.json"), "--fps", std::to_string(6 / 0.9), "--csv", path("v.csv")});
+  EXPECT_NEAR(played["ejectionFraction"].get<double>(), found["ejectionFraction"]["LV"].get<double>(), 1e-4);
+  EXPECT_NEAR(played["indices"]["RV"]["ejectionFraction"].get<double>(),
+              found["ejectionFraction"]["RV"].get<double>(), 1e-4);
+  const auto volumes = table(path("v.csv"));
+  for (const std::string name : {"LV", "RV", "EPI"})
+    for (std::size_t phase = 0; phase < 6; ++phase) {
+      const double measured = found["phases"][phase]["surfaces"][name]["volumeMl"];
+      EXPECT_NEAR(volumes.at(name).at(phase) / measured, 1, 1e-4) << name << ", phase " << phase;
+    }
+  // By its surfaces one by one too, at a rate of frames that meets no key.
+  const json alone =
+      runJson({"play", path("m.sequence.json"), "--organ", path("organs/RV.obj"), "--fps", "7"});
+  EXPECT_NEAR(alone["ejectionFraction"].get<double>(), found["ejectionFraction"]["RV"].get<double>(), 1e-4);
+  EXPECT_GT(alone["strokeVolumeMl"].get<double>(), 1);
+  EXPECT_GT(alone["cardiacOutputLPerMinute"].get<double>(), 0);
+  EXPECT_TRUE(std::filesystem::exists(path("h.mrk.json")));
+}
+
+TEST_F(Track, SaysWhatIsMissingAndLeavesNothing) {
+  const std::string file = cine();
+  const auto before = files();
+  expectFailure({"track", file, "-o", path("m.sequence.json")}, kUsage, "say which surfaces they make");
+  expectFailure({"track", file, "-o", path("m.json"), "--surface", "LV=1"}, kUsage, "ends in .sequence.json");
+  expectFailure({"track", file, "-o", path("m.sequence.json"), "--surface", "LV"}, kUsage,
+                "a name and labels");
+  expectFailure({"track", file, "-o", path("m.sequence.json"), "--surface", "LV=9"}, kUsage, "9");
+  expectFailure({"track", path("nobody"), "-o", path("m.sequence.json")}, kNoInput, "no such file or folder");
+  EXPECT_EQ(files(), before);
+}
+
+TEST_F(Track, HoldsARealRightVentricle) {
+  if (!std::filesystem::exists(kCine))
+    GTEST_SKIP() << "shared/organs/cine is absent";
+  const json found = runJson({"track", kCine.string(), "-o", path("rv.sequence.json"), "--period-ms", "829"});
+  ASSERT_EQ(found["phases"].size(), 25U);
+  EXPECT_EQ(found["handles"], 60);
+  const std::string name = "patient1_RV_ENDOCARDIAL";
+  EXPECT_NEAR(found["ejectionFraction"][name].get<double>(), 0.549, 0.001);
+  double mean = 0;
+  for (const json& phase : found["phases"]) {
+    mean += phase["meanMm"].get<double>() / 25;
+    EXPECT_NEAR(phase["surfaces"][name]["fittedMl"].get<double>() /
+                    phase["surfaces"][name]["volumeMl"].get<double>(),
+                1, 1e-6);
+    EXPECT_EQ(phase["surfaces"][name]["flipped"], 0);
+  }
+  EXPECT_LT(mean, 0.7);
+  const json played = runJson(
+      {"play", path("rv.sequence.json"), "--fps", std::to_string(25 / 0.829), "--csv", path("v.csv")});
+  EXPECT_NEAR(played["ejectionFraction"].get<double>(), 0.549, 0.001);
+  const auto volumes = table(path("v.csv")).at(name);
+  for (std::size_t phase = 0; phase < 25; ++phase)
+    EXPECT_NEAR(volumes.at(phase) / found["phases"][phase]["surfaces"][name]["volumeMl"].get<double>(), 1,
+                1e-4)
+        << "phase " << phase;
+}
+
+} // namespace
+} // namespace viscera::app::cli
