@@ -11,8 +11,8 @@
  * tetrahedra, else of the closed surface), VolumeRatio, VectorArea (mm^2: zero to rounding for a closed
  * surface whose cells all count once) and UnboundPoints (outside the hull of the handles, they do not move).
  * These are of the whole organ on every rank; a piece is no organ. Output 1: the handles of the pose, changed
- * by the volume lock where that is on; they lie on the first rank. Cost: O(points x handles) once, then a fifth
- * of it or less for another pose.
+ * by the volume lock where that is on; they lie on the first rank. Cost: O(points x handles) once, then a
+ * fifth of it or less for another pose.
  */
 class VTKVISCERAFILTERS_EXPORT vtkVisceraDeformFilter : public vtkVisceraHandleFilter {
 public:
