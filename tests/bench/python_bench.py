@@ -2,8 +2,8 @@
 
 PYTHONPATH=build/release/python /usr/bin/python3 tests/bench/python_bench.py build/release/bin/bench_coordinates
 
-Rounds of C++ and Python alternate, one thread each, and the least of each is taken: on a busy machine the others say more
-about the neighbours.
+Processor time of one thread, which neighbours disturb least; rounds of C++ and Python alternate, and the least of each is
+taken.
 """
 
 import json
@@ -44,23 +44,23 @@ def blob(rings, segments):
 
 
 def in_cpp(name):
-    """Seconds of one iteration, by Google Benchmark."""
+    """Seconds of processor for one iteration, by Google Benchmark, and for how many vertices."""
     done = subprocess.run(
         [BENCH, f"--benchmark_filter={name}", "--benchmark_format=json", "--benchmark_min_time=0.3"],
         capture_output=True, text=True, check=True,
     )
     found = json.loads(done.stdout)["benchmarks"][0]
-    return found["real_time"] * {"ns": 1e-9, "us": 1e-6, "ms": 1e-3}[found["time_unit"]], found.get("vertices")
+    return found["cpu_time"] * {"ns": 1e-9, "us": 1e-6, "ms": 1e-3}[found["time_unit"]], found.get("vertices")
 
 
 def in_python(job, least=0.3):
-    """Seconds of one call."""
+    """Seconds of processor for one call."""
     job()
-    calls, begin = 0, time.perf_counter()
-    while time.perf_counter() - begin < least:
+    calls, begin = 0, time.process_time()
+    while time.process_time() - begin < least:
         job()
         calls += 1
-    return (time.perf_counter() - begin) / calls
+    return (time.process_time() - begin) / calls
 
 
 def s_celestial(points, handles, iterations=12):
@@ -118,9 +118,9 @@ if len(small) == vertices:
     own = viscera.as_points(small)
     seconds = compare(f"bind {len(small)} vertices", lambda: in_cpp("bind<SCelestial>/threads:1/locality:0")[0],
                       lambda: in_python(lambda: viscera.bind(own, around, threads=1)))
-    begin = time.perf_counter()
+    begin = time.process_time()
     weights = s_celestial(small, around)
-    plain = time.perf_counter() - begin
+    plain = time.process_time() - begin
     error = abs(weights - viscera.bind(own, around).weights).max()
     print(f"S-Celestial written in numpy: {plain:.2f} s, {plain / seconds[1]:.0f} times as long; largest difference "
           f"of a weight {error:.1e}")

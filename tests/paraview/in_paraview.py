@@ -86,5 +86,6 @@ if server != "none":
 simple.LoadPlugin(plugin, remote=False, ns=globals())
 for argument in sys.argv[4:]:
     organ, counts = argument.split("=")
-    print("RESULT", organ, *results_of(reader(organ), tuple(map(int, counts.split(",")))))
+    results = " ".join(results_of(reader(organ), tuple(map(int, counts.split(",")))))
+    sys.stdout.write(f"RESULT {organ} {results}\n")
     sys.stdout.flush()

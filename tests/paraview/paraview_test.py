@@ -5,6 +5,7 @@ paraview_test.py PREFIX BUILD PLUGIN: where ParaView was unpacked, a folder for 
 
 import os
 import pathlib
+import re
 import signal
 import socket
 import subprocess
@@ -71,11 +72,10 @@ def run(ranks, organs, server="none"):
                 *(f"{organ}={points},{cells}" for organ, (points, cells) in organs.items()))
     )
     found = {}
-    for line in done.stdout.splitlines():
-        if line.startswith("RESULT"):
-            _, organ, *results = line.split()
-            if found.setdefault(organ, results) != results:
-                raise AssertionError("the ranks do not agree:\n" + done.stdout)
+    # Ranks write as they come: lines may run into one another.
+    for organ, numbers in re.findall(r"RESULT (\S+)((?: [-+]?0x[0-9a-f.]+p[-+][0-9]+)+)", done.stdout):
+        if found.setdefault(organ, numbers.split()) != numbers.split():
+            raise AssertionError("the ranks do not agree:\n" + done.stdout)
     if len(found) != len(organs):
         raise AssertionError(f"results are missing:\n{done.stdout[-3000:]}\n{done.stderr[-3000:]}")
     return found

@@ -5,6 +5,7 @@
 #include <chrono>
 #include <utility>
 
+#include "viscera/coordinates/built_in_systems.h"
 #include "viscera/coordinates/weights_binding.h"
 #include "viscera/localised_scc/region_layout.h"
 
@@ -231,6 +232,17 @@ coordinates::SpaceLayout LocalisedSCelestial::layout(const HandleSet& handles,
                                                      const coordinates::ParameterValues& values) const {
   values.requireWithin(parameters());
   return spaceLayoutOf(RegionLayout(handles, values.get(kOffset)), handles.groups.size(), kOffset.name);
+}
+
+std::shared_ptr<const LocalisedSCelestial> localisedWithBuiltIns() {
+  std::vector<std::shared_ptr<const coordinates::CoordinateSystem>> inner;
+  for (const auto& system : coordinates::builtInSystems()) {
+    const auto traits = system->traits();
+    const bool sound = traits.positive && traits.everywhere && traits.continuous;
+    if (sound && !traits.needsCage && !traits.needsTetrahedra && !traits.usesGroups)
+      inner.push_back(system);
+  }
+  return std::make_shared<LocalisedSCelestial>(std::move(inner));
 }
 
 } // namespace viscera::localised_scc

@@ -1,6 +1,5 @@
 #include <QObject>
 
-#include "viscera/coordinates/built_in_systems.h"
 #include "viscera/localised_scc/localised_s_celestial.h"
 #include "viscera/plugin/coordinate_system_plugin.h"
 
@@ -15,14 +14,7 @@ class LocalisedSccPlugin final : public QObject, public plugin::CoordinateSystem
 
 public:
   std::vector<std::shared_ptr<const coordinates::CoordinateSystem>> systems() const override {
-    std::vector<std::shared_ptr<const coordinates::CoordinateSystem>> inner;
-    for (const auto& system : coordinates::builtInSystems()) {
-      const auto traits = system->traits();
-      const bool sound = traits.positive && traits.everywhere && traits.continuous;
-      if (sound && !traits.needsCage && !traits.needsTetrahedra && !traits.usesGroups)
-        inner.push_back(system);
-    }
-    return {std::make_shared<LocalisedSCelestial>(std::move(inner))};
+    return {localisedWithBuiltIns()};
   }
 };
 

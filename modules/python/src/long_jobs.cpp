@@ -36,7 +36,7 @@ public:
     try {
       if (PyErr_CheckSignals() != 0)
         throw py::error_already_set();
-      if (fresh && !raised_ && !listener_.is_none()) {
+      if (fresh && !progress_.cancelled() && !listener_.is_none()) {
         const py::object answer = listener_(fraction, step);
         if (py::isinstance<py::bool_>(answer) && !answer.cast<bool>())
           progress_.cancel();

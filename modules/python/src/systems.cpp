@@ -11,22 +11,9 @@ namespace py = pybind11;
 using coordinates::CoordinateSystem;
 using coordinates::Parameter;
 
-/// The built-in systems that may work inside the regions of the localised ones: positive, and with nothing
-/// but handles.
-std::shared_ptr<const CoordinateSystem> localised() {
-  std::vector<std::shared_ptr<const CoordinateSystem>> inner;
-  for (const auto& system : coordinates::builtInSystems()) {
-    const auto traits = system->traits();
-    const bool sound = traits.positive && traits.everywhere && traits.continuous;
-    if (sound && !traits.needsCage && !traits.needsTetrahedra && !traits.usesGroups)
-      inner.push_back(system);
-  }
-  return std::make_shared<localised_scc::LocalisedSCelestial>(std::move(inner));
-}
-
 std::vector<std::shared_ptr<CoordinateSystem>> builtInSystems() {
   auto systems = coordinates::builtInSystems();
-  systems.push_back(localised());
+  systems.push_back(localised_scc::localisedWithBuiltIns());
   std::vector<std::shared_ptr<CoordinateSystem>> all;
   for (const auto& system : systems)
     all.push_back(std::const_pointer_cast<CoordinateSystem>(system)); // pybind11 knows no const

@@ -37,4 +37,8 @@ private:
   std::vector<std::shared_ptr<const coordinates::CoordinateSystem>> inner_;
 };
 
+/// The localised system as the program has it: with every built-in system inside that is positive,
+/// continuous, found everywhere and needs nothing but handles.
+std::shared_ptr<const LocalisedSCelestial> localisedWithBuiltIns();
+
 } // namespace viscera::localised_scc
