@@ -1,6 +1,7 @@
 #include "cli/command_line.h"
 
 #include <algorithm>
+#include <cmath>
 #include <exception>
 #include <filesystem>
 #include <memory>
@@ -17,8 +18,7 @@
 #include "cli/command.h"
 #include "cli/commands/all_commands.h"
 #include "cli/interrupt.h"
-#include "cli/picture_size.h"
-#include "cli/progress_bar.h"
+#include "cli/stage_options.h"
 #include "viscera/core/error.h"
 #include "viscera/sample_organs/sample_organ.h"
 
@@ -28,6 +28,43 @@ namespace {
 constexpr int kUsage = 64;
 constexpr int kInternal = 70;
 constexpr int kMostThreads = 1024;
+
+/// One line that shows how far a command is, drawn again and again; nothing at all where nobody watches. For
+/// one thread at a time, as `Progress` calls its listener.
+class ProgressBar {
+  static constexpr int kWidth = 30;
+  static constexpr auto kClearLine = "\r\x1b[K";
+
+public:
+  /// Draws on `stream` when `terminal` says that somebody watches it.
+  ProgressBar(std::ostream& stream, bool terminal) : stream_(stream), terminal_(terminal) {}
+  /// Removes the line.
+  ~ProgressBar() { clear(); }
+  ProgressBar(const ProgressBar&) = delete;
+  ProgressBar& operator=(const ProgressBar&) = delete;
+
+  /// `fraction` in [0, 1] of `step`.
+  void show(double fraction, const std::string& step) {
+    if (!terminal_)
+      return;
+    const int full = static_cast<int>(std::lround(fraction * kWidth));
+    stream_ << kClearLine << '[' << std::string(full, '#') << std::string(kWidth - full, '.') << "] "
+            << static_cast<int>(std::floor(fraction * 100)) << " % " << step << std::flush;
+    shown_ = true;
+  }
+
+  /// Removes the line, so that something else can be said.
+  void clear() {
+    if (shown_)
+      stream_ << kClearLine << std::flush;
+    shown_ = false;
+  }
+
+private:
+  std::ostream& stream_;
+  bool terminal_;
+  bool shown_ = false;
+};
 
 /// What every subcommand takes.
 struct CommonOptions {
@@ -179,9 +216,12 @@ int runCommandLine(int argc, const char* const* argv, std::ostream& out, std::os
   std::string windowSize;
   addWindowOptions(app, window, windowSize);
   CommonOptions common;
-  const std::vector<std::unique_ptr<Command>> commands = allCommands();
+  std::vector<std::unique_ptr<Command>> commands;
   Command* chosen = nullptr;
-  for (const auto& command : commands) {
+  for (const auto make : {infoCommand, systemsCommand, sampleCommand, convertCommand, handlesCommand,
+                          bindCommand, deformCommand, stressCommand, playCommand, lessonCommand,
+                          segmentCommand, renderCommand, propertiesCommand, reproduceCommand}) {
+    const auto& command = commands.emplace_back(make());
     CLI::App* options = app.add_subcommand(command->name(), command->summary());
     command->addOptions(*options);
     common.addTo(*options);

@@ -5,11 +5,10 @@
 #include <set>
 #include <utility>
 
-#include "viscera/coordinates/cage/given_cage.h"
+#include "viscera/coordinates/cage/cage.h"
 #include "viscera/core/error.h"
-#include "viscera/document/cage_commands.h"
-#include "viscera/document/label_organs.h"
 #include "viscera/document/open_files.h"
+#include "viscera/document/system_commands.h"
 #include "viscera/medical_io/handle_file.h"
 #include "viscera/medical_io/label_map.h"
 

@@ -3,6 +3,23 @@
 #include <algorithm>
 
 namespace viscera::app::cli {
+namespace {
+
+const char* nameOf(medical_io::Light light) {
+  switch (light) {
+  case medical_io::Light::good:
+    return "good";
+  case medical_io::Light::note:
+    return "note";
+  case medical_io::Light::doubt:
+    return "doubt";
+  case medical_io::Light::fault:
+    break;
+  }
+  return "fault";
+}
+
+} // namespace
 
 Listing& Listing::add(std::string label, std::string value) {
   lines_.emplace_back(std::move(label), std::move(value));
@@ -17,6 +34,27 @@ std::string Listing::text() const {
   for (const auto& [label, value] : lines_)
     text += label + std::string(width - label.size() + 2, ' ') + value + "\n";
   return text;
+}
+
+nlohmann::ordered_json findingsJson(const std::vector<medical_io::Finding>& findings) {
+  auto list = nlohmann::ordered_json::array();
+  for (const medical_io::Finding& finding : findings)
+    list.push_back({{"light", nameOf(finding.light)}, {"text", finding.text}, {"repairs", finding.repairs}});
+  return list;
+}
+
+void appendFindings(std::vector<std::string>& warnings, const std::vector<medical_io::Finding>& findings) {
+  for (const medical_io::Finding& finding : findings)
+    if (finding.light >= medical_io::Light::doubt &&
+        std::find(warnings.begin(), warnings.end(), finding.text) == warnings.end())
+      warnings.push_back(finding.text);
+}
+
+void removeFindings(std::vector<std::string>& warnings, const std::vector<medical_io::Finding>& findings) {
+  std::erase_if(warnings, [&](const std::string& warning) {
+    return std::any_of(findings.begin(), findings.end(),
+                       [&](const medical_io::Finding& finding) { return finding.text == warning; });
+  });
 }
 
 } // namespace viscera::app::cli

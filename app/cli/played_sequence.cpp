@@ -8,7 +8,7 @@
 #include "cli/inputs.h"
 #include "viscera/core/error.h"
 #include "viscera/document/organ_commands.h"
-#include "viscera/document/sequence_rig.h"
+#include "viscera/document/rig_commands.h"
 #include "viscera/document/system_commands.h"
 #include "viscera/medical_io/handle_file.h"
 #include "viscera/motion/player.h"
@@ -213,10 +213,6 @@ int PlayedSequence::find(const std::string& name) const {
     if (surfaces[i].name == name)
       return static_cast<int>(i);
   return -1;
-}
-
-double PlayedSequence::restMl(std::size_t place) const {
-  return (*document->state().organs)[place]->restVolumeMm3 / kMm3PerMl;
 }
 
 PlayedSequence playedSequence(const PlayRequest& request, Surroundings& surroundings) {

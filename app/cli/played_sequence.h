@@ -60,7 +60,9 @@ struct PlayedSequence {
   /// The place of the surface with that name, or -1.
   int find(const std::string& name) const;
   /// At rest, ml.
-  double restMl(std::size_t place) const;
+  double restMl(std::size_t place) const {
+    return (*document->state().organs)[place]->restVolumeMm3 / kMm3PerMl;
+  }
 };
 
 /// Makes a sequence with the organ it is made for, or fits it to the organ that is asked for: by landmarks

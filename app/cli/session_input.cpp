@@ -15,7 +15,7 @@
 #include "viscera/live/live_binding.h"
 #include "viscera/live/live_stress.h"
 #include "viscera/motion/motion_recipe.h"
-#include "viscera/presentation/camera.h"
+#include "viscera/presentation/presenter.h"
 #include "viscera/presentation/space_parts.h"
 
 namespace viscera::app::cli {

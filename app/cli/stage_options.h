@@ -2,7 +2,6 @@
 
 #include <string>
 
-#include "cli/picture_size.h"
 #include "viscera/presentation/stage.h"
 
 namespace CLI {
@@ -10,6 +9,15 @@ class App;
 }
 
 namespace viscera::app::cli {
+
+/// Width and height of a picture or a window, in pixels.
+struct PictureSize {
+  int width = 0;
+  int height = 0;
+};
+
+/// Reads "1600x1000". Throws `UsageError` for anything else and for sides outside [16, 16384].
+PictureSize pictureSize(const std::string& text);
 
 /// Room around organs on pictures of several parts.
 inline constexpr double kRoomOnASheet = 0.07;

@@ -44,10 +44,6 @@ void StillOrgans::setRig(const RigInput& input, document::SystemChoice system) {
   state_.system = std::make_shared<const document::SystemChoice>(std::move(system));
 }
 
-void StillOrgans::setPoints(std::size_t organ, std::shared_ptr<const Points> points) {
-  points_.at(organ) = std::move(points);
-}
-
 std::shared_ptr<const Points> StillOrgans::sharedPoints(document::OrganId organ) const {
   const auto place = static_cast<std::size_t>(organ.value - 1);
   if (place >= points_.size())

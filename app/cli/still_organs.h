@@ -23,7 +23,9 @@ public:
     return state_.rig->handles.at(static_cast<std::size_t>(row)).id;
   }
   /// Shows an organ at these points, `n x 3` mm.
-  void setPoints(std::size_t organ, std::shared_ptr<const Points> points);
+  void setPoints(std::size_t organ, std::shared_ptr<const Points> points) {
+    points_.at(organ) = std::move(points);
+  }
   const document::DocumentState& state() const { return state_; }
 
   void showPose(const Points& pose) override { pose_ = pose; }

@@ -1,7 +1,7 @@
 #include "window/binding_messages.h"
 
-#include "viscera/document/cage_commands.h"
 #include "viscera/document/rig_commands.h"
+#include "viscera/document/system_commands.h"
 
 namespace viscera::app {
 namespace {
@@ -54,10 +54,7 @@ void BindingMessages::tellNotes(const QStringList& notes) {
   notes_ = notes;
   if (!news)
     return;
-  Message message;
-  message.text = notes.join(QLatin1Char(' '));
-  message.seconds = kNoteSeconds;
-  bar_->showMessage(message);
+  bar_->showMessage({Message::Severity::info, notes.join(QLatin1Char(' ')), {}, kNoteSeconds});
 }
 
 Message BindingMessages::messageFor(const document::Organ& organ, const live::BindingStatus& status) const {

@@ -4,10 +4,9 @@
 #include <QFileInfo>
 
 #include "viscera/deformation/inverse_displacements.h"
-#include "viscera/document/measurement_table.h"
-#include "viscera/document/organ_table.h"
+#include "viscera/document/tables.h"
 #include "viscera/medical_io/displacement_file.h"
-#include "viscera/medical_io/surfaces_file.h"
+#include "viscera/medical_io/surface_file.h"
 #include "window/actions.h"
 #include "window/settings.h"
 #include "window/workspace.h"
@@ -61,11 +60,8 @@ void ExportActions::addTo(Actions& actions) {
               {tr("Export &measurements..."), "export", {}, tr("Write all measured distances and angles")},
               [this] {
                 if (workspace_.document().measurements().empty())
-                  return workspace_.say({Message::Severity::info,
-                                         tr("Nothing is measured yet. Measure a distance (D) or an angle (A) "
-                                            "first."),
-                                         {},
-                                         6});
+                  return workspace_.note(
+                      tr("Nothing is measured yet. Measure a distance (D) or an angle (A) first."), 6);
                 choose(tr("Export measurements"), tr("measurements.csv"),
                        tr("Comma-separated values (*.csv)"), &ExportActions::exportMeasurements);
               });
@@ -74,8 +70,7 @@ void ExportActions::addTo(Actions& actions) {
 void ExportActions::choose(const QString& title, const QString& name, const QString& filter,
                            void (ExportActions::*exporting)(const QString&)) {
   if (workspace_.document().organs().empty())
-    return workspace_.say(
-        {Message::Severity::info, tr("There is no organ to export. Open one first."), {}, 6});
+    return workspace_.note(tr("There is no organ to export. Open one first."), 6);
   const QString folder = settings_.folder(kFolderKey, QStandardPaths::DocumentsLocation);
   const QString file = QFileDialog::getSaveFileName(window_, title, folder + QLatin1Char('/') + name, filter);
   if (!file.isEmpty())
@@ -83,18 +78,12 @@ void ExportActions::choose(const QString& title, const QString& name, const QStr
 }
 
 void ExportActions::write(const QString& what, const QString& file, std::function<QString(Progress&)> work) {
-  workspace_.jobs().submit<QString>(tr("Exporting %1").arg(what).toStdString(), "export", std::move(work),
-                                    [this, file](JobResult<QString> result) {
-                                      if (result.error)
-                                        workspace_.report(*result.error);
-                                      if (!result.value)
-                                        return;
-                                      settings_.setValue(kFolderKey, QFileInfo(file).absolutePath());
-                                      QString said = tr("Written to %1.").arg(file);
-                                      if (!result.value->isEmpty())
-                                        said += QLatin1Char(' ') + *result.value;
-                                      workspace_.say({Message::Severity::info, said, {}, 8});
-                                    });
+  workspace_.inBackground<QString>(
+      tr("Exporting %1").arg(what), "export", std::move(work), [this, file](const QString& remark) {
+        settings_.setValue(kFolderKey, QFileInfo(file).absolutePath());
+        const QString said = tr("Written to %1.").arg(file);
+        workspace_.note(remark.isEmpty() ? said : said + QLatin1Char(' ') + remark);
+      });
 }
 
 void ExportActions::exportOrgans(const QString& file) {

@@ -1,9 +1,7 @@
 #include "window/file_actions.h"
 
-#include <QDesktopServices>
 #include <QFileDialog>
 #include <QFileInfo>
-#include <QUrl>
 
 #include <algorithm>
 
@@ -110,17 +108,12 @@ void FileActions::open(const QStringList& files, bool check) {
   const QString name = files.size() == 1
                            ? tr("Opening %1").arg(QFileInfo(files.front()).fileName())
                            : tr("Opening %n {file|files}", nullptr, static_cast<int>(files.size()));
-  workspace_.jobs().submit<document::ImportDraft>(
-      name.toStdString(), "open",
+  workspace_.inBackground<document::ImportDraft>(
+      name, "open",
       [paths](Progress& progress) {
         return document::draftOf(document::openFiles(paths, progress), progress);
       },
-      [this, files, check](JobResult<document::ImportDraft> result) {
-        if (result.error)
-          workspace_.report(*result.error);
-        if (result.value)
-          checkOrTake(std::move(*result.value), files, check);
-      });
+      [this, files, check](document::ImportDraft draft) { checkOrTake(std::move(draft), files, check); });
 }
 
 void FileActions::checkOrTake(document::ImportDraft draft, const QStringList& files, bool check) {
@@ -188,8 +181,6 @@ void FileActions::dressNewOrgans() {
 void FileActions::sayWarnings(const std::vector<std::string>& warnings) {
   if (warnings.empty())
     return;
-  Message message;
-  message.seconds = 15;
   QStringList lines;
   for (const std::string& warning : warnings)
     lines.push_back(text(warning));
@@ -198,8 +189,7 @@ void FileActions::sayWarnings(const std::vector<std::string>& warnings) {
     lines = lines.mid(0, kShownWarnings);
     lines.push_back(tr("%n more on the {page of its organ|pages of their organs} in Explore", nullptr, more));
   }
-  message.text = lines.join(QLatin1Char('\n'));
-  workspace_.say(message);
+  workspace_.note(lines.join(QLatin1Char('\n')), 15);
 }
 
 void FileActions::chooseAndSaveHandles() {
@@ -232,26 +222,19 @@ void FileActions::chooseAndLoadCage() {
 }
 
 void FileActions::loadCage(const QString& file) {
-  workspace_.jobs().submit<document::GivenCage>(
-      tr("Reading the cage %1").arg(QFileInfo(file).fileName()).toStdString(), "cage",
+  workspace_.inBackground<document::GivenCage>(
+      tr("Reading the cage %1").arg(QFileInfo(file).fileName()), "cage",
       [path = file.toStdString()](Progress& progress) { return document::readCage(path, progress); },
-      [this, file](JobResult<document::GivenCage> result) {
-        if (result.error)
-          workspace_.report(*result.error);
-        if (result.value)
-          takeCage(*result.value, file);
-      });
+      [this, file](const document::GivenCage& cage) { takeCage(cage, file); });
 }
 
 void FileActions::takeCage(const document::GivenCage& cage, const QString& file) {
   const int vertices = static_cast<int>(cage.mesh->points.rows());
-  Message message;
-  message.seconds = 8;
-  message.text =
+  workspace_.note( // First: what binding to it has to say counts more.
       document::standAt(workspace_.document().rig(), *cage.mesh)
           ? tr("The handles at the vertices of %1 are the corners of the cage now.").arg(text(cage.name))
-          : tr("The %n {vertex|vertices} of %1 are the handles now.", nullptr, vertices).arg(text(cage.name));
-  workspace_.say(message); // First: what binding to it has to say counts more.
+          : tr("The %n {vertex|vertices} of %1 are the handles now.", nullptr, vertices)
+                .arg(text(cage.name)));
   workspace_.undo().seal();
   if (workspace_.perform(document::takeCage(cage)))
     rememberFolder(file);
@@ -260,8 +243,7 @@ void FileActions::takeCage(const document::GivenCage& cage, const QString& file)
 void FileActions::chooseAndExportOrgan() {
   const auto organ = workspace_.currentOrgan();
   if (!organ)
-    return workspace_.say(
-        {Message::Severity::info, tr("There is no organ to export. Open one first."), {}, 6});
+    return workspace_.note(tr("There is no organ to export. Open one first."), 6);
   const QString start = folder() + QLatin1Char('/') + text(organ->name) + QStringLiteral(".vtp");
   const QString file =
       QFileDialog::getSaveFileName(window_, tr("Export the organ as it is now"), start,
@@ -276,31 +258,18 @@ void FileActions::exportOrgan(const QString& file) {
     return;
   geometry::TriangleMesh mesh = *organ->mesh;
   mesh.points = workspace_.live().points(organ->id);
-  workspace_.jobs().submit<bool>(
-      tr("Exporting %1").arg(text(organ->name)).toStdString(), "export",
+  workspace_.inBackground<bool>(
+      tr("Exporting %1").arg(text(organ->name)), "export",
       [mesh = std::move(mesh), path = file.toStdString(), name = organ->name](Progress&) {
-        medical_io::WriteSurface options;
-        options.name = name;
-        medical_io::writeSurface(path, mesh, options);
+        medical_io::writeSurface(path, mesh, {.name = name});
         return true;
       },
-      [this, file, name = text(organ->name)](JobResult<bool> result) {
-        if (result.error)
-          workspace_.report(*result.error);
-        if (result.value)
-          saySaved(name, file);
-      });
+      [this, file, name = text(organ->name)](bool) { saySaved(name, file); });
 }
 
 void FileActions::saySaved(const QString& what, const QString& file) {
   rememberFolder(file);
-  Message message;
-  message.text = tr("%1 written to %2").arg(what, file);
-  message.seconds = 8;
-  message.offers.push_back({tr("Open folder"), [file] {
-                              QDesktopServices::openUrl(QUrl::fromLocalFile(QFileInfo(file).absolutePath()));
-                            }});
-  workspace_.say(message);
+  workspace_.noteWritten(tr("%1 written to %2").arg(what, file), file);
 }
 
 } // namespace viscera::app

@@ -5,8 +5,8 @@
 
 #include <functional>
 
-#include "viscera/document/cage_commands.h"
 #include "viscera/document/import_draft.h"
+#include "viscera/document/system_commands.h"
 #include "window/actions.h"
 #include "window/handle_placer.h"
 #include "window/settings.h"

@@ -1,8 +1,6 @@
 #include "window/help.h"
 
-#include "window/widgets/shortcut_card.h"
-#include "window/widgets/tour_card.h"
-#include "window/widgets/welcome_card.h"
+#include "window/widgets/help_cards.h"
 
 namespace viscera::app {
 
@@ -42,12 +40,11 @@ bool Help::closeShortcuts() {
 }
 
 void Help::tellAbout() {
-  Message message;
-  message.text =
+  parts_.workspace.note(
       tr("Viscera %1: organs deformed by handles, without a cage. BSD-3-Clause; a program for research and "
          "teaching, not a medical device.")
-          .arg(QStringLiteral(VISCERA_VERSION));
-  parts_.workspace.say(message);
+          .arg(QStringLiteral(VISCERA_VERSION)),
+      0);
 }
 
 void Help::startTour() {

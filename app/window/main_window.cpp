@@ -11,7 +11,6 @@
 #include <QStatusBar>
 
 #include "window/binding_messages.h"
-#include "window/edit_actions.h"
 #include "window/export_actions.h"
 #include "window/help.h"
 #include "window/import/import_desk.h"
@@ -29,8 +28,8 @@
 #include "window/session/session_view.h"
 #include "window/status_line.h"
 #include "window/timeline/timeline_bar.h"
-#include "window/timeline/timeline_controller.h"
 #include "window/timeline/volume_panel.h"
+#include "window/view/organ_pointer.h"
 #include "window/view/view_actions.h"
 #include "window/view/view_area.h"
 #include "window/widgets/mode_rail.h"
@@ -43,8 +42,7 @@ MainWindow::MainWindow(Settings& settings, plugin::Registry registry, motion::Tr
                        QWidget* parent)
     : QMainWindow(parent), settings_(settings), actions_(this), workspace_(std::move(registry)),
       poses_(workspace_, view_), playback_(workspace_, clock), volumes_(workspace_, playback_),
-      groupLayout_(workspace_), placer_(workspace_),
-      files_(new FileActions(workspace_, placer_, settings, this)),
+      placer_(workspace_), files_(new FileActions(workspace_, placer_, settings, this)),
       exports_(new ExportActions(workspace_, settings, this)),
       samples_(new SampleLoader(workspace_, placer_, playback_, this)), viewArea_(new ViewArea(this)),
       layout_(new WindowLayout(*this, actions_)) {
@@ -58,7 +56,6 @@ MainWindow::MainWindow(Settings& settings, plugin::Registry registry, motion::Tr
   lessons_ = new LessonExport({workspace_, playback_, *picture_, settings_}, this);
   lessons_->addTo(actions_);
   actions_.add("file.quit", {tr("&Quit"), nullptr, {QKeySequence::Quit}, {}}, [this] { close(); });
-  edit_ = new EditActions(workspace_, actions_, this);
   views_ = new ViewActions({workspace_, *picture_, *viewArea_, view_, settings_}, actions_, this);
   makeModes();
   makeThemeActions();
@@ -79,17 +76,13 @@ MainWindow::~MainWindow() = default;
 void MainWindow::makeModes() {
   modes_ = std::make_unique<ModeController>(
       ModeController::Parts{playback_, view_, *viewArea_->view(), *picture_, *handles_});
-  explore_ = &modes_->add(std::make_unique<ExploreMode>(
-      ExploreMode::Parts{workspace_, *picture_, *handles_, *viewArea_, view_}, actions_));
-  modes_->add(std::make_unique<HandlesMode>(
-      HandlesMode::Parts{workspace_, placer_, groupLayout_, *bindingMessages_, *viewArea_, view_}, actions_));
-  modes_->add(std::make_unique<DeformMode>(DeformMode::Parts{workspace_, poses_, volumes_, view_}, actions_));
-  stress_ = &modes_->add(std::make_unique<StressMode>(
-      StressMode::Parts{workspace_, playback_, settings_, *viewArea_, view_, *picture_, *handles_},
-      actions_));
-  play_ = &modes_->add(std::make_unique<PlayMode>(
-      PlayMode::Window{workspace_, playback_, volumes_, *samples_, *picture_, *viewArea_, view_, settings_},
-      actions_));
+  const ModeParts parts{workspace_,        playback_, poses_,     volumes_, placer_,   *samples_,
+                        *bindingMessages_, settings_, *viewArea_, view_,    *picture_, *handles_};
+  explore_ = &modes_->add(std::make_unique<ExploreMode>(parts, actions_));
+  modes_->add(std::make_unique<HandlesMode>(parts, actions_));
+  modes_->add(std::make_unique<DeformMode>(parts, actions_));
+  stress_ = &modes_->add(std::make_unique<StressMode>(parts, actions_));
+  play_ = &modes_->add(std::make_unique<PlayMode>(parts, actions_));
   modes_->addTo(actions_);
 }
 
@@ -115,8 +108,7 @@ void MainWindow::makeSession() {
 }
 
 void MainWindow::placePanels() {
-  auto* timeline = new TimelineBar;
-  new TimelineController(playback_, *timeline, actions_, this);
+  auto* timeline = new TimelineBar(playback_, actions_);
   organPanel_ = new OrganPanel(workspace_, poses_, volumes_);
   organPanel_->addTo(actions_);
   auto* handlePanel = new HandlePanel(workspace_, placer_);
@@ -155,8 +147,8 @@ QWidget* MainWindow::makeCharts() {
 }
 
 void MainWindow::makeMenus() {
-  auto* menus = new Menus(
-      *menuBar(), {actions_, *modes_, *edit_, *files_, *samples_, workspace_, settings_, layout_->docks()});
+  auto* menus =
+      new Menus(*menuBar(), {actions_, *modes_, *files_, *samples_, workspace_, settings_, layout_->docks()});
   connect(files_, &FileActions::recentFilesChanged, menus, &Menus::fillRecent);
   connect(sessions_, &SessionFiles::recentFilesChanged, menus, &Menus::fillRecent);
   help_->makeCards(*menuBar(), menus->samples());
@@ -170,10 +162,16 @@ void MainWindow::connectView() {
     view->view().setMoving(playback_.player().playing());
     view->scheduleRender();
   });
-  connect(organPanel_, &OrganPanel::focusRequested, this, [this](document::OrganId organ) {
-    workspace_.selection().setOrgan(organ);
-    views_->focus();
-  });
+  auto* pointer = new OrganPointer(workspace_, *picture_, *view, *organPanel_->menu(), this);
+  // In Handles mode each click of the two adds a handle.
+  const auto trigger = [this](const char* id) {
+    return [this, action = actions_[id]] {
+      if (mode() != "handles")
+        action->trigger();
+    };
+  };
+  connect(pointer, &OrganPointer::aloneWanted, this, trigger("organ.showOnly"));
+  connect(pointer, &OrganPointer::allWanted, this, trigger("organ.showAll"));
 }
 
 void MainWindow::connectFiles() {

@@ -7,7 +7,6 @@
 
 #include "window/actions.h"
 #include "window/file_actions.h"
-#include "window/group_layout.h"
 #include "window/handle_placer.h"
 #include "window/modes/mode_controller.h"
 #include "window/pose_editor.h"
@@ -22,7 +21,6 @@
 namespace viscera::app {
 
 class BindingMessages;
-class EditActions;
 class ExploreMode;
 class ExportActions;
 class Help;
@@ -100,7 +98,6 @@ private:
   PoseEditor poses_;
   Playback playback_;
   VolumeMonitor volumes_;
-  GroupLayout groupLayout_;
   HandlePlacer placer_;
   FileActions* files_;
   ExportActions* exports_;
@@ -116,7 +113,6 @@ private:
   ExploreMode* explore_ = nullptr; ///< Among the modes, as the next two.
   StressMode* stress_ = nullptr;
   PlayMode* play_ = nullptr;
-  EditActions* edit_ = nullptr;
   ViewActions* views_ = nullptr;
   OrganPanel* organPanel_ = nullptr;
   VolumePanel* volumePanel_ = nullptr;

@@ -5,12 +5,20 @@
 #include <QMenu>
 #include <QMenuBar>
 
+#include <algorithm>
+
 #include "window/style/icon.h"
 #include "window/widgets/panel_dock.h"
 
 namespace viscera::app {
 
+namespace {
+/// The steps on each side of the present one that the list of steps shows.
+constexpr std::size_t kShownSteps = 20;
+} // namespace
+
 Menus::Menus(QMenuBar& bar, const Parts& parts) : QObject(&bar), bar_(bar), parts_(parts) {
+  addEditActions();
   makeFileMenu();
   makeEditMenu();
   makeViewMenu();
@@ -20,6 +28,33 @@ Menus::Menus(QMenuBar& bar, const Parts& parts) : QObject(&bar), bar_(bar), part
     menu->setToolTipsVisible(true);
   fillRecent();
   fillSamples();
+}
+
+void Menus::addEditActions() {
+  Actions& actions = parts_.actions;
+  Workspace& workspace = parts_.workspace;
+  document::UndoStack& steps = workspace.undo();
+  QAction* undo = actions.add("edit.undo", {tr("&Undo"), "undo", {tr("Ctrl+Z")}, {}},
+                              [&workspace, &steps] { workspace.guarded([&steps] { steps.undo(); }); });
+  QAction* redo = actions.add("edit.redo", {tr("&Redo"), "redo", {tr("Ctrl+Shift+Z")}, {}},
+                              [&workspace, &steps] { workspace.guarded([&steps] { steps.redo(); }); });
+  actions.add("edit.selectAll", {tr("Select &all handles"), nullptr, {QKeySequence::SelectAll}, {}},
+              [this] { selectAll(); });
+  actions.enableWhile({"edit.selectAll"},
+                      [&workspace] { return !workspace.document().rig().handles.empty(); });
+  actions.whenSynced([&steps, undo, redo] {
+    undo->setEnabled(steps.canUndo());
+    redo->setEnabled(steps.canRedo());
+    undo->setText(steps.canUndo() ? tr("&Undo: %1").arg(text(steps.undoName())) : tr("&Undo"));
+    redo->setText(steps.canRedo() ? tr("&Redo: %1").arg(text(steps.redoName())) : tr("&Redo"));
+  });
+}
+
+void Menus::selectAll() {
+  std::vector<document::HandleId> all;
+  for (const document::Handle& handle : parts_.workspace.document().rig().handles)
+    all.push_back(handle.id);
+  parts_.workspace.selection().setHandles(all);
 }
 
 void Menus::fill(QMenu* menu, const std::vector<const char*>& ids) const {
@@ -46,7 +81,8 @@ void Menus::makeFileMenu() {
 void Menus::makeEditMenu() {
   QMenu* edit = bar_.addMenu(tr("&Edit"));
   fill(edit, {"edit.undo", "edit.redo"});
-  parts_.edit.listStepsIn(edit->addMenu(icon("undo"), tr("&Steps")));
+  QMenu* steps = edit->addMenu(icon("undo"), tr("&Steps"));
+  connect(steps, &QMenu::aboutToShow, this, [this, steps] { fillSteps(steps); });
   fill(edit, {"", "edit.selectAll", "handles.remove", "", "pose.reset", "pose.resetSelected"});
 }
 
@@ -70,7 +106,8 @@ void Menus::makeOrganMenus() {
   organ->addMenu(samples_);
   fill(organ, {"", "volume.lock", "volume.restore", ""});
   fill(organ, parts_.modes.find("explore").actions());
-  fill(organ, {"", "organ.rename", "organ.remove", "", "file.export"});
+  fill(organ, {"", "organ.showOnly", "organ.hide", "organ.showAll", "organ.find", "", "organ.rename",
+               "organ.remove", "", "file.export"});
   QMenu* handles = bar_.addMenu(tr("&Handles"));
   fill(handles, parts_.modes.find("handles").actions());
   fill(handles, {""});
@@ -95,6 +132,31 @@ void Menus::fillRecent() {
   }
   if (recent_->isEmpty())
     recent_->addAction(tr("Nothing was opened yet"))->setEnabled(false);
+}
+
+void Menus::fillSteps(QMenu* menu) {
+  menu->clear();
+  const document::UndoStack& undo = parts_.workspace.undo();
+  const std::vector<std::string> names = undo.names();
+  const std::size_t present = undo.position();
+  const std::size_t first = present > kShownSteps ? present - kShownSteps : 0;
+  const std::size_t last = std::min(names.size(), present + kShownSteps);
+  const auto add = [&](const QString& label, std::size_t steps) {
+    QAction* action = menu->addAction(label, this, [this, steps] {
+      parts_.workspace.guarded([this, steps] { parts_.workspace.undo().goTo(steps); });
+    });
+    action->setCheckable(true);
+    action->setChecked(steps == present);
+    QFont font = action->font();
+    font.setItalic(steps > present);
+    action->setFont(font);
+  };
+  for (std::size_t step = last; step > first; --step)
+    add(text(names[step - 1]), step);
+  if (first > 0)
+    menu->addAction(tr("%n earlier {step|steps}", nullptr, static_cast<int>(first)))->setEnabled(false);
+  else
+    add(tr("As opened"), 0);
 }
 
 void Menus::fillSamples() {

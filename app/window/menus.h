@@ -2,7 +2,7 @@
 
 #include <QObject>
 
-#include "window/edit_actions.h"
+#include "window/actions.h"
 #include "window/file_actions.h"
 #include "window/modes/mode_controller.h"
 #include "window/sample_loader.h"
@@ -14,16 +14,16 @@ namespace viscera::app {
 
 class PanelDock;
 
-/// What stands in which menu. The actions are made elsewhere.
+/// What stands in which menu, and what the menu Edit does: undo and redo, the list of steps, and selecting
+/// all handles. The other actions are made elsewhere.
 class Menus final : public QObject {
   Q_OBJECT
 
 public:
   /// What the menus lead to; all have to live longer.
   struct Parts {
-    const Actions& actions;
+    Actions& actions;
     const ModeController& modes;
-    EditActions& edit;
     FileActions& files;
     SampleLoader& samples;
     Workspace& workspace;
@@ -31,6 +31,7 @@ public:
     const std::vector<PanelDock*>& docks;
   };
 
+  /// Adds "edit.undo", "edit.redo" and "edit.selectAll".
   Menus(QMenuBar& bar, const Parts& parts);
 
   QMenu* samples() const { return samples_; }
@@ -40,6 +41,7 @@ public Q_SLOTS:
   void fillRecent();
 
 private:
+  void addEditActions();
   void makeFileMenu();
   void makeEditMenu();
   void makeViewMenu();
@@ -47,6 +49,9 @@ private:
   void makeLastMenus();
   void fill(QMenu* menu, const std::vector<const char*>& ids) const;
   void fillSamples();
+  /// The steps around the present one, the youngest first; those that were undone are in italics.
+  void fillSteps(QMenu* menu);
+  void selectAll();
 
   QMenuBar& bar_;
   Parts parts_;

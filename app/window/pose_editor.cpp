@@ -3,7 +3,6 @@
 #include <utility>
 
 #include "viscera/document/organ_commands.h"
-#include "viscera/document/pose_commands.h"
 #include "viscera/document/rig_commands.h"
 #include "viscera/presentation/space_parts.h"
 
@@ -40,18 +39,6 @@ void PoseEditor::follow(const std::function<void(live::LockedMotion&)>& wish) {
   Q_EMIT gestureChanged();
 }
 
-void PoseEditor::translate(const Vec3& by) {
-  follow([&by](live::LockedMotion& motion) { motion.translate(by); });
-}
-
-void PoseEditor::rotate(const Vec3& center, const Vec3& axis, double angle) {
-  follow([&](live::LockedMotion& motion) { motion.rotate(center, axis, angle); });
-}
-
-void PoseEditor::scale(const Vec3& center, const Vec3& factors) {
-  follow([&](live::LockedMotion& motion) { motion.scale(center, factors); });
-}
-
 void PoseEditor::end(void (document::UndoStack::Step::*close)()) {
   if (!motion_)
     return;
@@ -60,14 +47,6 @@ void PoseEditor::end(void (document::UndoStack::Step::*close)()) {
   workspace_.guarded([&] { (*step.*close)(); });
   setObstacle({});
   Q_EMIT gestureChanged();
-}
-
-void PoseEditor::finish() {
-  end(&document::UndoStack::Step::finish);
-}
-
-void PoseEditor::cancel() {
-  end(&document::UndoStack::Step::cancel);
 }
 
 void PoseEditor::setObstacle(const QString& obstacle) {
@@ -111,10 +90,10 @@ void PoseEditor::reset(const std::vector<document::HandleId>& handles) {
         tr("Reset %n {handle|handles}", nullptr, static_cast<int>(handles.size())).toStdString()));
     if (motion.obstacle().empty())
       return;
-    Message message;
-    message.severity = Message::Severity::warning;
-    message.text = tr("The handles are not all the way back: %1.").arg(text(motion.obstacle()));
-    workspace_.say(message);
+    workspace_.say({Message::Severity::warning,
+                    tr("The handles are not all the way back: %1.").arg(text(motion.obstacle())),
+                    {},
+                    0});
   });
 }
 

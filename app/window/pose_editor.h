@@ -26,11 +26,17 @@ public:
   /// The motion of the present gesture, or null.
   const live::LockedMotion* motion() const { return motion_ ? &*motion_ : nullptr; }
   /// What is wanted since the gesture began. Nothing happens without one.
-  void translate(const Vec3& by);
-  void rotate(const Vec3& center, const Vec3& axis, double angle);
-  void scale(const Vec3& center, const Vec3& factors);
-  void finish();
-  void cancel();
+  void translate(const Vec3& by) {
+    follow([&by](live::LockedMotion& motion) { motion.translate(by); });
+  }
+  void rotate(const Vec3& center, const Vec3& axis, double angle) {
+    follow([&](live::LockedMotion& motion) { motion.rotate(center, axis, angle); });
+  }
+  void scale(const Vec3& center, const Vec3& factors) {
+    follow([&](live::LockedMotion& motion) { motion.scale(center, factors); });
+  }
+  void finish() { end(&document::UndoStack::Step::finish); }
+  void cancel() { end(&document::UndoStack::Step::cancel); }
 
   /// Moves handles by a vector, mm, and mirrors it. Returns how far the first one went, or nothing when that
   /// was not possible.

@@ -1,21 +1,36 @@
 #include "window/run_window.h"
 
 #include <QApplication>
+#include <QElapsedTimer>
+#include <QPixmap>
+#include <QRegularExpression>
+#include <QSurfaceFormat>
 #include <QTimer>
+#include <QTranslator>
+#include <QVTKOpenGLNativeWidget.h>
 
 #include <cstdio>
 #include <memory>
 
 #include "available_systems.h"
-#include "window/application.h"
+#include "window/import/import_desk.h"
 #include "window/main_window.h"
-#include "window/picture_session.h"
+#include "window/modes/mode_controller.h"
 #include "window/session/session_files.h"
+#include "window/view/view_actions.h"
 
 namespace viscera::app {
 namespace {
 
 constexpr int kServiceUnavailable = 69;
+constexpr int kCannotCreate = 73;
+constexpr int kSoftware = 70;
+constexpr int kWidth = 1600;
+constexpr int kHeight = 1000;
+constexpr double kFrame = 1.0 / 25.0;
+constexpr double kPlayedSeconds = 2.54; ///< Ends in the ejection at 75 beats a minute.
+constexpr int kLongestWait = 180000;    ///< ms, for a sample organ that has to be made first.
+constexpr int kSettle = 400;            ///< ms, for what the window still has to draw.
 
 /// Without a display Qt would abort the program.
 bool displayThere() {
@@ -28,19 +43,102 @@ bool displayThere() {
 #endif
 }
 
-void begin(MainWindow& window, const WindowOptions& options) {
-  window.setMode(options.mode);
-  if (options.files.empty()) {
-    window.samples().load(QString::fromStdString(options.sample), true);
-    return;
-  }
+bool waitFor(const std::function<bool()>& done, int milliseconds) {
+  QElapsedTimer timer;
+  timer.start();
+  while (!done() && timer.elapsed() < milliseconds)
+    QApplication::processEvents(QEventLoop::WaitForMoreEvents, 20);
+  return done();
+}
+
+void waitWhile(int milliseconds) {
+  waitFor([] { return false; }, milliseconds);
+}
+
+/// What the options name, or the sample organ; with `play` the motion of that starts.
+void load(MainWindow& window, const WindowOptions& options, bool play) {
   QStringList files;
   for (const std::string& file : options.files)
     files.push_back(QString::fromStdString(file));
-  window.files().open(files);
+  if (files.isEmpty())
+    window.samples().load(QString::fromStdString(options.sample), play);
+  else
+    window.files().open(files);
 }
 
+/// Shows the window without the user's settings, lets it load what the options say, plays two and a half
+/// seconds of its motion on a clock of its own (the same on every machine), writes the picture of the whole
+/// window and returns the exit code.
+int takePicture(const WindowOptions& options) {
+  Settings settings{QString()};
+  double now = 0;
+  MainWindow window(settings, availableSystems(options.pluginPath).registry, [&now] { return now; });
+  window.setTheme(themeFromName(QString::fromStdString(options.theme)));
+  window.resize(options.width > 0 ? options.width : kWidth, options.height > 0 ? options.height : kHeight);
+  window.show();
+  window.setMode(options.mode);
+  load(window, options, false);
+  const bool ready = waitFor(
+      [&] {
+        const bool shown = !window.workspace().document().organs().empty() || window.imports().isOpen();
+        return shown && window.workspace().jobs().idle();
+      },
+      kLongestWait);
+  if (!ready) {
+    std::fputs("viscera: the organs could not be loaded for the picture\n", stderr);
+    return kSoftware;
+  }
+  const bool session = !window.sessions().file().isEmpty(); // It has a view of its own.
+  const Mode& mode = window.modes().present();
+  const bool moves = !session && mode.pose() == motion::WantedPose::sequence && !mode.shown().stress;
+  if (moves && window.playback().sequence()) {
+    window.playback().play();
+    while (now < kPlayedSeconds) {
+      now += kFrame;
+      window.playback().advance();
+    }
+  }
+  waitWhile(kSettle);
+  if (!session)
+    window.views().lookFrom(scene::StandardView::anterior);
+  waitWhile(kSettle);
+  if (!window.grab().save(QString::fromStdString(options.screenshot), "PNG")) {
+    std::fprintf(stderr, "viscera: cannot write %s\n", options.screenshot.c_str());
+    return kCannotCreate;
+  }
+  return 0;
+}
+
+/// Chooses singular or plural in the English texts as they stand in the source: "%n {vertex|vertices}"
+/// becomes "1 vertex" or "17 vertices". Translations to other languages are installed after it and come
+/// first.
+class EnglishPlurals final : public QTranslator {
+public:
+  using QTranslator::QTranslator;
+
+  bool isEmpty() const override { return false; }
+  QString translate(const char*, const char* source, const char*, int n) const override {
+    if (n < 0)
+      return {};
+    const QRegularExpression choice(QStringLiteral(R"(\{([^{}|]*)\|([^{}|]*)\})"));
+    return QString::fromUtf8(source).replace(choice, n == 1 ? QStringLiteral("\\1") : QStringLiteral("\\2"));
+  }
+};
+
 } // namespace
+
+void prepareForApplication() {
+  QSurfaceFormat::setDefaultFormat(QVTKOpenGLNativeWidget::defaultFormat());
+  QApplication::setAttribute(Qt::AA_EnableHighDpiScaling);
+  QApplication::setAttribute(Qt::AA_UseHighDpiPixmaps);
+}
+
+void setUpApplication(QApplication& application) {
+  QApplication::setApplicationName(QStringLiteral("viscera"));
+  QApplication::setApplicationDisplayName(QStringLiteral("Viscera"));
+  QApplication::setApplicationVersion(QStringLiteral(VISCERA_VERSION));
+  QApplication::installTranslator(new EnglishPlurals(&application));
+}
 
 int runWindow(int argc, char** argv, const WindowOptions& options) {
   if (!displayThere()) {
@@ -77,7 +175,10 @@ int runWindow(int argc, char** argv, const WindowOptions& options) {
     window.sessions().startAutosave(document::standardRecoveryFolder());
     window.sessions().offerRecovery();
   }
-  QTimer::singleShot(0, &window, [&] { begin(window, options); });
+  QTimer::singleShot(0, &window, [&] {
+    window.setMode(options.mode);
+    load(window, options, true);
+  });
   return QApplication::exec();
 }
 

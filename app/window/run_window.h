@@ -2,7 +2,15 @@
 
 #include "window_options.h"
 
+class QApplication;
+
 namespace viscera::app {
+
+/// What has to be said before the QApplication is made: the surface format that VTK needs, high density.
+void prepareForApplication();
+
+/// Name, version, and the plurals of the English texts.
+void setUpApplication(QApplication& application);
 
 /// Runs the window until the user closes it and returns the exit code. Makes the QApplication: call it once,
 /// from the main thread, before anything of Qt's. Needs a display: without one it says so on stderr and

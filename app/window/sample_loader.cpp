@@ -27,17 +27,13 @@ QStringList SampleLoader::names() const {
 }
 
 void SampleLoader::load(const QString& name, bool play) {
-  workspace_.jobs().submit<Sample>(
-      tr("Sample %1").arg(name).toStdString(), "open",
+  workspace_.inBackground<Sample>(
+      tr("Sample %1").arg(name), "open",
       [library = library_, id = name.toStdString()](Progress& progress) {
         return make(library, id, progress);
       },
-      [this, name, play](JobResult<Sample> result) {
-        if (result.error)
-          workspace_.report(*result.error);
-        if (!result.value)
-          return;
-        take(*result.value, name);
+      [this, name, play](const Sample& sample) {
+        take(sample, name);
         if (play && playback_.sequence())
           playback_.play();
       });

@@ -1,16 +1,20 @@
 #include "window/status_line.h"
 
+#include <QHBoxLayout>
 #include <QLabel>
+#include <QProgressBar>
 #include <QStatusBar>
+#include <QToolButton>
 
 #include "window/widgets/elided_label.h"
-#include "window/widgets/job_indicator.h"
+#include "window/widgets/ready_made.h"
 
 namespace viscera::app {
 
 StatusLine::StatusLine(Workspace& workspace, VolumeMonitor& volumes, QStatusBar* bar)
     : QObject(bar), workspace_(workspace), volume_(new QLabel(bar)), binding_(new QLabel(bar)),
-      hint_(new ElidedLabel(bar)), job_(new JobIndicator(bar)) {
+      hint_(new ElidedLabel(bar)), job_(new QWidget(bar)), step_(new QLabel(job_)),
+      progress_(new QProgressBar(job_)) {
   bar->setSizeGripEnabled(false);
   volume_->setObjectName(QStringLiteral("statusVolume"));
   binding_->setObjectName(QStringLiteral("statusBinding"));
@@ -20,11 +24,8 @@ StatusLine::StatusLine(Workspace& workspace, VolumeMonitor& volumes, QStatusBar*
   bar->addWidget(volume_);
   bar->addWidget(binding_);
   bar->addWidget(hint_, 1);
+  makeJob();
   bar->addPermanentWidget(job_);
-  connect(job_, &JobIndicator::cancelRequested, this, [this] {
-    if (shownQueue_)
-      shownQueue_->cancel(shownJob_);
-  });
   connect(&volumes, &VolumeMonitor::updated, this, &StatusLine::syncVolume);
   subscriptions_.push_back(workspace.onChange([this](const document::Change&) {
     syncVolume();
@@ -38,6 +39,22 @@ StatusLine::StatusLine(Workspace& workspace, VolumeMonitor& volumes, QStatusBar*
   watch(workspace.jobs());
   syncVolume();
   syncBinding();
+}
+
+void StatusLine::makeJob() {
+  auto* row = makeLayout<QHBoxLayout>(job_, 8, {0, 0, 4, 0});
+  progress_->setTextVisible(false);
+  progress_->setFixedWidth(120);
+  auto* cancel = makeIconButton("close", tr("Cancel this task"), job_, 12);
+  cancel->setObjectName(QStringLiteral("cancelJob"));
+  row->addWidget(step_);
+  row->addWidget(progress_);
+  row->addWidget(cancel);
+  connect(cancel, &QToolButton::clicked, this, [this] {
+    if (shownQueue_)
+      shownQueue_->cancel(shownJob_);
+  });
+  job_->hide();
 }
 
 void StatusLine::setHint(const QString& hint) {
@@ -108,13 +125,14 @@ void StatusLine::syncJobs() {
         continue;
       shownQueue_ = watched.jobs;
       shownJob_ = job.id;
-      const QString step =
-          job.step.empty() ? text(job.name) : tr("%1: %2").arg(text(job.name), text(job.step));
-      return job_->showJob(step, job.fraction > 0 ? job.fraction : -1);
+      step_->setText(job.step.empty() ? text(job.name) : tr("%1: %2").arg(text(job.name), text(job.step)));
+      progress_->setRange(0, job.fraction > 0 ? 1000 : 0); // Of both ends 0: it cannot say how far it is.
+      progress_->setValue(static_cast<int>(1000 * job.fraction));
+      return job_->show();
     }
   shownQueue_ = nullptr;
   shownJob_ = 0;
-  job_->clear();
+  job_->hide();
 }
 
 } // namespace viscera::app

@@ -6,12 +6,12 @@
 #include "window/workspace.h"
 
 class QLabel;
+class QProgressBar;
 class QStatusBar;
 
 namespace viscera::app {
 
 class ElidedLabel;
-class JobIndicator;
 
 /// The status bar: the organ's volume and its change, the handles and how they are bound, the mode's hint,
 /// and the task that runs.
@@ -27,6 +27,7 @@ public:
   void unwatch(JobQueue& jobs);
 
 private:
+  void makeJob();
   void syncVolume();
   void syncBinding();
   void syncJobs();
@@ -36,7 +37,9 @@ private:
   QLabel* volume_;
   QLabel* binding_;
   ElidedLabel* hint_;
-  JobIndicator* job_;
+  QWidget* job_; ///< The task that runs: its step, how far it is, and a cross to cancel it.
+  QLabel* step_;
+  QProgressBar* progress_;
   struct Watched {
     JobQueue* jobs = nullptr;
     Subscription subscription;

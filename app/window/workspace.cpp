@@ -1,6 +1,9 @@
 #include "window/workspace.h"
 
+#include <QDesktopServices>
+#include <QFileInfo>
 #include <QMetaObject>
+#include <QUrl>
 
 #include <cmath>
 
@@ -14,12 +17,6 @@ Workspace::Workspace(plugin::Registry registry, QObject* parent)
         QMetaObject::invokeMethod(this, std::move(work), Qt::QueuedConnection);
       }),
       live_(document_, registry_, jobs_), stress_(document_, registry_, live_, jobs_), selection_(document_) {
-}
-
-Workspace::~Workspace() = default;
-
-bool Workspace::perform(const document::Command& command) {
-  return guarded([&] { undo_.perform(command); });
 }
 
 bool Workspace::guarded(const std::function<void()>& work) {
@@ -45,10 +42,15 @@ void Workspace::report(const Error& error) {
     advice[0] = advice[0].toUpper();
     sentence += tr(". %1.").arg(advice);
   }
-  Message message;
-  message.severity = Message::Severity::error;
-  message.text = sentence;
-  say(message);
+  say({Message::Severity::error, sentence, {}, 0});
+}
+
+void Workspace::noteWritten(const QString& text, const QString& file) {
+  const QUrl folder = QUrl::fromLocalFile(QFileInfo(file).absolutePath());
+  say({Message::Severity::info,
+       text,
+       {{tr("Open folder"), [folder] { QDesktopServices::openUrl(folder); }}},
+       8});
 }
 
 coordinates::Traits Workspace::systemTraits() const {

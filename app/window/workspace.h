@@ -22,7 +22,6 @@ class Workspace final : public QObject {
 public:
   /// `registry` holds the coordinate systems to choose from.
   explicit Workspace(plugin::Registry registry, QObject* parent = nullptr);
-  ~Workspace() override;
 
   const document::Document& document() const { return document_; }
   const document::DocumentState& state() const { return document_.state(); }
@@ -42,15 +41,35 @@ public:
   void afterChange(std::function<void()> what) { document_.announce(std::move(what)); }
 
   /// Does the command as one undo step; when it is not possible, says why and returns false.
-  bool perform(const document::Command& command);
+  bool perform(const document::Command& command) {
+    return guarded([&] { undo_.perform(command); });
+  }
   /// Calls `work`; an error becomes a message and false. The barrier that no exception passes on its way into
   /// Qt.
   bool guarded(const std::function<void()>& work);
+
+  /// Has a worker do `work`, in the place of what it does in the same slot; `then` takes the result. What
+  /// goes wrong becomes a message, and nothing follows.
+  template <typename Result>
+  void inBackground(const QString& name, const std::string& slot, std::function<Result(Progress&)> work,
+                    std::function<void(Result)> then) {
+    jobs_.submit<Result>(name.toStdString(), slot, std::move(work),
+                         [this, then = std::move(then)](JobResult<Result> result) {
+                           if (result.error)
+                             report(*result.error);
+                           if (result.value)
+                             then(std::move(*result.value));
+                         });
+  }
 
   /// What the chosen coordinates promise; the standard ones' where there are none of that name.
   coordinates::Traits systemTraits() const;
 
   void say(const Message& message) { Q_EMIT messageRaised(message); }
+  /// Says something for as long as it takes to read it.
+  void note(const QString& text, int seconds = 8) { say({Message::Severity::info, text, {}, seconds}); }
+  /// Says something of a file that was written, and offers to open its folder.
+  void noteWritten(const QString& text, const QString& file);
   void report(const Error& error);
   /// What was said is no longer so.
   void retract(const QString& said) { Q_EMIT messageRetracted(said); }

@@ -10,7 +10,7 @@
 #include "viscera/document/system_commands.h"
 #include "viscera/document/undo_stack.h"
 #include "viscera/live/live_binding.h"
-#include "viscera/motion/cycle_trace.h"
+#include "viscera/motion/cycle_curves.h"
 #include "viscera/motion/sequence_setup.h"
 #include "viscera/motion/volume_record.h"
 #include "viscera/plugin/registry.h"
@@ -46,11 +46,20 @@ public:
       lines.push_back({organ->name, organ->look.color});
     }
     record_ = motion::VolumeRecord(names, 7200);
-    cycles_.resize(names.size());
+    measure();
     chart_.setLines(lines);
     chart_.setTimeRange({0, 60 / rate});
   }
 
+  /// The whole cycle, as a worker of the window measures it.
+  void measure() {
+    live::PosedCopy organs = live_.copy();
+    motion::MotionRunner runner(document_.state(), organs);
+    runner.setSequence(sequence_);
+    runner.setRatePerMinute(rate_);
+    Progress progress;
+    cycle_ = motion::measureCycle(runner, progress);
+  }
   void pose() { sequence_->poseAt(seconds_, rate_, pose_); }
   void positions() { live_.showPose(pose_); }
   void normals() {
@@ -65,12 +74,10 @@ public:
   void chartData() {
     record_.add(seconds_, row_);
     const double cycles = seconds_ * rate_ / 60;
-    for (std::size_t line = 0; line < row_.size(); ++line)
-      cycles_[line].add(cycles - std::floor(cycles), row_[line]);
     if (++frames_ % kFramesAChart != 0)
       return;
     for (std::size_t line = 0; line < row_.size(); ++line)
-      chart_.setCurve(static_cast<int>(line), cycles_[line].fractions(), cycles_[line].values());
+      chart_.setCurve(static_cast<int>(line), cycle_.fractions, cycle_.milliliters[line]);
     chart_.setCursor(cycles - std::floor(cycles));
     chart_.update();
   }
@@ -93,7 +100,7 @@ private:
   live::LiveBinding live_;
   std::vector<std::unique_ptr<scene::OrganActor>> actors_;
   motion::VolumeRecord record_;
-  std::vector<motion::CycleTrace> cycles_;
+  motion::CycleCurves cycle_;
   scene::VolumeChart chart_;
   Points pose_;
   std::vector<double> row_;
@@ -117,6 +124,16 @@ void frameButDrawing(benchmark::State& state, const char* sequence, double rate)
 }
 BENCHMARK_CAPTURE(frameButDrawing, heartbeat, "heartbeat", 75)->Unit(benchmark::kMillisecond)->UseRealTime();
 BENCHMARK_CAPTURE(frameButDrawing, peristalsis, "peristalsis", 3)
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
+
+void wholeCycleAhead(benchmark::State& state, const char* sequence, double rate) {
+  PlayedOrgan organ(sequence, rate);
+  for (auto _ : state)
+    organ.measure();
+}
+BENCHMARK_CAPTURE(wholeCycleAhead, heartbeat, "heartbeat", 75)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK_CAPTURE(wholeCycleAhead, peristalsis, "peristalsis", 3)
     ->Unit(benchmark::kMillisecond)
     ->UseRealTime();
 

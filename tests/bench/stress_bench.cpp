@@ -6,7 +6,7 @@
 
 #include "tetrahedra.h"
 #include "viscera/coordinates/built_in_systems.h"
-#include "viscera/deformation/bind_witnesses.h"
+#include "viscera/deformation/witness_gradients.h"
 #include "viscera/live/stress_quantity.h"
 #include "viscera/scene/tissue_actor.h"
 
@@ -50,7 +50,7 @@ void stressFrame(benchmark::State& state) {
     pose(0, 0) = handles.positions(0, 0) + 20 * std::sin(0.1 * ++frame);
     gradients->evaluate(pose, map);
     binding->deform(pose, *points);
-    benchmark::DoNotOptimize(deformation::statisticsOf(map));
+    benchmark::DoNotOptimize(deformation::statisticsOf(map, map.rotationalStress.size()));
     live::quantityOf(map, live::StressQuantity::rotationalStress, *values);
     benchmark::DoNotOptimize(live::summaryOf(*values, values->size()));
     tissue.setPoints(points);

@@ -2,9 +2,9 @@
 
 #include "bench_scenes.h"
 #include "viscera/coordinates/celestial/s_celestial.h"
-#include "viscera/deformation/bind_witnesses.h"
 #include "viscera/deformation/grid_witnesses.h"
 #include "viscera/deformation/tetrahedralise.h"
+#include "viscera/deformation/witness_gradients.h"
 #include "viscera/geometry/volume.h"
 
 namespace viscera::deformation {

@@ -3,7 +3,7 @@
 #include <QTest>
 
 #include "shapes.h"
-#include "viscera/document/cage_commands.h"
+#include "viscera/document/system_commands.h"
 #include "viscera/scene/vtkVisceraHandleSetRepresentation.h"
 #include "window/compare/compared_system.h"
 #include "window/compare/comparison.h"

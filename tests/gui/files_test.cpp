@@ -11,7 +11,7 @@
 #include <QStandardPaths>
 #include <QUrl>
 
-#include "viscera/document/pose_commands.h"
+#include "viscera/document/rig_commands.h"
 #include "viscera/medical_io/handle_file.h"
 #include "viscera/medical_io/surface_file.h"
 #include "window/settings.h"

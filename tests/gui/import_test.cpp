@@ -9,8 +9,8 @@
 #include <fstream>
 
 #include "shapes.h"
-#include "viscera/document/pose_commands.h"
-#include "viscera/geometry/transformed_surface.h"
+#include "viscera/document/rig_commands.h"
+#include "viscera/geometry/triangle_mesh.h"
 #include "viscera/medical_io/displacement_file.h"
 #include "viscera/medical_io/surface_file.h"
 #include "window/export_actions.h"

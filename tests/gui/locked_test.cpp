@@ -9,7 +9,7 @@
 #include <QTreeWidget>
 
 #include "shapes.h"
-#include "viscera/document/pose_commands.h"
+#include "viscera/document/rig_commands.h"
 #include "viscera/medical_io/surface_file.h"
 #include "viscera/scene/vtkVisceraGizmoRepresentation.h"
 #include "viscera/scene/vtkVisceraHandleSetRepresentation.h"
@@ -102,6 +102,30 @@ TEST_F(LockedDeform, ADragKeepsTheVolumeShownAndDrawsThePlaneMeanwhile) {
   key(Qt::Key_Z, Qt::ControlModifier);
   EXPECT_EQ(document().pose(), before);
   EXPECT_TRUE(organ().volumeLocked) << "the drag alone is taken back";
+}
+
+TEST_F(LockedDeform, TheLockKeyDuringADragEndsItAndKeepsTheVolumeOfThatMoment) {
+  const Points before = document().pose();
+  const std::size_t stepsBefore = steps();
+  const QPoint from = onScreen(handleInView(handle_)), to = from + QPoint(70, -30);
+  QTest::mouseMove(&view(), from);
+  QTest::mousePress(&view(), Qt::LeftButton, Qt::NoModifier, from);
+  QTest::mouseMove(&view(), from + QPoint(35, -15));
+  QTest::qWait(10);
+  key(Qt::Key_K);
+  ASSERT_TRUE(organ().volumeLocked);
+  const double locked = relativeChange();
+  QTest::mouseMove(&view(), to);
+  QTest::qWait(10);
+  QTest::mouseRelease(&view(), Qt::LeftButton, Qt::NoModifier, to);
+  settle();
+  EXPECT_NEAR(relativeChange(), locked, kAllowedError) << "what is locked is the volume at that moment";
+  EXPECT_NE(document().pose(), before);
+  for (std::size_t step = steps(); step > stepsBefore; --step)
+    key(Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_EQ(document().pose(), before);
+  EXPECT_FALSE(organ().volumeLocked);
+  EXPECT_EQ(relativeChange(), 0);
 }
 
 TEST_F(LockedDeform, EscapeDuringALockedDragPutsEverythingBack) {

@@ -5,7 +5,7 @@
 #include <cstdio>
 #include <cstring>
 
-#include "window/application.h"
+#include "window/run_window.h"
 
 /// The tests need an application and a display; listing them needs neither.
 int main(int argc, char** argv) {

@@ -11,7 +11,7 @@
 
 #include "viscera/document/measurement_commands.h"
 #include "viscera/document/organ_commands.h"
-#include "viscera/document/pose_commands.h"
+#include "viscera/document/rig_commands.h"
 #include "window/export_actions.h"
 #include "window/modes/explore_mode.h"
 

@@ -14,7 +14,7 @@
 
 #include "run_process.h"
 #include "temporary_folder.h"
-#include "viscera/document/pose_commands.h"
+#include "viscera/document/rig_commands.h"
 #include "viscera/plugin/plugin_loader.h"
 #include "viscera/scene/picture.h"
 #include "window/session/session_files.h"

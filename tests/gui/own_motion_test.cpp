@@ -8,7 +8,6 @@
 #include <QTableWidget>
 #include <QTest>
 
-#include "viscera/document/pose_commands.h"
 #include "viscera/document/rig_commands.h"
 #include "viscera/medical_io/surface_file.h"
 #include "viscera/scene/vtkVisceraHandleSetRepresentation.h"
@@ -16,7 +15,7 @@
 #include "window/modes/play_mode.h"
 #include "window/recorded/fit_box.h"
 #include "window/recorded/key_box.h"
-#include "window/widgets/fold.h"
+#include "window/widgets/page.h"
 
 #include "shapes.h"
 

@@ -7,6 +7,7 @@
 #include <QLabel>
 #include <QTest>
 
+#include "run_process.h"
 #include "viscera/document/organ_commands.h"
 #include "viscera/sample_organs/sample_organ.h"
 #include "window/panels/curve_box.h"
@@ -31,6 +32,57 @@ TEST_F(PlayMode, SpacePlaysAndTheVolumesFollowTheBeat) {
   key(Qt::Key_Space);
   EXPECT_FALSE(window().playback().player().playing());
   EXPECT_EQ(window().workspace().undo().names().size(), 1u) << "playing leaves no undo steps";
+}
+
+/// Rows of a table of numbers, without its heading.
+std::vector<std::vector<double>> tableIn(const QString& file) {
+  QFile stream(file);
+  EXPECT_TRUE(stream.open(QIODevice::ReadOnly)) << file.toStdString();
+  std::vector<std::vector<double>> rows;
+  for (const QByteArray& line : stream.readAll().trimmed().split('\n').mid(1)) {
+    rows.emplace_back();
+    for (const QByteArray& cell : line.split(','))
+      rows.back().push_back(cell.toDouble());
+  }
+  return rows;
+}
+
+TEST_F(PlayMode, TheWholeCycleIsExactBeforeAFrameOfItWasPlayed) {
+  const auto& monitor = window().volumes();
+  ASSERT_EQ(monitor.lines().at(1).name, QStringLiteral("LV"));
+  ASSERT_TRUE(waitUntil([&] { return monitor.indices(1).has_value(); }));
+  EXPECT_EQ(window().playback().player().playedSeconds(), 0);
+  EXPECT_NEAR(monitor.indices(1)->ejectionFraction, 0.579, 5e-4);
+  const QString file = path(QStringLiteral("beat.csv"));
+  const auto result =
+      test::runProcess({VISCERA_PROGRAM, "play", "heartbeat", "--fps", "120", "--csv", file.toStdString()});
+  ASSERT_EQ(result.exitCode, 0) << result.err;
+  const auto rows = tableIn(file);
+  ASSERT_EQ(rows.size(), 96u);
+  for (std::size_t line = 0; line < 3; ++line) {
+    const app::VolumeMonitor::Curve curve = monitor.cycle(line);
+    std::size_t found = 0;
+    for (const auto& row : rows)
+      for (std::size_t i = 0; i < curve.fractions.size(); ++i)
+        if (std::abs(curve.fractions[i] * 0.8 - row[0]) < 1e-9) {
+          EXPECT_NEAR(curve.milliliters[i], row[1 + line], 1e-9 * row[1 + line]) << row[0];
+          ++found;
+        }
+    EXPECT_EQ(found, rows.size());
+  }
+  // Both isovolumic phases are flat in the curve.
+  const app::VolumeMonitor::Curve left = monitor.cycle(1);
+  for (const auto& phase : window().playback().sequence()->phases(75)) {
+    if (phase.name.find("isovolumic") == std::string::npos)
+      continue;
+    double low = 1e9, high = 0;
+    for (std::size_t i = 0; i < left.fractions.size(); ++i)
+      if (left.fractions[i] >= phase.begin && left.fractions[i] <= phase.end) {
+        low = std::min(low, left.milliliters[i]);
+        high = std::max(high, left.milliliters[i]);
+      }
+    EXPECT_LT(high - low, 0.5) << phase.name;
+  }
 }
 
 TEST_F(PlayMode, TheTimelineLooksAtOneInstant) {

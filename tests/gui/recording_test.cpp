@@ -16,6 +16,7 @@
 
 #include "viscera/document/organ_commands.h"
 #include "window/panels/play_page.h"
+#include "window_probe.h"
 
 namespace viscera::tests {
 namespace {
@@ -105,6 +106,27 @@ TEST_F(Recordings, KeepALockedVolumeAsTheWindowDoes) {
     EXPECT_NEAR(rows[row].split(',')[2].toDouble(), volumeOf("LV"), 1e-5) << row;
     EXPECT_NEAR(rows[row].split(',')[1].toDouble(), rows[1].split(',')[1].toDouble(), 1e-5) << row;
   }
+}
+
+TEST_F(Recordings, OfTheStressModeShowTheMapAsTheWindowDoes) {
+  setViewSize(window(), 640, 480);
+  key(Qt::Key_4);
+  ASSERT_EQ(window().mode(), "stress");
+  ASSERT_TRUE(waitUntil([this] { return atPeace(window()); }));
+  window().playback().seek(0.5);
+  ASSERT_TRUE(waitUntil([this] { return atPeace(window()); }));
+  app::RecordingPlan plan;
+  plan.format = app::RecordingFormat::pictures;
+  plan.file = path(QStringLiteral("map"));
+  plan.size = {640, 480};
+  plan.framesPerSecond = 10;
+  plan.caption = false;
+  ASSERT_TRUE(parts().record(plan));
+  ASSERT_TRUE(recorded());
+  const QStringList frames = QDir(plan.file).entryList(QDir::Files, QDir::Name);
+  ASSERT_EQ(frames.size(), 8);
+  const auto frame = scene::readPng((plan.file + QLatin1Char('/') + frames[4]).toStdString());
+  EXPECT_LE(scene::comparePictures(grab(window()), frame, 8).differing, 0.005) << "half a beat";
 }
 
 TEST_F(Recordings, GoesOnWhileTheWindowIsBusyWithOtherThings) {

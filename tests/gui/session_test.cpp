@@ -10,8 +10,8 @@
 #include "temporary_folder.h"
 #include "viscera/document/autosave.h"
 #include "viscera/document/organ_commands.h"
-#include "viscera/document/pose_commands.h"
 #include "viscera/document/recording_commands.h"
+#include "viscera/document/rig_commands.h"
 #include "window/session/session_files.h"
 
 namespace viscera::tests {

@@ -17,7 +17,7 @@
 
 #include "sway.h"
 #include "viscera/live/stress_quantity.h"
-#include "viscera/presentation/value_steps.h"
+#include "viscera/presentation/stress_values.h"
 #include "viscera/scene/vtkVisceraHandleSetRepresentation.h"
 #include "window/modes/stress_mode.h"
 #include "window/stress/histogram.h"
@@ -72,7 +72,7 @@ protected:
   void enter() {
     key(Qt::Key_4);
     ASSERT_EQ(window().mode(), "stress");
-    ASSERT_TRUE(waitUntil([this] { return model().ready() && drawn().tissue(); }));
+    ASSERT_TRUE(waitUntil([this] { return model().shown().ready() && drawn().tissue(); }));
     settle();
   }
   template <class Widget>
@@ -120,7 +120,7 @@ TEST_F(StressModeTest, KeyFourShowsTheMapAndLeavingPutsTheLooksBack) {
   EXPECT_GT(drawn().tissue()->cutTriangles(), 10);
   EXPECT_NEAR(model().live().mesh()->witnesses, kWitnesses, 0.3 * kWitnesses);
   EXPECT_FALSE(label("stressOrigin").isEmpty());
-  EXPECT_LT(model().summary().max, 1e-6) << "nothing is distorted at rest";
+  EXPECT_LT(model().shown().summary().max, 1e-6) << "nothing is distorted at rest";
   key(Qt::Key_1);
   EXPECT_FALSE(view().view().legend().visible());
   EXPECT_FALSE(organ().scalarsShown());
@@ -134,7 +134,7 @@ TEST_F(StressModeTest, DraggingAHandleMovesTheMapAndItsNumbers) {
   const QString before = label("stressMax");
   const Points pointsBefore = model().live().points();
   dragAHandle();
-  EXPECT_GT(model().summary().max, 0.5);
+  EXPECT_GT(model().shown().summary().max, 0.5);
   EXPECT_NE(label("stressMax"), before);
   EXPECT_GT((model().live().points() - pointsBefore).cwiseAbs().maxCoeff(), 1);
   // What is shown is the evaluation of the pose that is shown.
@@ -142,14 +142,14 @@ TEST_F(StressModeTest, DraggingAHandleMovesTheMapAndItsNumbers) {
   model().live().gradients()->evaluate(document().pose(), expected);
   Values values;
   live::quantityOf(expected, live::StressQuantity::rotationalStress, values);
-  EXPECT_EQ(*model().values(), values);
+  EXPECT_EQ(*model().shown().values(), values);
   const auto& bars = find<app::Histogram>("stressHistogram")->bars();
   int counted = 0;
   for (const int bar : bars)
     counted += bar;
   EXPECT_EQ(counted, model().live().mesh()->witnesses);
   key(Qt::Key_Z, Qt::ControlModifier);
-  EXPECT_LT(model().summary().max, 1e-6) << "undo takes the stress back";
+  EXPECT_LT(model().shown().summary().max, 1e-6) << "undo takes the stress back";
 }
 
 TEST_F(StressModeTest, TheCutIsPushedByItsArrowAndTurnedOffByItsKey) {
@@ -214,12 +214,12 @@ TEST_F(StressModeTest, EveryMapHasItsLegendAndNumbers) {
   for (const live::StressQuantityDescription& quantity : live::stressQuantities()) {
     EXPECT_EQ(model().look().quantity, quantity.quantity);
     EXPECT_EQ(find<QComboBox>("stressQuantity")->currentText().toStdString(), quantity.name);
-    const scene::ValueRange range = model().range();
+    const scene::ValueRange range = model().shown().range();
     if (quantity.ratio) {
       EXPECT_NEAR(0.5 * (range.low + range.high), 1, 1e-12) << "ratios lie around 1";
     }
-    EXPECT_LE(model().summary().percentile95, range.high);
-    EXPECT_GE(model().summary().percentile5, range.low);
+    EXPECT_LE(model().shown().summary().percentile95, range.high);
+    EXPECT_GE(model().shown().summary().percentile5, range.low);
     key(Qt::Key_M);
   }
 }
@@ -236,29 +236,30 @@ TEST_F(StressModeTest, APlayingSequenceMovesTheMapAndIsRecorded) {
     now_ += 0.02;
     window().playback().advance();
   }
-  EXPECT_GT(model().summary().max, 0.5);
+  EXPECT_GT(model().shown().summary().max, 0.5);
   EXPECT_GE(model().record().samples().size(), 10u);
   EXPECT_NEAR(model().record().samples().back().statistics.max,
-              model().summary().max * std::numbers::pi / 180, 1e-9);
+              model().shown().summary().max * std::numbers::pi / 180, 1e-9);
   key(Qt::Key_Space);
   // The peak over the cycle is at least the map of every instant.
-  const Values now = *model().values();
+  const Values now = *model().shown().values();
   window().actions()["stress.peak"]->trigger();
   ASSERT_TRUE(waitUntil([this] { return model().peakShown(); }));
   const Eigen::Index witnesses = model().live().mesh()->witnesses;
-  EXPECT_GE((*model().values() - now).minCoeff(), -0.2);
-  EXPECT_GT(model().summary().max, now.head(witnesses).maxCoeff() - 0.2);
+  EXPECT_GE((*model().shown().values() - now).minCoeff(), -0.2);
+  EXPECT_GT(model().shown().summary().max, now.head(witnesses).maxCoeff() - 0.2);
   // Back to the own pose, which is at rest.
   window().actions()["stress.peak"]->trigger();
   QTest::mouseClick(find<QPushButton>("stressOwnPose"), Qt::LeftButton);
   settle();
-  EXPECT_LT(model().summary().max, 1e-6);
+  EXPECT_LT(model().shown().summary().max, 1e-6);
 }
 
 TEST_F(StressModeTest, TheNumberOfWitnessesAndTheLookAreKeptInTheSettings) {
   enter();
   find<QSpinBox>("stressWitnesses")->setValue(1500);
-  ASSERT_TRUE(waitUntil([this] { return model().ready() && model().live().mesh()->witnesses > 1000; }));
+  ASSERT_TRUE(
+      waitUntil([this] { return model().shown().ready() && model().live().mesh()->witnesses > 1000; }));
   look([](app::StressLook& look) {
     look.style = scene::CutStyle::crinkle;
     look.quantity = live::StressQuantity::stretchMin;
@@ -282,7 +283,7 @@ TEST_F(StressModeTest, ACancelledTaskSaysSoAndGoesOnWhenAsked) {
   EXPECT_TRUE(find<QLabel>("stressState")->isVisible());
   EXPECT_TRUE(organ().visible());
   model().live().retry();
-  ASSERT_TRUE(waitUntil([this] { return model().ready(); }));
+  ASSERT_TRUE(waitUntil([this] { return model().shown().ready(); }));
   EXPECT_FALSE(find<QLabel>("stressState")->isVisible());
 }
 

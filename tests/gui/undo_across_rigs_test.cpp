@@ -19,7 +19,7 @@
 #include "sway.h"
 #include "viscera/document/measurement_commands.h"
 #include "viscera/document/recording_commands.h"
-#include "viscera/document/sequence_rig.h"
+#include "viscera/document/rig_commands.h"
 #include "window_probe.h"
 
 namespace viscera::tests {

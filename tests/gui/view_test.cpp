@@ -6,7 +6,7 @@
 #include <vtkCamera.h>
 #include <vtkRenderer.h>
 
-#include "viscera/document/pose_commands.h"
+#include "viscera/document/rig_commands.h"
 #include "window/style/theme.h"
 #include "window_probe.h"
 

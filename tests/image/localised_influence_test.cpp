@@ -12,8 +12,8 @@
 #include "viscera/localised_scc/localised_s_celestial.h"
 #include "viscera/localised_scc/region_layout.h"
 #include "viscera/sample_organs/sample_organ.h"
-#include "viscera/scene/contact_sheet.h"
-#include "viscera/scene/layout_hulls.h"
+#include "viscera/scene/picture.h"
+#include "viscera/scene/region_hulls.h"
 
 /// The comparison of the thesis's figure 4.17 on the sample stomach: what one handle reaches with one group
 /// of all handles, and with four groups.

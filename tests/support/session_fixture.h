@@ -7,11 +7,9 @@
 
 #include "shapes.h"
 #include "viscera/core/job_queue.h"
-#include "viscera/document/cage_commands.h"
 #include "viscera/document/document.h"
 #include "viscera/document/group_commands.h"
 #include "viscera/document/organ_commands.h"
-#include "viscera/document/pose_commands.h"
 #include "viscera/document/rig_commands.h"
 #include "viscera/document/system_commands.h"
 #include "viscera/document/undo_stack.h"

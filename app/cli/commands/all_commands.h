@@ -1,13 +1,25 @@
 #pragma once
 
 #include <memory>
-#include <vector>
 
 #include "cli/command.h"
 
+/// The subcommands, each in a file of its own, in the order in which the help shows them.
 namespace viscera::app::cli {
 
-/// A new instance of every subcommand, in the order in which the help shows them.
-std::vector<std::unique_ptr<Command>> allCommands();
+std::unique_ptr<Command> infoCommand();
+std::unique_ptr<Command> systemsCommand();
+std::unique_ptr<Command> sampleCommand();
+std::unique_ptr<Command> convertCommand();
+std::unique_ptr<Command> handlesCommand();
+std::unique_ptr<Command> bindCommand();
+std::unique_ptr<Command> deformCommand();
+std::unique_ptr<Command> stressCommand();
+std::unique_ptr<Command> playCommand();
+std::unique_ptr<Command> lessonCommand();
+std::unique_ptr<Command> segmentCommand();
+std::unique_ptr<Command> renderCommand();
+std::unique_ptr<Command> propertiesCommand();
+std::unique_ptr<Command> reproduceCommand();
 
 } // namespace viscera::app::cli

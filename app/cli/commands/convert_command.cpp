@@ -1,16 +1,20 @@
-#include "cli/commands/convert_command.h"
+#include "cli/commands/all_commands.h"
+
+#include <optional>
+#include <string>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 
-#include "cli/findings.h"
 #include "cli/listing.h"
 #include "viscera/core/error.h"
 #include "viscera/document/open_files.h"
 #include "viscera/geometry/surface_check.h"
-#include "viscera/geometry/transformed_surface.h"
+#include "viscera/geometry/triangle_mesh.h"
 #include "viscera/medical_io/assess_surface.h"
 #include "viscera/medical_io/handle_file.h"
 #include "viscera/medical_io/organ_norms.h"
+#include "viscera/medical_io/space.h"
 #include "viscera/medical_io/surface_file.h"
 #include "viscera/medical_io/surface_repairs.h"
 
@@ -35,130 +39,154 @@ bool turned(medical_io::Space read, const std::string& stated) {
   return !stated.empty() && spaceNamed(stated) != read;
 }
 
+/// `viscera convert`: surfaces and handle files into other formats, axes and units. Repairs only what it is
+/// asked to.
+class ConvertCommand final : public Command {
+public:
+  std::string name() const override { return "convert"; }
+  std::string summary() const override { return "Convert a surface or a handle file"; }
+
+  void addOptions(CLI::App& options) override {
+    options.add_option("IN", in_, "A surface, or a handle file (.mrk.json, .fcsv)")->required();
+    options.add_option("OUT", out_, "The file to write, of the same kind; its ending says the format")
+        ->required();
+    options.add_option("--space", space_, "Axes to write in: LPS or RAS")
+        ->check(CLI::IsMember({"LPS", "RAS"}))
+        ->capture_default_str();
+    options.add_option("--from-space", fromSpace_, "Axes that IN is in, whatever it says itself")
+        ->check(CLI::IsMember({"LPS", "RAS"}));
+    options.add_option("--unit", unit_, "Unit of IN's coordinates; OUT is in mm")
+        ->check(CLI::IsMember({"mm", "cm", "m", "in"}))
+        ->capture_default_str();
+    options.add_flag("--keep-largest", keepLargest_, "Keep the largest piece of the surface only");
+    options.add_flag("--fill-holes", fillHoles_, "Close holes with caps");
+    options.add_flag("--orient", orient_, "Turn triangles so that all of them face outward");
+    options
+        .add_option("--remesh", remesh_,
+                    "Make the surface anew with about N triangles: closed, without intersections")
+        ->type_name("N")
+        ->check(CLI::Range(kFewestTriangles, kMostTriangles));
+    options.add_flag("--mirror", mirror_, "Exchange left and right");
+  }
+
+  Outcome run(Surroundings& surroundings) override {
+    return document::isHandleFile(in_) ? convertHandles() : convertSurface(surroundings);
+  }
+
+private:
+  Outcome convertSurface(Surroundings& surroundings) const {
+    if (document::isHandleFile(out_))
+      throw UsageError("a surface cannot be written as a handle file", out_,
+                       "viscera handles places handles");
+    medical_io::SurfaceFile surface = medical_io::readSurface(in_);
+    const auto assess = [&](const geometry::TriangleMesh& mesh) {
+      return medical_io::assessSurface(
+                 mesh, {surface.name, surface.spaceStated ? std::optional(surface.space) : std::nullopt},
+                 surroundings.progress, surroundings.threads)
+          .findings;
+    };
+    Outcome outcome;
+    outcome.warnings = surface.warnings;
+    removeFindings(outcome.warnings, assess(surface.mesh));
+    geometry::TriangleMesh mesh = std::move(surface.mesh);
+    if (turned(surface.space, fromSpace_))
+      mesh = geometry::turnedHalf(std::move(mesh));
+    if (millimetres(unit_) != 1)
+      mesh = geometry::scaled(std::move(mesh), millimetres(unit_));
+    for (const std::string& repair : repairs())
+      mesh = medical_io::surfaceRepair(repair).apply(mesh, surroundings.progress, surroundings.threads);
+    if (remesh_)
+      mesh = medical_io::remeshed(mesh, *remesh_, surroundings.progress, surroundings.threads);
+    surroundings.progress.throwIfCancelled();
+    medical_io::writeSurface(out_, mesh, {.space = written(), .name = surface.name});
+    const geometry::SurfaceReport report = geometry::checkSurface(mesh);
+    std::vector<std::string> done = repairs();
+    if (remesh_)
+      done.emplace_back("remesh");
+    outcome.json = {{"in", in_},
+                    {"out", out_},
+                    {"vertices", mesh.points.rows()},
+                    {"triangles", mesh.triangles.rows()},
+                    {"space", space_},
+                    {"repairs", done},
+                    {"closed", report.closed()}};
+    outcome.text = Listing()
+                       .add("file", out_)
+                       .add("vertices", std::to_string(mesh.points.rows()))
+                       .add("triangles", std::to_string(mesh.triangles.rows()))
+                       .text();
+    appendFindings(outcome.warnings, assess(mesh));
+    outcome.json["warnings"] = outcome.warnings;
+    return outcome;
+  }
+
+  Outcome convertHandles() const {
+    requireNoSurfaceOptions();
+    if (!document::isHandleFile(out_))
+      throw UsageError("a handle file cannot be written as a surface", out_, "use .mrk.json or .fcsv");
+    medical_io::HandleFile handles = medical_io::readHandles(in_);
+    const double mm = millimetres(unit_);
+    for (medical_io::HandleGroupRecord& group : handles.groups)
+      for (medical_io::HandleRecord& handle : group.handles)
+        if (mm != 1)
+          handle.position *= mm;
+    medical_io::writeHandles(out_, handles, {.space = written()});
+    Outcome outcome;
+    outcome.warnings = handles.warnings;
+    if (out_.ends_with(".fcsv"))
+      for (std::string& lost : medical_io::fcsvLoses(handles))
+        outcome.warnings.push_back(std::move(lost));
+    outcome.json = {{"in", in_},
+                    {"out", out_},
+                    {"vertices", handles.count()},
+                    {"triangles", 0},
+                    {"handles", handles.count()},
+                    {"space", space_},
+                    {"warnings", outcome.warnings}};
+    outcome.text = Listing().add("file", out_).add("handles", std::to_string(handles.count())).text();
+    return outcome;
+  }
+
+  /// The repairs asked for, in the order in which they are done.
+  std::vector<std::string> repairs() const {
+    std::vector<std::string> list;
+    if (keepLargest_)
+      list.emplace_back("keep-largest");
+    if (orient_) // Before the holes: caps run as the triangles beside them do.
+      list.emplace_back("orient");
+    if (fillHoles_)
+      list.emplace_back("fill-holes");
+    if (mirror_)
+      list.emplace_back("mirror");
+    return list;
+  }
+
+  void requireNoSurfaceOptions() const {
+    if (!fromSpace_.empty())
+      throw UsageError("handle files state their axes themselves", "--from-space");
+    if (!repairs().empty() || remesh_)
+      throw UsageError("handles cannot be repaired as surfaces are", in_,
+                       "leave out --fill-holes, --keep-largest, --orient, --remesh and --mirror");
+  }
+
+  medical_io::Space written() const { return spaceNamed(space_); }
+
+  std::string in_;
+  std::string out_;
+  std::string space_ = "LPS";
+  std::string fromSpace_;
+  std::string unit_ = "mm";
+  bool fillHoles_ = false;
+  bool keepLargest_ = false;
+  bool orient_ = false;
+  bool mirror_ = false;
+  std::optional<int> remesh_;
+};
+
 } // namespace
 
-void ConvertCommand::addOptions(CLI::App& options) {
-  options.add_option("IN", in_, "A surface, or a handle file (.mrk.json, .fcsv)")->required();
-  options.add_option("OUT", out_, "The file to write, of the same kind; its ending says the format")
-      ->required();
-  options.add_option("--space", space_, "Axes to write in: LPS or RAS")
-      ->check(CLI::IsMember({"LPS", "RAS"}))
-      ->capture_default_str();
-  options.add_option("--from-space", fromSpace_, "Axes that IN is in, whatever it says itself")
-      ->check(CLI::IsMember({"LPS", "RAS"}));
-  options.add_option("--unit", unit_, "Unit of IN's coordinates; OUT is in mm")
-      ->check(CLI::IsMember({"mm", "cm", "m", "in"}))
-      ->capture_default_str();
-  options.add_flag("--keep-largest", keepLargest_, "Keep the largest piece of the surface only");
-  options.add_flag("--fill-holes", fillHoles_, "Close holes with caps");
-  options.add_flag("--orient", orient_, "Turn triangles so that all of them face outward");
-  options
-      .add_option("--remesh", remesh_,
-                  "Make the surface anew with about N triangles: closed, without intersections")
-      ->type_name("N")
-      ->check(CLI::Range(kFewestTriangles, kMostTriangles));
-  options.add_flag("--mirror", mirror_, "Exchange left and right");
-}
-
-std::vector<std::string> ConvertCommand::repairs() const {
-  std::vector<std::string> list;
-  if (keepLargest_)
-    list.emplace_back("keep-largest");
-  if (orient_) // Before the holes: caps run as the triangles beside them do.
-    list.emplace_back("orient");
-  if (fillHoles_)
-    list.emplace_back("fill-holes");
-  if (mirror_)
-    list.emplace_back("mirror");
-  return list;
-}
-
-void ConvertCommand::requireNoSurfaceOptions() const {
-  if (!fromSpace_.empty())
-    throw UsageError("handle files state their axes themselves", "--from-space");
-  if (!repairs().empty() || remesh_)
-    throw UsageError("handles cannot be repaired as surfaces are", in_,
-                     "leave out --fill-holes, --keep-largest, --orient, --remesh and --mirror");
-}
-
-medical_io::Space ConvertCommand::written() const {
-  return spaceNamed(space_);
-}
-
-Outcome ConvertCommand::convertSurface(Surroundings& surroundings) const {
-  if (document::isHandleFile(out_))
-    throw UsageError("a surface cannot be written as a handle file", out_, "viscera handles places handles");
-  medical_io::SurfaceFile surface = medical_io::readSurface(in_);
-  const auto assess = [&](const geometry::TriangleMesh& mesh) {
-    return medical_io::assessSurface(
-               mesh, {surface.name, surface.spaceStated ? std::optional(surface.space) : std::nullopt},
-               surroundings.progress, surroundings.threads)
-        .findings;
-  };
-  Outcome outcome;
-  outcome.warnings = surface.warnings;
-  removeFindings(outcome.warnings, assess(surface.mesh));
-  geometry::TriangleMesh mesh = std::move(surface.mesh);
-  if (turned(surface.space, fromSpace_))
-    mesh = geometry::turnedHalf(std::move(mesh));
-  if (millimetres(unit_) != 1)
-    mesh = geometry::scaled(std::move(mesh), millimetres(unit_));
-  for (const std::string& repair : repairs())
-    mesh = medical_io::surfaceRepair(repair).apply(mesh, surroundings.progress, surroundings.threads);
-  if (remesh_)
-    mesh = medical_io::remeshed(mesh, *remesh_, surroundings.progress, surroundings.threads);
-  surroundings.progress.throwIfCancelled();
-  medical_io::writeSurface(out_, mesh, {.space = written(), .name = surface.name});
-  const geometry::SurfaceReport report = geometry::checkSurface(mesh);
-  std::vector<std::string> done = repairs();
-  if (remesh_)
-    done.emplace_back("remesh");
-  outcome.json = {{"in", in_},
-                  {"out", out_},
-                  {"vertices", mesh.points.rows()},
-                  {"triangles", mesh.triangles.rows()},
-                  {"space", space_},
-                  {"repairs", done},
-                  {"closed", report.closed()}};
-  outcome.text = Listing()
-                     .add("file", out_)
-                     .add("vertices", std::to_string(mesh.points.rows()))
-                     .add("triangles", std::to_string(mesh.triangles.rows()))
-                     .text();
-  appendFindings(outcome.warnings, assess(mesh));
-  outcome.json["warnings"] = outcome.warnings;
-  return outcome;
-}
-
-Outcome ConvertCommand::convertHandles() const {
-  requireNoSurfaceOptions();
-  if (!document::isHandleFile(out_))
-    throw UsageError("a handle file cannot be written as a surface", out_, "use .mrk.json or .fcsv");
-  medical_io::HandleFile handles = medical_io::readHandles(in_);
-  const double mm = millimetres(unit_);
-  for (medical_io::HandleGroupRecord& group : handles.groups)
-    for (medical_io::HandleRecord& handle : group.handles)
-      if (mm != 1)
-        handle.position *= mm;
-  medical_io::writeHandles(out_, handles, {.space = written()});
-  Outcome outcome;
-  outcome.warnings = handles.warnings;
-  if (out_.ends_with(".fcsv"))
-    for (std::string& lost : medical_io::fcsvLoses(handles))
-      outcome.warnings.push_back(std::move(lost));
-  outcome.json = {{"in", in_},
-                  {"out", out_},
-                  {"vertices", handles.count()},
-                  {"triangles", 0},
-                  {"handles", handles.count()},
-                  {"space", space_},
-                  {"warnings", outcome.warnings}};
-  outcome.text = Listing().add("file", out_).add("handles", std::to_string(handles.count())).text();
-  return outcome;
-}
-
-Outcome ConvertCommand::run(Surroundings& surroundings) {
-  return document::isHandleFile(in_) ? convertHandles() : convertSurface(surroundings);
+std::unique_ptr<Command> convertCommand() {
+  return std::make_unique<ConvertCommand>();
 }
 
 } // namespace viscera::app::cli

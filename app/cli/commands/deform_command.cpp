@@ -1,16 +1,23 @@
-#include "cli/commands/deform_command.h"
+#include "cli/commands/all_commands.h"
 
 #include <chrono>
 #include <cmath>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 
-#include "cli/interior.h"
+#include "cli/bound_input.h"
+#include "cli/listing.h"
 #include "viscera/core/error.h"
 #include "viscera/deformation/bind_organ.h"
+#include "viscera/deformation/deformer.h"
 #include "viscera/deformation/inverse_displacements.h"
 #include "viscera/deformation/least_stress.h"
-#include "viscera/deformation/restore_volume.h"
+#include "viscera/deformation/restoration_model.h"
+#include "viscera/deformation/volume_lock.h"
 #include "viscera/medical_io/displacement_file.h"
 #include "viscera/medical_io/surface_file.h"
 
@@ -24,168 +31,186 @@ int movedHandles(const Points& rest, const Points& pose) {
   return static_cast<int>(((pose - rest).rowwise().squaredNorm().array() > 0).count());
 }
 
+/// `viscera deform`: poses an organ and says what became of its volume.
+class DeformCommand final : public Command {
+public:
+  std::string name() const override { return "deform"; }
+  std::string summary() const override { return "Pose an organ by its handles"; }
+
+  void addOptions(CLI::App& options) override {
+    input_.addTo(options, true);
+    CLI::Option* lock =
+        options.add_flag("--lock-volume", lockVolume_,
+                         "Move the handles that the pose leaves at rest so that the volume is kept");
+    options.add_option("--target-ml", targetMl_, "As --lock-volume, but for this volume")
+        ->type_name("ML")
+        ->check(CLI::PositiveNumber)
+        ->excludes(lock);
+    options.add_option("--compensate", compensate_, "Move only these handles to reach the volume")
+        ->type_name("LABEL");
+    options
+        .add_option("--restore", restore_,
+                    "How they share the motion: least-displacement, or least-stress of the tissue inside")
+        ->check(CLI::IsMember({kLeastDisplacement, kLeastStress}))
+        ->type_name("HOW")
+        ->capture_default_str();
+    options.add_option("--witnesses", witnesses_, "Witness points for least-stress, 200 to 200000")
+        ->type_name("N")
+        ->capture_default_str();
+    options.add_option("-o,--output", output_, "Surface file for the posed organ")->type_name("FILE");
+    options
+        .add_option("--displacement", displacement_,
+                    "Write the organ at rest with the vector of every vertex's motion (.vtp)")
+        ->type_name("FILE");
+    CLI::Option* transform =
+        options
+            .add_option(
+                "--transform", transform_,
+                "Write the motion of the space around the organ as a displacement field for 3D Slicer "
+                "and ITK (.nrrd, .mha)")
+            ->type_name("FILE");
+    options.add_option("--spacing", spacing_, "Spacing of the displacement field's grid")
+        ->type_name("MM")
+        ->check(CLI::PositiveNumber)
+        ->needs(transform)
+        ->capture_default_str();
+  }
+
+  Outcome run(Surroundings& surroundings) override {
+    const auto begin = std::chrono::steady_clock::now();
+    Outcome outcome;
+    const BoundInput input = input_.read(surroundings, outcome.warnings);
+    const auto& [system, options, rig, pose, organ] = input;
+    deformation::Deformer deformer(
+        organ.mesh,
+        deformation::bindOrgan(*system, rig.handles, organ.mesh->points, options, surroundings.progress),
+        rig.handles.positions, surroundings.threads);
+    deformer.setPose(pose);
+    keepVolume(deformer, input, outcome.warnings, surroundings.progress);
+
+    const double restMl = deformer.restVolumeMm3() / kMm3PerMl;
+    const double nowMl = deformer.volumeMm3() / kMm3PerMl;
+    const double error = (nowMl - targetMl(deformer)) / std::abs(targetMl(deformer));
+    const double change = (nowMl - restMl) / std::abs(restMl);
+    const int moved = movedHandles(rig.handles.positions, deformer.pose());
+    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    outcome.json = {{"organ", organ.name},      {"system", system->id()},
+                    {"closed", organ.closed()}, {"volumeRestMl", restMl},
+                    {"volumeMl", nowMl},        {"relativeVolumeError", error},
+                    {"movedHandles", moved},    {"maxDisplacementMm", deformer.maxDisplacementMm()},
+                    {"seconds", seconds}};
+    Listing listing;
+    if (organ.closed())
+      listing.add("volume at rest", fixed(restMl, 3) + " ml")
+          .add("volume",
+               fixed(nowMl, 3) + " ml (" + (change < 0 ? "" : "+") + fixed(100 * change, 3) + " %)");
+    else
+      listing.add("volume", "none: the surface is open");
+    listing.add("moved handles", std::to_string(moved))
+        .add("largest displacement", fixed(deformer.maxDisplacementMm(), 2) + " mm");
+    writeOutputs(input, deformer, surroundings.progress, outcome, listing);
+    outcome.text = listing.text();
+    outcome.warnings.insert(outcome.warnings.end(), organ.warnings.begin(), organ.warnings.end());
+    const auto& notes = deformer.binding().report().notes;
+    outcome.warnings.insert(outcome.warnings.end(), notes.begin(), notes.end());
+    outcome.json["warnings"] = outcome.warnings;
+    return outcome;
+  }
+
+private:
+  /// Moves compensating handles so that the volume is the one asked for. Nothing to do when none is.
+  void keepVolume(deformation::Deformer& deformer, const BoundInput& input,
+                  std::vector<std::string>& warnings, Progress& progress) const {
+    if (!lockVolume_ && !targetMl_) {
+      if (!compensate_.empty())
+        throw UsageError("It goes with --lock-volume or --target-ml", "--compensate");
+      if (restore_ != kLeastDisplacement)
+        throw UsageError("It goes with --lock-volume or --target-ml", "--restore");
+      return;
+    }
+    const auto restoration = model(input, warnings, progress);
+    if (!input.organ.closed())
+      throw DataError("the surface is open, so it has no volume to keep", input_.organ(),
+                      "close its holes first");
+    std::vector<int> compensating;
+    for (const std::string& label : compensate_)
+      compensating.push_back(input.rig.indexOf(label));
+    if (compensating.empty())
+      compensating = deformation::restingHandles(input.rig.handles.positions, deformer.pose());
+    deformation::restoreVolume(deformer, targetMl(deformer) * kMm3PerMl, compensating, *restoration);
+  }
+
+  /// What a compensating motion costs, as `--restore` says. Fills the organ with witness points where that
+  /// takes some.
+  std::unique_ptr<deformation::RestorationModel>
+  model(const BoundInput& input, std::vector<std::string>& warnings, Progress& progress) const {
+    if (restore_ == kLeastDisplacement)
+      return std::make_unique<deformation::LeastDisplacement>();
+    live::WitnessOptions witnesses;
+    witnesses.wanted = witnesses_;
+    witnesses.threads = input.options.threads;
+    const Interior interior = interiorOf(input, witnesses, warnings, progress);
+    return std::make_unique<deformation::LeastStress>(interior.gradients, interior.mesh().witnesses,
+                                                      input.options.threads);
+  }
+
+  double targetMl(const deformation::Deformer& deformer) const {
+    return targetMl_.value_or(deformer.restVolumeMm3() / kMm3PerMl);
+  }
+
+  /// Writes the posed surface, the displacements and the displacement field that are asked for, and says so.
+  void writeOutputs(const BoundInput& input, const deformation::Deformer& deformer, Progress& progress,
+                    Outcome& outcome, Listing& listing) const {
+    const document::Organ& organ = input.organ;
+    progress.throwIfCancelled();
+    if (!output_.empty()) {
+      medical_io::writeSurface(output_, {deformer.points(), organ.mesh->triangles, organ.mesh->colors},
+                               {.name = organ.name});
+      outcome.json["file"] = output_;
+      listing.add("file", output_);
+    }
+    if (!displacement_.empty()) {
+      medical_io::writeDisplacements(displacement_, *organ.mesh, deformer.points(), organ.name);
+      outcome.json["displacement"] = displacement_;
+      listing.add("displacements", displacement_);
+    }
+    if (transform_.empty())
+      return;
+    const deformation::DisplacementGrid grid = deformation::inverseDisplacements(
+        *input.system, input.rig.handles, deformer.pose(), input.options,
+        deformation::gridAround(organ.mesh->points, deformer.points(), spacing_), progress);
+    medical_io::writeTransform(transform_, grid);
+    outcome.json["transform"] = {{"file", transform_},
+                                 {"size", {grid.size[0], grid.size[1], grid.size[2]}},
+                                 {"spacingMm", grid.spacing},
+                                 {"largestErrorMm", grid.largestErrorMm},
+                                 {"unreached", grid.unreached}};
+    listing.add("displacement field", transform_ + " (" + std::to_string(grid.size[0]) + " x " +
+                                          std::to_string(grid.size[1]) + " x " +
+                                          std::to_string(grid.size[2]) + ")");
+    if (grid.unreached > 0)
+      outcome.warnings.push_back(std::to_string(grid.unreached) + " of " +
+                                 std::to_string(grid.vectors.rows()) +
+                                 " points of the displacement field have no certain place at rest: the pose "
+                                 "folds the tissue there, or it has no coordinates");
+  }
+
+  BoundInputOptions input_;
+  std::string output_;
+  std::string displacement_;
+  std::string transform_;
+  double spacing_ = 5;
+  bool lockVolume_ = false;
+  std::optional<double> targetMl_;
+  std::vector<std::string> compensate_;
+  std::string restore_ = "least-displacement";
+  int witnesses_ = 2000;
+};
+
 } // namespace
 
-void DeformCommand::addOptions(CLI::App& options) {
-  options.add_option("ORGAN", organ_, "A surface file, or sample:NAME[/SURFACE][@RESOLUTION]")->required();
-  options.add_option("--handles", handles_, "The rest handles (.mrk.json)")->type_name("FILE")->required();
-  options
-      .add_option("--pose", pose_, "Where the handles are (.mrk.json), by their labels; others stay at rest")
-      ->type_name("FILE")
-      ->required();
-  system_.addTo(options);
-  CLI::Option* lock =
-      options.add_flag("--lock-volume", lockVolume_,
-                       "Move the handles that the pose leaves at rest so that the volume is kept");
-  options.add_option("--target-ml", targetMl_, "As --lock-volume, but for this volume")
-      ->type_name("ML")
-      ->check(CLI::PositiveNumber)
-      ->excludes(lock);
-  options.add_option("--compensate", compensate_, "Move only these handles to reach the volume")
-      ->type_name("LABEL");
-  options
-      .add_option("--restore", restore_,
-                  "How they share the motion: least-displacement, or least-stress of the tissue inside")
-      ->check(CLI::IsMember({kLeastDisplacement, kLeastStress}))
-      ->type_name("HOW")
-      ->capture_default_str();
-  options.add_option("--witnesses", witnesses_, "Witness points for least-stress, 200 to 200000")
-      ->type_name("N")
-      ->capture_default_str();
-  options.add_option("-o,--output", output_, "Surface file for the posed organ")->type_name("FILE");
-  options
-      .add_option("--displacement", displacement_,
-                  "Write the organ at rest with the vector of every vertex's motion (.vtp)")
-      ->type_name("FILE");
-  CLI::Option* transform =
-      options
-          .add_option("--transform", transform_,
-                      "Write the motion of the space around the organ as a displacement field for 3D Slicer "
-                      "and ITK (.nrrd, .mha)")
-          ->type_name("FILE");
-  options.add_option("--spacing", spacing_, "Spacing of the displacement field's grid")
-      ->type_name("MM")
-      ->check(CLI::PositiveNumber)
-      ->needs(transform)
-      ->capture_default_str();
-}
-
-double DeformCommand::targetMl(const deformation::Deformer& deformer) const {
-  return targetMl_.value_or(deformer.restVolumeMm3() / kMm3PerMl);
-}
-
-void DeformCommand::keepVolume(deformation::Deformer& deformer, const RigInput& rig,
-                               const document::Organ& organ,
-                               const deformation::RestorationModel& model) const {
-  if (!lockVolume_ && !targetMl_) {
-    if (!compensate_.empty())
-      throw UsageError("It goes with --lock-volume or --target-ml", "--compensate");
-    if (restore_ != kLeastDisplacement)
-      throw UsageError("It goes with --lock-volume or --target-ml", "--restore");
-    return;
-  }
-  if (!organ.closed())
-    throw DataError("the surface is open, so it has no volume to keep", organ_, "close its holes first");
-  std::vector<int> compensating;
-  for (const std::string& label : compensate_)
-    compensating.push_back(rig.indexOf(label));
-  if (compensating.empty())
-    compensating = deformation::restingHandles(rig.handles.positions, deformer.pose());
-  deformation::restoreVolume(deformer, targetMl(deformer) * kMm3PerMl, compensating, model);
-}
-
-std::unique_ptr<deformation::RestorationModel>
-DeformCommand::model(const document::Organ& organ, const RigInput& rig,
-                     const coordinates::CoordinateSystem& system, const coordinates::BindOptions& options,
-                     std::vector<std::string>& warnings, Progress& progress) const {
-  if (restore_ == kLeastDisplacement || (!lockVolume_ && !targetMl_))
-    return std::make_unique<deformation::LeastDisplacement>();
-  live::WitnessOptions witnesses;
-  witnesses.wanted = witnesses_;
-  witnesses.threads = options.threads;
-  const Interior interior = interiorOf(organ, rig.handles, system, options, witnesses, warnings, progress);
-  return std::make_unique<deformation::LeastStress>(interior.gradients, interior.mesh().witnesses,
-                                                    options.threads);
-}
-
-void DeformCommand::writeOutputs(const document::Organ& organ, const deformation::Deformer& deformer,
-                                 const RigInput& rig, const coordinates::CoordinateSystem& system,
-                                 const coordinates::BindOptions& options, Progress& progress,
-                                 Outcome& outcome, Listing& listing) const {
-  progress.throwIfCancelled();
-  if (!output_.empty()) {
-    medical_io::writeSurface(output_, {deformer.points(), organ.mesh->triangles, organ.mesh->colors},
-                             {.name = organ.name});
-    outcome.json["file"] = output_;
-    listing.add("file", output_);
-  }
-  if (!displacement_.empty()) {
-    medical_io::writeDisplacements(displacement_, *organ.mesh, deformer.points(), organ.name);
-    outcome.json["displacement"] = displacement_;
-    listing.add("displacements", displacement_);
-  }
-  if (transform_.empty())
-    return;
-  const deformation::DisplacementGrid grid = deformation::inverseDisplacements(
-      system, rig.handles, deformer.pose(), options,
-      deformation::gridAround(organ.mesh->points, deformer.points(), spacing_), progress);
-  medical_io::writeTransform(transform_, grid);
-  outcome.json["transform"] = {{"file", transform_},
-                               {"size", {grid.size[0], grid.size[1], grid.size[2]}},
-                               {"spacingMm", grid.spacing},
-                               {"largestErrorMm", grid.largestErrorMm},
-                               {"unreached", grid.unreached}};
-  listing.add("displacement field", transform_ + " (" + std::to_string(grid.size[0]) + " x " +
-                                        std::to_string(grid.size[1]) + " x " + std::to_string(grid.size[2]) +
-                                        ")");
-  if (grid.unreached > 0)
-    outcome.warnings.push_back(std::to_string(grid.unreached) + " of " + std::to_string(grid.vectors.rows()) +
-                               " points of the displacement field have no certain place at rest: the pose "
-                               "folds the tissue there, or it has no coordinates");
-}
-
-Outcome DeformCommand::run(Surroundings& surroundings) {
-  const auto begin = std::chrono::steady_clock::now();
-  const auto system = system_.system(surroundings);
-  const coordinates::BindOptions options = system_.bindOptions(*system, surroundings);
-  Outcome outcome;
-  const RigInput rig = rigInput(handles_, outcome.warnings, system_.cage());
-  const Points pose = poseInput(pose_, rig, outcome.warnings);
-  const document::Organ organ = organInput(organ_, surroundings.samples, surroundings.progress);
-  deformation::Deformer deformer(
-      organ.mesh,
-      deformation::bindOrgan(*system, rig.handles, organ.mesh->points, options, surroundings.progress),
-      rig.handles.positions, surroundings.threads);
-  deformer.setPose(pose);
-  const auto restoration = model(organ, rig, *system, options, outcome.warnings, surroundings.progress);
-  keepVolume(deformer, rig, organ, *restoration);
-
-  const double restMl = deformer.restVolumeMm3() / kMm3PerMl;
-  const double nowMl = deformer.volumeMm3() / kMm3PerMl;
-  const double error = (nowMl - targetMl(deformer)) / std::abs(targetMl(deformer));
-  const double change = (nowMl - restMl) / std::abs(restMl);
-  const int moved = movedHandles(rig.handles.positions, deformer.pose());
-  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-  outcome.json = {{"organ", organ.name},      {"system", system->id()},
-                  {"closed", organ.closed()}, {"volumeRestMl", restMl},
-                  {"volumeMl", nowMl},        {"relativeVolumeError", error},
-                  {"movedHandles", moved},    {"maxDisplacementMm", deformer.maxDisplacementMm()},
-                  {"seconds", seconds}};
-  Listing listing;
-  if (organ.closed())
-    listing.add("volume at rest", fixed(restMl, 3) + " ml")
-        .add("volume", fixed(nowMl, 3) + " ml (" + (change < 0 ? "" : "+") + fixed(100 * change, 3) + " %)");
-  else
-    listing.add("volume", "none: the surface is open");
-  listing.add("moved handles", std::to_string(moved))
-      .add("largest displacement", fixed(deformer.maxDisplacementMm(), 2) + " mm");
-  writeOutputs(organ, deformer, rig, *system, options, surroundings.progress, outcome, listing);
-  outcome.text = listing.text();
-  outcome.warnings.insert(outcome.warnings.end(), organ.warnings.begin(), organ.warnings.end());
-  const auto& notes = deformer.binding().report().notes;
-  outcome.warnings.insert(outcome.warnings.end(), notes.begin(), notes.end());
-  outcome.json["warnings"] = outcome.warnings;
-  return outcome;
+std::unique_ptr<Command> deformCommand() {
+  return std::make_unique<DeformCommand>();
 }
 
 } // namespace viscera::app::cli

@@ -1,4 +1,4 @@
-#include "cli/commands/handles_command.h"
+#include "cli/commands/all_commands.h"
 
 #include <memory>
 #include <numeric>
@@ -9,8 +9,8 @@
 #include "cli/listing.h"
 #include "viscera/core/error.h"
 #include "viscera/deformation/place_handles.h"
-#include "viscera/document/automatic_groups.h"
-#include "viscera/document/cage_commands.h"
+#include "viscera/document/group_commands.h"
+#include "viscera/document/system_commands.h"
 #include "viscera/geometry/convex_hull.h"
 #include "viscera/geometry/winding_number.h"
 #include "viscera/medical_io/handle_file.h"
@@ -84,85 +84,110 @@ medical_io::HandleFile fileOf(const Rig& rig) {
   return file;
 }
 
+/// `viscera handles`: places handles around an organ, or takes a cage's vertices, in groups where they are
+/// asked for.
+class HandlesCommand final : public Command {
+public:
+  std::string name() const override { return "handles"; }
+  std::string summary() const override { return "Place handles around an organ"; }
+
+  void addOptions(CLI::App& options) override {
+    options.add_option("ORGAN", organ_, "A surface file, or sample:NAME[/SURFACE][@RESOLUTION]")->required();
+    options.add_option("-o,--output", output_, "Handle file to write (.mrk.json)")
+        ->type_name("FILE")
+        ->required();
+    CLI::Option* count =
+        options.add_option("--count", count_, "How many handles, the enclosing ones included")
+            ->type_name("N")
+            ->check(CLI::Range(4, kMostHandles))
+            ->capture_default_str();
+    CLI::Option* enclosing =
+        options.add_flag("--enclosing", enclosing_,
+                         "Let the first eight be the corners of a box, so that nothing lies outside");
+    options
+        .add_option("--cage", cage_,
+                    "Take the vertices of this closed surface around the organ; bind with the same --cage")
+        ->type_name("FILE")
+        ->excludes(count)
+        ->excludes(enclosing);
+    options
+        .add_option(
+            "--groups", groups_,
+            "Put the handles into so many groups; corners of a box are added where they do not hold a part")
+        ->type_name("N")
+        ->check(CLI::Range(1, kMostGroups));
+    options
+        .add_option(
+            "--group-by", groupBy_,
+            "How: axis (parts along the longest axis), cluster (handles near to each other), organ (one for "
+            "each connected piece)")
+        ->type_name("WAY")
+        ->check(CLI::IsMember({"axis", "cluster", "organ"}));
+  }
+
+  Outcome run(Surroundings& surroundings) override {
+    if (enclosing_ && count_ < kEnclosing)
+      throw UsageError("It is too few for the eight enclosing handles", "--count " + std::to_string(count_),
+                       "ask for 8 or more");
+    document::GroupingChoice choice;
+    choice.by = groupBy_.empty() ? choice.by : document::groupingFromName(groupBy_);
+    choice.count = groups_ > 0 ? groups_ : choice.count;
+    const document::Organ organ = organInput(organ_, surroundings.samples, surroundings.progress);
+    deformation::Placement placement;
+    placement.count = count_;
+    placement.enclosing = enclosing_;
+    const auto cage = cage_.empty() ? nullptr : document::readCage(cage_, surroundings.progress).mesh;
+    const Points positions = cage ? cage->points : deformation::placeHandles(*organ.mesh, placement);
+    const Rig rig = grouped() ? groupedRig(positions, organ, choice) : plainRig(positions, enclosing_);
+    const std::size_t outside = cage ? outsideCage(*cage, organ.mesh->points)
+                                     : geometry::ConvexHull(rig.positions).outside(organ.mesh->points).size();
+    surroundings.progress.throwIfCancelled();
+    medical_io::writeHandles(output_, fileOf(rig));
+
+    Outcome outcome;
+    const Eigen::Index added = rig.positions.rows() - rig.placed;
+    outcome.json = {{"organ", organ.name},   {"handles", rig.positions.rows()}, {"enclosing", enclosing_},
+                    {"addedHandles", added}, {"outsideHull", outside},          {"file", output_}};
+    Listing listing;
+    listing.add("handles", std::to_string(rig.positions.rows()));
+    if (grouped())
+      listing.add("added", std::to_string(added) + " corners of boxes, so that every part is surrounded");
+    for (const coordinates::HandleGroup& group : rig.groups) {
+      outcome.json["groups"].push_back({{"name", group.name}, {"handles", group.handles.size()}});
+      listing.add("group", group.name + ", " + std::to_string(group.handles.size()) + " handles");
+    }
+    outcome.text =
+        listing
+            .add(cage ? "outside cage" : "outside hull",
+                 std::to_string(outside) + " of " + std::to_string(organ.mesh->points.rows()) + " vertices")
+            .add("file", output_)
+            .text();
+    outcome.warnings = organ.warnings;
+    if (outside > 0)
+      outcome.warnings.push_back(std::to_string(outside) +
+                                 (cage ? " vertices lie outside the cage, so most systems cannot bind the "
+                                         "organ to it; move the cage's vertices outward"
+                                       : " vertices lie outside the handles' hull, so the organ "
+                                         "cannot be bound to them; --enclosing adds handles around it"));
+    return outcome;
+  }
+
+private:
+  bool grouped() const { return groups_ > 0 || !groupBy_.empty(); }
+
+  std::string organ_;
+  std::string output_;
+  int count_ = 30;
+  bool enclosing_ = false;
+  int groups_ = 0; ///< 0: none asked for.
+  std::string groupBy_;
+  std::string cage_; ///< A surface file whose vertices become the handles; empty: they are placed.
+};
+
 } // namespace
 
-void HandlesCommand::addOptions(CLI::App& options) {
-  options.add_option("ORGAN", organ_, "A surface file, or sample:NAME[/SURFACE][@RESOLUTION]")->required();
-  options.add_option("-o,--output", output_, "Handle file to write (.mrk.json)")
-      ->type_name("FILE")
-      ->required();
-  CLI::Option* count = options.add_option("--count", count_, "How many handles, the enclosing ones included")
-                           ->type_name("N")
-                           ->check(CLI::Range(4, kMostHandles))
-                           ->capture_default_str();
-  CLI::Option* enclosing = options.add_flag(
-      "--enclosing", enclosing_, "Let the first eight be the corners of a box, so that nothing lies outside");
-  options
-      .add_option("--cage", cage_,
-                  "Take the vertices of this closed surface around the organ; bind with the same --cage")
-      ->type_name("FILE")
-      ->excludes(count)
-      ->excludes(enclosing);
-  options
-      .add_option(
-          "--groups", groups_,
-          "Put the handles into so many groups; corners of a box are added where they do not hold a part")
-      ->type_name("N")
-      ->check(CLI::Range(1, kMostGroups));
-  options
-      .add_option(
-          "--group-by", groupBy_,
-          "How: axis (parts along the longest axis), cluster (handles near to each other), organ (one for "
-          "each connected piece)")
-      ->type_name("WAY")
-      ->check(CLI::IsMember({"axis", "cluster", "organ"}));
-}
-
-Outcome HandlesCommand::run(Surroundings& surroundings) {
-  if (enclosing_ && count_ < kEnclosing)
-    throw UsageError("It is too few for the eight enclosing handles", "--count " + std::to_string(count_),
-                     "ask for 8 or more");
-  document::GroupingChoice choice;
-  choice.by = groupBy_.empty() ? choice.by : document::groupingFromName(groupBy_);
-  choice.count = groups_ > 0 ? groups_ : choice.count;
-  const document::Organ organ = organInput(organ_, surroundings.samples, surroundings.progress);
-  deformation::Placement placement;
-  placement.count = count_;
-  placement.enclosing = enclosing_;
-  const auto cage = cage_.empty() ? nullptr : document::readCage(cage_, surroundings.progress).mesh;
-  const Points positions = cage ? cage->points : deformation::placeHandles(*organ.mesh, placement);
-  const Rig rig = grouped() ? groupedRig(positions, organ, choice) : plainRig(positions, enclosing_);
-  const std::size_t outside = cage ? outsideCage(*cage, organ.mesh->points)
-                                   : geometry::ConvexHull(rig.positions).outside(organ.mesh->points).size();
-  surroundings.progress.throwIfCancelled();
-  medical_io::writeHandles(output_, fileOf(rig));
-
-  Outcome outcome;
-  const Eigen::Index added = rig.positions.rows() - rig.placed;
-  outcome.json = {{"organ", organ.name},   {"handles", rig.positions.rows()}, {"enclosing", enclosing_},
-                  {"addedHandles", added}, {"outsideHull", outside},          {"file", output_}};
-  Listing listing;
-  listing.add("handles", std::to_string(rig.positions.rows()));
-  if (grouped())
-    listing.add("added", std::to_string(added) + " corners of boxes, so that every part is surrounded");
-  for (const coordinates::HandleGroup& group : rig.groups) {
-    outcome.json["groups"].push_back({{"name", group.name}, {"handles", group.handles.size()}});
-    listing.add("group", group.name + ", " + std::to_string(group.handles.size()) + " handles");
-  }
-  outcome.text =
-      listing
-          .add(cage ? "outside cage" : "outside hull",
-               std::to_string(outside) + " of " + std::to_string(organ.mesh->points.rows()) + " vertices")
-          .add("file", output_)
-          .text();
-  outcome.warnings = organ.warnings;
-  if (outside > 0)
-    outcome.warnings.push_back(std::to_string(outside) +
-                               (cage ? " vertices lie outside the cage, so most systems cannot bind the "
-                                       "organ to it; move the cage's vertices outward"
-                                     : " vertices lie outside the handles' hull, so the organ "
-                                       "cannot be bound to them; --enclosing adds handles around it"));
-  return outcome;
+std::unique_ptr<Command> handlesCommand() {
+  return std::make_unique<HandlesCommand>();
 }
 
 } // namespace viscera::app::cli

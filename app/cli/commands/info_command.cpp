@@ -1,10 +1,9 @@
-#include "cli/commands/info_command.h"
+#include "cli/commands/all_commands.h"
 
 #include <algorithm>
 
 #include <CLI/CLI.hpp>
 
-#include "cli/findings.h"
 #include "cli/inputs.h"
 #include "cli/listing.h"
 #include "cli/session_input.h"
@@ -173,33 +172,49 @@ Outcome describe(const medical_io::LabelMap& map, const std::string& file) {
   return outcome;
 }
 
+/// `viscera info FILE`: what is in an organ, label map or handle file.
+class InfoCommand final : public Command {
+public:
+  std::string name() const override { return "info"; }
+  std::string summary() const override {
+    return "Say what is in an organ, label map, handle or session file";
+  }
+
+  void addOptions(CLI::App& options) override {
+    options
+        .add_option(
+            "FILE", file_,
+            "An organ's surface, a label map or folder of masks, a handle file, a session, or sample:NAME")
+        ->required();
+  }
+
+  Outcome run(Surroundings& surroundings) override {
+    if (isSample(file_) || namesLabel(file_)) {
+      const document::Organ organ = organInput(file_, surroundings.samples, surroundings.progress);
+      medical_io::SurfaceFile surface;
+      surface.mesh = *organ.mesh;
+      surface.name = organ.name;
+      surface.spaceStated = true;
+      surface.warnings = organ.warnings;
+      return describe(surface, file_, surroundings);
+    }
+    if (document::isSessionFile(file_))
+      return describeSession(file_, surroundings);
+    if (document::isHandleFile(file_))
+      return describe(medical_io::readHandles(file_), file_);
+    if (medical_io::isLabelMap(file_))
+      return describe(medical_io::readLabelMap(file_, surroundings.progress), file_);
+    return describe(medical_io::readSurface(file_), file_, surroundings);
+  }
+
+private:
+  std::string file_;
+};
+
 } // namespace
 
-void InfoCommand::addOptions(CLI::App& options) {
-  options
-      .add_option(
-          "FILE", file_,
-          "An organ's surface, a label map or folder of masks, a handle file, a session, or sample:NAME")
-      ->required();
-}
-
-Outcome InfoCommand::run(Surroundings& surroundings) {
-  if (isSample(file_) || namesLabel(file_)) {
-    const document::Organ organ = organInput(file_, surroundings.samples, surroundings.progress);
-    medical_io::SurfaceFile surface;
-    surface.mesh = *organ.mesh;
-    surface.name = organ.name;
-    surface.spaceStated = true;
-    surface.warnings = organ.warnings;
-    return describe(surface, file_, surroundings);
-  }
-  if (document::isSessionFile(file_))
-    return describeSession(file_, surroundings);
-  if (document::isHandleFile(file_))
-    return describe(medical_io::readHandles(file_), file_);
-  if (medical_io::isLabelMap(file_))
-    return describe(medical_io::readLabelMap(file_, surroundings.progress), file_);
-  return describe(medical_io::readSurface(file_), file_, surroundings);
+std::unique_ptr<Command> infoCommand() {
+  return std::make_unique<InfoCommand>();
 }
 
 } // namespace viscera::app::cli

@@ -1,19 +1,25 @@
-#include "cli/commands/lesson_command.h"
+#include "cli/commands/all_commands.h"
 
 #include <algorithm>
 #include <chrono>
+#include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <memory>
+#include <string>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 
 #include "cli/inputs.h"
 #include "cli/listing.h"
+#include "cli/played_sequence.h"
 #include "cli/session_input.h"
 #include "viscera/core/error.h"
 #include "viscera/document/organ_commands.h"
 #include "viscera/lesson/animated_gltf.h"
 #include "viscera/lesson/lesson.h"
+#include "viscera/lesson/lesson_plan.h"
 #include "viscera/motion/sequence_file.h"
 #include "viscera/motion/sequence_setup.h"
 #include "viscera/presentation/view_state.h"
@@ -50,7 +56,41 @@ nlohmann::ordered_json surfacesJson(const lesson::LessonPlan& plan, const docume
   return list;
 }
 
-} // namespace
+/// `viscera lesson SEQUENCE|SESSION|ORGAN -o FILE`: organs in motion as a web page, or as animated glTF.
+class LessonCommand final : public Command {
+public:
+  std::string name() const override { return "lesson"; }
+  std::string summary() const override {
+    return "Make a lesson of organs in motion that opens in any browser, or animated glTF";
+  }
+  void addOptions(CLI::App& options) override;
+  Outcome run(Surroundings& surroundings) override;
+
+private:
+  /// What a lesson is made of, bound.
+  struct Material {
+    std::unique_ptr<BoundDocument> document;
+    lesson::LessonSource source;
+    std::vector<std::string> warnings;
+  };
+
+  Material material(Surroundings& surroundings) const;
+  Material ofSession(Surroundings& surroundings) const;
+  Material ofSequence(Surroundings& surroundings) const;
+  Material ofStillOrgans(Surroundings& surroundings) const;
+  lesson::LessonSpec spec() const;
+  Outcome write(const std::filesystem::path& file, Surroundings& surroundings) const;
+  Outcome writeReady(Surroundings& surroundings);
+
+  PlayRequest request_; ///< `sequence` is the file, sequence or organ that was named.
+  std::string output_;
+  std::string spec_;
+  std::string title_;
+  std::vector<std::string> names_;
+  double rate_ = 0;
+  int handles_ = -1; ///< As the spec has it, or as it comes.
+  bool ready_ = false;
+};
 
 void LessonCommand::addOptions(CLI::App& options) {
   options.add_option(
@@ -205,6 +245,12 @@ Outcome LessonCommand::write(const std::filesystem::path& file, Surroundings& su
                      .add("largest error", fixed(error, 3) + " mm")
                      .text();
   return outcome;
+}
+
+} // namespace
+
+std::unique_ptr<Command> lessonCommand() {
+  return std::make_unique<LessonCommand>();
 }
 
 } // namespace viscera::app::cli

@@ -1,23 +1,27 @@
-#include "cli/commands/play_command.h"
+#include "cli/commands/all_commands.h"
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 #include <vtkImageData.h>
 
 #include "cli/listing.h"
+#include "cli/played_sequence.h"
+#include "cli/stage_options.h"
 #include "viscera/core/atomic_file.h"
 #include "viscera/core/error.h"
 #include "viscera/document/open_files.h"
 #include "viscera/medical_io/handle_file.h"
-#include "viscera/motion/cardiac_indices.h"
+#include "viscera/motion/clinical_numbers.h"
+#include "viscera/motion/motion_runner.h"
 #include "viscera/motion/sequence_setup.h"
 #include "viscera/motion/volume_curve.h"
-#include "viscera/motion/volume_table.h"
-#include "viscera/scene/contact_sheet.h"
+#include "viscera/motion/volume_record.h"
 #include "viscera/scene/movie_writer.h"
 #include "viscera/scene/picture.h"
 
@@ -114,209 +118,245 @@ void addFit(const motion::RetargetedSequence& fitted, nlohmann::ordered_json& js
       .add("computed", computed.empty() ? "nothing: all landmarks are given" : computed);
 }
 
+/// `viscera play`: plays a sequence, measures it, and records it.
+class PlayCommand final : public Command {
+public:
+  std::string name() const override { return "play"; }
+  std::string summary() const override { return "Play a sequence, measure it and record it"; }
+
+  void addOptions(CLI::App& options) override {
+    options.add_option("SEQUENCE", request_.sequence, sequenceNames() + ", or a .sequence.json file")
+        ->required();
+    options
+        .add_option("--organ", request_.organ,
+                    "What to move instead of the sequence's own organ: the sequence is fitted to it")
+        ->type_name("ORGAN");
+    options
+        .add_option(
+            "--landmarks", request_.landmarks,
+            "Points on that organ (.mrk.json), labelled apex, base, right; or fundus, centreline-1, ..., "
+            "body, pylorus. Those that are missing are computed")
+        ->type_name("FILE");
+    options.add_option("--landmark", request_.landmark, "One landmark in mm, LPS: apex=12.5,-40,7")
+        ->type_name("NAME=X,Y,Z");
+    options
+        .add_option("--write-landmarks", landmarksOut_,
+                    "Where to write the landmarks that were used (.mrk.json)")
+        ->type_name("FILE");
+    options.add_option("--handles", request_.handles, "Handle file; has to hold the sequence's own handles")
+        ->type_name("FILE");
+    options
+        .add_option("--write-handles", handlesOut_,
+                    "Where to write the sequence's handles in their groups, at rest (.mrk.json)")
+        ->type_name("FILE");
+    options
+        .add_option(
+            "--volume-curve", volumeCurve_,
+            "Volume over the cycle that the outer surface is to have, as two columns (.csv): fraction of "
+            "the cycle, or time_s, and ml; NAME=FILE for another surface, as in lv=F.csv")
+        ->type_name("FILE");
+    options.add_option("--rate", rate_, "Cycles a minute; the sequence's own when not said")
+        ->type_name("PER_MINUTE")
+        ->check(CLI::PositiveNumber);
+    options.add_option("--cycles", cycles_, "How many cycles")
+        ->type_name("N")
+        ->check(CLI::Range(1, kMostCycles))
+        ->capture_default_str();
+    options.add_option("--fps", framesPerSecond_, "Frames a second")
+        ->type_name("F")
+        ->check(CLI::Range(kLowestRate, kHighestRate))
+        ->capture_default_str();
+    options.add_option("--frames", frames_, "Folder for numbered PNG pictures")->type_name("FOLDER");
+    options.add_option("--movie", movie_, "Movie to write: .ogv, or .mp4 and .gif where ffmpeg is installed")
+        ->type_name("FILE");
+    options.add_option("--csv", csv_, "Table of the volumes over time")->type_name("FILE");
+    options.add_option("--sheet", sheet_, "One picture (.png) of all frames, side by side")
+        ->type_name("FILE");
+    options.add_option("--columns", columns_, "Frames beside each other on the sheet")
+        ->check(CLI::Range(1, kMostColumns))
+        ->capture_default_str();
+    addStageOptions(options, stage_, size_);
+  }
+
+  Outcome run(Surroundings& surroundings) override {
+    const auto begin = std::chrono::steady_clock::now();
+    stage_.size = pictureSize(size_);
+    if (!csv_.empty())
+      const AtomicFile writable(csv_); // Said before the work, not after it.
+    PlayedSequence played = playedSequence(request_, surroundings);
+    writeRig(played);
+    const double rate = rateOf(*played.sequence);
+    const int frames = std::max(1, static_cast<int>(std::lround(cycles_ * 60.0 / rate * framesPerSecond_)));
+    const Measured measured = play(played, rate, frames, surroundings);
+    if (!csv_.empty())
+      motion::writeVolumeTable(csv_, measured.volumes);
+    Outcome outcome = report(played, measured, rate);
+    outcome.warnings = std::move(played.warnings);
+    outcome.json["seconds"] = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    return outcome;
+  }
+
+private:
+  /// What playing has shown.
+  struct Measured {
+    motion::VolumeRecord volumes;
+    std::vector<double> wallMl; ///< Of the sample heart: chambers from outside less both cavities.
+  };
+
+  /// The rate to play at. Throws `UsageError` outside what the sequence allows.
+  double rateOf(const sequences::Sequence& sequence) const {
+    if (rate_ == 0)
+      return sequence.standardRatePerMinute();
+    if (rate_ < sequence.lowestRatePerMinute() || rate_ > sequence.highestRatePerMinute())
+      throw UsageError("It is not a rate at which " + sequence.id() + " can be played",
+                       "--rate " + significant(rate_, 6),
+                       "from " + significant(sequence.lowestRatePerMinute(), 6) + " to " +
+                           significant(sequence.highestRatePerMinute(), 6) + " a minute");
+    return rate_;
+  }
+
+  /// Writes the handles and landmarks that are asked for.
+  void writeRig(const PlayedSequence& played) const {
+    if (!handlesOut_.empty())
+      medical_io::writeHandles(handlesOut_, document::handleFile(played.rig));
+    if (landmarksOut_.empty())
+      return;
+    if (!played.retargeted)
+      throw UsageError("there are no landmarks: the sequence plays on its own organ", "--write-landmarks",
+                       "name another organ with --organ");
+    medical_io::writeHandles(landmarksOut_, motion::landmarkFile(played.retargeted->landmarks, "Landmarks"));
+  }
+
+  /// A runner with the volume that is prescribed: "FILE" for the outer surface, "NAME=FILE" for another one.
+  motion::MotionRunner runnerOf(PlayedSequence& played, double rate, Threads threads) const {
+    motion::MotionRunner runner(played.document->state(), played.document->organs(), threads);
+    runner.setSequence(played.sequence);
+    runner.setRatePerMinute(rate);
+    if (volumeCurve_.empty())
+      return runner;
+    const std::size_t equal = volumeCurve_.find('=');
+    const int named = equal == std::string::npos ? -1 : played.find(volumeCurve_.substr(0, equal));
+    const std::string file = named < 0 ? volumeCurve_ : volumeCurve_.substr(equal + 1);
+    runner.prescribe(motion::PrescribedVolume{played.surfaces[std::max(named, 0)].organ,
+                                              motion::readVolumeCurve(file, 60 / rate)});
+    runner.requireReachable();
+    return runner;
+  }
+
+  /// Plays every frame, and records those that are asked for.
+  Measured play(PlayedSequence& played, double rate, int frames, Surroundings& surroundings) const {
+    std::vector<std::string> names;
+    for (const PlayedSurface& surface : played.surfaces)
+      names.push_back(surface.name);
+    Measured measured{motion::VolumeRecord(names), {}};
+    std::optional<Recording> recording;
+    if (!frames_.empty() || !movie_.empty() || !sheet_.empty())
+      recording.emplace(played, stage_, sheet_.empty() ? 0 : kRoomOnASheet, surroundings);
+    if (!frames_.empty())
+      recording->addWriter(std::filesystem::path(frames_) / "",
+                           framesPerSecond_); // A folder, whatever its name.
+    if (!movie_.empty())
+      recording->addWriter(movie_, framesPerSecond_);
+    if (!sheet_.empty()) {
+      if (frames > kMostOnASheet)
+        throw UsageError(std::to_string(frames) + " frames do not fit on a sheet", "--sheet " + sheet_,
+                         "ask for fewer with --fps; " + std::to_string(kMostOnASheet) + " at most");
+      recording->keep();
+    }
+    motion::MotionRunner runner = runnerOf(played, rate, surroundings.threads);
+    for (int frame = 0; frame < frames; ++frame) {
+      surroundings.progress.throwIfCancelled();
+      const double seconds = frame / framesPerSecond_;
+      std::vector<double> row = runner.show(seconds);
+      if (!runner.obstacle().empty())
+        throw DataError("the volume cannot be met at " + fixed(seconds, 3) + " s: " + runner.obstacle(),
+                        volumeCurve_, "ask for a volume nearer to that at rest");
+      if (played.chambers) {
+        measured.wallMl.push_back(row.back() - row[static_cast<std::size_t>(played.find("lv"))] -
+                                  row[static_cast<std::size_t>(played.find("rv"))]);
+        row.pop_back();
+      }
+      measured.volumes.add(seconds, row);
+      if (recording)
+        recording->addFrame();
+      surroundings.progress.report(kDrawingShare * (frame + 1) / frames, "playing");
+    }
+    if (recording)
+      recording->finish(surroundings.progress);
+    if (!sheet_.empty())
+      scene::writeSmallPng(sheet_, scene::contactSheet(recording->kept(), columns_));
+    return measured;
+  }
+
+  Outcome report(const PlayedSequence& played, const Measured& measured, double rate) const {
+    const motion::VolumeRecord& volumes = measured.volumes;
+    Outcome outcome;
+    outcome.json = {{"sequence", played.sequence->id()},
+                    {"ratePerMinute", rate},
+                    {"frames", volumes.rows()},
+                    {"cycles", cycles_},
+                    {"framesPerSecond", framesPerSecond_}};
+    Listing listing;
+    listing.add("sequence", played.sequence->name() + ", " + significant(rate, 6) + " a minute")
+        .add("frames", std::to_string(volumes.rows()));
+    double outerChange = 0;
+    for (std::size_t i = 0; i < played.surfaces.size(); ++i) {
+      const PlayedSurface& surface = played.surfaces[i];
+      const std::vector<double> values = volumes.column(i);
+      const auto [low, high] = std::minmax_element(values.begin(), values.end());
+      const double rest = played.restMl(i);
+      outcome.json["volumes"][surface.name] = {{"minMl", *low}, {"maxMl", *high}, {"restMl", rest}};
+      listing.add(surface.name, fixed(*low, 1) + " to " + fixed(*high, 1) + " ml");
+      if (i == 0 && rest > 0) // An open surface has no volume.
+        outerChange = std::max(*high - rest, rest - *low) / rest;
+    }
+    outcome.json["maxRelativeOuterChange"] = outerChange;
+    listing.add("outer change", fixed(100 * outerChange, 1) + " % at most");
+    outcome.json["ejectionFraction"] = nullptr;
+    if (const int ventricle = played.find("lv"); ventricle >= 0) {
+      const motion::CardiacIndices indices =
+          motion::cardiacIndices(volumes.column(static_cast<std::size_t>(ventricle)), rate);
+      outcome.json["ejectionFraction"] = indices.ejectionFraction;
+      outcome.json["strokeVolumeMl"] = indices.strokeVolumeMl;
+      listing.add("ejection fraction", fixed(indices.ejectionFraction, 3))
+          .add("stroke volume", fixed(indices.strokeVolumeMl, 1) + " ml");
+    }
+    if (played.chambers)
+      addWall(played, measured.wallMl, outcome.json, listing);
+    if (played.retargeted)
+      addFit(*played.retargeted, outcome.json, listing);
+    for (const auto& [key, target] :
+         {std::pair("csv", csv_), std::pair("movie", movie_), std::pair("folder", frames_),
+          std::pair("sheet", sheet_), std::pair("handles", handlesOut_),
+          std::pair("landmarksFile", landmarksOut_), std::pair("volumeCurve", volumeCurve_)})
+      if (!target.empty()) {
+        outcome.json[key] = target;
+        listing.add(key, target);
+      }
+    outcome.text = listing.text();
+    return outcome;
+  }
+
+  PlayRequest request_;
+  std::string handlesOut_;
+  std::string landmarksOut_;
+  std::string volumeCurve_;
+  double rate_ = 0; ///< 0: the sequence's own.
+  int cycles_ = 1;
+  double framesPerSecond_ = 25;
+  std::string frames_;
+  std::string movie_;
+  std::string csv_;
+  std::string sheet_;
+  int columns_ = 6;
+  std::string size_ = "1280x800";
+  StageOptions stage_;
+};
+
 } // namespace
 
-void PlayCommand::addOptions(CLI::App& options) {
-  options.add_option("SEQUENCE", request_.sequence, sequenceNames() + ", or a .sequence.json file")
-      ->required();
-  options
-      .add_option("--organ", request_.organ,
-                  "What to move instead of the sequence's own organ: the sequence is fitted to it")
-      ->type_name("ORGAN");
-  options
-      .add_option(
-          "--landmarks", request_.landmarks,
-          "Points on that organ (.mrk.json), labelled apex, base, right; or fundus, centreline-1, ..., "
-          "body, pylorus. Those that are missing are computed")
-      ->type_name("FILE");
-  options.add_option("--landmark", request_.landmark, "One landmark in mm, LPS: apex=12.5,-40,7")
-      ->type_name("NAME=X,Y,Z");
-  options
-      .add_option("--write-landmarks", landmarksOut_,
-                  "Where to write the landmarks that were used (.mrk.json)")
-      ->type_name("FILE");
-  options.add_option("--handles", request_.handles, "Handle file; has to hold the sequence's own handles")
-      ->type_name("FILE");
-  options
-      .add_option("--write-handles", handlesOut_,
-                  "Where to write the sequence's handles in their groups, at rest (.mrk.json)")
-      ->type_name("FILE");
-  options
-      .add_option(
-          "--volume-curve", volumeCurve_,
-          "Volume over the cycle that the outer surface is to have, as two columns (.csv): fraction of "
-          "the cycle, or time_s, and ml; NAME=FILE for another surface, as in lv=F.csv")
-      ->type_name("FILE");
-  options.add_option("--rate", rate_, "Cycles a minute; the sequence's own when not said")
-      ->type_name("PER_MINUTE")
-      ->check(CLI::PositiveNumber);
-  options.add_option("--cycles", cycles_, "How many cycles")
-      ->type_name("N")
-      ->check(CLI::Range(1, kMostCycles))
-      ->capture_default_str();
-  options.add_option("--fps", framesPerSecond_, "Frames a second")
-      ->type_name("F")
-      ->check(CLI::Range(kLowestRate, kHighestRate))
-      ->capture_default_str();
-  options.add_option("--frames", frames_, "Folder for numbered PNG pictures")->type_name("FOLDER");
-  options.add_option("--movie", movie_, "Movie to write: .ogv, or .mp4 and .gif where ffmpeg is installed")
-      ->type_name("FILE");
-  options.add_option("--csv", csv_, "Table of the volumes over time")->type_name("FILE");
-  options.add_option("--sheet", sheet_, "One picture (.png) of all frames, side by side")->type_name("FILE");
-  options.add_option("--columns", columns_, "Frames beside each other on the sheet")
-      ->check(CLI::Range(1, kMostColumns))
-      ->capture_default_str();
-  addStageOptions(options, stage_, size_);
-}
-
-Outcome PlayCommand::run(Surroundings& surroundings) {
-  const auto begin = std::chrono::steady_clock::now();
-  stage_.size = pictureSize(size_);
-  if (!csv_.empty())
-    const AtomicFile writable(csv_); // Said before the work, not after it.
-  PlayedSequence played = playedSequence(request_, surroundings);
-  writeRig(played);
-  const double rate = rateOf(*played.sequence);
-  const int frames = std::max(1, static_cast<int>(std::lround(cycles_ * 60.0 / rate * framesPerSecond_)));
-  const Measured measured = play(played, rate, frames, surroundings);
-  if (!csv_.empty())
-    motion::writeVolumeTable(csv_, measured.volumes);
-  Outcome outcome = report(played, measured, rate);
-  outcome.warnings = std::move(played.warnings);
-  outcome.json["seconds"] = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-  return outcome;
-}
-
-double PlayCommand::rateOf(const sequences::Sequence& sequence) const {
-  if (rate_ == 0)
-    return sequence.standardRatePerMinute();
-  if (rate_ < sequence.lowestRatePerMinute() || rate_ > sequence.highestRatePerMinute())
-    throw UsageError("It is not a rate at which " + sequence.id() + " can be played",
-                     "--rate " + significant(rate_, 6),
-                     "from " + significant(sequence.lowestRatePerMinute(), 6) + " to " +
-                         significant(sequence.highestRatePerMinute(), 6) + " a minute");
-  return rate_;
-}
-
-void PlayCommand::writeRig(const PlayedSequence& played) const {
-  if (!handlesOut_.empty())
-    medical_io::writeHandles(handlesOut_, document::handleFile(played.rig));
-  if (landmarksOut_.empty())
-    return;
-  if (!played.retargeted)
-    throw UsageError("there are no landmarks: the sequence plays on its own organ", "--write-landmarks",
-                     "name another organ with --organ");
-  medical_io::writeHandles(landmarksOut_, motion::landmarkFile(played.retargeted->landmarks, "Landmarks"));
-}
-
-/// A runner with the volume that is prescribed: "FILE" for the outer surface, "NAME=FILE" for another one.
-motion::MotionRunner PlayCommand::runnerOf(PlayedSequence& played, double rate, Threads threads) const {
-  motion::MotionRunner runner(played.document->state(), played.document->organs(), threads);
-  runner.setSequence(played.sequence);
-  runner.setRatePerMinute(rate);
-  if (volumeCurve_.empty())
-    return runner;
-  const std::size_t equal = volumeCurve_.find('=');
-  const int named = equal == std::string::npos ? -1 : played.find(volumeCurve_.substr(0, equal));
-  const std::string file = named < 0 ? volumeCurve_ : volumeCurve_.substr(equal + 1);
-  runner.prescribe(motion::PrescribedVolume{played.surfaces[std::max(named, 0)].organ,
-                                            motion::readVolumeCurve(file, 60 / rate)});
-  runner.requireReachable();
-  return runner;
-}
-
-PlayCommand::Measured PlayCommand::play(PlayedSequence& played, double rate, int frames,
-                                        Surroundings& surroundings) const {
-  std::vector<std::string> names;
-  for (const PlayedSurface& surface : played.surfaces)
-    names.push_back(surface.name);
-  Measured measured{motion::VolumeRecord(names), {}};
-  std::optional<Recording> recording;
-  if (!frames_.empty() || !movie_.empty() || !sheet_.empty())
-    recording.emplace(played, stage_, sheet_.empty() ? 0 : kRoomOnASheet, surroundings);
-  if (!frames_.empty())
-    recording->addWriter(std::filesystem::path(frames_) / "",
-                         framesPerSecond_); // A folder, whatever its name.
-  if (!movie_.empty())
-    recording->addWriter(movie_, framesPerSecond_);
-  if (!sheet_.empty()) {
-    if (frames > kMostOnASheet)
-      throw UsageError(std::to_string(frames) + " frames do not fit on a sheet", "--sheet " + sheet_,
-                       "ask for fewer with --fps; " + std::to_string(kMostOnASheet) + " at most");
-    recording->keep();
-  }
-  motion::MotionRunner runner = runnerOf(played, rate, surroundings.threads);
-  for (int frame = 0; frame < frames; ++frame) {
-    surroundings.progress.throwIfCancelled();
-    const double seconds = frame / framesPerSecond_;
-    std::vector<double> row = runner.show(seconds);
-    if (!runner.obstacle().empty())
-      throw DataError("the volume cannot be met at " + fixed(seconds, 3) + " s: " + runner.obstacle(),
-                      volumeCurve_, "ask for a volume nearer to that at rest");
-    if (played.chambers) {
-      measured.wallMl.push_back(row.back() - row[static_cast<std::size_t>(played.find("lv"))] -
-                                row[static_cast<std::size_t>(played.find("rv"))]);
-      row.pop_back();
-    }
-    measured.volumes.add(seconds, row);
-    if (recording)
-      recording->addFrame();
-    surroundings.progress.report(kDrawingShare * (frame + 1) / frames, "playing");
-  }
-  if (recording)
-    recording->finish(surroundings.progress);
-  if (!sheet_.empty())
-    scene::writeSmallPng(sheet_, scene::contactSheet(recording->kept(), columns_));
-  return measured;
-}
-
-Outcome PlayCommand::report(const PlayedSequence& played, const Measured& measured, double rate) const {
-  const motion::VolumeRecord& volumes = measured.volumes;
-  Outcome outcome;
-  outcome.json = {{"sequence", played.sequence->id()},
-                  {"ratePerMinute", rate},
-                  {"frames", volumes.rows()},
-                  {"cycles", cycles_},
-                  {"framesPerSecond", framesPerSecond_}};
-  Listing listing;
-  listing.add("sequence", played.sequence->name() + ", " + significant(rate, 6) + " a minute")
-      .add("frames", std::to_string(volumes.rows()));
-  double outerChange = 0;
-  for (std::size_t i = 0; i < played.surfaces.size(); ++i) {
-    const PlayedSurface& surface = played.surfaces[i];
-    const std::vector<double> values = volumes.column(i);
-    const auto [low, high] = std::minmax_element(values.begin(), values.end());
-    const double rest = played.restMl(i);
-    outcome.json["volumes"][surface.name] = {{"minMl", *low}, {"maxMl", *high}, {"restMl", rest}};
-    listing.add(surface.name, fixed(*low, 1) + " to " + fixed(*high, 1) + " ml");
-    if (i == 0 && rest > 0) // An open surface has no volume.
-      outerChange = std::max(*high - rest, rest - *low) / rest;
-  }
-  outcome.json["maxRelativeOuterChange"] = outerChange;
-  listing.add("outer change", fixed(100 * outerChange, 1) + " % at most");
-  outcome.json["ejectionFraction"] = nullptr;
-  if (const int ventricle = played.find("lv"); ventricle >= 0) {
-    const motion::CardiacIndices indices =
-        motion::cardiacIndices(volumes.column(static_cast<std::size_t>(ventricle)), rate);
-    outcome.json["ejectionFraction"] = indices.ejectionFraction;
-    outcome.json["strokeVolumeMl"] = indices.strokeVolumeMl;
-    listing.add("ejection fraction", fixed(indices.ejectionFraction, 3))
-        .add("stroke volume", fixed(indices.strokeVolumeMl, 1) + " ml");
-  }
-  if (played.chambers)
-    addWall(played, measured.wallMl, outcome.json, listing);
-  if (played.retargeted)
-    addFit(*played.retargeted, outcome.json, listing);
-  for (const auto& [key, target] :
-       {std::pair("csv", csv_), std::pair("movie", movie_), std::pair("folder", frames_),
-        std::pair("sheet", sheet_), std::pair("handles", handlesOut_),
-        std::pair("landmarksFile", landmarksOut_), std::pair("volumeCurve", volumeCurve_)})
-    if (!target.empty()) {
-      outcome.json[key] = target;
-      listing.add(key, target);
-    }
-  outcome.text = listing.text();
-  return outcome;
+std::unique_ptr<Command> playCommand() {
+  return std::make_unique<PlayCommand>();
 }
 
 } // namespace viscera::app::cli

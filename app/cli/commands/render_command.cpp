@@ -1,30 +1,48 @@
-#include "cli/commands/render_command.h"
+#include "cli/commands/all_commands.h"
 
 #include <algorithm>
 #include <cmath>
 #include <memory>
 #include <numbers>
 #include <optional>
-
-#include <vtkImageData.h>
+#include <string>
+#include <vector>
 
 #include <CLI/CLI.hpp>
+#include <vtkImageData.h>
+#include <vtkSmartPointer.h>
 
 #include "cli/inputs.h"
 #include "cli/listing.h"
-#include "cli/picture_size.h"
 #include "cli/session_input.h"
+#include "cli/stage_options.h"
 #include "cli/still_organs.h"
+#include "cli/system_options.h"
 #include "viscera/core/error.h"
 #include "viscera/deformation/bind_organ.h"
-#include "viscera/deformation/bind_witnesses.h"
+#include "viscera/deformation/witness_gradients.h"
 #include "viscera/document/open_files.h"
 #include "viscera/document/session_file.h"
-#include "viscera/scene/contact_sheet.h"
 #include "viscera/scene/picture.h"
 
 namespace viscera::app::cli {
 namespace {
+
+/// What the files named hold.
+struct Contents {
+  std::vector<document::Organ> organs;
+  std::optional<RigInput> rig;
+  std::optional<Points> pose; ///< Of the rig; none: at rest.
+  std::vector<std::string> warnings;
+};
+
+/// One of the pictures: the coordinates that it is about, and what they say.
+struct Shown {
+  std::shared_ptr<const coordinates::CoordinateSystem> system;
+  coordinates::BindOptions options;
+  std::vector<std::shared_ptr<Values>> influences; ///< One an organ; empty when none is asked for.
+  scene::ValueRange range{0, 0};                   ///< Of the influences of all pictures.
+};
 
 /// Degrees; less is rounding.
 constexpr double kNoStress = 1e-6;
@@ -104,190 +122,213 @@ presentation::SurfaceMap stressOf(const StillOrgans& organs, const Contents& con
   return shown;
 }
 
-} // namespace
+/// `viscera render`: organs and handles as one picture, of several sides or coordinates beside each other.
+class RenderCommand final : public Command {
+public:
+  std::string name() const override { return "render"; }
+  std::string summary() const override { return "Draw organs and handles as a PNG"; }
 
-/// One of the pictures: the coordinates that it is about, and what they say.
-struct RenderCommand::Shown {
-  std::shared_ptr<const coordinates::CoordinateSystem> system;
-  coordinates::BindOptions options;
-  std::vector<std::shared_ptr<Values>> influences; ///< One an organ; empty when none is asked for.
-  scene::ValueRange range{0, 0};                   ///< Of the influences of all pictures.
+  void addOptions(CLI::App& options) override {
+    options
+        .add_option("FILE", files_,
+                    "Organs (surface files, sample:NAME) and at most one handle file; or one session")
+        ->required();
+    options.add_option("-o,--output", output_, "Picture to write (.png)")->type_name("FILE")->required();
+    addStageOptions(options, stage_, size_);
+    options
+        .add_option("--views", views_,
+                    "Several sides beside each other in one picture: anterior,left,superior")
+        ->type_name("NAMES")
+        ->delimiter(',')
+        ->excludes("--view");
+    viewGiven_ = options.get_option("--view");
+    CLI::Option* influence =
+        options.add_option("--influence", influence_, "Colour the organs by the influence of this handle")
+            ->type_name("LABEL");
+    CLI::Option* pose =
+        options.add_option("--pose", pose_, "Show the organs with the handles where this file has them")
+            ->type_name("FILE");
+    options.add_flag("--stress", stress_, "Colour the organs by the rotational stress of the pose")
+        ->needs(pose)
+        ->excludes(influence);
+    options
+        .add_option(
+            "--beside", beside_,
+            "A second picture on the right, with these coordinates; --param goes to whichever takes it")
+        ->type_name("ID");
+    options.add_flag("--regions", parts_.regions, "Draw the regions of the handles' groups");
+    options.add_flag("--zones", parts_.zones, "Draw the zones in which regions meet");
+    options.add_flag("--super-regions", parts_.superRegions, "Draw the super-regions of the zones");
+    options.add_option("--opacity", opacity_, "Of the organs, 0 to 1")->check(CLI::Range(0.0, 1.0));
+    system_.addTo(options);
+  }
+
+  Outcome run(Surroundings& surroundings) override {
+    if (std::any_of(files_.begin(), files_.end(),
+                    [](const auto& file) { return document::isSessionFile(file); }))
+      return drawSession(surroundings);
+    std::vector<Shown> all = shown(surroundings);
+    stage_.size = pictureSize(size_);
+    if (views_.empty())
+      views_.push_back(stage_.view);
+    Contents contents = read(files_, system_.cage(), surroundings);
+    if (!contents.rig && (!influence_.empty() || parts_.any()))
+      throw UsageError("It needs a handle file among the files", influence_.empty()
+                                                                     ? "--regions, --zones or --super-regions"
+                                                                     : "--influence " + influence_);
+    if (!pose_.empty()) {
+      if (!contents.rig)
+        throw UsageError("It needs a handle file among the files", "--pose");
+      contents.pose = poseInput(pose_, *contents.rig, contents.warnings);
+    }
+    Outcome outcome;
+    outcome.json = {{"png", output_},
+                    {"height", stage_.size.height},
+                    {"view", views_.front()},
+                    {"views", views_},
+                    {"organs", contents.organs.size()},
+                    {"handles", contents.rig ? contents.rig->labels.size() : 0}};
+    scene::ValueRange range{0, 0};
+    for (Shown& one : all) {
+      if (influence_.empty())
+        continue;
+      one.influences = influencesOf(contents, contents.rig->indexOf(influence_), *one.system, one.options,
+                                    surroundings.progress);
+      Eigen::Index reached = 0, vertices = 0;
+      for (const auto& values : one.influences) {
+        range.low = std::min(range.low, values->minCoeff());
+        range.high = std::max(range.high, values->maxCoeff());
+        reached += (values->array() != 0).count();
+        vertices += values->size();
+      }
+      outcome.json["influence"].push_back(
+          {{"system", one.system->id()}, {"vertices", vertices}, {"reached", reached}});
+    }
+    Pictures pictures;
+    for (Shown& one : all) {
+      surroundings.progress.throwIfCancelled();
+      one.range = range;
+      const Pictures drawn =
+          draw(one, contents, stage_.size.width / static_cast<int>(all.size()), surroundings);
+      pictures.insert(pictures.end(), drawn.begin(), drawn.end());
+    }
+    const auto sheet = scene::contactSheet(pictures, static_cast<int>(pictures.size()));
+    outcome.json["width"] = sheet->GetDimensions()[0];
+    if (pictures.size() > 1)
+      scene::writeSmallPng(output_, sheet);
+    else
+      scene::writePng(output_, sheet);
+    outcome.text = Listing().add("picture", output_).text();
+    outcome.warnings = std::move(contents.warnings);
+    return outcome;
+  }
+
+private:
+  std::vector<Shown> shown(const Surroundings& surroundings) const {
+    const auto system = system_.system(surroundings);
+    if (beside_.empty())
+      return {{system, system_.bindOptions(*system, surroundings), {}}};
+    const auto beside = surroundings.systems.find(beside_);
+    return {{system, system_.bindOptions(*system, surroundings, beside.get()), {}},
+            {beside, system_.bindOptions(*beside, surroundings, system.get()), {}}};
+  }
+
+  using Pictures = std::vector<vtkSmartPointer<vtkImageData>>;
+
+  /// One picture a side that is asked for.
+  Pictures draw(const Shown& shown, const Contents& contents, int width, Surroundings& surroundings) const {
+    std::vector<document::Organ> seen = contents.organs;
+    for (document::Organ& organ : seen)
+      organ.look.opacity = opacity_;
+    StillOrgans organs(std::move(seen));
+    presentation::ViewState view;
+    std::optional<presentation::SurfaceMap> map;
+    if (contents.rig) {
+      organs.setRig(*contents.rig, {shown.system->id(), shown.options.parameters});
+      view.handles = view.shown.movable = true;
+      view.shown.regions = parts_.any();
+      view.layout = parts_;
+    }
+    if (!shown.influences.empty()) {
+      map = influenceOf(shown, organs);
+      view.selection.handles = {organs.handle(contents.rig->indexOf(influence_))};
+    }
+    if (contents.pose) {
+      Progress& progress = surroundings.progress;
+      showPose(organs, contents, *shown.system, shown.options, progress);
+      if (stress_)
+        map = stressOf(organs, contents, *shown.system, shown.options, progress);
+    }
+    StageOptions options = stage_;
+    options.size.width = width;
+    presentation::Stage stage = stageFor(options, surroundings.threads);
+    stage.presenter().update(
+        {organs.state(), organs, view, surroundings.systems, nullptr, map ? &*map : nullptr});
+    Pictures pictures;
+    for (const std::string& side : views_) {
+      stage.compose(scene::standardViewFromName(side), views_.size() > 1 ? kRoomOnASheet : 0);
+      pictures.push_back(stage.picture());
+    }
+    return pictures;
+  }
+
+  presentation::SurfaceMap influenceOf(const Shown& shown, const StillOrgans& organs) const {
+    presentation::SurfaceMap map;
+    for (std::size_t i = 0; i < shown.influences.size(); ++i)
+      map.values[organs.idOf(i)] = shown.influences[i];
+    map.colors = scene::viridis();
+    map.range = shown.range;
+    map.title = "Influence of " + influence_ + (beside_.empty() ? "" : ", " + shown.system->name());
+    return map;
+  }
+
+  /// A session as the window showed it.
+  Outcome drawSession(Surroundings& surroundings) {
+    const bool more = files_.size() > 1 || !views_.empty() || !influence_.empty() || !pose_.empty() ||
+                      !beside_.empty() || parts_.any();
+    if (more)
+      throw UsageError("It is drawn as it is: only --view, --size and --theme go with a session",
+                       files_.front(), "draw its organs' and handles' own files for anything else");
+    stage_.size = pictureSize(size_);
+    const document::OpenedSession opened =
+        document::readSession(files_.front(), surroundings.samples, surroundings.progress);
+    const SessionPicture picture = sessionPicture(opened, stage_, viewGiven_->count() > 0, surroundings);
+    scene::writePng(output_, picture.image);
+    Outcome outcome;
+    outcome.json = {{"png", output_},
+                    {"width", stage_.size.width},
+                    {"height", stage_.size.height},
+                    {"organs", opened.contents.state.organs->size()},
+                    {"handles", opened.contents.state.rig->handles.size()}};
+    outcome.text = Listing().add("picture", output_).text();
+    outcome.warnings = opened.warnings;
+    std::string leftOut;
+    for (const std::string& item : picture.leftOut)
+      leftOut += (leftOut.empty() ? "" : ", ") + item;
+    if (!leftOut.empty())
+      outcome.warnings.push_back("the window showed what is not drawn here: " + leftOut);
+    return outcome;
+  }
+
+  std::vector<std::string> files_;
+  std::string output_;
+  std::string size_ = "1600x1000";
+  std::string influence_;
+  std::vector<std::string> views_;
+  std::string beside_;
+  scene::LayoutParts parts_{.regions = false};
+  std::string pose_;
+  bool stress_ = false;
+  StageOptions stage_;
+  CLI::Option* viewGiven_ = nullptr;
+  double opacity_ = 1;
+  SystemOptions system_;
 };
 
-void RenderCommand::addOptions(CLI::App& options) {
-  options
-      .add_option("FILE", files_,
-                  "Organs (surface files, sample:NAME) and at most one handle file; or one session")
-      ->required();
-  options.add_option("-o,--output", output_, "Picture to write (.png)")->type_name("FILE")->required();
-  addStageOptions(options, stage_, size_);
-  options
-      .add_option("--views", views_, "Several sides beside each other in one picture: anterior,left,superior")
-      ->type_name("NAMES")
-      ->delimiter(',')
-      ->excludes("--view");
-  viewGiven_ = options.get_option("--view");
-  CLI::Option* influence =
-      options.add_option("--influence", influence_, "Colour the organs by the influence of this handle")
-          ->type_name("LABEL");
-  CLI::Option* pose =
-      options.add_option("--pose", pose_, "Show the organs with the handles where this file has them")
-          ->type_name("FILE");
-  options.add_flag("--stress", stress_, "Colour the organs by the rotational stress of the pose")
-      ->needs(pose)
-      ->excludes(influence);
-  options
-      .add_option("--beside", beside_,
-                  "A second picture on the right, with these coordinates; --param goes to whichever takes it")
-      ->type_name("ID");
-  options.add_flag("--regions", parts_.regions, "Draw the regions of the handles' groups");
-  options.add_flag("--zones", parts_.zones, "Draw the zones in which regions meet");
-  options.add_flag("--super-regions", parts_.superRegions, "Draw the super-regions of the zones");
-  options.add_option("--opacity", opacity_, "Of the organs, 0 to 1")->check(CLI::Range(0.0, 1.0));
-  system_.addTo(options);
-}
+} // namespace
 
-std::vector<RenderCommand::Shown> RenderCommand::shown(const Surroundings& surroundings) const {
-  const auto system = system_.system(surroundings);
-  if (beside_.empty())
-    return {{system, system_.bindOptions(*system, surroundings), {}}};
-  const auto beside = surroundings.systems.find(beside_);
-  return {{system, system_.bindOptions(*system, surroundings, beside.get()), {}},
-          {beside, system_.bindOptions(*beside, surroundings, system.get()), {}}};
-}
-
-presentation::SurfaceMap RenderCommand::influenceOf(const Shown& shown, const StillOrgans& organs) const {
-  presentation::SurfaceMap map;
-  for (std::size_t i = 0; i < shown.influences.size(); ++i)
-    map.values[organs.idOf(i)] = shown.influences[i];
-  map.colors = scene::viridis();
-  map.range = shown.range;
-  map.title = "Influence of " + influence_ + (beside_.empty() ? "" : ", " + shown.system->name());
-  return map;
-}
-
-RenderCommand::Pictures RenderCommand::draw(const Shown& shown, const Contents& contents, int width,
-                                            Surroundings& surroundings) const {
-  std::vector<document::Organ> seen = contents.organs;
-  for (document::Organ& organ : seen)
-    organ.look.opacity = opacity_;
-  StillOrgans organs(std::move(seen));
-  presentation::ViewState view;
-  std::optional<presentation::SurfaceMap> map;
-  if (contents.rig) {
-    organs.setRig(*contents.rig, {shown.system->id(), shown.options.parameters});
-    view.handles = view.shown.movable = true;
-    view.shown.regions = parts_.any();
-    view.layout = parts_;
-  }
-  if (!shown.influences.empty()) {
-    map = influenceOf(shown, organs);
-    view.selection.handles = {organs.handle(contents.rig->indexOf(influence_))};
-  }
-  if (contents.pose) {
-    Progress& progress = surroundings.progress;
-    showPose(organs, contents, *shown.system, shown.options, progress);
-    if (stress_)
-      map = stressOf(organs, contents, *shown.system, shown.options, progress);
-  }
-  StageOptions options = stage_;
-  options.size.width = width;
-  presentation::Stage stage = stageFor(options, surroundings.threads);
-  stage.presenter().update(
-      {organs.state(), organs, view, surroundings.systems, nullptr, map ? &*map : nullptr});
-  Pictures pictures;
-  for (const std::string& side : views_) {
-    stage.compose(scene::standardViewFromName(side), views_.size() > 1 ? kRoomOnASheet : 0);
-    pictures.push_back(stage.picture());
-  }
-  return pictures;
-}
-
-Outcome RenderCommand::drawSession(Surroundings& surroundings) {
-  const bool more = files_.size() > 1 || !views_.empty() || !influence_.empty() || !pose_.empty() ||
-                    !beside_.empty() || parts_.any();
-  if (more)
-    throw UsageError("It is drawn as it is: only --view, --size and --theme go with a session",
-                     files_.front(), "draw its organs' and handles' own files for anything else");
-  stage_.size = pictureSize(size_);
-  const document::OpenedSession opened =
-      document::readSession(files_.front(), surroundings.samples, surroundings.progress);
-  const SessionPicture picture = sessionPicture(opened, stage_, viewGiven_->count() > 0, surroundings);
-  scene::writePng(output_, picture.image);
-  Outcome outcome;
-  outcome.json = {{"png", output_},
-                  {"width", stage_.size.width},
-                  {"height", stage_.size.height},
-                  {"organs", opened.contents.state.organs->size()},
-                  {"handles", opened.contents.state.rig->handles.size()}};
-  outcome.text = Listing().add("picture", output_).text();
-  outcome.warnings = opened.warnings;
-  std::string leftOut;
-  for (const std::string& item : picture.leftOut)
-    leftOut += (leftOut.empty() ? "" : ", ") + item;
-  if (!leftOut.empty())
-    outcome.warnings.push_back("the window showed what is not drawn here: " + leftOut);
-  return outcome;
-}
-
-Outcome RenderCommand::run(Surroundings& surroundings) {
-  if (std::any_of(files_.begin(), files_.end(),
-                  [](const auto& file) { return document::isSessionFile(file); }))
-    return drawSession(surroundings);
-  std::vector<Shown> all = shown(surroundings);
-  stage_.size = pictureSize(size_);
-  if (views_.empty())
-    views_.push_back(stage_.view);
-  Contents contents = read(files_, system_.cage(), surroundings);
-  if (!contents.rig && (!influence_.empty() || parts_.any()))
-    throw UsageError("It needs a handle file among the files", influence_.empty()
-                                                                   ? "--regions, --zones or --super-regions"
-                                                                   : "--influence " + influence_);
-  if (!pose_.empty()) {
-    if (!contents.rig)
-      throw UsageError("It needs a handle file among the files", "--pose");
-    contents.pose = poseInput(pose_, *contents.rig, contents.warnings);
-  }
-  Outcome outcome;
-  outcome.json = {{"png", output_},
-                  {"height", stage_.size.height},
-                  {"view", views_.front()},
-                  {"views", views_},
-                  {"organs", contents.organs.size()},
-                  {"handles", contents.rig ? contents.rig->labels.size() : 0}};
-  scene::ValueRange range{0, 0};
-  for (Shown& one : all) {
-    if (influence_.empty())
-      continue;
-    one.influences = influencesOf(contents, contents.rig->indexOf(influence_), *one.system, one.options,
-                                  surroundings.progress);
-    Eigen::Index reached = 0, vertices = 0;
-    for (const auto& values : one.influences) {
-      range.low = std::min(range.low, values->minCoeff());
-      range.high = std::max(range.high, values->maxCoeff());
-      reached += (values->array() != 0).count();
-      vertices += values->size();
-    }
-    outcome.json["influence"].push_back(
-        {{"system", one.system->id()}, {"vertices", vertices}, {"reached", reached}});
-  }
-  Pictures pictures;
-  for (Shown& one : all) {
-    surroundings.progress.throwIfCancelled();
-    one.range = range;
-    const Pictures drawn =
-        draw(one, contents, stage_.size.width / static_cast<int>(all.size()), surroundings);
-    pictures.insert(pictures.end(), drawn.begin(), drawn.end());
-  }
-  const auto sheet = scene::contactSheet(pictures, static_cast<int>(pictures.size()));
-  outcome.json["width"] = sheet->GetDimensions()[0];
-  if (pictures.size() > 1)
-    scene::writeSmallPng(output_, sheet);
-  else
-    scene::writePng(output_, sheet);
-  outcome.text = Listing().add("picture", output_).text();
-  outcome.warnings = std::move(contents.warnings);
-  return outcome;
+std::unique_ptr<Command> renderCommand() {
+  return std::make_unique<RenderCommand>();
 }
 
 } // namespace viscera::app::cli

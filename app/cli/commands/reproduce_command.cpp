@@ -1,10 +1,13 @@
-#include "cli/commands/reproduce_command.h"
+#include "cli/commands/all_commands.h"
+
+#include <string>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 
 #include "cli/listing.h"
 #include "viscera/reproduction/item.h"
-#include "viscera/reproduction/page.h"
+#include "viscera/reproduction/result.h"
 
 namespace viscera::app::cli {
 namespace {
@@ -34,32 +37,47 @@ ordered_json jsonOf(const Result& result) {
           {"seconds", result.seconds}};
 }
 
+/// `viscera reproduce`: the thesis's figures and tables, done again.
+class ReproduceCommand final : public Command {
+public:
+  std::string name() const override { return "reproduce"; }
+  std::string summary() const override { return "Do the thesis's figures and tables again, as one page"; }
+
+  void addOptions(CLI::App& options) override {
+    options.add_option("-o,--output", output_, "Folder for index.html, pictures (.svg) and tables (.csv)")
+        ->type_name("DIR")
+        ->required();
+    options.add_option("--only", only_, "Only these, as 4.11 or table-4.1")->type_name("FIGURE");
+  }
+
+  Outcome run(Surroundings& surroundings) override {
+    const reproduction::Bench bench{surroundings.systems, surroundings.samples, surroundings.threads};
+    const std::vector<Result> results =
+        reproduction::makeAll(reproduction::chosenItems(only_), bench, surroundings.progress);
+    reproduction::writePage(output_, results);
+    Outcome outcome;
+    outcome.json["figures"] = ordered_json::array();
+    outcome.json["tables"] = ordered_json::array();
+    Listing listing;
+    for (const Result& result : results) {
+      outcome.json[result.table ? "tables" : "figures"].push_back(jsonOf(result));
+      listing.add(result.label(), result.verdict().text());
+    }
+    const std::string page = (std::filesystem::path(output_) / "index.html").string();
+    outcome.json["page"] = page;
+    outcome.text = listing.add("page", page).text();
+    return outcome;
+  }
+
+private:
+  std::string output_;
+  std::vector<std::string> only_;
+};
+
 } // namespace
 
-void ReproduceCommand::addOptions(CLI::App& options) {
-  options.add_option("-o,--output", output_, "Folder for index.html, pictures (.svg) and tables (.csv)")
-      ->type_name("DIR")
-      ->required();
-  options.add_option("--only", only_, "Only these, as 4.11 or table-4.1")->type_name("FIGURE");
-}
-
-Outcome ReproduceCommand::run(Surroundings& surroundings) {
-  const reproduction::Bench bench{surroundings.systems, surroundings.samples, surroundings.threads};
-  const std::vector<Result> results =
-      reproduction::makeAll(reproduction::chosenItems(only_), bench, surroundings.progress);
-  reproduction::writePage(output_, results);
-  Outcome outcome;
-  outcome.json["figures"] = ordered_json::array();
-  outcome.json["tables"] = ordered_json::array();
-  Listing listing;
-  for (const Result& result : results) {
-    outcome.json[result.table ? "tables" : "figures"].push_back(jsonOf(result));
-    listing.add(result.label(), result.verdict().text());
-  }
-  const std::string page = (std::filesystem::path(output_) / "index.html").string();
-  outcome.json["page"] = page;
-  outcome.text = listing.add("page", page).text();
-  return outcome;
+std::unique_ptr<Command> reproduceCommand() {
+  return std::make_unique<ReproduceCommand>();
 }
 
 } // namespace viscera::app::cli

@@ -1,4 +1,4 @@
-#include "cli/commands/sample_command.h"
+#include "cli/commands/all_commands.h"
 
 #include <filesystem>
 
@@ -26,76 +26,93 @@ std::string lastPart(const std::string& name) {
   return name.substr(name.find('/') + 1);
 }
 
+/// `viscera sample`: lists the sample organs, or makes one and writes its surfaces.
+class SampleCommand final : public Command {
+public:
+  std::string name() const override { return "sample"; }
+  std::string summary() const override { return "List the sample organs, or make one"; }
+
+  void addOptions(CLI::App& options) override {
+    CLI::Option* list = options.add_flag("--list", list_, "List the sample organs");
+    options.add_option("ORGAN", organ_, "heart, or heart/lv for one of its surfaces")->excludes(list);
+    options
+        .add_option("-o,--output", output_,
+                    "Surface file to write; cavities go beside it, with their names: heart.stl, heart-lv.stl")
+        ->type_name("FILE")
+        ->excludes(list);
+    options.add_option("--resolution", resolution_, "Fineness of the surface [medium]")
+        ->check(CLI::IsMember({"low", "medium", "high"}))
+        ->excludes(list);
+  }
+
+  Outcome run(Surroundings& surroundings) override {
+    if (list_)
+      return list(surroundings);
+    if (organ_.empty())
+      throw UsageError("no sample organ is named", {}, "viscera sample --list shows them");
+    return make(surroundings);
+  }
+
+private:
+  Outcome list(const Surroundings& surroundings) const {
+    Outcome outcome;
+    outcome.json["organs"] = sample_organs::sampleNames(surroundings.samples);
+    for (const auto& name : outcome.json["organs"])
+      outcome.text += name.get<std::string>() + "\n";
+    return outcome;
+  }
+
+  Outcome make(Surroundings& surroundings) const {
+    std::string reference = isSample(organ_) ? organ_ : "sample:" + organ_;
+    if (!resolution_.empty())
+      reference = reference.substr(0, reference.rfind('@')) + "@" + resolution_;
+    const std::vector<document::Organ> surfaces =
+        organInputs(reference, surroundings.samples, surroundings.progress);
+
+    Outcome outcome;
+    ordered_json& json = outcome.json;
+    const document::Organ& outer = surfaces.front();
+    json = {{"organ", sampleReference(reference).organ},
+            {"resolution", sample_organs::nameOf(sampleReference(reference).resolution)},
+            {"vertices", outer.mesh->points.rows()},
+            {"triangles", outer.mesh->triangles.rows()},
+            {"volumeMl", outer.restVolumeMm3 / kMm3PerMl},
+            {"surfaces", ordered_json::array()}};
+    Listing listing;
+    for (const document::Organ& surface : surfaces) {
+      const double volumeMl = surface.restVolumeMm3 / kMm3PerMl;
+      const bool first = &surface == &outer;
+      ordered_json row = {{"name", first && surfaces.size() > 1 ? "outer" : lastPart(surface.name)},
+                          {"vertices", surface.mesh->points.rows()},
+                          {"triangles", surface.mesh->triangles.rows()},
+                          {"closed", surface.closed()},
+                          {"volumeMl", volumeMl}};
+      std::string text =
+          std::to_string(surface.mesh->triangles.rows()) + " triangles, " + fixed(volumeMl, 1) + " ml";
+      if (!output_.empty()) {
+        const std::filesystem::path file = fileOf(output_, lastPart(surface.name), first);
+        surroundings.progress.throwIfCancelled();
+        medical_io::writeSurface(file, *surface.mesh, {.name = surface.name});
+        row["file"] = file.string();
+        text += ", " + file.string();
+      }
+      json["surfaces"].push_back(std::move(row));
+      listing.add(surface.name, text);
+    }
+    outcome.text = listing.text();
+    return outcome;
+  }
+
+  bool list_ = false;
+  std::string organ_;
+  std::string output_;
+  std::string resolution_;
+};
+
 } // namespace
 
-void SampleCommand::addOptions(CLI::App& options) {
-  CLI::Option* list = options.add_flag("--list", list_, "List the sample organs");
-  options.add_option("ORGAN", organ_, "heart, or heart/lv for one of its surfaces")->excludes(list);
-  options
-      .add_option("-o,--output", output_,
-                  "Surface file to write; cavities go beside it, with their names: heart.stl, heart-lv.stl")
-      ->type_name("FILE")
-      ->excludes(list);
-  options.add_option("--resolution", resolution_, "Fineness of the surface [medium]")
-      ->check(CLI::IsMember({"low", "medium", "high"}))
-      ->excludes(list);
-}
-
-Outcome SampleCommand::run(Surroundings& surroundings) {
-  if (list_)
-    return list(surroundings);
-  if (organ_.empty())
-    throw UsageError("no sample organ is named", {}, "viscera sample --list shows them");
-  return make(surroundings);
-}
-
-Outcome SampleCommand::list(const Surroundings& surroundings) const {
-  Outcome outcome;
-  outcome.json["organs"] = sample_organs::sampleNames(surroundings.samples);
-  for (const auto& name : outcome.json["organs"])
-    outcome.text += name.get<std::string>() + "\n";
-  return outcome;
-}
-
-Outcome SampleCommand::make(Surroundings& surroundings) const {
-  std::string reference = isSample(organ_) ? organ_ : "sample:" + organ_;
-  if (!resolution_.empty())
-    reference = reference.substr(0, reference.rfind('@')) + "@" + resolution_;
-  const std::vector<document::Organ> surfaces =
-      organInputs(reference, surroundings.samples, surroundings.progress);
-
-  Outcome outcome;
-  ordered_json& json = outcome.json;
-  const document::Organ& outer = surfaces.front();
-  json = {{"organ", sampleReference(reference).organ},
-          {"resolution", sample_organs::nameOf(sampleReference(reference).resolution)},
-          {"vertices", outer.mesh->points.rows()},
-          {"triangles", outer.mesh->triangles.rows()},
-          {"volumeMl", outer.restVolumeMm3 / kMm3PerMl},
-          {"surfaces", ordered_json::array()}};
-  Listing listing;
-  for (const document::Organ& surface : surfaces) {
-    const double volumeMl = surface.restVolumeMm3 / kMm3PerMl;
-    const bool first = &surface == &outer;
-    ordered_json row = {{"name", first && surfaces.size() > 1 ? "outer" : lastPart(surface.name)},
-                        {"vertices", surface.mesh->points.rows()},
-                        {"triangles", surface.mesh->triangles.rows()},
-                        {"closed", surface.closed()},
-                        {"volumeMl", volumeMl}};
-    std::string text =
-        std::to_string(surface.mesh->triangles.rows()) + " triangles, " + fixed(volumeMl, 1) + " ml";
-    if (!output_.empty()) {
-      const std::filesystem::path file = fileOf(output_, lastPart(surface.name), first);
-      surroundings.progress.throwIfCancelled();
-      medical_io::writeSurface(file, *surface.mesh, {.name = surface.name});
-      row["file"] = file.string();
-      text += ", " + file.string();
-    }
-    json["surfaces"].push_back(std::move(row));
-    listing.add(surface.name, text);
-  }
-  outcome.text = listing.text();
-  return outcome;
+std::unique_ptr<Command> sampleCommand() {
+  return std::make_unique<SampleCommand>();
 }
 
 } // namespace viscera::app::cli

@@ -1,4 +1,4 @@
-#include "cli/commands/segment_command.h"
+#include "cli/commands/all_commands.h"
 
 #include <algorithm>
 #include <cctype>
@@ -13,6 +13,7 @@
 #include "viscera/core/error.h"
 #include "viscera/geometry/surface_check.h"
 #include "viscera/medical_io/label_map.h"
+#include "viscera/medical_io/label_surfaces.h"
 #include "viscera/medical_io/surface_file.h"
 
 namespace viscera::app::cli {
@@ -120,63 +121,81 @@ ordered_json rowOf(const medical_io::Segment& segment, const medical_io::LabelSu
           {"color", {segment.color.x(), segment.color.y(), segment.color.z()}}};
 }
 
+/// `viscera segment LABELMAP -o DIR`: a label map's organs as surfaces.
+class SegmentCommand final : public Command {
+public:
+  std::string name() const override { return "segment"; }
+  std::string summary() const override { return "Make organ surfaces of a label map"; }
+
+  void addOptions(CLI::App& options) override {
+    options.add_option("LABELMAP", file_, "A label map, or a folder with a mask for each organ")->required();
+    options.add_option("-o,--output", folder_, "Folder to write surfaces into; made when it is not there")
+        ->type_name("DIR")
+        ->required();
+    options.add_option("--labels", labels_, "Only these labels, by name or value: liver,spleen,7")
+        ->type_name("NAMES")
+        ->delimiter(',');
+    options.add_option("--triangles", options_.triangles, "About as many as a surface may have; 0: all")
+        ->type_name("N")
+        ->check(CLI::Range(0, kMostTriangles))
+        ->capture_default_str();
+    options.add_option("--smoothing", options_.smoothing, "0: the voxels' steps stay; 2: very smooth")
+        ->check(CLI::Range(0.0, kSmoothest))
+        ->capture_default_str();
+    options.add_flag("--largest-piece", options_.largestPieceOnly, "Leave out the smaller pieces of a label");
+    options.add_option("--format", format_, "Kind of file")
+        ->check(CLI::IsMember({"vtp", "stl", "obj", "ply", "off", "vtk", "glb"}))
+        ->capture_default_str();
+  }
+
+  Outcome run(Surroundings& surroundings) override {
+    const auto start = std::chrono::steady_clock::now();
+    Progress& progress = surroundings.progress;
+    const medical_io::LabelMap map = medical_io::readLabelMap(file_, progress);
+    options_.segments = medical_io::segmentsNamed(map, labels_, file_);
+    OutputFolder folder(folder_);
+    std::vector<medical_io::LabelSurface> surfaces =
+        medical_io::labelSurfaces(map, options_, progress, surroundings.threads);
+
+    Outcome outcome;
+    for (const std::string& warning : map.warnings)
+      outcome.warnings.push_back(file_ + ": " + warning);
+    ordered_json organs = ordered_json::array();
+    Listing listing;
+    FileNames names;
+    for (std::size_t i = 0; i < surfaces.size(); ++i) {
+      progress.report(static_cast<double>(i) / static_cast<double>(surfaces.size()), "writing");
+      progress.throwIfCancelled();
+      medical_io::LabelSurface& surface = surfaces[i];
+      const medical_io::Segment& segment = map.segments[surface.segment];
+      paint(surface.mesh, segment.color);
+      const auto file = folder.write(names.of(segment.name, format_), surface.mesh, segment.name);
+      organs.push_back(rowOf(segment, surface, file));
+      listing.add(segment.name, std::to_string(surface.mesh.triangles.rows()) + " triangles, " +
+                                    fixed(surface.volumeMm3 / kMm3PerMl, 2) + " ml, " + file.string());
+      for (const std::string& warning : surface.warnings)
+        outcome.warnings.push_back(segment.name + ": " + warning);
+    }
+    folder.keep();
+    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+    outcome.json = {
+        {"file", file_}, {"organs", organs}, {"seconds", seconds.count()}, {"warnings", outcome.warnings}};
+    outcome.text = listing.add("time", fixed(seconds.count(), 1) + " s").text();
+    return outcome;
+  }
+
+private:
+  std::string file_;
+  std::string folder_;
+  std::vector<std::string> labels_;
+  std::string format_ = "vtp";
+  medical_io::LabelSurfaceOptions options_;
+};
+
 } // namespace
 
-void SegmentCommand::addOptions(CLI::App& options) {
-  options.add_option("LABELMAP", file_, "A label map, or a folder with a mask for each organ")->required();
-  options.add_option("-o,--output", folder_, "Folder to write surfaces into; made when it is not there")
-      ->type_name("DIR")
-      ->required();
-  options.add_option("--labels", labels_, "Only these labels, by name or value: liver,spleen,7")
-      ->type_name("NAMES")
-      ->delimiter(',');
-  options.add_option("--triangles", options_.triangles, "About as many as a surface may have; 0: all")
-      ->type_name("N")
-      ->check(CLI::Range(0, kMostTriangles))
-      ->capture_default_str();
-  options.add_option("--smoothing", options_.smoothing, "0: the voxels' steps stay; 2: very smooth")
-      ->check(CLI::Range(0.0, kSmoothest))
-      ->capture_default_str();
-  options.add_flag("--largest-piece", options_.largestPieceOnly, "Leave out the smaller pieces of a label");
-  options.add_option("--format", format_, "Kind of file")
-      ->check(CLI::IsMember({"vtp", "stl", "obj", "ply", "off", "vtk", "glb"}))
-      ->capture_default_str();
-}
-
-Outcome SegmentCommand::run(Surroundings& surroundings) {
-  const auto start = std::chrono::steady_clock::now();
-  Progress& progress = surroundings.progress;
-  const medical_io::LabelMap map = medical_io::readLabelMap(file_, progress);
-  options_.segments = medical_io::segmentsNamed(map, labels_, file_);
-  OutputFolder folder(folder_);
-  std::vector<medical_io::LabelSurface> surfaces =
-      medical_io::labelSurfaces(map, options_, progress, surroundings.threads);
-
-  Outcome outcome;
-  for (const std::string& warning : map.warnings)
-    outcome.warnings.push_back(file_ + ": " + warning);
-  ordered_json organs = ordered_json::array();
-  Listing listing;
-  FileNames names;
-  for (std::size_t i = 0; i < surfaces.size(); ++i) {
-    progress.report(static_cast<double>(i) / static_cast<double>(surfaces.size()), "writing");
-    progress.throwIfCancelled();
-    medical_io::LabelSurface& surface = surfaces[i];
-    const medical_io::Segment& segment = map.segments[surface.segment];
-    paint(surface.mesh, segment.color);
-    const auto file = folder.write(names.of(segment.name, format_), surface.mesh, segment.name);
-    organs.push_back(rowOf(segment, surface, file));
-    listing.add(segment.name, std::to_string(surface.mesh.triangles.rows()) + " triangles, " +
-                                  fixed(surface.volumeMm3 / kMm3PerMl, 2) + " ml, " + file.string());
-    for (const std::string& warning : surface.warnings)
-      outcome.warnings.push_back(segment.name + ": " + warning);
-  }
-  folder.keep();
-  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
-  outcome.json = {
-      {"file", file_}, {"organs", organs}, {"seconds", seconds.count()}, {"warnings", outcome.warnings}};
-  outcome.text = listing.add("time", fixed(seconds.count(), 1) + " s").text();
-  return outcome;
+std::unique_ptr<Command> segmentCommand() {
+  return std::make_unique<SegmentCommand>();
 }
 
 } // namespace viscera::app::cli

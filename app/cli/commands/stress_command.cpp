@@ -1,4 +1,4 @@
-#include "cli/commands/stress_command.h"
+#include "cli/commands/all_commands.h"
 
 #include <algorithm>
 #include <chrono>
@@ -6,11 +6,12 @@
 #include <cstdio>
 #include <numbers>
 #include <ostream>
+#include <string>
 #include <utility>
 
 #include <CLI/CLI.hpp>
 
-#include "cli/interior.h"
+#include "cli/bound_input.h"
 #include "cli/listing.h"
 #include "viscera/core/atomic_file.h"
 #include "viscera/deformation/tetrahedralise.h"
@@ -80,14 +81,13 @@ void writeCsv(const std::string& file, const Measured& measured) {
   });
 }
 
-Measured measure(Interior interior, const coordinates::HandleSet& handles, const Points& pose,
-                 const coordinates::CoordinateSystem& system, const coordinates::BindOptions& options,
-                 Progress& progress) {
+Measured measure(Interior interior, const BoundInput& input, Progress& progress) {
   Measured measured;
   measured.interior = std::move(interior);
-  system.bind(handles, measured.mesh().points, deformation::withTetgen(options), progress)
-      ->deform(pose, measured.posed, options.threads);
-  measured.interior.gradients->evaluate(pose, measured.map, options.threads);
+  input.system
+      ->bind(input.rig.handles, measured.mesh().points, deformation::withTetgen(input.options), progress)
+      ->deform(input.pose, measured.posed, input.options.threads);
+  measured.interior.gradients->evaluate(input.pose, measured.map, input.options.threads);
   measured.statistics = deformation::statisticsOf(measured.map, measured.mesh().witnesses);
   return measured;
 }
@@ -131,65 +131,72 @@ Outcome outcomeOf(const Measured& measured, const std::string& organ, const std:
   return outcome;
 }
 
+/// `viscera stress`: the distortion that a pose means for the tissue, at witness points inside the organ.
+class StressCommand final : public Command {
+public:
+  std::string name() const override { return "stress"; }
+  std::string summary() const override { return "Measure how a pose distorts the tissue inside an organ"; }
+
+  void addOptions(CLI::App& options) override {
+    input_.addTo(options, true);
+    options.add_option("--witnesses", witnesses_.wanted, "Witness points inside the organ, 200 to 200000")
+        ->type_name("N")
+        ->capture_default_str();
+    options
+        .add_option("--quality", witnesses_.radiusEdgeRatio,
+                    "Of the tetrahedra: largest circumradius by shortest edge, from 1.1")
+        ->type_name("RATIO")
+        ->capture_default_str();
+    options.add_option("--time-limit", witnesses_.timeLimitSeconds, "For one run of TetGen, s")
+        ->type_name("S")
+        ->capture_default_str();
+    options.add_option("--memory-limit", memoryMb_, "For TetGen, MB")
+        ->type_name("MB")
+        ->check(CLI::Range(1.0, 1e7))
+        ->capture_default_str();
+    options.add_option("-o,--output", output_, "The solid with all values, for ParaView (.vtu)")
+        ->type_name("FILE");
+    options.add_option("--csv", csv_, "The values at the witness points as a table")->type_name("FILE");
+  }
+
+  Outcome run(Surroundings& surroundings) override {
+    const auto begin = std::chrono::steady_clock::now();
+    std::vector<std::string> warnings;
+    const BoundInput input = input_.read(surroundings, warnings);
+    live::WitnessOptions witnesses = witnesses_;
+    witnesses.memoryLimitBytes = static_cast<std::uint64_t>(memoryMb_ * 1024 * 1024);
+    witnesses.threads = surroundings.threads;
+    const Measured measured =
+        measure(interiorOf(input, witnesses, warnings, surroundings.progress), input, surroundings.progress);
+    surroundings.progress.throwIfCancelled();
+    if (!output_.empty())
+      writeVtu(output_, measured);
+    if (!csv_.empty())
+      writeCsv(csv_, measured);
+    Outcome outcome =
+        outcomeOf(measured, input.organ.name, input.system->id(),
+                  std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count());
+    if (!output_.empty())
+      outcome.json["file"] = output_;
+    if (!csv_.empty())
+      outcome.json["csv"] = csv_;
+    warnings.insert(warnings.end(), input.organ.warnings.begin(), input.organ.warnings.end());
+    outcome.warnings = std::move(warnings);
+    return outcome;
+  }
+
+private:
+  BoundInputOptions input_;
+  std::string output_;
+  std::string csv_;
+  double memoryMb_ = 2048;
+  live::WitnessOptions witnesses_;
+};
+
 } // namespace
 
-void StressCommand::addOptions(CLI::App& options) {
-  options.add_option("ORGAN", organ_, "A surface file, or sample:NAME[/SURFACE][@RESOLUTION]")->required();
-  options.add_option("--handles", handles_, "The rest handles (.mrk.json)")->type_name("FILE")->required();
-  options
-      .add_option("--pose", pose_, "Where the handles are (.mrk.json), by their labels; others stay at rest")
-      ->type_name("FILE")
-      ->required();
-  system_.addTo(options);
-  options.add_option("--witnesses", witnesses_.wanted, "Witness points inside the organ, 200 to 200000")
-      ->type_name("N")
-      ->capture_default_str();
-  options
-      .add_option("--quality", witnesses_.radiusEdgeRatio,
-                  "Of the tetrahedra: largest circumradius by shortest edge, from 1.1")
-      ->type_name("RATIO")
-      ->capture_default_str();
-  options.add_option("--time-limit", witnesses_.timeLimitSeconds, "For one run of TetGen, s")
-      ->type_name("S")
-      ->capture_default_str();
-  options.add_option("--memory-limit", memoryMb_, "For TetGen, MB")
-      ->type_name("MB")
-      ->check(CLI::Range(1.0, 1e7))
-      ->capture_default_str();
-  options.add_option("-o,--output", output_, "The solid with all values, for ParaView (.vtu)")
-      ->type_name("FILE");
-  options.add_option("--csv", csv_, "The values at the witness points as a table")->type_name("FILE");
-}
-
-Outcome StressCommand::run(Surroundings& surroundings) {
-  const auto begin = std::chrono::steady_clock::now();
-  const auto system = system_.system(surroundings);
-  const coordinates::BindOptions options = system_.bindOptions(*system, surroundings);
-  std::vector<std::string> warnings;
-  const RigInput rig = rigInput(handles_, warnings, system_.cage());
-  const Points pose = poseInput(pose_, rig, warnings);
-  const document::Organ organ = organInput(organ_, surroundings.samples, surroundings.progress);
-  live::WitnessOptions witnesses = witnesses_;
-  witnesses.memoryLimitBytes = static_cast<std::uint64_t>(memoryMb_ * 1024 * 1024);
-  witnesses.threads = surroundings.threads;
-  const Measured measured =
-      measure(interiorOf(organ, rig.handles, *system, options, witnesses, warnings, surroundings.progress),
-              rig.handles, pose, *system, options, surroundings.progress);
-  surroundings.progress.throwIfCancelled();
-  if (!output_.empty())
-    writeVtu(output_, measured);
-  if (!csv_.empty())
-    writeCsv(csv_, measured);
-  Outcome outcome =
-      outcomeOf(measured, organ.name, system->id(),
-                std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count());
-  if (!output_.empty())
-    outcome.json["file"] = output_;
-  if (!csv_.empty())
-    outcome.json["csv"] = csv_;
-  warnings.insert(warnings.end(), organ.warnings.begin(), organ.warnings.end());
-  outcome.warnings = std::move(warnings);
-  return outcome;
+std::unique_ptr<Command> stressCommand() {
+  return std::make_unique<StressCommand>();
 }
 
 } // namespace viscera::app::cli

@@ -1,4 +1,4 @@
-#include "cli/commands/systems_command.h"
+#include "cli/commands/all_commands.h"
 
 #include <CLI/CLI.hpp>
 
@@ -60,33 +60,44 @@ std::string parameterText(const Parameter& parameter) {
   return parameter.name + " (" + range + "; " + significant(parameter.standard, 6) + "): " + parameter.help;
 }
 
+/// `viscera systems`: the coordinate systems there are.
+class SystemsCommand final : public Command {
+public:
+  std::string name() const override { return "systems"; }
+  std::string summary() const override { return "List the coordinate systems and their parameters"; }
+
+  void addOptions(CLI::App&) override {}
+
+  Outcome run(Surroundings& surroundings) override {
+    Outcome outcome;
+    outcome.json["systems"] = ordered_json::array();
+    for (const plugin::Registry::Entry& entry : surroundings.systems.list()) {
+      const coordinates::CoordinateSystem& system = *entry.system;
+      ordered_json parameters = ordered_json::array();
+      Listing listing;
+      listing.add("  name", system.name())
+          .add("  source", entry.source)
+          .add("  traits", traitsText(system.traits()));
+      for (const Parameter& parameter : system.parameters()) {
+        parameters.push_back(parameterJson(parameter));
+        listing.add("  parameter", parameterText(parameter));
+      }
+      outcome.json["systems"].push_back({{"id", system.id()},
+                                         {"name", system.name()},
+                                         {"summary", system.summary()},
+                                         {"source", entry.source},
+                                         {"traits", traitsJson(system.traits())},
+                                         {"parameters", parameters}});
+      outcome.text += system.id() + ": " + system.summary() + "\n" + listing.text();
+    }
+    return outcome;
+  }
+};
+
 } // namespace
 
-void SystemsCommand::addOptions(CLI::App&) {}
-
-Outcome SystemsCommand::run(Surroundings& surroundings) {
-  Outcome outcome;
-  outcome.json["systems"] = ordered_json::array();
-  for (const plugin::Registry::Entry& entry : surroundings.systems.list()) {
-    const coordinates::CoordinateSystem& system = *entry.system;
-    ordered_json parameters = ordered_json::array();
-    Listing listing;
-    listing.add("  name", system.name())
-        .add("  source", entry.source)
-        .add("  traits", traitsText(system.traits()));
-    for (const Parameter& parameter : system.parameters()) {
-      parameters.push_back(parameterJson(parameter));
-      listing.add("  parameter", parameterText(parameter));
-    }
-    outcome.json["systems"].push_back({{"id", system.id()},
-                                       {"name", system.name()},
-                                       {"summary", system.summary()},
-                                       {"source", entry.source},
-                                       {"traits", traitsJson(system.traits())},
-                                       {"parameters", parameters}});
-    outcome.text += system.id() + ": " + system.summary() + "\n" + listing.text();
-  }
-  return outcome;
+std::unique_ptr<Command> systemsCommand() {
+  return std::make_unique<SystemsCommand>();
 }
 
 } // namespace viscera::app::cli

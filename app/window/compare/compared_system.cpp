@@ -43,10 +43,6 @@ void ComparedSystem::choose(const std::string& id) {
   Q_EMIT chosen();
 }
 
-void ComparedSystem::mirrored() {
-  followSelection();
-}
-
 document::DocumentState ComparedSystem::applied(document::DocumentState state) const {
   state.system = choice_;
   return state;

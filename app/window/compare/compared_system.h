@@ -30,7 +30,7 @@ public:
   document::DocumentState applied(document::DocumentState state) const;
 
   /// The second document has become the first one's mirror image, with all of its organs and handles.
-  void mirrored();
+  void mirrored() { followSelection(); }
 
 Q_SIGNALS:
   void chosen();

@@ -3,7 +3,6 @@
 #include <QComboBox>
 #include <QFileDialog>
 #include <QMenu>
-#include <QPushButton>
 #include <QSignalBlocker>
 #include <QSpinBox>
 #include <QTimer>
@@ -16,10 +15,10 @@
 #include "window/compare/side_header.h"
 #include "window/file_actions.h"
 #include "window/sample_loader.h"
-#include "window/style/icon.h"
 #include "window/view/camera_link.h"
 #include "window/view/picture.h"
 #include "window/view/view_area.h"
+#include "window/widgets/ready_made.h"
 
 namespace viscera::app {
 
@@ -105,9 +104,7 @@ void Comparison::begin() {
 
 QWidget* Comparison::makeSecondPane() {
   auto* pane = new QWidget;
-  auto* column = new QVBoxLayout(pane);
-  column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(0);
+  auto* column = makeLayout<QVBoxLayout>(pane, 0);
   secondHeader_ = new SideHeader(tr("B"), pane);
   fillHeader(*secondHeader_);
   column->addWidget(secondHeader_);
@@ -125,11 +122,8 @@ void Comparison::fillHeader(SideHeader& header) {
   header.addControl(rate_);
   connect(rate_, QOverload<int>::of(&QSpinBox::valueChanged), this,
           [this](int perMinute) { second_->playback.setRate(perMinute); });
-  auto* choose = new QToolButton(&header);
+  auto* choose = makeIconButton("organs", tr("What this view shows"), &header);
   choose->setObjectName(QStringLiteral("secondOrgan"));
-  choose->setIcon(icon("organs"));
-  choose->setToolTip(tr("What this view shows"));
-  choose->setAccessibleName(choose->toolTip());
   choose->setPopupMode(QToolButton::InstantPopup);
   auto* menu = new QMenu(choose);
   menu->addAction(tr("The same organ at another rate"), this, &Comparison::showSameOrgan);
@@ -146,11 +140,8 @@ void Comparison::fillHeader(SideHeader& header) {
   menu->addAction(tr("Open files..."), this, &Comparison::chooseFiles);
   choose->setMenu(menu);
   header.addAtEnd(choose);
-  auto* close = new QToolButton(&header);
+  auto* close = makeIconButton("close", tr("Back to one view"), &header);
   close->setObjectName(QStringLiteral("closeSecond"));
-  close->setIcon(icon("close"));
-  close->setToolTip(tr("Back to one view"));
-  close->setAccessibleName(close->toolTip());
   header.addAtEnd(close);
   // Queued: the button goes with the view that it closes.
   connect(close, &QToolButton::clicked, this, &Comparison::end, Qt::QueuedConnection);

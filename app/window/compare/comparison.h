@@ -61,8 +61,6 @@ public:
   Playback& playback();
   ViewWidget& view();
   const Picture& picture() const;
-  /// Whether it shows the first's organs.
-  bool sameOrgan() const { return same_; }
   /// The other coordinates of the second view, or null.
   ComparedSystem* comparedSystem() const;
 

@@ -1,10 +1,5 @@
 #include "window/compare/side_header.h"
 
-#include <QHBoxLayout>
-#include <QLabel>
-
-#include "window/widgets/elided_label.h"
-
 namespace viscera::app {
 namespace {
 constexpr int kHeight = 36;
@@ -37,30 +32,10 @@ SideHeader::SideHeader(const QString& letter, QWidget* parent)
   row_->addWidget(volumes_, 1);
 }
 
-void SideHeader::setTitle(const QString& title) {
-  title_->setText(title);
-}
-
 void SideHeader::setState(const QString& phase, const QString& volumes) {
   phase_->setFullText(phase);
   if (volumes_->fullText() != volumes)
     volumes_->setFullText(volumes);
-}
-
-QString SideHeader::volumes() const {
-  return volumes_->fullText();
-}
-
-QString SideHeader::phase() const {
-  return phase_->fullText();
-}
-
-void SideHeader::addControl(QWidget* control) {
-  row_->insertWidget(row_->indexOf(phase_), control);
-}
-
-void SideHeader::addAtEnd(QWidget* control) {
-  row_->addWidget(control);
 }
 
 } // namespace viscera::app

@@ -1,13 +1,11 @@
 #pragma once
 
 #include <QFrame>
+#include <QHBoxLayout>
 
-class QHBoxLayout;
-class QLabel;
+#include "window/widgets/elided_label.h"
 
 namespace viscera::app {
-
-class ElidedLabel;
 
 /// The line above one of two views: its letter, what moves there and how fast, the phase and the volumes.
 class SideHeader final : public QFrame {
@@ -16,15 +14,15 @@ class SideHeader final : public QFrame {
 public:
   SideHeader(const QString& letter, QWidget* parent = nullptr);
 
-  void setTitle(const QString& title);
+  void setTitle(const QString& title) { title_->setText(title); }
   /// What changes with every frame.
   void setState(const QString& phase, const QString& volumes);
-  QString volumes() const;
-  QString phase() const;
+  QString volumes() const { return volumes_->fullText(); }
+  QString phase() const { return phase_->fullText(); }
   /// Puts a control behind the title.
-  void addControl(QWidget* control);
+  void addControl(QWidget* control) { row_->insertWidget(row_->indexOf(phase_), control); }
   /// Puts a control at the right end.
-  void addAtEnd(QWidget* control);
+  void addAtEnd(QWidget* control) { row_->addWidget(control); }
 
 private:
   QHBoxLayout* row_;

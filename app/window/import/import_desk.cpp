@@ -5,7 +5,8 @@
 
 #include "window/file_actions.h"
 #include "window/import/import_panel.h"
-#include "window/import/repair_texts.h"
+#include "window/import/organ_check.h"
+#include "window/panels/color_palette.h"
 #include "window/view/picture.h"
 #include "window/workspace.h"
 
@@ -13,16 +14,23 @@ namespace viscera::app {
 namespace {
 
 constexpr const char* kSlot = "import";
+constexpr double kGlass = 0.5;
+/// Of the diagonal: less is not worth a jump of the camera.
+constexpr double kElsewhere = 0.01;
 
 } // namespace
 
 ImportDesk::ImportDesk(Workspace& workspace, FileActions& files, Picture& picture, QObject* parent)
-    : QObject(parent), workspace_(workspace), files_(files), panel_(new ImportPanel), preview_(picture) {
+    : QObject(parent), workspace_(workspace), files_(files), panel_(new ImportPanel), picture_(picture) {
   connect(panel_, &ImportPanel::accepted, this, &ImportDesk::accept);
   connect(panel_, &ImportPanel::cancelled, this, &ImportDesk::cancel);
   connect(panel_, &ImportPanel::repairRequested, this, &ImportDesk::repair);
   connect(panel_, &ImportPanel::revertRequested, this, &ImportDesk::revert);
   connect(panel_, &ImportPanel::includedChanged, this, &ImportDesk::include);
+}
+
+ImportDesk::~ImportDesk() {
+  picture_.setGuests({});
 }
 
 void ImportDesk::begin(document::ImportDraft draft, const QStringList& files) {
@@ -63,7 +71,7 @@ bool ImportDesk::eventFilter(QObject* watched, QEvent* event) {
 void ImportDesk::close() {
   open_ = false;
   draft_ = {};
-  preview_.clear();
+  picture_.setGuests({});
   Q_EMIT closed();
 }
 
@@ -71,7 +79,31 @@ void ImportDesk::show() {
   panel_->showDraft(draft_, names_.size() == 1
                                 ? tr("Check of %1").arg(QFileInfo(names_.front()).fileName())
                                 : tr("Check of %n {file|files}", nullptr, static_cast<int>(names_.size())));
-  preview_.show(draft_);
+  preview();
+}
+
+/// The organs as glass in the view, beside what the document holds; comes into the picture when they lie
+/// elsewhere or are of another size.
+void ImportDesk::preview() {
+  std::vector<presentation::Guest> guests;
+  Bounds box;
+  for (const document::DraftOrgan& organ : draft_.organs) {
+    if (!organ.included)
+      continue;
+    presentation::Guest guest{organ.mesh, document::OrganLook().color, kGlass};
+    if (const auto color = tissueColor(text(organ.name)))
+      guest.color = asVec3(*color);
+    const Bounds own = boundsOf(organ.mesh->points);
+    box = guests.empty() ? own : Bounds{box.low.cwiseMin(own.low), box.high.cwiseMax(own.high)};
+    guests.push_back(std::move(guest));
+  }
+  const double moved = (box.low - previewed_.low).norm() + (box.high - previewed_.high).norm();
+  const bool elsewhere = !guests.empty() && moved > kElsewhere * box.diagonal();
+  picture_.setGuests(std::move(guests));
+  if (!elsewhere)
+    return;
+  picture_.view().frame(box);
+  previewed_ = box;
 }
 
 void ImportDesk::work(const QString& name, std::function<document::ImportDraft(Progress&)> next) {

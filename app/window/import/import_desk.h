@@ -6,12 +6,12 @@
 #include <functional>
 
 #include "viscera/document/import_draft.h"
-#include "window/import/import_preview.h"
 
 namespace viscera::app {
 
 class FileActions;
 class ImportPanel;
+class Picture;
 class Workspace;
 
 /// Files that are looked at before they are accepted: keeps the draft, lets a worker repair it, shows it in
@@ -21,6 +21,7 @@ class ImportDesk final : public QObject {
 
 public:
   ImportDesk(Workspace& workspace, FileActions& files, Picture& picture, QObject* parent);
+  ~ImportDesk() override;
 
   /// The panel; whoever shows it owns it.
   ImportPanel* panel() const { return panel_; }
@@ -45,12 +46,14 @@ private:
   void revert(std::size_t organ);
   void include(std::size_t organ, bool included);
   void show();
+  void preview();
   void close();
 
   Workspace& workspace_;
   FileActions& files_;
   ImportPanel* panel_;
-  ImportPreview preview_;
+  Picture& picture_;
+  Bounds previewed_; ///< In the picture.
   document::ImportDraft draft_;
   QStringList names_;
   bool open_ = false;

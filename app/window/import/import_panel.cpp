@@ -3,12 +3,12 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
-#include <QScrollArea>
 
 #include <algorithm>
 
 #include "window/import/organ_check.h"
 #include "window/widgets/panel_dock.h"
+#include "window/widgets/ready_made.h"
 #include "window/workspace.h"
 
 namespace viscera::app {
@@ -28,30 +28,20 @@ std::vector<std::size_t> byUrgency(const document::ImportDraft& draft) {
 } // namespace
 
 ImportPanel::ImportPanel(QWidget* parent)
-    : QWidget(parent), title_(new QLabel(this)), summary_(new QLabel(this)), organs_(new QWidget),
+    : QWidget(parent), title_(new QLabel(this)), summary_(makeRemark({}, this)), organs_(new QWidget),
       column_(new QVBoxLayout(organs_)), import_(new QPushButton(tr("Import"), this)) {
   setObjectName(QStringLiteral("panel"));
-  auto* whole = new QVBoxLayout(this);
-  whole->setContentsMargins(0, 0, 0, 0);
-  whole->setSpacing(0);
-  auto* heading = new QVBoxLayout;
-  heading->setContentsMargins(12, 8, 12, 8);
-  heading->setSpacing(2);
-  QFont font = title_->font();
-  font.setBold(true);
-  font.setPointSizeF(font.pointSizeF() * 1.1);
-  title_->setFont(font);
+  auto* whole = makeLayout<QVBoxLayout>(this, 0);
+  auto* heading = makeLayout<QVBoxLayout>(nullptr, 2, {12, 8, 12, 8});
+  embolden(title_, 1.1);
   title_->setWordWrap(true);
-  summary_->setObjectName(QStringLiteral("muted"));
-  summary_->setWordWrap(true);
   heading->addWidget(title_);
   heading->addWidget(summary_);
   whole->addLayout(heading);
   column_->setContentsMargins(0, 0, 0, 0);
   column_->setSpacing(0);
   whole->addWidget(scrolled(organs_), 1);
-  auto* buttons = new QHBoxLayout;
-  buttons->setContentsMargins(12, 8, 12, 12);
+  auto* buttons = makeLayout<QHBoxLayout>(nullptr, -1, {12, 8, 12, 12});
   auto* cancel = new QPushButton(tr("Cancel"), this);
   cancel->setObjectName(QStringLiteral("cancelImport"));
   import_->setObjectName(QStringLiteral("primary"));
@@ -93,12 +83,9 @@ void ImportPanel::addArrangement(const document::ImportDraft& draft) {
     return;
   auto* frame = new QFrame(organs_);
   frame->setObjectName(QStringLiteral("organCheck"));
-  auto* column = new QVBoxLayout(frame);
-  column->setContentsMargins(12, 8, 12, 8);
+  auto* column = makeLayout<QVBoxLayout>(frame, -1, {12, 8, 12, 8});
   auto* heading = new QLabel(tr("All organs together"), frame);
-  QFont font = heading->font();
-  font.setBold(true);
-  heading->setFont(font);
+  embolden(heading);
   column->addWidget(heading);
   auto* line = new FindingLine(*draft.arrangement, frame);
   column->addWidget(line);

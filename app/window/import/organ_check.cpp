@@ -1,16 +1,18 @@
 #include "window/import/organ_check.h"
 
 #include <QCheckBox>
+#include <QCoreApplication>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QMenu>
 #include <QPushButton>
-#include <QToolButton>
 
+#include <map>
+
+#include "viscera/medical_io/organ_norms.h"
 #include "viscera/medical_io/surface_repairs.h"
-#include "window/import/repair_texts.h"
-#include "window/style/icon.h"
 #include "window/widgets/flow_layout.h"
+#include "window/widgets/ready_made.h"
 #include "window/workspace.h"
 
 namespace viscera::app {
@@ -51,12 +53,36 @@ QString measures(const document::DraftOrgan& organ) {
   return OrganCheck::tr("%1, %2").arg(box, formatMilliliters(organ.assessment.volumeMl));
 }
 
+QString translated(const char* text) {
+  return QCoreApplication::translate("viscera::app::Repairs", text);
+}
+
 } // namespace
 
+QString repairName(const std::string& id) {
+  static const std::map<std::string, const char*> kNames = {
+      {"orient", QT_TRANSLATE_NOOP("viscera::app::Repairs", "Face outward")},
+      {"fill-holes", QT_TRANSLATE_NOOP("viscera::app::Repairs", "Fill holes")},
+      {"keep-largest", QT_TRANSLATE_NOOP("viscera::app::Repairs", "Keep the largest piece")},
+      {"remesh", QT_TRANSLATE_NOOP("viscera::app::Repairs", "Make anew")},
+      {"mirror", QT_TRANSLATE_NOOP("viscera::app::Repairs", "Mirror left and right")},
+      {"ras-to-lps", QT_TRANSLATE_NOOP("viscera::app::Repairs", "It is RAS: turn to LPS")}};
+  const auto known = kNames.find(id);
+  if (known != kNames.end())
+    return translated(known->second);
+  for (const medical_io::LengthUnit& unit : medical_io::lengthUnits())
+    if (id == "unit-" + std::string(unit.id))
+      return translated(QT_TRANSLATE_NOOP("viscera::app::Repairs", "It is in %1"))
+          .arg(text(std::string(unit.name)));
+  return text(id);
+}
+
+QString repairTip(const std::string& id) {
+  return asSentence(medical_io::surfaceRepair(id).does);
+}
+
 FindingLine::FindingLine(const medical_io::Finding& finding, QWidget* parent) : QWidget(parent) {
-  auto* row = new QHBoxLayout(this);
-  row->setContentsMargins(0, 0, 0, 0);
-  row->setSpacing(8);
+  auto* row = makeLayout<QHBoxLayout>(this, 8);
   row->addWidget(lightLabel(finding.light, this), 0, Qt::AlignTop);
   auto* column = new QVBoxLayout;
   column->setSpacing(4);
@@ -81,9 +107,7 @@ FindingLine::FindingLine(const medical_io::Finding& finding, QWidget* parent) : 
 OrganCheck::OrganCheck(const document::DraftOrgan& organ, bool severalFiles, QWidget* parent)
     : QFrame(parent) {
   setObjectName(QStringLiteral("organCheck"));
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(12, 8, 12, 8);
-  column->setSpacing(6);
+  auto* column = makeLayout<QVBoxLayout>(this, 6, {12, 8, 12, 8});
   column->addLayout(makeHeading(organ, severalFiles));
   if (!organ.included)
     return;
@@ -105,9 +129,7 @@ QLayout* OrganCheck::makeHeading(const document::DraftOrgan& organ, bool several
   name->setObjectName(QStringLiteral("included"));
   name->setChecked(organ.included);
   name->setToolTip(tr("Take this organ along"));
-  QFont font = name->font();
-  font.setBold(true);
-  name->setFont(font);
+  embolden(name);
   connect(name, &QCheckBox::toggled, this, &OrganCheck::includedChanged);
   column->addWidget(name);
   QString facts = measures(organ);
@@ -125,9 +147,7 @@ QWidget* OrganCheck::makeGoodLine(const document::DraftOrgan& organ) {
     if (finding.light == medical_io::Light::good)
       good.push_back(asSentence(finding.text));
   auto* line = new QWidget(this);
-  auto* row = new QHBoxLayout(line);
-  row->setContentsMargins(0, 0, 0, 0);
-  row->setSpacing(8);
+  auto* row = makeLayout<QHBoxLayout>(line, 8);
   row->addWidget(lightLabel(medical_io::Light::good, line));
   auto* label = new QLabel(tr("%n {check|checks} passed", nullptr, static_cast<int>(good.size())), line);
   label->setObjectName(QStringLiteral("muted"));

@@ -10,6 +10,12 @@ class QLayout;
 
 namespace viscera::app {
 
+/// What a button for a repair (an id of `medical_io::surfaceRepairs`) says: "Fill holes".
+QString repairName(const std::string& id);
+
+/// What it does, as a sentence for its tooltip.
+QString repairTip(const std::string& id);
+
 /// A finding as a line: a light, a sentence, and buttons for what would help.
 class FindingLine final : public QWidget {
   Q_OBJECT

@@ -6,7 +6,7 @@
 #include "viscera/lesson/animated_gltf.h"
 #include "viscera/lesson/lesson.h"
 #include "viscera/motion/sequence_setup.h"
-#include "viscera/presentation/camera.h"
+#include "viscera/presentation/presenter.h"
 #include "window/actions.h"
 #include "window/lesson/lesson_dialog.h"
 #include "window/settings.h"

@@ -4,7 +4,6 @@
 #include <QGridLayout>
 #include <QHeaderView>
 #include <QKeyEvent>
-#include <QLabel>
 #include <QPushButton>
 #include <QScopedValueRollback>
 #include <QTreeWidget>
@@ -14,6 +13,7 @@
 #include "viscera/document/measurement_commands.h"
 #include "viscera/presentation/presenter.h"
 #include "window/style/icon.h"
+#include "window/widgets/ready_made.h"
 
 namespace viscera::app {
 namespace {
@@ -30,16 +30,12 @@ document::MeasurementId idOf(const QTreeWidgetItem* item) {
 } // namespace
 
 MeasureBox::MeasureBox(Workspace& workspace, MeasureTool& tool, const Actions& actions, QWidget* parent)
-    : QWidget(parent), workspace_(workspace), tool_(tool), hint_(new QLabel(this)),
+    : QWidget(parent), workspace_(workspace), tool_(tool), hint_(makeRemark({}, this)),
       list_(new QTreeWidget(this)), remove_(new QPushButton(icon("remove"), tr("Remove"), this)) {
   setObjectName(QStringLiteral("measureBox"));
-  auto* grid = new QGridLayout(this);
-  grid->setContentsMargins(0, 0, 0, 0);
-  grid->setSpacing(4);
-  grid->addWidget(makeButton(actions["measure.distance"]), 0, 0);
-  grid->addWidget(makeButton(actions["measure.angle"]), 0, 1);
-  hint_->setObjectName(QStringLiteral("muted"));
-  hint_->setWordWrap(true);
+  auto* grid = makeLayout<QGridLayout>(this, 4);
+  grid->addWidget(makeActionButton(actions["measure.distance"], this), 0, 0);
+  grid->addWidget(makeActionButton(actions["measure.angle"], this), 0, 1);
   grid->addWidget(hint_, 1, 0, 1, 2);
   makeList();
   grid->addWidget(list_, 2, 0, 1, 2);
@@ -47,7 +43,8 @@ MeasureBox::MeasureBox(Workspace& workspace, MeasureTool& tool, const Actions& a
   remove_->setToolTip(tr("Remove the chosen measurement (Delete in the list)"));
   connect(remove_, &QPushButton::clicked, this, &MeasureBox::removeChosen);
   grid->addWidget(remove_, 3, 0);
-  forAll_ = {makeButton(actions["measure.removeAll"]), makeButton(actions["export.measurements"])};
+  forAll_ = {makeActionButton(actions["measure.removeAll"], this),
+             makeActionButton(actions["export.measurements"], this)};
   forAll_[0]->setText(tr("Remove all"));
   forAll_[1]->setText(tr("Export CSV..."));
   grid->addWidget(forAll_[0], 3, 1);
@@ -68,21 +65,6 @@ MeasureBox::MeasureBox(Workspace& workspace, MeasureTool& tool, const Actions& a
       values_.start();
   }));
   rebuild();
-}
-
-QPushButton* MeasureBox::makeButton(QAction* action) {
-  auto* button = new QPushButton(action->icon(), action->iconText(), this);
-  button->setObjectName(action->objectName());
-  button->setCheckable(action->isCheckable());
-  const auto sync = [button, action] {
-    button->setEnabled(action->isEnabled());
-    button->setToolTip(action->toolTip());
-    button->setChecked(action->isChecked());
-  };
-  connect(button, &QPushButton::clicked, action, &QAction::trigger);
-  connect(action, &QAction::changed, button, sync);
-  sync();
-  return button;
 }
 
 void MeasureBox::makeList() {

@@ -25,7 +25,6 @@ protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
-  QPushButton* makeButton(QAction* action);
   void makeList();
   void rebuild();
   void syncValues();

@@ -5,9 +5,10 @@
 
 #include <algorithm>
 
-#include "viscera/document/pose_commands.h"
+#include "viscera/document/rig_commands.h"
 #include "window/actions.h"
 #include "window/panels/deform_page.h"
+#include "window/view/view_model.h"
 
 namespace viscera::app {
 namespace {
@@ -19,11 +20,10 @@ bool compensates(const document::Rig& rig, document::HandleId id) {
 
 } // namespace
 
-DeformMode::DeformMode(const Parts& parts, Actions& actions)
-    : Mode(parts.workspace,
+DeformMode::DeformMode(const ModeParts& parts, Actions& actions)
+    : Mode(parts,
            {"deform", "deform", 3, tr("Deform"),
-            tr("Drag a handle and the organ follows; K locks the volume, T turns and scales, M mirrors")}),
-      parts_(parts) {
+            tr("Drag a handle and the organ follows; K locks the volume, T turns and scales, M mirrors")}) {
   makePoseActions(actions);
   makeVolumeActions(actions);
   makeCompensate(actions);
@@ -32,7 +32,7 @@ DeformMode::DeformMode(const Parts& parts, Actions& actions)
                          "gizmo",
                          {Qt::Key_T},
                          tr("In Deform mode, rings turn and cubes scale the selected handles, two at least")},
-                        [](presentation::ViewState& view) -> bool& { return view.gizmo; });
+                        &presentation::ViewState::gizmo);
   makeMirrorActions(actions);
   // Their keys mean something else in other modes.
   actions.enableWhile({"handles.gizmo", "mirror.next"}, [this] { return parts_.view.state().shown.tools; });
@@ -144,11 +144,7 @@ void DeformMode::makeMirrorActions(Actions& actions) {
 }
 
 QWidget* DeformMode::makePage(const Actions& actions) {
-  return new DeformPage({workspace_, parts_.poses, parts_.volumes, parts_.view}, actions);
-}
-
-presentation::Shown DeformMode::shown() const {
-  return {.handles = true, .movable = true, .compensating = true, .tools = true};
+  return new DeformPage(parts_, actions);
 }
 
 } // namespace viscera::app

@@ -5,16 +5,18 @@
 #include "viscera/document/measurement_commands.h"
 #include "window/measure/measure_box.h"
 #include "window/panels/explore_page.h"
+#include "window/view/view_area.h"
+#include "window/view/view_model.h"
 
 namespace viscera::app {
 
 using Kind = document::MeasurementKind;
 
-ExploreMode::ExploreMode(const Parts& parts, Actions& actions)
-    : Mode(parts.workspace, {"explore", "explore", 1, tr("Explore"),
-                             tr("Left drag rotates, Shift+left pans, right drag or wheel zooms, click "
-                                "selects an organ, D and A measure")}),
-      parts_(parts), tool_(parts.workspace, *parts.area.view(), parts.picture, parts.handles) {
+ExploreMode::ExploreMode(const ModeParts& parts, Actions& actions)
+    : Mode(parts, {"explore", "explore", 1, tr("Explore"),
+                   tr("Left drag rotates, Shift+left pans, right drag or wheel zooms, click "
+                      "selects an organ, D and A measure")}),
+      tool_(parts.workspace, *parts.area.view(), parts.picture, parts.handles) {
   connect(&tool_, &MeasureTool::changed, this, &ExploreMode::showMeasuring);
   connect(&tool_, &MeasureTool::stateChanged, &actions, &Actions::sync);
   connect(&tool_, &MeasureTool::stateChanged, this, &Mode::hintChanged);
@@ -34,7 +36,7 @@ ExploreMode::ExploreMode(const Parts& parts, Actions& actions)
                       [this] { return !workspace_.document().measurements().empty(); });
   parts.view.addToggle(actions, "view.measurements",
                        {tr("&Measurements"), "distance", {}, tr("Show what is measured")},
-                       [](presentation::ViewState& view) -> bool& { return view.measurements; });
+                       &presentation::ViewState::measurements);
 }
 
 QAction* ExploreMode::makeMeasure(Actions& actions, Kind kind, const char* id,
@@ -51,10 +53,6 @@ QAction* ExploreMode::makeMeasure(Actions& actions, Kind kind, const char* id,
   actions.enableWhile({id}, [this] { return !workspace_.document().organs().empty(); });
   actions.whenSynced([this, action, kind] { action->setChecked(tool_.kind() == kind); });
   return action;
-}
-
-std::vector<const char*> ExploreMode::actions() const {
-  return {"measure.distance", "measure.angle", "measure.removeAll"};
 }
 
 QWidget* ExploreMode::makePage(const Actions& actions) {

@@ -3,8 +3,6 @@
 #include "window/actions.h"
 #include "window/measure/measure_tool.h"
 #include "window/modes/mode.h"
-#include "window/view/view_area.h"
-#include "window/view/view_model.h"
 
 namespace viscera::app {
 
@@ -13,18 +11,11 @@ class ExploreMode final : public Mode {
   Q_OBJECT
 
 public:
-  /// What the mode works with; all have to live longer.
-  struct Parts {
-    Workspace& workspace;
-    Picture& picture;
-    const HandleController& handles;
-    ViewArea& area;
-    ViewModel& view;
-  };
+  ExploreMode(const ModeParts& parts, Actions& actions);
 
-  ExploreMode(const Parts& parts, Actions& actions);
-
-  std::vector<const char*> actions() const override;
+  std::vector<const char*> actions() const override {
+    return {"measure.distance", "measure.angle", "measure.removeAll"};
+  }
   QWidget* makePage(const Actions& actions) override;
   presentation::Shown shown() const override { return {}; }
   motion::WantedPose pose() const override { return motion::WantedPose::sequence; }
@@ -42,7 +33,6 @@ private:
   QAction* makeMeasure(Actions& actions, MeasureTool::Kind kind, const char* id,
                        const Actions::Description& description);
 
-  Parts parts_;
   MeasureTool tool_;
 };
 

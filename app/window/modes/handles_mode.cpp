@@ -1,16 +1,19 @@
 #include "window/modes/handles_mode.h"
 
-#include "viscera/document/cage_commands.h"
 #include "viscera/document/rig_commands.h"
+#include "viscera/document/system_commands.h"
+#include "window/binding_messages.h"
 #include "window/panels/handles_page.h"
+#include "window/view/view_area.h"
+#include "window/view/view_model.h"
 
 namespace viscera::app {
 
-HandlesMode::HandlesMode(const Parts& parts, Actions& actions)
-    : Mode(parts.workspace,
-           {"handles", "handles", 2, tr("Handles"),
-            tr("Click the organ to add a handle, drag to move it, Delete removes it; the rest shape stays")}),
-      parts_(parts) {
+HandlesMode::HandlesMode(const ModeParts& parts, Actions& actions)
+    : Mode(
+          parts,
+          {"handles", "handles", 2, tr("Handles"),
+           tr("Click the organ to add a handle, drag to move it, Delete removes it; the rest shape stays")}) {
   makeRigActions(actions);
   makeViewActions(actions);
 }
@@ -48,7 +51,7 @@ void HandlesMode::makeViewActions(Actions& actions) {
                          "influence",
                          {Qt::Key_I},
                          tr("Colour the organ by the influence of the selected handle")},
-                        [](ViewState& view) -> bool& { return view.influence; });
+                        &ViewState::influence);
   parts_.view.addToggle(
       actions, "handles.regions",
       {tr("Show &regions"),
@@ -81,11 +84,7 @@ std::vector<const char*> HandlesMode::actions() const {
 }
 
 QWidget* HandlesMode::makePage(const Actions& actions) {
-  return new HandlesPage(workspace_, parts_.layout, actions);
-}
-
-presentation::Shown HandlesMode::shown() const {
-  return {.rest = true, .handles = true, .movable = true, .regions = true};
+  return new HandlesPage(workspace_, actions);
 }
 
 void HandlesMode::enter() {

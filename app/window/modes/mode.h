@@ -14,6 +14,32 @@ class QWidget;
 namespace viscera::app {
 
 class Actions;
+class BindingMessages;
+class HandleController;
+class HandlePlacer;
+class Picture;
+class PoseEditor;
+class SampleLoader;
+class Settings;
+class ViewArea;
+class ViewModel;
+class VolumeMonitor;
+
+/// The parts of the window with which modes work; all live longer than the modes.
+struct ModeParts {
+  Workspace& workspace;
+  Playback& playback;
+  PoseEditor& poses;
+  VolumeMonitor& volumes;
+  HandlePlacer& placer;
+  SampleLoader& samples;
+  BindingMessages& binding;
+  Settings& settings;
+  ViewArea& area;
+  ViewModel& view;
+  Picture& picture;
+  HandleController& handles;
+};
 
 /// Where a click met an organ: mm, on the surface as it is shown.
 struct ClickedPlace {
@@ -38,9 +64,8 @@ public:
     QString hint;          ///< For the status bar: what the mouse does.
   };
 
-  /// `workspace` has to live longer.
-  Mode(Workspace& workspace, Description description)
-      : workspace_(workspace), description_(std::move(description)) {}
+  Mode(const ModeParts& parts, Description description)
+      : parts_(parts), workspace_(parts.workspace), description_(std::move(description)) {}
 
   const Description& description() const { return description_; }
   /// The ids of its actions as in a menu, "" for a line between them.
@@ -79,7 +104,8 @@ Q_SIGNALS:
   void hintChanged();
 
 protected:
-  Workspace& workspace_;
+  const ModeParts parts_;
+  Workspace& workspace_; ///< Of `parts_`: what all modes use.
 
 private:
   Description description_;

@@ -9,8 +9,6 @@ ModeController::ModeController(const Parts& parts, QObject* parent) : QObject(pa
   connect(&parts.view, &ViewWidget::clicked, this, &ModeController::onClick);
 }
 
-ModeController::~ModeController() = default;
-
 void ModeController::take(std::unique_ptr<Mode> mode) {
   connect(mode.get(), &Mode::shownChanged, this, &ModeController::syncShown);
   connect(mode.get(), &Mode::wanted, this, [this, id = mode->description().id] { choose(id); });
@@ -76,10 +74,6 @@ void ModeController::onClick(const QPointF& place, Qt::KeyboardModifiers modifie
     return modes_[present_]->click(nullptr);
   const ClickedPlace clicked{parts_.picture.organOf(pick->organ), pick->position, pick->normal};
   modes_[present_]->click(&clicked);
-}
-
-bool ModeController::escape() {
-  return parts_.handles.cancelDrag() || modes_[present_]->escape();
 }
 
 } // namespace viscera::app

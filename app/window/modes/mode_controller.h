@@ -31,7 +31,6 @@ public:
   };
 
   explicit ModeController(const Parts& parts, QObject* parent = nullptr);
-  ~ModeController() override;
 
   /// Adds a mode behind the others in the rail; the first one is on at first.
   template <typename AnyMode>
@@ -53,7 +52,7 @@ public:
   /// Changes to the mode of that id, or to the first one.
   void choose(const std::string& id);
   /// Puts back what the mouse holds, or takes back what the mode is at; false when there is nothing.
-  bool escape();
+  bool escape() { return parts_.handles.cancelDrag() || modes_[present_]->escape(); }
 
 Q_SIGNALS:
   /// Another mode is on.

@@ -1,9 +1,6 @@
 #include "window/modes/play_mode.h"
 
 #include <QAction>
-#include <QDesktopServices>
-#include <QFileInfo>
-#include <QUrl>
 
 #include <algorithm>
 #include <cmath>
@@ -11,7 +8,9 @@
 #include "viscera/document/organ_commands.h"
 #include "viscera/motion/sequence_setup.h"
 #include "window/panels/play_page.h"
+#include "window/sample_loader.h"
 #include "window/status_line.h"
+#include "window/view/view_area.h"
 
 namespace viscera::app {
 namespace {
@@ -36,14 +35,13 @@ std::vector<std::shared_ptr<const document::Organ>> wallsOf(const document::Orga
 
 } // namespace
 
-PlayMode::PlayMode(const Window& window, Actions& actions)
-    : Mode(window.workspace, {"play", "beat", 5, tr("Play"),
-                              tr("Space plays or pauses; drag the timeline to look at one instant")}),
-      window_(window),
+PlayMode::PlayMode(const ModeParts& parts, Actions& actions)
+    : Mode(parts, {"play", "beat", 5, tr("Play"),
+                   tr("Space plays or pauses; drag the timeline to look at one instant")}),
       comparison_(std::make_unique<Comparison>(Comparison::First{
-          window.workspace, window.playback, window.volumes, window.area, window.settings, window.view})),
-      recorder_(std::make_unique<Recorder>(window.workspace)),
-      recorded_(std::make_unique<RecordedMotion>(window.workspace, window.playback)) {
+          parts.workspace, parts.playback, parts.volumes, parts.area, parts.settings, parts.view})),
+      recorder_(std::make_unique<Recorder>(parts.workspace)),
+      recorded_(std::make_unique<RecordedMotion>(parts.workspace, parts.playback)) {
   connect(recorder_.get(), &Recorder::finished, this, &PlayMode::sayRecorded);
   makeLookActions(actions);
   makeMotionActions(actions);
@@ -60,12 +58,12 @@ void PlayMode::makeMotionActions(Actions& actions) {
   actions.add("play.slower",
               {tr("Slow &motion"), "tour", {Qt::Key_S}, tr("Slower, down to a tenth; then real time again")},
               [this] { slower(); });
-  window_.view.addToggle(actions, "play.cycle",
-                         {tr("&Chart of one cycle"),
-                          "chart",
-                          {Qt::Key_O},
-                          tr("Draw one cycle with a cursor; else the last seconds")},
-                         [](presentation::ViewState& view) -> bool& { return view.chartOfCycle; });
+  parts_.view.addToggle(actions, "play.cycle",
+                        {tr("&Chart of one cycle"),
+                         "chart",
+                         {Qt::Key_O},
+                         tr("Draw one cycle with a cursor; else the last seconds")},
+                        &presentation::ViewState::chartOfCycle);
   actions.add(
       "play.addKey",
       {tr("Record a &key"), "record", {tr("Ctrl+K")}, tr("Take the present pose into the recorded sequence")},
@@ -105,9 +103,9 @@ void PlayMode::makeComparisonActions(Actions& actions) {
 }
 
 void PlayMode::makeLookActions(Actions& actions) {
-  window_.view.addToggle(actions, "view.labels",
-                         {tr("Organ &labels"), "label", {Qt::Key_N}, tr("Write names beside the organs")},
-                         [](presentation::ViewState& view) -> bool& { return view.labels; });
+  parts_.view.addToggle(actions, "view.labels",
+                        {tr("Organ &labels"), "label", {Qt::Key_N}, tr("Write names beside the organs")},
+                        &presentation::ViewState::labels);
   QAction* through = actions.addToggle(
       "view.seeThrough",
       {tr("See &through"), "see_through", {Qt::Key_X}, tr("Look through the wall at the cavities")}, false,
@@ -137,9 +135,7 @@ std::vector<const char*> PlayMode::actions() const {
 }
 
 QWidget* PlayMode::makePage(const Actions& actions) {
-  return new PlayPage(
-      {window_.workspace, window_.playback, window_.volumes, *window_.area.view(), *this, window_.settings},
-      actions);
+  return new PlayPage(parts_, *this, actions);
 }
 
 void PlayMode::setStatus(StatusLine& status) {
@@ -147,25 +143,21 @@ void PlayMode::setStatus(StatusLine& status) {
   status.watch(recorder_->jobs());
 }
 
-void PlayMode::setTheme(const Theme& theme) {
-  comparison_->setTheme(theme);
-}
-
 void PlayMode::chooseSequence(const QString& id) {
-  for (const Playback::Motion& motion : window_.playback.motions()) {
+  for (const Playback::Motion& motion : parts_.playback.motions()) {
     if (text(motion.sequence->id()) != id)
       continue;
-    window_.playback.choose(motion.sequence.get());
-    window_.playback.play();
+    parts_.playback.choose(motion.sequence.get());
+    parts_.playback.play();
     return;
   }
   for (const motion::SampleSequence& sample : motion::sampleSequences())
     if (text(sample.id) == id)
-      window_.samples.load(text(sample.organ), true);
+      parts_.samples.load(text(sample.organ), true);
 }
 
 bool PlayMode::seesThrough() const {
-  const auto walls = wallsOf(window_.workspace.document().organs());
+  const auto walls = wallsOf(parts_.workspace.document().organs());
   return !walls.empty() && std::all_of(walls.begin(), walls.end(),
                                        [](const auto& organ) { return organ->look.opacity < kOpaque; });
 }
@@ -173,7 +165,7 @@ bool PlayMode::seesThrough() const {
 void PlayMode::setSeeThrough(bool on) {
   if (on == seesThrough())
     return;
-  const document::OrganList& organs = window_.workspace.document().organs();
+  const document::OrganList& organs = parts_.workspace.document().organs();
   std::vector<document::Command> commands;
   for (const auto& organ : wallsOf(organs)) {
     document::OrganLook look = organ->look;
@@ -188,41 +180,33 @@ void PlayMode::setSeeThrough(bool on) {
       commands.push_back(document::setOrganLook(organ->id, look));
   }
   if (!commands.empty())
-    window_.workspace.perform(document::combined(
-        (on ? tr("See through") : tr("Close the wall")).toStdString(), std::move(commands)));
+    parts_.workspace.perform(document::combined((on ? tr("See through") : tr("Close the wall")).toStdString(),
+                                                std::move(commands)));
 }
 
 void PlayMode::slower() {
-  const double speed = window_.playback.player().speed();
+  const double speed = parts_.playback.player().speed();
   const auto* next = std::find_if(std::begin(kSpeeds), std::end(kSpeeds),
                                   [speed](double other) { return other < speed - 1e-9; });
-  window_.playback.setSpeed(next == std::end(kSpeeds) ? 1 : *next);
+  parts_.playback.setSpeed(next == std::end(kSpeeds) ? 1 : *next);
 }
 
 void PlayMode::addKey() {
   const double seconds = recorded_->nextSeconds();
   if (recorded_->addKey(seconds, sequences::Easing::smooth))
-    window_.area.showBadge(tr("Key at %1 s").arg(seconds, 0, 'f', 2));
+    parts_.area.showBadge(tr("Key at %1 s").arg(seconds, 0, 'f', 2));
 }
 
 bool PlayMode::record(const RecordingPlan& plan) {
-  std::vector<RecordingStage::Source> sources = {{window_.workspace, window_.playback, window_.picture}};
+  std::vector<RecordingStage::Source> sources = {{parts_.workspace, parts_.playback, parts_.picture}};
   if (comparison_->on())
     sources.push_back({comparison_->workspace(), comparison_->playback(), comparison_->picture()});
   return recorder_->start(plan, sources);
 }
 
 void PlayMode::sayRecorded(bool complete, const RecordingPlan& plan) {
-  if (!complete)
-    return;
-  const QFileInfo file(plan.file);
-  Message message;
-  message.text = tr("Recorded as %1").arg(plan.file);
-  message.seconds = 8;
-  message.offers.push_back({tr("Open folder"), [folder = file.absolutePath()] {
-                              QDesktopServices::openUrl(QUrl::fromLocalFile(folder));
-                            }});
-  window_.workspace.say(message);
+  if (complete)
+    parts_.workspace.noteWritten(tr("Recorded as %1").arg(plan.file), plan.file);
 }
 
 } // namespace viscera::app

@@ -7,12 +7,7 @@
 #include "window/modes/mode.h"
 #include "window/recorded/recorded_motion.h"
 #include "window/recording/recorder.h"
-#include "window/sample_loader.h"
-#include "window/settings.h"
 #include "window/timeline/volume_monitor.h"
-#include "window/view/picture.h"
-#include "window/view/view_area.h"
-#include "window/view/view_model.h"
 
 namespace viscera::app {
 
@@ -24,26 +19,14 @@ class PlayMode final : public Mode {
   Q_OBJECT
 
 public:
-  /// The window's parts; all have to live longer.
-  struct Window {
-    Workspace& workspace;
-    Playback& playback;
-    VolumeMonitor& volumes;
-    SampleLoader& samples;
-    Picture& picture;
-    ViewArea& area;
-    ViewModel& view;
-    Settings& settings;
-  };
-
-  PlayMode(const Window& window, Actions& actions);
+  PlayMode(const ModeParts& parts, Actions& actions);
   ~PlayMode() override;
 
   std::vector<const char*> actions() const override;
   QWidget* makePage(const Actions& actions) override;
   presentation::Shown shown() const override { return {}; }
   motion::WantedPose pose() const override { return motion::WantedPose::sequence; }
-  void setTheme(const Theme& theme) override;
+  void setTheme(const Theme& theme) override { comparison_->setTheme(theme); }
   /// Shows what is recorded and what the second view does in the status bar.
   void setStatus(StatusLine& status);
 
@@ -66,7 +49,6 @@ private:
   void addKey();
   void sayRecorded(bool complete, const RecordingPlan& plan);
 
-  Window window_;
   std::unique_ptr<Comparison> comparison_;
   std::unique_ptr<Recorder> recorder_;
   std::unique_ptr<RecordedMotion> recorded_;

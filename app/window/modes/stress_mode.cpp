@@ -5,6 +5,7 @@
 #include "window/stress/probe_card.h"
 #include "window/stress/stress_chart.h"
 #include "window/stress/stress_page.h"
+#include "window/view/view_area.h"
 
 namespace viscera::app {
 namespace {
@@ -13,16 +14,15 @@ constexpr const char* kActionIds[] = {"stress.next",   "stress.peak",    "stress
                                       "stress.glyphs", "stress.handles", "stress.others"};
 } // namespace
 
-StressMode::StressMode(const Parts& parts, Actions& actions)
-    : Mode(parts.workspace,
+StressMode::StressMode(const ModeParts& parts, Actions& actions)
+    : Mode(parts,
            {"stress", "stress", 4, tr("Stress"),
             tr("Click the tissue to see its values; C cuts the organ open; drag a handle, the map follows")}),
-      playback_(parts.playback), actions_(actions), area_(parts.area),
-      model_(parts.workspace, parts.playback, parts.settings, parts.view, parts.picture),
+      actions_(actions), model_(parts.workspace, parts.playback, parts.settings, parts.view, parts.picture),
       cut_(parts.workspace, model_, *parts.area.view(), parts.picture, parts.handles),
       card_(new ProbeCard(model_, &parts.area)) {
   Playback& playback = parts.playback;
-  area_.addCard(card_, Qt::AlignVCenter | Qt::AlignLeft);
+  parts_.area.addCard(card_, Qt::AlignVCenter | Qt::AlignLeft);
   makeActions();
   connect(&model_, &StressModel::lookChanged, this, &StressMode::syncActions);
   connect(&model_, &StressModel::statusChanged, this, &StressMode::syncActions);
@@ -33,17 +33,9 @@ StressMode::StressMode(const Parts& parts, Actions& actions)
   syncActions();
 }
 
-StressMode::~StressMode() = default;
-
-void StressMode::changeLook(const std::function<void(StressLook&)>& change) {
-  StressLook look = model_.look();
-  change(look);
-  model_.setLook(look);
-}
-
 void StressMode::makeActions() {
   actions_.add("stress.next", {tr("&Next map"), "stress", {Qt::Key_M}, tr("The next stress map")}, [this] {
-    changeLook([](StressLook& look) {
+    model_.change([](StressLook& look) {
       const auto& all = live::stressQuantities();
       look.quantity = all[(static_cast<std::size_t>(look.quantity) + 1) % all.size()].quantity;
     });
@@ -62,8 +54,9 @@ void StressMode::makeActions() {
                      });
   const auto toggle = [this](const char* id, const Actions::Description& description,
                              bool StressLook::*member) {
-    actions_.addToggle(id, description, model_.look().*member,
-                       [this, member](bool on) { changeLook([&](StressLook& look) { look.*member = on; }); });
+    actions_.addToggle(id, description, model_.look().*member, [this, member](bool on) {
+      model_.change([&](StressLook& look) { look.*member = on; });
+    });
   };
   toggle("stress.surface",
          {tr("Map on the organ's &surface"), nullptr, {}, tr("Instead of on the outer tetrahedra")},
@@ -79,18 +72,18 @@ void StressMode::makeActions() {
       model_.look().threshold, [this](bool on) {
         if (model_.look().threshold == on) // The mark follows the look: of a session, say.
           return;
-        changeLook([&](StressLook& look) {
+        model_.change([&](StressLook& look) {
           look.threshold = on;
           const bool smallest = look.quantity == live::StressQuantity::stretchMin;
           look.below = smallest;
-          look.limit = model_.ready() ? model_.summary().mean : 0;
+          look.limit = model_.shown().ready() ? model_.shown().summary().mean : 0;
         });
       });
   actions_.add(
       "stress.glyphs",
       {tr("&Glyphs of the stretch"), nullptr, {tr("Shift+G")}, tr("No glyphs, ellipsoids or crosses")},
       [this] {
-        changeLook([](StressLook& look) {
+        model_.change([](StressLook& look) {
           look.glyphs = static_cast<GlyphChoice>((static_cast<int>(look.glyphs) + 1) % 3);
         });
       });
@@ -116,7 +109,8 @@ void StressMode::syncActions() {
   check("stress.peak", model_.peakShown());
   for (const char* id : kActionIds)
     actions_[id]->setEnabled(model_.active());
-  actions_["stress.peak"]->setEnabled(model_.active() && model_.ready() && playback_.sequence());
+  actions_["stress.peak"]->setEnabled(model_.active() && model_.shown().ready() &&
+                                      parts_.playback.sequence());
 }
 
 std::vector<const char*> StressMode::actions() const {
@@ -124,7 +118,7 @@ std::vector<const char*> StressMode::actions() const {
 }
 
 QWidget* StressMode::makePage(const Actions& actions) {
-  return new StressPage(workspace_, playback_, model_, cut_, actions);
+  return new StressPage(workspace_, parts_.playback, model_, cut_, actions);
 }
 
 QWidget* StressMode::makeChart() {
@@ -133,7 +127,7 @@ QWidget* StressMode::makeChart() {
 }
 
 presentation::Shown StressMode::shown() const {
-  const bool movable = !playback_.showing();
+  const bool movable = !parts_.playback.showing();
   return {.handles = movable, .movable = movable, .stress = true};
 }
 

@@ -4,7 +4,6 @@
 #include "window/modes/mode.h"
 #include "window/stress/cut_controller.h"
 #include "window/stress/stress_model.h"
-#include "window/view/view_area.h"
 
 namespace viscera::app {
 
@@ -16,19 +15,7 @@ class StressMode final : public Mode {
   Q_OBJECT
 
 public:
-  /// What the mode works with; all have to live longer.
-  struct Parts {
-    Workspace& workspace;
-    Playback& playback;
-    Settings& settings;
-    ViewArea& area;
-    ViewModel& view;
-    Picture& picture;
-    const HandleController& handles;
-  };
-
-  StressMode(const Parts& parts, Actions& actions);
-  ~StressMode() override;
+  StressMode(const ModeParts& parts, Actions& actions);
 
   std::vector<const char*> actions() const override;
   QWidget* makePage(const Actions& actions) override;
@@ -50,11 +37,8 @@ public:
 private:
   void makeActions();
   void syncActions();
-  void changeLook(const std::function<void(StressLook&)>& change);
 
-  Playback& playback_;
   Actions& actions_;
-  ViewArea& area_;
   StressModel model_;
   CutController cut_;
   ProbeCard* card_;

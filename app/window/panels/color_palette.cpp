@@ -10,6 +10,8 @@
 
 #include <utility>
 
+#include "window/widgets/ready_made.h"
+
 namespace viscera::app {
 namespace {
 
@@ -101,9 +103,7 @@ void chooseColor(QWidget* parent, const QPoint& globalPlace, const QColor& prese
   auto* menu = new QMenu(parent);
   menu->setAttribute(Qt::WA_DeleteOnClose);
   auto* box = new QWidget(menu);
-  auto* grid = new QGridLayout(box);
-  grid->setContentsMargins(8, 4, 8, 4);
-  grid->setSpacing(4);
+  auto* grid = makeLayout<QGridLayout>(box, 4, {8, 4, 8, 4});
   int index = 0;
   for (const TissueColor& tissue : kTissues) {
     auto* button = new QToolButton(box);

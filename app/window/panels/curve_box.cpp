@@ -4,12 +4,12 @@
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QGridLayout>
-#include <QLabel>
 #include <QPushButton>
 #include <QSignalBlocker>
 
 #include "viscera/motion/volume_curve.h"
 #include "window/style/icon.h"
+#include "window/widgets/ready_made.h"
 
 namespace viscera::app {
 namespace {
@@ -19,11 +19,9 @@ constexpr const char* kFolderKey = "files/sequences";
 CurveBox::CurveBox(Workspace& workspace, Playback& playback, Settings& settings, QWidget* parent)
     : QWidget(parent), workspace_(workspace), playback_(playback), settings_(settings),
       organ_(new QComboBox(this)), choose_(new QPushButton(icon("chart"), tr("Curve..."), this)),
-      remove_(new QPushButton(icon("remove"), tr("Remove"), this)), shown_(new QLabel(this)) {
+      remove_(new QPushButton(icon("remove"), tr("Remove"), this)), shown_(makeRemark({}, this)) {
   setObjectName(QStringLiteral("curveBox"));
-  auto* grid = new QGridLayout(this);
-  grid->setContentsMargins(0, 0, 0, 0);
-  grid->setSpacing(4);
+  auto* grid = makeLayout<QGridLayout>(this, 4);
   organ_->setObjectName(QStringLiteral("curveOrgan"));
   organ_->setAccessibleName(tr("Organ whose volume is prescribed"));
   choose_->setObjectName(QStringLiteral("chooseCurve"));
@@ -32,8 +30,6 @@ CurveBox::CurveBox(Workspace& workspace, Playback& playback, Settings& settings,
          "ml. After each pose of the sequence the handles move by the least that gives it"));
   remove_->setObjectName(QStringLiteral("removeCurve"));
   remove_->setToolTip(tr("The sequence alone decides about the volume again"));
-  shown_->setObjectName(QStringLiteral("muted"));
-  shown_->setWordWrap(true);
   grid->addWidget(organ_, 0, 0, 1, 2);
   grid->addWidget(choose_, 1, 0);
   grid->addWidget(remove_, 1, 1);

@@ -4,9 +4,9 @@
 #include <QLabel>
 #include <QSignalBlocker>
 
-#include "window/panels/displacement_box.h"
 #include "window/panels/position_box.h"
 #include "window/panels/volume_box.h"
+#include "window/timeline/volume_monitor.h"
 
 namespace viscera::app {
 namespace {
@@ -25,8 +25,8 @@ QString namesOf(const document::Rig& rig, const std::vector<document::HandleId>&
 
 } // namespace
 
-DeformPage::DeformPage(const Window& window, const Actions& actions, QWidget* parent)
-    : Page(parent), workspace_(window.workspace), poses_(window.poses), view_(window.view) {
+DeformPage::DeformPage(const ModeParts& parts, const Actions& actions, QWidget* parent)
+    : Page(parent), workspace_(parts.workspace), poses_(parts.poses), view_(parts.view) {
   addSection(tr("Volume"));
   now_ = addFact(tr("Now"));
   rest_ = addFact(tr("At rest"));
@@ -56,7 +56,7 @@ DeformPage::DeformPage(const Window& window, const Actions& actions, QWidget* pa
   addCheck(actions["handles.influence"]);
   addButton(actions["play.compareSystems"]);
   finish();
-  connect(&window.volumes, &VolumeMonitor::updated, this, &DeformPage::sync);
+  connect(&parts.volumes, &VolumeMonitor::updated, this, &DeformPage::sync);
   connect(&view_, &ViewModel::changed, this, &DeformPage::syncHandles);
   subscriptions_.push_back(workspace_.onChange([this](const document::Change& change) {
     if (!change.interactive)

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "window/actions.h"
+#include "window/modes/mode.h"
 #include "window/pose_editor.h"
-#include "window/timeline/volume_monitor.h"
 #include "window/widgets/page.h"
 #include "window/workspace.h"
 
@@ -18,15 +18,7 @@ class DeformPage final : public Page {
   Q_OBJECT
 
 public:
-  /// What the page speaks of; all have to live longer.
-  struct Window {
-    Workspace& workspace;
-    PoseEditor& poses;
-    VolumeMonitor& volumes;
-    ViewModel& view;
-  };
-
-  DeformPage(const Window& window, const Actions& actions, QWidget* parent = nullptr);
+  DeformPage(const ModeParts& parts, const Actions& actions, QWidget* parent = nullptr);
 
 private:
   void addMirror();

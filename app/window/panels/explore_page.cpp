@@ -3,9 +3,10 @@
 #include <QAction>
 #include <QFileInfo>
 #include <QGridLayout>
-#include <QLabel>
 #include <QLocale>
 #include <QPushButton>
+
+#include "window/widgets/ready_made.h"
 
 namespace viscera::app {
 
@@ -38,9 +39,7 @@ ExplorePage::ExplorePage(Workspace& workspace, const Actions& actions, QWidget* 
 
 QWidget* ExplorePage::makeViews(const Actions& actions) {
   auto* box = new QWidget(this);
-  auto* grid = new QGridLayout(box);
-  grid->setContentsMargins(0, 0, 0, 0);
-  grid->setSpacing(4);
+  auto* grid = makeLayout<QGridLayout>(box, 4);
   int index = 0;
   for (const char* id :
        {"view.anterior", "view.posterior", "view.left", "view.right", "view.superior", "view.inferior"}) {

@@ -16,6 +16,7 @@
 #include "viscera/document/system_commands.h"
 #include "window/panels/color_palette.h"
 #include "window/style/icon.h"
+#include "window/widgets/ready_made.h"
 
 namespace viscera::app {
 namespace {
@@ -45,9 +46,7 @@ std::shared_ptr<const coordinates::CoordinateSystem> groupedSystem(const plugin:
 GroupPanel::GroupPanel(Workspace& workspace, QWidget* parent)
     : QWidget(parent), workspace_(workspace), list_(new QTreeWidget(this)), empty_(new QLabel(this)),
       unused_(new QLabel(this)), use_(new QPushButton(this)) {
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(8);
+  auto* column = makeLayout<QVBoxLayout>(this, 8);
   for (QLabel* label : {empty_, unused_}) {
     label->setObjectName(QStringLiteral("muted"));
     label->setWordWrap(true);
@@ -90,9 +89,7 @@ GroupPanel::GroupPanel(Workspace& workspace, QWidget* parent)
 
 QWidget* GroupPanel::makeButtons() {
   auto* box = new QWidget(this);
-  auto* grid = new QGridLayout(box);
-  grid->setContentsMargins(0, 0, 0, 0);
-  grid->setSpacing(4);
+  auto* grid = makeLayout<QGridLayout>(box, 4);
   int next = 0;
   const auto button = [&](const char* name, const QString& label, const QString& tip, auto clicked) {
     auto* made = new QPushButton(label, box);
@@ -134,9 +131,7 @@ QWidget* GroupPanel::makeButtons() {
 
 QWidget* GroupPanel::makeAutomatic() {
   auto* box = new QWidget(this);
-  auto* grid = new QGridLayout(box);
-  grid->setContentsMargins(0, 4, 0, 0);
-  grid->setSpacing(4);
+  auto* grid = makeLayout<QGridLayout>(box, 4, {0, 4, 0, 0});
   by_ = new QComboBox(box);
   by_->setObjectName(QStringLiteral("groupBy"));
   by_->setAccessibleName(tr("How groups are made"));

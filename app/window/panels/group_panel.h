@@ -2,7 +2,7 @@
 
 #include <QWidget>
 
-#include "viscera/document/automatic_groups.h"
+#include "viscera/document/group_commands.h"
 #include "window/workspace.h"
 
 class QComboBox;

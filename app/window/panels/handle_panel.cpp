@@ -3,8 +3,6 @@
 #include <QAction>
 #include <QCheckBox>
 #include <QHBoxLayout>
-#include <QHeaderView>
-#include <QLabel>
 #include <QScopedValueRollback>
 #include <QTimer>
 #include <QToolButton>
@@ -16,6 +14,7 @@
 #include "viscera/document/rig_commands.h"
 #include "window/panels/color_palette.h"
 #include "window/style/icon.h"
+#include "window/widgets/ready_made.h"
 #include "window/widgets/value_slider.h"
 
 namespace viscera::app {
@@ -32,21 +31,15 @@ document::HandleId handleOf(const QTreeWidgetItem* item) {
 
 HandlePanel::HandlePanel(Workspace& workspace, HandlePlacer& placer, QWidget* parent)
     : QWidget(parent), workspace_(workspace), placer_(placer), tools_(new QWidget(this)),
-      list_(new QTreeWidget(this)), empty_(new QLabel(this)) {
+      list_(new QTreeWidget(this)), empty_(makeRemark({}, this)) {
   setObjectName(QStringLiteral("panel"));
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(0, 8, 0, 0);
-  column->setSpacing(4);
+  auto* column = makeLayout<QVBoxLayout>(this, 4, {0, 8, 0, 0});
   column->addWidget(makePlacement());
-  auto* row = new QHBoxLayout(tools_);
-  row->setContentsMargins(8, 0, 8, 0);
-  row->setSpacing(4);
+  auto* row = makeLayout<QHBoxLayout>(tools_, 4, {8, 0, 8, 0});
   row->addStretch(1);
   column->addWidget(tools_);
   empty_->setText(
       tr("No handles yet.\nMove the slider above to place some, or click the organ in Handles mode (2)."));
-  empty_->setObjectName(QStringLiteral("muted"));
-  empty_->setWordWrap(true);
   empty_->setContentsMargins(12, 8, 12, 8);
   empty_->setAlignment(Qt::AlignTop);
   column->addWidget(empty_, 1);
@@ -75,9 +68,7 @@ HandlePanel::HandlePanel(Workspace& workspace, HandlePlacer& placer, QWidget* pa
 
 QWidget* HandlePanel::makePlacement() {
   auto* box = new QWidget(this);
-  auto* column = new QVBoxLayout(box);
-  column->setContentsMargins(12, 0, 12, 0);
-  column->setSpacing(4);
+  auto* column = makeLayout<QVBoxLayout>(box, 4, {12, 0, 12, 0});
   count_ = new ValueSlider(tr("Place automatically"),
                            {double(placer_.fewest()), double(placer_.most()), 1, 0, QString()}, box);
   count_->setObjectName(QStringLiteral("handleCount"));

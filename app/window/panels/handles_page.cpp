@@ -29,10 +29,10 @@ QString nameOf(live::BindingStatus::State state) {
 
 } // namespace
 
-HandlesPage::HandlesPage(Workspace& workspace, GroupLayout& layout, const Actions& actions, QWidget* parent)
+HandlesPage::HandlesPage(Workspace& workspace, const Actions& actions, QWidget* parent)
     : Page(parent), workspace_(workspace) {
   addSection(tr("Coordinates"));
-  add(new SystemBox(workspace, layout, this));
+  add(new SystemBox(workspace, this));
   cage_ = addRemark(QString());
   for (const char* id : {"cage.load", "cage.hull"})
     cageButtons_.push_back(addButton(actions[id]));

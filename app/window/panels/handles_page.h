@@ -1,7 +1,6 @@
 #pragma once
 
 #include "window/actions.h"
-#include "window/group_layout.h"
 #include "window/widgets/page.h"
 #include "window/workspace.h"
 
@@ -13,7 +12,7 @@ class HandlesPage final : public Page {
   Q_OBJECT
 
 public:
-  HandlesPage(Workspace& workspace, GroupLayout& layout, const Actions& actions, QWidget* parent = nullptr);
+  HandlesPage(Workspace& workspace, const Actions& actions, QWidget* parent = nullptr);
 
 private:
   void sync();

@@ -2,7 +2,7 @@
 
 #include <QContextMenuEvent>
 #include <QHeaderView>
-#include <QLabel>
+#include <QLineEdit>
 #include <QMenu>
 #include <QScopedValueRollback>
 #include <QTreeWidget>
@@ -12,8 +12,10 @@
 #include <cmath>
 
 #include "viscera/document/organ_commands.h"
+#include "viscera/document/organ_system.h"
 #include "window/panels/color_palette.h"
 #include "window/style/icon.h"
+#include "window/widgets/ready_made.h"
 #include "window/widgets/value_slider.h"
 
 namespace viscera::app {
@@ -26,6 +28,8 @@ constexpr double kNoticed = 5e-4;
 constexpr double kSmall = 0.85;
 constexpr int kRowMargin = 2;
 constexpr int kIconSize = 16;
+/// More organs than that stand under the systems of the body, and can be searched.
+constexpr std::size_t kFew = 12;
 
 QTreeWidget* makeList(QWidget* parent) {
   auto* list = new QTreeWidget(parent);
@@ -35,7 +39,8 @@ QTreeWidget* makeList(QWidget* parent) {
   list->setTreePosition(kName);
   list->setIndentation(14);
   list->setRootIsDecorated(false);
-  list->setItemsExpandable(false);
+  list->setExpandsOnDoubleClick(false);
+  list->setSelectionMode(QAbstractItemView::ExtendedSelection);
   list->setUniformRowHeights(true);
   list->setEditTriggers(QAbstractItemView::EditKeyPressed);
   list->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
@@ -55,36 +60,41 @@ QTreeWidget* makeList(QWidget* parent) {
 } // namespace
 
 OrganPanel::OrganPanel(Workspace& workspace, PoseEditor& poses, VolumeMonitor& volumes, QWidget* parent)
-    : QWidget(parent), workspace_(workspace), poses_(poses), volumes_(volumes), list_(makeList(this)),
-      empty_(new QLabel(this)), opacity_(new ValueSlider(tr("Opacity"), {0, 100, 1, 0, tr(" %")}, this)) {
+    : QWidget(parent), workspace_(workspace), poses_(poses), list_(makeList(this)),
+      empty_(makeRemark({}, this)), opacity_(new ValueSlider(tr("Opacity"), {0, 100, 1, 0, tr(" %")}, this)),
+      search_(new QLineEdit(this)) {
   setObjectName(QStringLiteral("panel"));
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(0, 4, 0, 8);
-  column->setSpacing(4);
+  auto* column = makeLayout<QVBoxLayout>(this, 4, {0, 4, 0, 8});
   empty_->setText(
       tr("No organ yet.\nOpen a file (Ctrl+O), drop one here, or take a sample organ from the menu."));
-  empty_->setObjectName(QStringLiteral("muted"));
-  empty_->setWordWrap(true);
   empty_->setContentsMargins(12, 8, 12, 8);
   column->addWidget(empty_);
+  search_->setObjectName(QStringLiteral("organSearch"));
+  search_->setPlaceholderText(tr("Find an organ (Ctrl+F)"));
+  search_->setClearButtonEnabled(true);
+  auto* searchInset = makeLayout<QVBoxLayout>(nullptr, -1, {8, 0, 8, 0});
+  searchInset->addWidget(search_);
+  column->addLayout(searchInset);
   column->addWidget(list_, 1);
-  auto* inset = new QVBoxLayout;
-  inset->setContentsMargins(12, 0, 12, 0);
+  auto* inset = makeLayout<QVBoxLayout>(nullptr, -1, {12, 0, 12, 0});
   inset->addWidget(opacity_);
   column->addLayout(inset);
   connect(list_, &QTreeWidget::itemClicked, this, &OrganPanel::onClicked);
   connect(list_, &QTreeWidget::itemChanged, this, &OrganPanel::onChanged);
   connect(list_, &QTreeWidget::itemDoubleClicked, this, [this](QTreeWidgetItem* item, int clicked) {
-    if (clicked == kName)
+    if (!organOf(item))
+      item->setExpanded(!item->isExpanded());
+    else if (clicked == kName)
       list_->editItem(item, kName);
   });
   connect(list_, &QTreeWidget::currentItemChanged, this, [this](QTreeWidgetItem* item) {
-    if (!updating_ && item)
+    if (!updating_ && item && organOf(item))
       workspace_.selection().setOrgan(organOf(item));
   });
+  connect(search_, &QLineEdit::textChanged, this, &OrganPanel::filter);
   connect(opacity_, &ValueSlider::valueChanged, this, [this](double percent) {
-    if (const auto organ = workspace_.currentOrgan())
-      changeLook(organ->id, [percent](document::OrganLook& look) { look.opacity = percent / 100; });
+    changeLooks(tr("Change opacity"), chosen(),
+                [percent](document::OrganLook& look) { look.opacity = percent / 100; });
   });
   connect(opacity_, &ValueSlider::valueChosen, this, [this] { workspace_.undo().seal(); });
   connect(&volumes, &VolumeMonitor::updated, this, &OrganPanel::updateVolumes);
@@ -97,13 +107,43 @@ OrganPanel::OrganPanel(Workspace& workspace, PoseEditor& poses, VolumeMonitor& v
 }
 
 void OrganPanel::addTo(Actions& actions) {
+  actions.add("organ.showOnly",
+              {tr("Show &only this"),
+               "eye",
+               {QKeySequence(QStringLiteral("Ctrl+I"))},
+               tr("Show the chosen organs with their cavities and hide all others")},
+              [this] { showOnlyChosen(); });
+  actions.add(
+      "organ.hide",
+      {tr("&Hide this"), "eye_off", {QKeySequence(QStringLiteral("Ctrl+H"))}, tr("Hide the chosen organs")},
+      [this] {
+        const auto organs = chosen();
+        show(tr("Hide"), [&organs](const document::Organ& organ) {
+          return organ.look.visible && std::find(organs.begin(), organs.end(), organ.id) == organs.end();
+        });
+      });
+  actions.add(
+      "organ.showAll",
+      {tr("Show &all"), "eye", {QKeySequence(QStringLiteral("Ctrl+Shift+H"))}, tr("Show every organ")},
+      [this] { show(tr("Show all"), [](const document::Organ&) { return true; }); });
+  actions.add("organ.find",
+              {tr("&Find an organ"), nullptr, {QKeySequence::Find}, tr("Write a part of its name")}, [this] {
+                search_->show();
+                search_->setFocus(Qt::ShortcutFocusReason);
+                search_->selectAll();
+              });
   actions.add("organ.rename", {tr("Re&name organ"), "rename", {}, {}}, [this] { editName(); });
   actions.add("organ.remove", {tr("&Remove organ"), "remove", {}, {}}, [this] {
-    if (const auto organ = workspace_.currentOrgan())
-      workspace_.perform(document::removeOrgans({organ->id}));
+    if (const auto organs = chosen(); !organs.empty())
+      workspace_.perform(document::removeOrgans(organs));
   });
-  actions.enableWhile({"organ.rename", "organ.remove"},
-                      [this] { return !workspace_.document().organs().empty(); });
+  actions.enableWhile(
+      {"organ.showOnly", "organ.hide", "organ.showAll", "organ.find", "organ.rename", "organ.remove"},
+      [this] { return !workspace_.document().organs().empty(); });
+  remove_ = actions["organ.remove"];
+  menu_ = new QMenu(this);
+  for (const char* id : {"organ.showOnly", "organ.hide", "organ.showAll", "view.focus", "organ.rename"})
+    menu_->addAction(actions[id]);
 }
 
 void OrganPanel::editName() {
@@ -116,38 +156,132 @@ document::OrganId OrganPanel::organOf(const QTreeWidgetItem* item) const {
   return {item->data(kName, Qt::UserRole).toLongLong()};
 }
 
+std::vector<document::OrganId> OrganPanel::chosen() const {
+  std::vector<document::OrganId> organs;
+  for (const auto& organ : workspace_.document().organs()) {
+    const QTreeWidgetItem* item = items_.at(organ->id);
+    const bool bySystem =
+        !systems_.empty() && item->parent() && item->parent()->isSelected() && !organOf(item->parent());
+    if (item->isSelected() || bySystem)
+      organs.push_back(organ->id);
+  }
+  if (const auto current = workspace_.currentOrgan(); organs.empty() && current)
+    organs.push_back(current->id);
+  return organs;
+}
+
+bool OrganPanel::sameRows() const {
+  const document::OrganList& organs = workspace_.document().organs();
+  const auto top = std::count_if(organs.begin(), organs.end(), [](const auto& o) { return !o->parent; });
+  const bool grouped = static_cast<std::size_t>(top) > kFew;
+  const auto inPlace = [&](const auto& organ) {
+    const auto item = items_.find(organ->id);
+    if (item == items_.end())
+      return false;
+    if (!grouped || organ->parent)
+      return true;
+    const auto system = systems_.find(document::organSystem(organ->name));
+    return system != systems_.end() && item->second->parent() == system->second;
+  };
+  return grouped != systems_.empty() && organs.size() == items_.size() &&
+         std::all_of(organs.begin(), organs.end(), inPlace);
+}
+
+QTreeWidgetItem* OrganPanel::rowUnder(QTreeWidgetItem* parent) {
+  auto* item = parent ? new QTreeWidgetItem(parent) : new QTreeWidgetItem(list_);
+  item->setTextAlignment(kVolume, Qt::AlignRight | Qt::AlignVCenter);
+  item->setTextAlignment(kChange, Qt::AlignRight | Qt::AlignVCenter);
+  QFont small = list_->font();
+  small.setPointSizeF(kSmall * small.pointSizeF());
+  item->setFont(kChange, small);
+  // All rows are as high as the first: two small lines have to fit also where there is none yet.
+  item->setSizeHint(kEye, QSize(0, 2 * QFontMetrics(small).lineSpacing() + kRowMargin));
+  return item;
+}
+
+QTreeWidgetItem* OrganPanel::systemRow(const std::string& system) {
+  QTreeWidgetItem*& row = systems_[system];
+  if (!row) {
+    row = rowUnder(nullptr);
+    QFont bold = list_->font();
+    bold.setBold(true);
+    row->setFont(kName, bold);
+  }
+  return row;
+}
+
+void OrganPanel::makeRows() {
+  const document::OrganList& organs = workspace_.document().organs();
+  const auto top = std::count_if(organs.begin(), organs.end(), [](const auto& o) { return !o->parent; });
+  const bool grouped = static_cast<std::size_t>(top) > kFew;
+  items_.clear();
+  systems_.clear();
+  list_->clear();
+  list_->setRootIsDecorated(grouped);
+  if (grouped) // In the order of the body's systems, not in that of a file.
+    for (const std::string& system : document::organSystems())
+      if (std::any_of(organs.begin(), organs.end(), [&system](const auto& organ) {
+            return !organ->parent && document::organSystem(organ->name) == system;
+          }))
+        systemRow(system);
+  for (const auto& organ : organs) {
+    const auto parent = items_.find(organ->parent);
+    auto* item = rowUnder(parent != items_.end() ? parent->second
+                          : grouped              ? systemRow(document::organSystem(organ->name))
+                                                 : nullptr);
+    item->setFlags(item->flags() | Qt::ItemIsEditable);
+    item->setData(kName, Qt::UserRole, static_cast<qlonglong>(organ->id.value));
+    items_[organ->id] = item;
+  }
+  list_->expandAll();
+  filter();
+}
+
 void OrganPanel::rebuild() {
   const QScopedValueRollback<bool> quiet(updating_, true);
   const document::OrganList& organs = workspace_.document().organs();
-  const bool sameRows =
-      organs.size() == items_.size() &&
-      std::all_of(organs.begin(), organs.end(), [&](const auto& o) { return items_.count(o->id); });
-  if (!sameRows) {
-    items_.clear();
-    list_->clear();
-    for (const auto& organ : organs) {
-      const auto parent = items_.find(organ->parent);
-      auto* item = parent != items_.end() ? new QTreeWidgetItem(parent->second) : new QTreeWidgetItem(list_);
-      item->setFlags(item->flags() | Qt::ItemIsEditable);
-      item->setData(kName, Qt::UserRole, static_cast<qlonglong>(organ->id.value));
-      item->setTextAlignment(kVolume, Qt::AlignRight | Qt::AlignVCenter);
-      item->setTextAlignment(kChange, Qt::AlignRight | Qt::AlignVCenter);
-      QFont small = list_->font();
-      small.setPointSizeF(kSmall * small.pointSizeF());
-      item->setFont(kChange, small);
-      // All rows are as high as the first: two small lines have to fit also where there is none yet.
-      item->setSizeHint(kEye, QSize(0, 2 * QFontMetrics(small).lineSpacing() + kRowMargin));
-      items_[organ->id] = item;
-    }
-    list_->expandAll();
-  }
+  if (!sameRows())
+    makeRows();
   for (const auto& organ : organs)
     updateRow(*organ, items_[organ->id]);
+  updateSystems();
   empty_->setVisible(organs.empty());
   list_->setVisible(!organs.empty());
   opacity_->setVisible(!organs.empty());
+  search_->setVisible(!systems_.empty());
   updateVolumes();
   syncSelection();
+}
+
+/// A system's row has the number of its organs, and an eye for all of them.
+void OrganPanel::updateSystems() {
+  const QScopedValueRollback<bool> quiet(updating_, true);
+  for (const auto& [system, row] : systems_) {
+    int seen = 0;
+    for (int child = 0; child < row->childCount(); ++child)
+      if (const auto organ = workspace_.document().organ(organOf(row->child(child))))
+        seen += organ->look.visible;
+    row->setText(kName, QStringLiteral("%1 (%2)").arg(tr(system.c_str())).arg(row->childCount()));
+    row->setIcon(kEye, icon(seen > 0 ? "eye" : "eye_off"));
+    row->setToolTip(kEye, seen > 0 ? tr("Hide all of them (click)") : tr("Show all of them (click)"));
+  }
+}
+
+/// Rows whose organ has what is searched for in its name; a system without such a row is hidden.
+void OrganPanel::filter() {
+  const QString part = search_->text().trimmed();
+  for (const auto& organ : workspace_.document().organs())
+    if (const auto item = items_.find(organ->id); item != items_.end())
+      item->second->setHidden(!part.isEmpty() && !text(organ->name).contains(part, Qt::CaseInsensitive));
+  for (const auto& [id, item] : items_) // A cavity that fits shows the organ around it.
+    if (!item->isHidden() && item->parent())
+      item->parent()->setHidden(false);
+  for (const auto& [system, row] : systems_) {
+    bool any = false;
+    for (int child = 0; child < row->childCount(); ++child)
+      any = any || !row->child(child)->isHidden();
+    row->setHidden(!any);
+  }
 }
 
 void OrganPanel::updateRow(const document::Organ& organ, QTreeWidgetItem* item) {
@@ -208,18 +342,25 @@ void OrganPanel::updateVolumes() {
 void OrganPanel::syncSelection() {
   const QScopedValueRollback<bool> quiet(updating_, true);
   const auto selected = items_.find(workspace_.selection().organ());
-  list_->setCurrentItem(selected != items_.end() ? selected->second : nullptr);
+  // Several rows may be chosen beside the current one: they stay when it is the one that it was.
+  QTreeWidgetItem* wanted = selected != items_.end() ? selected->second : nullptr;
+  if (list_->currentItem() != wanted)
+    list_->setCurrentItem(wanted, kName, QItemSelectionModel::ClearAndSelect | QItemSelectionModel::Rows);
   if (const auto organ = workspace_.currentOrgan())
     opacity_->setValue(100 * organ->look.opacity);
 }
 
 void OrganPanel::onClicked(QTreeWidgetItem* item, int column) {
   const document::OrganId organ = organOf(item);
+  if (column == kEye && !organ)
+    return toggleSystem(item);
   if (column == kEye) {
     changeLook(organ, [](document::OrganLook& look) { look.visible = !look.visible; });
     workspace_.undo().seal();
     return;
   }
+  if (!organ)
+    return;
   if (column == kLock) {
     if (const auto present = workspace_.document().organ(organ))
       poses_.setLocked(organ, !present->volumeLocked);
@@ -243,14 +384,63 @@ void OrganPanel::onChanged(QTreeWidgetItem* item, int column) {
       updateRow(*organ, item);
 }
 
-void OrganPanel::changeLook(document::OrganId organ,
-                            const std::function<void(document::OrganLook&)>& change) {
+void OrganPanel::changeLook(document::OrganId organ, const LookChange& change) {
   const auto present = workspace_.document().organ(organ);
   if (!present)
     return;
   document::OrganLook look = present->look;
   change(look);
   workspace_.perform(document::setOrganLook(organ, look));
+}
+
+void OrganPanel::changeLooks(const QString& name, const std::vector<document::OrganId>& organs,
+                             const LookChange& change) {
+  std::vector<document::Command> commands;
+  std::string key = name.toStdString();
+  for (const document::OrganId id : organs)
+    if (const auto organ = workspace_.document().organ(id)) {
+      document::OrganLook look = organ->look;
+      change(look);
+      commands.push_back(document::setOrganLook(id, look));
+      key += "/" + std::to_string(id.value);
+    }
+  if (commands.empty())
+    return;
+  document::Command all = document::combined(name.toStdString(), std::move(commands));
+  all.mergeKey = key;
+  workspace_.perform(all);
+}
+
+void OrganPanel::show(const QString& name, const std::function<bool(const document::Organ&)>& visible) {
+  std::vector<document::OrganId> others;
+  for (const auto& organ : workspace_.document().organs())
+    if (visible(*organ) != organ->look.visible)
+      others.push_back(organ->id);
+  changeLooks(name, others, [](document::OrganLook& look) { look.visible = !look.visible; });
+  workspace_.undo().seal();
+}
+
+void OrganPanel::showOnlyChosen() {
+  std::vector<document::OrganId> organs = chosen();
+  const auto isChosen = [&organs](document::OrganId id) {
+    return id && std::find(organs.begin(), organs.end(), id) != organs.end();
+  };
+  show(tr("Show only this"), [&isChosen](const document::Organ& organ) {
+    return isChosen(organ.id) || isChosen(organ.parent); // What is inside of it belongs to it.
+  });
+}
+
+void OrganPanel::toggleSystem(const QTreeWidgetItem* row) {
+  std::vector<document::OrganId> organs;
+  bool anySeen = false;
+  for (int child = 0; child < row->childCount(); ++child) {
+    organs.push_back(organOf(row->child(child)));
+    const auto organ = workspace_.document().organ(organs.back());
+    anySeen = anySeen || (organ && organ->look.visible);
+  }
+  changeLooks(anySeen ? tr("Hide") : tr("Show"), organs,
+              [anySeen](document::OrganLook& look) { look.visible = !anySeen; });
+  workspace_.undo().seal();
 }
 
 void OrganPanel::chooseColorOf(document::OrganId organ, const QPoint& globalPlace) {
@@ -284,12 +474,13 @@ void OrganPanel::contextMenuEvent(QContextMenuEvent* event) {
   if (!item)
     return;
   const document::OrganId organ = organOf(item);
+  if (!organ)
+    return menu_->popup(event->globalPos());
   auto* menu = new QMenu(this);
   menu->setAttribute(Qt::WA_DeleteOnClose);
-  connect(menu->addAction(icon("focus"), tr("Focus")), &QAction::triggered, this,
-          [this, organ] { Q_EMIT focusRequested(organ); });
-  connect(menu->addAction(icon("rename"), tr("Rename")), &QAction::triggered, this,
-          [this, item] { list_->editItem(item, kName); });
+  for (QAction* action : menu_->actions())
+    menu->addAction(action);
+  menu->addSeparator();
   connect(menu->addAction(icon("influence"), tr("Colour...")), &QAction::triggered, this,
           [this, organ, place = event->globalPos()] { chooseColorOf(organ, place); });
   const auto present = workspace_.document().organ(organ);
@@ -304,8 +495,7 @@ void OrganPanel::contextMenuEvent(QContextMenuEvent* event) {
             &QAction::triggered, this,
             [this, organ, lock = !present->volumeLocked] { poses_.setLocked(organ, lock); });
   menu->addSeparator();
-  connect(menu->addAction(icon("remove"), tr("Remove organ")), &QAction::triggered, this,
-          [this, organ] { workspace_.perform(document::removeOrgans({organ})); });
+  menu->addAction(remove_);
   menu->popup(event->globalPos());
 }
 

@@ -6,12 +6,12 @@
 
 #include <cmath>
 
-#include "viscera/motion/normal_ranges.h"
+#include "viscera/motion/clinical_numbers.h"
 #include "window/panels/curve_box.h"
 #include "window/panels/sequence_list.h"
 #include "window/recorded/fit_box.h"
 #include "window/recorded/key_box.h"
-#include "window/widgets/fold.h"
+#include "window/view/view_area.h"
 
 namespace viscera::app {
 namespace {
@@ -25,8 +25,8 @@ QString nothing() {
 
 } // namespace
 
-PlayPage::PlayPage(const Window& window, const Actions& actions, QWidget* parent)
-    : Page(parent), playback_(window.playback), volumes_(window.volumes), parts_(window.parts) {
+PlayPage::PlayPage(const ModeParts& parts, PlayMode& mode, const Actions& actions, QWidget* parent)
+    : Page(parent), playback_(parts.playback), volumes_(parts.volumes), mode_(mode) {
   makeMotion(actions);
   addSection(tr("Look"));
   addCheck(actions["view.seeThrough"]);
@@ -34,8 +34,8 @@ PlayPage::PlayPage(const Window& window, const Actions& actions, QWidget* parent
   addButton(actions["play.compare"]);
   addButton(actions["play.compareFiles"]);
   makeTable();
-  makeRecording(window.settings);
-  makeOwnMotions(window);
+  makeRecording(parts.settings);
+  makeOwnMotions(parts);
   finish();
   connect(&playback_, &Playback::stateChanged, this, &PlayPage::syncState);
   connect(&volumes_, &VolumeMonitor::updated, this, &PlayPage::syncTable);
@@ -48,7 +48,7 @@ void PlayPage::makeMotion(const Actions& actions) {
   addSection(tr("Sequence"));
   auto* list = new SequenceList(playback_, this);
   add(list);
-  connect(list, &SequenceList::sequenceChosen, &parts_, &PlayMode::chooseSequence);
+  connect(list, &SequenceList::sequenceChosen, &mode_, &PlayMode::chooseSequence);
   rate_ = addFact(tr("Rate"));
   phase_ = addFact(tr("Phase"));
   addCheck(actions["play.loop"]);
@@ -82,19 +82,19 @@ void PlayPage::makeTable() {
 void PlayPage::makeRecording(Settings& settings) {
   record_ = new RecordBox(settings, this);
   add(new Fold(tr("Record a movie"), record_, true, this));
-  Recorder& recorder = parts_.recorder();
-  connect(record_, &RecordBox::recordRequested, &parts_, &PlayMode::record);
+  Recorder& recorder = mode_.recorder();
+  connect(record_, &RecordBox::recordRequested, &mode_, &PlayMode::record);
   connect(record_, &RecordBox::cancelRequested, &recorder, &Recorder::cancel);
   connect(&recorder, &Recorder::stateChanged, this,
           [this, &recorder] { record_->setRunning(recorder.running()); });
 }
 
-void PlayPage::makeOwnMotions(const Window& window) {
-  auto* curve = new CurveBox(window.workspace, playback_, window.settings, this);
+void PlayPage::makeOwnMotions(const ModeParts& parts) {
+  auto* curve = new CurveBox(parts.workspace, playback_, parts.settings, this);
   add(new Fold(tr("Prescribe a volume"), curve, false, this));
-  auto* keys = new KeyBox(window.workspace, playback_, parts_.recorded(), window.settings, this);
+  auto* keys = new KeyBox(parts.workspace, playback_, mode_.recorded(), parts.settings, this);
   add(new Fold(tr("Record a sequence"), keys, false, this));
-  auto* fit = new FitBox(window.workspace, playback_, window.view, this);
+  auto* fit = new FitBox(parts.workspace, playback_, *parts.area.view(), this);
   add(new Fold(tr("Fit a sequence to an organ"), fit, false, this));
 }
 

@@ -16,23 +16,13 @@ class PlayPage final : public Page {
   Q_OBJECT
 
 public:
-  /// What the page speaks of; all have to live longer.
-  struct Window {
-    Workspace& workspace;
-    Playback& playback;
-    VolumeMonitor& volumes;
-    ViewWidget& view;
-    PlayMode& parts;
-    Settings& settings;
-  };
-
-  PlayPage(const Window& window, const Actions& actions, QWidget* parent = nullptr);
+  PlayPage(const ModeParts& parts, PlayMode& mode, const Actions& actions, QWidget* parent = nullptr);
 
 private:
   void makeMotion(const Actions& actions);
   void makeTable();
   void makeRecording(Settings& settings);
-  void makeOwnMotions(const Window& window);
+  void makeOwnMotions(const ModeParts& parts);
   void syncState();
   void syncTable();
   void fillRow(std::size_t line);
@@ -40,7 +30,7 @@ private:
 
   Playback& playback_;
   VolumeMonitor& volumes_;
-  PlayMode& parts_;
+  PlayMode& mode_;
   QLabel* rate_ = nullptr;
   QLabel* phase_ = nullptr;
   QTableWidget* table_ = nullptr;

@@ -3,48 +3,57 @@
 #include <QDoubleSpinBox>
 #include <QGridLayout>
 #include <QLabel>
+#include <QPushButton>
 #include <QSignalBlocker>
 
-#include "viscera/document/pose_commands.h"
 #include "viscera/document/rig_commands.h"
+#include "window/widgets/ready_made.h"
 
 namespace viscera::app {
 namespace {
 constexpr double kFarthest = 10000;
+constexpr double kFarthestMove = 1000;
+/// mm; what is nearer to the wish is as typed.
+constexpr double kAsTyped = 0.005;
+
+/// A line of a name and a field in mm for each axis.
+std::array<QDoubleSpinBox*, 3> addFields(QGridLayout* grid, const std::array<QString, 3>& names,
+                                         double farthest) {
+  std::array<QDoubleSpinBox*, 3> fields{};
+  for (int axis = 0; axis < 3; ++axis) {
+    auto* label = new QLabel(names[axis], grid->parentWidget());
+    label->setObjectName(QStringLiteral("muted"));
+    auto* field = fields[axis] = new QDoubleSpinBox(grid->parentWidget());
+    field->setRange(-farthest, farthest);
+    field->setButtonSymbols(QAbstractSpinBox::NoButtons);
+    field->setDecimals(2);
+    field->setSuffix(PositionBox::tr(" mm"));
+    field->setAlignment(Qt::AlignRight);
+    field->setAccessibleName(names[axis]);
+    label->setBuddy(field);
+    grid->addWidget(label, axis, 0);
+    grid->addWidget(field, axis, 1);
+  }
+  grid->setColumnStretch(1, 1);
+  return fields;
+}
+
 } // namespace
 
 PositionBox::PositionBox(Workspace& workspace, Of what, QWidget* parent, PoseEditor* poses)
     : QWidget(parent), workspace_(workspace), what_(what), poses_(poses), title_(new QLabel(this)),
       fieldBox_(new QWidget(this)) {
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(6);
+  auto* column = makeLayout<QVBoxLayout>(this, 6);
   title_->setWordWrap(true);
   column->addWidget(title_);
   column->addWidget(fieldBox_);
-  auto* grid = new QGridLayout(fieldBox_);
-  grid->setContentsMargins(0, 0, 0, 0);
-  grid->setSpacing(4);
+  auto* grid = makeLayout<QGridLayout>(fieldBox_, 4);
   const std::array<QString, 3> names = {tr("Left"), tr("Posterior"), tr("Superior")};
-  for (int axis = 0; axis < 3; ++axis) {
-    auto* label = new QLabel(names[axis], fieldBox_);
-    label->setObjectName(QStringLiteral("muted"));
-    auto* field = new QDoubleSpinBox(fieldBox_);
-    field->setRange(-kFarthest, kFarthest);
-    field->setButtonSymbols(QAbstractSpinBox::NoButtons);
-    field->setDecimals(2);
-    field->setSingleStep(1);
-    field->setSuffix(tr(" mm"));
-    field->setAlignment(Qt::AlignRight);
+  fields_ = addFields(grid, names, kFarthest);
+  for (QDoubleSpinBox* field : fields_) {
     field->setKeyboardTracking(false);
-    field->setAccessibleName(names[axis]);
-    label->setBuddy(field);
-    grid->addWidget(label, axis, 0);
-    grid->addWidget(field, axis, 1);
-    fields_[axis] = field;
     connect(field, QOverload<double>::of(&QDoubleSpinBox::valueChanged), this, &PositionBox::commit);
   }
-  grid->setColumnStretch(1, 1);
   subscriptions_.push_back(workspace.onChange([this](const document::Change& change) {
     if (change.rig() || change.pose())
       sync();
@@ -103,6 +112,54 @@ void PositionBox::commit() {
   if (!workspace_.perform(what_ == Of::rest ? document::moveRestHandles({id}, positions)
                                             : document::moveHandles({id}, positions)))
     sync();
+}
+
+DisplacementBox::DisplacementBox(Workspace& workspace, PoseEditor& poses, QWidget* parent)
+    : QWidget(parent), workspace_(workspace), poses_(poses), apply_(new QPushButton(tr("Apply"), this)),
+      result_(makeRemark({}, this)) {
+  setObjectName(QStringLiteral("displacementBox"));
+  auto* grid = makeLayout<QGridLayout>(this, 4);
+  const std::array<QString, 3> names = {tr("Right to left"), tr("Front to back"), tr("Foot to head")};
+  const std::array<QString, 3> tips = {tr("Towards the patient's left; negative: right (R/L)"),
+                                       tr("Towards the patient's back; negative: front (A/P)"),
+                                       tr("Towards the patient's head; negative: feet (S/I)")};
+  fields_ = addFields(grid, names, kFarthestMove);
+  for (int axis = 0; axis < 3; ++axis) {
+    fields_[axis]->setToolTip(tips[axis]);
+    grid->itemAtPosition(axis, 0)->widget()->setToolTip(tips[axis]);
+    connect(fields_[axis], QOverload<double>::of(&QDoubleSpinBox::valueChanged), this,
+            &DisplacementBox::sync);
+  }
+  apply_->setObjectName(QStringLiteral("applyDisplacement"));
+  apply_->setToolTip(tr("Move the selected handles by this much, once; the locked volumes stay"));
+  grid->addWidget(apply_, 3, 1);
+  result_->hide();
+  grid->addWidget(result_, 4, 0, 1, 2);
+  connect(apply_, &QPushButton::clicked, this, &DisplacementBox::apply);
+  subscription_ = workspace.selection().onChange([this] {
+    result_->hide();
+    sync();
+  });
+  sync();
+}
+
+void DisplacementBox::sync() {
+  bool any = false;
+  for (const QDoubleSpinBox* field : fields_)
+    any = any || field->value() != 0;
+  apply_->setEnabled(any && !workspace_.selection().handles().empty());
+}
+
+void DisplacementBox::apply() {
+  const Vec3 by(fields_[0]->value(), fields_[1]->value(), fields_[2]->value());
+  const auto moved = poses_.moveBy(workspace_.selection().handles(), by);
+  if (!moved)
+    return;
+  const bool asTyped = (*moved - by).norm() < kAsTyped;
+  result_->setText(tr("Moved by %1 of %2 mm: the locked volume allows no more that way.")
+                       .arg(moved->norm(), 0, 'f', 2)
+                       .arg(by.norm(), 0, 'f', 2));
+  result_->setVisible(!asTyped);
 }
 
 } // namespace viscera::app

@@ -9,6 +9,7 @@
 
 class QDoubleSpinBox;
 class QLabel;
+class QPushButton;
 
 namespace viscera::app {
 
@@ -34,6 +35,25 @@ private:
   std::array<QDoubleSpinBox*, 3> fields_{};
   QWidget* fieldBox_;
   std::vector<Subscription> subscriptions_;
+};
+
+/// Moves the selected handles by a displacement that is typed, in mm along the patient's axes.
+class DisplacementBox final : public QWidget {
+  Q_OBJECT
+
+public:
+  DisplacementBox(Workspace& workspace, PoseEditor& poses, QWidget* parent = nullptr);
+
+private:
+  void sync();
+  void apply();
+
+  Workspace& workspace_;
+  PoseEditor& poses_;
+  std::array<QDoubleSpinBox*, 3> fields_{};
+  QPushButton* apply_;
+  QLabel* result_;
+  Subscription subscription_;
 };
 
 } // namespace viscera::app

@@ -11,7 +11,9 @@
 #include <limits>
 
 #include "viscera/document/system_commands.h"
+#include "viscera/presentation/space_parts.h"
 #include "window/widgets/flow_layout.h"
+#include "window/widgets/ready_made.h"
 #include "window/widgets/value_slider.h"
 
 namespace viscera::app {
@@ -40,9 +42,9 @@ ValueSlider::Range rangeOf(const coordinates::Parameter& parameter, double bound
 
 } // namespace
 
-SystemBox::SystemBox(Workspace& workspace, GroupLayout& layout, QWidget* parent)
-    : QWidget(parent), workspace_(workspace), layout_(layout), combo_(new QComboBox(this)),
-      summary_(new QLabel(this)), badges_(new QWidget(this)), column_(new QVBoxLayout(this)) {
+SystemBox::SystemBox(Workspace& workspace, QWidget* parent)
+    : QWidget(parent), workspace_(workspace), combo_(new QComboBox(this)), summary_(makeRemark({}, this)),
+      badges_(new QWidget(this)), column_(new QVBoxLayout(this)) {
   column_->setContentsMargins(0, 0, 0, 0);
   column_->setSpacing(8);
   combo_->setObjectName(QStringLiteral("systems"));
@@ -51,8 +53,6 @@ SystemBox::SystemBox(Workspace& workspace, GroupLayout& layout, QWidget* parent)
   combo_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   for (const plugin::Registry::Entry& entry : workspace.registry().list())
     combo_->addItem(text(entry.system->name()), text(entry.system->id()));
-  summary_->setObjectName(QStringLiteral("muted"));
-  summary_->setWordWrap(true);
   new FlowLayout(badges_, 4);
   QSizePolicy policy(QSizePolicy::Preferred, QSizePolicy::Minimum);
   policy.setHeightForWidth(true);
@@ -85,6 +85,8 @@ void SystemBox::sync() {
     rebuildBadges(system->traits());
     rebuildParameters();
   }
+  if (!readers_.empty()) // Computed anew, about a millisecond.
+    upperBounds_ = presentation::layoutOf(workspace_.state(), workspace_.registry()).upperBounds;
   for (const auto& read : readers_)
     read();
 }
@@ -120,9 +122,7 @@ void SystemBox::rebuildParameters() {
   readers_.clear();
   delete parameterBox_;
   parameterBox_ = new QWidget(this);
-  auto* column = new QVBoxLayout(parameterBox_);
-  column->setContentsMargins(0, 4, 0, 0);
-  column->setSpacing(8);
+  auto* column = makeLayout<QVBoxLayout>(parameterBox_, 8, {0, 4, 0, 0});
   for (const coordinates::Parameter& parameter : workspace_.registry().find(shownSystem_)->parameters())
     column->addWidget(editorFor(parameter));
   column_->addWidget(parameterBox_);
@@ -136,8 +136,7 @@ QWidget* SystemBox::editorFor(const coordinates::Parameter& parameter) {
   const auto present = [this, parameter] { return workspace_.document().system().parameters.get(parameter); };
   if (!parameter.choices.empty()) {
     auto* box = new QWidget(parameterBox_);
-    auto* row = new QHBoxLayout(box);
-    row->setContentsMargins(0, 0, 0, 0);
+    auto* row = makeLayout<QHBoxLayout>(box);
     auto* combo = new QComboBox(box);
     row->addWidget(new QLabel(name, box), 1);
     row->addWidget(combo);
@@ -160,15 +159,11 @@ QWidget* SystemBox::editorFor(const coordinates::Parameter& parameter) {
 
 QWidget* SystemBox::sliderFor(const coordinates::Parameter& parameter, const QString& name) {
   auto* box = new QWidget(parameterBox_);
-  auto* column = new QVBoxLayout(box);
-  column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(2);
+  auto* column = makeLayout<QVBoxLayout>(box, 2);
   auto* slider = new ValueSlider(name, rangeOf(parameter, std::numeric_limits<double>::infinity()), box);
   slider->setObjectName(QStringLiteral("parameter/") + text(parameter.name));
   slider->setToolTip(text(parameter.help));
-  auto* remark = new QLabel(box);
-  remark->setObjectName(QStringLiteral("muted"));
-  remark->setWordWrap(true);
+  auto* remark = makeRemark({}, box);
   column->addWidget(slider);
   column->addWidget(remark);
   connect(slider, &ValueSlider::valueChanged, this, [this, parameter](double value) {
@@ -176,9 +171,8 @@ QWidget* SystemBox::sliderFor(const coordinates::Parameter& parameter, const QSt
   });
   connect(slider, &ValueSlider::valueChosen, this, [this] { workspace_.undo().seal(); });
   readers_.push_back([this, slider, remark, parameter] {
-    const auto& bounds = layout_.now().upperBounds;
-    const auto bound = bounds.find(parameter.name);
-    const double most = bound == bounds.end() ? std::numeric_limits<double>::infinity() : bound->second;
+    const auto bound = upperBounds_.find(parameter.name);
+    const double most = bound == upperBounds_.end() ? std::numeric_limits<double>::infinity() : bound->second;
     const double value = workspace_.document().system().parameters.get(parameter);
     slider->setRange(rangeOf(parameter, most));
     slider->setValue(value);

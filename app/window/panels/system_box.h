@@ -2,9 +2,11 @@
 
 #include <QWidget>
 
+#include <functional>
+#include <map>
+#include <string>
 #include <vector>
 
-#include "window/group_layout.h"
 #include "window/workspace.h"
 
 class QComboBox;
@@ -20,7 +22,7 @@ class SystemBox final : public QWidget {
   Q_OBJECT
 
 public:
-  SystemBox(Workspace& workspace, GroupLayout& layout, QWidget* parent = nullptr);
+  explicit SystemBox(Workspace& workspace, QWidget* parent = nullptr);
 
 private:
   void sync();
@@ -30,13 +32,13 @@ private:
   QWidget* sliderFor(const coordinates::Parameter& parameter, const QString& name);
 
   Workspace& workspace_;
-  GroupLayout& layout_;
   QComboBox* combo_;
   QLabel* summary_;
   QWidget* badges_;
   QWidget* parameterBox_ = nullptr;
   QVBoxLayout* column_;
   std::string shownSystem_;
+  std::map<std::string, double> upperBounds_;  ///< Of parameters that the handles bound.
   std::vector<std::function<void()>> readers_; ///< Bring the editors up to date.
   Subscription subscription_;
 };

@@ -8,6 +8,8 @@
 
 #include <utility>
 
+#include "window/widgets/ready_made.h"
+
 namespace viscera::app {
 namespace {
 constexpr double kSmallestMl = 0.001;
@@ -18,9 +20,7 @@ VolumeBox::VolumeBox(Workspace& workspace, PoseEditor& poses, QWidget* parent)
     : QWidget(parent), workspace_(workspace), poses_(poses), field_(new QDoubleSpinBox(this)),
       apply_(new QPushButton(tr("Apply"), this)) {
   setObjectName(QStringLiteral("volumeBox"));
-  auto* row = new QHBoxLayout(this);
-  row->setContentsMargins(0, 0, 0, 0);
-  row->setSpacing(8);
+  auto* row = makeLayout<QHBoxLayout>(this, 8);
   auto* label = new QLabel(tr("Target"), this);
   label->setObjectName(QStringLiteral("muted"));
   label->setBuddy(field_);

@@ -4,7 +4,6 @@
 #include <QFormLayout>
 #include <QLabel>
 #include <QPushButton>
-#include <QSignalBlocker>
 #include <QToolButton>
 #include <QVBoxLayout>
 
@@ -13,11 +12,11 @@
 #include "viscera/motion/motion_recipe.h"
 #include "viscera/motion/sequence_setup.h"
 #include "window/style/icon.h"
+#include "window/widgets/ready_made.h"
 
 namespace viscera::app {
 namespace {
 
-constexpr const char* kSlot = "fit";
 /// Of given landmarks and of those that were found; apart also for colour-blind eyes.
 const Vec3 kGiven(0.95, 0.62, 0.0);
 const Vec3 kFound(0.34, 0.71, 0.91);
@@ -37,14 +36,10 @@ QString placeText(const std::vector<Vec3>& places) {
 
 FitBox::FitBox(Workspace& workspace, Playback& playback, ViewWidget& view, QWidget* parent)
     : QWidget(parent), workspace_(workspace), playback_(playback), view_(view),
-      sequence_(new QComboBox(this)), target_(new QLabel(this)),
+      sequence_(new QComboBox(this)), target_(makeRemark({}, this)),
       fit_(new QPushButton(icon("patient"), tr("Fit to this organ"), this)) {
   setObjectName(QStringLiteral("fitBox"));
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(6);
-  target_->setObjectName(QStringLiteral("muted"));
-  target_->setWordWrap(true);
+  auto* column = makeLayout<QVBoxLayout>(this, 6);
   column->addWidget(target_);
   sequence_->setObjectName(QStringLiteral("fitSequence"));
   sequence_->setAccessibleName(tr("Sequence to fit"));
@@ -173,16 +168,13 @@ void FitBox::fit() {
     return;
   motion::Landmarks given = landmarks_;
   std::erase_if(given.points, [](const motion::Landmark& point) { return point.computed; });
-  workspace_.jobs().submit<motion::RetargetedSequence>(
-      tr("Fitting %1").arg(sequence_->currentText()).toStdString(), kSlot,
+  workspace_.inBackground<motion::RetargetedSequence>(
+      tr("Fitting %1").arg(sequence_->currentText()), "fit",
       [id = sequenceId(), organ, given](Progress& progress) {
         return motion::retargetSequence(id, *organ, given, progress);
       },
-      [this, id = organ->id, sequence = sequenceId(), given](JobResult<motion::RetargetedSequence> result) {
-        if (result.error)
-          workspace_.report(*result.error);
-        if (result.value)
-          take(*result.value, id, sequence, given);
+      [this, id = organ->id, sequence = sequenceId(), given](const motion::RetargetedSequence& fitted) {
+        take(fitted, id, sequence, given);
       });
 }
 
@@ -196,7 +188,6 @@ void FitBox::take(const motion::RetargetedSequence& fitted, document::OrganId or
   for (const std::string& warning : fitted.warnings)
     workspace_.say({Message::Severity::warning, text(warning), {}, 0});
   playback_.play();
-  Q_EMIT FitBox::fitted(text(fitted.sequence->id()));
 }
 
 } // namespace viscera::app

@@ -12,7 +12,6 @@
 #include "window/workspace.h"
 
 class QComboBox;
-class QFormLayout;
 class QLabel;
 class QPushButton;
 class QToolButton;
@@ -29,10 +28,6 @@ public:
   ~FitBox() override;
 
   const motion::Landmarks& landmarks() const { return landmarks_; }
-
-Q_SIGNALS:
-  /// The sequence of that id was fitted and can be played.
-  void fitted(const QString& id);
 
 protected:
   void hideEvent(QHideEvent* event) override;

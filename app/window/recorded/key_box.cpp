@@ -16,6 +16,7 @@
 #include "viscera/document/recording.h"
 #include "viscera/document/recording_commands.h"
 #include "window/style/icon.h"
+#include "window/widgets/ready_made.h"
 
 namespace viscera::app {
 namespace {
@@ -50,14 +51,9 @@ KeyBox::KeyBox(Workspace& workspace, Playback& playback, RecordedMotion& motion,
                QWidget* parent)
     : QWidget(parent), workspace_(workspace), playback_(playback), motion_(motion), settings_(settings) {
   setObjectName(QStringLiteral("keyBox"));
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(6);
-  auto* hint =
-      new QLabel(tr("Pose the organ in Deform mode and press Ctrl+K: each key takes that pose."), this);
-  hint->setObjectName(QStringLiteral("muted"));
-  hint->setWordWrap(true);
-  column->addWidget(hint);
+  auto* column = makeLayout<QVBoxLayout>(this, 6);
+  column->addWidget(
+      makeRemark(tr("Pose the organ in Deform mode and press Ctrl+K: each key takes that pose."), this));
   makeTop();
   makeTable();
   makeButtons();

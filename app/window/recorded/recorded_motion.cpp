@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "viscera/document/pose_commands.h"
 #include "viscera/document/recording.h"
 #include "viscera/document/recording_commands.h"
+#include "viscera/document/rig_commands.h"
 #include "viscera/motion/sequence_file.h"
 
 namespace viscera::app {
@@ -79,12 +79,8 @@ void RecordedMotion::save(const QString& file) {
   const bool done = workspace_.guarded([&] {
     motion::writeSequence(file.toStdString(), motion::sequenceFile(workspace_.document().state()));
   });
-  if (!done)
-    return;
-  Message message;
-  message.text = tr("Sequence saved as %1").arg(file);
-  message.seconds = 8;
-  workspace_.say(message);
+  if (done)
+    workspace_.note(tr("Sequence saved as %1").arg(file));
 }
 
 void RecordedMotion::open(const QString& file) {

@@ -15,6 +15,7 @@
 
 #include "viscera/scene/movie_writer.h"
 #include "window/style/icon.h"
+#include "window/widgets/ready_made.h"
 
 namespace viscera::app {
 namespace {
@@ -32,9 +33,7 @@ QFormLayout* formOf(QWidget* widget) {
 
 RecordBox::RecordBox(Settings& settings, QWidget* parent) : QWidget(parent), settings_(settings) {
   setObjectName(QStringLiteral("recordBox"));
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(8);
+  auto* column = makeLayout<QVBoxLayout>(this, 8);
   auto* form = new QFormLayout;
   form->setHorizontalSpacing(12);
   form->setVerticalSpacing(6);
@@ -75,15 +74,10 @@ void RecordBox::makeControls() {
   addRow(tr("Kind"), format_);
   file_ = new QLineEdit(this);
   file_->setObjectName(QStringLiteral("recordFile"));
-  auto* browse = new QToolButton(this);
-  browse->setIcon(icon("open"));
-  browse->setToolTip(tr("Choose where to"));
-  browse->setAccessibleName(browse->toolTip());
+  auto* browse = makeIconButton("open", tr("Choose where to"), this);
   connect(browse, &QToolButton::clicked, this, &RecordBox::chooseFile);
   auto* place = new QWidget(this);
-  auto* row = new QHBoxLayout(place);
-  row->setContentsMargins(0, 0, 0, 0);
-  row->setSpacing(4);
+  auto* row = makeLayout<QHBoxLayout>(place, 4);
   row->addWidget(file_, 1);
   row->addWidget(browse);
   addRow(tr("File"), place);
@@ -106,9 +100,7 @@ void RecordBox::makeControls() {
   caption_->setChecked(true);
   table_ = new QCheckBox(tr("Table of volumes beside it (.csv)"), this);
   table_->setObjectName(QStringLiteral("recordTable"));
-  missing_ = new QLabel(this);
-  missing_->setObjectName(QStringLiteral("muted"));
-  missing_->setWordWrap(true);
+  missing_ = makeRemark({}, this);
   record_ = new QPushButton(this);
   record_->setObjectName(QStringLiteral("recordButton"));
 }

@@ -7,7 +7,6 @@
 
 #include "viscera/core/error.h"
 #include "viscera/motion/volume_record.h"
-#include "viscera/motion/volume_table.h"
 #include "viscera/scene/movie_writer.h"
 
 namespace viscera::app {

@@ -8,7 +8,7 @@
 #include <vtkRenderer.h>
 #include <vtkTextProperty.h>
 
-#include "viscera/presentation/camera.h"
+#include "viscera/presentation/presenter.h"
 
 namespace viscera::app {
 namespace {
@@ -52,10 +52,6 @@ void RecordingStage::addCaption() {
   style->SetLineSpacing(1.3);
   caption_->SetPosition(kCaptionMargin, size_.height() - kCaptionMargin);
   stage_->view().renderer()->AddActor2D(caption_);
-}
-
-double RecordingStage::periodSeconds() const {
-  return runner_.periodSeconds();
 }
 
 const std::vector<double>& RecordingStage::show(double seconds) {

@@ -12,7 +12,7 @@
 #include <vtkSmartPointer.h>
 #include <vtkTextActor.h>
 
-#include "viscera/live/posed_copy.h"
+#include "viscera/live/posed_organs.h"
 #include "viscera/motion/motion_runner.h"
 #include "viscera/presentation/stage.h"
 #include "window/timeline/playback.h"
@@ -42,7 +42,7 @@ public:
   /// Draws the pose that is shown, as the window would. Throws `Error` when nothing can be drawn.
   vtkSmartPointer<vtkImageData> picture();
 
-  double periodSeconds() const;
+  double periodSeconds() const { return runner_.periodSeconds(); }
 
 private:
   void openStage();

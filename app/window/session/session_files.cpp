@@ -46,8 +46,6 @@ SessionFiles::SessionFiles(Workspace& workspace, Playback& playback, SessionView
   syncTitle();
 }
 
-SessionFiles::~SessionFiles() = default;
-
 void SessionFiles::addTo(Actions& actions) {
   actions.add("file.new", {tr("&New session"), nullptr, {QKeySequence::New}, tr("Begin with nothing")},
               [this] { begin(); });
@@ -62,7 +60,7 @@ void SessionFiles::addTo(Actions& actions) {
                {},
                tr("Open what Viscera kept when it ended without saving")},
               [this] { recover(); });
-  actions.enableWhile({"file.recover"}, [this] { return recoverable(); });
+  actions.enableWhile({"file.recover"}, [this] { return !recoveries_.empty(); });
   connect(this, &SessionFiles::changed, &actions, &Actions::sync);
 }
 
@@ -75,10 +73,6 @@ void SessionFiles::syncTitle() {
 
 QString SessionFiles::name() const {
   return file_.isEmpty() ? tr("Untitled session") : QFileInfo(file_).fileName();
-}
-
-bool SessionFiles::modified() const {
-  return !workspace_.undo().isClean();
 }
 
 document::SessionContents SessionFiles::contents() const {
@@ -141,10 +135,7 @@ void SessionFiles::wrote(const QString& file, bool embed, const document::Docume
   settings_.setValue(kFolderKey, QFileInfo(file_).absolutePath());
   settings_.addRecentFiles({file_});
   workspace_.undo().markSaved(state);
-  Message message;
-  message.text = tr("Saved as %1").arg(file_);
-  message.seconds = kSavedSeconds;
-  workspace_.say(message);
+  workspace_.note(tr("Saved as %1").arg(file_), kSavedSeconds);
   Q_EMIT recentFilesChanged();
   Q_EMIT changed();
 }
@@ -177,10 +168,6 @@ SessionFiles::Answer SessionFiles::ask() const {
                                           : Answer::cancel;
 }
 
-void SessionFiles::open(const QString& file) {
-  whenSaved([this, file] { read(file, std::nullopt); });
-}
-
 void SessionFiles::begin() {
   whenSaved([this] {
     workspace_.jobs().cancelAll();
@@ -190,19 +177,15 @@ void SessionFiles::begin() {
 }
 
 void SessionFiles::read(const QString& file, std::optional<document::Recovery> recovery) {
-  workspace_.jobs().submit<document::OpenedSession>(
-      tr("Opening %1").arg(QFileInfo(file).fileName()).toStdString(), "open",
+  workspace_.inBackground<document::OpenedSession>(
+      tr("Opening %1").arg(QFileInfo(file).fileName()), "open",
       [path = file.toStdString(), library = sample_organs::standardLibrary()](Progress& progress) {
         return document::readSession(path, library, progress);
       },
-      [this, file, recovery](JobResult<document::OpenedSession> result) {
-        if (result.error)
-          workspace_.report(*result.error);
-        if (!result.value)
-          return;
+      [this, file, recovery](const document::OpenedSession& session) {
         if (!recovery)
-          return take(*result.value, QFileInfo(file).absoluteFilePath());
-        take(*result.value, QString::fromStdString(result.value->contents.recovers.string()));
+          return take(session, QFileInfo(file).absoluteFilePath());
+        take(session, QString::fromStdString(session.contents.recovers.string()));
         workspace_.undo().markUnsaved();
         if (autosave_)
           autosave_->adopt(*recovery);

@@ -31,7 +31,6 @@ public:
 
   SessionFiles(Workspace& workspace, Playback& playback, SessionView& view, Settings& settings,
                QWidget* window);
-  ~SessionFiles() override;
 
   /// Adds "file.new", "file.save", "file.saveAs" and "file.recover".
   void addTo(Actions& actions);
@@ -41,9 +40,7 @@ public:
   /// "liver.viscera", or the name of one without a file.
   QString name() const;
   /// Whether there are changes that are not saved.
-  bool modified() const;
-  /// Whether all surfaces are kept inside the file.
-  bool embeds() const { return embed_; }
+  bool modified() const { return !workspace_.undo().isClean(); }
   /// Everything that is saved, as it is now.
   document::SessionContents contents() const;
 
@@ -53,7 +50,9 @@ public:
   void chooseAndSave(std::function<void()> then = {});
   void saveTo(const QString& file, bool embed, std::function<void()> then = {});
   /// Opens a session in place of what there is; asks first when that is not saved.
-  void open(const QString& file);
+  void open(const QString& file) {
+    whenSaved([this, file] { read(file, std::nullopt); });
+  }
   /// An empty document; asks first.
   void begin();
   /// Calls `then` when no change can be lost any more: all is saved, or the user does not want it. False
@@ -65,7 +64,6 @@ public:
                      double delaySeconds = document::Autosave::kDelaySeconds);
   /// Offers what an earlier run of the program has left.
   void offerRecovery();
-  bool recoverable() const { return !recoveries_.empty(); }
   /// Opens the youngest of what was left.
   void recover();
   /// Everything is saved or not wanted, and the program ends.

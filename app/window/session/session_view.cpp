@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "viscera/motion/motion_recipe.h"
-#include "viscera/presentation/camera.h"
+#include "viscera/presentation/presenter.h"
 
 namespace viscera::app {
 
@@ -75,8 +75,8 @@ void SessionView::apply(const std::string& text) {
 void SessionView::makeMotions(const Wanted& wanted) {
   if (wanted.motions.empty())
     return show(wanted);
-  window_.workspace.jobs().submit<Wanted>(
-      tr("Preparing the motion").toStdString(), "motions",
+  window_.workspace.inBackground<Wanted>(
+      tr("Preparing the motion"), "motions",
       [wanted, library = sample_organs::standardLibrary()](Progress& progress) {
         Wanted made = wanted;
         for (Wanted::Motion& item : made.motions)
@@ -84,12 +84,7 @@ void SessionView::makeMotions(const Wanted& wanted) {
             item.sequence = motion::makeMotion(item.recipe, *item.organ, library, progress);
         return made;
       },
-      [this](JobResult<Wanted> result) {
-        if (result.error)
-          window_.workspace.report(*result.error);
-        if (result.value)
-          show(*result.value);
-      });
+      [this](const Wanted& made) { show(made); });
 }
 
 void SessionView::show(const Wanted& wanted) {
@@ -109,7 +104,6 @@ void SessionView::show(const Wanted& wanted) {
         playback.seek(playing.fraction);
     }
   }
-  Q_EMIT applied();
 }
 
 } // namespace viscera::app

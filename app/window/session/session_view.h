@@ -32,12 +32,9 @@ public:
 
   /// The present view as JSON (docs/session_format.md).
   std::string gather() const;
-  /// Brings the window to that view. Motions are made on a worker and shown when they are there, `applied`
-  /// then. Throws `DataError` for text that is no such view, with nothing of it done.
+  /// Brings the window to that view. Motions are made on a worker and shown when they are there. Throws
+  /// `DataError` for text that is no such view, with nothing of it done.
   void apply(const std::string& view);
-
-Q_SIGNALS:
-  void applied();
 
 private:
   struct Wanted;

@@ -54,11 +54,12 @@ void CutController::enable() {
 void CutController::onPlaneMoved() {
   const presentation::Presenter& presenter = picture_.presenter();
   const vtkVisceraCutPlaneRepresentation& plane = *presenter.cutPlane();
-  presentation::StressLook look = model_.look();
-  look.normal = plane.GetPlane().normal;
-  look.offset = std::clamp(
-      (plane.GetMiddle() - presenter.stressMiddle()).dot(look.normal) / presenter.stressRadius(), -1.0, 1.0);
-  model_.setLook(look);
+  model_.change([&](StressLook& look) {
+    look.normal = plane.GetPlane().normal;
+    look.offset =
+        std::clamp((plane.GetMiddle() - presenter.stressMiddle()).dot(look.normal) / presenter.stressRadius(),
+                   -1.0, 1.0);
+  });
 }
 
 void CutController::faceReader() {

@@ -23,10 +23,6 @@ Histogram::Histogram(QWidget* parent) : QWidget(parent) {
   setToolTip(tr("How many witness points have which value; the lines are the mean and the 95th percentile"));
 }
 
-QSize Histogram::sizeHint() const {
-  return {200, kHeight};
-}
-
 void Histogram::show(const Values& values, Eigen::Index count, const Contents& contents) {
   contents_ = contents;
   bars_.assign(kBars, 0);

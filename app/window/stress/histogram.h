@@ -31,7 +31,7 @@ public:
   /// Numbers in each bar.
   const std::vector<int>& bars() const { return bars_; }
 
-  QSize sizeHint() const override;
+  QSize sizeHint() const override { return {200, minimumHeight()}; }
 
 protected:
   void paintEvent(QPaintEvent* event) override;

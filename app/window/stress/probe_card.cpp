@@ -6,21 +6,17 @@
 
 #include <cmath>
 
-#include "window/style/icon.h"
+#include "window/widgets/ready_made.h"
 
 namespace viscera::app {
 
 ProbeCard::ProbeCard(StressModel& model, QWidget* parent)
     : QFrame(parent), model_(model), place_(new QLabel(this)) {
   setObjectName(QStringLiteral("badge"));
-  auto* grid = new QGridLayout(this);
-  grid->setContentsMargins(12, 8, 8, 10);
+  auto* grid = makeLayout<QGridLayout>(this, -1, {12, 8, 8, 10});
   grid->setHorizontalSpacing(16);
   grid->setVerticalSpacing(3);
-  auto* close = new QToolButton(this);
-  close->setIcon(icon("close"));
-  close->setIconSize(QSize(12, 12));
-  close->setToolTip(tr("Close (Esc)"));
+  auto* close = makeIconButton("close", tr("Close (Esc)"), this, 12);
   close->setAccessibleName(tr("Close"));
   connect(close, &QToolButton::clicked, this, [this] { model_.setProbe(-1); });
   place_->setObjectName(QStringLiteral("probePlace"));

@@ -9,6 +9,8 @@
 #include <vtkGenericOpenGLRenderWindow.h>
 #include <vtkNew.h>
 
+#include "window/widgets/ready_made.h"
+
 namespace viscera::app {
 namespace {
 constexpr double kShownSeconds = 5;
@@ -23,8 +25,7 @@ StressChart::StressChart(StressModel& model, QWidget* parent)
       widget_(new QVTKOpenGLNativeWidget(this)), stack_(new QStackedLayout) {
   setObjectName(QStringLiteral("panel"));
   setAttribute(Qt::WA_StyledBackground);
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(8, 4, 8, 4);
+  auto* column = makeLayout<QVBoxLayout>(this, -1, {8, 4, 8, 4});
   column->addLayout(stack_);
   auto* hint = new QLabel(tr("The stress over time is drawn here while a sequence plays (Space)."), this);
   hint->setObjectName(QStringLiteral("muted"));

@@ -47,8 +47,6 @@ StressModel::StressModel(Workspace& workspace, Playback& playback, Settings& set
   onView();
 }
 
-StressModel::~StressModel() = default;
-
 void StressModel::follow() {
   const auto organ = active() ? workspace_.currentOrgan() : nullptr;
   workspace_.guarded([&] { live_.follow(organ ? organ->id : document::OrganId{}); });
@@ -80,9 +78,15 @@ void StressModel::setLook(StressLook wanted) {
     wanted.pinned = wanted.threshold = false; // They were meant for the other numbers.
     wanted.range = {0, 0};
   } else if (wanted.pinned && !look().pinned) {
-    wanted.range = range();
+    wanted.range = shown().range();
   }
   view_.change([&](presentation::ViewState& state) { state.stress = wanted; });
+}
+
+void StressModel::change(const std::function<void(StressLook&)>& edit) {
+  StressLook changed = look();
+  edit(changed);
+  setLook(std::move(changed));
 }
 
 void StressModel::onStress(const live::StressEvent& event) {
@@ -105,10 +109,6 @@ void StressModel::onStress(const live::StressEvent& event) {
 void StressModel::findWantedPeak() {
   if (look().peak && active() && !live_.peak() && live_.status().state == live::StressStatus::State::ready)
     findPeak();
-}
-
-const deformation::StressMap& StressModel::shownMap() const {
-  return peakShown() ? live_.peak()->map : live_.map();
 }
 
 QString StressModel::title() const {
@@ -149,10 +149,6 @@ void StressModel::sample() {
     record_.add({seconds, live_.statistics()});
   if (!throttle_.isActive())
     throttle_.start();
-}
-
-void StressModel::setProbe(int point) {
-  view_.change([point](presentation::ViewState& state) { state.stress.probe = point; });
 }
 
 } // namespace viscera::app

@@ -29,7 +29,6 @@ public:
   /// All have to live longer.
   StressModel(Workspace& workspace, Playback& playback, Settings& settings, ViewModel& view,
               const Picture& picture, QObject* parent = nullptr);
-  ~StressModel() override;
 
   /// Whether a stress map is wanted: then the current organ is followed.
   bool active() const { return view_.state().shown.stress; }
@@ -39,15 +38,11 @@ public:
   const StressLook& look() const { return view_.state().stress; }
   /// What belongs to another quantity (limit, range) is given up with it.
   void setLook(StressLook look);
+  /// Changes a part of the look.
+  void change(const std::function<void(StressLook&)>& edit);
 
   /// The numbers that are shown, with their colours and range.
   const presentation::StressValues& shown() const { return picture_.presenter().stressValues(); }
-  bool ready() const { return shown().ready(); }
-  std::shared_ptr<const Values> values() const { return shown().values(); }
-  const live::QuantitySummary& summary() const { return shown().summary(); }
-  int folded() const { return shown().folded(); }
-  const scene::ColorMap& colors() const { return shown().colors(); }
-  scene::ValueRange range() const { return shown().range(); }
   QString title() const;
   /// A number with its unit: "12.3 deg".
   QString format(double value) const;
@@ -58,14 +53,16 @@ public:
   /// Looks for the peak over one cycle of the sequence that is there, and shows it.
   void findPeak();
   /// The map that is shown.
-  const deformation::StressMap& shownMap() const;
+  const deformation::StressMap& shownMap() const { return peakShown() ? live_.peak()->map : live_.map(); }
 
   /// The stress of the witnesses while a sequence played.
   const live::StressRecord& record() const { return record_; }
 
   /// The point that is being looked at, -1: none.
   int probe() const { return look().probe; }
-  void setProbe(int point);
+  void setProbe(int point) {
+    view_.change([point](presentation::ViewState& state) { state.stress.probe = point; });
+  }
 
 Q_SIGNALS:
   void activeChanged();

@@ -15,6 +15,7 @@
 #include <cmath>
 
 #include "window/stress/histogram.h"
+#include "window/widgets/ready_made.h"
 #include "window/widgets/value_slider.h"
 
 namespace viscera::app {
@@ -49,13 +50,6 @@ QString nameOf(live::WitnessOrigin origin) {
   return {};
 }
 
-QComboBox* makeChoice(const QString& name, const QStringList& items, QWidget* parent) {
-  auto* box = new QComboBox(parent);
-  box->setAccessibleName(name);
-  box->addItems(items);
-  return box;
-}
-
 } // namespace
 
 StressPage::StressPage(Workspace& workspace, Playback& playback, StressModel& model, CutController& cut,
@@ -64,7 +58,7 @@ StressPage::StressPage(Workspace& workspace, Playback& playback, StressModel& mo
   makeMap(actions);
   makeNumbers();
   makeInside(actions);
-  makeWitnesses(actions);
+  makeWitnesses();
   finish();
   connect(&model, &StressModel::lookChanged, this, &StressPage::syncLook);
   connect(&model, &StressModel::statusChanged, this, &StressPage::syncStatus);
@@ -79,10 +73,18 @@ StressPage::StressPage(Workspace& workspace, Playback& playback, StressModel& mo
   syncNumbers();
 }
 
-void StressPage::changeLook(const std::function<void(StressLook&)>& change) {
-  StressLook look = model_.look();
-  change(look);
-  model_.setLook(look);
+QComboBox* StressPage::addChoice(const char* id, const QString& name, const QStringList& items,
+                                 std::function<void(StressLook&, int)> change) {
+  auto* box = new QComboBox(this);
+  box->setObjectName(QLatin1String(id));
+  box->setAccessibleName(name);
+  box->addItems(items);
+  connect(box, QOverload<int>::of(&QComboBox::activated), this,
+          [this, change = std::move(change)](int index) {
+            model_.change([&](StressLook& look) { change(look, index); });
+          });
+  add(box);
+  return box;
 }
 
 void StressPage::makeMap(const Actions& actions) {
@@ -90,17 +92,12 @@ void StressPage::makeMap(const Actions& actions) {
   QStringList names;
   for (const live::StressQuantityDescription& quantity : live::stressQuantities())
     names.push_back(text(quantity.name));
-  quantity_ = makeChoice(tr("Map"), names, this);
-  quantity_->setObjectName(QStringLiteral("stressQuantity"));
+  quantity_ = addChoice("stressQuantity", tr("Map"), names, [](StressLook& look, int index) {
+    look.quantity = live::stressQuantities()[static_cast<std::size_t>(index)].quantity;
+  });
   quantity_->setToolTip(
       tr("What the colours mean (M: the next one). Rotational stress is the largest angle "
          "by which a direction is turned when the tissue is stretched; it is no pressure."));
-  connect(quantity_, QOverload<int>::of(&QComboBox::activated), this, [this](int index) {
-    changeLook([index](StressLook& look) {
-      look.quantity = live::stressQuantities()[static_cast<std::size_t>(index)].quantity;
-    });
-  });
-  add(quantity_);
   add(makePose());
   addCheck(actions["stress.peak"]);
   addCheck(actions["stress.surface"]);
@@ -109,9 +106,7 @@ void StressPage::makeMap(const Actions& actions) {
 
 QWidget* StressPage::makePose() {
   auto* box = new QWidget(this);
-  auto* row = new QHBoxLayout(box);
-  row->setContentsMargins(0, 0, 0, 0);
-  row->setSpacing(4);
+  auto* row = makeLayout<QHBoxLayout>(box, 4);
   auto* group = new QButtonGroup(box);
   const auto addButton = [&](const QString& name, const char* id, const QString& tip) {
     auto* button = new QPushButton(name, box);
@@ -152,52 +147,40 @@ void StressPage::makeNumbers() {
 void StressPage::makeInside(const Actions& actions) {
   addSection(tr("Look inside"));
   addCheck(actions["stress.cut"]);
-  style_ =
-      makeChoice(tr("Cut"), {tr("Smooth: through the tetrahedra"), tr("Crinkle: whole tetrahedra")}, this);
-  style_->setObjectName(QStringLiteral("stressCutStyle"));
-  connect(style_, QOverload<int>::of(&QComboBox::activated), this, [this](int index) {
-    changeLook([index](StressLook& look) {
-      look.style = index == 1 ? scene::CutStyle::crinkle : scene::CutStyle::smooth;
-    });
-  });
-  add(style_);
+  style_ = addChoice("stressCutStyle", tr("Cut"),
+                     {tr("Smooth: through the tetrahedra"), tr("Crinkle: whole tetrahedra")},
+                     [](StressLook& look, int index) {
+                       look.style = index == 1 ? scene::CutStyle::crinkle : scene::CutStyle::smooth;
+                     });
   offset_ = new ValueSlider(tr("Depth"), {-100, 100, 1, 0, tr(" %")}, this);
   offset_->setObjectName(QStringLiteral("stressOffset"));
   offset_->setToolTip(
       tr("Of the cut from the organ's middle; the arrow in the view moves it too, the rim tilts "
          "it"));
   connect(offset_, &ValueSlider::valueChanged, this,
-          [this](double value) { changeLook([value](StressLook& look) { look.offset = value / 100; }); });
+          [this](double value) { model_.change([value](StressLook& look) { look.offset = value / 100; }); });
   add(offset_);
   directions_ = makeDirections();
   add(directions_);
   addCheck(actions["stress.threshold"]);
-  side_ = makeChoice(tr("Shown"), {tr("Show what is above"), tr("Show what is below")}, this);
-  connect(side_, QOverload<int>::of(&QComboBox::activated), this,
-          [this](int index) { changeLook([index](StressLook& look) { look.below = index == 1; }); });
-  add(side_);
+  side_ = addChoice("stressSide", tr("Shown"), {tr("Show what is above"), tr("Show what is below")},
+                    [](StressLook& look, int index) { look.below = index == 1; });
   limit_ = new ValueSlider(tr("Limit"), {0, 1, 0.01, 2, {}}, this);
   limit_->setObjectName(QStringLiteral("stressLimit"));
   connect(limit_, &ValueSlider::valueChanged, this,
-          [this](double value) { changeLook([value](StressLook& look) { look.limit = value; }); });
+          [this](double value) { model_.change([value](StressLook& look) { look.limit = value; }); });
   add(limit_);
-  glyphs_ = makeChoice(
-      tr("Glyphs"), {tr("No glyphs"), tr("Ellipsoids of the stretch"), tr("Crosses of the stretch")}, this);
-  glyphs_->setObjectName(QStringLiteral("stressGlyphs"));
+  glyphs_ = addChoice("stressGlyphs", tr("Glyphs"),
+                      {tr("No glyphs"), tr("Ellipsoids of the stretch"), tr("Crosses of the stretch")},
+                      [](StressLook& look, int index) { look.glyphs = static_cast<GlyphChoice>(index); });
   glyphs_->setToolTip(tr("What small balls of tissue have become, at some 300 places"));
-  connect(glyphs_, QOverload<int>::of(&QComboBox::activated), this, [this](int index) {
-    changeLook([index](StressLook& look) { look.glyphs = static_cast<GlyphChoice>(index); });
-  });
-  add(glyphs_);
   addCheck(actions["stress.handles"]);
   addCheck(actions["stress.others"]);
 }
 
 QWidget* StressPage::makeDirections() {
   auto* box = new QWidget(this);
-  auto* grid = new QGridLayout(box);
-  grid->setContentsMargins(0, 0, 0, 0);
-  grid->setSpacing(4);
+  auto* grid = makeLayout<QGridLayout>(box, 4);
   struct Direction {
     QString name;
     QString tip;
@@ -218,7 +201,7 @@ QWidget* StressPage::makeDirections() {
   };
   for (const Direction& direction : directions)
     addButton(direction.name, direction.tip, [this, normal = direction.normal] {
-      changeLook([&](StressLook& look) {
+      model_.change([&](StressLook& look) {
         look.normal = normal;
         look.offset = 0;
       });
@@ -230,8 +213,7 @@ QWidget* StressPage::makeDirections() {
 
 QWidget* StressPage::makeWitnessCount() {
   auto* box = new QWidget(this);
-  auto* grid = new QGridLayout(box);
-  grid->setContentsMargins(0, 0, 0, 0);
+  auto* grid = makeLayout<QGridLayout>(box);
   grid->setHorizontalSpacing(8);
   grid->setVerticalSpacing(2);
   auto* name = new QLabel(tr("Number"), box);
@@ -253,7 +235,7 @@ QWidget* StressPage::makeWitnessCount() {
   grid->addWidget(countSlider_, 1, 0, 1, 2);
   grid->setColumnStretch(0, 1);
   const auto choose = [this](int count) {
-    changeLook([count](StressLook& look) { look.witnesses = count; });
+    model_.change([count](StressLook& look) { look.witnesses = count; });
   };
   connect(countSlider_, &QSlider::valueChanged, this, [this, choose](int step) {
     const QSignalBlocker quiet(countField_);
@@ -266,7 +248,7 @@ QWidget* StressPage::makeWitnessCount() {
   return box;
 }
 
-void StressPage::makeWitnesses(const Actions&) {
+void StressPage::makeWitnesses() {
   addSection(tr("Witness points"));
   add(makeWitnessCount());
   origin_ = addFact(tr("Source"));
@@ -303,7 +285,7 @@ void StressPage::syncLook() {
 void StressPage::syncThreshold() {
   if (!model_.look().threshold)
     return;
-  limit_->setRange(model_.range().low, model_.range().high);
+  limit_->setRange(model_.shown().range().low, model_.shown().range().high);
   limit_->setValue(model_.look().limit);
 }
 
@@ -359,23 +341,24 @@ void StressPage::syncStatus() {
 
 void StressPage::syncNumbers() {
   const QString none = QStringLiteral("-");
-  const bool any = model_.ready();
-  const live::QuantitySummary& summary = model_.summary();
+  const bool any = model_.shown().ready();
+  const live::QuantitySummary& summary = model_.shown().summary();
   min_->setText(any ? model_.format(summary.min) : none);
   mean_->setText(any ? model_.format(summary.mean) : none);
   percentile_->setText(any ? model_.format(summary.percentile95) : none);
   max_->setText(any ? model_.format(summary.max) : none);
-  folded_->setText(any ? locale().toString(model_.folded()) : none);
+  folded_->setText(any ? locale().toString(model_.shown().folded()) : none);
   if (!any)
     return histogram_->clear();
   if (!isVisible())
     return;
-  Histogram::Contents contents{model_.colors(), model_.range(), summary.mean, summary.percentile95, {}};
+  Histogram::Contents contents{
+      model_.shown().colors(), model_.shown().range(), summary.mean, summary.percentile95, {}};
   const StressLook& look = model_.look();
   contents.shown = !look.threshold ? scene::ValueRange{-1e300, 1e300}
                    : look.below    ? scene::ValueRange{-1e300, look.limit}
                                    : scene::ValueRange{look.limit, 1e300};
-  histogram_->show(*model_.values(), model_.live().mesh()->witnesses, contents);
+  histogram_->show(*model_.shown().values(), model_.live().mesh()->witnesses, contents);
 }
 
 } // namespace viscera::app

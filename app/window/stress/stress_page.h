@@ -27,12 +27,14 @@ public:
 private:
   void makeMap(const Actions& actions);
   void makeNumbers();
-  void makeWitnesses(const Actions& actions);
+  void makeWitnesses();
   void makeInside(const Actions& actions);
+  /// A list of choices for a part of the look; `change` is given the place of the one that was taken.
+  QComboBox* addChoice(const char* id, const QString& name, const QStringList& items,
+                       std::function<void(StressLook&, int)> change);
   QWidget* makePose();
   QWidget* makeDirections();
   QWidget* makeWitnessCount();
-  void changeLook(const std::function<void(StressLook&)>& change);
   void syncLook();
   void syncStatus();
   void syncNumbers();

@@ -11,6 +11,7 @@
 #include <cmath>
 
 #include "viscera/scene/label_layout.h"
+#include "window/workspace.h"
 
 namespace viscera::app {
 namespace {
@@ -29,18 +30,18 @@ PhaseScrubber::PhaseScrubber(QWidget* parent) : QWidget(parent) {
   setCursor(Qt::PointingHandCursor);
 }
 
-void PhaseScrubber::setPhases(std::vector<PhaseBand> phases) {
+void PhaseScrubber::setPhases(std::vector<sequences::Phase> phases) {
   phases_ = std::move(phases);
   update();
 }
 
-void PhaseScrubber::setCourse(std::vector<CoursePlace> course) {
+void PhaseScrubber::setCourse(std::vector<sequences::NamedPlace> course) {
   course_ = std::move(course);
   marks_.clear();
   update();
 }
 
-void PhaseScrubber::setMarks(std::vector<CourseMark> marks) {
+void PhaseScrubber::setMarks(std::vector<sequences::TravellingMark> marks) {
   marks_ = std::move(marks);
   update();
 }
@@ -54,24 +55,20 @@ void PhaseScrubber::setFraction(double fraction) {
 }
 
 QString PhaseScrubber::phaseName() const {
-  const PhaseBand* phase = phaseAt(fraction_);
-  return phase ? phase->name : QString();
+  const sequences::Phase* phase = phaseAt(fraction_);
+  return phase ? text(phase->name) : QString();
 }
 
 QSize PhaseScrubber::sizeHint() const {
   return {400, static_cast<int>(5 + kStripHeight + kBelow) + fontMetrics().height() + 4};
 }
 
-QSize PhaseScrubber::minimumSizeHint() const {
-  return {120, sizeHint().height()};
-}
-
 bool PhaseScrubber::event(QEvent* event) {
   if (event->type() == QEvent::ToolTip) {
     auto* help = static_cast<QHelpEvent*>(event);
-    const PhaseBand* phase = phaseAt(fractionAt(help->pos().x()));
+    const sequences::Phase* phase = phaseAt(fractionAt(help->pos().x()));
     const QString keys = tr("Drag, or use the arrow keys");
-    QToolTip::showText(help->globalPos(), phase ? tr("%1\n%2").arg(phase->name, keys) : keys, this);
+    QToolTip::showText(help->globalPos(), phase ? tr("%1\n%2").arg(text(phase->name), keys) : keys, this);
     return true;
   }
   return QWidget::event(event);
@@ -81,7 +78,7 @@ void PhaseScrubber::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
   const QRectF area = strip();
-  const QColor text = palette().color(QPalette::WindowText);
+  const QColor ink = palette().color(QPalette::WindowText);
   const QColor accent = palette().color(QPalette::Highlight);
   QPainterPath outline;
   outline.addRoundedRect(area, 4, 4);
@@ -96,10 +93,10 @@ void PhaseScrubber::paintEvent(QPaintEvent*) {
   painter.setPen(QPen(hasFocus() ? accent : palette().color(QPalette::Mid), 1));
   painter.drawPath(outline);
   const double x = area.left() + fraction_ * area.width();
-  painter.setPen(QPen(text, 2, Qt::SolidLine, Qt::RoundCap));
+  painter.setPen(QPen(ink, 2, Qt::SolidLine, Qt::RoundCap));
   painter.drawLine(QPointF(x, area.top() - 2), QPointF(x, area.bottom() + 2));
   painter.setPen(Qt::NoPen);
-  painter.setBrush(text);
+  painter.setBrush(ink);
   painter.drawEllipse(QPointF(x, area.top() - 1), 4, 4);
   paintNames(painter, area);
   if (!course_.empty())
@@ -109,7 +106,7 @@ void PhaseScrubber::paintEvent(QPaintEvent*) {
 void PhaseScrubber::paintPhases(QPainter& painter, const QRectF& area) const {
   QColor band = palette().color(QPalette::WindowText);
   bool shaded = false;
-  for (const PhaseBand& phase : phases_) {
+  for (const sequences::Phase& phase : phases_) {
     const QRectF part(area.left() + phase.begin * area.width(), area.top(),
                       (phase.end - phase.begin) * area.width(), area.height());
     band.setAlphaF(&phase == phaseAt(fraction_) ? 0.22 : shaded ? 0.05 : 0.11);
@@ -121,11 +118,11 @@ void PhaseScrubber::paintPhases(QPainter& painter, const QRectF& area) const {
 std::vector<PhaseScrubber::Name> PhaseScrubber::names() const {
   const QRectF area = strip();
   std::vector<Name> names;
-  for (const CoursePlace& place : course_)
-    names.push_back({place.name, 0, area.left() + place.place * area.width(), false});
+  for (const sequences::NamedPlace& place : course_)
+    names.push_back({text(place.name), 0, area.left() + place.place * area.width(), false});
   if (course_.empty())
-    for (const PhaseBand& phase : phases_)
-      names.push_back({phase.name, 0, area.left() + (phase.begin + phase.end) / 2 * area.width(),
+    for (const sequences::Phase& phase : phases_)
+      names.push_back({text(phase.name), 0, area.left() + (phase.begin + phase.end) / 2 * area.width(),
                        &phase == phaseAt(fraction_)});
   // The longest name goes first when there is no room for all; that of the present phase stays.
   for (;;) {
@@ -171,7 +168,7 @@ void PhaseScrubber::paintNames(QPainter& painter, const QRectF& area) const {
 void PhaseScrubber::paintMarks(QPainter& painter, const QRectF& area) const {
   painter.setPen(Qt::NoPen);
   painter.setBrush(palette().color(QPalette::Highlight));
-  for (const CourseMark& mark : marks_) {
+  for (const sequences::TravellingMark& mark : marks_) {
     const double radius = kMarkRadius * (1 + mark.strength);
     const QPointF tip(area.left() + mark.place * area.width(), area.bottom() + 1);
     painter.drawPolygon(
@@ -213,8 +210,8 @@ double PhaseScrubber::fractionAt(double x) const {
   return std::clamp((x - area.left()) / std::max(1.0, area.width()), 0.0, 1.0);
 }
 
-const PhaseBand* PhaseScrubber::phaseAt(double fraction) const {
-  for (const PhaseBand& phase : phases_)
+const sequences::Phase* PhaseScrubber::phaseAt(double fraction) const {
+  for (const sequences::Phase& phase : phases_)
     if (fraction >= phase.begin && fraction < phase.end)
       return &phase;
   return phases_.empty() ? nullptr : &phases_.back();

@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "viscera/document/rig_commands.h"
-#include "viscera/document/sequence_rig.h"
 
 namespace viscera::app {
 namespace {
@@ -124,14 +123,6 @@ bool Playback::tell(const std::function<void()>& what) {
   return workspace_.guarded(what);
 }
 
-void Playback::setPose(motion::WantedPose pose) {
-  tell([&] { transport_->setPose(pose); });
-}
-
-bool Playback::prescribe(const std::optional<motion::PrescribedVolume>& volume) {
-  return tell([&] { player_.prescribe(volume); });
-}
-
 /// Whether there is something to show; asks for a mode in which it is shown.
 bool Playback::start() {
   settle();
@@ -161,25 +152,9 @@ void Playback::offerOwnHandles() {
   workspace_.say(message);
 }
 
-void Playback::advance() {
-  tell([this] { transport_->advance(); });
-}
-
 void Playback::play() {
   if (!transport_->playing() && start())
     tell([this] { transport_->play(); });
-}
-
-void Playback::pause() {
-  tell([this] { transport_->pause(); });
-}
-
-void Playback::toggle() {
-  transport_->playing() ? pause() : play();
-}
-
-void Playback::setLooping(bool looping) {
-  tell([&] { transport_->setLoop(looping); });
 }
 
 void Playback::setRate(double perMinute) {
@@ -201,10 +176,6 @@ void Playback::step(int frames) {
   pause();
   if (start())
     tell([&] { transport_->step(frames * kStepSeconds); });
-}
-
-void Playback::stop() {
-  tell([this] { transport_->stop(); });
 }
 
 void Playback::onShown() {

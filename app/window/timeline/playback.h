@@ -59,18 +59,28 @@ public:
   bool showing() const { return player_.showing(); }
 
   /// Which pose is wanted; a sequence that plays is paused when it is not its own.
-  void setPose(motion::WantedPose pose);
+  void setPose(motion::WantedPose pose) {
+    tell([&] { transport_->setPose(pose); });
+  }
   /// Prescribes the volume of an organ while the present sequence moves it; none takes it back. False, with a
   /// message, where it cannot be reached.
-  bool prescribe(const std::optional<motion::PrescribedVolume>& volume);
+  bool prescribe(const std::optional<motion::PrescribedVolume>& volume) {
+    return tell([&] { player_.prescribe(volume); });
+  }
 
 public Q_SLOTS:
   /// Brings the organs of all views to where the clock is; the frame timer calls it while playing.
-  void advance();
+  void advance() {
+    tell([this] { transport_->advance(); });
+  }
   void play();
-  void pause();
-  void toggle();
-  void setLooping(bool looping);
+  void pause() {
+    tell([this] { transport_->pause(); });
+  }
+  void toggle() { transport_->playing() ? pause() : play(); }
+  void setLooping(bool looping) {
+    tell([&] { transport_->setLoop(looping); });
+  }
   void setRate(double perMinute);
   void setSpeed(double speed);
   /// Looks at a place of the cycle, [0, 1].
@@ -79,7 +89,9 @@ public Q_SLOTS:
   void step(int frames);
   void toStart() { seek(0); }
   /// The organs go back to the document's pose.
-  void stop();
+  void stop() {
+    tell([this] { transport_->stop(); });
+  }
 
 Q_SIGNALS:
   /// Another sequence, playing or not, rate, loop.

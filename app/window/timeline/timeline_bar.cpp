@@ -1,5 +1,6 @@
 #include "window/timeline/timeline_bar.h"
 
+#include <QAction>
 #include <QComboBox>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -11,27 +12,64 @@
 #include <cmath>
 
 #include "window/style/icon.h"
+#include "window/widgets/ready_made.h"
 
 namespace viscera::app {
 namespace {
 constexpr double kSpeeds[] = {1, 0.5, 0.25, 0.1};
 }
 
-TimelineBar::TimelineBar(QWidget* parent) : QWidget(parent) {
+TimelineBar::TimelineBar(Playback& playback, Actions& actions, QWidget* parent)
+    : QWidget(parent), playback_(playback) {
   setObjectName(QStringLiteral("panel"));
   setAttribute(Qt::WA_StyledBackground);
-  auto* row = new QHBoxLayout(this);
-  row->setContentsMargins(8, 4, 12, 4);
-  row->setSpacing(4);
-  start_ = addButton("to_start", tr("To the start of the cycle (Home)"));
-  back_ = addButton("step_back", tr("One frame back (,)"));
-  play_ = addButton("play", tr("Play or pause (Space)"));
+  addTo(actions);
+  auto* row = makeLayout<QHBoxLayout>(this, 4, {8, 4, 12, 4});
+  addButton("to_start", tr("To the start of the cycle (Home)"), &Playback::toStart);
+  addButton("step_back", tr("One frame back (,)"), [this] { playback_.step(-1); });
+  play_ = addButton("play", tr("Play or pause (Space)"), &Playback::toggle);
   play_->setIconSize(QSize(24, 24));
   play_->setObjectName(QStringLiteral("playButton"));
-  forward_ = addButton("step_forward", tr("One frame forward (.)"));
-  loop_ = addButton("loop", tr("Repeat the cycle (L)"));
+  addButton("step_forward", tr("One frame forward (.)"), [this] { playback_.step(1); });
+  loop_ = addButton("loop", tr("Repeat the cycle (L)"), &Playback::setLooping);
   loop_->setCheckable(true);
   row->addSpacing(8);
+  addRate();
+  row->addSpacing(8);
+  scrubber_ = new PhaseScrubber(this);
+  row->addWidget(scrubber_, 1);
+  phase_ = new QLabel(this);
+  phase_->setObjectName(QStringLiteral("phase"));
+  row->addWidget(phase_);
+  connect(scrubber_, &PhaseScrubber::scrubbed, &playback, &Playback::seek);
+  connect(&playback, &Playback::stateChanged, this, &TimelineBar::sync);
+  connect(&playback, &Playback::advanced, this, &TimelineBar::syncInstant);
+  sync();
+}
+
+void TimelineBar::addTo(Actions& actions) {
+  loopAction_ = actions.addToggle("play.loop", {tr("&Repeat"), "loop", {Qt::Key_L}, tr("Repeat the cycle")},
+                                  true, [this](bool on) { playback_.setLooping(on); });
+  transport_ = {actions.add("play.toggle", {tr("&Play or pause"), "play", {Qt::Key_Space}, {}},
+                            [this] { playback_.toggle(); }),
+                actions.add("play.start", {tr("To the &start"), "to_start", {Qt::Key_Home}, {}},
+                            [this] { playback_.toStart(); }),
+                actions.add("play.back", {tr("One frame &back"), "step_back", {Qt::Key_Comma}, {}},
+                            [this] { playback_.step(-1); }),
+                actions.add("play.forward", {tr("One frame &forward"), "step_forward", {Qt::Key_Period}, {}},
+                            [this] { playback_.step(1); }),
+                loopAction_};
+}
+
+template <typename Clicked>
+QToolButton* TimelineBar::addButton(const char* iconName, const QString& tip, Clicked clicked) {
+  auto* button = makeIconButton(iconName, tip, this, 20);
+  layout()->addWidget(button);
+  connect(button, &QToolButton::clicked, &playback_, clicked);
+  return button;
+}
+
+void TimelineBar::addRate() {
   rateSlider_ = new QSlider(Qt::Horizontal, this);
   rateSlider_->setFixedWidth(96);
   rateSlider_->setAccessibleName(tr("Rate"));
@@ -41,107 +79,79 @@ TimelineBar::TimelineBar(QWidget* parent) : QWidget(parent) {
   rate_->setButtonSymbols(QAbstractSpinBox::NoButtons);
   rate_->setAlignment(Qt::AlignRight);
   rate_->setKeyboardTracking(false);
-  row->addWidget(rateSlider_);
-  row->addWidget(rate_);
   speed_ = new QComboBox(this);
   speed_->setObjectName(QStringLiteral("speed"));
   speed_->setAccessibleName(tr("Speed"));
   speed_->setToolTip(tr("Slow motion: how fast time passes (S)"));
   for (const double speed : kSpeeds)
     speed_->addItem(speed == 1 ? tr("1x") : tr("1/%1x").arg(1 / speed, 0, 'f', 0), speed);
-  row->addWidget(speed_);
-  row->addSpacing(8);
-  scrubber_ = new PhaseScrubber(this);
-  row->addWidget(scrubber_, 1);
-  phase_ = new QLabel(this);
-  phase_->setObjectName(QStringLiteral("phase"));
-  row->addWidget(phase_);
-  connect(start_, &QToolButton::clicked, this, &TimelineBar::startRequested);
-  connect(back_, &QToolButton::clicked, this, [this] { Q_EMIT stepRequested(-1); });
-  connect(play_, &QToolButton::clicked, this, &TimelineBar::playToggled);
-  connect(forward_, &QToolButton::clicked, this, [this] { Q_EMIT stepRequested(1); });
-  connect(loop_, &QToolButton::clicked, this, &TimelineBar::loopToggled);
-  connect(scrubber_, &PhaseScrubber::scrubbed, this, &TimelineBar::scrubbed);
+  for (QWidget* widget : std::initializer_list<QWidget*>{rateSlider_, rate_, speed_})
+    layout()->addWidget(widget);
   connect(rate_, QOverload<int>::of(&QSpinBox::valueChanged), this, [this](int perMinute) {
     const QSignalBlocker quiet(rateSlider_);
     rateSlider_->setValue(perMinute);
-    Q_EMIT rateChosen(perMinute);
+    playback_.setRate(perMinute);
   });
   connect(rateSlider_, &QSlider::valueChanged, rate_, &QSpinBox::setValue);
   connect(speed_, QOverload<int>::of(&QComboBox::activated), this,
-          [this](int index) { Q_EMIT speedChosen(speed_->itemData(index).toDouble()); });
-  clearSequence();
+          [this](int index) { playback_.setSpeed(speed_->itemData(index).toDouble()); });
 }
 
-QToolButton* TimelineBar::addButton(const char* iconName, const QString& tip) {
-  auto* button = new QToolButton(this);
-  button->setIcon(icon(iconName));
-  button->setIconSize(QSize(20, 20));
-  button->setToolTip(tip);
-  button->setAccessibleName(tip);
-  layout()->addWidget(button);
-  return button;
+void TimelineBar::sync() {
+  const sequences::Sequence* sequence = playback_.sequence();
+  for (QAction* action : transport_)
+    action->setEnabled(sequence);
+  setEnabled(sequence);
+  scrubber_->setCourse(sequence ? sequence->course() : std::vector<sequences::NamedPlace>());
+  speed_->setCurrentIndex(speed_->findData(playback_.player().speed()));
+  if (sequence)
+    syncSequence(*sequence);
+  else
+    clearSequence();
 }
 
-void TimelineBar::setSequence(const QString& name, const QString& rateUnit, double lowest, double highest) {
-  const QSignalBlocker quietRate(rate_);
-  const QSignalBlocker quietSlider(rateSlider_);
-  setEnabled(true);
-  rate_->setSuffix(QLatin1Char(' ') + rateUnit);
-  rate_->setRange(static_cast<int>(std::ceil(lowest)), static_cast<int>(std::floor(highest)));
+void TimelineBar::syncSequence(const sequences::Sequence& sequence) {
+  const motion::Player& player = playback_.player();
+  const QSignalBlocker quietRate(rate_), quietSlider(rateSlider_);
+  const QString unit = tr("/ min");
+  rate_->setSuffix(QLatin1Char(' ') + unit);
+  rate_->setRange(static_cast<int>(std::ceil(sequence.lowestRatePerMinute())),
+                  static_cast<int>(std::floor(sequence.highestRatePerMinute())));
   rateSlider_->setRange(rate_->minimum(), rate_->maximum());
   rate_->setToolTip(
-      tr("%1: %2 to %3 %4").arg(name).arg(rate_->minimum()).arg(rate_->maximum()).arg(rateUnit));
+      tr("%1: %2 to %3 %4").arg(text(sequence.name())).arg(rate_->minimum()).arg(rate_->maximum()).arg(unit));
   rateSlider_->setToolTip(rate_->toolTip());
+  rate_->setValue(static_cast<int>(std::lround(player.ratePerMinute())));
+  rateSlider_->setValue(rate_->value());
+  play_->setIcon(icon(player.playing() ? "pause" : "play"));
+  loop_->setChecked(player.loop());
+  loopAction_->setChecked(player.loop());
+  const std::vector<sequences::Phase> phases = sequence.phases(player.ratePerMinute());
+  int widest = 0;
+  for (const sequences::Phase& phase : phases)
+    widest = std::max(widest, phase_->fontMetrics().horizontalAdvance(text(phase.name)));
+  phase_->setMinimumWidth(widest + 4);
+  scrubber_->setPhases(phases);
+  syncInstant();
 }
 
+/// A line says where sequences come from.
 void TimelineBar::clearSequence() {
-  setEnabled(false);
-  scrubber_->setPhases({{tr("No motion here: sample organs bring their own (Organ > Sample organs)"), 0, 1}});
-  scrubber_->setCourse({});
+  const QString line = tr("No motion here: sample organs bring their own (Organ > Sample organs)");
+  scrubber_->setPhases({{line.toStdString(), 0, 1}});
   scrubber_->setFraction(0);
   phase_->clear();
 }
 
-void TimelineBar::setPhases(std::vector<PhaseBand> phases) {
-  int widest = 0;
-  for (const PhaseBand& phase : phases)
-    widest = std::max(widest, phase_->fontMetrics().horizontalAdvance(phase.name));
-  phase_->setMinimumWidth(widest + 4);
-  scrubber_->setPhases(std::move(phases));
-}
-
-void TimelineBar::setCourse(std::vector<CoursePlace> course) {
-  scrubber_->setCourse(std::move(course));
-}
-
-void TimelineBar::setMarks(std::vector<CourseMark> marks) {
-  scrubber_->setMarks(std::move(marks));
-}
-
-void TimelineBar::setSpeed(double speed) {
-  speed_->setCurrentIndex(speed_->findData(speed));
-}
-
-void TimelineBar::setRate(double perMinute) {
-  const QSignalBlocker quietRate(rate_);
-  const QSignalBlocker quietSlider(rateSlider_);
-  rate_->setValue(static_cast<int>(std::lround(perMinute)));
-  rateSlider_->setValue(rate_->value());
-}
-
-void TimelineBar::setPlaying(bool playing) {
-  play_->setIcon(icon(playing ? "pause" : "play"));
-}
-
-void TimelineBar::setLooping(bool looping) {
-  loop_->setChecked(looping);
-}
-
-void TimelineBar::setInstant(double fraction, double seconds) {
-  scrubber_->setFraction(fraction);
+void TimelineBar::syncInstant() {
+  const motion::Player& player = playback_.player();
+  if (const sequences::Sequence* sequence = playback_.sequence())
+    scrubber_->setMarks(sequence->travelling(player.secondsInCycle(), player.ratePerMinute()));
+  else
+    scrubber_->setMarks({});
+  scrubber_->setFraction(player.fraction());
   phase_->setText(scrubber_->phaseName());
-  phase_->setToolTip(tr("%1 s into the cycle").arg(seconds, 0, 'f', 2));
+  phase_->setToolTip(tr("%1 s into the cycle").arg(player.secondsInCycle(), 0, 'f', 2));
 }
 
 } // namespace viscera::app

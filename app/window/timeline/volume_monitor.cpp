@@ -1,8 +1,9 @@
 #include "window/timeline/volume_monitor.h"
 
 #include <algorithm>
-#include <limits>
 #include <utility>
+
+#include <QPointer>
 
 namespace viscera::app {
 namespace {
@@ -12,10 +13,7 @@ constexpr std::size_t kRows = 7200;
 /// The last minute of drags.
 constexpr std::size_t kDragRows = 600;
 constexpr double kMillisecond = 1e-3;
-/// A slow computer meets the extremes of a beat only after several of them.
-constexpr std::size_t kFewestInstants = 10;
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr scene::ValueRange kNothing{kInfinity, -kInfinity};
+const char* const kSlot = "cycle";
 } // namespace
 
 VolumeMonitor::VolumeMonitor(Workspace& workspace, Playback& playback, QObject* parent) : QObject(parent) {
@@ -25,10 +23,12 @@ VolumeMonitor::VolumeMonitor(Workspace& workspace, Playback& playback, QObject* 
     refresh();
     Q_EMIT updated();
   });
+  measureSoon_.setSingleShot(true);
+  connect(&measureSoon_, &QTimer::timeout, this, &VolumeMonitor::measureCycles);
   connect(&playback, &Playback::advanced, this, &VolumeMonitor::sample);
   connect(&playback, &Playback::stateChanged, this, [this] {
     if (!sides_[0].playback->showing())
-      restart();
+      record_.clear();
   });
   sides_[0].workspace = &workspace;
   sides_[0].playback = &playback;
@@ -37,7 +37,7 @@ VolumeMonitor::VolumeMonitor(Workspace& workspace, Playback& playback, QObject* 
 }
 
 void VolumeMonitor::setSecond(Workspace* workspace, Playback* playback) {
-  sides_[1] = {workspace, playback, 0, 0, {}};
+  sides_[1] = {workspace, playback, {}, {}, {}};
   if (workspace)
     watch(sides_[1]);
   rebuild();
@@ -49,15 +49,21 @@ void VolumeMonitor::watch(Side& side) {
     if (change.organs())
       rebuild();
     if (change.rig() || change.system()) // What was recorded is of other bindings.
-      restart();
+      record_.clear();
+    measureSoon_.start();
     const bool moved = change.pose() && !change.rig() && !change.organs();
     if (first && (moved || (dragging_ && !change.interactive)))
       sampleDrag(change.interactive);
   }));
-  side.subscriptions.push_back(side.workspace->live().onEvent([this](const live::LiveEvent&) {
+  side.subscriptions.push_back(side.workspace->live().onEvent([this](const live::LiveEvent& event) {
+    if (event.status)
+      measureSoon_.start();
     if (!throttle_.isActive())
       throttle_.start();
   }));
+  connect(side.playback, &Playback::stateChanged, &measureSoon_, qOverload<>(&QTimer::start),
+          Qt::UniqueConnection);
+  measureSoon_.start();
 }
 
 std::vector<VolumeMonitor::Line> VolumeMonitor::linesOf(int side) const {
@@ -89,8 +95,6 @@ void VolumeMonitor::rebuild() {
     names.push_back(line.name.toStdString());
   record_ = motion::VolumeRecord(names, kRows);
   drags_ = motion::VolumeRecord(std::move(names), kDragRows);
-  cycles_.assign(lines_.size(), motion::CycleTrace());
-  extremes_.clear();
   refresh();
   Q_EMIT linesChanged();
 }
@@ -104,31 +108,55 @@ void VolumeMonitor::refresh() {
   }
 }
 
-void VolumeMonitor::restart() {
-  record_.clear();
-  extremes_.clear();
-  for (motion::CycleTrace& cycle : cycles_)
-    cycle.clear();
+VolumeMonitor::Cause VolumeMonitor::causeOf(const Side& side) {
+  const document::DocumentState& state = side.workspace->state();
+  Cause cause{side.playback->player().runner().revision(), state.rig, state.system, {}};
+  for (const auto& organ : *state.organs)
+    cause.organs.emplace_back(organ->id, organ->mesh, organ->volumeLocked);
+  return cause;
 }
 
-/// Another rate makes another beat of the organs on that side.
-void VolumeMonitor::restartSidesWithNewRates() {
-  const bool all = extremes_.size() != lines_.size();
-  const double played = sides_[0].playback->player().playedSeconds();
-  extremes_.resize(lines_.size(), kNothing);
-  for (int index = 0; index < static_cast<int>(sides_.size()); ++index) {
-    Side& side = sides_[index];
-    side.since = std::min(side.since, played); // Somebody has gone to another instant: time begins anew.
-    if (!side.playback || (!all && side.playback->player().ratePerMinute() == side.rate))
-      continue;
-    side.since = played;
-    side.rate = side.playback->player().ratePerMinute();
-    for (std::size_t line = 0; line < lines_.size(); ++line)
-      if (lines_[line].side == index) {
-        extremes_[line] = kNothing;
-        cycles_[line].clear();
-      }
+void VolumeMonitor::measureCycles() {
+  for (int side = 0; side < static_cast<int>(sides_.size()); ++side)
+    if (sides_[side].workspace)
+      measure(side);
+}
+
+void VolumeMonitor::measure(int index) {
+  Side& side = sides_[index];
+  Workspace& workspace = *side.workspace;
+  const motion::MotionRunner& runner = side.playback->player().runner();
+  if (!side.playback->player().movable() || workspace.live().busy()) {
+    workspace.jobs().cancelSlot(kSlot);
+    side.cause.reset();
+    side.curves.reset();
+    return;
   }
+  const Cause cause = causeOf(side);
+  if (side.cause == cause)
+    return;
+  side.cause = cause;
+  side.curves.reset();
+  // The worker has organs of its own; surfaces and bindings are shared.
+  auto work = [state = workspace.state(), organs = std::make_shared<live::PosedCopy>(workspace.live().copy()),
+               sequence = runner.sequence(), rate = runner.ratePerMinute(),
+               prescribed = runner.prescribed()](Progress& progress) {
+    motion::MotionRunner ahead(state, *organs);
+    ahead.setSequence(sequence);
+    ahead.setRatePerMinute(rate);
+    ahead.prescribe(prescribed);
+    return motion::measureCycle(ahead, progress);
+  };
+  auto done = [self = QPointer(this), index, cause](JobResult<motion::CycleCurves> result) {
+    if (!self || self->sides_[index].cause != cause)
+      return;
+    self->sides_[index].curves = std::move(result.value);
+    if (result.error)
+      self->sides_[index].workspace->report(*result.error);
+    Q_EMIT self->updated();
+  };
+  workspace.jobs().submit<motion::CycleCurves>(tr("Volumes over the cycle").toStdString(), kSlot,
+                                               std::move(work), std::move(done));
 }
 
 void VolumeMonitor::sample() {
@@ -137,16 +165,10 @@ void VolumeMonitor::sample() {
   for (const Side& side : sides_)
     if (side.workspace && side.workspace->live().busy())
       return;
-  restartSidesWithNewRates();
   const double seconds = sides_[0].playback->player().playedSeconds();
   std::vector<double> row;
-  for (std::size_t line = 0; line < lines_.size(); ++line) {
-    const double volume = lines_[line].nowMl;
-    row.push_back(volume);
-    extremes_[line] = {std::min(extremes_[line].low, volume), std::max(extremes_[line].high, volume)};
-    if (playbackOf(line).showing())
-      cycles_[line].add(playbackOf(line).player().fraction(), volume);
-  }
+  for (const Line& line : lines_)
+    row.push_back(line.nowMl);
   // The same instant again (another mode, another rate) is no news; a record that is given one begins anew.
   const bool again = record_.rows() > 0 && record_.seconds(record_.rows() - 1) == seconds;
   if (!row.empty() && !again)
@@ -182,23 +204,30 @@ void VolumeMonitor::sampleDrag(bool goesOn) {
     throttle_.start();
 }
 
-bool VolumeMonitor::beatSeen(std::size_t line) const {
-  if (extremes_.empty() || !playbackOf(line).sequence())
-    return false;
-  const double played = sides_[0].playback->player().playedSeconds() - sides_[lines_[line].side].since;
-  return played >= playbackOf(line).player().periodSeconds() && cycles_[line].seen() >= kFewestInstants;
+VolumeMonitor::Curve VolumeMonitor::cycle(std::size_t line) const {
+  const Side& side = sides_[lines_[line].side];
+  if (!side.curves)
+    return {};
+  const auto& organs = side.cause->organs;
+  for (std::size_t organ = 0; organ < organs.size(); ++organ)
+    if (std::get<document::OrganId>(organs[organ]) == lines_[line].organ)
+      return {side.curves->fractions, side.curves->milliliters[organ]};
+  return {};
 }
 
 std::optional<scene::ValueRange> VolumeMonitor::range(std::size_t line) const {
-  if (!beatSeen(line))
+  const Curve curve = cycle(line);
+  if (curve.milliliters.empty())
     return std::nullopt;
-  return extremes_[line];
+  const auto [low, high] = std::minmax_element(curve.milliliters.begin(), curve.milliliters.end());
+  return scene::ValueRange{*low, *high};
 }
 
 std::optional<motion::CardiacIndices> VolumeMonitor::indices(std::size_t line) const {
-  if (!lines_[line].cavity || !beatSeen(line))
+  const Curve curve = cycle(line);
+  if (!lines_[line].cavity || curve.milliliters.empty())
     return std::nullopt;
-  return motion::cardiacIndices({extremes_[line].low, extremes_[line].high}, sides_[lines_[line].side].rate);
+  return motion::cardiacIndices(curve.milliliters, playbackOf(line).player().ratePerMinute());
 }
 
 } // namespace viscera::app

@@ -6,10 +6,11 @@
 
 #include <array>
 #include <optional>
+#include <tuple>
 #include <vector>
 
-#include "viscera/motion/cardiac_indices.h"
-#include "viscera/motion/cycle_trace.h"
+#include "viscera/motion/clinical_numbers.h"
+#include "viscera/motion/cycle_curves.h"
 #include "viscera/motion/volume_record.h"
 #include "viscera/scene/color_map.h"
 #include "window/timeline/playback.h"
@@ -18,8 +19,9 @@
 namespace viscera::app {
 
 /// Follows the volumes of the organs that are tracked: now, over the time of a sequence, and over the time in
-/// which handles were dragged. Organs of a second view can be followed beside them. Tells at most ten times a
-/// second that there is something new.
+/// which handles were dragged; and has the whole cycle of each view's sequence measured ahead, on a worker,
+/// so that curves, extremes and ejection fractions are exact before a frame of it was played. Organs of a
+/// second view can be followed beside them. Tells at most ten times a second that there is something new.
 class VolumeMonitor final : public QObject {
   Q_OBJECT
 
@@ -49,13 +51,19 @@ public:
   /// The record of the last changes of the pose, ten rows a second while one goes on: time stands still
   /// between them. One column a line.
   const motion::VolumeRecord& drags() const { return drags_; }
-  /// A line over one cycle of its sequence, as far as its instants were seen at this rate.
-  const motion::CycleTrace& cycle(std::size_t line) const { return cycles_[line]; }
+  /// A volume over one cycle.
+  struct Curve {
+    std::vector<double> fractions; ///< Ascending, in [0, 1].
+    std::vector<double> milliliters;
+  };
+  /// A line over one cycle of its sequence at the present rate, with the present handles, coordinates and
+  /// locks. Empty while there is no sequence that moves it, and for the moment in which it is measured.
+  Curve cycle(std::size_t line) const;
   /// The playback that moves a line's organ.
   const Playback& playbackOf(std::size_t line) const { return *sides_[lines_[line].side].playback; }
-  /// Of a cavity, since the motion began or its rate changed; none before one whole beat was played.
+  /// Of a cavity, from `cycle`; none while that is empty.
   std::optional<motion::CardiacIndices> indices(std::size_t line) const;
-  /// The smallest and the largest volume since then, ml; none before one whole beat was played.
+  /// The smallest and the largest volume of `cycle`, ml; none while that is empty.
   std::optional<scene::ValueRange> range(std::size_t line) const;
   /// Volumes as they are this moment.
   void refresh();
@@ -67,12 +75,21 @@ Q_SIGNALS:
   void updated();
 
 private:
+  /// All that a cycle depends on.
+  struct Cause {
+    std::uint64_t motion = 0; ///< `MotionRunner::revision`.
+    std::shared_ptr<const document::Rig> rig;
+    std::shared_ptr<const document::SystemChoice> system;
+    /// For each organ its identity, its surface, and whether its volume is locked.
+    std::vector<std::tuple<document::OrganId, std::shared_ptr<const geometry::TriangleMesh>, bool>> organs;
+    bool operator==(const Cause&) const = default;
+  };
   /// One view and what is known about its beat.
   struct Side {
     Workspace* workspace = nullptr;
     Playback* playback = nullptr;
-    double since = 0; ///< Seconds played when its extremes began to be kept.
-    double rate = 0;  ///< For which they are kept.
+    std::optional<Cause> cause;                ///< Of what is measured or being measured.
+    std::optional<motion::CycleCurves> curves; ///< None while it is being measured.
     std::vector<Subscription> subscriptions;
   };
 
@@ -81,11 +98,10 @@ private:
   void rebuild();
   void sample();
   void sampleDrag(bool goesOn);
-  /// Forgets what was recorded.
-  void restart();
-  void restartSidesWithNewRates();
-  /// Whether one whole beat of the line's sequence was seen.
-  bool beatSeen(std::size_t line) const;
+  static Cause causeOf(const Side& side);
+  /// Begins to measure each cycle that is not the one known.
+  void measureCycles();
+  void measure(int side);
 
   std::array<Side, 2> sides_;
   std::vector<Line> lines_;
@@ -93,9 +109,8 @@ private:
   motion::VolumeRecord drags_;
   QElapsedTimer sinceDragged_; ///< Since the last row of a drag that goes on.
   bool dragging_ = false;
-  std::vector<scene::ValueRange> extremes_; ///< For each line; frames do not meet the extremes in every beat.
-  std::vector<motion::CycleTrace> cycles_;  ///< For each line.
   QTimer throttle_;
+  QTimer measureSoon_; ///< After everybody has heard of a change.
 };
 
 } // namespace viscera::app

@@ -3,9 +3,7 @@
 #include <QGridLayout>
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QPainter>
 #include <QPixmap>
-#include <QScrollArea>
 #include <QStackedLayout>
 #include <QToolButton>
 
@@ -16,8 +14,10 @@
 #include <vtkGenericOpenGLRenderWindow.h>
 #include <vtkNew.h>
 
-#include "viscera/motion/normal_ranges.h"
+#include "viscera/motion/clinical_numbers.h"
 #include "window/widgets/elided_label.h"
+#include "window/widgets/panel_dock.h"
+#include "window/widgets/ready_made.h"
 
 namespace viscera::app {
 namespace {
@@ -64,13 +64,9 @@ VolumePanel::VolumePanel(VolumeMonitor& monitor, Playback& playback, QWidget* pa
       tileArea_(new QWidget(this)) {
   setObjectName(QStringLiteral("panel"));
   setAttribute(Qt::WA_StyledBackground);
-  auto* row = new QHBoxLayout(this);
-  row->setContentsMargins(0, 4, 8, 4);
-  row->setSpacing(8);
+  auto* row = makeLayout<QHBoxLayout>(this, 8, {0, 4, 8, 4});
   row->addWidget(makeTiles());
-  auto* column = new QVBoxLayout;
-  column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(0);
+  auto* column = makeLayout<QVBoxLayout>(nullptr, 0);
   column->addLayout(stack_, 1);
   source_ = new ElidedLabel(this);
   source_->setObjectName(QStringLiteral("chartSource"));
@@ -84,17 +80,10 @@ VolumePanel::VolumePanel(VolumeMonitor& monitor, Playback& playback, QWidget* pa
 }
 
 QWidget* VolumePanel::makeTiles() {
-  auto* scroll = new QScrollArea(this);
-  scroll->setObjectName(QStringLiteral("panelScroll"));
-  scroll->setWidgetResizable(true);
-  scroll->setFrameShape(QFrame::NoFrame);
-  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  scroll->setFixedWidth(2 * kTileWidth + 24);
-  tileArea_->setObjectName(QStringLiteral("page"));
-  tileArea_->setAttribute(Qt::WA_StyledBackground);
   new QVBoxLayout(tileArea_);
   tileArea_->layout()->setContentsMargins(8, 0, 0, 0);
-  scroll->setWidget(tileArea_);
+  QWidget* scroll = scrolled(tileArea_);
+  scroll->setFixedWidth(2 * kTileWidth + 24);
   return scroll;
 }
 
@@ -149,8 +138,7 @@ void VolumePanel::rebuild() {
   delete tileBox_;
   tiles_.clear();
   tileBox_ = new QWidget(tileArea_);
-  auto* grid = new QGridLayout(tileBox_);
-  grid->setContentsMargins(4, 0, 4, 0);
+  auto* grid = makeLayout<QGridLayout>(tileBox_, -1, {4, 0, 4, 0});
   grid->setHorizontalSpacing(8);
   grid->setVerticalSpacing(6);
   std::vector<scene::ChartLine> lines;
@@ -169,9 +157,7 @@ void VolumePanel::rebuild() {
     lines.push_back({name, lines[prescribed_].color, {}, lines[prescribed_].rightAxis, true});
   }
   if (tiles_.empty()) {
-    auto* hint = new QLabel(tr("Closed organs show their volume here."), tileBox_);
-    hint->setObjectName(QStringLiteral("muted"));
-    hint->setWordWrap(true);
+    auto* hint = makeRemark(tr("Closed organs show their volume here."), tileBox_);
     grid->addWidget(hint, 0, 0);
   }
   grid->setRowStretch(grid->rowCount(), 1);
@@ -219,9 +205,7 @@ VolumePanel::Tile VolumePanel::addTile(const VolumeMonitor::Line& line) {
   auto* grid = static_cast<QGridLayout*>(tileBox_->layout());
   const int index = static_cast<int>(tiles_.size());
   auto* box = new QWidget(tileBox_);
-  auto* column = new QVBoxLayout(box);
-  column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(0);
+  auto* column = makeLayout<QVBoxLayout>(box, 0);
   auto* name = new QToolButton(box);
   name->setObjectName(QStringLiteral("tileName"));
   // A long name must not push the second column out of sight.
@@ -234,10 +218,7 @@ VolumePanel::Tile VolumePanel::addTile(const VolumeMonitor::Line& line) {
   connect(name, &QToolButton::clicked, this,
           [this, index] { setNormalsOf(static_cast<std::size_t>(index)); });
   Tile tile{new QLabel(box), new QLabel(box)};
-  QFont font = tile.value->font();
-  font.setPointSizeF(font.pointSizeF() * 1.25);
-  font.setBold(true);
-  tile.value->setFont(font);
+  embolden(tile.value, 1.25);
   tile.detail->setObjectName(QStringLiteral("muted"));
   column->addWidget(name);
   column->addWidget(tile.value);
@@ -292,10 +273,6 @@ QString VolumePanel::detailOf(std::size_t line) const {
   return tr("%1 % of rest").arg(kPercent * shown.nowMl / shown.restMl, 0, 'f', 1);
 }
 
-bool VolumePanel::dragsShown() const {
-  return !playback_.showing() && monitor_.drags().rows() >= 2;
-}
-
 /// What the chart holds: one cycle, the sequence as played, or the drags. Another one begins with an empty
 /// chart.
 void VolumePanel::take(const motion::VolumeRecord* record) {
@@ -319,7 +296,7 @@ void VolumePanel::refresh() {
   const bool cycle = cycleShown_ && !dragsShown();
   bool anything = dragsShown() || monitor_.record().rows() >= 2;
   for (std::size_t line = 0; cycle && line < tiles_.size(); ++line)
-    anything = anything || monitor_.cycle(line).seen() >= 1;
+    anything = anything || !monitor_.cycle(line).fractions.empty();
   stack_->setCurrentIndex(anything ? 1 : 0);
   source_->setVisible(anything && !dragsShown() && !source_->fullText().isEmpty());
   cycle ? drawCycle() : drawRecord();
@@ -338,10 +315,10 @@ void VolumePanel::drawCycle() {
     chart_->setAxes(tr("Time in the cycle").toStdString(), "s", tr("Volume").toStdString(), "ml");
   chart_->setTimeRange({0, length});
   for (std::size_t line = 0; line < tiles_.size(); ++line) {
-    std::vector<double> times = monitor_.cycle(line).fractions();
-    for (double& time : times)
+    VolumeMonitor::Curve curve = monitor_.cycle(line);
+    for (double& time : curve.fractions)
       time *= length;
-    chart_->setCurve(static_cast<int>(line), std::move(times), monitor_.cycle(line).values());
+    chart_->setCurve(static_cast<int>(line), std::move(curve.fractions), std::move(curve.milliliters));
   }
   drawPrescribed(length);
   if (playback_.showing())

@@ -10,7 +10,6 @@
 #include "window/style/theme.h"
 #include "window/timeline/volume_monitor.h"
 
-class QHBoxLayout;
 class QLabel;
 class QStackedLayout;
 
@@ -30,7 +29,6 @@ public:
   void setTheme(const Theme& theme);
   /// Draws one cycle with a cursor at the present instant; else the last seconds as they went by.
   void setCycleShown(bool shown);
-  bool cycleShown() const { return cycleShown_; }
   /// Shows the normal ranges of that line.
   void setNormalsOf(std::size_t line);
   /// What the stripes in the chart are and where they come from; empty when there are none.
@@ -50,7 +48,7 @@ private:
   void rebuild();
   void refresh();
   /// Whether the last drags are in the chart: no sequence is on show.
-  bool dragsShown() const;
+  bool dragsShown() const { return !playback_.showing() && monitor_.drags().rows() >= 2; }
   void take(const motion::VolumeRecord* record);
   void refreshTiles();
   void drawCycle();

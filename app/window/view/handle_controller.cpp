@@ -117,7 +117,6 @@ void HandleController::onGrabbed(const scene::HandleEvent& event) {
     if (normal.norm() > 0)
       view_.handles()->SetConstraintPlane(normal);
   }
-  Q_EMIT dragStarted();
 }
 
 void HandleController::onMoved(const scene::HandleEvent& event) {
@@ -152,7 +151,6 @@ void HandleController::onReleased() {
   else
     poses_.finish();
   picture_.refresh();
-  Q_EMIT dragEnded();
 }
 
 void HandleController::onCancelled() {
@@ -162,7 +160,6 @@ void HandleController::onCancelled() {
   else
     poses_.cancel();
   picture_.refresh();
-  Q_EMIT dragEnded();
 }
 
 void HandleController::onGizmoGrabbed(const scene::GizmoEvent& event) {

@@ -5,8 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "viscera/scene/gizmo_event.h"
-#include "viscera/scene/handle_event.h"
+#include "viscera/scene/widget_events.h"
 #include "window/pose_editor.h"
 #include "window/view/picture.h"
 #include "window/workspace.h"
@@ -29,10 +28,6 @@ public:
   bool dragging() const;
   /// Puts back what the mouse holds; false when it holds nothing.
   bool cancelDrag();
-
-Q_SIGNALS:
-  void dragStarted();
-  void dragEnded();
 
 private:
   presentation::Shown shown() const { return picture_.state().shown; }

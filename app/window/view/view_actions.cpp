@@ -1,9 +1,8 @@
 #include "window/view/view_actions.h"
 
 #include <QDateTime>
-#include <QDesktopServices>
-#include <QUrl>
 
+#include "viscera/document/organ_commands.h"
 #include "viscera/scene/picture.h"
 
 namespace viscera::app {
@@ -49,13 +48,12 @@ void ViewActions::makeSwitches(Actions& actions) {
   using presentation::ViewState;
   ViewModel& view = parts_.view;
   view.addToggle(actions, "view.handles", {tr("Show &handles in every mode"), "handles", {Qt::Key_H}, {}},
-                 [](ViewState& state) -> bool& { return state.handles; });
+                 &ViewState::handles);
   view.addToggle(actions, "view.ghost", {tr("&Ghost of the rest shape"), "ghost", {Qt::Key_G}, {}},
-                 [](ViewState& state) -> bool& { return state.ghost; });
+                 &ViewState::ghost);
   view.addToggle(actions, "view.cube", {tr("Orientation &cube"), "view", {}, {}},
-                 [](ViewState& state) -> bool& { return state.orientationCube; });
-  view.addToggle(actions, "view.scale", {tr("Scale &bar"), nullptr, {}, {}},
-                 [](ViewState& state) -> bool& { return state.scaleBar; });
+                 &ViewState::orientationCube);
+  view.addToggle(actions, "view.scale", {tr("Scale &bar"), nullptr, {}, {}}, &ViewState::scaleBar);
 }
 
 void ViewActions::lookFrom(scene::StandardView from) {
@@ -65,7 +63,14 @@ void ViewActions::lookFrom(scene::StandardView from) {
 
 void ViewActions::focus() {
   scene::OrganView& view = parts_.area.view()->view();
-  const auto selected = parts_.picture.actorOf(parts_.workspace.selection().organ());
+  const auto organ = parts_.workspace.document().organ(parts_.workspace.selection().organ());
+  if (organ && !organ->look.visible) { // Who wants to see it does not want an empty place.
+    document::OrganLook look = organ->look;
+    look.visible = true;
+    parts_.workspace.perform(document::setOrganLook(organ->id, look));
+    parts_.workspace.undo().seal();
+  }
+  const auto selected = organ ? parts_.picture.actorOf(organ->id) : nullptr;
   view.frame(selected ? selected->bounds() : view.bounds());
   parts_.area.view()->scheduleRender();
 }
@@ -77,14 +82,8 @@ void ViewActions::saveScreenshot() {
           .arg(folder, QDateTime::currentDateTime().toString(QStringLiteral("yyyyMMdd_hhmmss_zzz")));
   const bool done = parts_.workspace.guarded(
       [&] { scene::savePicture(parts_.area.view()->renderWindow(), file.toStdString()); });
-  if (!done)
-    return;
-  Message message;
-  message.text = tr("Picture saved as %1").arg(file);
-  message.seconds = 8;
-  message.offers.push_back(
-      {tr("Open folder"), [folder] { QDesktopServices::openUrl(QUrl::fromLocalFile(folder)); }});
-  parts_.workspace.say(message);
+  if (done)
+    parts_.workspace.noteWritten(tr("Picture saved as %1").arg(file), file);
 }
 
 } // namespace viscera::app

@@ -4,6 +4,8 @@
 #include <QLabel>
 #include <QTimer>
 
+#include "window/widgets/ready_made.h"
+
 namespace viscera::app {
 namespace {
 constexpr int kMargin = 12;
@@ -24,13 +26,9 @@ ViewArea::ViewArea(QWidget* parent)
   }
   grid_->setRowStretch(1, 1);
   grid_->setColumnStretch(1, 1);
-  auto* column = new QVBoxLayout;
-  column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(0);
+  auto* column = makeLayout<QVBoxLayout>(nullptr, 0);
   column->addWidget(view_, 1);
-  auto* row = new QHBoxLayout(views_);
-  row->setContentsMargins(0, 0, 0, 0);
-  row->setSpacing(kBetweenViews);
+  auto* row = makeLayout<QHBoxLayout>(views_, kBetweenViews);
   row->addLayout(column, 1);
   grid_->addWidget(views_, 0, 0, 3, 3);
   grid_->addWidget(messages_, 1, 1, Qt::AlignTop);

@@ -8,6 +8,7 @@
 #include <QUrl>
 
 #include <cmath>
+#include <utility>
 
 #include <vtkGenericOpenGLRenderWindow.h>
 #include <vtkNew.h>
@@ -85,23 +86,43 @@ void ViewWidget::renderPending() {
   timer.start();
   renderWindow()->Render();
   frameSeconds_ = 1e-9 * static_cast<double>(timer.nsecsElapsed());
-  Q_EMIT rendered();
 }
 
 void ViewWidget::mousePressEvent(QMouseEvent* event) {
-  pressing_ = event->button() == Qt::LeftButton;
+  pressing_ = event->button();
   pressed_ = event->localPos();
+  Q_EMIT hovered(std::nullopt);
   QVTKOpenGLNativeWidget::mousePressEvent(event);
 }
 
 void ViewWidget::mouseReleaseEvent(QMouseEvent* event) {
   QVTKOpenGLNativeWidget::mouseReleaseEvent(event);
-  if (event->button() != Qt::LeftButton || !pressing_)
+  if (std::exchange(pressing_, Qt::NoButton) != event->button())
     return;
-  pressing_ = false;
   const QPointF moved = event->localPos() - pressed_;
-  if (std::hypot(moved.x(), moved.y()) <= kClickDistance)
+  if (std::hypot(moved.x(), moved.y()) > kClickDistance)
+    return;
+  if (event->button() == Qt::LeftButton)
     Q_EMIT clicked(event->localPos(), event->modifiers());
+  else if (event->button() == Qt::RightButton)
+    Q_EMIT menuWanted(event->localPos());
+}
+
+void ViewWidget::mouseDoubleClickEvent(QMouseEvent* event) {
+  QVTKOpenGLNativeWidget::mouseDoubleClickEvent(event);
+  if (event->button() == Qt::LeftButton)
+    Q_EMIT doubleClicked(event->localPos());
+}
+
+void ViewWidget::mouseMoveEvent(QMouseEvent* event) {
+  QVTKOpenGLNativeWidget::mouseMoveEvent(event);
+  if (event->buttons() == Qt::NoButton)
+    Q_EMIT hovered(event->localPos());
+}
+
+void ViewWidget::leaveEvent(QEvent* event) {
+  QVTKOpenGLNativeWidget::leaveEvent(event);
+  Q_EMIT hovered(std::nullopt);
 }
 
 void ViewWidget::dragEnterEvent(QDragEnterEvent* event) {

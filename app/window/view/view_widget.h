@@ -36,22 +36,30 @@ public Q_SLOTS:
   void renderPending();
 
 Q_SIGNALS:
-  void rendered();
   /// The left button was pressed and released at one place.
   void clicked(const QPointF& place, Qt::KeyboardModifiers modifiers);
+  /// The left button was pressed twice at one place.
+  void doubleClicked(const QPointF& place);
+  /// The right button was pressed and released at one place.
+  void menuWanted(const QPointF& place);
+  /// The mouse rests or moves at a place with no button down; it has left when there is none.
+  void hovered(const std::optional<QPointF>& place);
   void filesDropped(const QStringList& files);
   void themeChanged();
 
 protected:
   void mousePressEvent(QMouseEvent* event) override;
   void mouseReleaseEvent(QMouseEvent* event) override;
+  void mouseDoubleClickEvent(QMouseEvent* event) override;
+  void mouseMoveEvent(QMouseEvent* event) override;
+  void leaveEvent(QEvent* event) override;
   void dragEnterEvent(QDragEnterEvent* event) override;
   void dropEvent(QDropEvent* event) override;
 
 private:
   std::unique_ptr<scene::OrganView> view_;
   QPointF pressed_;
-  bool pressing_ = false;
+  Qt::MouseButton pressing_ = Qt::NoButton; ///< Until it is released, or has moved away.
   bool renderScheduled_ = false;
   double frameSeconds_ = 0;
 };

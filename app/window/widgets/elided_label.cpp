@@ -23,17 +23,9 @@ QSize ElidedLabel::sizeHint() const {
   return {fontMetrics().horizontalAdvance(full_) + around, QLabel::sizeHint().height()};
 }
 
-QSize ElidedLabel::minimumSizeHint() const {
-  return {0, QLabel::minimumSizeHint().height()};
-}
-
 void ElidedLabel::resizeEvent(QResizeEvent* event) {
   QLabel::resizeEvent(event);
   elide();
-}
-
-void ElidedLabel::elide() {
-  setText(fontMetrics().elidedText(full_, Qt::ElideRight, contentsRect().width()));
 }
 
 } // namespace viscera::app

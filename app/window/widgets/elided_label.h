@@ -15,13 +15,13 @@ public:
   QString fullText() const { return full_; }
   /// Of the whole text, for layouts that are told to look at it; by itself the label takes what is left.
   QSize sizeHint() const override;
-  QSize minimumSizeHint() const override;
+  QSize minimumSizeHint() const override { return {0, QLabel::minimumSizeHint().height()}; }
 
 protected:
   void resizeEvent(QResizeEvent* event) override;
 
 private:
-  void elide();
+  void elide() { setText(fontMetrics().elidedText(full_, Qt::ElideRight, contentsRect().width())); }
 
   QString full_;
 };

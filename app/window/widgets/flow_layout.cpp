@@ -14,19 +14,11 @@ FlowLayout::~FlowLayout() {
     delete item;
 }
 
-QLayoutItem* FlowLayout::itemAt(int index) const {
-  return index >= 0 && index < count() ? items_[index] : nullptr;
-}
-
 QLayoutItem* FlowLayout::takeAt(int index) {
   QLayoutItem* item = itemAt(index);
   if (item)
     items_.erase(items_.begin() + index);
   return item;
-}
-
-int FlowLayout::heightForWidth(int width) const {
-  return arrange(QRect(0, 0, width, 0), false);
 }
 
 QSize FlowLayout::sizeHint() const {

@@ -14,11 +14,13 @@ public:
 
   void addItem(QLayoutItem* item) override { items_.push_back(item); }
   int count() const override { return static_cast<int>(items_.size()); }
-  QLayoutItem* itemAt(int index) const override;
+  QLayoutItem* itemAt(int index) const override {
+    return index >= 0 && index < count() ? items_[index] : nullptr;
+  }
   QLayoutItem* takeAt(int index) override;
   Qt::Orientations expandingDirections() const override { return {}; }
   bool hasHeightForWidth() const override { return true; }
-  int heightForWidth(int width) const override;
+  int heightForWidth(int width) const override { return arrange(QRect(0, 0, width, 0), false); }
   /// All items in one line.
   QSize sizeHint() const override;
   QSize minimumSize() const override;

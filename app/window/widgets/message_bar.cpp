@@ -9,6 +9,7 @@
 #include <QVariant>
 
 #include "window/style/icon.h"
+#include "window/widgets/ready_made.h"
 
 namespace viscera::app {
 namespace {
@@ -31,18 +32,14 @@ MessageBar::MessageBar(QWidget* parent)
     : QFrame(parent), icon_(new QLabel(this)), text_(new QLabel(this)), offersBox_(new QWidget(this)),
       offers_(new QHBoxLayout(offersBox_)), timer_(new QTimer(this)) {
   setObjectName(QStringLiteral("messageBar"));
-  auto* row = new QHBoxLayout(this);
-  row->setContentsMargins(12, 8, 8, 8);
-  row->setSpacing(8);
+  auto* row = makeLayout<QHBoxLayout>(this, 8, {12, 8, 8, 8});
   text_->setWordWrap(true);
   text_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   text_->setTextFormat(Qt::PlainText);
   text_->setMinimumWidth(120);
   offers_->setContentsMargins(0, 0, 0, 0);
   offers_->setSpacing(8);
-  auto* closeButton = new QToolButton(this);
-  closeButton->setIcon(viscera::app::icon("close"));
-  closeButton->setToolTip(tr("Close this message (Esc)"));
+  auto* closeButton = makeIconButton("close", tr("Close this message (Esc)"), this);
   closeButton->setAccessibleName(tr("Close this message"));
   row->addWidget(icon_, 0);
   row->addWidget(text_, 1);

@@ -1,12 +1,12 @@
 #include "window/widgets/mode_rail.h"
 
-#include <QAction>
 #include <QButtonGroup>
 #include <QToolButton>
 #include <QVBoxLayout>
 
 #include "window/modes/mode_controller.h"
 #include "window/style/icon.h"
+#include "window/widgets/ready_made.h"
 
 namespace viscera::app {
 namespace {
@@ -17,9 +17,7 @@ ModeRail::ModeRail(ModeController& modes, QWidget* parent) : QWidget(parent) {
   auto* buttons = new QButtonGroup(this);
   setObjectName(QStringLiteral("modeRail"));
   setAttribute(Qt::WA_StyledBackground);
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(4, 8, 4, 8);
-  column->setSpacing(4);
+  auto* column = makeLayout<QVBoxLayout>(this, 4, {4, 8, 4, 8});
   for (const auto& mode : modes.all()) {
     const Mode::Description& description = mode->description();
     auto* button = new QToolButton(this);

@@ -5,9 +5,37 @@
 #include <QFormLayout>
 #include <QLabel>
 #include <QPushButton>
+#include <QToolButton>
 #include <QVBoxLayout>
 
+#include "window/widgets/ready_made.h"
+
 namespace viscera::app {
+
+Fold::Fold(const QString& title, QWidget* contents, bool open, QWidget* parent)
+    : QWidget(parent), title_(new QToolButton(this)), contents_(contents) {
+  auto* column = makeLayout<QVBoxLayout>(this, 4);
+  title_->setObjectName(QStringLiteral("foldTitle"));
+  title_->setText(title);
+  title_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+  title_->setCheckable(true);
+  title_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+  embolden(title_);
+  column->addWidget(title_);
+  column->addWidget(contents_);
+  connect(title_, &QToolButton::toggled, this, &Fold::setOpen);
+  setOpen(open);
+}
+
+void Fold::setOpen(bool open) {
+  title_->setChecked(open);
+  title_->setArrowType(open ? Qt::DownArrow : Qt::RightArrow);
+  contents_->setVisible(open);
+}
+
+bool Fold::isOpen() const {
+  return title_->isChecked();
+}
 
 Page::Page(QWidget* parent) : QWidget(parent), column_(new QVBoxLayout(this)) {
   column_->setContentsMargins(12, 12, 12, 12);
@@ -52,22 +80,13 @@ QLabel* Page::addFact(const QString& name) {
 }
 
 QLabel* Page::addRemark(const QString& text) {
-  auto* label = new QLabel(text, this);
-  label->setObjectName(QStringLiteral("muted"));
-  label->setWordWrap(true);
+  QLabel* label = makeRemark(text, this);
   add(label);
   return label;
 }
 
 QPushButton* Page::addButton(QAction* action) {
-  auto* button = new QPushButton(action->icon(), action->iconText(), this);
-  const auto sync = [button, action] {
-    button->setEnabled(action->isEnabled());
-    button->setToolTip(action->toolTip());
-  };
-  connect(button, &QPushButton::clicked, action, &QAction::trigger);
-  connect(action, &QAction::changed, button, sync);
-  sync();
+  QPushButton* button = makeActionButton(action, this);
   add(button);
   return button;
 }

@@ -1,14 +1,54 @@
 #include "window/widgets/panel_dock.h"
 
+#include <QAbstractSpinBox>
+#include <QChildEvent>
+#include <QComboBox>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QScrollArea>
+#include <QSlider>
 #include <QToolButton>
 
-#include "window/style/icon.h"
-#include "window/widgets/wheel_guard.h"
+#include "window/widgets/ready_made.h"
 
 namespace viscera::app {
+namespace {
+
+bool takesValuesFromTheWheel(const QObject* object) {
+  return qobject_cast<const QComboBox*>(object) != nullptr ||
+         qobject_cast<const QAbstractSpinBox*>(object) != nullptr ||
+         qobject_cast<const QSlider*>(object) != nullptr;
+}
+
+/// The wheel over a panel scrolls the panel, also where the pointer happens to be over a list of choices, a
+/// number or a slider: those keep their values. Guards all that is in `contents`, now and later; lives as
+/// long as `contents`.
+class WheelGuard final : public QObject {
+public:
+  explicit WheelGuard(QWidget* contents) : QObject(contents) { watch(contents); }
+
+protected:
+  bool eventFilter(QObject* watched, QEvent* event) override {
+    if (event->type() == QEvent::ChildAdded)
+      watch(static_cast<QChildEvent*>(event)->child());
+    if (event->type() != QEvent::Wheel || !takesValuesFromTheWheel(watched))
+      return QObject::eventFilter(watched, event);
+    // Kept from the widget, and not accepted: so Qt offers it to the parents, of which one scrolls.
+    event->ignore();
+    return true;
+  }
+
+private:
+  void watch(QObject* object) {
+    if (!object->isWidgetType())
+      return;
+    object->installEventFilter(this);
+    for (QObject* child : object->children())
+      watch(child);
+  }
+};
+
+} // namespace
 
 PanelDock::PanelDock(const QString& title, const char* id, QWidget* parent) : QDockWidget(title, parent) {
   setObjectName(QLatin1String(id));
@@ -19,9 +59,7 @@ QWidget* PanelDock::makeTitle(const QString& title) {
   auto* bar = new QWidget(this);
   bar->setObjectName(QStringLiteral("dockTitle"));
   bar->setAttribute(Qt::WA_StyledBackground);
-  auto* row = new QHBoxLayout(bar);
-  row->setContentsMargins(12, 4, 4, 4);
-  row->setSpacing(0);
+  auto* row = makeLayout<QHBoxLayout>(bar, 0, {12, 4, 4, 4});
   auto* label = new QLabel(title, bar);
   label->setObjectName(QStringLiteral("dockTitleText"));
   QFont font = label->font();
@@ -32,11 +70,7 @@ QWidget* PanelDock::makeTitle(const QString& title) {
   label->setFont(font);
   row->addWidget(label, 1);
   const auto addButton = [&](const char* name, const QString& tip, auto slot) {
-    auto* button = new QToolButton(bar);
-    button->setIcon(icon(name));
-    button->setIconSize(QSize(14, 14));
-    button->setToolTip(tip);
-    button->setAccessibleName(tip);
+    auto* button = makeIconButton(name, tip, bar, 14);
     button->setFocusPolicy(Qt::TabFocus);
     row->addWidget(button);
     connect(button, &QToolButton::clicked, this, slot);

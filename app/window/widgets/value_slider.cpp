@@ -8,13 +8,14 @@
 
 #include <cmath>
 
+#include "window/widgets/ready_made.h"
+
 namespace viscera::app {
 
 ValueSlider::ValueSlider(const QString& name, const Range& range, QWidget* parent)
     : QWidget(parent), range_(range), slider_(new QSlider(Qt::Horizontal, this)),
       field_(new QDoubleSpinBox(this)) {
-  auto* grid = new QGridLayout(this);
-  grid->setContentsMargins(0, 0, 0, 0);
+  auto* grid = makeLayout<QGridLayout>(this);
   grid->setHorizontalSpacing(8);
   grid->setVerticalSpacing(2);
   auto* label = new QLabel(name, this);

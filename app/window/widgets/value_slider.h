@@ -3,7 +3,6 @@
 #include <QWidget>
 
 class QDoubleSpinBox;
-class QLabel;
 class QSlider;
 
 namespace viscera::app {

@@ -43,21 +43,25 @@ bool PointSolver::solveGradients(const Vec3&, Values&, Points&) const {
   throw std::logic_error("a closed form is promised, but there is none");
 }
 
-std::unique_ptr<const PointSolver> PointwiseSystem::prepare(const HandleSet&, const ParameterValues&) const {
-  throw std::logic_error("the system has neither prepare nor prepareFor");
-}
+PointwiseSystem::PointwiseSystem(SystemDescription description, Prepare prepare)
+    : PointwiseSystem(
+          std::move(description),
+          [prepare = std::move(prepare)](const HandleSet& handles, const Points&, const BindOptions& options,
+                                         Progress&) { return prepare(handles, options.parameters); }) {}
 
-std::unique_ptr<const PointSolver> PointwiseSystem::prepareFor(const HandleSet& handles, const Points&,
-                                                               const BindOptions& options, Progress&) const {
-  return prepare(handles, options.parameters);
+/// After the checks that every system asks for.
+std::unique_ptr<const PointSolver> PointwiseSystem::solverFor(const HandleSet& handles, const Points& points,
+                                                              const BindOptions& options,
+                                                              Progress& progress) const {
+  options.parameters.requireWithin(parameters());
+  requireUsableHandles<3>(handles.positions);
+  return prepare_(handles, points, options, progress);
 }
 
 std::unique_ptr<Binding> PointwiseSystem::bind(const HandleSet& handles, const Points& points,
                                                const BindOptions& options, Progress& progress) const {
   const auto start = std::chrono::steady_clock::now();
-  options.parameters.requireWithin(parameters());
-  requireUsableHandles<3>(handles.positions);
-  const auto solver = prepareFor(handles, points, options, progress);
+  const auto solver = solverFor(handles, points, options, progress);
   const auto lift = solver->lift();
   const Eigen::Index count = lift ? lift->rowCount() : handles.positions.rows();
   TiledWeights weights(points.rows(), count);
@@ -81,9 +85,7 @@ CoordinateGradients PointwiseSystem::gradients(const HandleSet& handles, const P
                                                const BindOptions& options, Progress& progress) const {
   if (!traits().closedFormGradient)
     return CoordinateSystem::gradients(handles, points, options, progress);
-  options.parameters.requireWithin(parameters());
-  requireUsableHandles<3>(handles.positions);
-  const auto solver = prepareFor(handles, points, options, progress);
+  const auto solver = solverFor(handles, points, options, progress);
   CoordinateGradients result;
   result.closedForm = true;
   result.lift = solver->lift();

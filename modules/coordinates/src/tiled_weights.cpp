@@ -5,7 +5,7 @@
 #include <cstring>
 #include <vector>
 
-#include "simd/usable_tile_kernels.h"
+#include "simd/usable_kernels.h"
 
 namespace viscera::coordinates {
 namespace {

@@ -7,7 +7,7 @@
 #include <limits>
 #include <utility>
 
-#include "simd/usable_tile_kernels.h"
+#include "simd/usable_kernels.h"
 
 namespace viscera::coordinates {
 namespace {

@@ -36,13 +36,6 @@ void requireInput(const Points& organPoints, int count) {
     throw DataError("there are no points to group handles around");
 }
 
-Points chosenRows(const Points& points, const std::vector<int>& rows) {
-  Points chosen(static_cast<Eigen::Index>(rows.size()), 3);
-  for (std::size_t i = 0; i < rows.size(); ++i)
-    chosen.row(static_cast<Eigen::Index>(i)) = points.row(rows[i]);
-  return chosen;
-}
-
 bool holds(const Points& handles, const Points& part) {
   try {
     const geometry::ConvexHull hull(handles);
@@ -56,7 +49,7 @@ bool holds(const Points& handles, const Points& part) {
 /// hold it.
 void addGroup(Grouping& grouping, const std::string& name, const Points& handles, std::vector<int> members,
               const Points& part, const Points& box) {
-  if (part.rows() > 0 && !holds(chosenRows(handles, members), part)) {
+  if (part.rows() > 0 && !holds(handles(members, Eigen::all), part)) {
     const Eigen::Index before = grouping.added.rows();
     grouping.added.conservativeResize(before + box.rows(), 3);
     grouping.added.bottomRows(box.rows()) = box;
@@ -188,7 +181,7 @@ Grouping groupsAlongAxis(const Points& handles, const Points& organPoints, int c
     addGroup(grouping, "part " + std::to_string(k + 1), handles,
              rowsBetween(own.col(kAlong), first ? -kInfinity : part.low[kAlong],
                          last ? kInfinity : part.high[kAlong]),
-             chosenRows(organPoints, rowsBetween(organ.col(kAlong), from, to)), frame.corners(part));
+             organPoints(rowsBetween(organ.col(kAlong), from, to), Eigen::all), frame.corners(part));
   }
   return grouping;
 }
@@ -203,7 +196,7 @@ Grouping groupsByCluster(const Points& handles, const Points& organPoints, int c
   Grouping grouping;
   grouping.added.resize(0, 3);
   for (int k = 0; k < count; ++k) {
-    const Points part = chosenRows(organPoints, rowsNear(organPoints, centers, k));
+    const Points part = organPoints(rowsNear(organPoints, centers, k), Eigen::all);
     addGroup(grouping, "cluster " + std::to_string(k + 1), handles, rowsNear(handles, centers, k), part,
              enclosingHandles(part, kBoxMargin));
   }

@@ -104,21 +104,18 @@ struct Search {
 void solve(std::vector<Search> searches, const Motion& motion, DisplacementGrid& grid) {
   const double accuracy = kAccuracy * grid.spacing;
   const auto finish = [&](const Search& search) {
-    if (search.bestError > accuracy) {
+    if (search.bestError <= accuracy)
+      grid.largestErrorMm = std::max(grid.largestErrorMm, search.bestError);
+    else
       ++grid.unreached;
-      grid.vectors.row(search.row) = std::isfinite(search.bestError)
-                                         ? (search.best - search.target).transpose().eval()
-                                         : Eigen::RowVector3d::Zero().eval();
-      return;
-    }
-    grid.largestErrorMm = std::max(grid.largestErrorMm, search.bestError);
-    grid.vectors.row(search.row) = (search.best - search.target).transpose();
+    if (std::isfinite(search.bestError)) // Else it stays zero.
+      grid.vectors.row(search.row) = (search.best - search.target).transpose();
   };
   for (int round = 0; round < kMostRounds && !searches.empty(); ++round) {
-    Points places(static_cast<Eigen::Index>(searches.size()), 3);
-    for (std::size_t i = 0; i < searches.size(); ++i)
-      places.row(static_cast<Eigen::Index>(i)) = searches[i].at.transpose();
-    const Points moved = motion(places);
+    std::vector<Vec3> places;
+    for (const Search& search : searches)
+      places.push_back(search.at);
+    const Points moved = motion(pointsOf(places));
     std::size_t kept = 0;
     for (std::size_t i = 0; i < searches.size(); ++i) {
       if (searches[i].advance(moved.row(static_cast<Eigen::Index>(i)).transpose(), accuracy))

@@ -1,12 +1,12 @@
 #include "viscera/deformation/place_handles.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "surface_distance.h"
 #include "viscera/core/error.h"
 #include "viscera/geometry/normals.h"
 
@@ -19,6 +19,91 @@ constexpr int kLeastWithoutBox = 4;
 /// Of the wanted offset: what must remain to every part of the surface, and between two handles. A vertex in
 /// a groove can be so deep that its handle would come out on the other side.
 constexpr double kClearance = 0.5;
+
+/// Of the nearest distance: triangles that share the nearest edge or vertex differ by rounding only.
+constexpr double kTie = 1e-9;
+
+struct Triangle {
+  Vec3 a, b, c;
+};
+
+Triangle triangle(const geometry::TriangleMesh& mesh, Eigen::Index index) {
+  const auto corner = [&](int k) -> Vec3 { return mesh.points.row(mesh.triangles(index, k)).transpose(); };
+  return {corner(0), corner(1), corner(2)};
+}
+
+Vec3 nearestOnSegment(const Vec3& a, const Vec3& b, const Vec3& p) {
+  const double length2 = (b - a).squaredNorm();
+  const double t = length2 > 0 ? std::clamp((p - a).dot(b - a) / length2, 0.0, 1.0) : 0.0;
+  return a + t * (b - a);
+}
+
+/// Inside the triangle's prism it is the projection, elsewhere on the nearest edge.
+Vec3 nearestOnTriangle(const Triangle& t, const Vec3& normal, const Vec3& p) {
+  const double length2 = normal.squaredNorm();
+  const bool inside = length2 > 0 && (t.b - t.a).cross(p - t.a).dot(normal) >= 0 &&
+                      (t.c - t.b).cross(p - t.b).dot(normal) >= 0 &&
+                      (t.a - t.c).cross(p - t.c).dot(normal) >= 0;
+  if (inside)
+    return p - (p - t.a).dot(normal) / length2 * normal;
+  Vec3 nearest = nearestOnSegment(t.a, t.b, p);
+  for (const Vec3& other : {nearestOnSegment(t.b, t.c, p), nearestOnSegment(t.c, t.a, p)})
+    if ((other - p).squaredNorm() < (nearest - p).squaredNorm())
+      nearest = other;
+  return nearest;
+}
+
+/// Distances of single points from a triangle surface. Immutable; may be asked from several threads.
+class SurfaceDistance {
+public:
+  /// Keeps a reference to `mesh`. O(m).
+  explicit SurfaceDistance(const geometry::TriangleMesh& mesh);
+
+  /// Signed distance in mm: positive outside, by the side of the nearest triangle (of several equally near
+  /// ones, the one that faces the point most). O(n + m), of which only triangles near the nearest vertex are
+  /// looked at closely.
+  double operator()(const Vec3& point) const;
+
+private:
+  const geometry::TriangleMesh& mesh_;
+  double longestEdge_ = 0;
+};
+
+SurfaceDistance::SurfaceDistance(const geometry::TriangleMesh& mesh) : mesh_(mesh) {
+  double longest2 = 0;
+  for (Eigen::Index index = 0; index < mesh.triangles.rows(); ++index) {
+    const auto [a, b, c] = triangle(mesh, index);
+    longest2 = std::max({longest2, (b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()});
+  }
+  longestEdge_ = std::sqrt(longest2);
+}
+
+double SurfaceDistance::operator()(const Vec3& point) const {
+  const Values distances2 = (mesh_.points.rowwise() - point.transpose()).rowwise().squaredNorm();
+  double nearestCorner2 = std::numeric_limits<double>::infinity();
+  for (Eigen::Index index = 0; index < mesh_.triangles.rows(); ++index)
+    nearestCorner2 = std::min(nearestCorner2, distances2[mesh_.triangles(index, 0)]);
+  // The nearest triangle is no farther than the nearest corner, and its own first corner at most an edge
+  // beyond that.
+  const double reach = std::sqrt(nearestCorner2) + longestEdge_;
+  double nearest = std::numeric_limits<double>::infinity(), facing = 0;
+  for (Eigen::Index index = 0; index < mesh_.triangles.rows(); ++index) {
+    if (distances2[mesh_.triangles(index, 0)] > reach * reach)
+      continue;
+    const Triangle t = triangle(mesh_, index);
+    const Vec3 normal = (t.b - t.a).cross(t.c - t.a);
+    const Vec3 offset = point - nearestOnTriangle(t, normal, point);
+    const double distance = offset.norm();
+    const double side = offset.dot(normal.stableNormalized());
+    if (distance > nearest * (1 + kTie))
+      continue;
+    const bool tie = distance >= nearest * (1 - kTie);
+    if (!tie || std::abs(side) > std::abs(facing))
+      facing = side;
+    nearest = std::min(nearest, distance);
+  }
+  return facing < 0 ? -nearest : nearest;
+}
 
 /// Chooses vertices one after another, each the farthest from those before.
 class FarthestVertices {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 
@@ -72,6 +73,17 @@ LocalDistortion localDistortion(const Eigen::Matrix3d& m) {
   distortion.stretchMax = s[0];
   distortion.stretchMin = s[2];
   return distortion;
+}
+
+PrincipalStretches principalStretches(const Eigen::Matrix3d& m) {
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(m * m.transpose());
+  PrincipalStretches result;
+  Eigen::Matrix3d axes = solver.eigenvectors().rowwise().reverse();
+  if (axes.determinant() < 0)
+    axes.col(2) = -axes.col(2);
+  result.directions = Eigen::Quaterniond(axes).normalized();
+  result.stretches = solver.eigenvalues().reverse().cwiseMax(0).cwiseSqrt();
+  return result;
 }
 
 } // namespace viscera::deformation

@@ -4,6 +4,7 @@
 #include <array>
 #include <cassert>
 #include <cmath>
+#include <string>
 #include <utility>
 
 #include <Eigen/QR>
@@ -17,7 +18,6 @@ namespace viscera::deformation {
 namespace {
 
 constexpr int kMostNewtonSteps = 20;
-/// A selection whose gradient is this much smaller than the surface cannot change the volume.
 /// Above this a form takes longer to make than a user would wait at the first drag: one or two seconds.
 constexpr double kMostFormWork = 4e9;
 /// The polynomial's root is as good as rounding allows; more Newton steps than this only follow noise.
@@ -65,14 +65,6 @@ void VolumeLock::setTarget(std::size_t surface, double targetMm3) {
   changed.targetMm3 = targetMm3;
   requireTarget(changed);
   surfaces_[surface] = std::move(changed);
-}
-
-VolumeLock VolumeLock::withTargets(const std::vector<double>& targetsMm3) const {
-  assert(targetsMm3.size() == surfaces_.size());
-  VolumeLock other = *this;
-  for (std::size_t k = 0; k < targetsMm3.size(); ++k)
-    other.setTarget(k, targetsMm3[k]);
-  return other;
 }
 
 const VolumeForm* VolumeLock::form(std::size_t surface) const {
@@ -244,6 +236,32 @@ RestoredPose VolumeLock::restore(const Points& wanted, const std::vector<int>& f
   if (shift > limitMm)
     return fail("restoring the volume would move a handle by " + std::to_string(std::lround(shift)) + " mm");
   return {std::move(pose), true, shift, reached, {}};
+}
+
+std::vector<int> restingHandles(const Points& restHandles, const Points& pose) {
+  std::vector<int> resting;
+  for (Eigen::Index i = 0; i < restHandles.rows(); ++i)
+    if (restHandles.row(i) == pose.row(i))
+      resting.push_back(static_cast<int>(i));
+  return resting;
+}
+
+void restoreVolume(Deformer& deformer, double targetMm3, const std::vector<int>& compensating,
+                   const RestorationModel& model) {
+  if (compensating.empty())
+    throw UsageError("no handle is left to make up for the volume", {}, "name compensating handles");
+  std::vector<int> free = compensating;
+  std::sort(free.begin(), free.end());
+  if (free.front() < 0 || free.back() >= deformer.pose().rows())
+    throw UsageError("there is no handle " + std::to_string(free.front() < 0 ? free.front() : free.back()),
+                     "compensating handles");
+  const VolumeLock lock({{"organ", deformer.sharedRest(), deformer.sharedBinding(), targetMm3}});
+  const double limit = boundsOf(deformer.restHandles()).diagonal();
+  const auto restored = lock.restore(deformer.pose(), free, model, limit);
+  if (!restored.restored)
+    throw DataError(restored.reason, "volume",
+                    "let more handles compensate, or ask for a volume nearer to the present one");
+  deformer.setPose(restored.pose);
 }
 
 } // namespace viscera::deformation

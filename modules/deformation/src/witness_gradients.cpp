@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "viscera/core/error.h"
+#include "viscera/deformation/tetrahedralise.h"
 
 namespace viscera::deformation {
 namespace {
@@ -12,11 +13,12 @@ namespace {
 /// Tiles a thread takes at a time.
 constexpr Eigen::Index kTilesATime = 16;
 
-} // namespace
+/// Enough points to keep all threads busy, few enough that the portion's own copy does not matter. Systems
+/// that fill the handles with tetrahedra first get all points at once: they take longer to prepare than to
+/// answer.
+constexpr Eigen::Index kPortion = 8192;
 
-StressStatistics statisticsOf(const StressMap& map) {
-  return statisticsOf(map, map.rotationalStress.size());
-}
+} // namespace
 
 StressStatistics statisticsOf(const StressMap& map, Eigen::Index count) {
   assert(count >= 0 && count <= map.rotationalStress.size());
@@ -39,12 +41,6 @@ WitnessGradients::WitnessGradients(Eigen::Index witnesses, Eigen::Index handles,
     : witnesses_(witnesses), handles_(handles), lift_(std::move(lift)),
       rows_(lift_ ? lift_->rowCount() : handles), failed_(static_cast<std::size_t>(witnesses), false),
       data_(static_cast<std::size_t>((witnesses + kTile - 1) / kTile * kTile * rows_ * 3), 0.0) {}
-
-WitnessGradients::WitnessGradients(const coordinates::CoordinateGradients& gradients, Eigen::Index witnesses,
-                                   Eigen::Index handles)
-    : WitnessGradients(witnesses, handles, gradients.lift) {
-  put(0, gradients, witnesses);
-}
 
 void WitnessGradients::put(Eigen::Index begin, const coordinates::CoordinateGradients& gradients,
                            Eigen::Index count) {
@@ -112,6 +108,31 @@ void WitnessGradients::evaluate(const Points& pose, StressMap& map, Threads thre
     }
   });
   map.folded = static_cast<int>((map.volumeRatio.array() <= 0).count());
+}
+
+std::shared_ptr<const WitnessGradients>
+bindWitnesses(const coordinates::CoordinateSystem& system, const coordinates::HandleSet& handles,
+              const Points& points, const coordinates::BindOptions& options, Progress& progress) {
+  const coordinates::BindOptions own = withTetgen(options);
+  const Eigen::Index portion = system.traits().needsTetrahedra ? points.rows() : kPortion;
+  std::shared_ptr<WitnessGradients> result;
+  for (Eigen::Index begin = 0; begin < points.rows(); begin += portion) {
+    progress.throwIfCancelled();
+    progress.report(static_cast<double>(begin) / static_cast<double>(points.rows()),
+                    "derivatives at the witness points");
+    const Eigen::Index count = std::min(portion, points.rows() - begin);
+    Progress brief; // A portion takes milliseconds to a second; between them the caller may cancel.
+    Progress& watched = system.traits().needsTetrahedra ? progress : brief;
+    const auto gradients = system.gradients(handles, points.middleRows(begin, count), own, watched);
+    if (!result)
+      result = std::make_shared<WitnessGradients>(points.rows(), handles.positions.rows(), gradients.lift);
+    result->put(begin, gradients, count);
+  }
+  if (!result)
+    result = std::make_shared<WitnessGradients>(0, handles.positions.rows());
+  progress.throwIfCancelled();
+  progress.report(1);
+  return result;
 }
 
 } // namespace viscera::deformation

@@ -2,10 +2,15 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <cstdint>
+#include <limits>
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 #include "viscera/core/error.h"
+#include "viscera/geometry/winding_number.h"
 
 namespace viscera::deformation {
 namespace {
@@ -29,6 +34,58 @@ double signedVolume(const Points& points, const Tetrahedra& tetrahedra, Eigen::I
          6;
 }
 
+constexpr Eigen::Index kGrain = 1024;
+
+/// Which tetrahedra have their middle inside a cavity.
+std::vector<char> insideCavities(const WitnessMesh& mesh,
+                                 const std::vector<std::shared_ptr<const geometry::TriangleMesh>>& cavities,
+                                 Threads threads) {
+  std::vector<char> inside(static_cast<std::size_t>(mesh.tetrahedra.rows()), 0);
+  for (const auto& cavity : cavities) {
+    const geometry::WindingNumber winding(*cavity);
+    const Bounds box = boundsOf(cavity->points);
+    parallelRanges(mesh.tetrahedra.rows(), kGrain, threads, [&](Eigen::Index begin, Eigen::Index end) {
+      for (Eigen::Index t = begin; t < end; ++t) {
+        Vec3 middle = Vec3::Zero();
+        for (int c = 0; c < 4; ++c)
+          middle += 0.25 * mesh.points.row(mesh.tetrahedra(t, c)).transpose();
+        const bool near =
+            (middle.array() >= box.low.array()).all() && (middle.array() <= box.high.array()).all();
+        if (near && winding.inside(middle))
+          inside[static_cast<std::size_t>(t)] = 1;
+      }
+    });
+  }
+  return inside;
+}
+
+constexpr int kHalvings = 24;
+
+struct Nearest {
+  int point = -1;
+  double distance = std::numeric_limits<double>::infinity();
+};
+
+using Cells = std::unordered_map<std::int64_t, Nearest>;
+
+/// The point nearest to the middle of each cell that holds some.
+Cells cellsOf(const Points& points, Eigen::Index count, const Vec3& low, double edge) {
+  Cells cells;
+  constexpr std::int64_t kRow = std::int64_t{1} << 20;
+  for (Eigen::Index i = 0; i < count; ++i) {
+    const Vec3 at = (points.row(i).transpose() - low) / edge;
+    const Vec3 cell = at.array().floor();
+    const std::int64_t key =
+        (static_cast<std::int64_t>(cell.z()) * kRow + static_cast<std::int64_t>(cell.y())) * kRow +
+        static_cast<std::int64_t>(cell.x());
+    Nearest& nearest = cells[key];
+    const double distance = (at - cell - Vec3::Constant(0.5)).squaredNorm();
+    if (distance < nearest.distance)
+      nearest = {static_cast<int>(i), distance};
+  }
+  return cells;
+}
+
 } // namespace
 
 Values tetrahedronVolumes(const Points& points, const Tetrahedra& tetrahedra) {
@@ -36,22 +93,6 @@ Values tetrahedronVolumes(const Points& points, const Tetrahedra& tetrahedra) {
   for (Eigen::Index t = 0; t < tetrahedra.rows(); ++t)
     volumes[t] = signedVolume(points, tetrahedra, t);
   return volumes;
-}
-
-Edges edgesOf(const Tetrahedra& tetrahedra) {
-  std::vector<std::array<std::int32_t, 2>> all;
-  all.reserve(static_cast<std::size_t>(6 * tetrahedra.rows()));
-  for (Eigen::Index t = 0; t < tetrahedra.rows(); ++t)
-    for (int i = 0; i < 4; ++i)
-      for (int j = i + 1; j < 4; ++j)
-        all.push_back(
-            {std::min(tetrahedra(t, i), tetrahedra(t, j)), std::max(tetrahedra(t, i), tetrahedra(t, j))});
-  std::sort(all.begin(), all.end());
-  all.erase(std::unique(all.begin(), all.end()), all.end());
-  Edges edges(static_cast<Eigen::Index>(all.size()), 2);
-  for (std::size_t e = 0; e < all.size(); ++e)
-    edges.row(static_cast<Eigen::Index>(e)) << all[e][0], all[e][1];
-  return edges;
 }
 
 Triangles skinOf(const Tetrahedra& tetrahedra) {
@@ -94,6 +135,69 @@ void requireUsable(const WitnessMesh& mesh, const std::string& where) {
     if (!(signedVolume(mesh.points, mesh.tetrahedra, t) > smallest))
       throw DataError("tetrahedron " + std::to_string(t) + " is flat or turned around", where);
   }
+}
+
+WitnessMesh withoutCavities(const WitnessMesh& mesh,
+                            const std::vector<std::shared_ptr<const geometry::TriangleMesh>>& cavities,
+                            Threads threads) {
+  const std::vector<char> inside = insideCavities(mesh, cavities, threads);
+  const auto left = static_cast<Eigen::Index>(std::count(inside.begin(), inside.end(), 0));
+  WitnessMesh carved;
+  carved.tetrahedra.resize(left, 4);
+  std::vector<std::int32_t> number(static_cast<std::size_t>(mesh.points.rows()), -1);
+  Eigen::Index row = 0;
+  for (Eigen::Index t = 0; t < mesh.tetrahedra.rows(); ++t) {
+    if (inside[static_cast<std::size_t>(t)] != 0)
+      continue;
+    carved.tetrahedra.row(row++) = mesh.tetrahedra.row(t);
+    for (int c = 0; c < 4; ++c)
+      number[static_cast<std::size_t>(mesh.tetrahedra(t, c))] = 0;
+  }
+  std::int32_t points = 0;
+  for (Eigen::Index point = 0; point < mesh.points.rows(); ++point) {
+    if (number[static_cast<std::size_t>(point)] < 0)
+      continue;
+    number[static_cast<std::size_t>(point)] = points++;
+    carved.witnesses += mesh.isWitness(point) ? 1 : 0;
+  }
+  if (left == mesh.tetrahedra.rows() || carved.witnesses == 0)
+    return mesh;
+  carved.points.resize(points, 3);
+  for (Eigen::Index point = 0; point < mesh.points.rows(); ++point)
+    if (number[static_cast<std::size_t>(point)] >= 0)
+      carved.points.row(number[static_cast<std::size_t>(point)]) = mesh.points.row(point);
+  for (Eigen::Index i = 0; i < carved.tetrahedra.size(); ++i)
+    carved.tetrahedra.data()[i] = number[static_cast<std::size_t>(carved.tetrahedra.data()[i])];
+  return carved;
+}
+
+std::vector<int> thinnedPoints(const Points& points, Eigen::Index count, int most) {
+  std::vector<int> chosen;
+  if (count <= most) {
+    for (Eigen::Index i = 0; i < count; ++i)
+      chosen.push_back(static_cast<int>(i));
+    return chosen;
+  }
+  const Bounds box = boundsOf(points.topRows(count));
+  const double size = std::max((box.high - box.low).maxCoeff(), std::numeric_limits<double>::min());
+  // The finest grid that has no more occupied cells than wanted, found by halving an interval of edges. Below
+  // the lower end every point would be alone.
+  double fine = size / (4 * std::cbrt(static_cast<double>(count)) + 4), coarse = 2 * size;
+  Cells best = cellsOf(points, count, box.low, coarse);
+  for (int i = 0; i < kHalvings && coarse / fine > 1.02; ++i) {
+    const double edge = std::sqrt(fine * coarse);
+    Cells cells = cellsOf(points, count, box.low, edge);
+    if (static_cast<int>(cells.size()) <= most) {
+      coarse = edge;
+      best = std::move(cells);
+    } else {
+      fine = edge;
+    }
+  }
+  for (const auto& [key, nearest] : best)
+    chosen.push_back(nearest.point);
+  std::sort(chosen.begin(), chosen.end());
+  return chosen;
 }
 
 } // namespace viscera::deformation

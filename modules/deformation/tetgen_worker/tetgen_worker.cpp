@@ -23,32 +23,27 @@ using namespace viscera::deformation::tetgen_exchange;
 /// More than any surface that fits into the machine; a request beyond is not a request.
 constexpr std::uint64_t kMostItems = std::uint64_t{1} << 30;
 
-bool readAll(int file, void* data, std::size_t size) {
-  auto* bytes = static_cast<char*>(data);
+/// Calls `move` (`read` or `write`) until all bytes have gone through the file.
+template <class Move, class Byte>
+bool moveAll(const Move& move, int file, Byte* bytes, std::size_t size) {
   while (size > 0) {
-    const ssize_t got = read(file, bytes, size);
-    if (got < 0 && errno == EINTR)
+    const ssize_t moved = move(file, bytes, size);
+    if (moved < 0 && errno == EINTR)
       continue;
-    if (got <= 0)
+    if (moved <= 0)
       return false;
-    bytes += got;
-    size -= static_cast<std::size_t>(got);
+    bytes += moved;
+    size -= static_cast<std::size_t>(moved);
   }
   return true;
 }
 
+bool readAll(void* data, std::size_t size) {
+  return moveAll(read, STDIN_FILENO, static_cast<char*>(data), size);
+}
+
 bool writeAll(int file, const void* data, std::size_t size) {
-  const auto* bytes = static_cast<const char*>(data);
-  while (size > 0) {
-    const ssize_t written = write(file, bytes, size);
-    if (written < 0 && errno == EINTR)
-      continue;
-    if (written <= 0)
-      return false;
-    bytes += written;
-    size -= static_cast<std::size_t>(written);
-  }
-  return true;
+  return moveAll(write, file, static_cast<const char*>(data), size);
 }
 
 /// Hands the surface over in TetGen's own structures, which free what they hold.
@@ -90,15 +85,15 @@ std::string switchesFor(const Request& request) {
 
 int mesh(int output) {
   Request request;
-  if (!readAll(STDIN_FILENO, &request, sizeof request) || request.magic != kMagic ||
-      request.points > kMostItems || request.triangles > kMostItems) {
+  if (!readAll(&request, sizeof request) || request.magic != kMagic || request.points > kMostItems ||
+      request.triangles > kMostItems) {
     std::fputs("this is not a request for tetrahedra\n", stderr);
     return kBadRequest;
   }
   std::vector<double> points(3 * request.points);
   std::vector<std::int32_t> triangles(3 * request.triangles);
-  if (!readAll(STDIN_FILENO, points.data(), points.size() * sizeof(double)) ||
-      !readAll(STDIN_FILENO, triangles.data(), triangles.size() * sizeof(std::int32_t))) {
+  if (!readAll(points.data(), points.size() * sizeof(double)) ||
+      !readAll(triangles.data(), triangles.size() * sizeof(std::int32_t))) {
     std::fputs("the request for tetrahedra is cut short\n", stderr);
     return kBadRequest;
   }

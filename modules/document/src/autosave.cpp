@@ -7,15 +7,65 @@
 #include <system_error>
 #include <utility>
 
+#include <fcntl.h>
+#include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
-#include "file_lock.h"
 #include "viscera/core/atomic_file.h"
 
 namespace viscera::document {
-namespace {
 
 namespace fs = std::filesystem;
+
+/// A file that one program at a time holds; the system lets go of it when that program ends, however it ends.
+class FileLock {
+public:
+  /// Takes the lock, making the file when it is not there; null when another program has it or the file
+  /// cannot be made.
+  static std::shared_ptr<FileLock> take(const fs::path& file) {
+    for (;;) {
+      const int descriptor = ::open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0600);
+      if (descriptor < 0)
+        return nullptr;
+      if (::flock(descriptor, LOCK_EX | LOCK_NB) != 0) {
+        ::close(descriptor);
+        return nullptr;
+      }
+      if (isStillThere(descriptor, file))
+        return std::shared_ptr<FileLock>(new FileLock(file, descriptor));
+      ::close(descriptor);
+    }
+  }
+
+  ~FileLock() { ::close(descriptor_); }
+  FileLock(const FileLock&) = delete;
+  FileLock& operator=(const FileLock&) = delete;
+
+  const fs::path& file() const { return file_; }
+
+  /// Removes the file; nobody can take this lock any more.
+  void remove() const {
+    std::error_code ignored;
+    fs::remove(file_, ignored);
+  }
+
+private:
+  FileLock(fs::path file, int descriptor) : file_(std::move(file)), descriptor_(descriptor) {}
+
+  /// Whether the open file is still the one of that name: another program may have removed it before this one
+  /// got the lock.
+  static bool isStillThere(int descriptor, const fs::path& file) {
+    struct stat open, named;
+    return ::fstat(descriptor, &open) == 0 && ::stat(file.c_str(), &named) == 0 &&
+           open.st_ino == named.st_ino && open.st_dev == named.st_dev;
+  }
+
+  fs::path file_;
+  int descriptor_;
+};
+
+namespace {
 
 constexpr const char* kSlot = "autosave";
 constexpr const char* kPrefix = "recovery-";

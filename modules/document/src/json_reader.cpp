@@ -6,7 +6,7 @@
 #include <sstream>
 
 #include "viscera/core/error.h"
-#include "viscera/core/utf8.h"
+#include "viscera/core/text.h"
 
 namespace viscera::document {
 namespace {
@@ -138,9 +138,10 @@ void JsonReader::requireObject(const ordered_json& value, const std::string& pla
     fail("It is not an object", place);
 }
 
-void JsonReader::noteUnknown(const ordered_json& object, std::initializer_list<const char*> known,
-                             const std::string& place) {
-  for (const auto& [key, value] : object.items()) {
+void JsonReader::takeObject(const ordered_json& value, std::initializer_list<const char*> known,
+                            const std::string& place) {
+  requireObject(value, place);
+  for (const auto& [key, unread] : value.items()) {
     const bool isKnown =
         std::any_of(known.begin(), known.end(), [&name = key](const char* one) { return name == one; });
     if (!isKnown)

@@ -7,11 +7,9 @@
 #include <tuple>
 #include <utility>
 
-#include "sha256.h"
+#include "organ_source.h"
 #include "viscera/core/error.h"
-#include "viscera/document/label_organs.h"
 #include "viscera/geometry/convex_hull.h"
-#include "viscera/medical_io/label_map.h"
 #include "viscera/medical_io/surface_file.h"
 
 namespace viscera::document {
@@ -83,15 +81,6 @@ std::string displayName(std::string name) {
   return name;
 }
 
-} // namespace
-
-bool isHandleFile(const std::filesystem::path& file) {
-  const std::string name = lowerName(file);
-  return endsWith(name, ".mrk.json") || endsWith(name, ".fcsv");
-}
-
-namespace {
-
 /// As an organ, and as it is in the file.
 std::pair<Organ, ReadSurface> readBoth(const std::filesystem::path& file) {
   medical_io::SurfaceFile surface = medical_io::readSurface(file);
@@ -111,8 +100,37 @@ std::pair<Organ, ReadSurface> readBoth(const std::filesystem::path& file) {
 
 } // namespace
 
+bool isHandleFile(const std::filesystem::path& file) {
+  const std::string name = lowerName(file);
+  return endsWith(name, ".mrk.json") || endsWith(name, ".fcsv");
+}
+
 Organ readOrgan(const std::filesystem::path& file) {
   return readBoth(file).first;
+}
+
+std::vector<Organ> organsFrom(const medical_io::LabelMap& map, std::vector<medical_io::LabelSurface> surfaces,
+                              const std::filesystem::path& file) {
+  std::vector<Organ> organs;
+  for (medical_io::LabelSurface& surface : surfaces) {
+    const medical_io::Segment& segment = map.segments[surface.segment];
+    Organ organ = makeOrgan(segment.name, std::move(surface.mesh));
+    organ.look.color = segment.color;
+    organ.file = file;
+    organ.warnings.insert(organ.warnings.begin(), surface.warnings.begin(), surface.warnings.end());
+    organs.push_back(std::move(organ));
+  }
+  if (!organs.empty())
+    organs.front().warnings.insert(organs.front().warnings.begin(), map.warnings.begin(), map.warnings.end());
+  return organs;
+}
+
+std::vector<Organ> readLabelOrgans(const std::filesystem::path& file, const std::vector<std::string>& labels,
+                                   Progress& progress) {
+  const medical_io::LabelMap map = medical_io::readLabelMap(file, progress);
+  medical_io::LabelSurfaceOptions options;
+  options.segments = medical_io::segmentsNamed(map, labels, file.string());
+  return organsFrom(map, medical_io::labelSurfaces(map, options, progress), file);
 }
 
 OpenedFiles openFiles(const std::vector<std::filesystem::path>& named, Progress& progress) {

@@ -4,7 +4,7 @@
 #include <set>
 #include <utility>
 
-#include "viscera/core/utf8.h"
+#include "viscera/core/text.h"
 #include "viscera/document/edit.h"
 #include "viscera/geometry/close_holes.h"
 #include "viscera/geometry/surface_check.h"
@@ -17,18 +17,16 @@ bool hasName(const OrganList& organs, const std::string& name) {
                      [&name](const auto& organ) { return organ->name == name; });
 }
 
-/// The state with one organ replaced by what `change` makes of it.
-DocumentState withOrgan(DocumentState state, OrganId id, const std::function<void(Organ&)>& change) {
-  OrganList organs = *state.organs;
-  const auto found =
-      std::find_if(organs.begin(), organs.end(), [id](const auto& organ) { return organ->id == id; });
-  if (found == organs.end())
-    throw UsageError("There is no such organ any more", "organ " + std::to_string(id.value));
-  Organ changed = **found;
-  change(changed);
-  *found = std::make_shared<const Organ>(std::move(changed));
-  state.organs = std::make_shared<const OrganList>(std::move(organs));
-  return state;
+Command onOrgan(std::string name, OrganId id, std::function<void(Organ&)> change, std::string mergeKey = {}) {
+  return edit::onPart(
+      std::move(name), &DocumentState::organs,
+      [id, change = std::move(change)](OrganList& organs, const DocumentState& state, IdSource&) {
+        const auto organ = edit::requireOrgan(state, id);
+        Organ changed = *organ;
+        change(changed);
+        std::replace(organs.begin(), organs.end(), organ, std::make_shared<const Organ>(std::move(changed)));
+      },
+      std::move(mergeKey));
 }
 
 DocumentState added(DocumentState state, IdSource& ids, const std::vector<NewOrgan>& newOrgans) {
@@ -83,12 +81,9 @@ DocumentState withPointsOnSurfaceOf(DocumentState state, OrganId id) {
 }
 
 DocumentState removed(DocumentState state, const std::vector<OrganId>& ids) {
-  std::set<OrganId> gone;
-  for (const OrganId id : ids) {
-    if (!state.organ(id))
-      throw UsageError("There is no such organ any more", "organ " + std::to_string(id.value));
-    gone.insert(id);
-  }
+  for (const OrganId id : ids)
+    edit::requireOrgan(state, id);
+  std::set<OrganId> gone(ids.begin(), ids.end());
   OrganList organs;
   // A cavity comes after the organ that it is in, so one pass finds cavities of cavities too.
   for (const auto& organ : *state.organs) {
@@ -127,73 +122,53 @@ Organ withoutHoles(const Organ& open) {
 Command addOrgans(std::vector<NewOrgan> organs) {
   const std::string name =
       organs.size() == 1 ? "Add " + organs.front().organ.name : edit::counted("Add", organs.size(), "organ");
-  return {name,
-          [organs = std::move(organs)](const DocumentState& state, IdSource& ids) {
+  return {name, [organs = std::move(organs)](const DocumentState& state, IdSource& ids) {
             return added(state, ids, organs);
-          },
-          {}};
+          }};
 }
 
 Command removeOrgans(std::vector<OrganId> organs) {
   const std::string name = edit::counted("Remove", organs.size(), "organ");
-  return {
-      name,
-      [organs = std::move(organs)](const DocumentState& state, IdSource&) { return removed(state, organs); },
-      {}};
+  return {name, [organs = std::move(organs)](const DocumentState& state, IdSource&) {
+            return removed(state, organs);
+          }};
 }
 
 Command removeAllOrgans() {
-  return {"Remove all organs",
-          [](DocumentState state, IdSource&) {
+  return {"Remove all organs", [](DocumentState state, IdSource&) {
             state.organs = std::make_shared<const OrganList>();
             state.measurements = std::make_shared<const MeasurementList>();
             return state;
-          },
-          {}};
+          }};
 }
 
 Command setOrganLook(OrganId organ, OrganLook look) {
-  return {"Change look",
-          [organ, look](const DocumentState& state, IdSource&) {
-            return withOrgan(state, organ, [&look](Organ& changed) { changed.look = look; });
-          },
-          "look/" + std::to_string(organ.value)};
+  return onOrgan(
+      "Change look", organ, [look](Organ& changed) { changed.look = look; },
+      "look/" + std::to_string(organ.value));
 }
 
 Command setVolumeLocked(OrganId organ, bool locked) {
-  return {locked ? "Lock volume" : "Unlock volume",
-          [organ, locked](const DocumentState& state, IdSource&) {
-            return withOrgan(state, organ, [locked](Organ& changed) {
-              if (locked && !changed.closed())
-                throw DataError("the surface is open (" + std::to_string(changed.boundaryEdges) +
-                                    " boundary edges), so it has no volume that could be locked",
-                                changed.name, "close its holes first");
-              changed.volumeLocked = locked;
-            });
-          },
-          {}};
+  return onOrgan(locked ? "Lock volume" : "Unlock volume", organ, [locked](Organ& changed) {
+    if (locked && !changed.closed())
+      throw DataError("the surface is open (" + std::to_string(changed.boundaryEdges) +
+                          " boundary edges), so it has no volume that could be locked",
+                      changed.name, "close its holes first");
+    changed.volumeLocked = locked;
+  });
 }
 
 Command closeHoles(OrganId organ) {
-  return {"Close holes",
-          [organ](const DocumentState& state, IdSource&) {
-            bool filled = false;
-            DocumentState closed = withOrgan(state, organ, [&filled](Organ& changed) {
-              filled = !changed.closed();
-              if (filled)
-                changed = withoutHoles(changed);
-            });
-            return filled ? withPointsOnSurfaceOf(std::move(closed), organ) : closed;
-          },
-          {}};
+  return {"Close holes", [organ](const DocumentState& state, IdSource& ids) {
+            if (edit::requireOrgan(state, organ)->closed())
+              return state;
+            const Command fill = onOrgan({}, organ, [](Organ& changed) { changed = withoutHoles(changed); });
+            return withPointsOnSurfaceOf(fill.apply(state, ids), organ);
+          }};
 }
 
 Command renameOrgan(OrganId organ, std::string name) {
-  return {"Rename organ",
-          [organ, name = std::move(name)](const DocumentState& state, IdSource&) {
-            return withOrgan(state, organ, [&name](Organ& changed) { changed.name = name; });
-          },
-          {}};
+  return onOrgan("Rename organ", organ, [name = std::move(name)](Organ& changed) { changed.name = name; });
 }
 
 } // namespace viscera::document

@@ -5,7 +5,9 @@
 #include <system_error>
 #include <vector>
 
-#include "sha256.h"
+#include <QCryptographicHash>
+#include <QFile>
+
 #include "viscera/core/error.h"
 #include "viscera/document/open_files.h"
 
@@ -54,6 +56,14 @@ fs::path absoluteOf(const fs::path& file) {
 }
 
 } // namespace
+
+std::string sha256OfFile(const std::filesystem::path& file) {
+  QFile source(QFile::decodeName(file.c_str()));
+  QCryptographicHash hash(QCryptographicHash::Sha256);
+  if (!source.open(QIODevice::ReadOnly) || !hash.addData(&source))
+    return {};
+  return hash.result().toHex().toStdString();
+}
 
 std::optional<FoundFile> findFile(const FileSource& source, const fs::path& folder) {
   std::vector<fs::path> places;

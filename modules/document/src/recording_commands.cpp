@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "viscera/core/utf8.h"
+#include "viscera/core/text.h"
 #include "viscera/document/edit.h"
 
 namespace viscera::document {
@@ -12,17 +12,7 @@ namespace {
 
 using sequences::kShortestSpan;
 
-DocumentState withRecording(DocumentState state, Recording recording) {
-  state.recording = std::make_shared<const Recording>(std::move(recording));
-  return state;
-}
-
-RecordedKey& requireKey(Recording& recording, KeyId id) {
-  for (RecordedKey& key : recording.keys)
-    if (key.id == id)
-      return key;
-  throw UsageError("There is no such key any more", "key " + std::to_string(id.value));
-}
+constexpr const char* kKind = "key";
 
 /// The key at that time, or null.
 RecordedKey* keyAt(Recording& recording, double seconds) {
@@ -54,104 +44,81 @@ void requireHandles(const DocumentState& state) {
     throw UsageError("There are no handles whose pose could be recorded", {}, "place some first");
 }
 
-Recording withPeriod(Recording recording, double period, bool stretch) {
+void setPeriod(Recording& recording, double period, bool stretch) {
   for (RecordedKey& key : recording.keys)
     key.seconds *= stretch ? period / recording.periodSeconds : 1;
   recording.periodSeconds = period;
-  return recording;
 }
 
 } // namespace
 
 Command recordKey(double seconds, sequences::Easing easing) {
-  return {"Record key",
-          [=](const DocumentState& state, IdSource& ids) {
-            requireHandles(state);
-            Recording recording = *state.recording;
-            if (RecordedKey* there = keyAt(recording, seconds)) {
-              there->displacements = presentDisplacements(state);
-              return withRecording(state, std::move(recording));
-            }
-            recording.keys.push_back({ids.next<KeyId>(), seconds, easing, presentDisplacements(state)});
-            sortByTime(recording);
-            return withRecording(state, std::move(recording));
-          },
-          {}};
+  return edit::onPart(
+      "Record key", &DocumentState::recording,
+      [=](Recording& recording, const DocumentState& state, IdSource& ids) {
+        requireHandles(state);
+        if (RecordedKey* there = keyAt(recording, seconds)) {
+          there->displacements = presentDisplacements(state);
+          return;
+        }
+        recording.keys.push_back({ids.next<KeyId>(), seconds, easing, presentDisplacements(state)});
+        sortByTime(recording);
+      });
 }
 
 Command moveKey(KeyId key, double seconds) {
-  return {"Move key",
-          [=](const DocumentState& state, IdSource&) {
-            Recording recording = *state.recording;
-            RecordedKey& moved = requireKey(recording, key);
-            moved.seconds = seconds;
-            sortByTime(recording);
-            return withRecording(state, std::move(recording));
-          },
-          "key/" + std::to_string(key.value)};
+  return edit::onPart(
+      "Move key", &DocumentState::recording,
+      [=](Recording& recording) {
+        edit::require(recording.keys, key, kKind).seconds = seconds;
+        sortByTime(recording);
+      },
+      "key/" + std::to_string(key.value));
 }
 
 Command replaceKey(KeyId key) {
-  return {"Replace pose of key",
-          [=](const DocumentState& state, IdSource&) {
-            Recording recording = *state.recording;
-            requireKey(recording, key).displacements = presentDisplacements(state);
-            return withRecording(state, std::move(recording));
-          },
-          {}};
+  return edit::onPart("Replace pose of key", &DocumentState::recording,
+                      [=](Recording& recording, const DocumentState& state, IdSource&) {
+                        edit::require(recording.keys, key, kKind).displacements = presentDisplacements(state);
+                      });
 }
 
 Command removeKeys(std::vector<KeyId> keys) {
-  const std::string name = edit::counted("Remove", keys.size(), "key");
-  return {name,
-          [keys = std::move(keys)](const DocumentState& state, IdSource&) {
-            Recording recording = *state.recording;
-            for (const KeyId key : keys)
-              requireKey(recording, key);
-            std::erase_if(recording.keys, [&keys](const RecordedKey& one) {
-              return std::find(keys.begin(), keys.end(), one.id) != keys.end();
-            });
-            return withRecording(state, std::move(recording));
-          },
-          {}};
+  const std::string name = edit::counted("Remove", keys.size(), kKind);
+  return edit::onPart(name, &DocumentState::recording, [keys = std::move(keys)](Recording& recording) {
+    edit::remove(recording.keys, keys, kKind);
+  });
 }
 
 Command setEasing(std::vector<KeyId> keys, sequences::Easing easing) {
-  return {"Easing " + nameOf(easing),
-          [keys = std::move(keys), easing](const DocumentState& state, IdSource&) {
-            Recording recording = *state.recording;
-            for (const KeyId key : keys)
-              requireKey(recording, key).easing = easing;
-            return withRecording(state, std::move(recording));
-          },
-          {}};
+  return edit::onPart("Easing " + nameOf(easing), &DocumentState::recording,
+                      [keys = std::move(keys), easing](Recording& recording) {
+                        for (const KeyId key : keys)
+                          edit::require(recording.keys, key, kKind).easing = easing;
+                      });
 }
 
 Command editRecording(RecordingEdit change) {
-  return {"Change recording",
-          [change = std::move(change)](const DocumentState& state, IdSource&) {
-            Recording recording = *state.recording;
-            if (change.periodSeconds)
-              recording = withPeriod(std::move(recording), *change.periodSeconds, change.stretch);
-            recording.name = change.name.value_or(recording.name);
-            recording.loop = change.loop.value_or(recording.loop);
-            recording.interpolation = change.interpolation.value_or(recording.interpolation);
-            return withRecording(state, std::move(recording));
-          },
-          {}};
+  return edit::onPart("Change recording", &DocumentState::recording,
+                      [change = std::move(change)](Recording& recording) {
+                        if (change.periodSeconds)
+                          setPeriod(recording, *change.periodSeconds, change.stretch);
+                        recording.name = change.name.value_or(recording.name);
+                        recording.loop = change.loop.value_or(recording.loop);
+                        recording.interpolation = change.interpolation.value_or(recording.interpolation);
+                      });
 }
 
 Command replaceRecording(Recording recording) {
-  return {"Replace recording",
-          [recording = std::move(recording)](const DocumentState& state, IdSource& ids) {
-            Recording replaced = recording;
-            replaced.name = replaced.name.empty() ? Recording().name : toUtf8(replaced.name);
-            sortByTime(replaced);
-            for (RecordedKey& key : replaced.keys)
-              key.id = ids.next<KeyId>();
-            return withRecording(state, std::move(replaced));
-          },
-          {}};
+  return edit::onPart(
+      "Replace recording", &DocumentState::recording,
+      [recording = std::move(recording)](Recording& replaced, const DocumentState&, IdSource& ids) {
+        replaced = recording;
+        replaced.name = replaced.name.empty() ? Recording().name : toUtf8(replaced.name);
+        sortByTime(replaced);
+        for (RecordedKey& key : replaced.keys)
+          key.id = ids.next<KeyId>();
+      });
 }
 
 } // namespace viscera::document

@@ -4,7 +4,7 @@
 #include <set>
 #include <utility>
 
-#include "viscera/core/utf8.h"
+#include "viscera/core/text.h"
 #include "viscera/deformation/place_handles.h"
 #include "viscera/document/edit.h"
 
@@ -13,6 +13,9 @@ namespace {
 
 /// How far a box around vertices in no region reaches beyond them, as a part of their organ's diagonal.
 constexpr double kEnclosingMargin = 0.03;
+
+/// Handles of a sequence may be apart from the rig's by this part of the size of all.
+constexpr double kSameRest = 1e-6;
 
 /// Larger numbers of labels are not counted on from: there would be none left.
 constexpr int kLargestNumber = 1'000'000'000;
@@ -72,26 +75,15 @@ DocumentState withBox(const DocumentState& state, const Points& corners, const s
 }
 
 DocumentState enclosed(const DocumentState& state, IdSource& ids) {
-  Eigen::Index count = state.pose->rows();
-  for (const auto& organ : *state.organs)
-    count += organ->mesh->points.rows();
   if (state.organs->empty())
     throw UsageError("There is no organ to enclose", {}, "open one first");
-  Points everything(count, 3);
-  Eigen::Index row = state.pose->rows();
-  everything.topRows(row) = state.rig->restPositions();
-  for (const auto& organ : *state.organs) {
-    everything.middleRows(row, organ->mesh->points.rows()) = organ->mesh->points;
-    row += organ->mesh->points.rows();
-  }
+  const Points everything = edit::joined(state.rig->restPositions(), edit::allPoints(*state.organs));
   return withBox(state, deformation::enclosingHandles(everything), "Enclosing", ids);
 }
 
 DocumentState withEnclosingGroup(const DocumentState& state, OrganId id, const std::vector<int>& vertices,
                                  IdSource& ids) {
-  const auto organ = state.organ(id);
-  if (!organ)
-    throw UsageError("There is no such organ any more", "organ " + std::to_string(id.value));
+  const auto organ = edit::requireOrgan(state, id);
   const Points& points = organ->mesh->points;
   if (vertices.empty() || *std::min_element(vertices.begin(), vertices.end()) < 0 ||
       *std::max_element(vertices.begin(), vertices.end()) >= points.rows())
@@ -161,21 +153,6 @@ DocumentState withNewRig(const DocumentState& state, const NewRig& replacement, 
   return edit::withRig(state, std::move(rig), std::move(pose));
 }
 
-DocumentState edited(const DocumentState& state, const std::vector<HandleId>& handles,
-                     const HandleEdit& change) {
-  Rig rig = *state.rig;
-  for (const HandleId id : handles) {
-    const int row = edit::requireHandle(rig, id);
-    Handle& handle = rig.handles[static_cast<std::size_t>(row)];
-    handle.label = change.label.value_or(handle.label);
-    handle.description = change.description.value_or(handle.description);
-    handle.locked = change.locked.value_or(handle.locked);
-    handle.visible = change.visible.value_or(handle.visible);
-    handle.compensates = change.compensates.value_or(handle.compensates);
-  }
-  return edit::withRig(state, std::move(rig));
-}
-
 std::string nameOf(const HandleEdit& change, std::size_t count) {
   if (change.label)
     return "Rename handle";
@@ -199,69 +176,122 @@ std::vector<NewHandle> newHandles(const Points& positions) {
 
 Command addHandles(std::vector<NewHandle> handles, GroupId group) {
   const std::string name = edit::counted("Add", handles.size(), "handle");
-  return {name,
-          [handles = std::move(handles), group](const DocumentState& state, IdSource& ids) {
+  return {name, [handles = std::move(handles), group](const DocumentState& state, IdSource& ids) {
             Rig rig = *state.rig;
             Points pose = *state.pose;
-            const int place = rig.indexOf(group);
-            if (group && place < 0)
-              throw UsageError("There is no such group any more", "group " + std::to_string(group.value));
+            Group* const into = group ? &edit::require(rig.groups, group, "group") : nullptr;
             const std::vector<HandleId> added = append(rig, pose, handles, ids);
-            if (place >= 0) {
-              auto& members = rig.groups[static_cast<std::size_t>(place)].handles;
-              members.insert(members.end(), added.begin(), added.end());
-            }
+            if (into)
+              into->handles.insert(into->handles.end(), added.begin(), added.end());
             return edit::withRig(state, std::move(rig), std::move(pose));
-          },
-          {}};
+          }};
 }
 
 Command addEnclosingHandles() {
   return {"Add enclosing handles",
-          [](const DocumentState& state, IdSource& ids) { return enclosed(state, ids); },
-          {}};
+          [](const DocumentState& state, IdSource& ids) { return enclosed(state, ids); }};
 }
 
 Command addEnclosingGroup(OrganId organ, std::vector<int> vertices) {
   return {"Add enclosing group",
           [organ, vertices = std::move(vertices)](const DocumentState& state, IdSource& ids) {
             return withEnclosingGroup(state, organ, vertices, ids);
-          },
-          {}};
+          }};
 }
 
 Command removeHandles(std::vector<HandleId> handles) {
   const std::string name = edit::counted("Remove", handles.size(), "handle");
-  return {name,
-          [handles = std::move(handles)](const DocumentState& state, IdSource&) {
+  return {name, [handles = std::move(handles)](const DocumentState& state, IdSource&) {
             return withoutHandles(state, handles);
-          },
-          {}};
+          }};
 }
 
 Command moveRestHandles(std::vector<HandleId> handles, Points positions) {
   const std::string name = edit::counted("Move", handles.size(), "handle") + " at rest";
   return {name,
           [handles = std::move(handles), positions = std::move(positions)](
-              const DocumentState& state, IdSource&) { return movedAtRest(state, handles, positions); },
-          {}};
+              const DocumentState& state, IdSource&) { return movedAtRest(state, handles, positions); }};
 }
 
 Command replaceRig(NewRig rig, std::string name) {
-  return {std::move(name),
-          [rig = std::move(rig)](const DocumentState& state, IdSource& ids) {
+  return {std::move(name), [rig = std::move(rig)](const DocumentState& state, IdSource& ids) {
             return withNewRig(state, rig, ids);
-          },
-          {}};
+          }};
 }
 
 Command editHandles(std::vector<HandleId> handles, HandleEdit change) {
   const std::string name = nameOf(change, handles.size());
-  return {name,
-          [handles = std::move(handles), change = std::move(change)](const DocumentState& state, IdSource&) {
-            return edited(state, handles, change);
-          },
-          {}};
+  return edit::onPart(name, &DocumentState::rig,
+                      [handles = std::move(handles), change = std::move(change)](Rig& rig) {
+                        for (const HandleId id : handles) {
+                          Handle& handle = edit::require(rig.handles, id, "handle");
+                          handle.label = change.label.value_or(handle.label);
+                          handle.description = change.description.value_or(handle.description);
+                          handle.locked = change.locked.value_or(handle.locked);
+                          handle.visible = change.visible.value_or(handle.visible);
+                          handle.compensates = change.compensates.value_or(handle.compensates);
+                        }
+                      });
+}
+
+Command moveHandles(std::vector<HandleId> handles, Points positions) {
+  const std::string name = edit::counted("Move", handles.size(), "handle");
+  return edit::onPart(name, &DocumentState::pose,
+                      [handles = std::move(handles), positions = std::move(positions)](
+                          Points& pose, const DocumentState& state, IdSource&) {
+                        edit::requireMatch(positions, handles);
+                        for (const auto& [row, item] : edit::freeRows(*state.rig, handles))
+                          pose.row(row) = positions.row(item);
+                      });
+}
+
+Command setPose(Points pose, std::string name) {
+  return edit::onPart(std::move(name), &DocumentState::pose, [pose = std::move(pose)](Points& now) {
+    if (pose.rows() != now.rows())
+      throw DataError("The pose has " + std::to_string(pose.rows()) + " handles, the document " +
+                          std::to_string(now.rows()),
+                      {}, "use a pose of the same handles");
+    now = pose;
+  });
+}
+
+Command resetPose() {
+  return edit::onPart(
+      "Reset pose", &DocumentState::pose,
+      [](Points& pose, const DocumentState& state, IdSource&) { pose = state.rig->restPositions(); });
+}
+
+void requireFits(const Rig& rig, const sequences::Sequence& sequence) {
+  const Points& own = sequence.restHandles();
+  const Points rest = rig.restPositions();
+  const std::string advice = "take the sequence's own handles";
+  if (own.rows() != rest.rows())
+    throw DataError("The sequence moves " + std::to_string(own.rows()) + " handles, but there are " +
+                        std::to_string(rest.rows()),
+                    sequence.name(), advice);
+  const double size = std::max(boundsOf(own).diagonal(), 1.0);
+  for (Eigen::Index i = 0; i < rest.rows(); ++i)
+    if (!((own.row(i) - rest.row(i)).norm() <= kSameRest * size))
+      throw DataError("The sequence was made for another place of a handle",
+                      sequence.name() + ", handle " + rig.handles[static_cast<std::size_t>(i)].label, advice);
+}
+
+NewRig rigOf(const sequences::Sequence& sequence) {
+  NewRig rig;
+  rig.handles = newHandles(sequence.restHandles());
+  for (const sequences::HandleGroup& group : sequence.groups()) {
+    rig.groups.push_back({group.name, group.color, group.handles});
+    int number = 0;
+    for (const int handle : group.handles)
+      rig.handles[static_cast<std::size_t>(handle)].label = group.name + " " + std::to_string(++number);
+  }
+  if (rig.groups.empty()) {
+    NewGroup all{sequence.name(), {1.0, 0.5, 0.2}, {}};
+    for (std::size_t i = 0; i < rig.handles.size(); ++i)
+      all.handles.push_back(static_cast<int>(i));
+    rig.groups.push_back(std::move(all));
+  }
+  return rig;
 }
 
 } // namespace viscera::document

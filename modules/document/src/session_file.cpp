@@ -165,10 +165,10 @@ public:
 
   OpenedSession read(const std::string& text) {
     const ordered_json root = reader_.parse(text);
-    reader_.noteUnknown(root,
-                        {"format", "version", "coordinateSystem", "units", "surfaces", "recovers", "organs",
-                         "rig", "system", "recording", "measurements", "view"},
-                        "");
+    reader_.takeObject(root,
+                       {"format", "version", "coordinateSystem", "units", "surfaces", "recovers", "organs",
+                        "rig", "system", "recording", "measurements", "view"},
+                       "");
     SessionContents& contents = opened_.contents;
     const std::string surfaces = reader_.textOf(root, "surfaces", "");
     if (surfaces != kEmbedded && surfaces != kLinked)
@@ -323,19 +323,17 @@ private:
   };
 
   Origin originOf(const ordered_json& source, const std::string& place) {
-    reader_.requireObject(source, place);
     Origin origin;
     if (source.contains("sample")) {
-      reader_.noteUnknown(source, {"sample", "surface"}, place);
+      reader_.takeObject(source, {"sample", "surface"}, place);
       origin.sample = reader_.textOf(source, "sample", place);
       origin.surface = reader_.textOf(source, "surface", place);
       return origin;
     }
-    reader_.noteUnknown(source, {"file"}, place);
+    reader_.takeObject(source, {"file"}, place);
     const ordered_json& file = reader_.field(source, "file", place);
     const std::string inFile = place + ".file";
-    reader_.requireObject(file, inFile);
-    reader_.noteUnknown(file, {"relative", "absolute", "bytes", "sha256"}, inFile);
+    reader_.takeObject(file, {"relative", "absolute", "bytes", "sha256"}, inFile);
     origin.file.relative = reader_.textOf(file, "relative", inFile);
     origin.file.absolute = reader_.textOf(file, "absolute", inFile);
     origin.file.hash = reader_.optionalText(file, "sha256", inFile);
@@ -413,19 +411,8 @@ private:
 } // namespace
 
 std::string nameOf(SurfaceFinding::State state) {
-  switch (state) {
-  case State::embedded:
-    return "embedded";
-  case State::found:
-    return "found";
-  case State::moved:
-    return "moved";
-  case State::changed:
-    return "changed";
-  case State::missing:
-    break;
-  }
-  return "missing";
+  constexpr const char* kNames[] = {"embedded", "found", "moved", "changed", "missing"};
+  return kNames[static_cast<std::size_t>(state)];
 }
 
 bool isSessionFile(const fs::path& file) {

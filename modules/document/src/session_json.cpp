@@ -152,10 +152,9 @@ AnyId SessionReader::newId(const ordered_json& object, const std::string& place)
 }
 
 Organ SessionReader::readOrganRecord(const ordered_json& item, const std::string& place) {
-  requireObject(item, place);
-  noteUnknown(item,
-              {"id", "name", "parent", "look", "volumeLocked", "source", "sha256", "surface", "warnings"},
-              place);
+  takeObject(item,
+             {"id", "name", "parent", "look", "volumeLocked", "source", "sha256", "surface", "warnings"},
+             place);
   Organ organ;
   organ.id = newId<OrganId>(item, place);
   organ.name = textOf(item, "name", place);
@@ -163,8 +162,7 @@ Organ SessionReader::readOrganRecord(const ordered_json& item, const std::string
     organ.parent = OrganId{wholeOf(item.at("parent"), place + ".parent")};
   const ordered_json& look = field(item, "look", place);
   const std::string inLook = place + ".look";
-  requireObject(look, inLook);
-  noteUnknown(look, {"color", "vertexColors", "opacity", "visible", "tracked"}, inLook);
+  takeObject(look, {"color", "vertexColors", "opacity", "visible", "tracked"}, inLook);
   organ.look.color = colorOf(field(look, "color", inLook), inLook + ".color");
   organ.look.vertexColors = flagOf(look, "vertexColors", inLook);
   organ.look.opacity = numberOf(field(look, "opacity", inLook), inLook + ".opacity");
@@ -177,9 +175,7 @@ Organ SessionReader::readOrganRecord(const ordered_json& item, const std::string
 }
 
 Handle SessionReader::readHandle(const ordered_json& item, const std::string& place) {
-  requireObject(item, place);
-  noteUnknown(item, {"id", "label", "rest", "pose", "locked", "visible", "compensates", "description"},
-              place);
+  takeObject(item, {"id", "label", "rest", "pose", "locked", "visible", "compensates", "description"}, place);
   Handle handle;
   handle.id = newId<HandleId>(item, place);
   handle.label = textOf(item, "label", place);
@@ -192,8 +188,7 @@ Handle SessionReader::readHandle(const ordered_json& item, const std::string& pl
 }
 
 Group SessionReader::readGroup(const ordered_json& item, const std::string& place) {
-  requireObject(item, place);
-  noteUnknown(item, {"id", "name", "color", "handles"}, place);
+  takeObject(item, {"id", "name", "color", "handles"}, place);
   Group group;
   group.id = newId<GroupId>(item, place);
   group.name = textOf(item, "name", place);
@@ -216,8 +211,7 @@ void SessionReader::readCage(const ordered_json& list, Rig& rig) const {
 }
 
 void SessionReader::readRig(const ordered_json& item, DocumentState& state) {
-  requireObject(item, "rig");
-  noteUnknown(item, {"handles", "groups", "cage"}, "rig");
+  takeObject(item, {"handles", "groups", "cage"}, "rig");
   Rig rig;
   const ordered_json& handles = listOf(item, "handles", "rig");
   Points pose(static_cast<Eigen::Index>(handles.size()), 3);
@@ -239,8 +233,7 @@ void SessionReader::readRig(const ordered_json& item, DocumentState& state) {
 }
 
 void SessionReader::readSystem(const ordered_json& item, DocumentState& state) {
-  requireObject(item, "system");
-  noteUnknown(item, {"id", "parameters"}, "system");
+  takeObject(item, {"id", "parameters"}, "system");
   SystemChoice choice;
   choice.id = textOf(item, "id", "system");
   const ordered_json& parameters = field(item, "parameters", "system");
@@ -251,8 +244,7 @@ void SessionReader::readSystem(const ordered_json& item, DocumentState& state) {
 }
 
 RecordedKey SessionReader::readKey(const ordered_json& item, const std::string& place) {
-  requireObject(item, place);
-  noteUnknown(item, {"id", "seconds", "easing", "displacements"}, place);
+  takeObject(item, {"id", "seconds", "easing", "displacements"}, place);
   RecordedKey key;
   key.id = newId<KeyId>(item, place);
   key.seconds = numberOf(field(item, "seconds", place), place + ".seconds");
@@ -260,8 +252,7 @@ RecordedKey SessionReader::readKey(const ordered_json& item, const std::string& 
   const ordered_json& list = listOf(item, "displacements", place);
   for (std::size_t i = 0; i < list.size(); ++i) {
     const std::string inList = at(place + ".displacements", i);
-    requireObject(list[i], inList);
-    noteUnknown(list[i], {"handle", "by"}, inList);
+    takeObject(list[i], {"handle", "by"}, inList);
     const HandleId handle{wholeOf(field(list[i], "handle", inList), inList + ".handle")};
     if (!key.displacements.emplace(handle, vectorOf(field(list[i], "by", inList), inList + ".by")).second)
       fail("the handle " + std::to_string(handle.value) + " comes twice", inList);
@@ -270,8 +261,7 @@ RecordedKey SessionReader::readKey(const ordered_json& item, const std::string& 
 }
 
 void SessionReader::readRecording(const ordered_json& item, DocumentState& state) {
-  requireObject(item, "recording");
-  noteUnknown(item, {"name", "periodSeconds", "loop", "interpolation", "keys"}, "recording");
+  takeObject(item, {"name", "periodSeconds", "loop", "interpolation", "keys"}, "recording");
   Recording recording;
   if (const std::string name = optionalText(item, "name", "recording"); !name.empty())
     recording.name = name;
@@ -286,8 +276,7 @@ void SessionReader::readRecording(const ordered_json& item, DocumentState& state
 }
 
 MeasuredPoint SessionReader::readMeasuredPoint(const ordered_json& item, const std::string& place) {
-  requireObject(item, place);
-  noteUnknown(item, {"rest", "organ", "triangle", "weights"}, place);
+  takeObject(item, {"rest", "organ", "triangle", "weights"}, place);
   MeasuredPoint point;
   point.rest = vectorOf(field(item, "rest", place), place + ".rest");
   if (!item.contains("organ"))
@@ -308,8 +297,7 @@ void SessionReader::readMeasurements(const ordered_json& root, DocumentState& st
   const ordered_json& list = listOf(root, "measurements", "");
   for (std::size_t i = 0; i < list.size(); ++i) {
     const std::string place = at("measurements", i);
-    requireObject(list[i], place);
-    noteUnknown(list[i], {"id", "name", "points"}, place);
+    takeObject(list[i], {"id", "name", "points"}, place);
     Measurement measurement;
     measurement.id = newId<MeasurementId>(list[i], place);
     measurement.name = textOf(list[i], "name", place);

@@ -1,14 +1,15 @@
 #include "stored_surface.h"
 
+#include <algorithm>
 #include <bit>
 #include <cstdint>
 #include <limits>
 #include <string_view>
 
 #include <QByteArray>
+#include <QCryptographicHash>
 #include <zlib.h>
 
-#include "sha256.h"
 #include "viscera/core/error.h"
 
 namespace viscera::document {
@@ -18,7 +19,8 @@ using nlohmann::ordered_json;
 
 static_assert(std::endian::native == std::endian::little, "session files hold little-endian numbers");
 
-constexpr std::int64_t kLargest = std::numeric_limits<int>::max() / 2; ///< Bytes; base64 makes them more.
+constexpr std::int64_t kLargest = std::numeric_limits<int>::max() / 2;   ///< Bytes; base64 makes them more.
+constexpr std::size_t kMostAtOnce = std::numeric_limits<int>::max() / 2; ///< To hash: Qt counts in int.
 /// zlib cannot make less of anything.
 constexpr std::int64_t kMostCompression = 1032;
 /// Coordinates hardly compress: more effort costs five times as long and saves a few per cent.
@@ -71,7 +73,11 @@ void unpack(const JsonReader& reader, const ordered_json& stored, const char* ke
 } // namespace
 
 std::string surfaceHash(const geometry::TriangleMesh& mesh) {
-  return sha256({bytesOf(mesh.points), bytesOf(mesh.triangles), bytesOf(mesh.colors)});
+  QCryptographicHash hash(QCryptographicHash::Sha256);
+  for (std::string_view bytes : {bytesOf(mesh.points), bytesOf(mesh.triangles), bytesOf(mesh.colors)})
+    for (; !bytes.empty(); bytes.remove_prefix(std::min(kMostAtOnce, bytes.size())))
+      hash.addData(bytes.data(), static_cast<int>(std::min(kMostAtOnce, bytes.size())));
+  return hash.result().toHex().toStdString();
 }
 
 ordered_json storedSurface(const geometry::TriangleMesh& mesh) {
@@ -85,8 +91,7 @@ ordered_json storedSurface(const geometry::TriangleMesh& mesh) {
 }
 
 geometry::TriangleMesh surfaceFrom(JsonReader& reader, const ordered_json& stored, const std::string& place) {
-  reader.requireObject(stored, place);
-  reader.noteUnknown(stored, {"vertices", "triangles", "points", "indices", "colors"}, place);
+  reader.takeObject(stored, {"vertices", "triangles", "points", "indices", "colors"}, place);
   const std::int64_t vertices = reader.wholeOf(reader.field(stored, "vertices", place), place + ".vertices");
   const std::int64_t triangles =
       reader.wholeOf(reader.field(stored, "triangles", place), place + ".triangles");

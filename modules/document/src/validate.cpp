@@ -7,7 +7,7 @@
 #include <set>
 
 #include "viscera/core/error.h"
-#include "viscera/core/utf8.h"
+#include "viscera/core/text.h"
 
 namespace viscera::document {
 namespace {

@@ -10,6 +10,9 @@
 #include <utility>
 #include <vector>
 
+#include "edge_uses.h"
+#include "viscera/geometry/volume.h"
+
 namespace viscera::geometry {
 namespace {
 
@@ -55,18 +58,12 @@ std::array<std::int32_t, 3> sortedCorners(const Triangles& triangles, Eigen::Ind
   return corners;
 }
 
-double areaOf(const TriangleMesh& mesh, Eigen::Index t) {
-  const Eigen::RowVector3d a = mesh.points.row(mesh.triangles(t, 0));
-  return 0.5 *
-         (mesh.points.row(mesh.triangles(t, 1)) - a).cross(mesh.points.row(mesh.triangles(t, 2)) - a).norm();
-}
-
 /// Keeps the triangles with an area, each once; `once` decides whether repeated ones go.
 void dropUseless(TriangleMesh& mesh, bool once) {
   const double smallest = kSmallestRelativeArea * std::pow(boundsOf(mesh.points).diagonal(), 2);
   std::vector<std::pair<std::array<std::int32_t, 3>, Eigen::Index>> useful;
   for (Eigen::Index t = 0; t < mesh.triangles.rows(); ++t)
-    if (areaOf(mesh, t) > smallest)
+    if (areaOf(mesh.points, mesh.triangles, t) > smallest)
       useful.push_back({sortedCorners(mesh.triangles, t), t});
   if (once) {
     std::sort(useful.begin(), useful.end());
@@ -102,29 +99,13 @@ void dropUnusedPoints(TriangleMesh& mesh) {
 class Neighbours {
 public:
   explicit Neighbours(const Triangles& triangles) : across_(static_cast<std::size_t>(triangles.size())) {
-    struct Use {
-      std::uint64_t edge;
-      std::int32_t side;
-      bool forward;
-    };
-    std::vector<Use> uses;
-    for (Eigen::Index t = 0; t < triangles.rows(); ++t)
-      for (int k = 0; k < 3; ++k) {
-        const auto a = std::uint64_t(triangles(t, k)), b = std::uint64_t(triangles(t, (k + 1) % 3));
-        uses.push_back({std::min(a, b) << 32 | std::max(a, b), static_cast<std::int32_t>(3 * t + k), a < b});
-      }
-    std::sort(uses.begin(), uses.end(), [](const Use& x, const Use& y) {
-      return std::pair(x.edge, x.side) < std::pair(y.edge, y.side);
+    forEachEdge(triangles, [&](std::span<const EdgeUse> uses) {
+      if (uses.size() != 2)
+        return;
+      const bool same = uses[0].forward == uses[1].forward;
+      across_[std::size_t(uses[0].side)] = {uses[1].side / 3, same};
+      across_[std::size_t(uses[1].side)] = {uses[0].side / 3, same};
     });
-    for (std::size_t begin = 0, end; begin < uses.size(); begin = end) {
-      for (end = begin + 1; end < uses.size() && uses[end].edge == uses[begin].edge;)
-        ++end;
-      if (end != begin + 2)
-        continue;
-      const bool same = uses[begin].forward == uses[begin + 1].forward;
-      across_[std::size_t(uses[begin].side)] = {uses[begin + 1].side / 3, same};
-      across_[std::size_t(uses[begin + 1].side)] = {uses[begin].side / 3, same};
-    }
   }
 
   struct Across {
@@ -152,7 +133,7 @@ int agree(TriangleMesh& mesh) {
     std::array<double, 2> area = {0, 0};
     for (std::size_t i = 0; i < piece.size(); ++i) {
       const signed char mine = turned[static_cast<std::size_t>(piece[i])];
-      area[static_cast<std::size_t>(mine)] += areaOf(mesh, piece[i]);
+      area[static_cast<std::size_t>(mine)] += areaOf(mesh.points, mesh.triangles, piece[i]);
       for (int side = 0; side < 3; ++side) {
         const auto& [other, disagrees] = neighbours.of(piece[i], side);
         if (other < 0 || turned[static_cast<std::size_t>(other)] >= 0)

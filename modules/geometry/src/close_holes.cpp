@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "edge_uses.h"
 #include "viscera/core/error.h"
 
 namespace viscera::geometry {
@@ -17,29 +18,13 @@ using Loop = std::vector<std::int32_t>;
 using OpenEdges = std::multimap<std::int32_t, std::int32_t>;
 
 OpenEdges openEdges(const Triangles& triangles) {
-  struct Use {
-    std::int32_t low, high;
-    bool forward;
-    bool operator<(const Use& other) const { return std::pair(low, high) < std::pair(other.low, other.high); }
-  };
-  std::vector<Use> uses;
-  uses.reserve(static_cast<std::size_t>(triangles.size()));
-  for (Eigen::Index t = 0; t < triangles.rows(); ++t)
-    for (int k = 0; k < 3; ++k) {
-      const std::int32_t a = triangles(t, k), b = triangles(t, (k + 1) % 3);
-      uses.push_back({std::min(a, b), std::max(a, b), a < b});
-    }
-  std::sort(uses.begin(), uses.end());
   OpenEdges open;
-  for (std::size_t begin = 0; begin < uses.size();) {
-    std::size_t end = begin + 1;
-    while (end < uses.size() && !(uses[begin] < uses[end]))
-      ++end;
-    const Use& use = uses[begin];
-    if (end - begin == 1)
-      open.emplace(use.forward ? use.high : use.low, use.forward ? use.low : use.high);
-    begin = end;
-  }
+  forEachEdge(triangles, [&](std::span<const EdgeUse> uses) {
+    const auto low = static_cast<std::int32_t>(uses[0].edge >> 32);
+    const auto high = static_cast<std::int32_t>(uses[0].edge);
+    if (uses.size() == 1)
+      open.emplace(uses[0].forward ? high : low, uses[0].forward ? low : high);
+  });
   return open;
 }
 

@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "viscera/core/disjoint_sets.h"
+#include "viscera/geometry/volume.h"
 
 namespace viscera::geometry {
 namespace {
@@ -42,12 +43,8 @@ ConnectedPieces connectedPieces(const TriangleMesh& mesh) {
 
 std::vector<double> areasOf(const ConnectedPieces& pieces, const TriangleMesh& mesh) {
   std::vector<double> areas(static_cast<std::size_t>(pieces.count), 0.0);
-  for (Eigen::Index t = 0; t < mesh.triangles.rows(); ++t) {
-    const Eigen::RowVector3d a = mesh.points.row(mesh.triangles(t, 0));
-    const Eigen::RowVector3d b = mesh.points.row(mesh.triangles(t, 1));
-    const Eigen::RowVector3d c = mesh.points.row(mesh.triangles(t, 2));
-    areas[pieceOf(pieces, mesh, t)] += 0.5 * (b - a).cross(c - a).norm();
-  }
+  for (Eigen::Index t = 0; t < mesh.triangles.rows(); ++t)
+    areas[pieceOf(pieces, mesh, t)] += areaOf(mesh.points, mesh.triangles, t);
   return areas;
 }
 

@@ -15,13 +15,6 @@
 namespace viscera::geometry {
 namespace {
 
-Points asPoints(const std::vector<Vec3>& list) {
-  Points points(static_cast<Eigen::Index>(list.size()), 3);
-  for (std::size_t i = 0; i < list.size(); ++i)
-    points.row(static_cast<Eigen::Index>(i)) = list[i].transpose();
-  return points;
-}
-
 /// The points with those left out that lie within `tolerance` of an earlier one.
 Points withoutRepeats(const Points& points, double tolerance) {
   std::vector<Vec3> kept;
@@ -30,7 +23,7 @@ Points withoutRepeats(const Points& points, double tolerance) {
     if (std::none_of(kept.begin(), kept.end(), [&](const Vec3& k) { return (k - p).norm() <= tolerance; }))
       kept.push_back(p);
   }
-  return asPoints(kept);
+  return pointsOf(kept);
 }
 
 /// Corners of the convex hull of points in a plane, counter-clockwise (Andrew's monotone chain).
@@ -211,7 +204,7 @@ std::optional<ConvexPolytope> ConvexPolytope::intersection(const ConvexPolytope&
   if (corners.empty())
     return std::nullopt;
   // Cutting with slack leaves corners of one place up to a few tolerances apart.
-  return hullOf(asPoints(corners), apart);
+  return hullOf(pointsOf(corners), apart);
 }
 
 } // namespace viscera::geometry

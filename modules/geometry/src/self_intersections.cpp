@@ -125,10 +125,7 @@ private:
     }
   };
 
-  Corners corners(std::int32_t t) const {
-    const auto at = [&](int k) -> Vec3 { return mesh_.points.row(mesh_.triangles(t, k)).transpose(); };
-    return {at(0), at(1), at(2)};
-  }
+  Corners corners(std::int32_t t) const { return cornersOf(mesh_.points, mesh_.triangles, t); }
 
   bool meet(std::int32_t s, std::int32_t t) const {
     const Corners a = corners(s), b = corners(t);

@@ -20,10 +20,6 @@ constexpr int kLeafSize = 4;
 /// Of the triangle's size: nearer to an edge or corner than that counts as on it.
 constexpr double kOnEdge = 1e-9;
 
-Vec3 cornerOf(const TriangleMesh& mesh, Eigen::Index triangle, int k) {
-  return mesh.points.row(mesh.triangles(triangle, k)).transpose();
-}
-
 double angleAt(const Vec3& a, const Vec3& b, const Vec3& c) {
   return std::atan2((b - a).cross(c - a).norm(), (b - a).dot(c - a));
 }
@@ -52,7 +48,7 @@ SignedDistance::SignedDistance(std::shared_ptr<const TriangleMesh> mesh) : mesh_
   vertexNormals_ = Points::Zero(mesh_->points.rows(), 3);
   std::map<std::pair<int, int>, Vec3> edges;
   for (Eigen::Index t = 0; t < count; ++t) {
-    const std::array<Vec3, 3> p{cornerOf(*mesh_, t, 0), cornerOf(*mesh_, t, 1), cornerOf(*mesh_, t, 2)};
+    const std::array<Vec3, 3> p = cornersOf(mesh_->points, mesh_->triangles, t);
     const Vec3 normal = (p[1] - p[0]).cross(p[2] - p[0]).stableNormalized();
     middles.row(t) = (p[0] + p[1] + p[2]).transpose() / 3;
     faceNormals_.row(t) = normal.transpose();
@@ -83,8 +79,7 @@ int SignedDistance::grow(int begin, int end, const Points& middles) {
   branch.low.setConstant(std::numeric_limits<double>::infinity());
   branch.high = -branch.low;
   for (int i = begin; i < end; ++i)
-    for (int k = 0; k < 3; ++k) {
-      const Vec3 p = cornerOf(*mesh_, order_[static_cast<std::size_t>(i)], k);
+    for (const Vec3& p : cornersOf(mesh_->points, mesh_->triangles, order_[static_cast<std::size_t>(i)])) {
       branch.low = branch.low.cwiseMin(p);
       branch.high = branch.high.cwiseMax(p);
     }
@@ -119,9 +114,8 @@ SignedDistance::Hit SignedDistance::find(const Vec3& point) const {
     if (branch.right == 0) {
       for (int i = branch.begin; i < branch.end; ++i) {
         const int triangle = order_[static_cast<std::size_t>(i)];
-        const Vec3 near =
-            closestPointOfTriangle(point, cornerOf(*mesh_, triangle, 0), cornerOf(*mesh_, triangle, 1),
-                                   cornerOf(*mesh_, triangle, 2));
+        const auto [a, b, c] = cornersOf(mesh_->points, mesh_->triangles, triangle);
+        const Vec3 near = closestPointOfTriangle(point, a, b, c);
         const double d2 = (near - point).squaredNorm();
         if (d2 < best2) {
           best2 = d2;
@@ -140,9 +134,7 @@ SignedDistance::Hit SignedDistance::find(const Vec3& point) const {
 }
 
 Vec3 SignedDistance::pseudonormal(const Hit& hit) const {
-  std::array<Vec3, 3> p;
-  for (int k = 0; k < 3; ++k)
-    p[static_cast<std::size_t>(k)] = cornerOf(*mesh_, hit.triangle, k);
+  const std::array<Vec3, 3> p = cornersOf(mesh_->points, mesh_->triangles, hit.triangle);
   const double size = (p[1] - p[0]).norm() + (p[2] - p[0]).norm();
   for (int k = 0; k < 3; ++k)
     if ((hit.point - p[static_cast<std::size_t>(k)]).norm() <= kOnEdge * size)

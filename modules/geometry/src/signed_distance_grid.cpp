@@ -68,7 +68,8 @@ std::pair<int, int> nodesNear(const SignedDistanceGrid& grid, std::size_t axis, 
 }
 
 /// Lowers the values in the layers [first, last] to the distance from one triangle.
-void lower(SignedDistanceGrid& grid, const Vec3& a, const Vec3& b, const Vec3& c, int first, int last) {
+void lower(SignedDistanceGrid& grid, const std::array<Vec3, 3>& corners, int first, int last) {
+  const auto& [a, b, c] = corners;
   const Vec3 low = a.cwiseMin(b).cwiseMin(c), high = a.cwiseMax(b).cwiseMax(c);
   const auto [x0, x1] = nodesNear(grid, 0, low[0], high[0]);
   const auto [y0, y1] = nodesNear(grid, 1, low[1], high[1]);
@@ -127,9 +128,7 @@ SignedDistanceGrid signedDistanceGrid(const TriangleMesh& surface, double spacin
     const int first = static_cast<int>(slab) * kSlab;
     const int last = std::min(first + kSlab, grid.size[2]) - 1;
     for (const std::int32_t t : slabs[static_cast<std::size_t>(slab)])
-      lower(grid, surface.points.row(surface.triangles(t, 0)).transpose(),
-            surface.points.row(surface.triangles(t, 1)).transpose(),
-            surface.points.row(surface.triangles(t, 2)).transpose(), first, last);
+      lower(grid, cornersOf(surface.points, surface.triangles, t), first, last);
     auto value = grid.values.begin() + std::ptrdiff_t(first) * grid.size[0] * grid.size[1];
     for (int z = first; z <= last; ++z) {
       progress.throwIfCancelled();

@@ -85,9 +85,7 @@ TriangleMesh splitLongEdges(const TriangleMesh& mesh, double longest, int mostTr
       break;
   }
   TriangleMesh result;
-  result.points.resize(static_cast<Eigen::Index>(points.size()), 3);
-  for (std::size_t i = 0; i < points.size(); ++i)
-    result.points.row(static_cast<Eigen::Index>(i)) = points[i].transpose();
+  result.points = pointsOf(points);
   result.triangles.resize(static_cast<Eigen::Index>(triangles.size()), 3);
   for (std::size_t t = 0; t < triangles.size(); ++t)
     result.triangles.row(static_cast<Eigen::Index>(t)) << triangles[t][0], triangles[t][1], triangles[t][2];

@@ -1,8 +1,8 @@
 #include "viscera/geometry/surface_check.h"
 
 #include <algorithm>
-#include <cstdint>
 
+#include "edge_uses.h"
 #include "viscera/geometry/connected_pieces.h"
 #include "viscera/geometry/volume.h"
 
@@ -11,40 +11,15 @@ namespace {
 
 constexpr double kSmallestRelativeArea = 1e-12;
 
-/// An edge as a sortable number, smaller vertex first; `forward` says how its triangle runs through it.
-struct EdgeUse {
-  std::uint64_t edge;
-  bool forward;
-};
-
-std::vector<EdgeUse> sortedEdgeUses(const Triangles& triangles) {
-  std::vector<EdgeUse> uses;
-  uses.reserve(static_cast<std::size_t>(triangles.size()));
-  for (Eigen::Index t = 0; t < triangles.rows(); ++t)
-    for (int k = 0; k < 3; ++k) {
-      const auto a = static_cast<std::uint64_t>(triangles(t, k));
-      const auto b = static_cast<std::uint64_t>(triangles(t, (k + 1) % 3));
-      uses.push_back({std::min(a, b) << 32 | std::max(a, b), a < b});
-    }
-  std::sort(uses.begin(), uses.end(), [](const EdgeUse& x, const EdgeUse& y) { return x.edge < y.edge; });
-  return uses;
-}
-
 void countEdges(const Triangles& triangles, SurfaceReport& report) {
-  const auto uses = sortedEdgeUses(triangles);
-  for (std::size_t begin = 0; begin < uses.size();) {
-    std::size_t end = begin + 1;
-    while (end < uses.size() && uses[end].edge == uses[begin].edge)
-      ++end;
-    const auto count = end - begin;
-    if (count == 1)
+  forEachEdge(triangles, [&](std::span<const EdgeUse> uses) {
+    if (uses.size() == 1)
       ++report.boundaryEdges;
-    else if (count > 2)
+    else if (uses.size() > 2)
       ++report.nonManifoldEdges;
-    else if (uses[begin].forward == uses[begin + 1].forward)
+    else if (uses[0].forward == uses[1].forward)
       ++report.misorientedEdges;
-    begin = end;
-  }
+  });
 }
 
 void countComponents(const TriangleMesh& mesh, SurfaceReport& report) {
@@ -58,11 +33,8 @@ int countDegenerate(const TriangleMesh& mesh) {
   int count = 0;
   for (Eigen::Index t = 0; t < mesh.triangles.rows(); ++t) {
     const auto i = mesh.triangles.row(t);
-    const Vec3 a = mesh.points.row(i[0]).transpose();
-    const Vec3 b = mesh.points.row(i[1]).transpose();
-    const Vec3 c = mesh.points.row(i[2]).transpose();
     const bool repeated = i[0] == i[1] || i[1] == i[2] || i[2] == i[0];
-    if (repeated || (b - a).cross(c - a).norm() / 2 <= kSmallestRelativeArea * size * size)
+    if (repeated || areaOf(mesh.points, mesh.triangles, t) <= kSmallestRelativeArea * size * size)
       ++count;
   }
   return count;

@@ -5,6 +5,15 @@
 #include "viscera/core/error.h"
 
 namespace viscera::geometry {
+namespace {
+
+/// Subtracted from zero, so that 0 does not become -0.
+template <class Columns>
+void negate(Columns&& columns) {
+  columns = (0.0 - columns.array()).matrix().eval();
+}
+
+} // namespace
 
 VertexTriangles vertexTriangles(Eigen::Index vertexCount, const Triangles& triangles) {
   VertexTriangles around;
@@ -37,6 +46,22 @@ void requireValid(const TriangleMesh& mesh, const std::string& where) {
                             std::to_string(mesh.triangles(t, k)) + ", but there are " +
                             std::to_string(mesh.points.rows()),
                         where, "export the surface again");
+}
+
+TriangleMesh scaled(TriangleMesh mesh, double factor) {
+  mesh.points *= factor;
+  return mesh;
+}
+
+TriangleMesh turnedHalf(TriangleMesh mesh) {
+  negate(mesh.points.leftCols<2>());
+  return mesh;
+}
+
+TriangleMesh mirrored(TriangleMesh mesh) {
+  negate(mesh.points.leftCols<1>());
+  mesh.triangles.col(1).swap(mesh.triangles.col(2));
+  return mesh;
 }
 
 } // namespace viscera::geometry

@@ -14,6 +14,7 @@
 
 #include "viscera/core/disjoint_sets.h"
 #include "viscera/core/error.h"
+#include "viscera/geometry/volume.h"
 
 namespace viscera::geometry {
 namespace {
@@ -118,12 +119,8 @@ double areaWithin(const TriangleMesh& mesh, const Values& distances) {
   double area = 0;
   for (Eigen::Index t = 0; t < mesh.triangles.rows(); ++t) {
     const auto corner = mesh.triangles.row(t);
-    if (!std::isfinite(distances[corner[0]] + distances[corner[1]] + distances[corner[2]]))
-      continue;
-    const Vec3 a = mesh.points.row(corner[0]);
-    const Vec3 b = mesh.points.row(corner[1]);
-    const Vec3 c = mesh.points.row(corner[2]);
-    area += 0.5 * (b - a).cross(c - a).norm();
+    if (std::isfinite(distances[corner[0]] + distances[corner[1]] + distances[corner[2]]))
+      area += areaOf(mesh.points, mesh.triangles, t);
   }
   return area;
 }

@@ -79,15 +79,16 @@ void volumeGradient(const Points& points, const Triangles& triangles, const Vert
   });
 }
 
+double areaOf(const Points& points, const Triangles& triangles, Eigen::Index t) {
+  const auto [a, b, c] = cornersOf(points, triangles, t);
+  return 0.5 * (b - a).cross(c - a).norm();
+}
+
 double area(const Points& points, const Triangles& triangles) {
   double sum = 0;
-  for (Eigen::Index t = 0; t < triangles.rows(); ++t) {
-    const Vec3 a = points.row(triangles(t, 0)).transpose();
-    const Vec3 b = points.row(triangles(t, 1)).transpose();
-    const Vec3 c = points.row(triangles(t, 2)).transpose();
-    sum += (b - a).cross(c - a).norm();
-  }
-  return sum / 2;
+  for (Eigen::Index t = 0; t < triangles.rows(); ++t)
+    sum += areaOf(points, triangles, t);
+  return sum;
 }
 
 } // namespace viscera::geometry

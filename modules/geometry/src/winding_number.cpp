@@ -47,10 +47,10 @@ struct WindingNumber::Tree {
 
   explicit Tree(const TriangleMesh& mesh) {
     triangles.reserve(static_cast<std::size_t>(mesh.triangles.rows()));
-    for (Eigen::Index t = 0; t < mesh.triangles.rows(); ++t)
-      triangles.push_back({mesh.points.row(mesh.triangles(t, 0)).transpose(),
-                           mesh.points.row(mesh.triangles(t, 1)).transpose(),
-                           mesh.points.row(mesh.triangles(t, 2)).transpose()});
+    for (Eigen::Index t = 0; t < mesh.triangles.rows(); ++t) {
+      const auto [a, b, c] = cornersOf(mesh.points, mesh.triangles, t);
+      triangles.push_back({a, b, c});
+    }
     if (!triangles.empty())
       build(0, static_cast<std::int32_t>(triangles.size()));
   }

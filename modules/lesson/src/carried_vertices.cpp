@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "viscera/core/error.h"
-#include "viscera/document/sequence_rig.h"
+#include "viscera/document/rig_commands.h"
 
 namespace viscera::lesson {
 namespace {

@@ -11,7 +11,7 @@
 #include "page_strings.h"
 #include "viscera/core/error.h"
 #include "viscera/medical_io/organ_norms.h"
-#include "viscera/motion/normal_ranges.h"
+#include "viscera/motion/clinical_numbers.h"
 
 namespace viscera::lesson {
 namespace {

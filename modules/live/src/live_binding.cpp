@@ -1,7 +1,6 @@
 #include "viscera/live/live_binding.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <utility>
 

@@ -1,15 +1,14 @@
 #include "viscera/live/live_stress.h"
 
 #include <chrono>
-#include <cmath>
 #include <utility>
 
-#include "binding_target.h"
+#include "bound_organ.h"
 #include "viscera/core/error.h"
-#include "viscera/deformation/bind_witnesses.h"
-#include "viscera/deformation/carve_witnesses.h"
 #include "viscera/deformation/tetrahedralise.h"
-#include "viscera/document/sequence_rig.h"
+#include "viscera/deformation/witness_gradients.h"
+#include "viscera/deformation/witness_mesh.h"
+#include "viscera/document/rig_commands.h"
 
 namespace viscera::live {
 namespace {
@@ -208,7 +207,6 @@ void LiveStress::Impl::sampled(JobResult<SampledOrgan> result) {
   onSurface = result.value->onSurface;
   status.origin = sample.origin;
   status.remarks = sample.remarks;
-  status.sampleSeconds = sample.seconds;
   pending.sampled = true;
   refreshBinding();
 }
@@ -273,7 +271,6 @@ void LiveStress::Impl::takeBound(BoundWitnesses result) {
   boundToTarget = true;
   secondsEach =
       bound.seconds / (static_cast<double>(mesh->points.rows()) * static_cast<double>(target->ids.size()));
-  status.bindSeconds = bound.seconds;
   status.closedForm = bound.gradients->closedForm();
   status.outside = static_cast<int>(bound.positions->report().failures.size());
   setState(State::ready);

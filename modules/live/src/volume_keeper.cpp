@@ -122,9 +122,7 @@ LockedMotion VolumeKeeper::begin(const std::vector<document::HandleId>& handles,
 
 /// An organ that handles can give another volume.
 std::shared_ptr<const document::Organ> VolumeKeeper::requireVolume(document::OrganId id) const {
-  const auto organ = state_.organ(id);
-  if (!organ)
-    throw UsageError("There is no such organ any more", "organ " + std::to_string(id.value));
+  const auto organ = document::edit::requireOrgan(state_, id);
   if (!organ->closed())
     throw DataError("the surface is open (" + std::to_string(organ->boundaryEdges) +
                         " boundary edges), so it has no volume",

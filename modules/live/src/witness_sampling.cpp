@@ -1,10 +1,8 @@
 #include "viscera/live/witness_sampling.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
 #include <optional>
 #include <utility>
 
@@ -14,7 +12,7 @@
 #include "viscera/geometry/clean_surface.h"
 #include "viscera/geometry/split_edges.h"
 #include "viscera/geometry/surface_check.h"
-#include "viscera/medical_io/surface_repair.h"
+#include "viscera/medical_io/surface_repairs.h"
 
 namespace viscera::live {
 namespace {
@@ -241,11 +239,9 @@ private:
 WitnessSample sampleWitnesses(const geometry::TriangleMesh& surface, const WitnessOptions& options,
                               Progress& progress) {
   requireInRange(options);
-  const auto begin = std::chrono::steady_clock::now();
   progress.report(0, "witness points");
   WitnessSample sample = Sampler(options, progress).sample(surface);
   progress.report(1);
-  sample.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   return sample;
 }
 

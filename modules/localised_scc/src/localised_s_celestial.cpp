@@ -5,7 +5,6 @@
 #include <chrono>
 #include <utility>
 
-#include "space_layout_of.h"
 #include "viscera/coordinates/weights_binding.h"
 #include "viscera/localised_scc/region_layout.h"
 
@@ -26,10 +25,33 @@ constexpr Eigen::Index kBlock = 1024;
 constexpr double kNegligibleShare = 1e-9;
 
 const Parameter kOffset{
-    "offset", 0.01,
-    1000,     10,
-    "mm",     "Distance from a zone within which its super-region still counts: smoothness against locality",
-    false,    {}};
+    .name = "offset",
+    .minimum = 0.01,
+    .maximum = 1000,
+    .standard = 10,
+    .unit = "mm",
+    .help = "Distance from a zone within which its super-region still counts: smoothness against locality"};
+
+using Systems = std::vector<std::shared_ptr<const CoordinateSystem>>;
+
+coordinates::SystemDescription describedWith(const Systems& inner) {
+  assert(!inner.empty());
+  Parameter choice{.name = "inner",
+                   .maximum = static_cast<double>(inner.size() - 1),
+                   .help = "System used inside each region",
+                   .integer = true};
+  for (const auto& system : inner)
+    choice.choices.push_back(system->id());
+  std::vector<Parameter> parameters = inner.front()->parameters();
+  parameters.insert(parameters.begin(), {kOffset, choice});
+  return {
+      .id = "localised-s-celestial",
+      .name = "Localised S-Celestial",
+      .summary =
+          "Groups of handles move only their own region of the organ; neighbouring regions blend smoothly.",
+      .traits = {.positive = true, .interpolates = true, .closedFormGradient = true, .usesGroups = true},
+      .parameters = std::move(parameters)};
+}
 
 /// A point of a set, and the set's part in it.
 struct Member {
@@ -45,14 +67,6 @@ struct SetTask {
   const HandleSet& handles;
   Points points;
 };
-
-HandleSet subset(const HandleSet& handles, const std::vector<int>& rows) {
-  HandleSet chosen;
-  chosen.positions.resize(static_cast<Eigen::Index>(rows.size()), 3);
-  for (std::size_t i = 0; i < rows.size(); ++i)
-    chosen.positions.row(static_cast<Eigen::Index>(i)) = handles.positions.row(rows[i]);
-  return chosen;
-}
 
 Points pointsOf(const Points& points, const std::vector<Member>& members) {
   Points chosen(static_cast<Eigen::Index>(members.size()), 3);
@@ -105,7 +119,7 @@ void forEachSet(const RegionLayout& layout, const HandleSet& handles, const Poin
                 Progress& progress, Coverage& coverage, const Work& work) {
   std::vector<HandleSet> sets;
   for (int set = 0; set < layout.setCount(); ++set)
-    sets.push_back(subset(handles, layout.handlesOf(set)));
+    sets.push_back({handles.positions(layout.handlesOf(set), Eigen::all), {}, {}});
   std::atomic<Eigen::Index> done{0};
   progress.throwIfCancelled();
   parallelRanges(points.rows(), kBlock, threads, [&](Eigen::Index begin, Eigen::Index end) {
@@ -149,35 +163,8 @@ void addBinding(const coordinates::Binding& binding, const SetTask& task, Covera
 
 } // namespace
 
-LocalisedSCelestial::LocalisedSCelestial(std::vector<std::shared_ptr<const CoordinateSystem>> inner)
-    : inner_(std::move(inner)) {
-  assert(!inner_.empty());
-}
-
-std::string LocalisedSCelestial::summary() const {
-  return "Groups of handles move only their own region of the organ; neighbouring regions blend smoothly.";
-}
-
-coordinates::Traits LocalisedSCelestial::traits() const {
-  coordinates::Traits traits;
-  traits.positive = true;
-  traits.interpolates = true;
-  traits.closedFormGradient = true;
-  traits.usesGroups = true;
-  return traits;
-}
-
-std::vector<Parameter> LocalisedSCelestial::parameters() const {
-  std::vector<Parameter> list = {kOffset};
-  Parameter inner{"inner", 0, static_cast<double>(inner_.size() - 1), 0, "", "System used inside each region",
-                  true,    {}};
-  for (const auto& system : inner_)
-    inner.choices.push_back(system->id());
-  list.push_back(std::move(inner));
-  for (const auto& parameter : inner_.front()->parameters())
-    list.push_back(parameter);
-  return list;
-}
+LocalisedSCelestial::LocalisedSCelestial(Systems inner)
+    : DescribedSystem(describedWith(inner)), inner_(std::move(inner)) {}
 
 const CoordinateSystem& LocalisedSCelestial::innerFor(const coordinates::ParameterValues& values) const {
   return *inner_[static_cast<std::size_t>(values.get(parameters()[1]))];

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <utility>
 
 #include "blend.h"
 #include "viscera/coordinates/handle_checks.h"
@@ -18,13 +19,6 @@ namespace {
 constexpr double kTouching = 1e-9;
 /// The bound itself is excluded (h < d_k).
 constexpr double kBelowBound = 0.999;
-
-Points rowsOf(const Points& points, const std::vector<int>& rows) {
-  Points chosen(static_cast<Eigen::Index>(rows.size()), 3);
-  for (std::size_t i = 0; i < rows.size(); ++i)
-    chosen.row(static_cast<Eigen::Index>(i)) = points.row(rows[i]);
-  return chosen;
-}
 
 std::vector<int> sortedUnique(std::vector<int> list) {
   std::sort(list.begin(), list.end());
@@ -43,7 +37,7 @@ Region makeRegion(const coordinates::HandleGroup& group, const Points& positions
   if (handles.size() < 4)
     throw DataError("It has " + std::to_string(handles.size()) + " handles; a region needs at least 4", where,
                     "add handles to it");
-  auto hull = geometry::ConvexPolytope::hullOf(rowsOf(positions, handles), tolerance);
+  auto hull = geometry::ConvexPolytope::hullOf(positions(handles, Eigen::all), tolerance);
   if (hull.dimension() < 3)
     throw DataError("all its handles lie in one plane, so its region is flat", where,
                     "add a handle off that plane");
@@ -57,6 +51,20 @@ std::vector<SwappingZone::Part> pairwiseIntersections(const std::vector<Region>&
       if (auto common = regions[std::size_t(i)].hull.intersection(regions[std::size_t(j)].hull))
         parts.push_back({i, j, std::move(*common)});
   return parts;
+}
+
+using coordinates::SpacePart;
+
+SpacePart partOf(SpacePart::Kind kind, std::string name, std::vector<int> groups,
+                 const geometry::ConvexPolytope& set) {
+  return {kind, std::move(name), std::move(groups), set.vertices(), set.triangles(), set.edges()};
+}
+
+std::string joinedNames(const RegionLayout& layout, const std::vector<int>& regions) {
+  std::string names;
+  for (const int region : regions)
+    names += (names.empty() ? "" : " + ") + layout.regions()[static_cast<std::size_t>(region)].name;
+  return names;
 }
 
 } // namespace
@@ -113,7 +121,8 @@ void RegionLayout::makeZones(const coordinates::HandleSet& handles) {
       members.push_back(std::move(parts[a]));
     }
     zoneHandles = sortedUnique(std::move(zoneHandles));
-    auto superRegion = geometry::ConvexPolytope::hullOf(rowsOf(handles.positions, zoneHandles), tolerance_);
+    auto superRegion =
+        geometry::ConvexPolytope::hullOf(handles.positions(zoneHandles, Eigen::all), tolerance_);
     zones_.push_back({std::move(members), sortedUnique(std::move(regions)), std::move(zoneHandles),
                       std::move(superRegion)});
   }
@@ -211,6 +220,34 @@ std::vector<RegionLayout::Share> RegionLayout::shares(const Vec3& point) const {
   std::vector<Share> result;
   shares(point, result);
   return result;
+}
+
+coordinates::SpaceLayout spaceLayoutOf(const RegionLayout& layout, std::size_t groups,
+                                       const std::string& offsetName) {
+  // Without groups the one region is that of all handles.
+  const auto ofRegions = [groups](std::vector<int> regions) {
+    return groups == 0 ? std::vector<int>() : regions;
+  };
+  coordinates::SpaceLayout space;
+  space.notes = layout.notes();
+  double bound = 0;
+  for (int i = 0; i < static_cast<int>(layout.regions().size()); ++i) {
+    const Region& region = layout.regions()[static_cast<std::size_t>(i)];
+    space.parts.push_back(partOf(SpacePart::Kind::region, region.name, ofRegions({i}), region.hull));
+    if (std::isfinite(region.offsetBound))
+      bound = std::max(bound, region.offsetBound);
+  }
+  for (const SwappingZone& zone : layout.zones()) {
+    const std::string name = joinedNames(layout, zone.regions);
+    for (const SwappingZone::Part& part : zone.parts)
+      space.parts.push_back(
+          partOf(SpacePart::Kind::zone, name, ofRegions({part.first, part.second}), part.common));
+    space.parts.push_back(
+        partOf(SpacePart::Kind::superRegion, name, ofRegions(zone.regions), zone.superRegion));
+  }
+  if (bound > 0)
+    space.upperBounds[offsetName] = bound;
+  return space;
 }
 
 } // namespace viscera::localised_scc

@@ -1,10 +1,8 @@
 #include "viscera/medical_io/displacement_file.h"
 
-#include <array>
 #include <bit>
-#include <charconv>
 #include <ostream>
-#include <sstream>
+#include <string>
 
 #include <vtkDoubleArray.h>
 #include <vtkNew.h>
@@ -12,41 +10,36 @@
 #include <vtkPolyData.h>
 
 #include "file_bytes.h"
+#include "surface_formats.h"
+#include "text_scanner.h"
 #include "viscera/core/atomic_file.h"
 #include "viscera/core/error.h"
 #include "vtk_poly_data.h"
-#include "vtp_writer.h"
 
 namespace viscera::medical_io {
 namespace {
 
 static_assert(std::endian::native == std::endian::little, "the headers say so");
 
-/// Seventeen digits, always with a point.
-std::string written(double value) {
-  std::array<char, 32> buffer{};
-  const auto end =
-      std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::general, 17);
-  return {buffer.data(), end.ptr};
-}
-
 std::string written(const Eigen::Vector3i& size) {
   return std::to_string(size[0]) + " " + std::to_string(size[1]) + " " + std::to_string(size[2]);
 }
 
 std::string nrrdHeader(const deformation::DisplacementGrid& grid) {
-  const std::string step = written(grid.spacing);
+  const std::string step = exactNumber(grid.spacing);
   return "NRRD0004\ntype: double\ndimension: 4\nspace: left-posterior-superior\nsizes: 3 " +
          written(grid.size) + "\nspace directions: none (" + step + ",0,0) (0," + step + ",0) (0,0," + step +
          ")\nkinds: vector domain domain domain\nendian: little\nencoding: raw\nspace origin: (" +
-         written(grid.origin.x()) + "," + written(grid.origin.y()) + "," + written(grid.origin.z()) + ")\n\n";
+         exactNumber(grid.origin.x()) + "," + exactNumber(grid.origin.y()) + "," +
+         exactNumber(grid.origin.z()) + ")\n\n";
 }
 
 std::string metaImageHeader(const deformation::DisplacementGrid& grid) {
-  const std::string step = written(grid.spacing);
+  const std::string step = exactNumber(grid.spacing);
   return "ObjectType = Image\nNDims = 3\nBinaryData = True\nBinaryDataByteOrderMSB = False\n"
          "CompressedData = False\nTransformMatrix = 1 0 0 0 1 0 0 0 1\nOffset = " +
-         written(grid.origin.x()) + " " + written(grid.origin.y()) + " " + written(grid.origin.z()) +
+         exactNumber(grid.origin.x()) + " " + exactNumber(grid.origin.y()) + " " +
+         exactNumber(grid.origin.z()) +
          "\nCenterOfRotation = 0 0 0\nAnatomicalOrientation = RAI\nElementSpacing = " + step + " " + step +
          " " + step + "\nDimSize = " + written(grid.size) +
          "\nElementNumberOfChannels = 3\nElementType = MET_DOUBLE\nElementDataFile = LOCAL\n";

@@ -1,6 +1,4 @@
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <cmath>
 #include <cstdint>
 #include <optional>
@@ -13,7 +11,7 @@
 #include "handle_formats.h"
 #include "space_tag.h"
 #include "text_scanner.h"
-#include "viscera/core/utf8.h"
+#include "viscera/core/text.h"
 
 namespace viscera::medical_io {
 namespace {
@@ -130,18 +128,10 @@ std::string written(std::string text) {
   return quoted + '"';
 }
 
-/// Seventeen digits, which name one double only, always with a point.
-std::string written(double value) {
-  std::array<char, 32> buffer{};
-  const auto end =
-      std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::general, 17);
-  return {buffer.data(), end.ptr};
-}
-
 void writeRow(std::ostream& out, const HandleRecord& handle, std::size_t number, Space space) {
   const Vec3 place = space == Space::ras ? lpsFromRas(handle.position) : handle.position;
-  out << "Viscera_" << number << ',' << written(place.x()) << ',' << written(place.y()) << ','
-      << written(place.z()) << ",0,0,0,1," << (handle.visible ? 1 : 0) << ",1," << (handle.locked ? 1 : 0)
+  out << "Viscera_" << number << ',' << exactNumber(place.x()) << ',' << exactNumber(place.y()) << ','
+      << exactNumber(place.z()) << ",0,0,0,1," << (handle.visible ? 1 : 0) << ",1," << (handle.locked ? 1 : 0)
       << ',' << written(handle.label) << ',' << written(handle.description) << ",\n";
 }
 

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <cstring>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -36,6 +37,10 @@ std::string extensionOf(const std::filesystem::path& file);
 
 /// The file's name without that extension.
 std::string stemOf(const std::filesystem::path& file);
+
+/// The bytes that base64 `text` stands for; white space is skipped. Nothing when a character does not belong
+/// there or the text ends within a group.
+std::optional<std::string> decodeBase64(std::string_view text);
 
 /// "1 triangle", "12 triangles".
 std::string counted(std::uint64_t count, std::string_view one, std::string_view many);

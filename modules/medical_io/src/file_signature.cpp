@@ -12,30 +12,31 @@ namespace {
 
 struct Kind {
   Signature signature;
+  FileKind kind;
   std::string_view description;
   std::string_view extension;
 };
 constexpr std::array<Kind, 20> kKinds = {{
-    {Signature::unknown, "nothing that Viscera knows", ""},
-    {Signature::stl, "an STL surface", ".stl"},
-    {Signature::obj, "an OBJ surface", ".obj"},
-    {Signature::ply, "a PLY surface", ".ply"},
-    {Signature::off, "an OFF surface", ".off"},
-    {Signature::legacyVtk, "a legacy VTK file", ".vtk"},
-    {Signature::vtp, "a VTK XML surface", ".vtp"},
-    {Signature::otherVtkXml, "a VTK XML file that holds no surface", ""},
-    {Signature::glb, "a binary glTF scene", ".glb"},
-    {Signature::gltf, "a glTF scene", ".gltf"},
-    {Signature::markups, "a 3D Slicer markups file", ".mrk.json"},
-    {Signature::fcsv, "a 3D Slicer fiducial table", ".fcsv"},
-    {Signature::otherJson, "a JSON file", ".json"},
-    {Signature::nifti, "a NIfTI image", ".nii"},
-    {Signature::nrrd, "an NRRD image", ".nrrd"},
-    {Signature::metaImage, "a MetaImage", ".mha"},
-    {Signature::dicom, "a DICOM file", ".dcm"},
-    {Signature::gzip, "a gzip-compressed file", ".gz"},
-    {Signature::zip, "a ZIP archive", ".zip"},
-    {Signature::picture, "a picture", ""},
+    {Signature::unknown, FileKind::unknown, "nothing that Viscera knows", ""},
+    {Signature::stl, FileKind::surface, "an STL surface", ".stl"},
+    {Signature::obj, FileKind::surface, "an OBJ surface", ".obj"},
+    {Signature::ply, FileKind::surface, "a PLY surface", ".ply"},
+    {Signature::off, FileKind::surface, "an OFF surface", ".off"},
+    {Signature::legacyVtk, FileKind::surface, "a legacy VTK file", ".vtk"},
+    {Signature::vtp, FileKind::surface, "a VTK XML surface", ".vtp"},
+    {Signature::otherVtkXml, FileKind::unknown, "a VTK XML file that holds no surface", ""},
+    {Signature::glb, FileKind::surface, "a binary glTF scene", ".glb"},
+    {Signature::gltf, FileKind::surface, "a glTF scene", ".gltf"},
+    {Signature::markups, FileKind::handles, "a 3D Slicer markups file", ".mrk.json"},
+    {Signature::fcsv, FileKind::handles, "a 3D Slicer fiducial table", ".fcsv"},
+    {Signature::otherJson, FileKind::unknown, "a JSON file", ".json"},
+    {Signature::nifti, FileKind::labelMap, "a NIfTI image", ".nii"},
+    {Signature::nrrd, FileKind::labelMap, "an NRRD image", ".nrrd"},
+    {Signature::metaImage, FileKind::labelMap, "a MetaImage", ".mha"},
+    {Signature::dicom, FileKind::labelMap, "a DICOM file", ".dcm"},
+    {Signature::gzip, FileKind::unknown, "a gzip-compressed file", ".gz"},
+    {Signature::zip, FileKind::unknown, "a ZIP archive", ".zip"},
+    {Signature::picture, FileKind::unknown, "a picture", ""},
 }};
 
 constexpr std::size_t kBegin = 4096;
@@ -147,12 +148,18 @@ Signature signatureOf(const FileBytes& file) {
   return binary != Signature::unknown ? binary : textSignature(file, begin);
 }
 
-std::string_view describe(Signature signature) {
-  return kindOf(signature).description;
+FileKind fileKind(Signature signature) {
+  return kindOf(signature).kind;
 }
 
-std::string_view usualExtension(Signature signature) {
-  return kindOf(signature).extension;
+std::string looksLike(Signature found) {
+  return found == Signature::unknown ? "" : "; it looks like " + std::string(kindOf(found).description);
+}
+
+void failAsAnotherKind(const FileBytes& file, Signature found, const std::string& otherwise) {
+  const Kind& kind = kindOf(found);
+  file.fail("It is named " + extensionOf(file.file) + " but looks like " + std::string(kind.description),
+            kind.extension.empty() ? otherwise : "rename it to end in " + std::string(kind.extension));
 }
 
 } // namespace viscera::medical_io

@@ -1,8 +1,9 @@
 #pragma once
 
-#include <string_view>
+#include <string>
 
 #include "file_bytes.h"
+#include "viscera/medical_io/file_kind.h"
 
 namespace viscera::medical_io {
 
@@ -33,10 +34,14 @@ enum class Signature {
 /// Looks at the first bytes, and for binary STL at the size of the whole. Cheap.
 Signature signatureOf(const FileBytes& file);
 
-/// "an STL surface", "a NIfTI image".
-std::string_view describe(Signature signature);
+/// What a file of that signature holds.
+FileKind fileKind(Signature signature);
 
-/// The extension such a file should have; empty when there is no usual one.
-std::string_view usualExtension(Signature signature);
+/// "; it looks like an STL surface", to end a message; nothing for a file of no recognisable kind.
+std::string looksLike(Signature found);
+
+/// Throws `DataError` for a file whose name promises another kind. `otherwise` says what to try when its kind
+/// has no usual ending.
+[[noreturn]] void failAsAnotherKind(const FileBytes& file, Signature found, const std::string& otherwise);
 
 } // namespace viscera::medical_io

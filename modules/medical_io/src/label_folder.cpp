@@ -2,9 +2,8 @@
 #include <utility>
 
 #include "file_bytes.h"
-#include "label_file.h"
-#include "label_layers.h"
-#include "segment_names.h"
+#include "label_formats/raw_labels.h"
+#include "label_segments.h"
 #include "viscera/core/error.h"
 #include "viscera/core/parallel.h"
 #include "viscera/medical_io/label_map.h"

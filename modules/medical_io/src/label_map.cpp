@@ -6,11 +6,10 @@
 
 #include "file_bytes.h"
 #include "file_signature.h"
-#include "label_file.h"
 #include "label_formats/label_encoding.h"
 #include "label_formats/raw_labels.h"
+#include "label_segments.h"
 #include "label_tables.h"
-#include "segment_names.h"
 #include "viscera/core/error.h"
 
 namespace viscera::medical_io {
@@ -48,16 +47,13 @@ const Format& formatOf(const FileBytes& file) {
   if (format == kFormats.end()) {
     if (found == Signature::dicom)
       return kFormats.back();
-    file.fail("the ending \"" + extension + "\" is none of a label map" +
-                  (found == Signature::unknown ? "" : "; it looks like " + std::string(describe(found))),
+    file.fail("the ending \"" + extension + "\" is none of a label map" + looksLike(found),
               "known endings: .nii, .nii.gz, .hdr, .img, .nrrd, .seg.nrrd, .nhdr, .mha, .mhd, .dcm");
   }
   const bool packedNifti = format->signature == Signature::nifti && found == Signature::gzip;
   if (found == Signature::unknown || found == format->signature || packedNifti)
     return *format;
-  const std::string_view usual = usualExtension(found);
-  file.fail("It is named " + extension + " but looks like " + std::string(describe(found)),
-            usual.empty() ? "save it as a label map" : "rename it to end in " + std::string(usual));
+  failAsAnotherKind(file, found, "save it as a label map");
 }
 
 LabelMap labelMapOf(RawLabels&& raw, const FileBytes& file, Progress& progress) {

@@ -6,7 +6,6 @@
 #include <numeric>
 
 #include "file_bytes.h"
-#include "smooth_surface.h"
 #include "viscera/contour/contour.h"
 #include "viscera/core/error.h"
 #include "viscera/geometry/normals.h"
@@ -15,6 +14,7 @@
 #include "viscera/geometry/volume.h"
 #include "viscera/medical_io/organ_norms.h"
 #include "voxel_pieces.h"
+#include "vtk_poly_data.h"
 
 namespace viscera::medical_io {
 namespace {

@@ -9,9 +9,10 @@
 #include <nlohmann/json.hpp>
 
 #include "handle_formats.h"
+#include "scalar.h"
 #include "space_tag.h"
 #include "text_scanner.h"
-#include "viscera/core/utf8.h"
+#include "viscera/core/text.h"
 
 namespace viscera::medical_io {
 namespace {
@@ -21,11 +22,8 @@ using Json = nlohmann::ordered_json;
 constexpr auto kSchema = "https://raw.githubusercontent.com/slicer/slicer/master/Modules/Loadable/Markups/"
                          "Resources/Schema/markups-schema-v1.0.3.json#";
 
-struct Unit {
-  std::string_view name;
-  double mm;
-};
-constexpr std::array<Unit, 5> kUnits = {{{"mm", 1}, {"cm", 10}, {"m", 1000}, {"um", 1e-3}, {"[in_i]", 25.4}}};
+constexpr std::array<std::pair<std::string_view, double>, 5> kUnits = {
+    {{"mm", 1}, {"cm", 10}, {"m", 1000}, {"um", 1e-3}, {"[in_i]", 25.4}}};
 
 class MarkupsReader {
 public:
@@ -47,10 +45,7 @@ private:
     try {
       return Json::parse(toUtf8(std::string(file_.view())));
     } catch (const Json::exception& error) {
-      // nlohmann's "[json.exception...] parse error at line 3, column 5: ..." without its prefix.
-      const std::string_view text = error.what();
-      const std::size_t end = text.find("] ");
-      file_.fail("It is no complete JSON: " + std::string(end == text.npos ? text : text.substr(end + 2)));
+      failAsJson(file_, error);
     }
   }
 
@@ -129,10 +124,8 @@ private:
       frame.ras = value == "RAS" || value == "0";
     }
     const std::string unit = text(list, "coordinateUnits");
-    const auto known =
-        std::find_if(kUnits.begin(), kUnits.end(), [&](const Unit& u) { return u.name == unit; });
-    if (known != kUnits.end())
-      frame.mm = known->mm;
+    if (const auto mm = lookUp(kUnits, unit))
+      frame.mm = *mm;
     else if (!unit.empty())
       result_.warnings.push_back("list " + inQuotes(name) + " has the unit " + inQuotes(unit) +
                                  ", which Viscera does not know; mm are assumed");

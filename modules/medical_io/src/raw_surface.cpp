@@ -7,10 +7,17 @@
 #include <unordered_map>
 #include <utility>
 
+#include <vtkIdList.h>
+#include <vtkNew.h>
+#include <vtkPoints.h>
+#include <vtkPolygon.h>
+
 #include "file_bytes.h"
-#include "surface_warnings.h"
-#include "triangulate_polygon.h"
+#include "quiet_vtk.h"
+#include "space_tag.h"
 #include "viscera/core/error.h"
+#include "viscera/geometry/surface_check.h"
+#include "viscera/medical_io/organ_norms.h"
 
 namespace viscera::medical_io {
 namespace {
@@ -24,12 +31,96 @@ constexpr double kFarthestMm = 1e9;
 constexpr std::int32_t kNone = -1;
 constexpr auto kExportAgain = "export the surface again";
 
+constexpr std::size_t kLargestEarCut = 2000;
+
+Vec3 normalOf(const Points& points, std::int32_t a, std::int32_t b, std::int32_t c) {
+  const Vec3 pa = points.row(a);
+  const Vec3 pb = points.row(b);
+  const Vec3 pc = points.row(c);
+  return (pb - pa).cross(pc - pa);
+}
+
+void cutQuadrilateral(std::span<const std::int32_t> q, const Points& points,
+                      std::vector<std::array<std::int32_t, 3>>& out) {
+  const bool straight = normalOf(points, q[0], q[1], q[2]).dot(normalOf(points, q[0], q[2], q[3])) > 0;
+  const bool crossed = normalOf(points, q[1], q[2], q[3]).dot(normalOf(points, q[1], q[3], q[0])) > 0;
+  const double firstDiagonal = (points.row(q[0]) - points.row(q[2])).squaredNorm();
+  const double secondDiagonal = (points.row(q[1]) - points.row(q[3])).squaredNorm();
+  if (straight != crossed ? straight : firstDiagonal <= secondDiagonal) {
+    out.push_back({q[0], q[1], q[2]});
+    out.push_back({q[0], q[2], q[3]});
+  } else {
+    out.push_back({q[1], q[2], q[3]});
+    out.push_back({q[1], q[3], q[0]});
+  }
+}
+
+bool cutEars(std::span<const std::int32_t> polygon, const Points& points,
+             std::vector<std::array<std::int32_t, 3>>& out) {
+  vtkNew<vtkPolygon> cutter;
+  const QuietVtk quiet(cutter);
+  cutter->GetPoints()->SetDataTypeToDouble();
+  for (std::size_t k = 0; k < polygon.size(); ++k) {
+    cutter->GetPoints()->InsertNextPoint(points.row(polygon[k]).data());
+    cutter->GetPointIds()->InsertNextId(static_cast<vtkIdType>(k));
+  }
+  vtkNew<vtkIdList> ears;
+  const bool cut = cutter->Triangulate(ears) != 0;
+  if (!cut || static_cast<std::size_t>(ears->GetNumberOfIds()) != 3 * (polygon.size() - 2))
+    return false;
+  for (vtkIdType i = 0; i < ears->GetNumberOfIds(); i += 3)
+    out.push_back({polygon[static_cast<std::size_t>(ears->GetId(i))],
+                   polygon[static_cast<std::size_t>(ears->GetId(i + 1))],
+                   polygon[static_cast<std::size_t>(ears->GetId(i + 2))]});
+  return true;
+}
+
+/// Cuts a polygon of three or more different corners (rows of `points`) into triangles of the same
+/// orientation and appends them. Quadrilaterals are cut so that no triangle turns over, along the shorter
+/// diagonal where both ways do; larger polygons by ears, which is quadratic, so that those above 2000 corners
+/// become a fan. False when a polygon that is not a triangle or quadrilateral had to become a fan, which is
+/// right only for a convex one.
+bool triangulatePolygon(std::span<const std::int32_t> polygon, const Points& points,
+                        std::vector<std::array<std::int32_t, 3>>& out) {
+  if (polygon.size() == 3) {
+    out.push_back({polygon[0], polygon[1], polygon[2]});
+    return true;
+  }
+  if (polygon.size() == 4) {
+    cutQuadrilateral(polygon, points, out);
+    return true;
+  }
+  if (polygon.size() <= kLargestEarCut && cutEars(polygon, points, out))
+    return true;
+  for (std::size_t k = 1; k + 1 < polygon.size(); ++k)
+    out.push_back({polygon[0], polygon[k], polygon[k + 1]});
+  return false;
+}
+
+/// Appends what a user should know before working with the surface: it is open, inside out, in pieces; its
+/// size is none that an organ has in mm, with the units that would explain it; its volume is far from the
+/// normal one of the organ that its name says. O(m log m).
+void appendSurfaceWarnings(SurfaceFile& surface) {
+  const auto append = [&](std::optional<std::string> doubt) {
+    if (doubt)
+      surface.warnings.push_back(std::move(*doubt));
+  };
+  append(doubtAboutSize(surface.name, boundsOf(surface.mesh.points).diagonal()));
+  const geometry::SurfaceReport report = geometry::checkSurface(surface.mesh);
+  for (std::string& fault : geometry::faults(report))
+    surface.warnings.push_back(std::move(fault));
+  if (report.closed())
+    append(doubtAboutVolume(surface.name, std::abs(report.volumeMm3) / kMm3PerMl));
+}
+
 class Assembly {
 public:
   Assembly(RawSurface&& raw, const std::filesystem::path& file)
       : raw_(std::move(raw)), file_(file.string()) {}
 
   SurfaceFile run() {
+    if (raw_.colors.size() != raw_.coordinates.size())
+      raw_.colors.clear();
     checkSizes();
     markUsed();
     checkCoordinates();
@@ -183,6 +274,9 @@ private:
     result.spaceStated = raw_.space.has_value();
     result.warnings = std::move(raw_.warnings);
     auto& warnings = result.warnings;
+    if (raw_.ignoredCells > 0)
+      warnings.push_back(counted(raw_.ignoredCells, "line or point cell", "line or point cells") +
+                         " ignored");
     if (merged_ > 0 && raw_.pointsAreShared)
       warnings.push_back(counted(merged_, "point that repeats", "points that repeat") + " another merged");
     if (dropped_ > 0)
@@ -211,6 +305,13 @@ private:
 };
 
 } // namespace
+
+void RawSurface::takeComment(std::string_view comment) {
+  if (!space)
+    space = findSpace(comment, warnings);
+  if (name.empty())
+    name = nameInComment(comment);
+}
 
 void RawSurface::addStrip(std::span<const std::int64_t> strip) {
   for (std::size_t k = 0; k + 2 < strip.size(); ++k) {

@@ -1,9 +1,11 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "viscera/medical_io/surface_file.h"
@@ -13,13 +15,14 @@ namespace viscera::medical_io {
 /// What a format's reader found, before it is made a mesh: nothing checked, polygons of any size.
 struct RawSurface {
   std::vector<double> coordinates;   ///< `3 n`, in the file's axes.
-  std::vector<std::uint8_t> colors;  ///< `3 n`, or empty.
+  std::vector<std::uint8_t> colors;  ///< `3 n`; of any other size: not used.
   std::vector<std::int64_t> corners; ///< Point numbers of all polygons, one after the other.
   std::vector<std::size_t> ends;     ///< For every polygon where its corners end.
   std::string name;                  ///< Empty: the file does not say.
   std::optional<Space> space;        ///< Empty: the file does not say.
   bool pointsAreShared = true;       ///< False for STL, in which every triangle repeats its points.
   std::vector<std::string> warnings;
+  std::uint64_t ignoredCells = 0; ///< Lines and points among the cells of a VTK file.
 
   std::size_t pointCount() const { return coordinates.size() / 3; }
   std::size_t polygonCount() const { return ends.size(); }
@@ -31,6 +34,16 @@ struct RawSurface {
     corners.insert(corners.end(), {a, b, c});
     endPolygon();
   }
+  void addPolygon(std::span<const std::int64_t> polygon) {
+    corners.insert(corners.end(), polygon.begin(), polygon.end());
+    endPolygon();
+  }
+  /// A channel of a colour, 255 at its brightest, rounded; what is no number or too dark is 0.
+  void addChannel(double value) {
+    colors.push_back(static_cast<std::uint8_t>(value > 0 ? std::min(value, 255.0) + 0.5 : 0.0));
+  }
+  /// The axes and the name that a comment of the file states, where no other has before.
+  void takeComment(std::string_view comment);
   /// The triangles of a strip, every second one turned around; those with a repeated corner, which only join
   /// pieces of a strip, are left out.
   void addStrip(std::span<const std::int64_t> strip);

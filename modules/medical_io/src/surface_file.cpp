@@ -58,10 +58,7 @@ void requireKind(const FileBytes& file, const Format& format) {
   const Signature found = signatureOf(file);
   if (found == Signature::unknown || found == format.signature)
     return;
-  const std::string_view usual = usualExtension(found);
-  file.fail("It is named " + std::string(format.extension) + " but looks like " +
-                std::string(describe(found)),
-            usual.empty() ? "export it as a surface" : "rename it to end in " + std::string(usual));
+  failAsAnotherKind(file, found, "export it as a surface");
 }
 
 geometry::TriangleMesh inSpace(const geometry::TriangleMesh& mesh, Space space) {
@@ -77,9 +74,8 @@ SurfaceFile readSurface(const std::filesystem::path& file) {
   const FileBytes bytes = readWholeFile(file);
   const Format* format = formatOf(file);
   if (format == nullptr) {
-    const Signature found = signatureOf(bytes);
     bytes.fail("the ending \"" + extensionOf(file) + "\" is none of a surface file" +
-                   (found == Signature::unknown ? "" : "; it looks like " + std::string(describe(found))),
+                   looksLike(signatureOf(bytes)),
                "known endings: " + extensionList(false));
   }
   requireKind(bytes, *format);

@@ -7,6 +7,8 @@
 #include "raw_surface.h"
 #include "viscera/medical_io/surface_file.h"
 
+class vtkPolyData;
+
 /// The formats, one source a format in surface_formats/. Readers check every size against the bytes that are
 /// there and throw `DataError`; none prints, and none returns a part of a damaged file. Writers get a valid
 /// mesh whose coordinates are already in `options.space`.
@@ -27,6 +29,8 @@ void writePly(std::ostream& out, const geometry::TriangleMesh& mesh, const Write
 void writeOff(std::ostream& out, const geometry::TriangleMesh& mesh, const WriteSurface& options);
 void writeLegacyVtk(std::ostream& out, const geometry::TriangleMesh& mesh, const WriteSurface& options);
 void writeVtp(std::ostream& out, const geometry::TriangleMesh& mesh, const WriteSurface& options);
+/// The same of what VTK holds: numbers at the points go along. Throws `CannotCreateError`.
+void writeVtp(std::ostream& out, vtkPolyData& data, const WriteSurface& options);
 void writeGlb(std::ostream& out, const geometry::TriangleMesh& mesh, const WriteSurface& options);
 
 } // namespace viscera::medical_io

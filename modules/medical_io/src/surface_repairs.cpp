@@ -1,20 +1,41 @@
 #include "viscera/medical_io/surface_repairs.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <utility>
 
+#include <vtkNew.h>
+#include <vtkPolyData.h>
+#include <vtkQuadricDecimation.h>
+
+#include "viscera/contour/contour.h"
 #include "viscera/core/error.h"
 #include "viscera/geometry/clean_surface.h"
 #include "viscera/geometry/close_holes.h"
 #include "viscera/geometry/connected_pieces.h"
-#include "viscera/geometry/transformed_surface.h"
+#include "viscera/geometry/self_intersections.h"
+#include "viscera/geometry/signed_distance_grid.h"
+#include "viscera/geometry/thin_surface.h"
+#include "viscera/geometry/triangle_mesh.h"
 #include "viscera/medical_io/organ_norms.h"
-#include "viscera/medical_io/surface_repair.h"
+#include "vtk_poly_data.h"
 
 namespace viscera::medical_io {
 namespace {
 
 using geometry::TriangleMesh;
 
+/// Edge of the clusters that triangles are merged to before distances are measured, by the grid's spacing.
+constexpr double kClusterScale = 0.5;
+constexpr int kSmoothingRounds = 2;
+constexpr double kSmallestPiece = 0.01; ///< Of the whole volume.
+/// Of the contour, whose triangles are the grid's, and then of the thinned surface: as often as the first
+/// says, or as often as the others when triangles cross.
+constexpr std::array kFirstIterations = {20, 30, 10}, kSecondIterations = {10, 2, 0};
+constexpr double kFirstPassBand = 0.05, kSecondPassBand = 0.1;
 constexpr int kFewestTriangles = 500, kMostTriangles = 20'000;
 
 /// A repair that takes no time worth reporting.
@@ -52,6 +73,56 @@ std::vector<SurfaceRepair> allRepairs() {
   return list;
 }
 
+/// Drops what is too small to matter, cavities as well as crumbs.
+TriangleMesh withoutCrumbs(TriangleMesh mesh) {
+  const auto [count, piece] = geometry::connectedPieces(mesh);
+  const Vec3 middle = boundsOf(mesh.points).center();
+  std::vector<double> volumes(static_cast<std::size_t>(count), 0.0);
+  const auto corner = [&](Eigen::Index t, int k) -> Vec3 {
+    return mesh.points.row(mesh.triangles(t, k)).transpose() - middle;
+  };
+  double total = 0;
+  for (Eigen::Index t = 0; t < mesh.triangles.rows(); ++t) {
+    const double part = corner(t, 0).dot(corner(t, 1).cross(corner(t, 2))) / 6;
+    volumes[static_cast<std::size_t>(piece[static_cast<std::size_t>(mesh.triangles(t, 0))])] += part;
+    total += part;
+  }
+  Eigen::Index kept = 0;
+  for (Eigen::Index t = 0; t < mesh.triangles.rows(); ++t)
+    if (std::abs(volumes[static_cast<std::size_t>(piece[static_cast<std::size_t>(mesh.triangles(t, 0))])]) >=
+        kSmallestPiece * std::abs(total))
+      mesh.triangles.row(kept++) = mesh.triangles.row(t).eval();
+  mesh.triangles.conservativeResize(kept, 3);
+  return mesh;
+}
+
+/// The contour smoothed and thinned out. Collapsed edges near a crease, and smoothing where triangles are
+/// large, now and then push one triangle through another: the first way without that is taken, else the one
+/// with the fewest.
+TriangleMesh smoothAndThin(const TriangleMesh& contour, int triangles, const Progress& progress,
+                           Threads threads) {
+  TriangleMesh best;
+  int fewest = std::numeric_limits<int>::max();
+  for (const int first : kFirstIterations) {
+    const TriangleMesh thin =
+        geometry::thinClosedSurface(smoothSurface(contour, first, kFirstPassBand), triangles, progress);
+    for (const int second : kSecondIterations) {
+      progress.throwIfCancelled();
+      TriangleMesh tried =
+          geometry::cleanSurface(second > 0 ? smoothSurface(thin, second, kSecondPassBand) : thin).mesh;
+      Progress ofTheCount;
+      const int crossings = geometry::countSelfIntersections(tried, ofTheCount, threads);
+      if (crossings < fewest) {
+        fewest = crossings;
+        best = std::move(tried);
+      }
+      if (fewest == 0)
+        return best;
+    }
+  }
+  return best;
+}
+
 } // namespace
 
 const std::vector<SurfaceRepair>& surfaceRepairs() {
@@ -67,6 +138,35 @@ const SurfaceRepair& surfaceRepair(std::string_view id) {
     known += (known.empty() ? "" : ", ") + repair.id;
   }
   throw UsageError("there is no repair \"" + std::string(id) + "\"", {}, "there are " + known);
+}
+
+TriangleMesh repairSurface(const TriangleMesh& mesh, const RepairOptions& options, Progress& progress,
+                           Threads threads) {
+  const Bounds box = boundsOf(mesh.points);
+  const double spacing = (box.high - box.low).maxCoeff() / options.cells;
+  if (mesh.triangles.rows() == 0 || !(spacing > 0))
+    throw DataError("the surface has no triangles or no size", "surface");
+  const TriangleMesh coarse = geometry::clusterVertices(mesh, kClusterScale * spacing);
+  geometry::SignedDistanceGrid grid = geometry::signedDistanceGrid(coarse, spacing, progress, threads);
+  geometry::smoothen(grid, kSmoothingRounds, threads);
+  progress.throwIfCancelled();
+  const TriangleMesh zeroLevel =
+      withoutCrumbs(contour::contourOf(grid.values, grid.size, 0, grid.origin, grid.spacing));
+  if (zeroLevel.triangles.rows() == 0)
+    throw DataError("the surface encloses nothing", "surface",
+                    "check that its triangles face outward and that its holes are small");
+  return smoothAndThin(zeroLevel, options.triangles, progress, threads);
+}
+
+TriangleMesh thinSurface(const TriangleMesh& mesh, int triangles) {
+  if (mesh.triangles.rows() <= triangles)
+    return mesh;
+  vtkNew<vtkQuadricDecimation> decimation;
+  decimation->SetInputData(polyDataOf({mesh.points, mesh.triangles, {}}));
+  decimation->SetTargetReduction(1 - static_cast<double>(triangles) / double(mesh.triangles.rows()));
+  decimation->VolumePreservationOn();
+  decimation->Update();
+  return geometry::cleanSurface(contour::meshOf(*decimation->GetOutput())).mesh;
 }
 
 TriangleMesh remeshed(const TriangleMesh& mesh, int triangles, Progress& progress, Threads threads) {

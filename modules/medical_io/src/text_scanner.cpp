@@ -72,6 +72,12 @@ void appendNumber(std::string& out, std::int64_t value) {
   out.append(buffer, end);
 }
 
+std::string exactNumber(double value) {
+  char buffer[32];
+  const auto end = std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::general, 17);
+  return {buffer, end.ptr};
+}
+
 void TextScanner::skipSpace() {
   while (at_ < text_.size() && isSpace(text_[at_]))
     ++at_;
@@ -147,6 +153,12 @@ void TextScanner::fail(const std::string& problem) const {
 
 void TextScanner::failAtEnd(std::string_view part) const {
   fail("the file is cut off: it ends where " + std::string(part) + " should stand");
+}
+
+void failAsJson(const FileBytes& file, const std::exception& error) {
+  const std::string_view what = error.what();
+  const std::size_t end = what.find("] ");
+  file.fail("It is no complete JSON: " + std::string(end == what.npos ? what : what.substr(end + 2)));
 }
 
 std::string inQuotes(std::string_view text) {

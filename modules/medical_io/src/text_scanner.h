@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <exception>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -21,6 +22,9 @@ std::string_view takeWord(std::string_view& line);
 /// The shortest text that reads back as the same number.
 void appendNumber(std::string& out, double value);
 void appendNumber(std::string& out, std::int64_t value);
+
+/// Seventeen digits, which name one double only, always with a point.
+std::string exactNumber(double value);
 
 /// Walks through text by words or by lines and knows where it is for messages.
 class TextScanner {
@@ -63,6 +67,10 @@ private:
   std::size_t at_ = 0;
   std::size_t start_ = 0; ///< Of the word or line last read.
 };
+
+/// Throws `DataError` for a text that is no JSON, with what nlohmann's exception says of it but for the
+/// prefix that names its kind: "parse error at line 3, column 5: ...".
+[[noreturn]] void failAsJson(const FileBytes& file, const std::exception& error);
 
 /// `text` shortened and made printable, in quotes, for messages.
 std::string inQuotes(std::string_view text);

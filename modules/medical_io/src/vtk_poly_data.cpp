@@ -7,6 +7,9 @@
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkUnsignedCharArray.h>
+#include <vtkWindowedSincPolyDataFilter.h>
+
+#include "viscera/contour/contour.h"
 
 namespace viscera::medical_io {
 
@@ -34,6 +37,19 @@ vtkSmartPointer<vtkPolyData> polyDataOf(const geometry::TriangleMesh& mesh) {
     data->GetPointData()->SetScalars(colors);
   }
   return data;
+}
+
+geometry::TriangleMesh smoothSurface(const geometry::TriangleMesh& mesh, int iterations, double passBand) {
+  vtkNew<vtkWindowedSincPolyDataFilter> filter;
+  filter->SetInputData(polyDataOf(mesh));
+  filter->SetNumberOfIterations(iterations);
+  filter->SetPassBand(passBand);
+  filter->NormalizeCoordinatesOn();
+  filter->BoundarySmoothingOff();
+  filter->FeatureEdgeSmoothingOff();
+  filter->NonManifoldSmoothingOn();
+  filter->Update();
+  return contour::meshOf(*filter->GetOutput());
 }
 
 } // namespace viscera::medical_io

@@ -12,4 +12,9 @@ namespace viscera::medical_io {
 /// + m).
 vtkSmartPointer<vtkPolyData> polyDataOf(const geometry::TriangleMesh& mesh);
 
+/// The surface with its points moved by a windowed sinc filter (Taubin et al. 1996, doi 10.1007/BFb0015551),
+/// which takes away what changes faster than `passBand` (0 to 2; smaller is smoother) and hardly shrinks.
+/// O(iterations m).
+geometry::TriangleMesh smoothSurface(const geometry::TriangleMesh& mesh, int iterations, double passBand);
+
 } // namespace viscera::medical_io

@@ -1,7 +1,6 @@
 #include "landmark_finder.h"
 
 #include <algorithm>
-#include <cmath>
 #include <sstream>
 #include <utility>
 

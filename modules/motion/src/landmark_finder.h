@@ -5,8 +5,8 @@
 
 #include "viscera/geometry/signed_distance.h"
 #include "viscera/motion/retarget.h"
-#include "viscera/sequences/anatomy_surface.h"
 #include "viscera/sequences/centerline.h"
+#include "viscera/sequences/rig_parts.h"
 
 namespace viscera::motion {
 

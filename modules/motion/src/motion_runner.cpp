@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "viscera/core/error.h"
-#include "viscera/document/sequence_rig.h"
+#include "viscera/document/rig_commands.h"
 
 namespace viscera::motion {
 
@@ -18,6 +18,12 @@ void MotionRunner::setSequence(std::shared_ptr<const sequences::Sequence> sequen
   rate_ = sequence_ ? sequence_->standardRatePerMinute() : 0;
   prescribed_.reset();
   obstacle_.clear();
+  ++revision_;
+}
+
+void MotionRunner::prescribe(std::optional<PrescribedVolume> volume) {
+  prescribed_ = std::move(volume);
+  ++revision_;
 }
 
 void MotionRunner::setRatePerMinute(double rate) {
@@ -30,6 +36,7 @@ void MotionRunner::setRatePerMinute(double rate) {
   if (!(rate >= low && rate <= high))
     throw UsageError("The rate is out of range", sequence_->name(), range.str());
   rate_ = rate;
+  ++revision_;
 }
 
 bool MotionRunner::movable() const {

@@ -1,6 +1,5 @@
 #include "viscera/motion/player.h"
 
-#include <algorithm>
 #include <cmath>
 #include <utility>
 

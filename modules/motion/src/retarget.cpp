@@ -2,18 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <sstream>
 #include <utility>
 
 #include "landmark_finder.h"
 #include "sequence_binding.h"
 #include "viscera/core/error.h"
-#include "viscera/deformation/place_handles.h"
-#include "viscera/document/sequence_rig.h"
+#include "viscera/document/rig_commands.h"
 #include "viscera/document/system_commands.h"
 #include "viscera/geometry/self_intersections.h"
-#include "viscera/sequences/breathing.h"
 #include "viscera/sequences/heart_fit.h"
 #include "viscera/sequences/outer_heartbeat.h"
 #include "viscera/sequences/peristalsis.h"
@@ -25,8 +22,6 @@ namespace {
 
 /// A little more than one handle spacing of the standard organ.
 constexpr double kSoftnessMm = 25;
-constexpr int kLiverHandles = 38;
-constexpr int kCorners = 8;
 // Waves are made shallower by such steps, down to the least depth, until the surface nowhere crosses itself.
 constexpr double kDepthStep = 0.1;
 constexpr double kLeastDepth = 0.4;
@@ -56,7 +51,7 @@ public:
     const document::SystemChoice standard = softCoordinates(kSoftnessMm);
     return finished(std::make_shared<sequences::OuterHeartbeat>(sequences::HeartMotion(std::move(rig)),
                                                                 compensationFor(rest, standard, threads_),
-                                                                along(movedVolume(rest, standard))),
+                                                                volumeAlong(movedVolume(rest, standard))),
                     std::move(landmarks));
   }
 
@@ -77,7 +72,7 @@ public:
     bool crosses = true;
     for (double depth = 1; crosses && depth > kLeastDepth - kDepthStep / 2; depth -= kDepthStep) {
       rig.anatomy.course.depth = depth;
-      waves = std::make_shared<sequences::Peristalsis>(rig, compensation, along(moved));
+      waves = std::make_shared<sequences::Peristalsis>(rig, compensation, volumeAlong(moved));
       crosses = crossings(*waves, *moved, atRest, progress) > atRest;
     }
     RetargetedSequence result = finished(waves, std::move(landmarks));
@@ -90,18 +85,7 @@ public:
   }
 
   RetargetedSequence breathing(Landmarks landmarks) {
-    deformation::Placement placement;
-    placement.count = kLiverHandles;
-    const Points handles = deformation::placeHandles(*organ_.mesh, placement);
-    std::vector<int> rows(static_cast<std::size_t>(handles.rows()));
-    std::iota(rows.begin(), rows.end(), 0);
-    // The corners come first.
-    std::vector<sequences::HandleGroup> groups{
-        {"Far corners", {0.60, 0.60, 0.60}, {rows.begin(), rows.begin() + kCorners}},
-        {"Liver", {0.90, 0.62, 0.00}, {rows.begin() + kCorners, rows.end()}}};
-    return finished(std::make_shared<sequences::LiverBreathing>(handles, boundsOf(organ_.mesh->points),
-                                                                std::move(groups)),
-                    std::move(landmarks));
+    return finished(liverBreathing(*organ_.mesh), std::move(landmarks));
   }
 
 private:
@@ -115,12 +99,6 @@ private:
     mesh->points = organ_.mesh->points / scale_;
     mesh->triangles = organ_.mesh->triangles;
     return std::make_shared<const MovedVolume>(std::move(mesh), rest, system, threads_);
-  }
-
-  static sequences::VolumeAlong along(std::shared_ptr<const MovedVolume> volume) {
-    return [volume = std::move(volume)](const Points& pose, const Points& direction) {
-      return volume->along(pose, direction);
-    };
   }
 
   /// The pairs of triangles that cross, at most over a cycle at the standard and at the highest rate; no more

@@ -1,20 +1,25 @@
 #include "sequence_binding.h"
 
-#include <algorithm>
+#include <numeric>
 #include <utility>
+#include <vector>
 
 #include <Eigen/Geometry>
 
 #include "viscera/coordinates/built_in_systems.h"
 #include "viscera/core/error.h"
-#include "viscera/deformation/bind_organ.h"
+#include "viscera/deformation/place_handles.h"
 #include "viscera/geometry/volume.h"
+#include "viscera/sequences/breathing.h"
 
 namespace viscera::motion {
 namespace {
 
 /// Weights fall with about this power of the distance, so that a handle moves what is near it.
 constexpr double kLocality = 6;
+
+constexpr int kLiverHandles = 38;
+constexpr int kCorners = 8;
 
 /// A pose of a cavity takes less time than waking other threads, and calibration asks for hundreds.
 constexpr Threads kOneThread{1};
@@ -89,6 +94,25 @@ std::array<double, 4> MovedVolume::along(const Points& pose, const Points& direc
   for (double& coefficient : sum)
     coefficient /= 6 * kMm3PerMl;
   return sum;
+}
+
+sequences::VolumeAlong volumeAlong(std::shared_ptr<const MovedVolume> volume) {
+  return [volume = std::move(volume)](const Points& pose, const Points& direction) {
+    return volume->along(pose, direction);
+  };
+}
+
+std::shared_ptr<const sequences::Sequence> liverBreathing(const geometry::TriangleMesh& surface) {
+  deformation::Placement placement;
+  placement.count = kLiverHandles;
+  const Points handles = deformation::placeHandles(surface, placement);
+  std::vector<int> rows(static_cast<std::size_t>(handles.rows()));
+  std::iota(rows.begin(), rows.end(), 0);
+  // The corners come first.
+  std::vector<sequences::HandleGroup> groups{
+      {"Far corners", {0.60, 0.60, 0.60}, {rows.begin(), rows.begin() + kCorners}},
+      {"Liver", {0.90, 0.62, 0.00}, {rows.begin() + kCorners, rows.end()}}};
+  return std::make_shared<sequences::LiverBreathing>(handles, boundsOf(surface.points), std::move(groups));
 }
 
 sequences::PoseCompensation compensationFor(const Points& restHandles, const document::SystemChoice& system,

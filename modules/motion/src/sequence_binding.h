@@ -1,7 +1,6 @@
 #pragma once
 
 #include <array>
-#include <functional>
 #include <memory>
 #include <string>
 
@@ -13,6 +12,7 @@
 #include "viscera/geometry/triangle_mesh.h"
 #include "viscera/sample_organs/sample_organ.h"
 #include "viscera/sequences/pose_compensation.h"
+#include "viscera/sequences/sequence.h"
 
 /// What setting up any sequence on a sample organ takes.
 namespace viscera::motion {
@@ -39,6 +39,12 @@ private:
   std::shared_ptr<const geometry::TriangleMesh> mesh_;
   std::unique_ptr<const coordinates::Binding> binding_;
 };
+
+/// The same for a sequence that keeps the volume.
+sequences::VolumeAlong volumeAlong(std::shared_ptr<const MovedVolume> volume);
+
+/// The breathing of a liver with this surface, by handles spread over it; the far corners are a group.
+std::shared_ptr<const sequences::Sequence> liverBreathing(const geometry::TriangleMesh& surface);
 
 /// Lets handles overshoot by what these coordinates take back. Handles without coordinates of their own are
 /// left alone.

@@ -1,16 +1,15 @@
 #include "viscera/motion/sequence_file.h"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
-#include <fstream>
+#include <map>
 #include <ostream>
-#include <sstream>
+#include <set>
 #include <utility>
 
-#include "sequence_json.h"
+#include <nlohmann/json.hpp>
+
 #include "viscera/core/atomic_file.h"
-#include "viscera/document/edit.h"
+#include "viscera/core/error.h"
 #include "viscera/document/json_reader.h"
 #include "viscera/document/recording_commands.h"
 #include "viscera/document/system_commands.h"
@@ -18,9 +17,173 @@
 namespace viscera::motion {
 namespace {
 
+using nlohmann::ordered_json;
+using Track = sequences::KeyframedSequence::Track;
+
 constexpr std::string_view kEnding = ".sequence.json";
 /// Handles apart by more than this part of the rig's size are other handles.
 constexpr double kSameRest = 1e-6;
+
+constexpr const char* kFormat = "viscera-sequence";
+constexpr int kVersion = 1;
+constexpr Eigen::Index kFewestHandles = 4;
+
+constexpr document::JsonReader::Format kSequenceFormat = {
+    kFormat, kVersion, "sequence", "choose a file that Viscera has saved as .sequence.json",
+    "record and save the sequence again"};
+
+/// Reads one file; every message names it.
+class SequenceReader : private document::JsonReader {
+public:
+  explicit SequenceReader(const std::string& where) : document::JsonReader(where, kSequenceFormat) {}
+
+  SequenceFile read(const std::string& text) {
+    const ordered_json root = parse(text);
+    Track& track = file_.track;
+    if (root.contains("name"))
+      track.name = textOf(root, "name", "");
+    readHandles(root);
+    readGroups(root);
+    track.periodSeconds = numberOf(field(root, "periodSeconds", ""), "periodSeconds");
+    if (root.contains("loop"))
+      track.loop = flagOf(root, "loop", "");
+    if (root.contains("interpolation"))
+      track.interpolation =
+          named(sequences::interpolationFromName, root, "interpolation", "", "eased, curve");
+    readSystem(root);
+    readKeys(root);
+    try {
+      const sequences::KeyframedSequence check(track);
+    } catch (const DataError& error) {
+      throw DataError(error.problem(), where() + ", " + error.where(), error.tryThis());
+    }
+    return std::move(file_);
+  }
+
+private:
+  void readHandles(const ordered_json& root) {
+    const ordered_json& list = listOf(root, "handles", "");
+    Points& rest = file_.track.restHandles;
+    rest.resize(static_cast<Eigen::Index>(list.size()), 3);
+    if (rest.rows() < kFewestHandles)
+      fail("It has " + std::to_string(list.size()) + " handles; a sequence needs four at least", "handles");
+    for (std::size_t i = 0; i < list.size(); ++i) {
+      const std::string place = "handle " + std::to_string(i + 1);
+      requireObject(list[i], place);
+      const std::string label = textOf(list[i], "label", place);
+      if (!rows_.emplace(label, static_cast<int>(i)).second)
+        fail("the label \"" + label + "\" comes twice", place, "give every handle a label of its own");
+      rest.row(static_cast<Eigen::Index>(i)) =
+          vectorOf(field(list[i], "rest", place), place + " \"" + label + "\"").transpose();
+      file_.labels.push_back(label);
+    }
+  }
+
+  int rowOf(const ordered_json& label, const std::string& place) const {
+    const auto row = label.is_string() ? rows_.find(label.get<std::string>()) : rows_.end();
+    if (row == rows_.end())
+      fail("It names the handle " + label.dump() + ", which is not among \"handles\"", place);
+    return row->second;
+  }
+
+  void readGroups(const ordered_json& root) {
+    if (!root.contains("groups"))
+      return;
+    std::set<int> grouped;
+    for (const ordered_json& item : listOf(root, "groups", "")) {
+      const std::string place = "group " + std::to_string(file_.track.groups.size() + 1);
+      requireObject(item, place);
+      sequences::HandleGroup group{textOf(item, "name", place), {1.0, 0.5, 0.2}, {}};
+      if (item.contains("color"))
+        group.color = colorOf(item.at("color"), place + ", color");
+      for (const ordered_json& label : listOf(item, "handles", place)) {
+        group.handles.push_back(rowOf(label, place));
+        if (!grouped.insert(group.handles.back()).second)
+          fail("the handle " + label.dump() + " is in two groups", place);
+      }
+      std::sort(group.handles.begin(), group.handles.end());
+      file_.track.groups.push_back(std::move(group));
+    }
+  }
+
+  void readSystem(const ordered_json& root) {
+    if (!root.contains("system"))
+      return;
+    const ordered_json& item = root.at("system");
+    requireObject(item, "system");
+    document::SystemChoice choice;
+    choice.id = textOf(item, "id", "system");
+    if (item.contains("parameters")) {
+      requireObject(item.at("parameters"), "system parameters");
+      for (const auto& [name, value] : item.at("parameters").items())
+        choice.parameters.set(name, numberOf(value, "system parameter " + name));
+    }
+    file_.system = std::move(choice);
+  }
+
+  void readKeys(const ordered_json& root) {
+    for (const ordered_json& item : listOf(root, "keys", "")) {
+      const std::string place = "key " + std::to_string(file_.track.keys.size() + 1);
+      requireObject(item, place);
+      sequences::Keyframe key;
+      key.seconds = numberOf(field(item, "seconds", place), place + ", seconds");
+      if (item.contains("easing"))
+        key.easing = named(sequences::easingFromName, item, "easing", place, "linear, smooth, in, out, hold");
+      key.pose = file_.track.restHandles;
+      const ordered_json& pose = field(item, "pose", place);
+      requireObject(pose, place + ", pose");
+      for (const auto& [label, position] : pose.items())
+        key.pose.row(rowOf(label, place)) =
+            vectorOf(position, place + ", handle \"" + label + "\"").transpose();
+      file_.track.keys.push_back(std::move(key));
+    }
+  }
+
+  SequenceFile file_;
+  std::map<std::string, int> rows_;
+};
+
+ordered_json keyOf(const sequences::Keyframe& key, const SequenceFile& sequence) {
+  ordered_json pose = ordered_json::object();
+  for (std::size_t i = 0; i < sequence.labels.size(); ++i) {
+    const auto row = static_cast<Eigen::Index>(i);
+    if (key.pose.row(row) != sequence.track.restHandles.row(row))
+      pose[sequence.labels[i]] = document::listOf(key.pose.row(row).transpose());
+  }
+  return {{"seconds", key.seconds}, {"easing", nameOf(key.easing)}, {"pose", std::move(pose)}};
+}
+
+/// Every number with the digits that bring back its bits.
+std::string textOf(const SequenceFile& sequence) {
+  const Track& track = sequence.track;
+  ordered_json root{{"format", kFormat},  {"version", kVersion},
+                    {"name", track.name}, {"coordinateSystem", "LPS"},
+                    {"units", "mm"},      {"periodSeconds", track.periodSeconds},
+                    {"loop", track.loop}, {"interpolation", nameOf(track.interpolation)}};
+  if (sequence.system) {
+    root["system"]["id"] = sequence.system->id;
+    root["system"]["parameters"] = ordered_json::object();
+    for (const auto& [name, value] : sequence.system->parameters.all())
+      root["system"]["parameters"][name] = value;
+  }
+  root["handles"] = ordered_json::array();
+  for (std::size_t i = 0; i < sequence.labels.size(); ++i)
+    root["handles"].push_back(
+        {{"label", sequence.labels[i]},
+         {"rest", document::listOf(track.restHandles.row(static_cast<Eigen::Index>(i)).transpose())}});
+  root["groups"] = ordered_json::array();
+  for (const sequences::HandleGroup& group : track.groups) {
+    ordered_json item{{"name", group.name}, {"color", document::listOf(group.color)}};
+    item["handles"] = ordered_json::array();
+    for (const int row : group.handles)
+      item["handles"].push_back(sequence.labels[static_cast<std::size_t>(row)]);
+    root["groups"].push_back(std::move(item));
+  }
+  root["keys"] = ordered_json::array();
+  for (const sequences::Keyframe& key : track.keys)
+    root["keys"].push_back(keyOf(key, sequence));
+  return root.dump(1) + "\n";
+}
 
 /// Whether the rig has the file's handles; fills `ids` with theirs, in the file's order.
 bool hasHandles(const document::Rig& rig, const SequenceFile& sequence,
@@ -65,14 +228,14 @@ bool isSequenceFile(const std::filesystem::path& file) {
 }
 
 SequenceFile readSequence(const std::filesystem::path& file) {
-  return sequenceFromJson(document::readText(file), file.string());
+  return SequenceReader(file.string()).read(document::readText(file));
 }
 
 void writeSequence(const std::filesystem::path& file, const SequenceFile& sequence) {
   if (!isSequenceFile(file))
     throw CannotCreateError("the name of a sequence file ends in .sequence.json", file.string(),
                             "name it " + file.stem().string() + std::string(kEnding));
-  const std::string text = sequenceToJson(sequence);
+  const std::string text = textOf(sequence);
   writeAtomically(file, [&text](std::ostream& stream) { stream << text; });
 }
 

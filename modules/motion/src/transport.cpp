@@ -1,6 +1,5 @@
 #include "viscera/motion/transport.h"
 
-#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <exception>

@@ -1,6 +1,5 @@
 #include "viscera/motion/volume_curve.h"
 
-#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <fstream>

@@ -1,7 +1,12 @@
 #include "viscera/motion/volume_record.h"
 
 #include <cassert>
+#include <iomanip>
+#include <ostream>
 #include <utility>
+
+#include "viscera/core/atomic_file.h"
+#include "viscera/core/text.h"
 
 namespace viscera::motion {
 
@@ -33,6 +38,21 @@ std::vector<double> VolumeRecord::column(std::size_t column, double sinceSeconds
     if (seconds(row) >= sinceSeconds)
       out.push_back(milliliters(row, column));
   return out;
+}
+
+void writeVolumeTable(const std::filesystem::path& file, const VolumeRecord& volumes) {
+  writeAtomically(file, [&](std::ostream& stream) {
+    stream << "time_s";
+    for (const std::string& name : volumes.names())
+      stream << ',' << csvField(name + "_ml");
+    stream << '\n' << std::setprecision(12);
+    for (std::size_t row = 0; row < volumes.rows(); ++row) {
+      stream << volumes.seconds(row);
+      for (std::size_t column = 0; column < volumes.names().size(); ++column)
+        stream << ',' << volumes.milliliters(row, column);
+      stream << '\n';
+    }
+  });
 }
 
 } // namespace viscera::motion

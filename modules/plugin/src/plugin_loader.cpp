@@ -2,14 +2,15 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <exception>
 #include <sstream>
 #include <system_error>
+#include <utility>
 
 #include <QJsonObject>
 #include <QLibrary>
 #include <QPluginLoader>
 
-#include "guarded_system.h"
 #include "viscera/core/error.h"
 #include "viscera/plugin/coordinate_system_plugin.h"
 
@@ -20,6 +21,62 @@ namespace fs = std::filesystem;
 
 const QString kIid = QStringLiteral(VISCERA_COORDINATE_SYSTEM_PLUGIN_IID);
 const QString kIidName = kIid.section('/', 0, 0);
+
+constexpr int kInternalError = 70;
+
+/// A plugin's system behind a wall: whatever it throws that is not one of our errors arrives as one, with the
+/// plugin's name, so that a foreign mistake never ends the program.
+class GuardedSystem final : public coordinates::CoordinateSystem {
+public:
+  GuardedSystem(std::shared_ptr<const coordinates::CoordinateSystem> system, std::string file)
+      : system_(std::move(system)), file_(std::move(file)), id_(system_->id()) {}
+
+  std::string id() const override { return id_; }
+  std::string name() const override { return system_->name(); }
+  std::string summary() const override { return system_->summary(); }
+  coordinates::Traits traits() const override { return system_->traits(); }
+  std::vector<coordinates::Parameter> parameters() const override { return system_->parameters(); }
+
+  std::unique_ptr<coordinates::Binding> bind(const coordinates::HandleSet& handles, const Points& points,
+                                             const coordinates::BindOptions& options,
+                                             Progress& progress) const override {
+    auto binding = behindWall([&] { return system_->bind(handles, points, options, progress); });
+    if (!binding || binding->pointCount() != points.rows() ||
+        binding->handleCount() != handles.positions.rows())
+      throw Error(kInternalError, "system '" + id_ + "' returned no binding of the right size", file_);
+    return binding;
+  }
+
+  coordinates::CoordinateGradients gradients(const coordinates::HandleSet& handles, const Points& points,
+                                             const coordinates::BindOptions& options,
+                                             Progress& progress) const override {
+    return behindWall([&] { return system_->gradients(handles, points, options, progress); });
+  }
+
+  coordinates::SpaceLayout layout(const coordinates::HandleSet& handles,
+                                  const coordinates::ParameterValues& parameters) const override {
+    return behindWall([&] { return system_->layout(handles, parameters); });
+  }
+
+private:
+  template <class Call>
+  auto behindWall(const Call& call) const -> decltype(call()) {
+    try {
+      return call();
+    } catch (const Error&) {
+      throw;
+    } catch (const std::exception& error) {
+      throw Error(kInternalError, "system '" + id_ + "' failed: " + error.what(), file_,
+                  "choose another system");
+    } catch (...) {
+      throw Error(kInternalError, "system '" + id_ + "' failed", file_, "choose another system");
+    }
+  }
+
+  std::shared_ptr<const coordinates::CoordinateSystem> system_;
+  std::string file_;
+  std::string id_;
+};
 
 PluginManifest manifestOf(const QJsonObject& metaData) {
   const QJsonObject own = metaData.value("MetaData").toObject();
@@ -46,7 +103,8 @@ std::string objection(const QJsonObject& metaData, const PluginManifest& manifes
 void addSystems(const CoordinateSystemPlugin& plugin, Registry& registry, PluginReport& report) {
   for (const auto& system : plugin.systems()) {
     try {
-      registry.add(system ? guarded(system, report.file.string()) : system, report.file.string());
+      const std::string file = report.file.string();
+      registry.add(system ? std::make_shared<GuardedSystem>(system, file) : system, file);
       report.systems.push_back(system->id());
     } catch (const Error& error) {
       report.problem = error.what();

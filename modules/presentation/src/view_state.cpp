@@ -1,17 +1,251 @@
 #include "viscera/presentation/view_state.h"
 
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <sstream>
 #include <tuple>
 
-namespace viscera::presentation {
+#include <nlohmann/json.hpp>
 
-bool StressLook::operator==(const StressLook& other) const {
-  const auto parts = [](const StressLook& look) {
-    return std::tie(look.quantity, look.onSurface, look.pinned, look.range.low, look.range.high, look.peak,
-                    look.cut, look.style, look.offset, look.threshold, look.limit, look.below, look.glyphs,
-                    look.handles, look.others, look.witnesses, look.probe);
-  };
-  return parts(*this) == parts(other) && normal == other.normal;
+#include "viscera/core/error.h"
+
+// The view of a session as JSON: written in format 2, read in formats 1 and 2 (docs/session_format.md).
+namespace viscera::presentation {
+namespace {
+
+using nlohmann::ordered_json;
+
+constexpr int kFormat = 2;
+constexpr double kShortestNormal = 1e-6;
+constexpr std::array<const char*, 4> kMirrors = {"off", "sagittal", "coronal", "axial"};
+constexpr std::array<const char*, 3> kGlyphs = {"none", "ellipsoids", "crosses"};
+constexpr std::array<const char*, 2> kCutStyles = {"smooth", "crinkle"};
+
+/// A named value of an enumeration; the first for a name that is none of them.
+template <class Enum, std::size_t count>
+Enum fromName(const std::array<const char*, count>& names, const ordered_json& name) {
+  const auto found = std::find(names.begin(), names.end(), name.is_string() ? name.get<std::string>() : "");
+  return static_cast<Enum>(found == names.end() ? 0 : found - names.begin());
 }
+
+template <class Value>
+void take(const ordered_json& object, const char* key, Value& value) {
+  if (object.contains(key))
+    value = object.at(key).get<Value>();
+}
+
+ordered_json listOf(const Vec3& v) {
+  return {v.x(), v.y(), v.z()};
+}
+
+Vec3 vectorOf(const ordered_json& list) {
+  const auto v = list.get<std::array<double, 3>>();
+  return {v[0], v[1], v[2]};
+}
+
+/// Of unit length; the first direction again for one without any.
+Vec3 unit(const Vec3& normal) {
+  return normal.allFinite() && normal.norm() > kShortestNormal ? Vec3(normal.normalized())
+                                                               : StressLook().normal;
+}
+
+ordered_json cameraJson(const Camera& camera) {
+  return {{"position", listOf(camera.position)},
+          {"focus", listOf(camera.focus)},
+          {"up", listOf(camera.up)},
+          {"angleDegrees", camera.angleDegrees},
+          {"parallel", camera.parallel},
+          {"parallelScaleMm", camera.parallelScaleMm}};
+}
+
+Camera cameraFrom(const ordered_json& item) {
+  Camera camera;
+  camera.position = vectorOf(item.at("position"));
+  camera.focus = vectorOf(item.at("focus"));
+  camera.up = vectorOf(item.at("up"));
+  take(item, "angleDegrees", camera.angleDegrees);
+  take(item, "parallel", camera.parallel);
+  take(item, "parallelScaleMm", camera.parallelScaleMm);
+  return camera;
+}
+
+/// The flags of a mode by their names, for reading and writing alike.
+template <class Visit>
+void visitShown(Shown& shown, Visit visit) {
+  visit("rest", shown.rest);
+  visit("handles", shown.handles);
+  visit("movable", shown.movable);
+  visit("compensating", shown.compensating);
+  visit("tools", shown.tools);
+  visit("regions", shown.regions);
+  visit("stress", shown.stress);
+}
+
+/// The switches of a view by their names, and by those of the actions that kept them in format 1.
+template <class Visit>
+void visitSwitches(ViewState& view, Visit visit) {
+  visit("handles", "view.handles", view.handles);
+  visit("influence", "handles.influence", view.influence);
+  visit("ghost", "view.ghost", view.ghost);
+  visit("labels", "view.labels", view.labels);
+  visit("measurements", "view.measurements", view.measurements);
+  visit("orientationCube", "view.cube", view.orientationCube);
+  visit("scaleBar", "view.scale", view.scaleBar);
+  visit("gizmo", "handles.gizmo", view.gizmo);
+  visit("regions", "handles.regions", view.layout.regions);
+  visit("zones", "handles.zones", view.layout.zones);
+  visit("superRegions", "handles.superRegions", view.layout.superRegions);
+  visit("chartOfCycle", "play.cycle", view.chartOfCycle);
+}
+
+template <class Visit>
+void visitPlaying(Playing& playing, Visit visit) {
+  visit("motion", playing.motion);
+  visit("fraction", playing.fraction);
+  visit("ratePerMinute", playing.ratePerMinute);
+  visit("speed", playing.speed);
+  visit("loop", playing.loop);
+  visit("shown", playing.shown);
+}
+
+template <class Visit>
+void visitStress(StressLook& look, Visit visit) {
+  visit("onSurface", look.onSurface);
+  visit("pinned", look.pinned);
+  visit("peak", look.peak);
+  visit("cut", look.cut);
+  visit("offset", look.offset);
+  visit("threshold", look.threshold);
+  visit("limit", look.limit);
+  visit("below", look.below);
+  visit("handles", look.handles);
+  visit("others", look.others);
+  visit("witnesses", look.witnesses);
+  visit("probe", look.probe);
+}
+
+ordered_json stressJson(StressLook look) {
+  ordered_json item = {{"quantity", live::describe(look.quantity).id},
+                       {"range", {look.range.low, look.range.high}},
+                       {"cutStyle", kCutStyles[static_cast<std::size_t>(look.style)]},
+                       {"normal", listOf(look.normal)},
+                       {"glyphs", kGlyphs[static_cast<std::size_t>(look.glyphs)]}};
+  visitStress(look, [&](const char* key, const auto& value) { item[key] = value; });
+  return item;
+}
+
+void keepWithinBounds(StressLook& look) {
+  look.normal = unit(look.normal);
+  look.offset = std::clamp(std::isfinite(look.offset) ? look.offset : 0.0, -1.0, 1.0);
+  look.witnesses = std::clamp(look.witnesses, live::WitnessOptions::kFewest, live::WitnessOptions::kMost);
+  if (!std::isfinite(look.range.low) || !std::isfinite(look.range.high))
+    look.range = {0, 0};
+}
+
+StressLook stressFrom(const ordered_json& item) {
+  StressLook look;
+  visitStress(look, [&](const char* key, auto& value) { take(item, key, value); });
+  if (item.contains("quantity"))
+    look.quantity = live::stressQuantityFromId(item.at("quantity").get<std::string>());
+  if (item.contains("range")) {
+    const auto range = item.at("range").get<std::array<double, 2>>();
+    look.range = {range[0], range[1]};
+  }
+  if (item.contains("normal"))
+    look.normal = vectorOf(item.at("normal"));
+  look.style = fromName<scene::CutStyle>(kCutStyles, item.value("cutStyle", ordered_json()));
+  look.glyphs = fromName<GlyphChoice>(kGlyphs, item.value("glyphs", ordered_json()));
+  keepWithinBounds(look);
+  return look;
+}
+
+/// Format 1 kept the user's settings, some of them as text.
+StressLook stressFromSettings(const ordered_json& settings) {
+  ordered_json item;
+  for (const auto& [key, value] : settings.items())
+    item[key.substr(key.find('/') + 1)] = value;
+  if (item.contains("normal") && item.at("normal").is_string()) {
+    std::istringstream numbers(item.at("normal").get<std::string>());
+    Vec3 normal = Vec3::Zero();
+    numbers >> normal[0] >> normal[1] >> normal[2];
+    item["normal"] = listOf(normal);
+  }
+  return stressFrom(item);
+}
+
+/// What the modes of format 1 showed.
+Shown shownByMode(const std::string& mode, bool sequenceShown) {
+  Shown shown;
+  shown.rest = shown.regions = mode == "handles";
+  shown.compensating = shown.tools = mode == "deform";
+  shown.stress = mode == "stress";
+  shown.handles = shown.movable = shown.rest || shown.tools || (shown.stress && !sequenceShown);
+  return shown;
+}
+
+void readSwitchesOfFormat1(const ordered_json& item, ViewState& view) {
+  const ordered_json switches = item.value("switches", ordered_json::object());
+  visitSwitches(view, [&](const char*, const char* action, bool& value) { take(switches, action, value); });
+  for (std::size_t i = 1; i < kMirrors.size(); ++i)
+    if (switches.value("mirror." + std::string(kMirrors[i]), false))
+      view.mirror = static_cast<Mirror>(i);
+  if (view.playing)
+    take(switches, "play.loop", view.playing->loop);
+  if (item.contains("stress"))
+    view.stress = stressFromSettings(item.at("stress"));
+  view.shown = shownByMode(view.mode, view.playing && view.playing->shown);
+}
+
+SelectionState selectionFrom(const ordered_json& item) {
+  SelectionState selection;
+  selection.organ.value = item.at("organ").get<std::int64_t>();
+  selection.group.value = item.at("group").get<std::int64_t>();
+  for (const ordered_json& id : item.at("handles"))
+    selection.handles.push_back({id.get<std::int64_t>()});
+  return selection;
+}
+
+Playing playingFrom(const ordered_json& item) {
+  Playing playing;
+  visitPlaying(playing, [&](const char* key, auto& value) { take(item, key, value); });
+  return playing;
+}
+
+Points rowsFrom(const ordered_json& rows) {
+  Points points(static_cast<Eigen::Index>(rows.size()), 3);
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    points.row(static_cast<Eigen::Index>(i)) = vectorOf(rows[i]).transpose();
+  return points;
+}
+
+ViewState viewFrom(const ordered_json& item) {
+  ViewState view;
+  take(item, "mode", view.mode);
+  if (item.contains("camera"))
+    view.camera = cameraFrom(item.at("camera"));
+  if (item.contains("selection"))
+    view.selection = selectionFrom(item.at("selection"));
+  for (const ordered_json& motion : item.value("motions", ordered_json::array()))
+    view.motions.push_back({{motion.at("organ").get<std::int64_t>()}, motion.at("recipe").dump()});
+  if (item.contains("playing"))
+    view.playing = playingFrom(item.at("playing"));
+  if (item.contains("shownPose"))
+    view.shownPose = rowsFrom(item.at("shownPose"));
+  if (item.value("format", 1) < kFormat) {
+    readSwitchesOfFormat1(item, view);
+    return view;
+  }
+  const ordered_json shown = item.value("shown", ordered_json::object());
+  visitShown(view.shown, [&](const char* key, bool& value) { take(shown, key, value); });
+  visitSwitches(view, [&](const char* key, const char*, bool& value) { take(item, key, value); });
+  view.mirror = fromName<Mirror>(kMirrors, item.value("mirror", ordered_json()));
+  if (item.contains("stress"))
+    view.stress = stressFrom(item.at("stress"));
+  return view;
+}
+
+} // namespace
 
 bool ViewState::operator==(const ViewState& other) const {
   const auto parts = [](const ViewState& view) {
@@ -22,6 +256,54 @@ bool ViewState::operator==(const ViewState& other) const {
   };
   return parts(*this) == parts(other) && shownPose.rows() == other.shownPose.rows() &&
          shownPose == other.shownPose;
+}
+
+std::string toJson(const StressLook& look) {
+  return stressJson(look).dump();
+}
+
+StressLook stressLookFromJson(const std::string& text) {
+  try {
+    return stressFrom(ordered_json::parse(text));
+  } catch (const ordered_json::exception&) {
+    return {};
+  }
+}
+
+std::string toJson(const ViewState& state) {
+  ViewState view = state;
+  ordered_json item = {{"format", kFormat}, {"mode", view.mode}};
+  visitShown(view.shown, [&](const char* key, bool value) { item["shown"][key] = value; });
+  if (view.camera)
+    item["camera"] = cameraJson(*view.camera);
+  visitSwitches(view, [&](const char* key, const char*, bool value) { item[key] = value; });
+  item["mirror"] = kMirrors[static_cast<std::size_t>(view.mirror)];
+  item["stress"] = stressJson(view.stress);
+  item["selection"] = {{"organ", view.selection.organ.value}, {"group", view.selection.group.value}};
+  item["selection"]["handles"] = ordered_json::array();
+  for (const document::HandleId id : view.selection.handles)
+    item["selection"]["handles"].push_back(id.value);
+  item["motions"] = ordered_json::array();
+  for (const MotionChoice& motion : view.motions)
+    item["motions"].push_back(
+        {{"organ", motion.organ.value}, {"recipe", ordered_json::parse(motion.recipe)}});
+  if (view.playing)
+    visitPlaying(*view.playing, [&](const char* key, const auto& value) { item["playing"][key] = value; });
+  if (view.shownPose.rows() > 0) {
+    item["shownPose"] = ordered_json::array();
+    for (const auto& row : view.shownPose.rowwise())
+      item["shownPose"].push_back(listOf(row.transpose()));
+  }
+  return item.dump();
+}
+
+ViewState viewFromJson(const std::string& text) {
+  try {
+    return viewFrom(ordered_json::parse(text));
+  } catch (const ordered_json::exception&) {
+    throw DataError("Not all of what the window showed can be brought back", "the session's view",
+                    "the organs and the handles are complete; save the session anew");
+  }
 }
 
 } // namespace viscera::presentation

@@ -1,4 +1,4 @@
-#include "celestial_costs.h"
+#include "figures.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +6,7 @@
 #include "charts.h"
 #include "timing.h"
 #include "viscera/core/error.h"
-#include "viscera/core/number_text.h"
+#include "viscera/core/text.h"
 #include "viscera/deformation/place_handles.h"
 #include "viscera/deformation/tetrahedralise.h"
 #include "viscera/reproduction/measured_scenes.h"

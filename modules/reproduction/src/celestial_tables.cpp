@@ -1,12 +1,13 @@
-#include "celestial_tables.h"
+#include "figures.h"
 
 #include <algorithm>
 #include <functional>
 #include <optional>
+#include <utility>
 
-#include "viscera/coordinates/measure/profile_measures.h"
+#include "viscera/coordinates/measure/line_profile.h"
 #include "viscera/coordinates/measure/system_properties.h"
-#include "viscera/core/number_text.h"
+#include "viscera/core/text.h"
 #include "viscera/deformation/tetrahedralise.h"
 #include "viscera/reproduction/measured_scenes.h"
 
@@ -59,6 +60,17 @@ Column measured(const std::string& id, const std::string& name,
     points.row(i) = scene.line->at(static_cast<double>(i) / scene.parts).transpose();
   column.nearHalf = coordinates::nearHalfShare(scene.handles.positions, points, profile.coordinates);
   return column;
+}
+
+/// C-, T- and S-Celestial; the first with 1,000 samples, and its time for 100,000.
+std::vector<Column> celestialColumns(const Bench& bench, Progress& progress) {
+  coordinates::ParameterValues some;
+  some.setFromText(bench.systems.find("c-celestial")->parameters(), "samples", "1000");
+  std::vector<Column> columns = {measured("c-celestial", "C-Celestial", some, bench, progress),
+                                 measured("t-celestial", "T-Celestial", {}, bench, progress),
+                                 measured("s-celestial", "S-Celestial", {}, bench, progress)};
+  columns[0].found.nanoseconds *= 100;
+  return columns;
 }
 
 /// One cell: what was measured, and whether that is a yes.
@@ -144,14 +156,7 @@ void table41(Result& result, const Bench& bench, Progress& progress) {
   result.setup =
       "Measured along the line among 15 handles; C-Celestial with 1,000 samples of its walk, and its time "
       "multiplied by 100 for the 100,000 samples of the thesis.";
-  const auto c = bench.systems.find("c-celestial");
-  coordinates::ParameterValues some;
-  some.setFromText(c->parameters(), "samples", "1000");
-  std::vector<Column> columns = {measured("c-celestial", "C-Celestial", some, bench, progress),
-                                 measured("t-celestial", "T-Celestial", {}, bench, progress),
-                                 measured("s-celestial", "S-Celestial", {}, bench, progress)};
-  columns[0].found.nanoseconds *= 100;
-  fill(result, columns,
+  fill(result, celestialColumns(bench, progress),
        {rotationInvariant({true, false, true}), interpolating({true, true, true}),
         efficient({false, true, true})});
 }
@@ -162,15 +167,11 @@ constexpr auto kWeights = "bounded-biharmonic";
 
 /// Mean value, bounded biharmonic where there is such a system, C-, T- and S-Celestial.
 std::vector<Column> comparedColumns(const Bench& bench, Progress& progress) {
-  coordinates::ParameterValues some;
-  some.setFromText(bench.systems.find("c-celestial")->parameters(), "samples", "1000");
   std::vector<Column> columns = {measured("mean-value", "mean value", {}, bench, progress)};
   if (bench.systems.contains(kWeights))
     columns.push_back(measured(kWeights, "bounded biharmonic", {}, bench, progress));
-  columns.push_back(measured("c-celestial", "C-Celestial", some, bench, progress));
-  columns.back().found.nanoseconds *= 100;
-  columns.push_back(measured("t-celestial", "T-Celestial", {}, bench, progress));
-  columns.push_back(measured("s-celestial", "S-Celestial", {}, bench, progress));
+  for (Column& column : celestialColumns(bench, progress))
+    columns.push_back(std::move(column));
   return columns;
 }
 

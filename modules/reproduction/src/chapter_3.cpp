@@ -1,13 +1,10 @@
+#include "figures.h"
 #include "line_figure.h"
 
 namespace viscera::reproduction {
 namespace {
 
 using enum Expect;
-
-const std::string kOwnHandles = "The thesis prints no positions of handles; ours are the tables of "
-                                "resources/lines, a long box with handles "
-                                "wound around the line inside it. ";
 
 LineFigure figure312() {
   return {"3.12",

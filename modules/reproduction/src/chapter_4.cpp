@@ -1,19 +1,13 @@
-#include "celestial_costs.h"
-#include "celestial_tables.h"
+#include "figures.h"
 #include "line_figure.h"
-#include "newton_figures.h"
-#include "viscera/coordinates/measure/profile_measures.h"
-#include "viscera/core/number_text.h"
+#include "viscera/coordinates/measure/line_profile.h"
+#include "viscera/core/text.h"
 #include "viscera/reproduction/measured_scenes.h"
 
 namespace viscera::reproduction {
 namespace {
 
 using enum Expect;
-
-const std::string kOwnHandles = "The thesis prints no positions of handles; ours are the tables of "
-                                "resources/lines, a long box with handles "
-                                "wound around the line inside it. ";
 
 Panel sampled(const char* name, const char* samples) {
   return {name, "c-celestial", {{"sampling", "sphere"}, {"samples", samples}}, 15, {}, false, true};

@@ -2,14 +2,14 @@
 #include <cmath>
 
 #include "charts.h"
+#include "figures.h"
 #include "timing.h"
 #include "viscera/coordinates/celestial/s_celestial.h"
-#include "viscera/core/number_text.h"
+#include "viscera/core/text.h"
 #include "viscera/deformation/bind_organ.h"
 #include "viscera/deformation/place_handles.h"
 #include "viscera/deformation/stress_polynomial.h"
 #include "viscera/geometry/volume.h"
-#include "viscera/reproduction/item.h"
 #include "viscera/reproduction/measured_scenes.h"
 
 namespace viscera::reproduction {

@@ -3,9 +3,23 @@
 #include <string>
 #include <vector>
 
-#include "chart_frame.h"
+#include "svg_canvas.h"
 
 namespace viscera::reproduction {
+
+/// Numbers from `low` to `high` on a picture.
+struct Axis {
+  std::string label; ///< With its unit: "place along the line, mm".
+  double low = 0;
+  double high = 1;
+  bool logarithmic = false;
+};
+
+/// An axis that holds all values with a little room, its ends at round numbers.
+Axis axisAround(std::string label, double low, double high);
+
+/// A pen for curve or bar `index`: colour after colour, then the same ones dashed, then dotted.
+Pen penFor(std::size_t index);
 
 /// One curve of a chart; places that are not numbers are gaps.
 struct Curve {

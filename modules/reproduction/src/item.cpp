@@ -4,7 +4,7 @@
 #include <chrono>
 #include <utility>
 
-#include "plane_figure.h"
+#include "figures.h"
 #include "viscera/core/error.h"
 
 namespace viscera::reproduction {

@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "charts.h"
-#include "viscera/core/number_text.h"
+#include "viscera/core/text.h"
 #include "viscera/deformation/tetrahedralise.h"
 #include "viscera/reproduction/measured_scenes.h"
 

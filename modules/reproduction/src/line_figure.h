@@ -56,6 +56,11 @@ struct LineFigure {
   std::function<std::vector<Finding>(const std::vector<PanelResult>&)> compare = {};
 };
 
+/// Where the handles of such figures come from, for their `setup`.
+inline const std::string kOwnHandles = "The thesis prints no positions of handles; ours are the tables of "
+                                       "resources/lines, a long box with handles "
+                                       "wound around the line inside it. ";
+
 /// The item that measures and draws a figure.
 Item itemOf(const LineFigure& figure);
 

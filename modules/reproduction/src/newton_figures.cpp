@@ -1,10 +1,8 @@
-#include "newton_figures.h"
-
-#include <cmath>
+#include "figures.h"
 
 #include "charts.h"
 #include "viscera/coordinates/measure/newton_spread.h"
-#include "viscera/core/number_text.h"
+#include "viscera/core/text.h"
 #include "viscera/reproduction/measured_scenes.h"
 
 namespace viscera::reproduction {

@@ -1,11 +1,11 @@
-#include "viscera/reproduction/page.h"
-
+#include <filesystem>
 #include <system_error>
 
 #include "svg_canvas.h"
 #include "viscera/core/atomic_file.h"
 #include "viscera/core/error.h"
-#include "viscera/core/number_text.h"
+#include "viscera/core/text.h"
+#include "viscera/reproduction/result.h"
 
 namespace viscera::reproduction {
 namespace {
@@ -93,8 +93,8 @@ std::string sectionOf(const Result& result) {
          " s.</p>\n</section>\n";
 }
 
-} // namespace
-
+/// The whole page: a table of all verdicts, then every figure and table with its pictures, what the thesis
+/// says, and how that was judged. Takes nothing from outside its folder.
 std::string pageOf(const std::vector<Result>& results) {
   std::string html =
       "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">\n"
@@ -117,6 +117,7 @@ std::string pageOf(const std::vector<Result>& results) {
   return html + "</body></html>\n";
 }
 
+/// One row of Markdown a figure or table: what it is, and the verdict.
 std::string verdictsOf(const std::vector<Result>& results) {
   std::string text = "| in the thesis | shows | verdict |\n|---|---|---|\n";
   for (const Result& result : results)
@@ -124,6 +125,8 @@ std::string verdictsOf(const std::vector<Result>& results) {
         "| " + result.label() + " | " + result.title + " | " + nameOf(result.verdict().judgement) + " |\n";
   return text;
 }
+
+} // namespace
 
 void writePage(const std::filesystem::path& folder, const std::vector<Result>& results) {
   std::error_code error;

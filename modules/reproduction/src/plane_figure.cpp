@@ -1,4 +1,4 @@
-#include "plane_figure.h"
+#include "figures.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,7 @@
 #include "svg_canvas.h"
 #include "viscera/coordinates/coordinate_system.h"
 #include "viscera/coordinates/planar.h"
-#include "viscera/core/number_text.h"
+#include "viscera/core/text.h"
 
 namespace viscera::reproduction {
 namespace {

@@ -2,22 +2,15 @@
 
 #include <algorithm>
 
+#include "viscera/core/text.h"
+
 namespace viscera::reproduction {
 namespace {
-
-std::string cell(const std::string& text) {
-  if (text.find_first_of(",\"\n") == std::string::npos)
-    return text;
-  std::string quoted = "\"";
-  for (const char letter : text)
-    quoted += letter == '"' ? std::string("\"\"") : std::string(1, letter);
-  return quoted + "\"";
-}
 
 std::string csvLine(const std::vector<std::string>& cells) {
   std::string line;
   for (std::size_t i = 0; i < cells.size(); ++i)
-    line += (i == 0 ? "" : ",") + cell(cells[i]);
+    line += (i == 0 ? "" : ",") + csvField(cells[i]);
   return line + "\n";
 }
 

@@ -1,6 +1,6 @@
 #include "svg_canvas.h"
 
-#include "viscera/core/number_text.h"
+#include "viscera/core/text.h"
 
 namespace viscera::reproduction {
 namespace {

@@ -1,7 +1,9 @@
 #include "viscera/sample_organs/sample_organ.h"
 
 #include <algorithm>
+#include <cstdlib>
 #include <set>
+#include <system_error>
 #include <utility>
 
 #include "definition/node_builder.h"
@@ -14,8 +16,36 @@
 namespace viscera::sample_organs {
 namespace {
 
+namespace fs = std::filesystem;
+
 constexpr std::pair<Resolution, const char*> kNames[] = {
     {Resolution::low, "low"}, {Resolution::medium, "medium"}, {Resolution::high, "high"}};
+
+fs::path fromEnvironment(const char* name) {
+  const char* value = std::getenv(name);
+  return value ? fs::path(value) : fs::path();
+}
+
+fs::path definitionsFolder() {
+  if (fs::path chosen = fromEnvironment("VISCERA_SAMPLE_ORGANS"); !chosen.empty())
+    return chosen;
+  std::error_code error;
+  const fs::path program = fs::read_symlink("/proc/self/exe", error);
+  if (!error) {
+    const fs::path installed = program.parent_path() / VISCERA_ORGANS_FROM_BINDIR;
+    if (fs::is_directory(installed, error))
+      return installed.lexically_normal();
+  }
+  return VISCERA_ORGANS_SOURCE_DIR;
+}
+
+fs::path cacheFolder() {
+  if (const fs::path cache = fromEnvironment("XDG_CACHE_HOME"); cache.is_absolute())
+    return cache / "viscera/organs";
+  if (const fs::path home = fromEnvironment("HOME"); home.is_absolute())
+    return home / ".cache/viscera/organs";
+  return {};
+}
 
 OrganDefinition definitionOf(const SampleLibrary& library, const std::string& organ) {
   const std::vector<std::string> names = sampleNames(library);
@@ -37,7 +67,7 @@ public:
 
   const OrganDefinition& definition() const { return definition_; }
 
-  SampleSurface make(const SurfaceDefinition& surface, const ProgressSpan& progress) {
+  SampleSurface make(const SurfaceDefinition& surface, Progress& progress) {
     progress.throwIfCancelled();
     progress.report(0, definition_.name + ", " + surface.name);
     const CacheKey key = keyOf(surface);
@@ -56,7 +86,7 @@ private:
     return {name, contentHash(all, definition_.contentHash)};
   }
 
-  geometry::TriangleMesh generated(const SurfaceDefinition& surface, const ProgressSpan& progress) {
+  geometry::TriangleMesh generated(const SurfaceDefinition& surface, Progress& progress) {
     const NodePtr root = builder_.root(surface);
     const SurfaceGoal goal{surface.trianglesAt(resolution_), surface.largestSpacing};
     try {
@@ -89,6 +119,23 @@ std::string nameOf(Resolution resolution) {
   return {};
 }
 
+SampleLibrary standardLibrary() {
+  return {definitionsFolder(), cacheFolder()};
+}
+
+std::vector<std::string> sampleNames(const SampleLibrary& library) {
+  std::error_code error;
+  std::vector<std::string> names;
+  for (const auto& entry : fs::directory_iterator(library.definitions, error))
+    if (entry.path().extension() == ".json" && entry.path().stem().extension().empty())
+      names.push_back(entry.path().stem().string());
+  if (error)
+    throw NoInputError("the sample organs cannot be listed: " + error.message(), library.definitions.string(),
+                       "set VISCERA_SAMPLE_ORGANS to the folder of the definitions");
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
 SampleOrgan sampleOrgan(const SampleLibrary& library, const std::string& name, Resolution resolution,
                         Progress& progress, Threads threads) {
   Maker maker(library, definitionOf(library, name), resolution, threads);
@@ -103,7 +150,7 @@ SampleOrgan sampleOrgan(const SampleLibrary& library, const std::string& name, R
     if (surface.checkOnly)
       continue;
     const double to = from + surface.trianglesAt(resolution) / triangles;
-    organ.surfaces.push_back(maker.make(surface, {progress, from, to}));
+    runPart(progress, from, to, [&](Progress& part) { organ.surfaces.push_back(maker.make(surface, part)); });
     from = to;
   }
   progress.report(1);
@@ -114,7 +161,7 @@ SampleSurface sampleSurface(const SampleLibrary& library, const std::string& org
                             const std::string& surface, Resolution resolution, Progress& progress,
                             Threads threads) {
   Maker maker(library, definitionOf(library, organ), resolution, threads);
-  return maker.make(maker.definition().surface(surface), {progress, 0, 1});
+  return maker.make(maker.definition().surface(surface), progress);
 }
 
 ImplicitSurface implicitSurface(const SampleLibrary& library, const std::string& organ,

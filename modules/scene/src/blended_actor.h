@@ -1,6 +1,12 @@
 #pragma once
 
 #include <vtkOpenGLActor.h>
+#include <vtkSmartPointer.h>
+
+#include "viscera/core/arrays.h"
+
+class vtkMatrix4x4;
+class vtkPolyData;
 
 namespace viscera::scene {
 
@@ -25,6 +31,19 @@ protected:
 private:
   bool behindOnly_ = false;
 };
+
+/// Gives an actor a shape, put in its place by a matrix (null: it is there already). It cannot be picked.
+void attach(vtkActor* actor, vtkPolyData* shape, vtkMatrix4x4* place);
+
+/// The same for a new helper of one flat colour; `behindOnly` as `BlendedActor` has it.
+vtkSmartPointer<BlendedActor> newHelper(vtkPolyData* shape, vtkMatrix4x4* place, double opacity,
+                                        bool behindOnly = false);
+
+void setColor(vtkActor* actor, const Vec3& color);
+
+/// The place of a shape that was made around the x axis: that along the unit `axis`, scaled, from `origin`
+/// on.
+void placeAlong(vtkMatrix4x4* place, const Vec3& origin, const Vec3& axis, double scale);
 
 /// Moves a prop of the renderer to the end of its list, so that it is drawn after the others. Nothing happens
 /// when it is not there.

@@ -1,6 +1,7 @@
 #include "viscera/scene/ghost_outline.h"
 
 #include <algorithm>
+#include <array>
 #include <vector>
 
 #include <vtkCamera.h>
@@ -9,7 +10,6 @@
 #include <vtkNew.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
-#include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
 #include <vtkRenderer.h>
 #include <vtkTypeInt32Array.h>
@@ -19,7 +19,6 @@
 
 #include "before_render.h"
 #include "blended_actor.h"
-#include "depth_grid.h"
 #include "silhouette.h"
 #include "view_geometry.h"
 
@@ -27,6 +26,7 @@ namespace viscera::scene {
 namespace {
 
 constexpr double kLinePixels = 1.6;
+constexpr double kOpacity = 0.8;
 /// The part of the outline behind the organ is this much fainter.
 constexpr double kBehind = 0.4;
 constexpr int kGridCells = 320;
@@ -40,22 +40,16 @@ struct GhostOutline::Parts {
   geometry::Normals normals;
   double diagonal = 0;
   std::vector<float> segments;
-  double opacity = 0.8;
   vtkMTimeType drawnFor = 0;
 
   vtkNew<vtkPoints> points;
   vtkNew<vtkPolyData> data;
-  vtkNew<vtkPolyDataMapper> mapper;
-  vtkNew<BlendedActor> front;
-  vtkNew<BlendedActor> behind;
+  const std::array<vtkSmartPointer<BlendedActor>, 2> actors = {newHelper(data, nullptr, 1, true),
+                                                               newHelper(data, nullptr, 1)};
   BeforeRender beforeRender{[this] { follow(); }};
 
   void follow();
   void dropHidden(const ViewGeometry& view);
-  void applyOpacity() {
-    front->GetProperty()->SetOpacity(opacity);
-    behind->GetProperty()->SetOpacity(kBehind * opacity);
-  }
 };
 
 /// Leaves out what the rest shape itself hides: only its outline is wanted.
@@ -76,14 +70,13 @@ void GhostOutline::Parts::dropHidden(const ViewGeometry& view) {
 /// Draws the contour anew when the camera has moved.
 void GhostOutline::Parts::follow() {
   auto* renderer = beforeRender.renderer();
-  const double width = kLinePixels * pixelRatioOf(renderer->GetRenderWindow());
-  front->GetProperty()->SetLineWidth(static_cast<float>(width));
-  behind->GetProperty()->SetLineWidth(static_cast<float>(width));
-  if (!front->GetVisibility() || renderer->GetActiveCamera()->GetMTime() == drawnFor)
+  const auto view = viewGeometry(renderer);
+  for (const auto& actor : actors)
+    actor->GetProperty()->SetLineWidth(static_cast<float>(kLinePixels * view.pixelRatio));
+  if (!actors[0]->GetVisibility() || renderer->GetActiveCamera()->GetMTime() == drawnFor)
     return;
   drawnFor = renderer->GetActiveCamera()->GetMTime();
-  const auto view = viewGeometry(renderer);
-  silhouette(*mesh, normals, {view.eye, view.forward, view.parallel}, segments);
+  silhouette(*mesh, normals, view, segments);
   dropHidden(view);
 
   const auto count = static_cast<vtkIdType>(segments.size() / 3);
@@ -107,14 +100,8 @@ GhostOutline::GhostOutline(std::shared_ptr<const geometry::TriangleMesh> mesh)
   p.normals = geometry::vertexNormals(*p.mesh);
   p.diagonal = boundsOf(p.mesh->points).diagonal();
   p.data->SetPoints(p.points);
-  p.mapper->SetInputData(p.data);
-  for (BlendedActor* actor : {p.front.Get(), p.behind.Get()}) {
-    actor->SetMapper(p.mapper);
-    actor->GetProperty()->LightingOff();
-  }
-  p.behind->setBehindOnly(true);
   setColor(darkTheme().text);
-  p.applyOpacity();
+  setOpacity(kOpacity);
 }
 
 GhostOutline::~GhostOutline() {
@@ -122,36 +109,27 @@ GhostOutline::~GhostOutline() {
 }
 
 void GhostOutline::setRenderer(vtkRenderer* renderer) {
-  auto& p = *parts_;
-  if (auto* old = p.beforeRender.renderer()) {
-    old->RemoveActor(p.front);
-    old->RemoveActor(p.behind);
-  }
-  p.beforeRender.setRenderer(renderer);
-  p.drawnFor = 0;
-  if (renderer) {
-    renderer->AddActor(p.behind);
-    renderer->AddActor(p.front);
-  }
+  parts_->beforeRender.setRenderer(renderer, parts_->actors);
+  parts_->drawnFor = 0;
 }
 
 void GhostOutline::setColor(const Vec3& color) {
-  parts_->front->GetProperty()->SetColor(color.x(), color.y(), color.z());
-  parts_->behind->GetProperty()->SetColor(color.x(), color.y(), color.z());
+  for (const auto& actor : parts_->actors)
+    scene::setColor(actor, color);
 }
 
 void GhostOutline::setOpacity(double opacity) {
-  parts_->opacity = opacity;
-  parts_->applyOpacity();
+  parts_->actors[0]->GetProperty()->SetOpacity(kBehind * opacity);
+  parts_->actors[1]->GetProperty()->SetOpacity(opacity);
 }
 
 void GhostOutline::setVisible(bool visible) {
-  parts_->front->SetVisibility(visible);
-  parts_->behind->SetVisibility(visible);
+  for (const auto& actor : parts_->actors)
+    actor->SetVisibility(visible);
 }
 
 bool GhostOutline::visible() const {
-  return parts_->front->GetVisibility() != 0;
+  return parts_->actors[0]->GetVisibility() != 0;
 }
 
 } // namespace viscera::scene

@@ -2,22 +2,27 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cerrno>
 #include <cmath>
+#include <csignal>
 #include <cstdio>
+#include <cstdlib>
+#include <optional>
+#include <sstream>
 #include <string>
 #include <system_error>
 #include <vector>
 
+#include <fcntl.h>
 #include <unistd.h>
 #include <vtkImageData.h>
 #include <vtkNew.h>
 #include <vtkOggTheoraWriter.h>
 
 #include "viscera/core/atomic_file.h"
+#include "viscera/core/child_process.h"
 #include "viscera/core/error.h"
 #include "viscera/scene/picture.h"
-
-#include "ffmpeg_process.h"
 
 namespace viscera::scene {
 namespace fs = std::filesystem;
@@ -99,6 +104,112 @@ private:
   bool started_ = false;
 };
 
+constexpr std::size_t kMostMessages = 1 << 16; ///< Bytes.
+
+/// While it lives, writing to a closed pipe is an error of `write` instead of the end of the program.
+class BrokenPipeBlocked {
+public:
+  BrokenPipeBlocked() {
+    sigemptyset(&pipe_);
+    sigaddset(&pipe_, SIGPIPE);
+    pthread_sigmask(SIG_BLOCK, &pipe_, &before_);
+  }
+  ~BrokenPipeBlocked() {
+    if (!sigismember(&before_, SIGPIPE)) { // Take back one that may be waiting.
+      const timespec now{0, 0};
+      while (sigtimedwait(&pipe_, nullptr, &now) > 0) {
+      }
+    }
+    pthread_sigmask(SIG_SETMASK, &before_, nullptr);
+  }
+
+private:
+  sigset_t pipe_;
+  sigset_t before_;
+};
+
+/// A running ffmpeg that is fed through a pipe. What it says goes into the error when it fails.
+class FfmpegProcess {
+public:
+  /// Starts it. `movie` is named in errors. Throws `CannotCreateError`.
+  FfmpegProcess(const std::vector<std::string>& arguments, fs::path movie);
+  /// Kills it when it was not finished.
+  ~FfmpegProcess();
+  FfmpegProcess(const FfmpegProcess&) = delete;
+  FfmpegProcess& operator=(const FfmpegProcess&) = delete;
+
+  /// Throws `CannotCreateError` when it has gone.
+  void write(const void* data, std::size_t size);
+  /// Closes its input and waits. Throws `CannotCreateError` when it failed.
+  void finish();
+
+private:
+  [[noreturn]] void fail();
+  void closeInput();
+
+  fs::path movie_;
+  std::optional<ChildProcess> process_;
+  int input_ = -1;
+};
+
+FfmpegProcess::FfmpegProcess(const std::vector<std::string>& arguments, fs::path movie)
+    : movie_(std::move(movie)) {
+  int ends[2];
+  if (pipe2(ends, O_CLOEXEC) != 0)
+    fail();
+  process_.emplace(arguments, ends[0], -1);
+  ::close(ends[0]);
+  input_ = ends[1];
+  if (process_->startError() != 0)
+    fail();
+}
+
+FfmpegProcess::~FfmpegProcess() {
+  closeInput();
+}
+
+void FfmpegProcess::write(const void* data, std::size_t size) {
+  const BrokenPipeBlocked blocked;
+  const auto* bytes = static_cast<const char*>(data);
+  while (size > 0) {
+    const ssize_t written = ::write(input_, bytes, size);
+    if (written < 0 && errno == EINTR)
+      continue;
+    if (written <= 0)
+      fail();
+    bytes += written;
+    size -= std::size_t(written);
+  }
+}
+
+void FfmpegProcess::finish() {
+  closeInput();
+  ChildResult result;
+  process_->ended(result, true);
+  if (result.end != ChildResult::End::exited || result.code != 0)
+    fail();
+}
+
+void FfmpegProcess::closeInput() {
+  if (input_ >= 0)
+    ::close(input_);
+  input_ = -1;
+}
+
+void FfmpegProcess::fail() {
+  closeInput();
+  std::string said;
+  if (process_ && process_->startError() == 0) {
+    ChildResult ignored;
+    process_->ended(ignored, true);
+    std::istringstream lines(process_->messages(kMostMessages));
+    for (std::string line; std::getline(lines, line);) // The last line says why.
+      said = line.find_first_not_of(" \t\r") == std::string::npos ? said : line;
+  }
+  throw CannotCreateError("The program ffmpeg could not write the movie" + (said.empty() ? "" : ": " + said),
+                          movie_.string(), "write an .ogv instead");
+}
+
 /// MP4 and GIF by the program ffmpeg, which reads raw frames from its standard input.
 class Ffmpeg : public ImageSink {
 public:
@@ -165,6 +276,15 @@ private:
 };
 
 } // namespace
+
+bool ffmpegInstalled() {
+  const char* path = std::getenv("PATH");
+  std::istringstream folders(path ? path : "");
+  for (std::string folder; std::getline(folders, folder, ':');)
+    if (access((folder + "/ffmpeg").c_str(), X_OK) == 0)
+      return true;
+  return false;
+}
 
 std::unique_ptr<ImageSink> imageSink(const fs::path& file, const MovieOptions& options) {
   if (!(options.framesPerSecond > 0) || !std::isfinite(options.framesPerSecond))

@@ -1,21 +1,13 @@
 #include "viscera/scene/landmark_glyphs.h"
 
-#include <cmath>
+#include <array>
 
-#include <vtkActor2D.h>
-#include <vtkCellArray.h>
 #include <vtkCellData.h>
-#include <vtkNew.h>
-#include <vtkPoints.h>
-#include <vtkPolyData.h>
-#include <vtkPolyDataMapper2D.h>
-#include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
 #include <vtkUnsignedCharArray.h>
 
-#include "viscera/scene/organ_view.h"
-
 #include "before_render.h"
+#include "flat_shape.h"
 #include "view_geometry.h"
 
 namespace viscera::scene {
@@ -27,57 +19,40 @@ constexpr int kCorners = 20;
 
 struct LandmarkGlyphs::Parts {
   std::vector<Mark> marks;
-  vtkNew<vtkPoints> points;
-  vtkNew<vtkPolyData> discs;
+  FlatShape discs;
   vtkNew<vtkUnsignedCharArray> colors;
-  vtkNew<vtkActor2D> actor;
   BeforeRender beforeRender{[this] { follow(); }};
 
   void follow();
-  void addDisc(double x, double y, double radius, const Vec3& color, vtkCellArray* cells);
 };
 
-void LandmarkGlyphs::Parts::addDisc(double x, double y, double radius, const Vec3& color,
-                                    vtkCellArray* cells) {
-  vtkIdType corners[kCorners];
-  for (int i = 0; i < kCorners; ++i) {
-    const double angle = 2 * M_PI * i / kCorners;
-    corners[i] = points->InsertNextPoint(x + radius * std::cos(angle), y + radius * std::sin(angle), 0);
-  }
-  cells->InsertNextCell(kCorners, corners);
-  const Vec3 bytes = 255 * color;
-  colors->InsertNextTuple3(bytes.x(), bytes.y(), bytes.z());
-}
-
 void LandmarkGlyphs::Parts::follow() {
-  vtkRenderer* renderer = beforeRender.renderer();
-  const double ratio = pixelRatioOf(renderer->GetRenderWindow());
-  const ViewGeometry view = viewGeometry(renderer);
-  points->Reset();
+  const ViewGeometry view = viewGeometry(beforeRender.renderer());
+  discs.begin();
   colors->Reset();
   vtkNew<vtkCellArray> cells;
+  const auto addDisc = [&](const DisplayPoint& place, double radius, const Vec3& color) {
+    discs.addDisc(place.x, place.y, radius * view.pixelRatio, kCorners, cells);
+    const Vec3 bytes = 255 * color;
+    colors->InsertNextTuple3(bytes.x(), bytes.y(), bytes.z());
+  };
   for (const Mark& mark : marks) {
     const DisplayPoint place = view.project(mark.position);
     if (!(place.depth > 0))
       continue;
-    addDisc(place.x, place.y, (kRadius + kRim) * ratio, Vec3::Constant(0.1), cells);
-    addDisc(place.x, place.y, kRadius * ratio, mark.color, cells);
+    addDisc(place, kRadius + kRim, Vec3::Constant(0.1));
+    addDisc(place, kRadius, mark.color);
   }
-  points->Modified();
-  discs->SetPolys(cells);
-  discs->Modified();
-  actor->SetVisibility(!marks.empty());
+  discs.data->SetPolys(cells);
+  discs.end();
+  discs.actor->SetVisibility(!marks.empty());
 }
 
 LandmarkGlyphs::LandmarkGlyphs() : parts_(std::make_unique<Parts>()) {
   auto& p = *parts_;
   p.colors->SetNumberOfComponents(3);
-  p.discs->SetPoints(p.points);
-  p.discs->GetCellData()->SetScalars(p.colors);
-  vtkNew<vtkPolyDataMapper2D> mapper;
-  mapper->SetInputData(p.discs);
-  p.actor->SetMapper(mapper);
-  p.actor->SetVisibility(false);
+  p.discs.data->GetCellData()->SetScalars(p.colors);
+  p.discs.actor->SetVisibility(false);
 }
 
 LandmarkGlyphs::~LandmarkGlyphs() {
@@ -85,12 +60,7 @@ LandmarkGlyphs::~LandmarkGlyphs() {
 }
 
 void LandmarkGlyphs::setRenderer(vtkRenderer* renderer) {
-  auto& p = *parts_;
-  if (vtkRenderer* old = p.beforeRender.renderer())
-    old->RemoveActor2D(p.actor);
-  p.beforeRender.setRenderer(renderer);
-  if (renderer)
-    renderer->AddActor2D(p.actor);
+  parts_->beforeRender.setRenderer(renderer, std::array{parts_->discs.actor.Get()});
 }
 
 void LandmarkGlyphs::setMarks(std::vector<Mark> marks) {

@@ -4,24 +4,17 @@
 #include <cmath>
 #include <cstdio>
 
-#include <vtkActor2D.h>
-#include <vtkCellArray.h>
 #include <vtkCellData.h>
-#include <vtkNew.h>
-#include <vtkPoints.h>
-#include <vtkPolyData.h>
-#include <vtkPolyDataMapper2D.h>
 #include <vtkProperty2D.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
-#include <vtkSmartPointer.h>
-#include <vtkTextActor.h>
 #include <vtkTextProperty.h>
 #include <vtkUnsignedCharArray.h>
 
 #include "viscera/scene/organ_view.h"
 
 #include "before_render.h"
+#include "flat_shape.h"
 
 namespace viscera::scene {
 namespace {
@@ -47,19 +40,6 @@ constexpr double kSmallestPlain = 1e-4;
 void setColor(vtkTextActor* actor, const Vec3& color) {
   actor->GetTextProperty()->SetColor(color.x(), color.y(), color.z());
 }
-
-/// A 2D actor over polygons or lines given in pixels.
-struct Shape {
-  vtkNew<vtkPoints> points;
-  vtkNew<vtkPolyData> data;
-  vtkNew<vtkActor2D> actor;
-  Shape() {
-    data->SetPoints(points);
-    vtkNew<vtkPolyDataMapper2D> mapper;
-    mapper->SetInputData(data);
-    actor->SetMapper(mapper);
-  }
-};
 
 } // namespace
 
@@ -103,12 +83,12 @@ struct Legend::Parts {
   bool shown = false;
   Theme theme = darkTheme();
 
-  Shape bar;
-  Shape lines;
-  Shape mark;
+  FlatShape bar;
+  FlatShape lines;
+  FlatShape mark;
   bool marked = false;
-  vtkNew<vtkTextActor> markLabel;
-  vtkNew<vtkTextActor> title;
+  const vtkSmartPointer<vtkTextActor> markLabel = newText(kFontSize);
+  const vtkSmartPointer<vtkTextActor> title = newText(kTitleFontSize);
   std::vector<double> ticks;
   std::vector<vtkSmartPointer<vtkTextActor>> labels;
   BeforeRender beforeRender{[this] { layOut(); }};
@@ -149,47 +129,40 @@ void Legend::Parts::layOutBar(double left, double bottom, double width, double h
   vtkNew<vtkCellArray> quads;
   vtkNew<vtkUnsignedCharArray> colors;
   colors->SetNumberOfComponents(3);
-  bar.points->Reset();
+  bar.begin();
   for (Eigen::Index i = 0; i <= count; ++i) {
     const double y = bottom + height * double(i) / double(count);
-    bar.points->InsertNextPoint(left, y, 0);
-    bar.points->InsertNextPoint(left + width, y, 0);
+    bar.add(left, y);
+    bar.add(left + width, y);
     if (i == count)
       break;
-    const vtkIdType quad[] = {2 * i, 2 * i + 1, 2 * i + 3, 2 * i + 2};
-    quads->InsertNextCell(4, quad);
+    quads->InsertNextCell({2 * i, 2 * i + 1, 2 * i + 3, 2 * i + 2});
     colors->InsertNextTypedTuple(map.colors.row(i).data());
   }
-  bar.points->Modified();
+  bar.end();
   bar.data->SetPolys(quads);
   bar.data->GetCellData()->SetScalars(colors);
 }
 
 void Legend::Parts::layOutTicks(double left, double bottom, double width, double height, double ratio) {
   vtkNew<vtkCellArray> cells;
-  lines.points->Reset();
+  lines.begin();
   for (std::size_t i = 0; i < ticks.size(); ++i) {
     const double part = (ticks[i] - range.low) / (range.high - range.low);
     const double y = bottom + height * std::clamp(part, 0.0, 1.0);
-    const vtkIdType ends[] = {lines.points->InsertNextPoint(left + width, y, 0),
-                              lines.points->InsertNextPoint(left + width + ratio * kTick, y, 0)};
-    cells->InsertNextCell(2, ends);
+    cells->InsertNextCell({lines.add(left + width, y), lines.add(left + width + ratio * kTick, y)});
     labels[i]->SetPosition(left + width + ratio * (kTick + kGap), y);
   }
-  lines.points->Modified();
+  lines.end();
   lines.data->SetLines(cells);
   lines.actor->GetProperty()->SetLineWidth(static_cast<float>(ratio));
 }
 
 void Legend::Parts::layOutMark(double left, double bottom, double width, double ratio) {
   vtkNew<vtkCellArray> quad;
-  mark.points->Reset();
-  const vtkIdType corners[] = {mark.points->InsertNextPoint(left, bottom, 0),
-                               mark.points->InsertNextPoint(left + width, bottom, 0),
-                               mark.points->InsertNextPoint(left + width, bottom + width, 0),
-                               mark.points->InsertNextPoint(left, bottom + width, 0)};
-  quad->InsertNextCell(4, corners);
-  mark.points->Modified();
+  mark.begin();
+  mark.addBox(left, bottom, left + width, bottom + width, quad);
+  mark.end();
   mark.data->SetPolys(quad);
   markLabel->SetPosition(left + width + ratio * kGap, bottom + 0.5 * width);
 }
@@ -212,15 +185,9 @@ void Legend::Parts::applyTheme() {
 }
 
 Legend::Legend() : parts_(std::make_unique<Parts>()) {
-  auto* title = parts_->title->GetTextProperty();
-  title->SetFontFamilyToArial();
-  title->SetFontSize(kTitleFontSize);
-  title->SetJustificationToRight();
-  title->SetVerticalJustificationToBottom();
-  auto* label = parts_->markLabel->GetTextProperty();
-  label->SetFontFamilyToArial();
-  label->SetFontSize(kFontSize);
-  label->SetVerticalJustificationToCentered();
+  parts_->title->GetTextProperty()->SetJustificationToRight();
+  parts_->title->GetTextProperty()->SetVerticalJustificationToBottom();
+  parts_->markLabel->GetTextProperty()->SetVerticalJustificationToCentered();
   hide();
 }
 
@@ -229,14 +196,7 @@ Legend::~Legend() {
 }
 
 void Legend::setRenderer(vtkRenderer* renderer) {
-  auto& p = *parts_;
-  if (auto* old = p.beforeRender.renderer())
-    for (auto* actor : p.actors())
-      old->RemoveActor2D(actor);
-  p.beforeRender.setRenderer(renderer);
-  if (renderer)
-    for (auto* actor : p.actors())
-      renderer->AddActor2D(actor);
+  parts_->beforeRender.setRenderer(renderer, parts_->actors());
 }
 
 void Legend::setTheme(const Theme& theme) {
@@ -255,10 +215,8 @@ void Legend::show(const std::string& title, const std::string& unit, const Color
   p.labels.clear();
   const double spacing = p.ticks.size() > 1 ? p.ticks[1] - p.ticks[0] : 0;
   for (const double tick : p.ticks) {
-    auto label = vtkSmartPointer<vtkTextActor>::New();
+    auto label = newText(kFontSize);
     label->SetInput(tickLabel(tick, spacing).c_str());
-    label->GetTextProperty()->SetFontFamilyToArial();
-    label->GetTextProperty()->SetFontSize(kFontSize);
     label->GetTextProperty()->SetVerticalJustificationToCentered();
     p.labels.push_back(label);
   }

@@ -1,22 +1,13 @@
 #include "viscera/scene/measurement_glyphs.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
-#include <vtkActor2D.h>
-#include <vtkCellArray.h>
 #include <vtkCellData.h>
-#include <vtkNew.h>
-#include <vtkPoints.h>
-#include <vtkPolyData.h>
-#include <vtkPolyDataMapper.h>
-#include <vtkPolyDataMapper2D.h>
 #include <vtkPropCollection.h>
 #include <vtkProperty.h>
 #include <vtkProperty2D.h>
 #include <vtkRenderer.h>
-#include <vtkTextActor.h>
 #include <vtkTextProperty.h>
 #include <vtkUnsignedCharArray.h>
 
@@ -24,6 +15,7 @@
 
 #include "before_render.h"
 #include "blended_actor.h"
+#include "flat_shape.h"
 #include "view_geometry.h"
 
 namespace viscera::scene {
@@ -57,10 +49,10 @@ public:
   }
 
   vtkPolyData* data() const { return data_; }
+  const ViewGeometry& view() const { return view_; }
 
-  void begin(const ViewGeometry& view, double ratio) {
+  void begin(const ViewGeometry& view) {
     view_ = view;
-    ratio_ = ratio;
     points_->Reset();
     cells_->Reset();
     colors_->Reset();
@@ -75,7 +67,7 @@ public:
 
   /// `radius` in logical pixels; so much nearer to the eye that a surface at the place does not cut it.
   void addDisc(const Vec3& place, double radius, const Vec3& color) {
-    const double size = radius * millimetresAt(place);
+    const double size = radius * view_.logicalPixel(place);
     const Vec3 middle = place + size * towardsEye(place);
     vtkIdType corners[kMarkCorners];
     for (int i = 0; i < kMarkCorners; ++i) {
@@ -93,14 +85,10 @@ public:
     int count = 0;
     for (const auto& [place, sign] :
          {std::pair{&from, 1.0}, std::pair{&to, 1.0}, std::pair{&to, -1.0}, std::pair{&from, -1.0}}) {
-      const double size = radius * millimetresAt(*place);
+      const double size = radius * view_.logicalPixel(*place);
       corners[count++] = insert(*place + size * (sign * side.normalized() + towardsEye(*place)));
     }
     addCell(4, corners, color);
-  }
-
-  double millimetresAt(const Vec3& place) const {
-    return ratio_ * view_.worldPerPixel((place - view_.eye).dot(view_.forward));
   }
 
 private:
@@ -115,7 +103,6 @@ private:
   }
 
   ViewGeometry view_;
-  double ratio_ = 1;
   vtkNew<vtkPoints> points_;
   vtkNew<vtkCellArray> cells_;
   vtkNew<vtkUnsignedCharArray> colors_;
@@ -169,11 +156,9 @@ struct MeasurementGlyphs::Parts {
   FacingShapes cores;
   FacingShapes rims;
   /// Rims first; what is hidden before what is seen.
-  std::array<vtkNew<BlendedActor>, 4> actors;
+  std::vector<vtkSmartPointer<BlendedActor>> actors;
   std::vector<vtkSmartPointer<vtkTextActor>> texts; ///< One an item.
-  vtkNew<vtkPoints> boxPoints;
-  vtkNew<vtkPolyData> boxes;
-  vtkNew<vtkActor2D> boxActor;
+  FlatShape boxes;
   std::vector<Drawn> drawn;
   BeforeRender beforeRender{[this] { follow(); }};
 
@@ -181,35 +166,25 @@ struct MeasurementGlyphs::Parts {
   void follow();
   void drawAfterOrgans();
   void addShapes(const Item& item, FacingShapes& shapes, double rim, const Vec3& color);
-  ScreenBox labelBox(const Item& item, const ViewGeometry& geometry, double ratio, vtkTextActor* text);
-  ScreenBox freeBox(ScreenBox box, const ViewGeometry& geometry, double ratio) const;
+  ScreenBox labelBox(const Item& item, const ViewGeometry& geometry, vtkTextActor* text);
+  ScreenBox freeBox(ScreenBox box, const ViewGeometry& geometry) const;
   void drawBoxes();
 };
 
 void MeasurementGlyphs::Parts::build() {
-  for (std::size_t i = 0; i < actors.size(); ++i) {
-    BlendedActor* actor = actors[i];
-    const bool behind = i < 2;
-    vtkNew<vtkPolyDataMapper> mapper;
-    mapper->SetInputData(i % 2 == 0 ? rims.data() : cores.data());
-    actor->SetMapper(mapper);
-    actor->setBehindOnly(behind);
-    actor->GetProperty()->LightingOff();
-    actor->GetProperty()->SetOpacity(behind ? kBehindOpacity : 1);
-    view.renderer()->AddActor(actor);
-  }
-  boxes->SetPoints(boxPoints);
-  vtkNew<vtkPolyDataMapper2D> mapper;
-  mapper->SetInputData(boxes);
-  boxActor->SetMapper(mapper);
-  boxActor->GetProperty()->SetOpacity(kBoxOpacity);
-  view.renderer()->AddActor2D(boxActor);
+  for (const bool behind : {true, false})
+    for (FacingShapes* shapes : {&rims, &cores}) {
+      actors.push_back(newHelper(shapes->data(), nullptr, behind ? kBehindOpacity : 1, behind));
+      view.renderer()->AddActor(actors.back());
+    }
+  boxes.actor->GetProperty()->SetOpacity(kBoxOpacity);
+  view.renderer()->AddActor2D(boxes.actor);
   beforeRender.setRenderer(view.renderer());
 }
 
 void MeasurementGlyphs::Parts::drawAfterOrgans() {
-  if (view.renderer()->GetViewProps()->GetLastProp() != actors.back())
-    for (BlendedActor* actor : actors)
+  if (view.renderer()->GetViewProps()->GetLastProp() != actors.back().Get())
+    for (const auto& actor : actors)
       drawLast(view.renderer(), actor);
 }
 
@@ -218,7 +193,7 @@ void MeasurementGlyphs::Parts::addShapes(const Item& item, FacingShapes& shapes,
   for (std::size_t i = 1; i < item.points.size(); ++i)
     shapes.addLine(item.points[i - 1], item.points[i], kLineRadius + rim, color);
   if (item.points.size() == 3) {
-    const std::vector<Vec3> arc = arcOf(item.points, kArcRadius * shapes.millimetresAt(item.points[1]));
+    const std::vector<Vec3> arc = arcOf(item.points, kArcRadius * shapes.view().logicalPixel(item.points[1]));
     for (std::size_t i = 1; i < arc.size(); ++i)
       shapes.addLine(arc[i - 1], arc[i], kLineRadius + rim, color);
   }
@@ -227,8 +202,9 @@ void MeasurementGlyphs::Parts::addShapes(const Item& item, FacingShapes& shapes,
 }
 
 /// Beside the middle of a line, or behind the arc of an angle.
-ScreenBox MeasurementGlyphs::Parts::labelBox(const Item& item, const ViewGeometry& geometry, double ratio,
+ScreenBox MeasurementGlyphs::Parts::labelBox(const Item& item, const ViewGeometry& geometry,
                                              vtkTextActor* text) {
+  const double ratio = geometry.pixelRatio;
   double size[2] = {0, 0};
   text->GetSize(view.renderer(), size);
   const double width = size[0] + 2 * kPadding * ratio;
@@ -239,9 +215,7 @@ ScreenBox MeasurementGlyphs::Parts::labelBox(const Item& item, const ViewGeometr
   const DisplayPoint first = geometry.project(item.points.front());
   const DisplayPoint second = geometry.project(item.points[std::min<std::size_t>(last, 1)]);
   if (item.points.size() == 3) {
-    const auto arc =
-        arcOf(item.points, kArcRadius * ratio *
-                               geometry.worldPerPixel((item.points[1] - geometry.eye).dot(geometry.forward)));
+    const auto arc = arcOf(item.points, kArcRadius * geometry.logicalPixel(item.points[1]));
     anchor = arc.empty() ? item.points[1] : arc[arc.size() / 2];
     const DisplayPoint middle = geometry.project(anchor);
     x = middle.x - second.x;
@@ -263,8 +237,8 @@ ScreenBox MeasurementGlyphs::Parts::labelBox(const Item& item, const ViewGeometr
 }
 
 /// Inside the view and above the labels that it would lie over.
-ScreenBox MeasurementGlyphs::Parts::freeBox(ScreenBox box, const ViewGeometry& geometry, double ratio) const {
-  const double margin = kMargin * ratio;
+ScreenBox MeasurementGlyphs::Parts::freeBox(ScreenBox box, const ViewGeometry& geometry) const {
+  const double margin = kMargin * geometry.pixelRatio;
   const auto inside = [&](const ScreenBox& wanted) {
     const double right = 2 * geometry.centerX - margin, top = geometry.pixelHeight - margin;
     return moved(wanted, std::max(std::min(0.0, right - wanted.right), margin - wanted.left),
@@ -274,33 +248,25 @@ ScreenBox MeasurementGlyphs::Parts::freeBox(ScreenBox box, const ViewGeometry& g
   for (std::size_t round = 0; round < drawn.size(); ++round)
     for (const Drawn& other : drawn)
       if (box.overlaps(other.box))
-        box = moved(box, 0, other.box.top + ratio - box.bottom);
+        box = moved(box, 0, other.box.top + geometry.pixelRatio - box.bottom);
   return box;
 }
 
 void MeasurementGlyphs::Parts::drawBoxes() {
-  boxPoints->Reset();
+  boxes.begin();
   vtkNew<vtkCellArray> cells;
-  for (const Drawn& label : drawn) {
-    const ScreenBox& box = label.box;
-    const vtkIdType corners[] = {boxPoints->InsertNextPoint(box.left, box.bottom, 0),
-                                 boxPoints->InsertNextPoint(box.right, box.bottom, 0),
-                                 boxPoints->InsertNextPoint(box.right, box.top, 0),
-                                 boxPoints->InsertNextPoint(box.left, box.top, 0)};
-    cells->InsertNextCell(4, corners);
-  }
-  boxPoints->Modified();
-  boxes->SetPolys(cells);
-  boxes->Modified();
-  boxActor->GetProperty()->SetColor(theme.panel.x(), theme.panel.y(), theme.panel.z());
-  boxActor->SetVisibility(!drawn.empty());
+  for (const auto& [text, box] : drawn)
+    boxes.addBox(box.left, box.bottom, box.right, box.top, cells);
+  boxes.data->SetPolys(cells);
+  boxes.end();
+  boxes.actor->GetProperty()->SetColor(theme.panel.x(), theme.panel.y(), theme.panel.z());
+  boxes.actor->SetVisibility(!drawn.empty());
 }
 
 void MeasurementGlyphs::Parts::follow() {
-  const double ratio = pixelRatioOf(view.renderer()->GetRenderWindow());
   const ViewGeometry geometry = viewGeometry(view.renderer());
   for (FacingShapes* shapes : {&cores, &rims})
-    shapes->begin(geometry, ratio);
+    shapes->begin(geometry);
   drawn.clear();
   for (std::size_t i = 0; i < items.size(); ++i) {
     const Item& item = items[i];
@@ -315,13 +281,14 @@ void MeasurementGlyphs::Parts::follow() {
     if (item.text.empty())
       continue;
     text->GetTextProperty()->SetColor(color.x(), color.y(), color.z());
-    const ScreenBox box = freeBox(labelBox(item, geometry, ratio, text), geometry, ratio);
-    text->SetPosition(box.left + kPadding * ratio, box.bottom + kPadding * ratio);
+    const ScreenBox box = freeBox(labelBox(item, geometry, text), geometry);
+    const double padding = kPadding * geometry.pixelRatio;
+    text->SetPosition(box.left + padding, box.bottom + padding);
     drawn.push_back({item.text, box});
   }
   for (FacingShapes* shapes : {&cores, &rims})
     shapes->end();
-  for (BlendedActor* actor : actors)
+  for (const auto& actor : actors)
     actor->SetVisibility(shown && !items.empty());
   drawBoxes();
   drawAfterOrgans();
@@ -335,9 +302,9 @@ MeasurementGlyphs::MeasurementGlyphs(OrganView& view) : parts_(std::make_unique<
 MeasurementGlyphs::~MeasurementGlyphs() {
   setItems({});
   auto& p = *parts_;
-  for (BlendedActor* actor : p.actors)
+  for (const auto& actor : p.actors)
     p.view.renderer()->RemoveActor(actor);
-  p.view.renderer()->RemoveActor2D(p.boxActor);
+  p.view.renderer()->RemoveActor2D(p.boxes.actor);
 }
 
 void MeasurementGlyphs::setItems(std::vector<Item> items) {
@@ -348,11 +315,8 @@ void MeasurementGlyphs::setItems(std::vector<Item> items) {
     p.texts.pop_back();
   }
   while (p.texts.size() < p.items.size()) {
-    auto text = vtkSmartPointer<vtkTextActor>::New();
-    text->GetTextProperty()->SetFontFamilyToArial();
-    text->GetTextProperty()->SetFontSize(kFontSize);
-    p.view.renderer()->AddActor2D(text);
-    p.texts.push_back(std::move(text));
+    p.texts.push_back(newText(kFontSize));
+    p.view.renderer()->AddActor2D(p.texts.back());
   }
   for (std::size_t i = 0; i < p.items.size(); ++i)
     p.texts[i]->SetInput(p.items[i].text.c_str());
@@ -379,7 +343,7 @@ std::optional<MeasurementGlyphs::Mark> MeasurementGlyphs::markAt(double x, doubl
   if (!p.shown)
     return std::nullopt;
   const ViewGeometry geometry = viewGeometry(p.view.renderer());
-  double nearest = kReach * pixelRatioOf(p.view.renderer()->GetRenderWindow());
+  double nearest = kReach * geometry.pixelRatio;
   std::optional<Mark> found;
   for (std::size_t i = 0; i < p.items.size(); ++i)
     for (std::size_t k = 0; k < p.items[i].points.size(); ++k) {

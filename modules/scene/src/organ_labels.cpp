@@ -6,22 +6,14 @@
 #include <limits>
 #include <optional>
 
-#include <vtkActor2D.h>
-#include <vtkCellArray.h>
-#include <vtkNew.h>
-#include <vtkPoints.h>
-#include <vtkPolyData.h>
-#include <vtkPolyDataMapper2D.h>
 #include <vtkProperty2D.h>
-#include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
-#include <vtkTextActor.h>
 #include <vtkTextProperty.h>
-#include <vtkTextRenderer.h>
 
 #include "viscera/scene/organ_view.h"
 
 #include "before_render.h"
+#include "flat_shape.h"
 #include "view_geometry.h"
 
 namespace viscera::scene {
@@ -52,8 +44,8 @@ constexpr double kEdgeHeight = 0.7;
 /// Who is in front, in coarse cells of the display: a line may only end where its organ is seen.
 class FrontGrid {
 public:
-  FrontGrid(const ViewGeometry& view, double ratio)
-      : cell_(kCell * ratio), columns_(cellsIn(2 * view.centerX)), rows_(cellsIn(view.pixelHeight)),
+  FrontGrid(const ViewGeometry& view)
+      : cell_(kCell * view.pixelRatio), columns_(cellsIn(2 * view.centerX)), rows_(cellsIn(view.pixelHeight)),
         fronts_(columns_ * rows_) {}
 
   void add(const DisplayPoint& place, std::size_t owner) {
@@ -114,8 +106,8 @@ struct Sighting {
   bool seen = false;
 };
 
-Sighting sight(const OrganActor& organ, std::size_t owner, const ViewGeometry& view, double ratio,
-               Footprint& all, FrontGrid& fronts) {
+Sighting sight(const OrganActor& organ, std::size_t owner, const ViewGeometry& view, Footprint& all,
+               FrontGrid& fronts) {
   Sighting sighting{Footprint(view.pixelHeight)};
   const Points& points = organ.points();
   const Eigen::Index stride = std::max<Eigen::Index>(1, points.rows() / kMostVertices);
@@ -128,7 +120,8 @@ Sighting sight(const OrganActor& organ, std::size_t owner, const ViewGeometry& v
     const DisplayPoint place = view.project(points.row(i).transpose());
     if (!(place.depth > 0) || !std::isfinite(place.x) || !std::isfinite(place.y))
       continue;
-    const double reach = std::max(kReach * ratio, kSpacingPart * spacing / view.worldPerPixel(place.depth));
+    const double reach =
+        std::max(kReach * view.pixelRatio, kSpacingPart * spacing / view.worldPerPixel(place.depth));
     sighting.covered.cover(place.x, place.y, reach);
     all.cover(place.x, place.y, reach);
     if (organ.opacity() >= kOpaque)
@@ -158,9 +151,7 @@ struct OrganLabels::Parts {
   OrganView& view;
   std::vector<Item> items;
   std::vector<vtkSmartPointer<vtkTextActor>> texts; ///< One an item.
-  vtkNew<vtkPoints> points;
-  vtkNew<vtkPolyData> lines;
-  vtkNew<vtkActor2D> lineActor;
+  FlatShape lines;
   std::vector<Drawn> drawn;
   bool shown = false;
   Theme theme = darkTheme();
@@ -172,12 +163,12 @@ struct OrganLabels::Parts {
 
   void follow();
   void hideAll();
-  void lookAtOrgans(const ViewGeometry& geometry, double ratio, Footprint& all,
+  void lookAtOrgans(const ViewGeometry& geometry, Footprint& all,
                     std::vector<std::optional<Sighting>>& sightings) const;
-  LabelSpace space(const ViewGeometry& geometry, double ratio) const;
+  LabelSpace space(const ViewGeometry& geometry) const;
   bool stillFits(const ViewGeometry& geometry, const Footprint& all,
                  const std::vector<std::optional<Sighting>>& sightings) const;
-  void layOut(const ViewGeometry& geometry, double ratio, const Footprint& all,
+  void layOut(const ViewGeometry& geometry, const Footprint& all,
               const std::vector<std::optional<Sighting>>& sightings);
   void draw(double ratio, const std::vector<std::optional<Sighting>>& sightings);
   void drawLine(const ScreenBox& box, double x, double y, double ratio, vtkCellArray* segments,
@@ -188,21 +179,21 @@ struct OrganLabels::Parts {
 void OrganLabels::Parts::hideAll() {
   for (auto& text : texts)
     text->SetVisibility(false);
-  lineActor->SetVisibility(false);
+  lines.actor->SetVisibility(false);
   drawn.clear();
 }
 
-void OrganLabels::Parts::lookAtOrgans(const ViewGeometry& geometry, double ratio, Footprint& all,
+void OrganLabels::Parts::lookAtOrgans(const ViewGeometry& geometry, Footprint& all,
                                       std::vector<std::optional<Sighting>>& sightings) const {
   sightings.assign(items.size(), std::nullopt);
-  FrontGrid fronts(geometry, ratio);
+  FrontGrid fronts(geometry);
   for (const auto& organ : view.organs()) {
     if (!organ->visible())
       continue;
     const auto named =
         std::find_if(items.begin(), items.end(), [&](const Item& item) { return item.organ == organ; });
     const auto owner = static_cast<std::size_t>(named - items.begin());
-    Sighting sighting = sight(*organ, owner, geometry, ratio, all, fronts);
+    Sighting sighting = sight(*organ, owner, geometry, all, fronts);
     if (named != items.end() && sighting.seen)
       sightings[owner] = std::move(sighting);
   }
@@ -213,8 +204,9 @@ void OrganLabels::Parts::lookAtOrgans(const ViewGeometry& geometry, double ratio
     }
 }
 
-LabelSpace OrganLabels::Parts::space(const ViewGeometry& geometry, double ratio) const {
+LabelSpace OrganLabels::Parts::space(const ViewGeometry& geometry) const {
   LabelSpace room;
+  const double ratio = geometry.pixelRatio;
   room.width = 2 * geometry.centerX;
   room.height = geometry.pixelHeight;
   room.margin *= ratio;
@@ -236,7 +228,7 @@ bool OrganLabels::Parts::stillFits(const ViewGeometry& geometry, const Footprint
   return true;
 }
 
-void OrganLabels::Parts::layOut(const ViewGeometry& geometry, double ratio, const Footprint& all,
+void OrganLabels::Parts::layOut(const ViewGeometry& geometry, const Footprint& all,
                                 const std::vector<std::optional<Sighting>>& sightings) {
   std::vector<LabelRequest> requests;
   std::vector<std::size_t> rows;
@@ -250,7 +242,7 @@ void OrganLabels::Parts::layOut(const ViewGeometry& geometry, double ratio, cons
     requests.push_back({organ.x, y, size[0], size[1]});
     rows.push_back(i);
   }
-  const auto placed = placeLabels(requests, all, space(geometry, ratio));
+  const auto placed = placeLabels(requests, all, space(geometry));
   boxes.assign(items.size(), std::nullopt);
   for (std::size_t k = 0; k < rows.size(); ++k)
     boxes[rows[k]] = placed[k];
@@ -261,21 +253,13 @@ void OrganLabels::Parts::drawLine(const ScreenBox& box, double x, double y, doub
                                   vtkCellArray* segments, vtkCellArray* dots) {
   const bool left = box.left < x;
   const double start = left ? box.right + kLineGap * ratio : box.left - kLineGap * ratio;
-  const vtkIdType ends[] = {points->InsertNextPoint(start, (box.bottom + box.top) / 2, 0),
-                            points->InsertNextPoint(x, y, 0)};
-  segments->InsertNextCell(2, ends);
-  vtkIdType corners[kDotCorners];
-  for (int i = 0; i < kDotCorners; ++i) {
-    const double angle = 2 * M_PI * i / kDotCorners;
-    corners[i] =
-        points->InsertNextPoint(x + kDot * ratio * std::cos(angle), y + kDot * ratio * std::sin(angle), 0);
-  }
-  dots->InsertNextCell(kDotCorners, corners);
+  segments->InsertNextCell({lines.add(start, (box.bottom + box.top) / 2), lines.add(x, y)});
+  lines.addDisc(x, y, kDot * ratio, kDotCorners, dots);
 }
 
 void OrganLabels::Parts::draw(double ratio, const std::vector<std::optional<Sighting>>& sightings) {
   drawn.clear();
-  points->Reset();
+  lines.begin();
   vtkNew<vtkCellArray> segments;
   vtkNew<vtkCellArray> dots;
   for (std::size_t i = 0; i < items.size(); ++i) {
@@ -296,51 +280,44 @@ void OrganLabels::Parts::draw(double ratio, const std::vector<std::optional<Sigh
     drawLine(box, x, y, ratio, segments, dots);
     drawn.push_back({items[i].text, box, x, y});
   }
-  points->Modified();
-  lines->SetLines(segments);
-  lines->SetPolys(dots);
-  lines->Modified();
-  lineActor->GetProperty()->SetLineWidth(static_cast<float>(kLineWidth * ratio));
-  lineActor->SetVisibility(!drawn.empty());
+  lines.data->SetLines(segments);
+  lines.data->SetPolys(dots);
+  lines.end();
+  lines.actor->GetProperty()->SetLineWidth(static_cast<float>(kLineWidth * ratio));
+  lines.actor->SetVisibility(!drawn.empty());
 }
 
 void OrganLabels::Parts::follow() {
   if (!shown || items.empty())
     return hideAll();
-  vtkRenderer* renderer = view.renderer();
-  const double ratio = pixelRatioOf(renderer->GetRenderWindow());
-  const ViewGeometry geometry = viewGeometry(renderer);
+  const ViewGeometry geometry = viewGeometry(view.renderer());
   Footprint all(geometry.pixelHeight);
   std::vector<std::optional<Sighting>> sightings;
-  lookAtOrgans(geometry, ratio, all, sightings);
+  lookAtOrgans(geometry, all, sightings);
   if (!stillFits(geometry, all, sightings))
-    layOut(geometry, ratio, all, sightings);
-  draw(ratio, sightings);
+    layOut(geometry, all, sightings);
+  draw(geometry.pixelRatio, sightings);
 }
 
 void OrganLabels::Parts::applyTheme() {
   const Vec3& color = theme.text;
   for (auto& text : texts)
     text->GetTextProperty()->SetColor(color.x(), color.y(), color.z());
-  lineActor->GetProperty()->SetColor(color.x(), color.y(), color.z());
-  lineActor->GetProperty()->SetOpacity(kLineOpacity);
+  lines.actor->GetProperty()->SetColor(color.x(), color.y(), color.z());
+  lines.actor->GetProperty()->SetOpacity(kLineOpacity);
 }
 
 OrganLabels::OrganLabels(OrganView& view) : parts_(std::make_unique<Parts>(view)) {
   auto& p = *parts_;
-  p.lines->SetPoints(p.points);
-  vtkNew<vtkPolyDataMapper2D> mapper;
-  mapper->SetInputData(p.lines);
-  p.lineActor->SetMapper(mapper);
-  p.lineActor->SetVisibility(false);
-  view.renderer()->AddActor2D(p.lineActor);
+  p.lines.actor->SetVisibility(false);
+  view.renderer()->AddActor2D(p.lines.actor);
   p.beforeRender.setRenderer(view.renderer());
   setTheme(view.theme());
 }
 
 OrganLabels::~OrganLabels() {
   setItems({});
-  parts_->view.renderer()->RemoveActor2D(parts_->lineActor);
+  parts_->view.renderer()->RemoveActor2D(parts_->lines.actor);
 }
 
 void OrganLabels::setItems(std::vector<Item> items) {
@@ -350,11 +327,9 @@ void OrganLabels::setItems(std::vector<Item> items) {
   p.texts.clear();
   p.items = std::move(items);
   for (const Item& item : p.items) {
-    auto text = vtkSmartPointer<vtkTextActor>::New();
+    auto text = newText(kFontSize);
     text->SetInput(item.text.c_str());
     text->SetVisibility(false);
-    text->GetTextProperty()->SetFontFamilyToArial();
-    text->GetTextProperty()->SetFontSize(kFontSize);
     p.view.renderer()->AddActor2D(text);
     p.texts.push_back(std::move(text));
   }

@@ -11,10 +11,11 @@
 #include <vtkActor.h>
 #include <vtkCallbackCommand.h>
 #include <vtkCamera.h>
-#include <vtkInteractorStyle.h>
+#include <vtkInteractorStyleTrackballCamera.h>
 #include <vtkLight.h>
 #include <vtkMath.h>
 #include <vtkNew.h>
+#include <vtkObjectFactory.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderWindowInteractor.h>
 #include <vtkRenderer.h>
@@ -27,11 +28,9 @@
 
 #include "before_render.h"
 #include "blended_actor.h"
-#include "interactor_style.h"
-#include "orientation_cube.h"
-#include "scale_bar.h"
 #include "standard_view.h"
 #include "text_guard.h"
+#include "view_furniture.h"
 #include "view_geometry.h"
 
 namespace viscera::scene {
@@ -44,6 +43,32 @@ constexpr int kPeelsOnGpu = 8;
 constexpr int kPeelsInSoftware = 4;
 /// What an empty view frames, mm.
 constexpr double kEmptyHalfSize = 100;
+
+/// Factor of one turn of the wheel.
+constexpr double kZoomPerStep = 1.15;
+
+/// The mouse as in 3D Slicer: left rotates, middle or Shift+left pans, right drag or wheel zooms. VTK's
+/// letter keys (quit, wireframe, stereo, pick) do nothing: keys belong to the window.
+class SlicerLikeStyle : public vtkInteractorStyleTrackballCamera {
+public:
+  static SlicerLikeStyle* New();
+  vtkTypeMacro(SlicerLikeStyle, vtkInteractorStyleTrackballCamera)
+
+      void OnChar() override {}
+
+  // The base class renders each turn of the wheel twice.
+  void OnMouseWheelForward() override { turnWheel(MouseWheelMotionFactor); }
+  void OnMouseWheelBackward() override { turnWheel(-MouseWheelMotionFactor); }
+
+private:
+  void turnWheel(double steps) {
+    const int* at = Interactor->GetEventPosition();
+    FindPokedRenderer(at[0], at[1]);
+    if (CurrentRenderer)
+      Dolly(std::pow(kZoomPerStep, steps));
+  }
+};
+vtkStandardNewMacro(SlicerLikeStyle);
 
 /// A light that goes with the camera; x to the right of the picture, y up, z towards the reader.
 void addLight(vtkRenderer* renderer, const Vec3& from, const Vec3& color, double intensity) {
@@ -218,23 +243,22 @@ vtkRenderWindow* OrganView::window() const {
 
 void OrganView::setInteractor(vtkRenderWindowInteractor* interactor) {
   auto& p = *parts_;
-  p.widget->SetEnabled(0);
-  p.widget->SetInteractor(nullptr);
-  p.gizmoWidget->SetEnabled(0);
-  p.gizmoWidget->SetInteractor(nullptr);
+  const std::array<vtkAbstractWidget*, 2> widgets = {p.widget, p.gizmoWidget};
+  for (auto* widget : widgets) {
+    widget->SetEnabled(0);
+    widget->SetInteractor(nullptr);
+  }
   if (interactor) {
-    const auto style = newInteractorStyle();
+    vtkNew<SlicerLikeStyle> style;
     style->SetDefaultRenderer(p.renderer);
     p.watchMotion(style);
     interactor->SetInteractorStyle(style);
-    p.widget->SetInteractor(interactor);
-    p.widget->SetDefaultRenderer(p.renderer);
-    p.widget->SetCurrentRenderer(p.renderer);
-    p.widget->SetEnabled(1);
-    p.gizmoWidget->SetInteractor(interactor);
-    p.gizmoWidget->SetDefaultRenderer(p.renderer);
-    p.gizmoWidget->SetCurrentRenderer(p.renderer);
-    p.gizmoWidget->SetEnabled(1);
+    for (auto* widget : widgets) {
+      widget->SetInteractor(interactor);
+      widget->SetDefaultRenderer(p.renderer);
+      widget->SetCurrentRenderer(p.renderer);
+      widget->SetEnabled(1);
+    }
   }
   p.putHandlesIntoRenderer();
 }

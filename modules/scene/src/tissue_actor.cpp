@@ -24,9 +24,8 @@
 
 #include "before_render.h"
 #include "blended_actor.h"
-#include "plane_cut.h"
 #include "ray_mesh.h"
-#include "tetra_faces.h"
+#include "tetra_surfaces.h"
 
 namespace viscera::scene {
 namespace {

@@ -1,10 +1,13 @@
 #include "view_geometry.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <vtkCamera.h>
 #include <vtkMath.h>
 #include <vtkRenderer.h>
+
+#include "viscera/scene/organ_view.h"
 
 namespace viscera::scene {
 
@@ -23,6 +26,7 @@ ViewGeometry viewGeometry(vtkRenderer* renderer) {
   view.centerX = origin[0] + 0.5 * size[0];
   view.centerY = origin[1] + 0.5 * size[1];
   view.pixelHeight = size[1] > 0 ? size[1] : 1;
+  view.pixelRatio = pixelRatioOf(renderer->GetRenderWindow());
   return view;
 }
 
@@ -46,6 +50,10 @@ Ray ViewGeometry::ray(double x, double y) const {
 
 double ViewGeometry::worldPerPixel(double depth) const {
   return 2 * halfHeight * (parallel ? 1 : depth) / pixelHeight;
+}
+
+double ViewGeometry::logicalPixel(const Vec3& place) const {
+  return pixelRatio * worldPerPixel(std::max((place - eye).dot(forward), 0.0));
 }
 
 } // namespace viscera::scene

@@ -26,6 +26,7 @@ struct ViewGeometry {
   double centerX = 0;    ///< Middle of the viewport, device pixels.
   double centerY = 0;
   double pixelHeight = 1; ///< Height of the viewport, device pixels.
+  double pixelRatio = 1;  ///< Device pixels in a logical pixel.
 
   DisplayPoint project(const Vec3& point) const;
   /// The point at `depth` that is seen at a display position.
@@ -33,6 +34,8 @@ struct ViewGeometry {
   Ray ray(double x, double y) const;
   /// mm that a device pixel covers at a depth.
   double worldPerPixel(double depth) const;
+  /// mm that a logical pixel covers at a place; 0 behind the eye of a perspective camera.
+  double logicalPixel(const Vec3& place) const;
 };
 
 ViewGeometry viewGeometry(vtkRenderer* renderer);

@@ -12,6 +12,7 @@
 #include <vtkBrush.h>
 #include <vtkChartLegend.h>
 #include <vtkChartXY.h>
+#include <vtkContext2D.h>
 #include <vtkContextScene.h>
 #include <vtkDoubleArray.h>
 #include <vtkNew.h>
@@ -31,7 +32,6 @@
 #include "viscera/scene/legend.h"
 #include "viscera/scene/organ_view.h"
 
-#include "normal_band.h"
 #include "text_guard.h"
 
 namespace viscera::scene {
@@ -46,6 +46,8 @@ constexpr int kFontSize = 12;
 constexpr double kRoom = 0.08;
 /// Curves that vary by less of their value are drawn flat: what is left of a locked volume is rounding.
 constexpr double kFlat = 1e-3;
+constexpr double kLabelOpacity = 0.65;
+constexpr double kLabelIndent = 0.008; ///< Of the width.
 constexpr int kMostTicks = 6;
 /// VTK's numbers for the pair of axes that a plot is drawn against.
 constexpr int kBottomLeft = 0, kBottomRight = 1;
@@ -83,6 +85,79 @@ vtkStandardNewMacro(ChartActor)
   vtkIdType column = 0;
   for (const double value : values)
     vtkDoubleArray::SafeDownCast(table->GetColumn(column++))->SetValue(row, value);
+}
+
+/// A horizontal band across a chart: what is normal. (vtkPlotArea draws nothing for two points.)
+class NormalBand : public vtkPlot {
+public:
+  static NormalBand* New();
+  vtkTypeMacro(NormalBand, vtkPlot)
+
+      /// Where it is, in the units of the axes.
+      void setExtent(ValueRange x, ValueRange y);
+  /// Written at its left end, when it is high enough for it. `size` in points.
+  void setLabel(const std::string& label, int size);
+  void setLabelColor(const Vec3& color);
+  bool Paint(vtkContext2D* painter) override;
+  void GetBounds(double bounds[4]) override;
+
+private:
+  ValueRange x_;
+  ValueRange y_;
+  std::string label_;
+  vtkNew<vtkTextProperty> text_;
+};
+
+vtkStandardNewMacro(NormalBand);
+
+void NormalBand::setExtent(ValueRange x, ValueRange y) {
+  x_ = x;
+  y_ = y;
+  Modified();
+}
+
+void NormalBand::setLabel(const std::string& label, int size) {
+  label_ = label;
+  text_->SetFontSize(size);
+  text_->SetFontFamilyToArial();
+  text_->SetJustificationToLeft();
+  text_->SetVerticalJustificationToCentered();
+}
+
+void NormalBand::setLabelColor(const Vec3& color) {
+  text_->SetColor(color.x(), color.y(), color.z());
+  text_->SetOpacity(kLabelOpacity);
+}
+
+bool NormalBand::Paint(vtkContext2D* painter) {
+  if (!GetVisible())
+    return false;
+  const vtkRectd shiftScale = GetShiftScale();
+  const double left = (x_.low + shiftScale.GetX()) * shiftScale.GetWidth();
+  const double bottom = (y_.low + shiftScale.GetY()) * shiftScale.GetHeight();
+  painter->ApplyPen(Pen);
+  painter->ApplyBrush(Brush);
+  painter->DrawRect(static_cast<float>(left), static_cast<float>(bottom),
+                    static_cast<float>((x_.high - x_.low) * shiftScale.GetWidth()),
+                    static_cast<float>((y_.high - y_.low) * shiftScale.GetHeight()));
+  if (label_.empty())
+    return true;
+  painter->ApplyTextProp(text_);
+  float box[4] = {0, 0, 0, 0};
+  painter->ComputeStringBounds(label_, box);
+  const double height = (y_.high - y_.low) * shiftScale.GetHeight();
+  const double width = (x_.high - x_.low) * shiftScale.GetWidth();
+  if (box[3] <= height)
+    painter->DrawString(static_cast<float>(left + kLabelIndent * width),
+                        static_cast<float>(bottom + height / 2), label_);
+  return true;
+}
+
+void NormalBand::GetBounds(double bounds[4]) {
+  bounds[0] = x_.low;
+  bounds[1] = x_.high;
+  bounds[2] = y_.low;
+  bounds[3] = y_.high;
 }
 
 /// One curve, its band, and the tables that VTK draws them from.

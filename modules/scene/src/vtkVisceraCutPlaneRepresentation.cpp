@@ -1,37 +1,27 @@
 #include "viscera/scene/vtkVisceraCutPlaneRepresentation.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
-#include <utility>
+#include <vector>
 
 #include <vtkActor.h>
 #include <vtkArrowSource.h>
 #include <vtkMatrix4x4.h>
 #include <vtkNew.h>
 #include <vtkObjectFactory.h>
-#include <vtkPolyDataMapper.h>
+#include <vtkPolyData.h>
 #include <vtkPropCollection.h>
 #include <vtkProperty.h>
 #include <vtkRegularPolygonSource.h>
 #include <vtkRenderer.h>
-#include <vtkViewport.h>
-#include <vtkWindow.h>
-
-#include "viscera/scene/organ_view.h"
+#include <vtkSmartPointer.h>
 
 #include "blended_actor.h"
 #include "view_geometry.h"
 
 using viscera::Vec3;
-using viscera::scene::BlendedActor;
-using viscera::scene::CutPlane;
-using viscera::scene::pixelRatioOf;
-using viscera::scene::Ray;
-using viscera::scene::Theme;
-using viscera::scene::viewGeometry;
-using viscera::scene::ViewGeometry;
+using namespace viscera::scene;
 
 vtkStandardNewMacro(vtkVisceraCutPlaneRepresentation);
 
@@ -69,80 +59,53 @@ struct vtkVisceraCutPlaneRepresentation::Parts {
   int highlighted = 0;
   Vec3 accent = Vec3::Ones();
 
-  vtkNew<BlendedActor> rim;
-  vtkNew<BlendedActor> rimBehind;
-  vtkNew<BlendedActor> arrow;
-  vtkNew<BlendedActor> arrowBehind;
   vtkNew<vtkMatrix4x4> rimMatrix;
   vtkNew<vtkMatrix4x4> arrowMatrix;
+  std::vector<vtkSmartPointer<vtkActor>> actors; ///< Rim and arrow: what is hidden of them, then they.
 
-  std::array<BlendedActor*, 4> actors() {
-    return {rimBehind.Get(), arrowBehind.Get(), rim.Get(), arrow.Get()};
-  }
   Vec3 middle() const { return ballCenter - plane.normal * plane.normal.dot(ballCenter - plane.origin); }
   double rimRadius() const { return kRimScale * ballRadius; }
 };
 
 namespace {
 
-void place(vtkMatrix4x4* matrix, const Vec3& origin, const Vec3& axis, double scale) {
-  const Vec3 side = axis.unitOrthogonal(), third = axis.cross(side);
-  for (int row = 0; row < 3; ++row) {
-    matrix->SetElement(row, 0, scale * axis[row]);
-    matrix->SetElement(row, 1, scale * side[row]);
-    matrix->SetElement(row, 2, scale * third[row]);
-    matrix->SetElement(row, 3, origin[row]);
-  }
+vtkSmartPointer<vtkPolyData> circle() {
+  vtkNew<vtkRegularPolygonSource> source;
+  source->SetNumberOfSides(kSides);
+  source->SetRadius(1);
+  source->SetNormal(1, 0, 0);
+  source->GeneratePolygonOff();
+  source->Update();
+  return source->GetOutput();
 }
 
-/// mm of a logical pixel at a place.
-double pixelAt(vtkRenderer* renderer, const ViewGeometry& view, const Vec3& place) {
-  const double depth = std::max((place - view.eye).dot(view.forward), 0.0);
-  return pixelRatioOf(renderer->GetRenderWindow()) * view.worldPerPixel(depth);
+vtkSmartPointer<vtkPolyData> arrow() {
+  vtkNew<vtkArrowSource> source;
+  source->SetShaftResolution(16);
+  source->SetTipResolution(20);
+  source->SetShaftRadius(0.022);
+  source->SetTipRadius(0.085);
+  source->SetTipLength(0.26);
+  source->Update();
+  return source->GetOutput();
 }
 
 } // namespace
 
 vtkVisceraCutPlaneRepresentation::vtkVisceraCutPlaneRepresentation() : Inside(std::make_unique<Parts>()) {
   auto& p = *Inside;
-  vtkNew<vtkRegularPolygonSource> circle;
-  circle->SetNumberOfSides(kSides);
-  circle->SetRadius(1);
-  circle->SetNormal(1, 0, 0);
-  circle->GeneratePolygonOff();
-  vtkNew<vtkArrowSource> arrow;
-  arrow->SetShaftResolution(16);
-  arrow->SetTipResolution(20);
-  arrow->SetShaftRadius(0.022);
-  arrow->SetTipRadius(0.085);
-  arrow->SetTipLength(0.26);
-  const auto attach = [](BlendedActor* actor, vtkAlgorithmOutput* source, vtkMatrix4x4* matrix, bool behind) {
-    vtkNew<vtkPolyDataMapper> mapper;
-    mapper->SetInputConnection(source);
-    actor->SetMapper(mapper);
-    actor->SetUserMatrix(matrix);
-    actor->setBehindOnly(behind);
-    actor->GetProperty()->SetOpacity(behind ? kBehindOpacity : kRimOpacity);
-  };
-  attach(p.rim, circle->GetOutputPort(), p.rimMatrix, false);
-  attach(p.rimBehind, circle->GetOutputPort(), p.rimMatrix, true);
-  attach(p.arrow, arrow->GetOutputPort(), p.arrowMatrix, false);
-  attach(p.arrowBehind, arrow->GetOutputPort(), p.arrowMatrix, true);
-  p.rim->GetProperty()->LightingOff();
-  p.rimBehind->GetProperty()->LightingOff();
-  p.arrowBehind->GetProperty()->LightingOff();
-  p.arrow->GetProperty()->SetAmbient(0.4);
-  SetTheme(viscera::scene::darkTheme());
+  for (const bool behind : {true, false}) {
+    const double opacity = behind ? kBehindOpacity : kRimOpacity;
+    p.actors.push_back(newHelper(circle(), p.rimMatrix, opacity, behind));
+    p.actors.push_back(newHelper(arrow(), p.arrowMatrix, opacity, behind));
+  }
+  p.actors.back()->GetProperty()->LightingOn();
+  p.actors.back()->GetProperty()->SetAmbient(0.4);
+  SetTheme(darkTheme());
   NeedToRenderOn();
 }
 
 vtkVisceraCutPlaneRepresentation::~vtkVisceraCutPlaneRepresentation() = default;
-
-void vtkVisceraCutPlaneRepresentation::PrintSelf(ostream& os, vtkIndent indent) {
-  Superclass::PrintSelf(os, indent);
-  os << indent << "Origin: " << Inside->plane.origin.transpose() << "\n";
-  os << indent << "Normal: " << Inside->plane.normal.transpose() << "\n";
-}
 
 void vtkVisceraCutPlaneRepresentation::SetPlane(const CutPlane& plane) {
   Inside->plane = {plane.origin, plane.normal.normalized()};
@@ -165,7 +128,7 @@ Vec3 vtkVisceraCutPlaneRepresentation::GetMiddle() const {
 
 Vec3 vtkVisceraCutPlaneRepresentation::GetArrowTip() const {
   const Vec3 middle = Inside->middle();
-  return middle - Inside->plane.normal * (kArrowLength * pixelAt(Renderer, viewGeometry(Renderer), middle));
+  return middle - Inside->plane.normal * (kArrowLength * viewGeometry(Renderer).logicalPixel(middle));
 }
 
 Vec3 vtkVisceraCutPlaneRepresentation::GetRimPoint(double angle) const {
@@ -182,11 +145,8 @@ void vtkVisceraCutPlaneRepresentation::Highlight(int state) {
   auto& p = *Inside;
   p.highlighted = state;
   const Vec3 strong = 0.45 * p.accent + 0.55 * Vec3(1, 0.72, 0.2);
-  for (BlendedActor* actor : p.actors()) {
-    const bool isArrow = actor == p.arrow || actor == p.arrowBehind;
-    const Vec3& color = state == (isArrow ? OnArrow : OnRim) ? strong : p.accent;
-    actor->GetProperty()->SetColor(color.x(), color.y(), color.z());
-  }
+  for (std::size_t i = 0; i < p.actors.size(); ++i)
+    setColor(p.actors[i], state == (i % 2 == 0 ? OnRim : OnArrow) ? strong : p.accent);
   Modified();
 }
 
@@ -199,19 +159,19 @@ int vtkVisceraCutPlaneRepresentation::ComputeInteractionState(int x, int y, int)
   if (!Renderer || !GetVisibility())
     return InteractionState;
   const ViewGeometry view = viewGeometry(Renderer);
-  const double ratio = pixelRatioOf(Renderer->GetRenderWindow());
+  const double reach = kGrabDistance * view.pixelRatio;
   const auto onDisplay = [&](const Vec3& point) {
     const auto at = view.project(point);
     return Eigen::Vector2d(at.x, at.y);
   };
   const Eigen::Vector2d cursor(x, y);
-  if (distanceToSegment(cursor, onDisplay(GetMiddle()), onDisplay(GetArrowTip())) < kGrabDistance * ratio)
+  if (distanceToSegment(cursor, onDisplay(GetMiddle()), onDisplay(GetArrowTip())) < reach)
     return InteractionState = OnArrow;
   double nearest = std::numeric_limits<double>::infinity();
   for (int i = 0; i < kSides; ++i)
     nearest = std::min(nearest, distanceToSegment(cursor, onDisplay(GetRimPoint(2 * M_PI * i / kSides)),
                                                   onDisplay(GetRimPoint(2 * M_PI * (i + 1) / kSides))));
-  if (nearest < kGrabDistance * ratio)
+  if (nearest < reach)
     InteractionState = OnRim;
   return InteractionState;
 }
@@ -310,21 +270,20 @@ void vtkVisceraCutPlaneRepresentation::BuildRepresentation() {
   auto& p = *Inside;
   const ViewGeometry view = viewGeometry(Renderer);
   const Vec3 middle = p.middle();
-  place(p.rimMatrix, middle, p.plane.normal, p.rimRadius());
-  place(p.arrowMatrix, middle, -p.plane.normal, kArrowLength * pixelAt(Renderer, view, middle));
-  const double width =
-      (p.highlighted == OnRim ? kRimHeldWidth : kRimWidth) * pixelRatioOf(Renderer->GetRenderWindow());
-  p.rim->GetProperty()->SetLineWidth(static_cast<float>(width));
-  p.rimBehind->GetProperty()->SetLineWidth(static_cast<float>(width));
+  placeAlong(p.rimMatrix, middle, p.plane.normal, p.rimRadius());
+  placeAlong(p.arrowMatrix, middle, -p.plane.normal, kArrowLength * view.logicalPixel(middle));
+  const double width = (p.highlighted == OnRim ? kRimHeldWidth : kRimWidth) * view.pixelRatio;
+  for (const auto& actor : p.actors)
+    actor->GetProperty()->SetLineWidth(static_cast<float>(width));
 }
 
 void vtkVisceraCutPlaneRepresentation::GetActors(vtkPropCollection* actors) {
-  for (BlendedActor* actor : Inside->actors())
+  for (const auto& actor : Inside->actors)
     actor->GetActors(actors);
 }
 
 void vtkVisceraCutPlaneRepresentation::ReleaseGraphicsResources(vtkWindow* window) {
-  for (BlendedActor* actor : Inside->actors())
+  for (const auto& actor : Inside->actors)
     actor->ReleaseGraphicsResources(window);
 }
 
@@ -333,7 +292,7 @@ int vtkVisceraCutPlaneRepresentation::RenderOpaqueGeometry(vtkViewport* viewport
     return 0;
   BuildRepresentation();
   int drawn = 0;
-  for (BlendedActor* actor : Inside->actors())
+  for (const auto& actor : Inside->actors)
     drawn += actor->RenderOpaqueGeometry(viewport);
   return drawn;
 }

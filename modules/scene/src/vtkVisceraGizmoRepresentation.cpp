@@ -5,19 +5,22 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <vector>
 
+#include <vtkAppendPolyData.h>
+#include <vtkCubeSource.h>
+#include <vtkLineSource.h>
 #include <vtkMatrix4x4.h>
 #include <vtkNew.h>
 #include <vtkObjectFactory.h>
-#include <vtkPolyDataMapper.h>
+#include <vtkPolyData.h>
 #include <vtkPropCollection.h>
 #include <vtkProperty.h>
+#include <vtkRegularPolygonSource.h>
 #include <vtkRenderer.h>
-
-#include "viscera/scene/organ_view.h"
+#include <vtkSmartPointer.h>
 
 #include "blended_actor.h"
-#include "gizmo_shapes.h"
 #include "view_geometry.h"
 
 using viscera::Vec3;
@@ -27,7 +30,13 @@ vtkStandardNewMacro(vtkVisceraGizmoRepresentation);
 
 namespace {
 
-/// Logical pixels.
+/// Logical pixels, as the shapes are made: of the rings, and to the ends of the arms, which begin beside the
+/// cube in the middle.
+constexpr double kRadius = 78;
+constexpr double kArm = 104;
+constexpr double kCube = 5;
+constexpr double kGap = 12;
+constexpr int kSides = 96;
 constexpr double kRingReach = 7;
 constexpr double kCubeReach = 10;
 constexpr double kLineWidth = 2.2;
@@ -56,6 +65,47 @@ int axisOf(int part) {
   return (part - vtkVisceraGizmoRepresentation::RingX) % 3;
 }
 
+/// The gizmo's parts about the origin, of lines and flat cubes.
+vtkSmartPointer<vtkPolyData> cube(const Vec3& at) {
+  vtkNew<vtkCubeSource> source;
+  source->SetXLength(2 * kCube);
+  source->SetYLength(2 * kCube);
+  source->SetZLength(2 * kCube);
+  source->SetCenter(at.x(), at.y(), at.z());
+  source->Update();
+  return source->GetOutput();
+}
+
+vtkSmartPointer<vtkPolyData> ring(int axis) {
+  const Vec3 normal = Vec3::Unit(axis);
+  vtkNew<vtkRegularPolygonSource> source;
+  source->SetNumberOfSides(kSides);
+  source->SetRadius(kRadius);
+  source->SetNormal(normal.x(), normal.y(), normal.z());
+  source->GeneratePolygonOff();
+  source->Update();
+  return source->GetOutput();
+}
+
+vtkSmartPointer<vtkPolyData> arm(int axis) {
+  const Vec3 end = kArm * Vec3::Unit(axis), begin = kGap * Vec3::Unit(axis);
+  vtkNew<vtkLineSource> line;
+  line->SetPoint1(begin.x(), begin.y(), begin.z());
+  line->SetPoint2(end.x(), end.y(), end.z());
+  vtkNew<vtkAppendPolyData> both;
+  line->Update();
+  both->AddInputData(line->GetOutput());
+  both->AddInputData(cube(end));
+  both->Update();
+  return both->GetOutput();
+}
+
+vtkSmartPointer<vtkPolyData> shapeOf(int part) {
+  if (part == vtkVisceraGizmoRepresentation::Middle)
+    return cube(Vec3::Zero());
+  return isRing(part) ? ring(axisOf(part)) : arm(axisOf(part));
+}
+
 /// The angle in (-pi, pi].
 double wrapped(double angle) {
   return std::remainder(angle, 2 * std::numbers::pi);
@@ -64,17 +114,11 @@ double wrapped(double angle) {
 } // namespace
 
 struct vtkVisceraGizmoRepresentation::Parts {
-  /// A part in front of the organs, and what they hide of it.
-  struct Shape {
-    vtkNew<BlendedActor> front;
-    vtkNew<BlendedActor> behind;
-  };
-
   Vec3 center = Vec3::Zero();
   Theme theme = darkTheme();
   int active = Nothing;
-  std::array<Shape, kParts> shapes;
   vtkNew<vtkMatrix4x4> matrix;
+  std::vector<vtkSmartPointer<vtkActor>> actors; ///< What organs hide of each part, then each part.
   double bounds[6] = {1, -1, 1, -1, 1, -1};
 
   GizmoEvent motion;
@@ -84,11 +128,10 @@ struct vtkVisceraGizmoRepresentation::Parts {
   double tangent[2] = {0, 0};    ///< Of a ring seen from its side: pixels for a radian.
 
   void color();
-  double pixel(const ViewGeometry& view, vtkRenderer* renderer) const;
   Vec3 ringPoint(int axis, double angle, double radius) const;
   void startRing(const ViewGeometry& view, int axis, double radius);
   void turn(const ViewGeometry& view, double x, double y);
-  void stretch(const ViewGeometry& view, double x, double y, double size, double ratio);
+  void stretch(const ViewGeometry& view, double x, double y);
 };
 
 void vtkVisceraGizmoRepresentation::Parts::color() {
@@ -97,15 +140,9 @@ void vtkVisceraGizmoRepresentation::Parts::color() {
     const bool lit = part == active;
     const Vec3 base = part == Middle ? theme.text : kAxisColors[std::size_t(axisOf(part))];
     const Vec3 shown = lit ? Vec3(0.35 * base + 0.65 * theme.rim) : base;
-    for (auto* actor : {shapes[std::size_t(i)].front.Get(), shapes[std::size_t(i)].behind.Get()})
-      actor->GetProperty()->SetColor(shown.x(), shown.y(), shown.z());
+    for (const int layer : {0, kParts})
+      setColor(actors[std::size_t(layer + i)], shown);
   }
-}
-
-/// mm of a logical pixel at the centre.
-double vtkVisceraGizmoRepresentation::Parts::pixel(const ViewGeometry& view, vtkRenderer* renderer) const {
-  const double depth = std::max((center - view.eye).dot(view.forward), 0.0);
-  return pixelRatioOf(renderer->GetRenderWindow()) * view.worldPerPixel(depth);
 }
 
 Vec3 vtkVisceraGizmoRepresentation::Parts::ringPoint(int axis, double angle, double radius) const {
@@ -158,8 +195,8 @@ void vtkVisceraGizmoRepresentation::Parts::turn(const ViewGeometry& view, double
   motion.angle += wrapped(angle - motion.angle);
 }
 
-void vtkVisceraGizmoRepresentation::Parts::stretch(const ViewGeometry& view, double x, double y, double size,
-                                                   double ratio) {
+void vtkVisceraGizmoRepresentation::Parts::stretch(const ViewGeometry& view, double x, double y) {
+  const double size = kArm * view.logicalPixel(center), ratio = view.pixelRatio;
   const double dx = x - grab[0], dy = y - grab[1];
   const double evenly = std::exp((dx + dy) / (kPixelsOfScale * ratio));
   motion.factors = Vec3::Ones();
@@ -177,23 +214,9 @@ void vtkVisceraGizmoRepresentation::Parts::stretch(const ViewGeometry& view, dou
 
 vtkVisceraGizmoRepresentation::vtkVisceraGizmoRepresentation() : Internals(std::make_unique<Parts>()) {
   auto& p = *Internals;
-  for (int i = 0; i < kParts; ++i) {
-    const int part = i + 1;
-    const auto shape = isRing(part)     ? gizmoRing(axisOf(part))
-                       : part == Middle ? gizmoMiddle()
-                                        : gizmoArm(axisOf(part));
-    for (auto* actor : {p.shapes[std::size_t(i)].front.Get(), p.shapes[std::size_t(i)].behind.Get()}) {
-      vtkNew<vtkPolyDataMapper> mapper;
-      mapper->SetInputData(shape);
-      actor->SetMapper(mapper);
-      actor->SetUserMatrix(p.matrix);
-      actor->PickableOff();
-      actor->GetProperty()->LightingOff();
-    }
-    p.shapes[std::size_t(i)].front->GetProperty()->SetOpacity(kOpacity);
-    p.shapes[std::size_t(i)].behind->GetProperty()->SetOpacity(kBehind * kOpacity);
-    p.shapes[std::size_t(i)].behind->setBehindOnly(true);
-  }
+  for (const bool behind : {true, false})
+    for (int part = 1; part <= kParts; ++part)
+      p.actors.push_back(newHelper(shapeOf(part), p.matrix, (behind ? kBehind : 1) * kOpacity, behind));
   p.color();
   Visibility = 0;
 }
@@ -231,7 +254,7 @@ int vtkVisceraGizmoRepresentation::Pick(double x, double y) const {
     return Nothing;
   const auto& p = *Internals;
   const auto view = viewGeometry(Renderer);
-  const double pixel = p.pixel(view, Renderer), ratio = pixelRatioOf(Renderer->GetRenderWindow());
+  const double pixel = view.logicalPixel(p.center), ratio = view.pixelRatio;
   const auto distance = [&](const Vec3& point) {
     const auto at = view.project(point);
     return std::hypot(at.x - x, at.y - y);
@@ -249,7 +272,7 @@ int vtkVisceraGizmoRepresentation::Pick(double x, double y) const {
   for (const int part : {RingX, RingY, RingZ})
     for (int i = 0; i < kRingSamples; ++i) {
       const double angle = 2 * std::numbers::pi * i / kRingSamples;
-      const double there = distance(p.ringPoint(axisOf(part), angle, kGizmoRadius * pixel));
+      const double there = distance(p.ringPoint(axisOf(part), angle, kRadius * pixel));
       if (there < best) {
         best = there;
         nearest = part;
@@ -263,15 +286,15 @@ Vec3 vtkVisceraGizmoRepresentation::GetGrabPoint(int part) const {
   if (!Renderer || part == Middle || part == Nothing)
     return p.center;
   const auto view = viewGeometry(Renderer);
-  const double pixel = p.pixel(view, Renderer);
+  const double pixel = view.logicalPixel(p.center);
   if (!isRing(part))
-    return p.center + kGizmoArm * pixel * Vec3::Unit(axisOf(part));
+    return p.center + kArm * pixel * Vec3::Unit(axisOf(part));
   Vec3 nearest = p.center;
   double least = std::numeric_limits<double>::infinity();
   for (int i = 0; i < kRingSamples; ++i) {
     // Between the arms, where nothing else can be meant.
     const double angle = 2 * std::numbers::pi * (i + 0.5) / kRingSamples;
-    const Vec3 point = p.ringPoint(axisOf(part), angle, kGizmoRadius * pixel);
+    const Vec3 point = p.ringPoint(axisOf(part), angle, kRadius * pixel);
     if (const double depth = view.project(point).depth;
         depth < least && Pick(view.project(point).x, view.project(point).y) == part) {
       least = depth;
@@ -294,7 +317,7 @@ void vtkVisceraGizmoRepresentation::StartWidgetInteraction(double eventPosition[
     return;
   p.motion.axis = Vec3::Unit(axisOf(p.active));
   const auto view = viewGeometry(Renderer);
-  p.startRing(view, axisOf(p.active), kGizmoRadius * p.pixel(view, Renderer));
+  p.startRing(view, axisOf(p.active), kRadius * view.logicalPixel(p.center));
 }
 
 void vtkVisceraGizmoRepresentation::WidgetInteraction(double eventPosition[2]) {
@@ -305,8 +328,7 @@ void vtkVisceraGizmoRepresentation::WidgetInteraction(double eventPosition[2]) {
   if (p.motion.rotates)
     p.turn(view, eventPosition[0], eventPosition[1]);
   else
-    p.stretch(view, eventPosition[0], eventPosition[1], kGizmoArm * p.pixel(view, Renderer),
-              pixelRatioOf(Renderer->GetRenderWindow()));
+    p.stretch(view, eventPosition[0], eventPosition[1]);
 }
 
 int vtkVisceraGizmoRepresentation::ComputeInteractionState(int x, int y, int) {
@@ -314,24 +336,20 @@ int vtkVisceraGizmoRepresentation::ComputeInteractionState(int x, int y, int) {
   return InteractionState;
 }
 
-void vtkVisceraGizmoRepresentation::SetRenderer(vtkRenderer* renderer) {
-  Superclass::SetRenderer(renderer);
-}
-
 void vtkVisceraGizmoRepresentation::BuildRepresentation() {
   if (!Renderer)
     return;
   auto& p = *Internals;
   const auto view = viewGeometry(Renderer);
-  const double pixel = p.pixel(view, Renderer), ratio = pixelRatioOf(Renderer->GetRenderWindow());
+  const double pixel = view.logicalPixel(p.center);
   for (int row = 0; row < 3; ++row) {
     p.matrix->SetElement(row, row, pixel);
     p.matrix->SetElement(row, 3, p.center[row]);
   }
-  for (int i = 0; i < kParts; ++i) {
-    const double width = ratio * (i + 1 == p.active ? kActiveLineWidth : kLineWidth);
-    for (auto* actor : {p.shapes[std::size_t(i)].front.Get(), p.shapes[std::size_t(i)].behind.Get()})
-      actor->GetProperty()->SetLineWidth(static_cast<float>(width));
+  for (std::size_t i = 0; i < p.actors.size(); ++i) {
+    const bool active = static_cast<int>(i % kParts) + 1 == p.active;
+    const double width = view.pixelRatio * (active ? kActiveLineWidth : kLineWidth);
+    p.actors[i]->GetProperty()->SetLineWidth(static_cast<float>(width));
   }
   BuildTime.Modified();
 }
@@ -340,7 +358,7 @@ double* vtkVisceraGizmoRepresentation::GetBounds() {
   auto& p = *Internals;
   if (!Visibility || !Renderer)
     return nullptr;
-  const double size = (kGizmoArm + kGizmoCube) * p.pixel(viewGeometry(Renderer), Renderer);
+  const double size = (kArm + kCube) * viewGeometry(Renderer).logicalPixel(p.center);
   for (int c = 0; c < 3; ++c) {
     p.bounds[2 * c] = p.center[c] - size;
     p.bounds[2 * c + 1] = p.center[c] + size;
@@ -349,25 +367,19 @@ double* vtkVisceraGizmoRepresentation::GetBounds() {
 }
 
 void vtkVisceraGizmoRepresentation::GetActors(vtkPropCollection* collection) {
-  for (auto& shape : Internals->shapes) {
-    shape.behind->GetActors(collection);
-    shape.front->GetActors(collection);
-  }
+  for (const auto& actor : Internals->actors)
+    actor->GetActors(collection);
 }
 
 void vtkVisceraGizmoRepresentation::ReleaseGraphicsResources(vtkWindow* window) {
-  for (auto& shape : Internals->shapes) {
-    shape.behind->ReleaseGraphicsResources(window);
-    shape.front->ReleaseGraphicsResources(window);
-  }
+  for (const auto& actor : Internals->actors)
+    actor->ReleaseGraphicsResources(window);
 }
 
 int vtkVisceraGizmoRepresentation::RenderOpaqueGeometry(vtkViewport* viewport) {
   BuildRepresentation();
   int drawn = 0;
-  for (auto& shape : Internals->shapes)
-    drawn += shape.behind->RenderOpaqueGeometry(viewport);
-  for (auto& shape : Internals->shapes)
-    drawn += shape.front->RenderOpaqueGeometry(viewport);
+  for (const auto& actor : Internals->actors)
+    drawn += actor->RenderOpaqueGeometry(viewport);
   return drawn;
 }

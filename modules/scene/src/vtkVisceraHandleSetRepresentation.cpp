@@ -5,18 +5,17 @@
 #include <cmath>
 
 #include <vtkActor.h>
-#include <vtkCallbackCommand.h>
 #include <vtkNew.h>
 #include <vtkObjectFactory.h>
 #include <vtkPropCollection.h>
+#include <vtkProperty.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
 #include <vtkSmartPointer.h>
 
-#include "viscera/scene/organ_view.h"
-
+#include "before_render.h"
 #include "handle_glyphs.h"
-#include "handle_picking.h"
+#include "ray_mesh.h"
 #include "view_geometry.h"
 
 using viscera::Bounds;
@@ -35,6 +34,63 @@ constexpr double kGrazing = 0.25;
 /// Towards the plane's horizon a handle goes no farther than this many times its distance from the eye.
 constexpr double kFarthest = 2;
 const Vec3 kDefaultColor(0.95, 0.75, 0.25);
+/// From here on an actor lets the handles behind it be seen.
+constexpr double kOpaque = 0.999;
+
+/// A handle near the cursor.
+struct HandleCandidate {
+  int handle = -1;
+  Vec3 seen = Vec3::Zero(); ///< The point of its ball that is seen there, mm.
+};
+
+struct Ranked {
+  HandleCandidate candidate;
+  bool onBall; ///< The position is on the ball itself, not beside it.
+  double rank; ///< Depth on the ball, pixels beside it.
+  bool operator<(const Ranked& other) const { return onBall != other.onBall ? onBall : rank < other.rank; }
+};
+
+/// The handles that a display position could mean, the likeliest first: those whose ball is under it by their
+/// nearness to the eye, then those beside it by their distance on the display. `radii` are the balls' in
+/// device pixels (0: not to be picked), `reach` says how far from its centre a handle can be picked at least.
+/// Does not ask what is hidden. O(n).
+std::vector<HandleCandidate> handlesNear(const ViewGeometry& view, const Points& positions,
+                                         const std::vector<double>& radii, double reach, double x, double y) {
+  std::vector<Ranked> found;
+  for (int i = 0; i < positions.rows(); ++i) {
+    const double ball = radii[std::size_t(i)];
+    const auto at = view.project(positions.row(i).transpose());
+    const double dx = x - at.x, dy = y - at.y, away = std::hypot(dx, dy);
+    if (ball <= 0 || at.depth <= 0 || !(away <= std::max(ball, reach)))
+      continue;
+    // The nearest point of the ball's disc, lifted onto the front of the ball.
+    const bool onBall = away <= ball;
+    const double inward = onBall ? 1 : ball / away, along = std::min(away, ball);
+    const double lift = std::sqrt(ball * ball - along * along) * view.worldPerPixel(at.depth);
+    const double depth = std::max(at.depth - lift, 1e-3 * at.depth);
+    const Vec3 seen = view.unproject(at.x + inward * dx, at.y + inward * dy, depth);
+    found.push_back({{i, seen}, onBall, onBall ? depth : away});
+  }
+  std::stable_sort(found.begin(), found.end());
+  std::vector<HandleCandidate> candidates;
+  for (const auto& ranked : found)
+    candidates.push_back(ranked.candidate);
+  return candidates;
+}
+
+/// Whether a visible and opaque actor is between the eye and a point. O(triangles).
+bool isHidden(const ViewGeometry& view, const Vec3& point,
+              const std::vector<vtkSmartPointer<vtkActor>>& actors) {
+  const auto at = view.project(point);
+  const Ray ray = view.ray(at.x, at.y);
+  const double distance = (point - ray.origin).dot(ray.direction);
+  return std::any_of(actors.begin(), actors.end(), [&](const auto& actor) {
+    if (!actor->GetVisibility() || actor->GetProperty()->GetOpacity() < kOpaque)
+      return false;
+    const ActorMesh mesh(actor);
+    return nearestHit(ray, mesh.view(), distance).has_value();
+  });
+}
 
 } // namespace
 
@@ -57,25 +113,23 @@ struct vtkVisceraHandleSetRepresentation::Parts {
   double grabOffset[2] = {0, 0};
 
   HandleGlyphs glyphs;
-  vtkNew<vtkCallbackCommand> beforeRender;
-  unsigned long beforeRenderTag = 0;
+  std::unique_ptr<BeforeRender> beforeRender;
   double bounds[6] = {1, -1, 1, -1, 1, -1};
 
   Vec3 position(int i) const { return positions.row(i).transpose(); }
   bool isSelected(int i) const { return std::binary_search(selection.begin(), selection.end(), i); }
   double radiusPixels(int i, double ratio) const { return ratio * (i == active ? activeRadius : radius); }
-  HandleGlyph glyph(const ViewGeometry& view, double ratio, int i) const;
+  HandleGlyph glyph(const ViewGeometry& view, int i) const;
 };
 
-HandleGlyph vtkVisceraHandleSetRepresentation::Parts::glyph(const ViewGeometry& view, double ratio,
-                                                            int i) const {
+HandleGlyph vtkVisceraHandleSetRepresentation::Parts::glyph(const ViewGeometry& view, int i) const {
   HandleGlyph glyph;
   glyph.position = position(i);
   const double depth = (glyph.position - view.eye).dot(view.forward);
   if (!shown[std::size_t(i)] || depth <= 0)
     return glyph;
   const double pixel = view.worldPerPixel(depth);
-  const double pixels = radiusPixels(i, ratio);
+  const double ratio = view.pixelRatio, pixels = radiusPixels(i, ratio);
   const bool selected = isSelected(i);
   glyph.radius = pixel * pixels;
   glyph.rimRadius = pixel * (pixels + ratio * (selected ? kRimPixels : kOutlinePixels));
@@ -91,22 +145,11 @@ vtkStandardNewMacro(vtkVisceraHandleSetRepresentation);
 vtkVisceraHandleSetRepresentation::vtkVisceraHandleSetRepresentation()
     : Internals(std::make_unique<Parts>()) {
   InteractionState = Outside;
-  Internals->beforeRender->SetClientData(this);
-  Internals->beforeRender->SetCallback([](vtkObject*, unsigned long, void* self, void*) {
-    static_cast<vtkVisceraHandleSetRepresentation*>(self)->BuildRepresentation();
-  });
+  Internals->beforeRender = std::make_unique<BeforeRender>([this] { BuildRepresentation(); });
 }
 
 vtkVisceraHandleSetRepresentation::~vtkVisceraHandleSetRepresentation() {
   SetRenderer(nullptr);
-}
-
-void vtkVisceraHandleSetRepresentation::PrintSelf(ostream& os, vtkIndent indent) {
-  Superclass::PrintSelf(os, indent);
-  os << indent << "Handles: " << GetNumberOfHandles() << "\n";
-  os << indent << "Active: " << Internals->active << "\n";
-  os << indent << "Selected: " << Internals->selection.size() << "\n";
-  os << indent << "Occluders: " << Internals->occluders.size() << "\n";
 }
 
 // ---- handles
@@ -196,15 +239,6 @@ bool vtkVisceraHandleSetRepresentation::IsSelected(int handle) const {
   return Internals->isSelected(handle);
 }
 
-void vtkVisceraHandleSetRepresentation::ToggleSelected(int handle) {
-  auto selection = Internals->selection;
-  if (IsSelected(handle))
-    std::erase(selection, handle);
-  else
-    selection.push_back(handle);
-  SetSelection(std::move(selection));
-}
-
 void vtkVisceraHandleSetRepresentation::SetActiveHandle(int handle) {
   assert(handle >= -1 && handle < GetNumberOfHandles());
   InteractionState = handle >= 0 ? OnHandle : Outside;
@@ -232,16 +266,12 @@ void vtkVisceraHandleSetRepresentation::RemoveOccluder(vtkActor* actor) {
   std::erase(Internals->occluders, actor);
 }
 
-void vtkVisceraHandleSetRepresentation::RemoveAllOccluders() {
-  Internals->occluders.clear();
-}
-
 int vtkVisceraHandleSetRepresentation::Pick(int x, int y) {
   if (!Renderer || GetNumberOfHandles() == 0)
     return -1;
   const auto& p = *Internals;
   const auto view = viewGeometry(Renderer);
-  const double ratio = pixelRatioOf(Renderer->GetRenderWindow());
+  const double ratio = view.pixelRatio;
   std::vector<double> radii(std::size_t(GetNumberOfHandles()), 0.0);
   for (int i = 0; i < GetNumberOfHandles(); ++i)
     if (p.shown[std::size_t(i)])
@@ -276,12 +306,6 @@ void vtkVisceraHandleSetRepresentation::SetConstraintPlane(const Vec3& normal) {
 
 void vtkVisceraHandleSetRepresentation::ClearConstraintPlane() {
   Internals->constrained = false;
-}
-
-bool vtkVisceraHandleSetRepresentation::GetConstraintPlane(Vec3& normal) const {
-  if (Internals->constrained)
-    normal = Internals->constraint;
-  return Internals->constrained;
 }
 
 void vtkVisceraHandleSetRepresentation::StartWidgetInteraction(double eventPosition[2]) {
@@ -375,15 +399,9 @@ void vtkVisceraHandleSetRepresentation::SetActiveRadius(double pixels) {
   Internals->activeRadius = pixels;
   Modified();
 }
-double vtkVisceraHandleSetRepresentation::GetActiveRadius() const {
-  return Internals->activeRadius;
-}
 
 void vtkVisceraHandleSetRepresentation::SetPickRadius(double pixels) {
   Internals->pickRadius = pixels;
-}
-double vtkVisceraHandleSetRepresentation::GetPickRadius() const {
-  return Internals->pickRadius;
 }
 
 void vtkVisceraHandleSetRepresentation::SetTheme(const Theme& theme) {
@@ -394,30 +412,24 @@ void vtkVisceraHandleSetRepresentation::SetTheme(const Theme& theme) {
 double vtkVisceraHandleSetRepresentation::GetWorldRadius(int handle) {
   if (!Renderer)
     return 0;
-  return Internals->glyph(viewGeometry(Renderer), pixelRatioOf(Renderer->GetRenderWindow()), handle).radius;
+  return Internals->glyph(viewGeometry(Renderer), handle).radius;
 }
 
 // ---- drawing
 
 void vtkVisceraHandleSetRepresentation::SetRenderer(vtkRenderer* renderer) {
-  auto& p = *Internals;
-  if (Renderer && p.beforeRenderTag)
-    Renderer->RemoveObserver(p.beforeRenderTag);
-  p.beforeRenderTag = 0;
   Superclass::SetRenderer(renderer);
-  if (Renderer)
-    p.beforeRenderTag = Renderer->AddObserver(vtkCommand::StartEvent, p.beforeRender);
+  Internals->beforeRender->setRenderer(renderer);
 }
 
 void vtkVisceraHandleSetRepresentation::BuildRepresentation() {
   if (!Renderer)
     return;
   const auto view = viewGeometry(Renderer);
-  const double ratio = pixelRatioOf(Renderer->GetRenderWindow());
   std::vector<HandleGlyph> glyphs;
   glyphs.reserve(std::size_t(GetNumberOfHandles()));
   for (int i = 0; i < GetNumberOfHandles(); ++i)
-    glyphs.push_back(Internals->glyph(view, ratio, i));
+    glyphs.push_back(Internals->glyph(view, i));
   Internals->glyphs.set(glyphs);
   BuildTime.Modified();
 }
@@ -444,12 +456,4 @@ void vtkVisceraHandleSetRepresentation::ReleaseGraphicsResources(vtkWindow* wind
 
 int vtkVisceraHandleSetRepresentation::RenderOpaqueGeometry(vtkViewport* viewport) {
   return Internals->glyphs.render(viewport);
-}
-
-int vtkVisceraHandleSetRepresentation::RenderTranslucentPolygonalGeometry(vtkViewport*) {
-  return 0;
-}
-
-vtkTypeBool vtkVisceraHandleSetRepresentation::HasTranslucentPolygonalGeometry() {
-  return 0;
 }

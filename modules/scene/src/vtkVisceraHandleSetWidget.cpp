@@ -1,61 +1,32 @@
 #include "viscera/scene/vtkVisceraHandleSetWidget.h"
 
-#include <cstring>
+#include <utility>
 
-#include <vtkCallbackCommand.h>
-#include <vtkEvent.h>
-#include <vtkInteractorStyle.h>
 #include <vtkObjectFactory.h>
 #include <vtkRenderWindowInteractor.h>
 #include <vtkRenderer.h>
-#include <vtkWidgetCallbackMapper.h>
-#include <vtkWidgetEvent.h>
 
 #include "viscera/scene/vtkVisceraHandleSetRepresentation.h"
 
 using viscera::scene::HandleEvent;
+using Representation = vtkVisceraHandleSetRepresentation;
 
 vtkStandardNewMacro(vtkVisceraHandleSetWidget);
 
-vtkVisceraHandleSetWidget::vtkVisceraHandleSetWidget() {
-  ManagesCursor = 0;
-  KeyPressActivation = 0;
-  CallbackMapper->SetCallbackMethod(vtkCommand::LeftButtonPressEvent, vtkWidgetEvent::Select, this,
-                                    PressAction);
-  CallbackMapper->SetCallbackMethod(vtkCommand::LeftButtonReleaseEvent, vtkWidgetEvent::EndSelect, this,
-                                    ReleaseAction);
-  CallbackMapper->SetCallbackMethod(vtkCommand::MouseMoveEvent, vtkWidgetEvent::Move, this, MoveAction);
-  CallbackMapper->SetCallbackMethod(vtkCommand::LeaveEvent, vtkWidgetEvent::HoverLeave, this, LeaveAction);
-  CallbackMapper->SetCallbackMethod(vtkCommand::KeyPressEvent, vtkEvent::AnyModifier, 0, 0, "Escape",
-                                    vtkWidgetEvent::Reset, this, EscapeAction);
-}
+vtkVisceraHandleSetWidget::vtkVisceraHandleSetWidget() : vtkVisceraDragWidget(true) {}
 
-vtkVisceraHandleSetWidget::~vtkVisceraHandleSetWidget() = default;
-
-void vtkVisceraHandleSetWidget::PrintSelf(ostream& os, vtkIndent indent) {
-  Superclass::PrintSelf(os, indent);
-  os << indent << "Dragging: " << Dragging << "\n";
-  os << indent << "RenderOnChange: " << RenderOnChange << "\n";
-}
-
-void vtkVisceraHandleSetWidget::SetRepresentation(vtkVisceraHandleSetRepresentation* representation) {
+void vtkVisceraHandleSetWidget::SetRepresentation(Representation* representation) {
   CancelDrag();
   SetWidgetRepresentation(representation);
 }
 
-vtkVisceraHandleSetRepresentation* vtkVisceraHandleSetWidget::GetHandleSet() {
-  return static_cast<vtkVisceraHandleSetRepresentation*>(GetRepresentation());
+Representation* vtkVisceraHandleSetWidget::GetHandleSet() {
+  return static_cast<Representation*>(GetRepresentation());
 }
 
 void vtkVisceraHandleSetWidget::CreateDefaultRepresentation() {
   if (!WidgetRep)
-    WidgetRep = vtkVisceraHandleSetRepresentation::New();
-}
-
-void vtkVisceraHandleSetWidget::SetEnabled(int enabled) {
-  if (!enabled)
-    CancelDrag();
-  Superclass::SetEnabled(enabled);
+    WidgetRep = Representation::New();
 }
 
 void vtkVisceraHandleSetWidget::Tell(unsigned long event) {
@@ -86,63 +57,37 @@ void vtkVisceraHandleSetWidget::Select(std::vector<int> selection) {
   RenderAfterChange();
 }
 
-void vtkVisceraHandleSetWidget::PressAction(vtkAbstractWidget* widget) {
-  auto* self = static_cast<vtkVisceraHandleSetWidget*>(widget);
-  const int* at = self->Interactor->GetEventPosition();
-  if (self->Dragging || !self->CurrentRenderer || !self->CurrentRenderer->IsInViewport(at[0], at[1]))
-    return;
-  self->Hover(at[0], at[1]);
-  auto* handles = self->GetHandleSet();
+bool vtkVisceraHandleSetWidget::IsOverPart() {
+  return GetHandleSet()->GetActiveHandle() >= 0;
+}
+
+void vtkVisceraHandleSetWidget::Press(int x, int y) {
+  auto* handles = GetHandleSet();
   const int handle = handles->GetActiveHandle();
-  if (handle < 0)
-    return;
-  self->EventCallbackCommand->SetAbortFlag(1);
-  const bool extends = self->Interactor->GetShiftKey() || self->Interactor->GetControlKey();
+  const bool extends = Interactor->GetShiftKey() || Interactor->GetControlKey();
   if (extends) {
     auto selection = handles->GetSelection();
     if (std::erase(selection, handle) == 0)
       selection.push_back(handle);
-    self->Select(std::move(selection));
+    Select(std::move(selection));
   } else if (!handles->IsSelected(handle)) {
-    self->Select({handle});
+    Select({handle});
   }
-  self->Moved = false;
-  self->AloneOnRelease = !extends;
-  if (handles->GetActiveHandle() == handle && handles->IsSelected(handle) &&
-      !handles->GetHandleLocked(handle))
-    self->BeginDrag(at[0], at[1]);
-}
-
-void vtkVisceraHandleSetWidget::BeginDrag(int x, int y) {
-  double at[2] = {double(x), double(y)};
-  GetHandleSet()->StartWidgetInteraction(at);
-  Dragging = true;
-  GrabFocus(EventCallbackCommand, EventCallbackCommand);
-  Superclass::StartInteraction();
-  Tell(HandleGrabbedEvent);
-  InvokeEvent(vtkCommand::StartInteractionEvent);
+  Moved = false;
+  AloneOnRelease = !extends;
+  if (handles->GetActiveHandle() != handle || !handles->IsSelected(handle) ||
+      handles->GetHandleLocked(handle))
+    return;
+  BeginDrag(x, y);
   RenderAfterChange();
 }
 
-void vtkVisceraHandleSetWidget::MoveAction(vtkAbstractWidget* widget) {
-  auto* self = static_cast<vtkVisceraHandleSetWidget*>(widget);
-  const int* at = self->Interactor->GetEventPosition();
-  if (self->Dragging) {
-    self->EventCallbackCommand->SetAbortFlag(1);
-    self->Drag(at[0], at[1]);
-    return;
-  }
-  // While the camera is being moved nothing is under the cursor for long.
-  auto* style = vtkInteractorStyle::SafeDownCast(self->Interactor->GetInteractorStyle());
-  if (style && style->GetState() != VTKIS_NONE)
-    return;
-  self->Hover(at[0], at[1]);
+void vtkVisceraHandleSetWidget::DragBegan() {
+  Tell(HandleGrabbedEvent);
 }
 
-void vtkVisceraHandleSetWidget::LeaveAction(vtkAbstractWidget* widget) {
-  auto* self = static_cast<vtkVisceraHandleSetWidget*>(widget);
-  if (!self->Dragging)
-    self->SetHovered(-1);
+void vtkVisceraHandleSetWidget::Leave() {
+  SetHovered(-1);
 }
 
 void vtkVisceraHandleSetWidget::Hover(int x, int y) {
@@ -160,10 +105,8 @@ void vtkVisceraHandleSetWidget::SetHovered(int handle) {
 
 void vtkVisceraHandleSetWidget::Drag(int x, int y) {
   auto* handles = GetHandleSet();
-  if (handles->GetDraggedHandles().empty()) { // The handles were replaced under the cursor.
-    EndDrag(true);
-    return;
-  }
+  if (handles->GetDraggedHandles().empty()) // The handles were replaced under the cursor.
+    return EndDrag(true);
   const viscera::Vec3 before = handles->GetPosition(handles->GetActiveHandle());
   double at[2] = {double(x), double(y)};
   handles->WidgetInteraction(at);
@@ -175,29 +118,6 @@ void vtkVisceraHandleSetWidget::Drag(int x, int y) {
   RenderAfterChange();
 }
 
-void vtkVisceraHandleSetWidget::ReleaseAction(vtkAbstractWidget* widget) {
-  auto* self = static_cast<vtkVisceraHandleSetWidget*>(widget);
-  if (!self->Dragging)
-    return;
-  self->EventCallbackCommand->SetAbortFlag(1);
-  self->EndDrag(false);
-}
-
-void vtkVisceraHandleSetWidget::EscapeAction(vtkAbstractWidget* widget) {
-  auto* self = static_cast<vtkVisceraHandleSetWidget*>(widget);
-  // An event without a key symbol matches every symbol.
-  const char* key = self->Interactor->GetKeySym();
-  if (!self->Dragging || !key || std::strcmp(key, "Escape") != 0)
-    return;
-  self->EventCallbackCommand->SetAbortFlag(1);
-  self->CancelDrag();
-}
-
-void vtkVisceraHandleSetWidget::CancelDrag() {
-  if (Dragging)
-    EndDrag(true);
-}
-
 void vtkVisceraHandleSetWidget::EndDrag(bool cancelled) {
   auto* handles = GetHandleSet();
   if (cancelled) {
@@ -206,10 +126,7 @@ void vtkVisceraHandleSetWidget::EndDrag(bool cancelled) {
       Tell(HandleMovedEvent);
   }
   Tell(cancelled ? HandleCancelledEvent : HandleReleasedEvent);
-  Dragging = false;
-  ReleaseFocus();
-  Superclass::EndInteraction();
-  InvokeEvent(vtkCommand::EndInteractionEvent);
+  Superclass::EndDrag(cancelled);
   if (!cancelled && !Moved && AloneOnRelease && handles->GetActiveHandle() >= 0)
     Select({handles->GetActiveHandle()});
   RenderAfterChange();

@@ -90,14 +90,4 @@ double Curve::at(double x) const {
          u * u * ((1 + 2 * v) * next.value - v * length * next.slope);
 }
 
-double Curve::slopeAt(double x) const {
-  if (period_ == 0 && (x < knots_.front().at || x > knots_.back().at))
-    return 0;
-  const auto [knot, length, u, rise] = find(x);
-  const Knot& next = knot[1];
-  const double v = 1 - u;
-  return 6 * u * v * (next.value - knot->value) / length + v * (1 - 3 * u) * knot->slope +
-         u * (1 - 3 * v) * next.slope;
-}
-
 } // namespace viscera::sequences

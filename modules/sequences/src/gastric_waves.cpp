@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "viscera/core/error.h"
+#include "viscera/sequences/curve.h"
 
 namespace viscera::sequences {
 namespace {
@@ -33,11 +34,6 @@ constexpr double kVisible = 0.05;
 // Parts of the way at which the antrum and its last part begin.
 constexpr double kAntrum = 0.4;
 constexpr double kLastAntrum = 0.85;
-
-double smoothStep(double x) {
-  x = std::clamp(x, 0.0, 1.0);
-  return x * x * (3 - 2 * x);
-}
 
 double periodOf(double ratePerMinute) {
   return 60 / std::clamp(ratePerMinute, GastricWaves::kLowestRate, GastricWaves::kHighestRate);

@@ -11,6 +11,7 @@
 
 #include "spread_points.h"
 #include "viscera/core/error.h"
+#include "viscera/sequences/curve.h"
 
 namespace viscera::sequences {
 namespace {
@@ -163,11 +164,6 @@ double leftRadius(const AnatomySurface& surface, const HeartFrame& frame) {
     }
   std::nth_element(radii.begin(), radii.begin() + static_cast<std::ptrdiff_t>(radii.size() / 2), radii.end());
   return std::clamp(radii[radii.size() / 2], kNarrowest, kWidest);
-}
-
-double smoothStep(double x) {
-  x = std::clamp(x, 0.0, 1.0);
-  return x * x * (3 - 2 * x);
 }
 
 /// How far a point is from the body of the heart, about: 0 in it, in its walls and close to them.

@@ -9,6 +9,7 @@
 #include <Eigen/Geometry>
 
 #include "viscera/core/error.h"
+#include "viscera/sequences/curve.h"
 
 namespace viscera::sequences {
 namespace {
@@ -149,13 +150,8 @@ public:
 
   void addVessels() {
     for (const VesselRing& ring : anatomy_.vessels) {
-      const Vec3 axis = ring.axis.normalized();
-      const Vec3 u = axis.unitOrthogonal();
-      const Vec3 v = axis.cross(u);
-      for (int k = 0; k < ring.count; ++k) {
-        const double angle = ringAngle(k, ring.count, 0);
-        const Vec3 around = ring.radius * (std::cos(angle) * u + std::sin(angle) * v);
-        HeartHandle handle = handleAt(HeartRole::vessel, ring.center + around);
+      for (const Vec3& place : ringAround(ring.center, ring.axis, ring.radius, ring.count)) {
+        HeartHandle handle = handleAt(HeartRole::vessel, place);
         handle.follow = ring.follow;
         rig_.handles.push_back(handle);
       }
@@ -163,13 +159,8 @@ public:
   }
 
   void addFarCorners() {
-    const Vec3 low = anatomy_.box.low;
-    const Vec3 high = anatomy_.box.high;
-    for (int k = 0; k < 8; ++k) {
-      const Vec3 corner((k & 1) ? high.x() : low.x(), (k & 2) ? high.y() : low.y(),
-                        (k & 4) ? high.z() : low.z());
+    for (const Vec3& corner : cornersOf(anatomy_.box))
       rig_.handles.push_back(handleAt(HeartRole::farCorner, corner));
-    }
   }
 
 private:
@@ -205,8 +196,7 @@ private:
   void addAtrial(const AtriumAnatomy& atrium, const Vec3& position) {
     HeartHandle handle = handleAt(HeartRole::atrium, position);
     handle.center = atrium.center;
-    const double near = std::clamp(1 - anatomy_.ventricles(position) / kAtrialReach, 0.0, 1.0);
-    handle.follow = near * near * (3 - 2 * near);
+    handle.follow = smoothStep(1 - anatomy_.ventricles(position) / kAtrialReach);
     rig_.handles.push_back(handle);
   }
 
@@ -239,13 +229,6 @@ const std::vector<RoleLook>& roleLooks() {
 double HeartShell::radiusAt(double c) const {
   const double x = (c - center) / halfLength;
   return radius * std::sqrt(std::max(0.0, 1 - x * x));
-}
-
-Points HeartRig::restHandles() const {
-  Points points(static_cast<Eigen::Index>(handles.size()), 3);
-  for (Eigen::Index i = 0; i < points.rows(); ++i)
-    points.row(i) = handles[static_cast<std::size_t>(i)].position;
-  return points;
 }
 
 std::vector<int> HeartRig::handlesOf(HeartRole role) const {

@@ -26,17 +26,18 @@ const HeartbeatCalibration& checked(const HeartbeatCalibration& calibration) {
 
 } // namespace
 
+Heartbeat::Heartbeat(HeartMotion motion, CardiacCycle cycle, PoseCompensation compensation)
+    : motion_(std::move(motion)), cycle_(std::move(cycle)), compensation_(std::move(compensation)),
+      rest_(motion_.rig().restHandles()) {
+  compensation_.requireFor(rest_.rows(), "heart", "heartbeat");
+}
+
 CalibratedHeartbeat::CalibratedHeartbeat(HeartMotion motion, CardiacCycle cycle,
                                          PoseCompensation compensation,
                                          const HeartbeatCalibration& calibration)
-    : motion_(std::move(motion)), cycle_(std::move(cycle)), compensation_(std::move(compensation)),
-      leftGain_(overOneBeat(checked(calibration).leftGain)), rightShift_(overOneBeat(calibration.rightShift)),
-      rest_(motion_.rig().restHandles()) {
-  if (compensation_.handleCount() != 0 && compensation_.handleCount() != rest_.rows())
-    throw DataError("the compensation is for " + std::to_string(compensation_.handleCount()) +
-                        " handles, the heart has " + std::to_string(rest_.rows()),
-                    "heartbeat");
-}
+    : Heartbeat(std::move(motion), std::move(cycle), std::move(compensation)),
+      leftGain_(overOneBeat(checked(calibration).leftGain)),
+      rightShift_(overOneBeat(calibration.rightShift)) {}
 
 HeartState CalibratedHeartbeat::stateAtPhase(double phase) const {
   HeartState state = uncorrectedState(cycle_, phase);
@@ -48,14 +49,6 @@ HeartState CalibratedHeartbeat::stateAtPhase(double phase) const {
 void CalibratedHeartbeat::poseAtPhase(double phase, Points& pose) const {
   motion_.pose(stateAtPhase(phase), pose);
   compensation_.apply(rest_, pose);
-}
-
-void CalibratedHeartbeat::poseAt(double seconds, double ratePerMinute, Points& pose) const {
-  poseAtPhase(cycle_.referencePhase(seconds, ratePerMinute), pose);
-}
-
-CavityVolumes CalibratedHeartbeat::volumesAt(double seconds, double ratePerMinute) const {
-  return cycle_.volumes(cycle_.referencePhase(seconds, ratePerMinute));
 }
 
 } // namespace viscera::sequences

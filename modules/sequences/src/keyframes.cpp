@@ -84,7 +84,7 @@ double eased(Easing easing, double part) {
   case Easing::linear:
     return part;
   case Easing::smooth:
-    return part * part * (3 - 2 * part);
+    return smoothStep(part);
   case Easing::in:
     return part * part;
   case Easing::out:

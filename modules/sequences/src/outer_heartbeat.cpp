@@ -18,11 +18,6 @@ constexpr double kMostWidening = 0.5;
 constexpr double kFading = 30;
 constexpr int kTried = 48;
 
-double smoothStep(double x) {
-  x = std::clamp(x, 0.0, 1.0);
-  return x * x * (3 - 2 * x);
-}
-
 bool widens(HeartRole role) {
   return role == HeartRole::epicardium || role == HeartRole::atrium;
 }
@@ -31,12 +26,8 @@ bool widens(HeartRole role) {
 
 OuterHeartbeat::OuterHeartbeat(HeartMotion motion, PoseCompensation compensation, VolumeAlong volume,
                                double systolicLoss)
-    : motion_(std::move(motion)), compensation_(std::move(compensation)), volume_(std::move(volume)),
-      loss_(systolicLoss), rest_(motion_.rig().restHandles()) {
-  if (compensation_.handleCount() != 0 && compensation_.handleCount() != rest_.rows())
-    throw DataError("the compensation is for " + std::to_string(compensation_.handleCount()) +
-                        " handles, the heart has " + std::to_string(rest_.rows()),
-                    "heartbeat");
+    : Heartbeat(std::move(motion), CardiacCycle(), std::move(compensation)), volume_(std::move(volume)),
+      loss_(systolicLoss) {
   if (!(loss_ >= 0 && loss_ <= kLargestLoss))
     throw DataError("a heart cannot lose that part of its volume in systole", "heartbeat",
                     "choose 0 to 0.4; people have 0.048 to 0.106");
@@ -69,14 +60,6 @@ void OuterHeartbeat::poseAtPhase(double phase, Points& pose) const {
     throw DataError("the heart cannot be brought to the volume that it has to hold",
                     "heartbeat at phase " + std::to_string(phase), "check the landmarks of apex and base");
   pose += *root * added;
-}
-
-void OuterHeartbeat::poseAt(double seconds, double ratePerMinute, Points& pose) const {
-  poseAtPhase(cycle_.referencePhase(seconds, ratePerMinute), pose);
-}
-
-double OuterHeartbeat::volumePart(double seconds, double ratePerMinute) const {
-  return 1 - loss_ * cycle_.emptying(cycle_.referencePhase(seconds, ratePerMinute));
 }
 
 } // namespace viscera::sequences

@@ -27,10 +27,7 @@ bool moves(const StomachHandle& handle) {
 Peristalsis::Peristalsis(StomachRig rig, PoseCompensation compensation, VolumeAlong volume)
     : rig_(std::move(rig)), compensation_(std::move(compensation)), volume_(std::move(volume)),
       waves_(rig_.anatomy.course), rest_(rig_.restHandles()) {
-  if (compensation_.handleCount() != 0 && compensation_.handleCount() != rest_.rows())
-    throw DataError("the compensation is for " + std::to_string(compensation_.handleCount()) +
-                        " handles, the stomach has " + std::to_string(rest_.rows()),
-                    "peristalsis");
+  compensation_.requireFor(rest_.rows(), "stomach", "peristalsis");
   keptMl_ = volume_(rest_, Points::Zero(rest_.rows(), 3))[0];
   const double cycle = 60 / standardRatePerMinute();
   for (int i = 0; i < kTried; ++i)

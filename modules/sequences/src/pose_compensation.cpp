@@ -1,7 +1,6 @@
 #include "viscera/sequences/pose_compensation.h"
 
 #include <cassert>
-#include <string>
 
 #include "viscera/core/error.h"
 
@@ -31,6 +30,14 @@ void PoseCompensation::apply(const Points& rest, Points& pose) const {
   assert(rest.rows() == handleCount() && pose.rows() == handleCount());
   const Points displacement = pose - rest;
   pose.noalias() = rest + matrix_ * displacement;
+}
+
+void PoseCompensation::requireFor(Eigen::Index handles, const std::string& organ,
+                                  const std::string& sequence) const {
+  if (handleCount() != 0 && handleCount() != handles)
+    throw DataError("the compensation is for " + std::to_string(handleCount()) + " handles, the " + organ +
+                        " has " + std::to_string(handles),
+                    sequence);
 }
 
 } // namespace viscera::sequences

@@ -6,8 +6,6 @@
 #include <string>
 #include <utility>
 
-#include <Eigen/Geometry>
-
 #include "viscera/core/error.h"
 
 namespace viscera::sequences {
@@ -41,26 +39,14 @@ public:
   }
 
   void addFixed() {
-    for (const FixedRing& ring : anatomy_.fixed) {
-      const Vec3 axis = ring.axis.normalized();
-      const Vec3 u = axis.unitOrthogonal();
-      const Vec3 v = axis.cross(u);
-      for (int k = 0; k < ring.count; ++k) {
-        const double angle = 2 * pi * k / ring.count;
-        const Vec3 around = ring.radius * (std::cos(angle) * u + std::sin(angle) * v);
-        rig_.handles.push_back({StomachRegion::fixed, ring.center + around, ring.center, 0});
-      }
-    }
+    for (const FixedRing& ring : anatomy_.fixed)
+      for (const Vec3& place : ringAround(ring.center, ring.axis, ring.radius, ring.count))
+        rig_.handles.push_back({StomachRegion::fixed, place, ring.center, 0});
   }
 
   void addFarCorners() {
-    const Vec3 low = anatomy_.box.low;
-    const Vec3 high = anatomy_.box.high;
-    for (int k = 0; k < 8; ++k) {
-      const Vec3 corner((k & 1) ? high.x() : low.x(), (k & 2) ? high.y() : low.y(),
-                        (k & 4) ? high.z() : low.z());
+    for (const Vec3& corner : cornersOf(anatomy_.box))
       rig_.handles.push_back({StomachRegion::farCorner, corner, corner, 0});
-    }
   }
 
 private:
@@ -106,13 +92,6 @@ private:
 };
 
 } // namespace
-
-Points StomachRig::restHandles() const {
-  Points points(static_cast<Eigen::Index>(handles.size()), 3);
-  for (Eigen::Index i = 0; i < points.rows(); ++i)
-    points.row(i) = handles[static_cast<std::size_t>(i)].position;
-  return points;
-}
 
 std::vector<HandleGroup> StomachRig::groups() const {
   // Colours that colour-blind users tell apart (Okabe and Ito).

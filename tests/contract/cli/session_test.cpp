@@ -1,7 +1,7 @@
 #include "cli_test.h"
 #include "shapes.h"
 #include "viscera/document/open_files.h"
-#include "viscera/document/pose_commands.h"
+#include "viscera/document/rig_commands.h"
 #include "viscera/document/session_file.h"
 #include "viscera/document/undo_stack.h"
 

@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "viscera/coordinates/celestial/s_celestial.h"
-#include "viscera/deformation/bind_witnesses.h"
+#include "viscera/deformation/witness_gradients.h"
 #include "viscera/geometry/surface_check.h"
 #include "viscera/live/witness_sampling.h"
 #include "viscera/medical_io/surface_file.h"

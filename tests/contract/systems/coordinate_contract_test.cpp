@@ -12,8 +12,8 @@
 #include "promises.h"
 #include "viscera/coordinates/built_in_systems.h"
 #include "viscera/core/error.h"
-#include "viscera/deformation/bind_witnesses.h"
 #include "viscera/deformation/tetrahedralise.h"
+#include "viscera/deformation/witness_gradients.h"
 #include "viscera/geometry/convex_hull.h"
 #include "viscera/localised_scc/localised_s_celestial.h"
 

@@ -4,10 +4,10 @@
 #include "line_measures.h"
 #include "shapes.h"
 #include "viscera/deformation/bind_organ.h"
-#include "viscera/deformation/bind_witnesses.h"
 #include "viscera/deformation/deformer.h"
 #include "viscera/deformation/least_stress.h"
 #include "viscera/deformation/volume_lock.h"
+#include "viscera/deformation/witness_gradients.h"
 #include "viscera/geometry/volume.h"
 
 /// What works on bindings works on Green coordinates too, whose points are not linear in the pose.

@@ -7,8 +7,8 @@
 #include "shapes.h"
 #include "viscera/core/error.h"
 #include "viscera/deformation/bind_organ.h"
-#include "viscera/deformation/bind_witnesses.h"
 #include "viscera/deformation/tetrahedralise.h"
+#include "viscera/deformation/witness_gradients.h"
 
 /// Harmonic coordinates and bounded biharmonic weights on TetGen's meshes.
 namespace viscera::coordinates {
@@ -19,13 +19,6 @@ std::shared_ptr<const Binding> boundTo(const std::string& id, const HandleSet& h
   Progress progress;
   const auto system = tests::builtIn(id);
   return deformation::bindOrgan(*system, handles, points, tests::optionsFor(*system, choices), progress);
-}
-
-Eigen::MatrixXd coordinatesOf(const Binding& binding) {
-  Eigen::MatrixXd values(binding.pointCount(), binding.handleCount());
-  for (int handle = 0; handle < static_cast<int>(values.cols()); ++handle)
-    values.col(handle) = binding.influence(handle);
-  return values;
 }
 
 /// The letter U, 40 mm deep: the ends of its arms do not see each other.

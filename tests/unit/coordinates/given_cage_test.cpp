@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "shapes.h"
-#include "viscera/coordinates/cage/given_cage.h"
+#include "viscera/coordinates/cage/cage.h"
 #include "viscera/core/error.h"
 #include "viscera/geometry/surface_check.h"
 

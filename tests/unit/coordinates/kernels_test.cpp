@@ -2,7 +2,7 @@
 
 #include "celestial/celestial_function.h"
 #include "clouds.h"
-#include "simd/usable_tile_kernels.h"
+#include "simd/usable_kernels.h"
 
 /// Every version of the kernels that this processor can run computes the same, up to the rounding of fused
 /// products.
@@ -53,7 +53,7 @@ CelestialResult solveCelestial(const CelestialKernels& kernels, const CelestialC
 
 TEST(Kernels, IncludeTheBaselineEverywhere) {
   EXPECT_GE(usableTileKernels().size(), 1u);
-  EXPECT_EQ(usableTileKernels().size(), usableCelestialKernels().size());
+  EXPECT_EQ(usableTileKernels().size(), simd::usableCelestialKernels().size());
 }
 
 TEST(Kernels, OfTilesAgreeBetweenInstructionSets) {
@@ -89,9 +89,9 @@ TEST(Kernels, OfCelestialCoordinatesAgreeBetweenInstructionSets) {
                                     CelestialCase{"S flat", &CelestialKernels::s2, 2, 0, 0},
                                     CelestialCase{"T flat", &CelestialKernels::t2, 2, 1, 0.1}}) {
     SCOPED_TRACE(each.name);
-    const CelestialResult first = solveCelestial(*usableCelestialKernels().back(), each);
+    const CelestialResult first = solveCelestial(*simd::usableCelestialKernels().back(), each);
     EXPECT_EQ(first.failed, 1u << 14);
-    for (const CelestialKernels* kernels : usableCelestialKernels()) {
+    for (const CelestialKernels* kernels : simd::usableCelestialKernels()) {
       const CelestialResult other = solveCelestial(*kernels, each);
       EXPECT_EQ(other.failed, first.failed);
       EXPECT_LT((other.tile - first.tile).cwiseAbs().maxCoeff(), 1e-11);

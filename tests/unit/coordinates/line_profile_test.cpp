@@ -18,30 +18,24 @@ namespace {
 class MadeUp final : public PointwiseSystem {
 public:
   using Function = std::function<double(double x)>;
-  explicit MadeUp(Function value) : value_(std::move(value)) {}
-  std::string id() const override { return "made-up"; }
-  std::string name() const override { return "Made up"; }
-  std::string summary() const override { return "For tests"; }
-  Traits traits() const override { return {}; }
-  std::vector<Parameter> parameters() const override { return {}; }
-
-protected:
-  std::unique_ptr<const PointSolver> prepare(const HandleSet&, const ParameterValues&) const override {
-    class Solver final : public PointSolver {
-    public:
-      explicit Solver(Function value) : value_(value) {}
-      bool solve(const Vec3& point, Values& weights) const override {
-        weights[0] = value_(point[0]);
-        weights[1] = 1 - weights[0];
-        return std::isfinite(weights[0]);
-      }
-      Function value_;
-    };
-    return std::make_unique<Solver>(value_);
-  }
+  explicit MadeUp(const Function& value)
+      : PointwiseSystem(
+            {.id = "made-up", .name = "Made up", .summary = "For tests"},
+            [value](const HandleSet&, const ParameterValues&) { return std::make_unique<Solver>(value); }) {}
 
 private:
-  Function value_;
+  class Solver final : public PointSolver {
+  public:
+    explicit Solver(Function value) : value_(std::move(value)) {}
+    bool solve(const Vec3& point, Values& weights) const override {
+      weights[0] = value_(point[0]);
+      weights[1] = 1 - weights[0];
+      return std::isfinite(weights[0]);
+    }
+
+  private:
+    Function value_;
+  };
 };
 
 LineProperties measure(MadeUp::Function value) {

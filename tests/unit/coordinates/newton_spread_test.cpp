@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "clouds.h"
-#include "viscera/coordinates/measure/profile_measures.h"
+#include "viscera/coordinates/measure/line_profile.h"
 #include "viscera/core/error.h"
 
 namespace viscera::coordinates {

@@ -1,4 +1,4 @@
-#include "viscera/core/utf8.h"
+#include "viscera/core/text.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "viscera/deformation/carve_witnesses.h"
+#include "viscera/deformation/witness_mesh.h"
 
 #include <cmath>
 #include <numbers>

@@ -6,9 +6,9 @@
 #include "shapes.h"
 #include "viscera/coordinates/celestial/s_celestial.h"
 #include "viscera/deformation/bind_organ.h"
-#include "viscera/deformation/bind_witnesses.h"
 #include "viscera/deformation/grid_witnesses.h"
-#include "viscera/deformation/restore_volume.h"
+#include "viscera/deformation/volume_lock.h"
+#include "viscera/deformation/witness_gradients.h"
 
 namespace viscera::deformation {
 namespace {

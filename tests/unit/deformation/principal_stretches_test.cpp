@@ -1,9 +1,11 @@
-#include "viscera/deformation/principal_stretches.h"
+#include "viscera/deformation/rotational_stress.h"
 
 #include <random>
 #include <set>
 
 #include <gtest/gtest.h>
+
+#include "viscera/deformation/witness_mesh.h"
 
 namespace viscera::deformation {
 namespace {

@@ -1,4 +1,4 @@
-#include "viscera/deformation/restore_volume.h"
+#include "viscera/deformation/volume_lock.h"
 
 #include <numeric>
 #include <random>

@@ -1,4 +1,4 @@
-#include "viscera/document/automatic_groups.h"
+#include "viscera/document/group_commands.h"
 
 #include <set>
 

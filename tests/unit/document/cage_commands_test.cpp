@@ -1,4 +1,4 @@
-#include "viscera/document/cage_commands.h"
+#include "viscera/document/system_commands.h"
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

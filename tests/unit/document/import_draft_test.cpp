@@ -8,7 +8,7 @@
 #include "viscera/core/error.h"
 #include "viscera/document/document.h"
 #include "viscera/document/undo_stack.h"
-#include "viscera/geometry/transformed_surface.h"
+#include "viscera/geometry/triangle_mesh.h"
 #include "viscera/medical_io/surface_file.h"
 
 namespace viscera::document {

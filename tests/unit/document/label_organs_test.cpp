@@ -1,4 +1,4 @@
-#include "viscera/document/label_organs.h"
+#include "viscera/document/open_files.h"
 
 #include <filesystem>
 #include <string>
@@ -9,7 +9,6 @@
 #include "label_files.h"
 #include "temporary_folder.h"
 #include "viscera/core/error.h"
-#include "viscera/document/open_files.h"
 
 namespace viscera::document {
 namespace {

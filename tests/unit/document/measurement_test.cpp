@@ -10,7 +10,7 @@
 #include "session_scene.h"
 #include "viscera/core/error.h"
 #include "viscera/document/measurement_commands.h"
-#include "viscera/document/measurement_table.h"
+#include "viscera/document/tables.h"
 
 namespace viscera::document {
 namespace {

@@ -1,4 +1,4 @@
-#include "viscera/document/organ_table.h"
+#include "viscera/document/tables.h"
 
 #include <gtest/gtest.h>
 

@@ -9,7 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "session_scene.h"
-#include "viscera/core/utf8.h"
+#include "viscera/core/text.h"
 
 /// What a command accepts, a session can save, and what was saved can be read.
 namespace viscera::document {

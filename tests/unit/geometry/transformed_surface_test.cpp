@@ -1,4 +1,4 @@
-#include "viscera/geometry/transformed_surface.h"
+#include "viscera/geometry/triangle_mesh.h"
 
 #include <gtest/gtest.h>
 

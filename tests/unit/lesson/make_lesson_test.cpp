@@ -3,10 +3,8 @@
 #include "lesson_scene.h"
 #include "sequence_scene.h"
 #include "viscera/core/error.h"
-#include "viscera/document/sequence_rig.h"
 #include "viscera/geometry/volume.h"
-#include "viscera/motion/heartbeat_setup.h"
-#include "viscera/motion/peristalsis_setup.h"
+#include "viscera/motion/sequence_setup.h"
 #include "viscera/sequences/keyframes.h"
 
 namespace viscera::lesson {
@@ -62,8 +60,8 @@ TEST(MakeLesson, FollowsTheOrgansAtEveryRateAndBetweenSamples) {
 
 TEST(MakeLesson, OfTheHeartFollowsItAtEveryRate) {
   Progress progress;
-  SampleScene scene(
-      motion::heartbeatSetup(viscera::tests::cachedLibrary(), sample_organs::Resolution::low, progress));
+  SampleScene scene(motion::setUpSequence(viscera::tests::cachedLibrary(), "heartbeat",
+                                          sample_organs::Resolution::low, progress));
   const LessonPlan plan = planLesson(scene.source, {});
   const Lesson lesson = makeLesson(plan, scene.source, scene.live, progress);
   EXPECT_EQ(lesson.courses.size(), plan.rates.size());
@@ -74,8 +72,8 @@ TEST(MakeLesson, OfTheHeartFollowsItAtEveryRate) {
 
 TEST(MakeLesson, OfTheStomachFollowsItsWaves) {
   Progress progress;
-  SampleScene scene(
-      motion::peristalsisSetup(viscera::tests::cachedLibrary(), sample_organs::Resolution::low, progress));
+  SampleScene scene(motion::setUpSequence(viscera::tests::cachedLibrary(), "peristalsis",
+                                          sample_organs::Resolution::low, progress));
   LessonSpec spec;
   spec.rates = {1, 3, 6};
   const Lesson lesson = makeLesson(planLesson(scene.source, spec), scene.source, scene.live, progress);

@@ -10,7 +10,7 @@
 #include "session_fixture.h"
 #include "sway.h"
 #include "viscera/core/error.h"
-#include "viscera/deformation/bind_witnesses.h"
+#include "viscera/deformation/witness_gradients.h"
 #include "viscera/live/stress_quantity.h"
 
 namespace viscera::live {

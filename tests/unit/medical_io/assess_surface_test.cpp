@@ -8,7 +8,7 @@
 #include "mesh_checks.h"
 #include "shapes.h"
 #include "viscera/core/error.h"
-#include "viscera/geometry/transformed_surface.h"
+#include "viscera/geometry/triangle_mesh.h"
 #include "viscera/medical_io/organ_norms.h"
 #include "viscera/medical_io/surface_file.h"
 #include "viscera/medical_io/surface_repairs.h"

@@ -10,7 +10,6 @@
 #include "viscera/core/error.h"
 #include "viscera/geometry/surface_check.h"
 #include "viscera/medical_io/surface_file.h"
-#include "viscera/medical_io/surfaces_file.h"
 
 namespace viscera::medical_io {
 namespace {

@@ -1,4 +1,4 @@
-#include "viscera/medical_io/surface_repair.h"
+#include "viscera/medical_io/surface_repairs.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "viscera/motion/breathing_setup.h"
+#include "viscera/motion/sequence_setup.h"
 
 #include <cmath>
 
@@ -14,7 +14,7 @@ class BreathingLiver : public tests::SequenceScene {
 public:
   BreathingLiver()
       : SequenceScene([](Progress& progress) {
-          return breathingSetup(tests::cachedLibrary(), sample_organs::Resolution::low, progress);
+          return setUpSequence(tests::cachedLibrary(), "breathing", sample_organs::Resolution::low, progress);
         }) {}
 };
 

@@ -1,4 +1,4 @@
-#include "viscera/motion/cardiac_indices.h"
+#include "viscera/motion/clinical_numbers.h"
 
 #include <cmath>
 #include <numbers>

@@ -1,4 +1,4 @@
-#include "viscera/motion/heartbeat_setup.h"
+#include "viscera/motion/sequence_setup.h"
 
 #include <algorithm>
 #include <cmath>
@@ -33,7 +33,7 @@ class BeatingHeart : public SequenceScene {
 public:
   explicit BeatingHeart(Resolution resolution)
       : SequenceScene([&](Progress& progress) {
-          return heartbeatSetup(tests::cachedLibrary(), resolution, progress);
+          return setUpSequence(tests::cachedLibrary(), "heartbeat", resolution, progress);
         }) {}
 
   const CalibratedHeartbeat& heartbeat() const {
@@ -56,7 +56,8 @@ Fit fitOverOneBeat(BeatingHeart& heart, double rate, int frames) {
     // Not at the phases where it was calibrated.
     const double seconds = (frame + 0.37) / frames * 60 / rate;
     heart.show(seconds, rate);
-    const CavityVolumes wanted = heart.heartbeat().volumesAt(seconds, rate);
+    const sequences::CardiacCycle& cycle = heart.heartbeat().cycle();
+    const CavityVolumes wanted = cycle.volumes(cycle.referencePhase(seconds, rate));
     const double left = heart.volumeMl("lv");
     fit.leftOff = std::max(fit.leftOff, std::abs(left - wanted.leftMl));
     fit.rightOff = std::max(fit.rightOff, std::abs(heart.volumeMl("rv") - wanted.rightMl));
@@ -205,10 +206,10 @@ Points poseAt(const SequenceSetup& setup, double seconds) {
 TEST(HeartbeatSetup, secondStartTakesTheCorrectionsFromTheCacheToTheLastBit) {
   const PrivateCache cache;
   Progress progress;
-  const SequenceSetup first = heartbeatSetup(cache.library(), Resolution::low, progress);
+  const SequenceSetup first = setUpSequence(cache.library(), "heartbeat", Resolution::low, progress);
   ASSERT_TRUE(std::filesystem::exists(cache.calibration()));
   const auto written = std::filesystem::last_write_time(cache.calibration());
-  const SequenceSetup second = heartbeatSetup(cache.library(), Resolution::low, progress);
+  const SequenceSetup second = setUpSequence(cache.library(), "heartbeat", Resolution::low, progress);
   EXPECT_EQ(std::filesystem::last_write_time(cache.calibration()), written);
   EXPECT_EQ(poseAt(first, 0.41), poseAt(second, 0.41));
 }
@@ -216,12 +217,12 @@ TEST(HeartbeatSetup, secondStartTakesTheCorrectionsFromTheCacheToTheLastBit) {
 TEST(HeartbeatSetup, damagedOrForeignCorrectionsAreFoundAnew) {
   const PrivateCache cache;
   Progress progress;
-  const SequenceSetup first = heartbeatSetup(cache.library(), Resolution::low, progress);
+  const SequenceSetup first = setUpSequence(cache.library(), "heartbeat", Resolution::low, progress);
   const std::filesystem::path file = cache.calibration();
   const auto size = std::filesystem::file_size(file);
   for (const char* contents : {"", "{", "[1]", R"({"key": "0000000000000000", "numbers": {}})"}) {
     std::ofstream(file, std::ios::trunc) << contents;
-    const SequenceSetup again = heartbeatSetup(cache.library(), Resolution::low, progress);
+    const SequenceSetup again = setUpSequence(cache.library(), "heartbeat", Resolution::low, progress);
     EXPECT_EQ(poseAt(first, 0.41), poseAt(again, 0.41)) << contents;
     EXPECT_EQ(std::filesystem::file_size(file), size) << contents;
   }
@@ -230,7 +231,7 @@ TEST(HeartbeatSetup, damagedOrForeignCorrectionsAreFoundAnew) {
 TEST(HeartbeatSetup, worksWithoutAnyCache) {
   Progress progress;
   const SequenceSetup setup =
-      heartbeatSetup({tests::cachedLibrary().definitions, {}}, Resolution::low, progress);
+      setUpSequence({tests::cachedLibrary().definitions, {}}, "heartbeat", Resolution::low, progress);
   EXPECT_EQ(setup.sequence->id(), "heartbeat");
 }
 
@@ -242,8 +243,9 @@ TEST(HeartbeatSetup, canBeCancelledAtAnyPoint) {
         running->cancel();
     });
     running = &progress;
-    EXPECT_THROW(heartbeatSetup({tests::cachedLibrary().definitions, {}}, Resolution::low, progress),
-                 Cancelled)
+    EXPECT_THROW(
+        setUpSequence({tests::cachedLibrary().definitions, {}}, "heartbeat", Resolution::low, progress),
+        Cancelled)
         << limit;
   }
 }

@@ -11,6 +11,7 @@
 #include "session_fixture.h"
 #include "viscera/core/error.h"
 #include "viscera/deformation/place_handles.h"
+#include "viscera/motion/cycle_curves.h"
 
 namespace viscera::motion {
 namespace {
@@ -172,6 +173,41 @@ TEST_F(Runner, SaysAtWhichInstantAVolumeIsOutOfReachAndStaysWhereItWas) {
   runner_.show(1);
   EXPECT_FALSE(runner_.obstacle().empty());
   EXPECT_EQ(live_.shownPose(), before);
+}
+
+TEST_F(Runner, ACycleMeasuredAheadHasTheVolumesOfItsFramesToTheBit) {
+  live::PosedCopy organs = live_.copy();
+  MotionRunner ahead(document_.state(), organs);
+  ahead.setSequence(moving_);
+  Progress progress;
+  const CycleCurves curves = measureCycle(ahead, progress);
+  ASSERT_GE(curves.fractions.size(), 61u);
+  EXPECT_EQ(curves.fractions.front(), 0);
+  EXPECT_EQ(curves.fractions.back(), 1);
+  ASSERT_EQ(curves.milliliters.size(), 1u);
+  for (std::size_t i = 0; i < curves.fractions.size(); i += 7)
+    EXPECT_EQ(runner_.show(curves.fractions[i] * kPeriodSeconds)[0], curves.milliliters[0][i]) << i;
+  const auto half = std::find(curves.fractions.begin(), curves.fractions.end(), 0.5);
+  ASSERT_NE(half, curves.fractions.end());
+  EXPECT_LT(curves.milliliters[0][static_cast<std::size_t>(half - curves.fractions.begin())], 0.7 * restMl_);
+}
+
+TEST_F(Runner, ACycleOfALockedVolumeIsAStraightLine) {
+  undo_.perform(document::setVolumeLocked(egg(), true));
+  Progress progress;
+  const CycleCurves curves = measureCycle(runner_, progress);
+  for (const double milliliters : curves.milliliters[0])
+    EXPECT_NEAR(milliliters, restMl_, 1e-9 * restMl_);
+  EXPECT_EQ(curves.obstacle, "");
+}
+
+TEST_F(Runner, MeasuringACycleCanBeCancelledAndNeedsSomethingThatMoves) {
+  Progress progress;
+  progress.cancel();
+  EXPECT_THROW(measureCycle(runner_, progress), Cancelled);
+  MotionRunner still(document_.state(), live_);
+  Progress other;
+  EXPECT_THROW(measureCycle(still, other), UsageError);
 }
 
 TEST_F(Runner, HandlesOfAnotherRigAreLeftAlone) {

@@ -1,4 +1,4 @@
-#include "viscera/motion/normal_ranges.h"
+#include "viscera/motion/clinical_numbers.h"
 
 #include <gtest/gtest.h>
 

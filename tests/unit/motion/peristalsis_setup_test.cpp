@@ -1,4 +1,4 @@
-#include "viscera/motion/peristalsis_setup.h"
+#include "viscera/motion/sequence_setup.h"
 
 #include <algorithm>
 #include <cmath>
@@ -23,7 +23,7 @@ class WorkingStomach : public SequenceScene {
 public:
   explicit WorkingStomach(Resolution resolution)
       : SequenceScene([&](Progress& progress) {
-          return peristalsisSetup(tests::cachedLibrary(), resolution, progress);
+          return setUpSequence(tests::cachedLibrary(), "peristalsis", resolution, progress);
         }) {}
 
   const Peristalsis& peristalsis() const { return dynamic_cast<const Peristalsis&>(*setup().sequence); }

@@ -8,7 +8,7 @@
 
 #include "session_fixture.h"
 #include "viscera/core/error.h"
-#include "viscera/document/sequence_rig.h"
+#include "viscera/document/rig_commands.h"
 #include "viscera/motion/player.h"
 
 namespace viscera::motion {

@@ -1,4 +1,4 @@
-#include "viscera/motion/volume_table.h"
+#include "viscera/motion/volume_record.h"
 
 #include <filesystem>
 #include <fstream>
@@ -22,8 +22,8 @@ TEST(VolumeTable, HasOneColumnAnOrganAndOneRowAnInstant) {
   const std::string contents{std::istreambuf_iterator<char>(stream), {}};
   std::filesystem::remove(file);
   EXPECT_EQ(contents, "time_s,LV_ml,\"Heart, \"\"left\"\"_ml\"\n"
-                      "0.000000,130.500000,938.250000\n"
-                      "0.040000,129.000000,937.000000\n");
+                      "0,130.5,938.25\n"
+                      "0.04,129,937\n");
 }
 
 TEST(VolumeTable, SaysWhenItCannotBeWritten) {

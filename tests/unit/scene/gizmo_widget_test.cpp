@@ -8,7 +8,7 @@
 #include <vtkCamera.h>
 
 #include "view_fixture.h"
-#include "viscera/scene/mirror_plane_glyph.h"
+#include "viscera/scene/helper_glyphs.h"
 #include "viscera/scene/vtkVisceraGizmoRepresentation.h"
 
 namespace viscera::scene {

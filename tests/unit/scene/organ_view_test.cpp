@@ -13,7 +13,7 @@
 #include "shapes.h"
 #include "view_fixture.h"
 
-#include "scale_bar.h"
+#include "view_furniture.h"
 #include "view_geometry.h"
 
 namespace viscera::scene {

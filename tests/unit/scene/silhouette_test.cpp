@@ -10,7 +10,6 @@
 #include "shapes.h"
 #include "view_fixture.h"
 
-#include "depth_grid.h"
 #include "silhouette.h"
 
 namespace viscera::scene {
@@ -18,8 +17,10 @@ namespace {
 
 TEST(Silhouette, OfABallSeenFromFarAwayIsItsGreatCircle) {
   const auto mesh = tests::sphere(5, 10);
+  ViewGeometry view;
+  view.parallel = true;
   std::vector<float> segments;
-  silhouette(mesh, geometry::vertexNormals(mesh), {{}, Vec3::UnitY(), true}, segments);
+  silhouette(mesh, geometry::vertexNormals(mesh), view, segments);
   ASSERT_GT(segments.size(), 6U * 50);
   double length = 0;
   for (std::size_t i = 0; i < segments.size(); i += 6) {
@@ -33,9 +34,10 @@ TEST(Silhouette, OfABallSeenFromFarAwayIsItsGreatCircle) {
 
 TEST(Silhouette, SeenFromNearbyIsTheCircleOfTouchingRays) {
   const auto mesh = tests::sphere(5, 10);
-  const Vec3 eye(0, -20, 0);
+  ViewGeometry view;
+  view.eye = Vec3(0, -20, 0);
   std::vector<float> segments;
-  silhouette(mesh, geometry::vertexNormals(mesh), {eye, Vec3::UnitY(), false}, segments);
+  silhouette(mesh, geometry::vertexNormals(mesh), view, segments);
   ASSERT_FALSE(segments.empty());
   for (std::size_t i = 0; i < segments.size(); i += 3)
     EXPECT_NEAR(segments[i + 1], -5, 0.1) << "the tangent circle is at r^2 / d from the centre";

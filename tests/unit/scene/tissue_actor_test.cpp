@@ -16,7 +16,7 @@
 #include "viscera/core/error.h"
 #include "viscera/geometry/volume.h"
 
-#include "tetra_faces.h"
+#include "tetra_surfaces.h"
 #include "tetrahedra.h"
 
 namespace viscera::scene {

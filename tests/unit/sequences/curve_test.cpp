@@ -13,6 +13,12 @@ namespace {
 
 const std::vector<Key> kHills{{0, 1}, {0.3, 4}, {0.35, 3.5}, {0.9, -2}, {1.0, -2}, {1.6, 0.5}};
 
+/// By a central difference.
+double slopeOf(const Curve& curve, double x) {
+  constexpr double kStep = 1e-6;
+  return (curve.at(x + kStep) - curve.at(x - kStep)) / (2 * kStep);
+}
+
 TEST(Curve, passesThroughItsKeys) {
   const Curve curve = Curve::through(kHills);
   for (const Key& key : kHills)
@@ -22,8 +28,8 @@ TEST(Curve, passesThroughItsKeys) {
 TEST(Curve, isLevelAtEveryExtremumAndAtItsEnds) {
   const Curve curve = Curve::through(kHills);
   for (const double at : {0.0, 0.3, 0.9, 1.0, 1.6})
-    EXPECT_EQ(curve.slopeAt(at), 0) << at;
-  EXPECT_LT(curve.slopeAt(0.35), 0);
+    EXPECT_NEAR(slopeOf(curve, at), 0, 5e-3) << at;
+  EXPECT_LT(slopeOf(curve, 0.35), -1);
 }
 
 TEST(Curve, staysBetweenNeighbouringKeys) {
@@ -42,23 +48,13 @@ TEST(Curve, keepsItsEndValuesOutside) {
   const Curve curve = Curve::through(kHills);
   EXPECT_EQ(curve.at(-3), 1);
   EXPECT_EQ(curve.at(8), 0.5);
-  EXPECT_EQ(curve.slopeAt(8), 0);
-}
-
-TEST(Curve, hasTheSlopeThatDifferencesShow) {
-  const Curve curve = Curve::periodic({{0.1, 2}, {0.4, 5}, {0.6, 6}, {0.8, 1}}, 1);
-  constexpr double kStep = 1e-6;
-  for (int k = 0; k < 200; ++k) {
-    const double x = -0.3 + 0.01 * k + 0.0037;
-    EXPECT_NEAR(curve.slopeAt(x), (curve.at(x + kStep) - curve.at(x - kStep)) / (2 * kStep), 1e-3) << x;
-  }
 }
 
 TEST(Curve, repeatsItselfWithoutAKinkWhereThePeriodEnds) {
   // Ascending through the end of the period: the slope there is not level.
   const Curve curve = Curve::periodic({{0, 3}, {0.2, 5}, {0.6, 1}, {0.9, 2.5}}, 1);
-  EXPECT_GT(curve.slopeAt(0), 0.5);
-  EXPECT_NEAR(curve.slopeAt(1 - 1e-9), curve.slopeAt(1 + 1e-9), 1e-6);
+  EXPECT_GT(slopeOf(curve, 0), 0.5);
+  EXPECT_NEAR(slopeOf(curve, 1 - 2e-6), slopeOf(curve, 1 + 2e-6), 5e-3);
   for (double x = 0; x < 1; x += 0.07) {
     EXPECT_NEAR(curve.at(x), curve.at(x + 5), 1e-12);
     EXPECT_NEAR(curve.at(x), curve.at(x - 3), 1e-12);

@@ -59,7 +59,7 @@ TEST_F(CalibratedHeartbeatTest, cavitiesHoldWhatTheCurvesSayAtAnyTimeAndRate) {
       const double seconds = k / 331.0 * 60 / rate;
       heartbeat_.poseAt(seconds, rate, pose_);
       const CavityVolumes measured = volumes_(pose_);
-      const CavityVolumes wanted = heartbeat_.volumesAt(seconds, rate);
+      const CavityVolumes wanted = cycle_.volumes(cycle_.referencePhase(seconds, rate));
       left = std::max(left, std::abs(measured.leftMl - wanted.leftMl));
       right = std::max(right, std::abs(measured.rightMl - wanted.rightMl));
     }

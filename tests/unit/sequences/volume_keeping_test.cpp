@@ -1,4 +1,4 @@
-#include "viscera/sequences/volume_keeping.h"
+#include "viscera/sequences/pose_compensation.h"
 
 #include <gtest/gtest.h>
 

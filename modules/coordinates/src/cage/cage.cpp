@@ -1,10 +1,18 @@
 #include "viscera/coordinates/cage/cage.h"
 
-#include "viscera/coordinates/cage/given_cage.h"
+#include <string>
+
+#include "viscera/core/error.h"
 #include "viscera/geometry/convex_hull.h"
 #include "viscera/geometry/surface_check.h"
 
 namespace viscera::coordinates {
+namespace {
+
+/// Of the cage's size: files keep six digits of a position.
+constexpr double kSamePlace = 1e-6;
+
+} // namespace
 
 Triangles cageOf(const HandleSet& handles) {
   if (handles.cage.rows() == 0)
@@ -13,6 +21,51 @@ Triangles cageOf(const HandleSet& handles) {
   requireCage(cage);
   geometry::orientOutward(cage);
   return cage.triangles;
+}
+
+void requireCage(const geometry::TriangleMesh& cage, const std::string& where) {
+  constexpr const char* kTryThis =
+      "take a closed cage, or none: then the convex hull of the handles is the cage";
+  geometry::requireValid(cage, where);
+  if (cage.triangles.rows() == 0)
+    throw DataError("It has no triangles", where, kTryThis);
+  const auto report = geometry::checkSurface(cage);
+  const auto refuse = [&where](int edges, const std::string& problem) {
+    if (edges > 0)
+      throw DataError(problem + " at " + std::to_string(edges) + " edges", where, kTryThis);
+  };
+  refuse(report.boundaryEdges, "is open");
+  refuse(report.nonManifoldEdges + report.misorientedEdges, "is not manifold");
+}
+
+std::vector<int> handlesAtVertices(const Points& handles, const geometry::TriangleMesh& cage) {
+  std::vector<int> found(static_cast<std::size_t>(cage.points.rows()), -1);
+  if (handles.rows() == 0)
+    return found;
+  const double tolerance = kSamePlace * boundsOf(cage.points).diagonal();
+  for (std::size_t vertex = 0; vertex < found.size(); ++vertex) {
+    Eigen::Index nearest = 0;
+    const auto place = cage.points.row(static_cast<Eigen::Index>(vertex));
+    const double squared = (handles.rowwise() - place).rowwise().squaredNorm().minCoeff(&nearest);
+    if (squared <= tolerance * tolerance)
+      found[vertex] = static_cast<int>(nearest);
+  }
+  return found;
+}
+
+Triangles cageOver(const Points& handles, const geometry::TriangleMesh& cage) {
+  requireCage(cage);
+  geometry::TriangleMesh outward = cage;
+  geometry::orientOutward(outward);
+  const std::vector<int> names = handlesAtVertices(handles, cage);
+  for (std::int32_t& corner : outward.triangles.reshaped<Eigen::RowMajor>()) {
+    const int name = names[static_cast<std::size_t>(corner)];
+    if (name < 0)
+      throw DataError("there is no handle at vertex " + std::to_string(corner), "the cage",
+                      "make the handles from this cage: viscera handles ORGAN --cage FILE");
+    corner = name;
+  }
+  return outward.triangles;
 }
 
 } // namespace viscera::coordinates

@@ -1,8 +1,7 @@
 #pragma once
 
-#include <vector>
-
-#include "celestial/celestial_kernels.h"
+#include "simd/usable_kernels.h"
+#include "viscera/coordinates/celestial/celestial_system.h"
 
 namespace viscera::coordinates {
 
@@ -14,7 +13,10 @@ struct CelestialFunction {
   simd::SolveCelestialTile solve3;
 };
 
-/// All versions of the kernels that can run on this processor, the fastest first.
-std::vector<const simd::CelestialKernels*> usableCelestialKernels();
+/// The derivatives of the coordinates in `solution`. Points at a handle join the failures when there is no
+/// softness.
+CoordinateGradients celestialGradients(const CelestialFunction& function, const Points& handles,
+                                       const Points& points, const CelestialOptions& options,
+                                       CelestialSolution<3>& solution);
 
 } // namespace viscera::coordinates

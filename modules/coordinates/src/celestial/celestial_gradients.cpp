@@ -1,12 +1,10 @@
-#include "celestial/celestial_gradients.h"
+#include "celestial/celestial_function.h"
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
 #include <Eigen/Cholesky>
-
-#include "celestial/celestial_function.h"
 
 namespace viscera::coordinates {
 namespace {

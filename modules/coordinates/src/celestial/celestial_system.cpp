@@ -7,8 +7,6 @@
 #include <utility>
 
 #include "celestial/celestial_function.h"
-#include "celestial/celestial_gradients.h"
-#include "simd/usable_kernels.h"
 #include "viscera/coordinates/weights_binding.h"
 
 namespace viscera::coordinates {
@@ -24,21 +22,18 @@ constexpr double kManyHandles = 500;
 /// Of the handles' size: without softness, a point this near to a handle is at it.
 constexpr double kSamePlace = 1e-14;
 
-Parameter locality() {
-  Parameter parameter;
-  parameter.name = "locality";
-  parameter.maximum = 6;
-  parameter.help = "How much nearer handles count more; 0 as in the thesis";
-  return parameter;
-}
+const Parameter kLocality{
+    .name = "locality", .maximum = 6, .help = "How much nearer handles count more; 0 as in the thesis"};
+const Parameter kSoftness{
+    .name = "softness",
+    .maximum = 1000,
+    .unit = "mm",
+    .help = "Distance over which the pull of a handle is rounded; 0 passes through the handles"};
 
-Parameter softness() {
-  Parameter parameter;
-  parameter.name = "softness";
-  parameter.maximum = 1000;
-  parameter.unit = "mm";
-  parameter.help = "Distance over which the pull of a handle is rounded; 0 passes through the handles";
-  return parameter;
+SystemDescription completed(SystemDescription description) {
+  description.traits = {.positive = true, .interpolates = true, .closedFormGradient = true};
+  description.parameters.insert(description.parameters.begin(), {kLocality, kSoftness});
+  return description;
 }
 
 template <int Dim>
@@ -77,26 +72,13 @@ void clearPadding(TiledWeights& weights) {
 
 CelestialOptions optionsFrom(const CelestialSystem& system, const BindOptions& options) {
   options.parameters.requireWithin(system.parameters());
-  return {options.parameters.get(locality()), options.parameters.get(softness()), options.threads};
+  return {options.parameters.get(kLocality), options.parameters.get(kSoftness), options.threads};
 }
 
 } // namespace
 
-std::vector<const simd::CelestialKernels*> usableCelestialKernels() {
-  return VISCERA_USABLE_KERNELS(kCelestialKernels);
-}
-
-Traits CelestialSystem::traits() const {
-  Traits traits;
-  traits.positive = true;
-  traits.interpolates = true;
-  traits.closedFormGradient = true;
-  return traits;
-}
-
-std::vector<Parameter> CelestialSystem::parameters() const {
-  return {locality(), softness()};
-}
+CelestialSystem::CelestialSystem(SystemDescription description, const CelestialFunction& (*function)())
+    : DescribedSystem(completed(std::move(description))), function_(function) {}
 
 template <int Dim>
 CelestialSolution<Dim> CelestialSystem::solve(const PointsOf<Dim>& handles, const PointsOf<Dim>& points,
@@ -104,7 +86,7 @@ CelestialSolution<Dim> CelestialSystem::solve(const PointsOf<Dim>& handles, cons
   requireUsableHandles<Dim>(handles);
   const Eigen::Matrix<double, Dim, -1, 1> byAxis = handles.transpose();
   const simd::CelestialProblem problem = problemOf<Dim>(handles, byAxis, options);
-  const simd::SolveCelestialTile kernel = Dim == 2 ? function().solve2 : function().solve3;
+  const simd::SolveCelestialTile kernel = Dim == 2 ? function_().solve2 : function_().solve3;
 
   CelestialSolution<Dim> solution{
       TiledWeights(points.rows(), handles.rows()), PointsOf<Dim>(points.rows(), Dim), {}};
@@ -153,7 +135,7 @@ CoordinateGradients CelestialSystem::gradients(const HandleSet& handles, const P
                                                const BindOptions& options, Progress& progress) const {
   const CelestialOptions celestial = optionsFrom(*this, options);
   auto solution = solve<3>(handles.positions, points, celestial, progress);
-  return celestialGradients(function(), handles.positions, points, celestial, solution);
+  return celestialGradients(function_(), handles.positions, points, celestial, solution);
 }
 
 } // namespace viscera::coordinates

@@ -16,30 +16,27 @@ double secondDerivative(double t) {
   return 2 * squaredReach(t) / std::hypot(t, 1.0);
 }
 
-} // namespace
-
-std::string SCelestial::summary() const {
-  return "Smooth and positive, from points alone; the thesis's choice for organs";
-}
-
-std::vector<Parameter> SCelestial::parameters() const {
-  std::vector<Parameter> parameters = CelestialSystem::parameters();
-  Parameter lambda;
-  lambda.name = "lambda";
-  lambda.minimum = 1;
-  lambda.maximum = 1e6;
-  lambda.standard = 1;
-  lambda.help = "The thesis's radius; it cancels in the coordinates and changes nothing";
-  parameters.push_back(lambda);
-  return parameters;
-}
-
-const CelestialFunction& SCelestial::function() const {
+const CelestialFunction& sFunction() {
   static const CelestialFunction function = [] {
-    const simd::CelestialKernels& kernels = *usableCelestialKernels().front();
+    const simd::CelestialKernels& kernels = *simd::usableCelestialKernels().front();
     return CelestialFunction{squaredReach, secondDerivative, kernels.s2, kernels.s3};
   }();
   return function;
 }
+
+} // namespace
+
+SCelestial::SCelestial()
+    : CelestialSystem(
+          {.id = "s-celestial",
+           .name = "S-Celestial",
+           .summary = "Smooth and positive, from points alone; the thesis's choice for organs",
+           .parameters = {{.name = "lambda",
+                           .minimum = 1,
+                           .maximum = 1e6,
+                           .standard = 1,
+                           .help =
+                               "The thesis's radius; it cancels in the coordinates and changes nothing"}}},
+          sFunction) {}
 
 } // namespace viscera::coordinates

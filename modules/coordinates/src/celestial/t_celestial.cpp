@@ -9,18 +9,20 @@ namespace {
 double exponential(double t) {
   return std::exp(t);
 }
-} // namespace
-
-std::string TCelestial::summary() const {
-  return "Smooth and positive, from points alone; maximum entropy over directions";
-}
-
-const CelestialFunction& TCelestial::function() const {
+const CelestialFunction& tFunction() {
   static const CelestialFunction function = [] {
-    const simd::CelestialKernels& kernels = *usableCelestialKernels().front();
+    const simd::CelestialKernels& kernels = *simd::usableCelestialKernels().front();
     return CelestialFunction{exponential, exponential, kernels.t2, kernels.t3};
   }();
   return function;
 }
+
+} // namespace
+
+TCelestial::TCelestial()
+    : CelestialSystem({.id = "t-celestial",
+                       .name = "T-Celestial",
+                       .summary = "Smooth and positive, from points alone; maximum entropy over directions"},
+                      tFunction) {}
 
 } // namespace viscera::coordinates

@@ -1,13 +1,125 @@
 #include "viscera/coordinates/classical/natural_neighbours.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
+#include <utility>
+#include <vector>
 
-#include "classical/convex_cell.h"
+#include <Eigen/Geometry>
+
 #include "viscera/geometry/convex_hull.h"
 
 namespace viscera::coordinates {
 namespace {
+
+/// A convex polyhedron around the origin that half spaces are cut from. What is close to a plane may fall on
+/// either side of it: the volume changes by no more than rounding.
+class ConvexCell {
+public:
+  /// The cube [-half, half]^3.
+  explicit ConvexCell(double half);
+
+  /// Keeps what has `normal . x <= offset`. True when anything was cut off. O(corners).
+  bool cut(const Vec3& normal, double offset);
+
+  bool empty() const { return faces_.size() < 4; }
+  double volume() const;
+  /// The largest coordinate of a corner, without sign.
+  double reach() const;
+
+private:
+  using Face = std::vector<Vec3>;
+
+  void close(std::vector<Vec3>& rim, const Vec3& normal);
+
+  std::vector<Face> faces_; ///< Corners in order, counter-clockwise from outside.
+};
+
+ConvexCell::ConvexCell(double half) {
+  for (int axis = 0; axis < 3; ++axis)
+    for (const double side : {-half, half}) {
+      Face face;
+      for (const auto& [u, v] : {std::pair(-1, -1), std::pair(1, -1), std::pair(1, 1), std::pair(-1, 1)}) {
+        Vec3 corner;
+        corner[axis] = side;
+        corner[(axis + 1) % 3] = u * half;
+        corner[(axis + 2) % 3] = v * half;
+        face.push_back(corner);
+      }
+      if (side < 0)
+        std::reverse(face.begin(), face.end());
+      faces_.push_back(std::move(face));
+    }
+}
+
+bool ConvexCell::cut(const Vec3& normal, double offset) {
+  bool touched = false;
+  for (const Face& face : faces_)
+    for (const Vec3& corner : face)
+      touched = touched || normal.dot(corner) > offset;
+  if (!touched)
+    return false;
+  std::vector<Vec3> rim;
+  std::vector<Face> kept;
+  Face piece;
+  for (const Face& face : faces_) {
+    piece.clear();
+    for (std::size_t i = 0; i < face.size(); ++i) {
+      const Vec3 &from = face[i], &to = face[(i + 1) % face.size()];
+      const double begin = normal.dot(from) - offset, end = normal.dot(to) - offset;
+      if (begin <= 0)
+        piece.push_back(from);
+      if ((begin <= 0) != (end <= 0)) {
+        piece.push_back(from + begin / (begin - end) * (to - from));
+        rim.push_back(piece.back());
+      }
+    }
+    if (piece.size() >= 3)
+      kept.push_back(piece);
+  }
+  faces_ = std::move(kept);
+  close(rim, normal);
+  return true;
+}
+
+/// The new face: the corners on the plane, in the order of their angles around their middle.
+void ConvexCell::close(std::vector<Vec3>& rim, const Vec3& normal) {
+  if (rim.size() < 3)
+    return;
+  Vec3 middle = Vec3::Zero();
+  for (const Vec3& corner : rim)
+    middle += corner;
+  middle /= static_cast<double>(rim.size());
+  const Vec3 x = normal.unitOrthogonal(), y = normal.normalized().cross(x);
+  std::vector<std::pair<double, Vec3>> around;
+  for (const Vec3& corner : rim)
+    around.emplace_back(std::atan2(y.dot(corner - middle), x.dot(corner - middle)), corner);
+  std::sort(around.begin(), around.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+  Face face;
+  for (const auto& [angle, corner] : around)
+    face.push_back(corner);
+  faces_.push_back(std::move(face));
+}
+
+double ConvexCell::volume() const {
+  if (empty())
+    return 0;
+  const Vec3 apex = faces_[0][0]; // Near the cell: the origin may be far from what is left.
+  double volume = 0;
+  for (const Face& face : faces_)
+    for (std::size_t i = 1; i + 1 < face.size(); ++i)
+      volume += (face[0] - apex).dot((face[i] - apex).cross(face[i + 1] - apex));
+  return std::max(0.0, volume / 6);
+}
+
+double ConvexCell::reach() const {
+  double reach = 0;
+  for (const Face& face : faces_)
+    for (const Vec3& corner : face)
+      reach = std::max(reach, corner.cwiseAbs().maxCoeff());
+  return reach;
+}
 
 /// Of the handles' size: a point this near to a handle is at it.
 constexpr double kSamePlace = 1e-12;
@@ -71,24 +183,14 @@ private:
 
 } // namespace
 
-std::string NaturalNeighbours::summary() const {
-  return "Sibson's coordinates: what a point takes from its neighbours' Voronoi cells; positive and local";
-}
-
-Traits NaturalNeighbours::traits() const {
-  Traits traits;
-  traits.positive = true;
-  traits.interpolates = true;
-  return traits;
-}
-
-std::vector<Parameter> NaturalNeighbours::parameters() const {
-  return {};
-}
-
-std::unique_ptr<const PointSolver> NaturalNeighbours::prepare(const HandleSet& handles,
-                                                              const ParameterValues&) const {
-  return std::make_unique<Solver>(handles.positions);
-}
+NaturalNeighbours::NaturalNeighbours()
+    : PointwiseSystem({.id = "natural-neighbours",
+                       .name = "Natural neighbours",
+                       .summary = "Sibson's coordinates: what a point takes from its neighbours' Voronoi "
+                                  "cells; positive and local",
+                       .traits = {.positive = true, .interpolates = true}},
+                      [](const HandleSet& handles, const ParameterValues&) {
+                        return std::make_unique<Solver>(handles.positions);
+                      }) {}
 
 } // namespace viscera::coordinates

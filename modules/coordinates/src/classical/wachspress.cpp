@@ -44,8 +44,7 @@ public:
       : size_(boundsOf(handles).diagonal()), fans_(fansOf(cage, handles.rows())), normals_(cage.rows(), 3),
         offsets_(cage.rows()) {
     for (Eigen::Index t = 0; t < cage.rows(); ++t) {
-      const Vec3 a = handles.row(cage(t, 0)).transpose(), b = handles.row(cage(t, 1)).transpose(),
-                 c = handles.row(cage(t, 2)).transpose();
+      const auto [a, b, c] = geometry::cornersOf(handles, cage, t);
       const Vec3 normal = (b - a).cross(c - a).normalized();
       normals_.row(t) = normal.transpose();
       offsets_[t] = normal.dot((a + b + c) / 3);
@@ -103,26 +102,14 @@ private:
 
 } // namespace
 
-std::string Wachspress::summary() const {
-  return "Rational coordinates of a convex cage; positive and smooth inside";
-}
-
-Traits Wachspress::traits() const {
-  Traits traits;
-  traits.needsCage = true;
-  traits.positive = true;
-  traits.interpolates = true;
-  traits.closedFormGradient = true;
-  return traits;
-}
-
-std::vector<Parameter> Wachspress::parameters() const {
-  return {};
-}
-
-std::unique_ptr<const PointSolver> Wachspress::prepare(const HandleSet& handles,
-                                                       const ParameterValues&) const {
-  return std::make_unique<Solver>(handles.positions, cageOf(handles));
-}
+Wachspress::Wachspress()
+    : PointwiseSystem(
+          {.id = "wachspress",
+           .name = "Wachspress",
+           .summary = "Rational coordinates of a convex cage; positive and smooth inside",
+           .traits = {.needsCage = true, .positive = true, .interpolates = true, .closedFormGradient = true}},
+          [](const HandleSet& handles, const ParameterValues&) {
+            return std::make_unique<Solver>(handles.positions, cageOf(handles));
+          }) {}
 
 } // namespace viscera::coordinates

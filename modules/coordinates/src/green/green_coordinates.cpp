@@ -33,7 +33,8 @@ private:
     Eigen::Index touched = -1;
     Vec3 foot = Vec3::Zero();
     for (Eigen::Index t = 0; t < cage_.rows(); ++t) {
-      const SeenTriangle triangle = seen(t, point);
+      const auto [a, b, c] = geometry::cornersOf(handles_, cage_, t);
+      const SeenTriangle triangle(a - point, b - point, c - point);
       const bool touching = triangle.touches(tolerance_);
       if (touching) {
         touched = t;
@@ -59,12 +60,6 @@ private:
     return gradients == nullptr;
   }
 
-  SeenTriangle seen(Eigen::Index triangle, const Vec3& point) const {
-    return {handles_.row(cage_(triangle, 0)).transpose() - point,
-            handles_.row(cage_(triangle, 1)).transpose() - point,
-            handles_.row(cage_(triangle, 2)).transpose() - point};
-  }
-
   Points handles_;
   Triangles cage_;
   double tolerance_;
@@ -73,25 +68,14 @@ private:
 
 } // namespace
 
-std::string GreenCoordinates::summary() const {
-  return "By corners and normals of a cage of any shape; nearly keeps angles, and does not touch its handles";
-}
-
-Traits GreenCoordinates::traits() const {
-  Traits traits;
-  traits.needsCage = true;
-  traits.closedFormGradient = true;
-  traits.affine = false;
-  return traits;
-}
-
-std::vector<Parameter> GreenCoordinates::parameters() const {
-  return {};
-}
-
-std::unique_ptr<const PointSolver> GreenCoordinates::prepare(const HandleSet& handles,
-                                                             const ParameterValues&) const {
-  return std::make_unique<Solver>(handles.positions, cageOf(handles));
-}
+GreenCoordinates::GreenCoordinates()
+    : PointwiseSystem({.id = "green",
+                       .name = "Green",
+                       .summary = "By corners and normals of a cage of any shape; nearly keeps angles, and "
+                                  "does not touch its handles",
+                       .traits = {.needsCage = true, .closedFormGradient = true, .affine = false}},
+                      [](const HandleSet& handles, const ParameterValues&) {
+                        return std::make_unique<Solver>(handles.positions, cageOf(handles));
+                      }) {}
 
 } // namespace viscera::coordinates

@@ -8,7 +8,7 @@
 #include <Eigen/Geometry>
 
 #include "choice_parameter.h"
-#include "mean_value/mean_value_solver.h"
+#include "viscera/coordinates/mean_value/mean_value.h"
 #include "viscera/geometry/convex_hull.h"
 
 namespace viscera::coordinates {
@@ -183,25 +183,18 @@ private:
 
 } // namespace
 
-std::string CatalogueOfLayers::summary() const {
-  return "The mean over the hull and partitions of it by the inner handles; kinks at their faces";
-}
-
-Traits CatalogueOfLayers::traits() const {
-  Traits traits;
-  traits.positive = true;
-  traits.smooth = false;
-  return traits;
-}
-
-std::vector<Parameter> CatalogueOfLayers::parameters() const {
-  return {kPartitions, kPolyhedra};
-}
-
-std::unique_ptr<const PointSolver> CatalogueOfLayers::prepare(const HandleSet& handles,
-                                                              const ParameterValues& parameters) const {
-  return std::make_unique<Solver>(handles.positions, chosen<Partitions>(parameters, kPartitions),
-                                  chosen<Polyhedra>(parameters, kPolyhedra));
-}
+CatalogueOfLayers::CatalogueOfLayers()
+    : PointwiseSystem(
+          {.id = "catalogue-of-layers",
+           .name = "Catalogue of layers",
+           .summary =
+               "The mean over the hull and partitions of it by the inner handles; kinks at their faces",
+           // Four handles in one plane are split along one diagonal or the other.
+           .traits = {.positive = true, .rotationInvariant = false, .smooth = false},
+           .parameters = {kPartitions, kPolyhedra}},
+          [](const HandleSet& handles, const ParameterValues& parameters) {
+            return std::make_unique<Solver>(handles.positions, chosen<Partitions>(parameters, kPartitions),
+                                            chosen<Polyhedra>(parameters, kPolyhedra));
+          }) {}
 
 } // namespace viscera::coordinates

@@ -5,7 +5,6 @@
 
 #include <Eigen/Geometry>
 
-#include "mean_value/mean_value_solver.h"
 #include "mean_value/triangle_share.h"
 #include "viscera/coordinates/cage/cage.h"
 
@@ -107,21 +106,14 @@ std::unique_ptr<const PointSolver> meanValueSolver(Points handles, Triangles cag
   return std::make_unique<MeanValueSolver>(std::move(handles), std::move(cage));
 }
 
-std::string MeanValue::summary() const {
-  return "The classical coordinates of a closed cage; positive where the cage is convex";
-}
-
-Traits MeanValue::traits() const {
-  Traits traits;
-  traits.needsCage = true;
-  traits.interpolates = true;
-  traits.closedFormGradient = true;
-  return traits;
-}
-
-std::unique_ptr<const PointSolver> MeanValue::prepare(const HandleSet& handles,
-                                                      const ParameterValues&) const {
-  return meanValueSolver(handles.positions, cageOf(handles));
-}
+MeanValue::MeanValue()
+    : PointwiseSystem(
+          {.id = "mean-value",
+           .name = "Mean value",
+           .summary = "The classical coordinates of a closed cage; positive where the cage is convex",
+           .traits = {.needsCage = true, .interpolates = true, .closedFormGradient = true}},
+          [](const HandleSet& handles, const ParameterValues&) {
+            return meanValueSolver(handles.positions, cageOf(handles));
+          }) {}
 
 } // namespace viscera::coordinates

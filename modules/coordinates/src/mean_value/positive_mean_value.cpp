@@ -59,8 +59,7 @@ private:
   bool insideCage(const Points& corners) const {
     double angle = 0;
     for (Eigen::Index t = 0; t < cage_.rows(); ++t) {
-      const Vec3 a = corners.row(cage_(t, 0)).transpose(), b = corners.row(cage_(t, 1)).transpose(),
-                 c = corners.row(cage_(t, 2)).transpose();
+      const auto [a, b, c] = geometry::cornersOf(corners, cage_, t);
       const double la = a.norm(), lb = b.norm(), lc = c.norm();
       angle +=
           2 * std::atan2(a.dot(b.cross(c)), la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb);
@@ -102,29 +101,20 @@ private:
 
 } // namespace
 
-std::string PositiveMeanValue::summary() const {
-  return "Mean value of what can be seen of a cage, by rays; positive in any cage";
-}
-
-Traits PositiveMeanValue::traits() const {
-  Traits traits;
-  traits.needsCage = true;
-  traits.positive = true;
-  traits.interpolates = true;
-  traits.rotationInvariant = false;
-  traits.continuous = false;
-  traits.smooth = false;
-  return traits;
-}
-
-std::vector<Parameter> PositiveMeanValue::parameters() const {
-  return {kLevel};
-}
-
-std::unique_ptr<const PointSolver> PositiveMeanValue::prepare(const HandleSet& handles,
-                                                              const ParameterValues& parameters) const {
-  return std::make_unique<Solver>(handles.positions, cageOf(handles),
-                                  static_cast<int>(parameters.get(kLevel)));
-}
+PositiveMeanValue::PositiveMeanValue()
+    : PointwiseSystem({.id = "positive-mean-value",
+                       .name = "Positive mean value",
+                       .summary = "Mean value of what can be seen of a cage, by rays; positive in any cage",
+                       .traits = {.needsCage = true,
+                                  .positive = true,
+                                  .interpolates = true,
+                                  .rotationInvariant = false,
+                                  .continuous = false,
+                                  .smooth = false},
+                       .parameters = {kLevel}},
+                      [](const HandleSet& handles, const ParameterValues& parameters) {
+                        return std::make_unique<Solver>(handles.positions, cageOf(handles),
+                                                        static_cast<int>(parameters.get(kLevel)));
+                      }) {}
 
 } // namespace viscera::coordinates

@@ -39,8 +39,7 @@ std::vector<int> coplanarGroups(const Points& handles, const Triangles& cage) {
     const auto other = owners.find({edge.second, edge.first});
     if (other == owners.end())
       continue;
-    const Vec3 a = handles.row(cage(t, 0)).transpose(), b = handles.row(cage(t, 1)).transpose(),
-               c = handles.row(cage(t, 2)).transpose();
+    const auto [a, b, c] = geometry::cornersOf(handles, cage, t);
     const Vec3 normal = (b - a).cross(c - a).normalized();
     bool flat = true;
     for (int i = 0; i < 3; ++i)
@@ -216,24 +215,13 @@ private:
 
 } // namespace
 
-std::string SphericalMeanValue::summary() const {
-  return "Mean value of a cage with flat polygons, whose diagonals play no part";
-}
-
-Traits SphericalMeanValue::traits() const {
-  Traits traits;
-  traits.needsCage = true;
-  traits.interpolates = true;
-  return traits;
-}
-
-std::vector<Parameter> SphericalMeanValue::parameters() const {
-  return {};
-}
-
-std::unique_ptr<const PointSolver> SphericalMeanValue::prepare(const HandleSet& handles,
-                                                               const ParameterValues&) const {
-  return std::make_unique<Solver>(handles.positions, cageOf(handles));
-}
+SphericalMeanValue::SphericalMeanValue()
+    : PointwiseSystem({.id = "spherical-mean-value",
+                       .name = "Spherical mean value",
+                       .summary = "Mean value of a cage with flat polygons, whose diagonals play no part",
+                       .traits = {.needsCage = true, .interpolates = true}},
+                      [](const HandleSet& handles, const ParameterValues&) {
+                        return std::make_unique<Solver>(handles.positions, cageOf(handles));
+                      }) {}
 
 } // namespace viscera::coordinates

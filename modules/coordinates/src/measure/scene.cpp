@@ -50,11 +50,7 @@ HandleSet handlesOfTable(std::istream& table, const std::string& where) {
       throw DataError("It is no row of a fiducial table", where + ", line " + std::to_string(number),
                       "it has to begin with id,x,y,z");
   }
-  HandleSet handles;
-  handles.positions.resize(static_cast<Eigen::Index>(rows.size()), 3);
-  for (std::size_t i = 0; i < rows.size(); ++i)
-    handles.positions.row(static_cast<Eigen::Index>(i)) = rows[i].transpose();
-  return handles;
+  return {pointsOf(rows), {}, {}};
 }
 
 Scene cloudScene(int points) {

@@ -7,7 +7,6 @@
 #include <exception>
 #include <functional>
 
-#include "measure/coordinates_of.h"
 #include "viscera/core/error.h"
 
 namespace viscera::coordinates {

@@ -45,17 +45,16 @@ bool startInside(const Points& units, Values& beta) {
   return false;
 }
 
-class Solver final : public DirectionSolver {
-public:
-  Solver(const Points& handles, Sampling sampling, int samples, unsigned seed)
-      : DirectionSolver(handles), sampling_(sampling), samples_(samples), seed_(seed) {}
+struct Sampler {
+  Sampling sampling;
+  int samples;
+  unsigned seed;
 
-private:
-  bool balance(const Sight& sight, Values& beta) const override {
+  bool operator()(const Sight& sight, Values& beta) const {
     const BalancedSpace<3> space(sight.units);
     if (!space.valid())
       return false;
-    const bool found = sampling_ == Sampling::hitAndRun ? walk(sight, space, beta) : throwAtCone(space, beta);
+    const bool found = sampling == Sampling::hitAndRun ? walk(sight, space, beta) : throwAtCone(space, beta);
     if (found)
       beta = space.project(beta).cwiseMax(0); // Many sums leave the space by rounding.
     return found;
@@ -69,11 +68,11 @@ private:
     at /= 2 * at.norm();
     if (at.minCoeff() < 0)
       return false;
-    std::mt19937_64 random(seed_);
+    std::mt19937_64 random(seed);
     std::normal_distribution<double> number;
     std::uniform_real_distribution<double> part(0, 1);
     Values way(beta.size());
-    for (int sample = 0; sample < samples_; ++sample) {
+    for (int sample = 0; sample < samples; ++sample) {
       for (Eigen::Index i = 0; i < way.size(); ++i)
         way[i] = number(random);
       way = space.project(way);
@@ -102,15 +101,15 @@ private:
   }
 
   bool throwAtCone(const BalancedSpace<3>& space, Values& beta) const {
-    std::mt19937_64 random(seed_);
+    std::mt19937_64 random(seed);
     std::normal_distribution<double> number;
     std::uniform_real_distribution<double> side(-1, 1);
     Values sample(beta.size());
     bool found = false;
-    for (int i = 0; i < samples_; ++i) {
+    for (int i = 0; i < samples; ++i) {
       for (Eigen::Index k = 0; k < sample.size(); ++k)
-        sample[k] = sampling_ == Sampling::cube ? side(random) : number(random);
-      if (sampling_ == Sampling::sphere)
+        sample[k] = sampling == Sampling::cube ? side(random) : number(random);
+      if (sampling == Sampling::sphere)
         sample.normalize();
       sample = space.project(sample);
       if (sample.minCoeff() < 0)
@@ -120,38 +119,28 @@ private:
     }
     return found;
   }
-
-  Sampling sampling_;
-  int samples_;
-  unsigned seed_;
 };
 
 } // namespace
 
-std::string CCelestial::summary() const {
-  return "The centre of all positive answers, by sampling; as good as the number of samples";
-}
-
-Traits CCelestial::traits() const {
-  Traits traits;
-  traits.positive = true;
-  traits.rotationInvariant = false; // A walk of many steps makes a difference of the last bit a large one.
-  traits.interpolates = true;
-  traits.everywhere = false;
-  traits.continuous = false;
-  traits.smooth = false;
-  return traits;
-}
-
-std::vector<Parameter> CCelestial::parameters() const {
-  return {kSampling, kSamples, kSeed};
-}
-
-std::unique_ptr<const PointSolver> CCelestial::prepare(const HandleSet& handles,
-                                                       const ParameterValues& parameters) const {
-  return std::make_unique<Solver>(handles.positions, chosen<Sampling>(parameters, kSampling),
-                                  static_cast<int>(parameters.get(kSamples)),
-                                  static_cast<unsigned>(parameters.get(kSeed)));
-}
+CCelestial::CCelestial()
+    : PointwiseSystem(
+          {.id = "c-celestial",
+           .name = "C-Celestial",
+           .summary = "The centre of all positive answers, by sampling; as good as the number of samples",
+           // A walk of many steps makes a difference of the last bit a large one, so turns change something.
+           .traits = {.positive = true,
+                      .interpolates = true,
+                      .rotationInvariant = false,
+                      .everywhere = false,
+                      .continuous = false,
+                      .smooth = false},
+           .parameters = {kSampling, kSamples, kSeed}},
+          [](const HandleSet& handles, const ParameterValues& parameters) {
+            return std::make_unique<DirectionSolver>(handles.positions,
+                                                     Sampler{chosen<Sampling>(parameters, kSampling),
+                                                             static_cast<int>(parameters.get(kSamples)),
+                                                             static_cast<unsigned>(parameters.get(kSeed))});
+          }) {}
 
 } // namespace viscera::coordinates

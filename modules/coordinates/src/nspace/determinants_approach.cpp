@@ -6,7 +6,6 @@
 #include <Eigen/Geometry>
 
 #include "nspace/direction_solver.h"
-#include "nspace/plane_balances.h"
 
 namespace viscera::coordinates {
 namespace {
@@ -56,31 +55,25 @@ bool addSimplex(const std::array<std::size_t, Corners>& corners,
   return true;
 }
 
-class Solver final : public DirectionSolver {
-public:
-  using DirectionSolver::DirectionSolver;
-
-private:
-  bool balance(const Sight& sight, Values& beta) const override {
-    const Determinants determinants(sight.units);
-    const auto count = static_cast<std::size_t>(beta.size());
-    bool found = false;
-    for (std::size_t i = 0; i < count; ++i)
-      for (std::size_t j = i + 1; j < count; ++j)
-        for (std::size_t k = j + 1; k < count; ++k) {
-          const double first = determinants(i, j, k);
-          for (std::size_t l = k + 1; l < count; ++l)
-            found |= addSimplex<4>(
-                {i, j, k, l}, {determinants(j, k, l), -determinants(i, k, l), determinants(i, j, l), -first},
-                beta);
-        }
-    return found;
-  }
-};
+bool balance(const Sight& sight, Values& beta) {
+  const Determinants determinants(sight.units);
+  const auto count = static_cast<std::size_t>(beta.size());
+  bool found = false;
+  for (std::size_t i = 0; i < count; ++i)
+    for (std::size_t j = i + 1; j < count; ++j)
+      for (std::size_t k = j + 1; k < count; ++k) {
+        const double first = determinants(i, j, k);
+        for (std::size_t l = k + 1; l < count; ++l)
+          found |= addSimplex<4>(
+              {i, j, k, l}, {determinants(j, k, l), -determinants(i, k, l), determinants(i, j, l), -first},
+              beta);
+      }
+  return found;
+}
 
 } // namespace
 
-PlaneBalance planeDeterminants() {
+BalanceIn<2> planeDeterminants() {
   return [](const SightIn<2>& sight, Values& beta) {
     const auto count = static_cast<std::size_t>(beta.size());
     const auto determinant = [&](std::size_t i, std::size_t j) {
@@ -97,26 +90,15 @@ PlaneBalance planeDeterminants() {
   };
 }
 
-std::string DeterminantsApproach::summary() const {
-  return "The mean over all tetrahedra of handles around a point; jumps where their number changes";
-}
-
-Traits DeterminantsApproach::traits() const {
-  Traits traits;
-  traits.positive = true;
-  traits.interpolates = true;
-  traits.continuous = false;
-  traits.smooth = false;
-  return traits;
-}
-
-std::vector<Parameter> DeterminantsApproach::parameters() const {
-  return {};
-}
-
-std::unique_ptr<const PointSolver> DeterminantsApproach::prepare(const HandleSet& handles,
-                                                                 const ParameterValues&) const {
-  return std::make_unique<Solver>(handles.positions);
-}
+DeterminantsApproach::DeterminantsApproach()
+    : PointwiseSystem(
+          {.id = "determinants-approach",
+           .name = "Determinants approach",
+           .summary =
+               "The mean over all tetrahedra of handles around a point; jumps where their number changes",
+           .traits = {.positive = true, .interpolates = true, .continuous = false, .smooth = false}},
+          [](const HandleSet& handles, const ParameterValues&) {
+            return std::make_unique<DirectionSolver>(handles.positions, balance);
+          }) {}
 
 } // namespace viscera::coordinates

@@ -1,5 +1,7 @@
 #include "nspace/direction_solver.h"
 
+#include <utility>
+
 #include <Eigen/LU>
 
 namespace viscera::coordinates {
@@ -41,7 +43,17 @@ Values BalancedSpace<Dim>::projectAxis(Eigen::Index index) const {
 template class BalancedSpace<2>;
 template class BalancedSpace<3>;
 
-DirectionSolver::DirectionSolver(const Points& handles) : handles_(handles), hull_(handles) {}
+bool weigh(const Values& distances, Values& weights) {
+  weights.array() /= distances.array();
+  const double sum = weights.sum();
+  if (!(sum > kSamePlace * weights.cwiseAbs().sum()))
+    return false;
+  weights /= sum;
+  return true;
+}
+
+DirectionSolver::DirectionSolver(const Points& handles, BalanceIn<3> balance)
+    : handles_(handles), hull_(handles), balance_(std::move(balance)) {}
 
 Eigen::Index DirectionSolver::handleAt(const Vec3& point) const {
   Eigen::Index nearest = 0;
@@ -49,23 +61,19 @@ Eigen::Index DirectionSolver::handleAt(const Vec3& point) const {
   return distance <= kSamePlace * hull_.diagonal() ? nearest : -1;
 }
 
+std::optional<Sight> DirectionSolver::sightFrom(const Vec3& point) const {
+  if (handleAt(point) >= 0 || !(hull_.signedDistance(point) < 0))
+    return std::nullopt;
+  return sightOf<3>(handles_, point);
+}
+
 bool DirectionSolver::solve(const Vec3& point, Values& weights) const {
   if (const Eigen::Index handle = handleAt(point); handle >= 0) {
     weights[handle] = 1;
     return true;
   }
-  if (!inside(point))
-    return false;
-  const Sight sight = sightOf<3>(handles_, point);
-  if (!balance(sight, weights))
-    return false;
-  weights.array() /= sight.distances.array();
-  const double sum = weights.sum(), largest = weights.cwiseAbs().sum();
-  // Where weights of both signs cancel, what is left is rounding.
-  if (!(sum > kSamePlace * largest))
-    return false;
-  weights /= sum;
-  return true;
+  const auto sight = sightFrom(point);
+  return sight && balance_(*sight, weights) && weigh(sight->distances, weights);
 }
 
 } // namespace viscera::coordinates

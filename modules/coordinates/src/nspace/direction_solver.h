@@ -1,5 +1,8 @@
 #pragma once
 
+#include <functional>
+#include <optional>
+
 #include "viscera/coordinates/handle_checks.h"
 #include "viscera/coordinates/pointwise_system.h"
 #include "viscera/geometry/convex_hull.h"
@@ -39,27 +42,39 @@ private:
   bool valid_ = false;
 };
 
-/// Systems that ask for balanced numbers over the directions and divide them by the distances (thesis 3.15):
-/// a point at a handle and a point outside the hull are dealt with here.
-class DirectionSolver : public PointSolver {
-public:
-  explicit DirectionSolver(const Points& handles);
-  bool solve(const Vec3& point, Values& weights) const final;
+/// Fills `beta` (n numbers, set to zero before) such that `sum beta_i q_i = 0`; false where there is no
+/// answer.
+template <int Dim>
+using BalanceIn = std::function<bool(const SightIn<Dim>& sight, Values& beta)>;
 
-  const Points& handles() const { return handles_; }
-  /// No coordinates exist at points that are not inside.
-  bool inside(const Vec3& point) const { return hull_.signedDistance(point) < 0; }
+/// Turns balanced numbers into coordinates: divides them by the distances (thesis 3.15) and by their sum.
+/// False where weights of both signs cancel: what is left is rounding.
+bool weigh(const Values& distances, Values& weights);
+
+/// Systems that ask for balanced numbers over the directions: a point at a handle and a point outside the
+/// hull are dealt with here.
+class DirectionSolver final : public PointSolver {
+public:
+  DirectionSolver(const Points& handles, BalanceIn<3> balance);
+  bool solve(const Vec3& point, Values& weights) const override;
+
+  /// What is seen from a point that is inside the hull and at no handle; no balance is asked for elsewhere.
+  std::optional<Sight> sightFrom(const Vec3& point) const;
+
+private:
   /// The handle at which the point lies, or -1.
   Eigen::Index handleAt(const Vec3& point) const;
 
-protected:
-  /// Fills `beta` (n numbers, set to zero before) such that `sum beta_i q_i = 0`; false where there is no
-  /// answer.
-  virtual bool balance(const Sight& sight, Values& beta) const = 0;
-
-private:
   Points handles_;
   geometry::ConvexHull hull_;
+  BalanceIn<3> balance_;
 };
+
+/// The systems of this folder in the plane, each beside its three-dimensional form.
+BalanceIn<2> planeDeterminants();
+BalanceIn<2> planeGradient(Eigen::Index handles, const ParameterValues& parameters);
+/// Throws `UsageError` for the ways that look at all points together.
+BalanceIn<2> planeLagrange(const ParameterValues& parameters);
+BalanceIn<2> planeWire(const ParameterValues& parameters);
 
 } // namespace viscera::coordinates

@@ -9,7 +9,6 @@
 
 #include "choice_parameter.h"
 #include "nspace/direction_solver.h"
-#include "nspace/plane_balances.h"
 
 namespace viscera::coordinates {
 namespace {
@@ -137,49 +136,32 @@ Values startOf(Eigen::Index handles, const ParameterValues& parameters) {
   return start;
 }
 
-class Solver final : public DirectionSolver {
-public:
-  Solver(const Points& handles, Stop stop, Values start)
-      : DirectionSolver(handles), stop_(stop), start_(std::move(start)) {}
-
-private:
-  bool balance(const Sight& sight, Values& beta) const override {
-    return ascend<3>(sight, start_, stop_, beta);
-  }
-
-  Stop stop_;
-  Values start_;
-};
+template <int Dim>
+BalanceIn<Dim> ascentOf(Eigen::Index handles, const ParameterValues& parameters) {
+  return [stop = chosen<Stop>(parameters, kStop), start = startOf(handles, parameters)](
+             const SightIn<Dim>& sight, Values& beta) { return ascend<Dim>(sight, start, stop, beta); };
+}
 
 } // namespace
 
-PlaneBalance planeGradient(Eigen::Index handles, const ParameterValues& parameters) {
-  return [stop = chosen<Stop>(parameters, kStop), start = startOf(handles, parameters)](
-             const SightIn<2>& sight, Values& beta) { return ascend<2>(sight, start, stop, beta); };
+BalanceIn<2> planeGradient(Eigen::Index handles, const ParameterValues& parameters) {
+  return ascentOf<2>(handles, parameters);
 }
 
-std::string GradientMethod::summary() const {
-  return "The smallest number is raised as high as it goes; positive, with kinks";
-}
-
-Traits GradientMethod::traits() const {
-  Traits traits;
-  traits.positive = true;
-  traits.interpolates = true;
-  traits.everywhere = false;
-  traits.continuous = false; // With 'highest'.
-  traits.smooth = false;
-  return traits;
-}
-
-std::vector<Parameter> GradientMethod::parameters() const {
-  return {kStop, kSeed};
-}
-
-std::unique_ptr<const PointSolver> GradientMethod::prepare(const HandleSet& handles,
-                                                           const ParameterValues& parameters) const {
-  return std::make_unique<Solver>(handles.positions, chosen<Stop>(parameters, kStop),
-                                  startOf(handles.positions.rows(), parameters));
-}
+GradientMethod::GradientMethod()
+    : PointwiseSystem({.id = "gradient-method",
+                       .name = "Gradient method",
+                       .summary = "The smallest number is raised as high as it goes; positive, with kinks",
+                       // With 'highest' it jumps.
+                       .traits = {.positive = true,
+                                  .interpolates = true,
+                                  .everywhere = false,
+                                  .continuous = false,
+                                  .smooth = false},
+                       .parameters = {kStop, kSeed}},
+                      [](const HandleSet& handles, const ParameterValues& parameters) {
+                        return std::make_unique<DirectionSolver>(
+                            handles.positions, ascentOf<3>(handles.positions.rows(), parameters));
+                      }) {}
 
 } // namespace viscera::coordinates

@@ -1,10 +1,11 @@
 #include "viscera/coordinates/nspace/lagrange_minimisation.h"
 
+#include <algorithm>
 #include <optional>
+#include <utility>
 
 #include "choice_parameter.h"
 #include "nspace/lagrange_problem.h"
-#include "nspace/plane_balances.h"
 #include "viscera/core/error.h"
 
 namespace viscera::coordinates {
@@ -46,105 +47,108 @@ bool solveAlone(const LagrangeProblem<Dim>& problem, Positivity positivity, Valu
 
 using Problem = LagrangeProblem<3>;
 
-class Solver final : public DirectionSolver {
-public:
-  Solver(const Points& handles, Target target, Positivity positivity)
-      : DirectionSolver(handles), target_(target), positivity_(positivity) {}
+bool madePositive(const Problem& problem, Values& beta) {
+  if (beta.minCoeff() < -kNotNegative * problem.scale())
+    return false;
+  beta = beta.cwiseMax(0);
+  return true;
+}
 
-  /// Finds what one point cannot know by itself: the handles without influence, or the shift.
-  void lookAt(const Points& points, Shift shift, Progress& progress) {
-    if (positivity_ == Positivity::globalTest)
-      findDeadHandles(points, progress);
-    else if (positivity_ == Positivity::iterative)
-      findShift(points, shift == Shift::raised ? -1 : 1, progress);
-  }
+/// One of the ways, with what one point cannot know by itself: the handles without influence, or the shift.
+struct Way {
+  Target target;
+  Positivity positivity;
+  std::optional<std::vector<Eigen::Index>> dead;
+  double shift = 0;
 
-private:
-  std::optional<Problem> problemAt(const Vec3& point) const {
-    if (handleAt(point) >= 0 || !inside(point))
-      return std::nullopt;
-    const Sight sight = sightOf<3>(handles(), point);
-    return Problem(sight, targetAt(target_, sight.distances));
-  }
-
-  bool balance(const Sight& sight, Values& beta) const override {
-    const Problem problem(sight, targetAt(target_, sight.distances));
-    switch (positivity_) {
+  bool operator()(const Sight& sight, Values& beta) const {
+    const Problem problem(sight, targetAt(target, sight.distances));
+    switch (positivity) {
     case Positivity::globalTest:
-      return dead_ && problem.solve(*dead_, beta) && madePositive(problem, beta);
+      return dead && problem.solve(*dead, beta) && madePositive(problem, beta);
     case Positivity::iterative:
-      return problem.shifted(shift_).solve({}, beta) && madePositive(problem, beta);
+      return problem.shifted(shift).solve({}, beta) && madePositive(problem, beta);
     default:
-      return solveAlone(problem, positivity_, beta);
+      return solveAlone(problem, positivity, beta);
     }
   }
-
-  static bool madePositive(const Problem& problem, Values& beta) {
-    if (beta.minCoeff() < -kNotNegative * problem.scale())
-      return false;
-    beta = beta.cwiseMax(0);
-    return true;
-  }
-
-  void findDeadHandles(const Points& points, Progress& progress) {
-    std::vector<Problem> problems;
-    for (Eigen::Index i = 0; i < points.rows(); ++i)
-      if (auto problem = problemAt(points.row(i).transpose()))
-        problems.push_back(std::move(*problem));
-    int trials = 0;
-    std::size_t hardest = 0; // What stopped the last choice probably stops the next.
-    Values beta(handles().rows());
-    const auto fitsAll = [&](const std::vector<Eigen::Index>& dead) {
-      progress.throwIfCancelled();
-      for (std::size_t i = 0; i < problems.size(); ++i) {
-        const std::size_t at = (hardest + i) % problems.size();
-        if (++trials > kMostGlobalTrials)
-          return false;
-        if (!problems[at].solve(dead, beta) || beta.minCoeff() < -kNotNegative * problems[at].scale()) {
-          hardest = at;
-          return false;
-        }
-      }
-      return true;
-    };
-    const auto count = handles().rows();
-    for (Eigen::Index zeros = 0; zeros + 4 <= count && !dead_ && trials <= kMostGlobalTrials; ++zeros)
-      forEachSubset(count, zeros, [&](const std::vector<Eigen::Index>& dead) {
-        if (fitsAll(dead))
-          dead_ = dead;
-        return !dead_ && trials <= kMostGlobalTrials;
-      });
-  }
-
-  void findShift(const Points& points, double sign, Progress& progress) {
-    std::vector<Problem> problems;
-    for (Eigen::Index i = 0; i < points.rows(); ++i)
-      if (auto problem = problemAt(points.row(i).transpose()))
-        problems.push_back(std::move(*problem));
-    Values beta(handles().rows());
-    for (int round = 0; round < kMostRounds; ++round) {
-      progress.throwIfCancelled();
-      double smallest = 0, scale = 0;
-      for (const Problem& problem : problems)
-        if (problem.shifted(shift_).solve({}, beta)) {
-          smallest = std::min(smallest, beta.minCoeff());
-          scale = std::max(scale, problem.scale());
-        }
-      if (smallest >= -0.1 * kNotNegative * scale)
-        return;
-      shift_ += sign * smallest;
-    }
-  }
-
-  Target target_;
-  Positivity positivity_;
-  std::optional<std::vector<Eigen::Index>> dead_;
-  double shift_ = 0;
 };
+
+std::vector<Problem> problemsAt(const Points& points, const Points& handles, Target target) {
+  const DirectionSolver seen(handles, {});
+  std::vector<Problem> problems;
+  for (Eigen::Index i = 0; i < points.rows(); ++i)
+    if (const auto sight = seen.sightFrom(points.row(i).transpose()))
+      problems.emplace_back(*sight, targetAt(target, sight->distances));
+  return problems;
+}
+
+/// The first choice of handles without influence that fits all problems; nothing where that takes too long.
+std::optional<std::vector<Eigen::Index>> deadHandles(const std::vector<Problem>& problems, Eigen::Index count,
+                                                     Progress& progress) {
+  int trials = 0;
+  std::size_t hardest = 0; // What stopped the last choice probably stops the next.
+  Values beta(count);
+  const auto fitsAll = [&](const std::vector<Eigen::Index>& dead) {
+    progress.throwIfCancelled();
+    for (std::size_t i = 0; i < problems.size(); ++i) {
+      const std::size_t at = (hardest + i) % problems.size();
+      if (++trials > kMostGlobalTrials)
+        return false;
+      if (!problems[at].solve(dead, beta) || beta.minCoeff() < -kNotNegative * problems[at].scale()) {
+        hardest = at;
+        return false;
+      }
+    }
+    return true;
+  };
+  std::optional<std::vector<Eigen::Index>> found;
+  for (Eigen::Index zeros = 0; zeros + 4 <= count && !found && trials <= kMostGlobalTrials; ++zeros)
+    forEachSubset(count, zeros, [&](const std::vector<Eigen::Index>& dead) {
+      if (fitsAll(dead))
+        found = dead;
+      return !found && trials <= kMostGlobalTrials;
+    });
+  return found;
+}
+
+/// By how much the targets are to be shifted so that no number of any problem is negative.
+double shiftFor(const std::vector<Problem>& problems, Eigen::Index count, double sign, Progress& progress) {
+  double shift = 0;
+  Values beta(count);
+  for (int round = 0; round < kMostRounds; ++round) {
+    progress.throwIfCancelled();
+    double smallest = 0, scale = 0;
+    for (const Problem& problem : problems)
+      if (problem.shifted(shift).solve({}, beta)) {
+        smallest = std::min(smallest, beta.minCoeff());
+        scale = std::max(scale, problem.scale());
+      }
+    if (smallest >= -0.1 * kNotNegative * scale)
+      break;
+    shift += sign * smallest;
+  }
+  return shift;
+}
+
+std::unique_ptr<const PointSolver> prepare(const HandleSet& handles, const Points& points,
+                                           const BindOptions& options, Progress& progress) {
+  Way way{chosen<Target>(options.parameters, kTarget),
+          chosen<Positivity>(options.parameters, kPositivity),
+          {},
+          0};
+  const Points& positions = handles.positions;
+  if (way.positivity == Positivity::globalTest)
+    way.dead = deadHandles(problemsAt(points, positions, way.target), positions.rows(), progress);
+  else if (way.positivity == Positivity::iterative)
+    way.shift = shiftFor(problemsAt(points, positions, way.target), positions.rows(),
+                         chosen<Shift>(options.parameters, kShift) == Shift::raised ? -1 : 1, progress);
+  return std::make_unique<DirectionSolver>(positions, std::move(way));
+}
 
 } // namespace
 
-PlaneBalance planeLagrange(const ParameterValues& parameters) {
+BalanceIn<2> planeLagrange(const ParameterValues& parameters) {
   const auto target = chosen<Target>(parameters, kTarget);
   const auto positivity = chosen<Positivity>(parameters, kPositivity);
   if (positivity == Positivity::globalTest || positivity == Positivity::iterative)
@@ -156,36 +160,14 @@ PlaneBalance planeLagrange(const ParameterValues& parameters) {
   };
 }
 
-std::string LagrangeMinimisation::summary() const {
-  return "As near to a target as balance allows; what is done about negative numbers can be chosen";
-}
-
-Traits LagrangeMinimisation::traits() const {
-  Traits traits;
-  traits.interpolates = true;
-  traits.everywhere = false;
-  traits.smooth = false;
-  return traits;
-}
-
-std::vector<Parameter> LagrangeMinimisation::parameters() const {
-  return {kTarget, kPositivity, kShift};
-}
-
-std::unique_ptr<const PointSolver> LagrangeMinimisation::prepare(const HandleSet& handles,
-                                                                 const ParameterValues& parameters) const {
-  return std::make_unique<Solver>(handles.positions, chosen<Target>(parameters, kTarget),
-                                  chosen<Positivity>(parameters, kPositivity));
-}
-
-std::unique_ptr<const PointSolver> LagrangeMinimisation::prepareFor(const HandleSet& handles,
-                                                                    const Points& points,
-                                                                    const BindOptions& options,
-                                                                    Progress& progress) const {
-  auto solver = std::make_unique<Solver>(handles.positions, chosen<Target>(options.parameters, kTarget),
-                                         chosen<Positivity>(options.parameters, kPositivity));
-  solver->lookAt(points, chosen<Shift>(options.parameters, kShift), progress);
-  return solver;
-}
+LagrangeMinimisation::LagrangeMinimisation()
+    : PointwiseSystem(
+          {.id = "lagrange-minimisation",
+           .name = "Lagrange minimisation",
+           .summary =
+               "As near to a target as balance allows; what is done about negative numbers can be chosen",
+           .traits = {.interpolates = true, .everywhere = false, .smooth = false},
+           .parameters = {kTarget, kPositivity, kShift}},
+          prepare) {}
 
 } // namespace viscera::coordinates

@@ -5,7 +5,6 @@
 
 #include "choice_parameter.h"
 #include "nspace/direction_solver.h"
-#include "nspace/plane_balances.h"
 
 namespace viscera::coordinates {
 namespace {
@@ -56,66 +55,40 @@ void addSegment(const Eigen::Ref<const Values>& from, const Eigen::Ref<const Val
 }
 
 template <int Dim>
-bool balanceByWire(const SightIn<Dim>& sight, PointSet points, Connection connection, Values& beta) {
-  const BalancedSpace<Dim> space(sight.units);
-  if (!space.valid())
-    return false;
-  const Eigen::MatrixXd ends = wireEnds(sight.distances.size(), space, points);
-  const Eigen::Index count = ends.cols();
-  for (Eigen::Index i = 0; i < count; ++i)
-    if (connection == Connection::cycle)
-      addSegment(ends.col(i), ends.col((i + 1) % count), beta);
-    else
-      for (Eigen::Index j = i + 1; j < count; ++j)
-        addSegment(ends.col(i), ends.col(j), beta);
-  beta = beta.cwiseMax(0); // Cut ends are zero but for rounding.
-  return beta.maxCoeff() > 0;
-}
-
-class Solver final : public DirectionSolver {
-public:
-  Solver(const Points& handles, PointSet points, Connection connection)
-      : DirectionSolver(handles), points_(points), connection_(connection) {}
-
-private:
-  bool balance(const Sight& sight, Values& beta) const override {
-    return balanceByWire<3>(sight, points_, connection_, beta);
-  }
-
-  PointSet points_;
-  Connection connection_;
-};
-
-} // namespace
-
-PlaneBalance planeWire(const ParameterValues& parameters) {
+BalanceIn<Dim> wire(const ParameterValues& parameters) {
   return [points = chosen<PointSet>(parameters, kPoints),
-          connection = chosen<Connection>(parameters, kConnection)](const SightIn<2>& sight, Values& beta) {
-    return balanceByWire<2>(sight, points, connection, beta);
+          connection = chosen<Connection>(parameters, kConnection)](const SightIn<Dim>& sight, Values& beta) {
+    const BalancedSpace<Dim> space(sight.units);
+    if (!space.valid())
+      return false;
+    const Eigen::MatrixXd ends = wireEnds(sight.distances.size(), space, points);
+    const Eigen::Index count = ends.cols();
+    for (Eigen::Index i = 0; i < count; ++i)
+      if (connection == Connection::cycle)
+        addSegment(ends.col(i), ends.col((i + 1) % count), beta);
+      else
+        for (Eigen::Index j = i + 1; j < count; ++j)
+          addSegment(ends.col(i), ends.col(j), beta);
+    beta = beta.cwiseMax(0); // Cut ends are zero but for rounding.
+    return beta.maxCoeff() > 0;
   };
 }
 
-std::string WireApproach::summary() const {
-  return "A wire in the space of balanced vectors; for many points it has no answer";
+} // namespace
+
+BalanceIn<2> planeWire(const ParameterValues& parameters) {
+  return wire<2>(parameters);
 }
 
-Traits WireApproach::traits() const {
-  Traits traits;
-  traits.positive = true;
-  traits.interpolates = true;
-  traits.everywhere = false;
-  traits.smooth = false;
-  return traits;
-}
-
-std::vector<Parameter> WireApproach::parameters() const {
-  return {kPoints, kConnection};
-}
-
-std::unique_ptr<const PointSolver> WireApproach::prepare(const HandleSet& handles,
-                                                         const ParameterValues& parameters) const {
-  return std::make_unique<Solver>(handles.positions, chosen<PointSet>(parameters, kPoints),
-                                  chosen<Connection>(parameters, kConnection));
-}
+WireApproach::WireApproach()
+    : PointwiseSystem(
+          {.id = "wire-approach",
+           .name = "Wire approach",
+           .summary = "A wire in the space of balanced vectors; for many points it has no answer",
+           .traits = {.positive = true, .interpolates = true, .everywhere = false, .smooth = false},
+           .parameters = {kPoints, kConnection}},
+          [](const HandleSet& handles, const ParameterValues& parameters) {
+            return std::make_unique<DirectionSolver>(handles.positions, wire<3>(parameters));
+          }) {}
 
 } // namespace viscera::coordinates

@@ -5,8 +5,7 @@
 #include <functional>
 #include <numbers>
 
-#include "nspace/plane_balances.h"
-#include "planar/planar_mean_value.h"
+#include "nspace/direction_solver.h"
 #include "viscera/coordinates/celestial/s_celestial.h"
 #include "viscera/coordinates/celestial/t_celestial.h"
 #include "viscera/coordinates/mean_value/mean_value.h"
@@ -58,7 +57,7 @@ bool allAround(const PointsOf<2>& units) {
   return widest < std::numbers::pi * (1 - kHalfTurn);
 }
 
-PointWeights balanced(const PointsOf<2>& handles, PlaneBalance balance) {
+PointWeights balanced(const PointsOf<2>& handles, BalanceIn<2> balance) {
   const double size = (handles.colwise().maxCoeff() - handles.colwise().minCoeff()).norm();
   return [&handles, size, balance = std::move(balance)](const Eigen::Vector2d& point, Values& weights) {
     Eigen::Index nearest = 0;
@@ -67,15 +66,47 @@ PointWeights balanced(const PointsOf<2>& handles, PlaneBalance balance) {
       return true;
     }
     const SightIn<2> sight = sightOf<2>(handles, point);
-    if (!allAround(sight.units) || !balance(sight, weights))
-      return false;
-    weights.array() /= sight.distances.array();
-    const double sum = weights.sum();
-    if (!(sum > kSamePlace * weights.cwiseAbs().sum()))
-      return false;
-    weights /= sum;
-    return true;
+    return allAround(sight.units) && balance(sight, weights) && weigh(sight.distances, weights);
   };
+}
+
+/// Of the polygon's size: a point so near to a corner or an edge lies on it.
+constexpr double kOnPolygon = 1e-12;
+
+double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
+  return a[0] * b[1] - a[1] * b[0];
+}
+
+/// Mean value coordinates of a point in the polygon of the handles; false where they are not defined.
+bool planarMeanValue(const PointsOf<2>& handles, const Eigen::Vector2d& point, Values& weights) {
+  const Eigen::Index count = handles.rows();
+  const double size = (handles.colwise().maxCoeff() - handles.colwise().minCoeff()).norm();
+  const PointsOf<2> ways = handles.rowwise() - point.transpose();
+  const Values distances = ways.rowwise().norm();
+  Values halves(count);
+  for (Eigen::Index i = 0; i < count; ++i) {
+    const Eigen::Index next = (i + 1) % count;
+    const Eigen::Vector2d a = ways.row(i).transpose(), b = ways.row(next).transpose();
+    const double length = (b - a).norm(), along = -a.dot(b - a) / length;
+    if (std::abs(cross(a, b)) <= kOnPolygon * size * length && along >= -kOnPolygon * size &&
+        along <= length + kOnPolygon * size) {
+      weights.setZero();
+      weights[i] = 1 - along / length;
+      weights[next] = along / length;
+      return true;
+    }
+    // tan of half the angle, without a division by zero where the two are opposite.
+    halves[i] = (distances[i] * distances[next] - a.dot(b)) / cross(a, b);
+    if (cross(a, b) == 0)
+      halves[i] = 0; // In line on one side: no angle.
+  }
+  for (Eigen::Index i = 0; i < count; ++i)
+    weights[i] = (halves[(i + count - 1) % count] + halves[i]) / distances[i];
+  const double sum = weights.sum();
+  if (!(std::abs(sum) > 0))
+    return false;
+  weights /= sum;
+  return true;
 }
 
 PlanarWeights celestial(const CelestialSystem& system, const PointsOf<2>& handles, const PointsOf<2>& points,
@@ -121,7 +152,7 @@ PlanarWeights planarWeights(const std::string& system, const PointsOf<2>& handle
           return planarMeanValue(handles, point, weights);
         },
         threads);
-  const auto balance = [&]() -> PlaneBalance {
+  const auto balance = [&]() -> BalanceIn<2> {
     if (system == LagrangeMinimisation().id() && checked(LagrangeMinimisation()))
       return planeLagrange(parameters);
     if (system == GradientMethod().id() && checked(GradientMethod()))

@@ -2,38 +2,15 @@
 
 #include <vector>
 
-/// Those versions of a family of kernels that can run on this processor, the fastest first. A macro, because
-/// the names of the faster ones exist only where they are compiled.
-#if defined(__x86_64__)
-#define VISCERA_USABLE_KERNELS(kernels)                                                                      \
-  ::viscera::coordinates::simd::usableKernels(::viscera::coordinates::simd::avx512::kernels,                 \
-                                              ::viscera::coordinates::simd::avx2::kernels,                   \
-                                              ::viscera::coordinates::simd::baseline::kernels)
-#else
-#define VISCERA_USABLE_KERNELS(kernels)                                                                      \
-  std::vector {                                                                                              \
-    &::viscera::coordinates::simd::baseline::kernels                                                         \
-  }
-#endif
+#include "celestial/celestial_kernels.h"
+#include "simd/tile_kernels.h"
 
+/// Those versions of the kernels that can run on this processor, the fastest first.
 namespace viscera::coordinates::simd {
 
-#if defined(__x86_64__)
-template <class Kernels>
-std::vector<const Kernels*> usableKernels(const Kernels& avx512, const Kernels& avx2,
-                                          const Kernels& baseline) {
-  std::vector<const Kernels*> usable;
-  const bool runsAvx2 = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
-  const bool runsAvx512 = runsAvx2 && __builtin_cpu_supports("avx512f") &&
-                          __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl") &&
-                          __builtin_cpu_supports("avx512bw");
-  if (runsAvx512)
-    usable.push_back(&avx512);
-  if (runsAvx2)
-    usable.push_back(&avx2);
-  usable.push_back(&baseline);
-  return usable;
-}
-#endif
+std::vector<const CelestialKernels*> usableCelestialKernels();
+std::vector<const TileKernels*> usableTileKernels();
+/// The first of them.
+const TileKernels& tileKernels();
 
 } // namespace viscera::coordinates::simd

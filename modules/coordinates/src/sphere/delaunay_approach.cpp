@@ -9,21 +9,15 @@
 
 #include "mean_value/triangle_share.h"
 #include "nspace/direction_solver.h"
-#include "viscera/geometry/hull_facets.h"
+#include "viscera/geometry/convex_hull.h"
 
 namespace viscera::coordinates {
 namespace {
 
-Parameter blendParameter() {
-  Parameter blend;
-  blend.name = "blend";
-  blend.maximum = 40;
-  blend.unit = "degrees";
-  blend.help = "How near to a flip the two triangulations are blended; 0 for not";
-  return blend;
-}
-
-const Parameter kBlend = blendParameter();
+const Parameter kBlend{.name = "blend",
+                       .maximum = 40,
+                       .unit = "degrees",
+                       .help = "How near to a flip the two triangulations are blended; 0 for not"};
 
 /// Two triangles (a, b, c) and (b, a, d) of the triangulation, and how far they are from flipping, rad.
 struct Quad {
@@ -68,67 +62,54 @@ std::map<Edge, Quad> quadsNearFlip(const Points& units, const Triangles& triangl
   return quads;
 }
 
-class Solver final : public DirectionSolver {
-public:
-  Solver(const Points& handles, double width) : DirectionSolver(handles), width_(width) {}
-
-private:
-  bool balance(const Sight& sight, Values& beta) const override {
-    const auto facets = geometry::hullFacets(sight.units);
-    if (!facets)
-      return false;
-    for (Eigen::Index t = 0; t < facets->triangles.rows(); ++t)
-      addTriangleShare(sight.units, facets->triangles.row(t), beta);
-    if (width_ > 0)
-      blend(sight.units, quadsNearFlip(sight.units, facets->triangles, width_), beta);
-    beta = beta.cwiseMax(0);
-    return true;
+void blend(const Points& units, const std::map<Edge, Quad>& quads, Values& beta) {
+  for (const auto& [edge, quad] : quads) {
+    double share = quad.share;
+    for (const auto& side : {std::minmax(quad.a, quad.c), std::minmax(quad.b, quad.c),
+                             std::minmax(quad.a, quad.d), std::minmax(quad.b, quad.d)})
+      if (const auto rival = quads.find({side.first, side.second}); rival != quads.end()) {
+        const double both = quad.slack + rival->second.slack;
+        share *= both > 0 ? 1 - 2 * rival->second.share * quad.slack / both : 0.5;
+      }
+    Values change = Values::Zero(beta.size());
+    addTriangleShare(units, {quad.a, quad.b, quad.c}, change);
+    addTriangleShare(units, {quad.b, quad.a, quad.d}, change);
+    change = -change;
+    addTriangleShare(units, {quad.a, quad.d, quad.c}, change);
+    addTriangleShare(units, {quad.d, quad.b, quad.c}, change);
+    beta += share * change;
   }
+}
 
-  static void blend(const Points& units, const std::map<Edge, Quad>& quads, Values& beta) {
-    for (const auto& [edge, quad] : quads) {
-      double share = quad.share;
-      for (const auto& side : {std::minmax(quad.a, quad.c), std::minmax(quad.b, quad.c),
-                               std::minmax(quad.a, quad.d), std::minmax(quad.b, quad.d)})
-        if (const auto rival = quads.find({side.first, side.second}); rival != quads.end()) {
-          const double both = quad.slack + rival->second.slack;
-          share *= both > 0 ? 1 - 2 * rival->second.share * quad.slack / both : 0.5;
-        }
-      Values change = Values::Zero(beta.size());
-      addTriangleShare(units, {quad.a, quad.b, quad.c}, change);
-      addTriangleShare(units, {quad.b, quad.a, quad.d}, change);
-      change = -change;
-      addTriangleShare(units, {quad.a, quad.d, quad.c}, change);
-      addTriangleShare(units, {quad.d, quad.b, quad.c}, change);
-      beta += share * change;
-    }
-  }
-
-  double width_; ///< rad
-};
+/// `width`: how near to a flip is blended, rad.
+bool balance(const Sight& sight, double width, Values& beta) {
+  const auto facets = geometry::hullFacets(sight.units);
+  if (!facets)
+    return false;
+  for (Eigen::Index t = 0; t < facets->triangles.rows(); ++t)
+    addTriangleShare(sight.units, facets->triangles.row(t), beta);
+  if (width > 0)
+    blend(sight.units, quadsNearFlip(sight.units, facets->triangles, width), beta);
+  beta = beta.cwiseMax(0);
+  return true;
+}
 
 } // namespace
 
-std::string DelaunayApproach::summary() const {
-  return "Mean value over the triangles in which each point sees the handles; jumps, or blended rough";
-}
-
-Traits DelaunayApproach::traits() const {
-  Traits traits;
-  traits.positive = true;
-  traits.interpolates = true;
-  traits.continuous = false;
-  traits.smooth = false;
-  return traits;
-}
-
-std::vector<Parameter> DelaunayApproach::parameters() const {
-  return {kBlend};
-}
-
-std::unique_ptr<const PointSolver> DelaunayApproach::prepare(const HandleSet& handles,
-                                                             const ParameterValues& parameters) const {
-  return std::make_unique<Solver>(handles.positions, parameters.get(kBlend) * std::numbers::pi / 180);
-}
+DelaunayApproach::DelaunayApproach()
+    : PointwiseSystem(
+          {.id = "delaunay-approach",
+           .name = "Delaunay triangulation approach",
+           .summary =
+               "Mean value over the triangles in which each point sees the handles; jumps, or blended rough",
+           .traits = {.positive = true, .interpolates = true, .continuous = false, .smooth = false},
+           .parameters = {kBlend}},
+          [](const HandleSet& handles, const ParameterValues& parameters) {
+            return std::make_unique<DirectionSolver>(
+                handles.positions,
+                [width = parameters.get(kBlend) * std::numbers::pi / 180](const Sight& sight, Values& beta) {
+                  return balance(sight, width, beta);
+                });
+          }) {}
 
 } // namespace viscera::coordinates

@@ -17,10 +17,10 @@ enum class Lift { one, norm };
 const Parameter kLift =
     choiceParameter("k", "What is added to every weight when a handle comes in", {"one", "norm"});
 
-class Solver final : public DirectionSolver {
+class Increments {
 public:
-  Solver(const Points& handles, Lift lift)
-      : DirectionSolver(handles), lift_(lift), hull_(geometry::ConvexHull(handles).triangles()) {
+  Increments(const Points& handles, Lift lift)
+      : lift_(lift), hull_(geometry::ConvexHull(handles).triangles()) {
     std::vector<bool> outer(static_cast<std::size_t>(handles.rows()), false);
     for (const auto corner : hull_.reshaped())
       outer[static_cast<std::size_t>(corner)] = true;
@@ -28,8 +28,7 @@ public:
       (outer[static_cast<std::size_t>(i)] ? first_ : inner_).push_back(i);
   }
 
-private:
-  bool balance(const Sight& sight, Values& beta) const override {
+  bool operator()(const Sight& sight, Values& beta) const {
     for (Eigen::Index t = 0; t < hull_.rows(); ++t)
       addTriangleShare(sight.units, hull_.row(t), beta);
     std::vector<Eigen::Index> present = first_;
@@ -60,6 +59,7 @@ private:
     return true;
   }
 
+private:
   /// The smallest k > 0 with `|own + k lifted| = k`, or 0.
   static double fixedLength(const Vec3& own, const Vec3& lifted) {
     const double square = lifted.squaredNorm() - 1, half = own.dot(lifted), constant = own.squaredNorm();
@@ -83,24 +83,16 @@ private:
 
 } // namespace
 
-std::string IncrementalApproach::summary() const {
-  return "Mean value on the hull, inner handles added one by one; they may make some negative";
-}
-
-Traits IncrementalApproach::traits() const {
-  Traits traits;
-  traits.interpolates = true;
-  traits.everywhere = false;
-  return traits;
-}
-
-std::vector<Parameter> IncrementalApproach::parameters() const {
-  return {kLift};
-}
-
-std::unique_ptr<const PointSolver> IncrementalApproach::prepare(const HandleSet& handles,
-                                                                const ParameterValues& parameters) const {
-  return std::make_unique<Solver>(handles.positions, chosen<Lift>(parameters, kLift));
-}
+IncrementalApproach::IncrementalApproach()
+    : PointwiseSystem(
+          {.id = "incremental-approach",
+           .name = "Incremental approach",
+           .summary = "Mean value on the hull, inner handles added one by one; they may make some negative",
+           .traits = {.interpolates = true, .everywhere = false},
+           .parameters = {kLift}},
+          [](const HandleSet& handles, const ParameterValues& parameters) {
+            return std::make_unique<DirectionSolver>(
+                handles.positions, Increments(handles.positions, chosen<Lift>(parameters, kLift)));
+          }) {}
 
 } // namespace viscera::coordinates

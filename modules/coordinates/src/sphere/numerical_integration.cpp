@@ -13,7 +13,7 @@
 #include "choice_parameter.h"
 #include "nspace/direction_solver.h"
 #include "sphere/sphere_samples.h"
-#include "viscera/geometry/hull_facets.h"
+#include "viscera/geometry/convex_hull.h"
 
 namespace viscera::coordinates {
 namespace {
@@ -60,33 +60,30 @@ Eigen::Matrix3d randomTurn(int seed) {
   return turn.normalized().toRotationMatrix();
 }
 
-class Solver final : public DirectionSolver {
-public:
-  Solver(const Points& handles, SphereSamples samples)
-      : DirectionSolver(handles), faces_(facesOf(geometry::delaunayTetrahedra(handles))),
-        samples_(std::move(samples)) {}
+/// A face's part of the directions' numbers, before its samples are shared with other faces.
+struct Seen {
+  Eigen::Index face, sample;
+  Vec3 shares;
+  double weight;
+};
 
-private:
-  /// A face's part of the directions' numbers, before its samples are shared with other faces.
-  struct Seen {
-    Eigen::Index face, sample;
-    Vec3 shares;
-    double weight;
-  };
+struct Integral {
+  Triangles faces;
+  SphereSamples samples;
 
-  bool balance(const Sight& sight, Values& beta) const override {
-    const Eigen::Index count = samples_.areas.size();
+  bool operator()(const Sight& sight, Values& beta) const {
+    const Eigen::Index count = samples.areas.size();
     Values total = Values::Zero(count);
     std::vector<Seen> seen;
     Eigen::Matrix3Xd shares(3, count);
-    for (Eigen::Index face = 0; face < faces_.rows(); ++face) {
+    for (Eigen::Index face = 0; face < faces.rows(); ++face) {
       Eigen::Matrix3d frame;
       for (int i = 0; i < 3; ++i)
-        frame.col(i) = sight.units.row(faces_(face, i)).transpose();
+        frame.col(i) = sight.units.row(faces(face, i)).transpose();
       const double volume = frame.determinant();
       if (std::abs(volume) < kFlat)
         continue;
-      shares.noalias() = frame.inverse() * samples_.directions;
+      shares.noalias() = frame.inverse() * samples.directions;
       for (Eigen::Index sample = 0; sample < count; ++sample)
         if (shares.col(sample).minCoeff() >= -kOnEdge) {
           seen.push_back({face, sample, shares.col(sample).cwiseMax(0), volume * volume});
@@ -97,40 +94,33 @@ private:
       return false;
     for (const Seen& one : seen)
       for (int i = 0; i < 3; ++i)
-        beta[faces_(one.face, i)] +=
-            samples_.areas[one.sample] * one.weight / total[one.sample] * one.shares[i];
+        beta[faces(one.face, i)] +=
+            samples.areas[one.sample] * one.weight / total[one.sample] * one.shares[i];
     return true;
   }
-
-  Triangles faces_;
-  SphereSamples samples_;
 };
 
 } // namespace
 
-std::string NumericalIntegration::summary() const {
-  return "Mean value over all tetrahedra of the handles at once, by directions; positive, with many maxima";
-}
-
-Traits NumericalIntegration::traits() const {
-  Traits traits;
-  traits.positive = true;
-  traits.interpolates = true;
-  traits.rotationInvariant = false;
-  traits.continuous = false;
-  traits.smooth = false;
-  return traits;
-}
-
-std::vector<Parameter> NumericalIntegration::parameters() const {
-  return {kSamples, kSeed};
-}
-
-std::unique_ptr<const PointSolver> NumericalIntegration::prepare(const HandleSet& handles,
-                                                                 const ParameterValues& parameters) const {
-  SphereSamples samples = sphereSamples(static_cast<int>(parameters.get(kSamples)));
-  samples.directions = (randomTurn(static_cast<int>(parameters.get(kSeed))) * samples.directions).eval();
-  return std::make_unique<Solver>(handles.positions, std::move(samples));
-}
+NumericalIntegration::NumericalIntegration()
+    : PointwiseSystem(
+          {.id = "numerical-integration",
+           .name = "Numerical integration approach",
+           .summary = "Mean value over all tetrahedra of the handles at once, by directions; "
+                      "positive, with many maxima",
+           .traits = {.positive = true,
+                      .interpolates = true,
+                      .rotationInvariant = false,
+                      .continuous = false,
+                      .smooth = false},
+           .parameters = {kSamples, kSeed}},
+          [](const HandleSet& handles, const ParameterValues& parameters) {
+            SphereSamples samples = sphereSamples(static_cast<int>(parameters.get(kSamples)));
+            samples.directions =
+                (randomTurn(static_cast<int>(parameters.get(kSeed))) * samples.directions).eval();
+            return std::make_unique<DirectionSolver>(
+                handles.positions,
+                Integral{facesOf(geometry::delaunayTetrahedra(handles.positions)), std::move(samples)});
+          }) {}
 
 } // namespace viscera::coordinates

@@ -11,7 +11,7 @@
 #include "mean_value/triangle_share.h"
 #include "nspace/direction_solver.h"
 #include "sphere/plane_neighbours.h"
-#include "viscera/geometry/hull_facets.h"
+#include "viscera/geometry/convex_hull.h"
 
 namespace viscera::coordinates {
 namespace {
@@ -26,15 +26,13 @@ constexpr double kNearest = 1e-6;
 /// Cosine from -1: a handle right behind the vertex has no place in the plane.
 constexpr double kBehind = 1e-9;
 
-class Solver final : public DirectionSolver {
-public:
-  Solver(const Points& handles, Transfer transfer) : DirectionSolver(handles), transfer_(transfer) {}
+struct Regions {
+  Transfer transfer;
 
-private:
-  bool balance(const Sight& sight, Values& beta) const override {
+  bool operator()(const Sight& sight, Values& beta) const {
     const Values nearness = sight.distances / sight.distances.maxCoeff();
     Points sites = sight.units;
-    if (transfer_ == Transfer::laguerre)
+    if (transfer == Transfer::laguerre)
       sites.array().colwise() /= nearness.array().max(kNearest);
     const auto facets = geometry::hullFacets(sites);
     if (!facets)
@@ -50,7 +48,7 @@ private:
       if (weights[count + vertex] == 0)
         continue;
       const Vec3 at = corners.row(count + vertex).transpose();
-      const bool found = transfer_ == Transfer::sphericalBarycentric
+      const bool found = transfer == Transfer::sphericalBarycentric
                              ? amongThree(sight.units, facets->triangles.row(vertex), at, shares)
                              : amongNeighbours(sight.units, nearness, at, shares);
       if (!found)
@@ -97,39 +95,28 @@ private:
     PlanePoints sites(units.rows(), 2);
     sites.col(0) = (units * x).cwiseProduct(stretch);
     sites.col(1) = (units * y).cwiseProduct(stretch);
-    const Values powers = transfer_ == Transfer::laguerre ? Values(-nearness) : Values::Zero(units.rows());
+    const Values powers = transfer == Transfer::laguerre ? Values(-nearness) : Values::Zero(units.rows());
     if (!planeNeighbours(sites, powers, shares))
       return false;
     const double left = 2 - shares.dot(stretch); // One less the thesis's sum of shares times delta.
     shares = shares.cwiseProduct(stretch) / left;
     return left > kBehind;
   }
-
-  Transfer transfer_;
 };
 
 } // namespace
 
-std::string VoronoiRegions::summary() const {
-  return "Mean value over the Voronoi regions of the handles as each point sees them; jumps, or slow";
-}
-
-Traits VoronoiRegions::traits() const {
-  Traits traits;
-  traits.interpolates = true;
-  traits.everywhere = false;
-  traits.continuous = false;
-  traits.smooth = false;
-  return traits;
-}
-
-std::vector<Parameter> VoronoiRegions::parameters() const {
-  return {kTransfer};
-}
-
-std::unique_ptr<const PointSolver> VoronoiRegions::prepare(const HandleSet& handles,
-                                                           const ParameterValues& parameters) const {
-  return std::make_unique<Solver>(handles.positions, chosen<Transfer>(parameters, kTransfer));
-}
+VoronoiRegions::VoronoiRegions()
+    : PointwiseSystem(
+          {.id = "voronoi-regions",
+           .name = "Voronoi regions triangulation",
+           .summary =
+               "Mean value over the Voronoi regions of the handles as each point sees them; jumps, or slow",
+           .traits = {.interpolates = true, .everywhere = false, .continuous = false, .smooth = false},
+           .parameters = {kTransfer}},
+          [](const HandleSet& handles, const ParameterValues& parameters) {
+            return std::make_unique<DirectionSolver>(handles.positions,
+                                                     Regions{chosen<Transfer>(parameters, kTransfer)});
+          }) {}
 
 } // namespace viscera::coordinates

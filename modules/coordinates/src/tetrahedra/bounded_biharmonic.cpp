@@ -3,7 +3,6 @@
 #include <cstdio>
 #include <utility>
 
-#include "tetrahedra/filled_domain.h"
 #include "tetrahedra/finite_elements.h"
 #include "tetrahedra/simplex_program.h"
 #include "tetrahedra/tetrahedra_field.h"
@@ -13,19 +12,12 @@ namespace viscera::coordinates {
 namespace {
 
 const Parameter kResolution = resolutionParameter(16, 12);
-
-Parameter marginParameter() {
-  Parameter margin;
-  margin.name = "margin";
-  margin.minimum = 2;
-  margin.maximum = 100;
-  margin.standard = 10;
-  margin.unit = "%";
-  margin.help = "How far beyond the handles' hull the weights are computed";
-  return margin;
-}
-
-const Parameter kMargin = marginParameter();
+const Parameter kMargin{.name = "margin",
+                        .minimum = 2,
+                        .maximum = 100,
+                        .standard = 10,
+                        .unit = "%",
+                        .help = "How far beyond the handles' hull the weights are computed"};
 
 /// What the weights leave of each point: three further rows, the unit vectors.
 class WithRemainder final : public PoseLift {
@@ -116,31 +108,8 @@ std::vector<std::string> notesOn(const SimplexSolution& solution, const SimplexL
   return {text};
 }
 
-} // namespace
-
-std::string BoundedBiharmonic::summary() const {
-  return "Weights of least bending between 0 and 1; smooth and local, and follow translations only";
-}
-
-Traits BoundedBiharmonic::traits() const {
-  Traits traits;
-  traits.needsTetrahedra = true;
-  traits.positive = true;
-  traits.interpolates = true;
-  traits.closedFormGradient = true;
-  traits.rotationInvariant = false;
-  traits.smooth = false;
-  traits.affine = false;
-  return traits;
-}
-
-std::vector<Parameter> BoundedBiharmonic::parameters() const {
-  return {kResolution, kMargin};
-}
-
-std::unique_ptr<const PointSolver> BoundedBiharmonic::prepareFor(const HandleSet& handles, const Points&,
-                                                                 const BindOptions& options,
-                                                                 Progress& progress) const {
+std::unique_ptr<const PointSolver> prepare(const HandleSet& handles, const Points&,
+                                           const BindOptions& options, Progress& progress) {
   const Points& positions = handles.positions;
   FilledDomain domain =
       filledDomain(enlargedHull(positions, 1 + options.parameters.get(kMargin) / 100), positions,
@@ -158,5 +127,23 @@ std::unique_ptr<const PointSolver> BoundedBiharmonic::prepareFor(const HandleSet
   return std::make_unique<Solver>(positions, TetrahedraField(std::move(domain.solid), solution.weights),
                                   notesOn(solution, limits));
 }
+
+} // namespace
+
+BoundedBiharmonic::BoundedBiharmonic()
+    : PointwiseSystem(
+          {.id = "bounded-biharmonic",
+           .name = "Bounded biharmonic weights",
+           .summary =
+               "Weights of least bending between 0 and 1; smooth and local, and follow translations only",
+           .traits = {.needsTetrahedra = true,
+                      .positive = true,
+                      .interpolates = true,
+                      .closedFormGradient = true,
+                      .rotationInvariant = false,
+                      .smooth = false,
+                      .affine = false},
+           .parameters = {kResolution, kMargin}},
+          prepare) {}
 
 } // namespace viscera::coordinates

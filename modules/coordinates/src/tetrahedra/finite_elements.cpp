@@ -5,11 +5,16 @@
 #include <Eigen/LU>
 #include <Eigen/SparseCholesky>
 
-#include "tetrahedra/split_system.h"
+#include "choice_parameter.h"
 #include "viscera/core/error.h"
+#include "viscera/geometry/split_edges.h"
 
 namespace viscera::coordinates {
 namespace {
+
+constexpr int kMostTriangles = 200'000;
+/// Volume of a tetrahedron with edges of length 1, as a quality mesh has them on the average.
+constexpr double kVolumeOfUnitEdges = 0.125;
 
 Eigen::Matrix3d edgesOf(const SolidMesh& mesh, Eigen::Index tetrahedron) {
   Eigen::Matrix3d edges;
@@ -25,6 +30,26 @@ double volumeOf(const SolidMesh& mesh, Eigen::Index tetrahedron) {
 }
 
 } // namespace
+
+FilledDomain filledDomain(const geometry::TriangleMesh& surface, const Points& inside, double resolution,
+                          const std::string& system, const BindOptions& options, Progress& progress) {
+  if (!options.tetrahedralise)
+    throw UsageError(system + " need tetrahedra, and nobody here makes them", {},
+                     "bind by way of the deformation module, or choose another system");
+  const double edge = boundsOf(surface.points).diagonal() / resolution;
+  geometry::TriangleMesh cut = geometry::splitLongEdges(surface, edge, kMostTriangles);
+  FilledDomain domain{cut.points.rows(), {}};
+  cut.points.conservativeResize(domain.onSurface + inside.rows(), 3);
+  cut.points.bottomRows(inside.rows()) = inside;
+  progress.report(0, "filling the handles with tetrahedra");
+  domain.solid = options.tetrahedralise(cut, kVolumeOfUnitEdges * edge * edge * edge, progress);
+  return domain;
+}
+
+Parameter resolutionParameter(double maximum, double standard) {
+  return countParameter("resolution", "Edges of tetrahedra across the handles; more are finer and slower", 4,
+                        maximum, standard);
+}
 
 Eigen::Matrix<double, 4, 3> barycentricGradients(const SolidMesh& mesh, Eigen::Index tetrahedron) {
   Eigen::Matrix<double, 4, 3> gradients;
@@ -54,6 +79,35 @@ Values lumpedMass(const SolidMesh& mesh) {
     for (int k = 0; k < 4; ++k)
       mass[mesh.tetrahedra(t, k)] += volumeOf(mesh, t) / 4;
   return mass;
+}
+
+SplitSystem::SplitSystem(const SparseMatrix& matrix, const std::vector<Eigen::Index>& fixed) {
+  using Triplet = Eigen::Triplet<double>;
+  std::vector<int> freeRow(static_cast<std::size_t>(matrix.rows()), -1), fixedRow = freeRow;
+  for (std::size_t i = 0; i < fixed.size(); ++i)
+    fixedRow[static_cast<std::size_t>(fixed[i])] = static_cast<int>(i);
+  for (Eigen::Index i = 0; i < matrix.rows(); ++i)
+    if (fixedRow[static_cast<std::size_t>(i)] < 0) {
+      freeRow[static_cast<std::size_t>(i)] = static_cast<int>(free.size());
+      free.push_back(i);
+    }
+  std::vector<Triplet> inner, outer;
+  for (Eigen::Index column = 0; column < matrix.outerSize(); ++column)
+    for (SparseMatrix::InnerIterator entry(matrix, column); entry; ++entry) {
+      const int row = freeRow[static_cast<std::size_t>(entry.row())];
+      if (row < 0)
+        continue;
+      const int own = freeRow[static_cast<std::size_t>(column)];
+      if (own >= 0)
+        inner.emplace_back(row, own, entry.value());
+      else
+        outer.emplace_back(row, fixedRow[static_cast<std::size_t>(column)], entry.value());
+    }
+  const auto rows = static_cast<Eigen::Index>(free.size());
+  amongFree.resize(rows, rows);
+  amongFree.setFromTriplets(inner.begin(), inner.end());
+  freeWithFixed.resize(rows, static_cast<Eigen::Index>(fixed.size()));
+  freeWithFixed.setFromTriplets(outer.begin(), outer.end());
 }
 
 Eigen::MatrixXd leastEnergy(const SparseMatrix& energy, const std::vector<Eigen::Index>& fixed,

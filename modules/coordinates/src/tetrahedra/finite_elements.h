@@ -1,15 +1,30 @@
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include <Eigen/SparseCore>
 
-#include "viscera/coordinates/tetrahedraliser.h"
-#include "viscera/core/parallel.h"
+#include "viscera/coordinates/coordinate_system.h"
 
 namespace viscera::coordinates {
 
 using SparseMatrix = Eigen::SparseMatrix<double>;
+
+/// A domain with its edges cut and its inside filled.
+struct FilledDomain {
+  Eigen::Index onSurface; ///< The first points of `solid` lie on the domain's surface.
+  SolidMesh solid;
+};
+
+/// Cuts the edges of `surface` and of the tetrahedra inside to a `resolution`-th of the surface's diagonal
+/// and makes the points `inside` (`k x 3`, mm) corners, right behind those of the surface. Throws
+/// `UsageError` where `options` bring nobody who makes tetrahedra, naming `system`, and what that one throws.
+FilledDomain filledDomain(const geometry::TriangleMesh& surface, const Points& inside, double resolution,
+                          const std::string& system, const BindOptions& options, Progress& progress);
+
+/// The number of edges across the domain, for both systems.
+Parameter resolutionParameter(double maximum, double standard);
 
 /// Gradients of the four barycentric coordinates of a tetrahedron, a row a corner (`4 x 3`, 1/mm).
 Eigen::Matrix<double, 4, 3> barycentricGradients(const SolidMesh& mesh, Eigen::Index tetrahedron);
@@ -19,6 +34,16 @@ SparseMatrix stiffness(const SolidMesh& mesh);
 
 /// The volume that belongs to each corner: a quarter of each tetrahedron around it, mm^3.
 Values lumpedMass(const SolidMesh& mesh);
+
+/// The rows and columns of a symmetric matrix, divided into what is free and what is fixed.
+struct SplitSystem {
+  /// `fixed` ascending.
+  SplitSystem(const SparseMatrix& matrix, const std::vector<Eigen::Index>& fixed);
+
+  std::vector<Eigen::Index> free; ///< Ascending.
+  SparseMatrix amongFree;         ///< `free x free`.
+  SparseMatrix freeWithFixed;     ///< `free x fixed`.
+};
 
 /// The columns of values (`n x k`) of least energy that have the values `given` (`fixed x k`) at the corners
 /// `fixed` (ascending). By a sparse Cholesky factorisation. Throws `DataError` where the energy does not

@@ -6,7 +6,6 @@
 
 #include <Eigen/Geometry>
 
-#include "tetrahedra/filled_domain.h"
 #include "tetrahedra/finite_elements.h"
 #include "tetrahedra/tetrahedra_field.h"
 #include "viscera/coordinates/cage/cage.h"
@@ -49,8 +48,7 @@ Eigen::RowVectorXd onCage(const Vec3& point, const Points& handles, const Triang
   const double size = boundsOf(handles).diagonal();
   Eigen::RowVectorXd row = Eigen::RowVectorXd::Zero(handles.rows());
   for (Eigen::Index t = 0; t < cage.rows(); ++t) {
-    const Vec3 a = handles.row(cage(t, 0)).transpose(), b = handles.row(cage(t, 1)).transpose(),
-               c = handles.row(cage(t, 2)).transpose();
+    const auto [a, b, c] = geometry::cornersOf(handles, cage, t);
     const Vec3 area = (b - a).cross(c - a), way = point - a;
     const double twice = area.norm();
     if (std::abs(way.dot(area)) > kOnTriangle * size * twice)
@@ -68,30 +66,8 @@ Eigen::RowVectorXd onCage(const Vec3& point, const Points& handles, const Triang
               "try another resolution, or a cage without needle-like triangles");
 }
 
-} // namespace
-
-std::string Harmonic::summary() const {
-  return "Solutions of Laplace's equation in a cage of any shape; local, and without negative lobes";
-}
-
-Traits Harmonic::traits() const {
-  Traits traits;
-  traits.needsCage = true;
-  traits.needsTetrahedra = true;
-  traits.interpolates = true;
-  traits.closedFormGradient = true;
-  traits.rotationInvariant = false;
-  traits.smooth = false;
-  return traits;
-}
-
-std::vector<Parameter> Harmonic::parameters() const {
-  return {kResolution};
-}
-
-std::unique_ptr<const PointSolver> Harmonic::prepareFor(const HandleSet& handles, const Points&,
-                                                        const BindOptions& options,
-                                                        Progress& progress) const {
+std::unique_ptr<const PointSolver> prepare(const HandleSet& handles, const Points&,
+                                           const BindOptions& options, Progress& progress) {
   const Triangles cage = cageOf(handles);
   // Handles that are no corners of the cage are none of the domain's either.
   std::vector<int> corners(cage.data(), cage.data() + cage.size());
@@ -116,5 +92,22 @@ std::unique_ptr<const PointSolver> Harmonic::prepareFor(const HandleSet& handles
       leastEnergy(stiffness(domain.solid), fixed, given, options.threads, progress);
   return std::make_unique<Solver>(TetrahedraField(std::move(domain.solid), values));
 }
+
+} // namespace
+
+Harmonic::Harmonic()
+    : PointwiseSystem(
+          {.id = "harmonic",
+           .name = "Harmonic",
+           .summary =
+               "Solutions of Laplace's equation in a cage of any shape; local, and without negative lobes",
+           .traits = {.needsCage = true,
+                      .needsTetrahedra = true,
+                      .interpolates = true,
+                      .closedFormGradient = true,
+                      .rotationInvariant = false,
+                      .smooth = false},
+           .parameters = {kResolution}},
+          prepare) {}
 
 } // namespace viscera::coordinates

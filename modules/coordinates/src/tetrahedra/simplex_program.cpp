@@ -6,7 +6,7 @@
 
 #include <Eigen/SparseCholesky>
 
-#include "tetrahedra/split_system.h"
+#include "tetrahedra/finite_elements.h"
 #include "viscera/core/error.h"
 
 namespace viscera::coordinates {

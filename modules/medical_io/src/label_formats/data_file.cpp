@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "label_formats/inflate.h"
-#include "label_formats/unpack_bzip2.h"
 #include "text_scanner.h"
 #include "viscera/core/error.h"
 
@@ -71,8 +69,7 @@ void takeValuesOf(Source& source, const StoredValues& stored, RawLabels& raw) {
     const std::string_view packed =
         source.file.view().substr(std::min(source.begin, source.file.bytes.size()));
     const std::uint64_t most = saturatedSum(saturatedSum(stored.skippedBytes, wanted), 1);
-    raw.storage = stored.packing == Packing::bzip2 ? unpackedBzip2(source.file, packed, most)
-                                                   : inflated(source.file, packed, most);
+    raw.storage = unpacked(source.file, packed, stored.packing, most);
     source.begin = 0;
   } else {
     raw.storage = std::move(source.file.bytes);

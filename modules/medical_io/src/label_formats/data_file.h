@@ -5,12 +5,10 @@
 #include <string_view>
 
 #include "label_formats/raw_labels.h"
+#include "label_formats/unpack.h"
 
 /// What NRRD, MetaImage and NIfTI in two files share: voxels behind the header or in a file beside it.
 namespace viscera::medical_io {
-
-/// How bytes are made fewer.
-enum class Packing { none, zlib, bzip2 }; ///< zlib: or gzip.
 
 /// How a header says that its voxels are stored.
 struct StoredValues {

@@ -11,32 +11,6 @@ namespace {
 
 constexpr std::size_t kBlock = std::size_t{1} << 20U; ///< Values between two looks at the progress.
 
-double loadDouble(const char* data, Scalar scalar, std::endian order) {
-  switch (scalar) {
-  case Scalar::int8:
-    return loadValue<std::int8_t>(data, order);
-  case Scalar::uint8:
-    return loadValue<std::uint8_t>(data, order);
-  case Scalar::int16:
-    return loadValue<std::int16_t>(data, order);
-  case Scalar::uint16:
-    return loadValue<std::uint16_t>(data, order);
-  case Scalar::int32:
-    return loadValue<std::int32_t>(data, order);
-  case Scalar::uint32:
-    return loadValue<std::uint32_t>(data, order);
-  case Scalar::int64:
-    return static_cast<double>(loadValue<std::int64_t>(data, order));
-  case Scalar::uint64:
-    return static_cast<double>(loadValue<std::uint64_t>(data, order));
-  case Scalar::float32:
-    return loadValue<float>(data, order);
-  case Scalar::float64:
-    break;
-  }
-  return loadValue<double>(data, order);
-}
-
 /// Numbers the labels of one layer after another in the order in which they come.
 class Encoder {
 public:

@@ -104,12 +104,10 @@ private:
          {"MET_FLOAT", Scalar::float32},
          {"MET_DOUBLE", Scalar::float64}}};
     const std::string_view type = value({"ElementType"}).value_or("");
-    const auto found =
-        std::find_if(kTypes.begin(), kTypes.end(), [&](const auto& t) { return t.first == type; });
-    if (found == kTypes.end())
-      file_.fail("its voxels are no plain numbers (ElementType " + inQuotes(type) + ")",
-                 "save it with whole numbers as labels");
-    return found->second;
+    if (const auto found = lookUp(kTypes, type))
+      return *found;
+    file_.fail("its voxels are no plain numbers (ElementType " + inQuotes(type) + ")",
+               "save it with whole numbers as labels");
   }
 
   /// The first three numbers of the matrix are the direction of i.

@@ -4,7 +4,6 @@
 #include <optional>
 
 #include "label_formats/data_file.h"
-#include "label_formats/inflate.h"
 #include "label_formats/raw_labels.h"
 #include "text_scanner.h"
 #include "viscera/core/error.h"
@@ -15,7 +14,14 @@
 namespace viscera::medical_io {
 namespace {
 
-constexpr std::size_t kHeader1 = 348, kHeader2 = 540;
+/// Where the fields of a version are, and how long its header is.
+struct Layout {
+  std::size_t bytes, magic, dim, pixdim, datatype, dataOffset, slope, intercept, units;
+  std::size_t qformCode, sformCode, quaternion, qOffset, sform;
+  std::string_view halfMagic; ///< Of a header whose voxels are in another file.
+};
+constexpr Layout kNifti1 = {348, 344, 40, 76, 70, 108, 112, 116, 123, 252, 254, 256, 268, 280, "ni1"};
+constexpr Layout kNifti2 = {540, 4, 16, 104, 12, 168, 176, 184, 500, 344, 348, 352, 376, 400, "ni2"};
 constexpr int kMostDimensions = 7;
 /// Of a packed header with its extensions: tables of names take some ten kilobytes.
 constexpr std::uint64_t kMostHeaderBytes = std::uint64_t{1} << 22U;
@@ -42,72 +48,55 @@ T at(std::string_view bytes, std::size_t offset, std::endian order) {
   return loadValue<T>(bytes.data() + offset, order);
 }
 
-/// The byte order in which the header states its own size; nothing for no NIfTI header.
-std::optional<std::endian> orderOf(std::string_view bytes, std::int32_t size) {
+/// The byte order in which the header states its own size; nothing for no NIfTI header of that version.
+std::optional<std::endian> orderOf(std::string_view bytes, const Layout& layout) {
   for (const std::endian order : {std::endian::little, std::endian::big})
-    if (bytes.size() >= static_cast<std::size_t>(size) && at<std::int32_t>(bytes, 0, order) == size)
+    if (bytes.size() >= layout.bytes && at<std::uint32_t>(bytes, 0, order) == layout.bytes &&
+        bytes[layout.magic] == 'n')
       return order;
   return std::nullopt;
 }
 
-Header header1(std::string_view bytes, std::endian order) {
-  Header h{.bytes = kHeader1, .order = order, .sform = {}};
+/// The versions differ in places and in types: of sizes, of real numbers, of the offset, of units and codes.
+template <typename Size, typename Real, typename Offset, typename Units, typename Code>
+Header headerBy(const Layout& layout, std::string_view bytes, std::endian order) {
+  Header h{.bytes = layout.bytes, .order = order, .sform = {}};
+  const auto real = [&](std::size_t first, std::size_t i = 0) -> double {
+    return at<Real>(bytes, first + sizeof(Real) * i, order);
+  };
   for (std::size_t d = 0; d <= kMostDimensions; ++d) {
-    h.dim[d] = at<std::int16_t>(bytes, 40 + 2 * d, order);
-    h.pixdim[d] = at<float>(bytes, 76 + 4 * d, order);
+    h.dim[d] = at<Size>(bytes, layout.dim + sizeof(Size) * d, order);
+    h.pixdim[d] = real(layout.pixdim, d);
   }
-  h.datatype = at<std::int16_t>(bytes, 70, order);
-  h.dataOffset = at<float>(bytes, 108, order);
-  h.slope = at<float>(bytes, 112, order);
-  h.intercept = at<float>(bytes, 116, order);
-  h.units = static_cast<unsigned char>(bytes[123]);
-  h.qformCode = at<std::int16_t>(bytes, 252, order);
-  h.sformCode = at<std::int16_t>(bytes, 254, order);
+  h.datatype = at<std::int16_t>(bytes, layout.datatype, order);
+  h.dataOffset = static_cast<double>(at<Offset>(bytes, layout.dataOffset, order));
+  h.slope = real(layout.slope);
+  h.intercept = real(layout.intercept);
+  h.units = at<Units>(bytes, layout.units, order);
+  h.qformCode = at<Code>(bytes, layout.qformCode, order);
+  h.sformCode = at<Code>(bytes, layout.sformCode, order);
   for (std::size_t i = 0; i < 3; ++i) {
-    h.quaternion[i] = at<float>(bytes, 256 + 4 * i, order);
-    h.qOffset[static_cast<int>(i)] = at<float>(bytes, 268 + 4 * i, order);
+    h.quaternion[i] = real(layout.quaternion, i);
+    h.qOffset[static_cast<int>(i)] = real(layout.qOffset, i);
   }
   for (std::size_t i = 0; i < 12; ++i)
-    h.sform.data()[i] = at<float>(bytes, 280 + 4 * i, order);
-  h.twoFiles = bytes.substr(344, 3) == "ni1";
-  return h;
-}
-
-Header header2(std::string_view bytes, std::endian order) {
-  Header h{.bytes = kHeader2, .order = order, .sform = {}};
-  for (std::size_t d = 0; d <= kMostDimensions; ++d) {
-    h.dim[d] = at<std::int64_t>(bytes, 16 + 8 * d, order);
-    h.pixdim[d] = at<double>(bytes, 104 + 8 * d, order);
-  }
-  h.datatype = at<std::int16_t>(bytes, 12, order);
-  h.dataOffset = static_cast<double>(at<std::int64_t>(bytes, 168, order));
-  h.slope = at<double>(bytes, 176, order);
-  h.intercept = at<double>(bytes, 184, order);
-  h.units = at<std::int32_t>(bytes, 500, order);
-  h.qformCode = at<std::int32_t>(bytes, 344, order);
-  h.sformCode = at<std::int32_t>(bytes, 348, order);
-  for (std::size_t i = 0; i < 3; ++i) {
-    h.quaternion[i] = at<double>(bytes, 352 + 8 * i, order);
-    h.qOffset[static_cast<int>(i)] = at<double>(bytes, 376 + 8 * i, order);
-  }
-  for (std::size_t i = 0; i < 12; ++i)
-    h.sform.data()[i] = at<double>(bytes, 400 + 8 * i, order);
-  h.twoFiles = bytes.substr(4, 3) == "ni2";
+    h.sform.data()[i] = real(layout.sform, i);
+  h.twoFiles = bytes.substr(layout.magic, 3) == layout.halfMagic;
   return h;
 }
 
 std::optional<Header> headerIn(std::string_view bytes) {
-  if (const auto order = orderOf(bytes, kHeader1); order && bytes.substr(344, 1) == "n")
-    return header1(bytes, *order);
-  if (const auto order = orderOf(bytes, kHeader2); order && bytes.substr(4, 1) == "n")
-    return header2(bytes, *order);
+  if (const auto order = orderOf(bytes, kNifti1))
+    return headerBy<std::int16_t, float, float, unsigned char, std::int16_t>(kNifti1, bytes, *order);
+  if (const auto order = orderOf(bytes, kNifti2))
+    return headerBy<std::int64_t, double, std::int64_t, std::int32_t, std::int32_t>(kNifti2, bytes, *order);
   return std::nullopt;
 }
 
 Header headerOf(const FileBytes& file, std::string_view bytes) {
   if (const auto header = headerIn(bytes))
     return *header;
-  if (bytes.size() < kHeader1)
+  if (bytes.size() < kNifti1.bytes)
     file.fail("the file is cut off: it has " + counted(bytes.size(), "byte", "bytes") +
               ", a NIfTI header alone has 348");
   file.fail("It is no NIfTI image: its header is not one", "check what the file is and where it came from");
@@ -124,31 +113,20 @@ std::array<int, 3> gridOf(const FileBytes& file, const Header& h) {
 }
 
 Scalar scalarOf(const FileBytes& file, int datatype) {
-  switch (datatype) {
-  case 2:
-    return Scalar::uint8;
-  case 4:
-    return Scalar::int16;
-  case 8:
-    return Scalar::int32;
-  case 16:
-    return Scalar::float32;
-  case 64:
-    return Scalar::float64;
-  case 256:
-    return Scalar::int8;
-  case 512:
-    return Scalar::uint16;
-  case 768:
-    return Scalar::uint32;
-  case 1024:
-    return Scalar::int64;
-  case 1280:
-    return Scalar::uint64;
-  default:
-    file.fail("its voxels are no plain numbers (NIfTI data type " + std::to_string(datatype) + ")",
-              "save it with whole numbers as labels");
-  }
+  static constexpr std::array<std::pair<int, Scalar>, 10> kTypes = {{{2, Scalar::uint8},
+                                                                     {4, Scalar::int16},
+                                                                     {8, Scalar::int32},
+                                                                     {16, Scalar::float32},
+                                                                     {64, Scalar::float64},
+                                                                     {256, Scalar::int8},
+                                                                     {512, Scalar::uint16},
+                                                                     {768, Scalar::uint32},
+                                                                     {1024, Scalar::int64},
+                                                                     {1280, Scalar::uint64}}};
+  if (const auto scalar = lookUp(kTypes, datatype))
+    return *scalar;
+  file.fail("its voxels are no plain numbers (NIfTI data type " + std::to_string(datatype) + ")",
+            "save it with whole numbers as labels");
 }
 
 bool usable(const Eigen::Affine3d& grid) {
@@ -280,7 +258,7 @@ bool isPacked(std::string_view bytes) {
 
 /// At most `most` bytes of a file, unpacked.
 std::string beginOf(const FileBytes& file, std::uint64_t most) {
-  return isPacked(file.view()) ? inflated(file, file.view(), most)
+  return isPacked(file.view()) ? unpacked(file, file.view(), Packing::zlib, most)
                                : file.bytes.substr(0, static_cast<std::size_t>(most));
 }
 
@@ -304,7 +282,7 @@ std::optional<std::filesystem::path> otherHalf(const std::filesystem::path& file
 /// A file of voxels alone gives its place to its header; it keeps its name, under which the user knows it.
 void replaceByHeader(FileBytes& file) {
   const std::string extension = extensionOf(file.file);
-  if ((extension != ".img" && extension != ".img.gz") || headerIn(beginOf(file, kHeader2)))
+  if ((extension != ".img" && extension != ".img.gz") || headerIn(beginOf(file, kNifti2.bytes)))
     return;
   file.bytes = {};
   const auto header = otherHalf(file.file, ".hdr");
@@ -331,9 +309,9 @@ void takeOtherHalf(FileBytes& file, const Header& h, RawLabels& raw) {
 
 void takeVoxelsBehind(FileBytes& file, const Header& h, RawLabels& raw) {
   const std::uint64_t offset = dataOffset(file, h);
-  raw.storage = isPacked(file.view())
-                    ? inflated(file, file.view(), saturatedSum(offset, saturatedSum(raw.byteCount(), 1)))
-                    : std::move(file.bytes);
+  raw.storage = isPacked(file.view()) ? unpacked(file, file.view(), Packing::zlib,
+                                                 saturatedSum(offset, saturatedSum(raw.byteCount(), 1)))
+                                      : std::move(file.bytes);
   raw.offset = static_cast<std::size_t>(std::min<std::uint64_t>(offset, raw.storage.size()));
   requireAllValues(raw, file);
   readExtensions(std::string_view(raw.storage).substr(0, raw.offset), h, raw);
@@ -343,7 +321,7 @@ void takeVoxelsBehind(FileBytes& file, const Header& h, RawLabels& raw) {
 
 RawLabels readNifti(FileBytes& file) {
   replaceByHeader(file);
-  const Header h = headerOf(file, beginOf(file, kHeader2));
+  const Header h = headerOf(file, beginOf(file, kNifti2.bytes));
   RawLabels raw;
   raw.size = gridOf(file, h);
   raw.scalar = scalarOf(file, h.datatype);

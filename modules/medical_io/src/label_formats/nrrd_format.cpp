@@ -20,14 +20,13 @@ struct Fields {
   std::map<std::string, std::string> keys;   ///< "Segment0_Name": as written.
   std::size_t headerEnd = 0;
 
-  std::optional<std::string_view> field(const std::string& name) const {
-    const auto found = fields.find(name);
-    return found == fields.end() ? std::nullopt : std::optional<std::string_view>(found->second);
+  using Map = std::map<std::string, std::string>;
+  static std::optional<std::string_view> in(const Map& map, const std::string& name) {
+    const auto found = map.find(name);
+    return found == map.end() ? std::nullopt : std::optional<std::string_view>(found->second);
   }
-  std::optional<std::string_view> key(const std::string& name) const {
-    const auto found = keys.find(name);
-    return found == keys.end() ? std::nullopt : std::optional<std::string_view>(found->second);
-  }
+  std::optional<std::string_view> field(const std::string& name) const { return in(fields, name); }
+  std::optional<std::string_view> key(const std::string& name) const { return in(keys, name); }
 };
 
 /// In values of keys a line end is written as \n and a backslash twice.
@@ -66,54 +65,28 @@ Fields fieldsOf(const FileBytes& file) {
 }
 
 Scalar scalarOf(const FileBytes& file, std::string_view type) {
-  static constexpr std::array<std::pair<std::string_view, Scalar>, 40> kTypes = {{
-      {"signed char", Scalar::int8},
-      {"int8", Scalar::int8},
-      {"int8_t", Scalar::int8},
-      {"uchar", Scalar::uint8},
-      {"unsigned char", Scalar::uint8},
-      {"uint8", Scalar::uint8},
-      {"uint8_t", Scalar::uint8},
-      {"short", Scalar::int16},
-      {"short int", Scalar::int16},
-      {"signed short", Scalar::int16},
-      {"signed short int", Scalar::int16},
-      {"int16", Scalar::int16},
-      {"int16_t", Scalar::int16},
-      {"ushort", Scalar::uint16},
-      {"unsigned short", Scalar::uint16},
-      {"unsigned short int", Scalar::uint16},
-      {"uint16", Scalar::uint16},
-      {"uint16_t", Scalar::uint16},
-      {"int", Scalar::int32},
-      {"signed int", Scalar::int32},
-      {"int32", Scalar::int32},
-      {"int32_t", Scalar::int32},
-      {"uint", Scalar::uint32},
-      {"unsigned int", Scalar::uint32},
-      {"uint32", Scalar::uint32},
-      {"uint32_t", Scalar::uint32},
-      {"longlong", Scalar::int64},
-      {"long long", Scalar::int64},
-      {"long long int", Scalar::int64},
-      {"signed long long", Scalar::int64},
-      {"signed long long int", Scalar::int64},
-      {"int64", Scalar::int64},
-      {"int64_t", Scalar::int64},
-      {"ulonglong", Scalar::uint64},
-      {"unsigned long long", Scalar::uint64},
-      {"unsigned long long int", Scalar::uint64},
-      {"uint64", Scalar::uint64},
-      {"uint64_t", Scalar::uint64},
-      {"float", Scalar::float32},
-      {"double", Scalar::float64},
-  }};
-  const auto found =
-      std::find_if(kTypes.begin(), kTypes.end(), [&](const auto& t) { return t.first == type; });
-  if (found == kTypes.end())
-    file.fail("its voxels are no plain numbers (type " + inQuotes(type) + ")",
-              "save it with whole numbers as labels");
-  return found->second;
+  struct TypeNames {
+    Scalar scalar;
+    std::array<std::string_view, 7> names;
+  };
+  static constexpr std::array<TypeNames, 10> kTypes = {
+      {{Scalar::int8, {"signed char", "int8", "int8_t"}},
+       {Scalar::uint8, {"uchar", "unsigned char", "uint8", "uint8_t"}},
+       {Scalar::int16, {"short", "short int", "signed short", "signed short int", "int16", "int16_t"}},
+       {Scalar::uint16, {"ushort", "unsigned short", "unsigned short int", "uint16", "uint16_t"}},
+       {Scalar::int32, {"int", "signed int", "int32", "int32_t"}},
+       {Scalar::uint32, {"uint", "unsigned int", "uint32", "uint32_t"}},
+       {Scalar::int64,
+        {"longlong", "long long", "long long int", "signed long long", "signed long long int", "int64",
+         "int64_t"}},
+       {Scalar::uint64, {"ulonglong", "unsigned long long", "unsigned long long int", "uint64", "uint64_t"}},
+       {Scalar::float32, {"float"}},
+       {Scalar::float64, {"double"}}}};
+  for (const TypeNames& known : kTypes)
+    if (!type.empty() && std::find(known.names.begin(), known.names.end(), type) != known.names.end())
+      return known.scalar;
+  file.fail("its voxels are no plain numbers (type " + inQuotes(type) + ")",
+            "save it with whole numbers as labels");
 }
 
 /// The vectors "(1,0,0) none (0,1,0)"; nothing for an axis that is not of space.

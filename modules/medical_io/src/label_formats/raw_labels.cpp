@@ -1,6 +1,5 @@
 #include "label_formats/raw_labels.h"
 
-#include <array>
 #include <cmath>
 
 namespace viscera::medical_io {
@@ -12,11 +11,6 @@ constexpr double kFarthestMm = 1e9;
 constexpr double kFlattest = 1e-6;
 
 } // namespace
-
-std::size_t sizeOf(Scalar scalar) {
-  constexpr std::array<std::size_t, 10> kSizes = {1, 1, 2, 2, 4, 4, 8, 8, 4, 8};
-  return kSizes[static_cast<std::size_t>(scalar)];
-}
 
 std::uint64_t RawLabels::valueCount() const {
   std::uint64_t count = static_cast<std::uint64_t>(layers);

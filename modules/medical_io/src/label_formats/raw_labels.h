@@ -9,15 +9,10 @@
 #include <vector>
 
 #include "file_bytes.h"
+#include "scalar.h"
 #include "viscera/medical_io/label_map.h"
 
 namespace viscera::medical_io {
-
-/// How a number is stored.
-enum class Scalar { int8, uint8, int16, uint16, int32, uint32, int64, uint64, float32, float64 };
-
-/// Bytes of one.
-std::size_t sizeOf(Scalar scalar);
 
 /// What a file says of one segment.
 struct StatedSegment {
@@ -62,5 +57,9 @@ RawLabels readNrrd(FileBytes& file);
 RawLabels readMetaImage(FileBytes& file);
 /// Parses with DCMTK.
 RawLabels readDicomSegmentation(FileBytes& file);
+
+/// As `readLabelMap`, for one file, but with only the names and colours that the file itself has, and without
+/// segments when no voxel has a label.
+LabelMap readLabelFile(const std::filesystem::path& file, Progress& progress);
 
 } // namespace viscera::medical_io

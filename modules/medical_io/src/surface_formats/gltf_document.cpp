@@ -4,7 +4,6 @@
 #include <array>
 #include <optional>
 
-#include "base64.h"
 #include "byte_cursor.h"
 #include "text_scanner.h"
 #include "viscera/core/error.h"
@@ -16,40 +15,24 @@ constexpr std::uint32_t kJsonChunk = 0x4E4F534A;
 constexpr std::uint32_t kBinaryChunk = 0x004E4942;
 
 struct ComponentType {
-  std::uint64_t code;
-  std::size_t bytes;
+  Scalar scalar;
   double largest; ///< What a normalised integer is divided by; 0 for floats.
-  double (*load)(const char*);
 };
 
-template <typename T>
-double loadLittle(const char* data) {
-  return static_cast<double>(loadValue<T>(data, std::endian::little));
-}
+constexpr std::array<std::pair<std::uint64_t, ComponentType>, 6> kComponentTypes = {
+    {{5120, {Scalar::int8, 127}},
+     {5121, {Scalar::uint8, 255}},
+     {5122, {Scalar::int16, 32767}},
+     {5123, {Scalar::uint16, 65535}},
+     {5125, {Scalar::uint32, 4294967295.0}},
+     {5126, {Scalar::float32, 0}}}};
 
-constexpr std::array<ComponentType, 6> kComponentTypes = {{{5120, 1, 127, loadLittle<std::int8_t>},
-                                                           {5121, 1, 255, loadLittle<std::uint8_t>},
-                                                           {5122, 2, 32767, loadLittle<std::int16_t>},
-                                                           {5123, 2, 65535, loadLittle<std::uint16_t>},
-                                                           {5125, 4, 4294967295.0, loadLittle<std::uint32_t>},
-                                                           {5126, 4, 0, loadLittle<float>}}};
-
-struct Shape {
-  std::string_view name;
-  std::size_t components;
-};
-constexpr std::array<Shape, 7> kShapes = {
+constexpr std::array<std::pair<std::string_view, std::size_t>, 7> kComponents = {
     {{"SCALAR", 1}, {"VEC2", 2}, {"VEC3", 3}, {"VEC4", 4}, {"MAT2", 4}, {"MAT3", 9}, {"MAT4", 16}}};
 
 /// Extensions that change how a surface looks, but not what shape it has.
 constexpr std::array<std::string_view, 4> kHarmless = {"KHR_materials", "KHR_texture",
                                                        "KHR_mesh_quantization", "KHR_lights"};
-
-const ComponentType* componentType(std::uint64_t code) {
-  const auto found = std::find_if(kComponentTypes.begin(), kComponentTypes.end(),
-                                  [&](const ComponentType& t) { return t.code == code; });
-  return found == kComponentTypes.end() ? nullptr : &*found;
-}
 
 /// "%20" becomes a space.
 std::string decodedUri(std::string_view uri) {
@@ -112,9 +95,7 @@ void GltfDocument::parseJson(std::string_view text) {
   try {
     json_ = Json::parse(text);
   } catch (const Json::exception& error) {
-    const std::string_view what = error.what();
-    const std::size_t end = what.find("] ");
-    file_.fail("It is no complete JSON: " + std::string(end == what.npos ? what : what.substr(end + 2)));
+    failAsJson(file_, error);
   }
   if (!json_.is_object())
     file_.fail("its JSON is no object: it is no glTF file");
@@ -222,20 +203,19 @@ GltfDocument::View GltfDocument::view(std::uint64_t accessor) const {
     fail(where + " is sparse, which Viscera does not read");
 
   View result;
-  result.componentType = whole(json, "componentType");
-  const ComponentType* type = componentType(result.componentType);
-  const std::string shape = text(json, "type");
-  const auto known =
-      std::find_if(kShapes.begin(), kShapes.end(), [&](const Shape& s) { return s.name == shape; });
-  if (type == nullptr || known == kShapes.end())
+  const auto type = lookUp(kComponentTypes, whole(json, "componentType"));
+  const auto components = lookUp(kComponents, text(json, "type"));
+  if (!type || !components)
     fail(where + " has an unknown type");
-  result.components = known->components;
+  result.scalar = type->scalar;
+  result.components = *components;
   const auto normalized = json.find("normalized");
-  result.normalized = normalized != json.end() && normalized->is_boolean() && normalized->get<bool>();
+  if (normalized != json.end() && normalized->is_boolean() && normalized->get<bool>() && type->largest > 0)
+    result.largest = type->largest;
 
   const Json& bufferView = entry("bufferViews", whole(json, "bufferView"));
   result.data = dataOf(bufferView, whole(json, "byteOffset", 0), where);
-  const std::size_t elementBytes = type->bytes * result.components;
+  const std::size_t elementBytes = sizeOf(type->scalar) * result.components;
   const std::uint64_t stride = whole(bufferView, "byteStride", elementBytes);
   const std::uint64_t count = whole(json, "count");
   const bool fits = count == 0 || (elementBytes <= result.data.size() &&
@@ -263,27 +243,26 @@ std::string_view GltfDocument::dataOf(const Json& bufferView, std::uint64_t offs
 
 std::vector<double> GltfDocument::numbers(std::uint64_t accessor, std::size_t& components) const {
   const View data = view(accessor);
-  const ComponentType& type = *componentType(data.componentType);
   components = data.components;
   std::vector<double> values;
   values.reserve(data.count * data.components);
   for (std::size_t i = 0; i < data.count; ++i)
     for (std::size_t k = 0; k < data.components; ++k) {
-      const double value = type.load(data.data.data() + i * data.stride + k * type.bytes);
-      values.push_back(data.normalized && type.largest > 0 ? std::max(value / type.largest, -1.0) : value);
+      const char* at = data.data.data() + i * data.stride + k * sizeOf(data.scalar);
+      const double value = loadDouble(at, data.scalar, std::endian::little);
+      values.push_back(data.largest > 0 ? std::max(value / data.largest, -1.0) : value);
     }
   return values;
 }
 
 std::vector<std::int64_t> GltfDocument::indices(std::uint64_t accessor) const {
   const View data = view(accessor);
-  if (data.components != 1 || data.componentType == 5126)
+  if (data.components != 1 || !isWhole(data.scalar))
     fail("accessor " + std::to_string(accessor) + " should hold point numbers");
-  const ComponentType& type = *componentType(data.componentType);
   std::vector<std::int64_t> values;
   values.reserve(data.count);
   for (std::size_t i = 0; i < data.count; ++i)
-    values.push_back(static_cast<std::int64_t>(type.load(data.data.data() + i * data.stride)));
+    values.push_back(loadInteger(data.data.data() + i * data.stride, data.scalar, std::endian::little));
   return values;
 }
 

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "file_bytes.h"
+#include "scalar.h"
 
 namespace viscera::medical_io {
 
@@ -47,8 +48,8 @@ private:
     std::size_t stride = 0;
     std::size_t count = 0;
     std::size_t components = 0;
-    std::uint64_t componentType = 0;
-    bool normalized = false;
+    Scalar scalar = Scalar::float32;
+    double largest = 0; ///< What normalised integers are divided by; 0: they are taken as they are.
   };
 
   void parseGlb();

@@ -19,7 +19,6 @@
 #include "viscera/core/atomic_file.h"
 #include "viscera/core/error.h"
 #include "viscera/geometry/normals.h"
-#include "viscera/medical_io/surfaces_file.h"
 
 // Own reader: VTK's looks at neither the sizes of a damaged file nor `extras`, and its writer knows no vertex
 // colours.
@@ -62,8 +61,6 @@ public:
       readAllMeshes();
     else
       readScene();
-    if (raw_.colors.size() != raw_.coordinates.size())
-      raw_.colors.clear();
     if (names_.size() == 1)
       raw_.name = names_.front();
     if (names_.size() > 1)
@@ -246,8 +243,7 @@ private:
       document_.fail("its colours do not fit its points");
     for (std::size_t i = 0; i < values.size(); ++i)
       if (i % components < 3)
-        raw_.colors.push_back(static_cast<std::uint8_t>(
-            values[i] > 0 ? 255 * encodedFromLinear(std::min(values[i], 1.0)) + 0.5 : 0.0));
+        raw_.addChannel(values[i] > 0 ? 255 * encodedFromLinear(std::min(values[i], 1.0)) : 0.0);
   }
 
   std::vector<std::int64_t> cornersOf(const Json& primitive, std::size_t points, std::uint64_t mesh) const {
@@ -459,10 +455,6 @@ Json materialOf(const NamedSurface& surface) {
   return material;
 }
 
-void write(std::ostream& out, const std::string& glb) {
-  out.write(glb.data(), static_cast<std::streamsize>(glb.size()));
-}
-
 } // namespace
 
 RawSurface readGltf(const FileBytes& file) {
@@ -472,7 +464,7 @@ RawSurface readGltf(const FileBytes& file) {
 void writeGlb(std::ostream& out, const geometry::TriangleMesh& mesh, const WriteSurface& options) {
   GlbBuilder builder(options.space);
   builder.add(mesh, options.name, plainMaterial());
-  write(out, builder.run());
+  out << builder.run();
 }
 
 void writeSurfaces(const std::filesystem::path& file, const std::vector<NamedSurface>& surfaces) {
@@ -486,7 +478,7 @@ void writeSurfaces(const std::filesystem::path& file, const std::vector<NamedSur
     geometry::requireValid(*surface.mesh, surface.name);
     builder.add(*surface.mesh, surface.name, materialOf(surface));
   }
-  writeAtomically(file, [&](std::ostream& out) { write(out, builder.run()); });
+  writeAtomically(file, [&](std::ostream& out) { out << builder.run(); });
 }
 
 } // namespace viscera::medical_io

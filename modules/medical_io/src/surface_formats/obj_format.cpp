@@ -172,7 +172,7 @@ void writeObj(std::ostream& out, const geometry::TriangleMesh& mesh, const Write
       appendNumber(text += ' ', std::int64_t{mesh.triangles(t, k)} + 1);
     text += '\n';
   }
-  out.write(text.data(), static_cast<std::streamsize>(text.size()));
+  out << text;
 }
 
 } // namespace viscera::medical_io

@@ -22,8 +22,6 @@ public:
     readHeader();
     for (std::uint64_t v = 0; v < points_; ++v)
       readPoint();
-    if (raw_.colors.size() != raw_.coordinates.size())
-      raw_.colors.clear();
     for (std::uint64_t f = 0; f < faces_; ++f)
       readFace();
     return std::move(raw_);
@@ -36,19 +34,12 @@ private:
       std::string_view line = scanner_.line();
       const std::size_t comment = line.find('#');
       if (comment != line.npos)
-        readComment(trimmed(line.substr(comment + 1)));
+        raw_.takeComment(trimmed(line.substr(comment + 1)));
       line = trimmed(line.substr(0, comment));
       if (!line.empty())
         return line;
     }
     scanner_.failAtEnd(part);
-  }
-
-  void readComment(std::string_view comment) {
-    if (!raw_.space)
-      raw_.space = findSpace(comment, raw_.warnings);
-    if (raw_.name.empty())
-      raw_.name = nameInComment(comment);
   }
 
   void readHeader() {
@@ -109,10 +100,8 @@ private:
     }
     if (channels.size() != 3 && channels.size() != 4)
       return;
-    for (std::size_t k = 0; k < 3; ++k) {
-      const double value = channels[k] * (fractions ? 255.0 : 1.0);
-      raw_.colors.push_back(static_cast<std::uint8_t>(value > 0 ? std::min(value, 255.0) + 0.5 : 0.0));
-    }
+    for (std::size_t k = 0; k < 3; ++k)
+      raw_.addChannel(channels[k] * (fractions ? 255.0 : 1.0));
   }
 
   void readFace() {
@@ -165,7 +154,7 @@ void writeOff(std::ostream& out, const geometry::TriangleMesh& mesh, const Write
       appendNumber(text += ' ', std::int64_t{mesh.triangles(t, k)});
     text += '\n';
   }
-  out.write(text.data(), static_cast<std::streamsize>(text.size()));
+  out << text;
 }
 
 } // namespace viscera::medical_io

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "byte_cursor.h"
+#include "scalar.h"
 #include "space_tag.h"
 #include "surface_formats.h"
 #include "text_scanner.h"
@@ -21,26 +22,18 @@ namespace {
 
 struct ValueType {
   std::array<std::string_view, 2> names;
-  std::size_t bytes;
-  double (*take)(ByteCursor&);
+  Scalar scalar;
   double fullColor; ///< The value of a colour channel at its brightest.
 };
 
-template <typename T>
-double takeNumber(ByteCursor& cursor) {
-  return static_cast<double>(cursor.take<T>("a value"));
-}
-
-constexpr std::array<ValueType, 8> kTypes = {{
-    {{"char", "int8"}, 1, takeNumber<std::int8_t>, 127},
-    {{"uchar", "uint8"}, 1, takeNumber<std::uint8_t>, 255},
-    {{"short", "int16"}, 2, takeNumber<std::int16_t>, 32767},
-    {{"ushort", "uint16"}, 2, takeNumber<std::uint16_t>, 65535},
-    {{"int", "int32"}, 4, takeNumber<std::int32_t>, 255},
-    {{"uint", "uint32"}, 4, takeNumber<std::uint32_t>, 255},
-    {{"float", "float32"}, 4, takeNumber<float>, 1},
-    {{"double", "float64"}, 8, takeNumber<double>, 1},
-}};
+constexpr std::array<ValueType, 8> kTypes = {{{{"char", "int8"}, Scalar::int8, 127},
+                                              {{"uchar", "uint8"}, Scalar::uint8, 255},
+                                              {{"short", "int16"}, Scalar::int16, 32767},
+                                              {{"ushort", "uint16"}, Scalar::uint16, 65535},
+                                              {{"int", "int32"}, Scalar::int32, 255},
+                                              {{"uint", "uint32"}, Scalar::uint32, 255},
+                                              {{"float", "float32"}, Scalar::float32, 1},
+                                              {{"double", "float64"}, Scalar::float64, 1}}};
 
 struct Property {
   std::string name;
@@ -63,7 +56,7 @@ struct Element {
   std::uint64_t leastBytes() const {
     std::uint64_t bytes = 0;
     for (const Property& p : properties)
-      bytes += p.listCount != nullptr ? p.listCount->bytes : p.type->bytes;
+      bytes += sizeOf((p.listCount != nullptr ? p.listCount : p.type)->scalar);
     return bytes;
   }
 };
@@ -114,7 +107,7 @@ private:
       else if (word == "property")
         readProperty(line);
       else if (word == "comment" || word == "obj_info")
-        readComment(trimmed(line));
+        raw_.takeComment(trimmed(line));
       else if (!word.empty())
         text_.fail(inQuotes(word) + " is no word of a PLY header");
     }
@@ -163,13 +156,6 @@ private:
     elements_.back().properties.push_back(std::move(property));
   }
 
-  void readComment(std::string_view comment) {
-    if (!raw_.space)
-      raw_.space = findSpace(comment, raw_.warnings);
-    if (raw_.name.empty())
-      raw_.name = nameInComment(comment);
-  }
-
   void requireRoom(const Element& element, const ByteCursor& bytes) const {
     const std::uint64_t left = binary_ ? bytes.remaining() : text_.remaining() + 1;
     const std::uint64_t each = binary_ ? element.leastBytes() : 2 * element.properties.size();
@@ -180,7 +166,8 @@ private:
   }
 
   double next(const ValueType& type, ByteCursor& bytes) {
-    return binary_ ? type.take(bytes) : text_.number("a value");
+    return binary_ ? loadDouble(bytes.takeBytes(sizeOf(type.scalar), "a value").data(), type.scalar, order_)
+                   : text_.number("a value");
   }
 
   /// A number as an index. -1 ends a strip; what can be no index becomes -2, which is refused later.
@@ -199,7 +186,8 @@ private:
         continue;
       }
       const double count = next(*property.listCount, bytes);
-      const std::uint64_t left = binary_ ? bytes.remaining() / property.type->bytes : text_.remaining();
+      const std::uint64_t left =
+          binary_ ? bytes.remaining() / sizeOf(property.type->scalar) : text_.remaining();
       if (!(count >= 0 && count <= static_cast<double>(left)))
         file_.fail("the file is cut off or damaged: a list of " + inQuotes(element.name) + " " +
                    std::to_string(number) + " should have more values than are left");
@@ -231,17 +219,14 @@ private:
                                  element.find("blue", "diffuse_blue")};
     if (!channels[0] || !channels[1] || !channels[2])
       return;
-    for (const auto& channel : channels) {
-      const double scaled = row_.values[*channel] * 255.0 / element.properties[*channel].type->fullColor;
-      raw_.colors.push_back(static_cast<std::uint8_t>(scaled > 0 ? std::min(scaled, 255.0) + 0.5 : 0.0));
-    }
+    for (const auto& channel : channels)
+      raw_.addChannel(row_.values[*channel] * 255.0 / element.properties[*channel].type->fullColor);
   }
 
   void takeFace(const Element& element) {
     if (!element.find("vertex_indices", "vertex_index"))
       file_.fail("its faces have no vertex_indices");
-    raw_.corners.insert(raw_.corners.end(), row_.list.begin(), row_.list.end());
-    raw_.endPolygon();
+    raw_.addPolygon(row_.list);
   }
 
   /// One list with all strips; -1 ends a strip.
@@ -291,7 +276,7 @@ void writePly(std::ostream& out, const geometry::TriangleMesh& mesh, const Write
     for (int k = 0; k < 3; ++k)
       appendValue(bytes, mesh.triangles(t, k));
   }
-  out.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  out << bytes;
 }
 
 } // namespace viscera::medical_io

@@ -62,8 +62,7 @@ RawSurface readBinary(const FileBytes& file) {
   const std::uint64_t count = requireBinaryCount(file, raw);
   const std::string_view header = std::string_view(file.bytes).substr(0, kHeaderBytes);
   const std::string_view text = header.substr(0, header.find('\0'));
-  raw.space = findSpace(text, raw.warnings);
-  raw.name = nameInComment(text);
+  raw.takeComment(text);
   raw.coordinates.reserve(count * 9);
   raw.corners.reserve(count * 3);
   raw.ends.reserve(count);
@@ -156,7 +155,7 @@ void writeStl(std::ostream& out, const geometry::TriangleMesh& mesh, const Write
         appendValue(bytes, static_cast<float>(corner[axis]));
     appendValue(bytes, std::uint16_t{0});
   }
-  out.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  out << bytes;
 }
 
 } // namespace viscera::medical_io

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <ostream>
 #include <span>
 #include <string>
@@ -12,6 +13,7 @@
 #include <vtkPolyDataWriter.h>
 
 #include "quiet_vtk.h"
+#include "scalar.h"
 #include "space_tag.h"
 #include "surface_formats.h"
 #include "text_scanner.h"
@@ -23,59 +25,37 @@
 namespace viscera::medical_io {
 namespace {
 
-struct ValueType {
-  std::string_view name;
-  std::size_t bytes; ///< In a binary file; 0 for strings.
-  double (*load)(const char*);
-  std::int64_t (*loadInteger)(const char*); ///< Null for types that cannot be indices.
-};
+/// The type of an array; none for texts.
+using Type = std::optional<Scalar>;
 
-template <typename T>
-double loadAsDouble(const char* data) {
-  return static_cast<double>(loadValue<T>(data, std::endian::big));
-}
-template <typename T>
-std::int64_t loadAsInteger(const char* data) {
-  return static_cast<std::int64_t>(loadValue<T>(data, std::endian::big));
-}
-template <typename T>
-constexpr ValueType whole(std::string_view name) {
-  return {name, sizeof(T), loadAsDouble<T>, loadAsInteger<T>};
-}
-
-constexpr std::array<ValueType, 16> kTypes = {{
-    whole<std::uint8_t>("unsigned_char"),
-    whole<std::int8_t>("char"),
-    whole<std::int8_t>("signed_char"),
-    whole<std::uint16_t>("unsigned_short"),
-    whole<std::int16_t>("short"),
-    whole<std::uint32_t>("unsigned_int"),
-    whole<std::int32_t>("int"),
-    whole<std::uint64_t>("unsigned_long"),
-    whole<std::int64_t>("long"),
-    whole<std::int64_t>("vtktypeint64"),
-    whole<std::uint64_t>("vtktypeuint64"),
-    whole<std::int32_t>("vtkidtype"),
-    {"float", 4, loadAsDouble<float>, nullptr},
-    {"double", 8, loadAsDouble<double>, nullptr},
-    {"string", 0, nullptr, nullptr},
-    {"utf8_string", 0, nullptr, nullptr},
-}};
+constexpr std::array<std::pair<std::string_view, Type>, 16> kTypes = {{{"unsigned_char", Scalar::uint8},
+                                                                       {"char", Scalar::int8},
+                                                                       {"signed_char", Scalar::int8},
+                                                                       {"unsigned_short", Scalar::uint16},
+                                                                       {"short", Scalar::int16},
+                                                                       {"unsigned_int", Scalar::uint32},
+                                                                       {"int", Scalar::int32},
+                                                                       {"unsigned_long", Scalar::uint64},
+                                                                       {"long", Scalar::int64},
+                                                                       {"vtktypeint64", Scalar::int64},
+                                                                       {"vtktypeuint64", Scalar::uint64},
+                                                                       {"vtkidtype", Scalar::int32},
+                                                                       {"float", Scalar::float32},
+                                                                       {"double", Scalar::float64},
+                                                                       {"string", std::nullopt},
+                                                                       {"utf8_string", std::nullopt}}};
 
 /// Attributes of which every element has a fixed number of values, behind "KEYWORD name type".
-struct FixedAttribute {
-  std::string_view keyword;
-  std::uint64_t components;
-};
-constexpr std::array<FixedAttribute, 9> kFixedAttributes = {{{"vectors", 3},
-                                                             {"normals", 3},
-                                                             {"tensors", 9},
-                                                             {"tensors6", 6},
-                                                             {"global_ids", 1},
-                                                             {"pedigree_ids", 1},
-                                                             {"edge_flags", 1},
-                                                             {"rationalweights", 1},
-                                                             {"higherorderdegrees", 3}}};
+constexpr std::array<std::pair<std::string_view, std::uint64_t>, 9> kFixedAttributes = {
+    {{"vectors", 3},
+     {"normals", 3},
+     {"tensors", 9},
+     {"tensors6", 6},
+     {"global_ids", 1},
+     {"pedigree_ids", 1},
+     {"edge_flags", 1},
+     {"rationalweights", 1},
+     {"higherorderdegrees", 3}}};
 
 class LegacyVtkReader {
 public:
@@ -85,11 +65,6 @@ public:
     readHeader();
     while (!scanner_.atEnd() && readSection()) {
     }
-    if (raw_.colors.size() != raw_.coordinates.size())
-      raw_.colors.clear();
-    if (ignoredCells_ > 0)
-      raw_.warnings.push_back(counted(ignoredCells_, "line or point cell", "line or point cells") +
-                              " ignored");
     return std::move(raw_);
   }
 
@@ -101,8 +76,7 @@ private:
     const std::size_t version = first.find_first_of("0123456789");
     offsetsApart_ = version != first.npos && parseNumber(trimmed(first.substr(version))).value_or(0) >= 5.0;
     const std::string_view title = scanner_.line();
-    raw_.space = findSpace(title, raw_.warnings);
-    raw_.name = nameInComment(title);
+    raw_.takeComment(title);
     const std::string mode = lowered(trimmed(scanner_.line()));
     if (mode != "ascii" && mode != "binary")
       scanner_.fail(inQuotes(mode) + " stands where ASCII or BINARY should");
@@ -148,78 +122,60 @@ private:
                  "extract its surface first");
   }
 
-  const ValueType& readType() {
+  Type readType() {
     const std::string_view word = scanner_.word();
-    const std::string name = lowered(word);
-    const auto found =
-        std::find_if(kTypes.begin(), kTypes.end(), [&](const ValueType& t) { return t.name == name; });
-    if (found == kTypes.end())
+    const auto type = lookUp(kTypes, lowered(word));
+    if (!type)
       scanner_.fail(inQuotes(word) + " is no type of numbers");
-    return *found;
+    return *type;
   }
 
-  /// Binary data begin in the line behind the words that announce them.
-  std::string_view binaryData(std::uint64_t count, const ValueType& type) {
-    scanner_.line();
-    const std::uint64_t bytes = saturatedProduct(count, type.bytes);
+  void requireRoom(std::uint64_t bytes, std::uint64_t numbers) const {
     if (bytes > scanner_.remaining())
-      scanner_.fail("the file is cut off: " + std::to_string(count) + " numbers follow, but only " +
+      scanner_.fail("the file is cut off: " + std::to_string(numbers) + " numbers follow, but only " +
                     counted(scanner_.remaining(), "byte", "bytes"));
+  }
+  void requireRoom(std::uint64_t count) const { requireRoom(count, count); }
+
+  /// Binary data begin in the line behind the words that announce them.
+  std::string_view binaryData(std::uint64_t count, Scalar type) {
+    scanner_.line();
+    const std::uint64_t bytes = saturatedProduct(count, sizeOf(type));
+    requireRoom(bytes, count);
     const std::string_view data = scanner_.rest().substr(0, static_cast<std::size_t>(bytes));
     scanner_.moveTo(scanner_.position() + data.size());
     return data;
   }
 
-  void requireRoom(std::uint64_t count) const {
-    if (count > scanner_.remaining())
-      scanner_.fail("the file is cut off: " + std::to_string(count) + " numbers follow, but only " +
-                    counted(scanner_.remaining(), "byte", "bytes"));
+  template <class Number>
+  std::vector<Number> readValues(std::uint64_t count, Scalar type,
+                                 Number (*load)(const char*, Scalar, std::endian),
+                                 Number (TextScanner::*next)(std::string_view), std::string_view part) {
+    std::vector<Number> values;
+    if (binary_) {
+      const std::string_view data = binaryData(count, type);
+      values.reserve(static_cast<std::size_t>(count));
+      for (std::size_t at = 0; at < data.size(); at += sizeOf(type))
+        values.push_back(load(data.data() + at, type, std::endian::big));
+      return values;
+    }
+    requireRoom(count);
+    values.reserve(static_cast<std::size_t>(count));
+    for (std::uint64_t i = 0; i < count; ++i)
+      values.push_back((scanner_.*next)(part));
+    return values;
   }
 
-  std::vector<double> readNumbers(std::uint64_t count, const ValueType& type) {
-    if (type.bytes == 0)
+  std::vector<double> readNumbers(std::uint64_t count, const Type& type) {
+    if (!type)
       scanner_.fail("texts stand where numbers should");
-    std::vector<double> values;
-    if (binary_) {
-      const std::string_view data = binaryData(count, type);
-      values.reserve(static_cast<std::size_t>(count));
-      for (std::size_t at = 0; at < data.size(); at += type.bytes)
-        values.push_back(type.load(data.data() + at));
-      return values;
-    }
-    requireRoom(count);
-    values.reserve(static_cast<std::size_t>(count));
-    for (std::uint64_t i = 0; i < count; ++i)
-      values.push_back(scanner_.number("a number"));
-    return values;
+    return readValues(count, *type, loadDouble, &TextScanner::number, "a number");
   }
 
-  std::vector<std::int64_t> readIntegers(std::uint64_t count, const ValueType& type) {
-    if (type.loadInteger == nullptr)
+  std::vector<std::int64_t> readIntegers(std::uint64_t count, const Type& type) {
+    if (!type || !isWhole(*type))
       scanner_.fail("point numbers are of a type that is not whole");
-    std::vector<std::int64_t> values;
-    if (binary_) {
-      const std::string_view data = binaryData(count, type);
-      values.reserve(static_cast<std::size_t>(count));
-      for (std::size_t at = 0; at < data.size(); at += type.bytes)
-        values.push_back(type.loadInteger(data.data() + at));
-      return values;
-    }
-    requireRoom(count);
-    values.reserve(static_cast<std::size_t>(count));
-    for (std::uint64_t i = 0; i < count; ++i)
-      values.push_back(scanner_.integer("a point's number"));
-    return values;
-  }
-
-  void skipNumbers(std::uint64_t count, const ValueType& type) {
-    if (binary_) {
-      binaryData(count, type);
-      return;
-    }
-    requireRoom(count);
-    for (std::uint64_t i = 0; i < count; ++i)
-      scanner_.number("a number");
+    return readValues(count, *type, loadInteger, &TextScanner::integer, "a point's number");
   }
 
   void readPoints() {
@@ -229,15 +185,13 @@ private:
     raw_.coordinates = readNumbers(saturatedProduct(count, 3), readType());
   }
 
-  static const ValueType& intType() { return kTypes[6]; }
-
   void readCells(const std::string& keyword) {
     const std::uint64_t count = scanner_.count("the number of cells", 0);
     const std::uint64_t size = scanner_.count("the size of the cells", 1);
     if (offsetsApart_)
       readCellsByOffsets(keyword, count, size);
     else
-      readCellsBySizes(keyword, count, readIntegers(size, intType()));
+      readCellsBySizes(keyword, count, readIntegers(size, Scalar::int32));
   }
 
   void readCellsBySizes(const std::string& keyword, std::uint64_t count,
@@ -278,12 +232,11 @@ private:
 
   void addCell(const std::string& keyword, std::span<const std::int64_t> cell) {
     if (keyword == "polygons") {
-      raw_.corners.insert(raw_.corners.end(), cell.begin(), cell.end());
-      raw_.endPolygon();
+      raw_.addPolygon(cell);
     } else if (keyword == "triangle_strips") {
       raw_.addStrip(cell);
     } else {
-      ++ignoredCells_;
+      ++raw_.ignoredCells;
     }
   }
 
@@ -305,27 +258,25 @@ private:
 
   /// False for a keyword that is none.
   bool readAttribute(const std::string& keyword) {
-    const auto fixed = std::find_if(kFixedAttributes.begin(), kFixedAttributes.end(),
-                                    [&](const FixedAttribute& a) { return a.keyword == keyword; });
-    if (fixed != kFixedAttributes.end()) {
+    if (const auto fixed = lookUp(kFixedAttributes, keyword)) {
       scanner_.word();
-      const ValueType& type = readType();
-      skipNumbers(saturatedProduct(elements_, fixed->components), type);
+      const Type type = readType();
+      skipValues(saturatedProduct(elements_, *fixed), type);
     } else if (keyword == "scalars") {
       readScalars();
     } else if (keyword == "color_scalars") {
       scanner_.word();
       const std::uint64_t components = scanner_.count("the number of colour channels", 0);
       // In text colours go from 0 to 1.
-      readColors(elements_, components, binary_ ? kTypes[0] : kTypes[12], binary_ ? 1.0 : 255.0);
+      readColors(elements_, components, binary_ ? Scalar::uint8 : Scalar::float32, binary_ ? 1.0 : 255.0);
     } else if (keyword == "lookup_table") {
       scanner_.word();
-      skipNumbers(saturatedProduct(scanner_.count("the size of a colour table", 0), 4), kTypes[0]);
+      skipValues(saturatedProduct(scanner_.count("the size of a colour table", 0), 4), Scalar::uint8);
     } else if (keyword == "texture_coordinates") {
       scanner_.word();
       const std::uint64_t components = scanner_.count("the number of texture axes", 0);
-      const ValueType& type = readType();
-      skipNumbers(saturatedProduct(elements_, components), type);
+      const Type type = readType();
+      skipValues(saturatedProduct(elements_, components), type);
     } else {
       return false;
     }
@@ -334,7 +285,7 @@ private:
 
   void readScalars() {
     scanner_.word();
-    const ValueType& type = readType();
+    const Type type = readType();
     const std::size_t behindType = scanner_.position();
     const std::optional<std::int64_t> components = parseInteger(scanner_.word());
     if (!components)
@@ -350,9 +301,9 @@ private:
   }
 
   /// Keeps values that can be colours of points: three or four bytes each.
-  void readColors(std::uint64_t tuples, std::uint64_t components, const ValueType& type, double scale) {
+  void readColors(std::uint64_t tuples, std::uint64_t components, const Type& type, double scale) {
     const std::uint64_t count = saturatedProduct(tuples, components);
-    const bool bytes = type.name == "unsigned_char" || scale != 1.0;
+    const bool bytes = type == Scalar::uint8 || scale != 1.0;
     if (!ofPoints_ || !bytes || components < 3 || components > 4 || !raw_.colors.empty() ||
         tuples != raw_.pointCount()) {
       skipValues(count, type);
@@ -361,11 +312,7 @@ private:
     const std::vector<double> values = readNumbers(count, type);
     for (std::size_t i = 0; i < values.size(); ++i)
       if (i % components < 3)
-        raw_.colors.push_back(toByte(values[i] * scale));
-  }
-
-  static std::uint8_t toByte(double value) {
-    return static_cast<std::uint8_t>(value > 0 ? std::min(value, 255.0) + 0.5 : 0.0);
+        raw_.addChannel(values[i] * scale);
   }
 
   void readField() {
@@ -383,21 +330,26 @@ private:
         continue;
       const std::uint64_t components = scanner_.count("the number of components", 0);
       const std::uint64_t tuples = scanner_.count("the number of values", 0);
-      const ValueType& type = readType();
-      if (attributes_ && type.bytes != 0)
-        readColors(tuples, components, type, 1.0);
-      else if (type.bytes == 0)
+      const Type type = readType();
+      if (!type)
         readTexts(name, saturatedProduct(components, tuples));
+      else if (attributes_)
+        readColors(tuples, components, type, 1.0);
       else
         skipValues(saturatedProduct(components, tuples), type);
     }
   }
 
-  void skipValues(std::uint64_t count, const ValueType& type) {
-    if (type.bytes == 0)
-      readTexts({}, count);
-    else
-      skipNumbers(count, type);
+  void skipValues(std::uint64_t count, const Type& type) {
+    if (!type)
+      return readTexts({}, count);
+    if (binary_) {
+      binaryData(count, *type);
+      return;
+    }
+    requireRoom(count);
+    for (std::uint64_t i = 0; i < count; ++i)
+      scanner_.number("a number");
   }
 
   void readTexts(std::string_view array, std::uint64_t count) {
@@ -434,7 +386,6 @@ private:
   bool attributes_ = false;
   bool ofPoints_ = false;
   std::uint64_t elements_ = 0;
-  std::uint64_t ignoredCells_ = 0;
 };
 
 } // namespace

@@ -10,8 +10,8 @@
 #include <vtkSmartPointer.h>
 #include <vtkZLibDataCompressor.h>
 
-#include "base64.h"
 #include "quiet_vtk.h"
+#include "scalar.h"
 #include "text_scanner.h"
 
 namespace viscera::medical_io {
@@ -21,94 +21,61 @@ namespace {
 constexpr std::uint64_t kMostInflation = 1100;
 constexpr std::uint64_t kLargestArray = std::uint64_t{1} << 32U;
 
-struct ValueType {
-  std::string_view name;
-  std::size_t bytes;
-  bool isWhole;
-  double (*load)(const char*, std::endian);
-  std::int64_t (*loadInteger)(const char*, std::endian);
-};
-
-template <typename T>
-constexpr ValueType valueType(std::string_view name, bool isWhole = true) {
-  return {name, sizeof(T), isWhole,
-          [](const char* data, std::endian order) { return static_cast<double>(loadValue<T>(data, order)); },
-          [](const char* data, std::endian order) {
-            if constexpr (std::is_integral_v<T>)
-              return static_cast<std::int64_t>(loadValue<T>(data, order));
-            else
-              return std::int64_t{0};
-          }};
-}
-
-constexpr std::array<ValueType, 11> kTypes = {
-    {valueType<std::int8_t>("Int8"), valueType<std::uint8_t>("UInt8"), valueType<std::int16_t>("Int16"),
-     valueType<std::uint16_t>("UInt16"), valueType<std::int32_t>("Int32"), valueType<std::uint32_t>("UInt32"),
-     valueType<std::int64_t>("Int64"), valueType<std::uint64_t>("UInt64"), valueType<std::int8_t>("String"),
-     valueType<float>("Float32", false), valueType<double>("Float64", false)}};
+constexpr std::array<std::pair<std::string_view, Scalar>, 11> kTypes = {{{"Int8", Scalar::int8},
+                                                                         {"UInt8", Scalar::uint8},
+                                                                         {"Int16", Scalar::int16},
+                                                                         {"UInt16", Scalar::uint16},
+                                                                         {"Int32", Scalar::int32},
+                                                                         {"UInt32", Scalar::uint32},
+                                                                         {"Int64", Scalar::int64},
+                                                                         {"UInt64", Scalar::uint64},
+                                                                         {"String", Scalar::int8},
+                                                                         {"Float32", Scalar::float32},
+                                                                         {"Float64", Scalar::float64}}};
 
 class ArrayReader {
 public:
   ArrayReader(const VtpStorage& storage, const XmlElement& array) : storage_(storage), array_(array) {
     const std::string_view name = array.attribute("type");
-    const auto found =
-        std::find_if(kTypes.begin(), kTypes.end(), [&](const ValueType& t) { return t.name == name; });
-    if (found == kTypes.end())
+    const auto type = lookUp(kTypes, name);
+    if (!type)
       fail("It has the unknown type " + inQuotes(name));
-    type_ = &*found;
+    type_ = *type;
   }
 
-  std::vector<double> numbers() const {
-    std::vector<double> values;
-    if (isText()) {
-      forEachWord([&](std::string_view word) {
-        const std::optional<double> value = parseNumber(word);
-        if (!value)
-          fail("contains " + inQuotes(word) + ", which is no number");
-        values.push_back(*value);
-      });
-      return values;
-    }
-    const std::string bytes = content();
-    values.reserve(bytes.size() / type_->bytes);
-    for (std::size_t at = 0; at < bytes.size(); at += type_->bytes)
-      values.push_back(type_->load(bytes.data() + at, storage_.order));
-    return values;
-  }
+  std::vector<double> numbers() const { return values(loadDouble, parseNumber, "number"); }
 
   std::vector<std::int64_t> integers() const {
-    if (!type_->isWhole)
+    if (!isWhole(type_))
       fail("should hold whole numbers");
-    std::vector<std::int64_t> values;
-    if (isText()) {
-      forEachWord([&](std::string_view word) {
-        const std::optional<std::int64_t> value = parseInteger(word);
-        if (!value)
-          fail("contains " + inQuotes(word) + ", which is no whole number");
-        values.push_back(*value);
-      });
-      return values;
-    }
-    const std::string bytes = content();
-    values.reserve(bytes.size() / type_->bytes);
-    for (std::size_t at = 0; at < bytes.size(); at += type_->bytes)
-      values.push_back(type_->loadInteger(bytes.data() + at, storage_.order));
-    return values;
+    return values(loadInteger, parseInteger, "whole number");
   }
 
 private:
+  template <class Number>
+  std::vector<Number> values(Number (*load)(const char*, Scalar, std::endian),
+                             std::optional<Number> (*parse)(std::string_view), const char* what) const {
+    std::vector<Number> list;
+    if (array_.attribute("format") == "ascii") {
+      std::string_view rest = array_.text;
+      for (std::string_view word = takeWord(rest); !word.empty(); word = takeWord(rest)) {
+        const std::optional<Number> value = parse(word);
+        if (!value)
+          fail("contains " + inQuotes(word) + ", which is no " + what);
+        list.push_back(*value);
+      }
+      return list;
+    }
+    const std::string bytes = content();
+    list.reserve(bytes.size() / sizeOf(type_));
+    for (std::size_t at = 0; at < bytes.size(); at += sizeOf(type_))
+      list.push_back(load(bytes.data() + at, type_, storage_.order));
+    return list;
+  }
+
   [[noreturn]] void fail(const std::string& problem) const {
     const std::string_view name = array_.attribute("Name");
     storage_.file->fail("the array " + inQuotes(name) + " " + problem);
-  }
-
-  bool isText() const { return array_.attribute("format") == "ascii"; }
-
-  template <typename Take>
-  void forEachWord(const Take& take) const {
-    std::string_view rest = array_.text;
-    for (std::string_view word = takeWord(rest); !word.empty(); word = takeWord(rest))
-      take(word);
   }
 
   std::string content() const {
@@ -120,7 +87,7 @@ private:
       bytes = storage_.appendedIsBase64 ? fromBase64(appendedData()) : fromRaw(appendedData());
     else
       fail("It has the unknown format " + inQuotes(format));
-    if (bytes.size() % type_->bytes != 0)
+    if (bytes.size() % sizeOf(type_) != 0)
       fail("does not hold a whole number of values");
     return bytes;
   }
@@ -249,7 +216,7 @@ private:
 
   const VtpStorage& storage_;
   const XmlElement& array_;
-  const ValueType* type_ = nullptr;
+  Scalar type_ = Scalar::int8;
 };
 
 } // namespace

@@ -19,7 +19,6 @@
 #include "text_scanner.h"
 #include "viscera/core/error.h"
 #include "vtk_poly_data.h"
-#include "vtp_writer.h"
 #include "xml_tree.h"
 
 // VTK's expat, base64 and decompressors do the work, but not its reader: that one allocates what damaged
@@ -45,9 +44,6 @@ public:
         readPiece(child);
     if (!everyPieceHasColors_)
       raw_.colors.clear();
-    if (ignoredCells_ > 0)
-      raw_.warnings.push_back(counted(ignoredCells_, "line or point cell", "line or point cells") +
-                              " ignored");
     return std::move(raw_);
   }
 
@@ -111,7 +107,7 @@ private:
       readPoints(piece, points);
     readCells(piece, "Polys", count(piece, "NumberOfPolys"), before, points);
     readCells(piece, "Strips", count(piece, "NumberOfStrips"), before, points);
-    ignoredCells_ += count(piece, "NumberOfLines") + count(piece, "NumberOfVerts");
+    raw_.ignoredCells += count(piece, "NumberOfLines") + count(piece, "NumberOfVerts");
     readColors(piece, points);
   }
 
@@ -157,12 +153,10 @@ private:
       const auto cell =
           std::span(list).subspan(static_cast<std::size_t>(begin), static_cast<std::size_t>(end - begin));
       begin = end;
-      if (kind == "Strips") {
+      if (kind == "Strips")
         raw_.addStrip(cell);
-        continue;
-      }
-      raw_.corners.insert(raw_.corners.end(), cell.begin(), cell.end());
-      raw_.endPolygon();
+      else
+        raw_.addPolygon(cell);
     }
   }
 
@@ -175,12 +169,9 @@ private:
   void readColors(const XmlElement& piece, std::uint64_t points) {
     const XmlElement* data = piece.child("PointData");
     const XmlElement* chosen = nullptr;
-    if (data == nullptr) {
-      everyPieceHasColors_ = everyPieceHasColors_ && points == 0;
-      return;
-    }
-    for (const XmlElement& array : data->children)
-      if (holdsColors(array) && (chosen == nullptr || array.attribute("Name") == data->attribute("Scalars")))
+    for (std::size_t i = 0; data != nullptr && i < data->children.size(); ++i)
+      if (const XmlElement& array = data->children[i];
+          holdsColors(array) && (chosen == nullptr || array.attribute("Name") == data->attribute("Scalars")))
         chosen = &array;
     if (chosen == nullptr) {
       everyPieceHasColors_ = everyPieceHasColors_ && points == 0;
@@ -201,7 +192,6 @@ private:
   XmlTree tree_;
   RawSurface raw_;
   bool everyPieceHasColors_ = true;
-  std::uint64_t ignoredCells_ = 0;
 };
 
 void addField(vtkPolyData* data, const char* name, const std::string& text) {
@@ -232,8 +222,7 @@ void writeVtp(std::ostream& out, vtkPolyData& data, const WriteSurface& options)
   writer->WriteToOutputStringOn();
   if (writer->Write() == 0 || quiet.failed())
     throw CannotCreateError("VTK could not write the surface: " + quiet.error());
-  const std::string text = writer->GetOutputString();
-  out.write(text.data(), static_cast<std::streamsize>(text.size()));
+  out << writer->GetOutputString();
 }
 
 } // namespace viscera::medical_io

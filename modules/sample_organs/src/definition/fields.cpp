@@ -94,6 +94,11 @@ const json& Fields::get(const std::string& key) {
   return *found;
 }
 
+const json* Fields::optional(const std::string& key) {
+  known_.insert(key);
+  return has(key) ? &get(key) : nullptr;
+}
+
 double Fields::number(const std::string& key) {
   const json& value = get(key);
   if (!isFinite(value))
@@ -129,18 +134,15 @@ const json& Fields::list(const std::string& key, std::size_t least) {
 }
 
 double Fields::number(const std::string& key, double otherwise) {
-  known_.insert(key);
-  return has(key) ? number(key) : otherwise;
+  return optional(key) ? number(key) : otherwise;
 }
 
 double Fields::positive(const std::string& key, double otherwise) {
-  known_.insert(key);
-  return has(key) ? positive(key) : otherwise;
+  return optional(key) ? positive(key) : otherwise;
 }
 
 int Fields::integer(const std::string& key, int otherwise, int low, int high) {
-  known_.insert(key);
-  if (!has(key))
+  if (!optional(key))
     return otherwise;
   const double value = number(key);
   if (value != std::floor(value) || value < low || value > high)
@@ -150,8 +152,7 @@ int Fields::integer(const std::string& key, int otherwise, int low, int high) {
 }
 
 Vec3 Fields::vector(const std::string& key, const Vec3& otherwise) {
-  known_.insert(key);
-  return has(key) ? vector(key) : otherwise;
+  return optional(key) ? vector(key) : otherwise;
 }
 
 Vec3 Fields::direction(const std::string& key) {

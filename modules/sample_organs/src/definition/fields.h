@@ -1,9 +1,7 @@
 #pragma once
 
-#include <map>
 #include <set>
 #include <string>
-#include <vector>
 
 #include <nlohmann/json.hpp>
 
@@ -31,7 +29,8 @@ public:
   /// A list with at least `least` items.
   const nlohmann::json& list(const std::string& key, std::size_t least = 1);
 
-  /// A field that may be missing.
+  /// A field that may be missing: null then.
+  const nlohmann::json* optional(const std::string& key);
   double number(const std::string& key, double otherwise);
   double positive(const std::string& key, double otherwise);
   /// Also throws when outside [low, high].
@@ -39,6 +38,16 @@ public:
   Vec3 vector(const std::string& key, const Vec3& otherwise);
   /// A direction: not zero; returned with length 1.
   Vec3 direction(const std::string& key);
+
+  /// Calls `read` with the fields of the object within this one, where it is there; `read` asks for all.
+  template <class Read>
+  void optionalPart(const std::string& key, const Read& read) {
+    if (const nlohmann::json* content = optional(key)) {
+      Fields part(*content, where_ + ", " + key);
+      read(part);
+      part.requireNothingElse();
+    }
+  }
 
   /// Marks a field as known without reading it.
   void ignore(const std::string& key) { known_.insert(key); }
@@ -60,6 +69,15 @@ Vec3 vectorFrom(const nlohmann::json& value, const std::string& where, const std
 
 /// The name in `names` that `wrong` is most probably meant to be, or an empty string when none is near.
 std::string nearestName(const std::string& wrong, const std::set<std::string>& names);
+
+/// The names of a map.
+template <class Map>
+std::set<std::string> namesOf(const Map& map) {
+  std::set<std::string> names;
+  for (const auto& item : map)
+    names.insert(item.first);
+  return names;
+}
 
 /// `names` as `"a", "b" and "c"`.
 std::string listed(const std::set<std::string>& names);

@@ -7,7 +7,7 @@
 
 #include "definition/fields.h"
 #include "definition/organ_definition.h"
-#include "implicit/implicit_node.h"
+#include "implicit/nodes.h"
 
 namespace viscera::sample_organs {
 
@@ -25,7 +25,6 @@ public:
 
 private:
   using Json = nlohmann::json;
-  using NewNode = std::shared_ptr<ImplicitNode>;
 
   /// Null when the node is not meant for this resolution.
   NodePtr build(const Json& content, const std::string& where);
@@ -34,12 +33,12 @@ private:
   NodePtr required(const Json& content, const std::string& where);
   NodePtr child(Fields& fields, const std::string& key);
   std::vector<NodePtr> children(Fields& fields);
-  bool presentAt(Fields& fields) const;
+  std::vector<NodePtr> someChildren(Fields& fields);
   double blend(Fields& fields) const;
 
-  NewNode ellipsoid(Fields& fields) const;
-  NewNode halfSpace(Fields& fields) const;
-  NewNode tube(Fields& fields) const;
+  NewNode ellipsoid(Fields& fields);
+  NewNode halfSpace(Fields& fields);
+  NewNode tube(Fields& fields);
   NewNode unionOf(Fields& fields);
   NewNode subtraction(Fields& fields);
   NewNode intersection(Fields& fields);

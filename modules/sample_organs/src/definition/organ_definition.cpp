@@ -52,14 +52,13 @@ private:
     Fields fields(content, where);
     const std::string name = fields.text("name");
     checkFrame(fields);
-    if (fields.has("include"))
+    if (fields.optional("include"))
       for (const json& other : fields.list("include", 0)) {
         if (!other.is_string())
           fields.fail("include", "is not a list of file names");
         readFile(path.parent_path() / other.get<std::string>(), false);
       }
-    fields.ignore("nodes");
-    if (fields.has("nodes"))
+    if (fields.optional("nodes"))
       for (const json& node : fields.list("nodes", 0))
         addNode(node, where);
     if (main) {
@@ -94,17 +93,15 @@ private:
     surface.where = file + ", surface \"" + surface.name + "\"";
     Fields fields(content, surface.where);
     fields.ignore("name");
-    fields.ignore("check_only");
-    if (fields.has("check_only")) {
-      if (!fields.get("check_only").is_boolean())
+    if (const json* checkOnly = fields.optional("check_only")) {
+      if (!checkOnly->is_boolean())
         fields.fail("check_only", "is neither true nor false");
-      surface.checkOnly = fields.get("check_only").get<bool>();
+      surface.checkOnly = checkOnly->get<bool>();
     }
     surface.color = fields.vector("color", surface.color);
     surface.largestSpacing = fields.positive("spacing", surface.largestSpacing);
-    fields.ignore("triangles");
-    if (fields.has("triangles"))
-      readLevels(fields.get("triangles"), surface);
+    if (const json* triangles = fields.optional("triangles"))
+      readLevels(*triangles, surface);
     surface.root = fields.get("root");
     fields.requireNothingElse();
     for (const SurfaceDefinition& other : definition_.surfaces)

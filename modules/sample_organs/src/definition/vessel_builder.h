@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "definition/fields.h"
+#include "implicit/nodes.h"
 #include "implicit/surface_path.h"
-#include "implicit/surface_vessels.h"
 
 namespace viscera::sample_organs {
 
@@ -30,9 +30,7 @@ public:
 
 private:
   SurfacePath pathFrom(Fields& fields) const;
-  void readPoints(Fields& fields, SurfacePath& path) const;
-  void readFade(Fields& fields, SurfacePath& path) const;
-  Vec3 branchPoint(Fields& fields) const;
+  Vec3 branchPoint(Fields& from) const;
 
   const ImplicitNode& base_;
   int level_;

@@ -1,9 +1,8 @@
 #include "implicit/implicit_node.h"
 
 #include <algorithm>
-#include <cmath>
 
-#include "implicit/value_noise.h"
+#include "implicit/smooth_functions.h"
 
 namespace viscera::sample_organs {
 namespace {

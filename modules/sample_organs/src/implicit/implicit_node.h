@@ -1,12 +1,27 @@
 #pragma once
 
+#include <cmath>
 #include <memory>
 #include <optional>
 
-#include "implicit/extent.h"
+#include <Eigen/Geometry>
+
 #include "viscera/core/arrays.h"
 
 namespace viscera::sample_organs {
+
+/// An axis-parallel box, mm; empty at first.
+using Extent = Eigen::AlignedBox3d;
+
+/// By `margin` mm on every side.
+inline Extent grown(const Extent& box, double margin) {
+  return {Vec3(box.min().array() - margin), Vec3(box.max().array() + margin)};
+}
+
+/// Squared distance in mm from a point to the box, 0 inside.
+inline double distance2(const Extent& box, const Vec3& point) {
+  return (box.min() - point).cwiseMax(point - box.max()).cwiseMax(0.0).squaredNorm();
+}
 
 /// Everything that the tree knows about a point.
 struct Shade {
@@ -31,7 +46,7 @@ struct Finish {
 /// One node of an implicit-surface tree. Immutable once built, so any number of threads may ask it.
 class ImplicitNode {
 public:
-  explicit ImplicitNode(Extent extent) : extent_(std::move(extent)) {}
+  explicit ImplicitNode(const Extent& extent) : extent_(extent) {}
   ImplicitNode(const ImplicitNode&) = delete;
   ImplicitNode& operator=(const ImplicitNode&) = delete;
   virtual ~ImplicitNode() = default;
@@ -52,6 +67,7 @@ public:
 
   /// A box around everything inside.
   const Extent& extent() const { return extent_; }
+  double distanceToExtent(const Vec3& point) const { return std::sqrt(distance2(extent_, point)); }
 
   void setFinish(const Finish& finish) { finish_ = finish; }
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "implicit/smooth_blend.h"
+#include "implicit/smooth_functions.h"
 
 namespace viscera::sample_organs {
 namespace {

@@ -2,8 +2,7 @@
 
 #include <vector>
 
-#include "implicit/centerline.h"
-#include "implicit/implicit_node.h"
+#include "implicit/tube_axis.h"
 
 namespace viscera::sample_organs {
 

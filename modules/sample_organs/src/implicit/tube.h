@@ -4,12 +4,53 @@
 #include <optional>
 #include <vector>
 
-#include "implicit/centerline.h"
-#include "implicit/implicit_node.h"
-#include "implicit/segment_tree.h"
-#include "implicit/tube_relief.h"
+#include "implicit/nodes.h"
+#include "implicit/tube_axis.h"
 
 namespace viscera::sample_organs {
+
+/// The pouches of the colon: constrictions between them, and three bands (taeniae) that run along it.
+struct Haustra {
+  double period = 30;  ///< mm of axis from one constriction to the next.
+  double depth = 0.25; ///< How much of the radius a constriction takes.
+  int taeniae = 3;
+  double taeniaDepth = 0.12; ///< How much of the radius a band takes.
+  double taeniaWidth = 0.22; ///< rad
+  double stagger = 0.5;      ///< Shift from one row of pouches to the next round the tube, in periods.
+  double jitter = 0;         ///< Irregularity of the constrictions, in periods.
+  int seed = 1;
+  double from = 0, to = 1e9; ///< Part of the axis, mm; fades in and out over one period.
+};
+
+/// Gentle rings, as in the small bowel.
+struct Waves {
+  double period = 60;      ///< mm
+  double amplitude = 0.05; ///< Of the radius.
+  double phase = 0;        ///< In periods.
+};
+
+/// Folds that run along the tube, as the stomach's wall has them.
+struct Folds {
+  int count = 10;         ///< Round the tube.
+  double depth = 0.02;    ///< Of the radius, from the mean to the top.
+  double wander = 0.5;    ///< How far they stray sideways, in folds.
+  double wavelength = 60; ///< mm of axis over which they do.
+  int seed = 1;
+  double from = 0, to = 1e9; ///< Part of the axis, mm; fades in and out over one wavelength.
+};
+
+/// What makes a tube's radius differ from its axis's.
+struct TubeRelief {
+  std::optional<Haustra> haustra;
+  std::optional<Waves> waves;
+  std::optional<Folds> folds;
+
+  bool plain() const { return !haustra && !waves && !folds; }
+  /// The factor on the radius at `arc` mm along the axis, at `angle` rad round it.
+  double factor(double arc, double angle) const;
+  /// The largest factor there can be.
+  double largestFactor() const { return (waves ? 1 + waves->amplitude : 1) * (folds ? 1 + folds->depth : 1); }
+};
 
 /// A dimple in a flat end, so that a cut vessel looks hollow.
 struct Lumen {
@@ -28,31 +69,8 @@ struct TubeShape {
   double step = 1; ///< mm between samples of the axis.
 };
 
-/// A tube of varying radius along a smooth axis. Its bends must be wider than its radius.
-class Tube final : public ImplicitNode {
-public:
-  /// At least two points, positive radii.
-  Tube(const std::vector<AxisPoint>& points, TubeShape shape);
-
-  double distanceUpTo(const Vec3& point, double limit) const override;
-
-  /// Length of the axis, mm.
-  double length() const { return axis_.back().arc; }
-
-private:
-  Tube(std::vector<AxisSample> axis, TubeShape shape);
-  Shade shadeUnfinished(const Vec3& point) const override;
-  bool isNearLumen(int end, const Vec3& point) const;
-  Vec3 rounded(const Vec3& point) const;
-  double searchLimit(double limit) const;
-  double reliefDistance(const Vec3& point, const NearestOnAxis& nearest) const;
-  double cutFlat(int end, const Vec3& point, double arc, double distance) const;
-  double stretched(const Vec3& away, double distance) const;
-
-  std::vector<AxisSample> axis_; ///< In the space where the tube is round.
-  TubeShape shape_;
-  SegmentTree tree_;
-  double widest_ = 0; ///< Largest radius of the axis, mm.
-};
+/// A tube of varying radius along a smooth axis through `points`: at least two, with positive radii. Its
+/// bends must be wider than its radius.
+NewNode makeTube(std::vector<AxisPoint> points, const TubeShape& shape);
 
 } // namespace viscera::sample_organs

@@ -22,8 +22,7 @@ constexpr double kFiner = 0.93; // a grid that is not aligned with the one befor
 constexpr Eigen::Index kGrain = 512;
 
 /// Two sheets that pass through one cell can touch along an edge; another spacing tells them apart.
-TriangleMesh manifoldRaw(const ImplicitNode& node, double spacing, Threads threads,
-                         const ProgressSpan& progress) {
+TriangleMesh manifoldRaw(const ImplicitNode& node, double spacing, Threads threads, Progress& progress) {
   for (int attempt = 0; attempt < kTries; ++attempt) {
     TriangleMesh raw = polygonise(node, spacing, threads, progress);
     const geometry::SurfaceReport report = geometry::checkSurface(raw);
@@ -35,12 +34,16 @@ TriangleMesh manifoldRaw(const ImplicitNode& node, double spacing, Threads threa
 }
 
 TriangleMesh rawSurface(const ImplicitNode& node, const SurfaceGoal& goal, Threads threads,
-                        const ProgressSpan& progress) {
-  TriangleMesh raw = manifoldRaw(node, goal.largestSpacing, threads, progress.part(0, 0.5));
+                        Progress& progress) {
+  TriangleMesh raw;
+  const auto make = [&](double from, double to, double spacing) {
+    runPart(progress, from, to, [&](Progress& part) { raw = manifoldRaw(node, spacing, threads, part); });
+  };
+  make(0, 0.5, goal.largestSpacing);
   const double edge = std::sqrt(geometry::area(raw.points, raw.triangles) / (kTriangleArea * goal.triangles));
-  if (kSpacingPerEdge * edge >= goal.largestSpacing)
-    return raw;
-  return manifoldRaw(node, kSpacingPerEdge * edge, threads, progress.part(0.5, 1));
+  if (kSpacingPerEdge * edge < goal.largestSpacing)
+    make(0.5, 1, kSpacingPerEdge * edge);
+  return raw;
 }
 
 void paint(const ImplicitNode& node, TriangleMesh& mesh, Threads threads) {
@@ -57,9 +60,11 @@ void paint(const ImplicitNode& node, TriangleMesh& mesh, Threads threads) {
 } // namespace
 
 TriangleMesh generateSurface(const ImplicitNode& node, const SurfaceGoal& goal, Threads threads,
-                             const ProgressSpan& progress) {
-  const TriangleMesh raw = rawSurface(node, goal, threads, progress.part(0, 0.4));
-  TriangleMesh mesh = remesh(raw, node, goal.triangles, threads, progress.part(0.4, 0.98));
+                             Progress& progress) {
+  TriangleMesh mesh;
+  runPart(progress, 0, 0.4, [&](Progress& part) { mesh = rawSurface(node, goal, threads, part); });
+  runPart(progress, 0.4, 0.98,
+          [&](Progress& part) { mesh = remesh(mesh, node, goal.triangles, threads, part); });
   paint(node, mesh, threads);
   progress.report(1);
   return mesh;

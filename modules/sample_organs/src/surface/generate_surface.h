@@ -1,8 +1,8 @@
 #pragma once
 
 #include "implicit/implicit_node.h"
-#include "surface/progress_span.h"
 #include "viscera/core/parallel.h"
+#include "viscera/core/progress.h"
 #include "viscera/geometry/triangle_mesh.h"
 
 namespace viscera::sample_organs {
@@ -21,6 +21,6 @@ struct SurfaceGoal {
 /// there is no surface or no spacing gives a manifold one; `Cancelled`. Bitwise independent of the number of
 /// threads.
 geometry::TriangleMesh generateSurface(const ImplicitNode& node, const SurfaceGoal& goal, Threads threads,
-                                       const ProgressSpan& progress);
+                                       Progress& progress);
 
 } // namespace viscera::sample_organs

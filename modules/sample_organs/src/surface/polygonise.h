@@ -1,8 +1,8 @@
 #pragma once
 
 #include "implicit/implicit_node.h"
-#include "surface/progress_span.h"
 #include "viscera/core/parallel.h"
+#include "viscera/core/progress.h"
 #include "viscera/geometry/triangle_mesh.h"
 
 namespace viscera::sample_organs {
@@ -13,6 +13,6 @@ namespace viscera::sample_organs {
 /// 2015, 10.1109/LDAV.2015.7348069). Throws `DataError` when there is no surface or when the field is not
 /// finite somewhere; `Cancelled`.
 geometry::TriangleMesh polygonise(const ImplicitNode& node, double spacing, Threads threads,
-                                  const ProgressSpan& progress);
+                                  Progress& progress);
 
 } // namespace viscera::sample_organs

@@ -44,7 +44,7 @@ public:
     uniform_ = std::all_of(scale_.begin(), scale_.end(), [](double scale) { return scale == 1; });
   }
 
-  TriangleMesh run(int wanted, const ProgressSpan& progress) {
+  TriangleMesh run(int wanted, Progress& progress) {
     double length = lengthFor(wanted);
     for (int round = 0; round < kMostRounds; ++round) {
       progress.throwIfCancelled();
@@ -201,7 +201,7 @@ private:
 } // namespace
 
 TriangleMesh remesh(const TriangleMesh& mesh, const ImplicitNode& node, int triangles, Threads threads,
-                    const ProgressSpan& progress) {
+                    Progress& progress) {
   return Remesher(mesh, node, threads).run(triangles, progress);
 }
 

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "implicit/implicit_node.h"
-#include "surface/progress_span.h"
 #include "viscera/core/parallel.h"
+#include "viscera/core/progress.h"
 #include "viscera/geometry/triangle_mesh.h"
 
 namespace viscera::sample_organs {
@@ -14,6 +14,6 @@ namespace viscera::sample_organs {
 /// We adapt the wanted length to meet the count. Bitwise independent of the number of threads. Throws
 /// `Cancelled`.
 geometry::TriangleMesh remesh(const geometry::TriangleMesh& mesh, const ImplicitNode& node, int triangles,
-                              Threads threads, const ProgressSpan& progress);
+                              Threads threads, Progress& progress);
 
 } // namespace viscera::sample_organs

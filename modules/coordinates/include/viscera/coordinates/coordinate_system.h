@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "viscera/coordinates/binding.h"
@@ -74,6 +75,29 @@ public:
   /// How the system divides the space around these handles, without any points: quick enough to follow a
   /// handle that is dragged. The standard one is empty. Throws as `bind` does for handles and parameters.
   virtual SpaceLayout layout(const HandleSet& handles, const ParameterValues& parameters) const;
+};
+
+/// What a system says of itself.
+struct SystemDescription {
+  std::string id;
+  std::string name;
+  std::string summary;
+  Traits traits = {};
+  std::vector<Parameter> parameters = {};
+};
+
+/// A system that says of itself what it was made with.
+class DescribedSystem : public CoordinateSystem {
+public:
+  explicit DescribedSystem(SystemDescription description) : description_(std::move(description)) {}
+  std::string id() const final { return description_.id; }
+  std::string name() const final { return description_.name; }
+  std::string summary() const final { return description_.summary; }
+  Traits traits() const final { return description_.traits; }
+  std::vector<Parameter> parameters() const final { return description_.parameters; }
+
+private:
+  SystemDescription description_;
 };
 
 } // namespace viscera::coordinates

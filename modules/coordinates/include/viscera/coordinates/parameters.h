@@ -11,11 +11,11 @@ struct Parameter {
   std::string name; ///< As in `--param name=value`.
   double minimum = 0;
   double maximum = 1;
-  double standard = 0; ///< The value when none is given.
-  std::string unit;    ///< "mm" or empty.
-  std::string help;    ///< One line.
+  double standard = 0;   ///< The value when none is given.
+  std::string unit = {}; ///< "mm" or empty.
+  std::string help = {}; ///< One line.
   bool integer = false;
-  std::vector<std::string> choices; ///< Not empty: the value is the index of one of these names.
+  std::vector<std::string> choices = {}; ///< Not empty: the value is the index of one of these names.
 };
 
 /// The values given for one binding, checked against what the system offers.

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <functional>
 #include <memory>
+#include <utility>
 
 #include "viscera/coordinates/coordinate_system.h"
 
@@ -31,26 +33,32 @@ public:
 
 /// A system that finds the coordinates of each point on its own, and so is no more than its mathematics:
 /// threads, cancelling, failures, the binding and its report are here.
-class PointwiseSystem : public CoordinateSystem {
+class PointwiseSystem : public DescribedSystem {
 public:
+  /// What does not depend on the point. `parameters` are within their ranges, the handles usable
+  /// (`requireUsableHandles`). Throws `DataError` for handles or a cage that this system cannot use.
+  using Prepare = std::function<std::unique_ptr<const PointSolver>(const HandleSet& handles,
+                                                                   const ParameterValues& parameters)>;
+  /// For systems whose coordinates of one point depend on all that are bound with it, and for those that
+  /// take long or want tetrahedra. Throws as `Prepare`, and `Cancelled`.
+  using PrepareFor = std::function<std::unique_ptr<const PointSolver>(
+      const HandleSet& handles, const Points& points, const BindOptions& options, Progress& progress)>;
+
+  PointwiseSystem(SystemDescription description, PrepareFor prepare)
+      : DescribedSystem(std::move(description)), prepare_(std::move(prepare)) {}
+  PointwiseSystem(SystemDescription description, Prepare prepare);
+
   std::unique_ptr<Binding> bind(const HandleSet& handles, const Points& points, const BindOptions& options,
                                 Progress& progress) const override;
-
   /// The solver's derivatives where the traits promise a closed form, else central differences.
   CoordinateGradients gradients(const HandleSet& handles, const Points& points, const BindOptions& options,
                                 Progress& progress) const override;
 
-protected:
-  /// What does not depend on the point. `parameters` are within their ranges, the handles usable
-  /// (`requireUsableHandles`). Throws `DataError` for handles or a cage that this system cannot use. A system
-  /// has this or `prepareFor`.
-  virtual std::unique_ptr<const PointSolver> prepare(const HandleSet& handles,
-                                                     const ParameterValues& parameters) const;
+private:
+  std::unique_ptr<const PointSolver> solverFor(const HandleSet& handles, const Points& points,
+                                               const BindOptions& options, Progress& progress) const;
 
-  /// For systems whose coordinates of one point depend on all that are bound with it, and for those that
-  /// take long or want tetrahedra; the others leave it. Throws as `prepare`, and `Cancelled`.
-  virtual std::unique_ptr<const PointSolver> prepareFor(const HandleSet& handles, const Points& points,
-                                                        const BindOptions& options, Progress& progress) const;
+  PrepareFor prepare_;
 };
 
 } // namespace viscera::coordinates

@@ -3,7 +3,7 @@
 #include <functional>
 
 #include "viscera/core/progress.h"
-#include "viscera/geometry/hull_facets.h"
+#include "viscera/geometry/convex_hull.h"
 #include "viscera/geometry/triangle_mesh.h"
 
 namespace viscera::coordinates {

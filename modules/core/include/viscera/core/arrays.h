@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <vector>
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
@@ -39,6 +40,14 @@ inline Bounds boundsOf(const Points& points) {
   if (points.rows() == 0)
     return {};
   return {points.colwise().minCoeff().transpose(), points.colwise().maxCoeff().transpose()};
+}
+
+/// The points of a list as `n x 3`. O(n).
+inline Points pointsOf(const std::vector<Vec3>& list) {
+  Points points(static_cast<Eigen::Index>(list.size()), 3);
+  for (Eigen::Index i = 0; i < points.rows(); ++i)
+    points.row(i) = list[static_cast<std::size_t>(i)].transpose();
+  return points;
 }
 
 } // namespace viscera

@@ -21,14 +21,21 @@ public:
 
   /// A motion of the `free` handles, `n x 3` mm, that lowers the cost and to first order keeps the volume:
   /// done before the volume is restored. Standard: none. Thread-safe.
-  virtual Points relaxation(const Points& pose, const Points& gradient, const std::vector<int>& free) const;
+  virtual Points relaxation(const Points& pose, const Points& /*gradient*/,
+                            const std::vector<int>& /*free*/) const {
+    return Points::Zero(pose.rows(), 3);
+  }
 };
 
 /// The least displacement of the handles: Q is the identity, so each free handle moves along its own
 /// gradient.
 class LeastDisplacement final : public RestorationModel {
 public:
-  Points direction(const Points& pose, const Points& gradient, const std::vector<int>& free) const override;
+  Points direction(const Points& pose, const Points& gradient, const std::vector<int>& free) const override {
+    Points direction = Points::Zero(pose.rows(), 3);
+    direction(free, Eigen::all) = gradient(free, Eigen::all);
+    return direction;
+  }
 };
 
 } // namespace viscera::deformation

@@ -1,6 +1,9 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <Eigen/Geometry>
+
+#include "viscera/core/arrays.h"
 
 namespace viscera::deformation {
 
@@ -23,5 +26,16 @@ LocalDistortion localDistortion(const Eigen::Matrix3d& m);
 
 /// The singular values of `m`, descending, in closed form.
 Eigen::Vector3d singularValues(const Eigen::Matrix3d& m);
+
+/// What a small ball of tissue becomes: an ellipsoid.
+struct PrincipalStretches {
+  Eigen::Quaterniond directions =
+      Eigen::Quaterniond::Identity(); ///< Turns x, y, z into the ellipsoid's axes,
+  Vec3 stretches = Vec3::Ones();      ///< which have grown by these, descending.
+};
+
+/// The left polar factor of the deformation gradient `m` (`M = V R`) by its axes: the directions are those in
+/// the deformed body. Thread-safe.
+PrincipalStretches principalStretches(const Eigen::Matrix3d& m);
 
 } // namespace viscera::deformation

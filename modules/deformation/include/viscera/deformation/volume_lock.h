@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "viscera/coordinates/binding.h"
+#include "viscera/deformation/deformer.h"
 #include "viscera/deformation/restoration_model.h"
 #include "viscera/deformation/volume_form.h"
 #include "viscera/geometry/triangle_mesh.h"
@@ -55,10 +56,6 @@ public:
 
   const std::vector<LockedSurface>& surfaces() const { return surfaces_; }
   void setTarget(std::size_t surface, double targetMm3);
-  /// The same lock for other volumes (mm^3, one a surface), for a volume that follows a curve. Shares the
-  /// forms, so it costs nothing. Throws as the constructor.
-  VolumeLock withTargets(const std::vector<double>& targetsMm3) const;
-
   /// Present volumes at `pose`, mm^3, one a surface.
   std::vector<double> volumes(const Points& pose) const;
 
@@ -90,8 +87,22 @@ private:
   bool newtonStep(Points& pose, const std::vector<int>& free, const RestorationModel& model) const;
 
   std::vector<LockedSurface> surfaces_;
-  std::vector<std::shared_ptr<const Surface>> topology_; ///< Shared with the locks for other targets.
+  std::vector<std::shared_ptr<const Surface>> topology_; ///< Shared with copies, for other targets.
   Threads threads_;
 };
+
+/// The handles that a pose leaves at rest exactly, ascending: free to make up for the volume that the others
+/// change.
+std::vector<int> restingHandles(const Points& restHandles, const Points& pose);
+
+/// Poses `deformer` so that it encloses `targetMm3` (mm^3): moves the `compensating` handles at the least
+/// cost by `model` and leaves the others. The `VolumeLock` for one surface and one pose, without keeping a
+/// lock.
+///
+/// Throws `UsageError` when there is no compensating handle or one that does not exist, `DataError` for an
+/// open surface, or when a handle would have to move farther than the diagonal of the handles at rest. The
+/// pose is then as it was.
+void restoreVolume(Deformer& deformer, double targetMm3, const std::vector<int>& compensating,
+                   const RestorationModel& model = LeastDisplacement());
 
 } // namespace viscera::deformation

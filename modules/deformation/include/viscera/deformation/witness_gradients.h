@@ -26,7 +26,7 @@ struct StressStatistics {
   double max = 0;          ///< rad.
   int folded = 0;
 };
-StressStatistics statisticsOf(const StressMap& map);
+
 /// Of the first `count` points of the map only: a `WitnessMesh` has its witness points first.
 StressStatistics statisticsOf(const StressMap& map, Eigen::Index count);
 
@@ -34,18 +34,13 @@ StressStatistics statisticsOf(const StressMap& map, Eigen::Index count);
 /// whole map is one pass: `M = sum_i v'_i (grad a_i)^T` (thesis 5.2). Thread-safe once it is filled.
 class WitnessGradients {
 public:
-  /// `gradients` of `witnesses` points with respect to `handles` handles; points in its failures get the
-  /// identity.
-  WitnessGradients(const coordinates::CoordinateGradients& gradients, Eigen::Index witnesses,
-                   Eigen::Index handles);
-
   /// For `witnesses` points that `put` brings in portions; until then their derivatives are zero. `lift` as
   /// that of the gradients that will come.
   WitnessGradients(Eigen::Index witnesses, Eigen::Index handles,
                    std::shared_ptr<const coordinates::PoseLift> lift = {});
 
-  /// Fills in the points [begin, begin + count), whose numbers in the failures of `gradients` begin with 0.
-  /// Portions come in ascending order.
+  /// Fills in the points [begin, begin + count), whose numbers in the failures of `gradients` begin with 0;
+  /// those get the identity. Portions come in ascending order.
   void put(Eigen::Index begin, const coordinates::CoordinateGradients& gradients, Eigen::Index count);
 
   Eigen::Index witnesses() const { return witnesses_; }
@@ -83,5 +78,13 @@ private:
   std::vector<bool> failed_;
   std::vector<double> data_; ///< Tiles of 16 witnesses: row by row, x, y, z of the 16 gradients.
 };
+
+/// The derivatives of the coordinates at `points` (`n x 3`, the points of a witness mesh), taken in portions
+/// so that memory holds them once only: `n x handles x 24` bytes. Reports progress and may be cancelled
+/// between the portions. Points without coordinates are in the result's failures. Throws what
+/// `coordinates::CoordinateSystem::gradients` throws.
+std::shared_ptr<const WitnessGradients>
+bindWitnesses(const coordinates::CoordinateSystem& system, const coordinates::HandleSet& handles,
+              const Points& points, const coordinates::BindOptions& options, Progress& progress);
 
 } // namespace viscera::deformation

@@ -1,18 +1,19 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <string>
+#include <vector>
 
 #include "viscera/core/arrays.h"
+#include "viscera/core/parallel.h"
+#include "viscera/geometry/triangle_mesh.h"
 
 namespace viscera::deformation {
 
 /// `t x 4` corners of tetrahedra, row major. Positive: `(b - a) x (c - a) . (d - a) > 0`, the order that
 /// VTK's `VTK_TETRA` wants too.
 using Tetrahedra = Eigen::Matrix<std::int32_t, Eigen::Dynamic, 4, Eigen::RowMajor>;
-
-/// `e x 2` point indices, the smaller one first, row major.
-using Edges = Eigen::Matrix<std::int32_t, Eigen::Dynamic, 2, Eigen::RowMajor>;
 
 /// The interior of an organ at rest: witness points, at which distortion is measured (thesis 5.2), joined to
 /// tetrahedra so that what is measured can be drawn as a solid.
@@ -29,9 +30,6 @@ struct WitnessMesh {
 /// Signed volumes of the tetrahedra, `t` numbers, mm^3. O(t).
 Values tetrahedronVolumes(const Points& points, const Tetrahedra& tetrahedra);
 
-/// The edges of the tetrahedra, each once, sorted. O(t log t).
-Edges edgesOf(const Tetrahedra& tetrahedra);
-
 /// The triangles that belong to one tetrahedron only, outward: the skin of the solid. Sorted by their
 /// corners' indices. O(t log t).
 Triangles skinOf(const Tetrahedra& tetrahedra);
@@ -40,5 +38,17 @@ Triangles skinOf(const Tetrahedra& tetrahedra);
 /// of range, a tetrahedron that is turned around or has no volume (below 1e-15 of the box), more witnesses
 /// than points, or no witness at all. `where` names the mesh in the message. O(n + t).
 void requireUsable(const WitnessMesh& mesh, const std::string& where);
+
+/// The mesh without what lies inside `cavities` (blood in a ventricle is no tissue that could be distorted):
+/// tetrahedra whose middle is inside one of them go, and points that no tetrahedron needs any more. The rest
+/// keeps its order, so witnesses stay first. Unchanged when nothing would be left. O(t log m) on several
+/// threads; the same answer whatever their number.
+WitnessMesh withoutCavities(const WitnessMesh& mesh,
+                            const std::vector<std::shared_ptr<const geometry::TriangleMesh>>& cavities,
+                            Threads threads = {});
+
+/// At most `most` of the first `count` rows of `points`, spread evenly: one in each cell of a cubic grid, the
+/// one nearest to the cell's middle. Ascending. The same points give the same answer. O(count).
+std::vector<int> thinnedPoints(const Points& points, Eigen::Index count, int most);
 
 } // namespace viscera::deformation

@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "viscera/document/document.h"
@@ -12,17 +13,23 @@ namespace viscera::document {
 /// it back is to go back to the state before, so an undo is exact whatever the command does.
 ///
 /// `apply` throws an `Error` when the change is not possible; the document is then as it was. It need not ask
-/// whether the state is one that can be saved: `UndoStack::perform` does (validate.h). The commands
-/// there are come from the functions in organ_commands.h, rig_commands.h, group_commands.h, cage_commands.h,
-/// pose_commands.h, system_commands.h and open_files.h.
+/// whether the state is one that can be saved: `UndoStack::perform` does (validate.h). The commands there are
+/// come from the functions in organ_commands.h, rig_commands.h, group_commands.h, system_commands.h,
+/// recording_commands.h, measurement_commands.h and open_files.h.
 struct Command {
   std::string name; ///< "Move handle H-3", for the menu; a user reads it.
   std::function<DocumentState(const DocumentState& state, IdSource& ids)> apply;
   /// Not empty: a command that follows one with the same key joins its undo step (a slider that moves).
-  std::string mergeKey;
+  std::string mergeKey = {};
 };
 
 /// One command that does all of `commands` in order, or none.
-Command combined(std::string name, std::vector<Command> commands);
+inline Command combined(std::string name, std::vector<Command> commands) {
+  return {std::move(name), [commands = std::move(commands)](DocumentState state, IdSource& ids) {
+            for (const Command& command : commands)
+              state = command.apply(state, ids);
+            return state;
+          }};
+}
 
 } // namespace viscera::document

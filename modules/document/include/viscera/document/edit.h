@@ -4,14 +4,59 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
 #include "viscera/core/error.h"
-#include "viscera/document/document.h"
+#include "viscera/document/command.h"
 
 /// What the commands have in common.
 namespace viscera::document::edit {
+
+/// A command that changes one part of the document: `change` is given a copy of that part, and if it asks for
+/// them the state before and the source of ids.
+template <class Part, class Change>
+Command onPart(std::string name, std::shared_ptr<const Part> DocumentState::*part, Change change,
+               std::string mergeKey = {}) {
+  return {std::move(name),
+          [part, change = std::move(change)](DocumentState state, IdSource& ids) {
+            Part changed = *(state.*part);
+            if constexpr (std::is_invocable_v<Change, Part&>)
+              change(changed);
+            else
+              change(changed, std::as_const(state), ids);
+            state.*part = std::make_shared<const Part>(std::move(changed));
+            return state;
+          },
+          std::move(mergeKey)};
+}
+
+/// The item of a list with that id, of a `kind` ("group"). Throws `UsageError` when it is not there.
+template <class Item, class AnyId>
+Item& require(std::vector<Item>& list, AnyId id, const std::string& kind) {
+  const auto found = std::find_if(list.begin(), list.end(), [id](const Item& item) { return item.id == id; });
+  if (found == list.end())
+    throw UsageError("There is no such " + kind + " any more", kind + " " + std::to_string(id.value));
+  return *found;
+}
+
+/// Removes the items with these ids. Throws as `require`.
+template <class Item, class AnyId>
+void remove(std::vector<Item>& list, const std::vector<AnyId>& ids, const std::string& kind) {
+  for (const AnyId id : ids)
+    require(list, id, kind);
+  std::erase_if(list,
+                [&ids](const Item& item) { return std::find(ids.begin(), ids.end(), item.id) != ids.end(); });
+}
+
+/// The organ with that id. Throws `UsageError` when it is not there.
+inline std::shared_ptr<const Organ> requireOrgan(const DocumentState& state, OrganId id) {
+  auto organ = state.organ(id);
+  if (!organ)
+    throw UsageError("There is no such organ any more", "organ " + std::to_string(id.value));
+  return organ;
+}
 
 /// The row of a handle; throws `UsageError` when it is not there.
 inline int requireHandle(const Rig& rig, HandleId id) {
@@ -67,10 +112,25 @@ inline DocumentState withRig(DocumentState state, Rig rig, Points pose) {
   return state;
 }
 
-/// The state with another rig; the pose stays.
-inline DocumentState withRig(DocumentState state, Rig rig) {
-  state.rig = std::make_shared<const Rig>(std::move(rig));
-  return state;
+/// Points below points.
+inline Points joined(const Points& a, const Points& b) {
+  Points both(a.rows() + b.rows(), 3);
+  both.topRows(a.rows()) = a;
+  both.bottomRows(b.rows()) = b;
+  return both;
+}
+
+/// The points of all organs at rest, one organ after the other.
+inline Points allPoints(const OrganList& organs) {
+  Eigen::Index count = 0;
+  for (const auto& organ : organs)
+    count += organ->mesh->points.rows();
+  Points points(count, 3);
+  for (const auto& organ : organs) {
+    points.middleRows(points.rows() - count, organ->mesh->points.rows()) = organ->mesh->points;
+    count -= organ->mesh->points.rows();
+  }
+  return points;
 }
 
 /// "Remove handle", "Remove 5 handles".

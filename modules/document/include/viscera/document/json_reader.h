@@ -65,9 +65,9 @@ public:
     return *value;
   }
 
-  /// Remembers the keys of `object` that are none of these, for `unknownKeys`.
-  void noteUnknown(const nlohmann::ordered_json& object, std::initializer_list<const char*> known,
-                   const std::string& place);
+  /// An object; those of its keys that are none of these are remembered for `unknownKeys`.
+  void takeObject(const nlohmann::ordered_json& value, std::initializer_list<const char*> known,
+                  const std::string& place);
   /// As "organs[2].look.shine".
   const std::vector<std::string>& unknownKeys() const { return unknown_; }
 

@@ -12,6 +12,8 @@
 #include "viscera/document/organ_commands.h"
 #include "viscera/document/rig_commands.h"
 #include "viscera/medical_io/handle_file.h"
+#include "viscera/medical_io/label_map.h"
+#include "viscera/medical_io/label_surfaces.h"
 #include "viscera/medical_io/space.h"
 #include "viscera/sample_organs/sample_organ.h"
 
@@ -44,6 +46,17 @@ bool isHandleFile(const std::filesystem::path& file);
 /// handle file, or throws what the first that fails throws (`NoInputError`, `DataError`, `UsageError` for an
 /// ending that nothing is known about or no file at all, `Cancelled`).
 OpenedFiles openFiles(const std::vector<std::filesystem::path>& files, Progress& progress);
+
+/// Reads a label map or a folder of masks, and makes an organ, named and coloured, of each of the labels that
+/// are asked for by name or value; of all when none are. Throws what `medical_io::readLabelMap`,
+/// `medical_io::segmentsNamed` and `medical_io::labelSurfaces` throw.
+std::vector<Organ> readLabelOrgans(const std::filesystem::path& file, const std::vector<std::string>& labels,
+                                   Progress& progress);
+
+/// Organs of surfaces that were made from a label map, which was read from `file`. The first has the warnings
+/// of the map as a whole.
+std::vector<Organ> organsFrom(const medical_io::LabelMap& map, std::vector<medical_io::LabelSurface> surfaces,
+                              const std::filesystem::path& file);
 
 /// Reads one surface as an organ, with its warnings.
 Organ readOrgan(const std::filesystem::path& file);

@@ -6,9 +6,10 @@
 
 #include "viscera/core/arrays.h"
 #include "viscera/document/command.h"
+#include "viscera/sequences/sequence.h"
 
-/// Commands that change the handles at rest. All of them throw `UsageError` for handles and groups that are
-/// not there. Texts may come from files: they are made UTF-8, and names where there are none.
+/// Commands that change the handles, at rest and in the pose. All of them throw `UsageError` for handles and
+/// groups that are not there. Texts may come from files: they are made UTF-8, and names where there are none.
 namespace viscera::document {
 
 /// A handle on its way into a document.
@@ -71,5 +72,23 @@ struct HandleEdit {
   std::optional<bool> compensates = std::nullopt;
 };
 Command editHandles(std::vector<HandleId> handles, HandleEdit change);
+
+/// Moves handles in the pose to `positions` (`handles x 3` mm). Locked ones stay where they are. Throws
+/// `UsageError` for a handle that is not there.
+Command moveHandles(std::vector<HandleId> handles, Points positions);
+
+/// Sets the whole pose (`n x 3` mm, in the order of the rig), locked handles included. Throws `DataError` for
+/// another size.
+Command setPose(Points pose, std::string name = "Set pose");
+
+/// Back to rest, exactly; locked handles too.
+Command resetPose();
+
+/// Throws `DataError` when a sequence cannot move these handles: another number of them or another rest pose
+/// (apart by more than 1e-6 of the size). It says to take the sequence's own handles.
+void requireFits(const Rig& rig, const sequences::Sequence& sequence);
+
+/// The sequence's own handles, for `replaceRig`: in its groups, each handle labelled after its group.
+NewRig rigOf(const sequences::Sequence& sequence);
 
 } // namespace viscera::document

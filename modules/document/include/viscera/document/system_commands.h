@@ -1,10 +1,15 @@
 #pragma once
 
+#include <filesystem>
+#include <memory>
 #include <string>
 
+#include "viscera/core/progress.h"
 #include "viscera/document/command.h"
+#include "viscera/geometry/triangle_mesh.h"
 
-/// Commands that choose the coordinates. The document does not know which systems there are: what a system
+/// Commands that choose the coordinates, and the cage that some of them need in the place of the handles'
+/// convex hull. The document does not know which systems there are: what a system
 /// does not accept is for whoever has the registry to refuse beforehand, and `LiveBinding` says it of every
 /// organ.
 namespace viscera::document {
@@ -15,5 +20,30 @@ Command setSystem(SystemChoice choice);
 /// Sets one parameter of the present system. Values of one parameter that follow each other join one step
 /// until `UndoStack::seal` (a slider).
 Command setParameter(std::string name, double value);
+
+/// A cage is a coarse surface: each of its vertices is a handle.
+inline constexpr int kMostCageVertices = 10'000;
+
+/// A closed, outward surface that does not cross itself.
+struct GivenCage {
+  std::string name; ///< Of its file, for the undo step.
+  std::shared_ptr<const geometry::TriangleMesh> mesh;
+};
+
+/// Reads a surface file as a cage; one that is inside out is turned around. Throws what
+/// `medical_io::readSurface` throws, `DataError` that names the file for a surface that is open, not
+/// manifold, of more than `kMostCageVertices`, or that crosses itself, and `Cancelled`.
+GivenCage readCage(const std::filesystem::path& file, Progress& progress);
+
+/// Whether handles stand at rest at all vertices of the cage, one at each. O(handles x vertices).
+bool standAt(const Rig& rig, const geometry::TriangleMesh& cage);
+
+/// Takes a cage. Handles that stand at all of its vertices become its corners and keep everything else;
+/// others beside them stay, without influence. Else the cage's vertices become the handles, at rest, in the
+/// place of those there are and of their groups. Throws as `replaceRig` and `coordinates::requireCage`.
+Command takeCage(GivenCage cage);
+
+/// Gives the cage up: the convex hull of the handles is the cage again. All handles stay.
+Command dropCage();
 
 } // namespace viscera::document

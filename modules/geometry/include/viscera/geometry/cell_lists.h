@@ -71,6 +71,13 @@ private:
 
 /// The edge of the cells (mm) in which a few of `points` points that fill `box` lie, such that a grid of them
 /// stays below twenty million.
-double cellEdge(const Bounds& box, Eigen::Index points);
+inline double cellEdge(const Bounds& box, Eigen::Index points) {
+  constexpr double kCellScale = 1.5; // Edge of a cell, in terms of the cube that one point has to itself.
+  constexpr double kMostCells = 2e7;
+  const Vec3 extent = (box.high - box.low).cwiseMax(1e-6 * box.diagonal());
+  const double perPoint = std::cbrt(extent.prod() / static_cast<double>(points));
+  const double edge = std::max(kCellScale * perPoint, std::cbrt(extent.prod() / kMostCells));
+  return edge > 0 ? edge : 1; // All points in one place: one cell.
+}
 
 } // namespace viscera::geometry

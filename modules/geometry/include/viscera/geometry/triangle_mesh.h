@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "viscera/core/arrays.h"
@@ -14,6 +15,12 @@ struct TriangleMesh {
   Colors colors;       ///< `n x 3`, one colour a vertex, or empty.
 };
 
+/// The corners of triangle `t`, mm.
+inline std::array<Vec3, 3> cornersOf(const Points& points, const Triangles& triangles, Eigen::Index t) {
+  return {points.row(triangles(t, 0)).transpose(), points.row(triangles(t, 1)).transpose(),
+          points.row(triangles(t, 2)).transpose()};
+}
+
 /// For every vertex the triangles around it, as a compressed list: those of vertex v are
 /// `items[first[v]] ... items[first[v + 1] - 1]`, ascending.
 struct VertexTriangles {
@@ -27,5 +34,18 @@ VertexTriangles vertexTriangles(Eigen::Index vertexCount, const Triangles& trian
 /// Throws `DataError` that names the first offending element when a coordinate is not finite or a triangle's
 /// index is out of range. `where` names the mesh in the message. O(n + m).
 void requireValid(const TriangleMesh& mesh, const std::string& where);
+
+/// The surface elsewhere: coordinates that were in another unit or in other axes. Colours stay. O(n + m).
+///
+/// Every coordinate times `factor` (positive).
+TriangleMesh scaled(TriangleMesh mesh, double factor);
+
+/// Half a turn about the axis from foot to head, which is what leads from RAS to LPS and back: x and y change
+/// their signs, nothing is mirrored. Twice is the same bits again.
+TriangleMesh turnedHalf(TriangleMesh mesh);
+
+/// Left and right exchanged: x changes its sign, and every triangle is turned around so that what faced
+/// outward still does. Twice is the same bits again.
+TriangleMesh mirrored(TriangleMesh mesh);
 
 } // namespace viscera::geometry

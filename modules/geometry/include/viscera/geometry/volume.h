@@ -19,6 +19,9 @@ double volume(const Points& points, const Triangles& triangles, Threads threads 
 void volumeGradient(const Points& points, const Triangles& triangles, const VertexTriangles& around,
                     Points& gradient, Threads threads = {});
 
+/// Area of triangle `t`, mm^2.
+double areaOf(const Points& points, const Triangles& triangles, Eigen::Index t);
+
 /// Area of the surface in mm^2. O(m).
 double area(const Points& points, const Triangles& triangles);
 

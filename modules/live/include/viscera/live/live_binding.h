@@ -1,6 +1,5 @@
 #pragma once
 
-#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -10,7 +9,6 @@
 #include "viscera/core/parallel.h"
 #include "viscera/deformation/deformer.h"
 #include "viscera/document/document.h"
-#include "viscera/live/posed_copy.h"
 #include "viscera/live/posed_organs.h"
 #include "viscera/plugin/registry.h"
 

@@ -6,13 +6,12 @@
 
 #include "viscera/core/job_queue.h"
 #include "viscera/core/parallel.h"
-#include "viscera/deformation/principal_stretches.h"
+#include "viscera/deformation/rotational_stress.h"
 #include "viscera/deformation/witness_gradients.h"
 #include "viscera/deformation/witness_mesh.h"
 #include "viscera/document/document.h"
 #include "viscera/live/live_binding.h"
 #include "viscera/live/stress_frame.h"
-#include "viscera/live/stress_record.h"
 #include "viscera/live/witness_sampling.h"
 #include "viscera/plugin/registry.h"
 
@@ -32,10 +31,8 @@ struct StressStatus {
   std::string message;                           ///< For a user; empty unless failed.
   WitnessOrigin origin = WitnessOrigin::surface; ///< Meaningful once there is a mesh.
   std::vector<std::string> remarks;              ///< Of the sampling, a sentence each.
-  double sampleSeconds = 0;
-  double bindSeconds = 0;
-  bool closedForm = false; ///< The derivatives; false: central differences.
-  int outside = 0;         ///< Points outside the handles' hull, which do not move.
+  bool closedForm = false;                       ///< The derivatives; false: central differences.
+  int outside = 0;                               ///< Points outside the handles' hull, which do not move.
 };
 
 /// What is new.

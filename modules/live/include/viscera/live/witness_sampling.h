@@ -38,7 +38,6 @@ struct WitnessSample {
   std::shared_ptr<const deformation::WitnessMesh> mesh; ///< Never null.
   WitnessOrigin origin = WitnessOrigin::surface;
   std::vector<std::string> remarks; ///< What the user should know, a sentence each; empty when all went well.
-  double seconds = 0;
 };
 
 /// The number of witnesses is within this part of what was wanted, unless a remark says otherwise.

@@ -10,17 +10,11 @@ namespace viscera::localised_scc {
 /// inner system itself.
 ///
 /// Departs from the thesis where its zones are ambiguous; see `RegionLayout`.
-class LocalisedSCelestial final : public coordinates::CoordinateSystem {
+class LocalisedSCelestial final : public coordinates::DescribedSystem {
 public:
   /// `inner` are the systems that a user may choose inside the regions, positive ones without a cage; the
   /// first is the standard one. At least one.
   explicit LocalisedSCelestial(std::vector<std::shared_ptr<const coordinates::CoordinateSystem>> inner);
-
-  std::string id() const override { return "localised-s-celestial"; }
-  std::string name() const override { return "Localised S-Celestial"; }
-  std::string summary() const override;
-  coordinates::Traits traits() const override;
-  std::vector<coordinates::Parameter> parameters() const override;
 
   /// Points in no region are failures, as are those for which the inner system has no answer.
   std::unique_ptr<coordinates::Binding> bind(const coordinates::HandleSet& handles, const Points& points,

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "viscera/coordinates/handle_set.h"
+#include "viscera/coordinates/space_layout.h"
 #include "viscera/geometry/convex_polytope.h"
 
 /// Localised Celestial coordinates (thesis 4.5): groups of handles act inside their regions only.
@@ -80,5 +81,10 @@ private:
   std::vector<SwappingZone> zones_;
   std::vector<std::string> notes_;
 };
+
+/// What a scene can draw of `layout`, which was made from `groups` groups; with the upper bound of the
+/// parameter `offsetName`.
+coordinates::SpaceLayout spaceLayoutOf(const RegionLayout& layout, std::size_t groups,
+                                       const std::string& offsetName);
 
 } // namespace viscera::localised_scc

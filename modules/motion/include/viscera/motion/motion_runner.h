@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
@@ -44,8 +45,10 @@ public:
   bool movable() const;
 
   /// Prescribes a volume, or none.
-  void prescribe(std::optional<PrescribedVolume> volume) { prescribed_ = std::move(volume); }
+  void prescribe(std::optional<PrescribedVolume> volume);
   const std::optional<PrescribedVolume>& prescribed() const { return prescribed_; }
+  /// Another number whenever sequence, rate or prescribed volume were set: the cycle may be another one.
+  std::uint64_t revision() const { return revision_; }
   /// Throws `DataError` that names the first instant at which the volumes cannot be kept or met.
   /// O(`kTriedInstants`) restorations.
   void requireReachable();
@@ -69,6 +72,7 @@ private:
   std::shared_ptr<const sequences::Sequence> sequence_;
   double rate_ = 0;
   std::optional<PrescribedVolume> prescribed_;
+  std::uint64_t revision_ = 0;
   std::string obstacle_;
   Points pose_;
 };

@@ -14,8 +14,6 @@ namespace viscera::motion {
 /// cycles: another rate goes on from the same place of the cycle. For the document's thread.
 class Player {
 public:
-  using Clock = Transport::Clock;
-
   /// Joins the views of `transport`, as the one that leads when it is the first. All must live longer;
   /// `state` is the document's own.
   Player(Transport& transport, const document::DocumentState& state, live::LiveBinding& live);

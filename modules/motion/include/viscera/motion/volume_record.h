@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -32,5 +33,10 @@ private:
   std::vector<double> seconds_;
   std::vector<double> values_;
 };
+
+/// Writes a record as comma-separated values: `time_s`, then one column `<name>_ml` a surface, numbers with
+/// twelve digits, one row an instant. Names that hold commas or quotes are quoted. A reader sees the old file
+/// or the whole new one. Throws `CannotCreateError`.
+void writeVolumeTable(const std::filesystem::path& file, const VolumeRecord& volumes);
 
 } // namespace viscera::motion

@@ -15,10 +15,10 @@
 #include "viscera/presentation/stress_values.h"
 #include "viscera/presentation/view_state.h"
 #include "viscera/scene/color_map.h"
+#include "viscera/scene/helper_glyphs.h"
 #include "viscera/scene/measurement_glyphs.h"
 #include "viscera/scene/organ_labels.h"
 #include "viscera/scene/organ_view.h"
-#include "viscera/scene/probe_marker.h"
 #include "viscera/scene/stretch_glyphs.h"
 #include "viscera/scene/tissue_actor.h"
 
@@ -113,6 +113,12 @@ private:
   scene::OrganView& view_;
   std::unique_ptr<Parts> parts_;
 };
+
+/// Where the eye of a view is.
+Camera cameraOf(const scene::OrganView& view);
+
+/// Puts it there. A camera that looks nowhere (position and focus are one place) changes nothing.
+void lookFrom(const Camera& camera, scene::OrganView& view);
 
 /// What is written beside an organ: "Left ventricle" for a cavity that is called LV, else its name.
 std::string labelOf(const document::Organ& organ, const Presenter::Translate& translate = {});

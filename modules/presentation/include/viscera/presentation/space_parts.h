@@ -9,7 +9,7 @@
 #include "viscera/document/document.h"
 #include "viscera/plugin/registry.h"
 #include "viscera/presentation/view_state.h"
-#include "viscera/scene/layout_hulls.h"
+#include "viscera/scene/region_hulls.h"
 
 /// What of a document is drawn beside its organs and handles, as data.
 namespace viscera::presentation {

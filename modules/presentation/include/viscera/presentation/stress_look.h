@@ -35,7 +35,7 @@ struct StressLook {
   int witnesses = live::WitnessOptions().wanted;
   int probe = -1; ///< The point of the mesh that is looked at; -1: none.
 
-  bool operator==(const StressLook& other) const;
+  bool operator==(const StressLook&) const = default;
 };
 
 /// The look as JSON text, for settings; text that is none gives the look to begin with.

@@ -7,7 +7,7 @@
 #include "viscera/core/arrays.h"
 #include "viscera/document/ids.h"
 #include "viscera/presentation/stress_look.h"
-#include "viscera/scene/layout_hulls.h"
+#include "viscera/scene/region_hulls.h"
 
 /// How a document is looked at, as one value: what a session keeps beside the document, and all that a
 /// `Presenter` has to know to draw the same picture again. The theme is not in it: it is the user's, not the

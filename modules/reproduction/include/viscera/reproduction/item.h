@@ -32,13 +32,6 @@ struct Item {
   std::string name() const { return (table ? "table-" : "") + id; }
 };
 
-/// The figures of chapter 3: attempts at cage-free coordinates, along lines.
-std::vector<Item> chapter3();
-/// Figures and tables of chapter 4: celestial coordinates.
-std::vector<Item> chapter4();
-/// Figures and tables of chapter 5: volume and stress.
-std::vector<Item> chapter5();
-
 /// Those with the given names, all in the order of the thesis for none. Throws `UsageError` for a name that
 /// there is not.
 std::vector<Item> chosenItems(const std::vector<std::string>& names);

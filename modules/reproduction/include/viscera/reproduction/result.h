@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -61,5 +62,9 @@ struct Result {
   /// "figure_3_14", for files and links.
   std::string fileName() const;
 };
+
+/// Writes `index.html`, `verdicts.md`, the pictures (.svg) and the tables (.csv) into `folder`, which is made
+/// when missing. Each file atomically. Throws `CannotCreateError`.
+void writePage(const std::filesystem::path& folder, const std::vector<Result>& results);
 
 } // namespace viscera::reproduction

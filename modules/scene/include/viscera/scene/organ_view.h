@@ -6,9 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "viscera/scene/constraint_glyph.h"
+#include "viscera/scene/helper_glyphs.h"
 #include "viscera/scene/legend.h"
-#include "viscera/scene/mirror_plane_glyph.h"
 #include "viscera/scene/organ_actor.h"
 #include "viscera/scene/region_hulls.h"
 #include "viscera/scene/surface_pick.h"

@@ -19,10 +19,12 @@ public:
   static vtkVisceraCutPlaneRepresentation* New();
   vtkTypeMacro(vtkVisceraCutPlaneRepresentation, vtkWidgetRepresentation)
 
-      void PrintSelf(ostream& os, vtkIndent indent) override;
-
-  /// Interaction states: what is under the cursor or in the hand.
-  enum { Outside = 0, OnArrow = 1, OnRim = 2 };
+      /// Interaction states: what is under the cursor or in the hand.
+      enum {
+        Outside = 0,
+        OnArrow = 1,
+        OnRim = 2
+      };
 
   ///@{
   /// The plane; the normal points to what stays and need not be unit.
@@ -63,9 +65,6 @@ protected:
   ~vtkVisceraCutPlaneRepresentation() override;
 
 private:
-  vtkVisceraCutPlaneRepresentation(const vtkVisceraCutPlaneRepresentation&) = delete;
-  void operator=(const vtkVisceraCutPlaneRepresentation&) = delete;
-
   void Push(double x, double y);
   void Tilt(double x, double y);
 

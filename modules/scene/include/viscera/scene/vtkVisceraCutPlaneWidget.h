@@ -1,6 +1,6 @@
 #pragma once
 
-#include <vtkAbstractWidget.h>
+#include "viscera/scene/vtkVisceraDragWidget.h"
 
 class vtkVisceraCutPlaneRepresentation;
 
@@ -11,39 +11,26 @@ class vtkVisceraCutPlaneRepresentation;
  * VTK's StartInteractionEvent, InteractionEvent (for every move) and EndInteractionEvent tell of a drag;
  * HoverEvent (vtkCommand::WidgetModifiedEvent) of another look. The widget renders nothing itself.
  */
-class vtkVisceraCutPlaneWidget : public vtkAbstractWidget {
+class vtkVisceraCutPlaneWidget : public vtkVisceraDragWidget {
 public:
   static vtkVisceraCutPlaneWidget* New();
-  vtkTypeMacro(vtkVisceraCutPlaneWidget, vtkAbstractWidget)
+  vtkTypeMacro(vtkVisceraCutPlaneWidget, vtkVisceraDragWidget)
 
-      void PrintSelf(ostream& os, vtkIndent indent) override;
-
-  void SetRepresentation(vtkVisceraCutPlaneRepresentation* representation);
+      void SetRepresentation(vtkVisceraCutPlaneRepresentation* representation);
   vtkVisceraCutPlaneRepresentation* GetPlaneRepresentation();
   void CreateDefaultRepresentation() override;
-  /// Disabling cancels a drag.
-  void SetEnabled(int enabled) override;
 
-  bool IsDragging() const { return Dragging; }
   /// Whether the plane is under the cursor or in the hand.
   bool IsUnderCursor();
-  /// As Escape. Nothing happens when nothing is dragged.
-  void CancelDrag();
 
 protected:
   vtkVisceraCutPlaneWidget();
-  ~vtkVisceraCutPlaneWidget() override;
+
+  void Hover(int x, int y) override;
+  void Leave() override;
+  bool IsOverPart() override;
+  void EndDrag(bool cancelled) override;
 
 private:
-  vtkVisceraCutPlaneWidget(const vtkVisceraCutPlaneWidget&) = delete;
-  void operator=(const vtkVisceraCutPlaneWidget&) = delete;
-
-  static void PressAction(vtkAbstractWidget* widget);
-  static void MoveAction(vtkAbstractWidget* widget);
-  static void ReleaseAction(vtkAbstractWidget* widget);
-  static void LeaveAction(vtkAbstractWidget* widget);
   void SetHovered(int state);
-  void EndDrag();
-
-  bool Dragging = false;
 };

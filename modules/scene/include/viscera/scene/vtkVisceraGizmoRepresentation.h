@@ -5,8 +5,8 @@
 #include <vtkWidgetRepresentation.h>
 
 #include "viscera/core/arrays.h"
-#include "viscera/scene/gizmo_event.h"
 #include "viscera/scene/theme.h"
+#include "viscera/scene/widget_events.h"
 
 /**
  * A gizmo to turn and scale things about a centre: a ring around each of the patient's axes turns, a cube at
@@ -54,7 +54,6 @@ public:
   void StartWidgetInteraction(double eventPosition[2]) override;
   void WidgetInteraction(double eventPosition[2]) override;
   int ComputeInteractionState(int x, int y, int modify = 0) override;
-  void SetRenderer(vtkRenderer* renderer) override;
   void BuildRepresentation() override;
   double* GetBounds() VTK_SIZEHINT(6) override;
   void GetActors(vtkPropCollection* collection) override;
@@ -67,9 +66,6 @@ protected:
   ~vtkVisceraGizmoRepresentation() override;
 
 private:
-  vtkVisceraGizmoRepresentation(const vtkVisceraGizmoRepresentation&) = delete;
-  void operator=(const vtkVisceraGizmoRepresentation&) = delete;
-
   struct Parts;
   std::unique_ptr<Parts> Internals;
 };

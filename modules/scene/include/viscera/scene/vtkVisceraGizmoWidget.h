@@ -1,7 +1,8 @@
 #pragma once
 
-#include <vtkAbstractWidget.h>
 #include <vtkCommand.h>
+
+#include "viscera/scene/vtkVisceraDragWidget.h"
 
 class vtkVisceraGizmoRepresentation;
 
@@ -13,10 +14,10 @@ class vtkVisceraGizmoRepresentation;
  * Events (call data: `viscera::scene::GizmoEvent`): HoveredEvent when another part is under the cursor; then
  * GrabbedEvent, MovedEvent for every mouse move, and ReleasedEvent or CancelledEvent.
  */
-class vtkVisceraGizmoWidget : public vtkAbstractWidget {
+class vtkVisceraGizmoWidget : public vtkVisceraDragWidget {
 public:
   static vtkVisceraGizmoWidget* New();
-  vtkTypeMacro(vtkVisceraGizmoWidget, vtkAbstractWidget)
+  vtkTypeMacro(vtkVisceraGizmoWidget, vtkVisceraDragWidget)
 
       enum {
         HoveredEvent = vtkCommand::UserEvent + 7200,
@@ -29,29 +30,17 @@ public:
   void SetRepresentation(vtkVisceraGizmoRepresentation* representation);
   vtkVisceraGizmoRepresentation* GetGizmo();
   void CreateDefaultRepresentation() override;
-  /// Disabling cancels a drag.
   void SetEnabled(int enabled) override;
-
-  bool IsDragging() const { return Dragging; }
-  /// As Escape. Nothing happens when nothing is dragged.
-  void CancelDrag();
 
 protected:
   vtkVisceraGizmoWidget();
-  ~vtkVisceraGizmoWidget() override;
+
+  void Hover(int x, int y) override;
+  bool IsOverPart() override;
+  void DragBegan() override;
+  void Drag(int x, int y) override;
+  void EndDrag(bool cancelled) override;
 
 private:
-  vtkVisceraGizmoWidget(const vtkVisceraGizmoWidget&) = delete;
-  void operator=(const vtkVisceraGizmoWidget&) = delete;
-
-  static void PressAction(vtkAbstractWidget* widget);
-  static void MoveAction(vtkAbstractWidget* widget);
-  static void ReleaseAction(vtkAbstractWidget* widget);
-  static void EscapeAction(vtkAbstractWidget* widget);
-  bool Shown();
-  void Hover(int x, int y);
-  void EndDrag(unsigned long event);
   void Tell(unsigned long event);
-
-  bool Dragging = false;
 };

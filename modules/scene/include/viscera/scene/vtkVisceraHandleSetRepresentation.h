@@ -24,10 +24,11 @@ public:
   static vtkVisceraHandleSetRepresentation* New();
   vtkTypeMacro(vtkVisceraHandleSetRepresentation, vtkWidgetRepresentation)
 
-      void PrintSelf(ostream& os, vtkIndent indent) override;
-
-  /// Interaction states: nothing, or a handle, under the cursor.
-  enum { Outside = 0, OnHandle = 1 };
+      /// Interaction states: nothing, or a handle, under the cursor.
+      enum {
+        Outside = 0,
+        OnHandle = 1
+      };
 
   ///@{
   /// The handles, `n x 3` mm, n >= 0. Another count than before also resets colours, selection, locks and
@@ -59,7 +60,6 @@ public:
   void SetSelection(std::vector<int> selection);
   const std::vector<int>& GetSelection() const;
   bool IsSelected(int handle) const;
-  void ToggleSelected(int handle);
   ///@}
 
   ///@{
@@ -73,7 +73,6 @@ public:
   /// transform has to be the identity; clipping planes of the mapper are respected.
   void AddOccluder(vtkActor* actor);
   void RemoveOccluder(vtkActor* actor);
-  void RemoveAllOccluders();
   ///@}
 
   ///@{
@@ -90,7 +89,6 @@ public:
   /// or while dragging.
   void SetConstraintPlane(const viscera::Vec3& normal);
   void ClearConstraintPlane();
-  bool GetConstraintPlane(viscera::Vec3& normal) const;
   ///@}
 
   ///@{
@@ -99,9 +97,7 @@ public:
   void SetHandleRadius(double pixels);
   double GetHandleRadius() const;
   void SetActiveRadius(double pixels);
-  double GetActiveRadius() const;
   void SetPickRadius(double pixels);
-  double GetPickRadius() const;
   /// Rim colour, and the dark or light line around each handle.
   void SetTheme(const viscera::scene::Theme& theme);
   ///@}
@@ -131,17 +127,13 @@ public:
   void GetActors(vtkPropCollection* collection) override;
   void ReleaseGraphicsResources(vtkWindow* window) override;
   int RenderOpaqueGeometry(vtkViewport* viewport) override;
-  int RenderTranslucentPolygonalGeometry(vtkViewport* viewport) override;
-  vtkTypeBool HasTranslucentPolygonalGeometry() override;
+  vtkTypeBool HasTranslucentPolygonalGeometry() override { return 0; }
 
 protected:
   vtkVisceraHandleSetRepresentation();
   ~vtkVisceraHandleSetRepresentation() override;
 
 private:
-  vtkVisceraHandleSetRepresentation(const vtkVisceraHandleSetRepresentation&) = delete;
-  void operator=(const vtkVisceraHandleSetRepresentation&) = delete;
-
   struct Parts;
   std::unique_ptr<Parts> Internals;
 };

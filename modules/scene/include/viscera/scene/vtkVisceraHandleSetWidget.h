@@ -1,9 +1,11 @@
 #pragma once
 
-#include <vtkAbstractWidget.h>
+#include <vector>
+
 #include <vtkCommand.h>
 
-#include "viscera/scene/handle_event.h"
+#include "viscera/scene/vtkVisceraDragWidget.h"
+#include "viscera/scene/widget_events.h"
 
 class vtkVisceraHandleSetRepresentation;
 
@@ -27,61 +29,46 @@ class vtkVisceraHandleSetRepresentation;
  * VTK's own StartInteraction, Interaction and EndInteraction events come with them. The last frame's work
  * (deforming, volume, chart) belongs into the listener of HandleMovedEvent; the widget renders once after it.
  */
-class vtkVisceraHandleSetWidget : public vtkAbstractWidget {
+class vtkVisceraHandleSetWidget : public vtkVisceraDragWidget {
 public:
   static vtkVisceraHandleSetWidget* New();
-  vtkTypeMacro(vtkVisceraHandleSetWidget, vtkAbstractWidget)
+  vtkTypeMacro(vtkVisceraHandleSetWidget, vtkVisceraDragWidget)
 
-      void PrintSelf(ostream& os, vtkIndent indent) override;
-
-  enum {
-    HandleHoveredEvent = vtkCommand::UserEvent + 7100,
-    HandleGrabbedEvent,
-    HandleMovedEvent,
-    HandleReleasedEvent,
-    HandleCancelledEvent,
-    SelectionChangedEvent
-  };
+      enum {
+        HandleHoveredEvent = vtkCommand::UserEvent + 7100,
+        HandleGrabbedEvent,
+        HandleMovedEvent,
+        HandleReleasedEvent,
+        HandleCancelledEvent,
+        SelectionChangedEvent
+      };
 
   void SetRepresentation(vtkVisceraHandleSetRepresentation* representation);
   vtkVisceraHandleSetRepresentation* GetHandleSet();
   void CreateDefaultRepresentation() override;
-  /// Disabling cancels a drag.
-  void SetEnabled(int enabled) override;
 
   /// Whether the widget asks the interactor to render after a change (on by default). Off: the listeners do.
   vtkSetMacro(RenderOnChange, bool);
-  vtkGetMacro(RenderOnChange, bool);
-
-  bool IsDragging() const { return Dragging; }
-  /// As Escape. Nothing happens when nothing is dragged.
-  void CancelDrag();
   /// Replaces the selection and tells the listeners when it changed.
   void Select(std::vector<int> selection);
 
 protected:
   vtkVisceraHandleSetWidget();
-  ~vtkVisceraHandleSetWidget() override;
+
+  void Hover(int x, int y) override;
+  void Leave() override;
+  bool IsOverPart() override;
+  void Press(int x, int y) override;
+  void DragBegan() override;
+  void Drag(int x, int y) override;
+  void EndDrag(bool cancelled) override;
 
 private:
-  vtkVisceraHandleSetWidget(const vtkVisceraHandleSetWidget&) = delete;
-  void operator=(const vtkVisceraHandleSetWidget&) = delete;
-
-  static void PressAction(vtkAbstractWidget* widget);
-  static void MoveAction(vtkAbstractWidget* widget);
-  static void ReleaseAction(vtkAbstractWidget* widget);
-  static void LeaveAction(vtkAbstractWidget* widget);
-  static void EscapeAction(vtkAbstractWidget* widget);
-  void Hover(int x, int y);
   void SetHovered(int handle);
-  void BeginDrag(int x, int y);
-  void Drag(int x, int y);
-  void EndDrag(bool cancelled);
   void Tell(unsigned long event);
   void RenderAfterChange();
 
   bool RenderOnChange = true;
-  bool Dragging = false;
   bool Moved = false;
   bool AloneOnRelease = false;
 };

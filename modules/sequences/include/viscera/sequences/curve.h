@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <vector>
 
 /// Smooth curves through a few keys, for motions that are given by what is known at certain times.
@@ -27,8 +28,6 @@ public:
 
   /// The value at x. O(log keys).
   double at(double x) const;
-  /// The derivative at x. O(log keys).
-  double slopeAt(double x) const;
 
 private:
   struct Knot {
@@ -48,5 +47,11 @@ private:
   double period_ = 0;       ///< 0: not periodic.
   double rise_ = 0;
 };
+
+/// 0 up to x = 0, 1 from x = 1, and a cubic that is level at both ends in between.
+inline double smoothStep(double x) {
+  x = std::clamp(x, 0.0, 1.0);
+  return x * x * (3 - 2 * x);
+}
 
 } // namespace viscera::sequences

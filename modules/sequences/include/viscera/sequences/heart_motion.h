@@ -44,7 +44,6 @@ public:
   explicit HeartMotion(HeartRig rig, const HeartExcursions& excursions = {});
 
   const HeartRig& rig() const { return rig_; }
-  const HeartExcursions& excursions() const { return excursions_; }
 
   /// Fills `pose` (resized to `n x 3`). O(n).
   void pose(const HeartState& state, Points& pose) const;

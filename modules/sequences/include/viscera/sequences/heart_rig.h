@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "viscera/core/arrays.h"
-#include "viscera/sequences/anatomy_surface.h"
 #include "viscera/sequences/heart_frame.h"
+#include "viscera/sequences/rig_parts.h"
 #include "viscera/sequences/sequence.h"
 
 namespace viscera::sequences {
@@ -91,7 +91,7 @@ struct HeartRig {
   std::vector<HeartHandle> handles;
 
   /// `n x 3`, the rest pose.
-  Points restHandles() const;
+  Points restHandles() const { return positionsOf(handles); }
   /// The rows of the handles of one role, ascending.
   std::vector<int> handlesOf(HeartRole role) const;
   /// One group a role that has handles, in their order.
@@ -104,5 +104,19 @@ struct HeartRig {
 /// `DataError` when the surfaces are not where the frame says, so that a ventricle gets fewer than eight
 /// handles.
 HeartRig makeHeartRig(HeartAnatomy anatomy, const HeartRigOptions& options = {});
+
+/// The surfaces of the sample heart that its handles need, each negative inside.
+struct SampleHeartSurfaces {
+  AnatomySurface ventricles;
+  AnatomySurface rightCavity;
+  AnatomySurface rightAtrium;
+  AnatomySurface leftAtrium;
+  AnatomySurface
+      greatVessels; ///< Aorta, pulmonary trunk, caval and pulmonary veins: the least of their values.
+};
+
+/// The anatomy of the heart that the program ships (definition `heart`): frame, ellipsoids and vessels as
+/// that definition has them.
+HeartAnatomy sampleHeartAnatomy(const SampleHeartSurfaces& surfaces);
 
 } // namespace viscera::sequences

@@ -7,7 +7,6 @@
 #include "viscera/sequences/pose_compensation.h"
 #include "viscera/sequences/sequence.h"
 #include "viscera/sequences/stomach_rig.h"
-#include "viscera/sequences/volume_keeping.h"
 
 namespace viscera::sequences {
 

@@ -1,5 +1,9 @@
 #pragma once
 
+#include <array>
+#include <functional>
+#include <string>
+
 #include <Eigen/Core>
 
 #include "viscera/core/arrays.h"
@@ -29,8 +33,16 @@ public:
   /// The number of handles, 0 for one that does nothing.
   Eigen::Index handleCount() const { return matrix_.rows(); }
 
+  /// Throws `DataError`, which names `organ` and `sequence`, for one that is for another number of handles.
+  void requireFor(Eigen::Index handles, const std::string& organ, const std::string& sequence) const;
+
 private:
   Eigen::MatrixXd matrix_;
 };
+
+/// The volume of an organ whose handles are at `pose + x direction` (both `n x 3`), as the coefficients of 1,
+/// x, x^2 and x^3, ml. Coordinates that are linear in the pose make it just that, exactly. May be asked from
+/// several threads.
+using VolumeAlong = std::function<std::array<double, 4>(const Points& pose, const Points& direction)>;
 
 } // namespace viscera::sequences

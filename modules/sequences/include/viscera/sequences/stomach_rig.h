@@ -3,9 +3,9 @@
 #include <vector>
 
 #include "viscera/core/arrays.h"
-#include "viscera/sequences/anatomy_surface.h"
 #include "viscera/sequences/centerline.h"
 #include "viscera/sequences/gastric_waves.h"
+#include "viscera/sequences/rig_parts.h"
 #include "viscera/sequences/sequence.h"
 
 namespace viscera::sequences {
@@ -50,7 +50,7 @@ struct StomachRig {
   std::vector<StomachHandle> handles;
 
   /// `n x 3`, the rest pose.
-  Points restHandles() const;
+  Points restHandles() const { return positionsOf(handles); }
   /// One group a region that has handles, in their order.
   std::vector<HandleGroup> groups() const;
 };

@@ -1,6 +1,10 @@
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "viscera/coordinates/handle_set.h"
+#include "viscera/geometry/triangle_mesh.h"
 
 namespace viscera::coordinates {
 
@@ -9,5 +13,19 @@ namespace viscera::coordinates {
 /// whose triangles name handles that do not exist, or that is open or not manifold: it says at how many
 /// edges; for no cage and handles that are all in one plane. For any thread. O(n log n).
 Triangles cageOf(const HandleSet& handles);
+
+/// Throws `DataError` for a surface that can be no cage: without triangles, indices out of range, open, or
+/// not manifold. It says at how many edges. `where` names the cage in the message. O(m log m).
+void requireCage(const geometry::TriangleMesh& cage, const std::string& where = "the cage");
+
+/// For every vertex of a cage (mm) the handle (`n x 3`, mm) that lies at it, to 1e-6 of the cage's size; -1
+/// where there is none. O(n v).
+std::vector<int> handlesAtVertices(const Points& handles, const geometry::TriangleMesh& cage);
+
+/// The triangles of a given cage (mm) over the handles (`n x 3`, mm) that lie at its vertices, as
+/// `HandleSet::cage` wants them, outward. Handles that lie at no vertex stay without a triangle. Throws as
+/// `requireCage`, and `DataError` that names the first vertex where no handle is (to 1e-6 of the cage's
+/// size). O(n v).
+Triangles cageOver(const Points& handles, const geometry::TriangleMesh& cage);
 
 } // namespace viscera::coordinates

@@ -40,13 +40,8 @@ struct CelestialSolution {
 ///
 /// All of it is rotation invariant. A point's coordinates are bitwise the same whatever other points are
 /// bound with it. Cost of binding: about 8 ns per (point x handle) of one thread (docs/performance.md).
-class CelestialSystem : public CoordinateSystem {
+class CelestialSystem : public DescribedSystem {
 public:
-  Traits traits() const final;
-
-  /// Locality and softness.
-  std::vector<Parameter> parameters() const override;
-
   std::unique_ptr<Binding> bind(const HandleSet& handles, const Points& points, const BindOptions& options,
                                 Progress& progress) const final;
 
@@ -61,7 +56,11 @@ public:
                                const CelestialOptions& options, Progress& progress) const;
 
 protected:
-  virtual const CelestialFunction& function() const = 0;
+  /// Adds the traits to the description, and before its parameters locality and softness.
+  CelestialSystem(SystemDescription description, const CelestialFunction& (*function)());
+
+private:
+  const CelestialFunction& (*function_)();
 };
 
 } // namespace viscera::coordinates

@@ -12,13 +12,7 @@ namespace viscera::coordinates {
 /// **lambda changes nothing**; the parameter is accepted because users of the thesis expect it.
 class SCelestial final : public CelestialSystem {
 public:
-  std::string id() const override { return "s-celestial"; }
-  std::string name() const override { return "S-Celestial"; }
-  std::string summary() const override;
-  std::vector<Parameter> parameters() const override;
-
-protected:
-  const CelestialFunction& function() const override;
+  SCelestial();
 };
 
 } // namespace viscera::coordinates

@@ -9,12 +9,7 @@ namespace viscera::coordinates {
 /// they are not (the tests measure it).
 class TCelestial final : public CelestialSystem {
 public:
-  std::string id() const override { return "t-celestial"; }
-  std::string name() const override { return "T-Celestial"; }
-  std::string summary() const override;
-
-protected:
-  const CelestialFunction& function() const override;
+  TCelestial();
 };
 
 } // namespace viscera::coordinates

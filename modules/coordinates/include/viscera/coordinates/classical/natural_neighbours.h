@@ -10,15 +10,7 @@ namespace viscera::coordinates {
 /// one sphere do no harm. O(n + k^2) cuts a point with k natural neighbours.
 class NaturalNeighbours final : public PointwiseSystem {
 public:
-  std::string id() const override { return "natural-neighbours"; }
-  std::string name() const override { return "Natural neighbours"; }
-  std::string summary() const override;
-  Traits traits() const override;
-  std::vector<Parameter> parameters() const override;
-
-protected:
-  std::unique_ptr<const PointSolver> prepare(const HandleSet& handles,
-                                             const ParameterValues& parameters) const override;
+  NaturalNeighbours();
 };
 
 } // namespace viscera::coordinates

@@ -12,15 +12,7 @@ namespace viscera::coordinates {
 /// point.
 class Wachspress final : public PointwiseSystem {
 public:
-  std::string id() const override { return "wachspress"; }
-  std::string name() const override { return "Wachspress"; }
-  std::string summary() const override;
-  Traits traits() const override;
-  std::vector<Parameter> parameters() const override;
-
-protected:
-  std::unique_ptr<const PointSolver> prepare(const HandleSet& handles,
-                                             const ParameterValues& parameters) const override;
+  Wachspress();
 };
 
 } // namespace viscera::coordinates

@@ -16,15 +16,7 @@ namespace viscera::coordinates {
 /// face of the paper's section 6 is left out. O(triangles) a point.
 class GreenCoordinates final : public PointwiseSystem {
 public:
-  std::string id() const override { return "green"; }
-  std::string name() const override { return "Green"; }
-  std::string summary() const override;
-  Traits traits() const override;
-  std::vector<Parameter> parameters() const override;
-
-protected:
-  std::unique_ptr<const PointSolver> prepare(const HandleSet& handles,
-                                             const ParameterValues& parameters) const override;
+  GreenCoordinates();
 };
 
 } // namespace viscera::coordinates

@@ -11,15 +11,7 @@ namespace viscera::coordinates {
 /// harmonic coordinates, is not offered. O(polyhedra + triangles) a point.
 class CatalogueOfLayers final : public PointwiseSystem {
 public:
-  std::string id() const override { return "catalogue-of-layers"; }
-  std::string name() const override { return "Catalogue of layers"; }
-  std::string summary() const override;
-  Traits traits() const override;
-  std::vector<Parameter> parameters() const override;
-
-protected:
-  std::unique_ptr<const PointSolver> prepare(const HandleSet& handles,
-                                             const ParameterValues& parameters) const override;
+  CatalogueOfLayers();
 };
 
 } // namespace viscera::coordinates

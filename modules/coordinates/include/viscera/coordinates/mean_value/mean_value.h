@@ -14,15 +14,10 @@ namespace viscera::coordinates {
 /// thesis's (3.8) with its denominators made one, which makes its derivatives short.
 class MeanValue final : public PointwiseSystem {
 public:
-  std::string id() const override { return "mean-value"; }
-  std::string name() const override { return "Mean value"; }
-  std::string summary() const override;
-  Traits traits() const override;
-  std::vector<Parameter> parameters() const override { return {}; }
-
-protected:
-  std::unique_ptr<const PointSolver> prepare(const HandleSet& handles,
-                                             const ParameterValues& parameters) const override;
+  MeanValue();
 };
+
+/// Mean value coordinates of one closed, outward surface over some of the handles.
+std::unique_ptr<const PointSolver> meanValueSolver(Points handles, Triangles cage);
 
 } // namespace viscera::coordinates

@@ -11,15 +11,7 @@ namespace viscera::coordinates {
 /// point.
 class PositiveMeanValue final : public PointwiseSystem {
 public:
-  std::string id() const override { return "positive-mean-value"; }
-  std::string name() const override { return "Positive mean value"; }
-  std::string summary() const override;
-  Traits traits() const override;
-  std::vector<Parameter> parameters() const override;
-
-protected:
-  std::unique_ptr<const PointSolver> prepare(const HandleSet& handles,
-                                             const ParameterValues& parameters) const override;
+  PositiveMeanValue();
 };
 
 } // namespace viscera::coordinates

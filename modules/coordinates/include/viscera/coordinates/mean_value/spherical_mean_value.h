@@ -11,15 +11,7 @@ namespace viscera::coordinates {
 /// O(triangles) a point.
 class SphericalMeanValue final : public PointwiseSystem {
 public:
-  std::string id() const override { return "spherical-mean-value"; }
-  std::string name() const override { return "Spherical mean value"; }
-  std::string summary() const override;
-  Traits traits() const override;
-  std::vector<Parameter> parameters() const override;
-
-protected:
-  std::unique_ptr<const PointSolver> prepare(const HandleSet& handles,
-                                             const ParameterValues& parameters) const override;
+  SphericalMeanValue();
 };
 
 } // namespace viscera::coordinates

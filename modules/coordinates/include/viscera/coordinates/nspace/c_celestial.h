@@ -14,15 +14,7 @@ namespace viscera::coordinates {
 /// `samples` a point, and `seed`; every point uses the same random numbers. O(samples x n) a point.
 class CCelestial final : public PointwiseSystem {
 public:
-  std::string id() const override { return "c-celestial"; }
-  std::string name() const override { return "C-Celestial"; }
-  std::string summary() const override;
-  Traits traits() const override;
-  std::vector<Parameter> parameters() const override;
-
-protected:
-  std::unique_ptr<const PointSolver> prepare(const HandleSet& handles,
-                                             const ParameterValues& parameters) const override;
+  CCelestial();
 };
 
 } // namespace viscera::coordinates

@@ -16,15 +16,7 @@ namespace viscera::coordinates {
 /// Points at which the ascent ends with a negative number have no coordinates. O(n^2) a point.
 class GradientMethod final : public PointwiseSystem {
 public:
-  std::string id() const override { return "gradient-method"; }
-  std::string name() const override { return "Gradient method"; }
-  std::string summary() const override;
-  Traits traits() const override;
-  std::vector<Parameter> parameters() const override;
-
-protected:
-  std::unique_ptr<const PointSolver> prepare(const HandleSet& handles,
-                                             const ParameterValues& parameters) const override;
+  GradientMethod();
 };
 
 } // namespace viscera::coordinates

@@ -24,18 +24,7 @@ namespace viscera::coordinates {
 /// handles.
 class LagrangeMinimisation final : public PointwiseSystem {
 public:
-  std::string id() const override { return "lagrange-minimisation"; }
-  std::string name() const override { return "Lagrange minimisation"; }
-  std::string summary() const override;
-  Traits traits() const override;
-  std::vector<Parameter> parameters() const override;
-
-protected:
-  std::unique_ptr<const PointSolver> prepare(const HandleSet& handles,
-                                             const ParameterValues& parameters) const override;
-  std::unique_ptr<const PointSolver> prepareFor(const HandleSet& handles, const Points& points,
-                                                const BindOptions& options,
-                                                Progress& progress) const override;
+  LagrangeMinimisation();
 };
 
 } // namespace viscera::coordinates

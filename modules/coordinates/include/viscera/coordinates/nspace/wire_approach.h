@@ -11,15 +11,7 @@ namespace viscera::coordinates {
 /// for the complete graph O(n^3) a point.
 class WireApproach final : public PointwiseSystem {
 public:
-  std::string id() const override { return "wire-approach"; }
-  std::string name() const override { return "Wire approach"; }
-  std::string summary() const override;
-  Traits traits() const override;
-  std::vector<Parameter> parameters() const override;
-
-protected:
-  std::unique_ptr<const PointSolver> prepare(const HandleSet& handles,
-                                             const ParameterValues& parameters) const override;
+  WireApproach();
 };
 
 } // namespace viscera::coordinates

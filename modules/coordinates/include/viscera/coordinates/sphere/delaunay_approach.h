@@ -14,15 +14,7 @@ namespace viscera::coordinates {
 /// points a point.
 class DelaunayApproach final : public PointwiseSystem {
 public:
-  std::string id() const override { return "delaunay-approach"; }
-  std::string name() const override { return "Delaunay triangulation approach"; }
-  std::string summary() const override;
-  Traits traits() const override;
-  std::vector<Parameter> parameters() const override;
-
-protected:
-  std::unique_ptr<const PointSolver> prepare(const HandleSet& handles,
-                                             const ParameterValues& parameters) const override;
+  DelaunayApproach();
 };
 
 } // namespace viscera::coordinates

@@ -11,15 +11,7 @@ namespace viscera::coordinates {
 /// has no coordinates. O(triangles + inner handles x n) a point.
 class IncrementalApproach final : public PointwiseSystem {
 public:
-  std::string id() const override { return "incremental-approach"; }
-  std::string name() const override { return "Incremental approach"; }
-  std::string summary() const override;
-  Traits traits() const override;
-  std::vector<Parameter> parameters() const override;
-
-protected:
-  std::unique_ptr<const PointSolver> prepare(const HandleSet& handles,
-                                             const ParameterValues& parameters) const override;
+  IncrementalApproach();
 };
 
 } // namespace viscera::coordinates

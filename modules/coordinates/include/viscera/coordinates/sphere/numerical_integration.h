@@ -15,15 +15,7 @@ namespace viscera::coordinates {
 /// icosahedron, `seed` turns it at random; 0 leaves it as it is. O(samples x tetrahedra) a point.
 class NumericalIntegration final : public PointwiseSystem {
 public:
-  std::string id() const override { return "numerical-integration"; }
-  std::string name() const override { return "Numerical integration approach"; }
-  std::string summary() const override;
-  Traits traits() const override;
-  std::vector<Parameter> parameters() const override;
-
-protected:
-  std::unique_ptr<const PointSolver> prepare(const HandleSet& handles,
-                                             const ParameterValues& parameters) const override;
+  NumericalIntegration();
 };
 
 } // namespace viscera::coordinates

@@ -18,15 +18,7 @@ namespace viscera::coordinates {
 /// O(n^3) for the transfer a point.
 class VoronoiRegions final : public PointwiseSystem {
 public:
-  std::string id() const override { return "voronoi-regions"; }
-  std::string name() const override { return "Voronoi regions triangulation"; }
-  std::string summary() const override;
-  Traits traits() const override;
-  std::vector<Parameter> parameters() const override;
-
-protected:
-  std::unique_ptr<const PointSolver> prepare(const HandleSet& handles,
-                                             const ParameterValues& parameters) const override;
+  VoronoiRegions();
 };
 
 } // namespace viscera::coordinates

@@ -20,16 +20,7 @@ namespace viscera::coordinates {
 /// Weights are linear between the corners of the tetrahedra; derivatives are constant in each.
 class BoundedBiharmonic final : public PointwiseSystem {
 public:
-  std::string id() const override { return "bounded-biharmonic"; }
-  std::string name() const override { return "Bounded biharmonic weights"; }
-  std::string summary() const override;
-  Traits traits() const override;
-  std::vector<Parameter> parameters() const override;
-
-protected:
-  std::unique_ptr<const PointSolver> prepareFor(const HandleSet& handles, const Points& points,
-                                                const BindOptions& options,
-                                                Progress& progress) const override;
+  BoundedBiharmonic();
 };
 
 } // namespace viscera::coordinates

@@ -16,16 +16,7 @@ namespace viscera::coordinates {
 /// A factorisation of about `resolution^3 / 2` unknowns, then O(handles) a point.
 class Harmonic final : public PointwiseSystem {
 public:
-  std::string id() const override { return "harmonic"; }
-  std::string name() const override { return "Harmonic"; }
-  std::string summary() const override;
-  Traits traits() const override;
-  std::vector<Parameter> parameters() const override;
-
-protected:
-  std::unique_ptr<const PointSolver> prepareFor(const HandleSet& handles, const Points& points,
-                                                const BindOptions& options,
-                                                Progress& progress) const override;
+  Harmonic();
 };
 
 } // namespace viscera::coordinates

@@ -1,0 +1,55 @@
+#include "cli/bound_input.h"
+
+#include <algorithm>
+
+#include <CLI/CLI.hpp>
+
+#include "viscera/core/error.h"
+#include "viscera/deformation/witness_gradients.h"
+
+namespace viscera::app::cli {
+
+void BoundInputOptions::addTo(CLI::App& options, bool posed) {
+  options.add_option("ORGAN", organ_, "A surface file, or sample:NAME[/SURFACE][@RESOLUTION]")->required();
+  options.add_option("--handles", handles_, "The rest handles (.mrk.json)")->type_name("FILE")->required();
+  if (posed)
+    options
+        .add_option("--pose", pose_,
+                    "Where the handles are (.mrk.json), by their labels; others stay at rest")
+        ->type_name("FILE")
+        ->required();
+  system_.addTo(options);
+}
+
+BoundInput BoundInputOptions::read(const Surroundings& surroundings,
+                                   std::vector<std::string>& warnings) const {
+  BoundInput input;
+  input.system = system_.system(surroundings);
+  input.options = system_.bindOptions(*input.system, surroundings);
+  input.rig = rigInput(handles_, warnings, system_.cage());
+  input.pose = pose_.empty() ? input.rig.handles.positions : poseInput(pose_, input.rig, warnings);
+  input.organ = organInput(organ_, surroundings.samples, surroundings.progress);
+  return input;
+}
+
+Interior interiorOf(const BoundInput& input, const live::WitnessOptions& witnesses,
+                    std::vector<std::string>& warnings, Progress& progress) {
+  Interior interior;
+  interior.sample = live::sampleWitnesses(*input.organ.mesh, witnesses, progress);
+  interior.gradients = deformation::bindWitnesses(*input.system, input.rig.handles, interior.mesh().points,
+                                                  input.options, progress);
+  warnings.insert(warnings.end(), interior.sample.remarks.begin(), interior.sample.remarks.end());
+  const auto& failures = interior.gradients->failures();
+  const auto within = std::lower_bound(failures.begin(), failures.end(), interior.mesh().witnesses);
+  if (within != failures.begin())
+    throw DataError(std::to_string(within - failures.begin()) +
+                        " witness points have no coordinates (the first is number " +
+                        std::to_string(failures.front()) + ")",
+                    "handles", "enclose the organ: viscera handles ORGAN --enclosing");
+  if (!failures.empty())
+    warnings.push_back(std::to_string(failures.size()) +
+                       " points of the surface have no coordinates; they are shown at rest.");
+  return interior;
+}
+
+} // namespace viscera::app::cli

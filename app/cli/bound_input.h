@@ -1,0 +1,57 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "cli/inputs.h"
+#include "cli/system_options.h"
+#include "viscera/deformation/witness_gradients.h"
+#include "viscera/live/witness_sampling.h"
+
+namespace viscera::app::cli {
+
+/// An organ, the handles that it is to be bound to, and how.
+struct BoundInput {
+  std::shared_ptr<const coordinates::CoordinateSystem> system;
+  coordinates::BindOptions options;
+  RigInput rig;
+  Points pose; ///< Of the handles, `n x 3` mm.
+  document::Organ organ;
+};
+
+/// ORGAN, `--handles`, `--pose` and the options of the system.
+class BoundInputOptions {
+public:
+  /// Adds them; `--pose` only when the command is about one.
+  void addTo(CLI::App& options, bool posed);
+
+  /// Reads what is named; without a pose the handles are at rest. Adds to `warnings` what was odd about the
+  /// handles. Throws what `SystemOptions` and the readers of inputs throw.
+  BoundInput read(const Surroundings& surroundings, std::vector<std::string>& warnings) const;
+
+  /// ORGAN as it was given, for messages.
+  const std::string& organ() const { return organ_; }
+
+private:
+  std::string organ_;
+  std::string handles_;
+  std::string pose_;
+  SystemOptions system_;
+};
+
+/// An organ's inside, ready for any pose of its handles.
+struct Interior {
+  live::WitnessSample sample;
+  std::shared_ptr<const deformation::WitnessGradients> gradients; ///< At all points of the sample's mesh.
+
+  const deformation::WitnessMesh& mesh() const { return *sample.mesh; }
+};
+
+/// Fills the organ with witness points and ties them to the handles. Adds to `warnings` how the points came
+/// about and which points of the skin have no coordinates. Throws what sampling and binding throw, and
+/// `DataError` when witness points have no coordinates: they would pass for points without stress.
+Interior interiorOf(const BoundInput& input, const live::WitnessOptions& witnesses,
+                    std::vector<std::string>& warnings, Progress& progress);
+
+} // namespace viscera::app::cli

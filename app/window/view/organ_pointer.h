@@ -1,0 +1,51 @@
+#pragma once
+
+#include <QLabel>
+#include <QTimer>
+
+#include <optional>
+
+#include "window/view/picture.h"
+#include "window/view/view_widget.h"
+#include "window/workspace.h"
+
+class QMenu;
+
+namespace viscera::app {
+
+/// What the mouse does to organs in the view, in every mode: the name of the organ under the cursor stands
+/// beside it, a double click shows that organ alone and another one all of them, and the right button opens
+/// the menu of what can be done to it.
+class OrganPointer final : public QObject {
+  Q_OBJECT
+
+public:
+  /// All must live longer. `menu` acts on the current organ.
+  OrganPointer(Workspace& workspace, Picture& picture, ViewWidget& view, QMenu& menu,
+               QObject* parent = nullptr);
+
+  /// The name that is shown; empty when there is none.
+  QString shownName() const { return name_->isVisible() ? name_->text() : QString(); }
+
+Q_SIGNALS:
+  /// The current organ is to be seen alone, or all organs.
+  void aloneWanted();
+  void allWanted();
+
+private:
+  std::shared_ptr<const document::Organ> organAt(const QPointF& place) const;
+  void hover(const std::optional<QPointF>& place);
+  void showName();
+  void isolate(const QPointF& place);
+  void openMenu(const QPointF& place);
+
+  Workspace& workspace_;
+  Picture& picture_;
+  ViewWidget& view_;
+  QMenu& menu_;
+  QLabel* name_;
+  QTimer rested_; ///< Ends when the mouse has rested: a name does not follow a fast one.
+  QPointF place_;
+};
+
+} // namespace viscera::app

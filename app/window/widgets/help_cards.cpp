@@ -1,0 +1,183 @@
+#include "window/widgets/help_cards.h"
+
+#include <QAction>
+#include <QGridLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QMenu>
+#include <QMenuBar>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QToolButton>
+
+#include <utility>
+
+#include "window/widgets/flow_layout.h"
+#include "window/widgets/ready_made.h"
+
+namespace viscera::app {
+namespace {
+
+/// Rows of keys and meanings, in two columns.
+QWidget* makeTable(const std::vector<std::pair<QString, QString>>& rows, QWidget* parent) {
+  auto* table = new QWidget(parent);
+  table->setObjectName(QStringLiteral("page"));
+  table->setAttribute(Qt::WA_StyledBackground);
+  auto* grid = makeLayout<QGridLayout>(table, -1, {0, 0, 8, 0});
+  grid->setHorizontalSpacing(12);
+  grid->setVerticalSpacing(4);
+  const int half = static_cast<int>(rows.size() + 1) / 2;
+  for (int i = 0; i < static_cast<int>(rows.size()); ++i) {
+    auto* keys = new QLabel(rows[i].first, table);
+    keys->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    auto* meaning = new QLabel(rows[i].second, table);
+    meaning->setObjectName(QStringLiteral("muted"));
+    const int column = i < half ? 0 : 3;
+    grid->addWidget(keys, i % half, column);
+    grid->addWidget(meaning, i % half, column + 1);
+  }
+  grid->setColumnMinimumWidth(2, 16);
+  grid->setRowStretch(half, 1);
+  return table;
+}
+
+/// Adds the actions with a key, menu by menu, each once.
+void collect(const QList<QAction*>& actions, QList<QAction*>& found) {
+  for (QAction* action : actions) {
+    if (action->menu())
+      collect(action->menu()->actions(), found);
+    else if (!action->shortcuts().isEmpty() && !found.contains(action))
+      found.push_back(action);
+  }
+}
+
+} // namespace
+
+WelcomeCard::WelcomeCard(QMenu* samples, QWidget* parent) : QFrame(parent) {
+  setObjectName(QStringLiteral("welcomeCard"));
+  auto* row = new FlowLayout(this, 8);
+  row->setContentsMargins(16, 8, 8, 8);
+  auto* title = new QLabel(tr("Welcome"), this);
+  embolden(title);
+  row->addWidget(title);
+  const auto addButton = [&](const QString& label, const QString& tip) {
+    auto* button = new QPushButton(label, this);
+    button->setToolTip(tip);
+    row->addWidget(button);
+    return button;
+  };
+  auto* open = addButton(tr("Open a patient..."), tr("Choose organ surfaces of a patient (Ctrl+O)"));
+  auto* sample = addButton(tr("Sample organs"), tr("Organs that come with the program"));
+  auto* tour = addButton(tr("Two-minute tour"), tr("What there is in this window, step by step"));
+  title->setMinimumHeight(open->sizeHint().height());
+  title->setContentsMargins(0, 0, 4, 0);
+  sample->setMenu(samples);
+  sample->setObjectName(QStringLiteral("menuButton"));
+  auto* closeButton =
+      makeIconButton("close", tr("Close this card (Help > Welcome shows it again)"), this, 14);
+  closeButton->setAccessibleName(tr("Close this card"));
+  closeButton->setMinimumHeight(open->sizeHint().height());
+  row->addWidget(closeButton);
+  QSizePolicy policy(QSizePolicy::Preferred, QSizePolicy::Minimum);
+  policy.setHeightForWidth(true);
+  setSizePolicy(policy);
+  connect(open, &QPushButton::clicked, this, &WelcomeCard::openRequested);
+  connect(tour, &QPushButton::clicked, this, &WelcomeCard::tourRequested);
+  connect(closeButton, &QToolButton::clicked, this, [this] {
+    hide();
+    Q_EMIT closed();
+  });
+}
+
+TourCard::TourCard(std::vector<TourStep> steps, QWidget* parent)
+    : QFrame(parent), steps_(std::move(steps)), title_(new QLabel(this)), count_(new QLabel(this)),
+      text_(new QLabel(this)), back_(new QPushButton(tr("Back"), this)), next_(new QPushButton(this)) {
+  setObjectName(QStringLiteral("welcomeCard"));
+  setFixedWidth(400);
+  auto* column = makeLayout<QVBoxLayout>(this, 8, {16, 10, 12, 14});
+  auto* heading = new QHBoxLayout;
+  embolden(title_, 1.25);
+  count_->setObjectName(QStringLiteral("muted"));
+  auto* closeButton = makeIconButton("close", tr("End the tour"), this, 14);
+  heading->addWidget(title_, 1);
+  heading->addWidget(count_);
+  heading->addWidget(closeButton);
+  column->addLayout(heading);
+  text_->setWordWrap(true);
+  column->addWidget(text_);
+  auto* buttons = new QHBoxLayout;
+  buttons->addStretch(1);
+  buttons->addWidget(back_);
+  buttons->addWidget(next_);
+  next_->setObjectName(QStringLiteral("primary"));
+  column->addLayout(buttons);
+  connect(closeButton, &QToolButton::clicked, this, &QWidget::hide);
+  connect(back_, &QPushButton::clicked, this, [this] { goTo(step_ - 1); });
+  connect(next_, &QPushButton::clicked, this, [this] {
+    if (step_ + 1 < steps_.size())
+      goTo(step_ + 1);
+    else
+      hide();
+  });
+  hide();
+}
+
+void TourCard::start() {
+  goTo(0);
+  show();
+  raise();
+  next_->setFocus();
+}
+
+void TourCard::goTo(std::size_t step) {
+  step_ = step;
+  const TourStep& present = steps_[step];
+  title_->setText(present.title);
+  text_->setText(present.text);
+  count_->setText(tr("%1 of %2").arg(step + 1).arg(steps_.size()));
+  back_->setEnabled(step > 0);
+  next_->setText(step + 1 < steps_.size() ? tr("Next") : tr("Done"));
+  if (present.enter)
+    present.enter();
+  adjustSize();
+}
+
+ShortcutCard::ShortcutCard(const QMenuBar& menus, QWidget* parent) : QFrame(parent) {
+  setObjectName(QStringLiteral("welcomeCard"));
+  auto* column = makeLayout<QVBoxLayout>(this, -1, {16, 10, 8, 12});
+  auto* heading = new QHBoxLayout;
+  auto* title = new QLabel(tr("Mouse and keys"), this);
+  embolden(title, 1.25);
+  auto* closeButton = makeIconButton("close", tr("Close (Esc)"), this, 14);
+  closeButton->setAccessibleName(tr("Close"));
+  connect(closeButton, &QToolButton::clicked, this, &QWidget::hide);
+  heading->addWidget(title, 1);
+  heading->addWidget(closeButton);
+  column->addLayout(heading);
+  std::vector<std::pair<QString, QString>> rows = {{tr("Left drag"), tr("Rotate, or move a handle")},
+                                                   {tr("Middle, Shift+left drag"), tr("Pan")},
+                                                   {tr("Right drag, wheel"), tr("Zoom")},
+                                                   {tr("Click"), tr("Select, or add a handle")},
+                                                   {tr("Shift or Ctrl+click"), tr("Add to the selection")},
+                                                   {tr("Esc"), tr("Cancel a drag, close a message")}};
+  QList<QAction*> actions;
+  collect(menus.actions(), actions);
+  for (const QAction* action : actions) {
+    QString meaning = action->text();
+    meaning.remove(QLatin1Char('&'));
+    rows.emplace_back(action->shortcut().toString(QKeySequence::NativeText), meaning);
+  }
+  auto* scroll = new QScrollArea(this);
+  scroll->setObjectName(QStringLiteral("panelScroll"));
+  scroll->setWidgetResizable(true);
+  scroll->setFrameShape(QFrame::NoFrame);
+  scroll->setWidget(makeTable(rows, scroll));
+  scroll->setMinimumSize(200, 100);
+  column->addWidget(scroll, 1);
+  const QSize content = scroll->widget()->sizeHint();
+  scroll->setMaximumHeight(content.height() + 4);
+  setMaximumWidth(content.width() + 48);
+  hide();
+}
+
+} // namespace viscera::app

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace viscera {
+
+/// `value` with that many digits after the point, always with a point, whatever the locale: "83.4". No
+/// errors; from any thread.
+std::string fixed(double value, int digits);
+/// `value` with that many significant digits, likewise: "3.1e-15".
+std::string significant(double value, int digits = 3);
+
+/// A text as a field of comma-separated values (RFC 4180): quoted where it needs it.
+inline std::string csvField(const std::string& text) {
+  if (text.find_first_of(",\"\r\n") == std::string::npos)
+    return text;
+  std::string quoted = "\"";
+  for (const char letter : text)
+    quoted += letter == '"' ? std::string("\"\"") : std::string(1, letter);
+  return quoted + '"';
+}
+
+/// Whether a text is UTF-8 as RFC 3629 has it: no overlong forms, surrogates or numbers above 10FFFF. O(n).
+bool isUtf8(std::string_view text);
+
+/// Text from a file, from the command line or from the system, as UTF-8. Bytes that are no UTF-8 are taken as
+/// Latin-1, so that texts that differ still do. O(n).
+std::string toUtf8(std::string text);
+
+} // namespace viscera

@@ -1,0 +1,78 @@
+#include "viscera/core/text.h"
+
+#include <charconv>
+#include <cstddef>
+#include <cstdint>
+#include <system_error>
+
+namespace viscera {
+namespace {
+
+// Not printf, which follows the locale: a reader's script expects a point.
+std::string written(double value, std::chars_format format, int digits) {
+  char buffer[512];
+  const auto [end, error] = std::to_chars(buffer, buffer + sizeof buffer, value, format, digits);
+  return error == std::errc() ? std::string(buffer, end) : std::string("?");
+}
+
+/// The bytes of the character that a text begins with; 0 when that is none. The text is not empty.
+std::size_t lengthOfFirst(std::string_view text) {
+  const auto byte = [text](std::size_t i) { return static_cast<unsigned char>(text[i]); };
+  const unsigned char lead = byte(0);
+  if (lead < 0x80)
+    return 1;
+  const std::size_t length = lead >= 0xC2 && lead < 0xE0   ? 2
+                             : lead >= 0xE0 && lead < 0xF0 ? 3
+                             : lead >= 0xF0 && lead < 0xF5 ? 4
+                                                           : 0;
+  if (length == 0 || text.size() < length)
+    return 0;
+  for (std::size_t i = 1; i < length; ++i)
+    if ((byte(i) & 0xC0) != 0x80)
+      return 0;
+  const unsigned char second = byte(1);
+  const bool overlong = (lead == 0xE0 && second < 0xA0) || (lead == 0xF0 && second < 0x90);
+  const bool surrogate = lead == 0xED && second >= 0xA0;
+  const bool tooLarge = lead == 0xF4 && second >= 0x90;
+  return overlong || surrogate || tooLarge ? 0 : length;
+}
+
+} // namespace
+
+std::string fixed(double value, int digits) {
+  return written(value, std::chars_format::fixed, digits);
+}
+
+std::string significant(double value, int digits) {
+  return written(value, std::chars_format::general, digits);
+}
+
+bool isUtf8(std::string_view text) {
+  while (!text.empty()) {
+    const std::size_t length = lengthOfFirst(text);
+    if (length == 0)
+      return false;
+    text.remove_prefix(length);
+  }
+  return true;
+}
+
+std::string toUtf8(std::string text) {
+  if (isUtf8(text))
+    return text;
+  std::string valid;
+  for (std::string_view rest = text; !rest.empty();) {
+    const std::size_t length = lengthOfFirst(rest);
+    if (length > 0) {
+      valid += rest.substr(0, length);
+    } else {
+      const auto latin1 = static_cast<unsigned char>(rest.front());
+      valid += static_cast<char>(0xC0 | (latin1 >> 6));
+      valid += static_cast<char>(0x80 | (latin1 & 0x3F));
+    }
+    rest.remove_prefix(length > 0 ? length : 1);
+  }
+  return valid;
+}
+
+} // namespace viscera

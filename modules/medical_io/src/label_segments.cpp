@@ -1,0 +1,199 @@
+#include "label_segments.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iterator>
+#include <map>
+#include <set>
+#include <utility>
+
+#include "file_bytes.h"
+#include "text_scanner.h"
+#include "viscera/core/error.h"
+
+namespace viscera::medical_io {
+namespace {
+
+struct Anatomy {
+  std::string_view word; ///< That a name contains.
+  std::array<int, 3> color;
+};
+
+/// The first that fits counts, so vessels of an organ come before the organ.
+constexpr std::array<Anatomy, 34> kAnatomy = {
+    {{"artery", {216, 101, 79}},     {"aorta", {224, 97, 76}},        {"vein", {0, 151, 206}},
+     {"vena_cava", {0, 151, 206}},   {"tumo", {144, 238, 144}},       {"lesion", {144, 238, 144}},
+     {"cyst", {205, 205, 100}},      {"liver", {221, 130, 101}},      {"spleen", {157, 108, 162}},
+     {"kidney", {185, 102, 83}},     {"heart", {206, 110, 84}},       {"atrium", {206, 110, 84}},
+     {"ventricle", {206, 110, 84}},  {"myocard", {186, 77, 64}},      {"stomach", {216, 132, 105}},
+     {"pancreas", {249, 180, 111}},  {"gallbladder", {139, 150, 98}}, {"bladder", {222, 154, 132}},
+     {"duodenum", {255, 253, 229}},  {"bowel", {205, 167, 142}},      {"colon", {204, 168, 143}},
+     {"esophagus", {211, 171, 143}}, {"adrenal", {244, 186, 150}},    {"lung", {197, 165, 145}},
+     {"trachea", {182, 228, 255}},   {"brain", {250, 250, 225}},      {"thyroid", {62, 162, 114}},
+     {"prostate", {230, 158, 140}},  {"muscle", {192, 104, 88}},      {"gluteus", {192, 104, 88}},
+     {"rib", {241, 214, 145}},       {"vertebra", {241, 214, 145}},   {"bone", {241, 214, 145}},
+     {"skin", {177, 122, 101}}}};
+
+/// Turning by the golden angle keeps the hues of any number of labels apart.
+constexpr double kGoldenTurn = 0.61803398874989485;
+constexpr double kSaturation = 0.45, kBrightness = 0.85;
+
+Vec3 colorOfHue(double turn) {
+  Vec3 color;
+  for (int i = 0; i < 3; ++i) {
+    const double away = std::abs(std::fmod(6 * turn + 2.0 * i, 6.0) - 3) - 1;
+    color[i] = kBrightness * (1 - kSaturation * (1 - std::clamp(away, 0.0, 1.0)));
+  }
+  return color;
+}
+
+/// The colour, 0 to 1, that atlases give the organ of that name ("kidney_left", "Liver", "left kidney"); for
+/// any other name one that depends on the label alone and differs well from its neighbours'.
+Vec3 anatomyColor(std::string_view name, std::int64_t label) {
+  std::string text = lowered(name);
+  std::replace(text.begin(), text.end(), ' ', '_');
+  for (const Anatomy& anatomy : kAnatomy)
+    if (text.find(anatomy.word) != text.npos)
+      return Vec3(anatomy.color[0], anatomy.color[1], anatomy.color[2]) / 255;
+  const double turns = static_cast<double>(label) * kGoldenTurn;
+  return colorOfHue(turns - std::floor(turns));
+}
+
+/// One line without anything that a list or a terminal stumbles over.
+std::string printable(std::string name) {
+  std::erase_if(name, [](char c) { return static_cast<unsigned char>(c) < ' ' || c == '\x7f'; });
+  const std::size_t begin = name.find_first_not_of(' ');
+  return begin == name.npos ? std::string() : name.substr(begin, name.find_last_not_of(' ') - begin + 1);
+}
+
+constexpr std::size_t kNamesTold = 12;
+
+std::string comparable(std::string_view name) {
+  std::string text = lowered(trimmed(name));
+  std::replace(text.begin(), text.end(), '_', ' ');
+  return text;
+}
+
+std::string someNames(const LabelMap& map) {
+  std::string list;
+  for (std::size_t s = 0; s < std::min(map.segments.size(), kNamesTold); ++s)
+    list += (s == 0 ? "" : ", ") + map.segments[s].name;
+  return map.segments.size() > kNamesTold
+             ? list + " and " + std::to_string(map.segments.size() - kNamesTold) + " more"
+             : list;
+}
+
+/// Adds the voxels [begin, end) of the row (j, k) to a segment.
+void addRun(Segment& segment, int begin, int end, int j, int k) {
+  const std::array<int, 3> first = {begin, j, k}, last = {end - 1, j, k};
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    segment.low[axis] = segment.voxels == 0 ? first[axis] : std::min(segment.low[axis], first[axis]);
+    segment.high[axis] = segment.voxels == 0 ? last[axis] : std::max(segment.high[axis], last[axis]);
+  }
+  segment.voxels += end - begin;
+}
+
+void measureRow(LabelMap& map, const std::uint16_t* row, int j, int k) {
+  for (int begin = 0; begin < map.size[0];) {
+    int end = begin + 1;
+    while (end < map.size[0] && row[end] == row[begin])
+      ++end;
+    if (row[begin] != 0)
+      addRun(map.segments[row[begin] - 1U], begin, end, j, k);
+    begin = end;
+  }
+}
+
+/// The voxels from the mask's first to its last, most often a small part of all.
+struct Span {
+  std::size_t begin = 0;
+  std::size_t end = 0;
+};
+
+Span spanOf(const LabelMap::Layer& mask) {
+  const auto inside = [](std::uint16_t voxel) { return voxel != 0; };
+  const auto first = std::find_if(mask.begin(), mask.end(), inside);
+  const auto last = std::find_if(mask.rbegin(), std::make_reverse_iterator(first), inside).base();
+  return {static_cast<std::size_t>(first - mask.begin()), static_cast<std::size_t>(last - mask.begin())};
+}
+
+bool isFree(const LabelMap::Layer& layer, const LabelMap::Layer& mask, const Span& span) {
+  for (std::size_t v = span.begin; v < span.end; ++v)
+    if (mask[v] != 0 && layer[v] != 0)
+      return false;
+  return true;
+}
+
+} // namespace
+
+void nameSegments(LabelMap& map, const std::vector<StatedSegment>& stated) {
+  std::map<std::pair<int, std::int64_t>, const StatedSegment*> known;
+  for (const StatedSegment& one : stated)
+    known.try_emplace({one.layer, one.label}, &one);
+  for (Segment& segment : map.segments) {
+    const auto found = known.find({segment.layer, segment.label});
+    if (found == known.end())
+      continue;
+    segment.name = printable(found->second->name);
+    segment.named = !segment.name.empty();
+    segment.colored = found->second->color.has_value();
+    segment.color = found->second->color.value_or(segment.color);
+  }
+}
+
+void completeSegments(LabelMap& map) {
+  std::set<std::string> taken;
+  for (Segment& segment : map.segments) {
+    if (segment.name.empty())
+      segment.name = "label " + std::to_string(segment.label);
+    if (!segment.colored)
+      segment.color = anatomyColor(segment.name, segment.label);
+    const std::string base = segment.name;
+    for (int number = 2; !taken.insert(segment.name).second; ++number)
+      segment.name = base + " " + std::to_string(number);
+  }
+}
+
+void measureSegments(LabelMap& map, Progress& progress) {
+  for (const LabelMap::Layer& layer : map.layers)
+    for (int k = 0; k < map.size[2]; ++k) {
+      progress.throwIfCancelled();
+      for (int j = 0; j < map.size[1]; ++j)
+        measureRow(map, layer.data() + map.indexOf(0, j, k), j, k);
+    }
+}
+
+int addToFreeLayer(std::vector<LabelMap::Layer>& layers, const LabelMap::Layer& mask, std::uint16_t number) {
+  const Span span = spanOf(mask);
+  std::size_t found = 0;
+  while (found < layers.size() && !isFree(layers[found], mask, span))
+    ++found;
+  if (found == layers.size())
+    layers.emplace_back(mask.size());
+  for (std::size_t v = span.begin; v < span.end; ++v)
+    if (mask[v] != 0)
+      layers[found][v] = number;
+  return static_cast<int>(found);
+}
+
+std::vector<std::size_t> segmentsNamed(const LabelMap& map, const std::vector<std::string>& names,
+                                       const std::string& where) {
+  std::set<std::size_t> chosen;
+  for (const std::string& name : names) {
+    const auto number = parseInteger(trimmed(name));
+    bool known = false;
+    for (std::size_t s = 0; s < map.segments.size(); ++s)
+      if (comparable(map.segments[s].name) == comparable(name) || number == map.segments[s].label) {
+        chosen.insert(s);
+        known = true;
+      }
+    if (!known)
+      throw UsageError("It has no label " + inQuotes(name), where, "it has " + someNames(map));
+  }
+  for (std::size_t s = 0; s < map.segments.size() && names.empty(); ++s)
+    chosen.insert(s);
+  return {chosen.begin(), chosen.end()};
+}
+
+} // namespace viscera::medical_io

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "viscera/core/progress.h"
+#include "viscera/motion/motion_runner.h"
+
+namespace viscera::motion {
+
+/// The volumes of a document's organs over one whole cycle of a sequence, each instant computed: no frame has
+/// to be played for a curve, an extreme or an ejection fraction.
+///
+///     live::PosedCopy organs = live.copy();
+///     MotionRunner runner(state, organs);
+///     runner.setSequence(sequence);
+///     const CycleCurves curves = measureCycle(runner, progress);
+struct CycleCurves {
+  std::vector<double> fractions;                ///< Of the cycle, ascending, from 0 to 1.
+  std::vector<std::vector<double>> milliliters; ///< For each organ of the document one number an instant; an
+                                                ///< open surface has zeros.
+  std::string obstacle; ///< Why a locked or prescribed volume could not be kept somewhere; else empty.
+};
+
+/// Poses the runner's organs at 96 evenly spaced instants of a cycle and where its phases begin, so that the
+/// corners of the curves are met, and measures them: the same numbers as `MotionRunner::show` returns there.
+/// Throws `UsageError` when the runner has nothing that it could move, what `show` throws, and `Cancelled`.
+/// O(instants) frames.
+CycleCurves measureCycle(MotionRunner& runner, Progress& progress);
+
+} // namespace viscera::motion

@@ -1,0 +1,48 @@
+#include "viscera/motion/cycle_curves.h"
+
+#include <algorithm>
+
+#include "viscera/core/error.h"
+
+namespace viscera::motion {
+namespace {
+
+constexpr int kEvenInstants = 96;
+/// Instants nearer than this part of the cycle are one.
+constexpr double kSameInstant = 1e-9;
+
+std::vector<double> instantsOf(const sequences::Sequence& sequence, double ratePerMinute) {
+  std::vector<double> fractions;
+  for (int i = 0; i <= kEvenInstants; ++i)
+    fractions.push_back(static_cast<double>(i) / kEvenInstants);
+  for (const sequences::Phase& phase : sequence.phases(ratePerMinute))
+    if (phase.begin > 0 && phase.begin < 1)
+      fractions.push_back(phase.begin);
+  std::sort(fractions.begin(), fractions.end());
+  const auto same = [](double a, double b) { return b - a < kSameInstant; };
+  fractions.erase(std::unique(fractions.begin(), fractions.end(), same), fractions.end());
+  return fractions;
+}
+
+} // namespace
+
+CycleCurves measureCycle(MotionRunner& runner, Progress& progress) {
+  if (!runner.movable())
+    throw UsageError("There is no sequence that could move these handles", {},
+                     "choose a sequence, and use its handles");
+  CycleCurves curves;
+  curves.fractions = instantsOf(*runner.sequence(), runner.ratePerMinute());
+  for (std::size_t instant = 0; instant < curves.fractions.size(); ++instant) {
+    progress.throwIfCancelled();
+    progress.report(static_cast<double>(instant) / static_cast<double>(curves.fractions.size()));
+    const std::vector<double> volumes = runner.show(curves.fractions[instant] * runner.periodSeconds());
+    curves.milliliters.resize(volumes.size());
+    for (std::size_t organ = 0; organ < volumes.size(); ++organ)
+      curves.milliliters[organ].push_back(volumes[organ]);
+    if (curves.obstacle.empty())
+      curves.obstacle = runner.obstacle();
+  }
+  return curves;
+}
+
+} // namespace viscera::motion

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <vtkActor2D.h>
+#include <vtkCellArray.h>
+#include <vtkNew.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
+#include <vtkTextActor.h>
+
+namespace viscera::scene {
+
+/// Lines and polygons in pixels in front of a view, made anew before a frame.
+struct FlatShape {
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkPolyData> data;
+  vtkNew<vtkActor2D> actor;
+
+  FlatShape();
+
+  /// Forgets all points, and tells VTK when there are others.
+  void begin() { points->Reset(); }
+  void end();
+  vtkIdType add(double x, double y) { return points->InsertNextPoint(x, y, 0); }
+  void addBox(double left, double bottom, double right, double top, vtkCellArray* polygons);
+  void addDisc(double x, double y, double radius, int corners, vtkCellArray* polygons);
+};
+
+/// A text in the views' font; `size` in points at 72 DPI, that is logical pixels.
+vtkSmartPointer<vtkTextActor> newText(int size);
+
+} // namespace viscera::scene

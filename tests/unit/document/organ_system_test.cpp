@@ -1,0 +1,54 @@
+#include "viscera/document/organ_system.h"
+
+#include <algorithm>
+#include <map>
+
+#include <gtest/gtest.h>
+
+namespace viscera::document {
+namespace {
+
+TEST(OrganSystem, KnowsTheNamesOfSegmentersAndAtlases) {
+  const std::map<std::string, std::string> known = {{"kidney_left", "Urinary system"},
+                                                    {"urinary_bladder", "Urinary system"},
+                                                    {"right renal pelvis", "Urinary system"},
+                                                    {"right renal artery", "Arteries"},
+                                                    {"celiac trunk", "Arteries"},
+                                                    {"iliac_vena_left", "Veins"},
+                                                    {"portal vein and superior mesenteric vein", "Veins"},
+                                                    {"heart_atrium_left", "Heart"},
+                                                    {"LV myocardium", "Heart"},
+                                                    {"lung_upper_lobe_left", "Respiratory system"},
+                                                    {"gallbladder", "Digestive system"},
+                                                    {"colon and ileum", "Digestive system"},
+                                                    {"adrenal_gland_right", "Endocrine glands"},
+                                                    {"Spleen", "Lymphatic system"},
+                                                    {"splenic artery", "Arteries"},
+                                                    {"brain", "Nervous system"},
+                                                    {"spinal_cord", "Nervous system"},
+                                                    {"right external oblique muscle", "Muscles"},
+                                                    {"gluteus_maximus_left", "Muscles"},
+                                                    {"Thoracic12", "Bones and joints"},
+                                                    {"L1-T12-IntervertebralDisc", "Bones and joints"},
+                                                    {"vertebrae_L3", "Bones and joints"},
+                                                    {"rib_left_1", "Bones and joints"},
+                                                    {"costal_cartilages", "Bones and joints"},
+                                                    {"Pelvis", "Bones and joints"},
+                                                    {"prostate", "Reproductive system"},
+                                                    {"skin", "Skin and fat"}};
+  for (const auto& [name, system] : known)
+    EXPECT_EQ(organSystem(name), system) << name;
+}
+
+TEST(OrganSystem, OfANameThatSaysNothingIsTheLastOne) {
+  for (const char* name : {"", "label 699", "Mesh1", "Attribute", "distribution", "\xC3\xA4\xC3\xB6"})
+    EXPECT_EQ(organSystem(name), organSystems().back()) << name;
+}
+
+TEST(OrganSystem, IsOneOfTheList) {
+  const auto& all = organSystems();
+  EXPECT_EQ(std::count(all.begin(), all.end(), organSystem("liver")), 1);
+}
+
+} // namespace
+} // namespace viscera::document
