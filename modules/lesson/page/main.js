@@ -78,8 +78,8 @@ $('glass').hidden = !surfaces.some(s => s.wall); $('grips').hidden = !handles.le
 setLight(bright.matches); for (const s of surfaces) setOpacity(s, s.opacity);
 $('opacity').value = Math.min(...surfaces.filter(s => s.wall).map(s => s.opacity), 1);
 if (motion) { $('rate').max = motion.rates.length - 1; $('rates').hidden = motion.rates.length < 2; setRate(state.rate); }
-if (lesson.eye) lookFrom(lesson.eye);
 setPlaying(!calm.matches); if (slides.length) showSlide(0);
+if (lesson.eye) lookFrom(lesson.eye);
 /** For tests: all that the controls do, and the numbers behind the picture. */
 window.viscera = {lesson, state, camera, times, points, surfaces, handles, quiz, gl, seek, setRate, setPlaying, setGlass, setLight, showHandles, showNames, showSlide, showSurface, setSide, setQuiz, judge, reset, render, project, placeOf,
   pull: (h, by) => { handles[h].pull = [...by]; takePulls(); pullsChanged = changed = true; }, volumes: () => surfaces.map(s => volumeOf(s)), measures: () => measurements.map(m => measure(m).value)};
