@@ -10,6 +10,7 @@
 
 #include "page_strings.h"
 #include "viscera/core/error.h"
+#include "viscera/core/number_text.h"
 #include "viscera/medical_io/organ_norms.h"
 #include "viscera/motion/clinical_numbers.h"
 
@@ -133,13 +134,13 @@ void addMotion(LessonPlan& plan, const LessonSource& source, const LessonSpec& s
   plan.rates = spec.rates.empty() ? offeredRates(sequence) : spec.rates;
   std::sort(plan.rates.begin(), plan.rates.end());
   plan.rates.erase(std::unique(plan.rates.begin(), plan.rates.end()), plan.rates.end());
-  const double low = sequence.lowestRatePerMinute(), high = sequence.highestRatePerMinute();
-  if (plan.rates.front() < low || plan.rates.back() > high)
-    throw UsageError("It is no rate at which the sequence can be played", "rates of the lesson",
-                     "from " + std::to_string(low) + " to " + std::to_string(high) + " a minute");
   plan.rate = source.ratePerMinute > 0 ? source.ratePerMinute : sequence.standardRatePerMinute();
   if (std::find(plan.rates.begin(), plan.rates.end(), plan.rate) == plan.rates.end())
     plan.rates.insert(std::upper_bound(plan.rates.begin(), plan.rates.end(), plan.rate), plan.rate);
+  const double low = sequence.lowestRatePerMinute(), high = sequence.highestRatePerMinute();
+  if (plan.rates.front() < low || plan.rates.back() > high)
+    throw UsageError("It is no rate at which the sequence can be played", "rates of the lesson",
+                     "from " + significant(low, 4) + " to " + significant(high, 4) + " a minute");
   for (const double rate : plan.rates)
     for (const sequences::Phase& phase : sequence.phases(rate)) {
       const bool known = std::any_of(plan.phases.begin(), plan.phases.end(),
