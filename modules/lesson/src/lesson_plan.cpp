@@ -10,7 +10,7 @@
 
 #include "page_strings.h"
 #include "viscera/core/error.h"
-#include "viscera/core/number_text.h"
+#include "viscera/core/text.h"
 #include "viscera/medical_io/organ_norms.h"
 #include "viscera/motion/clinical_numbers.h"
 
