@@ -36,6 +36,15 @@ bool isSequence(const std::string& name) {
          std::any_of(known.begin(), known.end(), [&](const auto& sequence) { return sequence.id == name; });
 }
 
+/// Whether it is a sequence of the program on the sample organ that it is made for.
+bool isOnItsOwnOrgan(const std::string& sequence, const std::string& organ) {
+  const auto& known = motion::sampleSequences();
+  return std::any_of(known.begin(), known.end(), [&](const motion::SampleSequence& sample) {
+    return sample.id == sequence &&
+           (organ.empty() || (isSample(organ) && sampleReference(organ).organ == sample.organ));
+  });
+}
+
 std::string contentsOf(const std::string& file) {
   std::ifstream stream(file, std::ios::binary);
   if (!stream)
@@ -193,7 +202,7 @@ LessonCommand::Material LessonCommand::material(Surroundings& surroundings) cons
 }
 
 lesson::LessonSpec LessonCommand::spec() const {
-  const bool own = isSequence(request_.sequence) && request_.organ.empty();
+  const bool own = isOnItsOwnOrgan(request_.sequence, request_.organ);
   lesson::LessonSpec spec = !spec_.empty() ? lesson::readSpec(contentsOf(spec_), spec_)
                             : own          ? lesson::readySpec(request_.sequence)
                                            : lesson::LessonSpec();

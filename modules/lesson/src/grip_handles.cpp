@@ -1,5 +1,7 @@
 #include "grip_handles.h"
 
+#include <algorithm>
+
 #include "viscera/coordinates/built_in_systems.h"
 #include "viscera/deformation/bind_organ.h"
 #include "viscera/deformation/place_handles.h"
@@ -8,6 +10,7 @@ namespace viscera::lesson {
 namespace {
 
 constexpr int kCorners = 8;
+constexpr int kVerticesAHandle = 2; ///< A surface of few vertices has no room for more.
 
 /// The surfaces of a lesson that are no cavities, as one.
 geometry::TriangleMesh outside(const Lesson& lesson, const document::DocumentState& state) {
@@ -33,10 +36,12 @@ geometry::TriangleMesh outside(const Lesson& lesson, const document::DocumentSta
 
 GripHandles gripHandles(const Lesson& lesson, const document::DocumentState& state, int count,
                         Progress& progress, Threads threads) {
+  const geometry::TriangleMesh organs = outside(lesson, state);
+  count = std::min(count, static_cast<int>(organs.points.rows() / kVerticesAHandle));
   deformation::Placement placement;
   placement.count = count + kCorners;
   coordinates::HandleSet handles;
-  handles.positions = deformation::placeHandles(outside(lesson, state), placement);
+  handles.positions = deformation::placeHandles(organs, placement);
   const Points vertices = lesson.rest.topRows(lesson.vertexCount());
   const std::string wanted = document::SystemChoice().id;
   for (const auto& system : coordinates::builtInSystems()) {

@@ -10,8 +10,8 @@ struct GripHandles {
   Course weights;   ///< `h x vertices`.
 };
 
-/// Puts `count` handles around the organs of a lesson that lie in no other one, and binds all vertices to
-/// them and to the corners of a box around (S-Celestial coordinates), which stay where they are. Throws
+/// Puts up to `count` handles around the organs of a lesson that lie in no other one, and binds all vertices
+/// to them and to the corners of a box around (S-Celestial coordinates), which stay where they are. Throws
 /// `Cancelled`.
 GripHandles gripHandles(const Lesson& lesson, const document::DocumentState& state, int count,
                         Progress& progress, Threads threads);

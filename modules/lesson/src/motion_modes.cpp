@@ -90,7 +90,7 @@ Eigen::MatrixXd coursesOf(const Eigen::MatrixXd& factor) {
     const Eigen::Index from = rank - 1 - k; // Eigen's are ascending.
     const double strength = std::sqrt(std::max(solver.eigenvalues()[from], 0.0));
     courses.col(k) = strength > 0 ? Eigen::VectorXd(factor * solver.eigenvectors().col(from) / strength)
-                                  : Eigen::VectorXd::Zero(factor.rows());
+                                  : Eigen::VectorXd(Eigen::VectorXd::Zero(factor.rows()));
   }
   return courses;
 }

@@ -8,7 +8,7 @@ namespace {
 
 constexpr double kJustBeforeTheEnd = 1 - 1e-9;
 constexpr double kJumpMm = 0.01; ///< From the end of a cycle to its beginning.
-constexpr double kSameMm = 1e-9;
+constexpr double kSameMm = 1e-6;
 
 /// Sampled when it is asked for; carriers that are vertices are too many for more.
 Eigen::Index mostSamples(const CarrierWeights& weights) {

@@ -28,7 +28,7 @@ TEST_F(CliLesson, OfASequenceIsAPageOrAScene) {
     EXPECT_GE(lesson["modes"], 1);
     EXPECT_LE(lesson["largestErrorMm"], 0.05);
     EXPECT_GE(lesson["frames"], 96);
-    EXPECT_EQ(lesson["surfaces"][0]["title"], "Outer");
+    EXPECT_EQ(lesson["surfaces"][0]["title"], "Liver");
   }
   EXPECT_NE(contents(path("breath.html")).find("viscera-lesson"), std::string::npos);
   EXPECT_EQ(contents(path("breath.glb")).substr(0, 4), "glTF");

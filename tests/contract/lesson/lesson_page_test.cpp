@@ -22,6 +22,7 @@ using nlohmann::ordered_json;
 constexpr const char* kPython = "/usr/bin/python3";
 constexpr const char* kChromium = "/usr/lib/chromium/chromium";
 constexpr std::size_t kMostBytes = 1'572'864; ///< 1.5 MiB
+constexpr Eigen::Index kDragged = 8;          ///< A handle.
 constexpr Eigen::Index kVertices = 120;       ///< That are compared.
 
 bool browserIsThere() {
@@ -111,9 +112,10 @@ private:
     if (lesson.weights.rows() == 0)
       return;
     const Vec3 by(9, -12, 4);
-    truth["drag"] = {{"handle", 3}, {"by", {by.x(), by.y(), by.z()}}, {"moved", ordered_json::array()}};
+    truth["drag"] = {
+        {"handle", kDragged}, {"by", {by.x(), by.y(), by.z()}}, {"moved", ordered_json::array()}};
     for (const auto& vertex : truth["vertices"]) {
-      const Vec3 moved = by * lesson.weights(3, vertex.get<Eigen::Index>());
+      const Vec3 moved = by * lesson.weights(kDragged, vertex.get<Eigen::Index>());
       truth["drag"]["moved"].push_back({moved.x(), moved.y(), moved.z()});
     }
   }
