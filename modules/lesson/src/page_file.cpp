@@ -1,3 +1,5 @@
+#include "viscera/lesson/lesson.h"
+
 #include <ostream>
 
 #include <QByteArray>
@@ -9,7 +11,6 @@
 #include "page_json.h"
 #include "page_strings.h"
 #include "viscera/core/atomic_file.h"
-#include "viscera/lesson/lesson.h"
 
 namespace viscera::lesson {
 namespace {

@@ -1,3 +1,5 @@
+#include "lesson_scene.h"
+
 #include <regex>
 
 #include <QByteArray>
@@ -6,7 +8,6 @@
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 
-#include "lesson_scene.h"
 #include "page_json.h"
 #include "temporary_folder.h"
 
