@@ -82,17 +82,17 @@ ValueRange rangeOf(const CurvePanel& panel, std::vector<double> PanelCurve::*val
 class PanelsActor : public vtkOpenGLContextActor {
 public:
   static PanelsActor* New();
-  vtkTypeMacro(PanelsActor, vtkOpenGLContextActor);
+  vtkTypeMacro(PanelsActor, vtkOpenGLContextActor)
 
-  int RenderOverlay(vtkViewport* viewport) override {
+      int RenderOverlay(vtkViewport* viewport) override {
     const TextGuard guard;
     return Superclass::RenderOverlay(viewport);
   }
 };
-vtkStandardNewMacro(PanelsActor);
+vtkStandardNewMacro(PanelsActor)
 
-/// One panel with what VTK draws it from.
-struct Panel {
+    /// One panel with what VTK draws it from.
+    struct Panel {
   CurvePanel wanted;
   vtkSmartPointer<vtkChartXY> chart;
   vtkPlot* cursor = nullptr;
