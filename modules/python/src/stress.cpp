@@ -55,7 +55,7 @@ py::array deformationGradients(const StressPoints& points, const py::object& han
 }
 
 py::dict statistics(const StressMap& map) {
-  const auto found = deformation::statisticsOf(map);
+  const auto found = deformation::statisticsOf(map, map.rotationalStress.size());
   py::dict all;
   all["min"] = found.min;
   all["mean"] = found.mean;

@@ -102,7 +102,10 @@ std::shared_ptr<Lock> withTargets(const Lock& lock, const std::vector<double>& t
   if (targets.size() != lock.volumes.surfaces().size())
     throw UsageError("there are " + std::to_string(targets.size()) + " volumes", "targets",
                      "one a surface is wanted: " + std::to_string(lock.volumes.surfaces().size()));
-  return std::make_shared<Lock>(Lock{lock.first, lock.volumes.withTargets(targets)});
+  auto other = std::make_shared<Lock>(lock);
+  for (std::size_t surface = 0; surface < targets.size(); ++surface)
+    other->volumes.setTarget(surface, targets[surface]);
+  return other;
 }
 
 } // namespace
