@@ -25,7 +25,7 @@ class MeasuredBeat {
 public:
   MeasuredBeat(std::size_t phases, sample_organs::Resolution resolution)
       : scene_([&](Progress& progress) {
-          return motion::heartbeatSetup(cachedLibrary(), resolution, progress);
+          return motion::setUpSequence(cachedLibrary(), "heartbeat", resolution, progress);
         }) {
     times = tracking::PhaseTimes::even(phases, kPeriod);
     for (const std::string name : {"outer", "lv", "rv"}) {
