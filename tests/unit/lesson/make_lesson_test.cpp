@@ -3,6 +3,7 @@
 #include "lesson_scene.h"
 #include "sequence_scene.h"
 #include "viscera/core/error.h"
+#include "viscera/document/open_files.h"
 #include "viscera/geometry/volume.h"
 #include "viscera/motion/sequence_setup.h"
 #include "viscera/sequences/keyframes.h"
