@@ -1,3 +1,4 @@
+#include <QAction>
 #include <QFile>
 #include <QFileInfo>
 #include <QLineEdit>

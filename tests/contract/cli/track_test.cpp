@@ -21,7 +21,7 @@ protected:
       std::istringstream cells(line);
       for (std::size_t i = 0; std::getline(cells, cell, ','); ++i)
         if (first)
-          names.push_back(cell);
+          names.push_back(cell.substr(0, cell.rfind("_ml")));
         else
           columns[names[i]].push_back(std::stod(cell));
     }
