@@ -1,4 +1,4 @@
-// What the lesson holds: its description, and its numbers out of one zlib stream.
+// What the lesson holds: what it says, and its numbers out of one zlib stream.
 const $ = id => document.getElementById(id);
 const lesson = JSON.parse($('lesson').textContent);
 const say = (key, ...values) => lesson.strings[key].replace(/%(\d)/g, (_, i) => values[i - 1]);

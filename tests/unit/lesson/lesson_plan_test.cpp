@@ -159,7 +159,8 @@ TEST(LessonPlan, ListsEveryTextThatWillBeInTheFile) {
   for (const char* key : {"format", "language"})
     json.erase(key);
   const std::set<std::string> kinds = {"ml", "percent", "distance", "angle"};
-  for (const auto& [path, value] : json.flatten().items())
+  const auto flat = json.flatten();
+  for (const auto& [path, value] : flat.items())
     if (value.is_string()) {
       EXPECT_TRUE(known.count(value) || kinds.count(value)) << path << ": " << value;
     }
