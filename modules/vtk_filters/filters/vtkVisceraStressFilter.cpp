@@ -53,7 +53,9 @@ void measurePortion(const vf::Rig& rig, const viscera::Points& points, vtkIdType
                     StressArrays& arrays) {
   viscera::Progress unheard;
   const auto gradients = rig.system->gradients(rig.handles, points, rig.options, unheard);
-  viscera::deformation::WitnessGradients witnesses(gradients, points.rows(), rig.handles.positions.rows());
+  viscera::deformation::WitnessGradients witnesses(points.rows(), rig.handles.positions.rows(),
+                                                   gradients.lift);
+  witnesses.put(0, gradients, points.rows());
   viscera::deformation::StressMap map;
   witnesses.evaluate(rig.pose, map, rig.options.threads);
   arrays.put(begin, map);
