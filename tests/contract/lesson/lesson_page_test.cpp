@@ -10,6 +10,7 @@
 #include "sequence_scene.h"
 #include "temporary_folder.h"
 #include "viscera/document/measurement_commands.h"
+#include "viscera/document/open_files.h"
 #include "viscera/geometry/volume.h"
 
 /// Lessons as a browser shows them. Debian's Chromium is driven by check_page.py; without it these tests are
