@@ -13,7 +13,7 @@ using CarriersAt = std::function<void(double fraction, double ratePerMinute, Poi
 /// How far a lesson's motion may be off.
 struct Accuracy {
   double modesMm = 0.005;  ///< By the modes that are left out.
-  double betweenMm = 0.01; ///< Between samples.
+  double betweenMm = 0.03; ///< Between samples.
 };
 
 /// A motion in few numbers.

@@ -167,16 +167,6 @@ TEST_F(LessonPage, OfTheHeartIsWhatTheProgramShows) {
              {"--references", VISCERA_SOURCE_DIR "/tests/contract/lesson/references", "heart"});
 }
 
-TEST_F(LessonPage, OfTheStomachIsWhatTheProgramShows) {
-  ReadyLesson ready("peristalsis");
-  EXPECT_LE(ready.bytes, kMostBytes);
-  EXPECT_LE(ready.lesson.largestErrorMm, 0.05);
-  ordered_json truth = truthOf(ready.lesson, ready.source, ready.live);
-  truth["quiz"] = 2;
-  truth["whole"] = false;
-  expectGood(ready.lesson, truth);
-}
-
 TEST_F(LessonPage, OfTheLiverIsWhatTheProgramShows) {
   ReadyLesson ready("breathing");
   EXPECT_LE(ready.lesson.largestErrorMm, 0.05);
