@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "temporary_folder.h"
 #include "viscera/core/error.h"
 
 namespace viscera::motion {
@@ -26,9 +27,10 @@ protected:
     ADD_FAILURE() << "taken: " << text;
     return {};
   }
-  void TearDown() override { std::filesystem::remove(file_); }
 
-  const std::string file_ = testing::TempDir() + "volume_curve.csv";
+  // A folder of its own: several tests run at a time, each in a process of its own.
+  const tests::TemporaryFolder folder_;
+  const std::filesystem::path file_ = folder_ / "volume_curve.csv";
 };
 
 TEST_F(VolumeCurveFile, HoldsFractionsOfTheCycleWithOrWithoutAHeader) {

@@ -1,12 +1,8 @@
 #include "viscera/motion/volume_record.h"
 
-#include <filesystem>
-#include <fstream>
-#include <iterator>
-#include <string>
-
 #include <gtest/gtest.h>
 
+#include "temporary_folder.h"
 #include "viscera/core/error.h"
 
 namespace viscera::motion {
@@ -16,14 +12,11 @@ TEST(VolumeTable, HasOneColumnAnOrganAndOneRowAnInstant) {
   VolumeRecord record({"LV", "Heart, \"left\""});
   record.add(0, {130.5, 938.25});
   record.add(0.04, {129, 937});
-  const std::filesystem::path file = std::filesystem::path(testing::TempDir()) / "viscera_volume_table.csv";
-  writeVolumeTable(file, record);
-  std::ifstream stream(file);
-  const std::string contents{std::istreambuf_iterator<char>(stream), {}};
-  std::filesystem::remove(file);
-  EXPECT_EQ(contents, "time_s,LV_ml,\"Heart, \"\"left\"\"_ml\"\n"
-                      "0,130.5,938.25\n"
-                      "0.04,129,937\n");
+  const tests::TemporaryFolder folder;
+  writeVolumeTable(folder / "volumes.csv", record);
+  EXPECT_EQ(tests::contentsOf(folder / "volumes.csv"), "time_s,LV_ml,\"Heart, \"\"left\"\"_ml\"\n"
+                                                       "0,130.5,938.25\n"
+                                                       "0.04,129,937\n");
 }
 
 TEST(VolumeTable, SaysWhenItCannotBeWritten) {

@@ -10,6 +10,7 @@
 #include "viscera/scene/picture.h"
 
 #include "shapes.h"
+#include "temporary_folder.h"
 #include "view_fixture.h"
 
 namespace viscera::scene {
@@ -19,12 +20,7 @@ namespace fs = std::filesystem;
 
 class Picture : public testing::Test {
 protected:
-  Picture() {
-    fs::remove_all(folder);
-    fs::create_directories(folder);
-  }
-  ~Picture() override { fs::remove_all(folder); }
-  fs::path folder = fs::path(testing::TempDir()) / "viscera_picture_test";
+  const tests::TemporaryFolder folder;
 };
 
 vtkSmartPointer<vtkImageData> plain(int width, int height, unsigned char value) {
@@ -62,7 +58,7 @@ TEST_F(Picture, SameSceneGivesTheSamePicture) {
 TEST_F(Picture, IsWrittenWholeOrNotAtAll) {
   EXPECT_THROW(writePng(folder / "missing" / "a.png", plain(4, 4, 9)), CannotCreateError);
   writePng(folder / "b.png", plain(4, 4, 9));
-  EXPECT_EQ(std::distance(fs::directory_iterator(folder), fs::directory_iterator()), 1);
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder.path()), fs::directory_iterator()), 1);
 }
 
 TEST_F(Picture, UnreadableFilesAreNamed) {
