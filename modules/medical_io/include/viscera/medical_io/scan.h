@@ -1,0 +1,113 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "viscera/core/arrays.h"
+#include "viscera/core/progress.h"
+
+/// Scans: images whose voxels are measured values, such as a CT or an MR.
+namespace viscera::medical_io {
+
+/// A level and a width of values, as a display maps them to black and white.
+struct ValueWindow {
+  double level = 40;  ///< The value that is drawn middle grey.
+  double width = 400; ///< From black to white; positive.
+};
+
+/// What is odd in a scan's files, and where.
+struct ScanFinding {
+  enum class Kind { missingSlice, doubledSlice, unevenSpacing, tilt, order, mixedSizes, damaged, other };
+  Kind kind = Kind::other;
+  std::string sentence; ///< What, where, and what was done about it.
+};
+
+/// A scan as it came from its files: the stored samples, one block of memory, and what they mean. It never
+/// changes after reading; several threads may read it.
+///
+///     Progress progress;
+///     const Scan scan = readScan("ct.nii.gz", {}, progress);
+///     const std::optional<double> hu = scan.at(Vec3(12, -40, 310));
+struct Scan {
+  /// Of voxel (i, j, k), i fastest, as the file stores them.
+  using Samples = std::variant<std::vector<std::int8_t>, std::vector<std::uint8_t>, std::vector<std::int16_t>,
+                               std::vector<std::uint16_t>, std::vector<std::int32_t>,
+                               std::vector<std::uint32_t>, std::vector<float>>;
+
+  std::array<int, 3> size = {}; ///< Voxels along i, j and k.
+  /// From (i, j, k) to mm LPS; the centre of the first voxel is (0, 0, 0). May be oblique, left-handed and
+  /// sheared (a tilted gantry); never singular.
+  Eigen::Affine3d indexToLps = Eigen::Affine3d::Identity();
+  Samples samples;
+  double slope = 1;                  ///< Value = slope * sample + intercept.
+  double intercept = 0;              ///< See `slope`.
+  std::optional<double> padding;     ///< The sample that means "nothing was measured here".
+  std::string modality;              ///< "CT", "MR", "PT", ...; empty when the file does not say.
+  std::string unit;                  ///< "HU" for a CT; else empty.
+  std::string description;           ///< Of the series; empty when the file does not say.
+  std::string space;                 ///< "RAS" or "LPS" (or another): what the file was written in.
+  std::string transferSyntax;        ///< DICOM: how the pixels were packed, in words; else empty.
+  std::vector<double> phaseTimesMs;  ///< Times of all phases of the series; empty for one.
+  int phase = 0;                     ///< Which of them this is.
+  std::optional<ValueWindow> window; ///< What the file proposes.
+  std::vector<ScanFinding> findings; ///< What is odd, one sentence each.
+
+  std::size_t voxelCount() const {
+    return std::size_t(size[0]) * std::size_t(size[1]) * std::size_t(size[2]);
+  }
+  std::size_t indexOf(int i, int j, int k) const {
+    return (std::size_t(k) * std::size_t(size[1]) + std::size_t(j)) * std::size_t(size[0]) + std::size_t(i);
+  }
+  /// Distance of neighbouring voxels along i, j and k, mm.
+  Vec3 spacing() const { return indexToLps.linear().colwise().norm(); }
+  /// The box, in mm LPS, around the voxels (not only their centres) of the whole image.
+  Bounds bounds() const;
+  /// The value of a voxel.
+  double value(int i, int j, int k) const;
+  /// The trilinear value at a point in mm LPS; none outside of the voxels' centres by more than half a voxel,
+  /// and none in padding. O(1).
+  std::optional<double> at(const Vec3& lps) const;
+  /// Least and largest value, padding left out. O(voxels), on all threads.
+  std::array<double, 2> range() const;
+  /// What to show at first: what the file proposes; soft tissue (40 / 400) for a CT; else the 1st and the
+  /// 99th percentile. O(voxels).
+  ValueWindow firstWindow() const;
+};
+
+/// One of several series (or phases, or echoes) that lie in one place, for somebody to choose from.
+struct ScanSeries {
+  std::string id;               ///< What `ScanOptions::series` takes.
+  std::string description;      ///< "Abdomen 5.0 B30f".
+  std::string modality;         ///< "CT".
+  std::array<int, 3> size = {}; ///< Voxels.
+  Vec3 spacing = Vec3::Zero();  ///< mm.
+  int phases = 1;               ///< How many volumes in time it has.
+  std::vector<std::filesystem::path> files;
+};
+
+/// Which series and which phase to read; the largest and the first when nothing is asked.
+struct ScanOptions {
+  std::string series;
+  int phase = 0;
+};
+
+/// The series at a place: those of a DICOM folder (or of the folder that a DICOM file lies in), largest
+/// first; one for another format. Reads headers only. Throws as `readScan`.
+std::vector<ScanSeries> listScans(const std::filesystem::path& fileOrFolder, Progress& progress);
+
+/// Reads NIfTI, NRRD, MetaImage or a DICOM series (a folder, or any file of it; classic or enhanced). Nothing
+/// is resampled; what is odd is in `findings`. Throws `NoInputError`, `DataError` (what, which file, what to
+/// try), `UsageError` for a series or phase that is not there, `Cancelled`. Takes memory for what is in the
+/// files, not for what a header promises. O(voxels).
+Scan readScan(const std::filesystem::path& fileOrFolder, const ScanOptions& options, Progress& progress);
+
+/// Whether the place may hold a scan, by names and first bytes; whether it is a good one, reading says.
+bool isScan(const std::filesystem::path& fileOrFolder);
+
+} // namespace viscera::medical_io
