@@ -15,6 +15,9 @@
 #include "window/help.h"
 #include "window/import/import_desk.h"
 #include "window/import/import_panel.h"
+#include "window/lecture/lecture_screen.h"
+#include "window/lecture/slide_panel.h"
+#include "window/lecture/slides.h"
 #include "window/lesson/lesson_export.h"
 #include "window/menus.h"
 #include "window/modes/deform_mode.h"
@@ -60,6 +63,9 @@ MainWindow::MainWindow(Settings& settings, plugin::Registry registry, motion::Tr
   makeModes();
   makeThemeActions();
   makeSession();
+  slides_ = new Slides(view_, *viewArea_->view(), playback_, actions_, this);
+  lecture_ = new LectureScreen({*layout_, *viewArea_, *slides_, playback_, volumes_}, actions_, this);
+  connect(actions_["view.lecture"], &QAction::toggled, this, [this] { showWelcome(false); });
   help_ = new Help({workspace_, playback_, *modes_, *files_, settings_, *viewArea_}, actions_, this);
   placePanels();
   makeMenus();
@@ -116,7 +122,11 @@ void MainWindow::placePanels() {
     handlePanel->addTool(actions_[id]);
   volumePanel_ = new VolumePanel(volumes_, playback_);
   layout_->place({new ModeRail(*modes_), organPanel_, handlePanel, makePages(), timeline, makeCharts(),
-                  imports_->panel()});
+                  new SlidePanel(*slides_, actions_), imports_->panel()});
+  const auto follow = [this] { layout_->follow(modes_->present()); };
+  connect(modes_.get(), &ModeController::changed, layout_, follow);
+  connect(&playback_, &Playback::stateChanged, layout_, follow);
+  follow();
   status_ = new StatusLine(workspace_, volumes_, statusBar());
   play_->setStatus(*status_);
 }
@@ -248,7 +258,7 @@ void MainWindow::showWelcome(bool shown) {
 }
 
 void MainWindow::escape() {
-  if (modes_->escape() || help_->closeShortcuts())
+  if (lecture_->end() || modes_->escape() || help_->closeShortcuts())
     return;
   if (!viewArea_->messages()->isHidden())
     viewArea_->messages()->dismiss();
@@ -267,6 +277,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
   if (!leaves)
     return event->ignore();
   imports_->cancel();
+  lecture_->end();
   layout_->save(settings_);
   workspace_.jobs().cancelAll();
   sessions_->endCleanly();

@@ -25,11 +25,13 @@ class ExploreMode;
 class ExportActions;
 class Help;
 class ImportDesk;
+class LectureScreen;
 class LessonExport;
 class OrganPanel;
 class PlayMode;
 class SessionFiles;
 class SessionView;
+class Slides;
 class StatusLine;
 class StressMode;
 class ViewActions;
@@ -63,6 +65,7 @@ public:
   ViewArea& viewArea() { return *viewArea_; }
   ViewActions& views() { return *views_; }
   ViewModel& viewModel() { return view_; }
+  Slides& slides() { return *slides_; }
   const Picture& picture() const { return *picture_; }
   PlayMode& play() { return *play_; }
   ModeController& modes() { return *modes_; }
@@ -114,6 +117,8 @@ private:
   StressMode* stress_ = nullptr;
   PlayMode* play_ = nullptr;
   ViewActions* views_ = nullptr;
+  Slides* slides_ = nullptr;
+  LectureScreen* lecture_ = nullptr;
   OrganPanel* organPanel_ = nullptr;
   VolumePanel* volumePanel_ = nullptr;
   StatusLine* status_ = nullptr;

@@ -94,6 +94,9 @@ void Menus::makeViewMenu() {
        {"", "view.anterior", "view.posterior", "view.left", "view.right", "view.superior", "view.inferior",
         "view.focus", "", "view.handles", "view.ghost", "view.cube", "view.scale", "view.measurements", ""});
   fill(view->addMenu(icon("stress"), tr("St&ress map")), parts_.modes.find("stress").actions());
+  fill(view->addMenu(icon("camera"), tr("&Slides")),
+       {"slides.add", "slides.remove", "", "slides.next", "slides.previous"});
+  fill(view, {"view.lecture", "lecture.dark", "view.fullScreen", ""});
   QMenu* panels = view->addMenu(tr("&Panels"));
   for (PanelDock* dock : parts_.docks)
     panels->addAction(dock->toggleViewAction());

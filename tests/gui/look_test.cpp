@@ -160,14 +160,14 @@ TEST_F(WindowTest, TheThemeChangesEverythingAndIsRemembered) {
 }
 
 TEST_F(WindowTest, AHiddenPanelStaysHiddenUntilTheStandardLayoutIsAskedFor) {
-  auto* volumes = window().findChild<QDockWidget*>(QStringLiteral("volumes"));
-  ASSERT_NE(volumes, nullptr);
-  volumes->close();
+  auto* organs = window().findChild<QDockWidget*>(QStringLiteral("organs"));
+  ASSERT_NE(organs, nullptr);
+  organs->toggleViewAction()->trigger();
   reopenWindow();
-  volumes = window().findChild<QDockWidget*>(QStringLiteral("volumes"));
-  EXPECT_FALSE(volumes->isVisible());
+  organs = window().findChild<QDockWidget*>(QStringLiteral("organs"));
+  EXPECT_FALSE(organs->isVisible());
   window().actions()["view.layout"]->trigger();
-  EXPECT_TRUE(volumes->isVisible());
+  EXPECT_TRUE(organs->isVisible());
 }
 
 TEST_F(WindowTest, QuestionMarkShowsTheShortcutsAndEscapeHidesThem) {

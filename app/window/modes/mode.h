@@ -48,6 +48,15 @@ struct ClickedPlace {
   Vec3 normal = Vec3::UnitZ();
 };
 
+/// The panels that a mode has a use for, beside the organs and the properties, which are always there.
+struct UsefulPanels {
+  bool handles = false;
+  bool timeline = false;
+  bool charts = false;
+
+  bool operator==(const UsefulPanels&) const = default;
+};
+
 /// One way to work with the organs: what is seen of them, what a click on the view does, and the actions and
 /// the property page for it. It adds its actions when it is made; which mode is on, only the `ModeController`
 /// knows.
@@ -78,6 +87,8 @@ public:
   /// What it wants to be seen, while it is on; `shownChanged` tells that it is something else.
   virtual presentation::Shown shown() const = 0;
   virtual motion::WantedPose pose() const = 0;
+  /// Asked when the mode begins, and when another sequence is there or none.
+  virtual UsefulPanels panels() const = 0;
   /// What the mouse does; `hintChanged` tells that it is something else.
   virtual QString hint() const { return description_.hint; }
 

@@ -26,6 +26,7 @@ public:
   QWidget* makePage(const Actions& actions) override;
   presentation::Shown shown() const override { return {}; }
   motion::WantedPose pose() const override { return motion::WantedPose::sequence; }
+  UsefulPanels panels() const override { return {false, true, true}; }
   void setTheme(const Theme& theme) override { comparison_->setTheme(theme); }
   /// Shows what is recorded and what the second view does in the status bar.
   void setStatus(StatusLine& status);

@@ -212,6 +212,22 @@ Playing playingFrom(const ordered_json& item) {
   return playing;
 }
 
+ordered_json slideJson(const Slide& slide) {
+  ordered_json item = {{"caption", slide.caption}, {"camera", cameraJson(slide.camera)}};
+  if (slide.fraction)
+    item["fraction"] = *slide.fraction;
+  return item;
+}
+
+Slide slideFrom(const ordered_json& item) {
+  Slide slide;
+  take(item, "caption", slide.caption);
+  slide.camera = cameraFrom(item.at("camera"));
+  if (item.contains("fraction"))
+    slide.fraction = std::clamp(item.at("fraction").get<double>(), 0.0, 1.0);
+  return slide;
+}
+
 Points rowsFrom(const ordered_json& rows) {
   Points points(static_cast<Eigen::Index>(rows.size()), 3);
   for (std::size_t i = 0; i < rows.size(); ++i)
@@ -230,6 +246,8 @@ ViewState viewFrom(const ordered_json& item) {
     view.motions.push_back({{motion.at("organ").get<std::int64_t>()}, motion.at("recipe").dump()});
   if (item.contains("playing"))
     view.playing = playingFrom(item.at("playing"));
+  for (const ordered_json& slide : item.value("slides", ordered_json::array()))
+    view.slides.push_back(slideFrom(slide));
   if (item.contains("shownPose"))
     view.shownPose = rowsFrom(item.at("shownPose"));
   if (item.value("format", 1) < kFormat) {
@@ -252,7 +270,7 @@ bool ViewState::operator==(const ViewState& other) const {
     return std::tie(view.mode, view.shown, view.camera, view.handles, view.influence, view.ghost, view.labels,
                     view.measurements, view.orientationCube, view.scaleBar, view.gizmo, view.mirror,
                     view.layout.regions, view.layout.zones, view.layout.superRegions, view.chartOfCycle,
-                    view.stress, view.selection, view.motions, view.playing);
+                    view.stress, view.selection, view.motions, view.playing, view.slides);
   };
   return parts(*this) == parts(other) && shownPose.rows() == other.shownPose.rows() &&
          shownPose == other.shownPose;
@@ -289,6 +307,10 @@ std::string toJson(const ViewState& state) {
         {{"organ", motion.organ.value}, {"recipe", ordered_json::parse(motion.recipe)}});
   if (view.playing)
     visitPlaying(*view.playing, [&](const char* key, const auto& value) { item["playing"][key] = value; });
+  if (!view.slides.empty())
+    item["slides"] = ordered_json::array();
+  for (const Slide& slide : view.slides)
+    item["slides"].push_back(slideJson(slide));
   if (view.shownPose.rows() > 0) {
     item["shownPose"] = ordered_json::array();
     for (const auto& row : view.shownPose.rowwise())

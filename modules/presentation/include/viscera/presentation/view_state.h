@@ -63,6 +63,16 @@ struct Playing {
   bool operator==(const Playing&) const = default;
 };
 
+/// A view that was kept to be shown in a lecture.
+struct Slide {
+  std::string caption; ///< Under the picture; UTF-8.
+  Camera camera;
+  std::optional<double>
+      fraction; ///< Where in its cycle the sequence stands, [0, 1]; none: it goes on as it is.
+
+  bool operator==(const Slide&) const = default;
+};
+
 /// What is selected, the last handle being the current one.
 struct SelectionState {
   document::OrganId organ;
@@ -94,6 +104,7 @@ struct ViewState {
   SelectionState selection;
   std::vector<MotionChoice> motions;
   std::optional<Playing> playing;
+  std::vector<Slide> slides; ///< In the order in which they are shown.
   /// Where the handles were seen when it is not the document's pose, `n x 3` mm; empty otherwise.
   Points shownPose;
 
