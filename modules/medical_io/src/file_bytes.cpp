@@ -4,6 +4,7 @@
 #include <array>
 #include <cerrno>
 #include <fstream>
+#include <limits>
 #include <new>
 #include <system_error>
 
@@ -34,7 +35,7 @@ void FileBytes::fail(const std::string& problem, const std::string& tryThis) con
   throw DataError(problem, name(), tryThis);
 }
 
-FileBytes readWholeFile(const std::filesystem::path& file) {
+FileBytes readBeginOfFile(const std::filesystem::path& file, std::size_t most) {
   requireReadable(file);
   errno = 0;
   std::ifstream stream(file, std::ios::binary | std::ios::ate);
@@ -43,7 +44,7 @@ FileBytes readWholeFile(const std::filesystem::path& file) {
                        "check that you may read it");
   FileBytes result{file, {}};
   try {
-    result.bytes.resize(static_cast<std::size_t>(std::max<std::streamoff>(stream.tellg(), 0)));
+    result.bytes.resize(std::min(most, static_cast<std::size_t>(std::max<std::streamoff>(stream.tellg(), 0))));
   } catch (const std::bad_alloc&) {
     result.fail("does not fit into memory", "reduce the surface first");
   }
@@ -54,6 +55,10 @@ FileBytes readWholeFile(const std::filesystem::path& file) {
   if (result.bytes.empty())
     result.fail("the file is empty");
   return result;
+}
+
+FileBytes readWholeFile(const std::filesystem::path& file) {
+  return readBeginOfFile(file, std::numeric_limits<std::size_t>::max());
 }
 
 std::string lowered(std::string_view text) {

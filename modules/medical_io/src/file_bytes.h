@@ -28,6 +28,9 @@ struct FileBytes {
 /// it is empty or does not fit into memory.
 FileBytes readWholeFile(const std::filesystem::path& file);
 
+/// At most the first `most` bytes of a regular file. Throws as `readWholeFile`.
+FileBytes readBeginOfFile(const std::filesystem::path& file, std::size_t most);
+
 /// Lower-case ASCII copy.
 std::string lowered(std::string_view text);
 

@@ -2,7 +2,7 @@
 #include <utility>
 
 #include "file_bytes.h"
-#include "label_formats/raw_labels.h"
+#include "image_formats/raw_image.h"
 #include "label_segments.h"
 #include "viscera/core/error.h"
 #include "viscera/core/parallel.h"

@@ -6,8 +6,8 @@
 
 #include "file_bytes.h"
 #include "file_signature.h"
-#include "label_formats/label_encoding.h"
-#include "label_formats/raw_labels.h"
+#include "image_formats/data_file.h"
+#include "image_formats/label_encoding.h"
 #include "label_segments.h"
 #include "label_tables.h"
 #include "viscera/core/error.h"
@@ -18,21 +18,21 @@ namespace {
 struct Format {
   std::string_view extension;
   Signature signature;
-  RawLabels (*read)(FileBytes&);
+  RawImage (*read)(FileBytes&);
 };
 
-constexpr std::array<Format, 15> kFormats = {{{".nii", Signature::nifti, readNifti},
-                                              {".nii.gz", Signature::nifti, readNifti},
-                                              {".hdr", Signature::nifti, readNifti},
-                                              {".hdr.gz", Signature::nifti, readNifti},
-                                              {".img", Signature::nifti, readNifti},
-                                              {".img.gz", Signature::nifti, readNifti},
-                                              {".nrrd", Signature::nrrd, readNrrd},
-                                              {".seg.nrrd", Signature::nrrd, readNrrd},
-                                              {".nhdr", Signature::nrrd, readNrrd},
-                                              {".seg.nhdr", Signature::nrrd, readNrrd},
-                                              {".mha", Signature::metaImage, readMetaImage},
-                                              {".mhd", Signature::metaImage, readMetaImage},
+constexpr std::array<Format, 15> kFormats = {{{".nii", Signature::nifti, readImage<niftiHeader>},
+                                              {".nii.gz", Signature::nifti, readImage<niftiHeader>},
+                                              {".hdr", Signature::nifti, readImage<niftiHeader>},
+                                              {".hdr.gz", Signature::nifti, readImage<niftiHeader>},
+                                              {".img", Signature::nifti, readImage<niftiHeader>},
+                                              {".img.gz", Signature::nifti, readImage<niftiHeader>},
+                                              {".nrrd", Signature::nrrd, readImage<nrrdHeader>},
+                                              {".seg.nrrd", Signature::nrrd, readImage<nrrdHeader>},
+                                              {".nhdr", Signature::nrrd, readImage<nrrdHeader>},
+                                              {".seg.nhdr", Signature::nrrd, readImage<nrrdHeader>},
+                                              {".mha", Signature::metaImage, readImage<metaImageHeader>},
+                                              {".mhd", Signature::metaImage, readImage<metaImageHeader>},
                                               {".dcm", Signature::dicom, readDicomSegmentation},
                                               {".ima", Signature::dicom, readDicomSegmentation},
                                               {"", Signature::dicom, readDicomSegmentation}}};
@@ -80,7 +80,7 @@ bool hasDicomMark(const std::filesystem::path& file) {
 
 } // namespace
 
-LabelMap labelMapOf(RawLabels&& raw, const FileBytes& file, Progress& progress) {
+LabelMap labelMapOf(RawImage&& raw, const FileBytes& file, Progress& progress) {
   requireUsableGrid(raw, file);
   EncodedLabels encoded = encodeLabels(raw, file, progress);
   LabelMap map;
@@ -126,7 +126,7 @@ LabelMap readLabelFile(const std::filesystem::path& file, Progress& progress) {
   FileBytes bytes = readWholeFile(file);
   const Format& format = formatOf(bytes);
   try {
-    RawLabels raw = format.read(bytes);
+    RawImage raw = format.read(bytes);
     const std::vector<StatedSegment> stated = raw.stated;
     LabelMap map = labelMapOf(std::move(raw), bytes, progress);
     // Tables of all classes there are, as TotalSegmentator writes them into NIfTI, are no loss.

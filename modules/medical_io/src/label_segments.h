@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "label_formats/raw_labels.h"
+#include "image_formats/raw_image.h"
 #include "viscera/medical_io/label_map.h"
 
 namespace viscera::medical_io {

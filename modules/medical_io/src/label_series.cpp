@@ -6,7 +6,7 @@
 
 #include "file_bytes.h"
 #include "file_signature.h"
-#include "label_formats/raw_labels.h"
+#include "image_formats/data_file.h"
 #include "label_segments.h"
 #include "viscera/core/error.h"
 
@@ -16,19 +16,19 @@ namespace {
 /// Cycles a second that a heart makes.
 constexpr double kSlowestHz = 0.2, kFastestHz = 4;
 
-RawLabels rawSeriesOf(FileBytes& file) {
+RawImage rawSeriesOf(FileBytes& file) {
   const std::string extension = extensionOf(file.file);
   const Signature found = signatureOf(file);
   if (found == Signature::nifti || (found == Signature::gzip && extension.ends_with(".gz")))
-    return readNiftiSeries(file);
+    return readImage<niftiSeriesHeader>(file);
   if (found == Signature::nrrd)
-    return readNrrd(file);
+    return readImage<nrrdHeader>(file);
   file.fail("It is no file of several volumes",
             "name a 4D NIfTI, a .seq.nrrd of 3D Slicer, or one file for each phase");
 }
 
 /// The values of one volume behind each other, out of those of all.
-std::string volumeOf(const RawLabels& raw, std::size_t volume) {
+std::string volumeOf(const RawImage& raw, std::size_t volume) {
   const std::size_t width = sizeOf(raw.scalar), count = static_cast<std::size_t>(raw.layers);
   const std::size_t voxels = static_cast<std::size_t>(raw.valueCount()) / count;
   if (!raw.layersFirst)
@@ -83,7 +83,7 @@ std::size_t volumesIn(const std::filesystem::path& file) {
   if (!extension.starts_with(".nii") && !extension.ends_with("nrrd") && !extension.ends_with("nhdr"))
     return 1;
   FileBytes bytes = readWholeFile(file);
-  const RawLabels raw = rawSeriesOf(bytes);
+  const RawImage raw = rawSeriesOf(bytes);
   // The layers of a segmentation are no phases.
   const bool isSegmentation = !raw.stated.empty() && !extension.starts_with(".nii");
   return isSegmentation ? 1 : static_cast<std::size_t>(raw.layers);
@@ -93,13 +93,13 @@ SeriesTimes readLabelSeries(const std::filesystem::path& file, Progress& progres
                             const std::function<void(std::size_t, LabelMap&&)>& visit) {
   FileBytes bytes = readWholeFile(file);
   try {
-    const RawLabels raw = rawSeriesOf(bytes);
+    const RawImage raw = rawSeriesOf(bytes);
     const auto count = static_cast<std::size_t>(raw.layers);
     for (std::size_t volume = 0; volume < count; ++volume) {
       progress.report(static_cast<double>(volume) / static_cast<double>(count),
                       "volume " + std::to_string(volume + 1));
       progress.throwIfCancelled();
-      RawLabels one;
+      RawImage one;
       one.size = raw.size;
       one.indexToLps = raw.indexToLps;
       one.scalar = raw.scalar;

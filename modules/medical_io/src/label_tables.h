@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "label_formats/raw_labels.h"
+#include "image_formats/raw_image.h"
 
 namespace viscera::medical_io {
 

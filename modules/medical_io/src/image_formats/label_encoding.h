@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "label_formats/raw_labels.h"
+#include "image_formats/raw_image.h"
 
 namespace viscera::medical_io {
 
@@ -19,6 +19,6 @@ struct EncodedLabels {
 
 /// Numbers the values of all layers. Throws `DataError` for values that are no labels and for too many
 /// different ones, `Cancelled`. O(values).
-EncodedLabels encodeLabels(const RawLabels& raw, const FileBytes& file, Progress& progress);
+EncodedLabels encodeLabels(const RawImage& raw, const FileBytes& file, Progress& progress);
 
 } // namespace viscera::medical_io

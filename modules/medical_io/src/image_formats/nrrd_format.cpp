@@ -4,8 +4,8 @@
 #include <map>
 #include <optional>
 
-#include "label_formats/data_file.h"
-#include "label_formats/raw_labels.h"
+#include "image_formats/data_file.h"
+#include "image_formats/raw_image.h"
 #include "text_scanner.h"
 
 /// NRRD (teem.sourceforge.net/nrrd/format.html) with the fields of 3D Slicer's segmentations.
@@ -86,7 +86,7 @@ Scalar scalarOf(const FileBytes& file, std::string_view type) {
     if (!type.empty() && std::find(known.names.begin(), known.names.end(), type) != known.names.end())
       return known.scalar;
   file.fail("its voxels are no plain numbers (type " + inQuotes(type) + ")",
-            "save it with whole numbers as labels");
+            "save it with one number a voxel");
 }
 
 /// The vectors "(1,0,0) none (0,1,0)"; nothing for an axis that is not of space.
@@ -118,7 +118,7 @@ std::vector<std::optional<Vec3>> vectorsOf(const FileBytes& file, std::string_vi
 }
 
 /// What makes the file's axes LPS.
-Vec3 turnToLps(std::string_view space, RawLabels& raw) {
+Vec3 turnToLps(std::string_view space, RawImage& raw) {
   const std::string name = lowered(space);
   const auto is = [&](std::string_view longName, std::string_view shortName) {
     return name == longName || name == shortName;
@@ -152,19 +152,20 @@ double unitInMm(std::string_view units) {
 struct Axes {
   std::array<std::size_t, 3> ofSpace = {}; ///< Which axes of the file are i, j and k.
   std::optional<std::size_t> list;
+  std::string listKind; ///< In lower case: "list", "time", "rgb-color".
 };
 
 class NrrdReader {
 public:
-  explicit NrrdReader(FileBytes& file) : file_(file), header_(fieldsOf(file)) {}
+  explicit NrrdReader(const FileBytes& file) : file_(file), header_(fieldsOf(file)) {}
 
-  RawLabels run() {
+  ImageHeader run() {
     raw_.scalar = scalarOf(file_, lowered(need("type")));
     sizes_ = sizesOf();
     readGrid();
     readSegments();
-    takeValues(file_, storedValues(), raw_);
-    return std::move(raw_);
+    StoredValues stored = storedValues();
+    return {std::move(raw_), std::move(stored)};
   }
 
 private:
@@ -205,12 +206,15 @@ private:
       if (isSpace)
         ofSpace.push_back(d);
       else if (axes.list && sizes_[d] > 1)
-        file_.fail("It has several axes that are not of space", "save it as a label map");
-      else
+        file_.fail("It has several axes that are not of space", "save it as one volume");
+      else {
         axes.list = d;
+        axes.listKind = kind;
+      }
     }
     if (ofSpace.size() != 3)
-      file_.fail("It has " + counted(ofSpace.size(), "axis", "axes") + " in space; a label map has three");
+      file_.fail("It has " + counted(ofSpace.size(), "axis", "axes") +
+                 " in space; an image of an organ has three");
     std::copy(ofSpace.begin(), ofSpace.end(), axes.ofSpace.begin());
     if (axes.list && *axes.list != 0 && *axes.list != 3)
       file_.fail("its layers lie between the axes of space", "save it as a segmentation");
@@ -257,6 +261,7 @@ private:
     if (axes.list) {
       raw_.layers = axisSize(file_, sizes_[*axes.list], "of layers");
       raw_.layersFirst = *axes.list == 0;
+      raw_.listKind = axes.listKind;
       readTimes(*axes.list);
     }
     if (directions.empty())
@@ -357,15 +362,15 @@ private:
     stored.skippedLines = static_cast<std::uint64_t>(std::max<std::int64_t>(lines, 0));
   }
 
-  FileBytes& file_;
+  const FileBytes& file_;
   Fields header_;
-  RawLabels raw_;
+  RawImage raw_;
   std::vector<std::int64_t> sizes_;
 };
 
 } // namespace
 
-RawLabels readNrrd(FileBytes& file) {
+ImageHeader nrrdHeader(FileBytes& file) {
   return NrrdReader(file).run();
 }
 

@@ -3,8 +3,8 @@
 #include <cstring>
 #include <optional>
 
-#include "label_formats/data_file.h"
-#include "label_formats/raw_labels.h"
+#include "image_formats/data_file.h"
+#include "image_formats/raw_image.h"
 #include "text_scanner.h"
 #include "viscera/core/error.h"
 #include "xml_tree.h"
@@ -27,6 +27,9 @@ constexpr int kMostDimensions = 7;
 constexpr std::uint64_t kMostHeaderBytes = std::uint64_t{1} << 22U;
 /// Two statements of where the image is that differ by more than this part of a voxel are reported.
 constexpr double kAgreement = 0.5;
+
+/// Less than this is left of the quaternion's length by rounding alone: a half turn, as nifti1_io.c has it.
+constexpr double kHalfTurn = 1e-7;
 
 /// What both versions say, whatever the width of the fields.
 struct Header {
@@ -128,7 +131,7 @@ Scalar scalarOf(const FileBytes& file, int datatype) {
   if (const auto scalar = lookUp(kTypes, datatype))
     return *scalar;
   file.fail("its voxels are no plain numbers (NIfTI data type " + std::to_string(datatype) + ")",
-            "save it with whole numbers as labels");
+            "save it with one number a voxel");
 }
 
 bool usable(const Eigen::Affine3d& grid) {
@@ -145,7 +148,7 @@ Eigen::Affine3d sformOf(const Header& h) {
 Eigen::Affine3d qformOf(const Header& h) {
   const auto [b, c, d] = h.quaternion;
   const double rest = 1 - (b * b + c * c + d * d);
-  Eigen::Quaterniond rotation(std::sqrt(std::max(rest, 0.0)), b, c, d);
+  Eigen::Quaterniond rotation(rest > kHalfTurn ? std::sqrt(rest) : 0.0, b, c, d);
   rotation.normalize();
   Eigen::Affine3d grid = Eigen::Affine3d::Identity();
   grid.linear() = rotation.toRotationMatrix() *
@@ -167,7 +170,7 @@ double differenceInVoxels(const Eigen::Affine3d& a, const Eigen::Affine3d& b,
 }
 
 /// In RAS, in the file's unit.
-Eigen::Affine3d gridInRas(const FileBytes& file, const Header& h, RawLabels& raw) {
+Eigen::Affine3d gridInRas(const FileBytes& file, const Header& h, RawImage& raw) {
   const Eigen::Affine3d sform = sformOf(h), qform = qformOf(h);
   const bool hasQform = h.qformCode > 0 && usable(qform);
   if (h.sformCode > 0 && usable(sform)) {
@@ -225,7 +228,7 @@ void addLabelTable(const XmlElement& element, std::vector<StatedSegment>& list) 
 
 /// Extensions lie between the header and the end of `bytes`: size, code, contents. One that is damaged ends
 /// the list.
-void readExtensions(std::string_view bytes, const Header& h, RawLabels& raw) {
+void readExtensions(std::string_view bytes, const Header& h, RawImage& raw) {
   std::size_t position = h.bytes + 4;
   if (bytes.size() < position || bytes[h.bytes] == 0)
     return;
@@ -295,28 +298,16 @@ void replaceByHeader(FileBytes& file) {
   file.bytes = readWholeFile(*header).bytes;
 }
 
-/// The voxels of a header alone.
-void takeOtherHalf(FileBytes& file, const Header& h, RawLabels& raw) {
+/// Where the voxels of a header alone are.
+StoredValues inOtherHalf(const FileBytes& file) {
   const auto voxels = otherHalf(file.file, ".img");
   if (!voxels)
     throw NoInputError("It is the header of a NIfTI image in two files; that with its voxels, " +
                            inQuotes(stemOf(file.file) + ".img") + ", is not beside it",
                        file.name(), "put both files into one folder");
-  readExtensions(beginOf(file, kMostHeaderBytes), h, raw);
   StoredValues stored{.beside = voxels->filename().string(), .pattern = false};
   stored.packing = extensionOf(*voxels) == ".img.gz" ? Packing::zlib : Packing::none;
-  stored.skippedBytes = dataOffset(file, h);
-  takeValues(file, stored, raw);
-}
-
-void takeVoxelsBehind(FileBytes& file, const Header& h, RawLabels& raw) {
-  const std::uint64_t offset = dataOffset(file, h);
-  raw.storage = isPacked(file.view()) ? unpacked(file, file.view(), Packing::zlib,
-                                                 saturatedSum(offset, saturatedSum(raw.byteCount(), 1)))
-                                      : std::move(file.bytes);
-  raw.offset = static_cast<std::size_t>(std::min<std::uint64_t>(offset, raw.storage.size()));
-  requireAllValues(raw, file);
-  readExtensions(std::string_view(raw.storage).substr(0, raw.offset), h, raw);
+  return stored;
 }
 
 /// Of the volumes, by the fourth axis.
@@ -340,10 +331,11 @@ RawTimes timesOf(const Header& h) {
 }
 
 /// `axes` as `gridOf` has it.
-RawLabels readVolumes(FileBytes& file, std::size_t axes) {
+ImageHeader headerOfVolumes(FileBytes& file, std::size_t axes) {
   replaceByHeader(file);
   const Header h = headerOf(file, beginOf(file, kNifti2.bytes));
-  RawLabels raw;
+  ImageHeader result;
+  RawImage& raw = result.image;
   raw.size = gridOf(file, h, axes);
   if (axes > 3) {
     raw.layers = h.dim[0] < 4 ? 1 : axisSize(file, h.dim[4], "of volumes");
@@ -360,20 +352,24 @@ RawLabels readVolumes(FileBytes& file, std::size_t axes) {
   raw.indexToLps = Eigen::Scaling(Vec3(-1, -1, 1) * unitInMm(h.units, raw.warnings)) * ras;
   raw.indexToLps.makeAffine();
   if (h.twoFiles)
-    takeOtherHalf(file, h, raw);
+    result.stored = inOtherHalf(file);
   else
-    takeVoxelsBehind(file, h, raw);
-  return raw;
+    result.stored.packing = isPacked(file.view()) ? Packing::zlib : Packing::none;
+  result.stored.skippedBytes = dataOffset(file, h);
+  const std::uint64_t most =
+      h.twoFiles ? kMostHeaderBytes : std::min(result.stored.skippedBytes, kMostHeaderBytes);
+  readExtensions(beginOf(file, most), h, raw);
+  return result;
 }
 
 } // namespace
 
-RawLabels readNifti(FileBytes& file) {
-  return readVolumes(file, 3);
+ImageHeader niftiHeader(FileBytes& file) {
+  return headerOfVolumes(file, 3);
 }
 
-RawLabels readNiftiSeries(FileBytes& file) {
-  return readVolumes(file, 4);
+ImageHeader niftiSeriesHeader(FileBytes& file) {
+  return headerOfVolumes(file, 4);
 }
 
 } // namespace viscera::medical_io

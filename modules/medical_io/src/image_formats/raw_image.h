@@ -29,11 +29,12 @@ struct RawTimes {
   std::string unit;           ///< "s", "ms", "us" or another; empty: not stated.
 };
 
-/// What a format's reader found, before it is made a label map: the grid is checked, the values are not.
-struct RawLabels {
+/// What a format's reader found, before it is made a label map or a scan: the values are not checked.
+struct RawImage {
   std::array<int, 3> size = {};
   int layers = 1;
   bool layersFirst = false; ///< The layers' values lie beside each other, not one volume behind the other.
+  std::string listKind;     ///< NRRD: of the axis that counts the layers, "list", "rgb-color"; may be empty.
   Eigen::Affine3d indexToLps = Eigen::Affine3d::Identity();
   Scalar scalar = Scalar::uint8;
   std::endian order = std::endian::little;
@@ -54,26 +55,20 @@ struct RawLabels {
 int axisSize(const FileBytes& file, std::int64_t size, std::string_view axis);
 
 /// Throws `DataError` when `raw.storage` holds fewer bytes than the grid promises.
-void requireAllValues(const RawLabels& raw, const FileBytes& file);
+void requireAllValues(const RawImage& raw, const FileBytes& file);
 
 /// Throws `DataError` when the matrix is not finite or singular, or the grid is larger than 1000 km.
-void requireUsableGrid(const RawLabels& raw, const FileBytes& file);
+void requireUsableGrid(const RawImage& raw, const FileBytes& file);
 
-/// The readers, one a format. They may take the bytes out of `file`, but leave its name.
-RawLabels readNifti(FileBytes& file);
-/// The same for a file of several volumes, one a phase: they are the layers.
-RawLabels readNiftiSeries(FileBytes& file);
-RawLabels readNrrd(FileBytes& file);
-RawLabels readMetaImage(FileBytes& file);
 /// Parses with DCMTK.
-RawLabels readDicomSegmentation(FileBytes& file);
+RawImage readDicomSegmentation(FileBytes& file);
 
 /// As `readLabelMap`, for one file, but with only the names and colours that the file itself has, and without
 /// segments when no voxel has a label.
 LabelMap readLabelFile(const std::filesystem::path& file, Progress& progress);
 
 /// Makes a label map of what a reader found: checks grid and values, numbers labels, counts their voxels.
-LabelMap labelMapOf(RawLabels&& raw, const FileBytes& file, Progress& progress);
+LabelMap labelMapOf(RawImage&& raw, const FileBytes& file, Progress& progress);
 
 /// Takes names and colours from a table beside `file` where the file itself has none.
 void nameByTable(LabelMap& map, const std::filesystem::path& file);

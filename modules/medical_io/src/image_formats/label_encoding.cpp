@@ -1,4 +1,4 @@
-#include "label_formats/label_encoding.h"
+#include "image_formats/label_encoding.h"
 
 #include <algorithm>
 #include <array>
@@ -14,7 +14,7 @@ constexpr std::size_t kBlock = std::size_t{1} << 20U; ///< Values between two lo
 /// Numbers the labels of one layer after another in the order in which they come.
 class Encoder {
 public:
-  Encoder(const RawLabels& raw, const FileBytes& file) : raw_(raw), file_(file), width_(sizeOf(raw.scalar)) {}
+  Encoder(const RawImage& raw, const FileBytes& file) : raw_(raw), file_(file), width_(sizeOf(raw.scalar)) {}
 
   /// The layers with numbers from 1, which `labels()` explains.
   std::vector<LabelMap::Layer> run(Progress& progress) {
@@ -70,7 +70,7 @@ private:
     return static_cast<std::uint16_t>(found->second);
   }
 
-  const RawLabels& raw_;
+  const RawImage& raw_;
   const FileBytes& file_;
   std::size_t width_;
   int layer_ = 0;
@@ -97,7 +97,7 @@ void sortLabels(std::vector<LabelMap::Layer>& layers, std::vector<LayerLabel>& l
 
 } // namespace
 
-EncodedLabels encodeLabels(const RawLabels& raw, const FileBytes& file, Progress& progress) {
+EncodedLabels encodeLabels(const RawImage& raw, const FileBytes& file, Progress& progress) {
   Encoder encoder(raw, file);
   EncodedLabels result;
   result.layers = encoder.run(progress);

@@ -1,4 +1,4 @@
-#include "label_formats/raw_labels.h"
+#include "image_formats/raw_image.h"
 
 #include <cmath>
 
@@ -12,14 +12,14 @@ constexpr double kFlattest = 1e-6;
 
 } // namespace
 
-std::uint64_t RawLabels::valueCount() const {
+std::uint64_t RawImage::valueCount() const {
   std::uint64_t count = static_cast<std::uint64_t>(layers);
   for (const int n : size)
     count = saturatedProduct(count, static_cast<std::uint64_t>(n));
   return count;
 }
 
-std::uint64_t RawLabels::byteCount() const {
+std::uint64_t RawImage::byteCount() const {
   return saturatedProduct(valueCount(), sizeOf(scalar));
 }
 
@@ -29,14 +29,14 @@ int axisSize(const FileBytes& file, std::int64_t size, std::string_view axis) {
   return static_cast<int>(size);
 }
 
-void requireAllValues(const RawLabels& raw, const FileBytes& file) {
+void requireAllValues(const RawImage& raw, const FileBytes& file) {
   const std::uint64_t there = raw.storage.size() - raw.offset;
   if (there < raw.byteCount())
     file.fail("the file is cut off: its header promises " + std::to_string(raw.byteCount()) +
               " bytes of voxels, " + std::to_string(there) + " are there");
 }
 
-void requireUsableGrid(const RawLabels& raw, const FileBytes& file) {
+void requireUsableGrid(const RawImage& raw, const FileBytes& file) {
   const Eigen::Affine3d& grid = raw.indexToLps;
   if (!grid.matrix().allFinite())
     file.fail("the directions, spacing or origin of its voxels are not finite");

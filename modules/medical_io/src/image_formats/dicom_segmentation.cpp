@@ -5,7 +5,7 @@
 #include <memory>
 #include <mutex>
 
-#include "label_formats/raw_labels.h"
+#include "image_formats/raw_image.h"
 #include "label_segments.h"
 #include "text_scanner.h"
 
@@ -75,7 +75,7 @@ class SegmentationReader {
 public:
   explicit SegmentationReader(const FileBytes& file) : file_(file) {}
 
-  RawLabels run() {
+  RawImage run() {
     load();
     readSize();
     readSlices();
@@ -299,7 +299,7 @@ private:
   std::unique_ptr<DcmSegmentation> segmentation_;
   const Uint8* pixels_ = nullptr; ///< Of all frames; they belong to `format_`.
   unsigned long pixelBytes_ = 0;
-  RawLabels raw_;
+  RawImage raw_;
   bool binary_ = true;
   int threshold_ = 128; ///< Fractions from here on are inside: one half.
   Uint16 rows_ = 0, columns_ = 0;
@@ -311,7 +311,7 @@ private:
 
 } // namespace
 
-RawLabels readDicomSegmentation(FileBytes& file) {
+RawImage readDicomSegmentation(FileBytes& file) {
   return SegmentationReader(file).run();
 }
 

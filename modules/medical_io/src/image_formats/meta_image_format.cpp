@@ -3,8 +3,8 @@
 #include <map>
 #include <optional>
 
-#include "label_formats/data_file.h"
-#include "label_formats/raw_labels.h"
+#include "image_formats/data_file.h"
+#include "image_formats/raw_image.h"
 #include "text_scanner.h"
 
 /// MetaImage (.mha, .mhd) as ITK writes it (itk.org/Wiki/ITK/MetaIO/Documentation); its axes are LPS.
@@ -13,17 +13,17 @@ namespace {
 
 class MetaImageReader {
 public:
-  explicit MetaImageReader(FileBytes& file) : file_(file) { readHeader(); }
+  explicit MetaImageReader(const FileBytes& file) : file_(file) { readHeader(); }
 
-  RawLabels run() {
+  ImageHeader run() {
     readSize();
     raw_.space = "LPS";
     raw_.scalar = scalar();
     if (parseInteger(value({"ElementNumberOfChannels"}).value_or("1")) != 1)
-      file_.fail("It has several values a voxel; a label map has one", "save it as a label map");
+      file_.fail("It has several values a voxel", "save it with one value a voxel");
     readGrid();
-    takeValues(file_, storedValues(), raw_);
-    return std::move(raw_);
+    StoredValues stored = storedValues();
+    return {std::move(raw_), std::move(stored)};
   }
 
 private:
@@ -81,7 +81,7 @@ private:
 
   void readSize() {
     if (parseInteger(value({"NDims"}).value_or("")) != 3)
-      file_.fail("It has not three dimensions, which a label map has", "save it as a volume");
+      file_.fail("It has not three dimensions", "save it as a volume");
     std::string_view text = value({"DimSize"}).value_or("");
     for (std::size_t i = 0; i < 3; ++i) {
       const auto size = parseInteger(takeWord(text));
@@ -107,7 +107,7 @@ private:
     if (const auto found = lookUp(kTypes, type))
       return *found;
     file_.fail("its voxels are no plain numbers (ElementType " + inQuotes(type) + ")",
-               "save it with whole numbers as labels");
+               "save it with one number a voxel");
   }
 
   /// The first three numbers of the matrix are the direction of i.
@@ -147,15 +147,15 @@ private:
     return stored;
   }
 
-  FileBytes& file_;
+  const FileBytes& file_;
   std::map<std::string, std::string> values_;
   std::size_t headerEnd_ = 0;
-  RawLabels raw_;
+  RawImage raw_;
 };
 
 } // namespace
 
-RawLabels readMetaImage(FileBytes& file) {
+ImageHeader metaImageHeader(FileBytes& file) {
   return MetaImageReader(file).run();
 }
 

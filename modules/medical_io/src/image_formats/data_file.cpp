@@ -1,0 +1,235 @@
+#include "image_formats/data_file.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <cmath>
+#include <fstream>
+#include <system_error>
+
+#include "text_scanner.h"
+#include "viscera/core/error.h"
+
+namespace viscera::medical_io {
+namespace {
+
+/// The bytes with the voxels, which may be those of another file, from where they begin.
+struct Source {
+  FileBytes file;
+  std::size_t begin = 0;
+};
+
+/// The file beside `file` that has the voxels.
+std::filesystem::path besideOf(const FileBytes& file, const StoredValues& stored) {
+  const std::filesystem::path name(*stored.beside);
+  const bool several = stored.pattern && stored.beside->find('%') != std::string::npos;
+  if (name.empty() || name.has_root_path() || several)
+    file.fail("its voxels are in several files or in another folder (" + inQuotes(*stored.beside) + ")",
+              "save it as one file");
+  return file.file.parent_path() / name;
+}
+
+/// Calls `read` with the file that has the voxels; what goes wrong is said of `file`.
+template <class Read>
+auto readBeside(const FileBytes& file, const StoredValues& stored, const Read& read) {
+  const std::filesystem::path beside = besideOf(file, stored);
+  try {
+    return read(beside);
+  } catch (const DataError& error) {
+    file.fail("the file with its voxels, " + inQuotes(*stored.beside) +
+              ", cannot be used: " + error.problem());
+  } catch (const NoInputError& error) {
+    throw NoInputError("the file with its voxels, " + inQuotes(*stored.beside) +
+                           ", cannot be read: " + error.problem(),
+                       file.name(), "put both files into one folder");
+  }
+}
+
+Source sourceOf(FileBytes& file, const StoredValues& stored) {
+  if (!stored.beside)
+    return {std::move(file), stored.headerEnd};
+  return readBeside(file, stored, [](const auto& beside) { return Source{readWholeFile(beside), 0}; });
+}
+
+void skipLines(Source& source, std::uint64_t lines) {
+  for (; lines > 0; --lines) {
+    const std::size_t end = source.file.view().find('\n', source.begin);
+    if (end == std::string_view::npos)
+      source.file.fail("the file is cut off: it has fewer lines than its header says");
+    source.begin = end + 1;
+  }
+}
+
+/// Numbers in words become bytes of the scalar type double, which holds every label exactly.
+void takeText(const Source& source, RawImage& raw) {
+  TextScanner scanner(source.file, source.file.view().substr(source.begin));
+  raw.storage.clear();
+  const std::uint64_t count = raw.valueCount();
+  if (count > scanner.remaining())
+    source.file.fail("the file is cut off: " + std::to_string(count) +
+                     " values are promised, there are only " + counted(scanner.remaining(), "byte", "bytes"));
+  for (std::uint64_t i = 0; i < count; ++i)
+    appendValue(raw.storage, scanner.number("a voxel"));
+  raw.scalar = Scalar::float64;
+  raw.order = std::endian::little;
+}
+
+void takeValuesOf(Source& source, const StoredValues& stored, RawImage& raw) {
+  skipLines(source, stored.skippedLines);
+  if (stored.text) {
+    takeText(source, raw);
+    return;
+  }
+  const std::uint64_t wanted = raw.byteCount();
+  if (stored.packing != Packing::none) {
+    const std::string_view packed =
+        source.file.view().substr(std::min(source.begin, source.file.bytes.size()));
+    const std::uint64_t most = saturatedSum(saturatedSum(stored.skippedBytes, wanted), 1);
+    raw.storage = unpacked(source.file, packed, stored.packing, most);
+    source.begin = 0;
+  } else {
+    raw.storage = std::move(source.file.bytes);
+  }
+  const std::uint64_t begin = stored.atEnd && raw.storage.size() >= wanted
+                                  ? raw.storage.size() - wanted
+                                  : saturatedSum(source.begin, stored.skippedBytes);
+  raw.offset = static_cast<std::size_t>(std::min<std::uint64_t>(begin, raw.storage.size()));
+  requireAllValues(raw, source.file);
+}
+
+/// Hands values on in blocks that are aligned for any scalar type.
+class Blocks {
+public:
+  using Visit = std::function<void(const char*, std::size_t)>;
+  Blocks(std::uint64_t count, std::size_t width, Progress& progress, const Visit& visit)
+      : count_(count), width_(width), progress_(progress), visit_(visit), buffer_(kBlockValues) {}
+
+  /// Calls `fill(bytes, wanted)` for block after block; it gives the bytes there were.
+  template <class Fill>
+  void run(const FileBytes& file, const Fill& fill) {
+    char* bytes = reinterpret_cast<char*>(buffer_.data());
+    for (std::uint64_t done = 0; done < count_;) {
+      progress_.report(static_cast<double>(done) / static_cast<double>(count_), "voxels");
+      progress_.throwIfCancelled();
+      const auto values = static_cast<std::size_t>(std::min<std::uint64_t>(kBlockValues, count_ - done));
+      if (fill(bytes, values * width_) < values * width_)
+        file.fail("the file is cut off: its header promises more voxels than there are");
+      visit_(bytes, values);
+      done += values;
+    }
+  }
+
+private:
+  static constexpr std::size_t kBlockValues = std::size_t{1} << 16U;
+
+  std::uint64_t count_;
+  std::size_t width_;
+  Progress& progress_;
+  const Visit& visit_;
+  std::vector<std::uint64_t> buffer_; ///< The widest scalar has eight bytes.
+};
+
+/// Voxels as they are in the file `path`, from byte `begin` on; `whole` is what its header promises.
+struct PlainVoxels {
+  std::filesystem::path path;
+  std::uint64_t begin = 0;
+  std::uint64_t whole = 0;
+  bool atEnd = false;
+};
+
+void visitPlain(const PlainVoxels& voxels, std::uint64_t skipped,
+                const std::function<void(std::uint64_t)>& prepare, std::uint64_t count, Blocks& blocks) {
+  const FileBytes named{voxels.path, {}};
+  errno = 0;
+  std::ifstream stream(voxels.path, std::ios::binary | std::ios::ate);
+  if (!stream)
+    throw NoInputError("It cannot be opened: " + std::generic_category().message(errno), named.name(),
+                       "check that you may read it");
+  const auto length = static_cast<std::uint64_t>(std::max<std::streamoff>(stream.tellg(), 0));
+  const std::uint64_t begin =
+      voxels.atEnd && length >= voxels.whole ? length - voxels.whole : std::min(voxels.begin, length);
+  if (length - begin < voxels.whole)
+    named.fail("the file is cut off: its header promises " + std::to_string(voxels.whole) +
+               " bytes of voxels, " + std::to_string(length - begin) + " are there");
+  prepare(count);
+  stream.seekg(static_cast<std::streamoff>(begin + skipped));
+  blocks.run(named, [&](char* bytes, std::size_t wanted) {
+    stream.read(bytes, static_cast<std::streamsize>(wanted));
+    return static_cast<std::size_t>(stream.gcount());
+  });
+}
+
+/// No zlib stream is longer than this many times its packed bytes.
+constexpr std::uint64_t kMostOfZlib = 1032;
+
+void visitPacked(const FileBytes& source, std::size_t begin, const StoredValues& stored,
+                 std::uint64_t skipped, const std::function<void(std::uint64_t)>& prepare,
+                 std::uint64_t count, std::uint64_t bytes, Blocks& blocks) {
+  const std::string_view packed = source.view().substr(std::min(begin, source.bytes.size()));
+  Unpacker unpacker(source, packed, stored.packing);
+  std::vector<char> aside(std::size_t{1} << 16U);
+  for (std::uint64_t left = saturatedSum(stored.skippedBytes, skipped); left > 0;) {
+    const auto wanted = static_cast<std::size_t>(std::min<std::uint64_t>(left, aside.size()));
+    if (unpacker.read(aside.data(), wanted) < wanted)
+      source.fail("the file is cut off: its header promises more voxels than there are");
+    left -= wanted;
+  }
+  if (stored.packing == Packing::zlib && bytes / kMostOfZlib <= packed.size())
+    prepare(count);
+  blocks.run(source, [&](char* out, std::size_t wanted) { return unpacker.read(out, wanted); });
+}
+
+} // namespace
+
+void visitValues(const FileBytes& file, const StoredValues& stored, RawImage& raw, const ValueRange& range,
+                 Progress& progress, const std::function<void(std::uint64_t)>& prepare,
+                 const std::function<void(const char*, std::size_t)>& visit) {
+  const std::size_t width = sizeOf(raw.scalar);
+  const std::uint64_t skipped = saturatedProduct(range.first, width);
+  const auto walk = [&](const std::filesystem::path& path) {
+    const std::size_t begin = stored.beside ? 0 : stored.headerEnd;
+    Blocks blocks(range.count, width, progress, visit);
+    if (stored.packing == Packing::none)
+      visitPlain({path, saturatedSum(begin, stored.skippedBytes), raw.byteCount(), stored.atEnd}, skipped,
+                 prepare, range.count, blocks);
+    else
+      visitPacked(readWholeFile(path), begin, stored, skipped, prepare, range.count,
+                  saturatedProduct(range.count, width), blocks);
+    return true;
+  };
+  const bool atEndOfPacked = stored.atEnd && stored.packing != Packing::none;
+  if (!stored.text && stored.skippedLines == 0 && !atEndOfPacked) {
+    if (stored.beside)
+      readBeside(file, stored, walk);
+    else
+      walk(file.file);
+    return;
+  }
+  FileBytes whole = readWholeFile(file.file);
+  takeValues(whole, stored, raw);
+  const std::size_t stride = sizeOf(raw.scalar);
+  std::string_view rest = raw.values().substr(static_cast<std::size_t>(range.first) * stride);
+  prepare(range.count);
+  Blocks blocks(range.count, stride, progress, visit);
+  blocks.run(file, [&](char* bytes, std::size_t wanted) {
+    const std::size_t there = rest.copy(bytes, wanted);
+    rest.remove_prefix(there);
+    return there;
+  });
+  raw.storage = {};
+}
+
+void takeValues(FileBytes& file, const StoredValues& stored, RawImage& raw) {
+  const FileBytes named{file.file, {}};
+  Source source = sourceOf(file, stored);
+  file.file = named.file;
+  try {
+    takeValuesOf(source, stored, raw);
+  } catch (const DataError& error) {
+    if (!stored.beside)
+      throw;
+    named.fail("the file with its voxels, " + inQuotes(*stored.beside) +
+               ", cannot be used: " + error.problem());
+  }
+}
+
+} // namespace viscera::medical_io
