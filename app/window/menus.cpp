@@ -90,9 +90,9 @@ void Menus::makeViewMenu() {
   QMenu* view = bar_.addMenu(tr("&View"));
   for (const auto& mode : parts_.modes.all())
     fill(view, {(QByteArray("mode.") + mode->description().id).constData()});
-  fill(view,
-       {"", "view.anterior", "view.posterior", "view.left", "view.right", "view.superior", "view.inferior",
-        "view.focus", "", "view.handles", "view.ghost", "view.cube", "view.scale", "view.measurements", ""});
+  fill(view, {"", "view.anterior", "view.posterior", "view.left", "view.right", "view.superior",
+              "view.inferior", "view.focus", "", "view.handles", "view.ghost", "view.cut", "view.cube",
+              "view.scale", "view.measurements", ""});
   fill(view->addMenu(icon("stress"), tr("St&ress map")), parts_.modes.find("stress").actions());
   fill(view->addMenu(icon("camera"), tr("&Slides")),
        {"slides.add", "slides.remove", "", "slides.next", "slides.previous"});

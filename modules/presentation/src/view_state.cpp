@@ -212,6 +212,16 @@ Playing playingFrom(const ordered_json& item) {
   return playing;
 }
 
+OrganCut cutFrom(const ordered_json& item) {
+  OrganCut cut;
+  take(item, "on", cut.on);
+  if (item.contains("normal"))
+    cut.normal = unit(vectorOf(item.at("normal")));
+  take(item, "offset", cut.offset);
+  cut.offset = std::clamp(std::isfinite(cut.offset) ? cut.offset : 0.0, -1.0, 1.0);
+  return cut;
+}
+
 ordered_json slideJson(const Slide& slide) {
   ordered_json item = {{"caption", slide.caption}, {"camera", cameraJson(slide.camera)}};
   if (slide.fraction)
@@ -246,6 +256,8 @@ ViewState viewFrom(const ordered_json& item) {
     view.motions.push_back({{motion.at("organ").get<std::int64_t>()}, motion.at("recipe").dump()});
   if (item.contains("playing"))
     view.playing = playingFrom(item.at("playing"));
+  if (item.contains("cut"))
+    view.cut = cutFrom(item.at("cut"));
   for (const ordered_json& slide : item.value("slides", ordered_json::array()))
     view.slides.push_back(slideFrom(slide));
   if (item.contains("shownPose"))
@@ -270,7 +282,7 @@ bool ViewState::operator==(const ViewState& other) const {
     return std::tie(view.mode, view.shown, view.camera, view.handles, view.influence, view.ghost, view.labels,
                     view.measurements, view.orientationCube, view.scaleBar, view.gizmo, view.mirror,
                     view.layout.regions, view.layout.zones, view.layout.superRegions, view.chartOfCycle,
-                    view.stress, view.selection, view.motions, view.playing, view.slides);
+                    view.stress, view.cut, view.selection, view.motions, view.playing, view.slides);
   };
   return parts(*this) == parts(other) && shownPose.rows() == other.shownPose.rows() &&
          shownPose == other.shownPose;
@@ -297,6 +309,7 @@ std::string toJson(const ViewState& state) {
   visitSwitches(view, [&](const char* key, const char*, bool value) { item[key] = value; });
   item["mirror"] = kMirrors[static_cast<std::size_t>(view.mirror)];
   item["stress"] = stressJson(view.stress);
+  item["cut"] = {{"on", view.cut.on}, {"normal", listOf(view.cut.normal)}, {"offset", view.cut.offset}};
   item["selection"] = {{"organ", view.selection.organ.value}, {"group", view.selection.group.value}};
   item["selection"]["handles"] = ordered_json::array();
   for (const document::HandleId id : view.selection.handles)

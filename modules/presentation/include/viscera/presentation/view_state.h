@@ -63,6 +63,15 @@ struct Playing {
   bool operator==(const Playing&) const = default;
 };
 
+/// A plane that cuts organs open in all modes but Stress, which has a cut of its own.
+struct OrganCut {
+  bool on = false;
+  Vec3 normal = Vec3::UnitY(); ///< Unit, to what stays; at first what is in front of it goes.
+  double offset = 0;           ///< -1 to 1, of the radius of the ball around the visible organs at rest.
+
+  bool operator==(const OrganCut&) const = default;
+};
+
 /// A view that was kept to be shown in a lecture.
 struct Slide {
   std::string caption; ///< Under the picture; UTF-8.
@@ -100,6 +109,7 @@ struct ViewState {
   scene::LayoutParts layout{.regions = true}; ///< Regions, zones, super-regions of the groups.
   bool chartOfCycle = true;                   ///< The chart shows one cycle, else the last seconds.
   StressLook stress;
+  OrganCut cut;
 
   SelectionState selection;
   std::vector<MotionChoice> motions;
