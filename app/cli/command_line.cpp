@@ -221,7 +221,7 @@ int runCommandLine(int argc, const char* const* argv, std::ostream& out, std::os
   for (const auto make :
        {infoCommand, systemsCommand, sampleCommand, convertCommand, handlesCommand, bindCommand,
         deformCommand, stressCommand, playCommand, circulateCommand, trackCommand, lessonCommand,
-        segmentCommand, renderCommand, propertiesCommand, reproduceCommand}) {
+        segmentCommand, renderCommand, reportCommand, commandsCommand, propertiesCommand, reproduceCommand}) {
     const auto& command = commands.emplace_back(make());
     CLI::App* options = app.add_subcommand(command->name(), command->summary());
     command->addOptions(*options);

@@ -27,9 +27,11 @@
 #include "window/modes/stress_mode.h"
 #include "window/panels/handle_panel.h"
 #include "window/panels/organ_panel.h"
+#include "window/report/report_export.h"
 #include "window/session/session_files.h"
 #include "window/session/session_view.h"
 #include "window/status_line.h"
+#include "window/table/handle_table.h"
 #include "window/timeline/timeline_bar.h"
 #include "window/timeline/volume_panel.h"
 #include "window/view/organ_pointer.h"
@@ -61,6 +63,7 @@ MainWindow::MainWindow(Settings& settings, plugin::Registry registry, motion::Tr
   actions_.add("file.quit", {tr("&Quit"), nullptr, {QKeySequence::Quit}, {}}, [this] { close(); });
   views_ = new ViewActions({workspace_, *picture_, *viewArea_, view_, settings_}, actions_, this);
   makeModes();
+  (new HandleTable(workspace_, *picture_, *viewArea_->view(), this))->addTo(actions_);
   makeThemeActions();
   makeSession();
   slides_ = new Slides(view_, *viewArea_->view(), playback_, actions_, this);
@@ -110,6 +113,7 @@ void MainWindow::makeSession() {
       std::make_unique<SessionView>(SessionView::Window{workspace_, playback_, view_, *picture_, *modes_});
   sessions_ = new SessionFiles(workspace_, playback_, *sessionView_, settings_, this);
   sessions_->addTo(actions_);
+  (new ReportExport({workspace_, playback_, *sessionView_, *sessions_, settings_}, this))->addTo(actions_);
   files_->setSessionOpener([this](const QString& file) { sessions_->open(file); });
 }
 

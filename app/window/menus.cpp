@@ -71,10 +71,11 @@ void Menus::makeFileMenu() {
   fill(file, {"file.new", "file.open", "file.openFolder", "file.check"});
   recent_ = file->addMenu(tr("Open &recent"));
   samples_ = file->addMenu(icon("heart"), tr("Sample &organs"));
-  fill(file,
-       {"", "file.save", "file.saveAs", "file.recover", "", "handles.save", "file.export", "export.lesson"});
+  fill(file, {"", "file.save", "file.saveAs", "file.recover", "", "handles.save", "file.export",
+              "export.lesson", "file.report"});
   fill(file->addMenu(icon("export"), tr("Export &more")),
-       {"export.organs", "export.displacements", "export.transform", "export.table", "export.measurements"});
+       {"export.organs", "export.displacements", "export.transform", "export.table", "export.measurements",
+        "", "stress.exportMap", "stress.exportPoints", "stress.exportHistogram", "stress.exportCurve"});
   fill(file, {"file.screenshot", "", "file.quit"});
 }
 
@@ -83,7 +84,8 @@ void Menus::makeEditMenu() {
   fill(edit, {"edit.undo", "edit.redo"});
   QMenu* steps = edit->addMenu(icon("undo"), tr("&Steps"));
   connect(steps, &QMenu::aboutToShow, this, [this, steps] { fillSteps(steps); });
-  fill(edit, {"", "edit.selectAll", "handles.remove", "", "pose.reset", "pose.resetSelected"});
+  fill(edit, {"", "edit.selectAll", "handles.remove", "", "pose.reset", "pose.resetSelected", "",
+              "edit.copyCommands"});
 }
 
 void Menus::makeViewMenu() {
@@ -115,6 +117,7 @@ void Menus::makeOrganMenus() {
   fill(handles, parts_.modes.find("handles").actions());
   fill(handles, {""});
   fill(handles, parts_.modes.find("deform").actions());
+  fill(handles, {"", "handles.table"});
   fill(handles->addMenu(icon("mirror"), tr("&Mirror drags")),
        {"mirror.off", "mirror.sagittal", "mirror.coronal", "mirror.axial", "", "mirror.next"});
 }

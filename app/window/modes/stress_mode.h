@@ -9,6 +9,7 @@ namespace viscera::app {
 
 class ProbeCard;
 class StressChart;
+class StressExport;
 
 /// Stress mode as the window has it: model, view, page, chart, probe card and actions.
 class StressMode final : public Mode {
@@ -34,6 +35,7 @@ public:
 
   StressModel& model() { return model_; }
   CutController& cut() { return cut_; }
+  StressExport& exports() { return *exports_; }
 
 private:
   void makeActions();
@@ -44,6 +46,7 @@ private:
   CutController cut_;
   ProbeCard* card_;
   StressChart* chart_ = nullptr;
+  StressExport* exports_;
 };
 
 } // namespace viscera::app

@@ -43,12 +43,13 @@ const std::map<std::string, std::set<std::string>>& allowedModules() {
       {"motion", with(documentUses, {"tracking", "document", "plugin", "live"})},
       {"presentation", with(documentUses, {"slices", "document", "plugin", "live", "motion", "scene"})},
       {"lesson", with(documentUses, {"document", "plugin", "live", "motion", "scene", "presentation"})},
+      {"report", with(documentUses, {"document", "plugin", "live", "motion", "scene", "presentation"})},
       {"python", with(documentUses, {"document", "plugin", "live", "motion", "localised_scc"})}};
   return allowed;
 }
 
 const std::set<std::string> kMayUseVtk = {"contour", "medical_io", "scene", "presentation", "vtk_filters"};
-const std::set<std::string> kMayUseQt = {"plugin", "localised_scc", "document", "reproduction", "lesson"};
+const std::set<std::string> kMayUseQt = {"plugin", "localised_scc", "document", "reproduction", "lesson", "report"};
 
 /// Includes from the command line, or from what both use, to the window that are still there. Nothing may be
 /// added.
