@@ -73,7 +73,8 @@ def check_hands(b, touch):
     check(name + "'s drag changes the volumes", b.run("viscera.volumes()") != volumes)
     b.run("viscera.reset(), viscera.showHandles(false), viscera.render()")
     yaw = b.run("viscera.camera.yaw")
-    # Turning begins where no handle is, because none is shown.
+    # No handle is shown now, so that one may begin anywhere.
+    x, y = b.run("(r => [r.x + r.width / 2, r.y + r.height / 2])(document.getElementById('view').getBoundingClientRect())")
     path = [(x, y), (x + 30, y), (x + 60, y + 5)]
     b.touch(path) if touch else b.mouse(path)
     check(name + " turns the picture", abs(b.run("viscera.camera.yaw") - yaw) > 0.2)
@@ -125,9 +126,12 @@ def check_picture(b):
 
 def check_reference(b, reference):
     """Holds the picture against one that somebody has looked at."""
-    b.window(500, 760)
+    b.window(500, 500)
+    # What has texts differs from browser to browser.
+    show = "document.querySelectorAll('header, #slides, #panel, footer, #tools').forEach(e => { e.style.display = '%s'; })"
+    b.run(show % "none")
     time.sleep(0.3)
-    b.run("viscera.setSide('anterior'), viscera.showNames(false), document.getElementById('tools').style.visibility = 'hidden', viscera.seek(0.3), viscera.render()")
+    b.run("viscera.setSide('anterior'), viscera.showNames(false), viscera.seek(0.3), viscera.render()")
     box = b.run("(r => [r.left, r.top, r.right, r.bottom].map(Math.round))(document.getElementById('stage').getBoundingClientRect())")
     means = [[round(c) for c in block] for block in blocks(b.picture(), box)]
     if os.environ.get("VISCERA_UPDATE_PICTURES") == "1":
@@ -138,7 +142,7 @@ def check_reference(b, reference):
         check("the picture is its reference", len(means) == len(expected) and sum(v > 24 for v in off) < 0.02 * len(off), f"{sum(v > 24 for v in off)} of {len(off)} blocks differ")
     else:
         check("the picture has a reference", False, f"look at it, then write {reference} with VISCERA_UPDATE_PICTURES=1")
-    b.run("viscera.showNames(true), document.getElementById('tools').style.visibility = ''")
+    b.run("viscera.showNames(true), " + show % "")
     b.window(1280, 800)
     time.sleep(0.3)
 

@@ -82,7 +82,7 @@ class Firefox:
             self.ask("WebDriver:SetWindowRect", width=round(outer[0]), height=round(outer[1]))
             time.sleep(0.4)
             off = [width - self.run("innerWidth"), height - self.run("innerHeight")]
-            if max(map(abs, off)) <= 1:
+            if max(map(abs, off)) < zoom:
                 return
             outer = [a + b * zoom for a, b in zip(outer, off)]
         print("the window is", self.run("[innerWidth, innerHeight]"), "instead of", [width, height])

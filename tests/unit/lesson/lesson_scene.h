@@ -88,11 +88,11 @@ inline double worstOver(const Lesson& lesson, const LessonSource& source, live::
   double worst = 0;
   for (std::size_t rate = 0; rate < lesson.plan.rates.size(); ++rate)
     for (const double fraction : fractions)
-      worst = std::max(
-          worst, (pagePoints(lesson, rate, fraction) - organPoints(lesson.plan, source, organs, rate, fraction))
-                     .rowwise()
-                     .norm()
-                     .maxCoeff());
+      worst = std::max(worst, (pagePoints(lesson, rate, fraction) -
+                               organPoints(lesson.plan, source, organs, rate, fraction))
+                                  .rowwise()
+                                  .norm()
+                                  .maxCoeff());
   return worst;
 }
 
