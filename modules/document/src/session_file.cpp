@@ -167,7 +167,7 @@ public:
     const ordered_json root = reader_.parse(text);
     reader_.takeObject(root,
                        {"format", "version", "coordinateSystem", "units", "surfaces", "recovers", "organs",
-                        "rig", "system", "recording", "measurements", "view"},
+                        "rig", "system", "recording", "measurements", "circulation", "view"},
                        "");
     SessionContents& contents = opened_.contents;
     const std::string surfaces = reader_.textOf(root, "surfaces", "");
@@ -180,6 +180,7 @@ public:
     reader_.readSystem(reader_.field(root, "system", ""), contents.state);
     reader_.readRecording(reader_.field(root, "recording", ""), contents.state);
     reader_.readMeasurements(root, contents.state);
+    reader_.readCirculation(root, contents.state);
     const DocumentState cheap = contents.state;
     reader_.requireValid(cheap, {});
     const ordered_json& view = reader_.field(root, "view", "");
@@ -448,6 +449,8 @@ void writeSession(const fs::path& file, const SessionContents& contents, Progres
   if (!state.measurements->empty())
     root["measurements"] =
         measurementsJson(*state.measurements, [&](OrganId id) { return isKnown(contents, id); });
+  if (!(*state.circulation == CirculationChoice()))
+    root["circulation"] = circulationJson(*state.circulation);
   root["view"] = ordered_json::parse(contents.view);
   progress.throwIfCancelled();
   writeAtomically(file, [&root](std::ostream& stream) { stream << dumped(root, 1) << '\n'; });
