@@ -110,6 +110,15 @@ private:
   std::unique_ptr<QGuiApplication> own_;
 };
 
+/// In one line, without what no font draws.
+QString printable(const std::string& text) {
+  QString line;
+  for (const QChar letter : QString::fromStdString(text))
+    if (letter.isPrint() || letter.isSpace())
+      line += letter.isSpace() ? QLatin1Char(' ') : letter;
+  return line;
+}
+
 QFont textFont() {
   QFont font;
   const QStringList there = QFontDatabase().families();
@@ -222,7 +231,7 @@ void PdfPages::paintPage(QPainter& painter, int page) const {
   painter.setPen(QColor(0x5c, 0x68, 0x70));
   const auto write = [&](double y, Qt::Alignment side, const std::string& text) {
     const QFontMetricsF metrics(small, &writer_);
-    const QString shown = metrics.elidedText(QString::fromStdString(text), Qt::ElideRight, 0.8 * width);
+    const QString shown = metrics.elidedText(printable(text), Qt::ElideRight, 0.8 * width);
     painter.drawText(QRectF(left, dots(y) - metrics.height(), width, metrics.height()), side, shown);
   };
   if (page > 0) {
