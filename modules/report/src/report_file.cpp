@@ -50,7 +50,7 @@ p.text { font-size: 8.5pt; color: #39434b; margin-top: 4px; margin-bottom: 5px; 
 p.picture { margin-top: 6px; margin-bottom: 6px; }
 .caption { font-size: 8pt; color: #5c6870; }
 td.name { color: #5c6870; }
-table.facts { margin-bottom: 6px; }
+table.facts { margin-top: 6px; margin-bottom: 6px; }
 table.numbers { margin-top: 5px; margin-bottom: 6px; border-collapse: collapse; border-style: none; }
 table.numbers th { font-size: 8pt; font-weight: 600; color: #39434b; background-color: #e8f1f3; }
 )";
@@ -115,7 +115,7 @@ QString printable(const std::string& text) {
   QString line;
   for (const QChar letter : QString::fromStdString(text))
     if (letter.isPrint() || letter.isSpace())
-      line += letter.isSpace() ? QLatin1Char(' ') : letter;
+      line += letter.isSpace() ? QChar(QLatin1Char(' ')) : letter;
   return line;
 }
 
