@@ -102,9 +102,9 @@ std::vector<std::string> volumeRow(const ReportSource& source, const document::O
 Section volumes(const ReportSource& source) {
   Table table;
   table.head = {
-      said("Organ"),  said("At rest (ml)"),        said("Now (ml)"), said("Change (ml)"), said("Change (%)"),
-      said("Volume"), said("Surface (cm\xC2\xB2)")};
-  table.numbers = {false, true, true, true, true, false, true};
+      said("Organ"), said("At rest (ml)"),        said("Now (ml)"), said("Change (ml)"), said("Change (%)"),
+      said("Lock"),  said("Surface (cm\xC2\xB2)")};
+  table.numbers = {false, true, true, true, true, true, true};
   bool open = false;
   for (const auto& organ : *source.state.organs) {
     table.rows.push_back(volumeRow(source, *organ));
@@ -169,12 +169,13 @@ std::string remarksOf(const document::Organ& organ) {
 
 Section files(const ReportSource& source) {
   Table table;
-  table.head = {said("Organ"), said("From"), said("Vertices"), said("Triangles"),
-                said("What was found and done")};
-  table.numbers = {false, false, true, true, false};
+  table.head = {said("Organ"), said("From"), said("What was found and done"), said("Vertices"),
+                said("Triangles")};
+  table.numbers = {false, false, false, true, true};
   for (const auto& organ : *source.state.organs)
-    table.rows.push_back({titleOf(*organ), originOf(*organ), std::to_string(organ->mesh->points.rows()),
-                          std::to_string(organ->mesh->triangles.rows()), remarksOf(*organ)});
+    table.rows.push_back({titleOf(*organ), originOf(*organ), remarksOf(*organ),
+                          std::to_string(organ->mesh->points.rows()),
+                          std::to_string(organ->mesh->triangles.rows())});
   Section section{said("Files and what was done to them"), {std::move(table)}};
   for (const std::string& note : source.notes)
     section.blocks.push_back(Paragraph{withoutFolders(note)});

@@ -50,7 +50,7 @@ p.text { font-size: 8.5pt; color: #39434b; margin-top: 4px; margin-bottom: 5px; 
 p.picture { margin-top: 6px; margin-bottom: 6px; }
 .caption { font-size: 8pt; color: #5c6870; }
 td.name { color: #5c6870; }
-table.facts { margin-bottom: 6px; }
+table.facts { margin-top: 6px; margin-bottom: 6px; }
 table.numbers { margin-top: 5px; margin-bottom: 6px; border-collapse: collapse; border-style: none; }
 table.numbers th { font-size: 8pt; font-weight: 600; color: #39434b; background-color: #e8f1f3; }
 )";
@@ -109,6 +109,15 @@ private:
   int count_ = 3;
   std::unique_ptr<QGuiApplication> own_;
 };
+
+/// In one line, without what no font draws.
+QString printable(const std::string& text) {
+  QString line;
+  for (const QChar letter : QString::fromStdString(text))
+    if (letter.isPrint() || letter.isSpace())
+      line += letter.isSpace() ? QChar(QLatin1Char(' ')) : letter;
+  return line;
+}
 
 QFont textFont() {
   QFont font;
@@ -222,7 +231,7 @@ void PdfPages::paintPage(QPainter& painter, int page) const {
   painter.setPen(QColor(0x5c, 0x68, 0x70));
   const auto write = [&](double y, Qt::Alignment side, const std::string& text) {
     const QFontMetricsF metrics(small, &writer_);
-    const QString shown = metrics.elidedText(QString::fromStdString(text), Qt::ElideRight, 0.8 * width);
+    const QString shown = metrics.elidedText(printable(text), Qt::ElideRight, 0.8 * width);
     painter.drawText(QRectF(left, dots(y) - metrics.height(), width, metrics.height()), side, shown);
   };
   if (page > 0) {
