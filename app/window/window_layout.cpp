@@ -4,6 +4,8 @@
 #include <QMainWindow>
 #include <QToolBar>
 
+#include <utility>
+
 #include "window/widgets/panel_dock.h"
 
 namespace viscera::app {
@@ -53,7 +55,7 @@ void WindowLayout::place(const Panels& panels) {
   properties_ = addDock(tr("Properties"), "properties", Qt::RightDockWidgetArea, panels.properties, false);
   auto* timeline = addDock(tr("Timeline"), "timeline", Qt::BottomDockWidgetArea, panels.timeline, false);
   timeline->setTitleBarWidget(new QWidget(timeline));
-  auto* chart = addDock(tr("Volumes"), "volumes", Qt::BottomDockWidgetArea, panels.charts, false);
+  auto* chart = charts_ = addDock(tr("Volumes"), "volumes", Qt::BottomDockWidgetArea, panels.charts, false);
   chart->setTitleBarWidget(new QWidget(chart));
   window_.splitDockWidget(timeline, chart, Qt::Vertical);
   window_.resizeDocks({organs, properties_}, {kLeftWidth, kRightWidth}, Qt::Horizontal);
@@ -76,6 +78,16 @@ void WindowLayout::hideImports() {
   importing_ = false;
   imports_->hide();
   window_.resizeDocks({properties_}, {kRightWidth}, Qt::Horizontal);
+}
+
+void WindowLayout::fitCharts(std::optional<int> height) {
+  if (height && *height > charts_->height() && charts_->isVisible()) {
+    if (!chartsBefore_)
+      chartsBefore_ = charts_->height();
+    window_.resizeDocks({charts_}, {*height}, Qt::Vertical);
+  } else if (!height && chartsBefore_) {
+    window_.resizeDocks({charts_}, {*std::exchange(chartsBefore_, std::nullopt)}, Qt::Vertical);
+  }
 }
 
 void WindowLayout::bringBack() {

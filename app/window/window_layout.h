@@ -3,6 +3,7 @@
 #include <QByteArray>
 #include <QObject>
 
+#include <optional>
 #include <vector>
 
 #include "window/actions.h"
@@ -41,6 +42,9 @@ public:
   void showImports();
   void hideImports();
 
+  /// Makes the charts' panel at least so high; nothing: as high as it was before that.
+  void fitCharts(std::optional<int> height);
+
   /// As the settings have it; after `place`.
   void restore(const Settings& settings);
   void save(Settings& settings) const;
@@ -55,6 +59,8 @@ private:
   std::vector<PanelDock*> docks_;
   PanelDock* properties_ = nullptr;
   PanelDock* imports_ = nullptr;
+  PanelDock* charts_ = nullptr;
+  std::optional<int> chartsBefore_; ///< Their height before `fitCharts` made them higher.
   bool importing_ = false;
   QByteArray standard_;
 };
