@@ -154,9 +154,16 @@ QWidget* MainWindow::makeCharts() {
       charts->addWidget(own);
     ofModes.push_back(own ? own : volumePanel_);
   }
-  connect(modes_.get(), &ModeController::changed, charts, [this, charts, ofModes] {
-    charts->setCurrentWidget(ofModes[static_cast<std::size_t>(modes_->index())]);
-  });
+  const auto show = [this, charts, ofModes] {
+    QWidget* own = ofModes[static_cast<std::size_t>(modes_->index())];
+    const bool wanted = modes_->present().chartWanted();
+    charts->setCurrentWidget(wanted ? own : volumePanel_);
+    layout_->fitCharts(wanted && own != volumePanel_ ? std::optional(own->sizeHint().height())
+                                                     : std::nullopt);
+  };
+  connect(modes_.get(), &ModeController::changed, charts, show);
+  for (const auto& mode : modes_->all())
+    connect(mode.get(), &Mode::chartWantedChanged, charts, show);
   return charts;
 }
 

@@ -8,6 +8,7 @@
 #include <QToolBar>
 
 #include <map>
+#include <utility>
 
 #include "window/widgets/panel_dock.h"
 
@@ -74,7 +75,7 @@ void WindowLayout::place(const Panels& panels) {
   auto* timeline = addDock(tr("Timeline"), "timeline", Qt::BottomDockWidgetArea, panels.timeline, false);
   timeline->setTitleBarWidget(new QWidget(timeline));
   panels.timeline->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
-  auto* chart = addDock(tr("Volumes"), "volumes", Qt::BottomDockWidgetArea, panels.charts, false);
+  auto* chart = charts_ = addDock(tr("Volumes"), "volumes", Qt::BottomDockWidgetArea, panels.charts, false);
   chart->setTitleBarWidget(new QWidget(chart));
   window_.splitDockWidget(timeline, chart, Qt::Vertical);
   window_.resizeDocks({organs, properties_}, {kLeftWidth, kRightWidth}, Qt::Horizontal);
@@ -163,6 +164,16 @@ void WindowLayout::setBare(bool bare) {
   }
   if (!wasFullScreen_)
     setFullScreen(bare);
+}
+
+void WindowLayout::fitCharts(std::optional<int> height) {
+  if (height && *height > charts_->height() && charts_->isVisible()) {
+    if (!chartsBefore_)
+      chartsBefore_ = charts_->height();
+    window_.resizeDocks({charts_}, {*height}, Qt::Vertical);
+  } else if (!height && chartsBefore_) {
+    window_.resizeDocks({charts_}, {*std::exchange(chartsBefore_, std::nullopt)}, Qt::Vertical);
+  }
 }
 
 void WindowLayout::bringBack() {

@@ -5,6 +5,7 @@
 #include <QHash>
 #include <QObject>
 
+#include <optional>
 #include <vector>
 
 #include "window/actions.h"
@@ -53,6 +54,9 @@ public:
   void setBare(bool bare);
   bool bare() const { return bare_; }
 
+  /// Makes the charts' panel at least so high; nothing: as high as it was before that.
+  void fitCharts(std::optional<int> height);
+
   /// As the settings have it; after `place`.
   void restore(const Settings& settings);
   void save(Settings& settings) const;
@@ -69,6 +73,8 @@ private:
   std::vector<PanelDock*> docks_;
   PanelDock* properties_ = nullptr;
   PanelDock* imports_ = nullptr;
+  PanelDock* charts_ = nullptr;
+  std::optional<int> chartsBefore_; ///< Their height before `fitCharts` made them higher.
   bool importing_ = false;
   bool bare_ = false;
   bool wasFullScreen_ = false; ///< Before it was bare.

@@ -83,6 +83,9 @@ public:
   virtual QWidget* makePage(const Actions& actions) = 0;
   /// The chart below the timeline, the caller's; null: the volumes.
   virtual QWidget* makeChart() { return nullptr; }
+  /// Whether its own chart is to be seen now, else the volumes; `chartWantedChanged` tells that it is
+  /// otherwise.
+  virtual bool chartWanted() const { return true; }
 
   /// What it wants to be seen, while it is on; `shownChanged` tells that it is something else.
   virtual presentation::Shown shown() const = 0;
@@ -113,6 +116,7 @@ Q_SIGNALS:
   void wanted();
   void shownChanged();
   void hintChanged();
+  void chartWantedChanged();
 
 protected:
   const ModeParts parts_;

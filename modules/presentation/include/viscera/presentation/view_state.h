@@ -108,6 +108,7 @@ struct ViewState {
   Mirror mirror = Mirror::off;
   scene::LayoutParts layout{.regions = true}; ///< Regions, zones, super-regions of the groups.
   bool chartOfCycle = true;                   ///< The chart shows one cycle, else the last seconds.
+  bool circulationChart = true; ///< Where a circulation moves the heart: its curves in place of the volumes.
   StressLook stress;
   OrganCut cut;
 
