@@ -6,6 +6,7 @@
 
 #include "viscera/core/arrays.h"
 #include "viscera/document/ids.h"
+#include "viscera/presentation/scan_look.h"
 #include "viscera/presentation/stress_look.h"
 #include "viscera/scene/region_hulls.h"
 
@@ -109,6 +110,7 @@ struct ViewState {
   scene::LayoutParts layout{.regions = true}; ///< Regions, zones, super-regions of the groups.
   bool chartOfCycle = true;                   ///< The chart shows one cycle, else the last seconds.
   StressLook stress;
+  ScanLook scan;
   OrganCut cut;
 
   SelectionState selection;
