@@ -30,6 +30,8 @@
 #include "window/report/report_export.h"
 #include "window/session/session_files.h"
 #include "window/session/session_view.h"
+#include "window/slices/scan_actions.h"
+#include "window/slices/slice_panes.h"
 #include "window/status_line.h"
 #include "window/table/handle_table.h"
 #include "window/timeline/timeline_bar.h"
@@ -49,14 +51,17 @@ MainWindow::MainWindow(Settings& settings, plugin::Registry registry, motion::Tr
       poses_(workspace_, view_), playback_(workspace_, clock), volumes_(workspace_, playback_),
       placer_(workspace_), files_(new FileActions(workspace_, placer_, settings, this)),
       exports_(new ExportActions(workspace_, settings, this)),
-      samples_(new SampleLoader(workspace_, placer_, playback_, this)), viewArea_(new ViewArea(this)),
+      samples_(new SampleLoader(workspace_, placer_, playback_, this)),
+      scans_(new ScanActions(workspace_, view_, settings, this)), viewArea_(new ViewArea(this)),
       layout_(new WindowLayout(*this, actions_)) {
   setCentralWidget(viewArea_);
   picture_ = std::make_unique<Picture>(workspace_, view_, *viewArea_->view());
   handles_ = std::make_unique<HandleController>(workspace_, poses_, *picture_);
   imports_ = std::make_unique<ImportDesk>(workspace_, *files_, *picture_, nullptr);
   bindingMessages_ = new BindingMessages(workspace_, viewArea_->messages(), this);
+  slices_ = std::make_unique<SlicePanes>(workspace_, view_, *viewArea_, *scans_->sliceMenu());
   files_->addTo(actions_);
+  scans_->addTo(actions_);
   exports_->addTo(actions_);
   lessons_ = new LessonExport({workspace_, playback_, *picture_, settings_}, this);
   lessons_->addTo(actions_);
@@ -168,8 +173,8 @@ QWidget* MainWindow::makeCharts() {
 }
 
 void MainWindow::makeMenus() {
-  auto* menus =
-      new Menus(*menuBar(), {actions_, *modes_, *files_, *samples_, workspace_, settings_, layout_->docks()});
+  auto* menus = new Menus(
+      *menuBar(), {actions_, *modes_, *files_, *samples_, *scans_, workspace_, settings_, layout_->docks()});
   connect(files_, &FileActions::recentFilesChanged, menus, &Menus::fillRecent);
   connect(sessions_, &SessionFiles::recentFilesChanged, menus, &Menus::fillRecent);
   help_->makeCards(*menuBar(), menus->samples());
@@ -205,6 +210,10 @@ void MainWindow::connectFiles() {
   });
   connect(files_, &FileActions::foundNothingOdd, this, [this](const QStringList& files) {
     viewArea_->showBadge(tr("%1: checked, nothing odd").arg(QFileInfo(files.front()).fileName()));
+  });
+  connect(files_, &FileActions::scanOpened, scans_, [this] {
+    showWelcome(false);
+    scans_->opened();
   });
   connect(samples_, &SampleLoader::loaded, this, fromFront);
   connect(samples_, &SampleLoader::loaded, sessions_, &SessionFiles::sampleLoaded);
@@ -257,6 +266,7 @@ void MainWindow::setTheme(ThemeKind kind) {
   const Theme theme = themeOf(kind);
   applyTheme(*qApp, theme);
   viewArea_->view()->setTheme(theme);
+  slices_->setTheme(theme);
   for (const auto& mode : modes_->all())
     mode->setTheme(theme);
   volumePanel_->setTheme(theme);

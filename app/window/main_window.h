@@ -29,8 +29,10 @@ class LectureScreen;
 class LessonExport;
 class OrganPanel;
 class PlayMode;
+class ScanActions;
 class SessionFiles;
 class SessionView;
+class SlicePanes;
 class Slides;
 class StatusLine;
 class StressMode;
@@ -67,6 +69,8 @@ public:
   ViewModel& viewModel() { return view_; }
   Slides& slides() { return *slides_; }
   const Picture& picture() const { return *picture_; }
+  SlicePanes& slices() { return *slices_; }
+  ScanActions& scans() { return *scans_; }
   PlayMode& play() { return *play_; }
   ModeController& modes() { return *modes_; }
   const Actions& actions() const { return actions_; }
@@ -106,10 +110,12 @@ private:
   ExportActions* exports_;
   LessonExport* lessons_ = nullptr;
   SampleLoader* samples_;
+  ScanActions* scans_;
   ViewArea* viewArea_;
   WindowLayout* layout_;
   std::unique_ptr<Picture> picture_;
   std::unique_ptr<HandleController> handles_;
+  std::unique_ptr<SlicePanes> slices_;
   std::unique_ptr<ImportDesk> imports_;
   BindingMessages* bindingMessages_ = nullptr;
   std::unique_ptr<ModeController> modes_;

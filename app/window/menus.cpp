@@ -7,6 +7,7 @@
 
 #include <algorithm>
 
+#include "window/slices/scan_actions.h"
 #include "window/style/icon.h"
 #include "window/widgets/panel_dock.h"
 
@@ -68,7 +69,7 @@ void Menus::fill(QMenu* menu, const std::vector<const char*>& ids) const {
 
 void Menus::makeFileMenu() {
   QMenu* file = bar_.addMenu(tr("&File"));
-  fill(file, {"file.new", "file.open", "file.openFolder", "file.check"});
+  fill(file, {"file.new", "file.open", "file.openFolder", "file.openScan", "file.openSeries", "file.check"});
   recent_ = file->addMenu(tr("Open &recent"));
   samples_ = file->addMenu(icon("heart"), tr("Sample &organs"));
   fill(file, {"", "file.save", "file.saveAs", "file.recover", "", "handles.save", "file.export",
@@ -96,6 +97,11 @@ void Menus::makeViewMenu() {
               "view.inferior", "view.focus", "", "view.handles", "view.ghost", "view.cut", "view.cube",
               "view.scale", "view.measurements", ""});
   fill(view->addMenu(icon("stress"), tr("St&ress map")), parts_.modes.find("stress").actions());
+  QMenu* slices = view->addMenu(icon("patient"), tr("&Scan"));
+  fill(slices, parts_.scans.layouts());
+  slices->addSeparator();
+  slices->addActions(parts_.scans.sliceMenu().actions());
+  fill(slices, {"", "scan.close"});
   fill(view->addMenu(icon("camera"), tr("&Slides")),
        {"slides.add", "slides.remove", "", "slides.next", "slides.previous"});
   fill(view, {"view.lecture", "lecture.dark", "view.fullScreen", ""});

@@ -5,6 +5,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "viscera/document/scan_item.h"
+
 namespace viscera::document {
 namespace {
 
@@ -54,7 +56,7 @@ bool identical(const DocumentState& a, const DocumentState& b) {
          sameBits(a.rig->restPositions(), b.rig->restPositions()) && sameBits(*a.pose, *b.pose) &&
          a.system->id == b.system->id && a.system->parameters.all() == b.system->parameters.all() &&
          *a.recording == *b.recording && *a.measurements == *b.measurements &&
-         *a.circulation == *b.circulation;
+         *a.circulation == *b.circulation && identical(a.scan, b.scan);
 }
 
 bool atRest(const DocumentState& state) {

@@ -10,6 +10,7 @@
 #include "cut_picture.h"
 #include "handle_picture.h"
 #include "organ_picture.h"
+#include "standing_picture.h"
 #include "stress_picture.h"
 #include "viscera/presentation/space_parts.h"
 
@@ -45,7 +46,8 @@ struct LegendText {
 struct Presenter::Parts {
   Parts(scene::OrganView& viewIn, Threads threads, Translate translateIn)
       : view(viewIn), translate(translateIn ? std::move(translateIn) : same), organs(viewIn, threads),
-        handles(viewIn), stress(viewIn), cut(viewIn), labels(viewIn), measurements(viewIn) {}
+        handles(viewIn), stress(viewIn), cut(viewIn), labels(viewIn), measurements(viewIn),
+        standing(viewIn, threads) {}
 
   scene::OrganView& view;
   Translate translate;
@@ -55,6 +57,7 @@ struct Presenter::Parts {
   CutPicture cut;
   scene::OrganLabels labels;
   scene::MeasurementGlyphs measurements;
+  StandingPicture standing;
 
   std::shared_ptr<const document::OrganList> labelled; ///< Whose names are written.
   /// Of the hulls that are drawn.
@@ -236,6 +239,7 @@ void Presenter::update(const Scene& scene) {
   p.updateRegions(scene);
   p.updateLabels(scene, others);
   p.updateMeasurements(scene);
+  p.standing.update(scene);
   view_.setOrientationCubeShown(scene.view.orientationCube);
   view_.setScaleBarShown(scene.view.scaleBar);
 }

@@ -175,6 +175,72 @@ StressLook stressFromSettings(const ordered_json& settings) {
   return stressFrom(item);
 }
 
+template <class Visit>
+void visitScan(ScanLook& look, Visit visit) {
+  visit("layout", look.layout);
+  visit("level", look.level);
+  visit("width", look.width);
+  visit("slabMm", look.slabMm);
+  visit("maximum", look.maximum);
+  visit("smooth", look.smooth);
+  visit("contours", look.contours);
+  visit("rest", look.rest);
+  visit("standing", look.standing);
+  visit("bent", look.bent);
+}
+
+template <class Visit>
+void visitFraming(SliceFraming& framing, Visit visit) {
+  visit("rightMm", framing.rightMm);
+  visit("upMm", framing.upMm);
+  visit("zoom", framing.zoom);
+}
+
+ordered_json scanJson(ScanLook look) {
+  ordered_json item;
+  visitScan(look, [&](const char* key, const auto& value) { item[key] = value; });
+  if (look.width <= 0) {
+    item.erase("level");
+    item.erase("width");
+  }
+  if (look.focus)
+    item["focus"] = listOf(*look.focus);
+  for (SliceFraming& framing : look.framings) {
+    ordered_json one;
+    visitFraming(framing, [&](const char* key, const auto& value) { one[key] = value; });
+    item["framings"].push_back(one);
+  }
+  return item;
+}
+
+/// A number of a look, or `otherwise` for one that nothing can be drawn with.
+double within(double value, double low, double high, double otherwise) {
+  return std::isfinite(value) && value >= low && value <= high ? value : otherwise;
+}
+
+ScanLook scanFrom(const ordered_json& item) {
+  constexpr double kFar = 1e6;
+  constexpr double kMostSlabMm = 200, kMostZoom = 1000;
+  ScanLook look;
+  visitScan(look, [&](const char* key, auto& value) { take(item, key, value); });
+  if (item.contains("focus"))
+    look.focus = vectorOf(item.at("focus"));
+  if (look.focus && !(look.focus->cwiseAbs().maxCoeff() < kFar))
+    look.focus.reset();
+  look.level = within(look.level, -kFar, kFar, 0);
+  look.width = within(look.width, 0, kFar, 0);
+  look.slabMm = within(look.slabMm, 0, kMostSlabMm, 0);
+  const ordered_json framings = item.value("framings", ordered_json::array());
+  for (std::size_t i = 0; i < std::min(framings.size(), look.framings.size()); ++i) {
+    SliceFraming& framing = look.framings[i];
+    visitFraming(framing, [&](const char* key, double& value) { take(framings[i], key, value); });
+    framing.rightMm = within(framing.rightMm, -kFar, kFar, 0);
+    framing.upMm = within(framing.upMm, -kFar, kFar, 0);
+    framing.zoom = within(framing.zoom, 1 / kMostZoom, kMostZoom, 1);
+  }
+  return look;
+}
+
 /// What the modes of format 1 showed.
 Shown shownByMode(const std::string& mode, bool sequenceShown) {
   Shown shown;
@@ -273,6 +339,8 @@ ViewState viewFrom(const ordered_json& item) {
   view.mirror = fromName<Mirror>(kMirrors, item.value("mirror", ordered_json()));
   if (item.contains("stress"))
     view.stress = stressFrom(item.at("stress"));
+  if (item.contains("scan"))
+    view.scan = scanFrom(item.at("scan"));
   return view;
 }
 
@@ -283,8 +351,8 @@ bool ViewState::operator==(const ViewState& other) const {
     return std::tie(view.mode, view.shown, view.camera, view.handles, view.influence, view.ghost, view.labels,
                     view.measurements, view.orientationCube, view.scaleBar, view.gizmo, view.mirror,
                     view.layout.regions, view.layout.zones, view.layout.superRegions, view.chartOfCycle,
-                    view.circulationChart, view.stress, view.cut, view.selection, view.motions, view.playing,
-                    view.slides);
+                    view.circulationChart, view.stress, view.cut, view.scan, view.selection, view.motions,
+                    view.playing, view.slides);
   };
   return parts(*this) == parts(other) && shownPose.rows() == other.shownPose.rows() &&
          shownPose == other.shownPose;
@@ -311,6 +379,7 @@ std::string toJson(const ViewState& state) {
   visitSwitches(view, [&](const char* key, const char*, bool value) { item[key] = value; });
   item["mirror"] = kMirrors[static_cast<std::size_t>(view.mirror)];
   item["stress"] = stressJson(view.stress);
+  item["scan"] = scanJson(view.scan);
   item["cut"] = {{"on", view.cut.on}, {"normal", listOf(view.cut.normal)}, {"offset", view.cut.offset}};
   item["selection"] = {{"organ", view.selection.organ.value}, {"group", view.selection.group.value}};
   item["selection"]["handles"] = ordered_json::array();

@@ -17,6 +17,8 @@
 
 namespace viscera::document {
 
+struct ScanItem;
+
 using OrganList = std::vector<std::shared_ptr<const Organ>>;
 
 /// Which coordinates tie the organs to the handles.
@@ -25,8 +27,8 @@ struct SystemChoice {
   coordinates::ParameterValues parameters;
 };
 
-/// Everything that is saved and undone, in seven immutable parts that states share with one another: a copy
-/// costs seven pointers, and a state that is kept (by the undo stack, by a worker that saves) never changes.
+/// Everything that is saved and undone, in eight immutable parts that states share with one another: a copy
+/// costs eight pointers, and a state that is kept (by the undo stack, by a worker that saves) never changes.
 ///
 /// What a user looks at is not in it: the selection (`Selection`), the camera, the mode, the time of a
 /// sequence.
@@ -38,6 +40,7 @@ struct DocumentState {
   std::shared_ptr<const Recording> recording;           ///< The keys that a user has recorded. Never null.
   std::shared_ptr<const MeasurementList> measurements;  ///< In the order in which they were made. Never null.
   std::shared_ptr<const CirculationChoice> circulation; ///< What moves the heart. Never null.
+  std::shared_ptr<const ScanItem> scan; ///< The image beside the organs (scan_item.h); null: there is none.
 
   /// An empty document.
   DocumentState();
@@ -69,6 +72,7 @@ struct Change {
   bool recording() const { return before.recording != after.recording; }
   bool measurements() const { return before.measurements != after.measurements; }
   bool circulation() const { return before.circulation != after.circulation; }
+  bool scan() const { return before.scan != after.scan; }
 };
 
 /// The document that is open. Whoever has one reads it; only an `UndoStack` changes it, by commands.

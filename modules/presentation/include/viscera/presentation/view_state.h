@@ -6,6 +6,7 @@
 
 #include "viscera/core/arrays.h"
 #include "viscera/document/ids.h"
+#include "viscera/presentation/scan_look.h"
 #include "viscera/presentation/stress_look.h"
 #include "viscera/scene/region_hulls.h"
 
@@ -110,6 +111,7 @@ struct ViewState {
   bool chartOfCycle = true;                   ///< The chart shows one cycle, else the last seconds.
   bool circulationChart = true; ///< Where a circulation moves the heart: its curves in place of the volumes.
   StressLook stress;
+  ScanLook scan;
   OrganCut cut;
 
   SelectionState selection;
