@@ -3,6 +3,7 @@
 #include <memory>
 
 #include <benchmark/benchmark.h>
+#include <vtkRenderWindow.h>
 
 #include "viscera/circulation/indices.h"
 #include "viscera/circulation/periodic_state.h"

@@ -18,6 +18,8 @@ constexpr const char* kFolderKey = "files/folder"; // The one of all file dialog
 
 /// What a worker needs, and keeps as long as it works.
 struct Material {
+  explicit Material(Workspace& workspace) : organs(workspace.live().copy()), systems(workspace.registry()) {}
+
   report::ReportSource source;
   live::PosedCopy organs;
   live::StressCopy stress;
@@ -63,7 +65,7 @@ void ReportExport::choose() {
 
 void ReportExport::write(const QString& file) {
   Workspace& workspace = window_.workspace;
-  auto material = std::make_shared<Material>(Material{{}, workspace.live().copy(), {}, workspace.registry()});
+  auto material = std::make_shared<Material>(workspace);
   report::ReportSource& source = material->source;
   if (!workspace.guarded([&] {
         source.view = view();

@@ -109,8 +109,9 @@ TEST_P(CliCommands, RunAsAScriptGiveTheSessionsShapes) {
     EXPECT_TRUE(std::filesystem::exists(path("ball.stress.vtu")));
     EXPECT_GT(contents(path("ball.stress.csv")).size(), 1000u);
   }
-  if (view.playing)
+  if (view.playing) {
     EXPECT_NE(result["script"].get<std::string>().find("viscera play"), std::string::npos);
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Committed, CliCommands,
