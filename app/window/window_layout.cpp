@@ -17,7 +17,7 @@ namespace {
 
 constexpr int kWidth = 1440;
 constexpr int kHeight = 900;
-constexpr int kLeftWidth = 272;
+constexpr int kLeftWidth = 304;
 constexpr int kRightWidth = 288;
 constexpr int kImportWidth = 360;
 constexpr int kChartHeight = 200;

@@ -84,7 +84,7 @@ private:
   /// What the user has chosen, by "mode/panel".
   QVariantMap chosen_;
   QHash<QDockWidget*, int> heights_; ///< Of panels that are folded away, as they were.
-  std::vector<QWidget*> putAway_; ///< While it is bare.
+  std::vector<QWidget*> putAway_;    ///< While it is bare.
   QByteArray standard_;
 };
 

@@ -17,7 +17,6 @@
 #include "viscera/plugin/registry.h"
 #include "viscera/presentation/circulation_figure.h"
 #include "viscera/scene/surfaceless_window.h"
-#include "viscera/scene/surfaceless_window.h"
 
 /// What a control of the circulation costs while it moves, until loop, curves and heart show it: the window
 /// promises 100 ms. The window does the heart beside the charts; here they are done one after the other.

@@ -44,7 +44,8 @@ FileBytes readBeginOfFile(const std::filesystem::path& file, std::size_t most) {
                        "check that you may read it");
   FileBytes result{file, {}};
   try {
-    result.bytes.resize(std::min(most, static_cast<std::size_t>(std::max<std::streamoff>(stream.tellg(), 0))));
+    result.bytes.resize(
+        std::min(most, static_cast<std::size_t>(std::max<std::streamoff>(stream.tellg(), 0))));
   } catch (const std::bad_alloc&) {
     result.fail("does not fit into memory", "reduce the surface first");
   }

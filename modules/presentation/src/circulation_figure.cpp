@@ -21,7 +21,7 @@ const Vec3 kVentricle = {0.84, 0.37, 0.0};
 const Vec3 kArtery = {0.80, 0.24, 0.48};
 const Vec3 kAtrium = {0.0, 0.45, 0.70};
 const Vec3 kRight = {0.0, 0.45, 0.70};
-const Vec3 kSign = {0.25, 0.30, 0.34};
+const Vec3 kSign = {0.50, 0.57, 0.62}; ///< Seen on dark and on light grounds.
 const Vec3 kRelation = {0.0, 0.62, 0.45};
 const Vec3 kBefore = {0.55, 0.58, 0.61};
 
@@ -40,7 +40,7 @@ constexpr Strip kPressures{0.50, 0.95}, kValves{0.415, 0.475}, kVolume{0.245, 0.
 
 // A low and wide window, in pixels; the strips share the height that gaps and labels leave.
 constexpr double kStripLeft = 52, kStripRight = 12, kStripBottom = 40, kStripTop = 8, kStripGap = 5;
-constexpr std::array<double, 5> kStripHeights = {0.48, 0.09, 0.19, 0.12, 0.12};
+constexpr std::array<double, 5> kStripHeights = {0.38, 0.09, 0.17, 0.18, 0.18};
 constexpr double kWiggersPart = 0.5; ///< Of the width.
 constexpr int kFewTicks = 4, kTwoTicks = 2;
 constexpr std::size_t kMostStripPoints = 600;

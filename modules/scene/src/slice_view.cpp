@@ -88,6 +88,7 @@ public:
     mapper->SetInputData(square_.data());
     actor_->SetMapper(mapper);
     actor_->SetTexture(square_.texture());
+    actor_->VisibilityOff(); // Until there are grey levels.
   }
 
   vtkActor2D* actor() { return actor_; }

@@ -49,7 +49,8 @@ const std::map<std::string, std::set<std::string>>& allowedModules() {
 }
 
 const std::set<std::string> kMayUseVtk = {"contour", "medical_io", "scene", "presentation", "vtk_filters"};
-const std::set<std::string> kMayUseQt = {"plugin", "localised_scc", "document", "reproduction", "lesson", "report"};
+const std::set<std::string> kMayUseQt = {"plugin",       "localised_scc", "document",
+                                         "reproduction", "lesson",        "report"};
 
 /// Includes from the command line, or from what both use, to the window that are still there. Nothing may be
 /// added.

@@ -13,7 +13,8 @@ namespace viscera::report {
 struct ScriptSource {
   document::DocumentState state;
   presentation::ViewState view;
-  /// Where the session is saved as it is; empty: nowhere, so that surfaces that only it holds cannot be named.
+  /// Where the session is saved as it is; empty: nowhere, so that surfaces that only it holds cannot be
+  /// named.
   std::filesystem::path session = {};
 };
 
@@ -25,11 +26,11 @@ struct SessionScript {
   std::vector<std::string> commands; ///< The lines that begin with `viscera`, in order.
 };
 
-/// The session as a script of `viscera` commands that makes the same shapes and numbers in the folder where it
-/// runs: every organ in the pose that is shown (to rounding), the stress map and the motion that the session
-/// looks at, its picture. Organs are named by their files or samples where these are still what was read, else
-/// by the session ("session.viscera/Liver"). No text of the session is ever taken for a command. Reads the
-/// organs' files. For any thread.
+/// The session as a script of `viscera` commands that makes the same shapes and numbers in the folder where
+/// it runs: every organ in the pose that is shown (to rounding), the stress map and the motion that the
+/// session looks at, its picture. Organs are named by their files or samples where these are still what was
+/// read, else by the session ("session.viscera/Liver"). No text of the session is ever taken for a command.
+/// Reads the organs' files. For any thread.
 SessionScript sessionScript(const ScriptSource& source);
 
 } // namespace viscera::report
