@@ -9,10 +9,6 @@
 #include "viscera/geometry/triangle_mesh.h"
 #include "viscera/sequences/sequence.h"
 
-namespace viscera::motion {
-struct SequenceFile;
-}
-
 namespace viscera::python {
 
 /// A sequence with what its maker knows besides. Immutable.
@@ -25,8 +21,5 @@ struct MotionSource {
   std::vector<std::pair<std::string, std::shared_ptr<const geometry::TriangleMesh>>> surfaces;
   std::vector<std::string> warnings;
 };
-
-/// What a sequence file holds. In `_motion` alone.
-MotionSource sourceOf(const motion::SequenceFile& file);
 
 } // namespace viscera::python

@@ -12,8 +12,8 @@
 #include <pybind11/stl/filesystem.h>
 
 #include "array_memory.h"
+#include "file_motion.h"
 #include "long_jobs.h"
-#include "motion_source.h"
 #include "parts.h"
 #include "viscera/sequences/keyframes.h"
 

@@ -121,6 +121,8 @@ double roundBelow(double limit) {
 struct SliceView::Parts {
   Parts();
 
+  /// Grey levels on a layer of their own: flat things of one layer hide each other by a depth that all share.
+  vtkNew<vtkRenderer> ground;
   vtkNew<vtkRenderer> renderer;
   vtkWeakPointer<vtkRenderWindow> window;
   GreyLevels levels;
@@ -139,8 +141,10 @@ struct SliceView::Parts {
 
 // Its text actors ask the guarded text renderer from the beginning.
 SliceView::Parts::Parts() {
-  renderer->SetBackground(0, 0, 0);
-  renderer->AddViewProp(levels.actor());
+  ground->SetBackground(0, 0, 0);
+  ground->AddViewProp(levels.actor());
+  ground->InteractiveOff();
+  renderer->SetLayer(1);
   renderer->AddViewProp(thin.actor());
   renderer->AddViewProp(wide.actor());
   cross.data->SetLines(crossLines);
@@ -239,12 +243,16 @@ SliceView::~SliceView() {
 
 void SliceView::setWindow(vtkRenderWindow* window) {
   auto& p = *parts_;
-  if (p.window)
+  if (p.window) {
     p.window->RemoveRenderer(p.renderer);
+    p.window->RemoveRenderer(p.ground);
+  }
   p.window = window;
   if (!window)
     return;
   window->SetMultiSamples(kSamples);
+  window->SetNumberOfLayers(2);
+  window->AddRenderer(p.ground);
   window->AddRenderer(p.renderer);
 }
 

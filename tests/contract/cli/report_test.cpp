@@ -128,9 +128,9 @@ TEST_F(CliReport, CommandsNeedASession) {
 
 TEST_F(CliReport, AnOrganOfASessionIsAnOrganForEveryCommand) {
   const std::string file = session("play_recorded_locked");
-  EXPECT_EQ(runJson({"info", file + "/ball"})["triangles"], 512);
-  EXPECT_EQ(runJson({"info", file + "/1"})["triangles"], 512);
-  expectFailure({"info", file + "/liver"}, kUsage, "it has ball");
+  for (const char* organ : {"/ball", "/1"})
+    EXPECT_EQ(runJson({"handles", file + organ, "-o", path("h.mrk.json"), "--count", "5"})["organ"], "ball");
+  expectFailure({"handles", file + "/liver", "-o", path("h.mrk.json")}, kUsage, "it has ball");
 }
 
 } // namespace viscera::app::cli

@@ -86,6 +86,8 @@ TEST(SliceView, TakesPicturesOfAnotherSize) {
 TEST(StandingSlices, StandAmongTheOrgansAndGoAgain) {
   tests::ViewInWindow window(200, 200);
   StandingSlices slices(window.view);
+  window.view.setOrientationCubeShown(false);
+  window.view.setScaleBarShown(false);
   StandingSlices::Slice slice;
   slice.corner = Vec3(-50, 0, -50);
   slice.right = Vec3(100, 0, 0);
