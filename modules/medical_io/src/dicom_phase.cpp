@@ -1,5 +1,6 @@
 #include <system_error>
 
+#include "dicom/quiet_dcmtk.h"
 #include "text_scanner.h"
 #include "viscera/medical_io/label_series.h"
 
@@ -22,6 +23,7 @@ std::optional<double> numberAt(DcmItem& item, const DcmTagKey& key) {
 } // namespace
 
 DicomPhase dicomPhase(const std::filesystem::path& file) {
+  silenceDcmtk();
   DicomPhase phase;
   std::error_code error;
   DcmFileFormat format;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "dicom/dicom_mark.h"
 #include "file_bytes.h"
 #include "file_signature.h"
 #include "scalar.h"
@@ -35,7 +36,10 @@ FileKind kindOfEnding(const std::filesystem::path& file) {
 FileKind fileKind(const std::filesystem::path& file) {
   const FileKind byName = kindOfEnding(file);
   try {
-    const FileKind byContents = fileKind(signatureOf(readWholeFile(file)));
+    const Signature found = signatureOf(readWholeFile(file));
+    if (found == Signature::dicom && dicomKind(file) == DicomKind::image)
+      return FileKind::scan;
+    const FileKind byContents = fileKind(found);
     return byContents == FileKind::unknown ? byName : byContents;
   } catch (const DataError&) {
     // Empty, or too large for memory: the name is all there is.
@@ -45,8 +49,8 @@ FileKind fileKind(const std::filesystem::path& file) {
 
 std::string_view nameOf(FileKind kind) {
   // In the order of the enumeration.
-  static constexpr std::array<std::string_view, 6> kNames = {"unknown",  "surface", "handles",
-                                                             "sequence", "session", "label map"};
+  static constexpr std::array<std::string_view, 7> kNames = {"unknown", "surface",   "handles", "sequence",
+                                                             "session", "label map", "scan"};
   return kNames[static_cast<std::size_t>(kind)];
 }
 

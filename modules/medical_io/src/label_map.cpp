@@ -1,9 +1,9 @@
 #include "viscera/medical_io/label_map.h"
 
 #include <algorithm>
-#include <fstream>
 #include <new>
 
+#include "dicom/dicom_mark.h"
 #include "file_bytes.h"
 #include "file_signature.h"
 #include "image_formats/data_file.h"
@@ -69,13 +69,6 @@ void warnOfEmptySegments(LabelMap& map, const std::vector<StatedSegment>& stated
   if (empty > 0)
     map.warnings.push_back(counted(empty, "segment has", "segments have") + " no voxels (" + first +
                            (empty > 1 ? ", ...)" : ")"));
-}
-
-/// DICOM files often have no ending: their mark stands behind 128 bytes.
-bool hasDicomMark(const std::filesystem::path& file) {
-  std::array<char, 132> begin = {};
-  std::ifstream stream(file, std::ios::binary);
-  return stream.read(begin.data(), begin.size()) && std::string_view(begin.data() + 128, 4) == "DICM";
 }
 
 } // namespace
@@ -166,12 +159,20 @@ const std::vector<std::string>& labelMapExtensions() {
 bool isLabelMap(const std::filesystem::path& fileOrFolder) {
   const auto isOne = [](const std::filesystem::path& file) {
     const auto& all = labelMapExtensions();
+    switch (dicomKind(file)) {
+    case DicomKind::segmentation:
+      return true;
+    case DicomKind::image:
+    case DicomKind::other:
+      return false;
+    case DicomKind::none:
+      break;
+    }
     return std::find(all.begin(), all.end(), extensionOf(file)) != all.end();
   };
   std::error_code error;
   if (!std::filesystem::is_directory(fileOrFolder, error))
-    return isOne(fileOrFolder) ||
-           (std::filesystem::is_regular_file(fileOrFolder, error) && hasDicomMark(fileOrFolder));
+    return isOne(fileOrFolder);
   for (std::filesystem::directory_iterator entry(fileOrFolder, error), end; !error && entry != end;
        entry.increment(error))
     if (isOne(entry->path()))

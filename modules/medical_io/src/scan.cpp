@@ -4,8 +4,8 @@
 #include <cmath>
 #include <limits>
 #include <mutex>
-#include <type_traits>
 
+#include "scan_sampling.h"
 #include "viscera/core/parallel.h"
 
 namespace viscera::medical_io {
@@ -17,27 +17,6 @@ constexpr double kInnermost = 0.01; ///< The part of all voxels that a first win
 constexpr ValueWindow kSoftTissue{40, 400};
 /// Air in Hounsfield units, or less around the scanner's circle; bone or metal at the other end.
 constexpr double kLeastOfCt = -4096, kAir = -900, kBone = 500;
-
-/// Whether a stored sample is a measured one.
-template <class Sample>
-class Measured {
-public:
-  explicit Measured(const std::optional<double>& padding) {
-    constexpr double kLow = double(std::numeric_limits<Sample>::lowest());
-    constexpr double kHigh = double(std::numeric_limits<Sample>::max());
-    if (padding && *padding >= kLow && *padding <= kHigh)
-      padding_ = static_cast<Sample>(*padding);
-  }
-  bool operator()(Sample sample) const {
-    if constexpr (std::is_floating_point_v<Sample>)
-      if (!std::isfinite(sample))
-        return false;
-    return !padding_ || sample != *padding_;
-  }
-
-private:
-  std::optional<Sample> padding_;
-};
 
 /// Least and largest measured sample; the first above the second when there is none.
 template <class Sample>
@@ -109,50 +88,6 @@ std::array<double, 2> percentiles(const std::vector<Sample>& samples, const Meas
   return range;
 }
 
-/// The neighbours of a point along one axis, and how far it is from the first to the second.
-struct Neighbours {
-  int low = 0, high = 0;
-  double part = 0;
-};
-
-/// None outside by more than half a voxel.
-std::optional<Neighbours> neighboursAt(double index, int size) {
-  if (!(index >= -0.5 && index <= size - 0.5))
-    return std::nullopt;
-  const double inside = std::clamp(index, 0.0, double(size - 1));
-  const int low = std::min(static_cast<int>(inside), size - 1);
-  return Neighbours{low, std::min(low + 1, size - 1), inside - low};
-}
-
-/// The mean of the measured ones among eight voxels; none when the nearest is not measured.
-template <class Sample>
-std::optional<double> interpolated(const Scan& scan, const std::vector<Sample>& samples,
-                                   const std::array<Neighbours, 3>& at) {
-  const Measured<Sample> measured(scan.padding);
-  double sum = 0, weights = 0, heaviest = 0;
-  bool nearestMeasured = false;
-  for (unsigned corner = 0; corner < 8; ++corner) {
-    double weight = 1;
-    std::array<int, 3> voxel = {};
-    for (unsigned axis = 0; axis < 3; ++axis) {
-      const bool second = (corner >> axis & 1U) != 0;
-      weight *= second ? at[axis].part : 1 - at[axis].part;
-      voxel[axis] = second ? at[axis].high : at[axis].low;
-    }
-    const Sample sample = samples[scan.indexOf(voxel[0], voxel[1], voxel[2])];
-    const bool usable = measured(sample);
-    if (weight > heaviest) {
-      heaviest = weight;
-      nearestMeasured = usable;
-    }
-    if (usable) {
-      sum += weight * double(sample);
-      weights += weight;
-    }
-  }
-  return nearestMeasured ? std::optional(scan.slope * (sum / weights) + scan.intercept) : std::nullopt;
-}
-
 } // namespace
 
 Bounds Scan::bounds() const {
@@ -174,14 +109,12 @@ double Scan::value(int i, int j, int k) const {
 
 std::optional<double> Scan::at(const Vec3& lps) const {
   const Vec3 index = indexToLps.linear().inverse() * (lps - indexToLps.translation());
-  std::array<Neighbours, 3> neighbours;
-  for (int axis = 0; axis < 3; ++axis) {
-    const auto found = neighboursAt(index[axis], size[static_cast<std::size_t>(axis)]);
-    if (!found)
-      return std::nullopt;
-    neighbours[static_cast<std::size_t>(axis)] = *found;
-  }
-  return std::visit([&](const auto& all) { return interpolated(*this, all, neighbours); }, samples);
+  return std::visit(
+      [&]<class Sample>(const std::vector<Sample>& all) -> std::optional<double> {
+        const auto sample = TrilinearSampler<Sample>(all, size, padding)(index);
+        return sample ? std::optional(slope * *sample + intercept) : std::nullopt;
+      },
+      samples);
 }
 
 std::array<double, 2> Scan::range() const {

@@ -4,6 +4,8 @@
 #include <new>
 #include <type_traits>
 
+#include "dicom/dicom_mark.h"
+#include "dicom/dicom_scan.h"
 #include "file_bytes.h"
 #include "file_signature.h"
 #include "image_formats/data_file.h"
@@ -264,16 +266,23 @@ bool endsLikeAnImage(const std::filesystem::path& file) {
 
 } // namespace
 
-std::vector<ScanSeries> listScans(const std::filesystem::path& fileOrFolder, Progress&) {
+std::vector<ScanSeries> listScans(const std::filesystem::path& fileOrFolder, Progress& progress) {
+  if (isDicomPlace(fileOrFolder))
+    return listDicomScans(fileOrFolder, progress);
   return {describeImage(fileOrFolder)};
 }
 
 Scan readScan(const std::filesystem::path& fileOrFolder, const ScanOptions& options, Progress& progress) {
+  if (isDicomPlace(fileOrFolder))
+    return readDicomScan(fileOrFolder, options, progress);
   return readImageScan(fileOrFolder, options, progress);
 }
 
 bool isScan(const std::filesystem::path& fileOrFolder) {
-  return endsLikeAnImage(fileOrFolder);
+  std::error_code error;
+  if (std::filesystem::is_directory(fileOrFolder, error))
+    return hasDicomImages(fileOrFolder);
+  return endsLikeAnImage(fileOrFolder) || dicomKind(fileOrFolder) == DicomKind::image;
 }
 
 } // namespace viscera::medical_io

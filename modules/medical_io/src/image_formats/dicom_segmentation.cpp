@@ -3,8 +3,8 @@
 #include <cstring>
 #include <map>
 #include <memory>
-#include <mutex>
 
+#include "dicom/quiet_dcmtk.h"
 #include "image_formats/raw_image.h"
 #include "label_segments.h"
 #include "text_scanner.h"
@@ -19,7 +19,6 @@
 #include <dcmtk/dcmfg/fgseg.h>
 #include <dcmtk/dcmseg/segdoc.h>
 #include <dcmtk/dcmseg/segment.h>
-#include <dcmtk/oflog/oflog.h>
 
 /// DICOM segmentations (PS3.3, A.51), binary and fractional, parsed by DCMTK.
 namespace viscera::medical_io {
@@ -31,12 +30,6 @@ constexpr double kSliceTolerance = 0.05;
 /// error in a position, not a patient.
 constexpr double kMostVoxelsPerByte = 4096;
 constexpr double kSameDirection = 1e-4;
-
-/// DCMTK writes what it finds odd to stderr; errors come back as conditions all the same.
-void silenceDcmtk() {
-  static std::once_flag once;
-  std::call_once(once, [] { OFLog::configure(OFLogger::OFF_LOG_LEVEL); });
-}
 
 constexpr double kLargestLab = 65535;
 

@@ -6,16 +6,17 @@
 namespace viscera::medical_io {
 
 /// What a file holds, as far as Viscera is concerned.
-enum class FileKind { unknown, surface, handles, sequence, session, labelMap };
+enum class FileKind { unknown, surface, handles, sequence, session, labelMap, scan };
 
 /// Tells by the first bytes of the file, and by its ending where they leave a doubt: sequences
 /// (`.sequence.json`), sessions (`.viscera`), compressed files, files too damaged to be recognised. All
-/// NIfTI, NRRD, MetaImage and DICOM files count as label maps. Only guesses; reading says whether the file is
+/// NIfTI, NRRD and MetaImage files count as label maps, and so do DICOM segmentations; other DICOM files count
+/// as scans. Only guesses; reading says whether the file is
 /// good. A file whose bytes are of another kind than its ending promises is what its bytes are. Throws
 /// `NoInputError` when it is missing or not readable.
 FileKind fileKind(const std::filesystem::path& file);
 
-/// "surface", "handles", "sequence", "session", "label map", "unknown": as `viscera info` prints it.
+/// "surface", "handles", "sequence", "session", "label map", "scan", "unknown": as `viscera info` prints it.
 std::string_view nameOf(FileKind kind);
 
 } // namespace viscera::medical_io

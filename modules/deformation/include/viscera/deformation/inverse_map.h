@@ -1,0 +1,93 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "viscera/coordinates/coordinate_system.h"
+#include "viscera/core/progress.h"
+
+namespace viscera::deformation {
+
+/// What a point of the posed space is at rest.
+enum class RestState : std::uint8_t {
+  still,  ///< It lies where no handle acts: it is its own place at rest.
+  moved,  ///< The place is known.
+  folded, ///< The pose brings tissue there that it turns inside out: the place is one of several, or a guess.
+};
+
+/// Points and where each of them was at rest.
+struct RestPoints {
+  Points points;                 ///< `n x 3`, mm.
+  std::vector<RestState> states; ///< One a point.
+};
+
+/// The samples of a plane: sample (c, r) is at `corner + c * columnStep + r * rowStep`.
+struct SamplePlane {
+  Vec3 corner = Vec3::Zero();      ///< mm.
+  Vec3 columnStep = Vec3::UnitX(); ///< mm.
+  Vec3 rowStep = Vec3::UnitY();    ///< mm.
+  Eigen::Index columns = 0, rows = 0;
+};
+
+/// How finely the space between the handles is bound.
+struct InverseMapOptions {
+  double accuracyMm = 0.1;  ///< What the motion between bound points may be off; halves spacings until it is.
+  double mostWeights = 4e6; ///< Bound points times handles are no more: eight bytes of memory each.
+};
+
+/// Where tissue was at rest, for images that bend along with the handles.
+///
+/// A pose moves a rest point x to F(x) = x + u(x). Within the handles' hull u is what the system's
+/// coordinates make of the handles' motion. Outside it is the motion where the line to the hull's middle
+/// enters the hull, times a smooth step that falls to zero at a distance that grows with the motion there (at
+/// least three times as far as the hull's border moves), so that nothing tears and what is far away does not
+/// move.
+///
+/// u is bound once at the nodes of a regular grid, on which it is trilinear; a new pose takes one sum a node.
+/// F(x) = y is solved by Newton's method with the grid's own gradients, from the answer of a neighbour.
+/// The grid is so fine that u is off by no more than `accuracyMm` between nodes for the first pose, if
+/// `mostWeights` allows it; `errorMm` measures it for each pose.
+///
+/// Immutable but for `setPose`; results do not depend on the number of threads.
+class InverseMap {
+public:
+  /// Binds the grid for `handles`, fine enough for `pose`, and takes that pose. Throws what binding throws,
+  /// `Cancelled`. As long as binding some ten or hundred thousand points.
+  InverseMap(const coordinates::CoordinateSystem& system, const coordinates::HandleSet& handles,
+             const Points& pose, const coordinates::BindOptions& options, const InverseMapOptions& map,
+             Progress& progress);
+  ~InverseMap();
+  InverseMap(const InverseMap&) = delete;
+  InverseMap& operator=(const InverseMap&) = delete;
+
+  /// Takes another pose of the same handles (`n x 3`, mm). Throws `DataError` for a pose of another size or
+  /// that is not finite. O(nodes x handles), a few milliseconds; not while another thread asks.
+  void setPose(const Points& pose);
+
+  /// F of rest points, `n x 3` mm.
+  Points posedPoints(const Points& rest) const;
+  /// Where posed points, `n x 3` mm, were at rest. About a microsecond a point on one core.
+  RestPoints restPoints(const Points& posed) const;
+  /// The same for all samples of a plane, into `result`, row by row, whose memory is used again: solved at
+  /// some and between them linear wherever that is exact to a tenth of `accuracyMm`.
+  void restPlane(const SamplePlane& plane, RestPoints& result) const;
+
+  /// How far u between the nodes is off what the system itself says, mm, at some hundred places in the hull.
+  double errorMm() const;
+  /// How far `rest`, the answers for `posed`, are from being right by the system itself, mm: the largest
+  /// |F(rest) - posed| among those that lie in the hull and are not folded. As long as binding them.
+  double residualMm(const coordinates::CoordinateSystem& system, const Points& posed, const RestPoints& rest,
+                    Progress& progress) const;
+  double spacingMm() const; ///< Of the grid.
+  Bounds movedBox() const;  ///< Outside of this box, mm, everything is still.
+
+private:
+  class Field;
+  std::unique_ptr<Field> field_;
+  coordinates::HandleSet handles_;
+  coordinates::BindOptions options_;
+  double accuracyMm_;
+};
+
+} // namespace viscera::deformation

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <filesystem>
+
+#include "viscera/core/progress.h"
+#include "viscera/medical_io/label_map.h"
+#include "viscera/medical_io/scan.h"
+
+/// Scans and label maps, out and told apart.
+namespace viscera::medical_io {
+
+/// Writes a scan as NIfTI (.nii, .nii.gz) or NRRD (.nrrd), little-endian, with its samples as they are.
+/// NIfTI keeps slope and intercept; NRRD knows none, so there values are written: as whole numbers of 16 or
+/// 32 bits where slope and intercept are whole, else as 32-bit fractions. Position, directions and shear are
+/// kept (NIfTI: in 32-bit fractions, as an sform in RAS). Atomic. No names, dates or other texts of a patient
+/// are written. Throws `CannotCreateError`, also for another ending; `DataError` for a side above 32767
+/// voxels in NIfTI. O(voxels).
+void writeScan(const std::filesystem::path& file, const Scan& scan);
+
+/// Writes a label map in the same way, with the labels that its file had; NRRD (.seg.nrrd, .nrrd) with names
+/// and colours as 3D Slicer keeps them, and all layers; NIfTI has one layer: of several the first with a
+/// label counts. Throws as `writeScan`.
+void writeLabelMap(const std::filesystem::path& file, const LabelMap& map);
+
+/// What the voxels of an image file stand for.
+enum class ImageContents { values, labels };
+
+/// Tells a scan from a label map: by its kind for DICOM, by its name for .seg.nrrd; else by the values.
+/// Labels are whole numbers from 0 on, of which there are few (eight) or which mostly have neighbours of the
+/// same value. Reads the file. Throws as `readScan`.
+ImageContents imageContents(const std::filesystem::path& fileOrFolder, Progress& progress);
+
+} // namespace viscera::medical_io

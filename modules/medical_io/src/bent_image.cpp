@@ -1,0 +1,173 @@
+#include "viscera/medical_io/bent_image.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <type_traits>
+
+#include "label_segments.h"
+#include "scan_sampling.h"
+#include "viscera/core/parallel.h"
+
+namespace viscera::medical_io {
+namespace {
+
+constexpr Eigen::Index kRows = 8;       ///< Rows of a slice that a thread fills in one go.
+constexpr std::size_t kMeasured = 4000; ///< About so many voxels are kept for measuring.
+
+/// The grid of an image.
+struct Grid {
+  std::array<int, 3> size;
+  Eigen::Affine3d indexToLps;
+
+  std::size_t voxels() const { return std::size_t(size[0]) * std::size_t(size[1]) * std::size_t(size[2]); }
+  deformation::SamplePlane slice(int k) const {
+    return {indexToLps * Vec3(0, 0, k), indexToLps.linear().col(0), indexToLps.linear().col(1), size[0],
+            size[1]};
+  }
+};
+
+/// Counts what moved, and keeps some of it.
+class Reporter {
+public:
+  Reporter(const Grid& grid, BendReport& report)
+      : grid_(grid), report_(report), step_(grid.voxels() / kMeasured + 1) {}
+
+  void add(int k, const deformation::RestPoints& rest) {
+    const std::size_t slice = rest.states.size();
+    for (std::size_t v = 0; v < slice; ++v) {
+      if (rest.states[v] == deformation::RestState::still)
+        continue;
+      ++report_.moved;
+      report_.folded += rest.states[v] == deformation::RestState::folded ? 1U : 0U;
+      if (report_.moved % step_ != 0)
+        continue;
+      const int i = static_cast<int>(v % std::size_t(grid_.size[0]));
+      const int j = static_cast<int>(v / std::size_t(grid_.size[0]));
+      posed_.push_back(grid_.indexToLps * Vec3(i, j, k));
+      rest_.push_back(rest.points.row(static_cast<Eigen::Index>(v)).transpose());
+      report_.rest.states.push_back(rest.states[v]);
+    }
+  }
+  void finish() {
+    report_.posed = pointsOf(posed_);
+    report_.rest.points = pointsOf(rest_);
+  }
+
+private:
+  const Grid& grid_;
+  BendReport& report_;
+  std::size_t step_;
+  std::vector<Vec3> posed_, rest_;
+};
+
+/// Calls `fill(voxel, index at rest)` for every voxel that moves, slice by slice, on several threads; `index`
+/// is in voxels of the grid.
+void bend(const Grid& grid, const deformation::InverseMap& map, BendReport& report, Progress& progress,
+          const std::function<void(std::size_t voxel, const Vec3& index)>& fill) {
+  report = {};
+  Reporter reporter(grid, report);
+  const Eigen::Affine3d lpsToIndex = grid.indexToLps.inverse();
+  deformation::RestPoints rest;
+  const std::size_t slice = std::size_t(grid.size[0]) * std::size_t(grid.size[1]);
+  for (int k = 0; k < grid.size[2]; ++k) {
+    progress.report(static_cast<double>(k) / grid.size[2], "Bending the image");
+    progress.throwIfCancelled();
+    map.restPlane(grid.slice(k), rest);
+    reporter.add(k, rest);
+    const std::size_t begin = slice * std::size_t(k);
+    parallelRanges(grid.size[1], kRows, {}, [&](Eigen::Index first, Eigen::Index last) {
+      for (auto v = std::size_t(first) * std::size_t(grid.size[0]);
+           v < std::size_t(last) * std::size_t(grid.size[0]); ++v)
+        if (rest.states[v] != deformation::RestState::still)
+          fill(begin + v, lpsToIndex * Vec3(rest.points.row(static_cast<Eigen::Index>(v)).transpose()));
+    });
+  }
+  reporter.finish();
+  progress.report(1);
+}
+
+/// What a voxel gets that nothing was measured at.
+template <class Sample>
+Sample emptySample(const Scan& scan, const std::vector<Sample>& samples) {
+  if constexpr (std::is_floating_point_v<Sample>)
+    if (!scan.padding)
+      return std::numeric_limits<Sample>::quiet_NaN();
+  if (scan.padding)
+    return static_cast<Sample>(*scan.padding);
+  if (samples.empty())
+    return 0;
+  return scan.slope > 0 ? *std::min_element(samples.begin(), samples.end())
+                        : *std::max_element(samples.begin(), samples.end());
+}
+
+template <class Sample>
+Sample rounded(double value) {
+  if constexpr (std::is_floating_point_v<Sample>)
+    return static_cast<Sample>(value);
+  else
+    return static_cast<Sample>(std::lround(value)); // A mean of samples fits.
+}
+
+/// Counts every segment's voxels; those without any are left out.
+void countAgain(LabelMap& map, Progress& progress) {
+  for (Segment& segment : map.segments)
+    segment.voxels = 0;
+  measureSegments(map, progress);
+  std::vector<std::uint16_t> numbers(map.segments.size() + 1, 0);
+  std::vector<Segment> kept;
+  for (std::size_t s = 0; s < map.segments.size(); ++s) {
+    if (map.segments[s].voxels == 0) {
+      map.warnings.push_back(map.segments[s].name + " has no voxels any more");
+      continue;
+    }
+    kept.push_back(map.segments[s]);
+    numbers[s + 1] = static_cast<std::uint16_t>(kept.size());
+  }
+  if (kept.size() == map.segments.size())
+    return;
+  map.segments = std::move(kept);
+  for (LabelMap::Layer& layer : map.layers)
+    for (std::uint16_t& voxel : layer)
+      voxel = numbers[voxel];
+}
+
+} // namespace
+
+Scan bentScan(const Scan& scan, const deformation::InverseMap& map, BendReport& report, Progress& progress) {
+  Scan bent = scan;
+  std::visit(
+      [&]<class Sample>(std::vector<Sample>& out) {
+        const auto& samples = std::get<std::vector<Sample>>(scan.samples);
+        const TrilinearSampler<Sample> sampler(samples, scan.size, scan.padding);
+        const Sample empty = emptySample(scan, samples);
+        bend({scan.size, scan.indexToLps}, map, report, progress, [&](std::size_t voxel, const Vec3& index) {
+          const std::optional<double> value = sampler(index);
+          out[voxel] = value ? rounded<Sample>(*value) : empty;
+        });
+      },
+      bent.samples);
+  return bent;
+}
+
+LabelMap bentLabelMap(const LabelMap& map, const deformation::InverseMap& inverse, BendReport& report,
+                      Progress& progress) {
+  LabelMap bent = map;
+  bend({map.size, map.indexToLps}, inverse, report, progress, [&](std::size_t voxel, const Vec3& index) {
+    std::array<int, 3> nearest;
+    bool inside = true;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const double at = std::round(index[static_cast<Eigen::Index>(axis)]);
+      inside = inside && at >= 0 && at < map.size[axis];
+      nearest[axis] = inside ? static_cast<int>(at) : 0;
+    }
+    const std::size_t from = map.indexOf(nearest[0], nearest[1], nearest[2]);
+    for (std::size_t layer = 0; layer < map.layers.size(); ++layer)
+      bent.layers[layer][voxel] = inside ? map.layers[layer][from] : std::uint16_t{0};
+  });
+  countAgain(bent, progress);
+  return bent;
+}
+
+} // namespace viscera::medical_io

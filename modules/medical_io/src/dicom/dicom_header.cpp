@@ -1,0 +1,341 @@
+#include "dicom/dicom_header.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "dicom/quiet_dcmtk.h"
+#include "image_formats/raw_image.h"
+#include "text_scanner.h"
+#include "viscera/core/error.h"
+
+// DCMTK's configuration has to be known before its other headers.
+#include <dcmtk/config/osconfig.h>
+
+#include <dcmtk/dcmdata/dcspchrs.h>
+#include <dcmtk/dcmdata/dctk.h>
+#include <dcmtk/dcmdata/dcxfer.h>
+
+namespace viscera::medical_io {
+namespace {
+
+/// Longer values (pixels) stay on the disk.
+constexpr Uint32 kLongestLoaded = 4096;
+constexpr int kMostFrames = 100'000;
+/// A picture that is all of one value takes few bytes, but not as few as a damaged header may claim.
+constexpr std::uint64_t kMostPerByte = 2000, kLeastLimit = std::uint64_t{1} << 25U;
+constexpr double kUnitLength = 1e-3; ///< Direction cosines are off by no more.
+constexpr double kSecondsPerMinute = 60, kSecondsPerHour = 3600;
+
+std::string textAt(DcmItem& item, const DcmTagKey& key) {
+  OFString text;
+  if (item.findAndGetOFStringArray(key, text).bad())
+    return {};
+  return std::string(trimmed(std::string_view(text.c_str(), text.size())));
+}
+
+/// All numbers of a value; empty when one of them is none.
+std::vector<double> numbersAt(DcmItem& item, const DcmTagKey& key) {
+  std::vector<double> list;
+  const std::string text = textAt(item, key);
+  std::string_view rest = text;
+  while (!rest.empty()) {
+    const std::size_t end = std::min(rest.find('\\'), rest.size());
+    const auto number = parseNumber(trimmed(rest.substr(0, end)));
+    if (!number || !std::isfinite(*number))
+      return {};
+    list.push_back(*number);
+    rest.remove_prefix(std::min(end + 1, rest.size()));
+  }
+  return list;
+}
+
+std::optional<double> numberAt(DcmItem& item, const DcmTagKey& key) {
+  const std::vector<double> list = numbersAt(item, key);
+  return list.empty() ? std::nullopt : std::optional(list.front());
+}
+
+/// The seconds of a time "hhmmss.ffffff", or of a date with a time behind it.
+std::optional<double> secondsOf(std::string_view text) {
+  const std::size_t whole = std::min(text.find('.'), text.size());
+  if (whole == 14)
+    text.remove_prefix(8);
+  else if (whole != 6)
+    return std::nullopt;
+  text = text.substr(0, text.find_first_of("+-&"));
+  const auto hours = parseNumber(text.substr(0, 2)), minutes = parseNumber(text.substr(2, 2)),
+             seconds = parseNumber(text.substr(4));
+  if (!hours || !minutes || !seconds)
+    return std::nullopt;
+  return *hours * kSecondsPerHour + *minutes * kSecondsPerMinute + *seconds;
+}
+
+/// In UTF-8; letters that cannot be told are question marks.
+std::string readable(DcmItem& dataset, const std::string& text) {
+  const auto isAscii = [](char c) { return static_cast<unsigned char>(c) < 0x80; };
+  if (std::all_of(text.begin(), text.end(), isAscii))
+    return text;
+  DcmSpecificCharacterSet set;
+  OFString converted;
+  if (set.selectCharacterSet(dataset).good() &&
+      set.convertString(OFString(text.data(), text.size()), converted).good())
+    return std::string(converted.c_str(), converted.size());
+  std::string result = text;
+  std::replace_if(
+      result.begin(), result.end(), [&](char c) { return !isAscii(c); }, '?');
+  return result;
+}
+
+/// Where the values of one frame are: of an enhanced file in the frame's group or in the one that all share,
+/// else in the data set itself.
+class FrameItems {
+public:
+  FrameItems(DcmItem& dataset, DcmItem* shared, DcmItem* own) : items_{own, shared}, dataset_(dataset) {}
+
+  /// The item that has `key`, within `sequence` of an enhanced file.
+  DcmItem* with(const DcmTagKey& sequence, const DcmTagKey& key) const {
+    for (DcmItem* group : items_) {
+      DcmItem* item = nullptr;
+      if (group != nullptr && group->findAndGetSequenceItem(sequence, item, 0).good() && item != nullptr &&
+          item->tagExistsWithValue(key))
+        return item;
+    }
+    return dataset_.tagExistsWithValue(key) ? &dataset_ : nullptr;
+  }
+  std::optional<double> number(const DcmTagKey& sequence, const DcmTagKey& key) const {
+    DcmItem* item = with(sequence, key);
+    return item != nullptr ? numberAt(*item, key) : std::nullopt;
+  }
+  std::vector<double> numbers(const DcmTagKey& sequence, const DcmTagKey& key) const {
+    DcmItem* item = with(sequence, key);
+    return item != nullptr ? numbersAt(*item, key) : std::vector<double>{};
+  }
+  std::string text(const DcmTagKey& sequence, const DcmTagKey& key) const {
+    DcmItem* item = with(sequence, key);
+    return item != nullptr ? textAt(*item, key) : std::string();
+  }
+
+private:
+  std::array<DcmItem*, 2> items_;
+  DcmItem& dataset_;
+};
+
+class HeaderReader {
+public:
+  explicit HeaderReader(const std::filesystem::path& file) : file_{file, {}} { header_.file = file; }
+
+  DicomHeader run() {
+    load();
+    DcmDataset& dataset = *format_.getDataset();
+    header_.seriesUid = textAt(dataset, DCM_SeriesInstanceUID);
+    header_.modality = textAt(dataset, DCM_Modality);
+    header_.description = readable(dataset, textAt(dataset, DCM_SeriesDescription));
+    header_.rescaleType = textAt(dataset, DCM_RescaleType);
+    header_.temporalResolutionMs = numberAt(dataset, DCM_TemporalResolution);
+    const DcmXfer syntax(dataset.getOriginalXfer());
+    header_.transferSyntax = syntax.getXferName();
+    header_.packed = syntax.isEncapsulated();
+    if (readPixelFormat(dataset)) {
+      readFrames(dataset);
+      requirePixels(dataset);
+    }
+    return std::move(header_);
+  }
+
+private:
+  void load() {
+    silenceDcmtk();
+    const OFCondition loaded =
+        format_.loadFile(file_.file.c_str(), EXS_Unknown, EGL_noChange, kLongestLoaded, ERM_autoDetect);
+    if (loaded.bad())
+      file_.fail("is damaged or no DICOM file: " + std::string(loaded.text()));
+  }
+
+  /// False for what is no slice of a scan.
+  bool readPixelFormat(DcmItem& dataset) {
+    if (!dataset.tagExists(DCM_PixelData)) {
+      header_.notAScan = "has no pixels";
+      return false;
+    }
+    const auto number = [&](const DcmTagKey& key, int otherwise) {
+      return static_cast<int>(numberAt(dataset, key).value_or(otherwise));
+    };
+    header_.columns = axisSize(file_, number(DCM_Columns, 0), "a row");
+    header_.rows = axisSize(file_, number(DCM_Rows, 0), "a column");
+    const std::string colours = textAt(dataset, DCM_PhotometricInterpretation);
+    if (number(DCM_SamplesPerPixel, 1) != 1 || (!colours.empty() && !colours.starts_with("MONOCHROME"))) {
+      header_.notAScan = "is a colour picture";
+      return false;
+    }
+    DicomPixelFormat& format = header_.format;
+    format.allocated = number(DCM_BitsAllocated, 16);
+    format.stored = number(DCM_BitsStored, format.allocated);
+    format.high = number(DCM_HighBit, format.stored - 1);
+    format.isSigned = number(DCM_PixelRepresentation, 0) == 1;
+    if ((format.allocated != 8 && format.allocated != 16 && format.allocated != 32) || format.stored < 1 ||
+        format.high >= format.allocated || format.high + 1 < format.stored)
+      file_.fail("its pixels of " + std::to_string(format.stored) + " bits in " +
+                     std::to_string(format.allocated) + ", up to bit " + std::to_string(format.high) +
+                     ", are not supported",
+                 "export it as pixels of 16 bits");
+    readPadding(dataset);
+    const auto level = numberAt(dataset, DCM_WindowCenter), width = numberAt(dataset, DCM_WindowWidth);
+    if (level && width && *width > 0)
+      header_.window = ValueWindow{*level, *width};
+    return true;
+  }
+
+  /// So that no memory is taken for pixels that cannot be there.
+  void requirePixels(DcmItem& dataset) const {
+    const std::uint64_t each = std::uint64_t(header_.rows) * std::uint64_t(header_.columns) *
+                               std::uint64_t(header_.format.allocated / 8);
+    const std::uint64_t promised = saturatedProduct(each, header_.frames.size());
+    if (header_.packed) {
+      std::error_code error;
+      const std::uint64_t there = std::filesystem::file_size(file_.file, error);
+      if (promised > std::max(kLeastLimit, saturatedProduct(there, kMostPerByte)))
+        file_.fail("its header is damaged: it promises " + std::to_string(promised) + " bytes of pixels in " +
+                   std::to_string(there));
+      return;
+    }
+    DcmElement* pixels = nullptr;
+    if (dataset.findAndGetElement(DCM_PixelData, pixels).bad() || pixels == nullptr ||
+        pixels->getLengthField() < promised)
+      file_.fail("the file is cut off: its header promises " + std::to_string(promised) +
+                 " bytes of pixels, " + std::to_string(pixels == nullptr ? 0 : pixels->getLengthField()) +
+                 " are there");
+  }
+
+  /// The values are stored as pixels are; some writers forget a sign.
+  void readPadding(DcmItem& dataset) {
+    const auto first = numberAt(dataset, DCM_PixelPaddingValue);
+    if (!first)
+      return;
+    const auto asPixel = [&](double value) {
+      const std::int64_t whole = std::int64_t{1} << std::min(header_.format.allocated, 32);
+      auto number = static_cast<std::int64_t>(std::clamp(value, -9e9, 9e9));
+      if (header_.format.isSigned && number >= whole / 2)
+        number -= whole;
+      return !header_.format.isSigned && number < 0 ? number + whole : number;
+    };
+    const std::int64_t a = asPixel(*first);
+    const std::int64_t b = asPixel(numberAt(dataset, DCM_PixelPaddingRangeLimit).value_or(*first));
+    header_.format.padding = {std::min(a, b), std::max(a, b)};
+  }
+
+  void readFrames(DcmItem& dataset) {
+    const int count = static_cast<int>(numberAt(dataset, DCM_NumberOfFrames).value_or(1));
+    if (count < 1 || count > kMostFrames)
+      file_.fail("its header is damaged: it has " + std::to_string(count) + " frames");
+    DcmItem* shared = nullptr;
+    dataset.findAndGetSequenceItem(DCM_SharedFunctionalGroupsSequence, shared, 0);
+    DcmSequenceOfItems* groups = nullptr;
+    dataset.findAndGetSequence(DCM_PerFrameFunctionalGroupsSequence, groups);
+    if (groups != nullptr && groups->card() != static_cast<unsigned long>(count))
+      file_.fail("its header is damaged: it describes " + std::to_string(groups->card()) + " of " +
+                 std::to_string(count) + " frames");
+    const std::string uid = textAt(dataset, DCM_SOPInstanceUID);
+    DcmObject* own = nullptr;
+    for (int frame = 0; frame < count; ++frame) {
+      own = groups != nullptr ? groups->nextInContainer(own) : nullptr;
+      readFrame(FrameItems(dataset, shared, dynamic_cast<DcmItem*>(own)), frame);
+      if (!header_.notAScan.empty()) {
+        header_.frames.clear();
+        return;
+      }
+      header_.frames.back().uid = uid.empty() ? uid : uid + ' ' + std::to_string(frame);
+    }
+    if (count > 1 && groups == nullptr)
+      placePlainFrames(dataset);
+  }
+
+  void readFrame(const FrameItems& items, int number) {
+    DicomFrame frame;
+    frame.frame = number;
+    const auto position = items.numbers(DCM_PlanePositionSequence, DCM_ImagePositionPatient);
+    const auto directions = items.numbers(DCM_PlaneOrientationSequence, DCM_ImageOrientationPatient);
+    const auto spacing = items.numbers(DCM_PixelMeasuresSequence, DCM_PixelSpacing);
+    if (position.size() != 3 || directions.size() != 6) {
+      header_.notAScan = "does not say where in the patient it lies";
+      return;
+    }
+    if (spacing.size() != 2 || !(spacing[0] > 0 && spacing[1] > 0)) {
+      header_.notAScan = "does not say how large its pixels are";
+      return;
+    }
+    frame.position = {position[0], position[1], position[2]};
+    const Vec3 row(directions[0], directions[1], directions[2]);
+    const Vec3 column(directions[3], directions[4], directions[5]);
+    if (std::abs(row.norm() - 1) > kUnitLength || std::abs(column.norm() - 1) > kUnitLength ||
+        std::abs(row.dot(column)) > kUnitLength)
+      file_.fail("its header is damaged: the directions of its rows and columns are not square");
+    frame.row = row.normalized();
+    frame.column = column.normalized();
+    frame.betweenRows = spacing[0];
+    frame.betweenColumns = spacing[1];
+    frame.thickness = items.number(DCM_PixelMeasuresSequence, DCM_SpacingBetweenSlices)
+                          .value_or(items.number(DCM_PixelMeasuresSequence, DCM_SliceThickness).value_or(0));
+    frame.slope = items.number(DCM_PixelValueTransformationSequence, DCM_RescaleSlope).value_or(1);
+    frame.intercept = items.number(DCM_PixelValueTransformationSequence, DCM_RescaleIntercept).value_or(0);
+    if (frame.slope == 0)
+      file_.fail("its header is damaged: its rescale slope is 0");
+    if (!header_.window)
+      readFrameWindow(items);
+    readTimes(items, frame);
+    header_.frames.push_back(std::move(frame));
+  }
+
+  void readFrameWindow(const FrameItems& items) {
+    const auto level = items.number(DCM_FrameVOILUTSequence, DCM_WindowCenter),
+               width = items.number(DCM_FrameVOILUTSequence, DCM_WindowWidth);
+    if (level && width && *width > 0)
+      header_.window = ValueWindow{*level, *width};
+  }
+
+  static void readTimes(const FrameItems& items, DicomFrame& frame) {
+    frame.temporalPosition = items.number(DCM_FrameContentSequence, DCM_TemporalPositionIndex);
+    if (!frame.temporalPosition)
+      frame.temporalPosition = items.number(DCM_FrameContentSequence, DCM_TemporalPositionIdentifier);
+    frame.triggerMs = items.number(DCM_CardiacSynchronizationSequence, DCM_NominalCardiacTriggerDelayTime);
+    if (!frame.triggerMs)
+      frame.triggerMs = items.number(DCM_CardiacSynchronizationSequence, DCM_TriggerTime);
+    frame.percent = items.number(DCM_CardiacSynchronizationSequence, DCM_NominalPercentageOfCardiacPhase);
+    frame.acquisitionSeconds = secondsOf(items.text(DCM_FrameContentSequence, DCM_FrameAcquisitionDateTime));
+    if (!frame.acquisitionSeconds)
+      frame.acquisitionSeconds = secondsOf(items.text(DCM_FrameContentSequence, DCM_AcquisitionDateTime));
+    if (!frame.acquisitionSeconds)
+      frame.acquisitionSeconds = secondsOf(items.text(DCM_FrameContentSequence, DCM_AcquisitionTime));
+    frame.instance = static_cast<std::int64_t>(
+        items.number(DCM_FrameContentSequence, DCM_InstanceNumber).value_or(0) + frame.frame);
+    frame.echo = items.text(DCM_MREchoSequence, DCM_EchoNumbers);
+    const std::string time = items.text(DCM_MREchoSequence, DCM_EffectiveEchoTime);
+    frame.echo += ' ' + (time.empty() ? items.text(DCM_MREchoSequence, DCM_EchoTime) : time);
+  }
+
+  /// Frames of old kinds (dose, nuclear medicine) lie above the first one.
+  void placePlainFrames(DcmItem& dataset) {
+    std::vector<double> offsets = numbersAt(dataset, DCM_GridFrameOffsetVector);
+    const auto spacing = numberAt(dataset, DCM_SpacingBetweenSlices);
+    if (offsets.empty() && spacing)
+      for (std::size_t f = 0; f < header_.frames.size(); ++f)
+        offsets.push_back(*spacing * double(f));
+    if (offsets.size() != header_.frames.size()) {
+      header_.notAScan = "does not say where its frames lie";
+      header_.frames.clear();
+      return;
+    }
+    for (std::size_t f = 0; f < offsets.size(); ++f)
+      header_.frames[f].position += (offsets[f] - offsets[0]) * header_.frames[f].normal();
+  }
+
+  FileBytes file_;
+  DcmFileFormat format_;
+  DicomHeader header_;
+};
+
+} // namespace
+
+DicomHeader readDicomHeader(const std::filesystem::path& file) {
+  return HeaderReader(file).run();
+}
+
+} // namespace viscera::medical_io

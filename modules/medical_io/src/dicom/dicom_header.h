@@ -1,0 +1,60 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "viscera/medical_io/scan.h"
+
+/// What DICOM files say of their pictures, parsed by DCMTK without their pixels.
+namespace viscera::medical_io {
+
+/// Whether pixels are numbers as they are, and if so which; the same for all frames of a file.
+struct DicomPixelFormat {
+  int allocated = 16; ///< Bits a pixel takes.
+  int stored = 16;    ///< Bits of them that count ...
+  int high = 15;      ///< ... of which this is the highest.
+  bool isSigned = false;
+  /// Stored values from the first to the second are no measurement.
+  std::optional<std::array<std::int64_t, 2>> padding;
+
+  bool operator==(const DicomPixelFormat&) const = default;
+};
+
+/// One picture: a slice at a place, of a phase.
+struct DicomFrame {
+  std::size_t file = 0;                             ///< In the list of headers.
+  int frame = 0;                                    ///< In the file.
+  Vec3 position = Vec3::Zero();                     ///< Of the first pixel's centre, mm LPS.
+  Vec3 row = Vec3::UnitX(), column = Vec3::UnitY(); ///< Unit vectors along a row and along a column.
+  double betweenColumns = 1, betweenRows = 1;       ///< mm: the steps along a row and along a column.
+  double thickness = 0;                             ///< What the file says, mm; 0 when it does not.
+  double slope = 1, intercept = 0;
+  std::optional<double> temporalPosition, triggerMs, percent, acquisitionSeconds;
+  std::int64_t instance = 0; ///< Its number in the series.
+  std::string echo;          ///< What tells echoes apart.
+  std::string uid;           ///< Of the picture; with the frame's number for a file of several.
+
+  Vec3 normal() const { return row.cross(column).normalized(); }
+};
+
+/// A file with one frame or more.
+struct DicomHeader {
+  std::filesystem::path file;
+  std::string seriesUid, description, modality, transferSyntax;
+  bool packed = false; ///< Pixels are compressed.
+  std::string rescaleType;
+  int columns = 0, rows = 0;
+  DicomPixelFormat format;
+  std::optional<ValueWindow> window;
+  std::optional<double> temporalResolutionMs;
+  std::vector<DicomFrame> frames; ///< `file` is not set.
+  std::string notAScan;           ///< Why it has no frames that could be slices: "is a colour picture".
+};
+
+/// Reads one. Throws `DataError` for a damaged file, `NoInputError`.
+DicomHeader readDicomHeader(const std::filesystem::path& file);
+
+} // namespace viscera::medical_io

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <memory>
+
+#include "dicom/dicom_pixels.h"
+
+class DcmFileFormat;
+
+namespace viscera::medical_io {
+
+/// Pixels of an opened file; one kind for each way of storing them. `header` outlives it.
+class DicomPixelSource {
+public:
+  virtual ~DicomPixelSource() = default;
+  /// As `DicomPixelReader::read`.
+  virtual DicomPixels read(int frame) = 0;
+};
+
+/// JPEG 2000, unpacked by GDCM. Throws `DataError`.
+std::unique_ptr<DicomPixelSource> jpeg2000Pixels(const DicomHeader& header,
+                                                 std::shared_ptr<DcmFileFormat> format);
+
+} // namespace viscera::medical_io

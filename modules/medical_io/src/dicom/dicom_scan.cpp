@@ -1,0 +1,337 @@
+#include "dicom/dicom_scan.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <new>
+#include <set>
+
+#include "dicom/dicom_folder.h"
+#include "dicom/dicom_pixels.h"
+#include "dicom/slice_stack.h"
+#include "file_bytes.h"
+#include "image_formats/raw_image.h"
+#include "viscera/core/error.h"
+#include "viscera/core/parallel.h"
+
+namespace viscera::medical_io {
+namespace {
+
+/// The part of the work that headers are.
+constexpr double kHeaders = 0.2;
+
+/// All pictures at a place.
+struct Folder {
+  FrameList list;
+  std::vector<SliceGroup> groups; ///< The largest first.
+  std::vector<ScanFinding> damaged;
+};
+
+/// Calls `job(i)` for every i on several threads; says how far it is, and stops when told to.
+template <class Job>
+void forAll(std::size_t count, Progress& progress, double from, double to, const std::string& step,
+            const Job& job) {
+  std::atomic<std::size_t> done = 0;
+  parallelRanges(static_cast<Eigen::Index>(count), 1, {}, [&](Eigen::Index begin, Eigen::Index end) {
+    for (Eigen::Index i = begin; i < end; ++i) {
+      progress.throwIfCancelled();
+      job(static_cast<std::size_t>(i));
+      progress.report(from + (to - from) * double(++done) / double(count), step);
+    }
+  });
+}
+
+std::string seriesId(const Folder& folder, const SliceGroup& group) {
+  const DicomHeader& file = folder.list.files[folder.list.frames[group.frames[0]].file];
+  return file.seriesUid + (group.ofSeries > 0 ? "#" + std::to_string(group.ofSeries + 1) : "");
+}
+
+std::uint64_t voxelsOf(const Folder& folder, const SliceGroup& group) {
+  const DicomHeader& file = folder.list.files[folder.list.frames[group.frames[0]].file];
+  return std::uint64_t(file.rows) * std::uint64_t(file.columns) * group.frames.size();
+}
+
+void listFrames(Folder& folder) {
+  for (std::size_t file = 0; file < folder.list.files.size(); ++file)
+    for (DicomFrame& frame : folder.list.files[file].frames) {
+      frame.file = file;
+      folder.list.frames.push_back(frame);
+    }
+}
+
+/// Why there is nothing to read, by the first file that says so.
+[[noreturn]] void failWithoutSlices(const std::filesystem::path& place, const FrameList& list,
+                                    const std::vector<std::optional<DataError>>& errors) {
+  for (const auto& error : errors)
+    if (error)
+      throw DataError(*error);
+  for (const DicomHeader& header : list.files)
+    if (!header.notAScan.empty())
+      throw DataError("It has no slices of a scan: " + header.file.filename().string() + ' ' +
+                          header.notAScan,
+                      place.string(), "name the folder of a CT or MR series");
+  throw DataError("It has no slices of a scan", place.string(), "name the folder of a CT or MR series");
+}
+
+Folder openFolder(const std::filesystem::path& place, Progress& progress, double until) {
+  const std::vector<std::filesystem::path> files = dicomImages(place);
+  std::vector<DicomHeader> headers(files.size());
+  std::vector<std::optional<DataError>> errors(files.size());
+  forAll(files.size(), progress, 0, until, "headers", [&](std::size_t i) {
+    try {
+      headers[i] = readDicomHeader(files[i]);
+    } catch (const DataError& error) {
+      headers[i].file = files[i];
+      errors[i] = error;
+    }
+  });
+  std::error_code ignored;
+  for (std::size_t i = 0; i < files.size() && !std::filesystem::is_directory(place, ignored); ++i)
+    if (files[i].filename() == place.filename() && errors[i])
+      throw DataError(*errors[i]);
+  Folder folder;
+  folder.list.files = std::move(headers);
+  listFrames(folder);
+  if (folder.list.frames.empty())
+    failWithoutSlices(place, folder.list, errors);
+  const auto damaged =
+      std::find_if(errors.begin(), errors.end(), [](const auto& e) { return e.has_value(); });
+  if (damaged != errors.end()) {
+    const auto count = static_cast<std::uint64_t>(
+        std::count_if(errors.begin(), errors.end(), [](const auto& e) { return e.has_value(); }));
+    folder.damaged.push_back(
+        {ScanFinding::Kind::damaged, counted(count, "file is", "files are") + " damaged and left out (" +
+                                         files[std::size_t(damaged - errors.begin())].filename().string() +
+                                         ": " + (*damaged)->problem() + ")"});
+  }
+  folder.groups = groupFrames(folder.list);
+  std::stable_sort(folder.groups.begin(), folder.groups.end(),
+                   [&](const auto& a, const auto& b) { return voxelsOf(folder, a) > voxelsOf(folder, b); });
+  return folder;
+}
+
+/// The group that is asked for; else that of the file that was named, else the largest.
+const SliceGroup& chosenGroup(const Folder& folder, const std::filesystem::path& place,
+                              const std::string& series) {
+  for (const SliceGroup& group : folder.groups)
+    if (!series.empty() && seriesId(folder, group) == series)
+      return group;
+  if (!series.empty()) {
+    std::string known;
+    for (const SliceGroup& group : folder.groups)
+      known += (known.empty() ? "" : ", ") + seriesId(folder, group);
+    throw UsageError("It has no series " + series, place.string(), "there are: " + known);
+  }
+  std::error_code error;
+  if (std::filesystem::is_directory(place, error))
+    return folder.groups.front();
+  for (const SliceGroup& group : folder.groups)
+    for (const std::size_t f : group.frames)
+      if (folder.list.files[folder.list.frames[f].file].file.filename() == place.filename())
+        return group;
+  std::string why = "It is no slice of a scan";
+  for (const DicomHeader& header : folder.list.files)
+    if (header.file.filename() == place.filename() && !header.notAScan.empty())
+      why += ": it " + header.notAScan;
+  throw DataError(why, place.string(), "name the folder, or another file in it");
+}
+
+/// How all slices are made samples: as they are where they agree, else by their values.
+struct SampleForm {
+  DicomPixelFormat format;
+  double slope = 1, intercept = 0;
+  bool uniform = true;
+};
+
+SampleForm formOf(const FrameList& list, const SliceStack& stack) {
+  const DicomFrame& first = list.frames[stack.frames[0]];
+  SampleForm form{list.files[first.file].format, first.slope, first.intercept, true};
+  for (const std::size_t f : stack.frames) {
+    const DicomFrame& frame = list.frames[f];
+    form.uniform = form.uniform && frame.slope == form.slope && frame.intercept == form.intercept &&
+                   list.files[frame.file].format == form.format;
+  }
+  return form;
+}
+
+/// A stored pixel: the bits that count, with their sign.
+class PixelValue {
+public:
+  explicit PixelValue(const DicomPixelFormat& format)
+      : shift_(format.high + 1 - format.stored), isSigned_(format.isSigned),
+        mask_((std::uint64_t{1} << unsigned(format.stored)) - 1),
+        sign_(std::uint64_t{1} << unsigned(format.stored - 1)) {}
+
+  std::int64_t operator()(std::uint64_t raw) const {
+    const std::uint64_t bits = (raw >> unsigned(shift_)) & mask_;
+    return isSigned_ ? static_cast<std::int64_t>(bits ^ sign_) - static_cast<std::int64_t>(sign_)
+                     : static_cast<std::int64_t>(bits);
+  }
+
+private:
+  int shift_;
+  bool isSigned_;
+  std::uint64_t mask_, sign_;
+};
+
+template <class Raw, class Out>
+void convertSlice(const DicomPixels& pixels, const DicomFrame& frame, const SampleForm& form, Out* out) {
+  const PixelValue value(pixels.format);
+  const auto& padding = pixels.format.padding;
+  const std::size_t count = pixels.bytes.size() / sizeof(Raw);
+  const bool asStored = form.uniform && pixels.format.stored == pixels.format.allocated;
+  for (std::size_t i = 0; i < count; ++i) {
+    Raw raw;
+    std::memcpy(&raw, pixels.bytes.data() + i * sizeof(Raw), sizeof(Raw));
+    std::int64_t stored = 0;
+    if (asStored)
+      stored = form.format.isSigned ? std::int64_t(std::make_signed_t<Raw>(raw)) : std::int64_t(raw);
+    else
+      stored = value(raw);
+    const bool padded = padding && stored >= (*padding)[0] && stored <= (*padding)[1];
+    if constexpr (std::is_floating_point_v<Out>)
+      out[i] = padded ? std::numeric_limits<Out>::quiet_NaN()
+                      : static_cast<Out>(frame.slope * double(stored) + frame.intercept);
+    else
+      out[i] = static_cast<Out>(padded ? (*padding)[0] : stored);
+  }
+}
+
+template <class Sample>
+Scan::Samples readSamples(const FrameList& list, const SliceStack& stack, const SampleForm& form,
+                          Progress& progress) {
+  const DicomHeader& any = list.files[list.frames[stack.frames[0]].file];
+  const std::size_t slice = std::size_t(any.rows) * std::size_t(any.columns);
+  std::vector<Sample> samples(slice * stack.frames.size());
+  // Frames of one file follow each other on one thread; each file is opened once.
+  std::vector<std::pair<std::size_t, std::vector<std::size_t>>> byFile;
+  std::vector<std::size_t> order(stack.frames.size());
+  for (std::size_t k = 0; k < order.size(); ++k)
+    order[k] = k;
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return list.frames[stack.frames[a]].file < list.frames[stack.frames[b]].file;
+  });
+  for (const std::size_t k : order) {
+    const std::size_t file = list.frames[stack.frames[k]].file;
+    if (byFile.empty() || byFile.back().first != file)
+      byFile.emplace_back(file, std::vector<std::size_t>{});
+    byFile.back().second.push_back(k);
+  }
+  forAll(byFile.size(), progress, kHeaders, 1, "slices", [&](std::size_t number) {
+    const DicomHeader& header = list.files[byFile[number].first];
+    DicomPixelReader reader(header);
+    for (const std::size_t k : byFile[number].second) {
+      progress.throwIfCancelled();
+      const DicomFrame& frame = list.frames[stack.frames[k]];
+      const DicomPixels pixels = reader.read(frame.frame);
+      Sample* out = samples.data() + k * slice;
+      if (pixels.format.allocated == 8)
+        convertSlice<std::uint8_t>(pixels, frame, form, out);
+      else if (pixels.format.allocated == 16)
+        convertSlice<std::uint16_t>(pixels, frame, form, out);
+      else
+        convertSlice<std::uint32_t>(pixels, frame, form, out);
+    }
+  });
+  return samples;
+}
+
+Scan::Samples samplesOf(const FrameList& list, const SliceStack& stack, const SampleForm& form,
+                        Progress& progress) {
+  const auto as = [&]<class Sample>(Sample) { return readSamples<Sample>(list, stack, form, progress); };
+  const bool isSigned = form.format.isSigned;
+  if (!form.uniform)
+    return as(float());
+  if (form.format.allocated == 8)
+    return isSigned ? as(std::int8_t()) : as(std::uint8_t());
+  if (form.format.allocated == 16)
+    return isSigned ? as(std::int16_t()) : as(std::uint16_t());
+  return isSigned ? as(std::int32_t()) : as(std::uint32_t());
+}
+
+void describe(Scan& scan, const Folder& folder, const SliceGroup& group) {
+  const DicomHeader& file = folder.list.files[folder.list.frames[group.frames[0]].file];
+  scan.modality = file.modality;
+  scan.description = file.description;
+  scan.transferSyntax = file.transferSyntax;
+  scan.window = file.window;
+  scan.space = "LPS";
+  if (file.modality == "CT" && (file.rescaleType.empty() || file.rescaleType == "HU"))
+    scan.unit = "HU";
+}
+
+void append(std::vector<ScanFinding>& list, const std::vector<ScanFinding>& more) {
+  list.insert(list.end(), more.begin(), more.end());
+}
+
+} // namespace
+
+std::vector<ScanSeries> listDicomScans(const std::filesystem::path& fileOrFolder, Progress& progress) {
+  const Folder folder = openFolder(fileOrFolder, progress, 1);
+  std::vector<ScanSeries> list;
+  for (const SliceGroup& group : folder.groups) {
+    std::vector<ScanFinding> findings;
+    const std::vector<SlicePhase> phases = phasesOf(folder.list, group, findings);
+    const SliceStack stack = stackSlices(folder.list, phases[0]);
+    const DicomHeader& first = folder.list.files[folder.list.frames[group.frames[0]].file];
+    ScanSeries& series = list.emplace_back();
+    series.id = seriesId(folder, group);
+    series.description = first.description;
+    series.modality = first.modality;
+    series.size = {first.columns, first.rows, static_cast<int>(stack.frames.size())};
+    series.spacing = stack.indexToLps.linear().colwise().norm();
+    series.phases = static_cast<int>(phases.size());
+    std::set<std::filesystem::path> files;
+    for (const std::size_t f : group.frames)
+      files.insert(folder.list.files[folder.list.frames[f].file].file);
+    series.files.assign(files.begin(), files.end());
+  }
+  progress.report(1);
+  return list;
+}
+
+Scan readDicomScan(const std::filesystem::path& fileOrFolder, const ScanOptions& options,
+                   Progress& progress) {
+  const Folder folder = openFolder(fileOrFolder, progress, kHeaders);
+  const SliceGroup& group = chosenGroup(folder, fileOrFolder, options.series);
+  Scan scan;
+  append(scan.findings, group.findings);
+  const std::vector<SlicePhase> phases = phasesOf(folder.list, group, scan.findings);
+  if (options.phase < 0 || static_cast<std::size_t>(options.phase) >= phases.size())
+    throw UsageError("It has no phase " + std::to_string(options.phase) + ", but " +
+                         counted(phases.size(), "phase", "phases"),
+                     fileOrFolder.string(), "the first one is 0");
+  const SliceStack stack = stackSlices(folder.list, phases[static_cast<std::size_t>(options.phase)]);
+  append(scan.findings, stack.findings);
+  append(scan.findings, folder.damaged);
+  describe(scan, folder, group);
+  const DicomHeader& first = folder.list.files[folder.list.frames[stack.frames[0]].file];
+  scan.size = {first.columns, first.rows,
+               axisSize(FileBytes{fileOrFolder, {}}, std::int64_t(stack.frames.size()), "k")};
+  scan.indexToLps = stack.indexToLps;
+  RawImage grid;
+  grid.size = scan.size;
+  grid.indexToLps = scan.indexToLps;
+  requireUsableGrid(grid, FileBytes{fileOrFolder, {}});
+  scan.phase = options.phase;
+  for (const SlicePhase& phase : phases)
+    if (phases.size() > 1)
+      scan.phaseTimesMs.push_back(phase.timeMs);
+  const SampleForm form = formOf(folder.list, stack);
+  if (form.uniform) {
+    scan.slope = form.slope;
+    scan.intercept = form.intercept;
+    if (form.format.padding)
+      scan.padding = double((*form.format.padding)[0]);
+  }
+  try {
+    scan.samples = samplesOf(folder.list, stack, form, progress);
+  } catch (const std::bad_alloc&) {
+    throw DataError("does not fit into memory", fileOrFolder.string(), "crop the scan to the organs");
+  }
+  return scan;
+}
+
+} // namespace viscera::medical_io

@@ -1,0 +1,379 @@
+#include "dicom/slice_stack.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <iterator>
+#include <map>
+#include <numbers>
+#include <set>
+#include <sstream>
+
+#include "file_bytes.h"
+
+namespace viscera::medical_io {
+namespace {
+
+constexpr double kSameDirection = 1e-3; ///< Of unit vectors.
+constexpr double kSameSpacing = 1e-3;   ///< Of pixels, relative.
+constexpr double kEven = 0.01;          ///< Of the distance of slices.
+/// Many scanners write positions with two digits; that is no unevenness as long as slices are not as close.
+constexpr double kRoundedMm = 0.0101, kMostOfRounding = 0.05;
+constexpr double kSamePlaceMm = 1e-3;
+/// Tilts below this angle come from rounded directions, and so does a shift below this part of a pixel.
+constexpr double kLeastTiltDegrees = 0.05, kLeastShift = 0.1;
+constexpr double kWholeNumber =
+    0.05; ///< How far a gap is off a multiple of the distance to be missing slices.
+constexpr std::size_t kMostNamed = 3; ///< Gaps that are named one by one.
+constexpr double kMsPerSecond = 1000;
+
+std::string shortNumber(double value) {
+  std::ostringstream out;
+  out.precision(4);
+  out << value;
+  return out.str();
+}
+
+/// "z = -120 mm", along the axis of the patient that the slices are stacked on most.
+std::string placeOf(const DicomFrame& frame) {
+  Eigen::Index axis = 0;
+  frame.normal().cwiseAbs().maxCoeff(&axis);
+  return std::string(1, "xyz"[axis]) + " = " + shortNumber(frame.position[axis]) + " mm";
+}
+
+std::string sizeOf(const DicomHeader& file) {
+  return std::to_string(file.columns) + " x " + std::to_string(file.rows);
+}
+
+bool near(double a, double b, double relative) {
+  return std::abs(a - b) <= relative * std::max(std::abs(a), std::abs(b));
+}
+
+class Grouping {
+public:
+  explicit Grouping(const FrameList& list) : list_(list) {}
+
+  bool together(std::size_t a, std::size_t b) const {
+    const DicomFrame &x = list_.frames[a], &y = list_.frames[b];
+    const DicomHeader &f = list_.files[x.file], &g = list_.files[y.file];
+    return sameSize(f, g) && sameDirections(x, y) && near(x.betweenRows, y.betweenRows, kSameSpacing) &&
+           near(x.betweenColumns, y.betweenColumns, kSameSpacing) && x.echo == y.echo;
+  }
+
+  static bool sameSize(const DicomHeader& f, const DicomHeader& g) {
+    return f.rows == g.rows && f.columns == g.columns;
+  }
+  static bool sameDirections(const DicomFrame& x, const DicomFrame& y) {
+    return (x.row - y.row).norm() <= kSameDirection && (x.column - y.column).norm() <= kSameDirection;
+  }
+
+  /// Why the pictures of `other` are not in `group`.
+  ScanFinding difference(const SliceGroup& group, const SliceGroup& other) const {
+    const DicomFrame &x = list_.frames[group.frames[0]], &y = list_.frames[other.frames[0]];
+    const DicomHeader &f = list_.files[x.file], &g = list_.files[y.file];
+    const std::string count = counted(other.frames.size(), "picture", "pictures");
+    if (!sameSize(f, g))
+      return {ScanFinding::Kind::mixedSizes, "The series has pictures of several sizes: " + count + " of " +
+                                                 sizeOf(g) + " left out, those of " + sizeOf(f) + " read"};
+    if (!sameDirections(x, y))
+      return {ScanFinding::Kind::other, count + " in the series that lie in another direction left out"};
+    if (x.echo != y.echo)
+      return {ScanFinding::Kind::other, count + " in the series of another echo left out"};
+    return {ScanFinding::Kind::mixedSizes, "The series has pixels of several sizes: " + count + " of " +
+                                               shortNumber(y.betweenColumns) + " mm left out, those of " +
+                                               shortNumber(x.betweenColumns) + " mm read"};
+  }
+
+private:
+  const FrameList& list_;
+};
+
+/// What tells the phases of a frame apart, in one of several ways.
+using TimeOf = std::optional<double> DicomFrame::*;
+
+/// Pictures by the place that they are at, from the lowest to the highest.
+std::vector<std::vector<std::size_t>> byPlace(const FrameList& list, std::vector<std::size_t> frames) {
+  const Vec3 normal = list.frames[frames[0]].normal();
+  const auto height = [&](std::size_t f) { return normal.dot(list.frames[f].position); };
+  std::stable_sort(frames.begin(), frames.end(),
+                   [&](std::size_t a, std::size_t b) { return height(a) < height(b); });
+  std::vector<std::vector<std::size_t>> places;
+  for (const std::size_t f : frames) {
+    if (places.empty() || height(f) - height(places.back().front()) > kSamePlaceMm)
+      places.emplace_back();
+    places.back().push_back(f);
+  }
+  return places;
+}
+
+/// Whether that time is known of all pictures and tells those at each place apart.
+bool tellsApart(const FrameList& list, const std::vector<std::vector<std::size_t>>& places, TimeOf time) {
+  for (const auto& place : places) {
+    std::set<double> times;
+    for (const std::size_t f : place)
+      if (const auto at = list.frames[f].*time)
+        times.insert(*at);
+    if (times.size() != place.size())
+      return false;
+  }
+  return true;
+}
+
+/// The times of phases in ms from the first on, or their numbers.
+void setTimes(const FrameList& list, std::vector<SlicePhase>& phases, std::vector<ScanFinding>& findings) {
+  const auto timesBy = [&](TimeOf member, double unit) {
+    std::vector<double> times;
+    for (const SlicePhase& phase : phases)
+      if (const auto at = list.frames[phase.frames[0]].*member)
+        times.push_back(unit * *at);
+    for (std::size_t i = 1; i < times.size(); ++i)
+      if (!(times[i] > times[i - 1]))
+        return false;
+    if (times.size() != phases.size())
+      return false;
+    for (std::size_t i = 0; i < phases.size(); ++i)
+      phases[i].timeMs = times[i] - times[0];
+    return true;
+  };
+  if (timesBy(&DicomFrame::triggerMs, 1) || timesBy(&DicomFrame::acquisitionSeconds, kMsPerSecond))
+    return;
+  const auto step = list.files[list.frames[phases[0].frames[0]].file].temporalResolutionMs;
+  for (std::size_t i = 0; i < phases.size(); ++i)
+    phases[i].timeMs = step.value_or(1) * double(i);
+  if (!step)
+    findings.push_back({ScanFinding::Kind::other, "It does not say the times of its " +
+                                                      counted(phases.size(), "phase", "phases") +
+                                                      "; they are numbered"});
+}
+
+/// Phases by what each place's pictures say of their time.
+std::vector<SlicePhase> phasesBy(std::vector<std::vector<std::size_t>> places,
+                                 const std::function<bool(std::size_t, std::size_t)>& before) {
+  std::vector<SlicePhase> phases(places[0].size());
+  for (auto& place : places) {
+    std::stable_sort(place.begin(), place.end(), before);
+    for (std::size_t phase = 0; phase < place.size(); ++phase)
+      phases[phase].frames.push_back(place[phase]);
+  }
+  return phases;
+}
+
+/// Pictures with different temporal positions are different phases, even when one of them lacks slices.
+std::vector<SlicePhase> phasesByPosition(const FrameList& list, const std::vector<std::size_t>& frames) {
+  std::map<double, SlicePhase> byTime;
+  for (const std::size_t f : frames) {
+    if (!list.frames[f].temporalPosition)
+      return {};
+    byTime[*list.frames[f].temporalPosition].frames.push_back(f);
+  }
+  std::vector<SlicePhase> phases;
+  for (auto& [time, phase] : byTime)
+    phases.push_back(std::move(phase));
+  return phases;
+}
+
+std::vector<std::size_t> withoutCopies(const FrameList& list, const std::vector<std::size_t>& frames,
+                                       std::vector<ScanFinding>& findings) {
+  std::set<std::string> seen;
+  std::vector<std::size_t> kept;
+  for (const std::size_t f : frames)
+    if (list.frames[f].uid.empty() || seen.insert(list.frames[f].uid).second)
+      kept.push_back(f);
+  if (kept.size() < frames.size())
+    findings.push_back({ScanFinding::Kind::doubledSlice,
+                        counted(frames.size() - kept.size(), "file is a copy", "files are copies") +
+                            " of another one and left out"});
+  return kept;
+}
+
+Vec3 stepOf(const FrameList& list, const std::vector<std::size_t>& slices, std::size_t gap) {
+  return list.frames[slices[gap + 1]].position - list.frames[slices[gap]].position;
+}
+
+bool sameStep(const Vec3& a, const Vec3& b) {
+  const double length = std::max(a.norm(), b.norm());
+  return (a - b).norm() <= std::max(kEven * length, std::min(kRoundedMm, kMostOfRounding * length));
+}
+
+/// Slices [first, last] whose steps are equal.
+struct Run {
+  std::size_t first = 0, last = 0;
+};
+
+Run longestEvenRun(const FrameList& list, const std::vector<std::size_t>& slices) {
+  Run best;
+  for (std::size_t first = 0; first + 1 < slices.size();) {
+    const Vec3 step = stepOf(list, slices, first);
+    std::size_t last = first + 1;
+    while (last + 1 < slices.size() && sameStep(stepOf(list, slices, last), step))
+      ++last;
+    if (last - first > best.last - best.first)
+      best = {first, last};
+    first = last;
+  }
+  return best;
+}
+
+ScanFinding describeGap(const DicomFrame& below, double gap, double usual, std::size_t number) {
+  const double times = gap / usual;
+  const std::string between = " between slice " + std::to_string(number + 1) + " (" + placeOf(below) +
+                              ") and the next, which are " + shortNumber(gap) + " mm apart in place of " +
+                              shortNumber(usual) + " mm";
+  const double missing = std::round(times) - 1;
+  if (missing >= 1 && std::abs(times - std::round(times)) <= kWholeNumber)
+    return {ScanFinding::Kind::missingSlice,
+            counted(static_cast<std::uint64_t>(missing), "slice is", "slices are") + " missing" + between};
+  return {ScanFinding::Kind::unevenSpacing,
+          "The spacing is uneven" + between + " (" + shortNumber(100 * std::abs(times - 1)) + " %)"};
+}
+
+/// Names the gaps that end the even part.
+void reportGaps(const FrameList& list, const std::vector<std::size_t>& slices, const Run& run,
+                std::vector<ScanFinding>& findings) {
+  if (run.last - run.first + 1 == slices.size())
+    return;
+  const Vec3 step = stepOf(list, slices, run.first);
+  std::vector<ScanFinding> found;
+  for (std::size_t gap = 0; gap + 1 < slices.size(); ++gap) {
+    const Vec3 here = stepOf(list, slices, gap);
+    if (sameStep(here, step))
+      continue;
+    if (near(here.norm(), step.norm(), kEven))
+      found.push_back({ScanFinding::Kind::unevenSpacing, "Slice " + std::to_string(gap + 2) + " (" +
+                                                             placeOf(list.frames[slices[gap + 1]]) +
+                                                             ") is shifted sideways against those below it"});
+    else
+      found.push_back(describeGap(list.frames[slices[gap]], here.norm(), step.norm(), gap));
+  }
+  const std::size_t more = found.size() > kMostNamed ? found.size() - kMostNamed : 0;
+  found.resize(std::min(found.size(), kMostNamed));
+  found.back().sentence += (more > 0 ? ", and " + counted(more, "other place", "other places") : "") +
+                           "; slices " + std::to_string(run.first + 1) + " to " +
+                           std::to_string(run.last + 1) + " of " + std::to_string(slices.size()) +
+                           ", which are even, were read";
+  findings.insert(findings.end(), found.begin(), found.end());
+}
+
+/// One slice a place: the first of its pictures by number.
+std::vector<std::size_t> orderedSlices(const FrameList& list, const SlicePhase& phase,
+                                       std::vector<ScanFinding>& findings) {
+  std::vector<std::size_t> slices;
+  std::vector<std::string> doubled;
+  for (const auto& place : byPlace(list, phase.frames)) {
+    slices.push_back(*std::min_element(place.begin(), place.end(), [&](std::size_t a, std::size_t b) {
+      return list.frames[a].instance < list.frames[b].instance;
+    }));
+    if (place.size() > 1)
+      doubled.push_back(placeOf(list.frames[slices.back()]));
+  }
+  if (!doubled.empty())
+    findings.push_back({ScanFinding::Kind::doubledSlice, counted(doubled.size(), "place has", "places have") +
+                                                             " more than one slice (" + doubled.front() +
+                                                             (doubled.size() > 1 ? ", ..." : "") +
+                                                             "); the one with the lowest number was read"});
+  return slices;
+}
+
+/// Whether the files, in the order of their names, in which they are listed, go up or down through the
+/// slices.
+bool namesInOrder(const std::vector<std::size_t>& slices) {
+  bool up = true, down = true;
+  for (std::size_t i = 1; i < slices.size(); ++i) {
+    up = up && slices[i] > slices[i - 1];
+    down = down && slices[i] < slices[i - 1];
+  }
+  return up || down;
+}
+
+void reportTilt(const DicomFrame& frame, const Vec3& step, std::size_t steps,
+                std::vector<ScanFinding>& findings) {
+  const Vec3 normal = frame.normal();
+  const double along = normal.dot(step);
+  const Vec3 sideways = step - along * normal;
+  const double degrees = std::atan2(sideways.norm(), std::abs(along)) * 180 / std::numbers::pi;
+  if (degrees < kLeastTiltDegrees ||
+      sideways.norm() * double(steps) < kLeastShift * std::min(frame.betweenRows, frame.betweenColumns))
+    return;
+  findings.push_back({ScanFinding::Kind::tilt,
+                      "The slices are tilted by " + shortNumber(degrees) +
+                          " degrees against the way they are stacked (a tilted gantry); the shear is kept"});
+}
+
+} // namespace
+
+std::vector<SliceGroup> groupFrames(const FrameList& list) {
+  const Grouping grouping(list);
+  std::map<std::string, std::vector<SliceGroup>> bySeries;
+  for (std::size_t f = 0; f < list.frames.size(); ++f) {
+    auto& groups = bySeries[list.files[list.frames[f].file].seriesUid];
+    auto group = std::find_if(groups.begin(), groups.end(),
+                              [&](const SliceGroup& one) { return grouping.together(one.frames[0], f); });
+    if (group == groups.end())
+      group = groups.insert(groups.end(), SliceGroup{});
+    group->frames.push_back(f);
+  }
+  std::vector<SliceGroup> all;
+  for (auto& [uid, groups] : bySeries) {
+    std::stable_sort(groups.begin(), groups.end(), [](const SliceGroup& a, const SliceGroup& b) {
+      return a.frames.size() > b.frames.size();
+    });
+    for (std::size_t i = 0; i < groups.size(); ++i) {
+      groups[i].ofSeries = static_cast<int>(i);
+      for (std::size_t other = 0; other < groups.size(); ++other)
+        if (other != i)
+          groups[i].findings.push_back(grouping.difference(groups[i], groups[other]));
+    }
+    std::move(groups.begin(), groups.end(), std::back_inserter(all));
+  }
+  return all;
+}
+
+std::vector<SlicePhase> phasesOf(const FrameList& list, const SliceGroup& group,
+                                 std::vector<ScanFinding>& findings) {
+  const std::vector<std::size_t> frames = withoutCopies(list, group.frames, findings);
+  const auto places = byPlace(list, frames);
+  const std::size_t each = places[0].size();
+  const bool even =
+      std::all_of(places.begin(), places.end(), [&](const auto& p) { return p.size() == each; });
+  if (places.size() == frames.size())
+    return {{frames, 0}};
+  std::vector<SlicePhase> phases = phasesByPosition(list, frames);
+  if (phases.size() > 1) {
+    setTimes(list, phases, findings);
+    return phases;
+  }
+  phases.clear();
+  for (const TimeOf time : {&DicomFrame::triggerMs, &DicomFrame::percent, &DicomFrame::acquisitionSeconds})
+    if (phases.empty() && even && tellsApart(list, places, time))
+      phases = phasesBy(
+          places, [&](std::size_t a, std::size_t b) { return list.frames[a].*time < list.frames[b].*time; });
+  if (phases.empty())
+    return {{frames, 0}};
+  setTimes(list, phases, findings);
+  return phases;
+}
+
+SliceStack stackSlices(const FrameList& list, const SlicePhase& phase) {
+  SliceStack stack;
+  std::vector<std::size_t> slices = orderedSlices(list, phase, stack.findings);
+  if (!namesInOrder(slices))
+    stack.findings.push_back({ScanFinding::Kind::order, "The files' names are not in the order of the "
+                                                        "slices; they were put in order by position"});
+  const Run run = longestEvenRun(list, slices);
+  reportGaps(list, slices, run, stack.findings);
+  stack.frames.assign(slices.begin() + std::ptrdiff_t(run.first),
+                      slices.begin() + std::ptrdiff_t(run.last) + 1);
+  const DicomFrame &first = list.frames[stack.frames.front()], &last = list.frames[stack.frames.back()];
+  const std::size_t steps = stack.frames.size() - 1;
+  Vec3 step = first.normal() * (first.thickness > 0 ? first.thickness : 1);
+  if (steps > 0) {
+    step = (last.position - first.position) / double(steps);
+    reportTilt(first, step, steps, stack.findings);
+  }
+  stack.indexToLps.linear() << first.row * first.betweenColumns, first.column * first.betweenRows, step;
+  stack.indexToLps.translation() = first.position;
+  stack.indexToLps.makeAffine();
+  return stack;
+}
+
+} // namespace viscera::medical_io

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <vector>
+
+#include "dicom/dicom_header.h"
+
+/// Which of a folder's pictures make a volume, and what is odd about them: by positions alone, whatever the
+/// files are called. Knows no files and no pixels.
+namespace viscera::medical_io {
+
+/// Pictures of one series that have the same size, directions and spacing: by indices into all frames.
+struct SliceGroup {
+  std::vector<std::size_t> frames;
+  int ofSeries = 0;                  ///< Its number among those of the same series, the largest first.
+  std::vector<ScanFinding> findings; ///< Of pictures in the series that are in no group with it.
+};
+
+/// A volume of evenly spaced slices.
+struct SliceStack {
+  std::vector<std::size_t> frames; ///< Along k, by indices into all frames.
+  Eigen::Affine3d indexToLps = Eigen::Affine3d::Identity();
+  std::vector<ScanFinding> findings;
+};
+
+/// One phase's pictures, before they are ordered.
+struct SlicePhase {
+  std::vector<std::size_t> frames;
+  double timeMs = 0;
+};
+
+/// All frames of a list of files, which knows where each one is from.
+struct FrameList {
+  std::vector<DicomHeader> files;
+  std::vector<DicomFrame> frames; ///< With `file` set.
+};
+
+/// Groups of all series; the first frame's place in the list decides their order.
+std::vector<SliceGroup> groupFrames(const FrameList& list);
+
+/// The phases of a group, at least one, in order of time: told by temporal position, by trigger, by a part of
+/// the heart's cycle or by time of acquisition where each place has as many pictures. Copies of one picture
+/// are left out and reported.
+std::vector<SlicePhase> phasesOf(const FrameList& list, const SliceGroup& group,
+                                 std::vector<ScanFinding>& findings);
+
+/// Orders a phase's slices along their normal and takes the longest part of them that is even to 1 %.
+SliceStack stackSlices(const FrameList& list, const SlicePhase& phase);
+
+} // namespace viscera::medical_io

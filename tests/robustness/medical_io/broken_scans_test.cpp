@@ -1,0 +1,124 @@
+#include <filesystem>
+#include <random>
+
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+
+#include "dicom_slices.h"
+#include "packed_bytes.h"
+#include "packed_dicom.h"
+#include "scan_phantom.h"
+#include "temporary_folder.h"
+#include "viscera/core/error.h"
+#include "viscera/medical_io/scan.h"
+
+/// Scans of every format and packing, broken in many ways. Reading in this process: a crash ends the test.
+namespace viscera::medical_io {
+namespace {
+
+using tests::TemporaryFolder;
+
+constexpr long kMostExtraKilobytes = 200 * 1024;
+constexpr int kCuts = 25, kFlips = 40;
+
+long peakKilobytes() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return usage.ru_maxrss;
+}
+
+tests::LabelImage phantom() {
+  tests::LabelImage image = tests::orientedPhantomGrid(0, {0, 1, 2});
+  tests::fillPhantom(image);
+  return image;
+}
+
+/// What becomes of a file: read, or refused with a reason that names it.
+bool tryReading(const std::filesystem::path& file) {
+  Progress progress;
+  try {
+    const Scan scan = readScan(file, {}, progress);
+    EXPECT_EQ(std::visit([](const auto& all) { return all.size(); }, scan.samples), scan.voxelCount());
+    EXPECT_TRUE(scan.indexToLps.matrix().allFinite());
+    return true;
+  } catch (const Error& error) {
+    EXPECT_GT(error.problem().size(), 10U);
+    EXPECT_FALSE(error.where().empty()) << error.what();
+    return false;
+  }
+}
+
+class BrokenScans : public testing::TestWithParam<std::string> {
+protected:
+  static std::string goodBytes(const std::string& kind) {
+    if (kind == "a.nii")
+      return tests::niftiFile(phantom());
+    if (kind == "a.nii.gz")
+      return tests::gzipped(tests::niftiFile(phantom()));
+    if (kind == "a.nrrd")
+      return tests::nrrdFile(phantom());
+    if (kind == "a.mha")
+      return tests::metaImageFile(phantom());
+    const std::string plain = tests::dicomBytes(tests::dicomSlice(phantom(), 3));
+    return kind == "plain.dcm" ? plain : tests::packedDicom(plain, kind.substr(0, kind.find('.')));
+  }
+};
+
+TEST_P(BrokenScans, AreRefusedWithAReasonAndTakeLittleMemory) {
+  const TemporaryFolder folder;
+  const std::string good = goodBytes(GetParam());
+  ASSERT_TRUE(tryReading(folder.put(GetParam(), good)));
+  const long before = peakKilobytes();
+  testing::internal::CaptureStderr();
+  testing::internal::CaptureStdout();
+  int refused = 0;
+  for (int cut = 0; cut < kCuts; ++cut)
+    refused +=
+        tryReading(folder.put(GetParam(), good.substr(0, good.size() * std::size_t(cut) / kCuts))) ? 0 : 1;
+  EXPECT_GE(refused, kCuts - 1) << "a part of a file is no file";
+  std::mt19937 random(11);
+  for (int flip = 0; flip < kFlips; ++flip) {
+    std::string damaged = good;
+    // Headers are where damage does most.
+    const std::size_t within = flip % 2 == 0 ? std::min<std::size_t>(good.size(), 1200) : good.size();
+    for (int byte = 0; byte < 1 + flip % 4; ++byte)
+      damaged[random() % within] = static_cast<char>(random());
+    tryReading(folder.put(GetParam(), damaged));
+  }
+  EXPECT_EQ(testing::internal::GetCapturedStdout() + testing::internal::GetCapturedStderr(), "");
+  EXPECT_LT(peakKilobytes() - before, kMostExtraKilobytes) << "memory was taken for what a header promised";
+}
+
+INSTANTIATE_TEST_SUITE_P(OfEveryFormat, BrokenScans,
+                         testing::Values("a.nii", "a.nii.gz", "a.nrrd", "a.mha", "plain.dcm", "rle.dcm",
+                                         "jpeg-lossless.dcm", "jpeg-ls.dcm", "deflated.dcm"),
+                         [](const auto& instance) {
+                           std::string name = instance.param;
+                           std::replace_if(
+                               name.begin(), name.end(), [](char c) { return c == '.' || c == '-'; }, '_');
+                           return name;
+                         });
+
+TEST(BrokenScanHeaders, PromisesOfHugePicturesTakeNoMemory) {
+  const TemporaryFolder folder;
+  const long before = peakKilobytes();
+  tests::DicomElements e = tests::dicomSlice(phantom(), 3);
+  e[0x00280010] = tests::us(65000);
+  e[0x00280011] = tests::us(65000);
+  EXPECT_FALSE(tryReading(folder.put("huge.dcm", tests::dicomBytes(e))));
+  const std::string packed = tests::packedDicom(tests::dicomBytes(tests::dicomSlice(phantom(), 3)), "rle");
+  std::string damaged = packed;
+  const std::string rows = tests::dicomElement(0x00280010, tests::us(phantom().size[1]));
+  ASSERT_NE(damaged.find(rows), damaged.npos);
+  damaged.replace(damaged.find(rows), rows.size(), tests::dicomElement(0x00280010, tests::us(65000)));
+  EXPECT_FALSE(tryReading(folder.put("huge.dcm", damaged)));
+  tests::LabelImage image = phantom();
+  image.size = {32000, 32000, 32000};
+  const std::string header = tests::niftiFile(image);
+  EXPECT_FALSE(tryReading(folder.put("huge.nii", header)));
+  EXPECT_FALSE(tryReading(folder.put("huge.nii.gz", tests::gzipped(header))));
+  EXPECT_LT(peakKilobytes() - before, kMostExtraKilobytes);
+}
+
+} // namespace
+} // namespace viscera::medical_io
