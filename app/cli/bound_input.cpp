@@ -6,6 +6,7 @@
 
 #include "viscera/core/error.h"
 #include "viscera/deformation/witness_gradients.h"
+#include "viscera/deformation/witness_mesh.h"
 
 namespace viscera::app::cli {
 
@@ -33,9 +34,13 @@ BoundInput BoundInputOptions::read(const Surroundings& surroundings,
 }
 
 Interior interiorOf(const BoundInput& input, const live::WitnessOptions& witnesses,
-                    std::vector<std::string>& warnings, Progress& progress) {
+                    std::vector<std::string>& warnings, Progress& progress,
+                    const std::vector<std::shared_ptr<const geometry::TriangleMesh>>& cavities) {
   Interior interior;
   interior.sample = live::sampleWitnesses(*input.organ.mesh, witnesses, progress);
+  if (!cavities.empty())
+    interior.sample.mesh = std::make_shared<const deformation::WitnessMesh>(
+        deformation::withoutCavities(*interior.sample.mesh, cavities, witnesses.threads));
   interior.gradients = deformation::bindWitnesses(*input.system, input.rig.handles, interior.mesh().points,
                                                   input.options, progress);
   warnings.insert(warnings.end(), interior.sample.remarks.begin(), interior.sample.remarks.end());

@@ -51,7 +51,10 @@ struct Interior {
 /// Fills the organ with witness points and ties them to the handles. Adds to `warnings` how the points came
 /// about and which points of the skin have no coordinates. Throws what sampling and binding throw, and
 /// `DataError` when witness points have no coordinates: they would pass for points without stress.
+///
+/// `cavities` are closed surfaces in the organ: what they hold is no tissue.
 Interior interiorOf(const BoundInput& input, const live::WitnessOptions& witnesses,
-                    std::vector<std::string>& warnings, Progress& progress);
+                    std::vector<std::string>& warnings, Progress& progress,
+                    const std::vector<std::shared_ptr<const geometry::TriangleMesh>>& cavities = {});
 
 } // namespace viscera::app::cli

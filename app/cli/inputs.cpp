@@ -8,6 +8,7 @@
 #include "viscera/coordinates/cage/cage.h"
 #include "viscera/core/error.h"
 #include "viscera/document/open_files.h"
+#include "viscera/document/session_file.h"
 #include "viscera/document/system_commands.h"
 #include "viscera/medical_io/handle_file.h"
 #include "viscera/medical_io/label_map.h"
@@ -58,7 +59,36 @@ std::optional<LabelReference> labelReference(const std::filesystem::path& organ)
   return std::nullopt;
 }
 
+document::Organ organOf(const SessionReference& reference, const sample_organs::SampleLibrary& samples,
+                        Progress& progress) {
+  const document::OpenedSession opened = document::readSession(reference.session, samples, progress);
+  const document::OrganList& organs = *opened.contents.state.organs;
+  std::vector<std::string> names;
+  for (const auto& organ : organs) {
+    if (organ->name == reference.organ)
+      return *organ;
+    names.push_back(organ->name);
+  }
+  for (std::size_t i = 0; i < organs.size(); ++i)
+    if (std::to_string(i + 1) == reference.organ)
+      return *organs[i];
+  throw UsageError("The session has no organ \"" + reference.organ + "\"", reference.session.string(),
+                   "it has " + listed(names));
+}
+
 } // namespace
+
+std::optional<SessionReference> sessionReference(const std::string& text) {
+  // A folder may be called like a session: the name of the file that is there ends the path.
+  for (std::size_t slash = text.find('/'); slash != std::string::npos; slash = text.find('/', slash + 1)) {
+    const std::filesystem::path file = text.substr(0, slash);
+    std::error_code ignored;
+    if (slash + 1 < text.size() && document::isSessionFile(file) &&
+        std::filesystem::is_regular_file(file, ignored))
+      return SessionReference{file, text.substr(slash + 1)};
+  }
+  return std::nullopt;
+}
 
 SampleReference sampleReference(const std::string& text) {
   std::string rest = isSample(text) ? text.substr(kSamplePrefix.size()) : text;
@@ -94,6 +124,8 @@ std::vector<document::Organ> organInputs(const std::string& organ,
     for (document::Organ& one : result)
       for (std::string& warning : one.warnings)
         warning = organ + ": " + one.name + ": " + warning;
+  } else if (const auto session = isSample(organ) ? std::nullopt : sessionReference(organ)) {
+    result.push_back(organOf(*session, samples, progress));
   } else if (!isSample(organ)) {
     result.push_back(document::readOrgan(organ));
     for (std::string& warning : result.back().warnings)

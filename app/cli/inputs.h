@@ -31,9 +31,19 @@ bool isSample(const std::string& organ);
 /// Whether ORGAN names one label of a label map ("abdomen.nrrd/liver").
 bool namesLabel(const std::string& organ);
 
+/// "patient.viscera/Liver" taken apart.
+struct SessionReference {
+  std::filesystem::path session;
+  std::string organ; ///< Its name, or its number in the session's list, from 1.
+};
+
+/// Takes `SESSION.viscera/ORGAN` apart; nothing for what names no organ of a session that is there.
+std::optional<SessionReference> sessionReference(const std::string& text);
+
 /// Reads the file, or makes the sample organ, that ORGAN names; of a sample organ with cavities the outer
 /// surface unless another one is named; of a label map the label that is named behind a slash
-/// ("abdomen.nrrd/liver"), which may be left out when there is only one. The mesh has a size, else
+/// ("abdomen.nrrd/liver"), which may be left out when there is only one; of a session the organ that is named
+/// behind a slash ("patient.viscera/Liver"). The mesh has a size, else
 /// `DataError`; throws also what `document::readOrgan` and `sample_organs::sampleOrgan` throw, and
 /// `UsageError` for a surface that the sample does not have.
 document::Organ organInput(const std::string& organ, const sample_organs::SampleLibrary& samples,

@@ -87,6 +87,32 @@ std::shared_ptr<const sequences::Sequence> sequenceOf(const document::DocumentSt
   return document::sequenceOf(*state.recording, *state.rig);
 }
 
+PosedSession::PosedSession(const document::DocumentState& state, const presentation::ViewState& view,
+                           Surroundings& surroundings)
+    : live_(document_, surroundings.systems, jobs_,
+            {std::numeric_limits<double>::infinity(), surroundings.threads}),
+      stress_(document_, surroundings.systems, live_, jobs_, stressAtOnce(surroundings.threads)) {
+  undo_.reset(state);
+  if (view.shown.rest)
+    live_.showRest();
+  else if (view.shownPose.rows() == state.pose->rows())
+    live_.showPose(view.shownPose);
+}
+
+std::string PosedSession::makeStress(const presentation::ViewState& view, Surroundings& surroundings) {
+  stress_.setWanted(view.stress.witnesses);
+  if (const auto organ = presentation::currentOrgan(state(), view.selection.organ))
+    stress_.follow(organ->id);
+  box_.runUntil([&] { return jobs_.idle(); });
+  const live::StressStatus& status = stress_.status();
+  if (status.state != live::StressStatus::State::ready)
+    return status.message.empty() ? "there is no organ" : status.message;
+  if (view.stress.peak)
+    findPeak(stress_, state(), view, surroundings);
+  box_.runUntil([&] { return jobs_.idle(); });
+  return {};
+}
+
 Outcome describeSession(const std::string& file, Surroundings& surroundings) {
   const document::OpenedSession opened =
       document::readSession(file, surroundings.samples, surroundings.progress);
@@ -144,35 +170,14 @@ SessionPicture sessionPicture(const document::OpenedSession& opened, const Stage
                               bool fromSide, Surroundings& surroundings) {
   const document::DocumentState& state = opened.contents.state;
   const presentation::ViewState view = viewOf(opened, fromSide);
-  document::Document document;
-  document::UndoStack undo(document);
-  PostBox box;
-  JobQueue jobs(box.post());
-  live::LiveBinding live(document, surroundings.systems, jobs,
-                         {std::numeric_limits<double>::infinity(), surroundings.threads});
-  live::LiveStress stress(document, surroundings.systems, live, jobs, stressAtOnce(surroundings.threads));
-  undo.reset(state);
-  if (view.shown.rest)
-    live.showRest();
-  else if (view.shownPose.rows() == state.pose->rows())
-    live.showPose(view.shownPose);
+  PosedSession posed(state, view, surroundings);
   SessionPicture picture;
-  if (view.shown.stress) {
-    stress.setWanted(view.stress.witnesses);
-    if (const auto organ = presentation::currentOrgan(state, view.selection.organ))
-      stress.follow(organ->id);
-    box.runUntil([&] { return jobs.idle(); });
-    const live::StressStatus& status = stress.status();
-    if (status.state != live::StressStatus::State::ready)
-      picture.leftOut.push_back("the stress map (" +
-                                (status.message.empty() ? "there is no organ" : status.message) + ")");
-    else if (view.stress.peak)
-      findPeak(stress, state, view, surroundings);
-    box.runUntil([&] { return jobs.idle(); });
-  }
-  const live::StressFrame frame = stress.frame();
+  if (view.shown.stress)
+    if (const std::string missing = posed.makeStress(view, surroundings); !missing.empty())
+      picture.leftOut.push_back("the stress map (" + missing + ")");
+  const live::StressFrame frame = posed.stress().frame();
   presentation::Stage stage = stageFor(options, surroundings.threads);
-  stage.presenter().update({document.state(), live, view, surroundings.systems, &frame});
+  stage.presenter().update({posed.state(), posed.organs(), view, surroundings.systems, &frame});
   if (!fromSide && view.camera)
     presentation::lookFrom(*view.camera, stage.view());
   else

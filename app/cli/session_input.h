@@ -8,7 +8,11 @@
 
 #include "cli/command.h"
 #include "cli/stage_options.h"
+#include "viscera/core/job_queue.h"
 #include "viscera/document/session_file.h"
+#include "viscera/document/undo_stack.h"
+#include "viscera/live/live_binding.h"
+#include "viscera/live/live_stress.h"
 #include "viscera/presentation/view_state.h"
 #include "viscera/sequences/sequence.h"
 
@@ -25,6 +29,32 @@ Outcome describeSession(const std::string& file, Surroundings& surroundings);
 std::shared_ptr<const sequences::Sequence> sequenceOf(const document::DocumentState& state,
                                                       const presentation::ViewState& view,
                                                       Surroundings& surroundings);
+
+/// A session that is bound, posed and looked at as the window had it, in a program without an event loop.
+class PosedSession {
+public:
+  /// Poses the organs of `state` as the view shows them. Throws what binding throws.
+  PosedSession(const document::DocumentState& state, const presentation::ViewState& view,
+               Surroundings& surroundings);
+  PosedSession(const PosedSession&) = delete;
+  PosedSession& operator=(const PosedSession&) = delete;
+
+  const document::DocumentState& state() const { return document_.state(); }
+  live::LiveBinding& organs() { return live_; }
+  live::LiveStress& stress() { return stress_; }
+
+  /// Makes the stress map of the organ that the view is about, with the peak where it shows that. Returns why
+  /// there is none; empty when there is one.
+  std::string makeStress(const presentation::ViewState& view, Surroundings& surroundings);
+
+private:
+  document::Document document_;
+  document::UndoStack undo_{document_};
+  PostBox box_;
+  JobQueue jobs_{box_.post()};
+  live::LiveBinding live_;
+  live::LiveStress stress_;
+};
 
 struct SessionPicture {
   vtkSmartPointer<vtkImageData> image;

@@ -6,6 +6,7 @@
 
 #include "cli/inputs.h"
 #include "viscera/document/document.h"
+#include "viscera/document/scan_item.h"
 #include "viscera/live/posed_organs.h"
 
 namespace viscera::app::cli {
@@ -22,6 +23,8 @@ public:
   document::HandleId handle(int row) const {
     return state_.rig->handles.at(static_cast<std::size_t>(row)).id;
   }
+  /// Takes a scan beside them.
+  void setScan(std::shared_ptr<const document::ScanItem> scan) { state_.scan = std::move(scan); }
   /// Shows an organ at these points, `n x 3` mm.
   void setPoints(std::size_t organ, std::shared_ptr<const Points> points) {
     points_.at(organ) = std::move(points);

@@ -31,10 +31,12 @@ FileActions::FileActions(Workspace& workspace, HandlePlacer& placer, Settings& s
     : QObject(window), workspace_(workspace), placer_(placer), settings_(settings), window_(window) {}
 
 void FileActions::addTo(Actions& actions) {
-  actions.add(
-      "file.open",
-      {tr("&Open..."), "open", {QKeySequence::Open}, tr("Open a session, organs, label maps or handles")},
-      [this] { chooseAndOpen(); });
+  actions.add("file.open",
+              {tr("&Open..."),
+               "open",
+               {QKeySequence::Open},
+               tr("Open a session, organs, label maps, handles or a scan")},
+              [this] { chooseAndOpen(); });
   actions.add("file.openFolder",
               {tr("Open a &folder of masks..."),
                "organs",
@@ -79,9 +81,9 @@ void FileActions::chooseAndOpen(bool check) {
   const QString handles = QStringLiteral("*%1 *.fcsv").arg(QLatin1String(kHandleEnding));
   QStringList filters;
   if (openSession_)
-    filters
-        << tr("Sessions, organs, label maps and handles (*.viscera %1 %2 %3)").arg(surfaces, labels, handles)
-        << tr("Sessions (*.viscera)");
+    filters << tr("Sessions, organs, label maps, handles and scans (*.viscera %1 %2 %3)")
+                   .arg(surfaces, labels, handles)
+            << tr("Sessions (*.viscera)");
   else
     filters << tr("Organs, label maps and handles (%1 %2 %3)").arg(surfaces, labels, handles);
   filters << tr("Organs (%1)").arg(surfaces) << tr("Label maps (%1)").arg(labels)
@@ -108,12 +110,36 @@ void FileActions::open(const QStringList& files, bool check) {
   const QString name = files.size() == 1
                            ? tr("Opening %1").arg(QFileInfo(files.front()).fileName())
                            : tr("Opening %n {file|files}", nullptr, static_cast<int>(files.size()));
-  workspace_.inBackground<document::ImportDraft>(
+  workspace_.inBackground<Read>(
       name, "open",
       [paths](Progress& progress) {
-        return document::draftOf(document::openFiles(paths, progress), progress);
+        Read read;
+        auto others = paths;
+        if (auto scan = document::takeScan(others, progress))
+          read.scan = std::make_shared<const document::ScanItem>(std::move(*scan));
+        if (!others.empty() || !read.scan)
+          read.draft = document::draftOf(document::openFiles(others, progress), progress);
+        return read;
       },
-      [this, files, check](document::ImportDraft draft) { checkOrTake(std::move(draft), files, check); });
+      [this, files, check](Read read) {
+        const bool others = !read.draft.organs.empty() || read.draft.files.rig;
+        if (read.scan)
+          takeScan(*read.scan, files, !others);
+        if (others || !read.scan)
+          checkOrTake(std::move(read.draft), files, check);
+      });
+}
+
+void FileActions::takeScan(const document::ScanItem& scan, const QStringList& files, bool alone) {
+  workspace_.undo().seal();
+  if (!workspace_.perform(document::openScan(scan)))
+    return;
+  if (alone) {
+    settings_.addRecentFiles(files);
+    rememberFolder(files.front());
+    Q_EMIT recentFilesChanged();
+  }
+  Q_EMIT scanOpened();
 }
 
 void FileActions::checkOrTake(document::ImportDraft draft, const QStringList& files, bool check) {

@@ -6,6 +6,7 @@
 #include <functional>
 
 #include "viscera/document/import_draft.h"
+#include "viscera/document/scan_item.h"
 #include "viscera/document/system_commands.h"
 #include "window/actions.h"
 #include "window/handle_placer.h"
@@ -39,8 +40,8 @@ public:
   void chooseAndOpen(bool check = false);
   /// Asks for a folder of masks, as TotalSegmentator writes it, and opens it as one patient.
   void chooseAndOpenFolder();
-  /// Opens organs, label maps and handles as one undo step. Sample organs make room for the first files;
-  /// later ones come beside those there are. Organs that come without handles get some.
+  /// Opens organs, label maps and handles as one undo step, and a scan as another. Sample organs make room
+  /// for the first files; later ones come beside those there are. Organs that come without handles get some.
   void open(const QStringList& files, bool check = false);
   /// Adds what a draft has accepted to the document.
   void take(const document::ImportDraft& draft, const QStringList& files);
@@ -57,12 +58,21 @@ public:
 
 Q_SIGNALS:
   void filesOpened();
+  /// One of the files was a scan; it is in the document.
+  void scanOpened();
   /// These files were looked at, and nothing was odd.
   void foundNothingOdd(const QStringList& files);
   void recentFilesChanged();
 
 private:
+  /// What was read of some files.
+  struct Read {
+    document::ImportDraft draft;
+    std::shared_ptr<const document::ScanItem> scan; ///< Null: none of them was one.
+  };
+
   QString folder() const;
+  void takeScan(const document::ScanItem& scan, const QStringList& files, bool alone);
   void rememberFolder(const QString& file);
   void take(const document::OpenedFiles& opened, const QStringList& files);
   void checkOrTake(document::ImportDraft draft, const QStringList& files, bool check);

@@ -15,6 +15,9 @@
 #include "window/help.h"
 #include "window/import/import_desk.h"
 #include "window/import/import_panel.h"
+#include "window/lecture/lecture_screen.h"
+#include "window/lecture/slide_panel.h"
+#include "window/lecture/slides.h"
 #include "window/lesson/lesson_export.h"
 #include "window/menus.h"
 #include "window/modes/deform_mode.h"
@@ -24,9 +27,13 @@
 #include "window/modes/stress_mode.h"
 #include "window/panels/handle_panel.h"
 #include "window/panels/organ_panel.h"
+#include "window/report/report_export.h"
 #include "window/session/session_files.h"
 #include "window/session/session_view.h"
+#include "window/slices/scan_actions.h"
+#include "window/slices/slice_panes.h"
 #include "window/status_line.h"
+#include "window/table/handle_table.h"
 #include "window/timeline/timeline_bar.h"
 #include "window/timeline/volume_panel.h"
 #include "window/view/organ_pointer.h"
@@ -44,22 +51,29 @@ MainWindow::MainWindow(Settings& settings, plugin::Registry registry, motion::Tr
       poses_(workspace_, view_), playback_(workspace_, clock), volumes_(workspace_, playback_),
       placer_(workspace_), files_(new FileActions(workspace_, placer_, settings, this)),
       exports_(new ExportActions(workspace_, settings, this)),
-      samples_(new SampleLoader(workspace_, placer_, playback_, this)), viewArea_(new ViewArea(this)),
+      samples_(new SampleLoader(workspace_, placer_, playback_, this)),
+      scans_(new ScanActions(workspace_, view_, settings, this)), viewArea_(new ViewArea(this)),
       layout_(new WindowLayout(*this, actions_)) {
   setCentralWidget(viewArea_);
   picture_ = std::make_unique<Picture>(workspace_, view_, *viewArea_->view());
   handles_ = std::make_unique<HandleController>(workspace_, poses_, *picture_);
   imports_ = std::make_unique<ImportDesk>(workspace_, *files_, *picture_, nullptr);
   bindingMessages_ = new BindingMessages(workspace_, viewArea_->messages(), this);
+  slices_ = std::make_unique<SlicePanes>(workspace_, view_, *viewArea_, *scans_->sliceMenu());
   files_->addTo(actions_);
+  scans_->addTo(actions_);
   exports_->addTo(actions_);
   lessons_ = new LessonExport({workspace_, playback_, *picture_, settings_}, this);
   lessons_->addTo(actions_);
   actions_.add("file.quit", {tr("&Quit"), nullptr, {QKeySequence::Quit}, {}}, [this] { close(); });
   views_ = new ViewActions({workspace_, *picture_, *viewArea_, view_, settings_}, actions_, this);
   makeModes();
+  (new HandleTable(workspace_, *picture_, *viewArea_->view(), this))->addTo(actions_);
   makeThemeActions();
   makeSession();
+  slides_ = new Slides(view_, *viewArea_->view(), playback_, actions_, this);
+  lecture_ = new LectureScreen({*layout_, *viewArea_, *slides_, playback_, volumes_}, actions_, this);
+  connect(actions_["view.lecture"], &QAction::toggled, this, [this] { showWelcome(false); });
   help_ = new Help({workspace_, playback_, *modes_, *files_, settings_, *viewArea_}, actions_, this);
   placePanels();
   makeMenus();
@@ -104,6 +118,7 @@ void MainWindow::makeSession() {
       std::make_unique<SessionView>(SessionView::Window{workspace_, playback_, view_, *picture_, *modes_});
   sessions_ = new SessionFiles(workspace_, playback_, *sessionView_, settings_, this);
   sessions_->addTo(actions_);
+  (new ReportExport({workspace_, playback_, *sessionView_, *sessions_, settings_}, this))->addTo(actions_);
   files_->setSessionOpener([this](const QString& file) { sessions_->open(file); });
 }
 
@@ -116,7 +131,11 @@ void MainWindow::placePanels() {
     handlePanel->addTool(actions_[id]);
   volumePanel_ = new VolumePanel(volumes_, playback_);
   layout_->place({new ModeRail(*modes_), organPanel_, handlePanel, makePages(), timeline, makeCharts(),
-                  imports_->panel()});
+                  new SlidePanel(*slides_, actions_), imports_->panel()});
+  const auto follow = [this] { layout_->follow(modes_->present()); };
+  connect(modes_.get(), &ModeController::changed, layout_, follow);
+  connect(&playback_, &Playback::stateChanged, layout_, follow);
+  follow();
   status_ = new StatusLine(workspace_, volumes_, statusBar());
   play_->setStatus(*status_);
 }
@@ -140,15 +159,22 @@ QWidget* MainWindow::makeCharts() {
       charts->addWidget(own);
     ofModes.push_back(own ? own : volumePanel_);
   }
-  connect(modes_.get(), &ModeController::changed, charts, [this, charts, ofModes] {
-    charts->setCurrentWidget(ofModes[static_cast<std::size_t>(modes_->index())]);
-  });
+  const auto show = [this, charts, ofModes] {
+    QWidget* own = ofModes[static_cast<std::size_t>(modes_->index())];
+    const bool wanted = modes_->present().chartWanted();
+    charts->setCurrentWidget(wanted ? own : volumePanel_);
+    layout_->fitCharts(wanted && own != volumePanel_ ? std::optional(own->sizeHint().height())
+                                                     : std::nullopt);
+  };
+  connect(modes_.get(), &ModeController::changed, charts, show);
+  for (const auto& mode : modes_->all())
+    connect(mode.get(), &Mode::chartWantedChanged, charts, show);
   return charts;
 }
 
 void MainWindow::makeMenus() {
-  auto* menus =
-      new Menus(*menuBar(), {actions_, *modes_, *files_, *samples_, workspace_, settings_, layout_->docks()});
+  auto* menus = new Menus(
+      *menuBar(), {actions_, *modes_, *files_, *samples_, *scans_, workspace_, settings_, layout_->docks()});
   connect(files_, &FileActions::recentFilesChanged, menus, &Menus::fillRecent);
   connect(sessions_, &SessionFiles::recentFilesChanged, menus, &Menus::fillRecent);
   help_->makeCards(*menuBar(), menus->samples());
@@ -184,6 +210,10 @@ void MainWindow::connectFiles() {
   });
   connect(files_, &FileActions::foundNothingOdd, this, [this](const QStringList& files) {
     viewArea_->showBadge(tr("%1: checked, nothing odd").arg(QFileInfo(files.front()).fileName()));
+  });
+  connect(files_, &FileActions::scanOpened, scans_, [this] {
+    showWelcome(false);
+    scans_->opened();
   });
   connect(samples_, &SampleLoader::loaded, this, fromFront);
   connect(samples_, &SampleLoader::loaded, sessions_, &SessionFiles::sampleLoaded);
@@ -236,6 +266,7 @@ void MainWindow::setTheme(ThemeKind kind) {
   const Theme theme = themeOf(kind);
   applyTheme(*qApp, theme);
   viewArea_->view()->setTheme(theme);
+  slices_->setTheme(theme);
   for (const auto& mode : modes_->all())
     mode->setTheme(theme);
   volumePanel_->setTheme(theme);
@@ -248,7 +279,7 @@ void MainWindow::showWelcome(bool shown) {
 }
 
 void MainWindow::escape() {
-  if (modes_->escape() || help_->closeShortcuts())
+  if (lecture_->end() || modes_->escape() || help_->closeShortcuts())
     return;
   if (!viewArea_->messages()->isHidden())
     viewArea_->messages()->dismiss();
@@ -267,6 +298,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
   if (!leaves)
     return event->ignore();
   imports_->cancel();
+  lecture_->end();
   layout_->save(settings_);
   workspace_.jobs().cancelAll();
   sessions_->endCleanly();

@@ -25,11 +25,15 @@ class ExploreMode;
 class ExportActions;
 class Help;
 class ImportDesk;
+class LectureScreen;
 class LessonExport;
 class OrganPanel;
 class PlayMode;
+class ScanActions;
 class SessionFiles;
 class SessionView;
+class SlicePanes;
+class Slides;
 class StatusLine;
 class StressMode;
 class ViewActions;
@@ -63,7 +67,10 @@ public:
   ViewArea& viewArea() { return *viewArea_; }
   ViewActions& views() { return *views_; }
   ViewModel& viewModel() { return view_; }
+  Slides& slides() { return *slides_; }
   const Picture& picture() const { return *picture_; }
+  SlicePanes& slices() { return *slices_; }
+  ScanActions& scans() { return *scans_; }
   PlayMode& play() { return *play_; }
   ModeController& modes() { return *modes_; }
   const Actions& actions() const { return actions_; }
@@ -103,10 +110,12 @@ private:
   ExportActions* exports_;
   LessonExport* lessons_ = nullptr;
   SampleLoader* samples_;
+  ScanActions* scans_;
   ViewArea* viewArea_;
   WindowLayout* layout_;
   std::unique_ptr<Picture> picture_;
   std::unique_ptr<HandleController> handles_;
+  std::unique_ptr<SlicePanes> slices_;
   std::unique_ptr<ImportDesk> imports_;
   BindingMessages* bindingMessages_ = nullptr;
   std::unique_ptr<ModeController> modes_;
@@ -114,6 +123,8 @@ private:
   StressMode* stress_ = nullptr;
   PlayMode* play_ = nullptr;
   ViewActions* views_ = nullptr;
+  Slides* slides_ = nullptr;
+  LectureScreen* lecture_ = nullptr;
   OrganPanel* organPanel_ = nullptr;
   VolumePanel* volumePanel_ = nullptr;
   StatusLine* status_ = nullptr;

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 
+#include "window/slices/scan_actions.h"
 #include "window/style/icon.h"
 #include "window/widgets/panel_dock.h"
 
@@ -68,13 +69,14 @@ void Menus::fill(QMenu* menu, const std::vector<const char*>& ids) const {
 
 void Menus::makeFileMenu() {
   QMenu* file = bar_.addMenu(tr("&File"));
-  fill(file, {"file.new", "file.open", "file.openFolder", "file.check"});
+  fill(file, {"file.new", "file.open", "file.openFolder", "file.openScan", "file.openSeries", "file.check"});
   recent_ = file->addMenu(tr("Open &recent"));
   samples_ = file->addMenu(icon("heart"), tr("Sample &organs"));
-  fill(file,
-       {"", "file.save", "file.saveAs", "file.recover", "", "handles.save", "file.export", "export.lesson"});
+  fill(file, {"", "file.save", "file.saveAs", "file.recover", "", "handles.save", "file.export",
+              "export.lesson", "file.report"});
   fill(file->addMenu(icon("export"), tr("Export &more")),
-       {"export.organs", "export.displacements", "export.transform", "export.table", "export.measurements"});
+       {"export.organs", "export.displacements", "export.transform", "export.table", "export.measurements",
+        "", "stress.exportMap", "stress.exportPoints", "stress.exportHistogram", "stress.exportCurve"});
   fill(file, {"file.screenshot", "", "file.quit"});
 }
 
@@ -83,17 +85,26 @@ void Menus::makeEditMenu() {
   fill(edit, {"edit.undo", "edit.redo"});
   QMenu* steps = edit->addMenu(icon("undo"), tr("&Steps"));
   connect(steps, &QMenu::aboutToShow, this, [this, steps] { fillSteps(steps); });
-  fill(edit, {"", "edit.selectAll", "handles.remove", "", "pose.reset", "pose.resetSelected"});
+  fill(edit, {"", "edit.selectAll", "handles.remove", "", "pose.reset", "pose.resetSelected", "",
+              "edit.copyCommands"});
 }
 
 void Menus::makeViewMenu() {
   QMenu* view = bar_.addMenu(tr("&View"));
   for (const auto& mode : parts_.modes.all())
     fill(view, {(QByteArray("mode.") + mode->description().id).constData()});
-  fill(view,
-       {"", "view.anterior", "view.posterior", "view.left", "view.right", "view.superior", "view.inferior",
-        "view.focus", "", "view.handles", "view.ghost", "view.cube", "view.scale", "view.measurements", ""});
+  fill(view, {"", "view.anterior", "view.posterior", "view.left", "view.right", "view.superior",
+              "view.inferior", "view.focus", "", "view.handles", "view.ghost", "view.cut", "view.cube",
+              "view.scale", "view.measurements", ""});
   fill(view->addMenu(icon("stress"), tr("St&ress map")), parts_.modes.find("stress").actions());
+  QMenu* slices = view->addMenu(icon("patient"), tr("&Scan"));
+  fill(slices, parts_.scans.layouts());
+  slices->addSeparator();
+  slices->addActions(parts_.scans.sliceMenu().actions());
+  fill(slices, {"", "scan.close"});
+  fill(view->addMenu(icon("camera"), tr("&Slides")),
+       {"slides.add", "slides.remove", "", "slides.next", "slides.previous"});
+  fill(view, {"view.lecture", "lecture.dark", "view.fullScreen", ""});
   QMenu* panels = view->addMenu(tr("&Panels"));
   for (PanelDock* dock : parts_.docks)
     panels->addAction(dock->toggleViewAction());
@@ -112,6 +123,7 @@ void Menus::makeOrganMenus() {
   fill(handles, parts_.modes.find("handles").actions());
   fill(handles, {""});
   fill(handles, parts_.modes.find("deform").actions());
+  fill(handles, {"", "handles.table"});
   fill(handles->addMenu(icon("mirror"), tr("&Mirror drags")),
        {"mirror.off", "mirror.sagittal", "mirror.coronal", "mirror.axial", "", "mirror.next"});
 }

@@ -13,6 +13,7 @@ class QMenuBar;
 namespace viscera::app {
 
 class PanelDock;
+class ScanActions;
 
 /// What stands in which menu, and what the menu Edit does: undo and redo, the list of steps, and selecting
 /// all handles. The other actions are made elsewhere.
@@ -26,6 +27,7 @@ public:
     const ModeController& modes;
     FileActions& files;
     SampleLoader& samples;
+    const ScanActions& scans;
     Workspace& workspace;
     const Settings& settings;
     const std::vector<PanelDock*>& docks;

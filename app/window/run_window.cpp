@@ -13,6 +13,7 @@
 #include <memory>
 
 #include "available_systems.h"
+#include "window/application.h"
 #include "window/import/import_desk.h"
 #include "window/main_window.h"
 #include "window/modes/mode_controller.h"
@@ -149,7 +150,7 @@ int runWindow(int argc, char** argv, const WindowOptions& options) {
     return kServiceUnavailable;
   }
   prepareForApplication();
-  QApplication application(argc, argv);
+  Application application(argc, argv);
   setUpApplication(application);
   if (!options.screenshot.empty())
     return takePicture(options);
@@ -159,6 +160,8 @@ int runWindow(int argc, char** argv, const WindowOptions& options) {
     settings.setValue("window/theme", QString::fromStdString(options.theme));
   AvailableSystems systems = availableSystems(options.pluginPath);
   MainWindow window(settings, std::move(systems.registry), motion::Transport::steadyClock());
+  application.setGuard(
+      [&window](const std::function<void()>& work) { return window.workspace().guarded(work); });
   if (!options.theme.empty())
     window.setTheme(themeFromName(QString::fromStdString(options.theme)));
   if (options.width > 0 && options.height > 0)
@@ -179,7 +182,9 @@ int runWindow(int argc, char** argv, const WindowOptions& options) {
     window.setMode(options.mode);
     load(window, options, true);
   });
-  return QApplication::exec();
+  const int code = QApplication::exec();
+  application.setGuard({}); // The window is about to go.
+  return code;
 }
 
 } // namespace viscera::app

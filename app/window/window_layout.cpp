@@ -2,7 +2,13 @@
 
 #include <QLayout>
 #include <QMainWindow>
+#include <QMenuBar>
+#include <QScreen>
+#include <QStatusBar>
 #include <QToolBar>
+
+#include <map>
+#include <utility>
 
 #include "window/widgets/panel_dock.h"
 
@@ -11,10 +17,18 @@ namespace {
 
 constexpr int kWidth = 1440;
 constexpr int kHeight = 900;
-constexpr int kLeftWidth = 272;
+constexpr int kLeftWidth = 304;
 constexpr int kRightWidth = 288;
 constexpr int kImportWidth = 360;
 constexpr int kChartHeight = 200;
+constexpr int kHandlesHeight = 300;
+/// What a window manager draws around the window, at most.
+constexpr QSize kFrame(16, 48);
+
+/// What the settings and the user's choices call a panel in a mode.
+QString nameIn(const std::string& mode, const QDockWidget& dock) {
+  return QString::fromStdString(mode) + QLatin1Char('/') + dock.objectName();
+}
 
 } // namespace
 
@@ -23,6 +37,10 @@ WindowLayout::WindowLayout(QMainWindow& window, Actions& actions) : QObject(&win
   actions.add("view.layout",
               {tr("&Standard layout"), "reset", {}, tr("Put every panel back where it was at first")},
               [this] { bringBack(); });
+  actions.addToggle(
+      "view.fullScreen",
+      {tr("&Full screen"), nullptr, {QKeySequence(Qt::Key_F11)}, tr("The window takes the whole screen")},
+      false, [this](bool on) { setFullScreen(on); });
 }
 
 PanelDock* WindowLayout::addDock(const QString& title, const char* id, Qt::DockWidgetArea area,
@@ -31,6 +49,8 @@ PanelDock* WindowLayout::addDock(const QString& title, const char* id, Qt::DockW
   dock->setContents(contents, scrolling);
   window_.addDockWidget(area, dock);
   docks_.push_back(dock);
+  connect(dock, &PanelDock::chosen, this,
+          [this, dock](bool shown) { chosen_[nameIn(mode_, *dock)] = shown; });
   return dock;
 }
 
@@ -44,6 +64,7 @@ void WindowLayout::placeRail(QWidget* rail) {
   bar->setStyleSheet(QStringLiteral("QToolBar { border: none; padding: 0; spacing: 0; }"));
   bar->addWidget(rail);
   window_.addToolBar(Qt::LeftToolBarArea, bar);
+  rail_ = bar;
 }
 
 void WindowLayout::place(const Panels& panels) {
@@ -53,12 +74,16 @@ void WindowLayout::place(const Panels& panels) {
   properties_ = addDock(tr("Properties"), "properties", Qt::RightDockWidgetArea, panels.properties, false);
   auto* timeline = addDock(tr("Timeline"), "timeline", Qt::BottomDockWidgetArea, panels.timeline, false);
   timeline->setTitleBarWidget(new QWidget(timeline));
-  auto* chart = addDock(tr("Volumes"), "volumes", Qt::BottomDockWidgetArea, panels.charts, false);
+  panels.timeline->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
+  auto* chart = charts_ = addDock(tr("Volumes"), "volumes", Qt::BottomDockWidgetArea, panels.charts, false);
   chart->setTitleBarWidget(new QWidget(chart));
   window_.splitDockWidget(timeline, chart, Qt::Vertical);
   window_.resizeDocks({organs, properties_}, {kLeftWidth, kRightWidth}, Qt::Horizontal);
   window_.resizeDocks({organs, handles}, {2, 3}, Qt::Vertical);
   window_.resizeDocks({chart}, {kChartHeight}, Qt::Vertical);
+  heights_ = {{chart, kChartHeight}, {handles, kHandlesHeight}};
+  auto* slides = addDock(tr("Slides"), "slides", Qt::LeftDockWidgetArea, panels.slides, false);
+  slides->hide();
   imports_ = new PanelDock(tr("Import"), "import", &window_);
   imports_->setContents(panels.imports, false);
   window_.tabifyDockWidget(properties_, imports_);
@@ -78,22 +103,103 @@ void WindowLayout::hideImports() {
   window_.resizeDocks({properties_}, {kRightWidth}, Qt::Horizontal);
 }
 
+void WindowLayout::follow(const Mode& mode) {
+  const std::string id = mode.description().id;
+  const UsefulPanels useful = mode.panels();
+  if (id == mode_ && useful == useful_)
+    return;
+  mode_ = id;
+  useful_ = useful;
+  arrange();
+}
+
+void WindowLayout::arrange() {
+  if (bare_ || mode_.empty())
+    return;
+  const std::map<QString, bool> useful = {{QStringLiteral("organs"), true},
+                                          {QStringLiteral("handles"), useful_.handles},
+                                          {QStringLiteral("properties"), true},
+                                          {QStringLiteral("timeline"), useful_.timeline},
+                                          {QStringLiteral("volumes"), useful_.charts},
+                                          {QStringLiteral("slides"), false}};
+  QList<QDockWidget*> coming;
+  QList<int> heights;
+  for (PanelDock* dock : docks_) {
+    const bool wanted = chosen_.value(nameIn(mode_, *dock), useful.at(dock->objectName())).toBool();
+    if (!wanted && dock->isVisible())
+      heights_[dock] = dock->height();
+    if (wanted && dock->isHidden() && heights_.contains(dock)) {
+      coming.push_back(dock);
+      heights.push_back(heights_.value(dock));
+    }
+    dock->setVisible(wanted);
+  }
+  // As high as they were: Qt shares the room anew.
+  window_.resizeDocks(coming, heights, Qt::Vertical);
+}
+
+void WindowLayout::setFullScreen(bool full) {
+  window_.setWindowState(full ? window_.windowState() | Qt::WindowFullScreen
+                              : window_.windowState() & ~Qt::WindowFullScreen);
+}
+
+void WindowLayout::setBare(bool bare) {
+  if (bare == bare_)
+    return;
+  bare_ = bare;
+  if (bare) {
+    wasFullScreen_ = window_.isFullScreen();
+    const std::vector<QWidget*> around = {window_.menuBar(), window_.statusBar(), rail_};
+    for (QWidget* part : around)
+      if (!part->isHidden())
+        putAway_.push_back(part);
+    for (PanelDock* dock : docks_)
+      dock->hide();
+  }
+  for (QWidget* part : putAway_)
+    part->setVisible(!bare);
+  if (!bare) {
+    putAway_.clear();
+    arrange();
+  }
+  if (!wasFullScreen_)
+    setFullScreen(bare);
+}
+
+void WindowLayout::fitCharts(std::optional<int> height) {
+  if (height && *height > charts_->height() && charts_->isVisible()) {
+    if (!chartsBefore_)
+      chartsBefore_ = charts_->height();
+    window_.resizeDocks({charts_}, {*height}, Qt::Vertical);
+  } else if (!height && chartsBefore_) {
+    window_.resizeDocks({charts_}, {*std::exchange(chartsBefore_, std::nullopt)}, Qt::Vertical);
+  }
+}
+
 void WindowLayout::bringBack() {
+  chosen_.clear();
   window_.restoreState(standard_);
+  arrange();
   if (importing_)
     showImports();
 }
 
 void WindowLayout::restore(const Settings& settings) {
-  window_.resize(kWidth, kHeight);
+  const QSize room = window_.screen()->availableSize() - kFrame;
+  window_.resize(QSize(kWidth, kHeight).boundedTo(room));
   standard_ = window_.saveState();
   window_.restoreGeometry(settings.value("window/geometry").toByteArray());
   window_.restoreState(settings.value("window/layout").toByteArray());
+  if (!window_.isMaximized() && !window_.isFullScreen())
+    window_.resize(window_.size().boundedTo(room));
+  chosen_ = settings.value("window/panels").toMap();
+  arrange();
 }
 
 void WindowLayout::save(Settings& settings) const {
   settings.setValue("window/geometry", window_.saveGeometry());
   settings.setValue("window/layout", window_.saveState());
+  settings.setValue("window/panels", chosen_);
 }
 
 } // namespace viscera::app

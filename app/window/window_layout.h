@@ -1,20 +1,27 @@
 #pragma once
 
 #include <QByteArray>
+#include <QDockWidget>
+#include <QHash>
 #include <QObject>
 
+#include <optional>
 #include <vector>
 
 #include "window/actions.h"
+#include "window/modes/mode.h"
 #include "window/settings.h"
 
 class QMainWindow;
+class QToolBar;
 
 namespace viscera::app {
 
 class PanelDock;
 
-/// Where the panels stand around the view: docks that the user may move, which the settings remember.
+/// Where the panels stand around the view: docks that the user may move, which the settings remember. Those
+/// that a mode has no use for fold away in it, unless the user has shown them there; what he has hidden stays
+/// hidden.
 class WindowLayout final : public QObject {
   Q_OBJECT
 
@@ -27,10 +34,11 @@ public:
     QWidget* properties;
     QWidget* timeline;
     QWidget* charts;
+    QWidget* slides;
     QWidget* imports;
   };
 
-  /// Adds "view.layout". Both have to live longer.
+  /// Adds "view.layout" and "view.fullScreen". Both have to live longer.
   WindowLayout(QMainWindow& window, Actions& actions);
 
   void place(const Panels& panels);
@@ -40,6 +48,14 @@ public:
   PanelDock* imports() const { return imports_; }
   void showImports();
   void hideImports();
+  /// Shows the panels that this mode has a use for, or the user wants in it.
+  void follow(const Mode& mode);
+  /// With `bare` the view stands alone: no panels, menus, modes and status.
+  void setBare(bool bare);
+  bool bare() const { return bare_; }
+
+  /// Makes the charts' panel at least so high; nothing: as high as it was before that.
+  void fitCharts(std::optional<int> height);
 
   /// As the settings have it; after `place`.
   void restore(const Settings& settings);
@@ -50,12 +66,25 @@ private:
                      bool scrolling);
   void placeRail(QWidget* rail);
   void bringBack();
+  void arrange();
+  void setFullScreen(bool full);
 
   QMainWindow& window_;
   std::vector<PanelDock*> docks_;
   PanelDock* properties_ = nullptr;
   PanelDock* imports_ = nullptr;
+  PanelDock* charts_ = nullptr;
+  std::optional<int> chartsBefore_; ///< Their height before `fitCharts` made them higher.
   bool importing_ = false;
+  bool bare_ = false;
+  bool wasFullScreen_ = false; ///< Before it was bare.
+  QToolBar* rail_ = nullptr;
+  std::string mode_; ///< The one followed, and what it has a use for.
+  UsefulPanels useful_;
+  /// What the user has chosen, by "mode/panel".
+  QVariantMap chosen_;
+  QHash<QDockWidget*, int> heights_; ///< Of panels that are folded away, as they were.
+  std::vector<QWidget*> putAway_;    ///< While it is bare.
   QByteArray standard_;
 };
 

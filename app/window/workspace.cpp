@@ -6,6 +6,7 @@
 #include <QUrl>
 
 #include <cmath>
+#include <new>
 
 #include "viscera/presentation/space_parts.h"
 
@@ -27,6 +28,9 @@ bool Workspace::guarded(const std::function<void()>& work) {
     return false;
   } catch (const Error& error) {
     report(error);
+  } catch (const std::bad_alloc&) {
+    report(Error(70, "there is not enough memory for this", {},
+                 "close other programs, or work with fewer organs or coarser surfaces"));
   } catch (const std::exception& error) {
     report(Error(70, error.what(), {}, "this is a fault of the program; please report it"));
   }

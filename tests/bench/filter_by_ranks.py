@@ -3,12 +3,13 @@
 PYTHONPATH=build/release/python:build/release/lib/python3/dist-packages \\
   mpirun --oversubscribe -np 4 /usr/bin/python3 tests/bench/filter_by_ranks.py 1000 2000 [drop]
 
-About 1000 x 2000 vertices, 30 handles. `drop`: the coordinates are not kept. Prints one line of JSON: times (s; of the
-slowest rank, and of all processors together), memory (MiB, peak of each rank) and the bits of the volume, the same for any number of ranks.
+About 1000 x 2000 vertices, 30 handles, one thread a rank. `drop`: the coordinates are not kept; `stress`: that too. Prints
+one line of JSON: times (s; by the clock of the slowest rank, and of all processors together), memory of each rank (MiB; what
+it holds with its piece, and the most that it held while the filter ran) and the bits of the volumes, the same for any number
+of ranks. resources/scripts/measure_scaling.py makes the table of docs/scaling.md of such lines.
 """
 
 import json
-import resource
 import sys
 import time
 
@@ -78,8 +79,17 @@ def timed(job):
     return [round(world.allreduce(clock, MPI.MAX), 3), round(world.allreduce(processors, MPI.SUM), 3)]
 
 
-def peak():
-    return [round(each) for each in world.allgather(resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024)]
+def memory(name):
+    """Of each rank, MiB: VmRSS is what it holds now, VmHWM the most since `forget_peak`."""
+    with open("/proc/self/status") as status:
+        kib = next(int(line.split()[1]) for line in status if line.startswith(name + ":"))
+    return [round(each) for each in world.allgather(kib / 1024)]
+
+
+def forget_peak():
+    """What numpy took to make the surface is not the filter's."""
+    with open("/proc/self/clear_refs", "w") as file:
+        file.write("5")
 
 
 random = np.random.default_rng(1)
@@ -88,15 +98,18 @@ rest = np.vstack([70.0 * (2 * np.indices((2, 2, 2)).reshape(3, -1).T - 1), 68 * 
 pose = rest.copy()
 pose[8:] += random.normal(0, 4, (22, 3)) * (np.arange(22) < 12)[:, None]
 
-before = peak()
+before = memory("VmRSS")
 piece = own_piece()
 vertices = world.allreduce(piece.GetNumberOfPoints(), MPI.SUM)
-line = {"ranks": ranks, "vertices": vertices, "keep": "drop" not in sys.argv, "empty_mib": before, "piece_mib": peak()}
+line = {"ranks": ranks, "vertices": vertices, "keep": "drop" not in sys.argv, "empty_mib": before,
+        "piece_mib": memory("VmRSS")}
+forget_peak()
 
 
 def on(kind):
     made = kind()
     made.SetInputData(piece)
+    made.SetNumberOfThreads(1)
     made.SetRestHandlesData(data_of(rest))
     made.SetPosedHandlesData(data_of(pose))
     return made
@@ -109,7 +122,7 @@ line["volume"] = deform.GetVolume().hex()
 line["vector_area"] = deform.GetVectorArea()
 deform.SetPosedHandlesData(data_of(pose + [1.0, 0, 0]))
 line["another_pose_s"] = timed(deform)
-line["deform_mib"] = peak()
+line["deform_mib"] = memory("VmHWM")
 if "drop" not in sys.argv:
     deform.SetPosedHandlesData(data_of(pose))
     deform.LockVolumeOn()
@@ -121,7 +134,6 @@ if "stress" in sys.argv:
     stress = on(vtkVisceraStressFilter)
     line["stress_s"] = timed(stress)
     line["mean_stress"] = stress.GetMeanRotationalStress().hex()
-line["peak_mib"] = peak()
 if rank == 0:
     print(json.dumps(line), flush=True)
 controller.Finalize(1)

@@ -76,5 +76,27 @@ void frame(benchmark::State& state) {
 }
 BENCHMARK(frame)->Args({6, 1})->Args({6, 0})->Args({7, 1})->Unit(benchmark::kMillisecond)->UseRealTime();
 
+/// The same of a wall that one sees through with two cavities in it, as the beating heart is shown.
+void translucentFrame(benchmark::State& state) {
+  tests::ViewInWindow window(1200, 800);
+  auto wall = std::make_shared<OrganActor>(ball(6));
+  wall->setOpacity(0.45);
+  window.view.add(wall);
+  for (const double side : {-1, 1}) {
+    auto cavity = tests::sphere(5, 18);
+    cavity.points.col(0).array() += 22 * side;
+    window.view.add(std::make_shared<OrganActor>(std::make_shared<const geometry::TriangleMesh>(cavity)));
+  }
+  window.view.lookFrom(StandardView::anterior);
+  window.view.setMoving(state.range(0) != 0);
+  window.render();
+  for (auto _ : state) {
+    wall->pointsChanged();
+    window.render();
+    window.surface.window()->WaitForCompletion();
+  }
+}
+BENCHMARK(translucentFrame)->Arg(1)->Arg(0)->Unit(benchmark::kMillisecond)->UseRealTime();
+
 } // namespace
 } // namespace viscera::scene

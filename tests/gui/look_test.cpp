@@ -16,6 +16,11 @@
 #include <QTest>
 #include <QWheelEvent>
 
+#include <functional>
+#include <new>
+#include <stdexcept>
+
+#include "window/application.h"
 #include "window/style/icon.h"
 #include "window/style/theme.h"
 
@@ -160,14 +165,32 @@ TEST_F(WindowTest, TheThemeChangesEverythingAndIsRemembered) {
 }
 
 TEST_F(WindowTest, AHiddenPanelStaysHiddenUntilTheStandardLayoutIsAskedFor) {
-  auto* volumes = window().findChild<QDockWidget*>(QStringLiteral("volumes"));
-  ASSERT_NE(volumes, nullptr);
-  volumes->close();
+  auto* organs = window().findChild<QDockWidget*>(QStringLiteral("organs"));
+  ASSERT_NE(organs, nullptr);
+  organs->toggleViewAction()->trigger();
   reopenWindow();
-  volumes = window().findChild<QDockWidget*>(QStringLiteral("volumes"));
-  EXPECT_FALSE(volumes->isVisible());
+  organs = window().findChild<QDockWidget*>(QStringLiteral("organs"));
+  EXPECT_FALSE(organs->isVisible());
   window().actions()["view.layout"]->trigger();
-  EXPECT_TRUE(volumes->isVisible());
+  EXPECT_TRUE(organs->isVisible());
+}
+
+TEST_F(WindowTest, AFaultInAnEventBecomesAMessageAndTheWindowGoesOn) {
+  auto& application = *static_cast<app::Application*>(qApp);
+  application.setGuard(
+      [this](const std::function<void()>& work) { return window().workspace().guarded(work); });
+  const auto throwing = [this](const std::function<void()>& fault) {
+    QAction action(&window());
+    QObject::connect(&action, &QAction::triggered, &action, fault);
+    QMetaObject::invokeMethod(&action, "trigger", Qt::QueuedConnection);
+    QTest::qWait(50);
+    return message();
+  };
+  EXPECT_TRUE(throwing([] { throw std::logic_error("row 7 of 5"); }).contains(QStringLiteral("Row 7 of 5")));
+  EXPECT_TRUE(throwing([] { throw std::bad_alloc(); }).contains(QStringLiteral("not enough memory")));
+  application.setGuard({});
+  key(Qt::Key_3);
+  EXPECT_EQ(window().mode(), "deform");
 }
 
 TEST_F(WindowTest, QuestionMarkShowsTheShortcutsAndEscapeHidesThem) {

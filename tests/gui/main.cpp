@@ -1,10 +1,9 @@
 #include <gtest/gtest.h>
 
-#include <QApplication>
-
 #include <cstdio>
 #include <cstring>
 
+#include "window/application.h"
 #include "window/run_window.h"
 
 /// The tests need an application and a display; listing them needs neither.
@@ -21,7 +20,7 @@ int main(int argc, char** argv) {
   }
   qputenv("QT_QPA_PLATFORM", "xcb");
   viscera::app::prepareForApplication();
-  QApplication application(argc, argv);
+  viscera::app::Application application(argc, argv);
   viscera::app::setUpApplication(application);
   return RUN_ALL_TESTS();
 }

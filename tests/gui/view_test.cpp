@@ -1,5 +1,6 @@
 #include "window_test.h"
 
+#include <QAction>
 #include <QTest>
 #include <QTreeWidget>
 
@@ -7,6 +8,7 @@
 #include <vtkRenderer.h>
 
 #include "viscera/document/rig_commands.h"
+#include "viscera/scene/picture.h"
 #include "window/style/theme.h"
 #include "window_probe.h"
 
@@ -83,6 +85,32 @@ TEST_F(ViewTest, AnOrganIsRenamedInTheListAndAnEmptyNameIsRefused) {
   EXPECT_EQ(document().organs().front()->name, "Left kidney");
   EXPECT_EQ(list().topLevelItem(0)->text(1), QStringLiteral("Left kidney"));
   EXPECT_NE(message(), QString());
+}
+
+TEST_F(ViewTest, TheCutOpensTheOrganAndItsFaceFollowsThePose) {
+  key(Qt::Key_1, Qt::KeypadModifier);
+  const auto nearestAt = [this](const QPoint& place) {
+    const auto pick = view().pickNear(place);
+    return pick ? pick->position.y() : 1e9;
+  };
+  const QPoint middle = onScreen(Vec3::Zero());
+  EXPECT_NEAR(nearestAt(middle), -60, 1) << "from the front one meets the front";
+  const auto whole = grab(window());
+  window().actions()["view.cut"]->trigger();
+  settle();
+  EXPECT_NEAR(nearestAt(middle), 60, 1) << "the front half is gone";
+  const auto cut = grab(window());
+  EXPECT_GT(scene::comparePictures(whole, cut).differing, 0.02);
+  // The face hides the hollow behind it, where a plane through nothing shows nothing.
+  window().viewModel().change([](presentation::ViewState& state) { state.cut.offset = 0.9; });
+  settle();
+  EXPECT_GT(scene::comparePictures(cut, grab(window())).differing, 0.02);
+  window().viewModel().change([](presentation::ViewState& state) { state.cut.offset = 0; });
+  ASSERT_TRUE(window().workspace().perform(document::setPose(0.7 * document().rig().restPositions())));
+  settle();
+  EXPECT_GT(scene::comparePictures(cut, grab(window())).differing, 0.02) << "a smaller ball, a smaller face";
+  EXPECT_EQ(presentation::viewFromJson(presentation::toJson(window().viewModel().state())).cut,
+            window().viewModel().state().cut);
 }
 
 TEST_F(ViewTest, FocusBringsTheOrganBackIntoThePicture) {

@@ -25,11 +25,12 @@ import viscera  # noqa: E402
 from viscera import paraview  # noqa: E402
 from viscera_vtk.vtkVisceraFilters import vtkVisceraDeformFilter, vtkVisceraStressFilter  # noqa: E402
 
+SYSTEM = pathlib.Path(viscera.__file__).resolve().parents[2] / "lib"  # with the filters for the system's VTK, as installed
 TIME_LIMIT = 120  # s: the failure of a collective is a hang
 PIECES = 4
 ENVIRONMENT = {
     **{key: value for key, value in os.environ.items() if key != "DISPLAY"},
-    "LD_LIBRARY_PATH": str(PREFIX / "usr/lib" / f"{os.uname().machine}-linux-gnu"),
+    "LD_LIBRARY_PATH": f"{PREFIX}/usr/lib/{os.uname().machine}-linux-gnu:{SYSTEM}",
     "PYTHONPATH": str(PREFIX / "usr/lib/python3/dist-packages"),
     "OMPI_ALLOW_RUN_AS_ROOT": "1",
     "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1",
@@ -162,6 +163,20 @@ class Plugin(unittest.TestCase):
                 server.wait()
             end.cancel()
             server.stdout.close()
+
+    def test_a_handle_is_dragged_in_the_window(self):
+        if not os.environ.get("DISPLAY"):
+            self.skipTest("there is no display")
+        done = finished(
+            [str(PREFIX / "usr/bin/paraview"), "--dr", f"--script={HERE / 'in_window.py'}"],
+            VISCERA_PLUGIN=str(PLUGIN), VISCERA_RESULTS=str(BUILD), DISPLAY=os.environ["DISPLAY"],
+        )
+        said = re.search(r"DRAGGED \[(\d+)\] missed by (\d+) pixels; volume (\S+) (\S+)", done.stdout)
+        self.assertTrue(said, done.stdout + done.stderr)
+        handle, missed, rest, now = said.groups()
+        self.assertEqual(handle, "7")
+        self.assertLessEqual(int(missed), 3)
+        self.assertGreater(abs(float(now) / float(rest) - 1), 1e-4)
 
     def test_exported_script_brings_results_back(self):
         points, triangles = self.surface

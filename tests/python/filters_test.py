@@ -5,6 +5,7 @@ import json
 import pathlib
 import tempfile
 import unittest
+import xml.etree.ElementTree
 import zlib
 
 import numpy as np
@@ -198,6 +199,16 @@ class Handles(unittest.TestCase):
             points_of(placed.GetOutput()), viscera.place_handles(POINTS, TRIANGLES, 20)
         )
         np.testing.assert_allclose(points_of(made.GetOutput()), POINTS, atol=1e-9)
+
+
+class Description(unittest.TestCase):
+    def test_paraviews_lists_name_every_system_that_needs_no_groups(self):
+        file = pathlib.Path(__file__).parents[2] / "modules/paraview_plugin/plugin/viscera.xml"
+        lists = [each for each in xml.etree.ElementTree.parse(file).iter("StringListDomain") if each.get("name") == "systems"]
+        self.assertEqual(len(lists), 2)
+        known = [each.id for each in viscera.systems() if not each.traits["uses_groups"]]
+        for names in lists:
+            self.assertCountEqual([each.get("value") for each in names], known)
 
 
 class Export(unittest.TestCase):

@@ -4,6 +4,7 @@ import ast
 import inspect
 import os
 import pathlib
+import re
 import signal
 import sys
 import threading
@@ -162,6 +163,45 @@ class Systems(unittest.TestCase):
         self.assertAlmostEqual(
             np.linalg.det(edges).sum() / 6 / viscera.volume(self.points, self.triangles), 1, 9
         )
+
+
+class Circulation(unittest.TestCase):
+    def test_curves_and_indices_agree_and_no_blood_is_lost(self):
+        found = viscera.circulate()
+        self.assertTrue(found.converged, found.complaint)
+        self.assertLess(found.volume_error_ml, 1e-4)
+        curves, lv = found.curves, found.indices["lv"]
+        self.assertEqual({len(curve) for curve in curves.values()}, {len(curves["time_s"])})
+        self.assertAlmostEqual(curves["lv_ml"].max(), lv["edv_ml"], 1)
+        self.assertAlmostEqual(curves["lv_ml"].min(), lv["esv_ml"], 1)
+        work = np.trapz(-curves["lv_mmHg"], curves["lv_ml"]) * 133.322e-6  # mmHg ml in J
+        self.assertAlmostEqual(work / lv["stroke_work_J"], 1, 2)
+        self.assertEqual(found.parameters["rate"], 72)
+        self.assertIn("S1 mitral", [name for name, *_ in found.sounds])
+
+    def test_scenarios_and_parameters_are_those_of_the_catalogue(self):
+        self.assertEqual(viscera.scenarios()[0].id, "rest")
+        narrow = next(each for each in viscera.scenarios() if each.id == "aortic-stenosis")
+        found = viscera.circulate(narrow.id, rate=80)
+        self.assertLessEqual(set(narrow.changes.items()), set(found.parameters.items()))
+        self.assertEqual(found.parameters["rate"], 80)
+        self.assertGreater(found.indices["aortic_mean_gradient_mmHg"], 20)
+        rate = next(each for each in viscera.circulation_parameters() if each.name == "rate")
+        for wrong in ({"scenario": "nothing"}, {"no_such": 1}, {"rate": rate.maximum + 1}):
+            with self.assertRaises(viscera.UsageError):
+                viscera.circulate(**wrong)
+
+    def test_a_near_beginning_saves_beats_and_ends_the_same(self):
+        near = viscera.circulate(stressedVolume=900)
+        plain, begun = viscera.circulate(stressedVolume=901), viscera.circulate(stressedVolume=901, near=near)
+        self.assertLess(begun.beats, plain.beats)
+        np.testing.assert_allclose(begun.curves["lv_ml"], plain.curves["lv_ml"], atol=1e-4)
+
+    def test_stroke_volume_answers_to_filling(self):
+        answers = viscera.circulation_response("stressedVolume", np.array([800.0, 1000]))
+        self.assertGreater(answers[1]["lv"]["sv_ml"], answers[0]["lv"]["sv_ml"])
+        with self.assertRaises(viscera.Cancelled):
+            viscera.circulation_response("rate", np.linspace(50, 150, 60), progress=lambda fraction, step: False)
 
 
 class Memory(unittest.TestCase):
@@ -331,12 +371,30 @@ class Documentation(unittest.TestCase):
     def test_everything_public_is_described_with_its_units(self):
         for name in viscera.__all__:
             self.assertTrue(getattr(viscera, name).__doc__, name)
-        for owner in (_core.Binding, _core.VolumeLock, _core.StressPoints, _core.StressMap):
+        for owner in (_core.Binding, _core.VolumeLock, _core.StressPoints, _core.StressMap, _core.Circulation):
             for name, member in vars(owner).items():
                 if not name.startswith("_"):
                     self.assertTrue(inspect.getdoc(member), f"{owner.__name__}.{name}")
         for name in ("bind", "volume", "area", "place_handles", "volume_gradient", "lock_volume"):
             self.assertRegex(getattr(viscera, name).__doc__, "mm", name)
+
+    def test_whatever_takes_an_array_says_its_shape(self):
+        arrays = {"points", "triangles", "handles", "rest_handles", "poses", "point_gradient", "positions"}
+        members = {name: getattr(viscera, name) for name in viscera.__all__}
+        for name, owner in list(members.items()):
+            if inspect.isclass(owner):
+                members |= {f"{name}.{key}": member for key, member in vars(owner).items() if not key.startswith("_")}
+        checked = 0
+        for name, member in members.items():
+            text = inspect.getdoc(member) or ""
+            if inspect.isfunction(member):
+                arguments = set(inspect.signature(member).parameters)
+            else:
+                arguments = set(re.findall(r"(\w+):", text.splitlines()[0])) if inspect.isroutine(member) else set()
+            if arguments & arrays and name != "track":  # its handles are a number
+                self.assertRegex(text, r"\b[a-z] x (3|4|h|r)\b", name)
+                checked += 1
+        self.assertGreater(checked, 20)
 
 
 if __name__ == "__main__":

@@ -104,6 +104,73 @@ class Motion(Folder):
         self.assertLess(abs(viscera.volume(posed, triangles) / viscera.volume(points, triangles) - 1), 1e-9)
 
 
+class PatientMotion(Folder):
+    def phases(self, count=5):
+        """A surface a phase of a kidney that empties, and the volumes, ml."""
+        points, triangles = kidney(10, 12)
+        files, volumes = [], []
+        for phase in range(count):
+            squeeze = 0.5 - 0.5 * np.cos(2 * np.pi * phase / count)
+            moved = points * (1 - 0.2 * squeeze)
+            files.append(self.folder / f"cavity_{phase}.ply")
+            viscera.write_surface(files[-1], moved, triangles)
+            volumes.append(viscera.volume(moved, triangles) / 1000)
+        return files, np.array(volumes)
+
+    def test_a_series_of_surfaces_becomes_poses_with_their_volumes(self):
+        files, volumes = self.phases()
+        told = []
+        motion = viscera.track(files, period=0.9, handles=24, progress=lambda fraction, step: told.append(fraction))
+        self.assertEqual(told[-1], 1.0)
+        self.assertTrue(motion.corresponding)
+        self.assertEqual(motion.fit, "good")
+        self.assertAlmostEqual(motion.indices["cavity"]["ef"], 1 - volumes.min() / volumes.max(), 4)
+        beat = motion.sequence
+        rest, triangles = beat.surfaces["cavity"]
+        bound = viscera.bind(rest, beat.rest_handles, beat.system, **beat.parameters)
+        for phase, volume in zip(motion.phases, volumes):
+            posed = viscera.volume(bound.pose(beat.pose(phase["seconds"])), triangles) / 1000
+            self.assertLess(abs(posed / volume - 1), 1e-5)  # single precision of the files
+            self.assertLess(phase["mean_mm"], 0.5)
+            self.assertEqual(phase["surfaces"]["cavity"]["flipped"], 0)
+        file = self.folder / "beat.sequence.json"
+        motion.write(file)
+        back = viscera.sequence(file)
+        np.testing.assert_array_equal(back.pose(0.3), beat.pose(0.3))
+        np.testing.assert_array_equal(back.surfaces["cavity"][0], rest)
+        again = viscera.track(files, period=0.9, rig=beat.rest_handles, threads=1)
+        np.testing.assert_array_equal(again.sequence.rest_handles, beat.rest_handles)
+        self.assertAlmostEqual(again.indices["cavity"]["ef"], motion.indices["cavity"]["ef"], 6)
+
+    def test_a_series_of_labels_has_the_volumes_of_its_voxels(self):
+        grid = np.indices((20, 20, 20)) - 9.5
+        for phase in range(4):
+            radius = 8 - 2 * (0.5 - 0.5 * np.cos(np.pi * phase / 2))
+            voxels = ((grid**2).sum(axis=0) < radius**2).astype(np.uint8)
+            header = ("NRRD0004\ntype: uint8\ndimension: 3\nspace: left-posterior-superior\nsizes: 20 20 20\n"
+                      "space directions: (4,0,0) (0,4,0) (0,0,4)\nspace origin: (0,0,0)\nencoding: raw\n\n")
+            (self.folder / f"ball_{phase}.nrrd").write_bytes(header.encode() + voxels.tobytes())
+        motion = viscera.track(self.folder, {"ball": [1]}, period=1, handles=30, keep_volumes=True)
+        self.assertFalse(motion.corresponding)
+        for phase in motion.phases:
+            ball = phase["surfaces"]["ball"]
+            self.assertLess(abs(ball["fitted_ml"] / ball["volume_ml"] - 1), 1e-6)
+            self.assertGreater(phase["dice"], 0.9)
+
+    def test_what_cannot_be_tracked_is_said(self):
+        files, _ = self.phases()
+        with self.assertRaises(viscera.DataError):
+            viscera.track(files[:3], period=0.9)
+        with self.assertRaises(viscera.UsageError):
+            viscera.track(files)  # no period anywhere
+        with self.assertRaises(viscera.UsageError):
+            viscera.track(files, period=0.9, handles=24, rig=np.zeros((24, 3)))
+        with self.assertRaises(viscera.NoInputError):
+            viscera.track(self.folder / "none", period=0.9)
+        with self.assertRaises(viscera.Cancelled):
+            viscera.track(files, period=0.9, progress=lambda fraction, step: False)
+
+
 class Parts(unittest.TestCase):
     def test_plugins_are_loaded_and_problems_told(self):
         with tempfile.NamedTemporaryFile(suffix=".so") as none:

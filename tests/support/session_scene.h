@@ -5,6 +5,7 @@
 #include "monkey.h"
 #include "temporary_folder.h"
 #include "viscera/core/error.h"
+#include "viscera/document/circulation_commands.h"
 #include "viscera/document/measurement_commands.h"
 #include "viscera/document/open_files.h"
 #include "viscera/document/recording_commands.h"
@@ -32,7 +33,7 @@ inline std::filesystem::path ballFile(const viscera::tests::TemporaryFolder& fol
 }
 
 /// One of everything: organs from a file, edited and with a cavity, handles, groups, a cage, a pose,
-/// parameters, locks, a recording, measurements, a view.
+/// parameters, locks, a recording, measurements, a circulation, a view.
 inline document::SessionContents fullContents(const viscera::tests::TemporaryFolder& folder) {
   Session s;
   s.undo.perform(document::addOrgans({{document::readOrgan(ballFile(folder, "liver.vtp")), -1}}));
@@ -66,6 +67,9 @@ inline document::SessionContents fullContents(const viscera::tests::TemporaryFol
   document::MeasuredPoint fixed;
   fixed.rest = {0.1, -1e-310, 1.0 / 3};
   s.undo.perform(document::addMeasurement({onLiver, fixed, {}}, "Angle \"at\" the \xC3\xBC"));
+  s.undo.perform(document::chooseScenario("exercise"));
+  s.undo.perform(document::keepCirculation());
+  s.undo.perform(document::setCirculationParameter("lvEes", 1.0 / 3));
   document::SessionContents contents;
   contents.state = s.document.state();
   contents.view = R"({"mode":"deform","camera":{"position":[0.1,-0.0,1e+300]},"other":[1,"two",null]})";

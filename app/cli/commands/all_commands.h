@@ -25,5 +25,7 @@ std::unique_ptr<Command> warpCommand();
 std::unique_ptr<Command> renderCommand();
 std::unique_ptr<Command> propertiesCommand();
 std::unique_ptr<Command> reproduceCommand();
+std::unique_ptr<Command> reportCommand();
+std::unique_ptr<Command> commandsCommand();
 
 } // namespace viscera::app::cli

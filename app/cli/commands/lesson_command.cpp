@@ -238,7 +238,7 @@ Outcome LessonCommand::write(const std::filesystem::path& file, Surroundings& su
         lesson::makeLesson(plan, material.source, organs, surroundings.progress, surroundings.threads);
     lesson::writePage(file, made);
     outcome.json.update({{"bytes", std::filesystem::file_size(file)},
-                         {"frames", made.samples()},
+                         {"frames", made.instants()},
                          {"modes", made.modes.size()}});
     error = made.largestErrorMm;
   }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <memory>
 #include <numbers>
 #include <optional>
@@ -15,6 +16,7 @@
 #include "cli/inputs.h"
 #include "cli/listing.h"
 #include "cli/session_input.h"
+#include "cli/slice_picture.h"
 #include "cli/stage_options.h"
 #include "cli/still_organs.h"
 #include "cli/system_options.h"
@@ -32,7 +34,8 @@ namespace {
 struct Contents {
   std::vector<document::Organ> organs;
   std::optional<RigInput> rig;
-  std::optional<Points> pose; ///< Of the rig; none: at rest.
+  std::optional<Points> pose;                     ///< Of the rig; none: at rest.
+  std::shared_ptr<const document::ScanItem> scan; ///< Null: none was asked for, or there is none.
   std::vector<std::string> warnings;
 };
 
@@ -47,9 +50,26 @@ struct Shown {
 /// Degrees; less is rounding.
 constexpr double kNoStress = 1e-6;
 
-Contents read(const std::vector<std::string>& files, const std::string& cage,
-              const Surroundings& surroundings) {
+/// Takes the scan out of the files, if one of them is one.
+std::shared_ptr<const document::ScanItem> takeScan(std::vector<std::string>& files, Progress& progress) {
+  for (auto file = files.begin(); file != files.end(); ++file) {
+    if (file->rfind("sample:", 0) == 0)
+      continue;
+    std::vector<std::filesystem::path> paths = {*file};
+    auto scan = document::takeScan(paths, progress);
+    if (!scan)
+      continue;
+    files.erase(file);
+    return std::make_shared<const document::ScanItem>(std::move(*scan));
+  }
+  return nullptr;
+}
+
+Contents read(std::vector<std::string> files, const std::string& cage, const Surroundings& surroundings,
+              bool withScan) {
   Contents contents;
+  if (withScan)
+    contents.scan = takeScan(files, surroundings.progress);
   for (const std::string& file : files) {
     if (document::isHandleFile(file)) {
       if (contents.rig)
@@ -62,7 +82,7 @@ Contents read(const std::vector<std::string>& files, const std::string& cage,
       contents.organs.push_back(std::move(organ));
     }
   }
-  if (contents.organs.empty())
+  if (contents.organs.empty() && !contents.scan)
     throw UsageError("no organ is named", {}, "name a surface file or sample:NAME");
   return contents;
 }
@@ -160,6 +180,18 @@ public:
     options.add_flag("--zones", parts_.zones, "Draw the zones in which regions meet");
     options.add_flag("--super-regions", parts_.superRegions, "Draw the super-regions of the zones");
     options.add_option("--opacity", opacity_, "Of the organs, 0 to 1")->check(CLI::Range(0.0, 1.0));
+    CLI::Option* slice =
+        options
+            .add_option("--slice", slice_,
+                        "Draw one slice of the scan among the files, with the organs' contours: axial:MM, "
+                        "coronal:MM or sagittal:MM, in mm LPS")
+            ->type_name("DIRECTION:MM");
+    CLI::Option* width = options.add_option("--window", width_, "Width of the values from black to white")
+                             ->check(CLI::PositiveNumber)
+                             ->needs(slice);
+    CLI::Option* level = options.add_option("--level", level_, "The value that is middle grey")->needs(slice);
+    width->needs(level);
+    level->needs(width);
     system_.addTo(options);
   }
 
@@ -171,7 +203,7 @@ public:
     stage_.size = pictureSize(size_);
     if (views_.empty())
       views_.push_back(stage_.view);
-    Contents contents = read(files_, system_.cage(), surroundings);
+    Contents contents = read(files_, system_.cage(), surroundings, !slice_.empty());
     if (!contents.rig && (!influence_.empty() || parts_.any()))
       throw UsageError("It needs a handle file among the files", influence_.empty()
                                                                      ? "--regions, --zones or --super-regions"
@@ -181,6 +213,8 @@ public:
         throw UsageError("It needs a handle file among the files", "--pose");
       contents.pose = poseInput(pose_, *contents.rig, contents.warnings);
     }
+    if (!slice_.empty())
+      return drawSlice(contents, all.front(), surroundings);
     Outcome outcome;
     outcome.json = {{"png", output_},
                     {"height", stage_.size.height},
@@ -282,10 +316,35 @@ private:
     return map;
   }
 
+  /// A slice of a scan, with the organs' contours.
+  Outcome drawSlice(const Contents& contents, const Shown& shown, Surroundings& surroundings) const {
+    StillOrgans organs(contents.organs);
+    if (contents.rig)
+      organs.setRig(*contents.rig, {shown.system->id(), shown.options.parameters});
+    if (contents.pose)
+      showPose(organs, contents, *shown.system, shown.options, surroundings.progress);
+    organs.setScan(contents.scan);
+    presentation::ViewState view;
+    view.scan.level = level_;
+    view.scan.width = width_;
+    const SliceOutcome slice = slicePicture(organs, sliceRequest(slice_), view, stage_, surroundings.threads);
+    scene::writePng(output_, slice.image);
+    Outcome outcome;
+    outcome.json = {{"png", output_},
+                    {"width", stage_.size.width},
+                    {"height", stage_.size.height},
+                    {"organs", contents.organs.size()},
+                    {"scan", contents.scan ? contents.scan->name : ""},
+                    {"contours", slice.contours}};
+    outcome.text = Listing().add("picture", output_).text();
+    outcome.warnings = contents.warnings;
+    return outcome;
+  }
+
   /// A session as the window showed it.
   Outcome drawSession(Surroundings& surroundings) {
     const bool more = files_.size() > 1 || !views_.empty() || !influence_.empty() || !pose_.empty() ||
-                      !beside_.empty() || parts_.any();
+                      !beside_.empty() || !slice_.empty() || parts_.any();
     if (more)
       throw UsageError("It is drawn as it is: only --view, --size and --theme go with a session",
                        files_.front(), "draw its organs' and handles' own files for anything else");
@@ -319,6 +378,9 @@ private:
   scene::LayoutParts parts_{.regions = false};
   std::string pose_;
   bool stress_ = false;
+  std::string slice_;
+  double level_ = 0;
+  double width_ = 0; ///< 0: as the scan proposes.
   StageOptions stage_;
   CLI::Option* viewGiven_ = nullptr;
   double opacity_ = 1;

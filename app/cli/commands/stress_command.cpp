@@ -1,11 +1,8 @@
 #include "cli/commands/all_commands.h"
 
-#include <algorithm>
 #include <chrono>
 #include <cstdint>
-#include <cstdio>
 #include <numbers>
-#include <ostream>
 #include <string>
 #include <utility>
 
@@ -13,9 +10,8 @@
 
 #include "cli/bound_input.h"
 #include "cli/listing.h"
-#include "viscera/core/atomic_file.h"
 #include "viscera/deformation/tetrahedralise.h"
-#include "viscera/medical_io/solid_file.h"
+#include "viscera/live/stress_files.h"
 
 namespace viscera::app::cli {
 namespace {
@@ -43,43 +39,6 @@ struct Measured {
 
   const deformation::WitnessMesh& mesh() const { return interior.mesh(); }
 };
-
-std::vector<std::uint8_t> foldedFlags(const deformation::StressMap& map) {
-  std::vector<std::uint8_t> flags;
-  for (const double ratio : map.volumeRatio)
-    flags.push_back(ratio <= 0 ? 1 : 0);
-  return flags;
-}
-
-void writeVtu(const std::string& file, const Measured& measured) {
-  std::vector<std::uint8_t> witness(static_cast<std::size_t>(measured.mesh().points.rows()), 0);
-  std::fill_n(witness.begin(), measured.mesh().witnesses, std::uint8_t{1});
-  medical_io::writeSolid(file, measured.posed, measured.mesh().tetrahedra,
-                         {{"RotationalStress_deg", Values(kDegrees * measured.map.rotationalStress)},
-                          {"VolumeRatio", measured.map.volumeRatio},
-                          {"StretchMax", measured.map.stretchMax},
-                          {"StretchMin", measured.map.stretchMin},
-                          {"Folded", foldedFlags(measured.map)},
-                          {"Witness", witness},
-                          {"Displacement_mm", Points(measured.posed - measured.mesh().points)}});
-}
-
-/// One row a witness: its place at rest and in the pose, and what is measured there.
-void writeCsv(const std::string& file, const Measured& measured) {
-  writeAtomically(file, [&](std::ostream& stream) {
-    stream << "rest_x_mm,rest_y_mm,rest_z_mm,x_mm,y_mm,z_mm,RotationalStress_deg,VolumeRatio,StretchMax,"
-              "StretchMin,Folded\n";
-    for (Eigen::Index i = 0; i < measured.mesh().witnesses; ++i) {
-      const auto rest = measured.mesh().points.row(i), now = measured.posed.row(i);
-      const double ratio = measured.map.volumeRatio[i];
-      char line[400];
-      std::snprintf(line, sizeof line, "%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%d\n", rest[0],
-                    rest[1], rest[2], now[0], now[1], now[2], kDegrees * measured.map.rotationalStress[i],
-                    ratio, measured.map.stretchMax[i], measured.map.stretchMin[i], ratio <= 0 ? 1 : 0);
-      stream << line;
-    }
-  });
-}
 
 Measured measure(Interior interior, const BoundInput& input, Progress& progress) {
   Measured measured;
@@ -157,6 +116,17 @@ public:
     options.add_option("-o,--output", output_, "The solid with all values, for ParaView (.vtu)")
         ->type_name("FILE");
     options.add_option("--csv", csv_, "The values at the witness points as a table")->type_name("FILE");
+    options
+        .add_option("--histogram", histogram_,
+                    "How the rotational stress is spread over the points, as a table (.csv)")
+        ->type_name("FILE");
+    options
+        .add_option(
+            "--cavity", cavities_,
+            "A closed surface inside the organ that holds no tissue, such as a ventricle; may be repeated")
+        ->type_name("ORGAN")
+        ->expected(1)
+        ->take_all();
   }
 
   Outcome run(Surroundings& surroundings) override {
@@ -166,13 +136,18 @@ public:
     live::WitnessOptions witnesses = witnesses_;
     witnesses.memoryLimitBytes = static_cast<std::uint64_t>(memoryMb_ * 1024 * 1024);
     witnesses.threads = surroundings.threads;
-    const Measured measured =
-        measure(interiorOf(input, witnesses, warnings, surroundings.progress), input, surroundings.progress);
+    std::vector<std::shared_ptr<const geometry::TriangleMesh>> hollow;
+    for (const std::string& cavity : cavities_)
+      hollow.push_back(organInput(cavity, surroundings.samples, surroundings.progress).mesh);
+    const Measured measured = measure(interiorOf(input, witnesses, warnings, surroundings.progress, hollow),
+                                      input, surroundings.progress);
     surroundings.progress.throwIfCancelled();
     if (!output_.empty())
-      writeVtu(output_, measured);
+      live::writeStressSolid(output_, measured.mesh(), measured.posed, measured.map);
     if (!csv_.empty())
-      writeCsv(csv_, measured);
+      live::writeStressTable(csv_, measured.mesh(), measured.posed, measured.map);
+    if (!histogram_.empty())
+      writeHistogram(measured);
     Outcome outcome =
         outcomeOf(measured, input.organ.name, input.system->id(),
                   std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count());
@@ -180,15 +155,27 @@ public:
       outcome.json["file"] = output_;
     if (!csv_.empty())
       outcome.json["csv"] = csv_;
+    if (!histogram_.empty())
+      outcome.json["histogram"] = histogram_;
     warnings.insert(warnings.end(), input.organ.warnings.begin(), input.organ.warnings.end());
     outcome.warnings = std::move(warnings);
     return outcome;
   }
 
 private:
+  void writeHistogram(const Measured& measured) const {
+    const live::StressQuantityDescription& quantity = live::describe(live::StressQuantity::rotationalStress);
+    Values values;
+    live::quantityOf(measured.map, quantity.quantity, values);
+    live::writeStressHistogram(
+        histogram_, live::histogramOf(values, measured.mesh().witnesses, live::kHistogramBars), quantity);
+  }
+
   BoundInputOptions input_;
   std::string output_;
   std::string csv_;
+  std::string histogram_;
+  std::vector<std::string> cavities_;
   double memoryMb_ = 2048;
   live::WitnessOptions witnesses_;
 };

@@ -93,6 +93,10 @@ void Comparison::begin() {
     if (same_)
       mirror();
   }));
+  connect(&first_.playback, &Playback::stateChanged, secondHeader_, [this] {
+    if (same_)
+      syncMotion();
+  });
   first_.volumes.setSecond(&second.workspace, &second.playback);
   // Half as wide now, the view would cut the organ off; it knows its new size only later.
   QTimer::singleShot(0, this, [this] {
@@ -186,11 +190,19 @@ void Comparison::showSameOrgan() {
   const motion::Player& first = first_.playback.player();
   if (first_.playback.sequence()) {
     const double fastest = first_.playback.sequence()->highestRatePerMinute();
+    const double slowest = first_.playback.sequence()->lowestRatePerMinute();
     const double twice = std::min(fastest, 2 * first.ratePerMinute());
-    second_->playback.setRate(twice > first.ratePerMinute() ? twice : first.ratePerMinute() / 2);
+    if (!beside_ && slowest < fastest)
+      second_->playback.setRate(twice > first.ratePerMinute() ? twice : first.ratePerMinute() / 2);
   }
   second_->cameras = std::make_unique<CameraLink>(*first_.area.view(), *second_->view);
   syncHeaders();
+}
+
+void Comparison::setBeside(std::shared_ptr<const sequences::Sequence> sequence) {
+  beside_ = std::move(sequence);
+  if (on() && same_)
+    syncMotion();
 }
 
 void Comparison::showSample(const QString& name) {
@@ -254,8 +266,9 @@ void Comparison::mirror() {
 
 void Comparison::syncMotion() {
   const Playback::Motion motion = first_.playback.motion();
-  if (second_->playback.motion().sequence != motion.sequence)
-    second_->playback.setSequence(motion.sequence, motion.organ);
+  const auto& shown = beside_ && motion.sequence && !second_->system ? beside_ : motion.sequence;
+  if (second_->playback.motion().sequence != shown)
+    second_->playback.setSequence(shown, motion.organ);
 }
 
 void Comparison::linkCameras() {

@@ -45,6 +45,8 @@ public:
   bool on() const { return second_ != nullptr; }
   /// The organs of the first view at another rate; they follow what happens to the first's document.
   void showSameOrgan();
+  /// Another motion of the same organs for `showSameOrgan` to show, at its own rate; null: the first view's.
+  void setBeside(std::shared_ptr<const sequences::Sequence> sequence);
   /// The organs of the first view under the same motion, tied to the same handles by other coordinates.
   void showOtherCoordinates();
   void showSample(const QString& name);
@@ -88,6 +90,7 @@ private:
   QPointer<SideHeader> secondHeader_;
   QPointer<QSpinBox> rate_;
   Theme theme_;
+  std::shared_ptr<const sequences::Sequence> beside_;
   bool same_ = false;
 };
 

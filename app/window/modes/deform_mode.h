@@ -18,6 +18,7 @@ public:
     return {.handles = true, .movable = true, .compensating = true, .tools = true};
   }
   motion::WantedPose pose() const override { return motion::WantedPose::document; }
+  UsefulPanels panels() const override { return {true, false, true}; }
 
 private:
   void makePoseActions(Actions& actions);

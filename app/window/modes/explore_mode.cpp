@@ -4,6 +4,7 @@
 
 #include "viscera/document/measurement_commands.h"
 #include "window/measure/measure_box.h"
+#include "window/panels/cut_box.h"
 #include "window/panels/explore_page.h"
 #include "window/view/view_area.h"
 #include "window/view/view_model.h"
@@ -56,7 +57,8 @@ QAction* ExploreMode::makeMeasure(Actions& actions, Kind kind, const char* id,
 }
 
 QWidget* ExploreMode::makePage(const Actions& actions) {
-  return new ExplorePage(workspace_, actions, new MeasureBox(workspace_, tool_, actions));
+  return new ExplorePage(workspace_, actions, new CutBox(parts_.view, *parts_.area.view(), actions),
+                         new MeasureBox(workspace_, tool_, actions));
 }
 
 QString ExploreMode::hint() const {

@@ -18,6 +18,7 @@ public:
     return {.rest = true, .handles = true, .movable = true, .regions = true};
   }
   motion::WantedPose pose() const override { return motion::WantedPose::rest; }
+  UsefulPanels panels() const override { return {true, false, false}; }
   /// While it is on, how long binding took is said over the view.
   void enter() override;
   void leave() override { disconnect(bound_); }

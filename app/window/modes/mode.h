@@ -48,6 +48,15 @@ struct ClickedPlace {
   Vec3 normal = Vec3::UnitZ();
 };
 
+/// The panels that a mode has a use for, beside the organs and the properties, which are always there.
+struct UsefulPanels {
+  bool handles = false;
+  bool timeline = false;
+  bool charts = false;
+
+  bool operator==(const UsefulPanels&) const = default;
+};
+
 /// One way to work with the organs: what is seen of them, what a click on the view does, and the actions and
 /// the property page for it. It adds its actions when it is made; which mode is on, only the `ModeController`
 /// knows.
@@ -74,10 +83,15 @@ public:
   virtual QWidget* makePage(const Actions& actions) = 0;
   /// The chart below the timeline, the caller's; null: the volumes.
   virtual QWidget* makeChart() { return nullptr; }
+  /// Whether its own chart is to be seen now, else the volumes; `chartWantedChanged` tells that it is
+  /// otherwise.
+  virtual bool chartWanted() const { return true; }
 
   /// What it wants to be seen, while it is on; `shownChanged` tells that it is something else.
   virtual presentation::Shown shown() const = 0;
   virtual motion::WantedPose pose() const = 0;
+  /// Asked when the mode begins, and when another sequence is there or none.
+  virtual UsefulPanels panels() const = 0;
   /// What the mouse does; `hintChanged` tells that it is something else.
   virtual QString hint() const { return description_.hint; }
 
@@ -102,6 +116,7 @@ Q_SIGNALS:
   void wanted();
   void shownChanged();
   void hintChanged();
+  void chartWantedChanged();
 
 protected:
   const ModeParts parts_;

@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "viscera/document/circulation_commands.h"
 #include "viscera/document/organ_commands.h"
+#include "viscera/motion/motion_recipe.h"
 #include "viscera/motion/sequence_setup.h"
 #include "window/panels/play_page.h"
 #include "window/sample_loader.h"
@@ -41,11 +43,17 @@ PlayMode::PlayMode(const ModeParts& parts, Actions& actions)
       comparison_(std::make_unique<Comparison>(Comparison::First{
           parts.workspace, parts.playback, parts.volumes, parts.area, parts.settings, parts.view})),
       recorder_(std::make_unique<Recorder>(parts.workspace)),
-      recorded_(std::make_unique<RecordedMotion>(parts.workspace, parts.playback)) {
+      recorded_(std::make_unique<RecordedMotion>(parts.workspace, parts.playback)),
+      circulation_(std::make_unique<CirculationModel>(parts.workspace, parts.playback)) {
   connect(recorder_.get(), &Recorder::finished, this, &PlayMode::sayRecorded);
   makeLookActions(actions);
   makeMotionActions(actions);
   makeComparisonActions(actions);
+  makeCirculationActions(actions);
+  connect(circulation_.get(), &CirculationModel::changed, this, &Mode::chartWantedChanged);
+  connect(circulation_.get(), &CirculationModel::changed, this,
+          [this] { comparison_->setBeside(circulation_->keptBeat()); });
+  connect(&parts.view, &ViewModel::changed, this, &Mode::chartWantedChanged);
 }
 
 PlayMode::~PlayMode() {
@@ -71,12 +79,14 @@ void PlayMode::makeMotionActions(Actions& actions) {
 }
 
 void PlayMode::makeComparisonActions(Actions& actions) {
-  actions.add("play.compare",
-              {tr("Compare two &rates"),
-               "compare",
-               {tr("Ctrl+2")},
-               tr("The same organs a second time beside these, at another rate")},
-              [this] { comparison_->showSameOrgan(); });
+  actions.add(
+      "play.compare",
+      {tr("Compare two &rates"),
+       "compare",
+       {tr("Ctrl+2")},
+       tr("The same organs a second time beside these, at another rate, or in the circulation kept as "
+          "before")},
+      [this] { comparison_->showSameOrgan(); });
   actions.add("play.compareSystems",
               {tr("Compare &coordinates"),
                "compare",
@@ -102,6 +112,57 @@ void PlayMode::makeComparisonActions(Actions& actions) {
   });
 }
 
+void PlayMode::makeCirculationActions(Actions& actions) {
+  parts_.view.addToggle(
+      actions, "play.circulationChart",
+      {tr("&Pressures and loops"),
+       "chart",
+       {Qt::Key_P},
+       tr("Where a circulation moves the heart: its curves below the view; else the volumes")},
+      &presentation::ViewState::circulationChart);
+  actions.add("play.keepBefore",
+              {tr("Keep as &before"),
+               "compare",
+               {tr("Ctrl+B")},
+               tr("Keep this circulation beside what follows: dashed loops, a second column of numbers")},
+              [this] { parts_.workspace.perform(document::keepCirculation()); });
+  actions.add("play.forgetBefore", {tr("For&get"), "remove", {}, tr("Compare with nothing")},
+              [this] { parts_.workspace.perform(document::forgetKeptCirculation()); });
+  actions.enableWhile({"play.keepBefore", "play.circulationChart"}, [this] { return circulation_->on(); });
+  actions.enableWhile({"play.forgetBefore"},
+                      [this] { return circulation_->on() && circulation_->choice().kept.has_value(); });
+}
+
+QWidget* PlayMode::makeChart() {
+  chart_ = new CirculationPanel(*circulation_, parts_.playback, parts_.volumes);
+  return chart_;
+}
+
+bool PlayMode::chartWanted() const {
+  return circulation_->on() && parts_.view.state().circulationChart;
+}
+
+void PlayMode::setTheme(const Theme& theme) {
+  comparison_->setTheme(theme);
+  if (chart_)
+    chart_->setTheme(theme);
+}
+
+void PlayMode::chooseScenario(const QString& id) {
+  const bool done = parts_.workspace.perform(id.isEmpty() ? document::driveHeart(true)
+                                                          : document::chooseScenario(id.toStdString()));
+  if (!done)
+    return;
+  for (const Playback::Motion& motion : parts_.playback.motions())
+    if (motion::sampleHeartOf(motion.recipe)) {
+      parts_.playback.choose(motion.sequence.get());
+      parts_.playback.play();
+      return;
+    }
+  if (parts_.workspace.document().organs().empty())
+    parts_.samples.load(QStringLiteral("heart"), true);
+}
+
 void PlayMode::makeLookActions(Actions& actions) {
   parts_.view.addToggle(actions, "view.labels",
                         {tr("Organ &labels"), "label", {Qt::Key_N}, tr("Write names beside the organs")},
@@ -124,6 +185,9 @@ std::vector<const char*> PlayMode::actions() const {
           "",
           "play.slower",
           "play.cycle",
+          "play.circulationChart",
+          "play.keepBefore",
+          "play.forgetBefore",
           "",
           "view.labels",
           "view.seeThrough",

@@ -1,8 +1,12 @@
 #pragma once
 
+#include <QPointer>
+
 #include <memory>
 
 #include "window/actions.h"
+#include "window/circulation/circulation_model.h"
+#include "window/circulation/circulation_panel.h"
 #include "window/compare/comparison.h"
 #include "window/modes/mode.h"
 #include "window/recorded/recorded_motion.h"
@@ -24,18 +28,25 @@ public:
 
   std::vector<const char*> actions() const override;
   QWidget* makePage(const Actions& actions) override;
+  QWidget* makeChart() override;
+  bool chartWanted() const override;
   presentation::Shown shown() const override { return {}; }
   motion::WantedPose pose() const override { return motion::WantedPose::sequence; }
-  void setTheme(const Theme& theme) override { comparison_->setTheme(theme); }
+  UsefulPanels panels() const override { return {false, true, true}; }
+  void setTheme(const Theme& theme) override;
   /// Shows what is recorded and what the second view does in the status bar.
   void setStatus(StatusLine& status);
 
   Comparison& comparison() { return *comparison_; }
   Recorder& recorder() { return *recorder_; }
   RecordedMotion& recorded() { return *recorded_; }
+  CirculationModel& circulation() { return *circulation_; }
 
   /// Shows a sequence: on the organ that is there when it has it, else on its sample organ.
   void chooseSequence(const QString& id);
+  /// Lets the circulation move the heart, in a scenario or (empty) as it was last: on the sample heart when
+  /// it is there, else it is loaded.
+  void chooseScenario(const QString& id);
   /// Records what the view, or both views, show.
   bool record(const RecordingPlan& plan);
 
@@ -43,6 +54,7 @@ private:
   void makeMotionActions(Actions& actions);
   void makeComparisonActions(Actions& actions);
   void makeLookActions(Actions& actions);
+  void makeCirculationActions(Actions& actions);
   void setSeeThrough(bool on);
   bool seesThrough() const;
   void slower();
@@ -52,6 +64,8 @@ private:
   std::unique_ptr<Comparison> comparison_;
   std::unique_ptr<Recorder> recorder_;
   std::unique_ptr<RecordedMotion> recorded_;
+  std::unique_ptr<CirculationModel> circulation_;
+  QPointer<CirculationPanel> chart_;
   StatusLine* status_ = nullptr;
   JobQueue* secondJobs_ = nullptr;
 };

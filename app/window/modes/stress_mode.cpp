@@ -4,14 +4,15 @@
 
 #include "window/stress/probe_card.h"
 #include "window/stress/stress_chart.h"
+#include "window/stress/stress_export.h"
 #include "window/stress/stress_page.h"
 #include "window/view/view_area.h"
 
 namespace viscera::app {
 namespace {
-constexpr const char* kActionIds[] = {"stress.next",   "stress.peak",    "stress.surface",
-                                      "stress.pin",    "stress.cut",     "stress.threshold",
-                                      "stress.glyphs", "stress.handles", "stress.others"};
+constexpr const char* kActionIds[] = {
+    "stress.next", "stress.maximum",   "stress.peak",   "stress.surface", "stress.pin",
+    "stress.cut",  "stress.threshold", "stress.glyphs", "stress.handles", "stress.others"};
 } // namespace
 
 StressMode::StressMode(const ModeParts& parts, Actions& actions)
@@ -20,10 +21,12 @@ StressMode::StressMode(const ModeParts& parts, Actions& actions)
             tr("Click the tissue to see its values; C cuts the organ open; drag a handle, the map follows")}),
       actions_(actions), model_(parts.workspace, parts.playback, parts.settings, parts.view, parts.picture),
       cut_(parts.workspace, model_, *parts.area.view(), parts.picture, parts.handles),
-      card_(new ProbeCard(model_, &parts.area)) {
+      card_(new ProbeCard(model_, &parts.area)),
+      exports_(new StressExport(workspace_, parts.playback, model_, parts.settings, &parts.area)) {
   Playback& playback = parts.playback;
   parts_.area.addCard(card_, Qt::AlignVCenter | Qt::AlignLeft);
   makeActions();
+  exports_->addTo(actions_);
   connect(&model_, &StressModel::lookChanged, this, &StressMode::syncActions);
   connect(&model_, &StressModel::statusChanged, this, &StressMode::syncActions);
   connect(&model_, &StressModel::activeChanged, this, &StressMode::syncActions);
@@ -40,6 +43,12 @@ void StressMode::makeActions() {
       look.quantity = all[(static_cast<std::size_t>(look.quantity) + 1) % all.size()].quantity;
     });
   });
+  actions_.add("stress.maximum",
+               {tr("&Go to the maximum"),
+                "focus",
+                {tr("Shift+X")},
+                tr("Show the values where the map is largest, and cut the organ open there")},
+               [this] { model_.goToMaximum(); });
   actions_.addToggle("stress.peak",
                      {tr("&Peak over the sequence"),
                       "chart",

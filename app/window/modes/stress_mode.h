@@ -9,6 +9,7 @@ namespace viscera::app {
 
 class ProbeCard;
 class StressChart;
+class StressExport;
 
 /// Stress mode as the window has it: model, view, page, chart, probe card and actions.
 class StressMode final : public Mode {
@@ -23,6 +24,7 @@ public:
   /// Handles can be moved while the document's pose is shown, not a sequence's.
   presentation::Shown shown() const override;
   motion::WantedPose pose() const override { return motion::WantedPose::sequence; }
+  UsefulPanels panels() const override { return {false, parts_.playback.sequence() != nullptr, true}; }
   void setTheme(const Theme& theme) override;
   /// Closes the probe or puts a dragged plane back; false when there was nothing to do.
   bool escape() override;
@@ -33,6 +35,7 @@ public:
 
   StressModel& model() { return model_; }
   CutController& cut() { return cut_; }
+  StressExport& exports() { return *exports_; }
 
 private:
   void makeActions();
@@ -43,6 +46,7 @@ private:
   CutController cut_;
   ProbeCard* card_;
   StressChart* chart_ = nullptr;
+  StressExport* exports_;
 };
 
 } // namespace viscera::app

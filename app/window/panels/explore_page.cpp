@@ -10,11 +10,14 @@
 
 namespace viscera::app {
 
-ExplorePage::ExplorePage(Workspace& workspace, const Actions& actions, QWidget* measurements, QWidget* parent)
+ExplorePage::ExplorePage(Workspace& workspace, const Actions& actions, QWidget* cut, QWidget* measurements,
+                         QWidget* parent)
     : Page(parent), workspace_(workspace) {
   addSection(tr("View from"));
   add(makeViews(actions));
   addButton(actions["view.focus"]);
+  addSection(tr("Cut"));
+  add(cut);
   addSection(tr("Measure"));
   add(measurements);
   addSection(tr("Show"));

@@ -12,7 +12,8 @@ class ExplorePage final : public Page {
 
 public:
   /// `measurements` is put into the page.
-  ExplorePage(Workspace& workspace, const Actions& actions, QWidget* measurements, QWidget* parent = nullptr);
+  ExplorePage(Workspace& workspace, const Actions& actions, QWidget* cut, QWidget* measurements,
+              QWidget* parent = nullptr);
 
 private:
   QWidget* makeViews(const Actions& actions);

@@ -326,8 +326,9 @@ void OrganPanel::updateVolumes() {
     QTreeWidgetItem* item = found->second;
     item->setText(kVolume, volume.closed ? formatMilliliters(volume.nowMl) : tr("open"));
     const bool changed = volume.closed && std::abs(volume.relativeChange()) >= kNoticed;
-    item->setText(kChange, changed ? formatChange(volume) + QLatin1Char('\n') + formatRelativeChange(volume)
-                                   : QString());
+    // Among many organs the room goes to their names; the tip tells the rest.
+    const QString change = systems_.empty() ? formatChange(volume) + QLatin1Char('\n') : QString();
+    item->setText(kChange, changed ? change + formatRelativeChange(volume) : QString());
     const QPalette& colors = list_->palette();
     item->setForeground(kChange, organ->volumeLocked ? colors.placeholderText() : colors.link());
     const QString tip = !volume.closed ? tr("An open surface encloses no volume")

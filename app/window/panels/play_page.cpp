@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "viscera/motion/clinical_numbers.h"
+#include "window/circulation/circulation_box.h"
 #include "window/panels/curve_box.h"
 #include "window/panels/sequence_list.h"
 #include "window/recorded/fit_box.h"
@@ -28,6 +29,7 @@ QString nothing() {
 PlayPage::PlayPage(const ModeParts& parts, PlayMode& mode, const Actions& actions, QWidget* parent)
     : Page(parent), playback_(parts.playback), volumes_(parts.volumes), mode_(mode) {
   makeMotion(actions);
+  makeCirculation(parts, actions);
   addSection(tr("Look"));
   addCheck(actions["view.seeThrough"]);
   addCheck(actions["view.labels"]);
@@ -52,6 +54,13 @@ void PlayPage::makeMotion(const Actions& actions) {
   rate_ = addFact(tr("Rate"));
   phase_ = addFact(tr("Phase"));
   addCheck(actions["play.loop"]);
+}
+
+void PlayPage::makeCirculation(const ModeParts& parts, const Actions& actions) {
+  addSection(tr("What moves the heart"));
+  auto* box = new CirculationBox(parts.workspace, mode_.circulation(), actions, this);
+  add(box);
+  connect(box, &CirculationBox::scenarioChosen, &mode_, &PlayMode::chooseScenario);
 }
 
 void PlayPage::makeTable() {

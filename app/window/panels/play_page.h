@@ -20,6 +20,7 @@ public:
 
 private:
   void makeMotion(const Actions& actions);
+  void makeCirculation(const ModeParts& parts, const Actions& actions);
   void makeTable();
   void makeRecording(Settings& settings);
   void makeOwnMotions(const ModeParts& parts);

@@ -81,6 +81,7 @@ document::SessionContents SessionFiles::contents() const {
   contents.view = view_.gather();
   contents.embedSurfaces = embed_;
   contents.missing = missing_;
+  contents.missingScan = missingScan_;
   return contents;
 }
 
@@ -215,6 +216,7 @@ void SessionFiles::takeContents(const document::SessionContents& contents, const
   file_ = file;
   embed_ = contents.embedSurfaces;
   missing_ = contents.missing;
+  missingScan_ = contents.missingScan;
   Q_EMIT changed();
 }
 

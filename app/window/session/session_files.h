@@ -103,7 +103,8 @@ private:
   QString file_;
   bool embed_ = false;
   std::vector<document::MissingOrgan> missing_;
-  JobQueue writes_; ///< Of its own: saving waits for no long work.
+  std::string missingScan_; ///< As in the session file, of a scan that was not found there.
+  JobQueue writes_;         ///< Of its own: saving waits for no long work.
   std::unique_ptr<document::Autosave> autosave_;
   std::vector<document::Recovery> recoveries_;
   std::function<Answer(const QString&)> question_;

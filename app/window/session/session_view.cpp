@@ -1,5 +1,6 @@
 #include "window/session/session_view.h"
 
+#include <algorithm>
 #include <utility>
 #include <vector>
 
@@ -97,7 +98,9 @@ void SessionView::show(const Wanted& wanted) {
     if (playing.motion >= 0 && playing.motion < static_cast<int>(wanted.motions.size()))
       playback.choose(wanted.motions[static_cast<std::size_t>(playing.motion)].sequence.get());
     if (playback.sequence() && playing.ratePerMinute > 0) {
-      playback.setRate(playing.ratePerMinute);
+      // A heart that follows a circulation gets the rate of that.
+      playback.setRate(std::clamp(playing.ratePerMinute, playback.sequence()->lowestRatePerMinute(),
+                                  playback.sequence()->highestRatePerMinute()));
       playback.setSpeed(playing.speed);
       playback.setLooping(playing.loop);
       if (playing.shown)

@@ -1,5 +1,6 @@
 #include "window/stress/stress_model.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace viscera::app {
@@ -8,6 +9,8 @@ namespace {
 constexpr int kUpdateMilliseconds = 100;
 /// Samples kept: two minutes at 60 frames a second.
 constexpr std::size_t kSamples = 7200;
+/// Before every value that a quantity can have.
+constexpr double kFoldedFirst = 1e12;
 constexpr const char* kSetting = "stress/look";
 
 /// What of a look is the user's own, and outlives the document.
@@ -137,6 +140,33 @@ void StressModel::findPeak() {
   if (live_.peak())
     return setPeakShown(true);
   workspace_.guarded([&] { live_.findPeak(playback_.sharedSequence(), playback_.player().ratePerMinute()); });
+}
+
+void StressModel::goToMaximum() {
+  const deformation::StressMap& map = shownMap();
+  const auto mesh = live_.mesh();
+  const auto organ = workspace_.document().organ(live_.organ());
+  if (!active() || !mesh || !organ || map.volumeRatio.size() < mesh->witnesses)
+    return;
+  const bool smallest = look().quantity == live::StressQuantity::stretchMin;
+  int most = -1;
+  double value = 0;
+  for (int point = 0; point < static_cast<int>(mesh->witnesses); ++point) {
+    const double folded = map.volumeRatio[point] <= 0 ? kFoldedFirst : 0;
+    const double here = live::quantityAt(map, look().quantity, point);
+    const double rank = folded + (smallest ? -here : here);
+    if (most < 0 || rank > value) {
+      most = point;
+      value = rank;
+    }
+  }
+  const presentation::Presenter& drawn = picture_.presenter();
+  const Vec3 from = Vec3(mesh->points.row(most).transpose()) - drawn.stressMiddle();
+  change([&](StressLook& look) {
+    look.probe = most;
+    if (look.cut && drawn.stressRadius() > 0)
+      look.offset = std::clamp(from.dot(look.normal) / drawn.stressRadius(), -1.0, 1.0);
+  });
 }
 
 void StressModel::sample() {

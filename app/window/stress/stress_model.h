@@ -64,6 +64,11 @@ public:
     view_.change([point](presentation::ViewState& state) { state.stress.probe = point; });
   }
 
+  /// Looks at the witness with the largest value of the quantity that is shown (the smallest, where that is
+  /// what the quantity is about), and moves the cut there; what is folded goes before all. Nothing happens
+  /// while there is no map.
+  void goToMaximum();
+
 Q_SIGNALS:
   void activeChanged();
   void lookChanged();

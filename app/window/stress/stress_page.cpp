@@ -56,9 +56,10 @@ StressPage::StressPage(Workspace& workspace, Playback& playback, StressModel& mo
                        const Actions& actions, QWidget* parent)
     : Page(parent), workspace_(workspace), playback_(playback), model_(model), cut_(cut) {
   makeMap(actions);
-  makeNumbers();
+  makeNumbers(actions);
   makeInside(actions);
   makeWitnesses();
+  makeExport(actions);
   finish();
   connect(&model, &StressModel::lookChanged, this, &StressPage::syncLook);
   connect(&model, &StressModel::statusChanged, this, &StressPage::syncStatus);
@@ -128,7 +129,7 @@ QWidget* StressPage::makePose() {
   return box;
 }
 
-void StressPage::makeNumbers() {
+void StressPage::makeNumbers(const Actions& actions) {
   addSection(tr("Numbers"));
   state_ = addRemark(QString());
   state_->setObjectName(QStringLiteral("stressState"));
@@ -142,6 +143,14 @@ void StressPage::makeNumbers() {
   folded_->setToolTip(tr("Witness points at which the tissue is turned inside out; in magenta on every map"));
   histogram_ = new Histogram(this);
   add(histogram_);
+  addButton(actions["stress.maximum"]);
+}
+
+void StressPage::makeExport(const Actions& actions) {
+  addSection(tr("Export"));
+  for (const char* id :
+       {"stress.exportMap", "stress.exportPoints", "stress.exportHistogram", "stress.exportCurve"})
+    addButton(actions[id]);
 }
 
 void StressPage::makeInside(const Actions& actions) {

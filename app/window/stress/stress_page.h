@@ -26,9 +26,10 @@ public:
 
 private:
   void makeMap(const Actions& actions);
-  void makeNumbers();
+  void makeNumbers(const Actions& actions);
   void makeWitnesses();
   void makeInside(const Actions& actions);
+  void makeExport(const Actions& actions);
   /// A list of choices for a part of the look; `change` is given the place of the one that was taken.
   QComboBox* addChoice(const char* id, const QString& name, const QStringList& items,
                        std::function<void(StressLook&, int)> change);

@@ -60,6 +60,21 @@ void Playback::remember(const Motion& motion) {
   known_.push_back(motion);
 }
 
+void Playback::exchange(const sequences::Sequence* known,
+                        std::shared_ptr<const sequences::Sequence> sequence) {
+  const auto isIt = [known](const Motion& motion) { return motion.sequence.get() == known; };
+  const auto found = std::find_if(known_.begin(), known_.end(), isIt);
+  if (found == known_.end())
+    return;
+  const bool present = isIt(present_);
+  found->sequence = std::move(sequence);
+  if (present) {
+    present_ = *found;
+    player_.exchangeSequence(present_.sequence);
+  }
+  tell([this] { transport_->match(); });
+}
+
 void Playback::forget(const sequences::Sequence* sequence) {
   std::erase_if(known_, [sequence](const Motion& motion) { return motion.sequence.get() == sequence; });
   if (present_.sequence.get() != sequence)

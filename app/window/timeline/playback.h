@@ -40,6 +40,9 @@ public:
   /// Takes a sequence to choose from, and leaves the present one.
   void offer(std::shared_ptr<const sequences::Sequence> sequence, document::OrganId organ,
              std::string recipe = {});
+  /// Puts another sequence of the same handles in the place of one that was set or offered; when it is the
+  /// present one, the instant stays, and whether it plays. Nothing happens when `known` is not known.
+  void exchange(const sequences::Sequence* known, std::shared_ptr<const sequences::Sequence> sequence);
   /// Takes back a sequence that was set or offered.
   void forget(const sequences::Sequence* sequence);
   /// Takes back all of them: another document has organs of its own.

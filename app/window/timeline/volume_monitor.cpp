@@ -206,7 +206,8 @@ void VolumeMonitor::sampleDrag(bool goesOn) {
 
 VolumeMonitor::Curve VolumeMonitor::cycle(std::size_t line) const {
   const Side& side = sides_[lines_[line].side];
-  if (!side.curves)
+  // A sequence may be gone before the next measurement begins: a session is opened while the heart beats.
+  if (!side.curves || !side.playback->sequence())
     return {};
   const auto& organs = side.cause->organs;
   for (std::size_t organ = 0; organ < organs.size(); ++organ)

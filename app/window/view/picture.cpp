@@ -20,9 +20,23 @@ Picture::Picture(Workspace& workspace, ViewModel& model, ViewWidget& view, Role 
   subscriptions_.push_back(workspace.live().onEvent([this](const live::LiveEvent&) { refresh(); }));
   subscriptions_.push_back(workspace.stress().onEvent([this](const live::StressEvent&) { refresh(); }));
   subscriptions_.push_back(workspace.selection().onChange([this] { refresh(); }));
-  connect(&model, &ViewModel::changed, this, &Picture::refresh);
+  connect(&model, &ViewModel::changed, this, [this] {
+    if (looksOtherwise())
+      refresh();
+  });
   connect(&view, &ViewWidget::themeChanged, this, &Picture::refresh);
   refresh();
+}
+
+/// Whether the view's state asks for another picture than the one that was drawn: what concerns slices beside
+/// the view alone does not, and moving them has to be quick.
+bool Picture::looksOtherwise() const {
+  if (!drawn_)
+    return true;
+  presentation::ViewState now = model_.state();
+  if (!now.scan.standing && !drawn_->scan.standing)
+    now.scan = drawn_->scan;
+  return now != *drawn_;
 }
 
 presentation::ViewState Picture::state() const {
@@ -51,6 +65,7 @@ void Picture::refresh() {
     presenter_.update({workspace_.state(), workspace_.live(), view, workspace_.registry(), &stress, nullptr,
                        &measuring_, &guests_});
   });
+  drawn_ = model_.state();
   widget_.scheduleRender();
   Q_EMIT changed();
 }

@@ -2,6 +2,7 @@
 
 #include <QObject>
 
+#include <optional>
 #include <vector>
 
 #include "viscera/presentation/presenter.h"
@@ -47,6 +48,8 @@ Q_SIGNALS:
   void changed();
 
 private:
+  bool looksOtherwise() const;
+
   Workspace& workspace_;
   ViewModel& model_;
   ViewWidget& widget_;
@@ -54,6 +57,7 @@ private:
   presentation::Presenter presenter_;
   presentation::MeasuringNow measuring_;
   std::vector<presentation::Guest> guests_;
+  std::optional<presentation::ViewState> drawn_; ///< The view's state in what was drawn last.
   std::vector<Subscription> subscriptions_;
 };
 

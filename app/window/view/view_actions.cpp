@@ -51,6 +51,12 @@ void ViewActions::makeSwitches(Actions& actions) {
                  &ViewState::handles);
   view.addToggle(actions, "view.ghost", {tr("&Ghost of the rest shape"), "ghost", {Qt::Key_G}, {}},
                  &ViewState::ghost);
+  view.addToggle(actions, "view.cut",
+                 {tr("Cut &open"),
+                  nullptr,
+                  {tr("Shift+C")},
+                  tr("Cut all organs open by a plane; their cavities are hollow then")},
+                 [](ViewState& state) -> bool& { return state.cut.on; });
   view.addToggle(actions, "view.cube", {tr("Orientation &cube"), "view", {}, {}},
                  &ViewState::orientationCube);
   view.addToggle(actions, "view.scale", {tr("Scale &bar"), nullptr, {}, {}}, &ViewState::scaleBar);

@@ -10,12 +10,14 @@ namespace viscera::app {
 namespace {
 constexpr int kMargin = 12;
 constexpr int kBetweenViews = 4;
+constexpr int kBetweenSlices = 2;
 constexpr int kBadgeMilliseconds = 4000;
 } // namespace
 
 ViewArea::ViewArea(QWidget* parent)
     : QWidget(parent), grid_(new QGridLayout(this)), views_(new QWidget(this)), view_(new ViewWidget(views_)),
-      messages_(new MessageBar(this)), badge_(new QLabel(this)), badgeTimer_(new QTimer(this)) {
+      four_(makeLayout<QGridLayout>(nullptr, kBetweenSlices)), messages_(new MessageBar(this)),
+      badge_(new QLabel(this)), badgeTimer_(new QTimer(this)) {
   setObjectName(QStringLiteral("central"));
   grid_->setContentsMargins(0, 0, 0, 0);
   grid_->setSpacing(0);
@@ -27,7 +29,8 @@ ViewArea::ViewArea(QWidget* parent)
   grid_->setRowStretch(1, 1);
   grid_->setColumnStretch(1, 1);
   auto* column = makeLayout<QVBoxLayout>(nullptr, 0);
-  column->addWidget(view_, 1);
+  four_->addWidget(view_, 0, 1);
+  column->addLayout(four_, 1);
   auto* row = makeLayout<QHBoxLayout>(views_, kBetweenViews);
   row->addLayout(column, 1);
   grid_->addWidget(views_, 0, 0, 3, 3);
@@ -38,6 +41,28 @@ ViewArea::ViewArea(QWidget* parent)
   badge_->hide();
   badgeTimer_->setSingleShot(true);
   connect(badgeTimer_, &QTimer::timeout, badge_, &QWidget::hide);
+}
+
+void ViewArea::addSlices(const std::array<QWidget*, 3>& slices) {
+  slices_ = slices;
+  const std::array<std::array<int, 2>, 3> cells = {{{0, 0}, {1, 0}, {1, 1}}};
+  for (std::size_t i = 0; i < slices.size(); ++i) {
+    slices[i]->setParent(views_);
+    four_->addWidget(slices[i], cells[i][0], cells[i][1]);
+  }
+  arrange(true, {});
+}
+
+void ViewArea::arrange(bool view, const std::array<bool, 3>& slices) {
+  // An empty row or column takes no room.
+  four_->setRowStretch(0, view || slices[0] ? 1 : 0);
+  four_->setRowStretch(1, slices[1] || slices[2] ? 1 : 0);
+  four_->setColumnStretch(0, slices[0] || slices[1] ? 1 : 0);
+  four_->setColumnStretch(1, view || slices[2] ? 1 : 0);
+  view_->setVisible(view);
+  for (std::size_t i = 0; i < slices_.size(); ++i)
+    if (slices_[i])
+      slices_[i]->setVisible(slices[i]);
 }
 
 void ViewArea::splitView(QWidget* header, QWidget* second) {

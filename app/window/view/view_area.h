@@ -2,6 +2,8 @@
 
 #include <QWidget>
 
+#include <array>
+
 #include "window/view/view_widget.h"
 #include "window/widgets/message_bar.h"
 
@@ -11,8 +13,8 @@ class QTimer;
 
 namespace viscera::app {
 
-/// The 3D view with what lies over it: the message bar at the top, a badge, cards; and beside it, while two
-/// organs are compared, a second view.
+/// The 3D view with what lies over it: the message bar at the top, a badge, cards; around it up to three
+/// slices; and beside all that, while two organs are compared, a second view.
 class ViewArea final : public QWidget {
   Q_OBJECT
 
@@ -21,6 +23,12 @@ public:
 
   ViewWidget* view() const { return view_; }
   MessageBar* messages() const { return messages_; }
+
+  /// Gives the slices their places around the view, which is at the upper right: upper left, lower left,
+  /// lower right. They become this one's, and are hidden until `arrange` says something else.
+  void addSlices(const std::array<QWidget*, 3>& slices);
+  /// Which of them, and of the view, is seen; they share the room.
+  void arrange(bool view, const std::array<bool, 3>& slices);
 
   /// Puts `second` beside the view, both equally wide, with `header` above the view. Both widgets become
   /// this one's, until `joinViews` deletes them.
@@ -37,6 +45,8 @@ private:
   QGridLayout* grid_;
   QWidget* views_; ///< The view, and the second one beside it.
   ViewWidget* view_;
+  QGridLayout* four_; ///< The view and the slices.
+  std::array<QWidget*, 3> slices_{};
   MessageBar* messages_;
   QLabel* badge_;
   QTimer* badgeTimer_;

@@ -1,6 +1,7 @@
 #include "window/widgets/panel_dock.h"
 
 #include <QAbstractSpinBox>
+#include <QAction>
 #include <QChildEvent>
 #include <QComboBox>
 #include <QHBoxLayout>
@@ -53,6 +54,7 @@ private:
 PanelDock::PanelDock(const QString& title, const char* id, QWidget* parent) : QDockWidget(title, parent) {
   setObjectName(QLatin1String(id));
   setTitleBarWidget(makeTitle(title));
+  connect(toggleViewAction(), &QAction::triggered, this, &PanelDock::chosen);
 }
 
 QWidget* PanelDock::makeTitle(const QString& title) {
@@ -76,7 +78,10 @@ QWidget* PanelDock::makeTitle(const QString& title) {
     connect(button, &QToolButton::clicked, this, slot);
   };
   addButton("float", tr("Float or dock the panel %1").arg(title), [this] { setFloating(!isFloating()); });
-  addButton("close", tr("Hide the panel %1 (the View menu shows it again)").arg(title), [this] { close(); });
+  addButton("close", tr("Hide the panel %1 (the View menu shows it again)").arg(title), [this] {
+    close();
+    Q_EMIT chosen(false);
+  });
   return bar;
 }
 

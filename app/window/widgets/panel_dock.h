@@ -16,6 +16,10 @@ public:
   /// Shows `contents`; with `scrolling` in a scroll area, so that nothing is clipped in a small window.
   void setContents(QWidget* contents, bool scrolling);
 
+Q_SIGNALS:
+  /// The user has shown or hidden it, by its cross or in the menu.
+  void chosen(bool shown);
+
 private:
   QWidget* makeTitle(const QString& title);
 };

@@ -8,6 +8,7 @@
 
 #include <cmath>
 
+#include "window/widgets/range_mark.h"
 #include "window/widgets/ready_made.h"
 
 namespace viscera::app {
@@ -87,6 +88,15 @@ void ValueSlider::setRange(const Range& range) {
   field_->setSingleStep(range.step);
   setRange(range.minimum, range.maximum);
   setValue(present);
+}
+
+void ValueSlider::setNormal(double low, double high) {
+  if (!mark_) {
+    mark_ = new RangeMark(*slider_, this);
+    static_cast<QGridLayout*>(layout())->addWidget(mark_, 2, 0, 1, 2);
+  }
+  const double length = range_.maximum - range_.minimum;
+  mark_->setPart((low - range_.minimum) / length, (high - range_.minimum) / length);
 }
 
 int ValueSlider::sliderPosition(double value) const {

@@ -7,6 +7,8 @@ class QSlider;
 
 namespace viscera::app {
 
+class RangeMark;
+
 /// A named number with a slider to try values and a field to type one.
 class ValueSlider final : public QWidget {
   Q_OBJECT
@@ -30,6 +32,9 @@ public:
   /// while the slider is held.
   void setRange(const Range& range);
 
+  /// Marks the part of the range that is normal, under the slider.
+  void setNormal(double low, double high);
+
 Q_SIGNALS:
   /// The user is choosing: at every move of the slider and every number typed.
   void valueChanged(double value);
@@ -42,6 +47,7 @@ private:
   Range range_;
   QSlider* slider_;
   QDoubleSpinBox* field_;
+  RangeMark* mark_ = nullptr;
 };
 
 } // namespace viscera::app

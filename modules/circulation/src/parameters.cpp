@@ -20,34 +20,58 @@ constexpr auto kBurkhoff = "form: doi 10.1152/ajpheart.1993.265.5.H1819; value f
 constexpr auto kWindkessel = "form: doi 10.1007/s11517-008-0359-2; value fitted to the values at rest";
 constexpr auto kValveForm = "form: doi 10.1002/cnm.1466; normal areas: doi 10.1016/j.echo.2017.02.009";
 constexpr auto kLeakForm = "grades: doi 10.1016/j.echo.2017.01.007";
-constexpr auto kPericardium = "form: doi 10.1152/ajpheart.1997.272.3.H1499; value chosen to be slack at rest";
+constexpr auto kPericardium =
+    "form: Sun and others, Am J Physiol 1997;272:H1499-H1515; value chosen to be slack at rest";
 constexpr auto kElastance =
     "0.4 to 8.4 in patients: doi 10.1016/S0735-1097(01)01651-5; value fitted to the values at rest";
 constexpr auto kRelaxation = "35 +- 10 ms in healthy people: doi 10.1056/NEJMoa032566";
+
+constexpr auto kAreas = "effective areas of normal valves: doi 10.1016/j.echo.2017.02.009";
+constexpr auto kMildAortic = "mild regurgitation is below 0.1 cm2: doi 10.1016/j.echo.2017.01.007";
+constexpr auto kMildMitral = "mild regurgitation is below 0.2 cm2: doi 10.1016/j.echo.2017.01.007";
+
+/// Of numbers of the model that nobody measures: a fifth to either side.
+NormalValues aboutRest(double rest) {
+  return {0.8 * rest, 1.2 * rest, "20 % around the healthy adult at rest"};
+}
 
 #define VISCERA_AT(MEMBER) [](Parameters& p) -> double& { return p.MEMBER; }
 
 const std::vector<Entry>& entries() {
   static const std::vector<Entry> table = {
-      {{"rate", "Heart rate", "1/min", 72, 30, 200, "chosen", true}, VISCERA_AT(rate)},
-      {{"stressedVolume", "Preload: stressed blood volume", "ml", 940, 300, 2000, kFitted, true},
+      {{"rate", "Heart rate", "1/min", 72, 30, 200, "chosen", true,
+        NormalValues{60, 100, "sinus rhythm at rest"}},
+       VISCERA_AT(rate)},
+      {{"stressedVolume", "Preload: stressed blood volume", "ml", 940, 300, 2000, kFitted, true,
+        aboutRest(940)},
        VISCERA_AT(stressedVolume)},
-      {{"systemicResistance", "Afterload: systemic resistance", "mmHg s/ml", 1.02, 0.2, 4, kWindkessel, true},
+      {{"systemicResistance", "Afterload: systemic resistance", "mmHg s/ml", 1.02, 0.2, 4, kWindkessel, true,
+        NormalValues{0.6, 1.2, "800 to 1600 dyn s cm^-5, customary at the bedside"}},
        VISCERA_AT(systemic.resistance)},
       {{"pulmonaryResistance", "Afterload: pulmonary resistance", "mmHg s/ml", 0.08, 0.02, 1.5, kWindkessel,
-        true},
+        true, NormalValues{0.02, 0.12, "up to 2 Wood units"}},
        VISCERA_AT(pulmonary.resistance)},
-      {{"lvEes", "Contractility of the left ventricle", "mmHg/ml", 2.25, 0.3, 8, kElastance, true},
+      {{"lvEes", "Contractility of the left ventricle", "mmHg/ml", 2.25, 0.3, 8, kElastance, true,
+        aboutRest(2.25)},
        VISCERA_AT(lv.ees)},
-      {{"rvEes", "Contractility of the right ventricle", "mmHg/ml", 0.45, 0.1, 3, kBurkhoff, true},
+      {{"rvEes", "Contractility of the right ventricle", "mmHg/ml", 0.45, 0.1, 3, kBurkhoff, true,
+        aboutRest(0.45)},
        VISCERA_AT(rv.ees)},
-      {{"lvB", "Stiffness of the left ventricle", "1/ml", 0.017, 0.01, 0.08, kBurkhoff, true},
+      {{"lvB", "Stiffness of the left ventricle", "1/ml", 0.017, 0.01, 0.08, kBurkhoff, true,
+        aboutRest(0.017)},
        VISCERA_AT(lv.b)},
-      {{"aorticArea", "Aortic valve, open", "cm2", 4, 0.3, 6, kValveForm, true}, VISCERA_AT(aortic.open)},
-      {{"aorticLeak", "Aortic valve, leak", "cm2", 0, 0, 1, kLeakForm, true}, VISCERA_AT(aortic.leak)},
-      {{"mitralArea", "Mitral valve, open", "cm2", 5, 0.5, 8, kValveForm, true}, VISCERA_AT(mitral.open)},
-      {{"mitralLeak", "Mitral valve, leak", "cm2", 0, 0, 1, kLeakForm, true}, VISCERA_AT(mitral.leak)},
-      {{"pericardialFluid", "Fluid in the pericardium", "ml", 0, 0, 600, "0 in health", true},
+      {{"aorticArea", "Aortic valve, open", "cm2", 4, 0.3, 6, kValveForm, true, NormalValues{3, 4, kAreas}},
+       VISCERA_AT(aortic.open)},
+      {{"aorticLeak", "Aortic valve, leak", "cm2", 0, 0, 1, kLeakForm, true,
+        NormalValues{0, 0.1, kMildAortic}},
+       VISCERA_AT(aortic.leak)},
+      {{"mitralArea", "Mitral valve, open", "cm2", 5, 0.5, 8, kValveForm, true, NormalValues{4, 6, kAreas}},
+       VISCERA_AT(mitral.open)},
+      {{"mitralLeak", "Mitral valve, leak", "cm2", 0, 0, 1, kLeakForm, true,
+        NormalValues{0, 0.2, kMildMitral}},
+       VISCERA_AT(mitral.leak)},
+      {{"pericardialFluid", "Fluid in the pericardium", "ml", 0, 0, 600, "0 in health", true,
+        NormalValues{0, 50, "as much lubricates a healthy heart"}},
        VISCERA_AT(pericardialFluid)},
       {{"lvV0", "Left ventricle, volume without pressure", "ml", 6, 0, 60, kBurkhoff}, VISCERA_AT(lv.v0)},
       {{"lvA", "Left ventricle, scale of the relaxed curve", "mmHg", 1.5, 0.01, 5, kBurkhoff},

@@ -35,11 +35,11 @@ constexpr auto kPulmonary = "Kovacs 2009, doi 10.1183/09031936.00145608";
 constexpr auto kEjection = "Weissler 1968, doi 10.1161/01.CIR.37.2.149";
 constexpr auto kDiastolic = "Zile 2004, doi 10.1056/NEJMoa032566";
 constexpr auto kElastances = "Segers 2002, doi 10.1152/ajpheart.00764.2001";
-constexpr auto kExercise = "Higginbotham 1986, doi 10.1161/01.RES.58.2.281";
+constexpr auto kExercise = "Higginbotham 1986, Circ Res 58:281-291";
 constexpr auto kPhlebotomy = "Leonetti 2004 (375 ml), doi 10.1007/s10286-004-0191-1";
 constexpr auto kBloodLoss = "Johnson 2013 (1 l, with reflexes), doi 10.1096/fasebj.27.1_supplement.1206.3";
 constexpr auto kEscape = "ESCAPE 2005, doi 10.1001/jama.294.13.1625";
-constexpr auto kHypertension = "Liu 1989, doi 10.1161/01.HYP.14.2.129";
+constexpr auto kHypertension = "Liu 1989, Hypertension 14:129-136";
 constexpr auto kStenosis = "Baumgartner 2017, doi 10.1016/j.echo.2017.02.009";
 constexpr auto kRegurgitation = "Zoghbi 2017, doi 10.1016/j.echo.2017.01.007";
 constexpr auto kTamponade = "Reddy 1978, doi 10.1161/01.CIR.58.2.265";
@@ -73,8 +73,8 @@ std::vector<Row> restRows() {
        [](S s, S) { return 1000 * s.indices.ejectionSeconds; }},
       {"rest", "LV relaxation", "ms", 35, "+- 10", kDiastolic,
        [](S s, S) { return 1000 * s.indices.relaxationSeconds; }},
-      {"rest", "Arterial elastance Ea", "mmHg/ml", segersElastance({}), "", kElastances,
-       [](S s, S) { return s.indices.arterialElastance; }},
+      {"rest", "Arterial elastance Ea (their formula, our arteries)", "mmHg/ml", segersElastance({}), "",
+       kElastances, [](S s, S) { return s.indices.arterialElastance; }},
   };
 }
 

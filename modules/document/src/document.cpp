@@ -5,6 +5,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "viscera/document/scan_item.h"
+
 namespace viscera::document {
 namespace {
 
@@ -38,8 +40,8 @@ bool identical(const OrganList& a, const OrganList& b) {
 DocumentState::DocumentState()
     : organs(std::make_shared<const OrganList>()), rig(std::make_shared<const Rig>()),
       pose(std::make_shared<const Points>(0, 3)), system(std::make_shared<const SystemChoice>()),
-      recording(std::make_shared<const Recording>()),
-      measurements(std::make_shared<const MeasurementList>()) {}
+      recording(std::make_shared<const Recording>()), measurements(std::make_shared<const MeasurementList>()),
+      circulation(std::make_shared<const CirculationChoice>()) {}
 
 std::shared_ptr<const Organ> DocumentState::organ(OrganId id) const {
   const auto found =
@@ -53,7 +55,8 @@ bool identical(const DocumentState& a, const DocumentState& b) {
   return identical(*a.organs, *b.organs) && *a.rig == *b.rig &&
          sameBits(a.rig->restPositions(), b.rig->restPositions()) && sameBits(*a.pose, *b.pose) &&
          a.system->id == b.system->id && a.system->parameters.all() == b.system->parameters.all() &&
-         *a.recording == *b.recording && *a.measurements == *b.measurements;
+         *a.recording == *b.recording && *a.measurements == *b.measurements &&
+         *a.circulation == *b.circulation && identical(a.scan, b.scan);
 }
 
 bool atRest(const DocumentState& state) {

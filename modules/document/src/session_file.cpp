@@ -10,6 +10,7 @@
 
 #include "organ_source.h"
 #include "session_json.h"
+#include "session_scan.h"
 #include "stored_surface.h"
 #include "viscera/core/atomic_file.h"
 #include "viscera/core/error.h"
@@ -167,7 +168,7 @@ public:
     const ordered_json root = reader_.parse(text);
     reader_.takeObject(root,
                        {"format", "version", "coordinateSystem", "units", "surfaces", "recovers", "organs",
-                        "rig", "system", "recording", "measurements", "view"},
+                        "rig", "system", "recording", "measurements", "circulation", "scan", "view"},
                        "");
     SessionContents& contents = opened_.contents;
     const std::string surfaces = reader_.textOf(root, "surfaces", "");
@@ -180,6 +181,7 @@ public:
     reader_.readSystem(reader_.field(root, "system", ""), contents.state);
     reader_.readRecording(reader_.field(root, "recording", ""), contents.state);
     reader_.readMeasurements(root, contents.state);
+    reader_.readCirculation(root, contents.state);
     const DocumentState cheap = contents.state;
     reader_.requireValid(cheap, {});
     const ordered_json& view = reader_.field(root, "view", "");
@@ -187,6 +189,8 @@ public:
     contents.view = dumped(view);
     readOrgans(reader_.listOf(root, "organs", ""));
     placeMeasurements();
+    if (root.contains("scan"))
+      readSessionScan(reader_, root.at("scan"), folder_, opened_, progress_);
     reader_.requireValid(contents.state, cheap);
     for (const std::string& key : reader_.unknownKeys())
       opened_.warnings.push_back(reader_.where() + ": nothing is known about \"" + key +
@@ -448,6 +452,12 @@ void writeSession(const fs::path& file, const SessionContents& contents, Progres
   if (!state.measurements->empty())
     root["measurements"] =
         measurementsJson(*state.measurements, [&](OrganId id) { return isKnown(contents, id); });
+  if (!(*state.circulation == CirculationChoice()))
+    root["circulation"] = circulationJson(*state.circulation);
+  if (state.scan && !state.scan->file.empty())
+    root["scan"] = sessionScanJson(*state.scan, folder);
+  else if (!contents.missingScan.empty())
+    root["scan"] = ordered_json::parse(contents.missingScan);
   root["view"] = ordered_json::parse(contents.view);
   progress.throwIfCancelled();
   writeAtomically(file, [&root](std::ostream& stream) { stream << dumped(root, 1) << '\n'; });

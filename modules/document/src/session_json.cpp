@@ -117,6 +117,27 @@ ordered_json measurementsJson(const MeasurementList& measurements,
   return list;
 }
 
+namespace {
+
+ordered_json parametersJson(const circulation::Parameters& parameters) {
+  ordered_json changed = ordered_json::object();
+  for (const circulation::ParameterInfo& info : circulation::parameterInfos())
+    if (const double value = circulation::parameter(parameters, info.name); value != info.rest)
+      changed[info.name] = value;
+  return changed;
+}
+
+} // namespace
+
+ordered_json circulationJson(const CirculationChoice& choice) {
+  ordered_json item{{"drives", choice.drives},
+                    {"scenario", choice.scenario},
+                    {"parameters", parametersJson(choice.parameters)}};
+  if (choice.kept)
+    item["kept"] = {{"name", choice.kept->name}, {"parameters", parametersJson(choice.kept->parameters)}};
+  return item;
+}
+
 SessionReader::SessionReader(const std::string& where) : JsonReader(where, kFormat) {}
 
 std::string SessionReader::at(const std::string& list, std::size_t index) {
@@ -307,6 +328,39 @@ void SessionReader::readMeasurements(const ordered_json& root, DocumentState& st
     measurements.push_back(std::move(measurement));
   }
   state.measurements = std::make_shared<const MeasurementList>(std::move(measurements));
+}
+
+circulation::Parameters SessionReader::readParameters(const ordered_json& item,
+                                                      const std::string& place) const {
+  requireObject(item, place);
+  circulation::Parameters parameters;
+  for (const auto& [name, value] : item.items()) {
+    try {
+      circulation::setParameter(parameters, name, numberOf(value, place + "." + name));
+    } catch (const UsageError& error) {
+      fail(error.problem(), place + "." + name);
+    }
+  }
+  return parameters;
+}
+
+void SessionReader::readCirculation(const ordered_json& root, DocumentState& state) {
+  if (!root.contains("circulation"))
+    return;
+  const ordered_json& item = root.at("circulation");
+  takeObject(item, {"drives", "scenario", "parameters", "kept"}, "circulation");
+  CirculationChoice choice;
+  choice.drives = flagOf(item, "drives", "circulation");
+  choice.scenario = textOf(item, "scenario", "circulation");
+  choice.parameters = readParameters(field(item, "parameters", "circulation"), "circulation.parameters");
+  if (item.contains("kept")) {
+    const ordered_json& kept = item.at("kept");
+    takeObject(kept, {"name", "parameters"}, "circulation.kept");
+    choice.kept = {
+        textOf(kept, "name", "circulation.kept"),
+        readParameters(field(kept, "parameters", "circulation.kept"), "circulation.kept.parameters")};
+  }
+  state.circulation = std::make_shared<const CirculationChoice>(std::move(choice));
 }
 
 } // namespace viscera::document

@@ -21,6 +21,8 @@ nlohmann::ordered_json recordingJson(const Recording& recording);
 /// Points on an organ that `isKnown` does not know are written as places that stay.
 nlohmann::ordered_json measurementsJson(const MeasurementList& measurements,
                                         const std::function<bool(OrganId)>& isKnown);
+/// Parameters that are as at rest are left out.
+nlohmann::ordered_json circulationJson(const CirculationChoice& choice);
 
 /// Reads the parts of one session; keeps watch that no id comes twice.
 class SessionReader : public JsonReader {
@@ -34,6 +36,8 @@ public:
   void readRecording(const nlohmann::ordered_json& item, DocumentState& state);
   /// Whether the organs and triangles that points name are there is not looked at.
   void readMeasurements(const nlohmann::ordered_json& root, DocumentState& state);
+
+  void readCirculation(const nlohmann::ordered_json& root, DocumentState& state);
 
   /// What `validate` throws, for this file.
   void requireValid(const DocumentState& state, const DocumentState& known) const;
@@ -51,6 +55,7 @@ private:
   Group readGroup(const nlohmann::ordered_json& item, const std::string& place);
   void readCage(const nlohmann::ordered_json& list, Rig& rig) const;
   RecordedKey readKey(const nlohmann::ordered_json& item, const std::string& place);
+  circulation::Parameters readParameters(const nlohmann::ordered_json& item, const std::string& place) const;
   MeasuredPoint readMeasuredPoint(const nlohmann::ordered_json& item, const std::string& place);
 
   std::set<std::int64_t> ids_;

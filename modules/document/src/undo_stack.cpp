@@ -24,6 +24,7 @@ void shareEqualParts(const DocumentState& before, DocumentState& after) {
   share(&DocumentState::system);
   share(&DocumentState::recording);
   share(&DocumentState::measurements);
+  share(&DocumentState::circulation);
 }
 
 template <class Array>
@@ -58,6 +59,8 @@ std::size_t newBytes(const DocumentState& before, const DocumentState& after) {
   if (after.measurements != before.measurements)
     for (const Measurement& measurement : *after.measurements)
       bytes += sizeof(measurement) + measurement.points.size() * sizeof(MeasuredPoint);
+  if (after.circulation != before.circulation)
+    bytes += sizeof(CirculationChoice);
   return bytes;
 }
 

@@ -6,6 +6,7 @@
 #include <numeric>
 #include <set>
 
+#include "viscera/circulation/scenario.h"
 #include "viscera/core/error.h"
 #include "viscera/core/text.h"
 
@@ -198,6 +199,19 @@ void validateMeasurements(const DocumentState& state) {
   }
 }
 
+void validateCirculation(const CirculationChoice& choice) {
+  try {
+    circulation::scenario(choice.scenario);
+    circulation::checkParameters(choice.parameters);
+    if (choice.kept)
+      circulation::checkParameters(choice.kept->parameters);
+  } catch (const UsageError& error) {
+    throw DataError(error.problem(), error.where(), error.tryThis());
+  }
+  if (choice.kept)
+    requireName(choice.kept->name, "circulation that was kept");
+}
+
 } // namespace
 
 void validate(const DocumentState& state, const DocumentState& known) {
@@ -216,6 +230,8 @@ void validate(const DocumentState& state, const DocumentState& known) {
     validateRecording(*state.recording);
   if (measurements || organs)
     validateMeasurements(state);
+  if (state.circulation != known.circulation)
+    validateCirculation(*state.circulation);
   if (organs || rig || recording || measurements)
     validateIds(state);
 }

@@ -1,10 +1,18 @@
 // Volumes over one cycle, with bands of what healthy people have.
 const charted = motion ? surfaces.filter(s => s.charted && s.curves.length) : [], kLeft = 44, kBelow = 18, kRight = 10;
 const bands = lesson.ranges.filter(r => r.kind === 'ml' && charted.includes(surfaces[r.surface]));
-/** Where a text over the chart is in nobody's way: at the left, in the middle, or at the right. */
-function freePlace(level, span) {
-  const clear = from => Math.min(...charted.flatMap(s => [0, 0.08, 0.16, 0.24].map(d => Math.abs(valueOn(curveOf(s), Math.min(from + d, 1)) - level)))) / span;
-  return [0, 0.36, 0.74].map(from => [from, clear(from)]).sort((a, b) => b[1] - a[1])[0][0];
+/** Writes the bands' texts at their edges where no curve and no other text is in the way; what finds no place is left out. */
+function writeBands(c, drawn, X, Y) {
+  const taken = [], high = 14, shown = charted.filter(s => s.on);
+  for (const r of drawn) {
+    const text = say('healthy', r.text), wide = Math.min(c.measureText(text).width, (X(1) - X(0)) * 0.45) + 8, part = wide / (X(1) - X(0));
+    const places = [0, 0.25, 0.5, 0.75, 1].flatMap(at => [Y(r.low) - 4, Y(r.high) + 12].map(y => [at * (1 - part), y])).map(([from, y]) => {
+      const clear = Math.min(...shown.flatMap(s => [0, 0.25, 0.5, 0.75, 1].map(d => Math.abs(Y(valueOn(curveOf(s), from + d * part)) - y + 4))));
+      return {x: X(from) + 4, y, clear, free: taken.every(t => X(from) > t.x + t.wide || X(from) + wide < t.x || Math.abs(t.y - y) > high)};
+    }).filter(p => p.free && p.clear > 9).sort((p, q) => q.clear - p.clear);
+    if (!places.length) continue;
+    taken.push({...places[0], wide}); c.fillStyle = css('--muted'); c.fillText(text, places[0].x, places[0].y, wide - 8);
+  }
 }
 function drawCurve(c, s, curve, X, Y, width) {
   c.strokeStyle = c.fillStyle = s.rgb; c.lineWidth = width; c.beginPath();
@@ -20,7 +28,8 @@ function drawChart() {
   const drawn = bands.filter(r => surfaces[r.surface].on);
   const all = shown.flatMap(s => [...curveOf(s), ...(s.pulled || []), s.ml]).concat(drawn.flatMap(r => [r.low, r.high]));
   if (!all.length) return;
-  const least = Math.min(...all), most = Math.max(...all), step = [0.1, 0.2, 0.5, 1, 2, 5, 10, 20, 50, 100, 200, 500].find(m => (most - least) / m < h / 26) || 1000;
+  const top = Math.max(...all), flat = Math.max(0, 0.02 * top - (top - Math.min(...all))) / 2; // What hardly changes is to look so.
+  const least = Math.min(...all) - flat, most = top + flat, step = [0.1, 0.2, 0.5, 1, 2, 5, 10, 20, 50, 100, 200, 500].find(m => (most - least) / m < h / 26) || 1000;
   const low = Math.floor(least / step - 0.1) * step, high = Math.ceil(most / step + 0.1) * step;
   const X = f => kLeft + f * (w - kLeft - kRight), Y = v => 6 + (h - kBelow - 6) * (1 - (v - low) / (high - low));
   c.fillStyle = css('--muted'); c.strokeStyle = css('--line');
@@ -31,9 +40,8 @@ function drawChart() {
   c.textAlign = 'left'; c.fillText('ml', 4, h - 3);
   for (const r of drawn) {
     c.globalAlpha = 0.17; c.fillStyle = surfaces[r.surface].rgb; c.fillRect(kLeft, Y(r.high), w - kLeft - kRight, Y(r.low) - Y(r.high)); c.globalAlpha = 1;
-    if (w < 560) continue;
-    c.fillStyle = css('--muted'); c.fillText(say('healthy', r.text), X(freePlace(r.low + step / 8, high - low)) + 6, Y(r.low) - 4, (w - kLeft) * 0.26);
   }
+  if (w >= 560) writeBands(c, drawn, X, Y);
   for (const s of shown) {
     if (s.pulled) { c.setLineDash([4, 4]); drawCurve(c, s, curveOf(s), X, Y, 1.2); c.setLineDash([]); }
     drawCurve(c, s, s.pulled || curveOf(s), X, Y, 2.2);

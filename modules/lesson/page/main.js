@@ -37,8 +37,7 @@ view.onpointerdown = e => {
   handles.forEach((h, i) => { const [x, y] = project(placeOf(h.vertex)), d = Math.hypot(x - e.offsetX, y - e.offsetY); if (d < best) { best = d; state.held = i; dragging = true; } });
 };
 view.onpointermove = e => {
-  const before = fingers.get(e.pointerId), now = [e.offsetX, e.offsetY];
-  if (!before) return;
+  const before = fingers.get(e.pointerId), now = [e.offsetX, e.offsetY]; if (!before) return;
   const dx = now[0] - before[0], dy = now[1] - before[1], other = [...fingers].find(([id]) => id !== e.pointerId);
   if (dragging) { const mm = project(placeOf(handles[state.held].vertex))[2] / pixels(); pullBy(state.held, dx * mm, -dy * mm, 0); }
   else if (other) { zoomBy(Math.hypot(now[0] - other[1][0], now[1] - other[1][1]) / (Math.hypot(before[0] - other[1][0], before[1] - other[1][1]) || 1)); pushBy(dx / 2, dy / 2); }
@@ -50,8 +49,7 @@ view.addEventListener('wheel', e => { e.preventDefault(); zoomBy(Math.exp(-e.del
 view.oncontextmenu = e => e.preventDefault();
 $('chart').onpointerdown = $('chart').onpointermove = e => { if (e.buttons) { setPlaying(false); seek(Math.max(0, Math.min(0.9999, (e.offsetX - kLeft) / ($('chart').clientWidth - kLeft - kRight)))); } };
 
-const times = {pose: 0, shade: 0, volume: 0, draw: 0, frames: 0};
-const timed = (name, act) => { const begin = performance.now(); act(); times[name] += performance.now() - begin; };
+const times = {pose: 0, shade: 0, volume: 0, draw: 0, frames: 0}, timed = (name, act) => { const begin = performance.now(); act(); times[name] += performance.now() - begin; };
 function render() {
   const ratio = Math.min(devicePixelRatio || 1, 2), box = $('stage').getBoundingClientRect();
   size = [Math.max(box.width, 1), Math.max(box.height, 1)]; look();

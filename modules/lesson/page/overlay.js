@@ -3,7 +3,7 @@ const css = name => getComputedStyle(document.documentElement).getPropertyValue(
 let lastBehind = 0; const kFacing = 0.12, kTouch = 28, kMouse = 16;
 const nameItems = surfaces.flatMap(s => {
   const parts = s.labels.map(({text, vertex}) => ({s, text, vertex, part: true}));
-  return s.wall && parts.length ? parts : [{s, text: s.title}, ...parts];
+  return parts.length && (s.wall || surfaces.length === 1) ? parts : [{s, text: s.title}, ...parts];
 });
 for (const item of nameItems) $('names').append(item.box = Object.assign(element('span', item.text, item.part ? 'name part' : 'name'), {dir: 'auto'}));
 /** Of a whole surface: a place that faces the eye and lies away from the other surfaces, which may stand before it. */

@@ -3,14 +3,14 @@ let changed = true, turned = true, pullsChanged = false, lastBeat = 0; const pre
 const tell = (list, name, value, more) => { const dd = element('dd', value); if (more) dd.append(element('small', more)); $(list).append(element('dt', name), dd); };
 for (const s of surfaces) {
   s.tile = element('li', '', 'tile'); s.tile.style.setProperty('--own', s.rgb);
-  s.eye = element('button', '\u25C9'); s.value = element('b'); s.part = element('small');
+  s.eye = element('button', '', 'sign'); s.value = element('b'); s.part = element('small');
   const title = element('span', s.title); title.dir = 'auto'; title.title = s.title;
   s.eye.setAttribute('aria-label', say('eye', s.title)); s.eye.title = say('eye', s.title);
   s.eye.onclick = () => showSurface(s, !s.on);
   s.tile.append(title, s.value, s.eye, s.part); $('tiles').append(s.tile); s.eye.setAttribute('aria-pressed', true);
 }
 function showSurface(s, on) {
-  s.on = on; s.eye.setAttribute('aria-pressed', on); s.eye.textContent = on ? '\u25C9' : '\u25CB';
+  s.on = on; s.eye.setAttribute('aria-pressed', on);
   s.tile.classList.toggle('off', !on); changed = true;
 }
 function writeNumbers() {
@@ -46,10 +46,10 @@ function writePhase() {
   if ($('phase').textContent !== name) $('phase').textContent = name;
   $('time').value = state.fraction; $('time').setAttribute('aria-valuetext', say('timeText', number(state.fraction * 60 / motion.rates[state.rate], 2), name));
 }
-/** Where a phase's name finds no room, its initials stand for it. */
+/** Where a phase's name finds no room, the initials of its longer words stand for it. */
 function shortenPhases() {
   for (const span of $('phases').children) span.textContent = span.title;
-  for (const span of $('phases').children) if (span.scrollWidth > span.clientWidth) span.textContent = span.title.split(/\s+/).map(word => word[0]).join('').toUpperCase();
+  for (const span of $('phases').children) if (span.scrollWidth > span.clientWidth) span.textContent = span.title.replace(/(^|\s)\S{1,3}(?=\s|$)/gu, '').split(/\s+/).map(word => [...word][0] || '').join('').toUpperCase() || '\u2026';
 }
 function setRate(index) {
   state.rate = index; $('rate').value = index; pullsChanged = changed = true;
@@ -61,7 +61,7 @@ function setRate(index) {
   shortenPhases();
 }
 function setPlaying(on) {
-  state.playing = on && !!motion; $('play').textContent = state.playing ? '\u23F8\uFE0E' : '\u25B6\uFE0E';
+  state.playing = on && !!motion; $('play').classList.toggle('on', state.playing);
   $('play').setAttribute('aria-label', say(state.playing ? 'stop' : 'play')); $('phase').setAttribute('aria-live', state.playing ? 'off' : 'polite');
 }
 function seek(fraction) { state.fraction = mod(fraction, 1); changed = true; }

@@ -6,7 +6,7 @@ let eye, right, up, ahead, far, size = [1, 1];
 function look() {
   const {yaw, pitch} = camera, cp = Math.cos(pitch), sp = Math.sin(pitch), cy = Math.cos(yaw), sy = Math.sin(yaw);
   ahead = [-cp * sy, cp * cy, -sp]; right = [cy, sy, 0]; up = [-sp * sy, sp * cy, cp];
-  far = lesson.radius / Math.sin(kHalfAngle) / camera.zoom * Math.max(1, size[1] / size[0]);
+  far = lesson.radius / Math.sin(kHalfAngle) / camera.zoom * Math.max(1, size[1] / size[0]) * (size[0] < 600 ? size[1] / (size[1] - 50) : 1); // The tools lie over it.
   eye = camera.target.map((x, i) => x - ahead[i] * far);
 }
 /** Looks along a direction at a point; from as far away as `distance` in a square picture. */
@@ -91,8 +91,7 @@ function draw() {
   gl.viewport(0, 0, gl.canvas.width, gl.canvas.height); gl.enable(gl.DEPTH_TEST); gl.depthMask(true); gl.disable(gl.BLEND); // The mask holds for clearing, too.
   gl.clearColor(0, 0, 0, 0); gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
   for (const [name, value] of Object.entries({eye, right, up, ahead})) gl.uniform3fv(uniform[name], value);
-  const y = 1 / Math.tan(kHalfAngle);
-  gl.uniform3f(uniform.lens, y * size[1] / size[0], y, Math.max(far - 2 * lesson.radius, far / 50));
+  const y = 1 / Math.tan(kHalfAngle); gl.uniform3f(uniform.lens, y * size[1] / size[0], y, Math.max(far - 2 * lesson.radius, far / 50));
   for (const s of surfaces) if (s.on && s.now >= 1) gl.drawElements(gl.TRIANGLES, 3 * s.triangleCount, gl.UNSIGNED_INT, 12 * s.firstTriangle);
   const count = sortTranslucent(); if (!count) return;
   gl.bufferSubData(gl.ELEMENT_ARRAY_BUFFER, triangles.byteLength, sorted.subarray(0, count));

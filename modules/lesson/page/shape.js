@@ -1,16 +1,15 @@
 // Where the vertices are: rest + sum c_k mode_k + sum w_h pull_h, and what follows from that.
 const points = new Float32Array(rest), pulled = new Float32Array(rest.length), normals = new Float32Array(rest.length), coefficients = new Float64Array(motion ? motion.modes : 0);
+const firstInstants = motion ? motion.instants.map((_, i) => motion.instants.slice(0, i).flat().length) : [];
 const pullsOf = () => handles.filter(h => h.pull.some(x => x)), mod = (a, n) => (a % n + n) % n;
 
-/** The courses at an instant: cubic B-splines over the cycle, or mirrored at its ends where it does not cycle. */
+/** The courses at an instant: cubic pieces between the motion's own instants (Hermite). */
 function setInstant(fraction, rate) {
-  const n = motion.samples, x = fraction * (motion.cycles ? n : n - 1), i = Math.floor(x), u = x - i, v = 1 - u;
-  const w = [v * v * v / 6, (4 - 3 * u * u * (2 - u)) / 6, (4 - 3 * v * v * (2 - v)) / 6, u * u * u / 6];
-  coefficients.fill(0);
-  for (let j = 0; j < 4; ++j) {
-    const m = mod(i - 1 + j, motion.cycles ? n : 2 * n - 2), row = motion.courses[rate] * n + (m < n ? m : 2 * n - 2 - m);
-    for (let k = 0; k < motion.modes; ++k) coefficients[k] += w[j] * courses[row * motion.modes + k];
-  }
+  const course = motion.courses[rate], at = motion.instants[course], n = motion.modes;
+  let i = 1; while (i < at.length - 1 && at[i] <= fraction) ++i;
+  const length = at[i] - at[i - 1], u = (fraction - at[i - 1]) / length, v = 1 - u;
+  const w = [v * v * (1 + 2 * u), length * u * v * v, u * u * (3 - 2 * u), -length * u * u * v], row = 2 * n * (firstInstants[course] + i - 1);
+  for (let k = 0; k < n; ++k) coefficients[k] = w.reduce((sum, x, j) => sum + x * courses[row + j * n + k], 0);
 }
 /** Writes vertices at the instant that is set into `out`, from place `from` to `to` of all. */
 function poseInto(out, from, to) {

@@ -16,22 +16,24 @@ namespace {
 using nlohmann::ordered_json;
 
 /// What a vertex may be off by, tried one after the other until the file is small enough.
-constexpr Accuracy kTried[] = {{0.02, 0.02}, {0.05, 0.02}, {0.1, 0.02},
-                               {0.2, 0.02},  {0.35, 0.02}, {0.5, 0.02}};
+constexpr double kTriedMm[] = {0.02, 0.05, 0.1, 0.2, 0.35, 0.5};
+constexpr double kBetweenMm = 0.02; ///< The same between keys.
+constexpr Eigen::Index kFewestKeys = 96;
+constexpr Eigen::Index kMostKeys = 768;
 constexpr double kRoughness = 0.55;
 
 /// The weights of the modes as the file has them: keys evenly over a cycle, straight lines between them.
 struct Keys {
-  Course weights;   ///< `keys x modes`, the last one closes the cycle.
+  Table weights;    ///< `keys x modes`, the last one closes the cycle.
   double offMm = 0; ///< In the middle between two.
 };
 
 Keys keysOf(const SampledMotion& motion, Eigen::Index count) {
-  Keys keys{Course(count + 1, motion.courses.front().cols()), 0};
-  Course off(count, keys.weights.cols());
+  Keys keys{Table(count + 1, motion.courses.front().values.cols()), 0};
+  Table off(count, keys.weights.cols());
   const auto at = [&](double key) {
     const double fraction = key / static_cast<double>(count);
-    return valueAt(motion.courses.front(), motion.end, std::min(fraction, 1.0)).transpose().eval();
+    return valueAt(motion.courses.front(), std::min(fraction, 1.0)).transpose().eval();
   };
   for (Eigen::Index key = 0; key <= count; ++key)
     keys.weights.row(key) = at(static_cast<double>(key));
@@ -185,13 +187,14 @@ WrittenGltf writeAnimatedGltf(const std::filesystem::path& file, const LessonPla
   std::string bytes;
   if (!source.sequence)
     bytes = Scene(plan, source.state, carried.in(*source.state.pose), {}, {}).file();
-  else
-    for (const Accuracy& accuracy : kTried) {
-      const SampledMotion motion =
-          sampledMotion({plan.rate}, carried.weights(), carried.carriersAt(), accuracy, progress, threads);
-      Eigen::Index count = kFewestSamples;
+  else {
+    const MotionSamples samples =
+        sampleMotion({plan.rate}, carried.weights(), carried.carriersAt(), kBetweenMm, progress);
+    for (const double tried : kTriedMm) {
+      const SampledMotion motion = motionOf(samples, carried.weights(), tried, progress, threads);
+      Eigen::Index count = kFewestKeys;
       Keys keys = keysOf(motion, count);
-      while (keys.offMm > accuracy.betweenMm && count < kMostSamples)
+      while (keys.offMm > kBetweenMm && count < kMostKeys)
         keys = keysOf(motion, count *= 2);
       bytes = Scene(plan, source.state, carried.rest(), motion, keys).file();
       written = {0, motion.modes.size(), static_cast<std::size_t>(count),
@@ -199,6 +202,7 @@ WrittenGltf writeAnimatedGltf(const std::filesystem::path& file, const LessonPla
       if (bytes.size() <= kMostGltfBytes)
         break;
     }
+  }
   written.bytes = bytes.size();
   writeAtomically(file, [&](std::ostream& stream) { stream << bytes; });
   progress.report(1);

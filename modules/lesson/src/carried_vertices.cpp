@@ -17,7 +17,7 @@ constexpr double kRounding = 1e-9;
 CarriedVertices::CarriedVertices(const LessonPlan& plan, const LessonSource& source,
                                  live::PosedOrgans& organs, Threads threads)
     : plan_(plan), source_(source), organs_(organs), runner_(source.state, organs, threads),
-      restHandles_(source.state.rig->restPositions()) {
+      restHandles_(source.state.rig->restPositions()), threads_(threads) {
   if (source.sequence) {
     document::requireFits(*source.state.rig, *source.sequence);
     runner_.setSequence(source.sequence);
@@ -88,10 +88,21 @@ Points CarriedVertices::in(const Points& pose) {
 }
 
 CarriersAt CarriedVertices::carriersAt() {
-  return [this](double fraction, double rate, Points& displacements) {
-    poseAt(fraction, rate, displacements);
-    displacements =
-        weights_.cols() > 0 ? Points(displacements - restHandles_) : Points(in(displacements)-rest_);
+  return [this](const std::vector<Moment>& moments) {
+    std::vector<Points> carriers(moments.size());
+    const bool sums = weights_.cols() > 0;
+    const auto fill = [&](Eigen::Index begin, Eigen::Index end) {
+      for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i) {
+        poseAt(moments[i].fraction, moments[i].ratePerMinute, carriers[i]);
+        carriers[i] = sums ? Points(carriers[i] - restHandles_) : Points(in(carriers[i]) - rest_);
+      }
+    };
+    const auto count = static_cast<Eigen::Index>(moments.size());
+    if (sums && !keepsVolumes_) // Then only the sequence is asked, which may be by several threads.
+      parallelRanges(count, 1, threads_, fill);
+    else
+      fill(0, count);
+    return carriers;
   };
 }
 

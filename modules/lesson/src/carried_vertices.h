@@ -27,7 +27,7 @@ public:
   void poseAt(double fraction, double ratePerMinute, Points& pose);
   /// The vertices (and handles) in a pose of the rig, exactly.
   Points in(const Points& pose);
-  /// For `sampledMotion`.
+  /// For `sampleMotion`.
   CarriersAt carriersAt();
 
 private:
@@ -43,6 +43,7 @@ private:
   Points rest_;
   CarrierWeights weights_;
   bool keepsVolumes_ = false;
+  Threads threads_;
 };
 
 } // namespace viscera::lesson

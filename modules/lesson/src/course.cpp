@@ -1,60 +1,66 @@
 #include "viscera/lesson/course.h"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
+#include <utility>
+
+#include <Eigen/SparseCholesky>
 
 namespace viscera::lesson {
 namespace {
 
-constexpr Eigen::Index kReach = 40; ///< Samples behind which nothing of one is left: 0.27^40 < 1e-22.
+using Index = Eigen::Index;
 
-/// The sample that stands for place `i`, which may lie before the first or behind the last.
-Eigen::Index placeOf(Eigen::Index i, Eigen::Index samples, CourseEnd end) {
-  if (end == CourseEnd::cycles || samples == 1)
-    return (i % samples + samples) % samples;
-  const Eigen::Index period = 2 * (samples - 1);
-  const Eigen::Index inside = (i % period + period) % period;
-  return inside < samples ? inside : period - inside;
-}
+/// Where the rows of the slopes' equations are: of a cycle the last instant is the first one.
+struct Equations {
+  Index count;
+  std::vector<Eigen::Triplet<double>> entries;
+  Table right;
+
+  /// Adds what the piece from instant `i` to `j`, `length` long, asks of the slopes at both.
+  void addPiece(Index i, Index j, double length, const Eigen::RowVectorXd& rise) {
+    for (const auto& [row, column] : {std::pair(i, j), std::pair(j, i)}) {
+      entries.emplace_back(row, row, 2 / length);
+      entries.emplace_back(row, column, 1 / length);
+      right.row(row) += 3 * rise / (length * length);
+    }
+  }
+};
 
 } // namespace
 
-double fractionOf(Eigen::Index sample, Eigen::Index samples, CourseEnd end) {
-  const Eigen::Index steps = end == CourseEnd::cycles ? samples : std::max<Eigen::Index>(1, samples - 1);
+double fractionOf(Index sample, Index samples, CourseEnd end) {
+  const Index steps = end == CourseEnd::cycles ? samples : std::max<Index>(1, samples - 1);
   return static_cast<double>(sample) / static_cast<double>(steps);
 }
 
-Course splineThrough(const Course& samples, CourseEnd end) {
-  // A recursive filter forth and back; begun so far outside that its beginning is forgotten.
-  static const double pole = std::sqrt(3.0) - 2;
-  const Eigen::Index count = samples.rows();
-  Course forth(count + 2 * kReach, samples.cols());
-  forth.row(0) = samples.row(placeOf(-kReach, count, end));
-  for (Eigen::Index i = 1; i < forth.rows(); ++i)
-    forth.row(i) = samples.row(placeOf(i - kReach, count, end)) + pole * forth.row(i - 1);
-  Course spline(count, samples.cols());
-  Eigen::RowVectorXd last = Eigen::RowVectorXd::Zero(samples.cols());
-  for (Eigen::Index i = forth.rows() - 1; i >= kReach; --i) {
-    last = pole * (last - forth.row(i));
-    if (i - kReach < count)
-      spline.row(i - kReach) = 6 * last;
+Course splineThrough(std::vector<double> instants, Table values, CourseEnd end) {
+  const auto pieces = static_cast<Index>(instants.size()) - 1;
+  const bool cycles = end == CourseEnd::cycles;
+  Equations equations{cycles ? pieces : pieces + 1, {}, {}};
+  equations.right = Table::Zero(equations.count, values.cols());
+  for (Index i = 0; i < pieces; ++i) {
+    const auto place = static_cast<std::size_t>(i);
+    equations.addPiece(i, (i + 1) % equations.count, instants[place + 1] - instants[place],
+                       values.row(i + 1) - values.row(i));
   }
-  return spline;
+  Eigen::SparseMatrix<double> matrix(equations.count, equations.count);
+  matrix.setFromTriplets(equations.entries.begin(), equations.entries.end());
+  const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver(matrix);
+  Table slopes(pieces + 1, values.cols());
+  slopes.topRows(equations.count) = solver.solve(Eigen::MatrixXd(equations.right));
+  if (cycles)
+    slopes.row(pieces) = slopes.row(0);
+  return {std::move(instants), std::move(values), std::move(slopes)};
 }
 
-Eigen::VectorXd valueAt(const Course& spline, CourseEnd end, double fraction) {
-  const Eigen::Index count = spline.rows();
-  const double place = fraction / fractionOf(1, count, end);
-  const auto before = static_cast<Eigen::Index>(std::floor(place));
-  const double u = place - static_cast<double>(before), v = 1 - u;
-  const std::array<double, 4> weights = {v * v * v / 6, (4 - 3 * u * u * (2 - u)) / 6,
-                                         (4 - 3 * v * v * (2 - v)) / 6, u * u * u / 6};
-  Eigen::VectorXd value = Eigen::VectorXd::Zero(spline.cols());
-  for (Eigen::Index i = 0; i < 4; ++i)
-    value +=
-        weights[static_cast<std::size_t>(i)] * spline.row(placeOf(before - 1 + i, count, end)).transpose();
-  return value;
+Eigen::VectorXd valueAt(const Course& course, double fraction) {
+  const std::vector<double>& at = course.instants;
+  const auto next =
+      std::clamp(std::upper_bound(at.begin(), at.end(), fraction), at.begin() + 1, at.end() - 1);
+  const Index j = next - at.begin(), i = j - 1;
+  const double length = *next - *(next - 1), u = (fraction - *(next - 1)) / length, v = 1 - u;
+  return v * v * (1 + 2 * u) * course.values.row(i) + u * u * (3 - 2 * u) * course.values.row(j) +
+         length * u * v * (v * course.slopes.row(i) - u * course.slopes.row(j));
 }
 
 } // namespace viscera::lesson

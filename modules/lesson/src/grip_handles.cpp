@@ -48,7 +48,7 @@ GripHandles gripHandles(const Lesson& lesson, const document::DocumentState& sta
     if (system->id() != wanted)
       continue;
     const auto binding = deformation::bindOrgan(*system, handles, vertices, {{}, threads}, progress);
-    GripHandles grips{handles.positions.bottomRows(count), Course(count, vertices.rows())};
+    GripHandles grips{handles.positions.bottomRows(count), Table(count, vertices.rows())};
     for (int i = 0; i < count; ++i)
       grips.weights.row(i) = binding->influence(kCorners + i).transpose();
     return grips;

@@ -7,7 +7,7 @@ namespace viscera::lesson {
 /// Handles for a reader to drag, beside those that the motion is made of.
 struct GripHandles {
   Points positions; ///< `h x 3` mm.
-  Course weights;   ///< `h x vertices`.
+  Table weights;    ///< `h x vertices`.
 };
 
 /// Puts up to `count` handles around the organs of a lesson that lie in no other one, and binds all vertices

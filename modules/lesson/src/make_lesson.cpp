@@ -13,7 +13,9 @@ namespace {
 
 constexpr int kAnchors = 40;
 constexpr std::array<double, 4> kChecked = {0.131, 0.377, 0.613, 0.871}; ///< Fractions that are no samples.
-constexpr double kSampled = 0.5;                                         ///< Of the progress.
+constexpr double kBetweenMm = 0.012; ///< How far the motion may be off between samples,
+constexpr double kModesMm = 0.005;   ///< and by the modes that are left out.
+constexpr double kSampled = 0.5;     ///< Of the progress.
 
 /// Rounded as the page will have it.
 Points stepped(const Points& points) {
@@ -78,13 +80,19 @@ void addPlaces(const LessonPlan& plan, const Points& rest, Lesson& lesson) {
   }
 }
 
-void addMotion(SampledMotion motion, const LessonSource& source, Lesson& lesson) {
-  lesson.end = motion.end;
-  lesson.courseOfRate = std::move(motion.courseOfRate);
+Table inSinglePrecision(const Table& table) {
+  return table.cast<float>().cast<double>();
+}
+
+void addMotion(const MotionSamples& samples, const SampledMotion& motion, const LessonSource& source,
+               Lesson& lesson) {
+  lesson.end = samples.end;
+  lesson.courseOfRate = samples.trackOfRate;
   for (const Points& mode : motion.modes)
     lesson.modes.push_back(stepped(mode));
   for (const Course& course : motion.courses)
-    lesson.courses.push_back(course.cast<float>().cast<double>());
+    lesson.courses.push_back(
+        {course.instants, inSinglePrecision(course.values), inSinglePrecision(course.slopes)});
   for (const double rate : lesson.plan.rates) {
     std::vector<sequences::Phase> phases = source.sequence->phases(rate);
     for (sequences::Phase& phase : phases)
@@ -100,7 +108,7 @@ void addMotion(SampledMotion motion, const LessonSource& source, Lesson& lesson)
 /// The vertices as the page will have them.
 Points shownPoints(const Lesson& lesson, std::size_t course, double fraction, Eigen::Index first,
                    Eigen::Index count) {
-  const Eigen::VectorXd values = valueAt(lesson.courses[course], lesson.end, fraction);
+  const Eigen::VectorXd values = valueAt(lesson.courses[course], fraction);
   Points points = lesson.rest.middleRows(first, count);
   for (Eigen::Index k = 0; k < values.size(); ++k)
     points += values[k] * lesson.modes[static_cast<std::size_t>(k)].middleRows(first, count);
@@ -109,7 +117,7 @@ Points shownPoints(const Lesson& lesson, std::size_t course, double fraction, Ei
 
 /// The volume of every closed surface at every sample.
 void addCurves(Lesson& lesson, Threads threads) {
-  const Eigen::Index samples = lesson.samples();
+  constexpr Eigen::Index samples = kCurveSamples;
   const auto courses = static_cast<Eigen::Index>(lesson.courses.size());
   for (LessonSurface& surface : lesson.surfaces)
     if (surface.closed)
@@ -133,14 +141,15 @@ void addCurves(Lesson& lesson, Threads threads) {
 }
 
 /// Compares with the organs themselves where the motion is likely to be off the most.
-double largestError(const Lesson& lesson, const SampledMotion& motion, CarriedVertices& carried) {
+double largestError(const Lesson& lesson, const MotionSamples& samples, const SampledMotion& motion,
+                    CarriedVertices& carried) {
   double largest = 0;
   Points pose;
   for (std::size_t course = 0; course < lesson.courses.size(); ++course) {
     std::vector<double> fractions(kChecked.begin(), kChecked.end());
     fractions.push_back(motion.worst[course]);
     for (const double fraction : fractions) {
-      carried.poseAt(fraction, motion.rates[course], pose);
+      carried.poseAt(fraction, samples.tracks[course].rate, pose);
       const Points off = carried.in(pose)-shownPoints(lesson, course, fraction, 0, carried.rest().rows());
       largest = std::max(largest, off.rowwise().norm().maxCoeff());
     }
@@ -173,6 +182,13 @@ void addHandles(Lesson& lesson, CarriedVertices& carried, const LessonSource& so
 
 } // namespace
 
+std::size_t Lesson::instants() const {
+  std::size_t count = 0;
+  for (const Course& course : courses)
+    count += course.instants.size();
+  return count;
+}
+
 Lesson makeLesson(const LessonPlan& plan, const LessonSource& source, live::PosedOrgans& organs,
                   Progress& progress, Threads threads) {
   Lesson lesson;
@@ -184,11 +200,12 @@ Lesson makeLesson(const LessonPlan& plan, const LessonSource& source, live::Pose
   lesson.rest = stepped(source.sequence ? carried.rest() : carried.in(*source.state.pose));
   addPlaces(plan, carried.rest(), lesson);
   if (source.sequence) {
-    const SampledMotion motion =
-        sampledMotion(plan.rates, carried.weights(), carried.carriersAt(), Accuracy{}, progress, threads);
-    addMotion(motion, source, lesson);
+    const MotionSamples samples =
+        sampleMotion(plan.rates, carried.weights(), carried.carriersAt(), kBetweenMm, progress);
     progress.report(kSampled, "motion");
-    lesson.largestErrorMm = largestError(lesson, motion, carried);
+    const SampledMotion motion = motionOf(samples, carried.weights(), kModesMm, progress, threads);
+    addMotion(samples, motion, source, lesson);
+    lesson.largestErrorMm = largestError(lesson, samples, motion, carried);
   }
   addCurves(lesson, threads);
   progress.throwIfCancelled();

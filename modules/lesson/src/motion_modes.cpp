@@ -52,12 +52,12 @@ public:
   }
 
 private:
-  static Course weighted(const Course& axis, const Eigen::MatrixXd& carriers) {
-    return carriers.size() > 0 ? Course(axis * carriers) : axis;
+  static Table weighted(const Table& axis, const Eigen::MatrixXd& carriers) {
+    return carriers.size() > 0 ? Table(axis * carriers) : axis;
   }
 
   const Instants& instants_;
-  Course x_, y_, z_;
+  Table x_, y_, z_;
 };
 
 /// `R` with `R R'` the Gram matrix, but for `kLeftMm` squared on its diagonal: one column for each instant
@@ -145,7 +145,7 @@ MotionModes modesOf(const Instants& instants, const CarrierWeights& weights, dou
   return result;
 }
 
-LargestDifference largestDifference(const std::vector<Points>& modes, const Course& differences) {
+LargestDifference largestDifference(const std::vector<Points>& modes, const Table& differences) {
   Eigen::VectorXd sizes(differences.cols());
   for (Eigen::Index k = 0; k < sizes.size(); ++k)
     sizes[k] = largestNorm(modes[static_cast<std::size_t>(k)]);

@@ -13,7 +13,7 @@ namespace viscera::lesson {
 /// Instants of a motion by what moves in each of them: `instants x carriers` for each axis. A carrier is a
 /// handle, which takes the vertices along by its weights.
 struct Instants {
-  Course x, y, z; ///< mm from rest.
+  Table x, y, z; ///< mm from rest.
 };
 
 /// `n x c`: the motion of the vertices is this times that of the carriers. Without columns the carriers are
@@ -24,7 +24,7 @@ using CarrierWeights = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic>;
 /// modes[k].row(v)`.
 struct MotionModes {
   std::vector<Points> modes; ///< `n x 3` mm each; the largest |course| of each is 1.
-  Course course;             ///< `instants x modes`.
+  Table course;              ///< `instants x modes`.
 };
 
 /// The modes of the instants (their singular vectors, the method of snapshots, Sirovich 1987), the strongest
@@ -40,6 +40,6 @@ struct LargestDifference {
   double mm = 0;
   Eigen::Index row = 0;
 };
-LargestDifference largestDifference(const std::vector<Points>& modes, const Course& differences);
+LargestDifference largestDifference(const std::vector<Points>& modes, const Table& differences);
 
 } // namespace viscera::lesson

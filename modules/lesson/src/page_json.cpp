@@ -78,9 +78,12 @@ ordered_json motionJson(const Lesson& lesson) {
       list.push_back({phase.name, rounded(phase.begin), rounded(phase.end)});
     phases.push_back(std::move(list));
   }
+  ordered_json instants = ordered_json::array();
+  for (const Course& course : lesson.courses)
+    instants.push_back(course.instants);
   const auto rate = std::find(plan.rates.begin(), plan.rates.end(), plan.rate) - plan.rates.begin();
   return {{"modes", lesson.modes.size()},
-          {"samples", lesson.samples()},
+          {"instants", std::move(instants)},
           {"cycles", lesson.end == CourseEnd::cycles},
           {"rates", plan.rates},
           {"rate", rate},
@@ -171,8 +174,10 @@ ordered_json arraysJson(const Lesson& lesson, ArrayPacker& packer) {
     for (const Points& mode : lesson.modes)
       modes.insert(modes.end(), mode.data(), mode.data() + mode.size());
     for (const Course& course : lesson.courses)
-      for (Eigen::Index i = 0; i < course.size(); ++i)
-        courses.push_back(static_cast<float>(course.data()[i]));
+      for (Eigen::Index i = 0; i < course.values.rows(); ++i)
+        for (const Table* table : {&course.values, &course.slopes})
+          for (const double value : table->row(i))
+            courses.push_back(static_cast<float>(value));
     arrays["motion"] = jsonOf(packer.add(modes, 3, kStepMm));
     arrays["course"] = jsonOf(packer.addFloats(courses));
   }

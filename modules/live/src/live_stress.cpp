@@ -9,6 +9,7 @@
 #include "viscera/deformation/witness_gradients.h"
 #include "viscera/deformation/witness_mesh.h"
 #include "viscera/document/rig_commands.h"
+#include "viscera/live/stress_files.h"
 
 namespace viscera::live {
 namespace {
@@ -22,7 +23,6 @@ constexpr const char* kPeakSlot = "stress/peak";
 constexpr double kExpectedSeconds = 150e-9;
 /// The part of a binding's progress that the derivatives take; the rest is for moving the points.
 constexpr double kGradientsPart = 0.8;
-constexpr int kPeakFrames = 100;
 
 /// An organ filled with witnesses, and how its surface follows their numbers.
 struct SampledOrgan {

@@ -1,10 +1,15 @@
 #include "viscera/motion/circulating_heart.h"
 
 #include <algorithm>
+#include <utility>
 
+#include "cavity_form.h"
+#include "sample_heart.h"
+#include "sequence_binding.h"
 #include "viscera/circulation/periodic_state.h"
 #include "viscera/core/error.h"
-#include "viscera/motion/sequence_setup.h"
+#include "viscera/document/rig_commands.h"
+#include "viscera/sequences/heartbeat_calibration.h"
 
 namespace viscera::motion {
 namespace {
@@ -61,6 +66,70 @@ sequences::HeartCourse heartCourse(const std::string& name, const circulation::P
   return course;
 }
 
+struct CirculatingHeart::Parts {
+  sample_organs::SampleOrgan organ;
+  SampleHeart heart;
+  CavityForm left;
+  CavityForm right;
+};
+
+namespace {
+
+/// Of the time that the heart takes, what the organ takes when nothing is cached.
+constexpr double kOrganPart = 0.8;
+
+CavityForm formOf(const sample_organs::SampleOrgan& organ, const char* cavity, const SampleHeart& heart,
+                  Threads threads) {
+  const MovedVolume moved(surfaceOf(organ, cavity), heart.rest, heart.system, threads);
+  return {*surfaceOf(organ, cavity), moved.binding(), threads};
+}
+
+} // namespace
+
+CirculatingHeart::CirculatingHeart(const sample_organs::SampleLibrary& library,
+                                   sample_organs::Resolution resolution, Progress& progress,
+                                   Threads threads) {
+  sample_organs::SampleOrgan organ;
+  runPart(progress, 0, kOrganPart, [&](Progress& part) {
+    organ = sample_organs::sampleOrgan(library, "heart", resolution, part, threads);
+  });
+  SampleHeart heart = sampleHeart(library, threads);
+  progress.throwIfCancelled();
+  CavityForm left = formOf(organ, "lv", heart, threads);
+  progress.throwIfCancelled();
+  CavityForm right = formOf(organ, "rv", heart, threads);
+  parts_ = std::make_unique<const Parts>(
+      Parts{std::move(organ), std::move(heart), std::move(left), std::move(right)});
+  progress.report(1);
+}
+
+CirculatingHeart::~CirculatingHeart() = default;
+
+const sample_organs::SampleOrgan& CirculatingHeart::organ() const {
+  return parts_->organ;
+}
+
+std::shared_ptr<const sequences::CourseHeartbeat> CirculatingHeart::follow(sequences::HeartCourse course,
+                                                                           Progress& progress) const {
+  const Parts& p = *parts_;
+  const auto measured = [&p](const Points& pose) {
+    return sequences::CavityVolumes{p.left.at(pose), p.right.at(pose)};
+  };
+  const auto at = [&course](double phase) { return course.at(phase); };
+  const auto found = sequences::calibrateCourse(p.heart.motion, at, p.heart.compensation, measured, progress);
+  return std::make_shared<sequences::CourseHeartbeat>(p.heart.motion, std::move(course), p.heart.compensation,
+                                                      found);
+}
+
+SequenceSetup CirculatingHeart::setup(sequences::HeartCourse course, Progress& progress) const {
+  SequenceSetup setup;
+  setup.organ = parts_->organ;
+  setup.system = parts_->heart.system;
+  setup.sequence = follow(std::move(course), progress);
+  setup.rig = document::rigOf(*setup.sequence);
+  return setup;
+}
+
 SequenceSetup circulatingHeart(const sample_organs::SampleLibrary& library, const std::string& name,
                                const circulation::Parameters& parameters,
                                sample_organs::Resolution resolution, Progress& progress, Threads threads) {
@@ -70,8 +139,8 @@ SequenceSetup circulatingHeart(const sample_organs::SampleLibrary& library, cons
   if (!found.converged)
     throw DataError(found.complaint, name);
   const circulation::Indices indices = circulation::indicesOf(parameters, found.beat);
-  return courseSetup(library, heartCourse("Heartbeat: " + name, parameters, found.beat, indices), resolution,
-                     progress, threads);
+  const CirculatingHeart heart(library, resolution, progress, threads);
+  return heart.setup(heartCourse("Heartbeat: " + name, parameters, found.beat, indices), progress);
 }
 
 } // namespace viscera::motion

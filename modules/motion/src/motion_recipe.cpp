@@ -33,6 +33,13 @@ std::string fittedRecipe(const std::string& sequence, const Landmarks& given) {
   return json{{"sequence", sequence}, {"landmarks", landmarks}}.dump();
 }
 
+std::optional<sample_organs::Resolution> sampleHeartOf(const std::string& recipe) {
+  const json made = json::parse(recipe, nullptr, false);
+  if (!made.is_object() || made.value("sequence", "") != "heartbeat" || !made.contains("resolution"))
+    return {};
+  return sample_organs::resolutionFromName(made.at("resolution").get<std::string>());
+}
+
 std::shared_ptr<const sequences::Sequence> makeMotion(const std::string& recipe, const document::Organ& organ,
                                                       const sample_organs::SampleLibrary& library,
                                                       Progress& progress) {

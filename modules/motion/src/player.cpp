@@ -25,6 +25,12 @@ void Player::setSequence(std::shared_ptr<const sequences::Sequence> sequence, do
   transport_.placeOthers();
 }
 
+void Player::exchangeSequence(std::shared_ptr<const sequences::Sequence> sequence) {
+  transport_.passTime(); // What has passed, passed in the sequence before.
+  runner_.setSequence(std::move(sequence));
+  transport_.placeOthers();
+}
+
 const sequences::Sequence* Player::sequence() const {
   return state_.organ(organ_) ? runner_.sequence().get() : nullptr;
 }

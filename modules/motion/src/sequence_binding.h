@@ -32,6 +32,8 @@ public:
   /// The surface itself with the handles at `pose`.
   geometry::TriangleMesh surfaceAt(const Points& pose) const;
 
+  const coordinates::Binding& binding() const { return *binding_; }
+
   /// With the handles at `pose + x direction`, as a cubic in x, ml: `sequences::VolumeAlong`.
   std::array<double, 4> along(const Points& pose, const Points& direction) const;
 

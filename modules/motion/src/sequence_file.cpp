@@ -182,7 +182,8 @@ ordered_json keyOf(const sequences::Keyframe& key, const SequenceFile& sequence)
   return {{"seconds", key.seconds}, {"easing", nameOf(key.easing)}, {"pose", std::move(pose)}};
 }
 
-/// Every number with the digits that bring back its bits.
+} // namespace
+
 std::string textOf(const SequenceFile& sequence) {
   const Track& track = sequence.track;
   ordered_json root{{"format", kFormat},  {"version", kVersion},
@@ -221,6 +222,8 @@ std::string textOf(const SequenceFile& sequence) {
   }
   return root.dump(1) + "\n";
 }
+
+namespace {
 
 /// Whether the rig has the file's handles; fills `ids` with theirs, in the file's order.
 bool hasHandles(const document::Rig& rig, const SequenceFile& sequence,

@@ -5,7 +5,6 @@
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
-#include <functional>
 #include <iomanip>
 #include <map>
 #include <optional>
@@ -15,13 +14,12 @@
 
 #include <nlohmann/json.hpp>
 
+#include "sample_heart.h"
 #include "sequence_binding.h"
 #include "viscera/core/atomic_file.h"
 #include "viscera/core/content_hash.h"
 #include "viscera/core/error.h"
 #include "viscera/document/rig_commands.h"
-#include "viscera/sequences/course_heartbeat.h"
-#include "viscera/sequences/heart_rig.h"
 #include "viscera/sequences/heartbeat.h"
 #include "viscera/sequences/peristalsis.h"
 
@@ -33,12 +31,7 @@ using sample_organs::SampleLibrary;
 using sequences::CardiacCycle;
 using sequences::CavityVolumes;
 using sequences::HeartbeatCalibration;
-using sequences::HeartMotion;
-using sequences::PoseCompensation;
 
-/// A little more than one handle spacing: the walls stay smooth between handles (design notes, "Handles that
-/// move organs").
-constexpr double kSoftnessMm = 25;
 /// Of the time that a heart with its beat takes, what the organ takes when nothing is cached.
 constexpr double kHeartPart = 0.8;
 
@@ -107,87 +100,48 @@ private:
   std::filesystem::path folder_;
 };
 
-sequences::AnatomySurface leastOf(std::vector<sequences::AnatomySurface> surfaces) {
-  return [surfaces = std::move(surfaces)](const Vec3& point) {
-    double least = surfaces.front()(point);
-    for (std::size_t i = 1; i < surfaces.size(); ++i)
-      least = std::min(least, surfaces[i](point));
-    return least;
-  };
-}
-
-sequences::HeartAnatomy anatomyOf(const SampleLibrary& library) {
-  const auto node = [&](const char* name) { return sample_organs::implicitSurface(library, "heart", name); };
-  sequences::SampleHeartSurfaces surfaces;
-  surfaces.ventricles = node("ventricles");
-  surfaces.rightCavity = node("surf rv");
-  surfaces.rightAtrium = node("RA");
-  surfaces.leftAtrium = node("LA");
-  surfaces.greatVessels = leastOf({node("aorta"), node("pulmonary"), node("cavae"), node("veins_pulm")});
-  return sequences::sampleHeartAnatomy(surfaces);
-}
-
-/// Handles, coordinates and cavities of one heart, and how its corrections are found.
+/// The sample heart's beat, and how its corrections are found.
 class HeartbeatMaker {
 public:
-  HeartbeatMaker(const SampleLibrary& library, const sample_organs::SampleOrgan& heart,
-                 const document::SystemChoice& system, Threads threads)
-      : heart_(heart), system_(system), threads_(threads), numbers_(library.cache),
-        motion_(makeHeartRig(anatomyOf(library))), rest_(motion_.rig().restHandles()),
-        compensation_(compensationFor(rest_, system, threads)) {}
+  HeartbeatMaker(const SampleLibrary& library, const sample_organs::SampleOrgan& organ, Threads threads)
+      : organ_(organ), threads_(threads), numbers_(library.cache), heart_(sampleHeart(library, threads)) {}
 
-  /// The heart as a course says, whose volumes are those of a circulation.
-  std::shared_ptr<const sequences::Sequence> follow(sequences::HeartCourse course, Progress& progress) const {
-    const auto at = [&course](double phase) { return course.at(phase); };
-    std::vector<double> volumes;
-    for (const sequences::CourseInstant& instant : course.instants)
-      volumes.insert(volumes.end(), {instant.volumes.leftMl, instant.volumes.rightMl});
-    const std::uint64_t key = contentHash(
-        {reinterpret_cast<const char*>(volumes.data()), volumes.size() * sizeof(double)}, keyOf(at));
-    const auto found = kept("heartbeat-course-", key, [&] {
-      return sequences::calibrateCourse(motion_, at, compensation_, measured(), progress);
-    });
-    return std::make_shared<sequences::CourseHeartbeat>(motion_, std::move(course), compensation_, found);
-  }
+  const document::SystemChoice& system() const { return heart_.system; }
 
   std::shared_ptr<const sequences::Sequence> make(Progress& progress) const {
-    return std::make_shared<sequences::CalibratedHeartbeat>(motion_, cycle_, compensation_,
+    return std::make_shared<sequences::CalibratedHeartbeat>(heart_.motion, cycle_, heart_.compensation,
                                                             calibration(progress));
   }
 
 private:
+  /// What the cache has, or what is found now and kept.
   HeartbeatCalibration calibration(Progress& progress) const {
-    const auto at = [this](double phase) {
-      return sequences::CourseInstant{uncorrectedState(cycle_, phase), cycle_.volumes(phase)};
-    };
-    return kept("heartbeat-", keyOf(at),
-                [&] { return calibrateHeartbeat(motion_, cycle_, compensation_, measured(), progress); });
-  }
-
-  /// What the cache has under that name and key, or what is found now and kept.
-  HeartbeatCalibration kept(const std::string& prefix, std::uint64_t key,
-                            const std::function<HeartbeatCalibration()>& find) const {
-    const std::string name = prefix + sample_organs::nameOf(heart_.resolution);
+    const std::uint64_t key = cacheKey();
+    const std::string name = std::string("heartbeat-") + sample_organs::nameOf(organ_.resolution);
     if (const auto known = numbers_.load(name, key)) {
       const auto left = known->find("leftGain");
       const auto right = known->find("rightShift");
       if (left != known->end() && right != known->end())
         return {left->second, right->second};
     }
-    const HeartbeatCalibration found = find();
+    const HeartbeatCalibration found =
+        sequences::calibrateHeartbeat(heart_.motion, cycle_, heart_.compensation, measured(), progress);
     numbers_.store(name, key, {{"leftGain", found.leftGain}, {"rightShift", found.rightShift}});
     return found;
   }
 
   sequences::MeasureCavities measured() const {
-    const auto left = std::make_shared<MovedVolume>(surfaceOf(heart_, "lv"), rest_, system_, threads_);
-    const auto right = std::make_shared<MovedVolume>(surfaceOf(heart_, "rv"), rest_, system_, threads_);
-    return [left, right](const Points& pose) { return CavityVolumes{left->at(pose), right->at(pose)}; };
+    const auto moved = [&](const char* name) {
+      return std::make_shared<MovedVolume>(surfaceOf(organ_, name), heart_.rest, heart_.system, threads_);
+    };
+    return [left = moved("lv"), right = moved("rv")](const Points& pose) {
+      return CavityVolumes{left->at(pose), right->at(pose)};
+    };
   }
 
   /// The cavities, the handles, and what the motion makes of them at a few instants: whoever changes a
   /// formula, a curve or the coordinates changes the key.
-  std::uint64_t keyOf(const sequences::CourseOverPhase& course) const {
+  std::uint64_t cacheKey() const {
     std::uint64_t key = 0;
     const auto add = [&key](const auto& array) {
       key = contentHash({reinterpret_cast<const char*>(array.data()),
@@ -195,34 +149,32 @@ private:
                         key);
     };
     for (const char* name : {"lv", "rv"}) {
-      add(surfaceOf(heart_, name)->points);
-      add(surfaceOf(heart_, name)->triangles);
+      add(surfaceOf(organ_, name)->points);
+      add(surfaceOf(organ_, name)->triangles);
     }
-    add(rest_);
+    add(heart_.rest);
     Points pose;
     for (const double phase : {0.05, 0.2, 0.3, 0.5, 0.65}) {
-      motion_.pose(course(phase).state, pose);
-      compensation_.apply(rest_, pose);
+      heart_.motion.pose(uncorrectedState(cycle_, phase), pose);
+      heart_.compensation.apply(heart_.rest, pose);
       add(pose);
     }
     return key;
   }
 
-  const sample_organs::SampleOrgan& heart_;
-  const document::SystemChoice& system_;
+  const sample_organs::SampleOrgan& organ_;
   Threads threads_;
   NumberCache numbers_;
   CardiacCycle cycle_;
-  HeartMotion motion_;
-  Points rest_;
-  PoseCompensation compensation_;
+  SampleHeart heart_;
 };
 
 /// Calibrated on the cavities of its heart. The corrections are kept in the library's cache under the hash of
 /// all that they depend on; calibrating takes about a second otherwise.
 void makeHeartbeat(const SampleLibrary& library, SequenceSetup& setup, Progress& progress, Threads threads) {
-  setup.system = softCoordinates(kSoftnessMm);
-  setup.sequence = HeartbeatMaker(library, setup.organ, setup.system, threads).make(progress);
+  const HeartbeatMaker maker(library, setup.organ, threads);
+  setup.system = maker.system();
+  setup.sequence = maker.make(progress);
 }
 
 void makePeristalsis(const SampleLibrary& library, SequenceSetup& setup, Progress& /*progress*/,
@@ -267,20 +219,6 @@ const std::vector<SampleSequence>& sampleSequences() {
     return all;
   }();
   return list;
-}
-
-SequenceSetup courseSetup(const SampleLibrary& library, const sequences::HeartCourse& course,
-                          sample_organs::Resolution resolution, Progress& progress, Threads threads) {
-  SequenceSetup setup;
-  runPart(progress, 0, kHeartPart, [&](Progress& part) {
-    setup.organ = sample_organs::sampleOrgan(library, "heart", resolution, part, threads);
-  });
-  setup.system = softCoordinates(kSoftnessMm);
-  runPart(progress, kHeartPart, 1, [&](Progress& part) {
-    setup.sequence = HeartbeatMaker(library, setup.organ, setup.system, threads).follow(course, part);
-  });
-  setup.rig = document::rigOf(*setup.sequence);
-  return setup;
 }
 
 SequenceSetup setUpSequence(const sample_organs::SampleLibrary& library, const std::string& id,

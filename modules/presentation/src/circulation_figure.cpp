@@ -1,6 +1,7 @@
 #include "viscera/presentation/circulation_figure.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 
@@ -20,7 +21,7 @@ const Vec3 kVentricle = {0.84, 0.37, 0.0};
 const Vec3 kArtery = {0.80, 0.24, 0.48};
 const Vec3 kAtrium = {0.0, 0.45, 0.70};
 const Vec3 kRight = {0.0, 0.45, 0.70};
-const Vec3 kSign = {0.25, 0.30, 0.34};
+const Vec3 kSign = {0.50, 0.57, 0.62}; ///< Seen on dark and on light grounds.
 const Vec3 kRelation = {0.0, 0.62, 0.45};
 const Vec3 kBefore = {0.55, 0.58, 0.61};
 
@@ -36,6 +37,41 @@ struct Strip {
 };
 constexpr Strip kPressures{0.50, 0.95}, kValves{0.415, 0.475}, kVolume{0.245, 0.39}, kEcg{0.15, 0.225},
     kSound{0.065, 0.13};
+
+// A low and wide window, in pixels; the strips share the height that gaps and labels leave.
+constexpr double kStripLeft = 52, kStripRight = 12, kStripBottom = 40, kStripTop = 8, kStripGap = 5;
+constexpr std::array<double, 5> kStripHeights = {0.38, 0.09, 0.17, 0.18, 0.18};
+constexpr double kWiggersPart = 0.5; ///< Of the width.
+constexpr int kFewTicks = 4, kTwoTicks = 2;
+constexpr std::size_t kMostStripPoints = 600;
+
+/// Pixels as parts of a window.
+class StripRoom {
+public:
+  StripRoom(int width, int height) : width_(std::max(1, width)), height_(std::max(1, height)) {}
+  double partOfWidth(double pixels) const { return pixels / width_; }
+  double partOfHeight(double pixels) const { return pixels / height_; }
+
+private:
+  double width_, height_;
+};
+
+/// Every other point where there are more than a small chart has pixels; both ends stay.
+void thin(PanelCurve& curve) {
+  while (curve.x.size() > kMostStripPoints) {
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < curve.x.size(); i += 2, ++kept) {
+      curve.x[kept] = curve.x[i];
+      curve.y[kept] = curve.y[i];
+    }
+    if (curve.x.size() % 2 == 0) {
+      curve.x[kept] = curve.x.back();
+      curve.y[kept++] = curve.y.back();
+    }
+    curve.x.resize(kept);
+    curve.y.resize(kept);
+  }
+}
 
 CurvePanel strip(const Strip& place, double right, double period, const std::string& yTitle) {
   CurvePanel panel;
@@ -172,6 +208,51 @@ std::vector<CurvePanel> loopPanels(const ShownCirculation& shown, const ShownCir
   lower.bottom = 0.065;
   lower.top = 0.35;
   return {upper, lower};
+}
+
+std::vector<CurvePanel> circulationStrip(const ShownCirculation& shown, const ShownCirculation* before,
+                                         int width, int height) {
+  const StripRoom room(width, height);
+  std::vector<CurvePanel> panels = wiggersPanels(shown, room.partOfWidth(kWiggersPart * width));
+  double top = height - kStripTop;
+  const double usable = top - kStripBottom - kStripGap * static_cast<double>(kStripHeights.size() - 1);
+  for (std::size_t i = 0; i < panels.size(); ++i) {
+    CurvePanel& panel = panels[i];
+    panel.left = room.partOfWidth(kStripLeft);
+    panel.top = room.partOfHeight(top);
+    top -= kStripHeights[i] * usable;
+    panel.bottom = room.partOfHeight(top);
+    top -= kStripGap;
+    panel.mostYTicks = i == 0 ? kFewTicks : kTwoTicks;
+  }
+  double left = kWiggersPart * width + kStripLeft;
+  const double each = ((1 - kWiggersPart) * width - 2 * kStripLeft - kStripRight) / 2;
+  for (CurvePanel& panel : loopPanels(shown, before, 0)) {
+    panel.left = room.partOfWidth(left);
+    panel.right = room.partOfWidth(left + each);
+    panel.bottom = room.partOfHeight(kStripBottom);
+    panel.top = room.partOfHeight(height - kStripTop);
+    panel.mostXTicks = panel.mostYTicks = kFewTicks;
+    left += each + kStripLeft;
+    panels.push_back(std::move(panel));
+  }
+  for (CurvePanel& panel : panels) {
+    panel.title.clear();
+    panel.legend = false;
+    for (PanelCurve& curve : panel.curves)
+      thin(curve);
+  }
+  return panels;
+}
+
+std::vector<CirculationLine> circulationLegend(const ShownCirculation* before) {
+  std::vector<CirculationLine> lines = {{"Left ventricle", kVentricle},
+                                        {"Aorta", kArtery},
+                                        {"Left atrium, right ventricle", kAtrium},
+                                        {"End-systolic and relaxed", kRelation}};
+  if (before)
+    lines.push_back({before->name, kBefore, true});
+  return lines;
 }
 
 std::vector<CurvePanel> circulationFigure(const ShownCirculation& shown, const ShownCirculation* before) {

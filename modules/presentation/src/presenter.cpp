@@ -7,8 +7,10 @@
 #include <vtkCamera.h>
 #include <vtkRenderer.h>
 
+#include "cut_picture.h"
 #include "handle_picture.h"
 #include "organ_picture.h"
+#include "standing_picture.h"
 #include "stress_picture.h"
 #include "viscera/presentation/space_parts.h"
 
@@ -44,15 +46,18 @@ struct LegendText {
 struct Presenter::Parts {
   Parts(scene::OrganView& viewIn, Threads threads, Translate translateIn)
       : view(viewIn), translate(translateIn ? std::move(translateIn) : same), organs(viewIn, threads),
-        handles(viewIn), stress(viewIn), labels(viewIn), measurements(viewIn) {}
+        handles(viewIn), stress(viewIn), cut(viewIn), labels(viewIn), measurements(viewIn),
+        standing(viewIn, threads) {}
 
   scene::OrganView& view;
   Translate translate;
   OrganPicture organs;
   HandlePicture handles;
   StressPicture stress;
+  CutPicture cut;
   scene::OrganLabels labels;
   scene::MeasurementGlyphs measurements;
+  StandingPicture standing;
 
   std::shared_ptr<const document::OrganList> labelled; ///< Whose names are written.
   /// Of the hulls that are drawn.
@@ -115,12 +120,14 @@ void Presenter::Parts::updateColors(const Scene& scene) {
   const SurfaceMap* map = scene.map ? scene.map : influence.values.empty() ? nullptr : &influence;
   auto appearances = stress.appearances(scene);
   if (!map || !appearances.empty()) {
+    cut.apply(scene, appearances);
     organs.updateLooks(scene, appearances, stress.colors());
     return updateLegend(stressLegend(scene));
   }
   for (const auto& [id, values] : map->values)
     if (const auto organ = scene.state.organ(id))
       appearances[id] = {organ->look.visible, organ->look.opacity, std::nullopt, values};
+  cut.apply(scene, appearances);
   organs.updateLooks(scene, appearances, {map->colors, map->range, mapsMade});
   updateLegend(LegendText{map->title, map->unit, map->mark, map->colors, map->range});
 }
@@ -226,11 +233,13 @@ void Presenter::update(const Scene& scene) {
   const bool others = p.organs.updateOrgans(scene);
   p.organs.updateGuests(scene.guests ? *scene.guests : std::vector<Guest>());
   p.stress.update(scene);
+  p.cut.update(scene);
   p.updateColors(scene);
   p.handles.update(scene, p.stress.shownWhere(scene));
   p.updateRegions(scene);
   p.updateLabels(scene, others);
   p.updateMeasurements(scene);
+  p.standing.update(scene);
   view_.setOrientationCubeShown(scene.view.orientationCube);
   view_.setScaleBarShown(scene.view.scaleBar);
 }

@@ -19,8 +19,8 @@ Bounds joined(const Bounds& a, const Bounds& b) {
 } // namespace
 
 Stage::Stage(int width, int height, const scene::Theme& theme, Threads threads,
-             Presenter::Translate translate)
-    : window_(width, height), presenter_(view_, threads, std::move(translate)) {
+             Presenter::Translate translate, double pixelRatio)
+    : window_(width, height, pixelRatio), presenter_(view_, threads, std::move(translate)) {
   view_.setWindow(window_.window());
   view_.setTheme(theme);
 }

@@ -97,6 +97,7 @@ void visitSwitches(ViewState& view, Visit visit) {
   visit("zones", "handles.zones", view.layout.zones);
   visit("superRegions", "handles.superRegions", view.layout.superRegions);
   visit("chartOfCycle", "play.cycle", view.chartOfCycle);
+  visit("circulationChart", "play.circulationChart", view.circulationChart);
 }
 
 template <class Visit>
@@ -174,6 +175,72 @@ StressLook stressFromSettings(const ordered_json& settings) {
   return stressFrom(item);
 }
 
+template <class Visit>
+void visitScan(ScanLook& look, Visit visit) {
+  visit("layout", look.layout);
+  visit("level", look.level);
+  visit("width", look.width);
+  visit("slabMm", look.slabMm);
+  visit("maximum", look.maximum);
+  visit("smooth", look.smooth);
+  visit("contours", look.contours);
+  visit("rest", look.rest);
+  visit("standing", look.standing);
+  visit("bent", look.bent);
+}
+
+template <class Visit>
+void visitFraming(SliceFraming& framing, Visit visit) {
+  visit("rightMm", framing.rightMm);
+  visit("upMm", framing.upMm);
+  visit("zoom", framing.zoom);
+}
+
+ordered_json scanJson(ScanLook look) {
+  ordered_json item;
+  visitScan(look, [&](const char* key, const auto& value) { item[key] = value; });
+  if (look.width <= 0) {
+    item.erase("level");
+    item.erase("width");
+  }
+  if (look.focus)
+    item["focus"] = listOf(*look.focus);
+  for (SliceFraming& framing : look.framings) {
+    ordered_json one;
+    visitFraming(framing, [&](const char* key, const auto& value) { one[key] = value; });
+    item["framings"].push_back(one);
+  }
+  return item;
+}
+
+/// A number of a look, or `otherwise` for one that nothing can be drawn with.
+double within(double value, double low, double high, double otherwise) {
+  return std::isfinite(value) && value >= low && value <= high ? value : otherwise;
+}
+
+ScanLook scanFrom(const ordered_json& item) {
+  constexpr double kFar = 1e6;
+  constexpr double kMostSlabMm = 200, kMostZoom = 1000;
+  ScanLook look;
+  visitScan(look, [&](const char* key, auto& value) { take(item, key, value); });
+  if (item.contains("focus"))
+    look.focus = vectorOf(item.at("focus"));
+  if (look.focus && !(look.focus->cwiseAbs().maxCoeff() < kFar))
+    look.focus.reset();
+  look.level = within(look.level, -kFar, kFar, 0);
+  look.width = within(look.width, 0, kFar, 0);
+  look.slabMm = within(look.slabMm, 0, kMostSlabMm, 0);
+  const ordered_json framings = item.value("framings", ordered_json::array());
+  for (std::size_t i = 0; i < std::min(framings.size(), look.framings.size()); ++i) {
+    SliceFraming& framing = look.framings[i];
+    visitFraming(framing, [&](const char* key, double& value) { take(framings[i], key, value); });
+    framing.rightMm = within(framing.rightMm, -kFar, kFar, 0);
+    framing.upMm = within(framing.upMm, -kFar, kFar, 0);
+    framing.zoom = within(framing.zoom, 1 / kMostZoom, kMostZoom, 1);
+  }
+  return look;
+}
+
 /// What the modes of format 1 showed.
 Shown shownByMode(const std::string& mode, bool sequenceShown) {
   Shown shown;
@@ -212,6 +279,32 @@ Playing playingFrom(const ordered_json& item) {
   return playing;
 }
 
+OrganCut cutFrom(const ordered_json& item) {
+  OrganCut cut;
+  take(item, "on", cut.on);
+  if (item.contains("normal"))
+    cut.normal = unit(vectorOf(item.at("normal")));
+  take(item, "offset", cut.offset);
+  cut.offset = std::clamp(std::isfinite(cut.offset) ? cut.offset : 0.0, -1.0, 1.0);
+  return cut;
+}
+
+ordered_json slideJson(const Slide& slide) {
+  ordered_json item = {{"caption", slide.caption}, {"camera", cameraJson(slide.camera)}};
+  if (slide.fraction)
+    item["fraction"] = *slide.fraction;
+  return item;
+}
+
+Slide slideFrom(const ordered_json& item) {
+  Slide slide;
+  take(item, "caption", slide.caption);
+  slide.camera = cameraFrom(item.at("camera"));
+  if (item.contains("fraction"))
+    slide.fraction = std::clamp(item.at("fraction").get<double>(), 0.0, 1.0);
+  return slide;
+}
+
 Points rowsFrom(const ordered_json& rows) {
   Points points(static_cast<Eigen::Index>(rows.size()), 3);
   for (std::size_t i = 0; i < rows.size(); ++i)
@@ -230,6 +323,10 @@ ViewState viewFrom(const ordered_json& item) {
     view.motions.push_back({{motion.at("organ").get<std::int64_t>()}, motion.at("recipe").dump()});
   if (item.contains("playing"))
     view.playing = playingFrom(item.at("playing"));
+  if (item.contains("cut"))
+    view.cut = cutFrom(item.at("cut"));
+  for (const ordered_json& slide : item.value("slides", ordered_json::array()))
+    view.slides.push_back(slideFrom(slide));
   if (item.contains("shownPose"))
     view.shownPose = rowsFrom(item.at("shownPose"));
   if (item.value("format", 1) < kFormat) {
@@ -242,6 +339,8 @@ ViewState viewFrom(const ordered_json& item) {
   view.mirror = fromName<Mirror>(kMirrors, item.value("mirror", ordered_json()));
   if (item.contains("stress"))
     view.stress = stressFrom(item.at("stress"));
+  if (item.contains("scan"))
+    view.scan = scanFrom(item.at("scan"));
   return view;
 }
 
@@ -252,7 +351,8 @@ bool ViewState::operator==(const ViewState& other) const {
     return std::tie(view.mode, view.shown, view.camera, view.handles, view.influence, view.ghost, view.labels,
                     view.measurements, view.orientationCube, view.scaleBar, view.gizmo, view.mirror,
                     view.layout.regions, view.layout.zones, view.layout.superRegions, view.chartOfCycle,
-                    view.stress, view.selection, view.motions, view.playing);
+                    view.circulationChart, view.stress, view.cut, view.scan, view.selection, view.motions,
+                    view.playing, view.slides);
   };
   return parts(*this) == parts(other) && shownPose.rows() == other.shownPose.rows() &&
          shownPose == other.shownPose;
@@ -279,6 +379,8 @@ std::string toJson(const ViewState& state) {
   visitSwitches(view, [&](const char* key, const char*, bool value) { item[key] = value; });
   item["mirror"] = kMirrors[static_cast<std::size_t>(view.mirror)];
   item["stress"] = stressJson(view.stress);
+  item["scan"] = scanJson(view.scan);
+  item["cut"] = {{"on", view.cut.on}, {"normal", listOf(view.cut.normal)}, {"offset", view.cut.offset}};
   item["selection"] = {{"organ", view.selection.organ.value}, {"group", view.selection.group.value}};
   item["selection"]["handles"] = ordered_json::array();
   for (const document::HandleId id : view.selection.handles)
@@ -289,6 +391,10 @@ std::string toJson(const ViewState& state) {
         {{"organ", motion.organ.value}, {"recipe", ordered_json::parse(motion.recipe)}});
   if (view.playing)
     visitPlaying(*view.playing, [&](const char* key, const auto& value) { item["playing"][key] = value; });
+  if (!view.slides.empty())
+    item["slides"] = ordered_json::array();
+  for (const Slide& slide : view.slides)
+    item["slides"].push_back(slideJson(slide));
   if (view.shownPose.rows() > 0) {
     item["shownPose"] = ordered_json::array();
     for (const auto& row : view.shownPose.rowwise())

@@ -3,10 +3,15 @@
 #include <chrono>
 #include <condition_variable>
 #include <exception>
+#include <functional>
+#include <memory>
 #include <mutex>
 #include <optional>
 #include <string>
 #include <thread>
+#include <utility>
+
+#include <unistd.h>
 
 namespace viscera::python {
 namespace {
@@ -59,6 +64,60 @@ private:
   std::optional<py::error_already_set> raised_;
 };
 
+/// A thread that does one job after the other. It stays: a new one would have to make OpenMP's threads and
+/// its part of the heap anew, which costs half a millisecond.
+class Worker {
+public:
+  Worker() : thread_([this] { work(); }) {}
+  ~Worker() {
+    give(nullptr);
+    if (process_ == getpid())
+      thread_.join();
+    else
+      thread_.detach(); // A fork has copied this object, but no thread.
+  }
+  Worker(const Worker&) = delete;
+  Worker& operator=(const Worker&) = delete;
+
+  bool alive() const { return process_ == getpid(); }
+  /// Null ends the thread. The one before has to be done.
+  void give(std::function<void()> job) {
+    const std::lock_guard lock(mutex_);
+    job_ = std::move(job);
+    given_ = true;
+    wake_.notify_one();
+  }
+
+private:
+  void work() {
+    while (true) {
+      std::unique_lock lock(mutex_);
+      wake_.wait(lock, [this] { return given_; });
+      given_ = false;
+      const auto job = std::exchange(job_, nullptr);
+      lock.unlock();
+      if (!job)
+        return;
+      job();
+    }
+  }
+
+  std::mutex mutex_;
+  std::condition_variable wake_;
+  std::function<void()> job_;
+  bool given_ = false;
+  const pid_t process_ = getpid();
+  std::thread thread_; ///< Last: it works with all above.
+};
+
+/// The worker of the calling thread.
+Worker& ownWorker() {
+  thread_local std::unique_ptr<Worker> worker;
+  if (!worker || !worker->alive())
+    worker = std::make_unique<Worker>();
+  return *worker;
+}
+
 void waitFor(Shared& shared, Watcher& watcher) {
   std::unique_lock lock(shared.mutex);
   bool done = false;
@@ -77,16 +136,19 @@ void waitFor(Shared& shared, Watcher& watcher) {
 
 void runLong(const py::object& listener, const std::function<void(Progress&)>& job) {
   Shared shared;
-  Progress progress([&](double fraction, const std::string& step) {
-    const std::lock_guard lock(shared.mutex);
-    shared.fraction = fraction;
-    shared.step = step;
-    shared.fresh = true;
-  });
+  Progress::Listener hear;
+  if (!listener.is_none())
+    hear = [&](double fraction, const std::string& step) {
+      const std::lock_guard lock(shared.mutex);
+      shared.fraction = fraction;
+      shared.step = step;
+      shared.fresh = true;
+    };
+  Progress progress(std::move(hear)); // Where nobody listens, a job of milliseconds would feel the reports.
   Watcher watcher(listener, progress);
   {
     const py::gil_scoped_release released;
-    std::thread worker([&] {
+    ownWorker().give([&] {
       try {
         job(progress);
       } catch (...) {
@@ -97,7 +159,6 @@ void runLong(const py::object& listener, const std::function<void(Progress&)>& j
       shared.changed.notify_one();
     });
     waitFor(shared, watcher);
-    worker.join();
   }
   watcher.rethrow();
   if (shared.failure)

@@ -8,8 +8,9 @@
 #include <pybind11/stl/filesystem.h>
 
 #include "array_memory.h"
+#include "file_motion.h"
 #include "long_jobs.h"
-#include "motion_source.h"
+#include "parts.h"
 #include "viscera/motion/retarget.h"
 #include "viscera/motion/sequence_file.h"
 #include "viscera/motion/sequence_setup.h"
@@ -62,15 +63,7 @@ std::shared_ptr<MotionSource> fittedSequence(const std::string& id, const py::ob
 }
 
 std::shared_ptr<MotionSource> sequenceOfFile(const path& file) {
-  const auto read = unlocked([&] { return motion::readSequence(file); });
-  MotionSource source;
-  source.sequence = std::make_shared<sequences::KeyframedSequence>(read.track);
-  source.labels = read.labels;
-  if (read.system) {
-    source.system = read.system->id;
-    source.parameters = read.system->parameters;
-  }
-  return std::make_shared<MotionSource>(std::move(source));
+  return std::make_shared<MotionSource>(sourceOf(unlocked([&] { return motion::readSequence(file); })));
 }
 
 std::vector<std::string> sequenceNames() {
@@ -96,11 +89,11 @@ py::list loadPlugins(const std::vector<path>& searchPath) {
 } // namespace
 } // namespace viscera::python
 
-/// Ready sequences and plugins: what takes Qt's core.
+/// Ready sequences, the motion of patients, plugins: what takes Qt's core.
 PYBIND11_MODULE(_motion, module) {
   namespace py = pybind11;
   py::module_::import("viscera._core"); // brings the errors and the classes
-  module.doc() = "Ready sequences, sequence files and plugins.";
+  module.doc() = "Ready sequences, sequence files, the motion of patients, plugins.";
   module.def("sequence_names", &viscera::python::sequenceNames, "The sequences there are.");
   module.def("ready_sequence", &viscera::python::readySequence, py::arg("name"), py::arg("resolution"),
              py::arg("progress"), "A sequence on its sample organ.");
@@ -110,4 +103,5 @@ PYBIND11_MODULE(_motion, module) {
   module.def("sequence_of_file", &viscera::python::sequenceOfFile, py::arg("path"), "A .sequence.json file.");
   module.def("load_plugins", &viscera::python::loadPlugins, py::arg("search_path"),
              "File, systems and problem of every plugin.");
+  viscera::python::addPatientMotion(module);
 }

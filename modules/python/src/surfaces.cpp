@@ -159,7 +159,8 @@ void addSurfaces(py::module_& module) {
   const auto triangles = py::arg("triangles");
   module.def("volume", &volume, points, triangles, py::arg("threads") = 0,
              "The signed volume (mm^3) inside a closed surface: points n x 3 mm, triangles m x 3. O(m).");
-  module.def("area", &area, points, triangles, "The area (mm^2). O(m).");
+  module.def("area", &area, points, triangles,
+             "The area (mm^2) of a surface: points n x 3 mm, triangles m x 3. O(m).");
   module.def("point_volume_gradient", &pointGradient, points, triangles, py::arg("threads") = 0,
              "The derivative of the volume with respect to every point: n x 3, mm^2. O(m).");
   module.def("volume_gradient", &volumeGradient, py::arg("binding"), triangles,
@@ -167,14 +168,16 @@ void addSurfaces(py::module_& module) {
              "The derivative of the volume with respect to every handle: h x 3, mm^2, at the pose `handles` "
              "(h x 3 mm; none: at rest). O(n h + m).");
   module.def("check_surface", &check, points, triangles,
-             "What a surface is worth as an organ: closed, manifold, outward, boundary_edges, "
+             "What a surface (points n x 3 mm, triangles m x 3) is worth as an organ: closed, manifold, "
+             "outward, boundary_edges, "
              "non_manifold_edges, misoriented_edges, degenerate_triangles, unused_vertices, components, "
              "volume_mm3, area_mm2, faults (sentences). O(m log m).");
   module.def("vertex_normals", &normals, points, triangles, "Unit normals of the vertices: n x 3, float32.");
   module.def(
       "place_handles", &placeHandles, points, triangles, py::arg("count") = 30, py::arg("enclosing") = true,
       py::arg("offset") = 0.03, py::arg("margin") = 0.15,
-      "`count` handles (count x 3, mm) just off a surface, spread evenly; with `enclosing` the corners of a "
+      "`count` handles (count x 3, mm) just off a surface (points n x 3 mm, triangles m x 3), spread evenly; "
+      "with `enclosing` the corners of a "
       "box around it come first, so that every vertex can be bound. `offset` and `margin` (of the box) are "
       "parts of the surface's diagonal. Deterministic.");
   module.def(
@@ -182,7 +185,7 @@ void addSurfaces(py::module_& module) {
       [](const py::object& array, double margin) {
         return handOver(deformation::enclosingHandles(*pointsFrom(array, "points"), margin));
       },
-      points, py::arg("margin") = 0.15, "The 8 corners (8 x 3, mm) of a box around points.");
+      points, py::arg("margin") = 0.15, "The 8 corners (8 x 3, mm) of a box around points (n x 3, mm).");
   module.def(
       "groups_along_axis", &groupsAlongAxis, py::arg("handles"), points, py::arg("count"),
       py::arg("overlap") = 0.25,
@@ -194,9 +197,11 @@ void addSurfaces(py::module_& module) {
       "Fills a closed surface with tetrahedra of at most `max_volume` (mm^3; 0: any) by TetGen, in a "
       "process of its own that is ended after `time_limit` (s): points (n x 3, mm), tetrahedra (t x 4) "
       "and the number of points, the first ones, that lie inside.");
-  module.def("grid_witnesses", &gridWitnesses, points, triangles, py::arg("count"),
-             py::arg("progress") = py::none(),
-             "About `count` points on a regular grid inside a surface of any state, likewise.");
+  module.def(
+      "grid_witnesses", &gridWitnesses, points, triangles, py::arg("count"), py::arg("progress") = py::none(),
+      "About `count` points on a regular grid inside a surface (points n x 3 mm, triangles m x 3) of any "
+      "state, likewise: points p x 3 mm, tetrahedra t x 4, and how many points lie inside. Raises "
+      "DataError, Cancelled.");
 }
 
 } // namespace viscera::python

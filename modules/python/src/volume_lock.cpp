@@ -132,7 +132,9 @@ void addVolumeLock(py::module_& module) {
            "The same lock for other volumes (mm^3, one a surface); costs nothing.")
       .def("volumes", &volumes, py::arg("handles"), "The volumes at a pose (h x 3, mm), mm^3.")
       .def("translation_gradient", &translationGradient, py::arg("handles"), py::arg("selection"),
-           "How much the volumes change when the handles `selection` move together: surfaces x 3, mm^2.")
+           "How much the volumes change at a pose (h x 3, mm) when the handles `selection` move together: "
+           "surfaces x 3, "
+           "mm^2.")
       .def("restore", &restore, py::arg("handles"), py::arg("free") = py::none(),
            py::arg("limit") = py::none(),
            "Moves the handles `free` (none: those of the pose that are at rest) by the least that gives the "

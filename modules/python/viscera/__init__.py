@@ -1,14 +1,17 @@
 """Viscera: organs that follow handles floating around them, on arrays of numpy.
 
-Lengths are mm in the patient's LPS axes, volumes mm^3, angles rad, times s. Points are n x 3 float64, triangles m x 3
-int32, both C-contiguous; arrays that functions here return are taken by others without a copy, any other array is
-copied once. Long jobs let other threads run, report progress and end on Ctrl+C.
+Lengths are mm in the patient's LPS axes, volumes mm^3, angles rad, times s; of blood ml and mmHg. Points are n x 3
+float64, triangles m x 3 int32, both C-contiguous; arrays that functions here return are taken by others without a copy,
+any other array is copied once. Long jobs let other threads run, report progress and end on Ctrl+C.
 """
 
 from ._core import (
     Binding,
+    Circulation,
+    CirculationParameter,
     Parameter,
     RestoredPose,
+    Scenario,
     Sequence,
     StressMap,
     StressPoints,
@@ -19,17 +22,20 @@ from ._core import (
     as_triangles,
     breathing,
     check_surface,
+    circulation_parameters,
     enclosing_handles,
     grid_witnesses,
     groups_along_axis,
     keyframes,
     place_handles,
     point_volume_gradient,
+    scenarios,
     tetrahedralise,
     vertex_normals,
     volume,
     volume_gradient,
 )
+from .circulation import circulate, circulation_response
 from .deformation import bind, lock_volume, rotational_stress, sweep
 from .errors import (
     Cancelled,
@@ -51,13 +57,15 @@ from .files import (
     write_handles,
     write_surface,
 )
-from .motion import sequence, sequence_names
+from .motion import sequence, sequence_names, track
 from .catalogue import PluginReport, load_plugins, system, systems
 
 __all__ = [
     "Binding",
     "Cancelled",
     "CannotCreateError",
+    "Circulation",
+    "CirculationParameter",
     "DataError",
     "Error",
     "MissingPart",
@@ -65,6 +73,7 @@ __all__ = [
     "Parameter",
     "PluginReport",
     "RestoredPose",
+    "Scenario",
     "Sequence",
     "StressMap",
     "StressPoints",
@@ -79,6 +88,9 @@ __all__ = [
     "bind",
     "breathing",
     "check_surface",
+    "circulate",
+    "circulation_parameters",
+    "circulation_response",
     "enclosing_handles",
     "grid_witnesses",
     "groups_along_axis",
@@ -93,12 +105,14 @@ __all__ = [
     "rotational_stress",
     "sample_names",
     "sample_organ",
+    "scenarios",
     "sequence",
     "sequence_names",
     "sweep",
     "system",
     "systems",
     "tetrahedralise",
+    "track",
     "vertex_normals",
     "volume",
     "volume_gradient",

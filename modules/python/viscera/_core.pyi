@@ -120,6 +120,41 @@ class Sequence:
     def pose(self, seconds: float, rate: Optional[float] = None) -> Floats: ...
     def phases(self, rate: Optional[float] = None) -> list[tuple[str, float, float]]: ...
 
+class Scenario:
+    id: str
+    name: str
+    summary: str
+    @property
+    def changes(self) -> dict[str, float]: ...
+
+class CirculationParameter:
+    name: str
+    title: str
+    unit: str
+    rest: float
+    minimum: float
+    maximum: float
+    source: str
+
+class Circulation:
+    scenario: str
+    @property
+    def parameters(self) -> dict[str, float]: ...
+    @property
+    def converged(self) -> bool: ...
+    @property
+    def complaint(self) -> str: ...
+    @property
+    def beats(self) -> int: ...
+    @property
+    def volume_error_ml(self) -> float: ...
+    @property
+    def curves(self) -> dict[str, Floats]: ...
+    @property
+    def indices(self) -> dict[str, Any]: ...
+    @property
+    def sounds(self) -> list[tuple[str, float, float]]: ...
+
 def built_in_systems() -> list[System]: ...
 def bind(
     points: ArrayLike,
@@ -177,3 +212,15 @@ def keyframes(
 def breathing(
     rest_handles: ArrayLike, points: ArrayLike, down: float = 15.0, forward: float = 4.0
 ) -> Sequence: ...
+def scenarios() -> list[Scenario]: ...
+def circulation_parameters() -> list[CirculationParameter]: ...
+def circulate(
+    scenario: str, parameters: Mapping[str, float], near: Optional[Circulation], progress: Optional[Progress]
+) -> Circulation: ...
+def circulation_response(
+    name: str,
+    values: ArrayLike,
+    scenario: str,
+    parameters: Mapping[str, float],
+    progress: Optional[Progress],
+) -> list[dict[str, Any]]: ...

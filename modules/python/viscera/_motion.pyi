@@ -1,8 +1,22 @@
-from typing import Mapping, Optional, Sequence as ListOf
+from typing import Any, Mapping, Optional, Sequence as ListOf
 
 from numpy.typing import ArrayLike
 
 from ._core import Progress, Sequence, System
+
+class PatientMotion:
+    tissue_ml: list[float]
+    corresponding: bool
+    warnings: list[str]
+    @property
+    def sequence(self) -> Sequence: ...
+    @property
+    def phases(self) -> list[dict[str, Any]]: ...
+    @property
+    def indices(self) -> dict[str, dict[str, float]]: ...
+    @property
+    def fit(self) -> str: ...
+    def write(self, path: str) -> None: ...
 
 def sequence_names() -> list[str]: ...
 def ready_sequence(name: str, resolution: str, progress: Optional[Progress]) -> Sequence: ...
@@ -15,3 +29,18 @@ def fitted_sequence(
 ) -> Sequence: ...
 def sequence_of_file(path: str) -> Sequence: ...
 def load_plugins(search_path: ListOf[str]) -> list[tuple[str, list[System], str]]: ...
+def track(
+    phases: ListOf[str],
+    surfaces: ListOf[tuple[str, ListOf[str]]],
+    handles: int,
+    rig: Optional[ArrayLike],
+    period: Optional[float],
+    times: ListOf[float],
+    leave_out: ListOf[int],
+    loop: bool,
+    keep_volumes: bool,
+    smoothing: Optional[float],
+    robust: float,
+    threads: int,
+    progress: Optional[Progress],
+) -> PatientMotion: ...

@@ -87,7 +87,10 @@ def sweep(
     system: str | System = "s-celestial",
     **options: object,
 ) -> list[Binding]:
-    """One binding for each value of one parameter; `options` as `bind` takes them."""
+    """One binding of `points` (n x 3, mm) to `handles` (h x 3, mm) for each value of one parameter.
+
+    `options` are those of `bind`, which also says what it raises.
+    """
     own = _core.as_points(points)
     return [bind(own, handles, system, **{**options, parameter: value}) for value in values]  # type: ignore[arg-type]
 

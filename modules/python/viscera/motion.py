@@ -1,9 +1,9 @@
-"""Sequences: poses of handles over time."""
+"""Sequences: poses of handles over time, ready ones and those of patients."""
 
 from __future__ import annotations
 
 import os
-from typing import Mapping, Sequence as ListOf, Union
+from typing import TYPE_CHECKING, Mapping, Sequence as ListOf, Union
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -12,6 +12,9 @@ from ._core import Sequence
 from ._parts import part
 from .deformation import Progress
 from .errors import UsageError
+
+if TYPE_CHECKING:
+    from ._motion import PatientMotion
 
 PathLike = Union[str, "os.PathLike[str]"]
 
@@ -28,7 +31,7 @@ def sequence(
 
     Without `points` it moves its sample organ, whose surfaces are in `.surfaces`. With the `points` (n x 3, mm, LPS)
     and `triangles` (m x 3) of an organ it is fitted to that; `landmarks` names places on it (3, or k x 3, mm), those
-    that are missing are found by the shape. Bind to `.rest_handles` by `.system` with `.parameters`.
+    that are missing are found by the shape. A file's surfaces are in `.surfaces` where it holds them. Bind to `.rest_handles` by `.system` with `.parameters`.
 
     Needs the part of Viscera that is built with Qt's core.
     """
@@ -49,3 +52,52 @@ def sequence(
 def sequence_names() -> ListOf[str]:
     """The sequences that come with Viscera."""
     return part("_motion").sequence_names()
+
+
+def track(
+    phases: PathLike | ListOf[PathLike],
+    surfaces: Mapping[str, ListOf[str | int]] | None = None,
+    *,
+    handles: int | None = None,
+    rig: ArrayLike | None = None,
+    period: float | None = None,
+    times: ListOf[float] = (),
+    leave_out: ListOf[int] = (),
+    loop: bool = True,
+    keep_volumes: bool = True,
+    smoothing: float | None = None,
+    robust: float = 0.0,
+    threads: int = 0,
+    progress: Progress | None = None,
+) -> PatientMotion:
+    """A patient's own motion: one rig of handles, and its pose in every phase of a series.
+
+    phases        surfaces or label maps (files), one a phase, a folder of them, a 4D NIfTI or a .seq.nrrd. Several
+                  surfaces a phase are told by their files' names without the last number.
+    surfaces      of label maps: name and labels (names or values) of each; the outer one has those of its cavities too:
+                  {"LV": [1], "RV": [2], "EPI": [1, 2, 3]}. None: the only label, or those of a heart.
+    handles       how many (none: 60 for one surface, 120 for more); or
+    rig           positions of your own, h x 3 mm, around the organ in the first phase.
+    period        of one cycle, s; goes before what the files say.
+    times         of the phases, s, as many as there are; none: the files', else evenly over the period.
+    leave_out     phases that are not used, counted from 0.
+    loop          whether the last phase leads back to the first.
+    keep_volumes  every phase has its measured volumes, exactly.
+    smoothing     in time (none: 1e-5 for surfaces with the same triangles, else 1e-4).
+    robust        beyond it distances count less, mm; 0: all alike.
+
+    Some seconds a phase for label maps. Needs the part of Viscera that is built with Qt's core. Raises NoInputError,
+    DataError that says what to do, UsageError, Cancelled.
+    """
+    files = [phases] if isinstance(phases, (str, os.PathLike)) else list(phases)
+    named = [(name, [str(label) for label in np.atleast_1d(labels)]) for name, labels in (surfaces or {}).items()]
+    if handles is not None and rig is not None:
+        raise UsageError("A rig has its handles (give their number, or positions)")
+    if handles is not None and handles < 1:
+        raise UsageError(f"There cannot be {handles} handles")
+    if any(phase < 0 for phase in leave_out):
+        raise UsageError("Phases that are left out are counted from 0")
+    return part("_motion").track(
+        [os.fspath(file) for file in files], named, handles or 0, rig, period, list(times), list(leave_out), loop,
+        keep_volumes, smoothing, robust, threads, progress,
+    )

@@ -13,10 +13,9 @@
 #include <vtkContextScene.h>
 #include <vtkDoubleArray.h>
 #include <vtkNew.h>
-#include <vtkObjectFactory.h>
-#include <vtkOpenGLContextActor.h>
 #include <vtkPen.h>
 #include <vtkPlot.h>
+#include <vtkPlotPoints.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
 #include <vtkSmartPointer.h>
@@ -29,6 +28,7 @@
 #include "viscera/scene/legend.h"
 #include "viscera/scene/organ_view.h"
 
+#include "chart_actor.h"
 #include "text_guard.h"
 
 namespace viscera::scene {
@@ -37,8 +37,8 @@ namespace {
 constexpr int kFontSize = 12;
 constexpr int kTitleSize = 14;
 constexpr float kCursorWidth = 1.5;
+constexpr float kMarkSize = 9;
 constexpr double kRoom = 0.06; ///< Above and below the curves, as a part of their range.
-constexpr int kMostTicks = 6;
 constexpr double kGrid = 0.22;
 
 unsigned char byte(double part) {
@@ -78,32 +78,20 @@ ValueRange rangeOf(const CurvePanel& panel, std::vector<double> PanelCurve::*val
   return {low - more, high + more};
 }
 
-/// Charts write text past the guarded renderer, so what draws them holds the guard.
-class PanelsActor : public vtkOpenGLContextActor {
-public:
-  static PanelsActor* New();
-  vtkTypeMacro(PanelsActor, vtkOpenGLContextActor)
-
-      int RenderOverlay(vtkViewport* viewport) override {
-    const TextGuard guard;
-    return Superclass::RenderOverlay(viewport);
-  }
-};
-vtkStandardNewMacro(PanelsActor)
-
-    /// One panel with what VTK draws it from.
-    struct Panel {
+/// One panel with what VTK draws it from.
+struct Panel {
   CurvePanel wanted;
   vtkSmartPointer<vtkChartXY> chart;
   vtkPlot* cursor = nullptr;
+  vtkPlot* mark = nullptr;
   ValueRange y;
 };
 
-void setAxis(vtkAxis* axis, const ValueRange& range, const std::string& title, bool labels) {
+void setAxis(vtkAxis* axis, const ValueRange& range, const std::string& title, bool labels, int mostTicks) {
   axis->SetBehavior(vtkAxis::FIXED);
   axis->SetRange(range.low, range.high);
   axis->SetTitle(title);
-  const auto ticks = niceTicks(range, kMostTicks);
+  const auto ticks = niceTicks(range, mostTicks);
   const double spacing = ticks.size() > 1 ? ticks[1] - ticks[0] : 0;
   vtkNew<vtkDoubleArray> positions;
   vtkNew<vtkStringArray> names;
@@ -166,7 +154,7 @@ void applyTheme(vtkChartXY* chart, const Theme& theme) {
 
 struct CurvePanels::Parts {
   vtkNew<vtkRenderer> renderer;
-  vtkNew<PanelsActor> actor;
+  vtkNew<ChartActor> actor;
   vtkWeakPointer<vtkRenderWindow> window;
   Theme theme = lightTheme();
   std::vector<Panel> panels;
@@ -190,6 +178,8 @@ void CurvePanels::Parts::show(const Panel& panel) {
   panel.cursor->SetVisible(shown);
   panel.cursor->SetWidth(ratio * kCursorWidth);
   setPen(panel.cursor->GetPen(), theme.text, 0.8);
+  setPen(panel.mark->GetPen(), theme.text, 1);
+  vtkPlotPoints::SafeDownCast(panel.mark)->SetMarkerSize(ratio * kMarkSize);
   const double x = cursor.value_or(0);
   panel.cursor->SetInputData(tableOf("", {x, x}, {panel.y.low, panel.y.high}), 0, 1);
   applyTheme(panel.chart, theme);
@@ -231,14 +221,20 @@ void CurvePanels::setPanels(std::vector<CurvePanel> panels) {
   p.actor->GetScene()->ClearItems();
   p.panels.clear();
   for (CurvePanel& wanted : panels) {
-    Panel panel{std::move(wanted), nullptr, nullptr, {}};
+    Panel panel{std::move(wanted), nullptr, nullptr, nullptr, {}};
     panel.chart = chartOf(panel.wanted);
     panel.y = panel.wanted.yRange.value_or(rangeOf(panel.wanted, &PanelCurve::y, kRoom));
     const ValueRange x = panel.wanted.xRange.value_or(rangeOf(panel.wanted, &PanelCurve::x, 0));
-    setAxis(panel.chart->GetAxis(vtkAxis::BOTTOM), x, panel.wanted.xTitle, panel.wanted.xLabels);
-    setAxis(panel.chart->GetAxis(vtkAxis::LEFT), panel.y, panel.wanted.yTitle, panel.wanted.yLabels);
+    setAxis(panel.chart->GetAxis(vtkAxis::BOTTOM), x, panel.wanted.xTitle, panel.wanted.xLabels,
+            panel.wanted.mostXTicks);
+    setAxis(panel.chart->GetAxis(vtkAxis::LEFT), panel.y, panel.wanted.yTitle, panel.wanted.yLabels,
+            panel.wanted.mostYTicks);
     panel.cursor = panel.chart->AddPlot(vtkChart::LINE);
     panel.cursor->SetLegendVisibility(false);
+    panel.mark = panel.chart->AddPlot(vtkChart::POINTS);
+    panel.mark->SetLegendVisibility(false);
+    panel.mark->SetVisible(false);
+    vtkPlotPoints::SafeDownCast(panel.mark)->SetMarkerStyle(vtkPlotPoints::CIRCLE);
     p.actor->GetScene()->AddItem(panel.chart);
     p.panels.push_back(std::move(panel));
   }
@@ -246,6 +242,13 @@ void CurvePanels::setPanels(std::vector<CurvePanel> panels) {
 
 void CurvePanels::setCursor(std::optional<double> x) {
   parts_->cursor = x;
+}
+
+void CurvePanels::setMark(std::size_t panel, std::optional<CurvePoint> point) {
+  Panel& marked = parts_->panels.at(panel);
+  marked.mark->SetVisible(point.has_value());
+  if (point)
+    marked.mark->SetInputData(tableOf("", {point->x}, {point->y}), 0, 1);
 }
 
 void CurvePanels::update() {

@@ -21,6 +21,8 @@
 #include "viscera/core/error.h"
 #include "viscera/geometry/volume.h"
 
+#include "wall_actor.h"
+
 namespace viscera::scene {
 namespace {
 
@@ -79,7 +81,7 @@ struct OrganActor::Parts {
   vtkNew<vtkUnsignedCharArray> colorArray;
   vtkNew<vtkDoubleArray> valueArray;
   vtkNew<vtkPolyDataMapper> mapper;
-  vtkNew<vtkActor> actor;
+  vtkNew<WallActor> actor;
 
   void buildData();
   void chooseColoring();
@@ -268,6 +270,10 @@ void OrganActor::cullBackFaces(const Vec3& eye) {
                        eye.z() < b[4] || eye.z() > b[5];
   const bool clipped = p.mapper->GetClippingPlanes() && p.mapper->GetClippingPlanes()->GetNumberOfItems() > 0;
   p.actor->GetProperty()->SetBackfaceCulling(p.closed && outside && !clipped && opacity() >= 1);
+}
+
+void OrganActor::setUnpeeled(bool unpeeled) {
+  parts_->actor->setUnpeeled(unpeeled && opacity() < 1);
 }
 
 bool OrganActor::scalarsShown() const {

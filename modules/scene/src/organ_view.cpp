@@ -7,6 +7,8 @@
 #include <array>
 #include <cmath>
 #include <cstring>
+#include <utility>
+#include <vector>
 
 #include <vtkActor.h>
 #include <vtkCallbackCommand.h>
@@ -111,6 +113,7 @@ struct OrganView::Parts {
   bool knowsGpu = false;
   bool software = false;
   bool moving = false;
+  bool peeling = true;
   vtkNew<vtkCallbackCommand> motion;
   vtkNew<vtkVisceraHandleSetRepresentation> handles;
   vtkNew<vtkVisceraHandleSetWidget> widget;
@@ -130,6 +133,7 @@ struct OrganView::Parts {
   void smoothEdges();
   void watchMotion(vtkObject* source);
   void orderProps();
+  void peelOrOrder(const Vec3& eye);
   void putHandlesIntoRenderer();
 };
 
@@ -157,6 +161,32 @@ void OrganView::Parts::prepareFrame() {
   const Vec3 eye(renderer->GetActiveCamera()->GetPosition());
   for (const auto& organ : organs)
     organ->cullBackFaces(eye);
+  peelOrOrder(eye);
+}
+
+/// Peeling draws the organs once for every layer. While something moves a software renderer blends instead,
+/// the farther organs first; a cavity is farther than the wall around it.
+void OrganView::Parts::peelOrOrder(const Vec3& eye) {
+  const bool peel = !(software && moving);
+  for (const auto& organ : organs)
+    organ->setUnpeeled(!peel);
+  if (peel && !std::exchange(peeling, peel))
+    orderProps();
+  peeling = peel;
+  if (peel)
+    return;
+  std::vector<std::pair<double, vtkActor*>> translucent;
+  for (const auto& organ : organs) {
+    if (!organ->visible() || organ->opacity() >= 1)
+      continue;
+    const Bounds box = organ->bounds();
+    const Vec3 nearest = eye.cwiseMax(box.low).cwiseMin(box.high);
+    translucent.emplace_back((eye - nearest).norm(), organ->actor());
+  }
+  std::stable_sort(translucent.begin(), translucent.end(),
+                   [](const auto& a, const auto& b) { return a.first > b.first; });
+  for (const auto& [distance, actor] : translucent)
+    drawLast(renderer, actor);
 }
 
 /// While the camera or a handle is moved by the mouse, frames have to come quickly.

@@ -64,6 +64,17 @@ void writeSmallPng(const std::filesystem::path& file, vtkImageData* picture) {
   write(file, picture, kBestCompression);
 }
 
+std::string pngOf(vtkImageData* picture) {
+  vtkNew<vtkPNGWriter> writer;
+  writer->SetInputData(picture);
+  writer->SetCompressionLevel(kBestCompression);
+  writer->WriteToMemoryOn();
+  writer->Write();
+  vtkUnsignedCharArray* bytes = writer->GetResult();
+  return {reinterpret_cast<const char*>(bytes->GetPointer(0)),
+          static_cast<std::size_t>(bytes->GetNumberOfValues())};
+}
+
 void savePicture(vtkRenderWindow* window, const std::filesystem::path& file) {
   writePng(file, grabPicture(window));
 }

@@ -17,7 +17,6 @@
 #include <vtkDoubleArray.h>
 #include <vtkNew.h>
 #include <vtkObjectFactory.h>
-#include <vtkOpenGLContextActor.h>
 #include <vtkPen.h>
 #include <vtkPlot.h>
 #include <vtkRenderWindow.h>
@@ -32,6 +31,7 @@
 #include "viscera/scene/legend.h"
 #include "viscera/scene/organ_view.h"
 
+#include "chart_actor.h"
 #include "text_guard.h"
 
 namespace viscera::scene {
@@ -67,21 +67,8 @@ void addColumn(vtkTable* table, const std::string& name) {
   table->AddColumn(column);
 }
 
-/// Charts write text in their own way.
-class ChartActor : public vtkOpenGLContextActor {
-public:
-  static ChartActor* New();
-  vtkTypeMacro(ChartActor, vtkOpenGLContextActor)
-
-      int RenderOverlay(vtkViewport* viewport) override {
-    const TextGuard guard;
-    return Superclass::RenderOverlay(viewport);
-  }
-};
-vtkStandardNewMacro(ChartActor)
-
-    /// Both ends of a plot that has two points.
-    void setRow(vtkTable* table, vtkIdType row, std::initializer_list<double> values) {
+/// Both ends of a plot that has two points.
+void setRow(vtkTable* table, vtkIdType row, std::initializer_list<double> values) {
   vtkIdType column = 0;
   for (const double value : values)
     vtkDoubleArray::SafeDownCast(table->GetColumn(column++))->SetValue(row, value);

@@ -1,7 +1,7 @@
 #include "vtkVisceraDeformFilter.h"
 
 #include "src/filter_job.h"
-#include "src/handle_data.h"
+#include "src/rig.h"
 #include "viscera/core/error.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"

@@ -2,8 +2,8 @@
 
 #include <exception>
 
-#include "src/handle_data.h"
 #include "src/leaves.h"
+#include "src/rig.h"
 #include "viscera/deformation/place_handles.h"
 #include "vtkAlgorithm.h"
 #include "vtkInformation.h"

@@ -1,4 +1,5 @@
 #include "cli_test.h"
+#include "label_files.h"
 #include "picture_check.h"
 
 namespace viscera::app::cli {
@@ -38,6 +39,28 @@ TEST_F(CliRender, DrawsTheSideAskedForWithHandlesAndTheInfluenceOfOne) {
     expectReference("stomach_" + view, {"--view", view});
   expectReference("stomach_handles", {handles});
   expectReference("stomach_influence", {handles, "--influence", "H-9"});
+}
+
+TEST_F(CliRender, DrawsASliceOfAScanWithTheContoursOfPosedOrgans) {
+  tests::LabelImage image = tests::emptyLabels({40, 40, 40});
+  image.indexToLps = Eigen::Translation3d(-39, -39, -39) * Eigen::Scaling(2.0);
+  image.voxels.assign(image.voxels.size(), -100);
+  tests::addBall(image, Vec3(19.5, 19.5, 19.5), 12.5, 80);
+  put("ct.nii", tests::niftiFile(image));
+  const std::string cube = put("cube.off", cubeOff(25));
+  const json whole = runJson({"render", path("ct.nii"), cube, "-o", path("s.png"), "--slice", "coronal:15",
+                              "--size", "300x200", "--window", "300", "--level", "0"});
+  EXPECT_EQ(sizeOf(contents(path("s.png"))), std::make_pair(300, 200));
+  EXPECT_EQ(whole["scan"], "ct.nii");
+  ASSERT_EQ(whole["contours"].size(), 1u);
+  EXPECT_EQ(whole["contours"][0]["organ"], "cube");
+  EXPECT_GE(whole["contours"][0]["points"], 4);
+  EXPECT_NEAR(whole["contours"][0]["lengthMm"], 200, 1e-9);
+  EXPECT_TRUE(
+      runJson({"render", path("ct.nii"), cube, "-o", path("s.png"), "--slice", "axial:30"})["contours"]
+          .empty());
+  expectFailure({"render", path("ct.nii"), "-o", path("s.png"), "--slice", "axial"}, kUsage, "axial:120");
+  expectFailure({"render", path("ct.nii"), "-o", path("s.png"), "--level", "3"}, kUsage, "--slice");
 }
 
 } // namespace viscera::app::cli

@@ -33,6 +33,7 @@ const std::map<std::string, std::set<std::string>>& allowedModules() {
       {"contour", {"core", "geometry"}},
       {"sample_organs", with(numerical, {"contour"})},
       {"medical_io", with(numerical, {"contour"})},
+      {"slices", {"core", "geometry", "medical_io"}},
       {"scene", numerical},
       {"paraview_plugin", {}},
       {"vtk_filters", {"core", "geometry", "coordinates", "deformation"}},
@@ -40,14 +41,16 @@ const std::map<std::string, std::set<std::string>>& allowedModules() {
       {"document", documentUses},
       {"live", with(documentUses, {"document", "plugin"})},
       {"motion", with(documentUses, {"tracking", "document", "plugin", "live"})},
-      {"presentation", with(documentUses, {"document", "plugin", "live", "motion", "scene"})},
+      {"presentation", with(documentUses, {"slices", "document", "plugin", "live", "motion", "scene"})},
       {"lesson", with(documentUses, {"document", "plugin", "live", "motion", "scene", "presentation"})},
+      {"report", with(documentUses, {"document", "plugin", "live", "motion", "scene", "presentation"})},
       {"python", with(documentUses, {"document", "plugin", "live", "motion", "localised_scc"})}};
   return allowed;
 }
 
 const std::set<std::string> kMayUseVtk = {"contour", "medical_io", "scene", "presentation", "vtk_filters"};
-const std::set<std::string> kMayUseQt = {"plugin", "localised_scc", "document", "reproduction", "lesson"};
+const std::set<std::string> kMayUseQt = {"plugin",       "localised_scc", "document",
+                                         "reproduction", "lesson",        "report"};
 
 /// Includes from the command line, or from what both use, to the window that are still there. Nothing may be
 /// added.

@@ -1,5 +1,5 @@
 """Debian's Chromium, driven over its debugging pipe; Python's standard library only."""
-import base64, json, os, pathlib, subprocess, tempfile, time, zlib
+import base64, json, os, pathlib, subprocess, tempfile, time
 
 # Not the shell script in /usr/bin, which keeps no descriptors open.
 PROGRAM = os.environ.get("CHROMIUM", "/usr/lib/chromium/chromium")
@@ -14,6 +14,8 @@ class BrowserError(Exception):
 
 
 class Chromium:
+    name = "chromium"
+
     def __init__(self):
         self.home = tempfile.TemporaryDirectory(ignore_cleanup_errors=True)
         to_it, from_it = os.pipe(), os.pipe()
@@ -70,7 +72,8 @@ class Chromium:
 
     def open(self, page):
         """Opens a lesson; returns the milliseconds that the page itself says it took."""
-        self.ask("Page.navigate", url=pathlib.Path(page).resolve().as_uri())
+        self.address = pathlib.Path(page).resolve().as_uri()
+        self.ask("Page.navigate", url=self.address)
         begin = time.time()
         while True:
             ready = self.run("document.documentElement && document.documentElement.dataset.ready")
@@ -102,44 +105,23 @@ class Chromium:
             pathlib.Path(file).write_bytes(data)
         return data
 
+    def asked_for(self):
+        """Addresses, the lesson's own not among them."""
+        asked = [e["params"]["request"]["url"] for e in self.events if e.get("method") == "Network.requestWillBeSent"]
+        return [address for address in asked if not address.startswith(("data:", "blob:")) and address != self.address]
+
+    def said(self):
+        """What was brought onto the console."""
+        return [e for e in self.events if e.get("method") in ("Runtime.exceptionThrown", "Runtime.consoleAPICalled", "Log.entryAdded")]
+
+    def nameless(self):
+        """Controls for which a screen reader has no name."""
+        self.ask("Accessibility.enable")
+        nodes = self.ask("Accessibility.getFullAXTree")["nodes"]
+        self.ask("Accessibility.disable")
+        roles = ("button", "slider", "combobox", "application", "image")
+        return [n["role"]["value"] for n in nodes if not n.get("ignored") and n.get("role", {}).get("value") in roles and not n.get("name", {}).get("value")]
+
     def end(self):
         self.process.terminate()
         self.process.wait(20)
-
-
-def pixels(png):
-    """Width, height and 8-bit RGB of a PNG: a list of rows of tuples."""
-    at, data = 8, b""
-    while at < len(png):
-        size, kind = int.from_bytes(png[at:at + 4], "big"), png[at + 4:at + 8]
-        if kind == b"IHDR":
-            width, height = (int.from_bytes(png[at + i:at + i + 4], "big") for i in (8, 12))
-            channels = {2: 3, 6: 4}[png[at + 17]]
-        if kind == b"IDAT":
-            data += png[at + 8:at + 8 + size]
-        at += 12 + size
-    data, stride, rows = zlib.decompress(data), width * channels, []
-    before = bytearray(stride)
-    for y in range(height):
-        kind, row = data[y * (stride + 1)], bytearray(data[y * (stride + 1) + 1:(y + 1) * (stride + 1)])
-        for i in range(stride):
-            a, b, c = (row[i - channels] if i >= channels else 0), before[i], (before[i - channels] if i >= channels else 0)
-            if kind == 4:
-                p = a + b - c
-                row[i] = (row[i] + min((abs(p - a), 0, a), (abs(p - b), 1, b), (abs(p - c), 2, c))[2]) & 255
-            elif kind:
-                row[i] = (row[i] + (0, a, b, (a + b) // 2)[kind]) & 255
-        rows.append([tuple(row[x:x + 3]) for x in range(0, stride, channels)])
-        before = row
-    return width, height, rows
-
-
-def blocks(png, side=10):
-    """Means of squares of pixels: small differences of drawing vanish in them."""
-    width, height, rows = pixels(png)
-    means = []
-    for y in range(0, height - side + 1, side):
-        for x in range(0, width - side + 1, side):
-            square = [rows[y + j][x + i] for j in range(side) for i in range(side)]
-            means.append(tuple(sum(p[c] for p in square) / len(square) for c in range(3)))
-    return means

@@ -16,44 +16,77 @@ double ramp(double fraction) {
   return fraction * fraction * (3 - 2 * fraction);
 }
 
-Course sampled(double (*curve)(double), Eigen::Index samples, CourseEnd end) {
-  Course course(samples, 1);
-  for (Eigen::Index i = 0; i < samples; ++i)
-    course(i, 0) = curve(fractionOf(i, samples, end));
-  return course;
+double corner(double fraction) {
+  return std::abs(fraction - 0.5);
 }
 
-double worstBetween(double (*curve)(double), Eigen::Index samples, CourseEnd end) {
-  const Course spline = splineThrough(sampled(curve, samples, end), end);
-  double worst = 0;
-  for (int i = 0; i <= 1000; ++i) {
-    const double fraction = std::min(i / 1000.0, end == CourseEnd::cycles ? 0.999 : 1.0);
-    worst = std::max(worst, std::abs(valueAt(spline, end, fraction)[0] - curve(fraction)));
+/// Evenly, or nearer to one another towards the middle of the cycle.
+std::vector<double> instants(int pieces, bool gathered = false) {
+  std::vector<double> all;
+  for (int i = 0; i <= pieces; ++i) {
+    const double from = 2.0 * i / pieces - 1;
+    all.push_back(gathered ? 0.5 + 0.5 * from * from * from : 0.5 + 0.5 * from);
   }
-  return worst;
+  return all;
+}
+
+Course through(double (*curve)(double), const std::vector<double>& at, CourseEnd end) {
+  Table values(static_cast<Eigen::Index>(at.size()), 1);
+  for (std::size_t i = 0; i < at.size(); ++i)
+    values(static_cast<Eigen::Index>(i), 0) =
+        curve(end == CourseEnd::cycles && i + 1 == at.size() ? 0 : at[i]);
+  return splineThrough(at, values, end);
+}
+
+double worst(double (*curve)(double), const Course& course, CourseEnd end) {
+  double largest = 0;
+  for (int i = 0; i <= 2000; ++i) {
+    const double fraction = std::min(i / 2000.0, end == CourseEnd::cycles ? 0.9995 : 1.0);
+    largest = std::max(largest, std::abs(valueAt(course, fraction)[0] - curve(fraction)));
+  }
+  return largest;
+}
+
+double worstOfWave(int pieces) {
+  return worst(wave, through(wave, instants(pieces), CourseEnd::cycles), CourseEnd::cycles);
 }
 
 } // namespace
 
-TEST(Course, RunsThroughItsSamples) {
-  for (const CourseEnd end : {CourseEnd::cycles, CourseEnd::stops}) {
-    const Course samples = sampled(end == CourseEnd::cycles ? wave : ramp, 17, end);
-    const Course spline = splineThrough(samples, end);
-    for (Eigen::Index i = 0; i < 17; ++i)
-      EXPECT_NEAR(valueAt(spline, end, fractionOf(i, 17, end))[0], samples(i, 0), 1e-12) << i;
+TEST(Course, RunsThroughItsInstants) {
+  for (const bool gathered : {false, true}) {
+    const std::vector<double> at = instants(17, gathered);
+    const Course course = through(ramp, at, CourseEnd::stops);
+    for (const double fraction : at)
+      EXPECT_NEAR(valueAt(course, fraction)[0], ramp(fraction), 1e-12) << fraction;
   }
 }
 
 TEST(Course, FollowsASmoothCycleToTheFourthOrder) {
-  const double coarse = worstBetween(wave, 24, CourseEnd::cycles);
-  const double fine = worstBetween(wave, 48, CourseEnd::cycles);
-  EXPECT_LT(fine, 1e-4);
-  EXPECT_GT(coarse / fine, 12);
+  EXPECT_LT(worstOfWave(48), 1e-4);
+  EXPECT_GT(worstOfWave(24) / worstOfWave(48), 12);
+}
+
+TEST(Course, GoesOnSmoothlyFromTheEndToTheBeginning) {
+  const Course course = through(wave, instants(24), CourseEnd::cycles);
+  const double step = 1e-4;
+  const double before = (valueAt(course, 1)[0] - valueAt(course, 1 - step)[0]) / step;
+  const double behind = (valueAt(course, step)[0] - valueAt(course, 0)[0]) / step;
+  EXPECT_NEAR(before, behind, 0.05);
+}
+
+TEST(Course, MeetsACornerWhereInstantsGather) {
+  const auto off = [](bool gathered) {
+    return worst(corner, through(corner, instants(25, gathered), CourseEnd::stops), CourseEnd::stops);
+  };
+  EXPECT_LT(off(true), 1e-3);
+  EXPECT_GT(off(false), 5e-3);
 }
 
 TEST(Course, OfAMotionThatStopsDoesNotLeadBack) {
-  EXPECT_LT(worstBetween(ramp, 48, CourseEnd::stops), 1e-4);
-  EXPECT_GT(worstBetween(ramp, 48, CourseEnd::cycles), 0.1) << "the jump is taken for a cycle";
+  EXPECT_LT(worst(ramp, through(ramp, instants(48), CourseEnd::stops), CourseEnd::stops), 1e-3);
+  EXPECT_GT(worst(ramp, through(ramp, instants(48), CourseEnd::cycles), CourseEnd::cycles), 0.1)
+      << "the jump is taken for a cycle";
 }
 
 } // namespace viscera::lesson

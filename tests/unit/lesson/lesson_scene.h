@@ -5,8 +5,10 @@
 #include <utility>
 #include <vector>
 
+#include "sequence_scene.h"
 #include "session_fixture.h"
 #include "sway.h"
+#include "viscera/document/open_files.h"
 #include "viscera/lesson/lesson.h"
 #include "viscera/lesson/packed_arrays.h"
 
@@ -30,10 +32,34 @@ struct BallScene : viscera::tests::BoundSession {
   }
 };
 
+/// A sequence of the program on its own organ, bound; what has cavities is seen through.
+struct SampleScene {
+  document::Document document;
+  document::UndoStack undo{document};
+  plugin::Registry registry = plugin::builtInRegistry();
+  JobQueue jobs{[](const std::function<void()>& work) { work(); }};
+  live::LiveBinding live{document, registry, jobs, {std::numeric_limits<double>::infinity(), {}}};
+  Progress progress;
+  LessonSource source;
+
+  explicit SampleScene(const std::string& sequence,
+                       sample_organs::Resolution resolution = sample_organs::Resolution::low) {
+    const motion::SequenceSetup setup =
+        motion::setUpSequence(viscera::tests::cachedLibrary(), sequence, resolution, progress);
+    std::vector<document::NewOrgan> organs = document::organsFrom(setup.organ);
+    if (organs.size() > 1)
+      organs.front().organ.look.opacity = 0.3;
+    undo.perform(
+        document::combined("Sample", {document::addOrgans(std::move(organs)), document::replaceRig(setup.rig),
+                                      document::setSystem(setup.system)}));
+    source = {.state = document.state(), .sequence = setup.sequence};
+  }
+};
+
 /// The vertices as a page computes them from what is in the file.
 inline Points pagePoints(const Lesson& lesson, std::size_t rate, double fraction) {
   const Eigen::VectorXd values =
-      valueAt(lesson.courses[static_cast<std::size_t>(lesson.courseOfRate[rate])], lesson.end, fraction);
+      valueAt(lesson.courses[static_cast<std::size_t>(lesson.courseOfRate[rate])], fraction);
   Points points = lesson.rest;
   for (std::size_t k = 0; k < lesson.modes.size(); ++k)
     points += values[static_cast<Eigen::Index>(k)] * lesson.modes[k];
@@ -41,16 +67,18 @@ inline Points pagePoints(const Lesson& lesson, std::size_t rate, double fraction
 }
 
 /// And as the organs themselves are.
-inline Points organPoints(const Lesson& lesson, const LessonSource& source, live::PosedOrgans& organs,
+inline Points organPoints(const LessonPlan& plan, const LessonSource& source, live::PosedOrgans& organs,
                           std::size_t rate, double fraction) {
   Points pose;
-  const double perMinute = lesson.plan.rates[rate];
+  const double perMinute = plan.rates[rate];
   source.sequence->poseAt(fraction * 60 / perMinute, perMinute, pose);
   organs.showPose(pose);
-  Points points(lesson.vertexCount(), 3);
-  for (std::size_t i = 0; i < lesson.surfaces.size(); ++i)
-    points.middleRows(lesson.surfaces[i].firstVertex, lesson.surfaces[i].vertexCount) =
-        *organs.sharedPoints(lesson.plan.surfaces[i].organ);
+  Points points(0, 3);
+  for (const PlannedSurface& surface : plan.surfaces) {
+    const Points& own = *organs.sharedPoints(surface.organ);
+    points.conservativeResize(points.rows() + own.rows(), 3);
+    points.bottomRows(own.rows()) = own;
+  }
   return points;
 }
 
@@ -60,11 +88,11 @@ inline double worstOver(const Lesson& lesson, const LessonSource& source, live::
   double worst = 0;
   for (std::size_t rate = 0; rate < lesson.plan.rates.size(); ++rate)
     for (const double fraction : fractions)
-      worst = std::max(
-          worst, (pagePoints(lesson, rate, fraction) - organPoints(lesson, source, organs, rate, fraction))
-                     .rowwise()
-                     .norm()
-                     .maxCoeff());
+      worst = std::max(worst, (pagePoints(lesson, rate, fraction) -
+                               organPoints(lesson.plan, source, organs, rate, fraction))
+                                  .rowwise()
+                                  .norm()
+                                  .maxCoeff());
   return worst;
 }
 

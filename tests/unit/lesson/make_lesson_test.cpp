@@ -1,11 +1,8 @@
 #include <gtest/gtest.h>
 
 #include "lesson_scene.h"
-#include "sequence_scene.h"
 #include "viscera/core/error.h"
-#include "viscera/document/open_files.h"
 #include "viscera/geometry/volume.h"
-#include "viscera/motion/sequence_setup.h"
 #include "viscera/sequences/keyframes.h"
 
 namespace viscera::lesson {
@@ -28,24 +25,6 @@ sequences::KeyframedSequence::Track track(const Points& rest, bool loop, sequenc
   return track;
 }
 
-/// A document with a sequence's own organ, bound.
-struct SampleScene {
-  document::Document document;
-  document::UndoStack undo{document};
-  plugin::Registry registry = plugin::builtInRegistry();
-  JobQueue jobs{[](const std::function<void()>& work) { work(); }};
-  live::LiveBinding live{document, registry, jobs, {std::numeric_limits<double>::infinity(), {}}};
-  Progress progress;
-  LessonSource source;
-
-  explicit SampleScene(const motion::SequenceSetup& setup) {
-    undo.perform(
-        document::combined("Sample", {document::addOrgans(document::organsFrom(setup.organ)),
-                                      document::replaceRig(setup.rig), document::setSystem(setup.system)}));
-    source = {.state = document.state(), .sequence = setup.sequence};
-  }
-};
-
 } // namespace
 
 TEST(MakeLesson, FollowsTheOrgansAtEveryRateAndBetweenSamples) {
@@ -60,11 +39,9 @@ TEST(MakeLesson, FollowsTheOrgansAtEveryRateAndBetweenSamples) {
 }
 
 TEST(MakeLesson, OfTheHeartFollowsItAtEveryRate) {
-  Progress progress;
-  SampleScene scene(motion::setUpSequence(viscera::tests::cachedLibrary(), "heartbeat",
-                                          sample_organs::Resolution::low, progress));
+  SampleScene scene("heartbeat");
   const LessonPlan plan = planLesson(scene.source, {});
-  const Lesson lesson = makeLesson(plan, scene.source, scene.live, progress);
+  const Lesson lesson = makeLesson(plan, scene.source, scene.live, scene.progress);
   EXPECT_EQ(lesson.courses.size(), plan.rates.size());
   EXPECT_LT(worstOver(lesson, scene.source, scene.live, kBetween), kMost);
   EXPECT_LE(lesson.largestErrorMm, kMost);
@@ -72,12 +49,10 @@ TEST(MakeLesson, OfTheHeartFollowsItAtEveryRate) {
 }
 
 TEST(MakeLesson, OfTheStomachFollowsItsWaves) {
-  Progress progress;
-  SampleScene scene(motion::setUpSequence(viscera::tests::cachedLibrary(), "peristalsis",
-                                          sample_organs::Resolution::low, progress));
+  SampleScene scene("peristalsis");
   LessonSpec spec;
   spec.rates = {1, 3, 6};
-  const Lesson lesson = makeLesson(planLesson(scene.source, spec), scene.source, scene.live, progress);
+  const Lesson lesson = makeLesson(planLesson(scene.source, spec), scene.source, scene.live, scene.progress);
   EXPECT_LT(worstOver(lesson, scene.source, scene.live, kBetween), kMost);
 }
 
@@ -88,7 +63,7 @@ TEST(MakeLesson, KnowsTheVolumesOfItsCurves) {
   const LessonSurface& ball = lesson.surfaces.front();
   for (const Eigen::Index sample : {0, 31, 77}) {
     const Points points =
-        organPoints(lesson, source, scene.live, 0, fractionOf(sample, lesson.samples(), lesson.end));
+        organPoints(lesson.plan, source, scene.live, 0, fractionOf(sample, kCurveSamples, lesson.end));
     const double ml = geometry::volume(points, lesson.triangles) / kMm3PerMl;
     EXPECT_NEAR(ball.curves(0, sample), ml, 5e-4 * ml);
   }
@@ -104,14 +79,19 @@ TEST(MakeLesson, OfAMotionThatDoesNotLeadBackStopsAtItsEnd) {
   EXPECT_LT(worstOver(lesson, source, scene.live, kBetween), kMost);
 }
 
-TEST(MakeLesson, DoublesItsSamplesWhereAMotionHasCorners) {
+TEST(MakeLesson, GathersItsInstantsWhereAMotionHasCorners) {
   BallScene scene;
   const Points rest = scene.document.rig().restPositions();
-  const auto samplesOf = [&](sequences::Easing easing) {
-    return scene.made(scene.source(std::make_shared<sequences::KeyframedSequence>(track(rest, true, easing))))
-        .samples();
+  const auto lessonOf = [&](sequences::Easing easing) {
+    return scene.made(
+        scene.source(std::make_shared<sequences::KeyframedSequence>(track(rest, true, easing))));
   };
-  EXPECT_GT(samplesOf(sequences::Easing::linear), samplesOf(sequences::Easing::smooth));
+  const LessonSource source = scene.source(
+      std::make_shared<sequences::KeyframedSequence>(track(rest, true, sequences::Easing::linear)));
+  const Lesson corners = scene.made(source);
+  EXPECT_LT(worstOver(corners, source, scene.live, {0.33, 0.3332, 0.3334, 0.34, 0.6666, 0.67}), kMost);
+  EXPECT_GT(corners.instants(), lessonOf(sequences::Easing::smooth).instants());
+  EXPECT_LT(corners.instants(), 120u) << "all over the cycle they would be thousands";
 }
 
 TEST(MakeLesson, FollowsCoordinatesThatAreNoSumOfHandles) {

@@ -16,9 +16,9 @@ struct Scene {
     weights = CarrierWeights::Random(kVertices, kHandles).cwiseAbs();
     const Eigen::ArrayXd sums = weights.rowwise().sum();
     weights.array().colwise() /= sums;
-    const Course times = Course::Random(kInstants, rank);
-    for (Course* axis : {&instants.x, &instants.y, &instants.z})
-      *axis = 20 * times * Course::Random(rank, kHandles);
+    const Table times = Table::Random(kInstants, rank);
+    for (Table* axis : {&instants.x, &instants.y, &instants.z})
+      *axis = 20 * times * Table::Random(rank, kHandles);
   }
   Points truth(Eigen::Index instant) const {
     Points carriers(kHandles, 3);
@@ -85,7 +85,7 @@ TEST(MotionModes, OfVerticesThatCarryThemselvesAreTheSame) {
 TEST(MotionModes, OfNoMotionAreNone) {
   Progress progress;
   Scene scene(1);
-  for (Course* axis : {&scene.instants.x, &scene.instants.y, &scene.instants.z})
+  for (Table* axis : {&scene.instants.x, &scene.instants.y, &scene.instants.z})
     axis->setZero();
   EXPECT_TRUE(modesOf(scene.instants, scene.weights, 0.005, progress, {}).modes.empty());
 }
@@ -94,7 +94,7 @@ TEST(MotionModes, FindTheLargestDifferenceOfAll) {
   Progress progress;
   const Scene scene(6);
   const MotionModes found = modesOf(scene.instants, scene.weights, 1e-4, progress, {});
-  const Course differences = Course::Random(40, found.course.cols());
+  const Table differences = Table::Random(40, found.course.cols());
   double largest = 0;
   for (Eigen::Index t = 0; t < differences.rows(); ++t) {
     Points off = Points::Zero(Scene::kVertices, 3);

@@ -3,7 +3,9 @@
 #include <regex>
 
 #include <QByteArray>
+#include <QCoreApplication>
 #include <QCryptographicHash>
+#include <QTranslator>
 
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
@@ -36,6 +38,21 @@ std::size_t countOf(const std::string& text, const std::string& what) {
     ++count;
   return count;
 }
+
+/// A language in which everything is called back to front.
+class Backwards : public QTranslator {
+public:
+  QString translate(const char* context, const char* text, const char*, int) const override {
+    if (qstrcmp(context, "Lesson") != 0)
+      return {};
+    const QString forwards = QString::fromUtf8(text);
+    QString backwards;
+    for (const QChar letter : forwards)
+      backwards.prepend(letter);
+    return backwards;
+  }
+  bool isEmpty() const override { return false; }
+};
 
 } // namespace
 
@@ -103,7 +120,7 @@ TEST(Page, HoldsWhatTheLessonHolds) {
   for (Eigen::Index i = 0; i < lesson.triangles.size(); ++i)
     ASSERT_EQ(triangles[static_cast<std::size_t>(i)], lesson.triangles.data()[i]);
   EXPECT_EQ(array("motion").size(), lesson.modes.size() * rest.size());
-  EXPECT_EQ(array("course").size(), lesson.modes.size() * static_cast<std::size_t>(lesson.samples()));
+  EXPECT_EQ(array("course").size(), 2 * lesson.modes.size() * lesson.instants()) << "values and slopes";
   const std::vector<double> weights = array("weights");
   for (Eigen::Index i = 0; i < lesson.weights.size(); ++i)
     ASSERT_NEAR(weights[static_cast<std::size_t>(i)], lesson.weights.data()[i], kWeightStep);
@@ -125,6 +142,20 @@ TEST(Page, AsksForStringsThatThereAre) {
     ++asked;
   }
   EXPECT_GT(asked, 50);
+}
+
+TEST(Page, SpeaksTheLanguageOfTheWindow) {
+  int count = 1;
+  char name[] = "test";
+  char* arguments[] = {name, nullptr};
+  QCoreApplication application(count, arguments);
+  Backwards language;
+  QCoreApplication::installTranslator(&language);
+  BallScene scene;
+  const std::string page = pageOf(scene.made(scene.source(nullptr)));
+  const auto json = nlohmann::json::parse(between(page, "id=\"lesson\">", "</script>"));
+  EXPECT_EQ(json["strings"]["quiz"], "ziuQ");
+  EXPECT_EQ(json["strings"]["next"], "txeN");
 }
 
 TEST(Page, IsShortEnoughToRead) {

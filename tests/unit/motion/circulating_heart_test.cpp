@@ -20,9 +20,9 @@ constexpr int kFrames = 40;
 constexpr int kChecked = 5; ///< Every so manieth frame is checked for self-intersection.
 
 /// The sample heart in a scenario, in the pose of one moment.
-class CirculatingHeart : public SequenceScene {
+class ScenarioHeart : public SequenceScene {
 public:
-  explicit CirculatingHeart(const std::string& scenario)
+  explicit ScenarioHeart(const std::string& scenario)
       : SequenceScene([&](Progress& progress) {
           return circulatingHeart(tests::cachedLibrary(), circulation::scenario(scenario).name,
                                   circulation::scenarioParameters(scenario), Resolution::low, progress);
@@ -37,7 +37,7 @@ public:
 
 TEST(CirculatingHeart, CavitiesHoldTheCirculationsVolumesInEveryScenarioWithoutCrossingThemselves) {
   for (const circulation::Scenario& scenario : circulation::scenarios()) {
-    CirculatingHeart heart(scenario.id);
+    ScenarioHeart heart(scenario.id);
     const double rate = heart.heartbeat().standardRatePerMinute();
     double leftOff = 0, rightOff = 0;
     for (int frame = 0; frame < kFrames; ++frame) {
@@ -59,7 +59,7 @@ TEST(CirculatingHeart, CavitiesHoldTheCirculationsVolumesInEveryScenarioWithoutC
 }
 
 TEST(CirculatingHeart, HasTheRateAndThePhasesOfItsCirculation) {
-  const CirculatingHeart heart("exercise");
+  const ScenarioHeart heart("exercise");
   const sequences::Sequence& sequence = *heart.setup().sequence;
   EXPECT_NEAR(sequence.standardRatePerMinute(), 150, 1e-9);
   EXPECT_EQ(sequence.lowestRatePerMinute(), sequence.highestRatePerMinute());

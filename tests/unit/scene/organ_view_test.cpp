@@ -155,6 +155,49 @@ TEST(OrganView, SoftwareRenderersSmoothEdgesOnlyWhenNothingMoves) {
   EXPECT_GT(window.surface.window()->GetMultiSamples(), 1);
 }
 
+/// A ball in a translucent one that is added first, and a translucent one far behind that is added last.
+struct BallInAGlass {
+  BallInAGlass() : window(320, 240) {
+    glass = window.addOrgan(tests::sphere(5, 50));
+    glass->setOpacity(0.4);
+    window.addOrgan(tests::sphere(4, 22))->setColor({0.1, 0.2, 0.9});
+    auto behind = tests::sphere(4, 25);
+    behind.points.col(0).array() += 40;
+    behind.points.col(1).array() += 120;
+    far = window.addOrgan(std::move(behind));
+    far->setColor({0.1, 0.8, 0.2});
+    far->setOpacity(0.6);
+    window.view.lookFrom(StandardView::anterior, {Vec3::Constant(-60), Vec3::Constant(60)});
+    window.view.setOrientationCubeShown(false);
+    window.view.setScaleBarShown(false);
+  }
+  vtkSmartPointer<vtkImageData> picture(bool moving) {
+    window.view.setMoving(moving);
+    window.render();
+    return grabPicture(window.surface.window());
+  }
+  ViewInWindow window;
+  std::shared_ptr<OrganActor> glass, far;
+};
+
+TEST(OrganView, TranslucentOrgansLookMuchTheSameWhileSomethingMoves) {
+  BallInAGlass scene;
+  const auto still = scene.picture(false);
+  const auto difference = comparePictures(still, scene.picture(true), 40);
+  EXPECT_LT(difference.mean, 4);
+  EXPECT_LT(difference.differing, 0.03);
+  // The glass alone, against what it is to hide: as far apart as two wrong orders are.
+  scene.glass->setOpacity(1);
+  EXPECT_GT(comparePictures(still, scene.picture(true), 40).differing, 0.1);
+}
+
+TEST(OrganView, ThePictureAfterAMotionIsTheOneBeforeIt) {
+  BallInAGlass scene;
+  const auto before = scene.picture(false);
+  scene.picture(true);
+  EXPECT_EQ(comparePictures(before, scene.picture(false), 0).differing, 0);
+}
+
 TEST(OrganView, LeavesOneWindowForAnother) {
   ViewInWindow first(100, 100);
   first.addOrgan(tests::sphere(2, 40));

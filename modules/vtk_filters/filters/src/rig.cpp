@@ -6,11 +6,15 @@
 #include <vtkCellArray.h>
 #include <vtkCellArrayIterator.h>
 #include <vtkDataSetAttributes.h>
+#include <vtkIntArray.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
 #include <vtkPointSet.h>
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
 #include <vtkUnsignedCharArray.h>
 
+#include "leaves.h"
 #include "viscera/coordinates/built_in_systems.h"
 #include "viscera/coordinates/vector_bits.h"
 #include "viscera/core/error.h"
@@ -137,6 +141,22 @@ Rig gatherRig(const Ranks& ranks, vtkPointSet* rest, vtkPointSet* posed, const C
       throw DataError("a position is not a finite number", "posed handles");
   });
   return rig;
+}
+
+void fillHandles(vtkPolyData* data, const Points& positions) {
+  auto points = newPoints(positions.rows());
+  vtkNew<vtkCellArray> vertices;
+  vtkNew<vtkIntArray> numbers;
+  numbers->SetName("Handle");
+  std::copy_n(positions.data(), positions.size(), memoryOf(points));
+  for (vtkIdType i = 0; i < positions.rows(); ++i) {
+    vertices->InsertNextCell(1, &i);
+    numbers->InsertNextValue(static_cast<int>(i));
+  }
+  data->Initialize();
+  data->SetPoints(points);
+  data->SetVerts(vertices);
+  data->GetPointData()->AddArray(numbers);
 }
 
 } // namespace viscera::vtk_filters

@@ -8,6 +8,7 @@
 #include "viscera/coordinates/coordinate_system.h"
 
 class vtkPointSet;
+class vtkPolyData;
 
 namespace viscera::vtk_filters {
 
@@ -35,5 +36,9 @@ struct Choices {
 /// Triangles among the rest handles are a cage. Collective. Throws, on all ranks alike, `UsageError` for an
 /// unknown system or parameter, `DataError` for handles that are none, or not as many as posed ones.
 Rig gatherRig(const Ranks& ranks, vtkPointSet* rest, vtkPointSet* posed, const Choices& choices);
+
+/// Makes `data` the handles at `positions` (`h x 3` mm): a vertex each, and its number as point data
+/// "Handle".
+void fillHandles(vtkPolyData* data, const Points& positions);
 
 } // namespace viscera::vtk_filters

@@ -1,7 +1,10 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
+
+#include "viscera/circulation/normal_values.h"
 
 namespace viscera::circulation {
 
@@ -14,12 +17,16 @@ struct Chamber {
   double a = 0;   ///< Relaxed: the curve's scale, mmHg.
   double b = 0;   ///< Relaxed: its steepness, 1/ml.
   double tau = 0; ///< Time constant with which contraction fades, s.
+
+  friend bool operator==(const Chamber&, const Chamber&) = default;
 };
 
 /// One valve: what is open of it at most and what stays open when it is shut, cm^2 (effective areas).
 struct ValveAreas {
   double open = 0;
   double leak = 0; ///< 0: tight.
+
+  friend bool operator==(const ValveAreas&, const ValveAreas&) = default;
 };
 
 /// Arteries and veins of one circulation: arteries as a three-element windkessel (Westerhof and others 2009,
@@ -30,6 +37,8 @@ struct Vessels {
   double resistance = 0;       ///< From arteries to veins, mmHg s/ml.
   double veinCompliance = 0;   ///< ml/mmHg
   double veinResistance = 0;   ///< From veins to the atrium, mmHg s/ml.
+
+  friend bool operator==(const Vessels&, const Vessels&) = default;
 };
 
 /// Everything that the circulation depends on; the defaults are an adult at rest. A plain value.
@@ -45,6 +54,7 @@ struct Parameters {
   double pericardialScale = 0; ///< Each further so many ml multiply its pressure by e.
 
   Parameters();
+  friend bool operator==(const Parameters&, const Parameters&) = default;
 };
 
 /// One number of `Parameters`, as a control shows it and `--param` names it.
@@ -57,6 +67,7 @@ struct ParameterInfo {
   double highest = 0;
   std::string source;   ///< Where the default comes from: a DOI, or "fitted to the values at rest".
   bool control = false; ///< Among those that lessons move: rate, preload, afterload, contractility, valves.
+  std::optional<NormalValues> normal = {}; ///< Of controls: what a slider marks.
 };
 
 /// Every parameter, in the order of the documentation. O(1) after the first call; thread-safe.

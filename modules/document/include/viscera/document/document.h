@@ -8,6 +8,7 @@
 
 #include "viscera/coordinates/parameters.h"
 #include "viscera/core/signal.h"
+#include "viscera/document/circulation_choice.h"
 #include "viscera/document/ids.h"
 #include "viscera/document/measurement.h"
 #include "viscera/document/organ.h"
@@ -15,6 +16,8 @@
 #include "viscera/document/rig.h"
 
 namespace viscera::document {
+
+struct ScanItem;
 
 using OrganList = std::vector<std::shared_ptr<const Organ>>;
 
@@ -24,8 +27,8 @@ struct SystemChoice {
   coordinates::ParameterValues parameters;
 };
 
-/// Everything that is saved and undone, in six immutable parts that states share with one another: a copy
-/// costs six pointers, and a state that is kept (by the undo stack, by a worker that saves) never changes.
+/// Everything that is saved and undone, in eight immutable parts that states share with one another: a copy
+/// costs eight pointers, and a state that is kept (by the undo stack, by a worker that saves) never changes.
 ///
 /// What a user looks at is not in it: the selection (`Selection`), the camera, the mode, the time of a
 /// sequence.
@@ -33,9 +36,11 @@ struct DocumentState {
   std::shared_ptr<const OrganList> organs; ///< Never null, nor is any of its items.
   std::shared_ptr<const Rig> rig;          ///< Never null.
   std::shared_ptr<const Points> pose; ///< `handles x 3` mm, row i belongs to `rig->handles[i]`. Never null.
-  std::shared_ptr<const SystemChoice> system;          ///< Never null.
-  std::shared_ptr<const Recording> recording;          ///< The keys that a user has recorded. Never null.
-  std::shared_ptr<const MeasurementList> measurements; ///< In the order in which they were made. Never null.
+  std::shared_ptr<const SystemChoice> system;           ///< Never null.
+  std::shared_ptr<const Recording> recording;           ///< The keys that a user has recorded. Never null.
+  std::shared_ptr<const MeasurementList> measurements;  ///< In the order in which they were made. Never null.
+  std::shared_ptr<const CirculationChoice> circulation; ///< What moves the heart. Never null.
+  std::shared_ptr<const ScanItem> scan; ///< The image beside the organs (scan_item.h); null: there is none.
 
   /// An empty document.
   DocumentState();
@@ -66,6 +71,8 @@ struct Change {
   bool system() const { return before.system != after.system; }
   bool recording() const { return before.recording != after.recording; }
   bool measurements() const { return before.measurements != after.measurements; }
+  bool circulation() const { return before.circulation != after.circulation; }
+  bool scan() const { return before.scan != after.scan; }
 };
 
 /// The document that is open. Whoever has one reads it; only an `UndoStack` changes it, by commands.
@@ -90,6 +97,7 @@ public:
   const SystemChoice& system() const { return *state_.system; }
   const Recording& recording() const { return *state_.recording; }
   const MeasurementList& measurements() const { return *state_.measurements; }
+  const CirculationChoice& circulation() const { return *state_.circulation; }
 
   /// Tells of every change. An observer may read the document; to change it is a `std::logic_error`.
   [[nodiscard]] Subscription onChange(std::function<void(const Change&)> observer) {

@@ -4,24 +4,30 @@
 
 #include "viscera/core/arrays.h"
 
-/// Numbers that follow a cycle: known at evenly spaced instants, smooth between them.
+/// Numbers that follow a cycle: known at some instants, smooth between them.
 namespace viscera::lesson {
 
-/// `samples x modes` numbers over a cycle, the first at 0.
-using Course = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+/// A row an instant, a column a mode (or whatever else follows the cycle).
+using Table = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-/// How a course goes on behind its last sample: at the first one, a step later; or it ends there, at the end
-/// of the cycle, and jumps.
+/// How a course goes on behind its last instant: at the first one; or it ends there, and jumps.
 enum class CourseEnd { cycles, stops };
 
-/// The weights of a cubic B-spline that runs through all samples (Unser 1999, doi 10.1109/79.799930), as many
-/// as samples. O(samples modes).
-Course splineThrough(const Course& samples, CourseEnd end);
+/// Cubic pieces between instants that lie close together where much happens (Hermite's form).
+struct Course {
+  std::vector<double> instants; ///< Fractions of the cycle, ascending: k >= 2, the first 0, the last 1.
+  Table values;                 ///< `k x modes`.
+  Table slopes;                 ///< `k x modes`, a cycle.
+};
 
-/// The value of a spline at `fraction` of the cycle, [0, 1]: `modes` numbers. As the page does it.
-Eigen::VectorXd valueAt(const Course& spline, CourseEnd end, double fraction);
+/// The twice differentiable cubic spline through `values` (`k x modes`; of a cycle the last row is the first
+/// one, de Boor 2001, chapter 4). O(k modes).
+Course splineThrough(std::vector<double> instants, Table values, CourseEnd end);
 
-/// The fraction of the cycle at which a sample is.
+/// The value of a course at `fraction` of the cycle, [0, 1]: `modes` numbers. As the page does it.
+Eigen::VectorXd valueAt(const Course& course, double fraction);
+
+/// The fraction of the cycle at which the `sample` is of `samples` that are spread evenly.
 double fractionOf(Eigen::Index sample, Eigen::Index samples, CourseEnd end);
 
 } // namespace viscera::lesson

@@ -21,7 +21,7 @@ struct LessonSurface {
   Eigen::Index triangleCount = 0;
   bool closed = false;
   double restMl = 0;
-  Course curves;            ///< `courses x samples`, ml; empty when it is not closed.
+  Table curves;             ///< `courses x kCurveSamples`, ml; empty when it is not closed.
   std::vector<int> anchors; ///< Vertices spread over it, for the line of its name.
   std::vector<int> labels;  ///< The vertex of each of the plan's labels.
 };
@@ -35,23 +35,27 @@ struct Lesson {
   std::vector<LessonSurface> surfaces;
   std::vector<Points> modes; ///< As `rest`; mm.
   CourseEnd end = CourseEnd::cycles;
-  std::vector<Course> courses;                       ///< Splines, `samples x modes`; the rates share some.
+  std::vector<Course> courses;                       ///< Of the modes; the rates share some.
   std::vector<int> courseOfRate;                     ///< One a rate.
   std::vector<std::vector<sequences::Phase>> phases; ///< One list a rate, with the names that the plan gives.
   std::vector<std::string> handleLabels;
-  Course weights;            ///< `handles x vertices`: how far a vertex goes with a handle.
+  Table weights;             ///< `handles x vertices`: how far a vertex goes with a handle.
   double largestErrorMm = 0; ///< Of a vertex at any rate, at and between samples, as the page computes it.
 
   Eigen::Index vertexCount() const { return colors.rows(); }
-  Eigen::Index samples() const { return courses.empty() ? 0 : courses.front().rows(); }
+  /// Of all courses.
+  std::size_t instants() const;
 };
+
+/// How finely curves of volumes are drawn: instants spread evenly over the cycle.
+inline constexpr Eigen::Index kCurveSamples = 96;
 
 /// Steps to which a lesson's numbers are rounded.
 inline constexpr double kStepMm = 0.01;
 inline constexpr double kWeightStep = 1.0 / 4096;
 
-/// Makes a lesson: samples the motion at the plan's rates, doubles the samples until the motion between them
-/// is met, finds its modes, and the weights of the handles to drag. `organs` are those of `source.state`,
+/// Makes a lesson: samples the motion at the plan's rates until cubic pieces between the samples meet it,
+/// finds its modes, and the weights of the handles to drag. `organs` are those of `source.state`,
 /// bound; they are moved where a volume is to be kept, and posed anyhow afterwards. Some seconds. Throws
 /// `DataError` for volumes that cannot be kept and for an organ that is still being bound, `Cancelled`. For
 /// the thread of the organs.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <string>
 
 #include "viscera/circulation/beat.h"
@@ -17,10 +18,32 @@ namespace viscera::motion {
 sequences::HeartCourse heartCourse(const std::string& name, const circulation::Parameters& parameters,
                                    const circulation::Beat& beat, const circulation::Indices& indices);
 
-/// The sample heart with the heartbeat of a circulation: at any time the left ventricle holds the
-/// circulation's volume within 0.5 ml, the right one within 1 ml. Calibration takes about a second and is
-/// kept in the library's cache. Throws `DataError` when no beat repeats itself, or when the heart cannot take
-/// such volumes. As `setUpSequence`.
+/// The sample heart, ready to follow one circulation after the other, as while a control moves. Immutable;
+/// thread-safe.
+class CirculatingHeart {
+public:
+  /// Binds its cavities: some 0.5 s, and what `sample_organs::sampleOrgan` takes. Throws what that throws.
+  CirculatingHeart(const sample_organs::SampleLibrary& library, sample_organs::Resolution resolution,
+                   Progress& progress, Threads threads = {});
+  ~CirculatingHeart();
+
+  const sample_organs::SampleOrgan& organ() const;
+
+  /// The heartbeat of a course: at any time the left ventricle holds the course's volume within 0.5 ml, the
+  /// right one within 1 ml. Some 50 ms. Throws `DataError` when the heart cannot take such volumes,
+  /// `Cancelled`.
+  std::shared_ptr<const sequences::CourseHeartbeat> follow(sequences::HeartCourse course,
+                                                           Progress& progress) const;
+  /// The same with all that it moves.
+  SequenceSetup setup(sequences::HeartCourse course, Progress& progress) const;
+
+private:
+  struct Parts;
+  std::unique_ptr<const Parts> parts_;
+};
+
+/// The sample heart with the heartbeat of a circulation. Throws `DataError` when no beat repeats itself, or
+/// when the heart cannot take such volumes. As `CirculatingHeart`.
 SequenceSetup circulatingHeart(const sample_organs::SampleLibrary& library, const std::string& name,
                                const circulation::Parameters& parameters,
                                sample_organs::Resolution resolution, Progress& progress,

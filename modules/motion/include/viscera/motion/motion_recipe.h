@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "viscera/core/progress.h"
@@ -16,6 +17,9 @@ namespace viscera::motion {
 std::string sampleRecipe(const std::string& sequence, sample_organs::Resolution resolution);
 /// The same on another organ, with the landmarks that somebody gave.
 std::string fittedRecipe(const std::string& sequence, const Landmarks& given);
+
+/// The resolution of the sample heart that the recipe lets beat; nothing for a recipe of anything else.
+std::optional<sample_organs::Resolution> sampleHeartOf(const std::string& recipe);
 
 /// Makes the motion of a recipe; a fitted one for `organ`. Throws `DataError` for a recipe that is none, and
 /// what `setUpSequence` and `retargetSequence` throw. For any thread.

@@ -36,6 +36,9 @@ bool isSequenceFile(const std::filesystem::path& file);
 /// a pose for an unknown handle, fewer than four handles, or an easing that there is not.
 SequenceFile readSequence(const std::filesystem::path& file);
 
+/// What `writeSequence` writes: every number with the digits that bring back its bits.
+std::string textOf(const SequenceFile& sequence);
+
 /// Writes one; reading it back gives the same bits. Atomic. Throws `CannotCreateError`.
 void writeSequence(const std::filesystem::path& file, const SequenceFile& sequence);
 

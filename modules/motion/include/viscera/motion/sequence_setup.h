@@ -8,7 +8,6 @@
 #include "viscera/core/progress.h"
 #include "viscera/document/rig_commands.h"
 #include "viscera/sample_organs/sample_organ.h"
-#include "viscera/sequences/course_heartbeat.h"
 #include "viscera/sequences/sequence.h"
 
 namespace viscera::motion {
@@ -38,9 +37,5 @@ const std::vector<SampleSequence>& sampleSequences();
 /// any thread.
 SequenceSetup setUpSequence(const sample_organs::SampleLibrary& library, const std::string& id,
                             sample_organs::Resolution resolution, Progress& progress, Threads threads = {});
-
-/// The sample heart, following a course (`sequences::CourseHeartbeat`): volumes that a circulation gave.
-SequenceSetup courseSetup(const sample_organs::SampleLibrary& library, const sequences::HeartCourse& course,
-                          sample_organs::Resolution resolution, Progress& progress, Threads threads = {});
 
 } // namespace viscera::motion

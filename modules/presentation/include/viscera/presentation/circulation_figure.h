@@ -28,6 +28,21 @@ std::vector<scene::CurvePanel> wiggersPanels(const ShownCirculation& shown, doub
 std::vector<scene::CurvePanel> loopPanels(const ShownCirculation& shown, const ShownCirculation* before,
                                           double left);
 
+/// Both for a low and wide window of that many pixels, as under a view: the strips of Wiggers's diagram, then
+/// the loops of the left and of the right ventricle, the last two panels. Without titles and legends:
+/// `circulationLegend` says what is drawn in which colour.
+std::vector<scene::CurvePanel> circulationStrip(const ShownCirculation& shown, const ShownCirculation* before,
+                                                int width, int height);
+
+/// What a curve is, for a legend beside the panels.
+struct CirculationLine {
+  std::string name;
+  Vec3 color;
+  bool dashed = false;
+};
+/// Those of the strip, in the order in which they are read; what was `before` last.
+std::vector<CirculationLine> circulationLegend(const ShownCirculation* before);
+
 /// Both in one picture.
 std::vector<scene::CurvePanel> circulationFigure(const ShownCirculation& shown,
                                                  const ShownCirculation* before);

@@ -26,6 +26,8 @@ class vtkVisceraCutPlaneRepresentation;
 
 namespace viscera::presentation {
 
+struct Bending;
+
 /// Numbers on the surfaces of organs, in one colour map: an influence, a stress of the surface alone.
 struct SurfaceMap {
   std::map<document::OrganId, std::shared_ptr<const Values>> values; ///< One a vertex.
@@ -60,6 +62,7 @@ struct Scene {
   const SurfaceMap* map = nullptr;           ///< Null: only what `view` asks for.
   const MeasuringNow* measuring = nullptr;
   const std::vector<Guest>* guests = nullptr;
+  const Bending* bending = nullptr; ///< For slices in the view that are bent; null: they cannot be.
 };
 
 /// Draws a document: the one place where organs, handles, ghosts, regions, cages, influence and stress maps,

@@ -14,9 +14,10 @@ namespace viscera::presentation {
 /// Belongs to the thread that made it.
 class Stage {
 public:
-  /// Throws `Error` when there is nothing to draw with.
+  /// `width x height` device pixels, `pixelRatio` of them a logical one: type and lines grow with it. Throws
+  /// `Error` when there is nothing to draw with.
   Stage(int width, int height, const scene::Theme& theme, Threads threads = {},
-        Presenter::Translate translate = {});
+        Presenter::Translate translate = {}, double pixelRatio = 1);
   ~Stage();
 
   Presenter& presenter() { return presenter_; }

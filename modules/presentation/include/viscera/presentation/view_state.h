@@ -6,6 +6,7 @@
 
 #include "viscera/core/arrays.h"
 #include "viscera/document/ids.h"
+#include "viscera/presentation/scan_look.h"
 #include "viscera/presentation/stress_look.h"
 #include "viscera/scene/region_hulls.h"
 
@@ -63,6 +64,25 @@ struct Playing {
   bool operator==(const Playing&) const = default;
 };
 
+/// A plane that cuts organs open in all modes but Stress, which has a cut of its own.
+struct OrganCut {
+  bool on = false;
+  Vec3 normal = Vec3::UnitY(); ///< Unit, to what stays; at first what is in front of it goes.
+  double offset = 0;           ///< -1 to 1, of the radius of the ball around the visible organs at rest.
+
+  bool operator==(const OrganCut&) const = default;
+};
+
+/// A view that was kept to be shown in a lecture.
+struct Slide {
+  std::string caption; ///< Under the picture; UTF-8.
+  Camera camera;
+  std::optional<double>
+      fraction; ///< Where in its cycle the sequence stands, [0, 1]; none: it goes on as it is.
+
+  bool operator==(const Slide&) const = default;
+};
+
 /// What is selected, the last handle being the current one.
 struct SelectionState {
   document::OrganId organ;
@@ -89,11 +109,15 @@ struct ViewState {
   Mirror mirror = Mirror::off;
   scene::LayoutParts layout{.regions = true}; ///< Regions, zones, super-regions of the groups.
   bool chartOfCycle = true;                   ///< The chart shows one cycle, else the last seconds.
+  bool circulationChart = true; ///< Where a circulation moves the heart: its curves in place of the volumes.
   StressLook stress;
+  ScanLook scan;
+  OrganCut cut;
 
   SelectionState selection;
   std::vector<MotionChoice> motions;
   std::optional<Playing> playing;
+  std::vector<Slide> slides; ///< In the order in which they are shown.
   /// Where the handles were seen when it is not the document's pose, `n x 3` mm; empty otherwise.
   Points shownPose;
 

@@ -22,6 +22,12 @@ struct PanelCurve {
   bool dashed = false;
 };
 
+/// A place between axes.
+struct CurvePoint {
+  double x = 0;
+  double y = 0;
+};
+
 /// One pair of axes with its curves, somewhere in a window.
 struct CurvePanel {
   std::string title; ///< Above it; may be empty.
@@ -34,6 +40,8 @@ struct CurvePanel {
   std::optional<ValueRange> yRange; ///< Else that of the curves with some room.
   bool xLabels = true;              ///< False: another panel below has them.
   bool yLabels = true;
+  int mostXTicks = 6; ///< Of a small panel fewer, so that labels do not run into each other.
+  int mostYTicks = 6;
   bool legend = false;
   bool cursor = false; ///< Whether it shows the line of `setCursor`.
 };
@@ -55,6 +63,8 @@ public:
   void setPanels(std::vector<CurvePanel> panels);
   /// A vertical line at this x in every panel that wants it; nothing: no line.
   void setCursor(std::optional<double> x);
+  /// A point in one panel: where a loop is at this instant. Nothing: none.
+  void setMark(std::size_t panel, std::optional<CurvePoint> point);
 
   /// Fits the panels into the window as large as it is now; called by the caller before it renders.
   void update();

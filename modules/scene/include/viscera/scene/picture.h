@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <string>
 #include <vector>
 
 #include <vtkSmartPointer.h>
@@ -20,6 +21,9 @@ void writePng(const std::filesystem::path& file, vtkImageData* picture);
 
 /// Writes a PNG as small as zlib makes it, for pictures that are kept. As `writePng` otherwise.
 void writeSmallPng(const std::filesystem::path& file, vtkImageData* picture);
+
+/// The bytes of the file that `writeSmallPng` would write. O(pixels).
+std::string pngOf(vtkImageData* picture);
 
 /// Renders and writes in one call.
 void savePicture(vtkRenderWindow* window, const std::filesystem::path& file);

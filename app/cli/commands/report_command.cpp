@@ -1,0 +1,135 @@
+#include "cli/commands/all_commands.h"
+
+#include <chrono>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+#include "cli/inputs.h"
+#include "cli/listing.h"
+#include "cli/session_input.h"
+#include "viscera/core/error.h"
+#include "viscera/document/organ_commands.h"
+#include "viscera/report/report_file.h"
+
+namespace viscera::app::cli {
+namespace {
+
+/// `viscera report SESSION|ORGAN... -o FILE`: what a session or organs are, for a patient's file.
+class ReportCommand final : public Command {
+public:
+  std::string name() const override { return "report"; }
+  std::string summary() const override {
+    return "Report on a session or on organs as PDF or HTML: pictures, volumes, measurements, stress, motion";
+  }
+
+  void addOptions(CLI::App& options) override {
+    options
+        .add_option("WHAT", files_,
+                    "One session (.viscera), or organs (surface files, label maps, sample:NAME)")
+        ->required();
+    options.add_option("-o,--output", output_, "File to write: .pdf or .html")->type_name("FILE")->required();
+    options.add_option("--title", title_, "What the report is called; the first organ's name when not said");
+    options.add_flag("--stress", stress_,
+                     "Tell the stress of the pose, also where the session does not show it");
+  }
+
+  Outcome run(Surroundings& surroundings) override {
+    const auto begin = std::chrono::steady_clock::now();
+    if (!report::isReportFile(output_))
+      throw UsageError("It is not a file that a report can be", output_, "let it end in .pdf or .html");
+    Outcome outcome;
+    Material material = this->material(surroundings, outcome.warnings);
+    PosedSession posed(material.state, material.view, surroundings);
+    report::ReportSource source;
+    source.state = posed.state();
+    source.view = material.view;
+    source.organs = &posed.organs();
+    source.systems = &surroundings.systems;
+    source.title = title_;
+    source.file = material.file;
+    source.notes = material.notes;
+    source.sequence = sequenceOf(posed.state(), material.view, surroundings);
+    if (material.view.playing)
+      source.ratePerMinute = material.view.playing->ratePerMinute;
+    live::StressCopy stress;
+    if (material.view.shown.stress || stress_) {
+      if (const std::string missing = posed.makeStress(material.view, surroundings); !missing.empty())
+        outcome.warnings.push_back("there is no stress to report: " + missing);
+      stress = posed.stress().copy();
+      source.stress = &stress;
+      source.stressStatus = posed.stress().status();
+    }
+    const report::Report made = report::makeReport(source, surroundings.threads, surroundings.progress);
+    surroundings.progress.throwIfCancelled();
+    const int pages = report::writeReport(output_, made);
+    outcome.json = {{"file", output_},
+                    {"pages", pages},
+                    {"pictures", made.pictures()},
+                    {"bytes", std::filesystem::file_size(output_)},
+                    {"title", made.title},
+                    {"sections", nlohmann::ordered_json::array()}};
+    for (const report::Section& section : made.sections)
+      if (!section.title.empty())
+        outcome.json["sections"].push_back(section.title);
+    outcome.json["seconds"] = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    outcome.text = Listing()
+                       .add("report", output_)
+                       .add("pages", std::to_string(pages))
+                       .add("pictures", std::to_string(made.pictures()))
+                       .text();
+    return outcome;
+  }
+
+private:
+  /// What the report is about.
+  struct Material {
+    document::DocumentState state;
+    presentation::ViewState view;
+    std::string file;
+    std::vector<std::string> notes; ///< Of the files, for its reader.
+  };
+
+  Material material(Surroundings& surroundings, std::vector<std::string>& warnings) const {
+    Material material;
+    if (document::isSessionFile(files_.front())) {
+      if (files_.size() > 1)
+        throw UsageError("A session is reported on alone", files_[1], "name one session, or organs only");
+      const document::OpenedSession opened =
+          document::readSession(files_.front(), surroundings.samples, surroundings.progress);
+      material.state = opened.contents.state;
+      material.view = presentation::viewFromJson(opened.contents.view);
+      material.view.shown.rest = false; // A report is on the pose, also of one who edits the handles.
+      material.file = files_.front();
+      material.notes = warnings = opened.warnings;
+      return material;
+    }
+    std::vector<document::NewOrgan> organs;
+    for (const std::string& file : files_)
+      for (document::Organ& organ : organInputs(file, surroundings.samples, surroundings.progress))
+        organs.push_back({std::move(organ), -1});
+    document::Document document;
+    document::UndoStack undo(document);
+    undo.perform(document::addOrgans(std::move(organs)));
+    material.state = document.state();
+    for (const auto& organ : *material.state.organs)
+      warnings.insert(warnings.end(), organ->warnings.begin(), organ->warnings.end());
+    return material;
+  }
+
+  std::vector<std::string> files_;
+  std::string output_;
+  std::string title_;
+  bool stress_ = false;
+};
+
+} // namespace
+
+std::unique_ptr<Command> reportCommand() {
+  return std::make_unique<ReportCommand>();
+}
+
+} // namespace viscera::app::cli

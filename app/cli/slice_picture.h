@@ -1,0 +1,37 @@
+#pragma once
+
+#include <string>
+
+#include <nlohmann/json.hpp>
+#include <vtkImageData.h>
+#include <vtkSmartPointer.h>
+
+#include "cli/stage_options.h"
+#include "cli/still_organs.h"
+#include "viscera/document/scan_item.h"
+#include "viscera/presentation/view_state.h"
+
+namespace viscera::app::cli {
+
+/// Which slice is wanted: "axial:120", "coronal:-40.5", "sagittal:0"; a direction and a place along x, y or z
+/// in mm LPS.
+struct SliceRequest {
+  int direction = 0; ///< Of `slices::sliceDirections`.
+  double mm = 0;
+};
+
+/// Reads such a text. Throws `UsageError` for anything else.
+SliceRequest sliceRequest(const std::string& text);
+
+/// A slice as a picture, and what `--json` says of its contours (`organ`, `points`, `lengthMm`).
+struct SliceOutcome {
+  vtkSmartPointer<vtkImageData> image;
+  nlohmann::ordered_json contours;
+};
+
+/// Draws a slice through organs, as they are posed, and the scan beside them, if there is one. `view` says
+/// level, width and all else but the place. Throws as `presentation::Stage`.
+SliceOutcome slicePicture(const StillOrgans& organs, const SliceRequest& slice,
+                          const presentation::ViewState& view, const StageOptions& stage, Threads threads);
+
+} // namespace viscera::app::cli

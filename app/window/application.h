@@ -1,0 +1,32 @@
+#pragma once
+
+#include <QApplication>
+
+#include <functional>
+
+namespace viscera::app {
+
+/// The application of the window: a fault in what an event sets off becomes a message, and the window goes
+/// on. Without this an exception that leaves an event's handler ends the program.
+class Application final : public QApplication {
+public:
+  using QApplication::QApplication;
+
+  /// Does some work and says, by true, that nothing was thrown; such as `Workspace::guarded`.
+  using Guard = std::function<bool(const std::function<void()>&)>;
+  /// Empty: exceptions pass through, as tests want them.
+  void setGuard(Guard guard) { guard_ = std::move(guard); }
+
+  bool notify(QObject* receiver, QEvent* event) override {
+    if (!guard_)
+      return QApplication::notify(receiver, event);
+    bool handled = false;
+    guard_([&] { handled = QApplication::notify(receiver, event); });
+    return handled;
+  }
+
+private:
+  Guard guard_;
+};
+
+} // namespace viscera::app

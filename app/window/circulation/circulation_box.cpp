@@ -1,0 +1,200 @@
+#include "window/circulation/circulation_box.h"
+
+#include <QButtonGroup>
+#include <QHBoxLayout>
+#include <QPushButton>
+#include <QSignalBlocker>
+#include <QToolButton>
+
+#include <algorithm>
+#include <cmath>
+
+#include "viscera/circulation/readings.h"
+#include "viscera/circulation/scenario.h"
+#include "viscera/document/circulation_commands.h"
+#include "window/widgets/flow_layout.h"
+#include "window/widgets/page.h"
+#include "window/widgets/ready_made.h"
+#include "window/widgets/value_slider.h"
+
+namespace viscera::app {
+namespace {
+
+/// A slider has about so many steps.
+constexpr double kSteps = 100;
+
+/// The names of controls where a slider leaves little room; the tooltip has the whole.
+QString shortName(const circulation::ParameterInfo& info) {
+  static const std::map<std::string, QString> names = {
+      {"stressedVolume", CirculationBox::tr("Preload: stressed blood")},
+      {"systemicResistance", CirculationBox::tr("Afterload: body")},
+      {"pulmonaryResistance", CirculationBox::tr("Afterload: lungs")},
+      {"lvEes", CirculationBox::tr("Contractility, left")},
+      {"rvEes", CirculationBox::tr("Contractility, right")},
+      {"lvB", CirculationBox::tr("Stiffness, left")}};
+  const auto found = names.find(info.name);
+  return found == names.end() ? text(info.title) : found->second;
+}
+
+const circulation::ParameterInfo& infoOf(const std::string& name) {
+  const auto& infos = circulation::parameterInfos();
+  return *std::find_if(infos.begin(), infos.end(), [&](const auto& info) { return info.name == name; });
+}
+
+ValueSlider::Range rangeOf(const circulation::ParameterInfo& info) {
+  const double power = std::floor(std::log10((info.highest - info.lowest) / kSteps));
+  return {info.lowest, info.highest, std::pow(10.0, power), std::max(0, static_cast<int>(-power)),
+          QLatin1Char(' ') + text(info.unit)};
+}
+
+QString tipOf(const circulation::ParameterInfo& info) {
+  const QString what = CirculationBox::tr("%1, %2 at rest").arg(text(info.title)).arg(info.rest);
+  if (!info.normal)
+    return what;
+  const int decimals = rangeOf(info).decimals;
+  return CirculationBox::tr("%1. Marked: normal, %2 %3 (%4)")
+      .arg(what, text(circulation::rangeText(*info.normal, decimals)), text(info.unit),
+           text(info.normal->source));
+}
+
+} // namespace
+
+CirculationBox::CirculationBox(Workspace& workspace, CirculationModel& model, const Actions& actions,
+                               QWidget* parent)
+    : QWidget(parent), workspace_(workspace), model_(model), details_(new QWidget(this)) {
+  setObjectName(QStringLiteral("circulationBox"));
+  auto* column = makeLayout<QVBoxLayout>(this, 8);
+  makeChoice();
+  column->addWidget(details_);
+  auto* inner = makeLayout<QVBoxLayout>(details_, 8);
+  inner->addWidget(makeScenarios());
+  summary_ = makeRemark({}, details_);
+  complaint_ = makeRemark({}, details_);
+  complaint_->setObjectName(QStringLiteral("circulationComplaint"));
+  standing_ = makeRemark(tr("Only the sample heart follows a circulation; the charts show it all the same."),
+                         details_);
+  inner->addWidget(summary_);
+  inner->addWidget(complaint_);
+  inner->addWidget(standing_);
+  inner->addWidget(makeComparison(actions));
+  inner->addWidget(makeControls());
+  subscription_ = workspace.onChange([this](const document::Change& change) {
+    if (change.circulation() || change.organs())
+      sync();
+  });
+  connect(&model, &CirculationModel::changed, this, &CirculationBox::sync);
+  sync();
+}
+
+void CirculationBox::makeChoice() {
+  auto* row = makeLayout<QHBoxLayout>(nullptr, 4);
+  auto* group = new QButtonGroup(this);
+  const auto add = [&](const QString& name, const char* id, const QString& tip) {
+    auto* button = new QPushButton(name, this);
+    button->setObjectName(QLatin1String(id));
+    button->setCheckable(true);
+    button->setToolTip(tip);
+    group->addButton(button);
+    row->addWidget(button, 1);
+    return button;
+  };
+  textbook_ = add(tr("Textbook beat"), "textbookBeat", tr("One volume curve, whatever the rate"));
+  circulation_ = add(tr("Circulation"), "circulationBeat",
+                     tr("A closed loop of heart and vessels: pressures, loops, valves and sounds"));
+  static_cast<QVBoxLayout*>(layout())->addLayout(row);
+  connect(textbook_, &QAbstractButton::clicked, this, [this] {
+    if (model_.on())
+      workspace_.perform(document::driveHeart(false));
+    sync();
+  });
+  connect(circulation_, &QAbstractButton::clicked, this, [this] {
+    if (!model_.on())
+      Q_EMIT scenarioChosen({});
+    sync();
+  });
+}
+
+QWidget* CirculationBox::makeScenarios() {
+  auto* box = new QWidget(details_);
+  auto* flow = new FlowLayout(box, 4);
+  for (const circulation::Scenario& scenario : circulation::scenarios()) {
+    auto* button = new QToolButton(box);
+    button->setObjectName(QStringLiteral("scenario.%1").arg(text(scenario.id)));
+    button->setText(text(scenario.name));
+    button->setToolTip(text(scenario.summary));
+    button->setCheckable(true);
+    connect(button, &QToolButton::clicked, this, [this, id = text(scenario.id)] {
+      Q_EMIT scenarioChosen(id);
+      sync(); // Where nothing changed, the mark stays.
+    });
+    flow->addWidget(button);
+    scenarios_[scenario.id] = button;
+  }
+  return box;
+}
+
+QWidget* CirculationBox::makeComparison(const Actions& actions) {
+  auto* box = new QWidget(details_);
+  auto* column = makeLayout<QVBoxLayout>(box, 4);
+  auto* row = makeLayout<QHBoxLayout>(nullptr, 4);
+  for (const char* id : {"play.keepBefore", "play.forgetBefore"})
+    row->addWidget(makeActionButton(actions[id], box), 1);
+  kept_ = makeRemark({}, box);
+  column->addLayout(row);
+  column->addWidget(kept_);
+  return box;
+}
+
+QWidget* CirculationBox::makeControls() {
+  auto* box = new QWidget(details_);
+  auto* column = makeLayout<QVBoxLayout>(box, 8);
+  column->addWidget(new Fold(
+      tr("Rate, preload, afterload"),
+      makeGroup({"rate", "stressedVolume", "systemicResistance", "pulmonaryResistance"}), true, box));
+  column->addWidget(new Fold(tr("Muscle"), makeGroup({"lvEes", "rvEes", "lvB"}), true, box));
+  column->addWidget(new Fold(
+      tr("Valves and pericardium"),
+      makeGroup({"aorticArea", "aorticLeak", "mitralArea", "mitralLeak", "pericardialFluid"}), true, box));
+  return box;
+}
+
+QWidget* CirculationBox::makeGroup(const std::vector<const char*>& names) {
+  auto* box = new QWidget(details_);
+  auto* column = makeLayout<QVBoxLayout>(box, 8);
+  for (const char* name : names)
+    column->addWidget(controls_[name] = makeControl(infoOf(name), shortName(infoOf(name))));
+  return box;
+}
+
+ValueSlider* CirculationBox::makeControl(const circulation::ParameterInfo& info, const QString& name) {
+  auto* control = new ValueSlider(name, rangeOf(info), details_);
+  control->setObjectName(QStringLiteral("circulation.%1").arg(text(info.name)));
+  control->setToolTip(tipOf(info));
+  if (info.normal)
+    control->setNormal(info.normal->low, info.normal->high);
+  connect(control, &ValueSlider::valueChanged, this, [this, parameter = info.name](double value) {
+    if (!workspace_.perform(document::setCirculationParameter(parameter, value)))
+      sync();
+  });
+  connect(control, &ValueSlider::valueChosen, this, [this] { workspace_.undo().seal(); });
+  return control;
+}
+
+void CirculationBox::sync() {
+  const document::CirculationChoice& choice = model_.choice();
+  textbook_->setChecked(!choice.drives);
+  circulation_->setChecked(choice.drives);
+  details_->setVisible(choice.drives);
+  for (const auto& [id, button] : scenarios_)
+    button->setChecked(id == choice.scenario);
+  summary_->setText(text(circulation::scenario(choice.scenario).summary));
+  for (const auto& [name, control] : controls_)
+    control->setValue(circulation::parameter(choice.parameters, name));
+  complaint_->setText(model_.complaint());
+  complaint_->setVisible(!model_.complaint().isEmpty());
+  standing_->setVisible(!model_.hasHeart());
+  kept_->setText(choice.kept ? tr("Before: %1").arg(text(choice.kept->name)) : QString());
+  kept_->setVisible(choice.kept.has_value());
+}
+
+} // namespace viscera::app

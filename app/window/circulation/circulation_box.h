@@ -1,0 +1,57 @@
+#pragma once
+
+#include <QWidget>
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "viscera/circulation/parameters.h"
+#include "window/actions.h"
+#include "window/circulation/circulation_model.h"
+
+class QAbstractButton;
+class QLabel;
+class QVBoxLayout;
+
+namespace viscera::app {
+
+class ValueSlider;
+
+/// What moves the heart, for the property page: the textbook's beat or a circulation; its scenarios with one
+/// click each, its controls with what is normal for them, and what is kept to compare with.
+class CirculationBox final : public QWidget {
+  Q_OBJECT
+
+public:
+  CirculationBox(Workspace& workspace, CirculationModel& model, const Actions& actions,
+                 QWidget* parent = nullptr);
+
+Q_SIGNALS:
+  /// The user wants to see the heart in a scenario, or in the present one.
+  void scenarioChosen(const QString& id);
+
+private:
+  void makeChoice();
+  QWidget* makeScenarios();
+  QWidget* makeComparison(const Actions& actions);
+  QWidget* makeControls();
+  QWidget* makeGroup(const std::vector<const char*>& names);
+  ValueSlider* makeControl(const circulation::ParameterInfo& info, const QString& name);
+  void sync();
+
+  Workspace& workspace_;
+  CirculationModel& model_;
+  QAbstractButton* textbook_ = nullptr;
+  QAbstractButton* circulation_ = nullptr;
+  QWidget* details_ = nullptr; ///< All that is of a circulation.
+  std::map<std::string, QAbstractButton*> scenarios_;
+  std::map<std::string, ValueSlider*> controls_;
+  QLabel* summary_ = nullptr;
+  QLabel* kept_ = nullptr;
+  QLabel* complaint_ = nullptr;
+  QLabel* standing_ = nullptr;
+  Subscription subscription_;
+};
+
+} // namespace viscera::app

@@ -1,0 +1,205 @@
+#include "window/circulation/circulation_model.h"
+
+#include <utility>
+
+#include "viscera/circulation/indices.h"
+#include "viscera/motion/motion_recipe.h"
+#include "viscera/sample_organs/sample_organ.h"
+#include "viscera/sequences/course_heartbeat.h"
+
+namespace viscera::app {
+namespace {
+
+/// One solves while the other lets the heart follow.
+constexpr int kWorkers = 2;
+
+/// Whether a circulation moves the heart, be it the present one.
+bool followsOne(const Playback::Motion& motion) {
+  return dynamic_cast<const sequences::CourseHeartbeat*>(motion.sequence.get()) != nullptr;
+}
+
+} // namespace
+
+CirculationModel::CirculationModel(Workspace& workspace, Playback& playback, QObject* parent)
+    : QObject(parent), workspace_(workspace), playback_(playback),
+      jobs_(
+          [this](std::function<void()> work) {
+            QMetaObject::invokeMethod(this, std::move(work), Qt::QueuedConnection);
+          },
+          kWorkers) {
+  subscription_ = workspace.onChange([this](const document::Change& change) {
+    if (change.circulation() || change.organs())
+      soon();
+  });
+  connect(&playback, &Playback::stateChanged, this, &CirculationModel::soon);
+}
+
+/// A motion cannot be exchanged while others hear of a change.
+void CirculationModel::soon() {
+  if (!std::exchange(asked_, true))
+    QMetaObject::invokeMethod(this, &CirculationModel::sync, Qt::QueuedConnection);
+}
+
+void CirculationModel::sync() {
+  asked_ = false;
+  if (!on())
+    return clear();
+  if (solve())
+    follow();
+}
+
+void CirculationModel::clear() {
+  giveTextbookBack();
+  if (!present_ && !kept_ && complaint_.isEmpty())
+    return;
+  present_ = kept_ = refused_ = nullptr;
+  complaint_.clear();
+  Q_EMIT changed();
+}
+
+CirculationModel::SolvedPointer CirculationModel::solved(std::string name,
+                                                         const circulation::Parameters& parameters,
+                                                         const SolvedPointer& nearby, Progress& progress) {
+  circulation::PeriodicState found =
+      circulation::findPeriodicState(parameters, progress, {}, nearby ? &nearby->start : nullptr);
+  const circulation::Indices indices = circulation::indicesOf(parameters, found.beat);
+  return std::make_shared<const Solved>(
+      Solved{{std::move(name), parameters, std::move(found.beat), indices}, found.start, found.complaint});
+}
+
+/// True when all that the document wants is there; else a worker begins with it, or is at it.
+bool CirculationModel::solve() {
+  const auto isOf = [](const SolvedPointer& known, const circulation::Parameters& parameters,
+                       const std::string& name) {
+    return known && known->shown.parameters == parameters && known->shown.name == name;
+  };
+  const document::CirculationChoice& wanted = choice();
+  const std::string name = document::nameOf(wanted);
+  const bool refused = isOf(refused_, wanted.parameters, name);
+  const bool present = refused || isOf(present_, wanted.parameters, name);
+  if (present && !refused && refused_) { // The choice went back to one that can be.
+    refused_.reset();
+    complaint_.clear();
+    Q_EMIT changed();
+  }
+  if (!wanted.kept && kept_) {
+    kept_.reset();
+    Q_EMIT changed();
+  }
+  const bool kept = !wanted.kept || isOf(kept_, wanted.kept->parameters, wanted.kept->name);
+  if (present && kept)
+    return true;
+  if (std::exchange(solving_, true))
+    return false;
+  jobs_.submit<Solutions>(
+      tr("Circulation").toStdString(), {},
+      [wanted, name, present, kept, nearby = present_](Progress& progress) {
+        Solutions found;
+        if (!present)
+          found.present = solved(name, wanted.parameters, nearby, progress);
+        if (!kept)
+          found.kept = solved(wanted.kept->name, wanted.kept->parameters, {}, progress);
+        return found;
+      },
+      [this](const JobResult<Solutions>& result) { take(result); });
+  return false;
+}
+
+void CirculationModel::take(const JobResult<Solutions>& result) {
+  solving_ = false;
+  if (result.error)
+    workspace_.report(*result.error);
+  if (!result.value || !on())
+    return;
+  if (const SolvedPointer& found = result.value->present) {
+    complaint_ = found->complaint.empty() ? QString() : asSentence(found->complaint);
+    (complaint_.isEmpty() ? present_ : refused_) = found;
+  }
+  if (result.value->kept)
+    kept_ = result.value->kept;
+  follow();
+  Q_EMIT changed();
+  sync(); // The choice may be another one by now.
+}
+
+std::optional<Playback::Motion> CirculationModel::heartMotion() const {
+  for (const Playback::Motion& motion : playback_.motions())
+    if (motion::sampleHeartOf(motion.recipe))
+      return motion;
+  return {};
+}
+
+void CirculationModel::follow() {
+  const auto motion = heartMotion();
+  if (!motion || !present_ || following_)
+    return;
+  const bool present =
+      refused_ == present_ || (motion->sequence == followed_.sequence && followedBy_ == present_);
+  const bool kept = !kept_ || keptBeatBy_ == kept_;
+  if (present && kept)
+    return;
+  following_ = true;
+  jobs_.submit<Followed>(
+      tr("Heart of the circulation").toStdString(), {},
+      [by = present ? nullptr : present_, keptBy = kept ? nullptr : kept_, known = followed_,
+       resolution = *motion::sampleHeartOf(motion->recipe),
+       library = sample_organs::standardLibrary()](Progress& progress) {
+        Followed next{resolution, known.heart, nullptr, nullptr};
+        if (!next.heart || known.resolution != resolution)
+          next.heart = std::make_shared<const motion::CirculatingHeart>(library, resolution, progress);
+        const auto beatOf = [&](const Shown& shown) {
+          return next.heart->follow(
+              motion::heartCourse("Heartbeat: " + shown.name, shown.parameters, shown.beat, shown.indices),
+              progress);
+        };
+        if (by)
+          next.sequence = beatOf(by->shown);
+        if (keptBy)
+          next.keptBeat = beatOf(keptBy->shown);
+        return next;
+      },
+      [this, by = present_, keptBy = kept_, organ = motion->organ](JobResult<Followed> result) {
+        take(std::move(result), by, keptBy, organ);
+      });
+}
+
+void CirculationModel::take(JobResult<Followed> result, const SolvedPointer& by, const SolvedPointer& kept,
+                            document::OrganId organ) {
+  following_ = false;
+  if (result.error) {
+    refused_ = by;
+    keptBeatBy_ = kept;
+    keptBeat_ = nullptr;
+    complaint_ = asSentence(result.error->problem());
+    Q_EMIT changed();
+  }
+  const auto motion = heartMotion();
+  if (result.value && on() && motion && motion->organ == organ) {
+    followed_.heart = result.value->heart;
+    followed_.resolution = result.value->resolution;
+    if (result.value->sequence) {
+      if (!followsOne(*motion))
+        textbook_[organ] = motion->sequence;
+      followed_.sequence = result.value->sequence;
+      followedBy_ = by;
+      playback_.exchange(motion->sequence.get(), followed_.sequence);
+    }
+    if (result.value->keptBeat) {
+      keptBeat_ = result.value->keptBeat;
+      keptBeatBy_ = kept;
+      Q_EMIT changed();
+    }
+  }
+  soon();
+}
+
+void CirculationModel::giveTextbookBack() {
+  const auto motion = heartMotion();
+  if (!motion || !followsOne(*motion))
+    return;
+  followed_.sequence = nullptr;
+  followedBy_ = nullptr;
+  playback_.exchange(motion->sequence.get(), textbook_.at(motion->organ));
+}
+
+} // namespace viscera::app

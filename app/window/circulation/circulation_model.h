@@ -1,0 +1,101 @@
+#pragma once
+
+#include <QObject>
+
+#include <map>
+#include <memory>
+#include <optional>
+
+#include "viscera/circulation/periodic_state.h"
+#include "viscera/core/job_queue.h"
+#include "viscera/motion/circulating_heart.h"
+#include "viscera/presentation/circulation_figure.h"
+#include "window/timeline/playback.h"
+#include "window/workspace.h"
+
+namespace viscera::app {
+
+/// The circulation that the document has chosen, solved, and the sample heart that follows it. Both are done
+/// by workers: what is under way is let finish and shown, and the next one begins with the newest choice, so
+/// that a control that moves is seen to move. Where the document lets the textbook's beat move the heart, the
+/// heart gets that back.
+class CirculationModel final : public QObject {
+  Q_OBJECT
+
+public:
+  using Shown = presentation::ShownCirculation;
+
+  CirculationModel(Workspace& workspace, Playback& playback, QObject* parent = nullptr);
+
+  /// Whether the document lets a circulation move the heart.
+  bool on() const { return choice().drives; }
+  const document::CirculationChoice& choice() const { return workspace_.document().circulation(); }
+  /// The last one that was solved; null before the first, and while it is not `on`.
+  const Shown* present() const { return present_ ? &present_->shown : nullptr; }
+  /// What was kept to compare with; null when nothing was.
+  const Shown* kept() const { return kept_ ? &kept_->shown : nullptr; }
+  /// The heart's beat of what was kept, for a second view; null without one, and while it is being made.
+  std::shared_ptr<const sequences::Sequence> keptBeat() const { return kept_ ? keptBeat_ : nullptr; }
+  /// Why there is no beat that repeats itself, or why the heart cannot follow it; empty when all is well.
+  const QString& complaint() const { return complaint_; }
+  /// Whether there is a heart that can follow: the sample heart.
+  bool hasHeart() const { return heartMotion().has_value(); }
+  /// Whether nothing is being solved or calibrated.
+  bool settled() const { return !solving_ && !following_; }
+
+Q_SIGNALS:
+  /// Another circulation is present or kept, or none is, or the complaint is another one.
+  void changed();
+
+private:
+  /// A circulation with the state at which the search for a similar one begins.
+  struct Solved {
+    Shown shown;
+    circulation::State start{};
+    std::string complaint; ///< Why it is none.
+  };
+  using SolvedPointer = std::shared_ptr<const Solved>;
+  struct Solutions {
+    SolvedPointer present, kept; ///< Null: as before.
+  };
+  /// The heart that follows, and its beat.
+  struct Followed {
+    sample_organs::Resolution resolution{};
+    std::shared_ptr<const motion::CirculatingHeart> heart;
+    std::shared_ptr<const sequences::Sequence> sequence; ///< Of what is present; null: as before.
+    std::shared_ptr<const sequences::Sequence> keptBeat; ///< Of what was kept; null: as before.
+  };
+
+  static SolvedPointer solved(std::string name, const circulation::Parameters& parameters,
+                              const SolvedPointer& nearby, Progress& progress);
+  void soon();
+  void sync();
+  void clear();
+  bool solve();
+  void take(const JobResult<Solutions>& result);
+  void follow();
+  void take(JobResult<Followed> result, const SolvedPointer& by, const SolvedPointer& kept,
+            document::OrganId organ);
+  void giveTextbookBack();
+  std::optional<Playback::Motion> heartMotion() const;
+
+  Workspace& workspace_;
+  Playback& playback_;
+  SolvedPointer present_;
+  SolvedPointer kept_;
+  SolvedPointer refused_; ///< Tried last, and found to have no beat, or one that the heart cannot follow.
+  QString complaint_;
+  Followed followed_;
+  SolvedPointer followedBy_; ///< What `followed_` was made from.
+  std::shared_ptr<const sequences::Sequence> keptBeat_;
+  SolvedPointer keptBeatBy_;
+  /// Of each heart, the beat that it had before it followed a circulation.
+  std::map<document::OrganId, std::shared_ptr<const sequences::Sequence>> textbook_;
+  bool solving_ = false;
+  bool following_ = false;
+  bool asked_ = false; ///< `sync` comes after what is being told.
+  Subscription subscription_;
+  JobQueue jobs_;
+};
+
+} // namespace viscera::app

@@ -1,0 +1,133 @@
+#include "window/circulation/circulation_panel.h"
+
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QVBoxLayout>
+
+#include <algorithm>
+#include <cmath>
+
+#include <vtkGenericOpenGLRenderWindow.h>
+#include <vtkNew.h>
+
+#include "window/circulation/numbers_table.h"
+#include "window/widgets/ready_made.h"
+
+namespace viscera::app {
+namespace {
+
+using circulation::Compartment;
+
+constexpr int kNumbersWidth = 372;
+constexpr int kLoops = 2;
+
+/// The sample at a part of the beat.
+std::size_t sampleAt(const circulation::Beat& beat, double fraction) {
+  const auto last = static_cast<double>(beat.time.size() - 1);
+  return static_cast<std::size_t>(std::lround(std::clamp(fraction, 0.0, 1.0) * last));
+}
+
+} // namespace
+
+CirculationPanel::CirculationPanel(CirculationModel& model, Playback& playback, VolumeMonitor& volumes,
+                                   QWidget* parent)
+    : QWidget(parent), model_(model), playback_(playback), panels_(std::make_unique<scene::CurvePanels>()),
+      chart_(new QVTKOpenGLNativeWidget(this)), numbers_(new NumbersTable(this)), legend_(new QLabel(this)) {
+  setObjectName(QStringLiteral("panel"));
+  setAttribute(Qt::WA_StyledBackground);
+  auto* row = makeLayout<QHBoxLayout>(this, 8, {8, 4, 8, 4});
+  auto* column = makeLayout<QVBoxLayout>(nullptr, 2);
+  legend_->setObjectName(QStringLiteral("circulationLegend"));
+  legend_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+  column->addWidget(legend_);
+  column->addWidget(chart_, 1);
+  row->addLayout(column, 1);
+  row->addWidget(numbers_);
+  numbers_->setFixedWidth(kNumbersWidth);
+  chart_->setMinimumSize(240, 72);
+  vtkNew<vtkGenericOpenGLRenderWindow> window;
+  window->SetMultiSamples(0);
+  chart_->setRenderWindow(window);
+  panels_->setWindow(window);
+  chart_->installEventFilter(this);
+  connect(&model, &CirculationModel::changed, this, &CirculationPanel::rebuild);
+  // At ten a second, and when the timeline is moved.
+  connect(&volumes, &VolumeMonitor::updated, this, &CirculationPanel::draw);
+}
+
+CirculationPanel::~CirculationPanel() {
+  panels_->setWindow(nullptr);
+}
+
+void CirculationPanel::setTheme(const Theme& theme) {
+  scene::Theme colors = theme.kind == ThemeKind::dark ? scene::darkTheme() : scene::lightTheme();
+  colors.panel = {theme.panel.redF(), theme.panel.greenF(), theme.panel.blueF()};
+  panels_->setTheme(colors);
+  numbers_->setTheme(theme);
+  rebuild();
+}
+
+void CirculationPanel::showEvent(QShowEvent* event) {
+  QWidget::showEvent(event);
+  rebuild();
+}
+
+bool CirculationPanel::eventFilter(QObject* watched, QEvent* event) {
+  if (watched == chart_ && event->type() == QEvent::Resize)
+    QMetaObject::invokeMethod(this, &CirculationPanel::rebuild, Qt::QueuedConnection);
+  return QWidget::eventFilter(watched, event);
+}
+
+QString CirculationPanel::legendText() const {
+  QStringList parts;
+  for (const presentation::CirculationLine& line : presentation::circulationLegend(model_.kept())) {
+    const QColor color = QColor::fromRgbF(line.color.x(), line.color.y(), line.color.z());
+    parts.push_back(QStringLiteral("<span style=\"color:%1\">%2</span>&nbsp;%3")
+                        .arg(color.name(), line.dashed ? QStringLiteral("- -") : QStringLiteral("&#9632;"),
+                             text(line.name).toHtmlEscaped()));
+  }
+  return parts.join(QStringLiteral("&nbsp;&nbsp; "));
+}
+
+void CirculationPanel::rebuild() {
+  if (!isVisible())
+    return;
+  const CirculationModel::Shown* present = model_.present();
+  const CirculationModel::Shown* kept = model_.kept();
+  std::vector<scene::CurvePanel> panels;
+  if (present)
+    panels = presentation::circulationStrip(*present, kept, chart_->width(), chart_->height());
+  panelCount_ = panels.size();
+  panels_->setPanels(std::move(panels));
+  numbers_->setIndices(present ? &present->indices : nullptr, kept ? &kept->indices : nullptr);
+  legend_->setText(legendText());
+  draw();
+}
+
+/// Where the heart is in the beat that is drawn.
+void CirculationPanel::placeInstant() {
+  const CirculationModel::Shown* present = model_.present();
+  if (!present || panelCount_ < kLoops)
+    return;
+  const bool shown = playback_.showing() && model_.hasHeart();
+  const double fraction = playback_.player().fraction();
+  panels_->setCursor(shown ? std::optional(fraction * present->beat.period) : std::nullopt);
+  const std::size_t sample = sampleAt(present->beat, fraction);
+  std::size_t panel = panelCount_ - kLoops;
+  for (const Compartment ventricle : {Compartment::lv, Compartment::rv}) {
+    const scene::CurvePoint now{present->beat.volumeOf(ventricle)[sample],
+                                present->beat.pressureOf(ventricle)[sample]};
+    panels_->setMark(panel++, shown ? std::optional(now) : std::nullopt);
+  }
+}
+
+void CirculationPanel::draw() {
+  if (!isVisible())
+    return;
+  placeInstant();
+  panels_->update();
+  chart_->renderWindow()->Render();
+}
+
+} // namespace viscera::app

@@ -1,0 +1,80 @@
+#include "window/circulation/numbers_table.h"
+
+#include <QHeaderView>
+
+#include "window/workspace.h"
+
+namespace viscera::app {
+namespace {
+
+enum Column { kName, kNow, kBefore, kNormal, kColumns };
+constexpr int kRowHeight = 20;
+
+const circulation::Reading& readingOf(int row) {
+  return circulation::readings()[static_cast<std::size_t>(row)];
+}
+
+} // namespace
+
+NumbersTable::NumbersTable(QWidget* parent)
+    : QTableWidget(static_cast<int>(circulation::readings().size()), kColumns, parent),
+      theme_(themeOf(ThemeKind::dark)) {
+  setObjectName(QStringLiteral("circulationNumbers"));
+  setAccessibleName(tr("Numbers of the circulation"));
+  setHorizontalHeaderLabels({QString(), tr("now"), tr("before"), tr("normal")});
+  horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+  horizontalHeader()->setSectionResizeMode(kName, QHeaderView::Stretch);
+  horizontalHeader()->setDefaultAlignment(Qt::AlignRight | Qt::AlignVCenter);
+  horizontalHeader()->setHighlightSections(false);
+  horizontalHeader()->setMinimumSectionSize(kRowHeight);
+  verticalHeader()->hide();
+  verticalHeader()->setDefaultSectionSize(kRowHeight);
+  setShowGrid(false);
+  setEditTriggers(NoEditTriggers);
+  setSelectionMode(NoSelection);
+  setFocusPolicy(Qt::NoFocus);
+  setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  for (int row = 0; row < rowCount(); ++row) {
+    const circulation::Reading& reading = readingOf(row);
+    const QString unit = reading.unit.empty() ? QString() : QStringLiteral(" (%1)").arg(text(reading.unit));
+    auto* name = new QTableWidgetItem(text(reading.title) + unit);
+    name->setToolTip(name->text());
+    setItem(row, kName, name);
+    for (const int column : {kNow, kBefore, kNormal}) {
+      auto* item = new QTableWidgetItem;
+      item->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
+      setItem(row, column, item);
+    }
+    if (!reading.normal)
+      continue;
+    item(row, kNormal)->setText(text(circulation::rangeText(*reading.normal, reading.decimals > 0 ? 1 : 0)));
+    item(row, kNormal)->setToolTip(text(reading.normal->source));
+  }
+  setIndices(nullptr, nullptr);
+}
+
+void NumbersTable::setIndices(const circulation::Indices* now, const circulation::Indices* before) {
+  setColumnHidden(kBefore, !before);
+  for (int row = 0; row < rowCount(); ++row) {
+    fill(row, kNow, now);
+    fill(row, kBefore, before);
+  }
+}
+
+void NumbersTable::fill(int row, int column, const circulation::Indices* indices) {
+  const circulation::Reading& reading = readingOf(row);
+  const double value = indices ? reading.of(*indices) : 0;
+  const bool odd = indices && reading.normal && !reading.normal->holds(value);
+  item(row, column)->setText(indices ? QString::number(value, 'f', reading.decimals) : QStringLiteral("-"));
+  item(row, column)->setForeground(odd ? theme_.warning : theme_.text);
+}
+
+void NumbersTable::setTheme(const Theme& theme) {
+  theme_ = theme;
+  for (int row = 0; row < rowCount(); ++row) {
+    item(row, kName)->setForeground(theme.text);
+    item(row, kNormal)->setForeground(theme.muted);
+  }
+}
+
+} // namespace viscera::app

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <QObject>
+
+#include "window/lecture/slides.h"
+#include "window/timeline/volume_monitor.h"
+#include "window/view/view_area.h"
+#include "window/window_layout.h"
+
+class QFrame;
+class QLabel;
+
+namespace viscera::app {
+
+/// What a lecture hall sees: the view alone on the whole screen, with the slide's caption, the phase and the
+/// volumes below it in large letters. The keys of a presentation remote go through the slides (Page Down,
+/// Page Up), darken the screen (B) and end it (Escape).
+class LectureScreen final : public QObject {
+  Q_OBJECT
+
+public:
+  /// All have to live longer.
+  struct Parts {
+    WindowLayout& layout;
+    ViewArea& area;
+    Slides& slides;
+    const Playback& playback;
+    VolumeMonitor& volumes;
+  };
+
+  /// Adds "view.lecture" and "lecture.dark".
+  LectureScreen(const Parts& parts, Actions& actions, QObject* parent = nullptr);
+
+  bool on() const { return parts_.layout.bare(); }
+  void begin();
+  /// Back to the window as it was. False when it was not on.
+  bool end();
+
+private:
+  void sync();
+  QString numbers() const;
+
+  Parts parts_;
+  QAction* shown_;
+  QFrame* card_;
+  QLabel* caption_;
+  QLabel* numbers_;
+  QWidget* dark_;
+};
+
+} // namespace viscera::app

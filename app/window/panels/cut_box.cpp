@@ -1,0 +1,81 @@
+#include "window/panels/cut_box.h"
+
+#include <QAction>
+#include <QCheckBox>
+#include <QGridLayout>
+#include <QPushButton>
+
+#include <vtkCamera.h>
+#include <vtkRenderer.h>
+
+#include "window/widgets/ready_made.h"
+#include "window/widgets/value_slider.h"
+
+namespace viscera::app {
+namespace {
+constexpr double kPercent = 100;
+} // namespace
+
+CutBox::CutBox(ViewModel& view, ViewWidget& widget, const Actions& actions, QWidget* parent)
+    : QWidget(parent), view_(view), widget_(widget) {
+  auto* column = makeLayout<QVBoxLayout>(this, 6);
+  auto* check = new QCheckBox(actions["view.cut"]->iconText(), this);
+  check->setToolTip(actions["view.cut"]->toolTip());
+  connect(check, &QCheckBox::toggled, actions["view.cut"], &QAction::setChecked);
+  connect(actions["view.cut"], &QAction::toggled, check, &QCheckBox::setChecked);
+  check->setChecked(actions["view.cut"]->isChecked());
+  column->addWidget(check);
+  directions_ = makeDirections();
+  column->addWidget(directions_);
+  offset_ = new ValueSlider(tr("Depth"), {-kPercent, kPercent, 1, 0, QStringLiteral(" %")}, this);
+  offset_->setObjectName(QStringLiteral("cutOffset"));
+  offset_->setToolTip(tr("Of the way from the middle of the organs to their edge"));
+  column->addWidget(offset_);
+  connect(offset_, &ValueSlider::valueChanged, this, [this](double value) {
+    view_.change([value](presentation::ViewState& state) { state.cut.offset = value / kPercent; });
+  });
+  connect(&view, &ViewModel::changed, this, &CutBox::sync);
+  sync();
+}
+
+QWidget* CutBox::makeDirections() {
+  auto* box = new QWidget(this);
+  auto* grid = makeLayout<QGridLayout>(box, 4);
+  struct Direction {
+    QString name;
+    QString tip;
+    Vec3 normal; ///< Zero: along the sight.
+  };
+  const Direction directions[] = {{tr("Coronal"), tr("Cut away the front"), Vec3::UnitY()},
+                                  {tr("Sagittal"), tr("Cut away the left side"), -Vec3::UnitX()},
+                                  {tr("Axial"), tr("Cut away the upper part"), -Vec3::UnitZ()},
+                                  {tr("Facing me"), tr("Cut away what is nearest"), Vec3::Zero()}};
+  int index = 0;
+  for (const Direction& direction : directions) {
+    auto* button = new QPushButton(direction.name, box);
+    button->setToolTip(direction.tip);
+    connect(button, &QPushButton::clicked, this, [this, normal = direction.normal] { cutFrom(normal); });
+    grid->addWidget(button, index / 2, index % 2);
+    ++index;
+  }
+  return box;
+}
+
+void CutBox::cutFrom(const Vec3& normal) {
+  Vec3 chosen = normal;
+  if (chosen.isZero()) {
+    double sight[3];
+    widget_.view().renderer()->GetActiveCamera()->GetDirectionOfProjection(sight);
+    chosen = Vec3(sight).normalized();
+  }
+  view_.change([&chosen](presentation::ViewState& state) { state.cut = {true, chosen, 0}; });
+}
+
+void CutBox::sync() {
+  const presentation::OrganCut& cut = view_.state().cut;
+  directions_->setEnabled(cut.on);
+  offset_->setEnabled(cut.on);
+  offset_->setValue(kPercent * cut.offset);
+}
+
+} // namespace viscera::app

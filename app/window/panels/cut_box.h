@@ -1,0 +1,31 @@
+#pragma once
+
+#include <QWidget>
+
+#include "window/view/view_model.h"
+#include "window/view/view_widget.h"
+
+namespace viscera::app {
+
+class ValueSlider;
+
+/// Cuts organs open in the view: the switch "view.cut", the direction of the plane and its place.
+class CutBox final : public QWidget {
+  Q_OBJECT
+
+public:
+  /// All have to live longer.
+  CutBox(ViewModel& view, ViewWidget& widget, const Actions& actions, QWidget* parent = nullptr);
+
+private:
+  QWidget* makeDirections();
+  void cutFrom(const Vec3& normal);
+  void sync();
+
+  ViewModel& view_;
+  ViewWidget& widget_;
+  QWidget* directions_;
+  ValueSlider* offset_;
+};
+
+} // namespace viscera::app

@@ -1,0 +1,237 @@
+#include "window/slices/scan_actions.h"
+
+#include <QAction>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QInputDialog>
+
+#include <utility>
+
+namespace viscera::app {
+namespace {
+
+using presentation::ScanLook;
+using presentation::ViewState;
+
+constexpr const char* kFolderKey = "files/folder";
+constexpr std::size_t kShownFindings = 3;
+
+/// Level and width for what is to be seen in a CT, in Hounsfield units.
+struct Preset {
+  const char* id;
+  const char* name;
+  double level, width;
+};
+constexpr Preset kPresets[] = {
+    {"scan.softTissue", QT_TRANSLATE_NOOP("viscera::app::ScanActions", "Soft &tissue"), 40, 400},
+    {"scan.lung", QT_TRANSLATE_NOOP("viscera::app::ScanActions", "&Lung"), -600, 1500},
+    {"scan.bone", QT_TRANSLATE_NOOP("viscera::app::ScanActions", "&Bone"), 400, 1800},
+    {"scan.brain", QT_TRANSLATE_NOOP("viscera::app::ScanActions", "B&rain"), 40, 80},
+    {"scan.liver", QT_TRANSLATE_NOOP("viscera::app::ScanActions", "Li&ver"), 60, 160},
+    {"scan.angio", QT_TRANSLATE_NOOP("viscera::app::ScanActions", "&Angiography"), 300, 600}};
+
+/// How thick slices can be, mm.
+struct Thickness {
+  const char* id;
+  double mm;
+};
+constexpr Thickness kThicknesses[] = {
+    {"scan.slab0", 0}, {"scan.slab5", 5}, {"scan.slab10", 10}, {"scan.slab20", 20}};
+
+/// Where one looks: the 3D view, all four, or one slice.
+struct Layout {
+  const char* id;
+  const char* layout;
+  const char* name;
+  int key;
+};
+constexpr Layout kLayouts[] = {
+    {"layout.3d", "3d", QT_TRANSLATE_NOOP("viscera::app::ScanActions", "&3D view alone"),
+     static_cast<int>(Qt::SHIFT) + static_cast<int>(Qt::Key_F6)},
+    {"layout.four", "four", QT_TRANSLATE_NOOP("viscera::app::ScanActions", "&Four views"), Qt::Key_F6},
+    {"layout.axial", "axial", QT_TRANSLATE_NOOP("viscera::app::ScanActions", "&Axial slice"), Qt::Key_F7},
+    {"layout.coronal", "coronal", QT_TRANSLATE_NOOP("viscera::app::ScanActions", "&Coronal slice"),
+     Qt::Key_F8},
+    {"layout.sagittal", "sagittal", QT_TRANSLATE_NOOP("viscera::app::ScanActions", "&Sagittal slice"),
+     Qt::Key_F9}};
+
+QString lineOf(const medical_io::ScanSeries& series) {
+  QString line = QStringLiteral("%1  %2  %3 x %4 x %5")
+                     .arg(text(series.modality), text(series.description))
+                     .arg(series.size[0])
+                     .arg(series.size[1])
+                     .arg(series.size[2]);
+  if (series.phases > 1)
+    line += ScanActions::tr("  %n {phase|phases}", nullptr, series.phases);
+  return line.trimmed();
+}
+
+} // namespace
+
+ScanActions::ScanActions(Workspace& workspace, ViewModel& view, Settings& settings, QWidget* window)
+    : QObject(window), workspace_(workspace), view_(view), settings_(settings), window_(window) {}
+
+void ScanActions::addTo(Actions& actions) {
+  actions.add("file.openScan",
+              {tr("Open a &scan..."), "patient", {}, tr("Open a CT or MR beside the organs")},
+              [this] { chooseAndOpen(false); });
+  actions.add("file.openSeries",
+              {tr("Open a DICOM &series..."), "patient", {}, tr("Open a folder of DICOM files as a scan")},
+              [this] { chooseAndOpen(true); });
+  actions.add("scan.close", {tr("C&lose the scan"), nullptr, {}, tr("Take the scan away; organs stay")},
+              [this] { workspace_.perform(document::closeScan()); });
+  actions.enableWhile({"scan.close"}, [this] { return workspace_.state().scan != nullptr; });
+  makeLayouts(actions);
+  makePresets(actions);
+  makeSwitches(actions);
+}
+
+void ScanActions::addChoice(Actions& actions, const char* id, const Actions::Description& description,
+                            std::function<bool(const ScanLook&)> chosen,
+                            std::function<void(ScanLook&)> choose) {
+  QAction* action = actions.add(id, description, [this, choose = std::move(choose)] {
+    view_.change([&choose](ViewState& view) { choose(view.scan); });
+  });
+  action->setCheckable(true);
+  const auto sync = [this, action, chosen = std::move(chosen)] {
+    action->setChecked(chosen(view_.state().scan));
+  };
+  connect(&view_, &ViewModel::changed, action, sync);
+  // A click on the one that is on leaves it on.
+  connect(action, &QAction::triggered, action, sync);
+  sync();
+}
+
+void ScanActions::makeLayouts(Actions& actions) {
+  for (const Layout& layout : kLayouts) {
+    layouts_.push_back(layout.id);
+    addChoice(
+        actions, layout.id, {tr(layout.name), "view", {layout.key}, {}},
+        [id = std::string(layout.layout)](const ScanLook& look) { return look.layout == id; },
+        [id = std::string(layout.layout)](ScanLook& look) { look.layout = id; });
+  }
+}
+
+void ScanActions::makePresets(Actions& actions) {
+  const auto show = [this, &actions](const char* id) { menu_.addAction(actions[id]); };
+  addChoice(
+      actions, "scan.automatic",
+      {tr("A&utomatic"), nullptr, {}, tr("Level and width as the scan's file proposes, or by its values")},
+      [](const ScanLook& look) { return look.width <= 0; },
+      [](ScanLook& look) { look.level = look.width = 0; });
+  show("scan.automatic");
+  for (const Preset& preset : kPresets) {
+    addChoice(
+        actions, preset.id,
+        {tr(preset.name), nullptr, {}, tr("Level %1, width %2").arg(preset.level).arg(preset.width)},
+        [preset](const ScanLook& look) { return look.level == preset.level && look.width == preset.width; },
+        [preset](ScanLook& look) {
+          look.level = preset.level;
+          look.width = preset.width;
+        });
+    show(preset.id);
+  }
+}
+
+void ScanActions::makeSwitches(Actions& actions) {
+  struct Switch {
+    const char* id;
+    Actions::Description description;
+    bool ScanLook::*part;
+  };
+  const Switch all[] = {
+      {"scan.contours",
+       {tr("&Contours"), nullptr, {}, tr("The organs' outlines on the slices")},
+       &ScanLook::contours},
+      {"scan.rest",
+       {tr("Contours at &rest"), "ghost", {}, tr("Thin, beside those of posed organs")},
+       &ScanLook::rest},
+      {"scan.standing", {tr("Slices in the &3D view"), "patient", {}, {}}, &ScanLook::standing},
+      {"scan.smooth", {tr("S&mooth between voxels"), nullptr, {}, {}}, &ScanLook::smooth},
+      {"scan.maximum",
+       {tr("Ma&ximum of thick slices"), nullptr, {}, tr("Instead of their mean")},
+       &ScanLook::maximum}};
+  menu_.addSeparator();
+  for (const Switch& item : all) {
+    view_.addToggle(actions, item.id, item.description,
+                    [part = item.part](ViewState& view) -> bool& { return view.scan.*part; });
+    switches_.push_back(item.id);
+    menu_.addAction(actions[item.id]);
+  }
+  QMenu* thickness = menu_.addMenu(tr("&Thickness"));
+  for (const Thickness& item : kThicknesses) {
+    addChoice(
+        actions, item.id,
+        {item.mm > 0 ? tr("Slices of %1 mm").arg(item.mm) : tr("Thin slices"), nullptr, {}, {}},
+        [mm = item.mm](const ScanLook& look) { return look.slabMm == mm; },
+        [mm = item.mm](ScanLook& look) { look.slabMm = mm; });
+    thickness->addAction(actions[item.id]);
+  }
+}
+
+void ScanActions::chooseAndOpen(bool folder) {
+  const QString start = settings_.folder(kFolderKey, QStandardPaths::DocumentsLocation);
+  const QString chosen =
+      folder ? QFileDialog::getExistingDirectory(window_, tr("Open a folder of DICOM files"), start)
+             : QFileDialog::getOpenFileName(
+                   window_, tr("Open a scan"), start,
+                   tr("Scans (*.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.dcm);;All files (*)"));
+  if (!chosen.isEmpty())
+    open(chosen);
+}
+
+void ScanActions::open(const QString& place) {
+  workspace_.inBackground<std::vector<medical_io::ScanSeries>>(
+      tr("Looking at %1").arg(QFileInfo(place).fileName()), "scan",
+      [path = place.toStdString()](Progress& progress) { return medical_io::listScans(path, progress); },
+      [this, place](const std::vector<medical_io::ScanSeries>& series) { choose(place, series); });
+}
+
+void ScanActions::choose(const QString& place, const std::vector<medical_io::ScanSeries>& series) {
+  if (series.size() < 2)
+    return read(place, {});
+  QStringList lines;
+  for (const medical_io::ScanSeries& item : series)
+    lines << QStringLiteral("%1. %2").arg(lines.size() + 1).arg(lineOf(item));
+  bool chosen = false;
+  const QString line = QInputDialog::getItem(window_, tr("Open a scan"), tr("There are several. Which one?"),
+                                             lines, 0, false, &chosen);
+  if (chosen)
+    read(place, {series[static_cast<std::size_t>(lines.indexOf(line))].id, 0});
+}
+
+void ScanActions::read(const QString& place, const medical_io::ScanOptions& options) {
+  workspace_.inBackground<document::ScanItem>(
+      tr("Opening %1").arg(QFileInfo(place).fileName()), "scan",
+      [path = place.toStdString(), options](Progress& progress) {
+        return document::openScanFile(path, options, progress);
+      },
+      [this, place](document::ScanItem item) {
+        if (!workspace_.perform(document::openScan(std::move(item))))
+          return;
+        settings_.setValue(kFolderKey, QFileInfo(place).absolutePath());
+        opened();
+      });
+}
+
+void ScanActions::opened() {
+  const auto item = workspace_.state().scan;
+  if (!item)
+    return;
+  view_.change([](ViewState& view) {
+    const ScanLook before = view.scan;
+    view.scan = {};
+    view.scan.layout = before.layout == "3d" ? "four" : before.layout;
+    view.scan.standing = before.standing;
+    view.scan.bent = before.bent;
+  });
+  QStringList lines;
+  for (std::size_t i = 0; i < std::min(kShownFindings, item->scan->findings.size()); ++i)
+    lines << asSentence(item->scan->findings[i].sentence);
+  if (item->scan->findings.size() > kShownFindings)
+    lines << tr("And %n more.", nullptr, static_cast<int>(item->scan->findings.size() - kShownFindings));
+  if (!lines.isEmpty())
+    workspace_.note(text(item->name) + QStringLiteral(": ") + lines.join(QLatin1Char('\n')), 15);
+}
+
+} // namespace viscera::app

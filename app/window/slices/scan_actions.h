@@ -1,0 +1,58 @@
+#pragma once
+
+#include <QMenu>
+#include <QObject>
+
+#include <vector>
+
+#include "viscera/document/scan_item.h"
+#include "window/actions.h"
+#include "window/settings.h"
+#include "window/view/view_model.h"
+#include "window/workspace.h"
+
+namespace viscera::app {
+
+/// The scan in and out, and how it is looked at: layouts of the views, level and width, thickness.
+class ScanActions final : public QObject {
+  Q_OBJECT
+
+public:
+  /// All have to live longer.
+  ScanActions(Workspace& workspace, ViewModel& view, Settings& settings, QWidget* window);
+
+  /// Adds "file.openScan", "file.openSeries", "scan.close", the layouts, the presets and the switches.
+  void addTo(Actions& actions);
+  /// Level and width, and what else concerns a slice under the mouse. Filled by `addTo`.
+  QMenu* sliceMenu() { return &menu_; }
+  const QMenu& sliceMenu() const { return menu_; }
+  /// The ids of all layouts, and of the switches, for a menu.
+  const std::vector<const char*>& layouts() const { return layouts_; }
+  const std::vector<const char*>& switches() const { return switches_; }
+
+  /// Reads a scan on a worker and puts it beside the organs; asks which series where there are several.
+  void open(const QString& fileOrFolder);
+  /// Shows a scan that has just come into the document, all of it, and says what is odd with it.
+  void opened();
+
+private:
+  void makeLayouts(Actions& actions);
+  void makePresets(Actions& actions);
+  void makeSwitches(Actions& actions);
+  void chooseAndOpen(bool folder);
+  void choose(const QString& place, const std::vector<medical_io::ScanSeries>& series);
+  void read(const QString& place, const medical_io::ScanOptions& options);
+  /// A choice that is marked while the view is as it says.
+  void addChoice(Actions& actions, const char* id, const Actions::Description& description,
+                 std::function<bool(const presentation::ScanLook&)> chosen,
+                 std::function<void(presentation::ScanLook&)> choose);
+
+  Workspace& workspace_;
+  ViewModel& view_;
+  Settings& settings_;
+  QWidget* window_;
+  QMenu menu_;
+  std::vector<const char*> layouts_, switches_;
+};
+
+} // namespace viscera::app

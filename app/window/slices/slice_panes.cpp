@@ -1,0 +1,196 @@
+#include "window/slices/slice_panes.h"
+
+#include <QMenu>
+
+#include <algorithm>
+#include <cmath>
+
+#include "viscera/document/scan_item.h"
+#include "viscera/slices/slice_frame.h"
+#include "window/view/picture.h"
+
+namespace viscera::app {
+namespace {
+
+using presentation::ScanLook;
+using presentation::ViewState;
+
+/// Logical pixels of a drag that move the level by its width, or double the width.
+constexpr double kWindowReach = 300;
+constexpr double kLeastWidth = 1;
+constexpr double kLeastZoom = 0.1, kMostZoom = 100;
+/// Between slices without a scan, mm.
+constexpr double kStepMm = 1;
+
+/// How far the scan's voxels are apart along an axis of the patient, mm.
+double stepAlong(const document::DocumentState& state, int axis) {
+  if (!state.scan)
+    return kStepMm;
+  const Eigen::Matrix3d steps = state.scan->scan->indexToLps.linear();
+  const Eigen::Matrix3d directions = steps.colwise().normalized();
+  Eigen::Index along = 0;
+  directions.row(axis).cwiseAbs().maxCoeff(&along);
+  return steps.col(along).norm();
+}
+
+} // namespace
+
+SlicePanes::SlicePanes(Workspace& workspace, ViewModel& model, ViewArea& area, QMenu& menu, QObject* parent)
+    : QObject(parent), workspace_(workspace), model_(model), area_(area), presenter_({}, translated) {
+  for (int i = 0; i < 3; ++i) {
+    auto* widget = new SliceWidget;
+    widget->setObjectName(QStringLiteral("slice.%1")
+                              .arg(QLatin1String(slices::sliceDirections()[static_cast<std::size_t>(i)].id)));
+    widgets_[static_cast<std::size_t>(i)] = widget;
+    connectWidget(i);
+    connect(widget, &SliceWidget::menuWanted, &menu, [&menu](const QPoint& place) { menu.popup(place); });
+  }
+  area.addSlices({widgets_[0], widgets_[1], widgets_[2]});
+  subscriptions_.push_back(workspace.onChange([this](const document::Change&) { refresh(); }));
+  subscriptions_.push_back(workspace.live().onEvent([this](const live::LiveEvent&) { refresh(); }));
+  connect(&model, &ViewModel::changed, this, [this] {
+    arrange();
+    refresh();
+  });
+  arrange();
+}
+
+SlicePanes::~SlicePanes() = default;
+
+void SlicePanes::connectWidget(int direction) {
+  SliceWidget* widget = widgets_[static_cast<std::size_t>(direction)];
+  connect(widget, &SliceWidget::resized, this, &SlicePanes::refresh);
+  connect(widget, &SliceWidget::crossWanted, this,
+          [this, direction](const Eigen::Vector2d& pixel) { moveCross(direction, pixel); });
+  connect(widget, &SliceWidget::windowDragged, this, &SlicePanes::dragWindow);
+  connect(widget, &SliceWidget::panDragged, this,
+          [this, direction](const QPointF& by) { pan(direction, by); });
+  connect(
+      widget, &SliceWidget::zoomWanted, this,
+      [this, direction](double factor, const Eigen::Vector2d& around) { zoom(direction, factor, around); });
+  connect(widget, &SliceWidget::scrolled, this,
+          [this, direction](double steps) { scroll(direction, steps); });
+  connect(widget, &SliceWidget::doubleClicked, this, [this, direction] { isolate(direction); });
+  connect(widget, &SliceWidget::hovered, this,
+          [this, direction](const std::optional<Eigen::Vector2d>& pixel) { read(direction, pixel); });
+}
+
+void SlicePanes::setTheme(const Theme& theme) {
+  for (SliceWidget* widget : widgets_)
+    widget->setTheme(theme);
+}
+
+void SlicePanes::arrange() {
+  const std::string& layout = model_.state().scan.layout;
+  const auto directions = slices::sliceDirections();
+  std::array<bool, 3> shown{};
+  for (std::size_t i = 0; i < 3; ++i)
+    shown[i] = layout == "four" || layout == directions[i].id;
+  const bool any = shown[0] || shown[1] || shown[2];
+  area_.arrange(!any || layout == "four", shown);
+}
+
+std::vector<presentation::SlicePane> SlicePanes::panes() const {
+  std::vector<presentation::SlicePane> panes;
+  for (int i = 0; i < 3; ++i) {
+    const SliceWidget& widget = *widgets_[static_cast<std::size_t>(i)];
+    if (widget.isVisible())
+      panes.push_back({i, widget.pixelWidth(), widget.pixelHeight()});
+  }
+  return panes;
+}
+
+void SlicePanes::refresh() {
+  const auto shown = panes();
+  if (shown.empty())
+    return;
+  workspace_.guarded([&] {
+    presenter_.update({workspace_.state(), workspace_.live(), model_.state()}, shown);
+    for (const presentation::SlicePane& pane : shown) {
+      widget(pane.direction).setPicture(presenter_.picture(pane.direction));
+      read(pane.direction, cursor_[static_cast<std::size_t>(pane.direction)]);
+    }
+  });
+}
+
+void SlicePanes::moveCross(int direction, const Eigen::Vector2d& pixel) {
+  const int axis = slices::sliceDirections()[static_cast<std::size_t>(direction)].axis;
+  Vec3 place = presenter_.frame(direction).at(pixel.x(), pixel.y());
+  place[axis] = presentation::focusOf(workspace_.state(), model_.state().scan)[axis];
+  model_.change([&place](ViewState& view) { view.scan.focus = place; });
+}
+
+void SlicePanes::scroll(int direction, double steps) {
+  const int axis = slices::sliceDirections()[static_cast<std::size_t>(direction)].axis;
+  const double towards = axis == 2 ? 1 : -1; // LPS: z grows to the head; front and right are negative.
+  Vec3 place = presentation::focusOf(workspace_.state(), model_.state().scan);
+  const Bounds box = presentation::boxOfSlices(workspace_.state());
+  place[axis] = std::clamp(place[axis] + towards * steps * stepAlong(workspace_.state(), axis), box.low[axis],
+                           box.high[axis]);
+  model_.change([&place](ViewState& view) { view.scan.focus = place; });
+}
+
+void SlicePanes::dragWindow(const QPointF& by) {
+  if (!workspace_.state().scan)
+    return;
+  const medical_io::ValueWindow now =
+      presentation::windowOf(*workspace_.state().scan->scan, model_.state().scan);
+  model_.change([&](ViewState& view) {
+    view.scan.level = now.level + now.width * by.y() / kWindowReach;
+    view.scan.width = std::max(kLeastWidth, now.width * std::exp2(by.x() / kWindowReach));
+  });
+}
+
+void SlicePanes::pan(int direction, const QPointF& by) {
+  const slices::SliceFrame& frame = presenter_.frame(direction);
+  const double mm = frame.right.norm() * widget(direction).devicePixelRatioF();
+  model_.change([&](ViewState& view) {
+    presentation::SliceFraming& framing = view.scan.framings[static_cast<std::size_t>(direction)];
+    framing.rightMm -= mm * by.x();
+    framing.upMm -= mm * by.y();
+  });
+}
+
+/// What is at `around` stays there.
+void SlicePanes::zoom(int direction, double factor, const Eigen::Vector2d& around) {
+  const slices::SliceFrame& frame = presenter_.frame(direction);
+  const double mm = frame.right.norm();
+  const Eigen::Vector2d middle(0.5 * (frame.width - 1), 0.5 * (frame.height - 1));
+  model_.change([&](ViewState& view) {
+    presentation::SliceFraming& framing = view.scan.framings[static_cast<std::size_t>(direction)];
+    const double zoom = std::clamp(framing.zoom * factor, kLeastZoom, kMostZoom);
+    const Eigen::Vector2d kept = mm * (1 - framing.zoom / zoom) * (around - middle);
+    framing.rightMm += kept.x();
+    framing.upMm += kept.y();
+    framing.zoom = zoom;
+  });
+}
+
+/// A double click shows one slice alone, and another one all four again.
+void SlicePanes::isolate(int direction) {
+  const char* id = slices::sliceDirections()[static_cast<std::size_t>(direction)].id;
+  model_.change([id](ViewState& view) { view.scan.layout = view.scan.layout == id ? "four" : id; });
+}
+
+void SlicePanes::read(int direction, const std::optional<Eigen::Vector2d>& pixel) {
+  cursor_[static_cast<std::size_t>(direction)] = pixel;
+  SliceWidget& shown = widget(direction);
+  if (!pixel)
+    return shown.setReading({});
+  const presentation::SliceReading reading = presenter_.read(direction, *pixel);
+  QStringList parts;
+  if (reading.value) {
+    const std::string& unit = workspace_.state().scan->scan->unit;
+    parts << (QString::number(*reading.value, 'f', 0) + QLatin1Char(' ') + text(unit)).trimmed();
+  }
+  QStringList place;
+  for (int axis = 0; axis < 3; ++axis)
+    place << text(presentation::formatSlicePosition(axis, reading.position[axis]))
+                 .remove(QStringLiteral(" mm"));
+  parts << place.join(QStringLiteral(", ")) + QStringLiteral(" mm");
+  if (const auto organ = workspace_.document().organ(reading.organ))
+    parts << text(organ->name);
+  shown.setReading(parts.join(QStringLiteral("   ")));
+}
+
+} // namespace viscera::app

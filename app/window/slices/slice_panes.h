@@ -1,0 +1,58 @@
+#pragma once
+
+#include <QObject>
+
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "viscera/presentation/slice_presenter.h"
+#include "window/slices/slice_widget.h"
+#include "window/view/view_area.h"
+#include "window/view/view_model.h"
+#include "window/workspace.h"
+
+class QMenu;
+
+namespace viscera::app {
+
+/// The three slices beside the 3D view: brings their pictures up to date after every change of the document,
+/// of its organs and of the view's state, and turns what the mouse does there into changes of that state.
+class SlicePanes final : public QObject {
+  Q_OBJECT
+
+public:
+  /// All have to live longer. `menu` opens at the right button.
+  SlicePanes(Workspace& workspace, ViewModel& model, ViewArea& area, QMenu& menu, QObject* parent = nullptr);
+  ~SlicePanes() override;
+
+  void setTheme(const Theme& theme);
+  SliceWidget& widget(int direction) { return *widgets_[static_cast<std::size_t>(direction)]; }
+  const presentation::SlicePresenter& presenter() const { return presenter_; }
+
+  /// Brings the slices that are seen up to date and has them rendered soon.
+  void refresh();
+  /// Moves a slice by so many of the scan's voxels, towards head, front and right.
+  void scroll(int direction, double steps);
+
+private:
+  void connectWidget(int direction);
+  void arrange();
+  void moveCross(int direction, const Eigen::Vector2d& pixel);
+  void dragWindow(const QPointF& by);
+  void pan(int direction, const QPointF& by);
+  void zoom(int direction, double factor, const Eigen::Vector2d& around);
+  void isolate(int direction);
+  void read(int direction, const std::optional<Eigen::Vector2d>& pixel);
+  std::vector<presentation::SlicePane> panes() const;
+
+  Workspace& workspace_;
+  ViewModel& model_;
+  ViewArea& area_;
+  std::array<SliceWidget*, 3> widgets_{};
+  presentation::SlicePresenter presenter_;
+  std::array<std::optional<Eigen::Vector2d>, 3> cursor_;
+  std::vector<Subscription> subscriptions_;
+};
+
+} // namespace viscera::app

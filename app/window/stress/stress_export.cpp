@@ -1,0 +1,106 @@
+#include "window/stress/stress_export.h"
+
+#include <QFileDialog>
+#include <QFileInfo>
+
+#include "viscera/live/stress_files.h"
+#include "window/actions.h"
+
+namespace viscera::app {
+namespace {
+
+constexpr const char* kFolderKey = "files/folder"; // The one of all file dialogs.
+constexpr const char* kMapActions[] = {"stress.exportMap", "stress.exportPoints", "stress.exportHistogram"};
+
+} // namespace
+
+StressExport::StressExport(Workspace& workspace, Playback& playback, StressModel& model, Settings& settings,
+                           QWidget* window)
+    : QObject(window), workspace_(workspace), playback_(playback), model_(model), settings_(settings),
+      window_(window) {}
+
+void StressExport::addTo(Actions& actions) {
+  const auto add = [&](const char* id, const QString& text, const QString& tip, const QString& title,
+                       const QString& name, const QString& filter,
+                       void (StressExport::*exporting)(const QString&)) {
+    actions.add(id, {text, "export", {}, tip}, [=, this] { choose(title, name, filter, exporting); });
+  };
+  const QString tables = tr("Comma-separated values (*.csv)");
+  add("stress.exportMap", tr("Export stress &map..."),
+      tr("Write all values at all points of the organ's inside, for ParaView"), tr("Export stress map"),
+      tr("stress.vtu"), tr("VTK solids (*.vtu)"), &StressExport::exportMap);
+  add("stress.exportPoints", tr("Export stress at the &points..."),
+      tr("Write the values at the witness points as a table"), tr("Export stress at the points"),
+      tr("stress.csv"), tables, &StressExport::exportPoints);
+  add("stress.exportHistogram", tr("Export &histogram..."),
+      tr("Write how the quantity that is shown is spread over the witness points"), tr("Export histogram"),
+      tr("histogram.csv"), tables, &StressExport::exportHistogram);
+  add("stress.exportCurve", tr("Export &curve over the sequence..."),
+      tr("Write the rotational stress over one whole cycle of the sequence"), tr("Export curve"),
+      tr("curve.csv"), tables, &StressExport::exportCurve);
+  const auto ready = [this] {
+    return model_.active() && model_.live().status().state == live::StressStatus::State::ready;
+  };
+  actions.enableWhile({std::begin(kMapActions), std::end(kMapActions)}, ready);
+  actions.enableWhile({"stress.exportCurve"},
+                      [this, ready] { return ready() && playback_.player().movable(); });
+  connect(&model_, &StressModel::statusChanged, &actions, &Actions::sync);
+  connect(&model_, &StressModel::activeChanged, &actions, &Actions::sync);
+  connect(&playback_, &Playback::stateChanged, &actions, &Actions::sync);
+}
+
+void StressExport::choose(const QString& title, const QString& name, const QString& filter,
+                          void (StressExport::*exporting)(const QString&)) {
+  const QString folder = settings_.folder(kFolderKey, QStandardPaths::DocumentsLocation);
+  const QString file = QFileDialog::getSaveFileName(window_, title, folder + QLatin1Char('/') + name, filter);
+  if (!file.isEmpty())
+    (this->*exporting)(file);
+}
+
+void StressExport::write(const QString& what, const QString& file, std::function<void(Progress&)> work) {
+  workspace_.inBackground<bool>(
+      tr("Exporting %1").arg(what), "export",
+      [work = std::move(work)](Progress& progress) {
+        work(progress);
+        return true;
+      },
+      [this, file](bool) {
+        settings_.setValue(kFolderKey, QFileInfo(file).absolutePath());
+        workspace_.noteWritten(tr("Written to %1.").arg(QFileInfo(file).fileName()), file);
+      });
+}
+
+void StressExport::exportMap(const QString& file) {
+  write(tr("the stress map"), file,
+        [mesh = model_.live().mesh(), posed = model_.live().points(), map = model_.shownMap(),
+         path = file.toStdString()](Progress&) { live::writeStressSolid(path, *mesh, posed, map); });
+}
+
+void StressExport::exportPoints(const QString& file) {
+  write(tr("the stress"), file,
+        [mesh = model_.live().mesh(), posed = model_.live().points(), map = model_.shownMap(),
+         path = file.toStdString()](Progress&) { live::writeStressTable(path, *mesh, posed, map); });
+}
+
+void StressExport::exportHistogram(const QString& file) {
+  Values values;
+  live::quantityOf(model_.shownMap(), model_.look().quantity, values);
+  write(tr("the histogram"), file,
+        [values, count = model_.live().mesh()->witnesses, quantity = live::describe(model_.look().quantity),
+         path = file.toStdString()](Progress&) {
+          live::writeStressHistogram(path, live::histogramOf(values, count, live::kHistogramBars), quantity);
+        });
+}
+
+void StressExport::exportCurve(const QString& file) {
+  write(tr("the curve"), file,
+        [gradients = model_.live().gradients(), count = model_.live().mesh()->witnesses,
+         sequence = playback_.sharedSequence(), rate = playback_.player().ratePerMinute(),
+         path = file.toStdString()](Progress& progress) {
+          const live::StressPeak peak =
+              live::stressPeak(*gradients, count, *sequence, rate, live::kPeakFrames, {}, progress);
+          live::writeStressCurve(path, peak.cycle);
+        });
+}
+
+} // namespace viscera::app

@@ -1,0 +1,63 @@
+#pragma once
+
+#include <QAbstractTableModel>
+
+#include <optional>
+
+#include "window/workspace.h"
+
+namespace viscera::app {
+
+/// One vertex of an organ, whose coordinates are looked at.
+struct LookedAtVertex {
+  document::OrganId organ;
+  int vertex = -1;
+};
+
+/// The handles of the document as rows: label, groups, where they are at rest and in the pose (mm, LPS), how
+/// far they moved, and their coordinate at one vertex. Numbers and labels can be typed; each is one step of
+/// undo.
+class HandleModel final : public QAbstractTableModel {
+  Q_OBJECT
+
+public:
+  enum Column { label, groups, restX, restY, restZ, poseX, poseY, poseZ, moved, weight, columns };
+
+  explicit HandleModel(Workspace& workspace, QObject* parent = nullptr);
+
+  /// Looks at the coordinates of that vertex from now on; none: at none.
+  void lookAt(std::optional<LookedAtVertex> vertex);
+  const std::optional<LookedAtVertex>& lookedAt() const { return vertex_; }
+  /// The coordinates of the vertex, one a handle; empty without one, or while its organ is not bound.
+  const Values& weights() const { return weights_; }
+
+  int rowCount(const QModelIndex& parent = {}) const override;
+  int columnCount(const QModelIndex& parent = {}) const override;
+  QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
+  /// What a reader sees (`DisplayRole`), the number as it is (`EditRole`: for typing, sorting and copying).
+  QVariant data(const QModelIndex& index, int role) const override;
+  Qt::ItemFlags flags(const QModelIndex& index) const override;
+  bool setData(const QModelIndex& index, const QVariant& value, int role) override;
+
+  /// These rows as text: tabulators between cells, a line a row, numbers with all their digits.
+  QString textOf(const std::vector<int>& rows) const;
+
+Q_SIGNALS:
+  /// The coordinates of the vertex are others.
+  void weightsChanged();
+
+private:
+  void refresh();
+  void measure();
+  bool isNumber(int column) const { return column >= restX; }
+  double number(int row, int column) const;
+  QString groupsOf(const document::Handle& handle) const;
+
+  Workspace& workspace_;
+  std::optional<LookedAtVertex> vertex_;
+  Values weights_;
+  int rows_ = 0;
+  std::vector<Subscription> subscriptions_;
+};
+
+} // namespace viscera::app

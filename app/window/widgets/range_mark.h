@@ -1,0 +1,26 @@
+#pragma once
+
+#include <QWidget>
+
+class QSlider;
+
+namespace viscera::app {
+
+/// A thin line under a slider on which a part of its range is marked: what is normal.
+class RangeMark final : public QWidget {
+public:
+  explicit RangeMark(const QSlider& slider, QWidget* parent = nullptr);
+
+  /// Parts of the slider's range, 0 to 1.
+  void setPart(double from, double to);
+
+protected:
+  void paintEvent(QPaintEvent* event) override;
+
+private:
+  const QSlider& slider_;
+  double from_ = 0;
+  double to_ = 0;
+};
+
+} // namespace viscera::app

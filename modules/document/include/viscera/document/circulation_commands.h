@@ -1,0 +1,27 @@
+#pragma once
+
+#include <string>
+
+#include "viscera/document/command.h"
+
+/// Commands that change what moves the heart.
+namespace viscera::document {
+
+/// Lets the circulation move the heart, or the textbook's beat again. The circulation stays as it is.
+Command driveHeart(bool byCirculation);
+
+/// Takes a scenario with all its parameters, and lets it move the heart. What was kept stays. Throws
+/// `UsageError` for an unknown one.
+Command chooseScenario(const std::string& id);
+
+/// Sets one parameter (`circulation::parameterInfos`). Changes of one parameter one after the other are one
+/// undo step. Throws `UsageError` for an unknown name, a value out of its range, and a valve that would leak
+/// through a larger area than it opens to.
+Command setCirculationParameter(const std::string& name, double value);
+
+/// Keeps the present circulation, to compare what follows with it.
+Command keepCirculation();
+/// Keeps none. Nothing happens when none is kept.
+Command forgetKeptCirculation();
+
+} // namespace viscera::document

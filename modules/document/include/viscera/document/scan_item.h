@@ -1,0 +1,53 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "viscera/core/progress.h"
+#include "viscera/document/command.h"
+#include "viscera/medical_io/scan.h"
+
+namespace viscera::document {
+
+/// The scan that lies beside the organs: the same patient's image. Immutable once in a document, and shared
+/// by all states that have it; a session names its place and does not hold its samples.
+struct ScanItem {
+  std::string name;                             ///< "CT, Abdomen 5.0", or its file's.
+  std::shared_ptr<const medical_io::Scan> scan; ///< Never null.
+  std::filesystem::path file; ///< Where it was read from: a file, or a folder of DICOM files. Empty: nowhere,
+                              ///< and no session keeps it.
+  std::string series;         ///< Which of several there, as `medical_io::ScanOptions`.
+  int phase = 0;              ///< Which of several in time.
+};
+
+/// The same contents to the last bit, wherever they are stored; nothing is equal to nothing only. O(voxels)
+/// for two scans in different places.
+bool identical(const std::shared_ptr<const ScanItem>& a, const std::shared_ptr<const ScanItem>& b);
+
+/// Names a scan that was read: by its modality and description, else by its file.
+ScanItem scanItem(medical_io::Scan scan, const std::filesystem::path& file,
+                  const medical_io::ScanOptions& options = {});
+
+/// Reads a scan for a document. Touches none; throws what `medical_io::readScan` throws.
+ScanItem openScanFile(const std::filesystem::path& file, const medical_io::ScanOptions& options,
+                      Progress& progress);
+
+/// Whether the values are rather numbers of organs than measured ones: whole, none below zero, and mostly
+/// equal to their neighbours'. O(voxels).
+bool looksLikeLabels(const medical_io::Scan& scan);
+
+/// Takes the first file or folder out of `files` that is a scan, and reads it; none when all of them are
+/// something else. Image formats hold scans and label maps alike: what looks like labels is none, and neither
+/// is what cannot be read as a scan. Throws `NoInputError`, `Cancelled`.
+std::optional<ScanItem> takeScan(std::vector<std::filesystem::path>& files, Progress& progress);
+
+/// Puts a scan beside the organs, in the place of the one there is.
+Command openScan(ScanItem item);
+
+/// Takes the scan away. Throws `UsageError` when there is none.
+Command closeScan();
+
+} // namespace viscera::document

@@ -1,0 +1,61 @@
+#include "viscera/document/circulation_commands.h"
+
+#include <algorithm>
+
+#include "viscera/circulation/scenario.h"
+#include "viscera/document/edit.h"
+
+namespace viscera::document {
+namespace {
+
+std::string titleOf(const std::string& parameter) {
+  const auto& infos = circulation::parameterInfos();
+  const auto found =
+      std::find_if(infos.begin(), infos.end(), [&](const auto& info) { return info.name == parameter; });
+  return found == infos.end() ? parameter : found->title;
+}
+
+} // namespace
+
+std::string nameOf(const CirculationChoice& choice) {
+  const bool changed = !(choice.parameters == circulation::scenarioParameters(choice.scenario));
+  return circulation::scenario(choice.scenario).name + (changed ? ", changed" : "");
+}
+
+Command driveHeart(bool byCirculation) {
+  return edit::onPart(byCirculation ? "Heart follows the circulation" : "Heart follows the textbook",
+                      &DocumentState::circulation,
+                      [=](CirculationChoice& choice) { choice.drives = byCirculation; });
+}
+
+Command chooseScenario(const std::string& id) {
+  const std::string name = circulation::scenario(id).name;
+  return edit::onPart("Circulation: " + name, &DocumentState::circulation, [id](CirculationChoice& choice) {
+    choice.drives = true;
+    choice.scenario = id;
+    choice.parameters = circulation::scenarioParameters(id);
+  });
+}
+
+Command setCirculationParameter(const std::string& name, double value) {
+  return edit::onPart(
+      titleOf(name), &DocumentState::circulation,
+      [=](CirculationChoice& choice) {
+        circulation::setParameter(choice.parameters, name, value);
+        circulation::checkParameters(choice.parameters);
+      },
+      "circulation." + name);
+}
+
+Command keepCirculation() {
+  return edit::onPart("Keep as before", &DocumentState::circulation, [](CirculationChoice& choice) {
+    choice.kept = KeptCirculation{nameOf(choice), choice.parameters};
+  });
+}
+
+Command forgetKeptCirculation() {
+  return edit::onPart("Forget what was before", &DocumentState::circulation,
+                      [](CirculationChoice& choice) { choice.kept.reset(); });
+}
+
+} // namespace viscera::document

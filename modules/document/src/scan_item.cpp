@@ -1,0 +1,107 @@
+#include "viscera/document/scan_item.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "viscera/core/error.h"
+
+namespace viscera::document {
+namespace {
+
+/// Of neighbours of which one is not zero, in a scan: more differ.
+constexpr double kMostBorders = 0.6;
+
+/// Segmentations say what they are.
+bool isNamedAsLabels(const std::filesystem::path& file) {
+  const std::string name = file.filename().string();
+  return name.ends_with(".seg.nrrd") || name.ends_with(".seg.nhdr");
+}
+
+template <class Sample>
+bool looksLikeLabels(const std::vector<Sample>& samples) {
+  std::size_t pairs = 0, borders = 0;
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    const auto value = static_cast<double>(samples[i]);
+    if (!(value >= 0) || value != std::floor(value))
+      return false;
+    if (i > 0 && (samples[i] != 0 || samples[i - 1] != 0)) {
+      ++pairs;
+      borders += samples[i] != samples[i - 1] ? 1 : 0;
+    }
+  }
+  return static_cast<double>(borders) <= kMostBorders * static_cast<double>(pairs);
+}
+
+} // namespace
+
+bool identical(const std::shared_ptr<const ScanItem>& a, const std::shared_ptr<const ScanItem>& b) {
+  if (a == b || !a || !b)
+    return a == b;
+  const medical_io::Scan &x = *a->scan, &y = *b->scan;
+  const bool samePlace =
+      a->name == b->name && a->file == b->file && a->series == b->series && a->phase == b->phase;
+  return samePlace &&
+         (&x == &y || (x.size == y.size && x.indexToLps.matrix() == y.indexToLps.matrix() &&
+                       x.slope == y.slope && x.intercept == y.intercept && x.samples == y.samples));
+}
+
+ScanItem scanItem(medical_io::Scan scan, const std::filesystem::path& file,
+                  const medical_io::ScanOptions& options) {
+  std::string name = scan.modality;
+  if (!scan.description.empty())
+    name += (name.empty() ? "" : ", ") + scan.description;
+  else if (!file.empty())
+    name +=
+        (name.empty() ? "" : ", ") + (file.has_filename() ? file : file.parent_path()).filename().string();
+  return {name.empty() ? "Scan" : name, std::make_shared<const medical_io::Scan>(std::move(scan)), file,
+          options.series, options.phase};
+}
+
+ScanItem openScanFile(const std::filesystem::path& file, const medical_io::ScanOptions& options,
+                      Progress& progress) {
+  return scanItem(medical_io::readScan(file, options, progress), file, options);
+}
+
+bool looksLikeLabels(const medical_io::Scan& scan) {
+  const bool plain = scan.slope == 1 && scan.intercept == 0 && scan.modality.empty();
+  return plain && std::visit([](const auto& samples) { return looksLikeLabels(samples); }, scan.samples);
+}
+
+std::optional<ScanItem> takeScan(std::vector<std::filesystem::path>& files, Progress& progress) {
+  for (auto file = files.begin(); file != files.end(); ++file) {
+    if (isNamedAsLabels(*file) || !medical_io::isScan(*file))
+      continue;
+    ScanItem item;
+    try {
+      item = openScanFile(*file, {}, progress);
+    } catch (const DataError&) {
+      continue; // A label map of a form that scans do not have; who reads it as such says what is wrong.
+    }
+    if (looksLikeLabels(*item.scan))
+      continue;
+    files.erase(file);
+    return item;
+  }
+  return std::nullopt;
+}
+
+Command openScan(ScanItem item) {
+  const std::string name = "Open scan " + item.name;
+  auto shared = std::make_shared<const ScanItem>(std::move(item));
+  return {name, [shared](DocumentState state, IdSource&) {
+            state.scan = shared;
+            return state;
+          }};
+}
+
+Command closeScan() {
+  return {"Close scan", [](DocumentState state, IdSource&) {
+            if (!state.scan)
+              throw UsageError("There is no scan to close");
+            state.scan = nullptr;
+            return state;
+          }};
+}
+
+} // namespace viscera::document

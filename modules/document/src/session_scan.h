@@ -1,0 +1,22 @@
+#pragma once
+
+#include <filesystem>
+
+#include <nlohmann/json.hpp>
+
+#include "session_json.h"
+#include "viscera/document/scan_item.h"
+#include "viscera/document/session_file.h"
+
+/// The scan of a session, which names it (docs/session_format.md, "scan").
+namespace viscera::document {
+
+/// The place of a scan, also relative to the session file's `folder`.
+nlohmann::ordered_json sessionScanJson(const ScanItem& item, const std::filesystem::path& folder);
+
+/// Reads the scan that `item` names into `opened`. One that is not there, or cannot be read, becomes a
+/// warning and stays as `missingScan`. Throws `DataError` for a record that is none, `Cancelled`.
+void readSessionScan(SessionReader& reader, const nlohmann::ordered_json& item,
+                     const std::filesystem::path& folder, OpenedSession& opened, Progress& progress);
+
+} // namespace viscera::document

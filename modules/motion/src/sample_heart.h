@@ -1,0 +1,27 @@
+#pragma once
+
+#include "viscera/core/parallel.h"
+#include "viscera/document/document.h"
+#include "viscera/sample_organs/sample_organ.h"
+#include "viscera/sequences/heart_motion.h"
+#include "viscera/sequences/pose_compensation.h"
+
+namespace viscera::motion {
+
+/// The handles that make the sample heart beat, at rest and in motion, and the coordinates that tie it to
+/// them.
+struct SampleHeart {
+  document::SystemChoice system;
+  sequences::HeartMotion motion;
+  Points rest; ///< `n x 3` mm
+  sequences::PoseCompensation compensation;
+};
+
+/// Those of the library's heart. Some 0.1 s.
+SampleHeart sampleHeart(const sample_organs::SampleLibrary& library, Threads threads);
+
+/// A little more than one handle spacing: the walls stay smooth between handles (design notes, "Handles that
+/// move organs").
+inline constexpr double kSoftnessMm = 25;
+
+} // namespace viscera::motion

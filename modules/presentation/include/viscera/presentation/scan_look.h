@@ -1,0 +1,40 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+
+#include "viscera/core/arrays.h"
+
+namespace viscera::presentation {
+
+/// Which part of a slice is in the picture.
+struct SliceFraming {
+  double rightMm = 0; ///< From the middle of what there is to the middle of the picture, to the right.
+  double upMm = 0;    ///< The same upwards.
+  double zoom = 1;    ///< 1: all of it is in the picture.
+
+  bool operator==(const SliceFraming&) const = default;
+};
+
+/// How the scan beside the organs is looked at.
+struct ScanLook {
+  /// What the middle of the window shows: "3d" alone, "four" views at once, or one slice alone by the id of
+  /// its direction (`slices::sliceDirections`).
+  std::string layout = "3d";
+  std::optional<Vec3> focus; ///< Where the three slices meet, mm LPS; none: in the middle of what there is.
+  double level = 0;          ///< The value that is middle grey; only with `width`.
+  double width = 0;          ///< From black to white; 0: as the scan proposes.
+  double slabMm = 0;         ///< Thickness of the slices.
+  bool maximum = false;      ///< Thick slices show the largest value instead of the mean.
+  bool smooth = true;        ///< Between voxels trilinear, else the nearest voxel.
+  bool contours = true;      ///< The organs' outlines.
+  bool rest = true;          ///< And beside those of a posed organ, thin, where it was at rest.
+  bool standing = false;     ///< The slices also stand in the 3D view.
+  bool bent = false;         ///< The scan as the pose bends it.
+  std::array<SliceFraming, 3> framings; ///< Of the directions in their order.
+
+  bool operator==(const ScanLook&) const = default;
+};
+
+} // namespace viscera::presentation

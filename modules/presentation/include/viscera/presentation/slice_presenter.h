@@ -1,0 +1,104 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "viscera/core/parallel.h"
+#include "viscera/document/document.h"
+#include "viscera/document/scan_item.h"
+#include "viscera/live/posed_organs.h"
+#include "viscera/presentation/view_state.h"
+#include "viscera/scene/slice_view.h"
+#include "viscera/slices/sample_slice.h"
+
+namespace viscera::presentation {
+
+/// Says where the tissue at places of the posed patient is at rest.
+struct Bending {
+  /// Takes places, `n x 3` mm LPS, in the pose, and leaves those at rest; NaN where there is no answer.
+  std::function<void(Points& places)> toRest;
+  std::uint64_t revision = 0; ///< Another number whenever `toRest` gives something else.
+};
+
+/// A slice that is wanted, and how large.
+struct SlicePane {
+  int direction = 0; ///< Of `slices::sliceDirections`.
+  int width = 0;     ///< Device pixels, at least 1.
+  int height = 0;    ///< Device pixels, at least 1.
+};
+
+/// What slices depend on. Only looked at while they are made.
+struct SliceScene {
+  const document::DocumentState& state;
+  const live::PosedOrgans& organs;
+  const ViewState& view;
+  const Bending* bending = nullptr; ///< Used when the view wants the scan bent; null: it cannot be.
+};
+
+/// What lies at a place of a slice.
+struct SliceReading {
+  Vec3 position = Vec3::Zero(); ///< mm LPS.
+  std::optional<double> value;  ///< Of the scan as it is shown; none where nothing was measured.
+  document::OrganId organ;      ///< The innermost organ around the place; none outside of all.
+};
+
+/// The contour of one organ on a slice.
+struct ContourFigure {
+  document::OrganId organ;
+  std::string name;
+  Eigen::Index points = 0;
+  double lengthMm = 0;
+};
+
+/// The slices of a document as pictures: the scan's grey levels, the contours of its organs as they are posed
+/// and at rest, crosshair and letters. Window and command line each have one. As `Presenter`, it compares
+/// with what it made last and makes anew what is different, and changes nothing. For one thread.
+///
+///     SlicePresenter slices;
+///     slices.update({document.state(), live, viewState}, {{0, width, height}});
+///     view.show(slices.picture(0));
+class SlicePresenter {
+public:
+  using Translate = std::function<std::string(const char* text)>;
+
+  explicit SlicePresenter(Threads threads = {}, Translate translate = {});
+  ~SlicePresenter();
+  SlicePresenter(const SlicePresenter&) = delete;
+  SlicePresenter& operator=(const SlicePresenter&) = delete;
+
+  /// Brings the pictures of these panes up to date; of each direction one pane at most.
+  void update(const SliceScene& scene, const std::vector<SlicePane>& panes);
+
+  /// All that follows is of a direction that was among the panes.
+  const scene::SlicePicture& picture(int direction) const;
+  const slices::SliceFrame& frame(int direction) const;
+  /// What lies at a pixel (whole numbers are centres, from the lower left).
+  SliceReading read(int direction, const Eigen::Vector2d& pixel) const;
+  /// The contours of the organs that the slice meets.
+  std::vector<ContourFigure> contours(int direction) const;
+  /// The organ's cut, for somebody to measure; null when the organ is not seen.
+  const geometry::PlaneCut* cut(int direction, document::OrganId organ) const;
+
+private:
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
+};
+
+/// The box that slices show: the scan's, else that of the organs at rest; a box of 200 mm without either.
+Bounds boxOfSlices(const document::DocumentState& state);
+
+/// Where the slices meet: as the view says, else in the middle of the box.
+Vec3 focusOf(const document::DocumentState& state, const ScanLook& look);
+
+/// "S 120.0 mm": how far a place lies along a slice's axis, by the letter of its side.
+std::string formatSlicePosition(int axis, double mm);
+
+/// The level and width that a scan is shown with: the view's, else what the scan proposes.
+medical_io::ValueWindow windowOf(const medical_io::Scan& scan, const ScanLook& look);
+
+} // namespace viscera::presentation

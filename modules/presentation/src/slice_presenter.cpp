@@ -1,0 +1,296 @@
+#include "viscera/presentation/slice_presenter.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <utility>
+
+#include "slice_cuts.h"
+
+namespace viscera::presentation {
+namespace {
+
+constexpr double kEmptyHalfSize = 100;
+/// The box with this much room fits into the picture.
+constexpr double kRoom = 1.04;
+/// Every so many pixels a bent slice asks where its tissue was.
+constexpr int kLatticeStep = 8;
+constexpr double kRestShade = 0.5;
+
+std::string same(const char* text) {
+  return text;
+}
+
+std::string formatted(const char* format, double a, double b) {
+  char text[64];
+  std::snprintf(text, sizeof text, format, a, b);
+  return text;
+}
+
+bool equal(const slices::SliceFrame& a, const slices::SliceFrame& b) {
+  return a.corner == b.corner && a.right == b.right && a.up == b.up && a.width == b.width &&
+         a.height == b.height;
+}
+
+/// What a slice's values were taken with.
+struct SampledWith {
+  std::shared_ptr<const document::ScanItem> scan;
+  slices::SliceFrame frame;
+  double slabMm = 0;
+  bool maximum = false;
+  bool smooth = true;
+  std::optional<std::uint64_t> bent;
+
+  bool operator==(const SampledWith& other) const {
+    return scan == other.scan && equal(frame, other.frame) && slabMm == other.slabMm &&
+           maximum == other.maximum && smooth == other.smooth && bent == other.bent;
+  }
+};
+
+/// One slice, kept.
+struct Slice {
+  slices::SliceFrame frame;
+  SampledWith with;
+  slices::ValueImage values;
+  medical_io::ValueWindow window{0, 0};
+  scene::SlicePicture picture;
+  std::size_t plane = 0; ///< Among those that organs are cut by.
+};
+
+slices::SliceFrame frameOf(const SlicePane& pane, const Bounds& box, const Vec3& focus,
+                           const SliceFraming& framing) {
+  const auto direction = slices::sliceDirections()[std::size_t(pane.direction)];
+  const Vec3 extent = box.high - box.low;
+  const double mmPerPixel = kRoom / framing.zoom *
+                            std::max(direction.right.cwiseAbs().dot(extent) / std::max(1, pane.width),
+                                     direction.up.cwiseAbs().dot(extent) / std::max(1, pane.height));
+  Vec3 center = box.center() + framing.rightMm * direction.right + framing.upMm * direction.up;
+  center[direction.axis] = focus[direction.axis];
+  return slices::frameAround(direction, center, mmPerPixel, std::max(1, pane.width),
+                             std::max(1, pane.height));
+}
+
+void addLines(const geometry::PlaneCut& cut, const slices::SliceFrame& frame, const Vec3& color, bool thin,
+              std::vector<scene::SliceLine>& lines) {
+  for (std::size_t i = 0; i < cut.lines(); ++i) {
+    scene::SliceLine line{{}, cut.closed[i], color, thin};
+    line.points.reserve(std::size_t(cut.first[i + 1] - cut.first[i]));
+    for (Eigen::Index row = cut.first[i]; row < cut.first[i + 1]; ++row)
+      line.points.push_back(frame.pixelOf(cut.points.row(row).transpose()));
+    lines.push_back(std::move(line));
+  }
+}
+
+} // namespace
+
+struct SlicePresenter::Parts {
+  Parts(Threads threadsIn, Translate translateIn)
+      : threads(threadsIn), translate(translateIn ? std::move(translateIn) : same), cuts(threadsIn) {}
+
+  Threads threads;
+  Translate translate;
+  SliceCuts cuts;
+  std::array<Slice, 3> slices;
+  std::shared_ptr<const document::ScanItem> proposedBy; ///< Whose proposal `proposed` is.
+  medical_io::ValueWindow proposed;
+
+  medical_io::ValueWindow windowFor(const SliceScene& scene);
+  void sample(Slice& slice, const SliceScene& scene);
+  void shade(Slice& slice, const SliceScene& scene);
+  void outline(Slice& slice);
+  void label(Slice& slice, const slices::SliceDirection& direction, const SliceScene& scene,
+             const Vec3& focus) const;
+};
+
+/// What a scan proposes may take a look at all of its voxels, so it is kept.
+medical_io::ValueWindow SlicePresenter::Parts::windowFor(const SliceScene& scene) {
+  if (scene.view.scan.width > 0)
+    return {scene.view.scan.level, scene.view.scan.width};
+  if (proposedBy != scene.state.scan) {
+    proposedBy = scene.state.scan;
+    proposed = proposedBy->scan->firstWindow();
+  }
+  return proposed;
+}
+
+void SlicePresenter::Parts::sample(Slice& slice, const SliceScene& scene) {
+  const ScanLook& look = scene.view.scan;
+  const bool bent = look.bent && scene.bending;
+  SampledWith with{scene.state.scan, slice.frame, look.slabMm, look.maximum, look.smooth, {}};
+  if (bent)
+    with.bent = scene.bending->revision;
+  if (with == slice.with)
+    return;
+  slice.with = with;
+  slice.window.width = 0; // Other values have other grey levels.
+  if (!scene.state.scan) {
+    slice.values = {};
+    return;
+  }
+  slices::SampleOptions options;
+  options.nearest = !look.smooth;
+  options.slabMm = look.slabMm;
+  options.maximum = look.maximum;
+  options.threads = threads;
+  if (!bent)
+    return slices::sampleSlice(*scene.state.scan->scan, slice.frame, options, slice.values);
+  slices::RestLattice lattice = slices::latticeOver(slice.frame, kLatticeStep);
+  scene.bending->toRest(lattice.rest);
+  slices::sampleSlice(*scene.state.scan->scan, slice.frame, options, slice.values, &lattice);
+}
+
+void SlicePresenter::Parts::shade(Slice& slice, const SliceScene& scene) {
+  slice.picture.width = slice.frame.width;
+  slice.picture.height = slice.frame.height;
+  if (!scene.state.scan) {
+    slice.picture.grey.clear();
+    return;
+  }
+  const medical_io::ValueWindow window = windowFor(scene);
+  if (window.level == slice.window.level && window.width == slice.window.width)
+    return;
+  slice.window = window;
+  slices::greyOf(slice.values, window, 0, slice.picture.grey, threads);
+}
+
+/// Contours at rest lie below those of the pose.
+void SlicePresenter::Parts::outline(Slice& slice) {
+  slice.picture.lines.clear();
+  for (const SliceCuts::Organ& organ : cuts.organs())
+    if (!organ.rest.empty())
+      addLines(organ.rest[slice.plane], slice.frame, kRestShade * organ.organ->look.color, true,
+               slice.picture.lines);
+  for (const SliceCuts::Organ& organ : cuts.organs())
+    addLines(organ.posed[slice.plane], slice.frame, organ.organ->look.color, false, slice.picture.lines);
+}
+
+void SlicePresenter::Parts::label(Slice& slice, const slices::SliceDirection& direction,
+                                  const SliceScene& scene, const Vec3& focus) const {
+  scene::SlicePicture& picture = slice.picture;
+  const ScanLook& look = scene.view.scan;
+  picture.cross = slice.frame.pixelOf(focus);
+  for (std::size_t i = 0; i < 4; ++i)
+    picture.edges[i] = translate(direction.edges[i]);
+  picture.title =
+      translate(direction.name) + "  " + formatSlicePosition(direction.axis, focus[direction.axis]);
+  picture.mmPerPixel = slice.frame.right.norm();
+  picture.note.clear();
+  if (!scene.state.scan)
+    return;
+  picture.note = formatted("L %.0f  W %.0f", slice.window.level, slice.window.width);
+  if (look.slabMm > 0)
+    picture.note += (look.maximum ? translate("  Maximum") : translate("  Mean")) +
+                    formatted(" of %g mm", look.slabMm, 0);
+  if (slice.with.bent)
+    picture.note += translate("  Bent");
+}
+
+SlicePresenter::SlicePresenter(Threads threads, Translate translate)
+    : parts_(std::make_unique<Parts>(threads, std::move(translate))) {}
+
+SlicePresenter::~SlicePresenter() = default;
+
+void SlicePresenter::update(const SliceScene& scene, const std::vector<SlicePane>& panes) {
+  Parts& p = *parts_;
+  const Bounds box = boxOfSlices(scene.state);
+  const Vec3 focus = focusOf(scene.state, scene.view.scan);
+  std::vector<geometry::Plane> planes;
+  for (const SlicePane& pane : panes) {
+    Slice& slice = p.slices[std::size_t(pane.direction)];
+    slice.frame = frameOf(pane, box, focus, scene.view.scan.framings[std::size_t(pane.direction)]);
+    slice.plane = planes.size();
+    // The plane hangs on the focus alone: panning and zooming cut nothing anew.
+    planes.push_back({focus, slice.frame.plane().normal});
+    p.sample(slice, scene);
+    p.shade(slice, scene);
+  }
+  p.cuts.update(scene.state, scene.organs, scene.view.scan.contours ? planes : std::vector<geometry::Plane>(),
+                scene.view.scan.rest);
+  for (const SlicePane& pane : panes) {
+    Slice& slice = p.slices[std::size_t(pane.direction)];
+    if (scene.view.scan.contours)
+      p.outline(slice);
+    else
+      slice.picture.lines.clear();
+    p.label(slice, slices::sliceDirections()[std::size_t(pane.direction)], scene, focus);
+  }
+}
+
+const scene::SlicePicture& SlicePresenter::picture(int direction) const {
+  return parts_->slices[std::size_t(direction)].picture;
+}
+
+const slices::SliceFrame& SlicePresenter::frame(int direction) const {
+  return parts_->slices[std::size_t(direction)].frame;
+}
+
+const geometry::PlaneCut* SlicePresenter::cut(int direction, document::OrganId organ) const {
+  const std::size_t plane = parts_->slices[std::size_t(direction)].plane;
+  for (const SliceCuts::Organ& item : parts_->cuts.organs())
+    if (item.organ->id == organ && plane < item.posed.size())
+      return &item.posed[plane];
+  return nullptr;
+}
+
+SliceReading SlicePresenter::read(int direction, const Eigen::Vector2d& pixel) const {
+  const Slice& slice = parts_->slices[std::size_t(direction)];
+  SliceReading reading;
+  reading.position = slice.frame.at(pixel.x(), pixel.y());
+  const auto x = std::lround(pixel.x()), y = std::lround(pixel.y());
+  if (!slice.values.values.empty() && x >= 0 && y >= 0 && x < slice.values.width && y < slice.values.height) {
+    const float value = slice.values.values[std::size_t(y * slice.values.width + x)];
+    if (!std::isnan(value))
+      reading.value = value;
+  }
+  // A cavity lies within its organ: the shorter outline is the inner one.
+  double shortest = 0;
+  for (const SliceCuts::Organ& item : parts_->cuts.organs()) {
+    if (slice.plane >= item.posed.size())
+      continue;
+    const geometry::PlaneCut& cut = item.posed[slice.plane];
+    if ((reading.organ && cut.lengthMm >= shortest) ||
+        !geometry::isInside(cut, slice.frame.plane(), reading.position))
+      continue;
+    shortest = cut.lengthMm;
+    reading.organ = item.organ->id;
+  }
+  return reading;
+}
+
+std::vector<ContourFigure> SlicePresenter::contours(int direction) const {
+  const std::size_t plane = parts_->slices[std::size_t(direction)].plane;
+  std::vector<ContourFigure> figures;
+  for (const SliceCuts::Organ& item : parts_->cuts.organs())
+    if (plane < item.posed.size() && item.posed[plane].lines() > 0)
+      figures.push_back(
+          {item.organ->id, item.organ->name, item.posed[plane].points.rows(), item.posed[plane].lengthMm});
+  return figures;
+}
+
+Bounds boxOfSlices(const document::DocumentState& state) {
+  if (state.scan)
+    return state.scan->scan->bounds();
+  if (state.organs->empty())
+    return {Vec3::Constant(-kEmptyHalfSize), Vec3::Constant(kEmptyHalfSize)};
+  Bounds box = boundsOf(state.organs->front()->mesh->points);
+  for (const auto& organ : *state.organs) {
+    const Bounds one = boundsOf(organ->mesh->points);
+    box = {box.low.cwiseMin(one.low), box.high.cwiseMax(one.high)};
+  }
+  return box;
+}
+
+Vec3 focusOf(const document::DocumentState& state, const ScanLook& look) {
+  return look.focus ? *look.focus : boxOfSlices(state).center();
+}
+
+std::string formatSlicePosition(int axis, double mm) {
+  constexpr const char* kLetters[3][2] = {{"L", "R"}, {"P", "A"}, {"S", "I"}};
+  return kLetters[axis][mm < 0 ? 1 : 0] + formatted(" %.1f mm", std::abs(mm), 0);
+}
+
+medical_io::ValueWindow windowOf(const medical_io::Scan& scan, const ScanLook& look) {
+  return look.width > 0 ? medical_io::ValueWindow{look.level, look.width} : scan.firstWindow();
+}
+
+} // namespace viscera::presentation

@@ -1,0 +1,92 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "viscera/core/parallel.h"
+#include "viscera/core/progress.h"
+#include "viscera/document/document.h"
+#include "viscera/live/live_stress.h"
+#include "viscera/live/posed_organs.h"
+#include "viscera/motion/motion_runner.h"
+#include "viscera/plugin/registry.h"
+#include "viscera/presentation/view_state.h"
+#include "viscera/sequences/sequence.h"
+
+namespace viscera::report {
+
+/// What a report is made of.
+struct ReportSource {
+  document::DocumentState state = {};
+  presentation::ViewState view = {};
+  /// In a pose that the organs already have. It poses them over a cycle, and then as they were. Lives longer.
+  live::PosedOrgans* organs = nullptr;
+  const plugin::Registry* systems = nullptr; ///< Never null; lives longer.
+
+  live::StressCopy* stress =
+      nullptr; ///< Of the organ whose stress is told; null: there is no map. Lives longer.
+  live::StressStatus stressStatus = {};
+
+  std::shared_ptr<const sequences::Sequence> sequence = {}; ///< Null: the organs are still.
+  double ratePerMinute = 0;                                 ///< 0: the sequence's own.
+  std::optional<motion::PrescribedVolume> prescribed = {};  ///< As the window plays it.
+
+  std::string title = {}; ///< Empty: the first organ's name.
+  std::string file = {}; ///< Of the session or organs; only its name is told, never its folder. May be empty.
+  std::vector<std::string> notes = {}; ///< What was said when the files were opened, a sentence each.
+  std::string date = {};               ///< As it is to be read; empty: today's.
+};
+
+/// A picture with what is written below it.
+struct Picture {
+  std::string png; ///< The bytes of a PNG file.
+  std::string caption;
+};
+
+/// Sentences.
+struct Paragraph {
+  std::string text;
+};
+
+/// Rows of texts; every row has as many as `numbers`.
+struct Table {
+  std::vector<std::string> head; ///< Empty: none.
+  std::vector<std::vector<std::string>> rows;
+  std::vector<bool> numbers;       ///< A column of numbers is aligned to the right.
+  std::vector<Vec3> swatches = {}; ///< A colour before the first text of each row; may be empty.
+};
+
+/// Pictures beside each other, in rows; all as wide as fits.
+struct PictureGrid {
+  std::vector<Picture> pictures;
+  int columns = 1;
+  double widthToHeight = 1;
+};
+
+using Block = std::variant<Paragraph, Table, PictureGrid>;
+
+struct Section {
+  std::string title; ///< Empty for the first.
+  std::vector<Block> blocks;
+};
+
+/// A report as its reader finds it, before it is laid out on pages. All texts are plain UTF-8.
+struct Report {
+  std::string title;
+  std::string made; ///< "Made by Viscera 1.0 on ..."
+  std::vector<Section> sections;
+
+  int pictures() const;
+};
+
+/// Measures and draws all that a report tells: pictures from six sides and as the view has it, volumes,
+/// measurements, stress, the sequence over a whole cycle with curves, what was done to the files. Nothing
+/// that says where files lie comes into it. Needs no display. Throws `UsageError` when there are no organs,
+/// `Error` when there is nothing to draw with, what posing throws, and `Cancelled`. About a second for the
+/// pictures of 100,000 vertices. For the thread of the organs, which may be any.
+Report makeReport(const ReportSource& source, Threads threads, Progress& progress);
+
+} // namespace viscera::report

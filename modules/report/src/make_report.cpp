@@ -1,0 +1,234 @@
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <set>
+
+#include <QDate>
+#include <QLocale>
+
+#include "pictures.h"
+#include "sections.h"
+#include "viscera/core/error.h"
+#include "viscera/core/text.h"
+#include "viscera/document/tables.h"
+#include "viscera/geometry/volume.h"
+#include "viscera/presentation/presenter.h"
+#include "words.h"
+
+namespace viscera::report {
+namespace {
+
+constexpr double kMm2PerCm2 = 100;
+constexpr double kSeparateMl = 10; ///< Smaller volumes have one digit more.
+
+std::string milliliters(double value) {
+  return fixed(value, std::abs(value) < kSeparateMl ? 2 : 1);
+}
+
+Vec3 swatchOf(const document::Organ& organ) {
+  if (organ.look.vertexColors && organ.mesh->colors.rows() > 0)
+    return organ.mesh->colors.cast<double>().colwise().mean().transpose() / 255.0;
+  return organ.look.color;
+}
+
+std::string poseOf(const ReportSource& source) {
+  if (source.state.rig->handles.empty())
+    return said("none: the organs are as in their files");
+  const Points rest = source.state.rig->restPositions();
+  const Points& pose = source.organs->shownPose();
+  const bool same = pose.rows() != rest.rows() || pose == rest;
+  const auto moved = same ? 0 : ((pose - rest).rowwise().squaredNorm().array() > 0).count();
+  std::string text = std::to_string(rest.rows());
+  if (!source.state.rig->groups.empty())
+    text += " " + said("in %1 groups", std::to_string(source.state.rig->groups.size()));
+  return text + ", " + (moved == 0 ? said("at rest") : said("%1 of them moved", std::to_string(moved)));
+}
+
+std::string systemOf(const ReportSource& source) {
+  const document::SystemChoice& choice = *source.state.system;
+  std::string text = choice.id;
+  try {
+    text = source.systems->find(choice.id)->name();
+  } catch (const Error&) {
+    // A plugin that is not here: its id is all that is known.
+  }
+  for (const auto& [name, value] : choice.parameters.all())
+    text += ", " + name + " " + significant(value, 4);
+  return text;
+}
+
+Table summary(const ReportSource& source) {
+  const auto& organs = *source.state.organs;
+  const auto shown =
+      std::count_if(organs.begin(), organs.end(), [](const auto& organ) { return organ->look.visible; });
+  std::string count = std::to_string(organs.size());
+  if (shown != static_cast<std::ptrdiff_t>(organs.size()))
+    count += ", " + said("%1 of them shown", std::to_string(shown));
+  Table table;
+  table.numbers = {false, false};
+  if (!source.file.empty())
+    table.rows.push_back({said("File"), std::filesystem::path(source.file).filename().string()});
+  table.rows.push_back({said("Organs"), count});
+  table.rows.push_back({said("Handles"), poseOf(source)});
+  if (!source.state.rig->handles.empty())
+    table.rows.push_back({said("Coordinates"), systemOf(source)});
+  const presentation::ViewState& view = source.view;
+  if (view.playing && view.playing->shown && source.sequence)
+    table.rows.push_back({said("Instant"), said("%1, at %2 of its cycle", source.sequence->name(),
+                                                fixed(100 * view.playing->fraction, 1) + " %")});
+  return table;
+}
+
+std::vector<std::string> volumeRow(const ReportSource& source, const document::Organ& organ) {
+  std::string name = titleOf(organ);
+  if (!organ.look.visible)
+    name += " " + said("(hidden)");
+  const Points& points = *source.organs->sharedPoints(organ.id);
+  const std::string area = fixed(geometry::area(points, organ.mesh->triangles) / kMm2PerCm2, 1);
+  if (!organ.closed())
+    return {name, said("open"), said("open"), "-", "-", "-", area};
+  const double rest = organ.restVolumeMm3 / kMm3PerMl;
+  const double now = geometry::volume(points, organ.mesh->triangles) / kMm3PerMl;
+  const double percent = rest != 0 ? 100 * (now - rest) / rest : 0;
+  return {name,
+          milliliters(rest),
+          milliliters(now),
+          signedNumber(now - rest, std::abs(now - rest) < kSeparateMl ? 2 : 1),
+          signedNumber(percent, 1),
+          organ.volumeLocked ? said("locked") : "-",
+          area};
+}
+
+Section volumes(const ReportSource& source) {
+  Table table;
+  table.head = {
+      said("Organ"), said("At rest (ml)"),        said("Now (ml)"), said("Change (ml)"), said("Change (%)"),
+      said("Lock"),  said("Surface (cm\xC2\xB2)")};
+  table.numbers = {false, true, true, true, true, true, true};
+  bool open = false;
+  for (const auto& organ : *source.state.organs) {
+    table.rows.push_back(volumeRow(source, *organ));
+    table.swatches.push_back(swatchOf(*organ));
+    open = open || !organ->closed();
+  }
+  Section section{said("Volumes"), {std::move(table)}};
+  if (open)
+    section.blocks.push_back(Paragraph{said("Open: the surface has holes and holds no volume.")});
+  return section;
+}
+
+std::string measured(document::MeasurementKind kind, double value) {
+  return presentation::formatMeasured(kind, value);
+}
+
+Section measurements(const ReportSource& source) {
+  Section section{said("Measurements"), {}};
+  const auto rows = document::measurementRows(source.state, [&](document::OrganId organ) -> const Points& {
+    return *source.organs->sharedPoints(organ);
+  });
+  Table table;
+  table.head = {said("Name"), said("What"), said("On"), said("At rest"), said("Now"), said("Change")};
+  table.numbers = {false, false, false, true, true, true};
+  for (const document::MeasurementRow& row : rows) {
+    const auto kind = document::kindOf(row.measurement);
+    std::set<std::string> organs(row.organs.begin(), row.organs.end());
+    organs.erase(std::string());
+    std::string on;
+    for (const std::string& organ : organs)
+      on += (on.empty() ? "" : ", ") + organ;
+    table.rows.push_back({row.measurement.name,
+                          kind == document::MeasurementKind::distance ? said("distance") : said("angle"),
+                          on.empty() ? "-" : on, measured(kind, row.values.rest),
+                          measured(kind, row.values.now), signedNumber(row.values.now - row.values.rest, 1)});
+  }
+  if (!table.rows.empty())
+    section.blocks.push_back(std::move(table));
+  return section;
+}
+
+std::string originOf(const document::Organ& organ) {
+  if (!organ.origin.sample.empty()) {
+    const std::size_t at = organ.origin.sample.find('@');
+    return said("sample organ \"%1\", %2 resolution", organ.origin.sample.substr(0, at),
+                at == std::string::npos ? "medium" : organ.origin.sample.substr(at + 1));
+  }
+  return organ.file.empty() ? said("made in the program") : organ.file.filename().string();
+}
+
+/// What is said of an organ's file, without where it lies.
+std::string remarksOf(const document::Organ& organ) {
+  std::string text;
+  for (std::string warning : organ.warnings) {
+    if (const std::string path = organ.file.string(); !path.empty())
+      for (std::size_t at = 0; (at = warning.find(path, at)) != std::string::npos;)
+        warning.replace(at, path.size(), organ.file.filename().string());
+    text += (text.empty() ? "" : "; ") + withoutFolders(warning);
+  }
+  return text.empty() ? said("nothing: it is as it was read") : text;
+}
+
+Section files(const ReportSource& source) {
+  Table table;
+  table.head = {said("Organ"), said("From"), said("What was found and done"), said("Vertices"),
+                said("Triangles")};
+  table.numbers = {false, false, false, true, true};
+  for (const auto& organ : *source.state.organs)
+    table.rows.push_back({titleOf(*organ), originOf(*organ), remarksOf(*organ),
+                          std::to_string(organ->mesh->points.rows()),
+                          std::to_string(organ->mesh->triangles.rows())});
+  Section section{said("Files and what was done to them"), {std::move(table)}};
+  for (const std::string& note : source.notes)
+    section.blocks.push_back(Paragraph{withoutFolders(note)});
+  section.blocks.push_back(Paragraph{
+      said("All lengths are in millimetres, all volumes in millilitres; positions are in the patient's axes "
+           "LPS (to the left, to the back, to the head). Viscera is a program for teaching and "
+           "research, not a medical device.")});
+  return section;
+}
+
+} // namespace
+
+int Report::pictures() const {
+  int count = 0;
+  for (const Section& section : sections)
+    for (const Block& block : section.blocks)
+      if (const auto* grid = std::get_if<PictureGrid>(&block))
+        count += static_cast<int>(grid->pictures.size());
+  return count;
+}
+
+Report makeReport(const ReportSource& source, Threads threads, Progress& progress) {
+  if (source.state.organs->empty())
+    throw UsageError("There is no organ to report on", source.file, "open one first");
+  const auto step = [&](double part, const char* what) {
+    progress.throwIfCancelled();
+    progress.report(part, what);
+  };
+  Report report;
+  report.title = source.title.empty() ? titleOf(*source.state.organs->front()) : source.title;
+  const std::string date = source.date.empty()
+                               ? QLocale().toString(QDate::currentDate(), QLocale::LongFormat).toStdString()
+                               : source.date;
+  report.made = said("Made by Viscera %1 on %2", VISCERA_VERSION, date);
+  step(0, "drawing");
+  Section first{{}, {summary(source)}};
+  first.blocks.push_back(pictureAsSeen(source, threads));
+  first.blocks.push_back(picturesOfSides(source, threads, progress));
+  report.sections.push_back(std::move(first));
+  step(0.4, "measuring");
+  report.sections.push_back(volumes(source));
+  report.sections.push_back(measurements(source));
+  if (source.stress)
+    if (const live::StressFrame& frame = source.stress->at(source.organs->shownPose());
+        frame.organ && frame.map)
+      report.sections.push_back(stressSection(source, frame, threads));
+  step(0.6, "going through the cycle");
+  if (source.sequence)
+    report.sections.push_back(motionSection(source, threads, progress));
+  report.sections.push_back(files(source));
+  std::erase_if(report.sections, [](const Section& section) { return section.blocks.empty(); });
+  step(1, "done");
+  return report;
+}
+
+} // namespace viscera::report

@@ -1,0 +1,173 @@
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "pictures.h"
+#include "sections.h"
+#include "viscera/core/text.h"
+#include "viscera/live/stress_quantity.h"
+#include "words.h"
+
+namespace viscera::report {
+namespace {
+
+constexpr double kDegrees = 180 / std::numbers::pi;
+constexpr int kBars = 80;
+/// Beyond this part of the points the histogram's axis ends: a few extreme places would press it flat.
+constexpr double kDrawnPart = 0.998;
+
+std::string nameOf(live::WitnessOrigin origin) {
+  switch (origin) {
+  case live::WitnessOrigin::surface:
+    return said("by TetGen");
+  case live::WitnessOrigin::repairedSurface:
+    return said("by TetGen, from a repaired copy of the surface");
+  case live::WitnessOrigin::grid:
+    return said("by a regular grid");
+  }
+  return {};
+}
+
+std::vector<std::string> row(const std::string& name, const live::StressQuantityDescription& quantity,
+                             const Values& values, Eigen::Index count) {
+  const live::QuantitySummary summary = live::summaryOf(values, count);
+  std::vector<std::string> cells = {quantity.unit.empty() ? name : name + " (" + quantity.unit + ")"};
+  for (const double value :
+       {summary.min, summary.percentile5, summary.mean, summary.percentile95, summary.max})
+    cells.push_back(fixed(value, quantity.decimals));
+  return cells;
+}
+
+Table numbers(const live::StressFrame& frame) {
+  Table table;
+  table.head = {said("Quantity"), said("Smallest"),        said("5th percentile"),
+                said("Mean"),     said("95th percentile"), said("Largest")};
+  table.numbers = {false, true, true, true, true, true};
+  Values values;
+  const auto add = [&](const deformation::StressMap& map, const live::StressQuantityDescription& quantity,
+                       const std::string& name) {
+    live::quantityOf(map, quantity.quantity, values);
+    table.rows.push_back(row(name, quantity, values, frame.mesh->witnesses));
+  };
+  for (const live::StressQuantityDescription& quantity : live::stressQuantities())
+    if (quantity.quantity != live::StressQuantity::folded)
+      add(*frame.map, quantity, quantity.name);
+  if (frame.peak)
+    for (const live::StressQuantityDescription& quantity : live::stressQuantities())
+      if (quantity.quantity == live::StressQuantity::rotationalStress)
+        add(frame.peak->map, quantity, said("%1, the worst of a cycle", quantity.name));
+  return table;
+}
+
+int foldedOf(const deformation::StressMap& map, Eigen::Index count) {
+  return static_cast<int>((map.volumeRatio.head(count).array() <= 0).count());
+}
+
+/// The outline of the bars: a curve that goes up and down at their sides.
+scene::PanelCurve outlineOf(const std::vector<double>& sorted, double low, double high) {
+  scene::PanelCurve curve{"", curveColor(1), {low}, {0}, 2};
+  const double width = (high - low) / kBars;
+  for (int bar = 0; bar < kBars; ++bar) {
+    const double left = low + bar * width, right = left + width;
+    const auto begin = std::lower_bound(sorted.begin(), sorted.end(), left);
+    const auto end = bar + 1 < kBars ? std::lower_bound(sorted.begin(), sorted.end(), right)
+                                     : std::upper_bound(sorted.begin(), sorted.end(), right);
+    const double part = 100.0 * static_cast<double>(end - begin) / static_cast<double>(sorted.size());
+    curve.x.insert(curve.x.end(), {left, right});
+    curve.y.insert(curve.y.end(), {part, part});
+  }
+  curve.x.push_back(high);
+  curve.y.push_back(0);
+  return curve;
+}
+
+/// How a quantity is spread over the witness points; nothing when it is the same everywhere.
+std::vector<Block> histogram(const live::StressFrame& frame, live::StressQuantity which) {
+  const live::StressQuantityDescription& quantity = live::describe(which);
+  Values values;
+  live::quantityOf(*frame.map, which, values);
+  std::vector<double> sorted;
+  for (Eigen::Index i = 0; i < frame.mesh->witnesses; ++i)
+    if (std::isfinite(values[i]))
+      sorted.push_back(values[i]);
+  std::sort(sorted.begin(), sorted.end());
+  if (sorted.empty())
+    return {};
+  const auto last = static_cast<std::size_t>(kDrawnPart * static_cast<double>(sorted.size() - 1));
+  const double low = quantity.ratio ? sorted[sorted.size() - 1 - last] : 0, high = sorted[last];
+  if (!(high - low > 1e-9))
+    return {};
+  const live::QuantitySummary summary = live::summaryOf(values, frame.mesh->witnesses);
+  scene::CurvePanel panel;
+  panel.xTitle = quantity.unit.empty() ? quantity.name : quantity.name + " (" + quantity.unit + ")";
+  panel.yTitle = said("Points (%)");
+  panel.xRange = scene::ValueRange{low, high};
+  panel.curves = {outlineOf(sorted, low, high)};
+  const double top = 1.06 * *std::max_element(panel.curves[0].y.begin(), panel.curves[0].y.end());
+  panel.yRange = scene::ValueRange{0, top};
+  panel.curves.push_back({said("Mean"), curveColor(5), {summary.mean, summary.mean}, {0, top}, 1.5F});
+  panel.curves.push_back({said("95th percentile"),
+                          curveColor(0),
+                          {summary.percentile95, summary.percentile95},
+                          {0, top},
+                          1.5F,
+                          true});
+  panel.legend = true;
+  return {chart(panel, said("%1 over the witness points", quantity.name))};
+}
+
+/// Mean, 95th percentile and largest over the cycle of which the peak was found.
+PictureGrid cycleChart(const live::StressPeak& peak) {
+  scene::CurvePanel panel;
+  panel.xTitle = said("Time (s)");
+  panel.yTitle = said("Rotational stress (deg)");
+  panel.legend = true;
+  panel.curves = {{said("Largest"), curveColor(0), {}, {}},
+                  {said("95th percentile"), curveColor(3), {}, {}},
+                  {said("Mean"), curveColor(1), {}, {}}};
+  for (const live::StressSample& sample : peak.cycle) {
+    const double values[] = {sample.statistics.max, sample.statistics.percentile95, sample.statistics.mean};
+    for (std::size_t i = 0; i < panel.curves.size(); ++i) {
+      panel.curves[i].x.push_back(sample.seconds);
+      panel.curves[i].y.push_back(kDegrees * values[i]);
+    }
+  }
+  panel.xRange = scene::ValueRange{peak.cycle.front().seconds, peak.cycle.back().seconds};
+  return chart(panel, said("Over one cycle of the sequence"));
+}
+
+} // namespace
+
+Section stressSection(const ReportSource& source, const live::StressFrame& frame, Threads threads) {
+  Section section{said("Stress"), {}};
+  const auto organ = source.state.organ(frame.organ);
+  const Eigen::Index count = frame.mesh->witnesses;
+  const int folded = foldedOf(*frame.map, count);
+  Table facts;
+  facts.numbers = {false, false};
+  facts.rows = {{said("Organ"), organ ? titleOf(*organ) : std::string()},
+                {said("Witness points"), said("%1 in %2 tetrahedra", std::to_string(count),
+                                              std::to_string(frame.mesh->tetrahedra.rows())) +
+                                             ", " + nameOf(source.stressStatus.origin)},
+                {said("Derivatives"), source.stressStatus.closedForm ? said("in closed form (analytic)")
+                                                                     : said("by central differences")},
+                {said("Folded"), folded == 0 ? said("no point: the tissue is turned inside out nowhere")
+                                             : said("%1 of %2 points are turned inside out",
+                                                    std::to_string(folded), std::to_string(count))}};
+  section.blocks.push_back(Paragraph{said(
+      "Rotational stress is the largest angle by which a direction is turned when the tissue is stretched. "
+      "It measures distortion and is no pressure.")});
+  section.blocks.push_back(std::move(facts));
+  section.blocks.push_back(numbers(frame));
+  for (const std::string& remark : source.stressStatus.remarks)
+    section.blocks.push_back(Paragraph{withoutFolders(remark)});
+  section.blocks.push_back(pictureOfStress(source, frame, threads));
+  for (Block& block : histogram(frame, source.view.stress.quantity))
+    section.blocks.push_back(std::move(block));
+  if (frame.peak && frame.peak->cycle.size() > 1)
+    section.blocks.push_back(cycleChart(*frame.peak));
+  return section;
+}
+
+} // namespace viscera::report

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <string>
+
+#include "viscera/document/organ.h"
+
+namespace viscera::report {
+
+/// A text in the language of the program (`QCoreApplication::translate`, context "Report").
+std::string said(const char* text);
+/// The same with `first` and `second` in the places of %1 and %2.
+std::string said(const char* text, const std::string& first, const std::string& second = {});
+
+/// A change with its sign: "+1.3", "-0.4"; one that the digits do not show is "0.0".
+std::string signedNumber(double value, int digits);
+
+/// A text without the folders of the files that it names: "/home/ann/liver.stl" becomes "liver.stl".
+std::string withoutFolders(const std::string& text);
+
+/// What a reader calls an organ: "Left ventricle".
+std::string titleOf(const document::Organ& organ);
+
+} // namespace viscera::report

@@ -1,0 +1,208 @@
+#include <QApplication>
+#include <QTest>
+
+#include <chrono>
+#include <cmath>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <benchmark/benchmark.h>
+#include <vtkRenderWindow.h>
+
+#include "session_fixture.h"
+#include "viscera/deformation/place_handles.h"
+#include "viscera/document/organ_commands.h"
+#include "viscera/document/rig_commands.h"
+#include "window/run_window.h"
+#include "window_test.h"
+
+/// What a hand on the window waits for: from the event until the picture is drawn. Needs a display, such as
+/// Xvfb's.
+namespace viscera {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double secondsSince(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+/// One application for all benchmarks of this program.
+QApplication& application() {
+  static int count = 1;
+  static char name[] = "bench_window";
+  static char* arguments[] = {name, nullptr};
+  static const auto made = [] {
+    qputenv("QT_QPA_PLATFORM", "xcb");
+    app::prepareForApplication();
+    auto application = std::make_unique<QApplication>(count, arguments);
+    app::setUpApplication(*application);
+    return application;
+  }();
+  return *made;
+}
+
+/// The window of the tests, driven by benchmarks.
+class BenchedWindow : public tests::WindowTest {
+public:
+  BenchedWindow() {
+    application();
+    SetUp();
+  }
+  ~BenchedWindow() override { TearDown(); }
+  void TestBody() override {}
+
+  using WindowTest::click;
+  using WindowTest::document;
+  using WindowTest::handleInView;
+  using WindowTest::key;
+  using WindowTest::now_;
+  using WindowTest::onScreen;
+  using WindowTest::reachableHandle;
+  using WindowTest::settle;
+  using WindowTest::view;
+  using WindowTest::waitUntil;
+  using WindowTest::window;
+
+  void loadHeart() {
+    window().samples().load(QStringLiteral("heart"), false);
+    waitUntil([this] { return !document().organs().empty() && window().playback().sequence(); });
+    settle();
+  }
+  void addBalls(int organs, int levels) {
+    std::vector<document::NewOrgan> balls;
+    for (int i = 0; i < organs; ++i)
+      balls.push_back(tests::ball("Ball " + std::to_string(i), organs > 1 ? 30 : 60, levels,
+                                  Vec3(70.0 * (i % 10), 0, 70.0 * (i / 10))));
+    window().workspace().perform(document::addOrgans(std::move(balls)));
+    const Points box = deformation::enclosingHandles(document().organs().front()->mesh->points);
+    std::vector<document::NewHandle> handles;
+    for (Eigen::Index row = 0; row < box.rows(); ++row)
+      handles.push_back({box.row(row).transpose()});
+    window().workspace().perform(document::addHandles(handles));
+    settle();
+    key(Qt::Key_F);
+  }
+  /// Handles the events that are there, and draws what waits to be drawn.
+  double untilDrawn(const std::function<void()>& event) {
+    const auto start = Clock::now();
+    event();
+    QCoreApplication::processEvents();
+    view().renderPending();
+    view().renderWindow()->WaitForCompletion();
+    return secondsSince(start);
+  }
+};
+
+/// One step of a drag of a handle: from the mouse's move to the picture.
+void drag(benchmark::State& state, BenchedWindow& bench) {
+  bench.key(Qt::Key_3);
+  const QPoint from = bench.onScreen(bench.handleInView(bench.reachableHandle()));
+  QTest::mouseMove(&bench.view(), from);
+  QTest::mousePress(&bench.view(), Qt::LeftButton, Qt::NoModifier, from);
+  int step = 0;
+  for (auto _ : state) {
+    ++step;
+    const QPoint to = from + QPoint(qRound(40 * std::sin(0.3 * step)), qRound(30 * std::sin(0.2 * step)));
+    state.SetIterationTime(bench.untilDrawn([&] { QTest::mouseMove(&bench.view(), to); }));
+  }
+  QTest::mouseRelease(&bench.view(), Qt::LeftButton, Qt::NoModifier, from);
+  bench.settle();
+}
+
+void dragTheHeart(benchmark::State& state) {
+  BenchedWindow bench;
+  bench.loadHeart();
+  drag(state, bench);
+}
+BENCHMARK(dragTheHeart)->Unit(benchmark::kMillisecond)->UseManualTime()->Iterations(60);
+
+void dragABall(benchmark::State& state) {
+  BenchedWindow bench;
+  bench.addBalls(1, int(state.range(0)));
+  drag(state, bench);
+  state.counters["vertices"] = double(bench.document().organs().front()->mesh->points.rows());
+}
+BENCHMARK(dragABall)->Arg(6)->Arg(8)->Unit(benchmark::kMillisecond)->UseManualTime()->Iterations(40);
+
+/// A press on a handle until it is drawn as held.
+void pressAHandle(benchmark::State& state) {
+  BenchedWindow bench;
+  bench.loadHeart();
+  bench.key(Qt::Key_3);
+  const QPoint at = bench.onScreen(bench.handleInView(bench.reachableHandle()));
+  QTest::mouseMove(&bench.view(), at);
+  bench.settle();
+  for (auto _ : state) {
+    state.SetIterationTime(
+        bench.untilDrawn([&] { QTest::mousePress(&bench.view(), Qt::LeftButton, Qt::NoModifier, at); }));
+    QTest::mouseRelease(&bench.view(), Qt::LeftButton, Qt::NoModifier, at);
+    bench.settle();
+  }
+}
+BENCHMARK(pressAHandle)->Unit(benchmark::kMillisecond)->UseManualTime()->Iterations(10);
+
+/// A frame of the beating heart: the clock has moved on, until that instant is drawn and all that goes with
+/// it is done.
+void playTheHeart(benchmark::State& state) {
+  BenchedWindow bench;
+  bench.loadHeart();
+  bench.key(Qt::Key_5);
+  if (!bench.window().playback().player().playing())
+    bench.key(Qt::Key_Space);
+  for (auto _ : state) {
+    bench.now_ += 1.0 / 30;
+    state.SetIterationTime(bench.untilDrawn([&] { bench.window().playback().advance(); }));
+  }
+}
+BENCHMARK(playTheHeart)->Unit(benchmark::kMillisecond)->UseManualTime()->Iterations(120);
+
+/// A click on one of many organs, until it is drawn as chosen.
+void clickAnOrgan(benchmark::State& state) {
+  BenchedWindow bench;
+  bench.addBalls(int(state.range(0)), 4);
+  int organ = 0;
+  for (auto _ : state) {
+    organ = (organ + 1) % int(state.range(0));
+    const Points& points = bench.document().organs()[std::size_t(organ)]->mesh->points;
+    const QPoint at = bench.onScreen(points.colwise().mean().transpose());
+    QTest::mouseMove(&bench.view(), at);
+    state.SetIterationTime(
+        bench.untilDrawn([&] { QTest::mouseClick(&bench.view(), Qt::LeftButton, Qt::NoModifier, at); }));
+    bench.settle();
+  }
+}
+BENCHMARK(clickAnOrgan)->Arg(3)->Arg(95)->Unit(benchmark::kMillisecond)->UseManualTime()->Iterations(10);
+
+/// Undo and a change of the mode.
+void undoAPose(benchmark::State& state) {
+  BenchedWindow bench;
+  bench.addBalls(1, int(state.range(0)));
+  bench.key(Qt::Key_3);
+  const Points pose = 1.05 * bench.document().rig().restPositions();
+  for (auto _ : state) {
+    bench.window().workspace().perform(document::setPose(pose));
+    bench.settle();
+    state.SetIterationTime(
+        bench.untilDrawn([&] { QTest::keyClick(&bench.window(), Qt::Key_Z, Qt::ControlModifier); }));
+  }
+}
+BENCHMARK(undoAPose)->Arg(6)->Arg(8)->Unit(benchmark::kMillisecond)->UseManualTime()->Iterations(10);
+
+void changeTheMode(benchmark::State& state) {
+  BenchedWindow bench;
+  bench.addBalls(1, int(state.range(0)));
+  bool deform = false;
+  for (auto _ : state) {
+    deform = !deform;
+    state.SetIterationTime(
+        bench.untilDrawn([&] { QTest::keyClick(&bench.window(), deform ? Qt::Key_3 : Qt::Key_1); }));
+    bench.settle();
+  }
+}
+BENCHMARK(changeTheMode)->Arg(6)->Arg(8)->Unit(benchmark::kMillisecond)->UseManualTime()->Iterations(10);
+
+} // namespace
+} // namespace viscera

@@ -1,0 +1,166 @@
+#include "play_fixture.h"
+
+#include <QAbstractButton>
+#include <QAction>
+#include <QSlider>
+#include <QTableWidget>
+
+#include "viscera/circulation/scenario.h"
+#include "viscera/document/circulation_commands.h"
+#include "viscera/sequences/course_heartbeat.h"
+#include "window/circulation/circulation_panel.h"
+#include "window/session/session_files.h"
+#include "window/timeline/volume_panel.h"
+
+namespace viscera::tests {
+namespace {
+
+using circulation::Compartment;
+
+/// The sample heart in Play mode, whatever moves it.
+class PlayedCirculation : public PlayMode {
+protected:
+  const app::CirculationModel& model() { return parts().circulation(); }
+  const sequences::CourseHeartbeat* course() {
+    return dynamic_cast<const sequences::CourseHeartbeat*>(window().playback().sequence());
+  }
+  void press(const QString& name) {
+    auto* button = window().findChild<QAbstractButton*>(name);
+    ASSERT_NE(button, nullptr) << name.toStdString();
+    button->click();
+  }
+  /// Until the heart follows what the document has chosen.
+  bool settled() {
+    return waitUntil([this] {
+      return model().settled() && model().present() && course() &&
+             model().present()->parameters == document().circulation().parameters &&
+             std::abs(course()->standardRatePerMinute() - model().present()->parameters.rate) < 1e-9;
+    });
+  }
+  void choose(const char* scenario) {
+    press(QStringLiteral("scenario.%1").arg(QLatin1String(scenario)));
+    ASSERT_TRUE(settled()) << message().toStdString();
+  }
+  /// How far the cavities are from the circulation's volumes at a place of the beat, ml.
+  double off(double fraction) {
+    window().playback().seek(fraction);
+    settle();
+    const circulation::Beat& beat = model().present()->beat;
+    const auto sample = static_cast<std::size_t>(std::lround(fraction * (beat.time.size() - 1)));
+    return std::max(std::abs(volumeOf("LV") - beat.volumeOf(Compartment::lv)[sample]),
+                    std::abs(volumeOf("RV") - beat.volumeOf(Compartment::rv)[sample]));
+  }
+  QString cell(int row, int column) {
+    return window().findChild<QTableWidget*>(QStringLiteral("circulationNumbers"))->item(row, column)->text();
+  }
+};
+
+TEST_F(PlayedCirculation, AClickOnAScenarioLetsTheHeartFollowItAndUndoGivesTheTextbookBack) {
+  const sequences::Sequence* textbook = window().playback().sequence();
+  choose("exercise");
+  EXPECT_TRUE(window().playback().player().playing());
+  EXPECT_NEAR(window().playback().player().ratePerMinute(), 150, 1e-9);
+  window().playback().pause();
+  for (const double fraction : {0.1, 0.35, 0.8})
+    EXPECT_LT(off(fraction), 1) << fraction;
+  EXPECT_EQ(window().workspace().undo().undoName(), "Circulation: Exercise");
+  window().workspace().undo().undo();
+  EXPECT_TRUE(waitUntil([&] { return window().playback().sequence() == textbook; }));
+  EXPECT_EQ(model().present(), nullptr);
+  window().workspace().undo().redo();
+  EXPECT_TRUE(settled());
+}
+
+TEST_F(PlayedCirculation, AControlMovesTheHeartWhichGoesOnFromItsInstant) {
+  choose("rest");
+  window().playback().pause();
+  window().playback().seek(0.3);
+  auto* slider =
+      window().findChild<QWidget*>(QStringLiteral("circulation.stressedVolume"))->findChild<QSlider*>();
+  ASSERT_NE(slider, nullptr);
+  const double before = model().present()->indices.of(Compartment::lv).edvMl;
+  for (int step = 0; step < 10; ++step)
+    slider->setValue(slider->value() - 3);
+  ASSERT_TRUE(settled());
+  EXPECT_LT(model().present()->indices.of(Compartment::lv).edvMl, before - 15) << "less preload";
+  EXPECT_NEAR(window().playback().player().fraction(), 0.3, 1e-9);
+  EXPECT_TRUE(window().playback().showing());
+  EXPECT_LT(off(0.3), 1);
+}
+
+TEST_F(PlayedCirculation, WhatWasKeptStandsBesideWhatFollows) {
+  choose("rest");
+  const QString resting = cell(0, 1);
+  window().actions()["play.keepBefore"]->trigger();
+  choose("heart-failure-reduced-ef");
+  ASSERT_TRUE(waitUntil([this] { return model().kept() != nullptr; }));
+  EXPECT_EQ(cell(0, 2), resting);
+  EXPECT_LT(cell(0, 1).toDouble(), resting.toDouble() - 20) << "the ejection fraction of a failing heart";
+  EXPECT_EQ(model().kept()->name, "Rest");
+  window().actions()["play.forgetBefore"]->trigger();
+  EXPECT_TRUE(waitUntil([this] { return model().kept() == nullptr; }));
+}
+
+TEST_F(PlayedCirculation, TheHeartOfBeforeBeatsInTheSecondViewAtItsOwnRate) {
+  choose("rest");
+  window().actions()["play.keepBefore"]->trigger();
+  choose("exercise");
+  ASSERT_TRUE(waitUntil([this] { return model().keptBeat() != nullptr; }));
+  window().actions()["play.compare"]->trigger();
+  settle();
+  app::Playback& second = parts().comparison().playback();
+  EXPECT_EQ(second.sequence(), model().keptBeat().get());
+  EXPECT_NEAR(second.player().ratePerMinute(), 72, 1e-9);
+  window().playback().pause();
+  window().playback().seek(0);
+  settle();
+  EXPECT_NEAR(volumeIn(parts().comparison().workspace(), "LV"),
+              model().kept()->beat.volumeOf(Compartment::lv).front(), 1);
+  choose("haemorrhage");
+  EXPECT_EQ(second.sequence(), model().keptBeat().get()) << "what was before stays";
+}
+
+TEST_F(PlayedCirculation, ItsCurvesStandBelowTheViewUnlessVolumesAreWanted) {
+  auto* curves = window().findChild<app::CirculationPanel*>();
+  auto* volumes = window().findChild<app::VolumePanel*>();
+  EXPECT_FALSE(curves->isVisible()) << "the textbook's beat has no pressures";
+  choose("rest");
+  EXPECT_TRUE(curves->isVisible());
+  key(Qt::Key_P);
+  EXPECT_TRUE(volumes->isVisible());
+  EXPECT_FALSE(curves->isVisible());
+  key(Qt::Key_P);
+  key(Qt::Key_1);
+  EXPECT_FALSE(curves->isVisible()) << "another mode";
+}
+
+TEST_F(PlayedCirculation, WhatCannotRepeatItselfIsSaidAndTheHeartStaysAsItWas) {
+  choose("tamponade");
+  const sequences::Sequence* followed = window().playback().sequence();
+  ASSERT_TRUE(window().workspace().perform(document::setCirculationParameter("pericardialFluid", 600)));
+  ASSERT_TRUE(waitUntil([this] { return !model().complaint().isEmpty() && model().settled(); }));
+  EXPECT_EQ(window().playback().sequence(), followed);
+  window().workspace().undo().undo();
+  EXPECT_TRUE(waitUntil([this] { return model().complaint().isEmpty(); }));
+}
+
+TEST_F(PlayedCirculation, ASessionComesBackWithTheHeartThatFollows) {
+  choose("hypertension");
+  window().playback().pause();
+  window().playback().seek(0.25);
+  const double volume = volumeOf("LV");
+  const QString file = path(QStringLiteral("lesson.viscera"));
+  bool saved = false;
+  window().sessions().saveTo(file, false, [&] { saved = true; });
+  ASSERT_TRUE(waitUntil([&] { return saved; })) << message().toStdString();
+  reopenWindow();
+  open(file);
+  ASSERT_TRUE(settled()) << message().toStdString();
+  EXPECT_EQ(document().circulation().scenario, "hypertension");
+  EXPECT_NEAR(window().playback().player().fraction(), 0.25, 1e-6);
+  EXPECT_TRUE(waitUntil([&] { return std::abs(volumeOf("LV") - volume) < 0.1; }));
+  EXPECT_FALSE(window().isWindowModified());
+}
+
+} // namespace
+} // namespace viscera::tests

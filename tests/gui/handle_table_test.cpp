@@ -1,0 +1,72 @@
+#include <QAction>
+#include <QClipboard>
+#include <QGuiApplication>
+#include <QLabel>
+
+#include "window/table/handle_table.h"
+#include "window_test.h"
+
+namespace viscera::tests {
+
+class HandleTableTest : public WindowTest {
+protected:
+  void SetUp() override {
+    WindowTest::SetUp();
+    open(sphereFile());
+    window().actions()["handles.table"]->trigger();
+    settle();
+    table_ = window().findChild<app::HandleTable*>(QStringLiteral("handleTable"));
+    ASSERT_NE(table_, nullptr);
+    ASSERT_TRUE(table_->isVisible());
+  }
+
+  app::HandleModel& model() { return table_->model(); }
+  QVariant at(int row, int column) { return model().data(model().index(row, column), Qt::EditRole); }
+  bool type(int row, int column, const QVariant& value) {
+    return model().setData(model().index(row, column), value, Qt::EditRole);
+  }
+
+  app::HandleTable* table_ = nullptr;
+};
+
+TEST_F(HandleTableTest, ShowsWhereHandlesAreAndTakesWhatIsTypedAsOneStep) {
+  using Column = app::HandleModel;
+  const Vec3 rest = document().rig().handles[2].rest;
+  ASSERT_EQ(model().rowCount(), static_cast<int>(document().rig().handles.size()));
+  EXPECT_EQ(at(2, Column::restY).toDouble(), rest.y());
+  ASSERT_TRUE(type(2, Column::poseY, rest.y() + 7));
+  EXPECT_EQ(document().pose()(2, 1), rest.y() + 7);
+  EXPECT_NEAR(at(2, Column::moved).toDouble(), 7, 1e-12);
+  EXPECT_FALSE(type(2, Column::poseY, QStringLiteral("far"))) << "no number";
+  window().workspace().undo().undo();
+  EXPECT_EQ(at(2, Column::moved).toDouble(), 0);
+  ASSERT_TRUE(type(2, Column::restZ, rest.z() + 3));
+  EXPECT_EQ(document().rig().handles[2].rest.z(), rest.z() + 3);
+  ASSERT_TRUE(type(2, Column::label, QStringLiteral("Tip")));
+  EXPECT_EQ(document().rig().handles[2].label, "Tip");
+}
+
+TEST_F(HandleTableTest, TellsTheCoordinatesOfTheVertexThatIsClicked) {
+  EXPECT_EQ(model().weights().size(), 0);
+  key(Qt::Key_1); // A click in Handles mode adds a handle.
+  click(QPoint(view().width() / 2, view().height() / 2));
+  settle();
+  ASSERT_TRUE(model().lookedAt());
+  const app::LookedAtVertex vertex = *model().lookedAt();
+  const Values& weights = model().weights();
+  ASSERT_EQ(weights.size(), model().rowCount());
+  EXPECT_NEAR(weights.sum(), 1, 1e-9);
+  const Values column = window().workspace().live().influence(vertex.organ, document().rig().handles[5].id);
+  EXPECT_EQ(weights[5], column[vertex.vertex]);
+  const Vec3 made = document().rig().restPositions().transpose() * weights;
+  EXPECT_LT((made - document().organs().front()->mesh->points.row(vertex.vertex).transpose()).norm(), 1e-6);
+  const auto* said = table_->findChild<QLabel*>(QStringLiteral("handleTableVertex"));
+  EXPECT_TRUE(said->text().startsWith(QStringLiteral("Vertex %1 of ball").arg(vertex.vertex)))
+      << said->text().toStdString();
+  table_->copy();
+  const QStringList lines = QGuiApplication::clipboard()->text().split(QLatin1Char('\n'), Qt::SkipEmptyParts);
+  ASSERT_EQ(lines.size(), model().rowCount() + 1);
+  EXPECT_EQ(lines[6].split(QLatin1Char('\t')).last().toDouble(), weights[5]) << "all digits are copied";
+}
+
+} // namespace viscera::tests

@@ -1,0 +1,139 @@
+#include <QDockWidget>
+#include <QLabel>
+#include <QListWidget>
+#include <QMenuBar>
+#include <QScreen>
+#include <QStatusBar>
+#include <QTest>
+
+#include <vtkCamera.h>
+#include <vtkRenderer.h>
+
+#include "play_fixture.h"
+#include "window/lecture/slides.h"
+#include "window/session/session_files.h"
+#include "window/view/view_actions.h"
+
+namespace viscera::tests {
+namespace {
+
+/// The window as it gives room to the view: panels of modes, the whole screen, slides.
+class Room : public PlayMode {
+protected:
+  bool shown(const char* panel) {
+    return window().findChild<QDockWidget*>(QLatin1String(panel))->isVisible();
+  }
+  Vec3 eye() { return Vec3(view().view().renderer()->GetActiveCamera()->GetPosition()); }
+  QString caption() { return window().findChild<QLabel*>(QStringLiteral("lectureCaption"))->text(); }
+  QString numbers() { return window().findChild<QLabel*>(QStringLiteral("lectureNumbers"))->text(); }
+};
+
+TEST_F(Room, AModeShowsThePanelsItHasAUseFor) {
+  EXPECT_TRUE(shown("timeline") && shown("volumes"));
+  EXPECT_FALSE(shown("handles"));
+  const int inPlay = view().height();
+  key(Qt::Key_2);
+  EXPECT_TRUE(shown("handles"));
+  EXPECT_FALSE(shown("timeline") || shown("volumes"));
+  EXPECT_GT(view().height(), 1.3 * inPlay) << "what folds away is the view's";
+  key(Qt::Key_1);
+  EXPECT_TRUE(shown("timeline")) << "the heart still beats";
+  EXPECT_FALSE(shown("handles") || shown("volumes"));
+  EXPECT_TRUE(shown("organs") && shown("properties"));
+}
+
+TEST_F(Room, APanelThatTheUserHasShownOrHiddenStaysSoInThatMode) {
+  auto* handles = window().findChild<QDockWidget*>(QStringLiteral("handles"));
+  handles->toggleViewAction()->trigger();
+  EXPECT_TRUE(shown("handles"));
+  key(Qt::Key_1);
+  EXPECT_FALSE(shown("handles")) << "another mode";
+  key(Qt::Key_5);
+  EXPECT_TRUE(shown("handles"));
+  reopenWindow();
+  key(Qt::Key_5);
+  EXPECT_TRUE(shown("handles")) << "the settings keep it";
+  window().actions()["view.layout"]->trigger();
+  settle();
+  EXPECT_FALSE(shown("handles"));
+}
+
+TEST_F(Room, TheWindowIsNoLargerThanTheScreen) {
+  const QSize screen = window().screen()->availableSize();
+  EXPECT_LE(window().width(), screen.width());
+  EXPECT_LE(window().height(), screen.height());
+}
+
+TEST_F(Room, ALectureIsTheViewAloneAndEscapeEndsIt) {
+  const QSize before = view().size();
+  key(Qt::Key_F5);
+  EXPECT_TRUE(window().isFullScreen());
+  EXPECT_TRUE(window().menuBar()->isHidden() && window().statusBar()->isHidden());
+  for (const char* panel : {"organs", "handles", "properties", "timeline", "volumes"})
+    EXPECT_FALSE(shown(panel)) << panel;
+  EXPECT_EQ(view().width(), window().width());
+  EXPECT_TRUE(numbers().contains(QStringLiteral("LV ")) && numbers().contains(QStringLiteral(" ml")))
+      << numbers().toStdString();
+  key(Qt::Key_Escape);
+  EXPECT_FALSE(window().isFullScreen());
+  EXPECT_FALSE(window().menuBar()->isHidden());
+  EXPECT_TRUE(shown("timeline") && shown("organs"));
+  EXPECT_TRUE(waitUntil([&] { return view().size() == before; }));
+}
+
+TEST_F(Room, SlidesBringBackTheViewAndTheInstant) {
+  window().playback().pause();
+  window().playback().seek(0.25);
+  settle();
+  const Vec3 first = eye();
+  const double volume = volumeOf("LV");
+  window().actions()["slides.add"]->trigger();
+  window().views().lookFrom(scene::StandardView::left);
+  window().playback().seek(0.6);
+  window().actions()["slides.add"]->trigger();
+  const Vec3 second = eye();
+  ASSERT_GT((first - second).norm(), 10);
+  window().slides().rename(0, QStringLiteral("The ventricles eject"));
+  window().views().lookFrom(scene::StandardView::superior);
+  key(Qt::Key_F5);
+  EXPECT_EQ(window().slides().current(), 1) << "the one shown last";
+  key(Qt::Key_PageUp);
+  EXPECT_LT((eye() - first).norm(), 1e-9);
+  EXPECT_NEAR(volumeOf("LV"), volume, 1e-9);
+  EXPECT_EQ(caption(), QStringLiteral("The ventricles eject"));
+  key(Qt::Key_PageDown);
+  EXPECT_LT((eye() - second).norm(), 1e-9);
+  EXPECT_FALSE(window().actions()["slides.next"]->isEnabled()) << "there is no third";
+}
+
+TEST_F(Room, SlidesAreMovedAndRemovedInTheList) {
+  for (int i = 0; i < 3; ++i)
+    window().actions()["slides.add"]->trigger();
+  auto* list = window().findChild<QListWidget*>(QStringLiteral("slideList"));
+  ASSERT_EQ(list->count(), 3);
+  window().slides().move(2, 0);
+  EXPECT_EQ(list->item(0)->text(), QStringLiteral("Slide 3"));
+  list->item(1)->setText(QStringLiteral("Rest"));
+  EXPECT_EQ(window().slides().all()[1].caption, "Rest");
+  window().slides().show(1);
+  window().actions()["slides.remove"]->trigger();
+  ASSERT_EQ(list->count(), 2);
+  EXPECT_EQ(list->item(1)->text(), QStringLiteral("Slide 2"));
+}
+
+TEST_F(Room, ASessionKeepsTheSlides) {
+  window().actions()["slides.add"]->trigger();
+  window().slides().rename(0, QStringLiteral("Kammer <b>links</b>"));
+  const auto kept = window().slides().all();
+  const QString file = path(QStringLiteral("slides.viscera"));
+  window().sessions().saveTo(file, false);
+  settle();
+  window().actions()["slides.remove"]->trigger();
+  ASSERT_TRUE(window().slides().all().empty());
+  window().sessions().open(file);
+  ASSERT_TRUE(waitUntil([this] { return !window().slides().all().empty(); }));
+  EXPECT_EQ(window().slides().all(), kept);
+}
+
+} // namespace
+} // namespace viscera::tests

@@ -1,0 +1,136 @@
+#include <QAction>
+#include <QClipboard>
+#include <QFile>
+#include <QFileInfo>
+#include <QGuiApplication>
+
+#include <gmock/gmock.h>
+
+#include "play_fixture.h"
+#include "viscera/document/rig_commands.h"
+#include "viscera/live/stress_files.h"
+#include "window/modes/stress_mode.h"
+#include "window/report/report_export.h"
+#include "window/session/session_files.h"
+#include "window/stress/stress_export.h"
+
+namespace viscera::tests {
+namespace {
+
+QByteArray bytesOf(const QString& file) {
+  QFile stream(file);
+  return stream.open(QIODevice::ReadOnly) ? stream.readAll() : QByteArray();
+}
+
+} // namespace
+
+class ReportOfTheHeart : public PlayMode {
+protected:
+  app::ReportExport& reports() { return *window().findChild<app::ReportExport*>(); }
+};
+
+TEST_F(ReportOfTheHeart, HasTheMotionWithItsEjectionFractionWhileTheWindowGoesOn) {
+  const QString file = path(QStringLiteral("heart.html"));
+  reports().write(file);
+  settle();
+  const QString page = QString::fromUtf8(bytesOf(file));
+  ASSERT_FALSE(page.isEmpty()) << message().toStdString();
+  EXPECT_TRUE(page.contains(QStringLiteral("<h2>Motion</h2>")));
+  EXPECT_TRUE(page.contains(QStringLiteral("57.9"))) << "the ejection fraction";
+  EXPECT_FALSE(page.contains(QStringLiteral("/tmp")));
+}
+
+class Report : public WindowTest {
+protected:
+  app::ReportExport& reports() { return *window().findChild<app::ReportExport*>(); }
+  void pose() {
+    Points moved = document().pose();
+    moved.row(moved.rows() - 1) *= 1.4;
+    ASSERT_TRUE(window().workspace().perform(document::setPose(moved)));
+    settle();
+  }
+};
+
+TEST_F(Report, IsOfferedWithCommandsOnceThereIsAnOrgan) {
+  for (const char* id : {"file.report", "edit.copyCommands"})
+    EXPECT_FALSE(window().actions()[id]->isEnabled()) << id;
+  open(sphereFile());
+  for (const char* id : {"file.report", "edit.copyCommands"})
+    EXPECT_TRUE(window().actions()[id]->isEnabled()) << id;
+  pose();
+  const QString file = path(QStringLiteral("ball.pdf"));
+  reports().write(file);
+  settle();
+  EXPECT_TRUE(bytesOf(file).startsWith("%PDF-")) << message().toStdString();
+  EXPECT_THAT(message().toStdString(), testing::HasSubstr("pages"));
+}
+
+TEST_F(Report, CommandsAreCopiedAndNameTheFileOrTheSessionThatHoldsTheOrgan) {
+  const QString ball = sphereFile();
+  open(ball);
+  pose();
+  window().actions()["edit.copyCommands"]->trigger();
+  settle();
+  const QString script = QGuiApplication::clipboard()->text();
+  EXPECT_TRUE(script.startsWith(QStringLiteral("#!/bin/sh\n"))) << script.toStdString();
+  EXPECT_TRUE(script.contains(QStringLiteral("viscera deform ") + ball)) << script.toStdString();
+  EXPECT_FALSE(script.contains(QStringLiteral(".viscera")));
+  const QString saved = path(QStringLiteral("s.viscera"));
+  window().sessions().saveTo(saved, false);
+  settle();
+  window().actions()["edit.copyCommands"]->trigger();
+  settle();
+  EXPECT_TRUE(QGuiApplication::clipboard()->text().contains(QStringLiteral("viscera render ") + saved));
+}
+
+TEST_F(Report, StressLeavesTheWindowAsTheCommandLineWritesIt) {
+  open(sphereFile());
+  pose();
+  app::StressModel& model = window().stress().model();
+  model.change([](app::StressLook& look) { look.witnesses = 400; });
+  for (const char* id :
+       {"stress.exportMap", "stress.exportPoints", "stress.exportHistogram", "stress.exportCurve"})
+    EXPECT_FALSE(window().actions()[id]->isEnabled()) << id << " without a map";
+  key(Qt::Key_4);
+  ASSERT_TRUE(waitUntil([&] { return model.shown().ready(); }));
+  settle();
+  EXPECT_TRUE(window().actions()["stress.exportMap"]->isEnabled());
+  EXPECT_FALSE(window().actions()["stress.exportCurve"]->isEnabled()) << "there is no sequence";
+  const auto mesh = model.live().mesh();
+  app::StressExport& exports = window().stress().exports();
+  exports.exportMap(path(QStringLiteral("w.vtu")));
+  settle();
+  exports.exportPoints(path(QStringLiteral("w.csv")));
+  settle();
+  exports.exportHistogram(path(QStringLiteral("h.csv")));
+  settle();
+  // What viscera stress calls, on the same numbers.
+  const auto same = [&](const char* name) { return path(QLatin1String(name)).toStdString(); };
+  live::writeStressSolid(same("c.vtu"), *mesh, model.live().points(), model.live().map());
+  live::writeStressTable(same("c.csv"), *mesh, model.live().points(), model.live().map());
+  EXPECT_EQ(bytesOf(path(QStringLiteral("w.vtu"))), bytesOf(path(QStringLiteral("c.vtu"))));
+  EXPECT_EQ(bytesOf(path(QStringLiteral("w.csv"))), bytesOf(path(QStringLiteral("c.csv"))));
+  EXPECT_GT(bytesOf(path(QStringLiteral("w.vtu"))).size(), 10000);
+  EXPECT_EQ(bytesOf(path(QStringLiteral("h.csv"))).count('\n'), live::kHistogramBars + 1);
+}
+
+TEST_F(Report, GoesToTheMaximumOfTheMapAndCutsThere) {
+  open(sphereFile());
+  pose();
+  app::StressModel& model = window().stress().model();
+  model.change([](app::StressLook& look) { look.witnesses = 400; });
+  key(Qt::Key_4);
+  ASSERT_TRUE(waitUntil([&] { return model.shown().ready(); }));
+  settle();
+  window().actions()["stress.maximum"]->trigger();
+  settle();
+  const auto values = model.live().map().rotationalStress.head(model.live().mesh()->witnesses);
+  ASSERT_GE(model.probe(), 0);
+  EXPECT_EQ(values[model.probe()], values.maxCoeff());
+  const presentation::Presenter& drawn = window().picture().presenter();
+  const Vec3 at = model.live().mesh()->points.row(model.probe()).transpose();
+  const double offset = (at - drawn.stressMiddle()).dot(model.look().normal) / drawn.stressRadius();
+  EXPECT_NEAR(model.look().offset, std::min(1.0, std::max(-1.0, offset)), 1e-9);
+}
+
+} // namespace viscera::tests

@@ -1,0 +1,110 @@
+#include "viscera/document/scan_item.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "label_files.h"
+#include "phantom_scan.h"
+#include "session_scene.h"
+
+namespace viscera::document {
+namespace {
+
+using testing::HasSubstr;
+using viscera::tests::contentsOf;
+using viscera::tests::TemporaryFolder;
+
+/// A ball of 100 in a noisy ground below zero, as a NIfTI file.
+std::string scanFile() {
+  tests::LabelImage image = tests::emptyLabels();
+  for (std::size_t v = 0; v < image.voxels.size(); ++v)
+    image.voxels[v] = static_cast<std::int16_t>(-100 + static_cast<int>(v * 2654435761u >> 27 & 15));
+  tests::addBall(image, Vec3(12, 10, 8), 6, 100);
+  return tests::niftiFile(image);
+}
+
+/// The same ball as a label.
+std::string labelFile() {
+  tests::LabelImage image = tests::emptyLabels();
+  tests::addBall(image, Vec3(12, 10, 8), 6, 3);
+  return tests::niftiFile(image);
+}
+
+TEST(ScanItem, IsTakenFromAmongFilesAndLabelMapsAreNot) {
+  TemporaryFolder folder;
+  const auto ct = folder.put("ct.nii", scanFile()), labels = folder.put("labels.nii", labelFile());
+  const auto ball = tests::ballFile(folder, "ball.stl");
+  Progress progress;
+  std::vector<std::filesystem::path> files = {ball, labels, ct};
+  const auto item = takeScan(files, progress);
+  ASSERT_TRUE(item);
+  EXPECT_EQ(item->name, "ct.nii");
+  EXPECT_EQ(item->scan->value(12, 10, 8), 100);
+  EXPECT_EQ(files, (std::vector<std::filesystem::path>{ball, labels}));
+  EXPECT_FALSE(takeScan(files, progress));
+}
+
+TEST(ScanItem, WithNoiseInItIsNoLabelMapEvenWithoutNegativeValues) {
+  const auto noise = [](const Vec3& p) { return 40.0 + int(p.x() * 7 + p.y() * 5 + p.z() * 3) % 11; };
+  medical_io::Scan scan = tests::phantomScan({12, 12, 12}, Vec3::Ones(), Vec3::Zero(), noise);
+  scan.modality.clear();
+  scan.intercept = 0;
+  EXPECT_FALSE(looksLikeLabels(scan));
+  std::get<std::vector<std::int16_t>>(scan.samples).assign(scan.voxelCount(), 4);
+  EXPECT_TRUE(looksLikeLabels(scan));
+  scan.modality = "MR";
+  EXPECT_FALSE(looksLikeLabels(scan)) << "the file says what it is";
+}
+
+TEST(ScanItem, IsOneStepOfTheDocument) {
+  tests::Session s;
+  s.undo.perform(
+      openScan(scanItem(tests::phantomScan({4, 4, 4}, Vec3::Ones(), Vec3::Zero(), tests::slope), {})));
+  ASSERT_TRUE(s.document.state().scan);
+  EXPECT_EQ(s.document.state().scan->name, "CT");
+  s.undo.perform(closeScan());
+  EXPECT_FALSE(s.document.state().scan);
+  s.undo.undo();
+  EXPECT_TRUE(s.document.state().scan);
+  s.undo.undo();
+  EXPECT_FALSE(s.document.state().scan);
+  EXPECT_THROW(s.undo.perform(closeScan()), UsageError);
+}
+
+TEST(ScanItem, ComesBackWithASessionThatHasMovedAlongWithIt) {
+  TemporaryFolder folder;
+  std::filesystem::create_directories(folder / "a");
+  const auto ct = folder.put("a/ct.nii", scanFile());
+  Progress progress;
+  SessionContents contents;
+  contents.state.scan = std::make_shared<const ScanItem>(openScanFile(ct, {}, progress));
+  tests::write(folder / "a/s.viscera", contents);
+  EXPECT_TRUE(identical(tests::readBack(folder / "a/s.viscera").contents.state, contents.state));
+  std::filesystem::rename(folder / "a", folder / "b");
+  const OpenedSession moved = tests::readBack(folder / "b/s.viscera");
+  ASSERT_TRUE(moved.contents.state.scan);
+  EXPECT_TRUE(moved.warnings.empty());
+  EXPECT_EQ(moved.contents.state.scan->file, folder / "b/ct.nii");
+}
+
+TEST(ScanItem, ThatIsGoneIsNamedAndStaysInTheSession) {
+  TemporaryFolder folder;
+  const auto ct = folder.put("ct.nii", scanFile());
+  Progress progress;
+  SessionContents contents;
+  contents.state.scan = std::make_shared<const ScanItem>(openScanFile(ct, {}, progress));
+  tests::write(folder / "s.viscera", contents);
+  std::filesystem::remove(ct);
+  OpenedSession without = tests::readBack(folder / "s.viscera");
+  EXPECT_FALSE(without.contents.state.scan);
+  ASSERT_EQ(without.warnings.size(), 1u);
+  EXPECT_THAT(without.warnings.front(), HasSubstr("ct.nii"));
+  tests::write(folder / "again.viscera", without.contents);
+  EXPECT_EQ(contentsOf(folder / "again.viscera"), contentsOf(folder / "s.viscera"));
+  folder.put("ct.nii", "no scan at all");
+  EXPECT_THAT(tests::readBack(folder / "s.viscera").warnings.front(), HasSubstr("cannot be opened"));
+}
+
+} // namespace
+} // namespace viscera::document

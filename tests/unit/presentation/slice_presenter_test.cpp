@@ -1,0 +1,159 @@
+#include "viscera/presentation/slice_presenter.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "phantom_scan.h"
+#include "session_fixture.h"
+#include "viscera/core/error.h"
+#include "viscera/document/scan_item.h"
+
+namespace viscera::presentation {
+namespace {
+
+/// A ball of 30 mm with ten handles, and a scan in which it is bright.
+struct ScannedBall : tests::BoundSession {
+  ViewState view;
+  SlicePresenter slices;
+
+  ScannedBall() {
+    undo.perform(document::openScan(
+        document::scanItem(tests::phantomScan({60, 60, 60}, Vec3(2, 2, 2), Vec3(-59, -59, -59),
+                                              tests::ballValue(Vec3::Zero(), 30)),
+                           {})));
+    view.scan.focus = Vec3(0, 0, 5);
+    update();
+  }
+  void update() {
+    slices.update({document.state(), live, view}, {{0, 200, 160}, {1, 200, 160}, {2, 120, 160}});
+  }
+  std::uint8_t greyAt(int direction, const Vec3& place) const {
+    const Eigen::Vector2d pixel = slices.frame(direction).pixelOf(place);
+    const scene::SlicePicture& picture = slices.picture(direction);
+    return picture.grey[std::size_t(std::lround(pixel.y()) * picture.width + std::lround(pixel.x()))];
+  }
+};
+
+TEST(SlicePresenter, ShowsScanContourAndCrosshairInOnePlace) {
+  ScannedBall ball;
+  for (int direction = 0; direction < 3; ++direction) {
+    const scene::SlicePicture& picture = ball.slices.picture(direction);
+    EXPECT_GT(ball.greyAt(direction, Vec3(0, 0, 5)), ball.greyAt(direction, Vec3(40, 40, 40)));
+    ASSERT_EQ(picture.lines.size(), 1u);
+    EXPECT_TRUE(picture.lines.front().closed && !picture.lines.front().thin);
+    // The contour is where grey turns: in it is bright, around it dark.
+    const slices::SliceFrame& frame = ball.slices.frame(direction);
+    const Vec3 middle = direction == 0 ? Vec3(0, 0, 5) : Vec3::Zero();
+    for (const Eigen::Vector2d& point : picture.lines.front().points) {
+      const Vec3 place = frame.at(point.x(), point.y());
+      EXPECT_GT(ball.greyAt(direction, middle + 0.85 * (place - middle)), 150);
+      EXPECT_LT(ball.greyAt(direction, middle + 1.15 * (place - middle)), 110);
+    }
+    ASSERT_TRUE(picture.cross);
+    EXPECT_LT((frame.at(picture.cross->x(), picture.cross->y()) - Vec3(0, 0, 5)).norm(), 1e-9);
+  }
+  EXPECT_EQ(ball.slices.picture(0).edges[0], "R");
+  EXPECT_EQ(ball.slices.picture(0).title, "Axial  S 5.0 mm");
+  EXPECT_EQ(ball.slices.picture(0).note, "L 40  W 400");
+}
+
+TEST(SlicePresenter, KeepsTheRestContourThinBesideThePosedOne) {
+  ScannedBall ball;
+  EXPECT_EQ(ball.slices.picture(1).lines.size(), 1u);
+  ball.undo.perform(document::moveHandles({ball.handle(8)}, tests::row(0, 0, 60)));
+  ball.update();
+  const auto& lines = ball.slices.picture(1).lines;
+  ASSERT_EQ(lines.size(), 2u);
+  EXPECT_TRUE(lines[0].thin && !lines[1].thin);
+  const auto top = [](const scene::SliceLine& line) {
+    double highest = -1e9;
+    for (const auto& point : line.points)
+      highest = std::max(highest, point.y());
+    return highest;
+  };
+  EXPECT_GT(top(lines[1]), top(lines[0]) + 1);
+  ball.view.scan.rest = false;
+  ball.update();
+  EXPECT_EQ(ball.slices.picture(1).lines.size(), 1u);
+  ball.view.scan.contours = false;
+  ball.update();
+  EXPECT_TRUE(ball.slices.picture(1).lines.empty());
+  EXPECT_TRUE(ball.slices.contours(1).empty());
+}
+
+TEST(SlicePresenter, CutsTheSameAfterStepsAsAtOnce) {
+  ScannedBall ball;
+  ball.undo.perform(document::addOrgans({tests::ball("Other", 12, 3, Vec3(25, 10, 3))}));
+  for (int step = 0; step < 4; ++step) {
+    ball.view.scan.focus = Vec3(2 * step, step, 5 - step);
+    if (step == 2)
+      ball.undo.perform(document::moveHandles({ball.handle(8)}, tests::row(0, 10, 55)));
+    ball.update();
+  }
+  SlicePresenter fresh;
+  fresh.update({ball.document.state(), ball.live, ball.view}, {{0, 200, 160}, {1, 200, 160}, {2, 120, 160}});
+  for (int direction = 0; direction < 3; ++direction) {
+    const auto &a = ball.slices.picture(direction), &b = fresh.picture(direction);
+    ASSERT_EQ(a.lines.size(), b.lines.size());
+    for (std::size_t i = 0; i < a.lines.size(); ++i)
+      EXPECT_EQ(a.lines[i].points, b.lines[i].points);
+    EXPECT_EQ(a.grey, b.grey);
+  }
+  EXPECT_EQ(fresh.contours(0).size(), 2u);
+}
+
+TEST(SlicePresenter, ReadsValuePlaceAndInnermostOrgan) {
+  ScannedBall ball;
+  ball.undo.perform(document::addOrgans({tests::ball("Inner", 8, 3, Vec3(0, 0, 5))}));
+  ball.update();
+  const auto read = [&](const Vec3& place) {
+    return ball.slices.read(0, ball.slices.frame(0).pixelOf(place));
+  };
+  EXPECT_EQ(read(Vec3(2, 1, 5)).organ, ball.organ(1));
+  EXPECT_EQ(read(Vec3(20, 1, 5)).organ, ball.organ(0));
+  EXPECT_FALSE(read(Vec3(40, 1, 5)).organ);
+  EXPECT_NEAR(read(Vec3(20, 1, 5)).value.value(), 100, 1e-3);
+  EXPECT_NEAR(read(Vec3(50, 1, 5)).value.value(), -50, 1e-3);
+  EXPECT_LT((read(Vec3(20, 1, 5)).position - Vec3(20, 1, 5)).norm(), 1e-9);
+  EXPECT_FALSE(ball.slices.read(0, {-5, 3}).value);
+}
+
+TEST(SlicePresenter, BendsTheScanWhereSomebodySaysWhereTissueWas) {
+  ScannedBall ball;
+  ball.view.scan.bent = true;
+  Bending bending{[](Points& places) { places.col(0).array() -= 20; }, 1};
+  const SliceScene scene{ball.document.state(), ball.live, ball.view, &bending};
+  ball.slices.update(scene, {{0, 200, 160}, {1, 200, 160}, {2, 120, 160}});
+  EXPECT_GT(ball.greyAt(0, Vec3(45, 0, 5)), 150) << "what was at 25 mm is 20 mm farther on";
+  EXPECT_LT(ball.greyAt(0, Vec3(-20, 0, 5)), 110);
+  EXPECT_NE(ball.slices.picture(0).note.find("Bent"), std::string::npos);
+  bending.toRest = [](Points&) {};
+  bending.revision = 2;
+  ball.slices.update(scene, {{0, 200, 160}});
+  EXPECT_GT(ball.greyAt(0, Vec3(-20, 0, 5)), 150);
+}
+
+TEST(ScanLook, ComesBackFromASessionAndOldSessionsHaveNone) {
+  ViewState view;
+  view.scan.layout = "four";
+  view.scan.focus = Vec3(1, -2, 3.5);
+  view.scan.level = -600;
+  view.scan.width = 1500;
+  view.scan.slabMm = 5;
+  view.scan.maximum = view.scan.standing = true;
+  view.scan.rest = false;
+  view.scan.framings[2] = {3, -4, 2.5};
+  EXPECT_EQ(viewFromJson(toJson(view)).scan, view.scan);
+  EXPECT_EQ(viewFromJson(R"({"format": 2, "mode": "explore"})").scan, ScanLook());
+  // What nothing can be drawn with is as at first.
+  const ViewState odd = viewFromJson(
+      R"({"format": 2, "scan": {"width": -1, "level": 3, "slabMm": 1e9, "framings": [{"zoom": 0}]}})");
+  EXPECT_EQ(odd.scan.width, 0);
+  EXPECT_EQ(odd.scan.slabMm, 0);
+  EXPECT_EQ(odd.scan.framings[0].zoom, 1);
+}
+
+} // namespace
+} // namespace viscera::presentation

@@ -1,0 +1,76 @@
+#include <cstdlib>
+#include <filesystem>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "report_scene.h"
+#include "temporary_folder.h"
+#include "viscera/document/rig_commands.h"
+#include "viscera/report/session_script.h"
+
+namespace viscera::tests {
+namespace {
+
+using testing::HasSubstr;
+using testing::StartsWith;
+
+constexpr const char* kHostile = "x'; touch owned #\ntouch owned\nEND_OF_FILE\n`touch owned` $(touch owned)";
+
+/// Runs a script in a folder in which `viscera` does nothing, and returns what the shell did.
+int runInShell(const TemporaryFolder& folder, const std::string& script) {
+  const std::filesystem::path program = folder.put("viscera", "#!/bin/sh\nexit 0\n");
+  std::filesystem::permissions(program, std::filesystem::perms::owner_all);
+  folder.put("script.sh", script);
+  const std::string place = folder.path().string();
+  return std::system(("cd '" + place + "' && PATH='" + place + "':\"$PATH\" sh ./script.sh").c_str());
+}
+
+TEST(SessionScript, PosesEachOrganByItsHandlesAndParameters) {
+  ReportedSession session({"Liver left", "Liver_left"});
+  session.undo.perform(document::setSystem({"s-celestial", {}}));
+  session.undo.perform(document::setParameter("softness", 0.1));
+  session.pose();
+  const auto script = report::sessionScript({session.document.state(), {}, "/tmp/a b/case.viscera"});
+  ASSERT_EQ(script.commands.size(), 3u);
+  EXPECT_EQ(script.commands[0], "viscera deform '/tmp/a b/case.viscera/Liver left' --handles "
+                                "handles.mrk.json --pose pose.mrk.json --system "
+                                "s-celestial --param softness=0.1 -o Liver_left.vtp");
+  EXPECT_THAT(script.commands[1], HasSubstr("case.viscera/Liver_left'"));
+  EXPECT_THAT(script.commands[1], HasSubstr("-o Liver_left-2.vtp"));
+  EXPECT_EQ(script.commands[2], "viscera render '/tmp/a b/case.viscera' -o picture.png");
+  EXPECT_THAT(script.text, HasSubstr("{\"id\":\"1\",\"label\":\"H-10\",\"position\":[70.0,3.0,-1.0]"));
+}
+
+TEST(SessionScript, TakesNoNameForACommand) {
+  ReportedSession session({kHostile});
+  session.undo.perform(document::editHandles({session.handle(0)}, {kHostile, kHostile, {}, {}, {}}));
+  session.undo.perform(document::addGroup(kHostile, {1, 0, 0}, {session.handle(0), session.handle(1)}));
+  session.undo.perform(document::addMeasurement({{}, {}}, kHostile));
+  session.record();
+  presentation::ViewState view;
+  view.shown.stress = true;
+  view.motions = {{session.organ(), kHostile}};
+  const TemporaryFolder folder;
+  for (const int motion : {-1, 0}) {
+    view.playing = presentation::Playing{motion, 0.3, 30, 1, true, false};
+    const auto script = report::sessionScript({session.document.state(), view, "/tmp/it's.viscera"});
+    EXPECT_EQ(runInShell(folder, script.text), 0);
+    EXPECT_FALSE(std::filesystem::exists(folder / "owned")) << script.text;
+    EXPECT_TRUE(std::filesystem::exists(folder / "handles.mrk.json"));
+    EXPECT_THAT(script.commands[0],
+                StartsWith("viscera deform '/tmp/it'\\''s.viscera/x'\\''; touch owned #\n"));
+  }
+}
+
+TEST(SessionScript, SaysWhatNoCommandCanDo) {
+  ReportedSession session;
+  session.undo.perform(document::addMeasurement({{}, {}}, "Long axis"));
+  const auto script = report::sessionScript({session.document.state(), {}, {}});
+  EXPECT_TRUE(script.commands.empty()) << "the ball is in no file and the session is not saved";
+  EXPECT_THAT(script.text, HasSubstr("# Its surface is in no file: save the session"));
+  EXPECT_THAT(script.text, HasSubstr("#   Long axis (distance)"));
+}
+
+} // namespace
+} // namespace viscera::tests
