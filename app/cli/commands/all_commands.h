@@ -20,6 +20,8 @@ std::unique_ptr<Command> circulateCommand();
 std::unique_ptr<Command> trackCommand();
 std::unique_ptr<Command> lessonCommand();
 std::unique_ptr<Command> segmentCommand();
+std::unique_ptr<Command> probeCommand();
+std::unique_ptr<Command> warpCommand();
 std::unique_ptr<Command> renderCommand();
 std::unique_ptr<Command> propertiesCommand();
 std::unique_ptr<Command> reproduceCommand();

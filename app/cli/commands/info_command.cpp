@@ -6,12 +6,14 @@
 
 #include "cli/inputs.h"
 #include "cli/listing.h"
+#include "cli/scan_input.h"
 #include "cli/session_input.h"
 #include "viscera/document/open_files.h"
 #include "viscera/document/session_file.h"
 #include "viscera/geometry/surface_check.h"
 #include "viscera/medical_io/assess_surface.h"
 #include "viscera/medical_io/handle_file.h"
+#include "viscera/medical_io/image_file.h"
 #include "viscera/medical_io/label_map.h"
 #include "viscera/medical_io/surface_file.h"
 
@@ -177,15 +179,17 @@ class InfoCommand final : public Command {
 public:
   std::string name() const override { return "info"; }
   std::string summary() const override {
-    return "Say what is in an organ, label map, handle or session file";
+    return "Say what is in an organ, label map, scan, handle or session file";
   }
 
   void addOptions(CLI::App& options) override {
     options
         .add_option(
             "FILE", file_,
-            "An organ's surface, a label map or folder of masks, a handle file, a session, or sample:NAME")
+            "An organ's surface, a label map or folder of masks, a scan, a handle file, a session, or "
+            "sample:NAME")
         ->required();
+    scan_.addChoiceTo(options);
   }
 
   Outcome run(Surroundings& surroundings) override {
@@ -202,13 +206,21 @@ public:
       return describeSession(file_, surroundings);
     if (document::isHandleFile(file_))
       return describe(medical_io::readHandles(file_), file_);
+    if (isScanOfValues(surroundings.progress))
+      return describeScan(file_, scan_, surroundings);
     if (medical_io::isLabelMap(file_))
       return describe(medical_io::readLabelMap(file_, surroundings.progress), file_);
     return describe(medical_io::readSurface(file_), file_, surroundings);
   }
 
 private:
+  bool isScanOfValues(Progress& progress) const {
+    return medical_io::isScan(file_) &&
+           medical_io::imageContents(file_, progress) == medical_io::ImageContents::values;
+  }
+
   std::string file_;
+  ScanInputOptions scan_;
 };
 
 } // namespace

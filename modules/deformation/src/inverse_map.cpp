@@ -16,8 +16,9 @@ constexpr Eigen::Index kChunk = 1024; ///< Points that one thread solves, each f
 constexpr int kMostSteps = 24;
 constexpr double kSolved = 0.01;     ///< Of the accuracy.
 constexpr Eigen::Index kLattice = 4; ///< Samples between those that are solved first.
-constexpr double kLinear = 0.1;      ///< Of the accuracy: how far samples between them may be off.
+constexpr double kLinear = 0.25;     ///< Of the accuracy: how far samples between them may be off.
 constexpr double kFirstNodes = 16;   ///< Along the hull's diagonal.
+constexpr double kWorthwhile = 1.5;  ///< Times as many points are worth another binding.
 constexpr double kSmallestDeterminant = 1e-3;
 constexpr double kShrink = 0.5; ///< Of a step that made it worse.
 constexpr int kMostShrinks = 6;
@@ -210,10 +211,10 @@ InverseMap::InverseMap(const coordinates::CoordinateSystem& system, const coordi
   for (;;) {
     field_ = std::make_unique<Field>(system, handles, options, spacing, progress);
     setPose(pose);
-    const bool mayBeFiner = 8 * static_cast<double>(field_->boundPoints()) <= most;
-    if (field_->errorMm() <= accuracyMm_ || !mayBeFiner)
+    const double room = most / static_cast<double>(field_->boundPoints());
+    if (field_->errorMm() <= accuracyMm_ || room < kWorthwhile)
       return;
-    spacing /= 2;
+    spacing /= std::min(2.0, std::cbrt(room));
   }
 }
 

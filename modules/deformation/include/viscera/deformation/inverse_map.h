@@ -33,7 +33,7 @@ struct SamplePlane {
 /// How finely the space between the handles is bound.
 struct InverseMapOptions {
   double accuracyMm = 0.1;  ///< What the motion between bound points may be off; halves spacings until it is.
-  double mostWeights = 4e6; ///< Bound points times handles are no more: eight bytes of memory each.
+  double mostWeights = 3e6; ///< Bound points times handles are no more: eight bytes of memory each.
 };
 
 /// Where tissue was at rest, for images that bend along with the handles.
@@ -47,7 +47,8 @@ struct InverseMapOptions {
 /// u is bound once at the nodes of a regular grid, on which it is trilinear; a new pose takes one sum a node.
 /// F(x) = y is solved by Newton's method with the grid's own gradients, from the answer of a neighbour.
 /// The grid is so fine that u is off by no more than `accuracyMm` between nodes for the first pose, if
-/// `mostWeights` allows it; `errorMm` measures it for each pose.
+/// `mostWeights` allows it, at 99 of 100 places: next to a handle motions have a kink at any spacing.
+/// `errorMm` measures it for each pose.
 ///
 /// Immutable but for `setPose`; results do not depend on the number of threads.
 class InverseMap {
@@ -70,10 +71,11 @@ public:
   /// Where posed points, `n x 3` mm, were at rest. About a microsecond a point on one core.
   RestPoints restPoints(const Points& posed) const;
   /// The same for all samples of a plane, into `result`, row by row, whose memory is used again: solved at
-  /// some and between them linear wherever that is exact to a tenth of `accuracyMm`.
+  /// some and between them linear wherever that is exact to a quarter of `accuracyMm`.
   void restPlane(const SamplePlane& plane, RestPoints& result) const;
 
-  /// How far u between the nodes is off what the system itself says, mm, at some hundred places in the hull.
+  /// How far u between the nodes is off what the system itself says, mm: no farther at 99 of 100 of two
+  /// thousand places in the hull.
   double errorMm() const;
   /// How far `rest`, the answers for `posed`, are from being right by the system itself, mm: the largest
   /// |F(rest) - posed| among those that lie in the hull and are not folded. As long as binding them.

@@ -1,0 +1,138 @@
+#include "cli/commands/all_commands.h"
+
+#include <chrono>
+
+#include <CLI/CLI.hpp>
+
+#include "cli/inputs.h"
+#include "cli/listing.h"
+#include "cli/scan_input.h"
+#include "cli/system_options.h"
+#include "viscera/deformation/inverse_map.h"
+#include "viscera/medical_io/bent_image.h"
+#include "viscera/medical_io/image_file.h"
+
+namespace viscera::app::cli {
+namespace {
+
+/// Of a voxel: what the bent image is allowed to be off its place.
+constexpr double kAccuracy = 0.05;
+/// Bound points times handles: half a gigabyte.
+constexpr double kMostWeights = 6e7;
+
+/// What was bent, before it is told.
+struct Bent {
+  std::string kind;
+  std::array<int, 3> size = {};
+  Vec3 spacing = Vec3::Ones();
+  medical_io::BendReport report;
+  double errorMm = 0;
+};
+
+/// `viscera warp`: a scan or a label map as a pose of the handles bends it.
+class WarpCommand final : public Command {
+public:
+  std::string name() const override { return "warp"; }
+  std::string summary() const override { return "Bend a scan or label map along with the handles"; }
+
+  void addOptions(CLI::App& options) override {
+    scan_.addTo(options);
+    options.add_option("--handles", handles_, "The rest handles (.mrk.json)")->type_name("FILE")->required();
+    options
+        .add_option("--pose", pose_,
+                    "Where the handles are (.mrk.json), by their labels; others stay at rest")
+        ->type_name("FILE")
+        ->required();
+    system_.addTo(options);
+    options.add_option("-o,--output", output_, "The bent image (.nii.gz, .nii, .nrrd)")
+        ->type_name("FILE")
+        ->required();
+  }
+
+  Outcome run(Surroundings& surroundings) override {
+    const auto begin = std::chrono::steady_clock::now();
+    Outcome outcome;
+    const auto system = system_.system(surroundings);
+    const coordinates::BindOptions options = system_.bindOptions(*system, surroundings);
+    const RigInput rig = rigInput(handles_, outcome.warnings, system_.cage());
+    const Points pose = poseInput(pose_, rig, outcome.warnings);
+    const auto mapFor = [&](const Vec3& spacing) {
+      return deformation::InverseMap(
+          *system, rig.handles, pose, options,
+          {.accuracyMm = kAccuracy * spacing.minCoeff(), .mostWeights = kMostWeights}, surroundings.progress);
+    };
+    const bool labels =
+        medical_io::imageContents(scan_.file(), surroundings.progress) == medical_io::ImageContents::labels;
+    Bent bent;
+    if (labels)
+      bendLabels(bent, mapFor, *system, outcome.warnings, surroundings.progress);
+    else
+      bendScan(bent, mapFor, *system, outcome.warnings, surroundings.progress);
+    report(bent, std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count(), outcome);
+    return outcome;
+  }
+
+private:
+  template <class MapFor>
+  void bendScan(Bent& bent, const MapFor& mapFor, const coordinates::CoordinateSystem& system,
+                std::vector<std::string>& warnings, Progress& progress) const {
+    const medical_io::Scan scan = scan_.read(progress);
+    appendFindings(warnings, scan);
+    bent = {"scan", scan.size, scan.spacing(), {}, 0};
+    const deformation::InverseMap map = mapFor(bent.spacing);
+    medical_io::writeScan(output_, medical_io::bentScan(scan, map, bent.report, progress));
+    bent.errorMm = map.residualMm(system, bent.report.posed, bent.report.rest, progress);
+  }
+
+  template <class MapFor>
+  void bendLabels(Bent& bent, const MapFor& mapFor, const coordinates::CoordinateSystem& system,
+                  std::vector<std::string>& warnings, Progress& progress) const {
+    const medical_io::LabelMap labels = medical_io::readLabelMap(scan_.file(), progress);
+    bent = {"label map", labels.size, labels.spacing(), {}, 0};
+    const deformation::InverseMap map = mapFor(bent.spacing);
+    const medical_io::LabelMap moved = medical_io::bentLabelMap(labels, map, bent.report, progress);
+    warnings.insert(warnings.end(), moved.warnings.begin(), moved.warnings.end());
+    medical_io::writeLabelMap(output_, moved);
+    bent.errorMm = map.residualMm(system, bent.report.posed, bent.report.rest, progress);
+  }
+
+  void report(const Bent& bent, double seconds, Outcome& outcome) const {
+    const double errorVoxel = bent.errorMm / bent.spacing.minCoeff();
+    const auto voxels = static_cast<std::size_t>(bent.size[0]) * static_cast<std::size_t>(bent.size[1]) *
+                        static_cast<std::size_t>(bent.size[2]);
+    if (bent.report.folded > 0)
+      outcome.warnings.push_back("The pose folds the tissue at " + std::to_string(bent.report.folded) +
+                                 " voxels: what they show is a guess");
+    outcome.json = {{"file", output_},
+                    {"kind", bent.kind},
+                    {"size", bent.size},
+                    {"moved", bent.report.moved},
+                    {"largestErrorVoxel", errorVoxel},
+                    {"folded", bent.report.folded},
+                    {"seconds", seconds},
+                    {"warnings", outcome.warnings}};
+    outcome.text =
+        Listing()
+            .add("file", output_)
+            .add("kind", bent.kind)
+            .add("moved", std::to_string(bent.report.moved) + " of " + std::to_string(voxels) + " voxels")
+            .add("largest error", significant(errorVoxel, 2) + " voxels")
+            .add("folded", std::to_string(bent.report.folded))
+            .add("time", fixed(seconds, 1) + " s")
+            .text();
+  }
+
+  ScanInputOptions scan_;
+  std::string handles_;
+  std::string pose_;
+  SystemOptions system_;
+  std::string output_;
+};
+
+} // namespace
+
+std::unique_ptr<Command> warpCommand() {
+  return std::make_unique<WarpCommand>();
+}
+
+} // namespace viscera::app::cli

@@ -1,0 +1,145 @@
+#include "cli/scan_input.h"
+
+#include <array>
+#include <string_view>
+
+#include <CLI/CLI.hpp>
+
+#include "cli/listing.h"
+
+namespace viscera::app::cli {
+namespace {
+
+using nlohmann::ordered_json;
+
+ordered_json numbersJson(const Vec3& v) {
+  return {v.x(), v.y(), v.z()};
+}
+
+std::string sizeText(const std::array<int, 3>& size) {
+  return std::to_string(size[0]) + " x " + std::to_string(size[1]) + " x " + std::to_string(size[2]);
+}
+
+std::string spacingText(const Vec3& spacing) {
+  return significant(spacing.x(), 4) + " x " + significant(spacing.y(), 4) + " x " +
+         significant(spacing.z(), 4) + " mm";
+}
+
+std::string_view nameOf(medical_io::ScanFinding::Kind kind) {
+  // In the order of the enumeration.
+  static constexpr std::array<std::string_view, 8> kNames = {
+      "missing-slice", "doubled-slice", "uneven-spacing", "tilt", "order", "mixed-sizes", "damaged", "other"};
+  return kNames[static_cast<std::size_t>(kind)];
+}
+
+ordered_json findingsJson(const medical_io::Scan& scan) {
+  ordered_json list = ordered_json::array();
+  for (const medical_io::ScanFinding& finding : scan.findings)
+    list.push_back({{"kind", nameOf(finding.kind)}, {"text", finding.sentence}});
+  return list;
+}
+
+ordered_json seriesJson(const std::vector<medical_io::ScanSeries>& all) {
+  ordered_json list = ordered_json::array();
+  for (const medical_io::ScanSeries& series : all)
+    list.push_back({{"id", series.id},
+                    {"description", series.description},
+                    {"modality", series.modality},
+                    {"size", series.size},
+                    {"spacingMm", numbersJson(series.spacing)},
+                    {"phases", series.phases},
+                    {"files", series.files.size()}});
+  return list;
+}
+
+Listing listingOf(const medical_io::Scan& scan, const std::array<double, 2>& range) {
+  const std::string unit = scan.unit.empty() ? "" : " " + scan.unit;
+  Listing listing;
+  listing.add("kind", "scan");
+  if (!scan.modality.empty())
+    listing.add("modality", scan.modality);
+  if (!scan.description.empty())
+    listing.add("series", scan.description);
+  listing.add("voxels", sizeText(scan.size))
+      .add("spacing", spacingText(scan.spacing()))
+      .add("values", significant(range[0], 5) + " to " + significant(range[1], 5) + unit)
+      .add("space", scan.space);
+  if (!scan.phaseTimesMs.empty())
+    listing.add("phase", std::to_string(scan.phase) + " of " + std::to_string(scan.phaseTimesMs.size()));
+  if (!scan.transferSyntax.empty())
+    listing.add("packed as", scan.transferSyntax);
+  return listing;
+}
+
+} // namespace
+
+void ScanInputOptions::addTo(CLI::App& options) {
+  options.add_option("SCAN", file_, "A NIfTI, NRRD or MetaImage file, a DICOM folder or a file of it")
+      ->required();
+  addChoiceTo(options);
+}
+
+void ScanInputOptions::addChoiceTo(CLI::App& options) {
+  options
+      .add_option("--series", chosen_.series,
+                  "Of a DICOM folder with several series; viscera info lists them")
+      ->type_name("ID");
+  options.add_option("--phase", chosen_.phase, "Of a scan with several volumes in time; the first is 0")
+      ->type_name("N")
+      ->check(CLI::NonNegativeNumber);
+}
+
+medical_io::Scan ScanInputOptions::read(const std::string& file, Progress& progress) const {
+  return medical_io::readScan(file, chosen_, progress);
+}
+
+void appendFindings(std::vector<std::string>& warnings, const medical_io::Scan& scan) {
+  for (const medical_io::ScanFinding& finding : scan.findings)
+    if (finding.kind != medical_io::ScanFinding::Kind::order)
+      warnings.push_back(finding.sentence);
+}
+
+Outcome describeScan(const std::string& file, const ScanInputOptions& options, Surroundings& surroundings) {
+  const std::vector<medical_io::ScanSeries> series = medical_io::listScans(file, surroundings.progress);
+  const medical_io::Scan scan = options.read(file, surroundings.progress);
+  const std::array<double, 2> range = scan.range();
+  const medical_io::ValueWindow window = scan.firstWindow();
+  const Bounds bounds = scan.bounds();
+  ordered_json directions = ordered_json::array();
+  for (int axis = 0; axis < 3; ++axis)
+    directions.push_back(numbersJson(scan.indexToLps.linear().col(axis).normalized()));
+  Outcome outcome;
+  appendFindings(outcome.warnings, scan);
+  outcome.json = {
+      {"kind", "scan"},
+      {"file", file},
+      {"size", scan.size},
+      {"spacingMm", numbersJson(scan.spacing())},
+      {"originMm", numbersJson(scan.indexToLps.translation())},
+      {"directions", directions},
+      {"boundsMm",
+       {bounds.low.x(), bounds.high.x(), bounds.low.y(), bounds.high.y(), bounds.low.z(), bounds.high.z()}},
+      {"space", scan.space},
+      {"modality", scan.modality},
+      {"description", scan.description},
+      {"unit", scan.unit},
+      {"minimum", range[0]},
+      {"maximum", range[1]},
+      {"level", window.level},
+      {"window", window.width},
+      {"phases", std::max<std::size_t>(scan.phaseTimesMs.size(), 1)},
+      {"phaseTimesMs", scan.phaseTimesMs},
+      {"transferSyntax", scan.transferSyntax},
+      {"series", seriesJson(series)},
+      {"findings", findingsJson(scan)},
+      {"warnings", outcome.warnings}};
+  Listing listing = listingOf(scan, range);
+  if (series.size() > 1)
+    for (const medical_io::ScanSeries& one : series)
+      listing.add("  " + one.id, one.description + ", " + one.modality + ", " + sizeText(one.size) + ", " +
+                                     spacingText(one.spacing));
+  outcome.text = listing.text();
+  return outcome;
+}
+
+} // namespace viscera::app::cli

@@ -1,0 +1,128 @@
+#include <filesystem>
+
+#include "cli_test.h"
+#include "dicom_slices.h"
+#include "scan_phantom.h"
+
+namespace viscera::app::cli {
+
+/// Scans on the command line: `info`, `probe` and `warp`.
+class CliScan : public CliTest {
+protected:
+  void SetUp() override {
+    CliTest::SetUp();
+    image_ = tests::orientedPhantomGrid(2, {0, 1, 2});
+    tests::fillPhantom(image_);
+    scan_ = put("ct.nii", tests::niftiFile(image_));
+    rest_ = put("rest.mrk.json", markups(corners(30)));
+  }
+
+  /// A folder with the phantom as DICOM, without the layers of `left`.
+  std::string dicomFolder(int left = -1) const {
+    std::filesystem::create_directories(path("dicom"));
+    for (int k = 0; k < image_.size[2]; ++k)
+      if (k != left)
+        put("dicom/" + std::to_string(k), tests::dicomBytes(tests::dicomSlice(image_, k)));
+    return path("dicom");
+  }
+
+  tests::LabelImage image_;
+  std::string scan_, rest_;
+};
+
+TEST_F(CliScan, InfoSaysWhatIsInIt) {
+  const json info = runJson({"info", scan_});
+  EXPECT_EQ(info["kind"], "scan");
+  EXPECT_EQ(info["size"], json::array({21, 23, 17}));
+  EXPECT_NEAR(info["spacingMm"][1].get<double>(), 4, 1e-6);
+  EXPECT_NEAR(info["originMm"][0].get<double>(), -21, 1e-4);
+  EXPECT_NEAR(info["directions"][1][1].get<double>(), -1, 1e-6) << "flipped";
+  EXPECT_EQ(info["maximum"], 2004);
+  EXPECT_TRUE(info["minimum"].is_number());
+  EXPECT_EQ(info["phases"], 1);
+  EXPECT_TRUE(info["findings"].is_array());
+  for (const char* key : {"modality", "unit", "transferSyntax", "space", "description"})
+    EXPECT_TRUE(info[key].is_string()) << key;
+}
+
+TEST_F(CliScan, InfoOfADicomFolderNamesWhatIsOdd) {
+  const json info = runJson({"info", dicomFolder(12)});
+  EXPECT_EQ(info["modality"], "CT");
+  EXPECT_EQ(info["unit"], "HU");
+  EXPECT_EQ(info["transferSyntax"], "Little Endian Explicit");
+  EXPECT_EQ(info["series"].size(), 1U);
+  EXPECT_EQ(info["series"][0]["files"], 16);
+  ASSERT_EQ(info["findings"].size(), 1U);
+  EXPECT_EQ(info["findings"][0]["kind"], "missing-slice");
+  EXPECT_EQ(info["size"][2], 12);
+  EXPECT_EQ(info["warnings"].size(), 1U);
+  expectFailure({"info", path("dicom"), "--series", "9.9"}, kUsage, "It has no series 9.9");
+}
+
+TEST_F(CliScan, ALabelMapStaysOne) {
+  tests::LabelImage labels = tests::emptyLabels();
+  labels.fill({2, 2, 2}, {8, 9, 9}, 1);
+  EXPECT_EQ(runJson({"info", put("labels.nii", tests::niftiFile(labels))})["kind"], "label map");
+}
+
+TEST_F(CliScan, ProbeReadsEveryMarkerAtItsPlace) {
+  std::vector<std::string> arguments = {"probe", scan_};
+  for (const tests::ScanMarker& marker : tests::scanMarkers()) {
+    const Vec3 index = (image_.indexToLps.inverse() * marker.lps).array().round();
+    const Vec3 center = image_.indexToLps * index;
+    arguments.push_back("--at");
+    arguments.push_back(tests::decimal(center.x()) + "," + tests::decimal(center.y()) + "," +
+                        tests::decimal(center.z()));
+  }
+  arguments.insert(arguments.end(), {"--at", "-500,0,0"});
+  const json values = runJson(arguments)["values"];
+  ASSERT_EQ(values.size(), 5U);
+  for (std::size_t m = 0; m < 4; ++m) {
+    EXPECT_NEAR(values[m]["value"].get<double>(), tests::scanMarkers()[m].value, 0.1);
+    EXPECT_EQ(values[m]["inside"], true);
+    EXPECT_TRUE(values[m]["positionMm"].is_array());
+  }
+  EXPECT_EQ(values[4]["inside"], false);
+  EXPECT_TRUE(values[4]["value"].is_null());
+  expectFailure({"probe", scan_, "--at", "1,2"}, kUsage, "It is no position X,Y,Z");
+  expectFailure({"probe", path("none.nii"), "--at", "1,2,3"}, kNoInput, "There is no such file");
+}
+
+TEST_F(CliScan, WarpMovesAScanAlongWithTheHandles) {
+  std::vector<std::array<double, 3>> moved = corners(30);
+  for (auto& corner : moved)
+    corner[2] += 8;
+  const std::string pose = put("pose.mrk.json", markups(moved));
+  const json warp =
+      runJson({"warp", dicomFolder(), "--handles", rest_, "--pose", pose, "-o", path("out.nii.gz")});
+  EXPECT_EQ(warp["file"], path("out.nii.gz"));
+  EXPECT_EQ(warp["size"], json::array({21, 23, 17}));
+  EXPECT_LT(warp["largestErrorVoxel"].get<double>(), 0.05);
+  EXPECT_EQ(warp["folded"], 0);
+  EXPECT_TRUE(warp["seconds"].is_number());
+  // Markers within the handles went up by 8 mm.
+  const json values = runJson({"probe", path("out.nii.gz"), "--at", "0,0,8", "--at", "18,16,-16"})["values"];
+  EXPECT_NEAR(values[0]["value"].get<double>(), 2001, 1);
+  EXPECT_NEAR(values[1]["value"].get<double>(), 2004, 1);
+  expectFailure({"warp", scan_, "--handles", rest_, "--pose", pose, "-o", path("out.png")}, kCannotCreate,
+                "Images cannot be written");
+}
+
+TEST_F(CliScan, WarpMovesALabelMap) {
+  tests::LabelImage labels = tests::emptyLabels({30, 30, 30});
+  labels.indexToLps.linear() *= 2;
+  labels.indexToLps.translation().setConstant(-30);
+  labels.fill({10, 10, 10}, {18, 18, 18}, 4);
+  std::vector<std::array<double, 3>> moved = corners(30);
+  for (auto& corner : moved)
+    corner[0] -= 6;
+  const json warp = runJson({"warp", put("labels.nrrd", tests::nrrdFile(labels)), "--handles", rest_,
+                             "--pose", put("pose.mrk.json", markups(moved)), "-o", path("out.seg.nrrd")});
+  EXPECT_EQ(warp["kind"], "label map");
+  const json info = runJson({"info", path("out.seg.nrrd")});
+  ASSERT_EQ(info["labels"].size(), 1U);
+  EXPECT_EQ(info["labels"][0]["label"], 4);
+  EXPECT_EQ(info["labels"][0]["voxels"], 9 * 9 * 9);
+}
+
+} // namespace viscera::app::cli
