@@ -20,4 +20,7 @@ public:
 std::unique_ptr<DicomPixelSource> jpeg2000Pixels(const DicomHeader& header,
                                                  std::shared_ptr<DcmFileFormat> format);
 
+/// RLE. Throws `DataError`.
+std::unique_ptr<DicomPixelSource> rlePixels(const DicomHeader& header, std::shared_ptr<DcmFileFormat> format);
+
 } // namespace viscera::medical_io

@@ -10,13 +10,13 @@
 #include <dcmtk/config/osconfig.h>
 
 #include <dcmtk/dcmdata/dcpixel.h>
-#include <dcmtk/dcmdata/dcrledrg.h>
 #include <dcmtk/dcmdata/dctk.h>
 #include <dcmtk/dcmjpeg/djdecode.h>
 #include <dcmtk/dcmjpls/djdecode.h>
 
-/// DCMTK parses, because it holds every length against the file, and unpacks RLE, JPEG and JPEG-LS, because
-/// it does so without printing. JPEG 2000, which it does not know, goes to GDCM.
+/// DCMTK parses, because it holds every length against the file, and unpacks JPEG and JPEG-LS, because it
+/// does so without printing. JPEG 2000, which it does not know, goes to GDCM; RLE, where it reads behind
+/// damaged data, is ours.
 namespace viscera::medical_io {
 namespace {
 
@@ -26,7 +26,6 @@ constexpr Uint32 kLongestLoaded =
 void registerCodecs() {
   static std::once_flag once;
   std::call_once(once, [] {
-    DcmRLEDecoderRegistration::registerCodecs();
     DJDecoderRegistration::registerCodecs();
     DJLSDecoderRegistration::registerCodecs();
   });
@@ -122,6 +121,8 @@ std::unique_ptr<DicomPixelSource> sourceOf(const DicomHeader& header, std::share
   case EXS_JPEG2000LosslessOnly:
   case EXS_JPEG2000:
     return jpeg2000Pixels(header, std::move(format));
+  case EXS_RLELossless:
+    return rlePixels(header, std::move(format));
   default:
     return std::make_unique<PackedSource>(header, std::move(format));
   }

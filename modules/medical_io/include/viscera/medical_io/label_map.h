@@ -84,9 +84,9 @@ std::vector<std::size_t> segmentsNamed(const LabelMap& map, const std::vector<st
 /// Lower-case endings with their dots that `readLabelMap` takes.
 const std::vector<std::string>& labelMapExtensions();
 
-/// Whether the name ends like a label map's, or it is a DICOM segmentation of any name, or a folder that holds
-/// such a file. Slices of a DICOM series are none: `isScan`. Of other formats the name does not tell a label
-/// map from a scan: `imageContents` does. Whether it is a good one, reading says.
+/// Whether the name ends like a label map's, or it is a DICOM segmentation of any name, or a folder that
+/// holds such a file. Slices of a DICOM series are none: `isScan`. Of other formats the name does not tell a
+/// label map from a scan: `imageContents` does. Whether it is a good one, reading says.
 bool isLabelMap(const std::filesystem::path& fileOrFolder);
 
 /// More different values than any label map has: a file with so many is an image.
