@@ -97,7 +97,7 @@ TEST(DicomJpeg2000, EqualsAnIndependentDecoderOnTheSharedCt) {
   EXPECT_GT(total, 0);
 }
 
-TEST(DicomJpeg2000, SegmentationLiesOnTheSharedCt) {
+TEST(DicomJpeg2000, NiftiOfTheSharedCtHasValuesAndAWindowOfACt) {
   if (!std::filesystem::exists(kSeries.parent_path() / "example_ct_sm.nii.gz"))
     GTEST_SKIP() << kSeries.parent_path() << " is not there; it is not part of the project";
   Progress progress;
