@@ -8,6 +8,7 @@
 #include "file_signature.h"
 #include "image_formats/data_file.h"
 #include "image_formats/label_encoding.h"
+#include "image_formats/raw_image.h"
 #include "label_segments.h"
 #include "label_tables.h"
 #include "viscera/core/error.h"
@@ -104,15 +105,7 @@ void nameByTable(LabelMap& map, const std::filesystem::path& file) {
 }
 
 Bounds LabelMap::bounds() const {
-  Points corners(8, 3);
-  for (int corner = 0; corner < 8; ++corner) {
-    Vec3 index = Vec3::Constant(-0.5);
-    for (int axis = 0; axis < 3; ++axis)
-      if ((corner >> axis & 1) != 0)
-        index[axis] = size[static_cast<std::size_t>(axis)] - 0.5;
-    corners.row(corner) = (indexToLps * index).transpose();
-  }
-  return boundsOf(corners);
+  return boundsOfVoxels(size, indexToLps);
 }
 
 LabelMap readLabelFile(const std::filesystem::path& file, Progress& progress) {

@@ -5,6 +5,7 @@
 #include <limits>
 #include <mutex>
 
+#include "image_formats/raw_image.h"
 #include "scan_sampling.h"
 #include "viscera/core/parallel.h"
 
@@ -91,15 +92,7 @@ std::array<double, 2> percentiles(const std::vector<Sample>& samples, const Meas
 } // namespace
 
 Bounds Scan::bounds() const {
-  Points corners(8, 3);
-  for (int corner = 0; corner < 8; ++corner) {
-    Vec3 index = Vec3::Constant(-0.5);
-    for (int axis = 0; axis < 3; ++axis)
-      if ((corner >> axis & 1) != 0)
-        index[axis] = size[static_cast<std::size_t>(axis)] - 0.5;
-    corners.row(corner) = (indexToLps * index).transpose();
-  }
-  return boundsOf(corners);
+  return boundsOfVoxels(size, indexToLps);
 }
 
 double Scan::value(int i, int j, int k) const {

@@ -28,7 +28,6 @@
 #include "viscera/scene/legend.h"
 #include "viscera/scene/organ_view.h"
 
-#include "chart_actor.h"
 #include "text_guard.h"
 
 namespace viscera::scene {

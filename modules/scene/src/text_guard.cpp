@@ -96,4 +96,11 @@ void guardText() {
 
 TextGuard::TextGuard() : lock_(textMutex()) {}
 
+vtkStandardNewMacro(ChartActor);
+
+int ChartActor::RenderOverlay(vtkViewport* viewport) {
+  const TextGuard guard;
+  return Superclass::RenderOverlay(viewport);
+}
+
 } // namespace viscera::scene

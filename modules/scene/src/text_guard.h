@@ -2,6 +2,8 @@
 
 #include <mutex>
 
+#include <vtkOpenGLContextActor.h>
+
 namespace viscera::scene {
 
 /// VTK has one text renderer (FreeType) for the whole program, and it is made for one thread. From the first
@@ -16,6 +18,15 @@ public:
 
 private:
   std::scoped_lock<std::recursive_mutex> lock_;
+};
+
+/// What draws charts: they write text past the guarded renderer, so that it holds the guard.
+class ChartActor : public vtkOpenGLContextActor {
+public:
+  static ChartActor* New();
+  vtkTypeMacro(ChartActor, vtkOpenGLContextActor)
+
+      int RenderOverlay(vtkViewport* viewport) override;
 };
 
 } // namespace viscera::scene

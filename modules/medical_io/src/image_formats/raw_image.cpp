@@ -48,4 +48,16 @@ void requireUsableGrid(const RawImage& raw, const FileBytes& file) {
     file.fail("its voxels are more than 1000 km away");
 }
 
+Bounds boundsOfVoxels(const std::array<int, 3>& size, const Eigen::Affine3d& indexToLps) {
+  Points corners(8, 3);
+  for (int corner = 0; corner < 8; ++corner) {
+    Vec3 index = Vec3::Constant(-0.5);
+    for (int axis = 0; axis < 3; ++axis)
+      if ((corner >> axis & 1) != 0)
+        index[axis] = size[static_cast<std::size_t>(axis)] - 0.5;
+    corners.row(corner) = (indexToLps * index).transpose();
+  }
+  return boundsOf(corners);
+}
+
 } // namespace viscera::medical_io

@@ -73,4 +73,7 @@ LabelMap labelMapOf(RawImage&& raw, const FileBytes& file, Progress& progress);
 /// Takes names and colours from a table beside `file` where the file itself has none.
 void nameByTable(LabelMap& map, const std::filesystem::path& file);
 
+/// The box, in mm LPS, around the voxels (not only their centres) of an image.
+Bounds boundsOfVoxels(const std::array<int, 3>& size, const Eigen::Affine3d& indexToLps);
+
 } // namespace viscera::medical_io
