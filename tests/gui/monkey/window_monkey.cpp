@@ -14,11 +14,13 @@
 #include <QWheelEvent>
 
 #include <array>
+#include <fstream>
 #include <functional>
 #include <map>
 #include <sstream>
 
 #include "../window_probe.h"
+#include "label_files.h"
 #include "printed.h"
 #include "shapes.h"
 #include "viscera/document/validate.h"
@@ -152,10 +154,18 @@ void WindowMonkey::makeFiles() {
   open.triangles.conservativeResize(open.triangles.rows() - 9, 3);
   files_ << folder_.filePath(QStringLiteral("open.ply"));
   medical_io::writeSurface(files_.back().toStdString(), open);
-  files_ << folder_.filePath(QStringLiteral("broken.vtk"));
-  QFile broken(files_.back());
-  if (broken.open(QIODevice::WriteOnly))
-    broken.write("# vtk DataFile Version 3.0\nbroken\nASCII\nDATASET POLYDATA\nPOINTS 900 float\n0 0");
+  const auto put = [this](const char* name, const std::string& bytes) {
+    files_ << folder_.filePath(QString::fromLatin1(name));
+    std::ofstream(files_.back().toStdString(), std::ios::binary) << bytes;
+  };
+  put("broken.vtk", "# vtk DataFile Version 3.0\nbroken\nASCII\nDATASET POLYDATA\nPOINTS 900 float\n0 0");
+  LabelImage labels = emptyLabels({24, 20, 16});
+  addBall(labels, Vec3(0, 0, 0), 9, 1);
+  addBall(labels, Vec3(14, 0, 0), 5, 2);
+  put("labels.nii", niftiFile(labels));
+  for (std::size_t voxel = 0; voxel < labels.voxels.size(); ++voxel) // Too many values for labels: a scan.
+    labels.voxels[voxel] = static_cast<std::int16_t>(voxel % 4000 - 1000 + 300 * labels.voxels[voxel]);
+  put("scan.nii", niftiFile(labels));
 }
 
 void WindowMonkey::act(const MonkeyAction& action) {
