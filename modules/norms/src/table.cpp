@@ -134,11 +134,11 @@ void addStomach(std::vector<Norm>& rows) {
   rows.push_back(ofEverybody("stomach.contents", kSubject, "contents after a meal", "ml",
                              {kContents, kVariation * kContents},
                              "443 people after a meal, by single-photon tomography", kSpect));
-  rows.push_back(ofEverybody(
-      "stomach.volume", kSubject, "volume after a meal, wall and contents", "ml",
-      {kContents + kWall, kVariation * kContents},
-      "443 people after a meal, by single-photon tomography, and 138 ml of wall (ICRP publication 89)",
-      kSpect));
+  rows.push_back(ofEverybody("stomach.volume", kSubject, "volume after a meal", "ml",
+                             {kContents + kWall, kVariation * kContents},
+                             "contents of 443 people after a meal, by single-photon tomography, and 138 ml "
+                             "of wall (ICRP publication 89)",
+                             kSpect));
   rows.push_back(within("stomach.rate", kSubject, "waves", "1/min", {2, 4}, "adults, by electrogastrography",
                         "Yin and Chen 2013, doi 10.5056/jnm.2013.19.1.5"));
   rows.push_back(ofEverybody("stomach.speed", kSubject, "speed of the waves", "mm/s", {2.7, 0.3},
