@@ -152,9 +152,10 @@ void addStomach(std::vector<Norm>& rows) {
 
 void addBreathing(std::vector<Norm>& rows) {
   constexpr auto kSubject = "Breathing";
-  rows.push_back(ofEverybody("breathing.rate", kSubject, "breaths", "1/min", {16.6, 2.8},
-                             "healthy adults at rest, by inductance plethysmography",
-                             "Tobin 1983, doi 10.1378/chest.84.2.202"));
+  rows.push_back(
+      within("breathing.rate", kSubject, "breaths", "1/min", {12, 20}, "adults at rest", kCustomary));
+  rows.push_back(within("breathing.duty", kSubject, "part that is inspiration", "%", {33, 50},
+                        "adults at rest, from 1 : 2 to 1 : 1", kCustomary));
   rows.push_back(within("breathing.down", "Liver", "way down in quiet breathing", "mm", {10, 25},
                         "what several studies measured", "Keall 2006, doi 10.1118/1.2349696"));
 }

@@ -18,8 +18,8 @@ constexpr double kFading = 4;
 constexpr double kFirstDepth = 0.14;
 constexpr double kDepthGain = 0.48;
 constexpr double kDepthPower = 1.3;
-constexpr double kFirstWidth = 14;
-constexpr double kWidthLoss = 5;
+constexpr double kFirstWidth = 15;
+constexpr double kWidthLoss = 4;
 
 /// Above so many a minute waves meet stomach that has not yet recovered, and are the shallower the more.
 constexpr double kFullDepthRate = 4;
