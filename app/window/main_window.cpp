@@ -129,7 +129,7 @@ void MainWindow::placePanels() {
   auto* handlePanel = new HandlePanel(workspace_, placer_);
   for (const char* id : {"handles.addEnclosing", "handles.remove", "handles.influence", "handles.save"})
     handlePanel->addTool(actions_[id]);
-  volumePanel_ = new VolumePanel(volumes_, playback_);
+  volumePanel_ = new VolumePanel(volumes_, playback_, view_);
   layout_->place({new ModeRail(*modes_), organPanel_, handlePanel, makePages(), timeline, makeCharts(),
                   new SlidePanel(*slides_, actions_), imports_->panel()});
   const auto follow = [this] { layout_->follow(modes_->present()); };

@@ -47,14 +47,14 @@ void ExploreMode::addQuiz(Actions& actions) {
   parts_.view.addToggle(actions, "view.parts",
                         {tr("Names of &parts"),
                          "label",
-                         {QKeySequence(Qt::SHIFT | Qt::Key_N)},
+                         {static_cast<int>(Qt::SHIFT) + static_cast<int>(Qt::Key_N)},
                          tr("Name the parts of the organs, such as the apex of the heart")},
                         &presentation::ViewState::partNames);
   QAction* quiz = actions.addToggle(
       "quiz.start",
       {tr("&Quiz on the parts"),
        "label",
-       {QKeySequence(Qt::SHIFT | Qt::Key_Q)},
+       {static_cast<int>(Qt::SHIFT) + static_cast<int>(Qt::Key_Q)},
        tr("Hide the names and ask for one after the other; a click on the organ is the answer")},
       false, [this](bool on) {
         if (!on)

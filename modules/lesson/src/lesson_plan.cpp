@@ -94,7 +94,7 @@ PlannedSurface plannedSurface(const Organ& organ, const document::DocumentState&
   return surface;
 }
 
-/// "End-diastolic volume of the left ventricle: 109 to 189 ml" and where that comes from.
+/// "End-diastolic volume: women and men, mean +- 2 standard deviations", and where that comes from.
 std::string sourceOf(const motion::NormalRange& range) {
   return capital(range.name) + ": " + range.people + "; " + range.source + ".";
 }
@@ -111,7 +111,7 @@ void addRanges(LessonPlan& plan, const Organ& organ, std::set<std::string>& sour
     using Quantity = motion::NormalRange::Quantity;
     const bool percent = range.quantity == Quantity::ejectionPercent;
     surface.ejects = surface.ejects || range.quantity == Quantity::endDiastolicMl;
-    surface.output = surface.output || percent;
+    surface.output = surface.output || range.norm == "lv.ef";
     plan.ranges.push_back({plan.surfaces.size() - 1, percent ? "percent" : "ml", range.low, range.high,
                            surface.title + ", " + said(range.name.c_str())});
     if (sources.insert(sourceOf(range)).second)

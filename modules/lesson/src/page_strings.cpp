@@ -90,7 +90,7 @@ constexpr Said kSaid[] = {
     QT_TRANSLATE_NOOP("Lesson", "Phase"), QT_TRANSLATE_NOOP("Lesson", "Slide"),
     QT_TRANSLATE_NOOP("Lesson", "Text of the slide"), QT_TRANSLATE_NOOP("Lesson", "Handle"),
     QT_TRANSLATE_NOOP("Lesson", "end-diastolic volume"), QT_TRANSLATE_NOOP("Lesson", "end-systolic volume"),
-    QT_TRANSLATE_NOOP("Lesson", "ejection fraction"), QT_TRANSLATE_NOOP("Lesson", "volume after a meal")};
+    QT_TRANSLATE_NOOP("Lesson", "ejection fraction"), QT_TRANSLATE_NOOP("Lesson", "volume after a meal"), QT_TRANSLATE_NOOP("Lesson", "volume")};
 // clang-format on
 
 } // namespace

@@ -56,9 +56,9 @@ TEST(LessonPlan, SpellsVentriclesOutAndKnowsWhatHealthyPeopleHave) {
   EXPECT_TRUE(plan.surfaces[0].ejects && plan.surfaces[1].ejects);
   EXPECT_TRUE(plan.surfaces[0].output);
   EXPECT_FALSE(plan.surfaces[1].output) << "the cardiac output is the left ventricle's";
-  ASSERT_EQ(plan.ranges.size(), 5u);
+  ASSERT_EQ(plan.ranges.size(), 6u) << "both ventricles have an ejection fraction";
   EXPECT_THAT(plan.ranges[0].text, HasSubstr("Left ventricle, end-diastolic volume"));
-  EXPECT_THAT(plan.notes, HasSubstr("10.1080/10976640500295516"));
+  EXPECT_THAT(plan.notes, HasSubstr("10.1186/s12968-017-0327-9"));
 }
 
 TEST(LessonPlan, LeavesHiddenOrgansOut) {

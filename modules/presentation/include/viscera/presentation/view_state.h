@@ -6,6 +6,7 @@
 
 #include "viscera/core/arrays.h"
 #include "viscera/document/ids.h"
+#include "viscera/norms/norms.h"
 #include "viscera/presentation/scan_look.h"
 #include "viscera/presentation/stress_look.h"
 #include "viscera/scene/region_hulls.h"
@@ -114,6 +115,7 @@ struct ViewState {
   StressLook stress;
   ScanLook scan;
   OrganCut cut;
+  norms::Person person; ///< Whose normal ranges are shown.
 
   SelectionState selection;
   std::vector<MotionChoice> motions;
