@@ -31,8 +31,24 @@ struct Surfaces {
     organ.look.opacity = 1;
     names.push_back(std::move(name));
     organs.push_back({std::move(organ), -1});
-    if (organs.size() == 2) // The cavities are seen through the wall around them.
-      organs.front().organ.look.opacity = kWallOpacity;
+  }
+
+  /// Makes the surface transparent that all others lie in: cavities are seen through the wall around them.
+  void showCavities() {
+    if (organs.size() < 2)
+      return;
+    for (document::NewOrgan& wall : organs)
+      if (std::all_of(organs.begin(), organs.end(), [&](const document::NewOrgan& other) {
+            return &other == &wall || liesIn(other, wall);
+          }))
+        wall.organ.look.opacity = kWallOpacity;
+  }
+
+private:
+  static bool liesIn(const document::NewOrgan& inner, const document::NewOrgan& outer) {
+    const Bounds inside = boundsOf(inner.organ.mesh->points), around = boundsOf(outer.organ.mesh->points);
+    return (inside.low.array() >= around.low.array()).all() &&
+           (inside.high.array() <= around.high.array()).all();
   }
 };
 
@@ -110,6 +126,7 @@ motion::Landmarks givenLandmarks(const PlayRequest& request, std::vector<std::st
 /// Puts the surfaces into a document with the handles, and binds them.
 void bindAll(PlayedSequence& played, Surfaces surfaces, const document::SystemChoice& system,
              Surroundings& surroundings) {
+  surfaces.showCavities();
   played.document = std::make_unique<BoundDocument>(
       document::combined("Play", {document::addOrgans(std::move(surfaces.organs)),
                                   document::replaceRig(played.rig), document::setSystem(system)}),
