@@ -145,7 +145,7 @@
     </message>
     <message>
         <source>%1: ejection fraction</source>
-        <translation>%1: Ejektionsfraktion</translation>
+        <translation>%1: Ejektions­fraktion</translation>
     </message>
     <message>
         <source>Stroke volume</source>
@@ -153,7 +153,7 @@
     </message>
     <message>
         <source>Cardiac output</source>
-        <translation>Herzminutenvolumen</translation>
+        <translation>Herzminuten­volumen</translation>
     </message>
     <message>
         <source>normal %1</source>

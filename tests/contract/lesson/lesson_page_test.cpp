@@ -219,7 +219,7 @@ TEST_F(LessonPage, OfASessionHasThePatientsMotionItsSlidesAndAnEyeForEachOrgan) 
   truth["slides"] = {
       {{"title", "From the front"}, {"position", {0, -500, 20}}, {"focus", {3, 0, 4}}},
       {{"title", "Smallest"}, {"position", {-300, -200, 80}}, {"focus", {-11, 0, 0}}, {"fraction", 0.5}}};
-  EXPECT_EQ(truth["texts"][0], "Linker Ventrikel");
+  EXPECT_EQ(truth["texts"], ordered_json::parse(R"(["EPI", "Linker Ventrikel", "Rechter Ventrikel"])"));
   expectGood(folder.path() / "s.viscera.html", truth, "patient");
 
   const auto jsonOf = [&](const char* page) {
@@ -228,10 +228,12 @@ TEST_F(LessonPage, OfASessionHasThePatientsMotionItsSlidesAndAnEyeForEachOrgan) 
   const ordered_json session = jsonOf("s.viscera.html"), file = jsonOf("m.sequence.json.html");
   EXPECT_EQ(session["measurements"].size(), 1u);
   ASSERT_EQ(file["surfaces"].size(), 3u);
-  EXPECT_TRUE(file["surfaces"][2]["wall"]) << "the surface around the others";
-  for (std::size_t i = 0; i < 3; ++i)
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_EQ(file["surfaces"][i]["wall"], i == 0) << "the surface around the others";
     EXPECT_EQ(file["surfaces"][i]["curves"], session["surfaces"][i]["curves"])
         << "the file alone is the same motion";
+  }
+  EXPECT_NE(file["surfaces"][1]["color"], file["surfaces"][2]["color"]) << "ventricles are told apart";
 }
 
 TEST_F(LessonPage, OfStillOrgansWithMeasurementsAndHostileNamesStaysText) {

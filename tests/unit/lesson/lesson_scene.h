@@ -57,8 +57,8 @@ struct SampleScene {
   }
 };
 
-/// What a sequence file holds as a document with its recording, bound: the organs, of which the last one is
-/// the wall around the others.
+/// What a sequence file holds as a document with its recording, bound. The organ "EPI" is the wall around the
+/// others.
 struct MotionFileScene {
   document::Document document;
   document::UndoStack undo{document};
@@ -70,9 +70,10 @@ struct MotionFileScene {
   explicit MotionFileScene(const std::filesystem::path& file) {
     motion::SequenceFile motion = motion::readSequence(file);
     std::vector<document::NewOrgan> organs;
-    for (const motion::SequenceOrgan& organ : motion.organs)
+    for (const motion::SequenceOrgan& organ : motion.organs) {
       organs.push_back({document::makeOrgan(organ.name, organ.mesh), -1});
-    organs.back().organ.look.opacity = 0.35;
+      organs.back().organ.look.opacity = organ.name == "EPI" ? 0.35 : 1;
+    }
     undo.perform(document::addOrgans(std::move(organs)));
     undo.perform(motion::openSequence(std::move(motion)));
   }
