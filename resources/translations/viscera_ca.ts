@@ -413,6 +413,10 @@ N: noms, H: tiradors, X: paret, R: restableix, T: clar o fosc, Inici: principi</
         <translation>Enregistrat</translation>
     </message>
     <message>
+        <source>Measured</source>
+        <translation>Mesurat</translation>
+    </message>
+    <message>
         <source>Atrial systole</source>
         <translation>Sístole auricular</translation>
     </message>

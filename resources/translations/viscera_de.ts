@@ -413,6 +413,10 @@ N: Namen, H: Griffe, X: Wand, R: zurück, T: hell oder dunkel, Pos1: Anfang</tra
         <translation>Aufgezeichnet</translation>
     </message>
     <message>
+        <source>Measured</source>
+        <translation>Gemessen</translation>
+    </message>
+    <message>
         <source>Atrial systole</source>
         <translation>Vorhofsystole</translation>
     </message>

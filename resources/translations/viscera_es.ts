@@ -413,6 +413,10 @@ N: nombres, H: tiradores, X: pared, R: restablecer, T: claro u oscuro, Inicio: p
         <translation>Grabado</translation>
     </message>
     <message>
+        <source>Measured</source>
+        <translation>Medido</translation>
+    </message>
+    <message>
         <source>Atrial systole</source>
         <translation>Sístole auricular</translation>
     </message>

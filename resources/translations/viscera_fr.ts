@@ -413,6 +413,10 @@ N : noms, H : poignées, X : paroi, R : rétablir, T : clair ou sombre, Origine 
         <translation>Enregistré</translation>
     </message>
     <message>
+        <source>Measured</source>
+        <translation>Mesuré</translation>
+    </message>
+    <message>
         <source>Atrial systole</source>
         <translation>Systole auriculaire</translation>
     </message>
