@@ -352,6 +352,10 @@ N: noms, H: tiradors, X: paret, R: restableix, T: clar o fosc, Inici: principi</
         <translation>volum després d’un àpat</translation>
     </message>
     <message>
+        <source>volume</source>
+        <translation>volum</translation>
+    </message>
+    <message>
         <source>en</source>
         <extracomment>The code of your language (BCP 47): numbers are written as it does.</extracomment>
         <translation>ca</translation>

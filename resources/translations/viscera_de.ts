@@ -352,6 +352,10 @@ N: Namen, H: Griffe, X: Wand, R: zurück, T: hell oder dunkel, Pos1: Anfang</tra
         <translation>Volumen nach einer Mahlzeit</translation>
     </message>
     <message>
+        <source>volume</source>
+        <translation>Volumen</translation>
+    </message>
+    <message>
         <source>en</source>
         <extracomment>The code of your language (BCP 47): numbers are written as it does.</extracomment>
         <translation>de</translation>

@@ -352,6 +352,10 @@ N: nombres, H: tiradores, X: pared, R: restablecer, T: claro u oscuro, Inicio: p
         <translation>volumen después de comer</translation>
     </message>
     <message>
+        <source>volume</source>
+        <translation>volumen</translation>
+    </message>
+    <message>
         <source>en</source>
         <extracomment>The code of your language (BCP 47): numbers are written as it does.</extracomment>
         <translation>es</translation>

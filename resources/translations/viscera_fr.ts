@@ -352,6 +352,10 @@ N : noms, H : poignées, X : paroi, R : rétablir, T : clair ou sombre, Origine 
         <translation>volume après un repas</translation>
     </message>
     <message>
+        <source>volume</source>
+        <translation>volume</translation>
+    </message>
+    <message>
         <source>en</source>
         <extracomment>The code of your language (BCP 47): numbers are written as it does.</extracomment>
         <translation>fr</translation>

@@ -94,6 +94,7 @@ constexpr Said kSaid[] = {
     QT_TRANSLATE_NOOP("Lesson", "Text of the slide"), QT_TRANSLATE_NOOP("Lesson", "Handle"),
     QT_TRANSLATE_NOOP("Lesson", "end-diastolic volume"), QT_TRANSLATE_NOOP("Lesson", "end-systolic volume"),
     QT_TRANSLATE_NOOP("Lesson", "ejection fraction"), QT_TRANSLATE_NOOP("Lesson", "volume after a meal"),
+    QT_TRANSLATE_NOOP("Lesson", "volume"),
     //: The code of your language (BCP 47): numbers are written as it does.
     QT_TRANSLATE_NOOP("Lesson", "en"),
     QT_TRANSLATE_NOOP("Lesson", "For teaching. It is not a medical device."),
