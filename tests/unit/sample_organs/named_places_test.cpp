@@ -44,7 +44,8 @@ TEST_P(NamedPlaces, LieOnTheSurfaceApartFromEachOther) {
 }
 
 INSTANTIATE_TEST_SUITE_P(OfOrgan, NamedPlaces,
-                         testing::Values("heart", "stomach", "liver", "kidney_left", "kidney_right"),
+                         testing::Values("heart", "stomach", "liver", "kidney_left", "kidney_right",
+                                         "stomach_and_bowel"),
                          [](const auto& instance) {
                            std::string name = instance.param;
                            name.erase(std::remove(name.begin(), name.end(), '_'), name.end());
