@@ -147,6 +147,11 @@ private:
   std::vector<TaughtQuantity> rows_;
 };
 
+/// Three digits, and all of a large number's before the point.
+std::string numberText(double value) {
+  return significant(value, std::abs(value) < 1000 ? 3 : 4);
+}
+
 std::string withUnit(const std::string& number, const norms::Norm& norm) {
   return norm.unit.empty() ? number : number + " " + norm.unit;
 }
@@ -164,10 +169,9 @@ std::vector<TaughtQuantity> taughtQuantities(const sample_organs::SampleLibrary&
 }
 
 std::string rangeText(const norms::Range& range) {
-  const auto number = [](double value) { return significant(value, value < 1000 ? 3 : 4); };
   if (!std::isfinite(range.low))
-    return "up to " + number(range.high);
-  return number(range.low) + (std::isfinite(range.high) ? " to " + number(range.high) : " and more");
+    return "up to " + numberText(range.high);
+  return numberText(range.low) + (std::isfinite(range.high) ? " to " + numberText(range.high) : " and more");
 }
 
 std::string markdownTable(const std::vector<TaughtQuantity>& quantities, const norms::Person& person) {
@@ -177,7 +181,7 @@ std::string markdownTable(const std::vector<TaughtQuantity>& quantities, const n
     const norms::Norm& norm = *row.norm;
     const norms::Range range = norms::rangeOf(norm, person);
     table += "| " + norm.subject + ", " + norm.quantity + " | " + row.where + " | " +
-             withUnit(significant(row.here, 3), norm) + " | " + withUnit(rangeText(range), norm) + " | " +
+             withUnit(numberText(row.here), norm) + " | " + withUnit(rangeText(range), norm) + " | " +
              verdict(row, range) + " | " + norms::meaningOf(norm, person) + "; " + norm.people + " | " +
              norm.source + " |\n";
   }
