@@ -63,7 +63,7 @@ MainWindow::MainWindow(Settings& settings, plugin::Registry registry, motion::Tr
   files_->addTo(actions_);
   scans_->addTo(actions_);
   exports_->addTo(actions_);
-  lessons_ = new LessonExport({workspace_, playback_, *picture_, settings_}, this);
+  lessons_ = new LessonExport({workspace_, playback_, *picture_, view_, settings_}, this);
   lessons_->addTo(actions_);
   actions_.add("file.quit", {tr("&Quit"), nullptr, {QKeySequence::Quit}, {}}, [this] { close(); });
   views_ = new ViewActions({workspace_, *picture_, *viewArea_, view_, settings_}, actions_, this);

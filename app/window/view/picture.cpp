@@ -58,12 +58,17 @@ void Picture::setGuests(std::vector<presentation::Guest> guests) {
   refresh();
 }
 
+void Picture::setNamedParts(std::optional<std::vector<presentation::Part>> parts) {
+  namedParts_ = std::move(parts);
+  refresh();
+}
+
 void Picture::refresh() {
   workspace_.guarded([this] {
     const presentation::ViewState view = state();
     const live::StressFrame stress = workspace_.stress().frame();
     presenter_.update({workspace_.state(), workspace_.live(), view, workspace_.registry(), &stress, nullptr,
-                       &measuring_, &guests_});
+                       &measuring_, &guests_, namedParts_ ? &*namedParts_ : nullptr});
   });
   drawn_ = model_.state();
   widget_.scheduleRender();

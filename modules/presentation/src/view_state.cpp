@@ -89,6 +89,7 @@ void visitSwitches(ViewState& view, Visit visit) {
   visit("influence", "handles.influence", view.influence);
   visit("ghost", "view.ghost", view.ghost);
   visit("labels", "view.labels", view.labels);
+  visit("partNames", "view.partNames", view.partNames);
   visit("measurements", "view.measurements", view.measurements);
   visit("orientationCube", "view.cube", view.orientationCube);
   visit("scaleBar", "view.scale", view.scaleBar);
@@ -360,10 +361,11 @@ ViewState viewFrom(const ordered_json& item) {
 bool ViewState::operator==(const ViewState& other) const {
   const auto parts = [](const ViewState& view) {
     return std::tie(view.mode, view.shown, view.camera, view.handles, view.influence, view.ghost, view.labels,
-                    view.measurements, view.orientationCube, view.scaleBar, view.gizmo, view.mirror,
-                    view.layout.regions, view.layout.zones, view.layout.superRegions, view.chartOfCycle,
-                    view.circulationChart, view.stress, view.cut, view.person.sex, view.person.bodySurfaceM2,
-                    view.scan, view.selection, view.motions, view.playing, view.slides);
+                    view.partNames, view.measurements, view.orientationCube, view.scaleBar, view.gizmo,
+                    view.mirror, view.layout.regions, view.layout.zones, view.layout.superRegions,
+                    view.chartOfCycle, view.circulationChart, view.stress, view.cut, view.person.sex,
+                    view.person.bodySurfaceM2, view.scan, view.selection, view.motions, view.playing,
+                    view.slides);
   };
   return parts(*this) == parts(other) && shownPose.rows() == other.shownPose.rows() &&
          shownPose == other.shownPose;

@@ -103,6 +103,7 @@ struct ViewState {
   bool influence = false;
   bool ghost = false;
   bool labels = false;
+  bool partNames = false; ///< Of the parts of organs that have named places.
   bool measurements = true;
   bool orientationCube = true;
   bool scaleBar = true;
