@@ -39,6 +39,14 @@ public:
     return pose;
   }
 
+  /// Of all phases whose name has this in it: ejection may be told in two parts.
+  double millisecondsOf(const std::string& part) const {
+    double fraction = 0;
+    for (const sequences::Phase& phase : sequence().phases(rate()))
+      fraction += phase.name.find(part) != std::string::npos ? phase.end - phase.begin : 0;
+    return 1000 * 60 / rate() * fraction;
+  }
+
   MovedVolume surface(const std::string& name) const {
     return MovedVolume(surfaceOf(setup_.organ, name), sequence().restHandles(), setup_.system, threads_);
   }
@@ -88,6 +96,9 @@ private:
       if (side == "lv")
         add("heart.output", beat.where(), indices.cardiacOutputLPerMinute);
     }
+    add("lv.ivct", beat.where(), beat.millisecondsOf("isovolumic contraction"));
+    add("lv.ejection", beat.where(), beat.millisecondsOf("ejection"));
+    add("lv.ivrt", beat.where(), beat.millisecondsOf("isovolumic relaxation"));
   }
 
   void addCirculation() {
