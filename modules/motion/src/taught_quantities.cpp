@@ -39,6 +39,14 @@ public:
     return pose;
   }
 
+  /// Of all phases whose name has this in it: ejection may be told in two parts.
+  double millisecondsOf(const std::string& part) const {
+    double fraction = 0;
+    for (const sequences::Phase& phase : sequence().phases(rate()))
+      fraction += phase.name.find(part) != std::string::npos ? phase.end - phase.begin : 0;
+    return 1000 * 60 / rate() * fraction;
+  }
+
   MovedVolume surface(const std::string& name) const {
     return MovedVolume(surfaceOf(setup_.organ, name), sequence().restHandles(), setup_.system, threads_);
   }
@@ -88,6 +96,9 @@ private:
       if (side == "lv")
         add("heart.output", beat.where(), indices.cardiacOutputLPerMinute);
     }
+    add("lv.ivct", beat.where(), beat.millisecondsOf("isovolumic contraction"));
+    add("lv.ejection", beat.where(), beat.millisecondsOf("ejection"));
+    add("lv.ivrt", beat.where(), beat.millisecondsOf("isovolumic relaxation"));
   }
 
   void addCirculation() {
@@ -147,6 +158,11 @@ private:
   std::vector<TaughtQuantity> rows_;
 };
 
+/// Three digits, and all of a large number's before the point.
+std::string numberText(double value) {
+  return significant(value, std::abs(value) < 1000 ? 3 : 4);
+}
+
 std::string withUnit(const std::string& number, const norms::Norm& norm) {
   return norm.unit.empty() ? number : number + " " + norm.unit;
 }
@@ -164,10 +180,9 @@ std::vector<TaughtQuantity> taughtQuantities(const sample_organs::SampleLibrary&
 }
 
 std::string rangeText(const norms::Range& range) {
-  const auto number = [](double value) { return significant(value, value < 1000 ? 3 : 4); };
   if (!std::isfinite(range.low))
-    return "up to " + number(range.high);
-  return number(range.low) + (std::isfinite(range.high) ? " to " + number(range.high) : " and more");
+    return "up to " + numberText(range.high);
+  return numberText(range.low) + (std::isfinite(range.high) ? " to " + numberText(range.high) : " and more");
 }
 
 std::string markdownTable(const std::vector<TaughtQuantity>& quantities, const norms::Person& person) {
@@ -177,7 +192,7 @@ std::string markdownTable(const std::vector<TaughtQuantity>& quantities, const n
     const norms::Norm& norm = *row.norm;
     const norms::Range range = norms::rangeOf(norm, person);
     table += "| " + norm.subject + ", " + norm.quantity + " | " + row.where + " | " +
-             withUnit(significant(row.here, 3), norm) + " | " + withUnit(rangeText(range), norm) + " | " +
+             withUnit(numberText(row.here), norm) + " | " + withUnit(rangeText(range), norm) + " | " +
              verdict(row, range) + " | " + norms::meaningOf(norm, person) + "; " + norm.people + " | " +
              norm.source + " |\n";
   }

@@ -80,6 +80,17 @@ void addVentricles(std::vector<Norm>& rows) {
   rows.push_back(ofVentricle("rv.ef", kRight, kEf, "%", {58, 6}, {54, 6}));
 }
 
+void addTimes(std::vector<Norm>& rows) {
+  constexpr auto kSubject = "Left ventricle", kPeople = "1969 healthy people at rest, by tissue Doppler";
+  constexpr auto kCopenhagen = "Alhakak 2023 (Copenhagen), doi 10.1007/s00392-023-02269-2";
+  rows.push_back(
+      ofEverybody("lv.ivct", kSubject, "isovolumic contraction", "ms", {40, 10}, kPeople, kCopenhagen));
+  rows.push_back(
+      ofEverybody("lv.ejection", kSubject, "ejection time", "ms", {292, 23}, kPeople, kCopenhagen));
+  rows.push_back(
+      ofEverybody("lv.ivrt", kSubject, "isovolumic relaxation", "ms", {96, 19}, kPeople, kCopenhagen));
+}
+
 void addCirculation(std::vector<Norm>& rows) {
   constexpr auto kAdults = "healthy adults at rest";
   const auto add = [&](const char* id, const char* subject, const char* quantity, const char* unit,
@@ -163,6 +174,7 @@ void addBreathing(std::vector<Norm>& rows) {
 std::vector<Norm> makeTable() {
   std::vector<Norm> rows;
   addVentricles(rows);
+  addTimes(rows);
   addCirculation(rows);
   addOrgans(rows);
   addStomach(rows);
