@@ -48,7 +48,9 @@ SlicePanes::SlicePanes(Workspace& workspace, ViewModel& model, ViewArea& area, Q
   area.addSlices({widgets_[0], widgets_[1], widgets_[2]});
   subscriptions_.push_back(workspace.onChange([this](const document::Change&) { refresh(); }));
   subscriptions_.push_back(workspace.live().onEvent([this](const live::LiveEvent&) { refresh(); }));
+  subscriptions_.push_back(workspace.bend().onChange([this] { followBend(); }));
   connect(&model, &ViewModel::changed, this, [this] {
+    workspace_.bend().setWanted(model_.state().scan.bent);
     arrange();
     refresh();
   });
@@ -105,12 +107,22 @@ void SlicePanes::refresh() {
   if (shown.empty())
     return;
   workspace_.guarded([&] {
-    presenter_.update({workspace_.state(), workspace_.live(), model_.state()}, shown);
+    std::optional<presentation::Bending> bending;
+    if (model_.state().scan.bent)
+      bending = presentation::bendingOf(workspace_.bend());
+    presenter_.update({workspace_.state(), workspace_.live(), model_.state(), bending ? &*bending : nullptr},
+                      shown);
     for (const presentation::SlicePane& pane : shown) {
       widget(pane.direction).setPicture(presenter_.picture(pane.direction));
       read(pane.direction, cursor_[static_cast<std::size_t>(pane.direction)]);
     }
   });
+}
+
+void SlicePanes::followBend() {
+  if (const std::string& problem = workspace_.bend().problem(); !problem.empty())
+    workspace_.note(tr("The scan cannot be bent: %1").arg(text(problem)));
+  refresh();
 }
 
 void SlicePanes::moveCross(int direction, const Eigen::Vector2d& pixel) {

@@ -4,6 +4,7 @@
 
 #include <utility>
 
+#include "viscera/presentation/slice_presenter.h"
 #include "viscera/scene/vtkVisceraHandleSetWidget.h"
 
 namespace viscera::app {
@@ -20,6 +21,7 @@ Picture::Picture(Workspace& workspace, ViewModel& model, ViewWidget& view, Role 
   subscriptions_.push_back(workspace.live().onEvent([this](const live::LiveEvent&) { refresh(); }));
   subscriptions_.push_back(workspace.stress().onEvent([this](const live::StressEvent&) { refresh(); }));
   subscriptions_.push_back(workspace.selection().onChange([this] { refresh(); }));
+  subscriptions_.push_back(workspace.bend().onChange([this] { refresh(); }));
   connect(&model, &ViewModel::changed, this, [this] {
     if (looksOtherwise())
       refresh();
@@ -62,8 +64,11 @@ void Picture::refresh() {
   workspace_.guarded([this] {
     const presentation::ViewState view = state();
     const live::StressFrame stress = workspace_.stress().frame();
+    std::optional<presentation::Bending> bending;
+    if (view.scan.standing && view.scan.bent)
+      bending = presentation::bendingOf(workspace_.bend());
     presenter_.update({workspace_.state(), workspace_.live(), view, workspace_.registry(), &stress, nullptr,
-                       &measuring_, &guests_});
+                       &measuring_, &guests_, bending ? &*bending : nullptr});
   });
   drawn_ = model_.state();
   widget_.scheduleRender();

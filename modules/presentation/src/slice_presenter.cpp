@@ -284,6 +284,13 @@ Vec3 focusOf(const document::DocumentState& state, const ScanLook& look) {
   return look.focus ? *look.focus : boxOfSlices(state).center();
 }
 
+std::optional<Bending> bendingOf(live::LiveBend& bend) {
+  const deformation::InverseMap* map = bend.map();
+  if (!map)
+    return std::nullopt;
+  return Bending{[map](Points& places) { places = map->restPoints(places).points; }, bend.revision()};
+}
+
 std::string formatSlicePosition(int axis, double mm) {
   constexpr const char* kLetters[3][2] = {{"L", "R"}, {"P", "A"}, {"S", "I"}};
   return kLetters[axis][mm < 0 ? 1 : 0] + formatted(" %.1f mm", std::abs(mm), 0);

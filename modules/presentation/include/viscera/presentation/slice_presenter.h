@@ -11,6 +11,7 @@
 #include "viscera/core/parallel.h"
 #include "viscera/document/document.h"
 #include "viscera/document/scan_item.h"
+#include "viscera/live/live_bend.h"
 #include "viscera/live/posed_organs.h"
 #include "viscera/presentation/view_state.h"
 #include "viscera/scene/slice_view.h"
@@ -24,6 +25,10 @@ struct Bending {
   std::function<void(Points& places)> toRest;
   std::uint64_t revision = 0; ///< Another number whenever `toRest` gives something else.
 };
+
+/// The bending that keeps up with the open document, in the pose that is shown now; none at rest and while it
+/// is being bound. Good until the pose is another one; `bend` has to live as long.
+std::optional<Bending> bendingOf(live::LiveBend& bend);
 
 /// A slice that is wanted, and how large.
 struct SlicePane {
