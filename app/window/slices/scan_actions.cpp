@@ -109,6 +109,7 @@ void ScanActions::makeLayouts(Actions& actions) {
         actions, layout.id, {tr(layout.name), "view", {layout.key}, {}},
         [id = std::string(layout.layout)](const ScanLook& look) { return look.layout == id; },
         [id = std::string(layout.layout)](ScanLook& look) { look.layout = id; });
+    connect(actions[layout.id], &QAction::triggered, this, &ScanActions::layoutChosen);
   }
 }
 
@@ -228,6 +229,7 @@ void ScanActions::opened() {
     view.scan.standing = before.standing;
     view.scan.bent = before.bent;
   });
+  Q_EMIT layoutChosen();
   QStringList lines;
   for (std::size_t i = 0; i < std::min(kShownFindings, item->scan->findings.size()); ++i)
     lines << asSentence(item->scan->findings[i].sentence);

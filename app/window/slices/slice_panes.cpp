@@ -7,6 +7,7 @@
 
 #include "viscera/document/scan_item.h"
 #include "viscera/slices/slice_frame.h"
+#include "window/slices/scan_bend.h"
 #include "window/view/picture.h"
 
 namespace viscera::app {
@@ -48,9 +49,9 @@ SlicePanes::SlicePanes(Workspace& workspace, ViewModel& model, ViewArea& area, Q
   area.addSlices({widgets_[0], widgets_[1], widgets_[2]});
   subscriptions_.push_back(workspace.onChange([this](const document::Change&) { refresh(); }));
   subscriptions_.push_back(workspace.live().onEvent([this](const live::LiveEvent&) { refresh(); }));
-  subscriptions_.push_back(workspace.bend().onChange([this] { followBend(); }));
+  subscriptions_.push_back(ScanBend::of(workspace).onChange([this] { followBend(); }));
   connect(&model, &ViewModel::changed, this, [this] {
-    workspace_.bend().setWanted(model_.state().scan.bent);
+    ScanBend::of(workspace_).setWanted(model_.state().scan.bent);
     arrange();
     refresh();
   });
@@ -109,7 +110,7 @@ void SlicePanes::refresh() {
   workspace_.guarded([&] {
     std::optional<presentation::Bending> bending;
     if (model_.state().scan.bent)
-      bending = presentation::bendingOf(workspace_.bend());
+      bending = presentation::bendingOf(ScanBend::of(workspace_));
     presenter_.update({workspace_.state(), workspace_.live(), model_.state(), bending ? &*bending : nullptr},
                       shown);
     for (const presentation::SlicePane& pane : shown) {
@@ -120,7 +121,7 @@ void SlicePanes::refresh() {
 }
 
 void SlicePanes::followBend() {
-  if (const std::string& problem = workspace_.bend().problem(); !problem.empty())
+  if (const std::string& problem = ScanBend::of(workspace_).problem(); !problem.empty())
     workspace_.note(tr("The scan cannot be bent: %1").arg(text(problem)));
   refresh();
 }
@@ -194,6 +195,8 @@ void SlicePanes::read(int direction, const std::optional<Eigen::Vector2d>& pixel
   if (reading.value) {
     const std::string& unit = workspace_.state().scan->scan->unit;
     parts << (QString::number(*reading.value, 'f', 0) + QLatin1Char(' ') + text(unit)).trimmed();
+    if (reading.folded)
+      parts << tr("folded by the pose: a guess");
   }
   QStringList place;
   for (int axis = 0; axis < 3; ++axis)

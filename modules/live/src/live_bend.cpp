@@ -1,5 +1,7 @@
 #include "viscera/live/live_bend.h"
 
+#include <algorithm>
+#include <chrono>
 #include <optional>
 #include <string>
 #include <utility>
@@ -11,19 +13,42 @@ namespace viscera::live {
 
 using deformation::InverseMap;
 
+namespace {
+
+/// A map, and what binding a point for it took.
+struct BoundMap {
+  std::shared_ptr<InverseMap> map = nullptr;
+  double secondsPerPoint = 0;
+};
+
+BoundMap bindMap(const BindingTarget& target, const Points& pose, Threads threads, Progress& progress) {
+  const auto begin = std::chrono::steady_clock::now();
+  BoundMap bound;
+  bound.map = std::make_shared<InverseMap>(*target.system, target.handles, pose,
+                                           coordinates::BindOptions{target.parameters, threads},
+                                           deformation::InverseMapOptions(), progress);
+  const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
+  bound.secondsPerPoint =
+      took.count() / static_cast<double>(std::max<Eigen::Index>(bound.map->boundPoints(), 1));
+  return bound;
+}
+
+} // namespace
+
 struct LiveBend::Impl {
-  document::Document& document;
+  const document::Document& document;
   LiveBinding& live;
   const plugin::Registry& registry;
   JobQueue& jobs;
+  Options options;
   Signal<> changed = {};
   Subscription subscription = {};
   bool wanted = false;
   bool binding = false;
   std::uint64_t jobsBegun = 0;
-  std::optional<BindingTarget> target = {}; ///< Of `map`, or of what is being bound.
-  std::shared_ptr<InverseMap> map = nullptr;
-  Points pose = Points(0, 3); ///< That `map` is in.
+  std::optional<BindingTarget> target = {}; ///< Of `bound`, or of what is being bound.
+  BoundMap bound = {};
+  Points pose = Points(0, 3); ///< That the map is in.
   std::uint64_t revision = 0;
   std::string problem = {};
 
@@ -33,7 +58,8 @@ struct LiveBend::Impl {
     return shown.rows() == rest.rows() && rest.rows() > 0 && shown != rest;
   }
   void follow();
-  void take(const JobResult<std::shared_ptr<InverseMap>>& result);
+  void bind();
+  void take(const JobResult<BoundMap>& result);
 };
 
 /// Binds anew when that is wanted and what there is belongs to other handles. At rest nothing is bound: the
@@ -46,7 +72,7 @@ void LiveBend::Impl::follow() {
     return;
   if (binding && target && worthWaitingFor(*target, now))
     return;
-  map.reset();
+  bound = {};
   ++revision;
   problem.clear();
   target = now;
@@ -54,27 +80,30 @@ void LiveBend::Impl::follow() {
     problem = now.problem;
     return;
   }
+  bind();
+}
+
+void LiveBend::Impl::bind() {
   binding = true;
-  jobs.submit<std::shared_ptr<InverseMap>>(
+  jobs.submit<BoundMap>(
       "Bending the scan", "bend",
-      [now, first = live.shownPose()](Progress& progress) {
-        return std::make_shared<InverseMap>(*now.system, now.handles, first,
-                                            coordinates::BindOptions{now.parameters, {}},
-                                            deformation::InverseMapOptions(), progress);
+      [to = *target, first = live.shownPose(), threads = options.threads](Progress& progress) {
+        return bindMap(to, first, threads, progress);
       },
-      [this, job = ++jobsBegun](const JobResult<std::shared_ptr<InverseMap>>& result) {
+      [this, job = ++jobsBegun](const JobResult<BoundMap>& result) {
         if (job == jobsBegun) // Else another one has taken its place.
           take(result);
       });
 }
 
-void LiveBend::Impl::take(const JobResult<std::shared_ptr<InverseMap>>& result) {
+void LiveBend::Impl::take(const JobResult<BoundMap>& result) {
   binding = false;
   if (result.cancelled()) { // Somebody gave it up; the next change tries again.
     target.reset();
     return;
   }
-  map = result.value ? *result.value : nullptr;
+  if (result.value)
+    bound = *result.value;
   if (result.error)
     problem = result.error->what();
   pose.resize(0, 3);
@@ -83,9 +112,9 @@ void LiveBend::Impl::take(const JobResult<std::shared_ptr<InverseMap>>& result) 
   changed.emit();
 }
 
-LiveBend::LiveBend(document::Document& document, LiveBinding& live, const plugin::Registry& registry,
-                   JobQueue& jobs)
-    : impl_(new Impl{document, live, registry, jobs}) {
+LiveBend::LiveBend(const document::Document& document, LiveBinding& live, const plugin::Registry& registry,
+                   JobQueue& jobs, Options options)
+    : impl_(new Impl{document, live, registry, jobs, options}) {
   impl_->subscription = live.onDerive([this] { impl_->follow(); });
 }
 
@@ -99,15 +128,33 @@ void LiveBend::setWanted(bool wanted) {
 const InverseMap* LiveBend::map() {
   Impl& p = *impl_;
   p.follow();
-  if (!p.wanted || !p.map || !p.posed())
+  if (!p.wanted || !p.bound.map || !p.posed())
     return nullptr;
   const Points& shown = p.live.shownPose();
   if (p.pose.rows() != shown.rows() || p.pose != shown) {
-    p.map->setPose(shown);
+    p.bound.map->setPose(shown);
     p.pose = shown;
     ++p.revision;
+    if (p.bound.map->wantsFinerGrid() && !p.binding && p.problem.empty())
+      p.bind(); // This one serves until that is there.
   }
-  return p.map.get();
+  return p.bound.map.get();
+}
+
+void LiveBend::restPlane(const deformation::SamplePlane& plane, deformation::RestPoints& rest) {
+  const InverseMap& known = *map();
+  known.restPlane(plane, rest);
+  const double most = impl_->options.refineSeconds / std::max(impl_->bound.secondsPerPoint, 1e-12);
+  deformation::Refinement refinement{.toleranceMm = kBendToleranceMm};
+  if (most < static_cast<double>(rest.points.rows()))
+    refinement.mostPoints = static_cast<Eigen::Index>(most);
+  Progress quiet;
+  known.refinePlane(*impl_->target->system, plane, refinement, rest, quiet);
+}
+
+double LiveBend::foldedMl() {
+  const InverseMap* known = map();
+  return known ? known->foldedMl() : 0;
 }
 
 std::uint64_t LiveBend::revision() const {

@@ -1,5 +1,7 @@
 #include "viscera/live/live_bend.h"
 
+#include <limits>
+
 #include <gtest/gtest.h>
 
 #include "session_fixture.h"
@@ -8,7 +10,7 @@ namespace viscera::live {
 namespace {
 
 struct BentBall : tests::BoundSession {
-  LiveBend bend{document, live, registry, jobs};
+  LiveBend bend{document, live, registry, jobs, {.refineSeconds = std::numeric_limits<double>::infinity()}};
 
   /// All handles that much farther on.
   void shift(const Vec3& by) {
@@ -59,6 +61,36 @@ TEST(LiveBend, BindsNothingUnlessSomebodyLooksAndAnewForOtherHandles) {
   ball.wait();
   EXPECT_NE(first, nullptr);
   EXPECT_LT((ball.restOf(Vec3(3, 2, 15)) - Vec3(3, 2, 5)).norm(), 0.1);
+}
+
+TEST(LiveBend, SaysItAsExactlyFarFromTheFirstPoseAsNearIt) {
+  BentBall ball;
+  ball.bend.setWanted(true);
+  ball.shift(Vec3(0, 0, 1)); // The first pose, for which the grid is made: any grid is exact for it.
+  ball.wait();
+  ball.undo.perform(document::moveHandles({ball.handle(8)}, tests::row(4, 6, 62)));
+  const deformation::SamplePlane plane{{-20, 3, -20}, {0.5, 0, 0}, {0, 0, 0.5}, 80, 90};
+  deformation::RestPoints rest;
+  ball.bend.restPlane(plane, rest);
+  const auto target = ball.registry.find(ball.document.system().id);
+  Points posed(plane.columns * plane.rows, 3);
+  for (Eigen::Index i = 0; i < posed.rows(); ++i)
+    posed.row(i) = plane.at(i % plane.columns, i / plane.columns).transpose();
+  Progress progress;
+  EXPECT_LT(ball.bend.map()->residualMm(*target, posed, rest, progress), 2 * kBendToleranceMm);
+  EXPECT_EQ(ball.bend.foldedMl(), 0);
+  // A finer grid is bound beside it, and takes its place.
+  ball.box.runUntil([&] { return ball.jobs.idle(); });
+  EXPECT_FALSE(ball.bend.map()->wantsFinerGrid());
+}
+
+TEST(LiveBend, CountsWhatThePoseFolds) {
+  BentBall ball;
+  ball.bend.setWanted(true);
+  ball.undo.perform(document::moveHandles({ball.handle(8)}, tests::row(0, 0, -90)));
+  ball.wait();
+  EXPECT_GT(ball.bend.foldedMl(), 0.5);
+  EXPECT_LT(ball.bend.foldedMl(), 150);
 }
 
 } // namespace

@@ -13,14 +13,27 @@
 
 namespace viscera::live {
 
+/// How near places at rest are found, mm.
+inline constexpr double kBendToleranceMm = 0.03;
+
 /// Where the tissue of the posed patient is at rest, for images that bend along with the organs. While
 /// somebody wants it, the space around the handles is bound on the job queue (slot "bend") for the handles
 /// and the system there are, anew when those become others; a pose takes a few milliseconds. For the
 /// document's thread.
 class LiveBend {
 public:
+  struct Options {
+    /// About as long a plane may ask the system itself; of one that binds slowly only the roughest places
+    /// are.
+    double refineSeconds = 0.008;
+    Threads threads = {};
+  };
+
   /// All must live longer.
-  LiveBend(document::Document& document, LiveBinding& live, const plugin::Registry& registry, JobQueue& jobs);
+  LiveBend(const document::Document& document, LiveBinding& live, const plugin::Registry& registry, JobQueue& jobs,
+           Options options);
+  LiveBend(const document::Document& document, LiveBinding& live, const plugin::Registry& registry, JobQueue& jobs)
+      : LiveBend(document, live, registry, jobs, Options()) {}
   ~LiveBend();
   LiveBend(const LiveBend&) = delete;
   LiveBend& operator=(const LiveBend&) = delete;
@@ -31,6 +44,12 @@ public:
   /// The map in the pose that organs are shown in, brought up to date by the call; null at rest, while it is
   /// bound, and where it cannot be.
   const deformation::InverseMap* map();
+  /// Where the samples of a plane are at rest, by `map`, which must not be null, and by the system itself
+  /// where the map's grid is too coarse: as near as `kBendToleranceMm`, or, of systems that bind slowly, as
+  /// many of the roughest places as take about a hundredth of a second.
+  void restPlane(const deformation::SamplePlane& plane, deformation::RestPoints& rest);
+  /// How much tissue at rest the pose turns inside out, ml; 0 without a map.
+  double foldedMl();
   /// Another number whenever `map` says something else.
   std::uint64_t revision() const;
   /// Why there is no map although one is wanted and the organs are posed; empty while there is one, or it is
