@@ -3,11 +3,15 @@
 # of ctest; the exit status is 0 only when everything passed.
 #   ./test.sh                 everything
 #   ./test.sh CTEST_OPTION... a part: ./test.sh -R geometry, ./test.sh -L gui
+#   ./test.sh --fuzz SECONDS [TARGET...]  runs the fuzzers instead (docs/reliability.md), for so long each
 set -euo pipefail
 root=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")" && pwd)
 readonly root
 # shellcheck source=resources/scripts/prepare.sh
 source "$root/resources/scripts/prepare.sh"
+
+# shellcheck source=resources/scripts/fuzz.sh
+source "$root/resources/scripts/fuzz.sh"
 
 readonly build=$root/build/release
 jobs=$(nproc)
@@ -54,6 +58,11 @@ use_own_environment() {
 
 mapfile -t packages < <(packages_to_build && packages_to_test)
 install_packages "${packages[@]}"
+if [ "${1:-}" = --fuzz ]; then
+  [[ ${2:-} =~ ^[0-9]+$ ]] || fail "Say for how many seconds each fuzzer is to run: ./test.sh --fuzz 60" 64
+  fuzz "${@:2}"
+  exit
+fi
 mapfile -t packages < <(packages_to_test_if_there)
 mapfile -t packages < <(known_of "${packages[@]}")
 [ "${#packages[@]}" -eq 0 ] || install_packages "${packages[@]}"

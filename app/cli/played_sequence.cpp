@@ -21,6 +21,7 @@ namespace viscera::app::cli {
 namespace {
 
 constexpr double kWallOpacity = 0.35;
+constexpr double kSlack = 0.01; ///< Of the diagonal.
 
 /// The surfaces on their way into a document, each with its name in tables.
 struct Surfaces {
@@ -31,8 +32,26 @@ struct Surfaces {
     organ.look.opacity = 1;
     names.push_back(std::move(name));
     organs.push_back({std::move(organ), -1});
-    if (organs.size() == 2) // The cavities are seen through the wall around them.
-      organs.front().organ.look.opacity = kWallOpacity;
+  }
+
+  /// Makes the surface transparent that all others lie in: cavities are seen through the wall around them.
+  void showCavities() {
+    const auto wall = std::find_if(organs.begin(), organs.end(), [this](const document::NewOrgan& around) {
+      return std::all_of(organs.begin(), organs.end(), [&](const document::NewOrgan& other) {
+        return !other.organ.look.visible || liesIn(other, around);
+      });
+    });
+    if (organs.size() > 1 && wall != organs.end())
+      wall->organ.look.opacity = kWallOpacity;
+  }
+
+private:
+  /// Up to a part of the size, by which a wall may be thinner than the surfaces are exact.
+  static bool liesIn(const document::NewOrgan& inner, const document::NewOrgan& outer) {
+    const Bounds inside = boundsOf(inner.organ.mesh->points), around = boundsOf(outer.organ.mesh->points);
+    const double slack = kSlack * around.diagonal();
+    return (inside.low.array() >= around.low.array() - slack).all() &&
+           (inside.high.array() <= around.high.array() + slack).all();
   }
 };
 
@@ -110,6 +129,7 @@ motion::Landmarks givenLandmarks(const PlayRequest& request, std::vector<std::st
 /// Puts the surfaces into a document with the handles, and binds them.
 void bindAll(PlayedSequence& played, Surfaces surfaces, const document::SystemChoice& system,
              Surroundings& surroundings) {
+  surfaces.showCavities();
   played.document = std::make_unique<BoundDocument>(
       document::combined("Play", {document::addOrgans(std::move(surfaces.organs)),
                                   document::replaceRig(played.rig), document::setSystem(system)}),
@@ -183,6 +203,16 @@ PlayedSequence onOtherOrgan(const PlayRequest& request, Surroundings& surroundin
   return played;
 }
 
+/// A measured heart's cavities are told apart by the blood in them, as atlases draw it.
+std::optional<Vec3> bloodColor(const std::string& cavity) {
+  const Vec3 arterial(0.81, 0.23, 0.20), venous(0.29, 0.40, 0.72);
+  if (cavity == "LV" || cavity == "LA")
+    return arterial;
+  if (cavity == "RV" || cavity == "RA")
+    return venous;
+  return std::nullopt;
+}
+
 PlayedSequence fromFile(const PlayRequest& request, Surroundings& surroundings) {
   const motion::SequenceFile file = motion::readSequence(request.sequence);
   if (request.organ.empty() && file.organs.empty())
@@ -192,8 +222,11 @@ PlayedSequence fromFile(const PlayRequest& request, Surroundings& surroundings) 
   played.rig = motion::rigOf(file);
   Surfaces surfaces;
   if (request.organ.empty())
-    for (const motion::SequenceOrgan& organ : file.organs)
-      surfaces.add(organ.name, document::makeOrgan(organ.name, organ.mesh));
+    for (const motion::SequenceOrgan& organ : file.organs) {
+      document::Organ whole = document::makeOrgan(organ.name, organ.mesh);
+      whole.look.color = bloodColor(organ.name).value_or(whole.look.color);
+      surfaces.add(organ.name, std::move(whole));
+    }
   else
     for (document::Organ& organ : organInputs(request.organ, surroundings.samples, surroundings.progress)) {
       played.warnings.insert(played.warnings.end(), organ.warnings.begin(), organ.warnings.end());

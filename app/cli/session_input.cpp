@@ -207,8 +207,9 @@ SessionPicture sessionPicture(const document::OpenedSession& opened, const Stage
     if (live::LiveBend* bend = posed.makeBend())
       bending = presentation::bendingOf(*bend);
   presentation::Stage stage = stageFor(options, surroundings.threads);
-  stage.presenter().update({posed.state(), posed.organs(), view, surroundings.systems, &frame, nullptr,
-                            nullptr, nullptr, bending ? &*bending : nullptr});
+  presentation::Scene scene{posed.state(), posed.organs(), view, surroundings.systems, &frame};
+  scene.bending = bending ? &*bending : nullptr;
+  stage.presenter().update(scene);
   if (!fromSide && view.camera)
     presentation::lookFrom(*view.camera, stage.view());
   else

@@ -68,7 +68,7 @@ MainWindow::MainWindow(Settings& settings, plugin::Registry registry, motion::Tr
   new PatientOffer(workspace_, *files_, *scans_, this);
   exports_->addTo(actions_);
   (new BentExport(workspace_, settings_, this))->addTo(actions_);
-  lessons_ = new LessonExport({workspace_, playback_, *picture_, settings_}, this);
+  lessons_ = new LessonExport({workspace_, playback_, *picture_, view_, settings_}, this);
   lessons_->addTo(actions_);
   actions_.add("file.quit", {tr("&Quit"), nullptr, {QKeySequence::Quit}, {}}, [this] { close(); });
   views_ = new ViewActions({workspace_, *picture_, *viewArea_, view_, settings_}, actions_, this);
@@ -134,7 +134,7 @@ void MainWindow::placePanels() {
   auto* handlePanel = new HandlePanel(workspace_, placer_);
   for (const char* id : {"handles.addEnclosing", "handles.remove", "handles.influence", "handles.save"})
     handlePanel->addTool(actions_[id]);
-  volumePanel_ = new VolumePanel(volumes_, playback_);
+  volumePanel_ = new VolumePanel(volumes_, playback_, view_);
   layout_->place({new ModeRail(*modes_), organPanel_, handlePanel, makePages(), timeline, makeCharts(),
                   new SlidePanel(*slides_, actions_), imports_->panel()});
   const auto follow = [this] { layout_->follow(modes_->present()); };

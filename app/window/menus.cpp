@@ -96,7 +96,7 @@ void Menus::makeViewMenu() {
     fill(view, {(QByteArray("mode.") + mode->description().id).constData()});
   fill(view, {"", "view.anterior", "view.posterior", "view.left", "view.right", "view.superior",
               "view.inferior", "view.focus", "", "view.handles", "view.ghost", "view.cut", "view.cube",
-              "view.scale", "view.measurements", ""});
+              "view.scale", "view.measurements", "view.parts", ""});
   fill(view->addMenu(icon("stress"), tr("St&ress map")), parts_.modes.find("stress").actions());
   QMenu* slices = view->addMenu(icon("patient"), tr("&Scan"));
   fill(slices, parts_.scans.layouts());

@@ -64,11 +64,11 @@ BENCHMARK_CAPTURE(generate, stomach_medium, "stomach", sample_organs::Resolution
     ->Unit(benchmark::kMillisecond)
     ->UseRealTime()
     ->MeasureProcessCPUTime();
-BENCHMARK_CAPTURE(generate, digestive_system_medium, "digestive_system", sample_organs::Resolution::medium)
+BENCHMARK_CAPTURE(generate, stomach_and_bowel_medium, "stomach_and_bowel", sample_organs::Resolution::medium)
     ->Unit(benchmark::kMillisecond)
     ->UseRealTime()
     ->MeasureProcessCPUTime();
 BENCHMARK_CAPTURE(evaluate, heart_outer, "heart", "surf outer");
-BENCHMARK_CAPTURE(evaluate, digestive_system_outer, "digestive_system", "surf outer");
+BENCHMARK_CAPTURE(evaluate, stomach_and_bowel_outer, "stomach_and_bowel", "surf outer");
 
 } // namespace viscera

@@ -1,4 +1,5 @@
 #include <QAction>
+#include <QComboBox>
 #include <QFile>
 #include <QFileInfo>
 #include <QLineEdit>
@@ -8,6 +9,7 @@
 
 #include "play_fixture.h"
 #include "viscera/document/organ_commands.h"
+#include "window/lecture/slides.h"
 #include "window/lesson/lesson_dialog.h"
 #include "window/lesson/lesson_export.h"
 
@@ -41,6 +43,33 @@ TEST_F(LessonOfTheHeart, ShowsEveryTextAndTakesItBackChanged) {
   const lesson::LessonPlan changed = dialog.plan();
   EXPECT_EQ(changed.title, "Ward 7");
   EXPECT_EQ(changed.surfaces[0].title, "Cor");
+}
+
+TEST_F(LessonOfTheHeart, HasTheSlidesThatTheWindowKeeps) {
+  const app::LessonExport& lessons = window().lessons();
+  EXPECT_GE(lessons.plan().slides.size(), 4u) << "without own ones those of the sample heart";
+  window().playback().pause();
+  window().playback().seek(0.25);
+  for (const char* caption : {"Full", "Empty"}) {
+    window().actions()["slides.add"]->trigger();
+    window().slides().rename(window().slides().current(), QString::fromLatin1(caption));
+    window().playback().seek(0.5);
+  }
+  const lesson::LessonPlan plan = lessons.plan();
+  ASSERT_EQ(plan.slides.size(), 2u);
+  EXPECT_EQ(plan.slides[0].title, "Full");
+  EXPECT_NEAR(plan.slides[0].fraction.value(), 0.25, 1e-9);
+  EXPECT_EQ(plan.slides[1].title, "Empty");
+  EXPECT_NEAR(plan.slides[1].fraction.value(), 0.5, 1e-9);
+  EXPECT_TRUE(plan.slides[0].eye);
+  app::LessonDialog dialog(plan);
+  EXPECT_FALSE(dialog.findChild<QTableWidget*>(QStringLiteral("lessonTexts"))
+                   ->findItems(QStringLiteral("Full"), Qt::MatchExactly)
+                   .isEmpty());
+  auto* language = dialog.findChild<QComboBox*>(QStringLiteral("lessonLanguage"));
+  EXPECT_EQ(dialog.plan().language, "") << "that of the window";
+  language->setCurrentText(QStringLiteral("Deutsch"));
+  EXPECT_EQ(dialog.plan().language, "de");
 }
 
 TEST_F(LessonOfTheHeart, IsWrittenWithItsMotionWhileTheWindowGoesOn) {

@@ -3,6 +3,7 @@
 #include <QAbstractButton>
 #include <QAction>
 #include <QComboBox>
+#include <QDoubleSpinBox>
 #include <QFile>
 #include <QLabel>
 #include <QTest>
@@ -216,9 +217,20 @@ TEST_F(PlayMode, PhasesNormalRangesAndIndicesOfTheBeatAreShown) {
 
   auto* chart = window().findChild<app::VolumePanel*>();
   ASSERT_NE(chart, nullptr);
-  EXPECT_TRUE(chart->normalsText().contains(QStringLiteral("109 - 189 ml")))
+  EXPECT_TRUE(chart->normalsText().contains(QStringLiteral("82 - 230 ml")))
       << chart->normalsText().toStdString();
   EXPECT_TRUE(chart->normalsText().contains(QStringLiteral("doi")));
+  auto* whose = chart->findChild<QComboBox*>(QStringLiteral("rangesOf"));
+  auto* surface = chart->findChild<QDoubleSpinBox*>(QStringLiteral("rangesForBodySurface"));
+  ASSERT_TRUE(whose && surface);
+  whose->setCurrentIndex(1);
+  surface->setValue(1.5);
+  EXPECT_TRUE(chart->normalsText().contains(QStringLiteral("75 - 147 ml")))
+      << "women of 1.5 m2: " << chart->normalsText().toStdString();
+  EXPECT_TRUE(chart->normalsText().contains(QStringLiteral("women, mean +- 2")));
+  EXPECT_EQ(window().viewModel().state().person, (norms::Person{norms::Sex::women, 1.5}));
+  whose->setCurrentIndex(0);
+  surface->setValue(surface->minimum());
   const auto tiles = window().findChildren<QAbstractButton*>(QStringLiteral("tileName"));
   ASSERT_EQ(tiles.size(), 3);
   QTest::mouseClick(tiles[2], Qt::LeftButton);

@@ -27,5 +27,6 @@ std::unique_ptr<Command> propertiesCommand();
 std::unique_ptr<Command> reproduceCommand();
 std::unique_ptr<Command> reportCommand();
 std::unique_ptr<Command> commandsCommand();
+std::unique_ptr<Command> referenceCommand();
 
 } // namespace viscera::app::cli

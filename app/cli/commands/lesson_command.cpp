@@ -45,6 +45,14 @@ bool isOnItsOwnOrgan(const std::string& sequence, const std::string& organ) {
   });
 }
 
+/// "en, de, es".
+std::string languages() {
+  std::string codes;
+  for (const lesson::PageLanguage& language : lesson::pageLanguages())
+    codes += (codes.empty() ? "" : ", ") + language.code;
+  return codes;
+}
+
 std::string contentsOf(const std::string& file) {
   std::ifstream stream(file, std::ios::binary);
   if (!stream)
@@ -87,7 +95,7 @@ private:
   Material ofSession(Surroundings& surroundings) const;
   Material ofSequence(Surroundings& surroundings) const;
   Material ofStillOrgans(Surroundings& surroundings) const;
-  lesson::LessonSpec spec() const;
+  lesson::LessonSpec spec(const lesson::LessonSource& source) const;
   Outcome write(const std::filesystem::path& file, Surroundings& surroundings) const;
   Outcome writeReady(Surroundings& surroundings);
 
@@ -95,6 +103,7 @@ private:
   std::string output_;
   std::string spec_;
   std::string title_;
+  std::string language_;
   std::vector<std::string> names_;
   double rate_ = 0;
   int handles_ = -1; ///< As the spec has it, or as it comes.
@@ -126,6 +135,7 @@ void LessonCommand::addOptions(CLI::App& options) {
       ->type_name("PER_MINUTE")
       ->check(CLI::PositiveNumber);
   options.add_option("--title", title_, "What the lesson is called");
+  options.add_option("--language", language_, "Of the page's own texts: " + languages())->type_name("CODE");
   options.add_option("--name", names_, "Another name for an organ or a phase; may be repeated")
       ->type_name("OLD=NEW")
       ->expected(1)
@@ -172,6 +182,7 @@ LessonCommand::Material LessonCommand::ofSession(Surroundings& surroundings) con
   if (view.playing)
     material.source.ratePerMinute = view.playing->ratePerMinute;
   material.source.camera = view.camera;
+  material.source.slides = view.slides;
   return material;
 }
 
@@ -201,11 +212,13 @@ LessonCommand::Material LessonCommand::material(Surroundings& surroundings) cons
   return material;
 }
 
-lesson::LessonSpec LessonCommand::spec() const {
+lesson::LessonSpec LessonCommand::spec(const lesson::LessonSource& source) const {
   const bool own = isOnItsOwnOrgan(request_.sequence, request_.organ);
   lesson::LessonSpec spec = !spec_.empty() ? lesson::readSpec(contentsOf(spec_), spec_)
                             : own          ? lesson::readySpec(request_.sequence)
-                                           : lesson::LessonSpec();
+                                           : lesson::readySpecFor(source);
+  if (!language_.empty())
+    spec.language = language_;
   if (!title_.empty())
     spec.title = title_;
   if (handles_ >= 0)
@@ -221,7 +234,7 @@ lesson::LessonSpec LessonCommand::spec() const {
 
 Outcome LessonCommand::write(const std::filesystem::path& file, Surroundings& surroundings) const {
   Material material = this->material(surroundings);
-  const lesson::LessonPlan plan = lesson::planLesson(material.source, spec());
+  const lesson::LessonPlan plan = lesson::planLesson(material.source, spec(material.source));
   const auto begin = std::chrono::steady_clock::now();
   Outcome outcome;
   outcome.warnings = std::move(material.warnings);

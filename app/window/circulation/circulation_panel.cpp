@@ -12,6 +12,8 @@
 #include <vtkNew.h>
 
 #include "window/circulation/numbers_table.h"
+#include "window/timeline/person_box.h"
+#include "window/view/view_model.h"
 #include "window/widgets/ready_made.h"
 
 namespace viscera::app {
@@ -31,7 +33,7 @@ std::size_t sampleAt(const circulation::Beat& beat, double fraction) {
 } // namespace
 
 CirculationPanel::CirculationPanel(CirculationModel& model, Playback& playback, VolumeMonitor& volumes,
-                                   QWidget* parent)
+                                   ViewModel& view, QWidget* parent)
     : QWidget(parent), model_(model), playback_(playback), panels_(std::make_unique<scene::CurvePanels>()),
       chart_(new QVTKOpenGLNativeWidget(this)), numbers_(new NumbersTable(this)), legend_(new QLabel(this)) {
   setObjectName(QStringLiteral("panel"));
@@ -43,7 +45,10 @@ CirculationPanel::CirculationPanel(CirculationModel& model, Playback& playback, 
   column->addWidget(legend_);
   column->addWidget(chart_, 1);
   row->addLayout(column, 1);
-  row->addWidget(numbers_);
+  auto* numbers = makeLayout<QVBoxLayout>(nullptr, 2);
+  numbers->addWidget(numbers_, 1);
+  numbers->addWidget(new PersonBox(view, this));
+  row->addLayout(numbers);
   numbers_->setFixedWidth(kNumbersWidth);
   chart_->setMinimumSize(240, 72);
   vtkNew<vtkGenericOpenGLRenderWindow> window;
@@ -52,6 +57,10 @@ CirculationPanel::CirculationPanel(CirculationModel& model, Playback& playback, 
   panels_->setWindow(window);
   chart_->installEventFilter(this);
   connect(&model, &CirculationModel::changed, this, &CirculationPanel::rebuild);
+  connect(&view, &ViewModel::changed, this, [this, &view] {
+    numbers_->setPerson(view.state().person);
+    rebuild();
+  });
   // At ten a second, and when the timeline is moved.
   connect(&volumes, &VolumeMonitor::updated, this, &CirculationPanel::draw);
 }

@@ -15,6 +15,7 @@ class QLabel;
 namespace viscera::app {
 
 class NumbersTable;
+class ViewModel;
 
 /// The circulation as charts: Wiggers's diagram over one beat with a cursor at the instant that is shown, the
 /// pressure-volume loops of both ventricles with a mark at that instant, and their numbers; dashed and in a
@@ -23,7 +24,7 @@ class CirculationPanel final : public QWidget {
   Q_OBJECT
 
 public:
-  CirculationPanel(CirculationModel& model, Playback& playback, VolumeMonitor& volumes,
+  CirculationPanel(CirculationModel& model, Playback& playback, VolumeMonitor& volumes, ViewModel& view,
                    QWidget* parent = nullptr);
   ~CirculationPanel() override;
 

@@ -45,12 +45,20 @@ NumbersTable::NumbersTable(QWidget* parent)
       item->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
       setItem(row, column, item);
     }
-    if (!reading.normal)
-      continue;
-    item(row, kNormal)->setText(text(circulation::rangeText(*reading.normal, reading.decimals > 0 ? 1 : 0)));
-    item(row, kNormal)->setToolTip(text(reading.normal->source));
   }
+  setPerson({});
   setIndices(nullptr, nullptr);
+}
+
+void NumbersTable::setPerson(const norms::Person& person) {
+  person_ = person;
+  for (int row = 0; row < rowCount(); ++row) {
+    const auto normal = circulation::normalOf(readingOf(row), person);
+    if (!normal)
+      continue;
+    item(row, kNormal)->setText(text(circulation::rangeText(*normal, readingOf(row).decimals > 0 ? 1 : 0)));
+    item(row, kNormal)->setToolTip(text(normal->source));
+  }
 }
 
 void NumbersTable::setIndices(const circulation::Indices* now, const circulation::Indices* before) {
@@ -64,7 +72,8 @@ void NumbersTable::setIndices(const circulation::Indices* now, const circulation
 void NumbersTable::fill(int row, int column, const circulation::Indices* indices) {
   const circulation::Reading& reading = readingOf(row);
   const double value = indices ? reading.of(*indices) : 0;
-  const bool odd = indices && reading.normal && !reading.normal->holds(value);
+  const auto normal = circulation::normalOf(reading, person_);
+  const bool odd = indices && normal && !normal->holds(value);
   item(row, column)->setText(indices ? QString::number(value, 'f', reading.decimals) : QStringLiteral("-"));
   item(row, column)->setForeground(odd ? theme_.warning : theme_.text);
 }

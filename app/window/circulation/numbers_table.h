@@ -16,12 +16,15 @@ public:
 
   /// Null: there is none.
   void setIndices(const circulation::Indices* now, const circulation::Indices* before);
+  /// Whose normal ranges are beside the numbers.
+  void setPerson(const norms::Person& person);
   void setTheme(const Theme& theme);
 
 private:
   void fill(int row, int column, const circulation::Indices* indices);
 
   Theme theme_;
+  norms::Person person_;
 };
 
 } // namespace viscera::app

@@ -25,12 +25,17 @@ constexpr std::size_t kInTheTable = 2; ///< Behind title and notes, which have f
 LessonDialog::LessonDialog(const lesson::LessonPlan& plan, QWidget* parent)
     : QDialog(parent), plan_(plan), title_(new QLineEdit(text(plan.title))),
       notes_(new QPlainTextEdit(text(plan.notes))), texts_(new QTableWidget), format_(new QComboBox),
-      handles_(new QCheckBox(tr("Handles that a reader can drag"))) {
+      language_(new QComboBox), handles_(new QCheckBox(tr("Handles that a reader can drag"))) {
   setWindowTitle(tr("Export lesson"));
   setObjectName(QStringLiteral("lessonDialog"));
   resize(640, 620);
   format_->addItem(tr("Web page for any browser (.html)"));
   format_->addItem(tr("Animated glTF scene (.glb)"));
+  language_->setObjectName(QStringLiteral("lessonLanguage"));
+  language_->addItem(tr("As the window"), QString());
+  for (const lesson::PageLanguage& language : lesson::pageLanguages())
+    language_->addItem(text(language.name), text(language.code));
+  language_->setToolTip(tr("Of the buttons and messages of the page; the texts below stay as they are"));
   handles_->setChecked(plan.ownHandles || plan.placedHandles > 0);
   title_->setObjectName(QStringLiteral("lessonTitle"));
   notes_->setObjectName(QStringLiteral("lessonNotes"));
@@ -47,6 +52,7 @@ LessonDialog::LessonDialog(const lesson::LessonPlan& plan, QWidget* parent)
   form->addRow(tr("Title"), title_);
   form->addRow(tr("Notes"), notes_);
   form->addRow(tr("Becomes"), format_);
+  form->addRow(tr("Language"), language_);
   form->addRow(QString(), handles_);
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Save | QDialogButtonBox::Cancel);
   buttons->button(QDialogButtonBox::Save)->setText(tr("Save as..."));
@@ -95,6 +101,7 @@ lesson::LessonPlan LessonDialog::plan() const {
   for (std::size_t i = kInTheTable; i < all.size(); ++i)
     *all[i].text = texts_->item(static_cast<int>(i - kInTheTable), kText)->text().toStdString();
   lesson::LessonPlan plan = plan_;
+  plan.language = language_->currentData().toString().toStdString();
   if (!handles_->isChecked()) {
     plan.ownHandles = false;
     plan.placedHandles = 0;

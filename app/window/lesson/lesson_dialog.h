@@ -35,6 +35,7 @@ private:
   QPlainTextEdit* notes_;
   QTableWidget* texts_;
   QComboBox* format_;
+  QComboBox* language_;
   QCheckBox* handles_;
 };
 

@@ -5,7 +5,6 @@
 
 #include "viscera/lesson/animated_gltf.h"
 #include "viscera/lesson/lesson.h"
-#include "viscera/motion/sequence_setup.h"
 #include "viscera/presentation/presenter.h"
 #include "window/actions.h"
 #include "window/lesson/lesson_dialog.h"
@@ -16,15 +15,6 @@ namespace viscera::app {
 namespace {
 
 constexpr const char* kFolderKey = "files/folder"; // The one of all file dialogs.
-
-/// What comes with the program for a sample organ.
-lesson::LessonSpec specFor(const document::DocumentState& state) {
-  for (const auto& organ : *state.organs)
-    for (const motion::SampleSequence& sequence : motion::sampleSequences())
-      if (organ->origin.sample.rfind(sequence.organ + '@', 0) == 0)
-        return lesson::readySpec(sequence.id);
-  return {};
-}
 
 } // namespace
 
@@ -45,6 +35,7 @@ lesson::LessonSource LessonExport::source() const {
   lesson::LessonSource source;
   source.state = window_.workspace.state();
   source.camera = presentation::cameraOf(window_.picture.view());
+  source.slides = window_.view.state().slides;
   const motion::Player& player = window_.playback.player();
   if (!player.movable())
     return source;
@@ -56,10 +47,7 @@ lesson::LessonSource LessonExport::source() const {
 
 lesson::LessonPlan LessonExport::plan() const {
   const lesson::LessonSource from = source();
-  lesson::LessonSpec spec = specFor(from.state);
-  if (!from.sequence)
-    spec.slides.clear(); // They speak of the motion.
-  return lesson::planLesson(from, spec);
+  return lesson::planLesson(from, lesson::readySpecFor(from));
 }
 
 void LessonExport::choose() {

@@ -5,6 +5,7 @@
 #include "viscera/lesson/lesson_plan.h"
 #include "window/timeline/playback.h"
 #include "window/view/picture.h"
+#include "window/view/view_model.h"
 
 class QWidget;
 
@@ -24,6 +25,7 @@ public:
     Workspace& workspace;
     Playback& playback;
     const Picture& picture;
+    const ViewModel& view;
     Settings& settings;
   };
 

@@ -6,6 +6,7 @@
 #include "window/measure/measure_box.h"
 #include "window/panels/cut_box.h"
 #include "window/panels/explore_page.h"
+#include "window/quiz/quiz_box.h"
 #include "window/view/view_area.h"
 #include "window/view/view_model.h"
 
@@ -17,7 +18,8 @@ ExploreMode::ExploreMode(const ModeParts& parts, Actions& actions)
     : Mode(parts, {"explore", "explore", 1, tr("Explore"),
                    tr("Left drag rotates, Shift+left pans, right drag or wheel zooms, click "
                       "selects an organ, D and A measure")}),
-      tool_(parts.workspace, *parts.area.view(), parts.picture, parts.handles) {
+      tool_(parts.workspace, *parts.area.view(), parts.picture, parts.handles),
+      quiz_(parts.workspace, parts.picture) {
   connect(&tool_, &MeasureTool::changed, this, &ExploreMode::showMeasuring);
   connect(&tool_, &MeasureTool::stateChanged, &actions, &Actions::sync);
   connect(&tool_, &MeasureTool::stateChanged, this, &Mode::hintChanged);
@@ -38,6 +40,47 @@ ExploreMode::ExploreMode(const ModeParts& parts, Actions& actions)
   parts.view.addToggle(actions, "view.measurements",
                        {tr("&Measurements"), "distance", {}, tr("Show what is measured")},
                        &presentation::ViewState::measurements);
+  addQuiz(actions);
+}
+
+void ExploreMode::addQuiz(Actions& actions) {
+  parts_.view.addToggle(actions, "view.parts",
+                        {tr("Names of &parts"),
+                         "label",
+                         {static_cast<int>(Qt::SHIFT) + static_cast<int>(Qt::Key_N)},
+                         tr("Name the parts of the organs, such as the apex of the heart")},
+                        &presentation::ViewState::partNames);
+  QAction* quiz = actions.addToggle(
+      "quiz.start",
+      {tr("&Quiz on the parts"),
+       "label",
+       {static_cast<int>(Qt::SHIFT) + static_cast<int>(Qt::Key_Q)},
+       tr("Hide the names and ask for one after the other; a click on the organ is the answer")},
+      false, [this](bool on) {
+        if (!on)
+          return quiz_.end();
+        Q_EMIT wanted();
+        tool_.end();
+        quiz_.begin();
+      });
+  actions.enableWhile({"quiz.start"}, [this] { return quiz_.possible(); });
+  actions.whenSynced([this, quiz] { quiz->setChecked(quiz_.active()); });
+  connect(&quiz_, &QuizTool::changed, &actions, &Actions::sync);
+  connect(&quiz_, &QuizTool::changed, this, &Mode::hintChanged);
+}
+
+void ExploreMode::leave() {
+  tool_.setEnabled(false);
+  quiz_.end();
+}
+
+bool ExploreMode::escape() {
+  if (tool_.escape())
+    return true;
+  if (!quiz_.active())
+    return false;
+  quiz_.end();
+  return true;
 }
 
 QAction* ExploreMode::makeMeasure(Actions& actions, Kind kind, const char* id,
@@ -58,10 +101,13 @@ QAction* ExploreMode::makeMeasure(Actions& actions, Kind kind, const char* id,
 
 QWidget* ExploreMode::makePage(const Actions& actions) {
   return new ExplorePage(workspace_, actions, new CutBox(parts_.view, *parts_.area.view(), actions),
-                         new MeasureBox(workspace_, tool_, actions));
+                         new MeasureBox(workspace_, tool_, actions), new QuizBox(quiz_, actions));
 }
 
 QString ExploreMode::hint() const {
+  if (quiz_.active())
+    return tr("%1. Drags turn the view, Esc ends the quiz")
+        .arg(quiz_.question().section(QLatin1Char('\n'), 0, 0));
   if (!measuring())
     return Mode::hint();
   return tool_.kind() == Kind::angle
@@ -81,7 +127,7 @@ void ExploreMode::showMeasuring() {
 }
 
 void ExploreMode::click(const ClickedPlace* place) {
-  if (!measuring())
+  if (!measuring() && !quiz_.click(place))
     Mode::click(place);
 }
 

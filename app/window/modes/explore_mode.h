@@ -3,6 +3,7 @@
 #include "window/actions.h"
 #include "window/measure/measure_tool.h"
 #include "window/modes/mode.h"
+#include "window/quiz/quiz_tool.h"
 
 namespace viscera::app {
 
@@ -14,7 +15,7 @@ public:
   ExploreMode(const ModeParts& parts, Actions& actions);
 
   std::vector<const char*> actions() const override {
-    return {"measure.distance", "measure.angle", "measure.removeAll"};
+    return {"measure.distance", "measure.angle", "measure.removeAll", "", "view.parts", "quiz.start"};
   }
   QWidget* makePage(const Actions& actions) override;
   presentation::Shown shown() const override { return {}; }
@@ -22,19 +23,23 @@ public:
   UsefulPanels panels() const override { return {false, parts_.playback.sequence() != nullptr, false}; }
   QString hint() const override;
   void enter() override { tool_.setEnabled(true); }
-  void leave() override { tool_.setEnabled(false); }
-  bool escape() override { return tool_.escape(); }
+  void leave() override;
+  bool escape() override;
   void click(const ClickedPlace* place) override;
 
   /// Whether clicks are points of a measurement.
   bool measuring() const { return tool_.active(); }
+  const QuizTool& quiz() const { return quiz_; }
 
 private:
   void showMeasuring();
   QAction* makeMeasure(Actions& actions, MeasureTool::Kind kind, const char* id,
                        const Actions::Description& description);
 
+  void addQuiz(Actions& actions);
+
   MeasureTool tool_;
+  QuizTool quiz_;
 };
 
 } // namespace viscera::app

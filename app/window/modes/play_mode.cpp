@@ -134,7 +134,7 @@ void PlayMode::makeCirculationActions(Actions& actions) {
 }
 
 QWidget* PlayMode::makeChart() {
-  chart_ = new CirculationPanel(*circulation_, parts_.playback, parts_.volumes);
+  chart_ = new CirculationPanel(*circulation_, parts_.playback, parts_.volumes, parts_.view);
   return chart_;
 }
 

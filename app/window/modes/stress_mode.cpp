@@ -16,9 +16,9 @@ constexpr const char* kActionIds[] = {
 } // namespace
 
 StressMode::StressMode(const ModeParts& parts, Actions& actions)
-    : Mode(parts,
-           {"stress", "stress", 4, tr("Stress"),
-            tr("Click the tissue to see its values; C cuts the organ open; drag a handle, the map follows")}),
+    : Mode(parts, {"stress", "stress", 4, tr("Stress"),
+                   tr("How far the pose distorts the tissue: click it to see its values; C cuts the organ "
+                      "open; drag a handle, the map follows")}),
       actions_(actions), model_(parts.workspace, parts.playback, parts.settings, parts.view, parts.picture),
       cut_(parts.workspace, model_, *parts.area.view(), parts.picture, parts.handles),
       card_(new ProbeCard(model_, &parts.area)),

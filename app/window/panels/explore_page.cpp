@@ -11,7 +11,7 @@
 namespace viscera::app {
 
 ExplorePage::ExplorePage(Workspace& workspace, const Actions& actions, QWidget* cut, QWidget* measurements,
-                         QWidget* parent)
+                         QWidget* parts, QWidget* parent)
     : Page(parent), workspace_(workspace) {
   addSection(tr("View from"));
   add(makeViews(actions));
@@ -20,6 +20,8 @@ ExplorePage::ExplorePage(Workspace& workspace, const Actions& actions, QWidget* 
   add(cut);
   addSection(tr("Measure"));
   add(measurements);
+  addSection(tr("Parts"));
+  add(parts);
   addSection(tr("Show"));
   for (const char* id : {"view.handles", "view.ghost", "view.cube", "view.scale", "view.measurements"})
     addCheck(actions[id]);

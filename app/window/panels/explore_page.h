@@ -11,9 +11,9 @@ class ExplorePage final : public Page {
   Q_OBJECT
 
 public:
-  /// `measurements` is put into the page.
+  /// `cut`, `measurements` and `parts` are put into the page.
   ExplorePage(Workspace& workspace, const Actions& actions, QWidget* cut, QWidget* measurements,
-              QWidget* parent = nullptr);
+              QWidget* parts, QWidget* parent = nullptr);
 
 private:
   QWidget* makeViews(const Actions& actions);

@@ -13,6 +13,7 @@
 #include "window/recorded/fit_box.h"
 #include "window/recorded/key_box.h"
 #include "window/view/view_area.h"
+#include "window/view/view_model.h"
 
 namespace viscera::app {
 namespace {
@@ -27,7 +28,7 @@ QString nothing() {
 } // namespace
 
 PlayPage::PlayPage(const ModeParts& parts, PlayMode& mode, const Actions& actions, QWidget* parent)
-    : Page(parent), playback_(parts.playback), volumes_(parts.volumes), mode_(mode) {
+    : Page(parent), playback_(parts.playback), volumes_(parts.volumes), mode_(mode), view_(parts.view) {
   makeMotion(actions);
   makeCirculation(parts, actions);
   addSection(tr("Look"));
@@ -42,6 +43,7 @@ PlayPage::PlayPage(const ModeParts& parts, PlayMode& mode, const Actions& action
   connect(&playback_, &Playback::stateChanged, this, &PlayPage::syncState);
   connect(&volumes_, &VolumeMonitor::updated, this, &PlayPage::syncTable);
   connect(&volumes_, &VolumeMonitor::linesChanged, this, &PlayPage::syncTable);
+  connect(&view_, &ViewModel::changed, this, &PlayPage::syncIndices);
   syncState();
   syncTable();
 }
@@ -172,7 +174,8 @@ void PlayPage::syncIndices() {
   QStringList normal;
   QStringList sources;
   if (best < lines.size())
-    for (const motion::NormalRange& range : motion::normalRanges(lines[best].name.toStdString())) {
+    for (const motion::NormalRange& range :
+         motion::normalRanges(lines[best].name.toStdString(), view_.state().person)) {
       const bool percent = range.quantity == motion::NormalRange::Quantity::ejectionPercent;
       normal.push_back(tr("%1 %2 - %3 %4")
                            .arg(text(range.name))

@@ -32,6 +32,7 @@ private:
   Playback& playback_;
   VolumeMonitor& volumes_;
   PlayMode& mode_;
+  ViewModel& view_;
   QLabel* rate_ = nullptr;
   QLabel* phase_ = nullptr;
   QTableWidget* table_ = nullptr;

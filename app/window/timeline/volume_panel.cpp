@@ -15,6 +15,8 @@
 #include <vtkNew.h>
 
 #include "viscera/motion/clinical_numbers.h"
+#include "window/timeline/person_box.h"
+#include "window/view/view_model.h"
 #include "window/widgets/elided_label.h"
 #include "window/widgets/panel_dock.h"
 #include "window/widgets/ready_made.h"
@@ -58,24 +60,34 @@ QString shortName(const motion::NormalRange& range) {
 
 } // namespace
 
-VolumePanel::VolumePanel(VolumeMonitor& monitor, Playback& playback, QWidget* parent)
-    : QWidget(parent), monitor_(monitor), playback_(playback), chart_(std::make_unique<scene::VolumeChart>()),
-      chartWidget_(new QVTKOpenGLNativeWidget(this)), stack_(new QStackedLayout),
-      tileArea_(new QWidget(this)) {
+VolumePanel::VolumePanel(VolumeMonitor& monitor, Playback& playback, ViewModel& view, QWidget* parent)
+    : QWidget(parent), monitor_(monitor), playback_(playback), view_(view),
+      chart_(std::make_unique<scene::VolumeChart>()), chartWidget_(new QVTKOpenGLNativeWidget(this)),
+      stack_(new QStackedLayout), tileArea_(new QWidget(this)) {
   setObjectName(QStringLiteral("panel"));
   setAttribute(Qt::WA_StyledBackground);
   auto* row = makeLayout<QHBoxLayout>(this, 8, {0, 4, 8, 4});
   row->addWidget(makeTiles());
   auto* column = makeLayout<QVBoxLayout>(nullptr, 0);
   column->addLayout(stack_, 1);
+  normals_ = new QWidget(this);
+  auto* normals = makeLayout<QHBoxLayout>(normals_, 8);
   source_ = new ElidedLabel(this);
   source_->setObjectName(QStringLiteral("chartSource"));
-  column->addWidget(source_);
+  normals->addWidget(source_, 1);
+  normals->addWidget(new PersonBox(view, this));
+  column->addWidget(normals_);
   row->addLayout(column, 1);
   makeChart();
   connect(&monitor, &VolumeMonitor::linesChanged, this, &VolumePanel::rebuild);
   connect(&monitor, &VolumeMonitor::updated, this, &VolumePanel::refresh);
   connect(&playback, &Playback::stateChanged, this, &VolumePanel::syncPrescribed);
+  connect(&view, &ViewModel::changed, this, [this] {
+    if (std::exchange(person_, view_.state().person) == person_)
+      return;
+    syncNormals();
+    refresh();
+  });
   rebuild();
 }
 
@@ -237,7 +249,8 @@ void VolumePanel::syncNormals() {
   for (std::size_t line = 0; line < monitor_.lines().size(); ++line) {
     std::vector<scene::ChartBand> bands;
     if (line == normalsOf_)
-      for (const motion::NormalRange& range : motion::normalRanges(monitor_.lines()[line].name.toStdString()))
+      for (const motion::NormalRange& range :
+           motion::normalRanges(monitor_.lines()[line].name.toStdString(), person_))
         if (inMilliliters(range))
           bands.push_back({{range.low, range.high}, shortName(range).toStdString()});
     chart_->setBands(static_cast<int>(line), std::move(bands));
@@ -251,7 +264,7 @@ QString VolumePanel::normalsText() const {
   const QString name = monitor_.lines()[normalsOf_].name;
   QStringList parts;
   QString from;
-  for (const motion::NormalRange& range : motion::normalRanges(name.toStdString())) {
+  for (const motion::NormalRange& range : motion::normalRanges(name.toStdString(), person_)) {
     if (!inMilliliters(range))
       continue;
     parts.push_back(tr("%1 %2 ml").arg(text(range.name), rangeText(range)));
@@ -298,7 +311,7 @@ void VolumePanel::refresh() {
   for (std::size_t line = 0; cycle && line < tiles_.size(); ++line)
     anything = anything || !monitor_.cycle(line).fractions.empty();
   stack_->setCurrentIndex(anything ? 1 : 0);
-  source_->setVisible(anything && !dragsShown() && !source_->fullText().isEmpty());
+  normals_->setVisible(anything && !dragsShown() && !source_->fullText().isEmpty());
   cycle ? drawCycle() : drawRecord();
   chart_->update();
   chartWidget_->renderWindow()->Render();

@@ -6,6 +6,7 @@
 #include <memory>
 #include <vector>
 
+#include "viscera/norms/norms.h"
 #include "viscera/scene/volume_chart.h"
 #include "window/style/theme.h"
 #include "window/timeline/volume_monitor.h"
@@ -16,6 +17,7 @@ class QStackedLayout;
 namespace viscera::app {
 
 class ElidedLabel;
+class ViewModel;
 
 /// The volumes as numbers and as a live chart, with ejection fraction and stroke volume, and what healthy
 /// people have behind the curve of one organ.
@@ -23,7 +25,7 @@ class VolumePanel final : public QWidget {
   Q_OBJECT
 
 public:
-  explicit VolumePanel(VolumeMonitor& monitor, Playback& playback, QWidget* parent = nullptr);
+  VolumePanel(VolumeMonitor& monitor, Playback& playback, ViewModel& view, QWidget* parent = nullptr);
   ~VolumePanel() override;
 
   void setTheme(const Theme& theme);
@@ -63,10 +65,13 @@ private:
 
   VolumeMonitor& monitor_;
   Playback& playback_;
+  ViewModel& view_;
   std::unique_ptr<scene::VolumeChart> chart_;
   QVTKOpenGLNativeWidget* chartWidget_;
-  QStackedLayout* stack_; ///< A hint, or the chart.
-  ElidedLabel* source_ = nullptr;
+  QStackedLayout* stack_;         ///< A hint, or the chart.
+  ElidedLabel* source_ = nullptr; ///< What the stripes are.
+  QWidget* normals_ = nullptr;    ///< That, and whose ranges they are.
+  norms::Person person_;
   QWidget* tileBox_ = nullptr;
   QWidget* tileArea_;
   std::vector<Tile> tiles_;

@@ -61,6 +61,11 @@ void Picture::setGuests(std::vector<presentation::Guest> guests) {
   refresh();
 }
 
+void Picture::setNamedParts(std::optional<std::vector<presentation::Part>> parts) {
+  namedParts_ = std::move(parts);
+  refresh();
+}
+
 void Picture::refresh() {
   workspace_.guarded([this] {
     const presentation::ViewState view = state();
@@ -69,7 +74,8 @@ void Picture::refresh() {
     if (view.scan.standing && view.scan.bent)
       bending = presentation::bendingOf(ScanBend::of(workspace_));
     presenter_.update({workspace_.state(), workspace_.live(), view, workspace_.registry(), &stress, nullptr,
-                       &measuring_, &guests_, bending ? &*bending : nullptr});
+                       &measuring_, &guests_, namedParts_ ? &*namedParts_ : nullptr,
+                       bending ? &*bending : nullptr});
   });
   drawn_ = model_.state();
   widget_.scheduleRender();

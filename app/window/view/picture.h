@@ -38,6 +38,8 @@ public:
   /// What is being measured, and organs that are in no document yet.
   void setMeasuring(presentation::MeasuringNow measuring);
   void setGuests(std::vector<presentation::Guest> guests);
+  /// Names of these parts alone; nothing: as the view's state says.
+  void setNamedParts(std::optional<std::vector<presentation::Part>> parts);
 
 public Q_SLOTS:
   /// Brings the picture up to date and has it rendered soon.
@@ -57,6 +59,7 @@ private:
   presentation::Presenter presenter_;
   presentation::MeasuringNow measuring_;
   std::vector<presentation::Guest> guests_;
+  std::optional<std::vector<presentation::Part>> namedParts_;
   std::optional<presentation::ViewState> drawn_; ///< The view's state in what was drawn last.
   std::vector<Subscription> subscriptions_;
 };

@@ -11,7 +11,7 @@ namespace {
 constexpr double kSmallestStep = 1e-3;
 }
 
-Progress::Progress(Listener listener) : listener_(std::move(listener)) {}
+Progress::Progress(Listener listener, Look look) : listener_(std::move(listener)), look_(std::move(look)) {}
 
 void Progress::report(double fraction, const std::string& step) {
   if (!listener_)

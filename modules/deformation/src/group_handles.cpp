@@ -28,6 +28,7 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 /// A point up to this much farther from a second centre than from its nearest belongs to both.
 constexpr double kShared = 1.25;
 constexpr int kMeansRounds = 20;
+constexpr Eigen::Index kClusteredPoints = 4000;
 
 void requireInput(const Points& organPoints, int count) {
   if (count < 1)
@@ -144,6 +145,12 @@ Points clusterCenters(const Points& points, int count) {
   return centers;
 }
 
+/// A few thousand of the points, evenly through their order: enough for the middles of clusters.
+Points everyFew(const Points& points) {
+  const Eigen::Index step = 1 + points.rows() / kClusteredPoints;
+  return points(Eigen::seq(0, points.rows() - 1, step), Eigen::all);
+}
+
 std::vector<int> rowsNear(const Points& points, const Points& centers, int center) {
   std::vector<int> rows;
   for (Eigen::Index i = 0; i < points.rows(); ++i) {
@@ -192,7 +199,11 @@ Grouping groupsByCluster(const Points& handles, const Points& organPoints, int c
     throw DataError(std::to_string(handles.rows()) + " handles cannot form " + std::to_string(count) +
                         " groups",
                     {}, "place more handles");
-  const Points centers = clusterCenters(handles, count);
+  if (organPoints.rows() < count)
+    throw DataError(std::to_string(organPoints.rows()) + " vertices cannot be divided among " +
+                        std::to_string(count) + " groups",
+                    {}, "ask for fewer groups");
+  const Points centers = clusterCenters(everyFew(organPoints), count);
   Grouping grouping;
   grouping.added.resize(0, 3);
   for (int k = 0; k < count; ++k) {

@@ -248,6 +248,7 @@ std::vector<NewOrgan> organsFrom(const sample_organs::SampleOrgan& sample) {
     item.organ.look.color = surface.color;
     item.organ.origin.sample = sample.name + "@" + sample_organs::nameOf(sample.resolution);
     item.organ.origin.surface = surface.name;
+    item.organ.places = surface.places;
     list.push_back(std::move(item));
   }
   return list;

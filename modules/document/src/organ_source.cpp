@@ -123,4 +123,13 @@ Organ SampleMaker::make(const std::string& sample, const std::string& surface, P
   throw UsageError("It has no surface \"" + surface + "\"", "sample:" + sample);
 }
 
+std::vector<geometry::NamedPlace> SampleMaker::placesOf(const std::string& sample,
+                                                        const std::string& surface) const {
+  try {
+    return sample_organs::namedPlaces(library_, sample.substr(0, sample.find('@')), surface);
+  } catch (const Error&) {
+    return {}; // A session of another version's organs: its surface is inside.
+  }
+}
+
 } // namespace viscera::document

@@ -51,6 +51,9 @@ public:
   /// `UsageError` for a surface that it does not have.
   Organ make(const std::string& sample, const std::string& surface, Progress& progress);
 
+  /// What `make` would give it for places, without making it; nothing where that cannot be known.
+  std::vector<geometry::NamedPlace> placesOf(const std::string& sample, const std::string& surface) const;
+
 private:
   const sample_organs::SampleLibrary& library_;
   std::map<std::string, std::vector<NewOrgan>> made_;

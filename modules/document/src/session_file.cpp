@@ -315,6 +315,8 @@ private:
       const Origin origin = originOf(item.at("source"), place + ".source");
       organ.origin.sample = origin.sample;
       organ.origin.surface = origin.surface;
+      if (!origin.sample.empty())
+        organ.places = maker_.placesOf(origin.sample, origin.surface);
       organ.origin.fileHash = origin.file.hash;
       organ.file = origin.file.absolute;
     }

@@ -25,7 +25,7 @@ function drawChart() {
   if (!charted.length || !w) return;
   canvas.width = w * ratio; canvas.height = h * ratio;
   const c = canvas.getContext('2d'), shown = charted.filter(s => s.on); c.scale(ratio, ratio); c.font = '12px system-ui,sans-serif';
-  const drawn = bands.filter(r => surfaces[r.surface].on);
+  const largest = Math.max(...shown.flatMap(curveOf)), drawn = bands.filter(r => surfaces[r.surface].on && r.low < 3 * largest); // Others would press the curves flat.
   const all = shown.flatMap(s => [...curveOf(s), ...(s.pulled || []), s.ml]).concat(drawn.flatMap(r => [r.low, r.high]));
   if (!all.length) return;
   const top = Math.max(...all), flat = Math.max(0, 0.02 * top - (top - Math.min(...all))) / 2; // What hardly changes is to look so.

@@ -1,4 +1,5 @@
 // What the lesson holds: what it says, and its numbers out of one zlib stream.
+const kNarrow = 480; // Pixels: names find no room beside an organ in less.
 const $ = id => document.getElementById(id);
 const lesson = JSON.parse($('lesson').textContent);
 const say = (key, ...values) => lesson.strings[key].replace(/%(\d)/g, (_, i) => values[i - 1]);
@@ -11,10 +12,8 @@ function giveUp(key) {
   return new Promise(() => {});
 }
 if (!window.DecompressionStream) await giveUp('tooOld');
-const packed = Uint8Array.from(atob($('arrays').textContent), c => c.charCodeAt(0));
-$('arrays').textContent = '';
+const packed = Uint8Array.from(atob($('arrays').textContent), c => c.charCodeAt(0)); $('arrays').textContent = '';
 const bytes = new Uint8Array(await new Response(new Blob([packed]).stream().pipeThrough(new DecompressionStream('deflate'))).arrayBuffer());
-
 /** Planes of bytes of zigzag differences to the element `stride` before, modulo 2^(8 width). */
 function integers({at, count, width, stride}) {
   const out = new Int32Array(count), free = 32 - 8 * width;
@@ -34,4 +33,4 @@ const triangles = Uint32Array.from(integers(arrays.triangles)), weights = handle
 const painted = integers(arrays.colors), colors = new Uint8Array(4 * lesson.vertices);
 for (let i = 0; i < lesson.vertices; ++i) for (let c = 0; c < 3; ++c) colors[4 * i + c] = painted[3 * i + c];
 for (const s of surfaces) Object.assign(s, {on: true, now: s.opacity, rgb: `rgb(${s.color.map(x => Math.round(255 * x)).join()})`});
-const state = {fraction: 0, rate: motion ? motion.rate : 0, speed: 1, playing: false, names: true, handles: false, held: -1};
+const state = {fraction: 0, rate: motion ? motion.rate : 0, speed: 1, playing: false, names: innerWidth >= kNarrow, handles: false, held: -1};

@@ -16,11 +16,12 @@ bright.onchange = () => setLight(bright.matches);
 const pick = by => { if (!state.handles) showHandles(true); state.held = mod(state.held + (state.held < 0 && by < 0 ? 0 : by), handles.length || 1); $('held').textContent = say('held', handles[state.held].label); turned = true; };
 const keys = {' ': () => setPlaying(!state.playing), Home: () => seek(0), n: () => showNames(!state.names), h: () => showHandles(!state.handles), r: reset, t: () => $('theme').click(),
   x: () => setGlass(surfaces.some(s => s.wall && s.now < 1) ? 1 : 0.3), 1: () => setSide('anterior'), 3: () => setSide('left'), 7: () => setSide('superior'),
-  PageDown: () => handles.length && pick(1), PageUp: () => handles.length && pick(-1), Escape: () => { state.held = -1; $('held').textContent = ''; turned = true; if (quiz.on) setQuiz(false); },
+  j: () => handles.length && pick(1), k: () => handles.length && pick(-1), PageDown: () => turnPage(1), PageUp: () => turnPage(-1), b: () => darken(), Escape: () => { darken(false); state.held = -1; $('held').textContent = ''; turned = true; if (quiz.on) setQuiz(false); },
   '+': () => state.held >= 0 ? pullBy(state.held, 0, 0, 2) : zoomBy(1.15), '-': () => state.held >= 0 ? pullBy(state.held, 0, 0, -2) : zoomBy(1 / 1.15)};
 const arrows = {ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1]};
 addEventListener('keydown', e => {
-  if (e.ctrlKey || e.metaKey || e.altKey || /INPUT|SELECT|BUTTON|SUMMARY/.test(e.target.tagName) && e.key !== 'Escape') return;
+  const to = e.target.tagName; // What a control does with a key itself is left to it.
+  if (e.ctrlKey || e.metaKey || e.altKey || /INPUT|SELECT/.test(to) && e.key !== 'Escape' || /BUTTON|SUMMARY/.test(to) && /^( |Enter)$/.test(e.key)) return;
   const by = arrows[e.key], far = e.shiftKey ? 5 : 1;
   if (by && state.held >= 0) pullBy(state.held, by[0] * 2 * far, by[1] * 2 * far, 0);
   else if (by && e.target === $('view')) turnBy(by[0] * 0.09 * far, by[1] * 0.09 * far);
@@ -28,6 +29,7 @@ addEventListener('keydown', e => {
   else { const act = keys[e.key] || keys[e.key.toLowerCase()]; if (!act) return; act(); }
   turned = true; e.preventDefault();
 });
+addEventListener('pointerdown', () => darken(false), true);
 // One finger turns or drags a handle, two come nearer and push aside; wheel; Shift or the right button pushes aside.
 const view = $('view'), fingers = new Map(); let dragging = false;
 view.onpointerdown = e => {
@@ -48,7 +50,6 @@ view.onpointerup = view.onpointercancel = e => { fingers.delete(e.pointerId); if
 view.addEventListener('wheel', e => { e.preventDefault(); zoomBy(Math.exp(-e.deltaY * 0.001)); turned = true; }, {passive: false});
 view.oncontextmenu = e => e.preventDefault();
 $('chart').onpointerdown = $('chart').onpointermove = e => { if (e.buttons) { setPlaying(false); seek(Math.max(0, Math.min(0.9999, (e.offsetX - kLeft) / ($('chart').clientWidth - kLeft - kRight)))); } };
-
 const times = {pose: 0, shade: 0, volume: 0, draw: 0, frames: 0}, timed = (name, act) => { const begin = performance.now(); act(); times[name] += performance.now() - begin; };
 function render() {
   const ratio = Math.min(devicePixelRatio || 1, 2), box = $('stage').getBoundingClientRect();
@@ -76,8 +77,8 @@ $('glass').hidden = !surfaces.some(s => s.wall); $('grips').hidden = !handles.le
 setLight(bright.matches); for (const s of surfaces) setOpacity(s, s.opacity);
 $('opacity').value = Math.min(...surfaces.filter(s => s.wall).map(s => s.opacity), 1);
 if (motion) { $('rate').max = motion.rates.length - 1; $('rates').hidden = motion.rates.length < 2; setRate(state.rate); }
-setPlaying(!calm.matches); if (slides.length) showSlide(0);
-if (lesson.eye) lookFrom(lesson.eye);
+setPlaying(!calm.matches); showNames(state.names); if (slides.length) showSlide(0);
+if (lesson.eye && !(slides[0] || {}).position) lookFrom(lesson.eye);
 /** For tests: all that the controls do, and the numbers behind the picture. */
 window.viscera = {lesson, state, camera, times, points, surfaces, handles, quiz, gl, seek, setRate, setPlaying, setGlass, setLight, showHandles, showNames, showSlide, showSurface, setSide, setQuiz, judge, reset, render, project, placeOf,
   pull: (h, by) => { handles[h].pull = [...by]; takePulls(); pullsChanged = changed = true; }, volumes: () => surfaces.map(s => volumeOf(s)), measures: () => measurements.map(m => measure(m).value)};

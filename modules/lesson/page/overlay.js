@@ -68,12 +68,13 @@ const drawHandles = (c, text) => handles.forEach((h, i) => {
   ringAt(c, x, y, held ? 10 : 7, held ? css('--accent') : '#e69f00', held ? text : '#fff');
 });
 function drawMeasurements(c, text) {
-  c.setLineDash([5, 4]); for (const m of measurements) {
-    const {at, value} = measure(m), flat = at.map(project);
-    c.strokeStyle = text; c.beginPath(); flat.forEach(([x, y]) => c.lineTo(x, y)); c.stroke();
+  for (const m of measurements) {
+    const {at, value} = measure(m), flat = at.map(project), says = say(m.kind === 'angle' ? 'degrees' : 'mm', number(value));
+    c.setLineDash([5, 4]); c.strokeStyle = text; c.beginPath(); flat.forEach(([x, y]) => c.lineTo(x, y)); c.stroke(); c.setLineDash([]);
     const [x, y] = flat.length === 3 ? flat[1] : [0, 1].map(i => (flat[0][i] + flat[1][i]) / 2);
-    c.fillStyle = text; c.fillText(say(m.kind === 'angle' ? 'degrees' : 'mm', number(value)), x + 6, y - 6);
-  } c.setLineDash([]);
+    c.lineWidth = 4; c.strokeStyle = css('--bottom'); c.strokeText(says, x + 6, y - 6); c.lineWidth = 1.3; // To be read on any colour.
+    c.fillStyle = text; c.fillText(says, x + 6, y - 6);
+  }
 }
 function drawScale(c, text) {
   const perMm = pixels() / far, mm = [1, 2, 5, 10, 20, 50, 100, 200].filter(m => m * perMm < size[0] / 4).pop() || 1;

@@ -85,5 +85,7 @@ function showSlide(index) {
   if ('seeThrough' in s) setGlass(s.seeThrough);
   if (motion && 'rate' in s) setRate(s.rate);
   if (motion && 'fraction' in s) { setPlaying(false); seek(s.fraction); } else setPlaying(!calm.matches);
-  showNames(s.names); showHandles(s.handles);
+  if ('names' in s && (!s.names || size[0] >= kNarrow)) showNames(s.names);
+  showHandles(s.handles);
 }
+const turnPage = by => { if (slides[slide + by] && !quiz.on) showSlide(slide + by); }, darken = on => document.body.classList.toggle('night', on);

@@ -6,7 +6,8 @@ let eye, right, up, ahead, far, size = [1, 1];
 function look() {
   const {yaw, pitch} = camera, cp = Math.cos(pitch), sp = Math.sin(pitch), cy = Math.cos(yaw), sy = Math.sin(yaw);
   ahead = [-cp * sy, cp * cy, -sp]; right = [cy, sy, 0]; up = [-sp * sy, sp * cy, cp];
-  far = lesson.radius / Math.sin(kHalfAngle) / camera.zoom * Math.max(1, size[1] / size[0]) * (size[0] < 600 ? size[1] / (size[1] - 50) : 1); // The tools lie over it.
+  far = lesson.radius / Math.sin(kHalfAngle) / camera.zoom * Math.max(1, size[1] / size[0]) * (size[0] < 600 ? size[1] / (size[1] - 50) : 1) // The tools lie over it,
+    * (state.names && size[0] < kNarrow ? 1.2 : 1); // and the names beside it.
   eye = camera.target.map((x, i) => x - ahead[i] * far);
 }
 /** Looks along a direction at a point; from as far away as `distance` in a square picture. */
@@ -22,7 +23,6 @@ const pixels = () => size[1] / 2 / Math.tan(kHalfAngle);
 const pushBy = (dx, dy) => { const mm = far / pixels(); camera.target = camera.target.map((x, i) => x - (right[i] * dx - up[i] * dy) * mm); };
 const turnBy = (dx, dy) => { camera.yaw -= dx; camera.pitch = Math.max(-kSteepest, Math.min(kSteepest, camera.pitch + dy)); };
 const project = p => { const d = p.map((x, i) => x - eye[i]), z = dot(d, ahead), s = pixels() / z; return [size[0] / 2 + dot(d, right) * s, size[1] / 2 - dot(d, up) * s, z]; };
-
 const gl = $('view').getContext('webgl2', {antialias: true, alpha: true, premultipliedAlpha: true});
 if (!gl) await giveUp('noWebGl');
 const vertexText = `#version 300 es
@@ -55,7 +55,6 @@ gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, gl.createBuffer());
 gl.bufferData(gl.ELEMENT_ARRAY_BUFFER, triangles.byteLength * 2, gl.DYNAMIC_DRAW);
 gl.bufferSubData(gl.ELEMENT_ARRAY_BUFFER, 0, triangles);
 gl.canvas.addEventListener('webglcontextlost', () => giveUp('lost'));
-
 /** How much of a surface is seen; its vertices carry it to the shader. */
 function setOpacity(s, opacity) {
   s.now = opacity;

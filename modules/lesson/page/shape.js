@@ -2,7 +2,6 @@
 const points = new Float32Array(rest), pulled = new Float32Array(rest.length), normals = new Float32Array(rest.length), coefficients = new Float64Array(motion ? motion.modes : 0);
 const firstInstants = motion ? motion.instants.map((_, i) => motion.instants.slice(0, i).flat().length) : [];
 const pullsOf = () => handles.filter(h => h.pull.some(x => x)), mod = (a, n) => (a % n + n) % n;
-
 /** The courses at an instant: cubic pieces between the motion's own instants (Hermite). */
 function setInstant(fraction, rate) {
   const course = motion.courses[rate], at = motion.instants[course], n = motion.modes;

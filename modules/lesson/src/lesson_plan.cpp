@@ -13,6 +13,7 @@
 #include "viscera/core/text.h"
 #include "viscera/medical_io/organ_norms.h"
 #include "viscera/motion/clinical_numbers.h"
+#include "viscera/motion/sequence_setup.h"
 
 namespace viscera::lesson {
 namespace {
@@ -26,36 +27,36 @@ std::string capital(std::string text) {
 }
 
 /// Of an organ whose name is only its file's: what kind it is. A patient's file may be called by his name.
-std::string kindOf(const Organ& organ) {
+std::string kindOf(const Organ& organ, const PageWords& words) {
   std::string letters = organ.name;
   for (char& c : letters)
     if (!std::isalpha(static_cast<unsigned char>(c)))
       c = ' ';
-  std::istringstream words(letters);
+  std::istringstream parts(letters);
   std::string kind, side;
-  for (std::string word; words >> word;) {
+  for (std::string word; parts >> word;) {
     if (word == "left" || word == "right")
       side = word + ' ';
     else if (const auto norm = medical_io::organNorm(word))
       kind = norm->name;
   }
   if (kind.empty())
-    return said("Organ");
-  return capital(kind == "kidney" ? side + kind : kind);
+    return words.said("Organ");
+  return words.said(capital(kind == "kidney" ? side + kind : kind).c_str());
 }
 
-std::string titleOf(const Organ& organ) {
+std::string titleOf(const Organ& organ, const PageWords& words) {
   static const std::array<std::pair<const char*, const char*>, 4> kLong = {{{"LV", "Left ventricle"},
                                                                             {"lv", "Left ventricle"},
                                                                             {"RV", "Right ventricle"},
                                                                             {"rv", "Right ventricle"}}};
   for (const auto& [name, title] : kLong)
     if (organ.name == name)
-      return said(title);
+      return words.said(title);
   if (!organ.file.empty() && organ.name == organ.file.stem().string())
-    return kindOf(organ);
+    return kindOf(organ, words);
   const std::string afterFile = organ.name.substr(organ.name.find('/') + 1); // "abdomen/liver"
-  return capital(afterFile);
+  return words.said(capital(afterFile).c_str());
 }
 
 /// Whether somebody who writes `name` means this organ.
@@ -69,10 +70,10 @@ const std::string* instead(const LessonSpec& spec, const std::string& name) {
 }
 
 PlannedSurface plannedSurface(const Organ& organ, const document::DocumentState& state,
-                              const LessonSpec& spec) {
+                              const LessonSpec& spec, const PageWords& words) {
   PlannedSurface surface;
   surface.organ = organ.id;
-  surface.title = titleOf(organ);
+  surface.title = titleOf(organ, words);
   for (const std::string& name : {organ.name, organ.origin.surface, surface.title})
     if (const std::string* other = instead(spec, name)) {
       surface.title = *other;
@@ -94,13 +95,13 @@ PlannedSurface plannedSurface(const Organ& organ, const document::DocumentState&
   return surface;
 }
 
-/// "End-diastolic volume of the left ventricle: 109 to 189 ml" and where that comes from.
+/// "End-diastolic volume: women and men, mean +- 2 standard deviations", and where that comes from.
 std::string sourceOf(const motion::NormalRange& range) {
   return capital(range.name) + ": " + range.people + "; " + range.source + ".";
 }
 
 /// The bands of one organ; a ventricle ejects.
-void addRanges(LessonPlan& plan, const Organ& organ, std::set<std::string>& sources) {
+void addRanges(LessonPlan& plan, const Organ& organ, const PageWords& words, std::set<std::string>& sources) {
   PlannedSurface& surface = plan.surfaces.back();
   std::vector<motion::NormalRange> ranges = motion::normalRanges(organ.name);
   if (ranges.empty())
@@ -111,9 +112,9 @@ void addRanges(LessonPlan& plan, const Organ& organ, std::set<std::string>& sour
     using Quantity = motion::NormalRange::Quantity;
     const bool percent = range.quantity == Quantity::ejectionPercent;
     surface.ejects = surface.ejects || range.quantity == Quantity::endDiastolicMl;
-    surface.output = surface.output || percent;
+    surface.output = surface.output || range.norm == "lv.ef";
     plan.ranges.push_back({plan.surfaces.size() - 1, percent ? "percent" : "ml", range.low, range.high,
-                           surface.title + ", " + said(range.name.c_str())});
+                           surface.title + ", " + words.said(range.name.c_str())});
     if (sources.insert(sourceOf(range)).second)
       plan.notes += (plan.notes.empty() ? "" : "\n") + sourceOf(range);
   }
@@ -124,10 +125,10 @@ void chartVentriclesOnly(LessonPlan& plan) {
   const bool any = std::any_of(plan.surfaces.begin(), plan.surfaces.end(),
                                [](const PlannedSurface& surface) { return surface.ejects; });
   for (PlannedSurface& surface : plan.surfaces)
-    surface.charted = surface.charted && !(any && surface.wall);
+    surface.charted = surface.charted && (surface.ejects || !(any && surface.wall));
 }
 
-void addMotion(LessonPlan& plan, const LessonSource& source, const LessonSpec& spec) {
+void addMotion(LessonPlan& plan, const LessonSource& source, const LessonSpec& spec, const PageWords& words) {
   if (!source.sequence)
     return;
   const sequences::Sequence& sequence = *source.sequence;
@@ -147,7 +148,7 @@ void addMotion(LessonPlan& plan, const LessonSource& source, const LessonSpec& s
                                      [&](const PlannedPhase& other) { return other.name == phase.name; });
       const std::string* other = instead(spec, phase.name);
       if (!known)
-        plan.phases.push_back({phase.name, other ? *other : capital(phase.name)});
+        plan.phases.push_back({phase.name, other ? *other : words.said(capital(phase.name).c_str())});
     }
 }
 
@@ -158,6 +159,28 @@ void addHandles(LessonPlan& plan, const document::Rig& rig, const LessonSpec& sp
   if (plan.ownHandles)
     for (const document::Handle& handle : rig.handles)
       plan.handles.push_back(handle.label);
+}
+
+/// As far away as one has to be to see as much at 30 degrees.
+Eye eyeOf(const presentation::Camera& camera) {
+  constexpr double kHalfAngle = std::numbers::pi / 12;
+  const Vec3 back = camera.position - camera.focus;
+  const double half = camera.angleDegrees * std::numbers::pi / 360;
+  const double seen = camera.parallel ? camera.parallelScaleMm : back.norm() * std::tan(half);
+  return {camera.focus + back.normalized() * seen / std::tan(kHalfAngle), camera.focus};
+}
+
+/// The views that the session keeps: they show what is shown, and a motion goes on where they name no
+/// instant.
+void addKeptSlides(LessonPlan& plan, const LessonSource& source) {
+  for (const presentation::Slide& kept : source.slides) {
+    PlannedSlide slide;
+    slide.title = kept.caption;
+    slide.eye = eyeOf(kept.camera);
+    if (source.sequence)
+      slide.fraction = kept.fraction;
+    plan.slides.push_back(std::move(slide));
+  }
 }
 
 /// Takes the slides, with the organs that they hide by their places.
@@ -187,13 +210,14 @@ double rounded(double rate) {
   return std::round(rate / ten / step) * step * ten;
 }
 
-/// As far away as one has to be to see as much at 30 degrees.
-Eye eyeOf(const presentation::Camera& camera) {
-  constexpr double kHalfAngle = std::numbers::pi / 12;
-  const Vec3 back = camera.position - camera.focus;
-  const double half = camera.angleDegrees * std::numbers::pi / 360;
-  const double seen = camera.parallel ? camera.parallelScaleMm : back.norm() * std::tan(half);
-  return {camera.focus + back.normalized() * seen / std::tan(kHalfAngle), camera.focus};
+void requireKnown(const std::string& language) {
+  std::string codes;
+  for (const PageLanguage& known : pageLanguages()) {
+    if (language.empty() || known.code == language)
+      return;
+    codes += (codes.empty() ? "" : ", ") + known.code;
+  }
+  throw UsageError("It is not a language of the page", language, "choose one of " + codes);
 }
 
 } // namespace
@@ -216,20 +240,23 @@ std::vector<double> offeredRates(const sequences::Sequence& sequence) {
 
 LessonPlan planLesson(const LessonSource& source, const LessonSpec& spec) {
   const document::DocumentState& state = source.state;
+  requireKnown(spec.language);
+  const PageWords words(spec.language);
   LessonPlan plan;
-  plan.notes = spec.notes;
+  plan.language = spec.language;
+  plan.notes = spec.notes.empty() ? words.said("For teaching. It is not a medical device.") : spec.notes;
   std::set<std::string> sources;
   for (const auto& organ : *state.organs)
     if (organ->look.visible) {
-      plan.surfaces.push_back(plannedSurface(*organ, state, spec));
-      addRanges(plan, *organ, sources);
+      plan.surfaces.push_back(plannedSurface(*organ, state, spec, words));
+      addRanges(plan, *organ, words, sources);
     }
   if (plan.surfaces.empty())
     throw UsageError("No organ is shown", "the lesson", "show those that the lesson is about");
   chartVentriclesOnly(plan);
   plan.title = !spec.title.empty() ? spec.title : plan.surfaces.front().title;
   if (spec.title.empty() && source.sequence)
-    plan.title += ": " + source.sequence->name();
+    plan.title += ": " + words.said(source.sequence->name().c_str());
   for (const document::Measurement& measurement : *state.measurements) {
     const bool shown =
         std::all_of(measurement.points.begin(), measurement.points.end(), [&](const auto& point) {
@@ -242,10 +269,33 @@ LessonPlan planLesson(const LessonSource& source, const LessonSpec& spec) {
   }
   if (source.camera && source.camera->position != source.camera->focus)
     plan.eye = eyeOf(*source.camera);
-  addMotion(plan, source, spec);
+  addMotion(plan, source, spec, words);
   addHandles(plan, *state.rig, spec);
+  addKeptSlides(plan, source);
   addSlides(plan, state, spec);
   return plan;
+}
+
+LessonSpec readySpecFor(const LessonSource& source) {
+  const auto isShown = [&](const motion::SampleSequence& sample) {
+    return std::any_of(source.state.organs->begin(), source.state.organs->end(), [&](const auto& organ) {
+      return organ->look.visible && organ->origin.sample.rfind(sample.organ + '@', 0) == 0;
+    });
+  };
+  const auto& samples = motion::sampleSequences();
+  const auto found = std::find_if(samples.begin(), samples.end(), isShown);
+  if (found == samples.end())
+    return {};
+  LessonSpec spec = readySpec(found->id);
+  const bool itsMotion =
+      source.sequence && source.sequence->id() == found->id && source.sequence->name() == found->name;
+  if (!itsMotion) { // The texts speak of that motion.
+    spec.title = spec.notes = {};
+    spec.rates = {};
+  }
+  if (!itsMotion || !source.slides.empty())
+    spec.slides = {};
+  return spec;
 }
 
 std::vector<LessonText> textsOf(LessonPlan& plan) {

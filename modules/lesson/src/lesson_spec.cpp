@@ -38,6 +38,7 @@ PlannedSlide slideFrom(const json& item) {
 
 LessonSpec specFrom(const json& tree) {
   LessonSpec spec;
+  spec.language = tree.value("language", "");
   spec.title = tree.value("title", "");
   spec.notes = tree.value("notes", "");
   spec.names = tree.value("names", std::map<std::string, std::string>());

@@ -48,14 +48,16 @@ std::string pageOf(const Lesson& lesson) {
   ArrayPacker packer;
   const std::string json = pageJson(lesson, packer);
   const QByteArray style = partOf(QStringLiteral("page.css")), script = scriptOf();
-  const bool toTheLeft = QLocale().textDirection() == Qt::RightToLeft;
+  const PageWords words(lesson.plan.language);
+  const std::string language = words.said(kLanguageCode);
+  const bool toTheLeft = QLocale(QString::fromStdString(language)).textDirection() == Qt::RightToLeft;
   const QMap<QByteArray, QByteArray> values = {
-      {"LANGUAGE", QLocale().bcp47Name().toUtf8()},
+      {"LANGUAGE", QByteArray::fromStdString(language)},
       {"DIRECTION", toTheLeft ? "rtl" : "ltr"},
       {"SCRIPT_HASH", hashOf(script)},
       {"STYLE_HASH", hashOf(style)},
       {"TITLE", escaped(lesson.plan.title)},
-      {"FAILURE", escaped(pageStrings().at("failure"))},
+      {"FAILURE", escaped(words.pageStrings().at("failure"))},
       {"STYLE", style},
       {"LESSON", QByteArray::fromStdString(json)},
       {"ARRAYS", QByteArray::fromStdString(deflated(packer.bytes())).toBase64()},

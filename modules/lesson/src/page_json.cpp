@@ -4,8 +4,6 @@
 #include <array>
 #include <cmath>
 
-#include <QLocale>
-
 #include <nlohmann/json.hpp>
 
 #include "page_strings.h"
@@ -142,9 +140,10 @@ std::size_t nearestRate(const std::vector<double>& rates, double wanted) {
 ordered_json slideJson(const Lesson& lesson, const PlannedSlide& slide) {
   ordered_json json = {{"title", slide.title},
                        {"text", slide.text},
-                       {"names", slide.names},
                        {"handles", slide.handles},
                        {"hidden", slide.hiddenSurfaces}};
+  if (slide.names)
+    json["names"] = *slide.names;
   if (!slide.side.empty())
     json["side"] = slide.side;
   if (slide.eye) {
@@ -209,13 +208,14 @@ std::string scriptSafe(const ordered_json& json) {
 
 std::string pageJson(const Lesson& lesson, ArrayPacker& packer) {
   const LessonPlan& plan = lesson.plan;
+  const PageWords words(plan.language);
   const Bounds bounds = boundsOf(lesson.rest.topRows(lesson.vertexCount()));
   ordered_json json = {{"format", "viscera-lesson"},
                        {"version", kVersion},
-                       {"language", QLocale().bcp47Name().toStdString()},
+                       {"language", words.said(kLanguageCode)},
                        {"title", plan.title},
                        {"notes", plan.notes},
-                       {"strings", pageStrings()},
+                       {"strings", words.pageStrings()},
                        {"vertices", lesson.vertexCount()},
                        {"center", jsonOf(bounds.center())},
                        {"radius", rounded(bounds.diagonal() * kShownOfDiagonal)},

@@ -1,6 +1,9 @@
 #include "page_strings.h"
 
 #include <QCoreApplication>
+#include <QTranslator>
+
+#include "viscera/lesson/lesson_spec.h"
 
 namespace viscera::lesson {
 namespace {
@@ -30,13 +33,13 @@ constexpr Said kSaid[] = {
     {"names", QT_TRANSLATE_NOOP("Lesson", "Names")},
     {"namesTip", QT_TRANSLATE_NOOP("Lesson", "Names of the parts (N)")},
     {"handles", QT_TRANSLATE_NOOP("Lesson", "Handles")},
-    {"handlesTip", QT_TRANSLATE_NOOP("Lesson", "Handles to drag (H, Page Down)")},
+    {"handlesTip", QT_TRANSLATE_NOOP("Lesson", "Handles to drag (H)")},
     {"reset", QT_TRANSLATE_NOOP("Lesson", "Reset")},
     {"resetTip", QT_TRANSLATE_NOOP("Lesson", "Back to the shape as sent (R)")},
     {"hint", QT_TRANSLATE_NOOP("Lesson", "Drag a handle.")},
     {"held", QT_TRANSLATE_NOOP("Lesson", "Handle %1: arrow keys, plus and minus move it.")},
-    {"slideBefore", QT_TRANSLATE_NOOP("Lesson", "Slide before")},
-    {"slideAfter", QT_TRANSLATE_NOOP("Lesson", "Next slide")},
+    {"slideBefore", QT_TRANSLATE_NOOP("Lesson", "Previous slide (Page Up)")},
+    {"slideAfter", QT_TRANSLATE_NOOP("Lesson", "Next slide (Page Down)")},
     {"slide", QT_TRANSLATE_NOOP("Lesson", "%1 of %2: %3")},
     {"eye", QT_TRANSLATE_NOOP("Lesson", "Show %1")},
     {"ml", QT_TRANSLATE_NOOP("Lesson", "%1 ml")},
@@ -63,7 +66,7 @@ constexpr Said kSaid[] = {
     {"aMinute", QT_TRANSLATE_NOOP("Lesson", "%1 a minute")},
     {"chart", QT_TRANSLATE_NOOP("Lesson", "Volumes over one cycle: %1")},
     {"keys", QT_TRANSLATE_NOOP("Lesson", "Keys")},
-    {"keyText", QT_TRANSLATE_NOOP("Lesson", "Space: play or stop\nArrow keys: turn the picture when it has the focus, else go through the cycle\nPlus, minus: nearer, farther\nPage Down, Page Up: choose a handle; arrow keys, plus and minus move it; Escape lets it go\n1, 3, 7: front, left, above\nN: names, H: handles, X: wall, R: reset, T: light or dark, Home: beginning")},
+    {"keyText", QT_TRANSLATE_NOOP("Lesson", "Space: play or stop\nArrow keys: turn the picture when it has the focus, else go through the cycle\nPlus, minus: nearer, farther\nPage Down, Page Up: next and previous slide; B: dark screen\nJ, K: choose a handle; arrow keys, plus and minus move it; Escape lets it go\n1, 3, 7: front, left, above\nN: names, H: handles, X: wall, R: reset, T: light or dark, Home: beginning")},
     {"next", QT_TRANSLATE_NOOP("Lesson", "Next")},
     {"again", QT_TRANSLATE_NOOP("Lesson", "Again")},
     {"leave", QT_TRANSLATE_NOOP("Lesson", "Leave the quiz")},
@@ -81,7 +84,7 @@ constexpr Said kSaid[] = {
     {"lost", QT_TRANSLATE_NOOP("Lesson", "The graphics were lost. Load the page again.")},
     {"failure", QT_TRANSLATE_NOOP("Lesson", "This lesson needs a browser of 2023 or later, with JavaScript and WebGL 2.")}};
 
-/// What `said` is asked for elsewhere in this module.
+/// What is asked for elsewhere in this module; names of organs, sequences and their phases among it.
 [[maybe_unused]] constexpr const char* kElsewhere[] = {
     QT_TRANSLATE_NOOP("Lesson", "Organ"), QT_TRANSLATE_NOOP("Lesson", "Left ventricle"),
     QT_TRANSLATE_NOOP("Lesson", "Right ventricle"), QT_TRANSLATE_NOOP("Lesson", "Title"),
@@ -90,7 +93,25 @@ constexpr Said kSaid[] = {
     QT_TRANSLATE_NOOP("Lesson", "Phase"), QT_TRANSLATE_NOOP("Lesson", "Slide"),
     QT_TRANSLATE_NOOP("Lesson", "Text of the slide"), QT_TRANSLATE_NOOP("Lesson", "Handle"),
     QT_TRANSLATE_NOOP("Lesson", "end-diastolic volume"), QT_TRANSLATE_NOOP("Lesson", "end-systolic volume"),
-    QT_TRANSLATE_NOOP("Lesson", "ejection fraction"), QT_TRANSLATE_NOOP("Lesson", "volume after a meal")};
+    QT_TRANSLATE_NOOP("Lesson", "ejection fraction"), QT_TRANSLATE_NOOP("Lesson", "volume after a meal"),
+    QT_TRANSLATE_NOOP("Lesson", "volume"),
+    //: The code of your language (BCP 47): numbers are written as it does.
+    QT_TRANSLATE_NOOP("Lesson", "en"),
+    QT_TRANSLATE_NOOP("Lesson", "For teaching. It is not a medical device."),
+    QT_TRANSLATE_NOOP("Lesson", "Heart"), QT_TRANSLATE_NOOP("Lesson", "Stomach"),
+    QT_TRANSLATE_NOOP("Lesson", "Liver"), QT_TRANSLATE_NOOP("Lesson", "Spleen"),
+    QT_TRANSLATE_NOOP("Lesson", "Kidney"), QT_TRANSLATE_NOOP("Lesson", "Left kidney"),
+    QT_TRANSLATE_NOOP("Lesson", "Right kidney"), QT_TRANSLATE_NOOP("Lesson", "Gallbladder"),
+    QT_TRANSLATE_NOOP("Lesson", "Pancreas"), QT_TRANSLATE_NOOP("Lesson", "Heartbeat"),
+    QT_TRANSLATE_NOOP("Lesson", "Gastric peristalsis"), QT_TRANSLATE_NOOP("Lesson", "Breathing"),
+    QT_TRANSLATE_NOOP("Lesson", "Recorded"), QT_TRANSLATE_NOOP("Lesson", "Measured"),
+    QT_TRANSLATE_NOOP("Lesson", "Atrial systole"),
+    QT_TRANSLATE_NOOP("Lesson", "Isovolumic contraction"), QT_TRANSLATE_NOOP("Lesson", "Ejection"),
+    QT_TRANSLATE_NOOP("Lesson", "Isovolumic relaxation"), QT_TRANSLATE_NOOP("Lesson", "Filling"),
+    QT_TRANSLATE_NOOP("Lesson", "Wave in the body"), QT_TRANSLATE_NOOP("Lesson", "Wave in the antrum"),
+    QT_TRANSLATE_NOOP("Lesson", "Terminal antral contraction"),
+    QT_TRANSLATE_NOOP("Lesson", "Wave fades at the pylorus"), QT_TRANSLATE_NOOP("Lesson", "Inspiration"),
+    QT_TRANSLATE_NOOP("Lesson", "Expiration"), QT_TRANSLATE_NOOP("Lesson", "Pause")};
 // clang-format on
 
 } // namespace
@@ -99,11 +120,37 @@ std::string said(const char* text) {
   return QCoreApplication::translate("Lesson", text).toStdString();
 }
 
-std::map<std::string, std::string> pageStrings() {
+PageWords::PageWords(const std::string& language) : language_(language) {
+  if (language.empty() || language == kLanguageCode)
+    return;
+  translation_ = std::make_unique<QTranslator>();
+  if (!translation_->load(
+          QStringLiteral(":/viscera/translations/viscera_%1.qm").arg(QString::fromStdString(language))))
+    translation_.reset();
+}
+
+PageWords::~PageWords() = default;
+
+std::string PageWords::said(const char* text) const {
+  if (language_.empty())
+    return lesson::said(text);
+  const QString translated = translation_ ? translation_->translate("Lesson", text) : QString();
+  return translated.isEmpty() ? text : translated.toStdString();
+}
+
+std::map<std::string, std::string> PageWords::pageStrings() const {
   std::map<std::string, std::string> strings;
   for (const Said& item : kSaid)
     strings[item.key] = said(item.text);
   return strings;
+}
+
+std::vector<PageLanguage> pageLanguages() {
+  return {{"en", "English"},
+          {"de", "Deutsch"},
+          {"es", "Espa\xC3\xB1ol"},
+          {"fr", "Fran\xC3\xA7\x61is"},
+          {"ca", "Catal\xC3\xA0"}};
 }
 
 } // namespace viscera::lesson

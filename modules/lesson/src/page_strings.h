@@ -1,14 +1,38 @@
 #pragma once
 
 #include <map>
+#include <memory>
 #include <string>
 
+class QTranslator;
+
 namespace viscera::lesson {
+
+/// What a translation of the page gives as its own language: its code (BCP 47).
+inline constexpr const char* kLanguageCode = "en";
 
 /// A text in the language of the program (`QCoreApplication::translate`, context "Lesson").
 std::string said(const char* text);
 
-/// Everything that the page itself says, by the names under which its script asks for it.
-std::map<std::string, std::string> pageStrings();
+/// Texts of a page in one language.
+class PageWords {
+public:
+  /// `language` is a code of `pageLanguages`, whose translation comes with the program; empty: the language
+  /// of the program. Reads a few kilobytes.
+  explicit PageWords(const std::string& language = {});
+  ~PageWords();
+  PageWords(const PageWords&) = delete;
+  PageWords& operator=(const PageWords&) = delete;
+
+  /// A text of the context "Lesson"; as it is when there is no translation.
+  std::string said(const char* text) const;
+
+  /// Everything that the page itself says, by the names under which its script asks for it.
+  std::map<std::string, std::string> pageStrings() const;
+
+private:
+  std::string language_;
+  std::unique_ptr<QTranslator> translation_; ///< Null for English and for the program's own language.
+};
 
 } // namespace viscera::lesson

@@ -6,6 +6,7 @@
 #include <cstdio>
 
 #include "file_bytes.h"
+#include "viscera/norms/norms.h"
 
 namespace viscera::medical_io {
 namespace {
@@ -17,17 +18,21 @@ constexpr double kLargestDiagonalMm = 1500;
 constexpr double kTypicalLowMm = 60;
 constexpr double kTypicalHighMm = 600;
 
-using Volumes = std::pair<double, double>;
+/// Life-sized organs differ from a range of 19 of 20 people, or from means, by at most these factors.
+constexpr double kAwayFromSpread = 2;
+constexpr double kAwayFromAverages = 3;
 
-const std::array<OrganNorm, 7>& norms() {
-  static const std::array<OrganNorm, 7> kNorms = {{{"liver", Volumes(1411, 1710), BodySide::right},
-                                                   {"spleen", Volumes(180, 238), BodySide::left},
-                                                   {"kidney", Volumes(157, 193), BodySide::middle},
-                                                   {"heart", Volumes(285, 900), BodySide::middle},
-                                                   {"stomach", std::nullopt, BodySide::left},
-                                                   {"gallbladder", std::nullopt, BodySide::right},
-                                                   {"pancreas", std::nullopt, BodySide::middle}}};
-  return kNorms;
+/// What organs are called, where they lie, and their row in the table of normal ranges.
+const std::array<OrganNorm, 8>& knownOrgans() {
+  static const std::array<OrganNorm, 8> kOrgans = {{{"liver", "liver.volume", BodySide::right},
+                                                    {"spleen", "spleen.volume", BodySide::left},
+                                                    {"kidney", "kidney.left", BodySide::middle},
+                                                    {"heart", "heart.volume", BodySide::middle},
+                                                    {"myocardium", "heart.muscle", BodySide::middle},
+                                                    {"stomach", {}, BodySide::left},
+                                                    {"gallbladder", {}, BodySide::right},
+                                                    {"pancreas", "pancreas.volume", BodySide::middle}}};
+  return kOrgans;
 }
 
 std::string rounded(double value) {
@@ -36,9 +41,21 @@ std::string rounded(double value) {
   return value >= 1000 && value < 1e6 ? std::to_string(std::lround(value)) : buffer;
 }
 
-/// How far a volume is from the norm, as a factor of 1 and more.
-double awayFrom(const Volumes& norm, double volumeMl) {
-  return std::max({norm.first / volumeMl, volumeMl / norm.second, 1.0});
+/// How far a volume is from what is normal, as a part of how far a life-sized organ may be; 1 and less for
+/// those.
+double awayFrom(const OrganNorm& organ, double volumeMl) {
+  const norms::Norm& norm = norms::norm(organ.volume);
+  const norms::Range range = norms::rangeOf(norm);
+  const double factor = std::max({range.low / volumeMl, volumeMl / range.high, 1.0});
+  return factor / (norm.kind == norms::Kind::averages ? kAwayFromAverages : kAwayFromSpread);
+}
+
+/// "19 of 20 adults have 814 to 1906 ml".
+std::string whatAdultsHave(const norms::Norm& norm) {
+  const norms::Range range = norms::rangeOf(norm);
+  const std::string milliliters = rounded(range.low) + " to " + rounded(range.high) + " ml";
+  return norm.kind == norms::Kind::averages ? "women and men have on average " + milliliters
+                                            : "19 of 20 adults have " + milliliters;
 }
 
 bool isTypical(double diagonalMm) {
@@ -65,21 +82,23 @@ std::optional<OrganNorm> organNorm(std::string_view name) {
     else
       endWord();
   endWord();
-  const auto found =
-      std::find_if(norms().begin(), norms().end(), [&](const OrganNorm& norm) { return norm.name == organ; });
-  if (found == norms().end())
+  const auto found = std::find_if(knownOrgans().begin(), knownOrgans().end(),
+                                  [&](const OrganNorm& norm) { return norm.name == organ; });
+  if (found == knownOrgans().end())
     return std::nullopt;
   OrganNorm norm = *found;
   norm.side = side.value_or(norm.side);
+  if (norm.name == "kidney" && norm.side == BodySide::right)
+    norm.volume = "kidney.right";
   return norm;
 }
 
 std::optional<std::string> doubtAboutVolume(std::string_view name, double volumeMl) {
   const auto norm = organNorm(name);
-  if (!norm || !norm->volumeMl || awayFrom(*norm->volumeMl, volumeMl) <= kNormTolerance)
+  if (!norm || norm->volume.empty() || awayFrom(*norm, volumeMl) <= 1)
     return std::nullopt;
-  return "a " + std::string(norm->name) + " of " + rounded(volumeMl) + " ml is not life-sized: adults have " +
-         rounded(norm->volumeMl->first) + " to " + rounded(norm->volumeMl->second) + " ml";
+  return "a " + std::string(norm->name) + " of " + rounded(volumeMl) +
+         " ml is not life-sized: " + whatAdultsHave(norms::norm(norm->volume));
 }
 
 const std::vector<LengthUnit>& lengthUnits() {
@@ -92,14 +111,13 @@ const std::vector<LengthUnit>& lengthUnits() {
 
 std::vector<LengthUnit> unitsThatFit(std::string_view name, double diagonalMm, double volumeMl) {
   const auto norm = organNorm(name);
-  const bool byVolume = norm && norm->volumeMl && volumeMl > 0;
-  const bool odd = byVolume ? awayFrom(*norm->volumeMl, volumeMl) > kNormTolerance
+  const bool byVolume = norm && !norm->volume.empty() && volumeMl > 0;
+  const bool odd = byVolume ? awayFrom(*norm, volumeMl) > 1
                             : diagonalMm < kSmallestDiagonalMm || diagonalMm > kLargestDiagonalMm;
   std::vector<LengthUnit> fitting;
   for (const LengthUnit& unit : lengthUnits()) {
     const double scaledMl = volumeMl * std::pow(unit.mm, 3);
-    if (odd && unit.mm != 1 &&
-        (byVolume ? awayFrom(*norm->volumeMl, scaledMl) <= kNormTolerance : isTypical(diagonalMm * unit.mm)))
+    if (odd && unit.mm != 1 && (byVolume ? awayFrom(*norm, scaledMl) <= 1 : isTypical(diagonalMm * unit.mm)))
       fitting.push_back(unit);
   }
   // A shrunken liver has no usual volume in any unit, but still the size of an organ in the right one.
@@ -107,8 +125,7 @@ std::vector<LengthUnit> unitsThatFit(std::string_view name, double diagonalMm, d
     return unitsThatFit(name, diagonalMm, 0);
   if (byVolume)
     std::stable_sort(fitting.begin(), fitting.end(), [&](const LengthUnit& a, const LengthUnit& b) {
-      return awayFrom(*norm->volumeMl, volumeMl * std::pow(a.mm, 3)) <
-             awayFrom(*norm->volumeMl, volumeMl * std::pow(b.mm, 3));
+      return awayFrom(*norm, volumeMl * std::pow(a.mm, 3)) < awayFrom(*norm, volumeMl * std::pow(b.mm, 3));
     });
   return fitting;
 }

@@ -3,65 +3,52 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <map>
 
 #include "viscera/core/error.h"
 
 namespace viscera::motion {
 namespace {
 
-/// Mean and standard deviation.
-struct Measured {
-  double mean = 0;
-  double deviation = 0;
-};
-
-constexpr const char* kOxford = "Hudsmith and others 2005 (Oxford), doi 10.1080/10976640500295516";
-constexpr const char* kOxfordPeople = "108 healthy volunteers in magnetic resonance imaging, women's mean "
-                                      "minus to men's mean plus one standard "
-                                      "deviation";
-constexpr const char* kFramingham = "Chuang and others 2014 (Framingham), doi 10.1002/jmri.24239";
-constexpr const char* kFraminghamPeople =
-    "685 healthy adults in magnetic resonance imaging, men's mean minus to "
-    "women's mean plus one standard "
-    "deviation";
-// The middle is from one paper, the spread from another by the same group on largely the same people.
-constexpr const char* kGastric =
-    "middle: \"Simplifying the measurement of gastric accommodation using SPECT\"; "
-    "spread: doi 10.1111/j.1365-2982.2010.01660.x";
-constexpr const char* kGastricPeople =
-    "median of 443 people after a meal, by single-photon tomography; minus to plus 16 %, by which 433 people "
-    "differed from one another";
-
-NormalRange between(NormalRange::Quantity quantity, const char* name, const Measured& women,
-                    const Measured& men, const char* people, const char* source) {
-  return {quantity,
-          name,
-          std::min(women.mean - women.deviation, men.mean - men.deviation),
-          std::max(women.mean + women.deviation, men.mean + men.deviation),
-          people,
-          source};
-}
-
 using Quantity = NormalRange::Quantity;
 
-std::vector<NormalRange> leftVentricle() {
-  return {
-      between(Quantity::endDiastolicMl, "end-diastolic volume", {135, 26}, {160, 29}, kOxfordPeople, kOxford),
-      between(Quantity::endSystolicMl, "end-systolic volume", {42, 12}, {50, 16}, kOxfordPeople, kOxford),
-      between(Quantity::ejectionPercent, "ejection fraction", {73, 6}, {71, 6}, kFraminghamPeople,
-              kFramingham)};
+/// A row of the table of normal ranges, and what it is drawn as.
+struct Shown {
+  const char* norm;
+  Quantity quantity;
+};
+
+/// "Kidney, left" and "kidney_left" are "kidneyleft".
+std::string lettersOf(const std::string& name) {
+  std::string letters;
+  for (const char c : name)
+    if (std::isalpha(static_cast<unsigned char>(c)))
+      letters += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return letters;
 }
 
-std::vector<NormalRange> rightVentricle() {
-  return {
-      between(Quantity::endDiastolicMl, "end-diastolic volume", {148, 35}, {190, 33}, kOxfordPeople, kOxford),
-      between(Quantity::endSystolicMl, "end-systolic volume", {56, 18}, {78, 20}, kOxfordPeople, kOxford)};
-}
-
-std::vector<NormalRange> stomach() {
-  constexpr double kMiddle = 757, kVariation = 0.16;
-  constexpr Measured kFed{kMiddle, kVariation * kMiddle};
-  return {between(Quantity::volumeMl, "volume after a meal", kFed, kFed, kGastricPeople, kGastric)};
+std::vector<Shown> shownFor(const std::string& organ) {
+  static const std::vector<Shown> kLeft = {{"lv.edv", Quantity::endDiastolicMl},
+                                           {"lv.esv", Quantity::endSystolicMl},
+                                           {"lv.ef", Quantity::ejectionPercent}};
+  static const std::vector<Shown> kRight = {{"rv.edv", Quantity::endDiastolicMl},
+                                            {"rv.esv", Quantity::endSystolicMl},
+                                            {"rv.ef", Quantity::ejectionPercent}};
+  static const std::map<std::string, std::vector<Shown>> kOrgans = {
+      {"lv", kLeft},
+      {"leftventricle", kLeft},
+      {"rv", kRight},
+      {"rightventricle", kRight},
+      {"stomach", {{"stomach.volume", Quantity::volumeMl}}},
+      {"liver", {{"liver.volume", Quantity::volumeMl}}},
+      {"spleen", {{"spleen.volume", Quantity::volumeMl}}},
+      {"pancreas", {{"pancreas.volume", Quantity::volumeMl}}},
+      {"kidneyleft", {{"kidney.left", Quantity::volumeMl}}},
+      {"leftkidney", {{"kidney.left", Quantity::volumeMl}}},
+      {"kidneyright", {{"kidney.right", Quantity::volumeMl}}},
+      {"rightkidney", {{"kidney.right", Quantity::volumeMl}}}};
+  const auto found = kOrgans.find(lettersOf(organ));
+  return found == kOrgans.end() ? std::vector<Shown>() : found->second;
 }
 
 } // namespace
@@ -87,17 +74,15 @@ CardiacIndices cardiacIndices(const std::vector<double>& volumesMl, double rateP
   return indices;
 }
 
-std::vector<NormalRange> normalRanges(const std::string& organ) {
-  std::string name = organ;
-  std::transform(name.begin(), name.end(), name.begin(),
-                 [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
-  if (name == "lv" || name == "left ventricle")
-    return leftVentricle();
-  if (name == "rv" || name == "right ventricle")
-    return rightVentricle();
-  if (name == "stomach")
-    return stomach();
-  return {};
+std::vector<NormalRange> normalRanges(const std::string& organ, const norms::Person& person) {
+  std::vector<NormalRange> ranges;
+  for (const Shown& shown : shownFor(organ)) {
+    const norms::Norm& norm = norms::norm(shown.norm);
+    const norms::Range range = norms::rangeOf(norm, person);
+    ranges.push_back({shown.quantity, norm.id, norm.quantity, range.low, range.high,
+                      norms::meaningOf(norm, person) + "; " + norm.people, norm.source});
+  }
+  return ranges;
 }
 
 } // namespace viscera::motion

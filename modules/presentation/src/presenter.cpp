@@ -27,6 +27,16 @@ Vec3 missingColor(const scene::ColorMap& colors) {
   return Vec3(colors.missing[0], colors.missing[1], colors.missing[2]) / 255;
 }
 
+/// What is named in the view.
+struct LabelChoice {
+  std::shared_ptr<const document::OrganList> organs;
+  bool ofOrgans = false;
+  bool ofParts = false;
+  std::optional<std::vector<Part>> parts; ///< Of these alone.
+
+  bool operator==(const LabelChoice&) const = default;
+};
+
 /// What the legend says.
 struct LegendText {
   std::string title;
@@ -59,7 +69,7 @@ struct Presenter::Parts {
   scene::MeasurementGlyphs measurements;
   StandingPicture standing;
 
-  std::shared_ptr<const document::OrganList> labelled; ///< Whose names are written.
+  LabelChoice labelled; ///< Whose names are written.
   /// Of the hulls that are drawn.
   std::shared_ptr<const document::Rig> hullRig;
   std::shared_ptr<const document::SystemChoice> hullSystem;
@@ -173,16 +183,29 @@ void Presenter::Parts::updateRegions(const Scene& scene) {
 
 void Presenter::Parts::updateLabels(const Scene& scene, bool others) {
   labels.setTheme(view.theme());
-  labels.setShown(scene.view.labels);
-  if (!others && labelled == scene.state.organs)
+  labels.setShown(scene.view.labels || scene.view.partNames || scene.parts);
+  LabelChoice wanted{scene.state.organs, scene.view.labels, scene.view.partNames, std::nullopt};
+  if (scene.parts)
+    wanted.parts = *scene.parts;
+  if (!others && labelled == wanted)
     return;
-  labelled = scene.state.organs;
+  labelled = std::move(wanted);
   std::vector<scene::OrganLabels::Item> items;
   for (const auto& organ : *scene.state.organs) {
+    if (!labelled.ofOrgans)
+      break;
     const auto inside = [&](const auto& other) { return other->parent == organ->id; };
     const bool full = std::any_of(scene.state.organs->begin(), scene.state.organs->end(), inside);
     items.push_back({labelOf(*organ, translate), organs.actorOf(organ->id), full});
   }
+  std::vector<Part> parts;
+  if (labelled.parts)
+    parts = *labelled.parts;
+  else if (labelled.ofParts)
+    parts = partsOf(*scene.state.organs);
+  for (const Part& part : parts)
+    items.push_back({translate(nameOf(part, *scene.state.organs).c_str()), organs.actorOf(part.organ), false,
+                     part.vertex});
   labels.setItems(std::move(items));
 }
 

@@ -89,6 +89,7 @@ void visitSwitches(ViewState& view, Visit visit) {
   visit("influence", "handles.influence", view.influence);
   visit("ghost", "view.ghost", view.ghost);
   visit("labels", "view.labels", view.labels);
+  visit("partNames", "view.partNames", view.partNames);
   visit("measurements", "view.measurements", view.measurements);
   visit("orientationCube", "view.cube", view.orientationCube);
   visit("scaleBar", "view.scale", view.scaleBar);
@@ -312,6 +313,15 @@ Points rowsFrom(const ordered_json& rows) {
   return points;
 }
 
+norms::Person personFrom(const ordered_json& item) {
+  norms::Person person;
+  person.sex = norms::sexFromId(item.value("sex", std::string()));
+  take(item, "bodySurfaceM2", person.bodySurfaceM2);
+  person.bodySurfaceM2 =
+      within(person.bodySurfaceM2, norms::kSmallestBodySurfaceM2, norms::kLargestBodySurfaceM2, 0);
+  return person;
+}
+
 ViewState viewFrom(const ordered_json& item) {
   ViewState view;
   take(item, "mode", view.mode);
@@ -325,6 +335,8 @@ ViewState viewFrom(const ordered_json& item) {
     view.playing = playingFrom(item.at("playing"));
   if (item.contains("cut"))
     view.cut = cutFrom(item.at("cut"));
+  if (item.contains("person"))
+    view.person = personFrom(item.at("person"));
   for (const ordered_json& slide : item.value("slides", ordered_json::array()))
     view.slides.push_back(slideFrom(slide));
   if (item.contains("shownPose"))
@@ -349,10 +361,11 @@ ViewState viewFrom(const ordered_json& item) {
 bool ViewState::operator==(const ViewState& other) const {
   const auto parts = [](const ViewState& view) {
     return std::tie(view.mode, view.shown, view.camera, view.handles, view.influence, view.ghost, view.labels,
-                    view.measurements, view.orientationCube, view.scaleBar, view.gizmo, view.mirror,
-                    view.layout.regions, view.layout.zones, view.layout.superRegions, view.chartOfCycle,
-                    view.circulationChart, view.stress, view.cut, view.scan, view.selection, view.motions,
-                    view.playing, view.slides);
+                    view.partNames, view.measurements, view.orientationCube, view.scaleBar, view.gizmo,
+                    view.mirror, view.layout.regions, view.layout.zones, view.layout.superRegions,
+                    view.chartOfCycle, view.circulationChart, view.stress, view.cut, view.person.sex,
+                    view.person.bodySurfaceM2, view.scan, view.selection, view.motions, view.playing,
+                    view.slides);
   };
   return parts(*this) == parts(other) && shownPose.rows() == other.shownPose.rows() &&
          shownPose == other.shownPose;
@@ -381,6 +394,7 @@ std::string toJson(const ViewState& state) {
   item["stress"] = stressJson(view.stress);
   item["scan"] = scanJson(view.scan);
   item["cut"] = {{"on", view.cut.on}, {"normal", listOf(view.cut.normal)}, {"offset", view.cut.offset}};
+  item["person"] = {{"sex", norms::idOf(view.person.sex)}, {"bodySurfaceM2", view.person.bodySurfaceM2}};
   item["selection"] = {{"organ", view.selection.organ.value}, {"group", view.selection.group.value}};
   item["selection"]["handles"] = ordered_json::array();
   for (const document::HandleId id : view.selection.handles)

@@ -9,10 +9,11 @@
 
 namespace viscera::python {
 
-/// Runs a job that may take long, without the interpreter's lock, on a thread of its own; the calling thread
-/// meanwhile tells `listener` (`None`, or a callable that takes fraction and step) how far it is and looks
-/// for Ctrl+C, some fifty times a second. KeyboardInterrupt, an exception of the listener, or `False` from it
-/// ends the job. Rethrows what the job threw. To be called with the lock.
+/// Runs a job that may take long on the calling thread, without the interpreter's lock. Where the job reports
+/// or looks whether it was cancelled, that thread takes the lock some fifty times a second at most, tells
+/// `listener` (`None`, or a callable that takes fraction and step) how far the job is, and looks for Ctrl+C.
+/// KeyboardInterrupt, an exception of the listener, or `False` from it ends the job. Rethrows what the job
+/// threw. To be called with the lock.
 void runLong(const pybind11::object& listener, const std::function<void(Progress&)>& job);
 
 /// The same for a job with a result.

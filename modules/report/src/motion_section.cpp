@@ -35,12 +35,13 @@ struct Line {
   }
 };
 
-std::vector<Line> linesOf(const document::DocumentState& state, const motion::CycleCurves& curves) {
+std::vector<Line> linesOf(const document::DocumentState& state, const motion::CycleCurves& curves,
+                          const norms::Person& person) {
   std::vector<Line> lines;
   for (std::size_t i = 0; i < state.organs->size(); ++i) {
     const auto& organ = (*state.organs)[i];
     if (organ->closed() && organ->look.tracked)
-      lines.push_back({organ, curves.milliliters[i], motion::normalRanges(organ->name)});
+      lines.push_back({organ, curves.milliliters[i], motion::normalRanges(organ->name, person)});
   }
   return lines;
 }
@@ -155,7 +156,7 @@ Section motionSection(const ReportSource& source, Threads threads, Progress& pro
   section.blocks.push_back(std::move(facts));
   if (!curves.obstacle.empty())
     section.blocks.push_back(Paragraph{said("A volume could not be kept: %1", curves.obstacle)});
-  const std::vector<Line> lines = linesOf(source.state, curves);
+  const std::vector<Line> lines = linesOf(source.state, curves, source.view.person);
   if (lines.empty())
     return section;
   section.blocks.push_back(volumeChart(lines, curves, runner.periodSeconds()));

@@ -91,7 +91,7 @@ void figure412(Result& result, const Bench& bench, Progress& progress) {
   const auto pairs = compare(
       {"t-celestial",
        "s-celestial",
-       {"kidney_left@medium", "stomach@medium", "liver@medium", "heart@medium", "digestive_system@medium"}},
+       {"kidney_left@medium", "stomach@medium", "liver@medium", "heart@medium", "stomach_and_bowel@medium"}},
       result, bench, progress);
   result.findings.push_back(atMost(pairs, 1, "S-Celestial takes less time than T-Celestial on every organ"));
   result.findings.push_back(

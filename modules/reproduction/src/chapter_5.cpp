@@ -58,8 +58,8 @@ void table52(Result& result, const Bench& bench, Progress& progress) {
       "at once (the thesis: for one, on a graphics processor). The least of several runs.";
   Table table{"table_5_2", {"organ", "vertices", "triangles", "volume, ms", "gradient, ms"}, {}, true};
   std::vector<VolumeCost> costs;
-  const char* organs[] = {"kidney_left@low",         "heart@low", "liver@medium", "heart@medium",
-                          "digestive_system@medium", "heart@high"};
+  const char* organs[] = {"kidney_left@low",          "heart@low", "liver@medium", "heart@medium",
+                          "stomach_and_bowel@medium", "heart@high"};
   for (const char* organ : organs) {
     progress.throwIfCancelled();
     const VolumeCost& cost = costs.emplace_back(volumeCost(organ, bench, progress));

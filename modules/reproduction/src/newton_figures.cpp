@@ -25,7 +25,7 @@ struct Spread {
 
 std::vector<Spread> spreads(const Bench& bench, Progress& progress) {
   std::vector<Spread> all;
-  for (const char* organ : {"heart", "liver", "stomach", "digestive_system"}) {
+  for (const char* organ : {"heart", "liver", "stomach", "stomach_and_bowel"}) {
     const coordinates::Scene scene = organScene(organ, kHandles, kPoints, bench.samples, progress);
     coordinates::NewtonSpreadOptions options;
     options.radius = kNeighbourhood * boundsOf(scene.points).diagonal();

@@ -76,7 +76,8 @@ public:
       mesh = generated(surface, progress);
       cache_.store(key, *mesh);
     }
-    return {surface.name, std::make_shared<const geometry::TriangleMesh>(std::move(*mesh)), surface.color};
+    return {surface.name, std::make_shared<const geometry::TriangleMesh>(std::move(*mesh)), surface.color,
+            surface.places};
   }
 
 private:
@@ -155,6 +156,11 @@ SampleOrgan sampleOrgan(const SampleLibrary& library, const std::string& name, R
   }
   progress.report(1);
   return organ;
+}
+
+std::vector<geometry::NamedPlace> namedPlaces(const SampleLibrary& library, const std::string& organ,
+                                              const std::string& surface) {
+  return definitionOf(library, organ).surface(surface).places;
 }
 
 SampleSurface sampleSurface(const SampleLibrary& library, const std::string& organ,

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <optional>
 
 #include <vtkProperty2D.h>
@@ -38,6 +39,8 @@ constexpr Eigen::Index kMostVertices = 3000;
 /// A vertex covers that part of the distance to its neighbours.
 constexpr double kSpacingPart = 0.6;
 constexpr int kDotCorners = 12;
+/// A part is hidden when something is that much, of the organ's size, nearer to the reader than it is.
+constexpr double kHidden = 0.04;
 /// How high on an organ the line of a label at the edge starts, as a part of its height.
 constexpr double kEdgeHeight = 0.7;
 
@@ -58,6 +61,15 @@ public:
     Front& front = fronts_[row * columns_ + column];
     if (place.depth < front.depth)
       front = {place.depth, owner};
+  }
+
+  /// How far away the nearest thing in the place's cell is; infinite where there is none.
+  double depthAt(const DisplayPoint& place) const {
+    if (place.x < 0 || place.y < 0)
+      return kNothing;
+    const auto column = static_cast<std::size_t>(place.x / cell_);
+    const auto row = static_cast<std::size_t>(place.y / cell_);
+    return column < columns_ && row < rows_ ? fronts_[row * columns_ + column].depth : kNothing;
   }
 
   /// The middle of the cells in which `owner` is in front, moved into the nearest one of them.
@@ -83,8 +95,9 @@ public:
   }
 
 private:
+  static constexpr double kNothing = std::numeric_limits<double>::infinity();
   struct Front {
-    double depth = std::numeric_limits<double>::infinity();
+    double depth = kNothing;
     std::size_t owner = 0;
   };
   std::size_t cellsIn(double pixels) const {
@@ -138,6 +151,23 @@ Sighting sight(const OrganActor& organ, std::size_t owner, const ViewGeometry& v
   return sighting;
 }
 
+/// A part where its vertex is; nothing while that is behind something opaque, or outside of the view.
+std::optional<Sighting> sightPart(const OrganLabels::Item& item, const Sighting& organ,
+                                  const ViewGeometry& view, const FrontGrid& fronts) {
+  const Points& points = item.organ->points();
+  if (item.vertex >= points.rows())
+    return std::nullopt;
+  const DisplayPoint place = view.project(points.row(item.vertex).transpose());
+  const double slack = kHidden * boundsOf(points).diagonal();
+  if (!(place.depth > 0) || !(place.x >= 0) || !(place.y >= 0) || place.x > 2 * view.centerX ||
+      place.y > view.pixelHeight || place.depth > fronts.depthAt(place) + slack)
+    return std::nullopt;
+  Sighting part = organ;
+  part.x = place.x;
+  part.y = place.y;
+  return part;
+}
+
 bool sameView(const ViewGeometry& a, const ViewGeometry& b) {
   return a.eye == b.eye && a.forward == b.forward && a.up == b.up && a.halfHeight == b.halfHeight &&
          a.centerX == b.centerX && a.centerY == b.centerY && a.pixelHeight == b.pixelHeight;
@@ -187,21 +217,30 @@ void OrganLabels::Parts::lookAtOrgans(const ViewGeometry& geometry, Footprint& a
                                       std::vector<std::optional<Sighting>>& sightings) const {
   sightings.assign(items.size(), std::nullopt);
   FrontGrid fronts(geometry);
+  std::map<const OrganActor*, Sighting> seen;
   for (const auto& organ : view.organs()) {
     if (!organ->visible())
       continue;
-    const auto named =
-        std::find_if(items.begin(), items.end(), [&](const Item& item) { return item.organ == organ; });
-    const auto owner = static_cast<std::size_t>(named - items.begin());
-    Sighting sighting = sight(*organ, owner, geometry, all, fronts);
-    if (named != items.end() && sighting.seen)
-      sightings[owner] = std::move(sighting);
+    const auto named = std::find_if(items.begin(), items.end(),
+                                    [&](const Item& item) { return item.organ == organ && item.vertex < 0; });
+    Sighting sighting = sight(*organ, static_cast<std::size_t>(named - items.begin()), geometry, all, fronts);
+    if (sighting.seen)
+      seen.emplace(organ.get(), std::move(sighting));
   }
-  for (std::size_t i = 0; i < items.size(); ++i)
-    if (const auto middle = fronts.middleOf(i); middle && sightings[i]) {
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    const auto organ = seen.find(items[i].organ.get());
+    if (organ == seen.end())
+      continue;
+    if (items[i].vertex >= 0) {
+      sightings[i] = sightPart(items[i], organ->second, geometry, fronts);
+      continue;
+    }
+    sightings[i] = organ->second;
+    if (const auto middle = fronts.middleOf(i)) {
       sightings[i]->x = (*middle)[0];
       sightings[i]->y = (*middle)[1];
     }
+  }
 }
 
 LabelSpace OrganLabels::Parts::space(const ViewGeometry& geometry) const {

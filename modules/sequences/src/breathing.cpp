@@ -10,7 +10,8 @@
 namespace viscera::sequences {
 namespace {
 
-/// The part of a breath at which expiration has all but ended: the pause follows.
+/// The part of a breath at which expiration has all but ended: the pause follows, and lasts for as long into
+/// the next breath. The liver moves by less than 2 % of its way in it.
 constexpr double kPause = 0.88;
 constexpr Eigen::Index kFewestHandles = 4;
 constexpr double kLargestShare = 0.5;
@@ -54,7 +55,10 @@ void LiverBreathing::poseAt(double seconds, double ratePerMinute, Points& pose) 
 }
 
 std::vector<Phase> LiverBreathing::phases(double) const {
-  return {{"inspiration", 0, 0.5}, {"expiration", 0.5, kPause}, {"pause", kPause, 1}};
+  return {{"pause", 0, 1 - kPause},
+          {"inspiration", 1 - kPause, 0.5},
+          {"expiration", 0.5, kPause},
+          {"pause", kPause, 1}};
 }
 
 } // namespace viscera::sequences

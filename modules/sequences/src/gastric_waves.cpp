@@ -9,12 +9,8 @@
 namespace viscera::sequences {
 namespace {
 
-// How fast a wave is where it arises and at the pylorus, mm/s; in between it gains speed with the way.
-constexpr double kFirstSpeed = 3.0;
-constexpr double kLastSpeed = 6.5;
-
-// It forms before it sets out and fades at the pylorus, s.
-constexpr double kFormsBefore = 3;
+// It begins to form before it sets out and fades at the pylorus, s.
+constexpr double kFormsBefore = 2;
 constexpr double kForming = 8;
 constexpr double kFading = 4;
 
@@ -25,18 +21,32 @@ constexpr double kDepthPower = 1.3;
 constexpr double kFirstWidth = 15;
 constexpr double kWidthLoss = 4;
 
+/// Above so many a minute waves meet stomach that has not yet recovered, and are the shallower the more.
+constexpr double kFullDepthRate = 4;
+
+// The pylorus begins to close when a wave is in the last part of the antrum and is shut when it has half of
+// that way left: as narrow there as its own wall of 3 mm is thick. It opens again while the wave fades.
+constexpr double kLastWay = 28; ///< mm
+constexpr double kShut = 0.6;
+constexpr double kPyloricWidth = 8; ///< One standard deviation, mm.
+/// What is narrowed by a wave and by the pylorus at once is hardly narrower than by one of them.
+constexpr double kTogether = 8;
+
 /// No ring closes more than this, however many waves meet.
 constexpr double kDeepest = 0.9;
 
 /// A wave is told of when it is deeper than this.
 constexpr double kVisible = 0.05;
 
-// Parts of the way at which the antrum and its last part begin.
+/// The part of the way at which the antrum begins.
 constexpr double kAntrum = 0.4;
-constexpr double kLastAntrum = 0.85;
+
+double clampedRate(double ratePerMinute) {
+  return std::clamp(ratePerMinute, GastricWaves::kLowestRate, GastricWaves::kHighestRate);
+}
 
 double periodOf(double ratePerMinute) {
-  return 60 / std::clamp(ratePerMinute, GastricWaves::kLowestRate, GastricWaves::kHighestRate);
+  return 60 / clampedRate(ratePerMinute);
 }
 
 } // namespace
@@ -51,13 +61,11 @@ GastricWaves::GastricWaves(const GastricCourse& course)
 }
 
 double GastricWaves::transitSeconds() const {
-  return length_ / (kLastSpeed - kFirstSpeed) * std::log(kLastSpeed / kFirstSpeed);
+  return length_ / kSpeed;
 }
 
 double GastricWaves::position(double age) const {
-  const double gain = kLastSpeed - kFirstSpeed;
-  const double moving = std::clamp(age, -kFormsBefore, transitSeconds());
-  return course_.midBody + kFirstSpeed * length_ / gain * std::expm1(gain * moving / length_);
+  return course_.midBody + kSpeed * std::clamp(age, -kFormsBefore, transitSeconds());
 }
 
 double GastricWaves::progress(double age) const {
@@ -68,6 +76,23 @@ double GastricWaves::depth(double age) const {
   const double grown = smoothStep((age + kFormsBefore) / kForming);
   const double left = 1 - smoothStep((age - transitSeconds()) / kFading);
   return course_.depth * (kFirstDepth + kDepthGain * std::pow(progress(age), kDepthPower)) * grown * left;
+}
+
+double GastricWaves::depth(double age, double ratePerMinute) const {
+  return depth(age) * std::min(1.0, kFullDepthRate / clampedRate(ratePerMinute));
+}
+
+double GastricWaves::shutBy(double age) const {
+  const double left = course_.pylorus - position(age);
+  const double closing = smoothStep(2 * (kLastWay - left) / kLastWay);
+  return kShut * course_.depth * closing * (1 - smoothStep((age - transitSeconds()) / kFading));
+}
+
+double GastricWaves::pyloricClosure(double seconds, double ratePerMinute) const {
+  double shut = 0;
+  for (const double age : ages(seconds, ratePerMinute))
+    shut = std::max(shut, shutBy(age));
+  return shut / (kShut * course_.depth);
 }
 
 std::vector<double> GastricWaves::ages(double seconds, double ratePerMinute) const {
@@ -85,15 +110,18 @@ double GastricWaves::constriction(double s, double seconds, double ratePerMinute
   for (const double age : ages(seconds, ratePerMinute)) {
     const double width = kFirstWidth - kWidthLoss * progress(age);
     const double away = (s - position(age)) / width;
-    open *= 1 - std::min(kDeepest, depth(age)) * std::exp(-0.5 * away * away);
+    open *= 1 - std::min(kDeepest, depth(age, ratePerMinute)) * std::exp(-0.5 * away * away);
   }
-  return 1 - open;
+  const double away = (s - course_.pylorus) / kPyloricWidth;
+  const double pylorus =
+      kShut * course_.depth * pyloricClosure(seconds, ratePerMinute) * std::exp(-0.5 * away * away);
+  return std::pow(std::pow(1 - open, kTogether) + std::pow(pylorus, kTogether), 1 / kTogether);
 }
 
 std::vector<double> GastricWaves::positions(double seconds, double ratePerMinute) const {
   std::vector<double> places;
   for (const double age : ages(seconds, ratePerMinute))
-    if (depth(age) > kVisible)
+    if (depth(age, ratePerMinute) > kVisible)
       places.push_back(position(age));
   return places;
 }
@@ -109,18 +137,25 @@ std::vector<NamedPlace> GastricWaves::places() const {
 std::vector<TravellingMark> GastricWaves::travelling(double seconds, double ratePerMinute) const {
   std::vector<TravellingMark> marks;
   for (const double age : ages(seconds, ratePerMinute))
-    if (depth(age) > kVisible)
-      marks.push_back({std::clamp(position(age) / course_.pylorus, 0.0, 1.0), depth(age)});
+    if (const double deep = depth(age, ratePerMinute); deep > kVisible)
+      marks.push_back({std::clamp(position(age) / course_.pylorus, 0.0, 1.0), deep});
   return marks;
 }
 
 const char* GastricWaves::placeOf(double age) const {
   if (age >= transitSeconds())
     return "wave fades at the pylorus";
-  const double way = progress(age);
-  if (way >= kLastAntrum)
+  if (course_.pylorus - position(age) <= kLastWay)
     return "terminal antral contraction";
-  return way >= kAntrum ? "wave in the antrum" : "wave in the body";
+  return progress(age) >= kAntrum ? "wave in the antrum" : "wave in the body";
+}
+
+std::string GastricWaves::rateRemark(double ratePerMinute) {
+  if (ratePerMinute < kLowestNormalRate)
+    return "Bradygastria: healthy people have 2 to 4 waves a minute.";
+  if (ratePerMinute > kHighestNormalRate)
+    return "Tachygastria: healthy people have 2 to 4 waves a minute.";
+  return {};
 }
 
 std::vector<Phase> GastricWaves::phases(double ratePerMinute) const {

@@ -10,7 +10,7 @@ class CliInterrupt : public CliTest, public testing::WithParamInterface<int> {};
 TEST_P(CliInterrupt, LeavesNothingHalfWritten) {
   options_.environment["XDG_CACHE_HOME"] = path("cache"); // Nothing is there: the organ has to be made.
   const test::ProcessResult result =
-      interrupted({"sample", "digestive_system@high", "-o", path("d.vtp"), "--json"},
+      interrupted({"sample", "stomach_and_bowel@high", "-o", path("d.vtp"), "--json"},
                   std::chrono::milliseconds(GetParam()), {"d.vtp", "cache"});
   ASSERT_EQ(result.exitCode, kCancelled) << result.err;
   EXPECT_EQ(result.out, "");

@@ -17,17 +17,18 @@ std::set<std::string> with(std::set<std::string> modules, const std::set<std::st
 
 /// What each module may include, itself left out. Arrows point downward only.
 const std::map<std::string, std::set<std::string>>& allowedModules() {
-  static const std::set<std::string> numerical = {"core",        "geometry",  "coordinates",
+  static const std::set<std::string> numerical = {"core",        "norms",     "geometry",   "coordinates",
                                                   "deformation", "sequences", "circulation"};
   static const std::set<std::string> documentUses = with(numerical, {"sample_organs", "medical_io"});
   static const std::map<std::string, std::set<std::string>> allowed = {
       {"core", {}},
+      {"norms", {"core"}},
       {"geometry", {"core"}},
       {"coordinates", {"core", "geometry"}},
       {"deformation", {"core", "geometry", "coordinates"}},
       {"tracking", {"core", "geometry", "coordinates", "deformation"}},
       {"sequences", {"core"}},
-      {"circulation", {"core"}},
+      {"circulation", {"core", "norms"}},
       {"plugin", {"core", "geometry", "coordinates"}},
       {"localised_scc", {"core", "geometry", "coordinates", "plugin"}},
       {"contour", {"core", "geometry"}},

@@ -5,10 +5,12 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "beating_labels.h"
 #include "lesson_scene.h"
 #include "run_process.h"
 #include "temporary_folder.h"
 #include "viscera/document/measurement_commands.h"
+#include "viscera/document/session_file.h"
 
 /// Lessons as a browser shows them. Debian's Chromium is driven by check_page.py; without it these tests are
 /// skipped by name (test.sh installs it).
@@ -54,6 +56,8 @@ protected:
   static ordered_json truthOf(const LessonPlan& plan, const LessonSource& source, live::PosedOrgans& organs) {
     ordered_json truth = {{"title", plan.title},
                           {"moves", source.sequence != nullptr},
+                          {"language", plan.language.empty() ? "en" : plan.language},
+                          {"eyes", true},
                           {"whole", true},
                           {"quiz", 0},
                           {"texts", ordered_json::array()},
@@ -128,6 +132,28 @@ private:
   }
 };
 
+/// What is between the first `open` in a file and the `close` behind it.
+std::string between(const std::filesystem::path& file, const std::string& open, const std::string& close) {
+  std::ifstream stream(file, std::ios::binary);
+  const std::string text(std::istreambuf_iterator<char>(stream), {});
+  const std::size_t begin = text.find(open);
+  return begin == std::string::npos
+             ? std::string()
+             : text.substr(begin + open.size(), text.find(close, begin) - begin - open.size());
+}
+
+/// A patient's beat as it was measured: `viscera track` follows a small heart in six phases.
+void track(const std::filesystem::path& folder, const std::filesystem::path& motion) {
+  std::vector<viscera::tests::LabelImage> phases;
+  for (int phase = 0; phase < 6; ++phase)
+    phases.push_back(viscera::tests::beatingLabels(phase / 6.0, Vec3(4, 4, 8)));
+  std::ofstream(folder / "cine.nii", std::ios::binary) << viscera::tests::nifti4d(phases, 150, 16);
+  const auto tracked = viscera::test::runProcess({VISCERA_PROGRAM, "track", (folder / "cine.nii").string(),
+                                                  "-o", motion.string(), "--handles", "60", "--surface",
+                                                  "LV=1", "--surface", "RV=2", "--surface", "EPI=1,2,3"});
+  ASSERT_EQ(tracked.exitCode, 0) << tracked.err;
+}
+
 } // namespace
 
 TEST_F(LessonPage, OfEachReadyLessonIsWhatTheProgramShows) {
@@ -154,9 +180,60 @@ TEST_F(LessonPage, OfEachReadyLessonIsWhatTheProgramShows) {
     ordered_json truth =
         truthOf(planLesson(scene.source, readySpec(ready.sequence)), scene.source, scene.live);
     truth["quiz"] = ready.quiz;
-    truth["whole"] = ready.reference == "heart";
+    truth["whole"] = truth["eyes"] = ready.reference == "heart";
     expectGood(page, truth, ready.reference);
   }
+}
+
+TEST_F(LessonPage, OfASessionHasThePatientsMotionItsSlidesAndAnEyeForEachOrgan) {
+  const viscera::tests::TemporaryFolder folder;
+  const std::filesystem::path motion = folder.path() / "m.sequence.json";
+  ASSERT_NO_FATAL_FAILURE(track(folder.path(), motion));
+  MotionFileScene scene(motion);
+  const document::Organ& left = *scene.document.organs().front();
+  scene.undo.perform(document::addMeasurement(
+      {document::nearestPoint(left, {-40, 0, 0}), document::nearestPoint(left, {20, 0, 0})}, "Width"));
+  presentation::ViewState view;
+  view.slides = {{"From the front", {.position = Vec3(0, -500, 20), .focus = Vec3(3, 0, 4)}, {}},
+                 {"Smallest", {.position = Vec3(-300, -200, 80), .focus = Vec3(-11, 0, 0)}, 0.5}};
+  document::SessionContents contents;
+  contents.state = scene.document.state();
+  contents.view = presentation::toJson(view);
+  contents.embedSurfaces = true;
+  document::writeSession(folder.path() / "s.viscera", contents, scene.progress);
+  for (const std::string name : {"s.viscera", "m.sequence.json"}) {
+    const auto made =
+        viscera::test::runProcess({VISCERA_PROGRAM, "lesson", (folder.path() / name).string(), "--language",
+                                   "de", "-o", (folder.path() / (name + ".html")).string(), "--json"});
+    ASSERT_EQ(made.exitCode, 0) << made.err;
+    EXPECT_LE(ordered_json::parse(made.out)["largestErrorMm"], 0.05);
+  }
+
+  LessonSource source = scene.source();
+  source.slides = view.slides;
+  LessonSpec german;
+  german.language = "de";
+  ordered_json truth = truthOf(planLesson(source, german), source, scene.live);
+  truth["whole"] = false;
+  truth["quiz"] = 3;
+  truth["slides"] = {
+      {{"title", "From the front"}, {"position", {0, -500, 20}}, {"focus", {3, 0, 4}}},
+      {{"title", "Smallest"}, {"position", {-300, -200, 80}}, {"focus", {-11, 0, 0}}, {"fraction", 0.5}}};
+  EXPECT_EQ(truth["texts"], ordered_json::parse(R"(["EPI", "Linker Ventrikel", "Rechter Ventrikel"])"));
+  expectGood(folder.path() / "s.viscera.html", truth, "patient");
+
+  const auto jsonOf = [&](const char* page) {
+    return ordered_json::parse(between(folder.path() / page, "id=\"lesson\">", "</script>"));
+  };
+  const ordered_json session = jsonOf("s.viscera.html"), file = jsonOf("m.sequence.json.html");
+  EXPECT_EQ(session["measurements"].size(), 1u);
+  ASSERT_EQ(file["surfaces"].size(), 3u);
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_EQ(file["surfaces"][i]["wall"], i == 0) << "the surface around the others";
+    EXPECT_EQ(file["surfaces"][i]["curves"], session["surfaces"][i]["curves"])
+        << "the file alone is the same motion";
+  }
+  EXPECT_NE(file["surfaces"][1]["color"], file["surfaces"][2]["color"]) << "ventricles are told apart";
 }
 
 TEST_F(LessonPage, OfStillOrgansWithMeasurementsAndHostileNamesStaysText) {
@@ -180,6 +257,7 @@ TEST_F(LessonPage, OfStillOrgansWithMeasurementsAndHostileNamesStaysText) {
   ordered_json truth = truthOf(plan, source, scene.live);
   addDrag(lesson, truth);
   truth["quiz"] = 1;
+  truth["hostile"] = true;
   truth["measurements"] = {document::measure(plan.measurements[0].measurement, source.state,
                                              [&](document::OrganId id) -> const Points& {
                                                return source.state.organ(id)->mesh->points;

@@ -100,7 +100,7 @@ TEST_P(LocalisedOnOrgans, AHandleHasWeightExactlyZeroOutsideItsRegionsAndTheirSu
 
 std::vector<tests::OrganCase> casesWithBowel() {
   auto cases = tests::organCases();
-  cases.push_back({"digestive_system", ""});
+  cases.push_back({"stomach_and_bowel", ""});
   return cases;
 }
 

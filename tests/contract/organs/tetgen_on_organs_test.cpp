@@ -57,7 +57,7 @@ TEST_P(TetGenOnOrgans, FillsEverySurfaceWithoutChangingIt) {
 
 INSTANTIATE_TEST_SUITE_P(Every, TetGenOnOrgans,
                          testing::Combine(testing::Values("heart", "stomach", "liver", "kidney_left",
-                                                          "kidney_right", "digestive_system"),
+                                                          "kidney_right", "stomach_and_bowel"),
                                           testing::Values(Resolution::low, Resolution::medium,
                                                           Resolution::high)),
                          nameOfCase);

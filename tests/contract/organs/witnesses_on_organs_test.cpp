@@ -57,7 +57,7 @@ TEST_P(SampleOrganWitnesses, GiveAUsableMapStraightFromTheSurface) {
 
 INSTANTIATE_TEST_SUITE_P(, SampleOrganWitnesses,
                          testing::Values("heart", "stomach", "liver", "kidney_left", "kidney_right",
-                                         "digestive_system"));
+                                         "stomach_and_bowel"));
 
 class SharedOrganWitnesses : public testing::TestWithParam<const char*> {};
 

@@ -14,7 +14,7 @@ namespace {
 std::vector<std::string> oddOnes(const Indices& indices) {
   std::vector<std::string> odd;
   for (const Reading& reading : readings())
-    if (reading.normal && !reading.normal->holds(reading.of(indices)))
+    if (const auto normal = normalOf(reading); normal && !normal->holds(reading.of(indices)))
       odd.push_back(reading.title);
   return odd;
 }

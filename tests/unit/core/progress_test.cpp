@@ -38,6 +38,24 @@ TEST(Progress, ThrowsOnceCancelled) {
   EXPECT_THROW(progress.throwIfCancelled(), Cancelled);
 }
 
+TEST(Progress, LetsTheWaitingSideActWhenTheJobLooks) {
+  Progress* whole = nullptr;
+  int looks = 0;
+  Progress progress({}, [&] {
+    if (++looks == 3)
+      whole->cancel();
+  });
+  whole = &progress;
+  progress.throwIfCancelled();
+  EXPECT_THROW(runPart(progress, 0, 1,
+                       [](Progress& part) {
+                         part.throwIfCancelled();
+                         ADD_FAILURE() << "The waiting side has cancelled.";
+                       }),
+               Cancelled);
+  EXPECT_EQ(looks, 3) << "two of the whole, one of its part";
+}
+
 TEST(Progress, APartThatReportsNothingSeesThatTheWholeIsCancelled) {
   Progress whole;
   EXPECT_THROW(runPart(whole, 0, 0.5,

@@ -64,6 +64,17 @@ TEST(GroupHandles, ClustersHoldTheWholeOrganAndUseEveryHandle) {
         << "handle " << handle;
 }
 
+TEST(GroupHandles, ClustersAreNeverTooSmallToBeUsed) {
+  const auto organ = longOrgan();
+  for (const int handles : {20, 30, 40, 60})
+    for (int count = 2; count <= 8; ++count) {
+      const auto grouping = groupsByCluster(placeHandles(organ, {handles}), organ.points, count);
+      ASSERT_EQ(grouping.groups.size(), static_cast<std::size_t>(count));
+      for (const auto& group : grouping.groups)
+        EXPECT_GE(group.handles.size(), 4U) << group.name << " of " << count << ", " << handles << " handles";
+    }
+}
+
 TEST(GroupHandles, EveryOrganGetsTheHandlesNearestToIt) {
   auto left = tests::sphere(3, 20, {-50, 0, 0}), right = tests::sphere(3, 20, {50, 0, 0});
   Points handles(16, 3);

@@ -9,6 +9,7 @@
 #include "page_json.h"
 #include "viscera/core/error.h"
 #include "viscera/document/measurement_commands.h"
+#include "viscera/document/recording_commands.h"
 
 namespace viscera::lesson {
 namespace {
@@ -56,9 +57,9 @@ TEST(LessonPlan, SpellsVentriclesOutAndKnowsWhatHealthyPeopleHave) {
   EXPECT_TRUE(plan.surfaces[0].ejects && plan.surfaces[1].ejects);
   EXPECT_TRUE(plan.surfaces[0].output);
   EXPECT_FALSE(plan.surfaces[1].output) << "the cardiac output is the left ventricle's";
-  ASSERT_EQ(plan.ranges.size(), 5u);
+  ASSERT_EQ(plan.ranges.size(), 6u) << "both ventricles have an ejection fraction";
   EXPECT_THAT(plan.ranges[0].text, HasSubstr("Left ventricle, end-diastolic volume"));
-  EXPECT_THAT(plan.notes, HasSubstr("10.1080/10976640500295516"));
+  EXPECT_THAT(plan.notes, HasSubstr("10.1186/s12968-017-0327-9"));
 }
 
 TEST(LessonPlan, LeavesHiddenOrgansOut) {
@@ -131,6 +132,68 @@ TEST(LessonPlan, KeepsTheEyeWhereTheWindowHasIt) {
   source.camera->angleDegrees = 10;
   EXPECT_LT((planLesson(source, {}).eye->position - Vec3(1, 2, 3)).norm(), 0.4 * 403)
       << "what a narrow lens shows is seen from nearer by";
+}
+
+TEST(LessonPlan, HasTheSessionsSlidesInOrderBeforeThoseOfItsFile) {
+  BallScene scene;
+  LessonSource source = scene.source(scene.sway());
+  source.slides = {
+      {"Whole", {.position = Vec3(0, -400, 0), .angleDegrees = 30}, {}},
+      {"Turned", {.position = Vec3(300, 0, 9), .focus = Vec3(0, 0, 9), .angleDegrees = 30}, 0.25}};
+  LessonSpec spec;
+  spec.slides = {{.title = "Last"}};
+  const LessonPlan plan = planLesson(source, spec);
+  ASSERT_EQ(plan.slides.size(), 3u);
+  EXPECT_EQ(plan.slides[0].title, "Whole");
+  EXPECT_FALSE(plan.slides[0].fraction) << "the motion goes on";
+  EXPECT_EQ(plan.slides[1].fraction, 0.25);
+  EXPECT_LT((plan.slides[1].eye->position - Vec3(300, 0, 9)).norm(), 1e-9);
+  EXPECT_EQ(plan.slides[2].title, "Last");
+  ArrayPacker packer;
+  const auto json =
+      nlohmann::json::parse(pageJson(makeLesson(plan, source, scene.live, scene.progress), packer));
+  EXPECT_EQ(json["slides"][1]["fraction"], 0.25);
+  EXPECT_EQ(json["slides"][1]["focus"], nlohmann::json::parse("[0.0, 0.0, 9.0]"));
+  EXPECT_FALSE(json["slides"][0].contains("names")) << "names stay as the reader has them";
+  source.sequence = nullptr;
+  EXPECT_FALSE(planLesson(source, spec).slides[1].fraction) << "still organs know no instant";
+}
+
+TEST(LessonPlan, OfASampleOrganTakesWhatSpeaksOfItsMotionOnlyWithThatMotion) {
+  SampleScene scene("breathing");
+  LessonSource source = scene.source;
+  const LessonSpec ready = readySpecFor(source);
+  EXPECT_GE(ready.labels.size(), 6u);
+  EXPECT_GE(ready.slides.size(), 4u);
+  EXPECT_FALSE(ready.title.empty());
+  source.slides = {{"Mine", {.position = Vec3(0, -400, 0)}, {}}};
+  EXPECT_TRUE(readySpecFor(source).slides.empty()) << "who has slides shows these";
+  source.slides.clear();
+  scene.undo.perform(document::recordKey(0));
+  source.state = scene.document.state();
+  source.sequence = document::sequenceOf(*source.state.recording, *source.state.rig);
+  const LessonSpec recorded = readySpecFor(source);
+  EXPECT_EQ(recorded.labels.size(), ready.labels.size());
+  EXPECT_TRUE(recorded.slides.empty() && recorded.rates.empty() && recorded.title.empty());
+  EXPECT_THAT(planLesson(source, recorded).notes, HasSubstr("not a medical device"));
+  EXPECT_TRUE(readySpecFor(BallScene().source(nullptr)).labels.empty());
+}
+
+TEST(LessonPlan, ChartsAVentricleThatIsSeenThrough) {
+  std::vector<document::NewOrgan> organs = {named("LV"), named("Wall")};
+  for (document::NewOrgan& organ : organs)
+    organ.organ.look.opacity = 0.3;
+  const LessonPlan plan = Organs(organs).plan();
+  EXPECT_TRUE(plan.surfaces[0].charted);
+  EXPECT_FALSE(plan.surfaces[1].charted) << "beside it the wall would press its curve flat";
+}
+
+TEST(LessonPlan, SpeaksTheLanguageThatIsAskedFor) {
+  LessonSpec spec = readSpec(R"({"language": "de"})", "test");
+  EXPECT_THAT(titlesOf(Organs({named("LV"), named("Meier_liver", "/data/Meier_liver.stl")}).plan(spec)),
+              ElementsAre("Linker Ventrikel", "Leber"));
+  spec.language = "xx";
+  EXPECT_THROW(Organs({named("LV")}).plan(spec), UsageError);
 }
 
 /// Whoever looks at the texts of a plan has seen all that a document says in the file.

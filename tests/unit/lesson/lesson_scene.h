@@ -11,6 +11,7 @@
 #include "viscera/document/open_files.h"
 #include "viscera/lesson/lesson.h"
 #include "viscera/lesson/packed_arrays.h"
+#include "viscera/motion/sequence_file.h"
 
 /// What the tests of lessons share.
 namespace viscera::lesson {
@@ -53,6 +54,33 @@ struct SampleScene {
         document::combined("Sample", {document::addOrgans(std::move(organs)), document::replaceRig(setup.rig),
                                       document::setSystem(setup.system)}));
     source = {.state = document.state(), .sequence = setup.sequence};
+  }
+};
+
+/// What a sequence file holds as a document with its recording, bound. The organ "EPI" is the wall around the
+/// others.
+struct MotionFileScene {
+  document::Document document;
+  document::UndoStack undo{document};
+  plugin::Registry registry = plugin::builtInRegistry();
+  JobQueue jobs{[](const std::function<void()>& work) { work(); }};
+  live::LiveBinding live{document, registry, jobs, {std::numeric_limits<double>::infinity(), {}}};
+  Progress progress;
+
+  explicit MotionFileScene(const std::filesystem::path& file) {
+    motion::SequenceFile motion = motion::readSequence(file);
+    std::vector<document::NewOrgan> organs;
+    for (const motion::SequenceOrgan& organ : motion.organs) {
+      organs.push_back({document::makeOrgan(organ.name, organ.mesh), -1});
+      organs.back().organ.look.opacity = organ.name == "EPI" ? 0.35 : 1;
+    }
+    undo.perform(document::addOrgans(std::move(organs)));
+    undo.perform(motion::openSequence(std::move(motion)));
+  }
+
+  LessonSource source() const {
+    return {.state = document.state(),
+            .sequence = document::sequenceOf(*document.state().recording, *document.state().rig)};
   }
 };
 

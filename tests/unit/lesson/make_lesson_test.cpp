@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "lesson_scene.h"
+#include "temporary_folder.h"
 #include "viscera/core/error.h"
 #include "viscera/geometry/volume.h"
 #include "viscera/sequences/keyframes.h"
@@ -54,6 +55,37 @@ TEST(MakeLesson, OfTheStomachFollowsItsWaves) {
   spec.rates = {1, 3, 6};
   const Lesson lesson = makeLesson(planLesson(scene.source, spec), scene.source, scene.live, scene.progress);
   EXPECT_LT(worstOver(lesson, scene.source, scene.live, kBetween), kMost);
+}
+
+TEST(MakeLesson, OfBreathingFollowsTheLiver) {
+  SampleScene scene("breathing");
+  const LessonSource& source = scene.source;
+  const Lesson lesson =
+      makeLesson(planLesson(source, readySpecFor(source)), source, scene.live, scene.progress);
+  EXPECT_LT(worstOver(lesson, source, scene.live, kBetween), kMost);
+  EXPECT_GE(lesson.plan.surfaces[0].labels.size(), 6u);
+  EXPECT_GE(lesson.plan.slides.size(), 4u);
+}
+
+TEST(MakeLesson, OfAMeasuredMotionInAFileFollowsEachOfItsOrgans) {
+  const viscera::tests::TemporaryFolder folder;
+  BallScene ball;
+  motion::SequenceFile file;
+  file.track = track(ball.document.rig().restPositions(), true, sequences::Easing::smooth);
+  file.track.interpolation = sequences::Interpolation::curve; // As `viscera track` writes it.
+  for (std::size_t i = 0; i < ball.document.rig().handles.size(); ++i)
+    file.labels.push_back("H" + std::to_string(i));
+  for (const auto& [name, radius] : {std::pair("LV", 12.0), {"RV", 9.0}, {"EPI", 30.0}})
+    file.organs.push_back({name, viscera::tests::ball(name, radius).organ.mesh});
+  motion::writeSequence(folder.path() / "m.sequence.json", file);
+  MotionFileScene scene(folder.path() / "m.sequence.json");
+  const LessonSource source = scene.source();
+  const Lesson lesson = makeLesson(planLesson(source, {}), source, scene.live, scene.progress);
+  ASSERT_EQ(lesson.surfaces.size(), 3u);
+  EXPECT_LT(worstOver(lesson, source, scene.live, kBetween), kMost);
+  EXPECT_LE(lesson.largestErrorMm, kMost);
+  for (const LessonSurface& surface : lesson.surfaces)
+    EXPECT_GT(surface.curves.maxCoeff() - surface.curves.minCoeff(), 1e-3);
 }
 
 TEST(MakeLesson, KnowsTheVolumesOfItsCurves) {

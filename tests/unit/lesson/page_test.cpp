@@ -11,6 +11,7 @@
 #include <nlohmann/json.hpp>
 
 #include "page_json.h"
+#include "page_strings.h"
 #include "temporary_folder.h"
 
 namespace viscera::lesson {
@@ -156,6 +157,38 @@ TEST(Page, SpeaksTheLanguageOfTheWindow) {
   const auto json = nlohmann::json::parse(between(page, "id=\"lesson\">", "</script>"));
   EXPECT_EQ(json["strings"]["quiz"], "ziuQ");
   EXPECT_EQ(json["strings"]["next"], "txeN");
+}
+
+TEST(Page, SpeaksEachLanguageThatComesWithTheProgram) {
+  const auto english = PageWords("en").pageStrings();
+  EXPECT_EQ(english.at("quiz"), "Quiz");
+  const std::vector<PageLanguage> languages = pageLanguages();
+  ASSERT_EQ(languages.size(), 5u);
+  for (const PageLanguage& language : languages) {
+    if (language.code == "en")
+      continue;
+    QTranslator translation;
+    ASSERT_TRUE(
+        translation.load(QString::fromStdString(":/viscera/translations/viscera_" + language.code + ".qm")));
+    for (const auto& [key, text] : english) {
+      const std::string translated = translation.translate("Lesson", text.c_str()).toStdString();
+      EXPECT_FALSE(translated.empty()) << language.code << " does not say: " << text;
+      for (const char* place : {"%1", "%2", "%3"})
+        EXPECT_EQ(countOf(text, place), countOf(translated, place)) << language.code << ": " << translated;
+    }
+    EXPECT_EQ(PageWords(language.code).said(kLanguageCode), language.code);
+  }
+}
+
+TEST(Page, WritesItsNumbersAsItsLanguageDoes) {
+  BallScene scene;
+  LessonSpec spec;
+  spec.language = "fr";
+  const std::string page = pageOf(scene.made(scene.source(nullptr), spec));
+  EXPECT_THAT(page, HasSubstr("<html lang=\"fr\" dir=\"ltr\">"));
+  const auto json = nlohmann::json::parse(between(page, "id=\"lesson\">", "</script>"));
+  EXPECT_EQ(json["language"], "fr");
+  EXPECT_EQ(json["strings"]["speed"], "Vitesse");
 }
 
 TEST(Page, IsShortEnoughToRead) {

@@ -236,5 +236,13 @@ TEST(OrganNorms, NamesWithASideOrANumberAreKnownAndTumoursAreNot) {
   EXPECT_EQ(organNorm(""), std::nullopt);
 }
 
+TEST(OrganNorms, DoubtsSayWhetherTheyQuoteARangeOrAverages) {
+  EXPECT_THAT(*doubtAboutVolume("liver", 239), HasSubstr("19 of 20 adults have 814 to 1906 ml"));
+  EXPECT_THAT(*doubtAboutVolume("heart", 90), HasSubstr("have on average 590 to 800 ml"));
+  EXPECT_THAT(*doubtAboutVolume("myocardium", 3000), HasSubstr("238 to 314 ml"));
+  EXPECT_EQ(doubtAboutVolume("kidney_left", 150), std::nullopt);
+  EXPECT_EQ(doubtAboutVolume("heart", 936), std::nullopt) << "with its great vessels";
+}
+
 } // namespace
 } // namespace viscera::medical_io

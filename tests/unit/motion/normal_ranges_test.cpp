@@ -6,7 +6,8 @@ namespace viscera::motion {
 namespace {
 
 TEST(NormalRanges, EveryRangeHasASourceAndPeopleAndASize) {
-  for (const char* organ : {"LV", "RV", "Stomach"}) {
+  for (const char* organ :
+       {"LV", "RV", "Stomach", "liver", "kidney_left", "Right kidney", "Spleen", "pancreas"}) {
     const std::vector<NormalRange> ranges = normalRanges(organ);
     EXPECT_FALSE(ranges.empty()) << organ;
     for (const NormalRange& range : ranges) {
@@ -18,19 +19,23 @@ TEST(NormalRanges, EveryRangeHasASourceAndPeopleAndASize) {
   }
 }
 
-TEST(NormalRanges, OfTheLeftVentricleReachFromSmallWomenToLargeMen) {
-  const std::vector<NormalRange> ranges = normalRanges("lv");
-  ASSERT_GE(ranges.size(), 2u);
-  EXPECT_EQ(ranges[0].quantity, NormalRange::Quantity::endDiastolicMl);
-  EXPECT_DOUBLE_EQ(ranges[0].low, 135 - 26);
-  EXPECT_DOUBLE_EQ(ranges[0].high, 160 + 29);
-  EXPECT_EQ(ranges[1].quantity, NormalRange::Quantity::endSystolicMl);
-  EXPECT_DOUBLE_EQ(ranges[1].low, 42 - 12);
-  EXPECT_DOUBLE_EQ(ranges[1].high, 50 + 16);
+TEST(NormalRanges, OfAVentricleAreThoseOfTheTableForThatPerson) {
+  const std::vector<NormalRange> all = normalRanges("lv");
+  ASSERT_EQ(all.size(), 3u);
+  EXPECT_EQ(all[0].quantity, NormalRange::Quantity::endDiastolicMl);
+  EXPECT_DOUBLE_EQ(all[0].low, 82);
+  EXPECT_DOUBLE_EQ(all[0].high, 230);
+  EXPECT_EQ(all[2].quantity, NormalRange::Quantity::ejectionPercent);
+  EXPECT_DOUBLE_EQ(all[2].low, 48);
+  EXPECT_DOUBLE_EQ(all[2].high, 71);
+  const std::vector<NormalRange> women = normalRanges("Right ventricle", {norms::Sex::women, 1.6});
+  ASSERT_EQ(women.size(), 3u);
+  EXPECT_DOUBLE_EQ(women[0].high, 1.6 * (77 + 2 * 13));
+  EXPECT_NE(women[0].people.find("1.60 m2"), std::string::npos) << women[0].people;
 }
 
 TEST(NormalRanges, AreNotInventedForOtherOrgans) {
-  EXPECT_TRUE(normalRanges("Spleen").empty());
+  EXPECT_TRUE(normalRanges("Tumour").empty());
   EXPECT_TRUE(normalRanges("").empty());
 }
 

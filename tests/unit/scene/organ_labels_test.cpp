@@ -93,6 +93,28 @@ TEST_F(Labels, OfHiddenOrgansAreNotDrawnAndNoneWithoutAsking) {
   EXPECT_TRUE(labels.drawn().empty());
 }
 
+TEST_F(Labels, OfPartsEndAtTheirVertexWhileItCanBeSeen) {
+  wall->setOpacity(1);
+  Eigen::Index front = 0, back = 0;
+  wall->mesh().points.col(1).minCoeff(&front);
+  wall->mesh().points.col(1).maxCoeff(&back);
+  labels.setItems({{"Front", wall, false, front}, {"Back", wall, false, back}});
+  window.render();
+  ASSERT_EQ(labels.drawn().size(), 1U) << "one is behind the wall";
+  auto beaten = std::make_shared<Points>(wall->mesh().points);
+  beaten->col(2).array() += 20;
+  wall->setPoints(beaten);
+  window.render();
+  const auto at = window.display(beaten->row(front).transpose());
+  EXPECT_NEAR(named("Front").targetX, at[0], 1);
+  EXPECT_NEAR(named("Front").targetY, at[1], 1);
+  window.view.lookFrom(StandardView::posterior);
+  window.view.renderer()->GetActiveCamera()->Zoom(0.6);
+  window.render();
+  ASSERT_EQ(labels.drawn().size(), 1U);
+  EXPECT_EQ(labels.drawn()[0].text, "Back");
+}
+
 TEST_F(Labels, AreLeftOutWhereTheOrganFillsTheView) {
   window.view.renderer()->GetActiveCamera()->Zoom(12);
   window.render();

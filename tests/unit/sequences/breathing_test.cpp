@@ -1,5 +1,6 @@
 #include "viscera/sequences/breathing.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <Eigen/LU>
@@ -66,11 +67,36 @@ TEST(LiverBreathing, spendsMoreTimeOutThanIn) {
 
 TEST(LiverBreathing, phasesCoverABreath) {
   const std::vector<Phase> phases = LiverBreathing(someHandles(), kLiver).phases(15);
-  ASSERT_EQ(phases.size(), 3u);
-  EXPECT_EQ(phases[0].begin, 0);
-  EXPECT_EQ(phases[1].begin, phases[0].end);
-  EXPECT_EQ(phases[2].begin, phases[1].end);
-  EXPECT_EQ(phases[2].end, 1);
+  double end = 0;
+  for (const Phase& phase : phases) {
+    EXPECT_EQ(phase.begin, end);
+    end = phase.end;
+  }
+  EXPECT_EQ(end, 1);
+}
+
+TEST(LiverBreathing, phasesSayWhatTheLiverDoes) {
+  const LiverBreathing breathing(someHandles(), kLiver);
+  constexpr double kRate = 15, kPeriod = 60 / kRate;
+  double in = 0, out = 0, rest = 0;
+  for (const Phase& phase : breathing.phases(kRate)) {
+    const double before = breathing.inspiration(phase.begin * kPeriod, kRate);
+    const double after = breathing.inspiration(phase.end * kPeriod, kRate);
+    const double length = phase.end - phase.begin;
+    if (phase.name == "inspiration") {
+      EXPECT_GT(after - before, 0.97);
+      in += length;
+    } else if (phase.name == "expiration") {
+      EXPECT_LT(after - before, -0.97);
+      out += length;
+    } else {
+      EXPECT_EQ(phase.name, "pause");
+      EXPECT_LT(std::max(before, after), 0.02) << "nothing moves in a pause";
+      rest += length;
+    }
+  }
+  EXPECT_NEAR((out + rest) / in, 1.6, 0.1);
+  EXPECT_LT(rest, out);
 }
 
 TEST(LiverBreathing, refusesWhatCannotBreathe) {

@@ -102,6 +102,8 @@ private:
     surface.largestSpacing = fields.positive("spacing", surface.largestSpacing);
     if (const json* triangles = fields.optional("triangles"))
       readLevels(*triangles, surface);
+    if (fields.optional("places"))
+      readPlaces(fields, surface);
     surface.root = fields.get("root");
     fields.requireNothingElse();
     for (const SurfaceDefinition& other : definition_.surfaces)
@@ -118,6 +120,14 @@ private:
       count = levels.integer(nameOf(resolution), count, kFewestTriangles, kMostTriangles);
     }
     levels.requireNothingElse();
+  }
+
+  static void readPlaces(Fields& fields, SurfaceDefinition& surface) {
+    for (const json& content : fields.list("places", 0)) {
+      Fields place(content, surface.where + ", \"places\"");
+      surface.places.push_back({place.text("name"), place.vector("at")});
+      place.requireNothingElse();
+    }
   }
 
   OrganDefinition definition_;

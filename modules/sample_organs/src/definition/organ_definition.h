@@ -21,6 +21,7 @@ struct SurfaceDefinition {
   Vec3 color = {0.8, 0.45, 0.4};                        ///< Red green blue, 0 to 1.
   std::array<int, 3> triangles = {3000, 30000, 150000}; ///< Low, medium, high.
   double largestSpacing = 1.6;                          ///< mm between samples of the field.
+  std::vector<geometry::NamedPlace> places;             ///< Parts that have names.
   nlohmann::json root;
   std::string where; ///< File and surface, for messages.
 

@@ -6,6 +6,7 @@
 
 #include "viscera/circulation/indices.h"
 #include "viscera/circulation/normal_values.h"
+#include "viscera/norms/norms.h"
 
 namespace viscera::circulation {
 
@@ -15,11 +16,14 @@ struct Reading {
   std::string unit;  ///< "ml"
   int decimals = 0;  ///< That are worth showing.
   double (*of)(const Indices&) = nullptr;
-  std::optional<NormalValues> normal; ///< Nothing where none is agreed upon.
+  std::string norm; ///< Its row in the table of normal ranges; empty where none is agreed upon.
 };
 
 /// The numbers, in the order of a table. O(1) after the first call; thread-safe.
 const std::vector<Reading>& readings();
+
+/// What is normal for that person; nothing where none is agreed upon.
+std::optional<NormalValues> normalOf(const Reading& reading, const norms::Person& person = {});
 
 /// "60 - 100", "from 1200", "up to 120".
 std::string rangeText(const NormalValues& normal, int decimals);

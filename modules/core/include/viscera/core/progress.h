@@ -13,9 +13,13 @@ class Progress {
 public:
   /// Called with a fraction in [0, 1] and the name of the present step; calls never overlap.
   using Listener = std::function<void(double fraction, const std::string& step)>;
+  /// Called whenever the job looks whether it was cancelled, on the thread that looks, from several at a
+  /// time: for a waiting side that has no thread of its own. It must be cheap and must not throw; it may call
+  /// `cancel()`.
+  using Look = std::function<void()>;
 
   Progress() = default;
-  explicit Progress(Listener listener);
+  explicit Progress(Listener listener, Look look = {});
 
   /// Tells the listener, at most once per per mille of progress or per new step name.
   void report(double fraction, const std::string& step = {});
@@ -23,6 +27,8 @@ public:
   /// Asks the job to stop; it ends with `Cancelled` at its next look.
   void cancel() { cancelled_.store(true, std::memory_order_relaxed); }
   bool cancelled() const {
+    if (look_)
+      look_();
     return cancelled_.load(std::memory_order_relaxed) || (whole_ && whole_->cancelled());
   }
 
@@ -33,6 +39,7 @@ private:
   friend void runPart(Progress&, double, double, const std::function<void(Progress&)>&);
 
   Listener listener_;
+  Look look_;
   std::mutex mutex_;
   double lastFraction_ = -1;
   std::string lastStep_;

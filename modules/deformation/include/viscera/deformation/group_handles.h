@@ -24,9 +24,10 @@ struct Grouping {
 /// out of range, `DataError` for no points. O(v + n).
 Grouping groupsAlongAxis(const Points& handles, const Points& organPoints, int count, double overlap = 0.25);
 
-/// Clusters the handles by nearness into `count` groups (k-means from farthest-point seeds); a handle about
+/// Clusters the organ into `count` parts by nearness (k-means of its points from farthest-point seeds, so that
+/// no group is without a part of the organ) and gives each the handles nearest to its middle; a handle about
 /// as near to a second cluster as to its own belongs to both. Throws as above, and `DataError` for fewer
-/// handles than groups.
+/// handles, or fewer points, than groups.
 Grouping groupsByCluster(const Points& handles, const Points& organPoints, int count);
 
 /// One group an organ: the handles nearer to it than to any other. Throws `DataError` for an organ without

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "viscera/document/ids.h"
+#include "viscera/geometry/named_place.h"
 #include "viscera/geometry/triangle_mesh.h"
 
 namespace viscera::document {
@@ -40,6 +41,8 @@ struct Organ {
   OrganId parent;             ///< The organ whose cavity this is; none for an organ of its own.
   std::filesystem::path file; ///< Where it was read from; empty for one that the program made.
   OrganOrigin origin;
+  /// Parts of it that have names. Of a sample organ, as its definition says; a session names the sample.
+  std::vector<geometry::NamedPlace> places;
   std::vector<std::string>
       warnings;             ///< What a user should know: assumed space, implausible size, what was mended.
   int boundaryEdges = 0;    ///< Edges with one triangle. An open surface has no volume.

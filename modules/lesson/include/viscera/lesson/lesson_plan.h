@@ -26,6 +26,7 @@ struct LessonSource {
   double ratePerMinute = 0;                                 ///< To begin with; 0: the sequence's own.
   std::optional<motion::PrescribedVolume> prescribed = {};  ///< As the window plays it.
   std::optional<presentation::Camera> camera = {};          ///< Where the reader's eye is to begin with.
+  std::vector<presentation::Slide> slides = {};             ///< Views that the session keeps, in order.
 };
 
 /// A name on a place of a surface.
@@ -72,6 +73,7 @@ struct PlannedPhase {
 /// All that will be in a lesson but its numbers: small, made at once, to be looked at and edited before the
 /// lesson itself is made. Nothing of the document comes into a lesson but by this list.
 struct LessonPlan {
+  std::string language; ///< Of the page's own texts, a code of `pageLanguages`; empty: the program's.
   std::string title;
   std::string notes; ///< Where it comes from, what it is not for.
   std::vector<PlannedSurface> surfaces;
@@ -88,9 +90,15 @@ struct LessonPlan {
 };
 
 /// Plans a lesson of the organs that are shown: titles from their names, ("LV" becomes "Left ventricle"),
-/// bands of healthy people, the document's measurements, and what `spec` says instead. Throws `UsageError`
-/// when no organ is shown, and for names and phases in `spec` that there are not.
+/// bands of healthy people, the document's measurements, the session's slides before those of `spec`, and
+/// what `spec` says instead. Throws `UsageError` when no organ is shown, and for a language, names and phases
+/// in `spec` that there are not.
 LessonPlan planLesson(const LessonSource& source, const LessonSpec& spec);
+
+/// What comes with the program for the sample organ that a document shows: names of its parts, and for the
+/// sequence of that organ title, notes, rates and slides, too; the session's own slides replace these. Empty
+/// for other organs.
+LessonSpec readySpecFor(const LessonSource& source);
 
 /// At most `kMostRates` rates between a sequence's lowest and highest, its own among them, ascending.
 std::vector<double> offeredRates(const sequences::Sequence& sequence);

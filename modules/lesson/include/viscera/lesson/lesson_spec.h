@@ -27,7 +27,7 @@ struct PlannedSlide {
   std::vector<std::string> hidden = {}; ///< Names of organs that are switched off.
   std::vector<std::size_t> hiddenSurfaces = {}; ///< The same by their places among the plan's surfaces.
   std::optional<double> seeThrough = {};        ///< Opacity of the walls, [0, 1].
-  bool names = true;
+  std::optional<bool> names = {};               ///< Whether names are shown; nothing: as the reader has it.
   bool handles = false;
 };
 
@@ -40,7 +40,8 @@ struct SpecLabel {
 
 /// What somebody says of a lesson beyond what the document holds (docs/lessons.md, "A lesson's own file").
 struct LessonSpec {
-  std::string title; ///< Empty: the document's.
+  std::string language; ///< Of the page's own texts, a code of `pageLanguages`; empty: the program's.
+  std::string title;    ///< Empty: the document's.
   std::string notes;
   std::map<std::string, std::string> names; ///< Of an organ, label or phase: what it is called instead.
   std::vector<double> rates;                ///< Empty: chosen.
@@ -48,6 +49,15 @@ struct LessonSpec {
   std::vector<PlannedSlide> slides;
   std::optional<int> handles; ///< How many are placed; 0: none. Nothing: the rig's own where they are few.
 };
+
+/// A language of the page's own texts.
+struct PageLanguage {
+  std::string code; ///< BCP 47: "de".
+  std::string name; ///< In that language: "Deutsch".
+};
+
+/// The languages that come with the program, English first.
+std::vector<PageLanguage> pageLanguages();
 
 /// Reads one from JSON. Throws `DataError` that names `where` and the key for text that is none.
 LessonSpec readSpec(const std::string& json, const std::string& where);

@@ -13,12 +13,10 @@ namespace viscera::medical_io {
 /// On which side of the middle an organ lies.
 enum class BodySide { right, middle, left };
 
-/// Volumes are women's and men's means (liver, spleen and kidneys from autopsies and CT, the heart from its
-/// muscle alone to its whole outside).
+/// What is known of an organ by its name. A heart is the whole organ with its blood, a myocardium its muscle.
 struct OrganNorm {
-  std::string_view name; ///< "kidney"
-  std::optional<std::pair<double, double>>
-      volumeMl; ///< Lower and upper mean; none where fillings differ too much.
+  std::string_view name;   ///< "kidney"
+  std::string_view volume; ///< Its row in the table of `norms`; empty where fillings differ too much.
   BodySide side = BodySide::middle;
 };
 
@@ -26,10 +24,8 @@ struct OrganNorm {
 /// that is known.
 std::optional<OrganNorm> organNorm(std::string_view name);
 
-/// Organs differ by up to that factor from the means before they are questioned.
-inline constexpr double kNormTolerance = 3;
-
-/// "liver" of 239 ml: as a sentence, when it is more than `kNormTolerance` away from the norm.
+/// "liver" of 239 ml: as a sentence, when its volume is less than half or more than twice what 19 of 20
+/// adults have, or, where only averages are known, beyond three times those.
 std::optional<std::string> doubtAboutVolume(std::string_view name, double volumeMl);
 
 /// A unit in which a file may have been written.

@@ -3,6 +3,8 @@
 #include <string>
 #include <vector>
 
+#include "viscera/norms/norms.h"
+
 /// What a clinician reads off volumes, and what healthy people have.
 namespace viscera::motion {
 
@@ -29,15 +31,17 @@ struct NormalRange {
     volumeMl,        ///< A volume that the cycle leaves as it is.
   };
   Quantity quantity = Quantity::volumeMl;
+  std::string norm; ///< Its row in the table of `norms`: "lv.edv".
   std::string name; ///< "end-diastolic volume"
   double low = 0;   ///< In ml or per cent, as the quantity says.
   double high = 0;
-  std::string people; ///< Whose range it is: "108 healthy volunteers, mean +- one standard deviation".
-  std::string source; ///< "Hudsmith and others 2005, doi ..."
+  std::string people; ///< Whose range it is: "women, mean +- 2 standard deviations; 800 healthy people ...".
+  std::string source; ///< "Petersen 2017, doi ..."
 };
 
-/// The ranges known for an organ, by its name in a sample ("LV", "RV", "Stomach"; capitals do not matter);
-/// empty for any other. A ventricle's range runs from the lower bound of women to the upper bound of men.
-std::vector<NormalRange> normalRanges(const std::string& organ);
+/// The ranges known for an organ, by its name in a sample ("LV", "RV", "Stomach", "kidney_left"; capitals do
+/// not matter), of the table of `norms` and for that person; empty for any other. The heart has none: its
+/// surface takes in stumps of the great vessels, and no spread of the whole organ is known.
+std::vector<NormalRange> normalRanges(const std::string& organ, const norms::Person& person = {});
 
 } // namespace viscera::motion

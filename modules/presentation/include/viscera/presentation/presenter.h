@@ -12,6 +12,7 @@
 #include "viscera/live/posed_organs.h"
 #include "viscera/live/stress_frame.h"
 #include "viscera/plugin/registry.h"
+#include "viscera/presentation/part_names.h"
 #include "viscera/presentation/stress_values.h"
 #include "viscera/presentation/view_state.h"
 #include "viscera/scene/color_map.h"
@@ -62,6 +63,8 @@ struct Scene {
   const SurfaceMap* map = nullptr;           ///< Null: only what `view` asks for.
   const MeasuringNow* measuring = nullptr;
   const std::vector<Guest>* guests = nullptr;
+  /// The parts whose names are written instead of those that `view` asks for; null: as it says.
+  const std::vector<Part>* parts = nullptr;
   const Bending* bending = nullptr; ///< For slices in the view that are bent; null: they cannot be.
 };
 

@@ -6,6 +6,7 @@
 
 #include "viscera/core/arrays.h"
 #include "viscera/document/ids.h"
+#include "viscera/norms/norms.h"
 #include "viscera/presentation/scan_look.h"
 #include "viscera/presentation/stress_look.h"
 #include "viscera/scene/region_hulls.h"
@@ -102,6 +103,7 @@ struct ViewState {
   bool influence = false;
   bool ghost = false;
   bool labels = false;
+  bool partNames = false; ///< Of the parts of organs that have named places.
   bool measurements = true;
   bool orientationCube = true;
   bool scaleBar = true;
@@ -113,6 +115,7 @@ struct ViewState {
   StressLook stress;
   ScanLook scan;
   OrganCut cut;
+  norms::Person person; ///< Whose normal ranges are shown.
 
   SelectionState selection;
   std::vector<MotionChoice> motions;

@@ -8,6 +8,7 @@
 
 #include "viscera/core/parallel.h"
 #include "viscera/core/progress.h"
+#include "viscera/geometry/named_place.h"
 #include "viscera/geometry/triangle_mesh.h"
 
 /// Organs that the program makes itself, from the compact definitions in `sample_organs/`.
@@ -23,7 +24,8 @@ std::string nameOf(Resolution resolution);
 struct SampleSurface {
   std::string name; ///< "outer", "lv", "rv"
   std::shared_ptr<const geometry::TriangleMesh> mesh;
-  Vec3 color = {0.8, 0.45, 0.4}; ///< The surface's own colour, red green blue, 0 to 1.
+  Vec3 color = {0.8, 0.45, 0.4};            ///< The surface's own colour, red green blue, 0 to 1.
+  std::vector<geometry::NamedPlace> places; ///< Its parts that have names.
 };
 
 struct SampleOrgan {
@@ -59,6 +61,11 @@ SampleOrgan sampleOrgan(const SampleLibrary& library, const std::string& name, R
 SampleSurface sampleSurface(const SampleLibrary& library, const std::string& organ,
                             const std::string& surface, Resolution resolution, Progress& progress,
                             Threads threads = {});
+
+/// The parts of a surface that have names, without making it. Throws as `sampleSurface`. Takes some
+/// milliseconds.
+std::vector<geometry::NamedPlace> namedPlaces(const SampleLibrary& library, const std::string& organ,
+                                              const std::string& surface);
 
 /// A named implicit surface of a definition: negative inside, about the distance in mm near the surface. For
 /// placing handles by the anatomy. Thread-safe.

@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include <Eigen/Core>
+
 #include "viscera/scene/label_layout.h"
 #include "viscera/scene/organ_actor.h"
 #include "viscera/scene/theme.h"
@@ -12,9 +14,9 @@ namespace viscera::scene {
 
 class OrganView;
 
-/// Names beside the organs of a view, each with a line to what it names. Labels follow the camera and the
-/// motion; they overlap neither each other nor any organ, and one that finds no room is left out. Belongs to
-/// the thread that renders; the view has to live longer.
+/// Names beside the organs of a view and beside parts of them, each with a line to what it names. Labels
+/// follow the camera and the motion; they overlap neither each other nor any organ, and one that finds no
+/// room is left out. Belongs to the thread that renders; the view has to live longer.
 class OrganLabels {
 public:
   /// What is to be labelled.
@@ -22,6 +24,9 @@ public:
     std::string text; ///< UTF-8.
     std::shared_ptr<const OrganActor> organ;
     bool atEdge = false; ///< The line ends at the organ's edge: its middle is full of other organs.
+    /// The line ends at this vertex of the organ while the reader can see it, and the label is left out while
+    /// not; -1: anywhere on the organ.
+    Eigen::Index vertex = -1;
   };
 
   /// A label as it was drawn last, in device pixels from the lower left corner.

@@ -30,6 +30,9 @@ public:
   double standardRatePerMinute() const override { return GastricWaves::kStandardRate; }
   double lowestRatePerMinute() const override { return GastricWaves::kLowestRate; }
   double highestRatePerMinute() const override { return GastricWaves::kHighestRate; }
+  std::string rateRemark(double ratePerMinute) const override {
+    return GastricWaves::rateRemark(ratePerMinute);
+  }
 
   /// One call of `volume`, and O(n^2). Throws `DataError` when no B keeps the volume.
   void poseAt(double seconds, double ratePerMinute, Points& pose) const override;

@@ -1,0 +1,80 @@
+#include <cmath>
+
+#include <CLI/CLI.hpp>
+
+#include "cli/commands/all_commands.h"
+#include "cli/listing.h"
+#include "viscera/core/text.h"
+#include "viscera/motion/taught_quantities.h"
+
+namespace viscera::app::cli {
+namespace {
+
+using motion::TaughtQuantity;
+using nlohmann::ordered_json;
+
+ordered_json bound(double value) {
+  return std::isfinite(value) ? ordered_json(value) : ordered_json();
+}
+
+ordered_json jsonOf(const TaughtQuantity& row, const norms::Range& range) {
+  return {{"id", row.norm->id},
+          {"where", row.where},
+          {"here", row.here},
+          {"unit", row.norm->unit},
+          {"low", bound(range.low)},
+          {"high", bound(range.high)},
+          {"within", range.holds(row.here)},
+          {"remark", row.remark},
+          {"source", row.norm->source}};
+}
+
+/// `viscera reference`: what healthy adults have, and what the program shows.
+class ReferenceCommand final : public Command {
+public:
+  std::string name() const override { return "reference"; }
+  std::string summary() const override {
+    return "Measure what the program teaches, beside what healthy adults have";
+  }
+
+  void addOptions(CLI::App& options) override {
+    options.add_option("--sex", sex_, "Whose ranges")
+        ->check(CLI::IsMember({"either", "women", "men"}))
+        ->capture_default_str();
+    options.add_option("--body-surface", surfaceM2_, "Ranges of a person of that body surface, m2")
+        ->type_name("M2")
+        ->check(CLI::Range(norms::kSmallestBodySurfaceM2, norms::kLargestBodySurfaceM2));
+    options.add_flag("--markdown", markdown_, "As a table in Markdown, as in docs/reference_values.md");
+  }
+
+  Outcome run(Surroundings& surroundings) override {
+    const norms::Person person{norms::sexFromId(sex_), surfaceM2_};
+    const std::vector<TaughtQuantity> rows =
+        motion::taughtQuantities(surroundings.samples, surroundings.progress, surroundings.threads);
+    Outcome outcome;
+    outcome.json = {{"sex", sex_}, {"bodySurfaceM2", surfaceM2_}, {"rows", ordered_json::array()}};
+    Listing listing;
+    for (const TaughtQuantity& row : rows) {
+      const norms::Range range = norms::rangeOf(*row.norm, person);
+      outcome.json["rows"].push_back(jsonOf(row, range));
+      listing.add(row.norm->subject + ", " + row.norm->quantity,
+                  significant(row.here, 3) + " " + row.norm->unit + " (" + row.where + "); healthy adults " +
+                      motion::rangeText(range));
+    }
+    outcome.text = markdown_ ? motion::markdownTable(rows, person) : listing.text();
+    return outcome;
+  }
+
+private:
+  std::string sex_ = "either";
+  double surfaceM2_ = 0;
+  bool markdown_ = false;
+};
+
+} // namespace
+
+std::unique_ptr<Command> referenceCommand() {
+  return std::make_unique<ReferenceCommand>();
+}
+
+} // namespace viscera::app::cli

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <QObject>
+
+#include <optional>
+
+#include "viscera/presentation/part_names.h"
+#include "window/modes/mode.h"
+
+namespace viscera::app {
+
+/// Asks where the parts of the organs are: the names go, a part is asked for, a click on an organ is the
+/// answer, and what was found keeps its name. Changes nothing in the document; another list of organs ends
+/// it.
+class QuizTool final : public QObject {
+  Q_OBJECT
+
+public:
+  /// All have to live longer.
+  QuizTool(Workspace& workspace, Picture& picture, QObject* parent = nullptr);
+
+  /// Whether there is anything to ask for.
+  bool possible() const;
+  bool active() const { return quiz_.has_value(); }
+  void begin();
+  void end();
+  /// A click on an organ, null for one beside all. False when no answer is awaited.
+  bool click(const ClickedPlace* place);
+
+  /// "Click: Left atrium"; empty while nothing is asked.
+  const QString& question() const { return question_; }
+  /// What became of the last answer, and how far one is.
+  const QString& result() const { return result_; }
+  const presentation::PartQuiz* quiz() const { return quiz_ ? &*quiz_ : nullptr; }
+
+Q_SIGNALS:
+  void changed();
+
+private:
+  QString nameOf(const presentation::Part& part) const;
+  void ask();
+
+  Workspace& workspace_;
+  Picture& picture_;
+  std::optional<presentation::PartQuiz> quiz_;
+  std::shared_ptr<const document::OrganList> organs_; ///< Of which is asked.
+  QString question_;
+  QString result_;
+  Subscription documents_;
+};
+
+} // namespace viscera::app

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <QWidget>
+
+#include "viscera/norms/norms.h"
+
+class QComboBox;
+class QDoubleSpinBox;
+
+namespace viscera::app {
+
+class ViewModel;
+
+/// Whose normal ranges are shown: women, men or either, of a body surface or of any. Kept in the view.
+class PersonBox final : public QWidget {
+  Q_OBJECT
+
+public:
+  explicit PersonBox(ViewModel& view, QWidget* parent = nullptr);
+
+private:
+  void choose();
+  void sync();
+
+  ViewModel& view_;
+  QComboBox* sex_;
+  QDoubleSpinBox* surface_;
+};
+
+} // namespace viscera::app

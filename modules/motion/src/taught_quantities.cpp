@@ -1,0 +1,187 @@
+#include "viscera/motion/taught_quantities.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+#include "sequence_binding.h"
+#include "viscera/circulation/periodic_state.h"
+#include "viscera/circulation/readings.h"
+#include "viscera/circulation/scenario.h"
+#include "viscera/core/text.h"
+#include "viscera/geometry/volume.h"
+#include "viscera/motion/clinical_numbers.h"
+#include "viscera/motion/sequence_setup.h"
+#include "viscera/sequences/peristalsis.h"
+
+namespace viscera::motion {
+namespace {
+
+constexpr double kPercent = 100;
+constexpr int kInstants = 192;
+constexpr auto kResolution = sample_organs::Resolution::medium;
+
+/// A sequence on its sample organ at its own rate.
+class Played {
+public:
+  Played(const sample_organs::SampleLibrary& library, const std::string& id, Progress& progress,
+         Threads threads)
+      : setup_(setUpSequence(library, id, kResolution, progress, threads)), threads_(threads) {}
+
+  const SequenceSetup& setup() const { return setup_; }
+  const sequences::Sequence& sequence() const { return *setup_.sequence; }
+  double rate() const { return sequence().standardRatePerMinute(); }
+  std::string where() const { return sequence().id() + ", " + significant(rate(), 3) + " a minute"; }
+
+  Points poseAt(double fraction) const {
+    Points pose;
+    sequence().poseAt(fraction * 60 / rate(), rate(), pose);
+    return pose;
+  }
+
+  MovedVolume surface(const std::string& name) const {
+    return MovedVolume(surfaceOf(setup_.organ, name), sequence().restHandles(), setup_.system, threads_);
+  }
+
+  std::vector<double> cycleMl(const std::string& name, Progress& progress) const {
+    const MovedVolume volume = surface(name);
+    std::vector<double> milliliters;
+    for (int i = 0; i < kInstants; ++i) {
+      progress.throwIfCancelled();
+      milliliters.push_back(volume.at(poseAt(static_cast<double>(i) / kInstants)));
+    }
+    return milliliters;
+  }
+
+private:
+  SequenceSetup setup_;
+  Threads threads_;
+};
+
+class Collector {
+public:
+  Collector(const sample_organs::SampleLibrary& library, Progress& progress, Threads threads)
+      : library_(library), progress_(progress), threads_(threads) {}
+
+  std::vector<TaughtQuantity> collect() {
+    addHeartbeat();
+    addCirculation();
+    addOrgans();
+    addStomach();
+    addBreathing();
+    return std::move(rows_);
+  }
+
+private:
+  void add(const std::string& id, const std::string& where, double here, std::string remark = {}) {
+    rows_.push_back({&norms::norm(id), where, here, std::move(remark)});
+  }
+
+  void addHeartbeat() {
+    const Played beat(library_, "heartbeat", progress_, threads_);
+    for (const std::string side : {"lv", "rv"}) {
+      const CardiacIndices indices = cardiacIndices(beat.cycleMl(side, progress_), beat.rate());
+      add(side + ".edv", beat.where(), indices.endDiastolicMl);
+      add(side + ".esv", beat.where(), indices.endSystolicMl);
+      add(side + ".sv", beat.where(), indices.strokeVolumeMl);
+      add(side + ".ef", beat.where(), kPercent * indices.ejectionFraction);
+      if (side == "lv")
+        add("heart.output", beat.where(), indices.cardiacOutputLPerMinute);
+    }
+  }
+
+  void addCirculation() {
+    const circulation::Parameters rest = circulation::scenarioParameters("rest");
+    const circulation::PeriodicState state = circulation::findPeriodicState(rest, progress_);
+    const circulation::Indices indices = circulation::indicesOf(rest, state.beat);
+    for (const circulation::Reading& reading : circulation::readings())
+      if (!reading.norm.empty())
+        add(reading.norm, "circulation, rest", reading.of(indices));
+  }
+
+  double volumeOf(const std::string& name) {
+    const auto organ = sample_organs::sampleOrgan(library_, name, kResolution, progress_);
+    const geometry::TriangleMesh& mesh = *organ.surfaces.front().mesh;
+    return geometry::volume(mesh.points, mesh.triangles) / kMm3PerMl;
+  }
+
+  void addOrgans() {
+    add("heart.volume", "sample organ", volumeOf("heart"),
+        "the surface takes in stumps of the great vessels, and the range is one of means");
+    add("liver.volume", "sample organ", volumeOf("liver"));
+    add("kidney.left", "sample organ", volumeOf("kidney_left"), "with stumps of vessels and ureter");
+    add("kidney.right", "sample organ", volumeOf("kidney_right"), "with stumps of vessels and ureter");
+    add("stomach.volume", "sample organ", volumeOf("stomach"), "with the ends of oesophagus and duodenum");
+  }
+
+  void addStomach() {
+    const Played stomach(library_, "peristalsis", progress_, threads_);
+    const auto& peristalsis = dynamic_cast<const sequences::Peristalsis&>(stomach.sequence());
+    const sequences::GastricWaves& waves = peristalsis.waves();
+    double deepest = 0;
+    for (double age = 0; age < waves.transitSeconds(); age += 1)
+      deepest = std::max(deepest, waves.depth(age));
+    add("stomach.rate", stomach.where(), stomach.rate());
+    add("stomach.speed", stomach.where(), sequences::GastricWaves::kSpeed,
+        "that of the surface is measured by a test");
+    add("stomach.occlusion", stomach.where(), kPercent * deepest, "of the radius of the outside");
+  }
+
+  void addBreathing() {
+    const Played breath(library_, "breathing", progress_, threads_);
+    const MovedVolume liver = breath.surface("outer");
+    const auto height = [&](double fraction) {
+      return liver.surfaceAt(breath.poseAt(fraction)).points.col(2).mean();
+    };
+    double drawn = 0;
+    for (const sequences::Phase& phase : breath.sequence().phases(breath.rate()))
+      drawn += phase.name == "inspiration" ? phase.end - phase.begin : 0;
+    add("breathing.rate", breath.where(), breath.rate());
+    add("breathing.down", breath.where(), height(0) - height(0.5), "mean of the surface");
+    add("breathing.duty", breath.where(), kPercent * drawn);
+  }
+
+  const sample_organs::SampleLibrary& library_;
+  Progress& progress_;
+  Threads threads_;
+  std::vector<TaughtQuantity> rows_;
+};
+
+std::string withUnit(const std::string& number, const norms::Norm& norm) {
+  return norm.unit.empty() ? number : number + " " + norm.unit;
+}
+
+std::string verdict(const TaughtQuantity& row, const norms::Range& range) {
+  const std::string said = range.holds(row.here) ? "yes" : "no";
+  return row.remark.empty() ? said : said + ": " + row.remark;
+}
+
+} // namespace
+
+std::vector<TaughtQuantity> taughtQuantities(const sample_organs::SampleLibrary& library, Progress& progress,
+                                             Threads threads) {
+  return Collector(library, progress, threads).collect();
+}
+
+std::string rangeText(const norms::Range& range) {
+  const auto number = [](double value) { return significant(value, value < 1000 ? 3 : 4); };
+  if (!std::isfinite(range.low))
+    return "up to " + number(range.high);
+  return number(range.low) + (std::isfinite(range.high) ? " to " + number(range.high) : " and more");
+}
+
+std::string markdownTable(const std::vector<TaughtQuantity>& quantities, const norms::Person& person) {
+  std::string table = "| quantity | where | here | in healthy adults | within | whose range | source |\n"
+                      "|---|---|---|---|---|---|---|\n";
+  for (const TaughtQuantity& row : quantities) {
+    const norms::Norm& norm = *row.norm;
+    const norms::Range range = norms::rangeOf(norm, person);
+    table += "| " + norm.subject + ", " + norm.quantity + " | " + row.where + " | " +
+             withUnit(significant(row.here, 3), norm) + " | " + withUnit(rangeText(range), norm) + " | " +
+             verdict(row, range) + " | " + norms::meaningOf(norm, person) + "; " + norm.people + " | " +
+             norm.source + " |\n";
+  }
+  return table;
+}
+
+} // namespace viscera::motion

@@ -1,0 +1,92 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+/// What healthy adults have: the one table that charts, the check of imported organs, the circulation,
+/// reports and lessons take their normal ranges from, each row with its source.
+namespace viscera::norms {
+
+/// Whose ranges are asked for.
+enum class Sex {
+  either, ///< From the lower bound of one sex to the upper bound of the other.
+  women,
+  men,
+};
+
+/// The person that a number is compared with.
+struct Person {
+  Sex sex = Sex::either;
+  double bodySurfaceM2 = 0; ///< m2; 0: not known, ranges are those of people of any size.
+
+  bool operator==(const Person&) const = default;
+};
+
+/// Body surfaces that a person may be given, m2.
+inline constexpr double kSmallestBodySurfaceM2 = 1.2;
+inline constexpr double kLargestBodySurfaceM2 = 2.8;
+
+/// Mean and standard deviation.
+struct Measured {
+  double mean = 0;
+  double deviation = 0;
+};
+
+/// From where to where; infinite where there is no bound.
+struct Range {
+  double low = 0;
+  double high = 0;
+
+  bool holds(double value) const { return value >= low && value <= high; }
+};
+
+/// What the bounds of a row are.
+enum class Kind {
+  spread,   ///< Mean minus to mean plus two standard deviations: 19 of 20 healthy people lie within.
+  limits,   ///< As the source draws them: a guideline, or what is customary.
+  averages, ///< From the mean of women to that of men: people differ by more than that.
+};
+
+/// One row of the table.
+struct Norm {
+  std::string id;       ///< "lv.edv"
+  std::string subject;  ///< "Left ventricle"
+  std::string quantity; ///< "end-diastolic volume"
+  std::string unit;     ///< "ml"
+  Kind kind = Kind::spread;
+  std::string
+      people; ///< Who was measured, and how: "800 healthy people of 45 to 74 years, by magnetic resonance".
+  std::string source; ///< "Petersen 2017, doi 10.1186/s12968-017-0327-9"
+  std::optional<Measured> women = {};
+  std::optional<Measured> men = {};
+  std::optional<Measured> everybody = {};  ///< Where the source does not tell the sexes apart.
+  std::optional<Measured> womenPerM2 = {}; ///< A square metre of body surface.
+  std::optional<Measured> menPerM2 = {};
+  std::optional<Range> limits = {}; ///< Of `Kind::limits`.
+
+  /// Whether the row knows women from men, or small people from large ones.
+  bool knowsSex() const { return women.has_value(); }
+  bool knowsSize() const { return womenPerM2.has_value(); }
+};
+
+/// All rows, those of one subject together. O(1) after the first call; thread-safe, as all of this module.
+const std::vector<Norm>& table();
+
+/// The row of that id. Throws `UsageError` when there is none.
+const Norm& norm(std::string_view id);
+
+/// What is normal for that person. What the row does not know of, it leaves aside.
+Range rangeOf(const Norm& norm, const Person& person = {});
+
+/// How `rangeOf` comes about: "women, mean +- 2 standard deviations, for 1.8 m2 of body surface".
+std::string meaningOf(const Norm& norm, const Person& person = {});
+
+/// "women and men", "women", "men".
+std::string_view nameOf(Sex sex);
+/// What `nameOf` calls "either", "women" or "men" in files; anything else is either.
+Sex sexFromId(std::string_view id);
+std::string_view idOf(Sex sex);
+
+} // namespace viscera::norms

@@ -1,0 +1,63 @@
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "viscera/document/document.h"
+#include "viscera/document/organ.h"
+
+/// Parts of organs that have a name in anatomy (`document::Organ::places`), for labels and for a quiz.
+namespace viscera::presentation {
+
+/// One of them.
+struct Part {
+  document::OrganId organ;
+  std::size_t place = 0;    ///< In `Organ::places`.
+  Eigen::Index vertex = -1; ///< Of the organ's surface: the nearest to the place.
+
+  friend bool operator==(const Part&, const Part&) = default;
+};
+
+/// All parts of visible organs, in the order of the document. O(places x vertices).
+std::vector<Part> partsOf(const document::OrganList& organs);
+
+/// The part's name, in English.
+const std::string& nameOf(const Part& part, const document::OrganList& organs);
+
+/// The part of the organ whose vertex is nearest to a place on it in its present pose; none for an organ
+/// without parts. `points` are the organ's, `n x 3` mm.
+std::optional<Part> nearestPart(const std::vector<Part>& parts, document::OrganId organ, const Points& points,
+                                const Vec3& place);
+
+/// Asks for all parts, one after the other, in an order that the seed chooses; one that was not found is
+/// asked again at the end.
+///
+///     PartQuiz quiz(partsOf(organs), seed);
+///     while (quiz.asked())
+///       say(quiz.answer(clicked) ? "Right" : "No");
+class PartQuiz {
+public:
+  PartQuiz() = default;
+  PartQuiz(std::vector<Part> parts, unsigned seed);
+
+  /// The part that is to be found; null when all were.
+  const Part* asked() const { return open_.empty() ? nullptr : &open_.front(); }
+  /// Whether that is it. Then, and after two wrong answers, the next one is asked.
+  bool answer(const Part& chosen);
+
+  const std::vector<Part>& all() const { return all_; }
+  /// Those that were found, in that order.
+  const std::vector<Part>& found() const { return found_; }
+  int mistakes() const { return mistakes_; }
+
+private:
+  std::vector<Part> all_;
+  std::vector<Part> open_; ///< The one that is asked first.
+  std::vector<Part> found_;
+  int mistakes_ = 0;
+  int tries_ = 0; ///< For the one that is asked.
+};
+
+} // namespace viscera::presentation

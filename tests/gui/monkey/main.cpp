@@ -1,0 +1,162 @@
+#include <QElapsedTimer>
+
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <fstream>
+#include <iostream>
+#include <string>
+#include <vector>
+
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include "printed.h"
+#include "window/application.h"
+#include "window/run_window.h"
+#include "window_monkey.h"
+
+/// The monkey as a program:
+///   window_monkey --seed N [--runs N] [--actions N]   so many runs from that seed on, each in a process of
+///   its own window_monkey --replay FILE                       the actions of a file, told one by one
+///   window_monkey --shrink FILE                       leaves out what does not matter, and writes FILE again
+/// What a run that goes wrong did is left in monkey-SEED.txt.
+namespace {
+
+using viscera::tests::MonkeyAction;
+using Actions = std::vector<MonkeyAction>;
+
+constexpr int kViolation = 1;
+constexpr long kMostMegabytes = 2048;
+constexpr unsigned kLongestRun = 900; ///< s; longer, and it hangs.
+
+/// The program's arguments, for Qt.
+struct Arguments {
+  int count = 0;
+  char** values = nullptr;
+};
+
+/// Does the actions in this process; says on standard output what goes wrong.
+int perform(const Actions& actions, Arguments arguments, bool tell) {
+  viscera::app::prepareForApplication();
+  viscera::app::Application application(arguments.count, arguments.values);
+  viscera::app::setUpApplication(application);
+  viscera::tests::keepPrinted();
+  viscera::tests::WindowMonkey monkey;
+  std::string wrong;
+  std::size_t number = 0;
+  for (; number < actions.size() && wrong.empty(); ++number) {
+    QElapsedTimer timer;
+    timer.start();
+    monkey.act(actions[number]);
+    wrong = monkey.violation();
+    if (tell)
+      std::cout << number << ": " << monkey.did() << ", " << timer.elapsed() << " ms" << std::endl;
+  }
+  const std::string last = monkey.did();
+  if (wrong.empty())
+    wrong = monkey.undoViolation();
+  if (wrong.empty())
+    wrong = monkey.closeViolation();
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  if (wrong.empty() && usage.ru_maxrss / 1024 > kMostMegabytes)
+    wrong = "it took " + std::to_string(usage.ru_maxrss / 1024) + " MB";
+  if (wrong.empty())
+    return 0;
+  std::cout << "after action " << number << " (" << last << "): " << wrong << std::endl;
+  return kViolation;
+}
+
+/// The same in a process of its own; 0 when all holds.
+int performApart(const Actions& actions, const Arguments& arguments, bool tell = false) {
+  std::cout.flush();
+  const pid_t child = fork();
+  if (child == 0) {
+    alarm(kLongestRun);
+    const int code = perform(actions, arguments, tell);
+    std::cout.flush();
+    std::_Exit(code);
+  }
+  int status = 0;
+  waitpid(child, &status, 0);
+  if (WIFSIGNALED(status))
+    std::cout << "ended by signal " << WTERMSIG(status) << std::endl;
+  return WIFEXITED(status) ? WEXITSTATUS(status) : kViolation;
+}
+
+Actions read(const std::string& file) {
+  Actions actions;
+  std::ifstream stream(file);
+  for (std::string line; std::getline(stream, line);)
+    if (!line.empty())
+      actions.push_back(viscera::tests::actionFrom(line));
+  return actions;
+}
+
+void write(const std::string& file, const Actions& actions) {
+  std::ofstream stream(file);
+  for (const MonkeyAction& action : actions)
+    stream << viscera::tests::lineOf(action) << "\n";
+}
+
+/// Leaves out parts, halves first, as long as something still goes wrong.
+void shrink(const std::string& file, const Arguments& arguments) {
+  Actions actions = read(file);
+  for (std::size_t part = actions.size() / 2; part > 0; part /= 2) {
+    for (std::size_t first = 0; first < actions.size();) {
+      Actions less = actions;
+      less.erase(less.begin() + static_cast<std::ptrdiff_t>(first),
+                 less.begin() + static_cast<std::ptrdiff_t>(std::min(first + part, less.size())));
+      if (performApart(less, arguments) != 0) {
+        actions = less;
+        write(file, actions);
+      } else {
+        first += part;
+      }
+    }
+  }
+  std::cout << actions.size() << " actions are left\n";
+}
+
+int runSeeds(unsigned seed, int runs, int count, const Arguments& arguments) {
+  int failed = 0;
+  for (int run = 0; run < runs; ++run, ++seed) {
+    const Actions actions = viscera::tests::randomActions(seed, count);
+    if (performApart(actions, arguments) == 0)
+      continue;
+    ++failed;
+    const std::string file = "monkey-" + std::to_string(seed) + ".txt";
+    write(file, actions);
+    std::cout << "seed " << seed << " went wrong; its actions are in " << file << std::endl;
+  }
+  std::cout << runs << " runs of " << count << " actions, " << failed << " went wrong" << std::endl;
+  return failed == 0 ? 0 : kViolation;
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+  unsigned seed = 1;
+  int runs = 1, count = 200;
+  qputenv("QT_QPA_PLATFORM", "xcb");
+  const Arguments arguments{argc, argv};
+  for (int i = 1; i + 1 < argc; i += 2) {
+    const std::string option = argv[i];
+    if (option == "--replay")
+      return performApart(read(argv[i + 1]), arguments, true);
+    if (option == "--shrink") {
+      shrink(argv[i + 1], arguments);
+      return 0;
+    }
+    const int number = std::atoi(argv[i + 1]);
+    if (option == "--seed")
+      seed = static_cast<unsigned>(number);
+    else if (option == "--runs")
+      runs = number;
+    else if (option == "--actions")
+      count = number;
+  }
+  return runSeeds(seed, runs, count, arguments);
+}

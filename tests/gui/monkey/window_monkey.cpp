@@ -1,0 +1,416 @@
+#include "window_monkey.h"
+
+#include <QAbstractButton>
+#include <QAbstractItemView>
+#include <QAbstractSlider>
+#include <QAbstractSpinBox>
+#include <QAction>
+#include <QApplication>
+#include <QComboBox>
+#include <QDialog>
+#include <QMenu>
+#include <QTabBar>
+#include <QTest>
+#include <QWheelEvent>
+
+#include <array>
+#include <fstream>
+#include <functional>
+#include <map>
+#include <sstream>
+
+#include "../window_probe.h"
+#include "label_files.h"
+#include "printed.h"
+#include "shapes.h"
+#include "viscera/document/validate.h"
+#include "viscera/geometry/volume.h"
+#include "viscera/medical_io/surface_file.h"
+#include "window/import/import_desk.h"
+#include "window/session/session_files.h"
+#include "window/view/view_area.h"
+
+namespace viscera::tests {
+namespace {
+
+constexpr int kLongestWait = 90000; ///< ms; a sample heart may have to be made first.
+constexpr double kVolumeTolerance = 1e-9;
+
+/// What would leave the window or ask the desktop for something.
+const QStringList kLeftAlone = {QStringLiteral("file.quit")};
+
+template <typename List>
+auto& pick(List& list, double which) {
+  return list[std::min<std::size_t>(static_cast<std::size_t>(which * static_cast<double>(list.size())),
+                                    static_cast<std::size_t>(list.size()) - 1)];
+}
+
+struct Kind {
+  const char* name;
+  int weight;
+};
+constexpr std::array<Kind, 12> kKinds = {{{"open", 3},
+                                          {"trigger", 24},
+                                          {"widget", 22},
+                                          {"drag", 16},
+                                          {"click", 6},
+                                          {"key", 8},
+                                          {"wheel", 3},
+                                          {"undo", 8},
+                                          {"redo", 4},
+                                          {"session", 3},
+                                          {"window", 3},
+                                          {"play", 8}}};
+
+/// Widgets that somebody could use now.
+std::vector<QWidget*> usableWidgets(QWidget& window) {
+  std::vector<QWidget*> usable;
+  for (QWidget* widget : window.findChildren<QWidget*>()) {
+    if (!widget->isVisible() || !widget->isEnabled())
+      continue;
+    if (qobject_cast<QAbstractButton*>(widget) || qobject_cast<QAbstractSlider*>(widget) ||
+        qobject_cast<QAbstractSpinBox*>(widget) || qobject_cast<QComboBox*>(widget) ||
+        qobject_cast<QAbstractItemView*>(widget) || qobject_cast<QTabBar*>(widget))
+      usable.push_back(widget);
+  }
+  return usable;
+}
+
+std::string nameOf(const QObject& object) {
+  const auto* button = qobject_cast<const QAbstractButton*>(&object);
+  return std::string(object.metaObject()->className()) + " " + object.objectName().toStdString() +
+         (button ? " \"" + button->text().toStdString() + "\"" : std::string());
+}
+
+void useItems(QAbstractItemView& items, const MonkeyAction& action) {
+  if (!items.model() || items.model()->rowCount() == 0)
+    return;
+  const int row = static_cast<int>(action.b * items.model()->rowCount());
+  const int column = static_cast<int>(action.c * items.model()->columnCount());
+  const QPoint place = items.visualRect(items.model()->index(row, column)).center();
+  QTest::mouseClick(items.viewport(), Qt::LeftButton, action.d < 0.2 ? Qt::ControlModifier : Qt::NoModifier,
+                    place);
+}
+
+} // namespace
+
+std::string lineOf(const MonkeyAction& action) {
+  std::ostringstream line;
+  line << action.kind << ' ' << action.a << ' ' << action.b << ' ' << action.c << ' ' << action.d
+       << (action.hasty ? " hasty" : "");
+  return line.str();
+}
+
+MonkeyAction actionFrom(const std::string& line) {
+  MonkeyAction action;
+  std::istringstream words(line);
+  std::string hasty;
+  words >> action.kind >> action.a >> action.b >> action.c >> action.d >> hasty;
+  action.hasty = hasty == "hasty";
+  return action;
+}
+
+std::vector<MonkeyAction> randomActions(unsigned seed, int count) {
+  std::mt19937 random(seed);
+  const auto number = [&] { return static_cast<double>(random() >> 12U) / (1U << 20U); };
+  int all = 0;
+  for (const Kind& kind : kKinds)
+    all += kind.weight;
+  std::vector<MonkeyAction> actions;
+  for (int i = 0; i < count; ++i) {
+    int left = static_cast<int>(number() * all);
+    std::size_t kind = 0;
+    while ((left -= kKinds.at(kind).weight) >= 0)
+      ++kind;
+    MonkeyAction action{kKinds.at(kind).name, number(), number(), number(), number()};
+    action.hasty = number() < 0.15;
+    actions.push_back(actionFrom(lineOf(action))); // With the digits that a file has.
+  }
+  return actions;
+}
+
+WindowMonkey::WindowMonkey() {
+  makeFiles();
+  settings_ = std::make_unique<app::Settings>(folder_.filePath(QStringLiteral("viscera.ini")));
+  settings_->setValue("files/pictures", folder_.path());
+  window_ = std::make_unique<app::MainWindow>(*settings_, plugin::builtInRegistry(), [this] { return now_; });
+  window_->sessions().setQuestion([](const QString&) { return app::SessionFiles::Answer::discard; });
+  window_->resize(1280, 800);
+  window_->show();
+  setViewSize(*window_, 320, 240); // Software draws it: small pictures, more actions.
+  settle();
+  begin_ = window_->workspace().state();
+}
+
+WindowMonkey::~WindowMonkey() = default;
+
+void WindowMonkey::makeFiles() {
+  for (const auto& [name, radius] : {std::pair("ball.stl", 60.0), std::pair("large.vtp", 90.0)}) {
+    const QString file = folder_.filePath(QString::fromLatin1(name));
+    medical_io::writeSurface(file.toStdString(), sphere(3, radius));
+    files_ << file;
+  }
+  geometry::TriangleMesh open = sphere(2, 40);
+  open.triangles.conservativeResize(open.triangles.rows() - 9, 3);
+  files_ << folder_.filePath(QStringLiteral("open.ply"));
+  medical_io::writeSurface(files_.back().toStdString(), open);
+  const auto put = [this](const char* name, const std::string& bytes) {
+    files_ << folder_.filePath(QString::fromLatin1(name));
+    std::ofstream(files_.back().toStdString(), std::ios::binary) << bytes;
+  };
+  put("broken.vtk", "# vtk DataFile Version 3.0\nbroken\nASCII\nDATASET POLYDATA\nPOINTS 900 float\n0 0");
+  LabelImage labels = emptyLabels({24, 20, 16});
+  addBall(labels, Vec3(0, 0, 0), 9, 1);
+  addBall(labels, Vec3(14, 0, 0), 5, 2);
+  put("labels.nii", niftiFile(labels));
+  for (std::size_t voxel = 0; voxel < labels.voxels.size(); ++voxel) // Too many values for labels: a scan.
+    labels.voxels[voxel] = static_cast<std::int16_t>(voxel % 4000 - 1000 + 300 * labels.voxels[voxel]);
+  put("scan.nii", niftiFile(labels));
+}
+
+void WindowMonkey::act(const MonkeyAction& action) {
+  using Do = std::function<void(const MonkeyAction&)>;
+  static const auto doIt = [](void (WindowMonkey::*member)(const MonkeyAction&)) { return member; };
+  const std::map<std::string, Do> kinds = {
+      {"open", [this](const MonkeyAction& a) { openSomething(a.a); }},
+      {"trigger", [this](const MonkeyAction& a) { triggerAction(a.a); }},
+      {"widget", std::bind_front(doIt(&WindowMonkey::useWidget), this)},
+      {"drag", std::bind_front(doIt(&WindowMonkey::dragInView), this)},
+      {"click", std::bind_front(doIt(&WindowMonkey::clickInView), this)},
+      {"key", std::bind_front(doIt(&WindowMonkey::pressKey), this)},
+      {"wheel",
+       [this](const MonkeyAction& a) {
+         const QPoint at = placeInView(a.a, a.b);
+         QWheelEvent event(at, window_->viewArea().view()->mapToGlobal(at), {}, {0, a.c < 0.5 ? 120 : -120},
+                           Qt::NoButton, Qt::NoModifier, Qt::NoScrollPhase, false);
+         QApplication::sendEvent(window_->viewArea().view(), &event);
+       }},
+      {"undo", [this](const MonkeyAction&) { window_->actions()["edit.undo"]->trigger(); }},
+      {"redo", [this](const MonkeyAction&) { window_->actions()["edit.redo"]->trigger(); }},
+      {"session", std::bind_front(doIt(&WindowMonkey::saveAndOpen), this)},
+      {"window", std::bind_front(doIt(&WindowMonkey::changeWindow), this)},
+      {"play", std::bind_front(doIt(&WindowMonkey::play), this)}};
+  did_ = action.kind;
+  QTimer closer; // A dialog that runs a loop of its own is left as it came.
+  QObject::connect(&closer, &QTimer::timeout, [this] { dismissDialogs(); });
+  closer.start(40);
+  kinds.at(action.kind)(action);
+  QTest::qWait(5);
+  if (!action.hasty)
+    settle();
+  dismissDialogs();
+  if (!window_->workspace().undo().canUndo() && !window_->workspace().undo().canRedo())
+    begin_ = window_->workspace().state();
+}
+
+void WindowMonkey::dismissDialogs() {
+  if (QWidget* popup = QApplication::activePopupWidget())
+    popup->close();
+  for (QWidget* top : QApplication::topLevelWidgets())
+    if (auto* dialog = qobject_cast<QDialog*>(top); dialog && dialog->isVisible())
+      dialog->reject();
+}
+
+void WindowMonkey::settle() {
+  int quiet = 0;
+  stuck_ = !QTest::qWaitFor(
+      [&] {
+        quiet = atPeace(*window_) ? quiet + 1 : 0;
+        return quiet > 2;
+      },
+      kLongestWait);
+}
+
+void WindowMonkey::openSomething(double which) {
+  static const std::vector<QString> samples = {QStringLiteral("heart"), QStringLiteral("liver"),
+                                               QStringLiteral("stomach"), QStringLiteral("kidney_left")};
+  if (which < 0.4) {
+    const QString& sample = pick(samples, which / 0.4);
+    did_ += " sample " + sample.toStdString();
+    window_->samples().load(sample, which < 0.2);
+    return;
+  }
+  const QString& file = pick(files_, (which - 0.4) / 0.6);
+  did_ += " " + file.section(QLatin1Char('/'), -1).toStdString();
+  window_->files().open({file});
+}
+
+void WindowMonkey::triggerAction(double which) {
+  std::vector<QAction*> enabled;
+  for (QAction* action : window_->actions().all())
+    if (action->isEnabled() && !kLeftAlone.contains(action->objectName()))
+      enabled.push_back(action);
+  QAction* action = pick(enabled, which);
+  did_ += " " + action->objectName().toStdString() + " \"" + action->text().toStdString() + "\"";
+  action->trigger();
+}
+
+void WindowMonkey::useWidget(const MonkeyAction& action) {
+  const std::vector<QWidget*> usable = usableWidgets(*window_);
+  if (usable.empty())
+    return;
+  QWidget* widget = pick(usable, action.a);
+  did_ += " " + nameOf(*widget);
+  if (auto* button = qobject_cast<QAbstractButton*>(widget))
+    button->click();
+  else if (auto* slider = qobject_cast<QAbstractSlider*>(widget))
+    slider->setValue(slider->minimum() + int(action.b * (slider->maximum() - slider->minimum())));
+  else if (auto* spin = qobject_cast<QAbstractSpinBox*>(widget))
+    action.b < 0.5 ? spin->stepUp() : spin->stepDown();
+  else if (auto* combo = qobject_cast<QComboBox*>(widget); combo && combo->count() > 0) {
+    const int index = static_cast<int>(action.b * combo->count());
+    combo->setCurrentIndex(index);
+    Q_EMIT combo->activated(index);
+  } else if (auto* tabs = qobject_cast<QTabBar*>(widget); tabs && tabs->count() > 0)
+    tabs->setCurrentIndex(static_cast<int>(action.b * tabs->count()));
+  else if (auto* items = qobject_cast<QAbstractItemView*>(widget))
+    useItems(*items, action);
+}
+
+QPoint WindowMonkey::placeInView(double x, double y) {
+  const app::ViewWidget& view = *window_->viewArea().view();
+  return {static_cast<int>(x * view.width()), static_cast<int>(y * view.height())};
+}
+
+void WindowMonkey::dragInView(const MonkeyAction& action) {
+  app::ViewWidget& view = *window_->viewArea().view();
+  QPoint from = placeInView(action.a, action.b);
+  vtkVisceraHandleSetRepresentation* handles = viewOf(*window_).handles();
+  if (action.d < 0.7 && handles->GetNumberOfHandles() > 0) { // Most drags take a handle.
+    const int handle = static_cast<int>(action.a * handles->GetNumberOfHandles());
+    const Vec3 place = handles->GetPosition(handle);
+    double display[3];
+    vtkInteractorObserver::ComputeWorldToDisplay(viewOf(*window_).renderer(), place.x(), place.y(), place.z(),
+                                                 display);
+    from = {static_cast<int>(display[0]), view.height() - 1 - static_cast<int>(display[1])};
+    did_ += " handle " + std::to_string(handle);
+  }
+  const QPoint by(static_cast<int>((action.b - 0.5) * 120), static_cast<int>((action.c - 0.5) * 120));
+  const Qt::MouseButton button = action.d > 0.9 ? Qt::RightButton : Qt::LeftButton;
+  const auto modifiers = action.d > 0.55 && action.d < 0.6 ? Qt::ShiftModifier : Qt::NoModifier;
+  QTest::mouseMove(&view, from);
+  QTest::mousePress(&view, button, modifiers, from);
+  for (int step = 1; step <= 4; ++step) {
+    QTest::mouseMove(&view, from + by * step / 4);
+    QTest::qWait(2);
+  }
+  if (action.d > 0.35 && action.d < 0.4) // Changed their mind.
+    QTest::keyClick(&view, Qt::Key_Escape);
+  QTest::mouseRelease(&view, button, modifiers, from + by);
+}
+
+void WindowMonkey::clickInView(const MonkeyAction& action) {
+  app::ViewWidget& view = *window_->viewArea().view();
+  const QPoint at = placeInView(action.a, action.b);
+  const Qt::KeyboardModifiers modifiers = action.d < 0.2   ? Qt::ControlModifier
+                                          : action.d < 0.4 ? Qt::ShiftModifier
+                                                           : Qt::NoModifier;
+  QTest::mouseMove(&view, at);
+  if (action.c < 0.2)
+    QTest::mouseDClick(&view, Qt::LeftButton, modifiers, at);
+  else
+    QTest::mouseClick(&view, action.c > 0.9 ? Qt::RightButton : Qt::LeftButton, modifiers, at);
+}
+
+void WindowMonkey::pressKey(const MonkeyAction& action) {
+  static const std::vector<Qt::Key> keys = {
+      Qt::Key_1,      Qt::Key_2,      Qt::Key_3,     Qt::Key_4,      Qt::Key_5,      Qt::Key_Space,
+      Qt::Key_Left,   Qt::Key_Right,  Qt::Key_Up,    Qt::Key_Down,   Qt::Key_Delete, Qt::Key_Tab,
+      Qt::Key_Escape, Qt::Key_Return, Qt::Key_Comma, Qt::Key_Period, Qt::Key_PageUp, Qt::Key_PageDown,
+      Qt::Key_F5,     Qt::Key_F6,     Qt::Key_F11,   Qt::Key_A,      Qt::Key_C,      Qt::Key_H,
+      Qt::Key_L,      Qt::Key_M,      Qt::Key_R,     Qt::Key_X};
+  const Qt::KeyboardModifiers modifiers = action.b < 0.15  ? Qt::ControlModifier
+                                          : action.b < 0.3 ? Qt::ShiftModifier
+                                                           : Qt::NoModifier;
+  const Qt::Key key = pick(keys, action.a);
+  did_ += " " + QKeySequence(int(key) | int(modifiers)).toString().toStdString();
+  QTest::keyClick(window_.get(), key, modifiers);
+}
+
+void WindowMonkey::saveAndOpen(const MonkeyAction& action) {
+  const QString file =
+      folder_.filePath(action.a < 0.5 ? QStringLiteral("a.viscera") : QStringLiteral("b.viscera"));
+  if (action.b < 0.5) {
+    did_ += " save";
+    window_->sessions().saveTo(file, action.c < 0.5);
+  } else if (action.b < 0.9 && QFile::exists(file)) {
+    did_ += " open";
+    window_->sessions().open(file);
+  } else {
+    did_ += " new";
+    window_->sessions().begin();
+  }
+}
+
+void WindowMonkey::changeWindow(const MonkeyAction& action) {
+  if (action.a < 0.6)
+    window_->resize(900 + static_cast<int>(action.b * 800), 600 + static_cast<int>(action.c * 500));
+  else
+    window_->setTheme(action.b < 0.5 ? app::ThemeKind::dark : app::ThemeKind::light);
+}
+
+/// Time goes on, whether something plays or not.
+void WindowMonkey::play(const MonkeyAction& action) {
+  const int frames = 1 + static_cast<int>(action.a * 8);
+  for (int frame = 0; frame < frames; ++frame) {
+    now_ += 0.01 + 0.09 * action.b;
+    window_->playback().advance();
+    QTest::qWait(1);
+  }
+}
+
+std::string WindowMonkey::violation() {
+  std::ostringstream wrong;
+  wrong << takePrinted() << (stuck_ ? "the work that was begun does not end; " : "");
+  try {
+    document::validate(window_->workspace().state());
+  } catch (const Error& error) {
+    wrong << "the document is not valid: " << error.what() << "; ";
+  }
+  if (!atPeace(*window_))
+    return wrong.str();
+  if (!window_->imports().isOpen()) // It shows organs that are not in the document yet.
+    wrong << disagreement(*window_);
+  wrong << offTheTimeline(window_->workspace(), window_->playback());
+  for (const auto& organ : window_->workspace().document().organs()) {
+    const live::OrganVolume shown = window_->workspace().live().volume(organ->id);
+    if (!shown.closed)
+      continue;
+    const double computed =
+        geometry::volume(window_->workspace().live().points(organ->id), organ->mesh->triangles) / kMm3PerMl;
+    if (std::abs(computed - shown.nowMl) > kVolumeTolerance * std::max(1.0, std::abs(computed)))
+      wrong << organ->name << " has " << computed << " ml, " << shown.nowMl << " are said; ";
+  }
+  return wrong.str();
+}
+
+std::string WindowMonkey::undoViolation() {
+  window_->playback().pause();
+  settle();
+  document::UndoStack& undo = window_->workspace().undo();
+  const document::DocumentState end = window_->workspace().state();
+  const std::size_t position = undo.position();
+  while (undo.canUndo())
+    undo.undo();
+  settle();
+  std::ostringstream wrong;
+  if (!(window_->workspace().state() == begin_))
+    wrong << "undoing all does not give the first document; ";
+  wrong << violation();
+  while (undo.canRedo() && undo.position() < position)
+    undo.redo();
+  settle();
+  if (!(window_->workspace().state() == end))
+    wrong << "redoing all does not give the last document; ";
+  wrong << violation();
+  return wrong.str();
+}
+
+std::string WindowMonkey::closeViolation() {
+  window_->close();
+  window_.reset();
+  QTest::qWait(5);
+  return takePrinted();
+}
+
+} // namespace viscera::tests

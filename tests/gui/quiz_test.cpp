@@ -1,0 +1,102 @@
+#include "play_fixture.h"
+
+#include <QAction>
+#include <QLabel>
+
+#include <algorithm>
+
+#include "viscera/presentation/presenter.h"
+#include "window/modes/explore_mode.h"
+#include "window_probe.h"
+
+namespace viscera::tests {
+namespace {
+
+/// The sample heart in Explore, seen from the front.
+class Parts : public PlayMode {
+protected:
+  void SetUp() override {
+    PlayMode::SetUp();
+    window().setMode("explore");
+    window().actions()["view.anterior"]->trigger();
+    settle();
+  }
+  std::vector<std::string> named() {
+    std::vector<std::string> names;
+    for (const auto& label : window().picture().presenter().labels().drawn())
+      names.push_back(label.text);
+    return names;
+  }
+  bool isNamed(const std::string& part) {
+    const auto names = named();
+    return std::find(names.begin(), names.end(), part) != names.end();
+  }
+  QString label(const char* name) { return window().findChild<QLabel*>(QString::fromLatin1(name))->text(); }
+  /// Where a part of the heart is on the screen.
+  QPoint placeOf(const std::string& name) {
+    const auto& heart = *document().organs().front();
+    for (const presentation::Part& part : presentation::partsOf(document().organs()))
+      if (presentation::nameOf(part, document().organs()) == name)
+        return onScreen(window().workspace().live().points(heart.id).row(part.vertex).transpose());
+    ADD_FAILURE() << "no part " << name;
+    return {};
+  }
+};
+
+TEST_F(Parts, AreNamedWhereTheyCanBeSeenAndFollowTheBeat) {
+  EXPECT_TRUE(named().empty());
+  key(Qt::Key_N, Qt::ShiftModifier);
+  EXPECT_TRUE(isNamed("Apex"));
+  EXPECT_TRUE(isNamed("Right atrium"));
+  EXPECT_FALSE(isNamed("Left atrium")) << "it is behind the heart";
+  window().actions()["view.posterior"]->trigger();
+  settle();
+  EXPECT_TRUE(isNamed("Left atrium"));
+  EXPECT_FALSE(isNamed("Left anterior descending artery"));
+  key(Qt::Key_N, Qt::ShiftModifier);
+  EXPECT_TRUE(named().empty());
+}
+
+TEST_F(Parts, AreHiddenWithTheirOrgan) {
+  key(Qt::Key_N, Qt::ShiftModifier);
+  ASSERT_TRUE(isNamed("Apex"));
+  document::OrganLook look = document().organs().front()->look;
+  look.visible = false;
+  window().workspace().perform(document::setOrganLook(document().organs().front()->id, look));
+  settle();
+  EXPECT_TRUE(named().empty());
+}
+
+TEST_F(Parts, AQuizHidesTheNamesAndAClickAnswers) {
+  key(Qt::Key_N, Qt::ShiftModifier);
+  key(Qt::Key_Q, Qt::ShiftModifier);
+  EXPECT_TRUE(named().empty()) << "that would be too easy";
+  const presentation::PartQuiz& quiz = *window().explore().quiz().quiz();
+  EXPECT_TRUE(label("quizQuestion").startsWith(QStringLiteral("Click: ")));
+  // The first that is asked for and can be seen from the front.
+  const std::string asked = presentation::nameOf(*quiz.asked(), document().organs());
+  const std::string other = asked == "Apex" ? "Right atrium" : "Apex";
+  click(placeOf(other));
+  EXPECT_EQ(quiz.mistakes(), 1);
+  EXPECT_TRUE(label("quizResult").contains(QString::fromStdString(other)))
+      << label("quizResult").toStdString();
+  EXPECT_TRUE(named().empty());
+  while (presentation::nameOf(*quiz.asked(), document().organs()) != other)
+    click(placeOf(other));
+  click(placeOf(other));
+  EXPECT_TRUE(isNamed(other)) << "what was found keeps its name";
+  key(Qt::Key_Escape);
+  EXPECT_EQ(window().explore().quiz().quiz(), nullptr);
+  EXPECT_GT(named().size(), 3U) << "the names are back";
+}
+
+TEST_F(Parts, AnotherOrganEndsTheQuiz) {
+  key(Qt::Key_Q, Qt::ShiftModifier);
+  ASSERT_TRUE(window().explore().quiz().active());
+  open(sphereFile());
+  EXPECT_FALSE(window().explore().quiz().active());
+  EXPECT_FALSE(window().actions()["quiz.start"]->isChecked());
+}
+
+} // namespace
+} // namespace viscera::tests

@@ -1,0 +1,80 @@
+#include "viscera/norms/norms.h"
+
+#include <set>
+
+#include <gtest/gtest.h>
+
+#include "viscera/core/error.h"
+
+namespace viscera::norms {
+namespace {
+
+TEST(Norms, EveryRowHasANameAPeopleASourceAndARange) {
+  std::set<std::string> ids;
+  for (const Norm& norm : table()) {
+    EXPECT_TRUE(ids.insert(norm.id).second) << norm.id << " is there twice";
+    EXPECT_FALSE(norm.subject.empty() || norm.quantity.empty() || norm.people.empty()) << norm.id;
+    const bool cited = norm.source.find("doi 10.") != std::string::npos;
+    EXPECT_TRUE(cited || norm.source == "customary at the bedside") << norm.id << ": " << norm.source;
+    for (const Sex sex : {Sex::either, Sex::women, Sex::men})
+      for (const double surface : {0.0, kSmallestBodySurfaceM2, kLargestBodySurfaceM2}) {
+        const Range range = rangeOf(norm, {sex, surface});
+        EXPECT_TRUE(range.low < range.high || norm.kind == Kind::averages) << norm.id;
+        EXPECT_FALSE(meaningOf(norm, {sex, surface}).empty());
+      }
+  }
+}
+
+TEST(Norms, OfEitherSexReachFromTheLowerToTheUpperBoundOfTwoDeviations) {
+  const Norm& fraction = norm("lv.ef");
+  EXPECT_DOUBLE_EQ(rangeOf(fraction).low, 58 - 2 * 5);
+  EXPECT_DOUBLE_EQ(rangeOf(fraction).high, 61 + 2 * 5);
+  EXPECT_DOUBLE_EQ(rangeOf(fraction, {Sex::women, 0}).low, 51);
+  EXPECT_DOUBLE_EQ(rangeOf(fraction, {Sex::men, 0}).high, 68);
+  EXPECT_EQ(meaningOf(fraction, {Sex::men, 0}), "men, mean +- 2 standard deviations");
+}
+
+TEST(Norms, OfAPersonOfKnownSizeAreThoseASquareMetre) {
+  const Norm& volume = norm("lv.edv");
+  const Range small = rangeOf(volume, {Sex::women, 1.5});
+  EXPECT_DOUBLE_EQ(small.low, 1.5 * (74 - 2 * 12));
+  EXPECT_DOUBLE_EQ(small.high, 1.5 * (74 + 2 * 12));
+  EXPECT_NE(meaningOf(volume, {Sex::women, 1.5}).find("1.50 m2"), std::string::npos);
+  const Norm& fraction = norm("lv.ef");
+  EXPECT_EQ(rangeOf(fraction, {Sex::women, 1.5}).low, rangeOf(fraction, {Sex::women, 0}).low)
+      << "an ejection fraction knows no size";
+}
+
+/// Means and deviations, absolute and a square metre, are of the same people.
+TEST(Norms, AbsoluteAndIndexedValuesAgreeOnTheBodiesTheyWereMeasuredIn) {
+  for (const Norm& norm : table())
+    if (norm.knowsSize()) {
+      EXPECT_NEAR(norm.women->mean / norm.womenPerM2->mean, 1.68, 0.05) << norm.id;
+      EXPECT_NEAR(norm.men->mean / norm.menPerM2->mean, 1.95, 0.05) << norm.id;
+    }
+}
+
+/// What a ventricle holds, less what it keeps, is what it ejects.
+TEST(Norms, OfAVentricleAddUp) {
+  for (const char* side : {"lv", "rv"}) {
+    const std::string id = side;
+    const Norm &full = norm(id + ".edv"), &empty = norm(id + ".esv"), &stroke = norm(id + ".sv");
+    EXPECT_NEAR(full.women->mean - empty.women->mean, stroke.women->mean, 1.1) << side;
+    EXPECT_NEAR(full.men->mean - empty.men->mean, stroke.men->mean, 1.1) << side;
+    EXPECT_NEAR(100 * stroke.women->mean / full.women->mean, norm(id + ".ef").women->mean, 1.1) << side;
+    EXPECT_NEAR(100 * stroke.men->mean / full.men->mean, norm(id + ".ef").men->mean, 1.1) << side;
+  }
+}
+
+TEST(Norms, AnUnknownRowIsSaidSo) {
+  EXPECT_THROW(norm("lv.nonsense"), UsageError);
+}
+
+TEST(Norms, SexesAreReadFromWhatFilesCallThem) {
+  for (const Sex sex : {Sex::either, Sex::women, Sex::men})
+    EXPECT_EQ(sexFromId(idOf(sex)), sex);
+  EXPECT_EQ(sexFromId("nonsense"), Sex::either);
+}
+
+} // namespace
+} // namespace viscera::norms
