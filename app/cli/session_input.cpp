@@ -91,7 +91,9 @@ PosedSession::PosedSession(const document::DocumentState& state, const presentat
                            Surroundings& surroundings)
     : live_(document_, surroundings.systems, jobs_,
             {std::numeric_limits<double>::infinity(), surroundings.threads}),
-      stress_(document_, surroundings.systems, live_, jobs_, stressAtOnce(surroundings.threads)) {
+      stress_(document_, surroundings.systems, live_, jobs_, stressAtOnce(surroundings.threads)),
+      bend_(document_, live_, surroundings.systems, jobs_,
+            {std::numeric_limits<double>::infinity(), surroundings.threads}) {
   undo_.reset(state);
   if (view.shown.rest)
     live_.showRest();
@@ -111,6 +113,14 @@ std::string PosedSession::makeStress(const presentation::ViewState& view, Surrou
     findPeak(stress_, state(), view, surroundings);
   box_.runUntil([&] { return jobs_.idle(); });
   return {};
+}
+
+live::LiveBend* PosedSession::makeBend() {
+  bend_.setWanted(true);
+  box_.runUntil([&] { return jobs_.idle(); });
+  if (!bend_.problem().empty())
+    throw DataError(bend_.problem(), "the scan cannot be bent");
+  return bend_.map() ? &bend_ : nullptr;
 }
 
 Outcome describeSession(const std::string& file, Surroundings& surroundings) {
@@ -166,6 +176,22 @@ Outcome describeSession(const std::string& file, Surroundings& surroundings) {
   return outcome;
 }
 
+SliceOutcome sessionSlice(const document::OpenedSession& opened, const SliceRequest& slice, double level,
+                          double width, const StageOptions& options, Surroundings& surroundings) {
+  presentation::ViewState view = viewOf(opened, true);
+  if (width > 0) {
+    view.scan.level = level;
+    view.scan.width = width;
+  }
+  PosedSession posed(opened.contents.state, view, surroundings);
+  std::optional<presentation::Bending> bending;
+  if (view.scan.bent)
+    if (live::LiveBend* bend = posed.makeBend())
+      bending = presentation::bendingOf(*bend);
+  return slicePicture({posed.state(), posed.organs(), view, bending ? &*bending : nullptr}, slice, options,
+                      surroundings.threads);
+}
+
 SessionPicture sessionPicture(const document::OpenedSession& opened, const StageOptions& options,
                               bool fromSide, Surroundings& surroundings) {
   const document::DocumentState& state = opened.contents.state;
@@ -176,8 +202,14 @@ SessionPicture sessionPicture(const document::OpenedSession& opened, const Stage
     if (const std::string missing = posed.makeStress(view, surroundings); !missing.empty())
       picture.leftOut.push_back("the stress map (" + missing + ")");
   const live::StressFrame frame = posed.stress().frame();
+  std::optional<presentation::Bending> bending;
+  if (view.scan.standing && view.scan.bent)
+    if (live::LiveBend* bend = posed.makeBend())
+      bending = presentation::bendingOf(*bend);
   presentation::Stage stage = stageFor(options, surroundings.threads);
-  stage.presenter().update({posed.state(), posed.organs(), view, surroundings.systems, &frame});
+  presentation::Scene scene{posed.state(), posed.organs(), view, surroundings.systems, &frame};
+  scene.bending = bending ? &*bending : nullptr;
+  stage.presenter().update(scene);
   if (!fromSide && view.camera)
     presentation::lookFrom(*view.camera, stage.view());
   else

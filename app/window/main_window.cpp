@@ -9,6 +9,7 @@
 #include <QShortcut>
 #include <QStackedWidget>
 #include <QStatusBar>
+#include <QTimer>
 
 #include "window/binding_messages.h"
 #include "window/export_actions.h"
@@ -30,6 +31,8 @@
 #include "window/report/report_export.h"
 #include "window/session/session_files.h"
 #include "window/session/session_view.h"
+#include "window/slices/bent_export.h"
+#include "window/slices/patient_offer.h"
 #include "window/slices/scan_actions.h"
 #include "window/slices/slice_panes.h"
 #include "window/status_line.h"
@@ -62,7 +65,9 @@ MainWindow::MainWindow(Settings& settings, plugin::Registry registry, motion::Tr
   slices_ = std::make_unique<SlicePanes>(workspace_, view_, *viewArea_, *scans_->sliceMenu());
   files_->addTo(actions_);
   scans_->addTo(actions_);
+  new PatientOffer(workspace_, *files_, *scans_, this);
   exports_->addTo(actions_);
+  (new BentExport(workspace_, settings_, this))->addTo(actions_);
   lessons_ = new LessonExport({workspace_, playback_, *picture_, view_, settings_}, this);
   lessons_->addTo(actions_);
   actions_.add("file.quit", {tr("&Quit"), nullptr, {QKeySequence::Quit}, {}}, [this] { close(); });
@@ -214,6 +219,13 @@ void MainWindow::connectFiles() {
   connect(files_, &FileActions::scanOpened, scans_, [this] {
     showWelcome(false);
     scans_->opened();
+  });
+  // Once the views have the places that the layout gives them.
+  connect(scans_, &ScanActions::layoutChosen, viewArea_->view(), [this] {
+    QTimer::singleShot(0, viewArea_->view(), [this] {
+      picture_->view().frame();
+      viewArea_->view()->scheduleRender();
+    });
   });
   connect(samples_, &SampleLoader::loaded, this, fromFront);
   connect(samples_, &SampleLoader::loaded, sessions_, &SessionFiles::sampleLoaded);

@@ -109,6 +109,7 @@ void ScanActions::makeLayouts(Actions& actions) {
         actions, layout.id, {tr(layout.name), "view", {layout.key}, {}},
         [id = std::string(layout.layout)](const ScanLook& look) { return look.layout == id; },
         [id = std::string(layout.layout)](ScanLook& look) { look.layout = id; });
+    connect(actions[layout.id], &QAction::triggered, this, &ScanActions::layoutChosen);
   }
 }
 
@@ -147,6 +148,9 @@ void ScanActions::makeSwitches(Actions& actions) {
        {tr("Contours at &rest"), "ghost", {}, tr("Thin, beside those of posed organs")},
        &ScanLook::rest},
       {"scan.standing", {tr("Slices in the &3D view"), "patient", {}, {}}, &ScanLook::standing},
+      {"scan.bent",
+       {tr("&Bend the scan"), "deform", {}, tr("Show the scan as the pose deforms it")},
+       &ScanLook::bent},
       {"scan.smooth", {tr("S&mooth between voxels"), nullptr, {}, {}}, &ScanLook::smooth},
       {"scan.maximum",
        {tr("Ma&ximum of thick slices"), nullptr, {}, tr("Instead of their mean")},
@@ -225,6 +229,7 @@ void ScanActions::opened() {
     view.scan.standing = before.standing;
     view.scan.bent = before.bent;
   });
+  Q_EMIT layoutChosen();
   QStringList lines;
   for (std::size_t i = 0; i < std::min(kShownFindings, item->scan->findings.size()); ++i)
     lines << asSentence(item->scan->findings[i].sentence);

@@ -35,6 +35,10 @@ public:
   /// Shows a scan that has just come into the document, all of it, and says what is odd with it.
   void opened();
 
+Q_SIGNALS:
+  /// The user wants other views, or a scan that was opened brings them.
+  void layoutChosen();
+
 private:
   void makeLayouts(Actions& actions);
   void makePresets(Actions& actions);

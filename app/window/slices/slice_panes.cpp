@@ -7,6 +7,7 @@
 
 #include "viscera/document/scan_item.h"
 #include "viscera/slices/slice_frame.h"
+#include "window/slices/scan_bend.h"
 #include "window/view/picture.h"
 
 namespace viscera::app {
@@ -48,7 +49,9 @@ SlicePanes::SlicePanes(Workspace& workspace, ViewModel& model, ViewArea& area, Q
   area.addSlices({widgets_[0], widgets_[1], widgets_[2]});
   subscriptions_.push_back(workspace.onChange([this](const document::Change&) { refresh(); }));
   subscriptions_.push_back(workspace.live().onEvent([this](const live::LiveEvent&) { refresh(); }));
+  subscriptions_.push_back(ScanBend::of(workspace).onChange([this] { followBend(); }));
   connect(&model, &ViewModel::changed, this, [this] {
+    ScanBend::of(workspace_).setWanted(model_.state().scan.bent);
     arrange();
     refresh();
   });
@@ -105,12 +108,22 @@ void SlicePanes::refresh() {
   if (shown.empty())
     return;
   workspace_.guarded([&] {
-    presenter_.update({workspace_.state(), workspace_.live(), model_.state()}, shown);
+    std::optional<presentation::Bending> bending;
+    if (model_.state().scan.bent)
+      bending = presentation::bendingOf(ScanBend::of(workspace_));
+    presenter_.update({workspace_.state(), workspace_.live(), model_.state(), bending ? &*bending : nullptr},
+                      shown);
     for (const presentation::SlicePane& pane : shown) {
       widget(pane.direction).setPicture(presenter_.picture(pane.direction));
       read(pane.direction, cursor_[static_cast<std::size_t>(pane.direction)]);
     }
   });
+}
+
+void SlicePanes::followBend() {
+  if (const std::string& problem = ScanBend::of(workspace_).problem(); !problem.empty())
+    workspace_.note(tr("The scan cannot be bent: %1").arg(text(problem)));
+  refresh();
 }
 
 void SlicePanes::moveCross(int direction, const Eigen::Vector2d& pixel) {
@@ -182,6 +195,8 @@ void SlicePanes::read(int direction, const std::optional<Eigen::Vector2d>& pixel
   if (reading.value) {
     const std::string& unit = workspace_.state().scan->scan->unit;
     parts << (QString::number(*reading.value, 'f', 0) + QLatin1Char(' ') + text(unit)).trimmed();
+    if (reading.folded)
+      parts << tr("folded by the pose: a guess");
   }
   QStringList place;
   for (int axis = 0; axis < 3; ++axis)

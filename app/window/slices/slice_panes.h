@@ -38,6 +38,7 @@ public:
 private:
   void connectWidget(int direction);
   void arrange();
+  void followBend();
   void moveCross(int direction, const Eigen::Vector2d& pixel);
   void dragWindow(const QPointF& by);
   void pan(int direction, const QPointF& by);

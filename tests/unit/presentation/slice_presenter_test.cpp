@@ -120,19 +120,59 @@ TEST(SlicePresenter, ReadsValuePlaceAndInnermostOrgan) {
   EXPECT_FALSE(ball.slices.read(0, {-5, 3}).value);
 }
 
+/// Rest is that much farther on than the pose; `folded` says where the tissue is folded.
+Bending shifted(const Vec3& by, std::uint64_t revision, bool folded = false) {
+  return {[=](const deformation::SamplePlane& plane, deformation::RestPoints& rest) {
+            rest.points.resize(plane.columns * plane.rows, 3);
+            rest.states.assign(std::size_t(rest.points.rows()), deformation::RestState::moved);
+            for (Eigen::Index i = 0; i < rest.points.rows(); ++i) {
+              const Vec3 place = plane.at(i % plane.columns, i / plane.columns);
+              rest.points.row(i) = (place + by).transpose();
+              if (folded && place.x() > 0)
+                rest.states[std::size_t(i)] = deformation::RestState::folded;
+            }
+          },
+          revision};
+}
+
 TEST(SlicePresenter, BendsTheScanWhereSomebodySaysWhereTissueWas) {
   ScannedBall ball;
   ball.view.scan.bent = true;
-  Bending bending{[](Points& places) { places.col(0).array() -= 20; }, 1};
+  Bending bending = shifted(Vec3(-20, 0, 0), 1);
   const SliceScene scene{ball.document.state(), ball.live, ball.view, &bending};
   ball.slices.update(scene, {{0, 200, 160}, {1, 200, 160}, {2, 120, 160}});
   EXPECT_GT(ball.greyAt(0, Vec3(45, 0, 5)), 150) << "what was at 25 mm is 20 mm farther on";
   EXPECT_LT(ball.greyAt(0, Vec3(-20, 0, 5)), 110);
   EXPECT_NE(ball.slices.picture(0).note.find("Bent"), std::string::npos);
-  bending.toRest = [](Points&) {};
-  bending.revision = 2;
+  bending = shifted(Vec3::Zero(), 2);
   ball.slices.update(scene, {{0, 200, 160}});
   EXPECT_GT(ball.greyAt(0, Vec3(-20, 0, 5)), 150);
+}
+
+TEST(SlicePresenter, HatchesWhereThePoseFoldsTheTissue) {
+  ScannedBall ball;
+  const auto plain = ball.slices.picture(0).grey;
+  ball.view.scan.bent = true;
+  const Bending bending = shifted(Vec3::Zero(), 1, true);
+  ball.slices.update({ball.document.state(), ball.live, ball.view, &bending}, {{0, 200, 160}});
+  const scene::SlicePicture& picture = ball.slices.picture(0);
+  std::size_t white = 0, black = 0, pixels = 0;
+  for (std::size_t i = 0; i < picture.grey.size(); ++i) {
+    const Vec3 place = ball.slices.frame(0).at(double(i % 200), double(i / 200));
+    if (place.x() <= 0) {
+      ASSERT_EQ(picture.grey[i], plain[i]) << "only what is folded";
+      continue;
+    }
+    ++pixels;
+    white += picture.grey[i] == 255 && plain[i] != 255 ? 1 : 0;
+    black += picture.grey[i] == 0 && plain[i] != 0 ? 1 : 0;
+  }
+  EXPECT_GT(white, pixels / 8) << "seen on dark tissue";
+  EXPECT_GT(black, pixels / 16) << "and on bright tissue";
+  EXPECT_LT(white + black, pixels / 2) << "with the tissue between";
+  EXPECT_NE(picture.note.find("folded"), std::string::npos);
+  EXPECT_TRUE(ball.slices.read(0, ball.slices.frame(0).pixelOf(Vec3(10, 0, 5))).folded);
+  EXPECT_FALSE(ball.slices.read(0, ball.slices.frame(0).pixelOf(Vec3(-10, 0, 5))).folded);
 }
 
 TEST(ScanLook, ComesBackFromASessionAndOldSessionsHaveNone) {

@@ -9,8 +9,10 @@
 #include <vector>
 
 #include "viscera/core/parallel.h"
+#include "viscera/deformation/inverse_map.h"
 #include "viscera/document/document.h"
 #include "viscera/document/scan_item.h"
+#include "viscera/live/live_bend.h"
 #include "viscera/live/posed_organs.h"
 #include "viscera/presentation/view_state.h"
 #include "viscera/scene/slice_view.h"
@@ -18,12 +20,16 @@
 
 namespace viscera::presentation {
 
-/// Says where the tissue at places of the posed patient is at rest.
+/// Says where the tissue of the posed patient is at rest.
 struct Bending {
-  /// Takes places, `n x 3` mm LPS, in the pose, and leaves those at rest; NaN where there is no answer.
-  std::function<void(Points& places)> toRest;
-  std::uint64_t revision = 0; ///< Another number whenever `toRest` gives something else.
+  /// Finds the places at rest, mm LPS, of the samples of a plane in the pose; NaN where there is no answer.
+  std::function<void(const deformation::SamplePlane& plane, deformation::RestPoints& rest)> rest;
+  std::uint64_t revision = 0; ///< Another number whenever `rest` gives something else.
 };
+
+/// The bending that keeps up with the open document, in the pose that is shown now; none at rest and while it
+/// is being bound. Good until the pose is another one; `bend` has to live as long.
+std::optional<Bending> bendingOf(live::LiveBend& bend);
 
 /// A slice that is wanted, and how large.
 struct SlicePane {
@@ -44,6 +50,7 @@ struct SliceScene {
 struct SliceReading {
   Vec3 position = Vec3::Zero(); ///< mm LPS.
   std::optional<double> value;  ///< Of the scan as it is shown; none where nothing was measured.
+  bool folded = false;          ///< The pose folds the tissue here: the value is a guess.
   document::OrganId organ;      ///< The innermost organ around the place; none outside of all.
 };
 
