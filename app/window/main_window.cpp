@@ -215,6 +215,8 @@ void MainWindow::connectFiles() {
     showWelcome(false);
     scans_->opened();
   });
+  connect(files_, &FileActions::scansFound, scans_, &ScanActions::open);
+  connect(files_, &FileActions::filesOpened, scans_, &ScanActions::sayFit);
   connect(samples_, &SampleLoader::loaded, this, fromFront);
   connect(samples_, &SampleLoader::loaded, sessions_, &SessionFiles::sampleLoaded);
   connect(sessions_, &SessionFiles::opened, this, [this] {
