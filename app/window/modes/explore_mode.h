@@ -2,6 +2,7 @@
 
 #include "window/actions.h"
 #include "window/measure/measure_tool.h"
+#include "window/measure/slice_measuring.h"
 #include "window/modes/mode.h"
 
 namespace viscera::app {
@@ -11,10 +12,11 @@ class ExploreMode final : public Mode {
   Q_OBJECT
 
 public:
-  ExploreMode(const ModeParts& parts, Actions& actions);
+  /// `slices` have to live longer.
+  ExploreMode(const ModeParts& parts, SlicePanes& slices, Actions& actions);
 
   std::vector<const char*> actions() const override {
-    return {"measure.distance", "measure.angle", "measure.removeAll"};
+    return {"measure.distance", "measure.angle", "measure.rectangle", "measure.sphere", "measure.removeAll"};
   }
   QWidget* makePage(const Actions& actions) override;
   presentation::Shown shown() const override { return {}; }
@@ -35,6 +37,8 @@ private:
                        const Actions::Description& description);
 
   MeasureTool tool_;
+  SlicePanes& slices_;
+  SliceMeasuring onSlices_;
 };
 
 } // namespace viscera::app
