@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 #include <memory>
 #include <utility>
@@ -10,7 +11,7 @@
 
 #include "cli/listing.h"
 #include "viscera/core/error.h"
-#include "viscera/document/measurement.h"
+#include "viscera/document/measured_values.h"
 #include "viscera/document/undo_stack.h"
 #include "viscera/live/live_binding.h"
 #include "viscera/live/live_stress.h"
@@ -39,11 +40,11 @@ ordered_json measurementsJson(const document::DocumentState& state) {
   const auto atRest = [&](document::OrganId id) -> const Points& { return state.organ(id)->mesh->points; };
   ordered_json list = ordered_json::array();
   for (const document::Measurement& measurement : *state.measurements) {
-    const auto kind = document::kindOf(measurement);
+    const double value = document::measure(measurement, state, atRest).rest;
     list.push_back({{"name", measurement.name},
-                    {"kind", document::nameOf(kind)},
-                    {"valueAtRest", document::measure(measurement, state, atRest).rest},
-                    {"unit", document::unitOf(kind)}});
+                    {"kind", document::nameOf(measurement.kind)},
+                    {"valueAtRest", std::isfinite(value) ? ordered_json(value) : ordered_json(nullptr)},
+                    {"unit", document::unitOf(measurement, state)}});
   }
   return list;
 }
@@ -167,10 +168,13 @@ Outcome describeSession(const std::string& file, Surroundings& surroundings) {
     listing.add("cage", std::to_string(state.rig->cage.size()) + " triangles");
   listing.add("coordinates", state.system->id)
       .add("recorded keys", std::to_string(state.recording->keys.size()));
-  for (const ordered_json& item : outcome.json["measurements"])
+  for (const ordered_json& item : outcome.json["measurements"]) {
+    const ordered_json& value = item["valueAtRest"];
     listing.add("measurement", item["name"].get<std::string>() + ": " +
-                                   fixed(item["valueAtRest"].get<double>(), 1) + ' ' +
-                                   item["unit"].get<std::string>() + " at rest");
+                                   (value.is_null() ? "no value, the scan is not there"
+                                                    : fixed(value.get<double>(), 1) + ' ' +
+                                                          item["unit"].get<std::string>() + " at rest"));
+  }
   outcome.text = listing.text();
   outcome.warnings = opened.warnings;
   return outcome;

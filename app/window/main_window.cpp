@@ -32,6 +32,7 @@
 #include "window/session/session_files.h"
 #include "window/session/session_view.h"
 #include "window/slices/bent_export.h"
+#include "window/slices/handle_grip.h"
 #include "window/slices/patient_offer.h"
 #include "window/slices/scan_actions.h"
 #include "window/slices/slice_panes.h"
@@ -62,7 +63,9 @@ MainWindow::MainWindow(Settings& settings, plugin::Registry registry, motion::Tr
   handles_ = std::make_unique<HandleController>(workspace_, poses_, *picture_);
   imports_ = std::make_unique<ImportDesk>(workspace_, *files_, *picture_, nullptr);
   bindingMessages_ = new BindingMessages(workspace_, viewArea_->messages(), this);
-  slices_ = std::make_unique<SlicePanes>(workspace_, view_, *viewArea_, *scans_->sliceMenu());
+  slices_ = std::make_unique<SlicePanes>(workspace_, view_, *picture_, *viewArea_, *scans_->sliceMenu());
+  handleGrip_ = std::make_unique<HandleGrip>(*slices_, *picture_);
+  slices_->addGrip(*handleGrip_);
   files_->addTo(actions_);
   scans_->addTo(actions_);
   new PatientOffer(workspace_, *files_, *scans_, this);
@@ -97,7 +100,7 @@ void MainWindow::makeModes() {
       ModeController::Parts{playback_, view_, *viewArea_->view(), *picture_, *handles_});
   const ModeParts parts{workspace_,        playback_, poses_,     volumes_, placer_,   *samples_,
                         *bindingMessages_, settings_, *viewArea_, view_,    *picture_, *handles_};
-  explore_ = &modes_->add(std::make_unique<ExploreMode>(parts, actions_));
+  explore_ = &modes_->add(std::make_unique<ExploreMode>(parts, *slices_, actions_));
   modes_->add(std::make_unique<HandlesMode>(parts, actions_));
   modes_->add(std::make_unique<DeformMode>(parts, actions_));
   stress_ = &modes_->add(std::make_unique<StressMode>(parts, actions_));
@@ -227,6 +230,8 @@ void MainWindow::connectFiles() {
       viewArea_->view()->scheduleRender();
     });
   });
+  connect(files_, &FileActions::scansFound, scans_, &ScanActions::open);
+  connect(files_, &FileActions::filesOpened, scans_, &ScanActions::sayFit);
   connect(samples_, &SampleLoader::loaded, this, fromFront);
   connect(samples_, &SampleLoader::loaded, sessions_, &SessionFiles::sampleLoaded);
   connect(sessions_, &SessionFiles::opened, this, [this] {

@@ -23,6 +23,7 @@ namespace viscera::app {
 class BindingMessages;
 class ExploreMode;
 class ExportActions;
+class HandleGrip;
 class Help;
 class ImportDesk;
 class LectureScreen;
@@ -133,6 +134,7 @@ private:
   SessionFiles* sessions_ = nullptr;
   ThemeKind theme_ = ThemeKind::dark;
   std::vector<Subscription> subscriptions_;
+  std::unique_ptr<HandleGrip> handleGrip_;
 };
 
 } // namespace viscera::app

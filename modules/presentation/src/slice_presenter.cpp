@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "slice_cuts.h"
+#include "slice_marks.h"
 #include "slice_values.h"
 
 namespace viscera::presentation {
@@ -15,6 +16,8 @@ constexpr double kEmptyHalfSize = 100;
 /// The box with this much room fits into the picture.
 constexpr double kRoom = 1.04;
 constexpr double kRestShade = 0.5;
+/// Between slices without a scan, mm.
+constexpr double kStepMm = 1;
 
 std::string same(const char* text) {
   return text;
@@ -54,6 +57,7 @@ struct Slice {
   medical_io::ValueWindow window{0, 0};
   scene::SlicePicture picture;
   std::size_t plane = 0; ///< Among those that organs are cut by.
+  SliceGrips grips;
 };
 
 slices::SliceFrame frameOf(const SlicePane& pane, const Bounds& box, const Vec3& focus,
@@ -92,6 +96,7 @@ struct SlicePresenter::Parts {
   std::array<Slice, 3> slices;
   std::shared_ptr<const document::ScanItem> proposedBy; ///< Whose proposal `proposed` is.
   medical_io::ValueWindow proposed;
+  document::RegionMemory regions;
 
   medical_io::ValueWindow windowFor(const SliceScene& scene);
   void sample(Slice& slice, const SliceScene& scene);
@@ -207,7 +212,9 @@ void SlicePresenter::update(const SliceScene& scene, const std::vector<SlicePane
       p.outline(slice);
     else
       slice.picture.lines.clear();
-    p.label(slice, slices::sliceDirections()[std::size_t(pane.direction)], scene, focus);
+    const slices::SliceDirection direction = slices::sliceDirections()[std::size_t(pane.direction)];
+    p.label(slice, direction, scene, focus);
+    slice.grips = addMarks(scene, direction, slice.frame, p.regions, p.translate, slice.picture);
   }
 }
 
@@ -249,6 +256,17 @@ SliceReading SlicePresenter::read(int direction, const Eigen::Vector2d& pixel) c
   return reading;
 }
 
+int SlicePresenter::handleAt(int direction, const Eigen::Vector2d& pixel, double reach) const {
+  const auto* grip = nearestGrip(parts_->slices[std::size_t(direction)].grips.handles, pixel, reach);
+  return grip ? static_cast<int>(grip->item) : -1;
+}
+
+std::optional<scene::MeasurementGlyphs::Mark>
+SlicePresenter::measuredAt(int direction, const Eigen::Vector2d& pixel, double reach) const {
+  const auto* grip = nearestGrip(parts_->slices[std::size_t(direction)].grips.measured, pixel, reach);
+  return grip ? std::optional(scene::MeasurementGlyphs::Mark{grip->item, grip->point}) : std::nullopt;
+}
+
 std::vector<ContourFigure> SlicePresenter::contours(int direction) const {
   const std::size_t plane = parts_->slices[std::size_t(direction)].plane;
   std::vector<ContourFigure> figures;
@@ -283,6 +301,16 @@ std::optional<Bending> bendingOf(live::LiveBend& bend) {
                    bend.restPlane(plane, rest);
                  },
                  bend.revision()};
+}
+
+double stepAlong(const document::DocumentState& state, int axis) {
+  if (!state.scan)
+    return kStepMm;
+  const Eigen::Matrix3d steps = state.scan->scan->indexToLps.linear();
+  const Eigen::Matrix3d directions = steps.colwise().normalized();
+  Eigen::Index along = 0;
+  directions.row(axis).cwiseAbs().maxCoeff(&along);
+  return steps.col(along).norm();
 }
 
 std::string formatSlicePosition(int axis, double mm) {

@@ -374,6 +374,25 @@ TEST_F(DicomScan, RefusesWhatIsNoScan) {
   folder_.put("DICOMDIR", std::string(128, '\0') + "DICM");
 }
 
+TEST_F(DicomScan, RefusesMosaicsAndPixelsThatAreFractionsWithWhatToTry) {
+  const auto reason = [&]() -> std::string {
+    try {
+      read();
+    } catch (const DataError& error) {
+      return error.what();
+    }
+    return "was read";
+  };
+  write(smallPhantom(), {}, [](DicomElements& e, int) { e[0x00080008] = "CSORIGINAL\\PRIMARY\\M\\MOSAIC"; });
+  EXPECT_THAT(reason(), HasSubstr("is a mosaic of many slices"));
+  EXPECT_THAT(reason(), HasSubstr("dcm2niix"));
+  write(smallPhantom(), {}, [](DicomElements& e, int) {
+    e.erase(0x7FE00010);
+    e[0x7FE00008] = "UN" + std::string(std::size_t(21 * 23 * 4), '\0');
+  });
+  EXPECT_THAT(reason(), HasSubstr("pixels that are fractions"));
+}
+
 TEST_F(DicomScan, LeavesOutADamagedFileAndSaysSo) {
   const LabelImage image = smallPhantom();
   write(image);
