@@ -284,7 +284,7 @@ TEST_F(SlicesTest, ThePageOfExploreKeepsWhatIsOddAboutTheScan) {
   window().scans().opened();
   settle();
   EXPECT_TRUE(message().contains(QStringLiteral("tilted by 12 degrees"))) << message().toStdString();
-  EXPECT_TRUE(message().contains(QStringLiteral("ball lies outside of the scan"))) << message().toStdString();
+  EXPECT_TRUE(message().contains(QStringLiteral("lies outside of the scan"))) << message().toStdString();
   auto* remarks = window().findChild<QLabel*>(QStringLiteral("scanRemarks"));
   EXPECT_TRUE(remarks->text().contains(QStringLiteral("tilted by 12 degrees")));
   EXPECT_TRUE(remarks->text().contains(QStringLiteral("outside of the scan")));
