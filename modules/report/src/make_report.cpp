@@ -132,7 +132,7 @@ std::string kindWord(document::MeasurementKind kind) {
 }
 
 /// The name, and of a part of the scan how its values spread.
-std::string titleOf(const document::MeasurementRow& row) {
+std::string rowTitle(const document::MeasurementRow& row) {
   const std::string spread = presentation::describeSpread(row.measurement, row.values, row.unit);
   return spread.empty() ? row.measurement.name : row.measurement.name + " (" + spread + ")";
 }
@@ -155,7 +155,7 @@ Section measurements(const ReportSource& source) {
       on += (on.empty() ? "" : ", ") + organ;
     if (region)
       on = said("the scan");
-    table.rows.push_back({titleOf(row), kindWord(kind), on.empty() ? "-" : on,
+    table.rows.push_back({rowTitle(row), kindWord(kind), on.empty() ? "-" : on,
                           presentation::formatMeasured(kind, row.values.rest, row.unit),
                           presentation::formatMeasured(kind, row.values.now, row.unit),
                           region ? "-" : signedNumber(row.values.now - row.values.rest, 1)});
