@@ -144,7 +144,10 @@ std::string wordsOf(const document::Measurement& measurement, const document::Me
   std::string words = formatMeasured(measurement.kind, region ? values.rest : values.now, unit);
   if (!measurement.name.empty())
     words = measurement.name + ": " + words;
-  const std::string spread = describeSpread(measurement, values, unit, translate);
+  std::string spread = describeSpread(measurement, values, unit, translate);
+  // Values in one line, size in the next: a slice is not wide.
+  if (const std::size_t size = spread.find(", ", spread.find(", ") + 1); size != std::string::npos)
+    spread.replace(size, 2, "\n");
   return spread.empty() ? words : words + '\n' + spread;
 }
 

@@ -32,7 +32,8 @@ constexpr double kCrossOpacity = 0.75;
 constexpr double kTextSize = 12; ///< Logical pixels.
 constexpr double kLetterSize = 16;
 constexpr double kTick = 4;
-constexpr double kWordsGap = 8; ///< Between a place and the words beside it, logical pixels.
+constexpr double kWordsGround = 0.6; ///< Opacity of the ground behind them: bones are as light as they are.
+constexpr double kWordsGap = 8;      ///< Between a place and the words beside it, logical pixels.
 /// The scale bar is at most this part of the picture's width.
 constexpr double kLongestBar = 0.25;
 constexpr double kText[] = {0.90, 0.91, 0.92};
@@ -239,7 +240,8 @@ void SliceView::Parts::showWords(const SlicePicture& picture) {
   }
   while (captions.size() < picture.texts.size()) {
     captions.push_back(newText(static_cast<int>(kTextSize)));
-    captions.back()->GetTextProperty()->SetShadow(1);
+    captions.back()->GetTextProperty()->SetBackgroundColor(0, 0, 0);
+    captions.back()->GetTextProperty()->SetBackgroundOpacity(kWordsGround);
     captions.back()->GetTextProperty()->SetVerticalJustificationToCentered();
     renderer->AddViewProp(captions.back());
   }
