@@ -24,6 +24,8 @@ public:
   double standardRatePerMinute() const override { return standard_->standardRatePerMinute(); }
   double lowestRatePerMinute() const override { return standard_->lowestRatePerMinute(); }
   double highestRatePerMinute() const override { return standard_->highestRatePerMinute(); }
+  std::string rateRemark(double ratePerMinute) const override { return standard_->rateRemark(ratePerMinute); }
+  double finestStepSeconds() const override { return standard_->finestStepSeconds(); }
   void poseAt(double seconds, double ratePerMinute, Points& pose) const override;
   std::vector<Phase> phases(double ratePerMinute) const override { return standard_->phases(ratePerMinute); }
 

@@ -12,6 +12,7 @@ struct Phase {
   std::string name; ///< "ejection"
   double begin = 0; ///< Fraction of the cycle, [0, 1).
   double end = 1;
+  std::string group = {}; ///< The larger part of the cycle that it belongs to: "systole"; empty for none.
 };
 
 /// Something that travels through the organ during the cycle, such as a peristaltic wave.
@@ -52,6 +53,11 @@ public:
   virtual double standardRatePerMinute() const = 0;
   virtual double lowestRatePerMinute() const = 0;
   virtual double highestRatePerMinute() const = 0;
+  /// What has to be said of that rate, as a sentence; empty for most.
+  virtual std::string rateRemark(double /*ratePerMinute*/) const { return {}; }
+
+  /// The smallest step through the cycle that shows something new, s; 0 when ordinary frames do.
+  virtual double finestStepSeconds() const { return 0; }
 
   /// Fills `pose` (resized to `n x 3`) at `seconds` since the start when played at `ratePerMinute`. Periodic
   /// with 60 / rate. O(n).
