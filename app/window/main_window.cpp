@@ -131,14 +131,14 @@ void MainWindow::makeSession() {
 }
 
 void MainWindow::placePanels() {
-  auto* timeline = new TimelineBar(playback_, actions_);
+  timeline_ = new TimelineBar(playback_, actions_);
   organPanel_ = new OrganPanel(workspace_, poses_, volumes_);
   organPanel_->addTo(actions_);
   auto* handlePanel = new HandlePanel(workspace_, placer_);
   for (const char* id : {"handles.addEnclosing", "handles.remove", "handles.influence", "handles.save"})
     handlePanel->addTool(actions_[id]);
   volumePanel_ = new VolumePanel(volumes_, playback_, view_);
-  layout_->place({new ModeRail(*modes_), organPanel_, handlePanel, makePages(), timeline, makeCharts(),
+  layout_->place({new ModeRail(*modes_), organPanel_, handlePanel, makePages(), timeline_, makeCharts(),
                   new SlidePanel(*slides_, actions_), imports_->panel()});
   const auto follow = [this] { layout_->follow(modes_->present()); };
   connect(modes_.get(), &ModeController::changed, layout_, follow);
@@ -192,6 +192,8 @@ void MainWindow::connectView() {
   ViewWidget* view = viewArea_->view();
   connect(&view_, &ViewModel::changed, volumePanel_,
           [this] { volumePanel_->setCycleShown(view_.state().chartOfCycle); });
+  connect(&view_, &ViewModel::changed, timeline_,
+          [this] { timeline_->setSignsShown(view_.state().beatSigns); });
   connect(&playback_, &Playback::stateChanged, view, [this, view] {
     view->view().setMoving(playback_.player().playing());
     view->scheduleRender();

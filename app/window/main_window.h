@@ -37,6 +37,7 @@ class SlicePanes;
 class Slides;
 class StatusLine;
 class StressMode;
+class TimelineBar;
 class ViewActions;
 class ViewArea;
 class VolumePanel;
@@ -128,6 +129,7 @@ private:
   LectureScreen* lecture_ = nullptr;
   OrganPanel* organPanel_ = nullptr;
   VolumePanel* volumePanel_ = nullptr;
+  TimelineBar* timeline_ = nullptr;
   StatusLine* status_ = nullptr;
   Help* help_ = nullptr;
   std::unique_ptr<SessionView> sessionView_;
