@@ -92,7 +92,6 @@ private:
   void makeSession();
   void placePanels();
   QWidget* makePages();
-  QWidget* makeCharts();
   void makeMenus();
   void connectView();
   void connectFiles();
