@@ -9,7 +9,6 @@
 #include <QShortcut>
 #include <QStackedWidget>
 #include <QStatusBar>
-#include <QTimer>
 
 #include "window/binding_messages.h"
 #include "window/export_actions.h"
@@ -38,6 +37,7 @@
 #include "window/slices/slice_panes.h"
 #include "window/status_line.h"
 #include "window/table/handle_table.h"
+#include "window/timeline/mode_charts.h"
 #include "window/timeline/timeline_bar.h"
 #include "window/timeline/volume_panel.h"
 #include "window/view/organ_pointer.h"
@@ -131,15 +131,16 @@ void MainWindow::makeSession() {
 }
 
 void MainWindow::placePanels() {
-  auto* timeline = new TimelineBar(playback_, actions_);
+  timeline_ = new TimelineBar(playback_, actions_);
   organPanel_ = new OrganPanel(workspace_, poses_, volumes_);
   organPanel_->addTo(actions_);
   auto* handlePanel = new HandlePanel(workspace_, placer_);
   for (const char* id : {"handles.addEnclosing", "handles.remove", "handles.influence", "handles.save"})
     handlePanel->addTool(actions_[id]);
   volumePanel_ = new VolumePanel(volumes_, playback_, view_);
-  layout_->place({new ModeRail(*modes_), organPanel_, handlePanel, makePages(), timeline, makeCharts(),
-                  new SlidePanel(*slides_, actions_), imports_->panel()});
+  layout_->place({new ModeRail(*modes_), organPanel_, handlePanel, makePages(), timeline_,
+                  new ModeCharts(*modes_, volumePanel_, *layout_), new SlidePanel(*slides_, actions_),
+                  imports_->panel()});
   const auto follow = [this] { layout_->follow(modes_->present()); };
   connect(modes_.get(), &ModeController::changed, layout_, follow);
   connect(&playback_, &Playback::stateChanged, layout_, follow);
@@ -157,29 +158,6 @@ QWidget* MainWindow::makePages() {
   return pages;
 }
 
-QWidget* MainWindow::makeCharts() {
-  auto* charts = new QStackedWidget;
-  charts->addWidget(volumePanel_);
-  std::vector<QWidget*> ofModes;
-  for (const auto& mode : modes_->all()) {
-    QWidget* own = mode->makeChart();
-    if (own)
-      charts->addWidget(own);
-    ofModes.push_back(own ? own : volumePanel_);
-  }
-  const auto show = [this, charts, ofModes] {
-    QWidget* own = ofModes[static_cast<std::size_t>(modes_->index())];
-    const bool wanted = modes_->present().chartWanted();
-    charts->setCurrentWidget(wanted ? own : volumePanel_);
-    layout_->fitCharts(wanted && own != volumePanel_ ? std::optional(own->sizeHint().height())
-                                                     : std::nullopt);
-  };
-  connect(modes_.get(), &ModeController::changed, charts, show);
-  for (const auto& mode : modes_->all())
-    connect(mode.get(), &Mode::chartWantedChanged, charts, show);
-  return charts;
-}
-
 void MainWindow::makeMenus() {
   auto* menus = new Menus(
       *menuBar(), {actions_, *modes_, *files_, *samples_, *scans_, workspace_, settings_, layout_->docks()});
@@ -192,6 +170,8 @@ void MainWindow::connectView() {
   ViewWidget* view = viewArea_->view();
   connect(&view_, &ViewModel::changed, volumePanel_,
           [this] { volumePanel_->setCycleShown(view_.state().chartOfCycle); });
+  connect(&view_, &ViewModel::changed, timeline_,
+          [this] { timeline_->setSignsShown(view_.state().beatSigns); });
   connect(&playback_, &Playback::stateChanged, view, [this, view] {
     view->view().setMoving(playback_.player().playing());
     view->scheduleRender();
@@ -223,13 +203,7 @@ void MainWindow::connectFiles() {
     showWelcome(false);
     scans_->opened();
   });
-  // Once the views have the places that the layout gives them.
-  connect(scans_, &ScanActions::layoutChosen, viewArea_->view(), [this] {
-    QTimer::singleShot(0, viewArea_->view(), [this] {
-      picture_->view().frame();
-      viewArea_->view()->scheduleRender();
-    });
-  });
+  connect(scans_, &ScanActions::layoutChosen, viewArea_, &ViewArea::frameSoon);
   connect(files_, &FileActions::scansFound, scans_, &ScanActions::open);
   connect(files_, &FileActions::filesOpened, scans_, &ScanActions::sayFit);
   connect(samples_, &SampleLoader::loaded, this, fromFront);

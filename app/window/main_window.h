@@ -37,6 +37,7 @@ class SlicePanes;
 class Slides;
 class StatusLine;
 class StressMode;
+class TimelineBar;
 class ViewActions;
 class ViewArea;
 class VolumePanel;
@@ -91,7 +92,6 @@ private:
   void makeSession();
   void placePanels();
   QWidget* makePages();
-  QWidget* makeCharts();
   void makeMenus();
   void connectView();
   void connectFiles();
@@ -128,6 +128,7 @@ private:
   LectureScreen* lecture_ = nullptr;
   OrganPanel* organPanel_ = nullptr;
   VolumePanel* volumePanel_ = nullptr;
+  TimelineBar* timeline_ = nullptr;
   StatusLine* status_ = nullptr;
   Help* help_ = nullptr;
   std::unique_ptr<SessionView> sessionView_;

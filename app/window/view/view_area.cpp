@@ -86,6 +86,13 @@ void ViewArea::joinViews() {
   grid_->setRowMinimumHeight(0, kMargin);
 }
 
+void ViewArea::frameSoon() {
+  QTimer::singleShot(0, view_, [this] {
+    view_->view().frame();
+    view_->scheduleRender();
+  });
+}
+
 void ViewArea::showBadge(const QString& text) {
   badge_->setText(text);
   badge_->setVisible(messages_->isHidden());

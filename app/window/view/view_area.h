@@ -30,6 +30,9 @@ public:
   /// Which of them, and of the view, is seen; they share the room.
   void arrange(bool view, const std::array<bool, 3>& slices);
 
+  /// Moves the eye so that everything is in the view, once the view has the place that the layout gives it.
+  void frameSoon();
+
   /// Puts `second` beside the view, both equally wide, with `header` above the view. Both widgets become
   /// this one's, until `joinViews` deletes them.
   void splitView(QWidget* header, QWidget* second);

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <QStackedWidget>
+
+#include <vector>
+
+#include "window/modes/mode_controller.h"
+
+namespace viscera::app {
+
+class VolumePanel;
+class WindowLayout;
+
+/// The place of the charts: the present mode's own chart while that is wanted, else the volumes.
+class ModeCharts final : public QStackedWidget {
+  Q_OBJECT
+
+public:
+  /// Takes `volumes`; the others have to live longer.
+  ModeCharts(ModeController& modes, VolumePanel* volumes, WindowLayout& layout);
+
+private:
+  void follow();
+
+  ModeController& modes_;
+  QWidget* volumes_;
+  WindowLayout& layout_;
+  std::vector<QWidget*> ofModes_; ///< One a mode.
+};
+
+} // namespace viscera::app
