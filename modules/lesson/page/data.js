@@ -33,4 +33,4 @@ const triangles = Uint32Array.from(integers(arrays.triangles)), weights = handle
 const painted = integers(arrays.colors), colors = new Uint8Array(4 * lesson.vertices);
 for (let i = 0; i < lesson.vertices; ++i) for (let c = 0; c < 3; ++c) colors[4 * i + c] = painted[3 * i + c];
 for (const s of surfaces) Object.assign(s, {on: true, now: s.opacity, rgb: `rgb(${s.color.map(x => Math.round(255 * x)).join()})`});
-const state = {fraction: 0, rate: motion ? motion.rate : 0, speed: 1, playing: false, names: innerWidth >= kNarrow, handles: false, held: -1};
+const state = {fraction: 0, rate: motion ? motion.rate : 0, speed: 1, playing: false, names: null, handles: false, held: -1}, named = () => state.names ?? size[0] >= kNarrow; // Null: as there is room.

@@ -7,14 +7,14 @@ $('title').textContent = $('title').title = lesson.title; $('notes').textContent
 for (const name of Object.keys(sides)) $('side').append(Object.assign(element('option', say(name)), {value: name}));
 for (const speed of [1, 0.5, 0.25, 0.1]) $('speed').append(Object.assign(element('option', number(speed, speed % 1 ? 2 : 0) + '\u00D7'), {value: speed}));
 for (const [id, act] of Object.entries({play: () => setPlaying(!state.playing), theme: () => setLight(!document.documentElement.classList.contains('light')),
-  labels: () => showNames(!state.names), grips: () => showHandles(!state.handles), undo: reset, ask: () => setQuiz(!quiz.on), next: askNext, leave: () => setQuiz(false),
+  labels: () => showNames(!named()), grips: () => showHandles(!state.handles), undo: reset, ask: () => setQuiz(!quiz.on), next: askNext, leave: () => setQuiz(false),
   before: () => showSlide(slide - 1), after: () => showSlide(slide + 1)})) $(id).onclick = act;
 $('side').onchange = e => setSide(e.target.value); $('speed').onchange = e => { state.speed = +e.target.value; };
 $('time').oninput = e => { setPlaying(false); seek(Math.min(+e.target.value, 0.9999)); };
 $('rate').oninput = e => setRate(+e.target.value); $('opacity').oninput = e => setGlass(+e.target.value);
 bright.onchange = () => setLight(bright.matches);
 const pick = by => { if (!state.handles) showHandles(true); state.held = mod(state.held + (state.held < 0 && by < 0 ? 0 : by), handles.length || 1); $('held').textContent = say('held', handles[state.held].label); turned = true; };
-const keys = {' ': () => setPlaying(!state.playing), Home: () => seek(0), n: () => showNames(!state.names), h: () => showHandles(!state.handles), r: reset, t: () => $('theme').click(),
+const keys = {' ': () => setPlaying(!state.playing), Home: () => seek(0), n: () => showNames(!named()), h: () => showHandles(!state.handles), r: reset, t: () => $('theme').click(),
   x: () => setGlass(surfaces.some(s => s.wall && s.now < 1) ? 1 : 0.3), 1: () => setSide('anterior'), 3: () => setSide('left'), 7: () => setSide('superior'),
   j: () => handles.length && pick(1), k: () => handles.length && pick(-1), PageDown: () => turnPage(1), PageUp: () => turnPage(-1), b: () => darken(), Escape: () => { darken(false); state.held = -1; $('held').textContent = ''; turned = true; if (quiz.on) setQuiz(false); },
   '+': () => state.held >= 0 ? pullBy(state.held, 0, 0, 2) : zoomBy(1.15), '-': () => state.held >= 0 ? pullBy(state.held, 0, 0, -2) : zoomBy(1 / 1.15)};
@@ -60,7 +60,7 @@ function render() {
     if (pullsChanged && (!dragging || performance.now() - lastBeat > 200)) { writeIndices(); pullsChanged = false; lastBeat = performance.now(); }
     if (motion) { writePhase(); drawChart(); }
   }
-  timed('draw', () => { draw(); drawOver(); }); ++times.frames;
+  timed('draw', () => { draw(); drawOver(); }); ++times.frames; press('labels', named());
   changed = pullsChanged; turned = false;
 }
 let last = 0; function frame(now) {
@@ -77,7 +77,7 @@ $('glass').hidden = !surfaces.some(s => s.wall); $('grips').hidden = !handles.le
 setLight(bright.matches); for (const s of surfaces) setOpacity(s, s.opacity);
 $('opacity').value = Math.min(...surfaces.filter(s => s.wall).map(s => s.opacity), 1);
 if (motion) { $('rate').max = motion.rates.length - 1; $('rates').hidden = motion.rates.length < 2; setRate(state.rate); }
-setPlaying(!calm.matches); showNames(state.names); if (slides.length) showSlide(0);
+setPlaying(!calm.matches); if (slides.length) showSlide(0);
 if (lesson.eye && !(slides[0] || {}).position) lookFrom(lesson.eye);
 /** For tests: all that the controls do, and the numbers behind the picture. */
 window.viscera = {lesson, state, camera, times, points, surfaces, handles, quiz, gl, seek, setRate, setPlaying, setGlass, setLight, showHandles, showNames, showSlide, showSurface, setSide, setQuiz, judge, reset, render, project, placeOf,

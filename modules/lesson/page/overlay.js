@@ -49,7 +49,7 @@ function placeNames() {
     i.worth = i.part ? -dot(normalOf(vertex), ahead) : 1;
     if (i.part && late) i.behind = i.worth > kFacing && isBehind(i.s, vertex);
     [i.x, i.y] = project(placeOf(vertex));
-    i.shown = state.names && !quiz.on && i.s.on && !i.behind && i.worth > kFacing && i.x > 0 && i.x < size[0] && i.y > 0 && i.y < size[1];
+    i.shown = named() && !quiz.on && i.s.on && !i.behind && i.worth > kFacing && i.x > 0 && i.x < size[0] && i.y > 0 && i.y < size[1];
     i.box.style.display = i.shown ? '' : 'none';
   }
   const top = $('tools').offsetTop + $('tools').offsetHeight + 6, bottom = Math.min(size[1] - 40, $('held').textContent ? $('held').offsetTop - 4 : size[1]);

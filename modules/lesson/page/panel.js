@@ -68,7 +68,7 @@ function seek(fraction) { state.fraction = mod(fraction, 1); changed = true; }
 function setGlass(opacity) { for (const s of surfaces) if (s.wall) setOpacity(s, opacity); $('opacity').value = opacity; turned = true; }
 function setLight(on) { document.documentElement.classList.toggle('light', on); turned = changed = true; }
 function showHandles(on) { state.handles = on && handles.length > 0; state.held = -1; press('grips', state.handles); $('held').textContent = state.handles ? say('hint') : ''; turned = true; }
-function showNames(on) { state.names = on; press('labels', on); turned = true; }
+function showNames(on) { state.names = on; turned = true; }
 function reset() { for (const h of handles) h.pull.fill(0); takePulls(); pullsChanged = changed = true; }
 function pullBy(handle, dx, dy, dz) {
   const by = handles[handle].pull;
@@ -85,7 +85,7 @@ function showSlide(index) {
   if ('seeThrough' in s) setGlass(s.seeThrough);
   if (motion && 'rate' in s) setRate(s.rate);
   if (motion && 'fraction' in s) { setPlaying(false); seek(s.fraction); } else setPlaying(!calm.matches);
-  if ('names' in s && (!s.names || size[0] >= kNarrow)) showNames(s.names);
+  if ('names' in s) showNames(s.names ? state.names || null : false);
   showHandles(s.handles);
 }
 const turnPage = by => { if (slides[slide + by] && !quiz.on) showSlide(slide + by); }, darken = on => document.body.classList.toggle('night', on);

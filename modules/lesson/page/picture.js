@@ -7,8 +7,8 @@ function look() {
   const {yaw, pitch} = camera, cp = Math.cos(pitch), sp = Math.sin(pitch), cy = Math.cos(yaw), sy = Math.sin(yaw);
   ahead = [-cp * sy, cp * cy, -sp]; right = [cy, sy, 0]; up = [-sp * sy, sp * cy, cp];
   far = lesson.radius / Math.sin(kHalfAngle) / camera.zoom * Math.max(1, size[1] / size[0]) * (size[0] < 600 ? size[1] / (size[1] - 50) : 1) // The tools lie over it,
-    * (state.names && size[0] < kNarrow ? 1.2 : 1); // and the names beside it.
-  eye = camera.target.map((x, i) => x - ahead[i] * far);
+    * (named() && size[0] < kNarrow ? 1.2 : 1); // and the names beside it.
+  eye = camera.target.map((x, i) => x - ahead[i] * far + (size[0] < kNarrow ? up[i] * 22 * far / pixels() : 0)); // Below the tools.
 }
 /** Looks along a direction at a point; from as far away as `distance` in a square picture. */
 function lookAlong(direction, target, distance) {

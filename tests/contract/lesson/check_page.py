@@ -229,7 +229,11 @@ NAMES = """(() => {
 def check_names(b, truth):
     """On a phone names are hidden at first; who asks for them has them beside one another, clear of all controls."""
     check("a phone shows no names at first", b.run("!viscera.state.names && document.getElementById('labels').getAttribute('aria-pressed') === 'false'"))
-    b.run("document.getElementById('labels').click(), viscera.setPlaying(false)")
+    highest = "(() => { let y = 1e9; for (let v = 0; v < viscera.lesson.vertices; v += 7) y = Math.min(y, viscera.project(viscera.placeOf(v))[1]); return y; })()"
+    tools = "(t => t.offsetTop + t.offsetHeight)(document.getElementById('tools'))"
+    found = b.run(f"viscera.setPlaying(false), viscera.setSide('anterior'), viscera.render(), [{highest}, {tools}]")
+    check("a phone shows the organ below the buttons", found[0] > found[1], found)
+    b.run("document.getElementById('labels').click()")
     for side in ("anterior", "posterior", "left", "right", "superior", "inferior"):
         b.run(f"viscera.setSide('{side}'), viscera.render()")
         time.sleep(0.35)  # What lies behind the organ is looked for three times a second.
@@ -311,6 +315,7 @@ def main(arguments):
         check_layout(b, "1280 wide", slides=False)
         b.window(390, 844, 2, True)
         b.open(arguments.lesson)
+        b.window(390, 844, 2, True)  # Firefox forgets how large it draws.
         time.sleep(0.5)
         if truth["whole"]:
             check_hands(b, touch=True)

@@ -147,4 +147,4 @@ class Firefox:
 
     def end(self):
         self.process.terminate()
-        self.process.wait(20)
+        self.process.wait(60)
