@@ -171,16 +171,16 @@ PlayedSequence onOwnOrgan(const PlayRequest& request, Surroundings& surroundings
     surfaces = surfacesOf(setup.organ);
   else
     surfaces.add("outer", organInput(request.organ, surroundings.samples, surroundings.progress));
-  const bool heart = std::count(surfaces.names.begin(), surfaces.names.end(), "lv") > 0;
-  if (heart) {
-    const sample_organs::SampleSurface chambers = sample_organs::sampleSurface(
-        surroundings.samples, "heart", "chambers", *resolution, surroundings.progress, surroundings.threads);
-    surfaces.organs.push_back({document::makeOrgan("chambers", chambers.mesh), -1});
+  played.hasWalls = std::count(surfaces.names.begin(), surfaces.names.end(), "lv") > 0;
+  for (const char* wall : {"chambers", "lv_wall"}) {
+    if (!played.hasWalls)
+      break;
+    const sample_organs::SampleSurface surface = sample_organs::sampleSurface(
+        surroundings.samples, "heart", wall, *resolution, surroundings.progress, surroundings.threads);
+    surfaces.organs.push_back({document::makeOrgan(wall, surface.mesh), -1});
     surfaces.organs.back().organ.look.visible = false;
   }
   bindAll(played, std::move(surfaces), setup.system, surroundings);
-  if (heart)
-    played.chambers = played.document->state().organs->back()->id;
   return played;
 }
 

@@ -54,8 +54,9 @@ struct PlayedSequence {
   std::unique_ptr<BoundDocument> document; ///< The surfaces as organs with their looks, the rig, the system.
   std::vector<PlayedSurface> surfaces;     ///< The first organs of the document, the outer surface first.
   std::vector<std::string> warnings;       ///< About the files that were read.
-  /// Of the sample heart: its chambers from outside, without vessels. The last organ, hidden: only measured.
-  document::OrganId chambers = {};
+  /// Of the sample heart: whether two further organs come last, hidden, only to be measured: its chambers
+  /// from outside, without vessels, and the left ventricle from outside.
+  bool hasWalls = false;
   /// What was computed when the organ is not the sequence's own.
   std::optional<motion::RetargetedSequence> retargeted;
 

@@ -6,6 +6,7 @@
 #include <CLI/CLI.hpp>
 
 #include "cli/listing.h"
+#include "viscera/medical_io/image_beside.h"
 
 namespace viscera::app::cli {
 namespace {
@@ -110,9 +111,11 @@ Outcome describeScan(const std::string& file, const ScanInputOptions& options, S
     directions.push_back(numbersJson(scan.indexToLps.linear().col(axis).normalized()));
   Outcome outcome;
   appendFindings(outcome.warnings, scan);
+  const auto labels = medical_io::imageBeside(file, medical_io::ImageContents::labels, surroundings.progress);
   outcome.json = {
       {"kind", "scan"},
       {"file", file},
+      {"beside", labels ? ordered_json(labels->string()) : ordered_json(nullptr)},
       {"size", scan.size},
       {"spacingMm", numbersJson(scan.spacing())},
       {"originMm", numbersJson(scan.indexToLps.translation())},
@@ -134,6 +137,8 @@ Outcome describeScan(const std::string& file, const ScanInputOptions& options, S
       {"findings", findingsJson(scan)},
       {"warnings", outcome.warnings}};
   Listing listing = listingOf(scan, range);
+  if (labels)
+    listing.add("label map", labels->string() + ", beside it");
   if (series.size() > 1)
     for (const medical_io::ScanSeries& one : series)
       listing.add("  " + one.id, one.description + ", " + one.modality + ", " + sizeText(one.size) + ", " +

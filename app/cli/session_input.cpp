@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 #include <memory>
 #include <utility>
@@ -10,7 +11,7 @@
 
 #include "cli/listing.h"
 #include "viscera/core/error.h"
-#include "viscera/document/measurement.h"
+#include "viscera/document/measured_values.h"
 #include "viscera/document/undo_stack.h"
 #include "viscera/live/live_binding.h"
 #include "viscera/live/live_stress.h"
@@ -39,11 +40,11 @@ ordered_json measurementsJson(const document::DocumentState& state) {
   const auto atRest = [&](document::OrganId id) -> const Points& { return state.organ(id)->mesh->points; };
   ordered_json list = ordered_json::array();
   for (const document::Measurement& measurement : *state.measurements) {
-    const auto kind = document::kindOf(measurement);
+    const double value = document::measure(measurement, state, atRest).rest;
     list.push_back({{"name", measurement.name},
-                    {"kind", document::nameOf(kind)},
-                    {"valueAtRest", document::measure(measurement, state, atRest).rest},
-                    {"unit", document::unitOf(kind)}});
+                    {"kind", document::nameOf(measurement.kind)},
+                    {"valueAtRest", std::isfinite(value) ? ordered_json(value) : ordered_json(nullptr)},
+                    {"unit", document::unitOf(measurement, state)}});
   }
   return list;
 }
@@ -91,7 +92,9 @@ PosedSession::PosedSession(const document::DocumentState& state, const presentat
                            Surroundings& surroundings)
     : live_(document_, surroundings.systems, jobs_,
             {std::numeric_limits<double>::infinity(), surroundings.threads}),
-      stress_(document_, surroundings.systems, live_, jobs_, stressAtOnce(surroundings.threads)) {
+      stress_(document_, surroundings.systems, live_, jobs_, stressAtOnce(surroundings.threads)),
+      bend_(document_, live_, surroundings.systems, jobs_,
+            {std::numeric_limits<double>::infinity(), surroundings.threads}) {
   undo_.reset(state);
   if (view.shown.rest)
     live_.showRest();
@@ -111,6 +114,14 @@ std::string PosedSession::makeStress(const presentation::ViewState& view, Surrou
     findPeak(stress_, state(), view, surroundings);
   box_.runUntil([&] { return jobs_.idle(); });
   return {};
+}
+
+live::LiveBend* PosedSession::makeBend() {
+  bend_.setWanted(true);
+  box_.runUntil([&] { return jobs_.idle(); });
+  if (!bend_.problem().empty())
+    throw DataError(bend_.problem(), "the scan cannot be bent");
+  return bend_.map() ? &bend_ : nullptr;
 }
 
 Outcome describeSession(const std::string& file, Surroundings& surroundings) {
@@ -157,13 +168,32 @@ Outcome describeSession(const std::string& file, Surroundings& surroundings) {
     listing.add("cage", std::to_string(state.rig->cage.size()) + " triangles");
   listing.add("coordinates", state.system->id)
       .add("recorded keys", std::to_string(state.recording->keys.size()));
-  for (const ordered_json& item : outcome.json["measurements"])
+  for (const ordered_json& item : outcome.json["measurements"]) {
+    const ordered_json& value = item["valueAtRest"];
     listing.add("measurement", item["name"].get<std::string>() + ": " +
-                                   fixed(item["valueAtRest"].get<double>(), 1) + ' ' +
-                                   item["unit"].get<std::string>() + " at rest");
+                                   (value.is_null() ? "no value, the scan is not there"
+                                                    : fixed(value.get<double>(), 1) + ' ' +
+                                                          item["unit"].get<std::string>() + " at rest"));
+  }
   outcome.text = listing.text();
   outcome.warnings = opened.warnings;
   return outcome;
+}
+
+SliceOutcome sessionSlice(const document::OpenedSession& opened, const SliceRequest& slice, double level,
+                          double width, const StageOptions& options, Surroundings& surroundings) {
+  presentation::ViewState view = viewOf(opened, true);
+  if (width > 0) {
+    view.scan.level = level;
+    view.scan.width = width;
+  }
+  PosedSession posed(opened.contents.state, view, surroundings);
+  std::optional<presentation::Bending> bending;
+  if (view.scan.bent)
+    if (live::LiveBend* bend = posed.makeBend())
+      bending = presentation::bendingOf(*bend);
+  return slicePicture({posed.state(), posed.organs(), view, bending ? &*bending : nullptr}, slice, options,
+                      surroundings.threads);
 }
 
 SessionPicture sessionPicture(const document::OpenedSession& opened, const StageOptions& options,
@@ -176,8 +206,14 @@ SessionPicture sessionPicture(const document::OpenedSession& opened, const Stage
     if (const std::string missing = posed.makeStress(view, surroundings); !missing.empty())
       picture.leftOut.push_back("the stress map (" + missing + ")");
   const live::StressFrame frame = posed.stress().frame();
+  std::optional<presentation::Bending> bending;
+  if (view.scan.standing && view.scan.bent)
+    if (live::LiveBend* bend = posed.makeBend())
+      bending = presentation::bendingOf(*bend);
   presentation::Stage stage = stageFor(options, surroundings.threads);
-  stage.presenter().update({posed.state(), posed.organs(), view, surroundings.systems, &frame});
+  presentation::Scene scene{posed.state(), posed.organs(), view, surroundings.systems, &frame};
+  scene.bending = bending ? &*bending : nullptr;
+  stage.presenter().update(scene);
   if (!fromSide && view.camera)
     presentation::lookFrom(*view.camera, stage.view());
   else

@@ -7,10 +7,12 @@
 #include <vtkSmartPointer.h>
 
 #include "cli/command.h"
+#include "cli/slice_picture.h"
 #include "cli/stage_options.h"
 #include "viscera/core/job_queue.h"
 #include "viscera/document/session_file.h"
 #include "viscera/document/undo_stack.h"
+#include "viscera/live/live_bend.h"
 #include "viscera/live/live_binding.h"
 #include "viscera/live/live_stress.h"
 #include "viscera/presentation/view_state.h"
@@ -43,6 +45,9 @@ public:
   live::LiveBinding& organs() { return live_; }
   live::LiveStress& stress() { return stress_; }
 
+  /// What bends the scan along with the pose, ready; null at rest. Throws `DataError` where it cannot be
+  /// bound.
+  live::LiveBend* makeBend();
   /// Makes the stress map of the organ that the view is about, with the peak where it shows that. Returns why
   /// there is none; empty when there is one.
   std::string makeStress(const presentation::ViewState& view, Surroundings& surroundings);
@@ -54,6 +59,7 @@ private:
   JobQueue jobs_{box_.post()};
   live::LiveBinding live_;
   live::LiveStress stress_;
+  live::LiveBend bend_;
 };
 
 struct SessionPicture {
@@ -65,5 +71,11 @@ struct SessionPicture {
 /// the stress map, and the camera, unless `fromSide` asks for the side of `options`.
 SessionPicture sessionPicture(const document::OpenedSession& opened, const StageOptions& options,
                               bool fromSide, Surroundings& surroundings);
+
+/// A slice of the session's scan and organs in the pose that the window showed, with its looks; bent along
+/// when it was. `width` 0: level and width are the session's too. Throws as `slicePicture` and what binding
+/// throws.
+SliceOutcome sessionSlice(const document::OpenedSession& opened, const SliceRequest& slice, double level,
+                          double width, const StageOptions& options, Surroundings& surroundings);
 
 } // namespace viscera::app::cli

@@ -6,7 +6,6 @@
 #include <vtkRenderWindow.h>
 
 #include "viscera/core/error.h"
-#include "viscera/presentation/slice_presenter.h"
 #include "viscera/scene/picture.h"
 #include "viscera/scene/surfaceless_window.h"
 
@@ -29,15 +28,15 @@ SliceRequest sliceRequest(const std::string& text) {
                    "take axial, coronal or sagittal and a place in mm: axial:120");
 }
 
-SliceOutcome slicePicture(const StillOrgans& organs, const SliceRequest& slice,
-                          const presentation::ViewState& view, const StageOptions& stage, Threads threads) {
-  presentation::ViewState wanted = view;
+SliceOutcome slicePicture(const presentation::SliceScene& scene, const SliceRequest& slice,
+                          const StageOptions& stage, Threads threads) {
+  presentation::ViewState wanted = scene.view;
   const int axis = slices::sliceDirections()[static_cast<std::size_t>(slice.direction)].axis;
-  Vec3 focus = presentation::focusOf(organs.state(), view.scan);
+  Vec3 focus = presentation::focusOf(scene.state, wanted.scan);
   focus[axis] = slice.mm;
   wanted.scan.focus = focus;
   presentation::SlicePresenter presenter(threads);
-  presenter.update({organs.state(), organs, wanted},
+  presenter.update({scene.state, scene.organs, wanted, scene.bending},
                    {{slice.direction, stage.size.width, stage.size.height}});
   scene::SurfacelessWindow window(stage.size.width, stage.size.height);
   scene::SliceView drawn;

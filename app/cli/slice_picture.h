@@ -7,9 +7,7 @@
 #include <vtkSmartPointer.h>
 
 #include "cli/stage_options.h"
-#include "cli/still_organs.h"
-#include "viscera/document/scan_item.h"
-#include "viscera/presentation/view_state.h"
+#include "viscera/presentation/slice_presenter.h"
 
 namespace viscera::app::cli {
 
@@ -29,9 +27,9 @@ struct SliceOutcome {
   nlohmann::ordered_json contours;
 };
 
-/// Draws a slice through organs, as they are posed, and the scan beside them, if there is one. `view` says
-/// level, width and all else but the place. Throws as `presentation::Stage`.
-SliceOutcome slicePicture(const StillOrgans& organs, const SliceRequest& slice,
-                          const presentation::ViewState& view, const StageOptions& stage, Threads threads);
+/// Draws a slice through organs, as they are posed, and the scan beside them, if there is one. The scene's
+/// view says level, width and all else but the place. Throws as `presentation::Stage`.
+SliceOutcome slicePicture(const presentation::SliceScene& scene, const SliceRequest& slice,
+                          const StageOptions& stage, Threads threads);
 
 } // namespace viscera::app::cli

@@ -8,6 +8,7 @@
 #include "viscera/document/session_file.h"
 #include "viscera/medical_io/handle_file.h"
 #include "viscera/medical_io/label_map.h"
+#include "viscera/medical_io/scan.h"
 #include "viscera/medical_io/surface_file.h"
 #include "window/panels/color_palette.h"
 
@@ -23,6 +24,14 @@ QString patterns(const std::vector<std::string>& extensions) {
   for (const std::string& extension : extensions)
     list.push_back(QStringLiteral("*") + text(extension));
   return list.join(QLatin1Char(' '));
+}
+
+/// Series or phases of a DICOM series.
+bool hasSeveralScans(const std::filesystem::path& place, Progress& progress) {
+  if (!medical_io::isScan(place) || medical_io::isLabelMap(place))
+    return false;
+  const auto series = medical_io::listScans(place, progress);
+  return series.size() > 1 || (series.size() == 1 && series.front().phases > 1);
 }
 
 } // namespace
@@ -114,6 +123,9 @@ void FileActions::open(const QStringList& files, bool check) {
       name, "open",
       [paths](Progress& progress) {
         Read read;
+        read.several = paths.size() == 1 && hasSeveralScans(paths[0], progress);
+        if (read.several)
+          return read;
         auto others = paths;
         if (auto scan = document::takeScan(others, progress))
           read.scan = std::make_shared<const document::ScanItem>(std::move(*scan));
@@ -122,6 +134,8 @@ void FileActions::open(const QStringList& files, bool check) {
         return read;
       },
       [this, files, check](Read read) {
+        if (read.several)
+          return Q_EMIT scansFound(files.front());
         const bool others = !read.draft.organs.empty() || read.draft.files.rig;
         if (read.scan)
           takeScan(*read.scan, files, !others);

@@ -60,6 +60,8 @@ Q_SIGNALS:
   void filesOpened();
   /// One of the files was a scan; it is in the document.
   void scanOpened();
+  /// There are several series of scans at a place, to choose from; none was opened.
+  void scansFound(const QString& place);
   /// These files were looked at, and nothing was odd.
   void foundNothingOdd(const QStringList& files);
   void recentFilesChanged();
@@ -69,6 +71,7 @@ private:
   struct Read {
     document::ImportDraft draft;
     std::shared_ptr<const document::ScanItem> scan; ///< Null: none of them was one.
+    bool several = false; ///< There are several series to choose from; nothing was read.
   };
 
   QString folder() const;

@@ -74,7 +74,7 @@ void Help::startTour() {
             "on "
             "the left (K) keeps the volume whatever you do. T turns and scales selected handles, M mirrors "
             "drags. "
-            "Ctrl+Z takes any change back, G shows the rest shape as an outline."),
+            "Ctrl+Z takes any change back, G shows the reference shape as an outline."),
          [this] { parts_.modes.choose("deform"); }},
         {tr("Your own organs"),
          tr("Open surfaces (STL, OBJ, PLY, OFF, VTK, VTP, GLB) with Ctrl+O or drop them here; they get "

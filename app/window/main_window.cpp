@@ -9,6 +9,7 @@
 #include <QShortcut>
 #include <QStackedWidget>
 #include <QStatusBar>
+#include <QTimer>
 
 #include "window/binding_messages.h"
 #include "window/export_actions.h"
@@ -30,6 +31,9 @@
 #include "window/report/report_export.h"
 #include "window/session/session_files.h"
 #include "window/session/session_view.h"
+#include "window/slices/bent_export.h"
+#include "window/slices/handle_grip.h"
+#include "window/slices/patient_offer.h"
 #include "window/slices/scan_actions.h"
 #include "window/slices/slice_panes.h"
 #include "window/status_line.h"
@@ -59,10 +63,14 @@ MainWindow::MainWindow(Settings& settings, plugin::Registry registry, motion::Tr
   handles_ = std::make_unique<HandleController>(workspace_, poses_, *picture_);
   imports_ = std::make_unique<ImportDesk>(workspace_, *files_, *picture_, nullptr);
   bindingMessages_ = new BindingMessages(workspace_, viewArea_->messages(), this);
-  slices_ = std::make_unique<SlicePanes>(workspace_, view_, *viewArea_, *scans_->sliceMenu());
+  slices_ = std::make_unique<SlicePanes>(workspace_, view_, *picture_, *viewArea_, *scans_->sliceMenu());
+  handleGrip_ = std::make_unique<HandleGrip>(*slices_, *picture_);
+  slices_->addGrip(*handleGrip_);
   files_->addTo(actions_);
   scans_->addTo(actions_);
+  new PatientOffer(workspace_, *files_, *scans_, this);
   exports_->addTo(actions_);
+  (new BentExport(workspace_, settings_, this))->addTo(actions_);
   lessons_ = new LessonExport({workspace_, playback_, *picture_, view_, settings_}, this);
   lessons_->addTo(actions_);
   actions_.add("file.quit", {tr("&Quit"), nullptr, {QKeySequence::Quit}, {}}, [this] { close(); });
@@ -92,7 +100,7 @@ void MainWindow::makeModes() {
       ModeController::Parts{playback_, view_, *viewArea_->view(), *picture_, *handles_});
   const ModeParts parts{workspace_,        playback_, poses_,     volumes_, placer_,   *samples_,
                         *bindingMessages_, settings_, *viewArea_, view_,    *picture_, *handles_};
-  explore_ = &modes_->add(std::make_unique<ExploreMode>(parts, actions_));
+  explore_ = &modes_->add(std::make_unique<ExploreMode>(parts, *slices_, actions_));
   modes_->add(std::make_unique<HandlesMode>(parts, actions_));
   modes_->add(std::make_unique<DeformMode>(parts, actions_));
   stress_ = &modes_->add(std::make_unique<StressMode>(parts, actions_));
@@ -123,14 +131,14 @@ void MainWindow::makeSession() {
 }
 
 void MainWindow::placePanels() {
-  auto* timeline = new TimelineBar(playback_, actions_);
+  timeline_ = new TimelineBar(playback_, actions_);
   organPanel_ = new OrganPanel(workspace_, poses_, volumes_);
   organPanel_->addTo(actions_);
   auto* handlePanel = new HandlePanel(workspace_, placer_);
   for (const char* id : {"handles.addEnclosing", "handles.remove", "handles.influence", "handles.save"})
     handlePanel->addTool(actions_[id]);
   volumePanel_ = new VolumePanel(volumes_, playback_, view_);
-  layout_->place({new ModeRail(*modes_), organPanel_, handlePanel, makePages(), timeline, makeCharts(),
+  layout_->place({new ModeRail(*modes_), organPanel_, handlePanel, makePages(), timeline_, makeCharts(),
                   new SlidePanel(*slides_, actions_), imports_->panel()});
   const auto follow = [this] { layout_->follow(modes_->present()); };
   connect(modes_.get(), &ModeController::changed, layout_, follow);
@@ -184,6 +192,8 @@ void MainWindow::connectView() {
   ViewWidget* view = viewArea_->view();
   connect(&view_, &ViewModel::changed, volumePanel_,
           [this] { volumePanel_->setCycleShown(view_.state().chartOfCycle); });
+  connect(&view_, &ViewModel::changed, timeline_,
+          [this] { timeline_->setSignsShown(view_.state().beatSigns); });
   connect(&playback_, &Playback::stateChanged, view, [this, view] {
     view->view().setMoving(playback_.player().playing());
     view->scheduleRender();
@@ -215,6 +225,15 @@ void MainWindow::connectFiles() {
     showWelcome(false);
     scans_->opened();
   });
+  // Once the views have the places that the layout gives them.
+  connect(scans_, &ScanActions::layoutChosen, viewArea_->view(), [this] {
+    QTimer::singleShot(0, viewArea_->view(), [this] {
+      picture_->view().frame();
+      viewArea_->view()->scheduleRender();
+    });
+  });
+  connect(files_, &FileActions::scansFound, scans_, &ScanActions::open);
+  connect(files_, &FileActions::filesOpened, scans_, &ScanActions::sayFit);
   connect(samples_, &SampleLoader::loaded, this, fromFront);
   connect(samples_, &SampleLoader::loaded, sessions_, &SessionFiles::sampleLoaded);
   connect(sessions_, &SessionFiles::opened, this, [this] {

@@ -23,6 +23,7 @@ namespace viscera::app {
 class BindingMessages;
 class ExploreMode;
 class ExportActions;
+class HandleGrip;
 class Help;
 class ImportDesk;
 class LectureScreen;
@@ -36,6 +37,7 @@ class SlicePanes;
 class Slides;
 class StatusLine;
 class StressMode;
+class TimelineBar;
 class ViewActions;
 class ViewArea;
 class VolumePanel;
@@ -127,12 +129,14 @@ private:
   LectureScreen* lecture_ = nullptr;
   OrganPanel* organPanel_ = nullptr;
   VolumePanel* volumePanel_ = nullptr;
+  TimelineBar* timeline_ = nullptr;
   StatusLine* status_ = nullptr;
   Help* help_ = nullptr;
   std::unique_ptr<SessionView> sessionView_;
   SessionFiles* sessions_ = nullptr;
   ThemeKind theme_ = ThemeKind::dark;
   std::vector<Subscription> subscriptions_;
+  std::unique_ptr<HandleGrip> handleGrip_;
 };
 
 } // namespace viscera::app

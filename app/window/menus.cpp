@@ -75,8 +75,9 @@ void Menus::makeFileMenu() {
   fill(file, {"", "file.save", "file.saveAs", "file.recover", "", "handles.save", "file.export",
               "export.lesson", "file.report"});
   fill(file->addMenu(icon("export"), tr("Export &more")),
-       {"export.organs", "export.displacements", "export.transform", "export.table", "export.measurements",
-        "", "stress.exportMap", "stress.exportPoints", "stress.exportHistogram", "stress.exportCurve"});
+       {"export.scan", "export.organs", "export.displacements", "export.transform", "export.table",
+        "export.measurements", "", "stress.exportMap", "stress.exportPoints", "stress.exportHistogram",
+        "stress.exportCurve"});
   fill(file, {"file.screenshot", "", "file.quit"});
 }
 

@@ -29,7 +29,7 @@ constexpr int kSoftware = 70;
 constexpr int kWidth = 1600;
 constexpr int kHeight = 1000;
 constexpr double kFrame = 1.0 / 25.0;
-constexpr double kPlayedSeconds = 2.54; ///< Ends in the ejection at 75 beats a minute.
+constexpr double kPlayedSeconds = 2.64; ///< Ends in the ejection at 75 beats a minute.
 constexpr int kLongestWait = 180000;    ///< ms, for a sample organ that has to be made first.
 constexpr int kSettle = 400;            ///< ms, for what the window still has to draw.
 

@@ -6,6 +6,7 @@
 #include <QStatusBar>
 #include <QToolButton>
 
+#include "window/slices/scan_bend.h"
 #include "window/widgets/elided_label.h"
 #include "window/widgets/ready_made.h"
 
@@ -33,9 +34,10 @@ StatusLine::StatusLine(Workspace& workspace, VolumeMonitor& volumes, QStatusBar*
   }));
   subscriptions_.push_back(workspace.selection().onChange([this] { syncVolume(); }));
   subscriptions_.push_back(workspace.live().onEvent([this](const live::LiveEvent& event) {
-    if (event.status)
+    if (event.status || ScanBend::of(workspace_).map())
       syncBinding();
   }));
+  subscriptions_.push_back(ScanBend::of(workspace).onChange([this] { syncBinding(); }));
   watch(workspace.jobs());
   syncVolume();
   syncBinding();
@@ -106,7 +108,9 @@ QString StatusLine::bindingText() const {
 }
 
 void StatusLine::syncBinding() {
-  binding_->setText(bindingText());
+  const double folded = ScanBend::of(workspace_).foldedMl();
+  binding_->setText(folded > 0 ? tr("%1, the pose folds %2").arg(bindingText(), formatMilliliters(folded))
+                               : bindingText());
 }
 
 void StatusLine::watch(JobQueue& jobs) {

@@ -16,8 +16,8 @@ namespace viscera::tests {
 namespace {
 
 /// What the left ventricle is to hold then.
-double leftMlOf(const sequences::CalibratedHeartbeat& heart, double seconds, double ratePerMinute) {
-  return heart.cycle().volumes(heart.cycle().referencePhase(seconds, ratePerMinute)).leftMl;
+double leftMlOf(const sequences::CavityHeartbeat& heart, double seconds, double ratePerMinute) {
+  return heart.cycle().at(seconds, ratePerMinute).volumes.leftMl;
 }
 
 class TwoViews : public PlayMode {
@@ -74,7 +74,7 @@ TEST_F(TwoViews, BeatAtTwoRatesUnderOneTimelineAndChart) {
   const auto& monitor = window().volumes();
   const std::size_t alone = monitor.lines().size();
   compareRates();
-  const auto* heart = dynamic_cast<const sequences::CalibratedHeartbeat*>(window().playback().sequence());
+  const auto* heart = dynamic_cast<const sequences::CavityHeartbeat*>(window().playback().sequence());
   ASSERT_NE(heart, nullptr);
   EXPECT_EQ(parts().comparison().playback().player().ratePerMinute(), 150);
   window().playback().toStart();
@@ -109,7 +109,7 @@ TEST_F(TwoViews, BeatAtTwoRatesUnderOneTimelineAndChart) {
 
 TEST_F(TwoViews, ShowTheInstantThatTheirReadoutsNameAlsoAfterAPauseAnUndoAndAnotherMode) {
   compareRates();
-  const auto* heart = dynamic_cast<const sequences::CalibratedHeartbeat*>(window().playback().sequence());
+  const auto* heart = dynamic_cast<const sequences::CavityHeartbeat*>(window().playback().sequence());
   ASSERT_NE(heart, nullptr);
   const auto expectTrue = [&](const char* when) {
     settle();

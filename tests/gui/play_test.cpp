@@ -208,12 +208,16 @@ TEST_F(PlayMode, PhasesNormalRangesAndIndicesOfTheBeatAreShown) {
   auto* scrubber = window().findChild<app::PhaseScrubber*>();
   ASSERT_NE(scrubber, nullptr);
   const QStringList names = scrubber->namesShown();
-  EXPECT_TRUE(names.contains(QStringLiteral("ejection")));
-  EXPECT_TRUE(names.contains(QStringLiteral("filling")));
+  EXPECT_TRUE(names.contains(QStringLiteral("rapid ejection")));
+  EXPECT_TRUE(names.contains(QStringLiteral("diastasis")));
   scrubber->resize(2000, scrubber->height());
-  EXPECT_EQ(scrubber->namesShown().size(), 5);
+  EXPECT_EQ(scrubber->namesShown().size(), 7);
+  const QStringList groups = scrubber->groupsShown();
+  ASSERT_EQ(groups.size(), 2);
+  EXPECT_TRUE(groups[0].startsWith(QStringLiteral("systole 32"))) << groups[0].toStdString();
+  EXPECT_TRUE(groups[1].startsWith(QStringLiteral("diastole 47"))) << groups[1].toStdString();
   scrubber->resize(90, scrubber->height());
-  EXPECT_LT(scrubber->namesShown().size(), 5) << "what has no room is left out";
+  EXPECT_LT(scrubber->namesShown().size(), 7) << "what has no room is left out";
 
   auto* chart = window().findChild<app::VolumePanel*>();
   ASSERT_NE(chart, nullptr);

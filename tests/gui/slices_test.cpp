@@ -1,13 +1,26 @@
 #include "window_test.h"
 
 #include <QAction>
+#include <QApplication>
+#include <QInputDialog>
+#include <QLabel>
 #include <QTest>
+#include <QTimer>
+#include <QTreeWidget>
 #include <QWheelEvent>
 
+#include <filesystem>
+#include <fstream>
+
+#include "dicom_slices.h"
 #include "phantom_scan.h"
+#include "scan_phantom.h"
+#include "viscera/document/measured_values.h"
 #include "viscera/document/organ_commands.h"
 #include "viscera/document/rig_commands.h"
 #include "viscera/document/scan_item.h"
+#include "viscera/scene/vtkVisceraHandleSetWidget.h"
+#include "window/modes/explore_mode.h"
 #include "window/slices/scan_actions.h"
 #include "window/slices/slice_panes.h"
 #include "window/view/picture.h"
@@ -48,6 +61,17 @@ protected:
     for (int step = 1; step <= kSteps; ++step)
       send(QEvent::MouseMove, from + (to - from) * step / kSteps, Qt::NoButton, button);
     send(QEvent::MouseButtonRelease, to, button, Qt::NoButton);
+    settle();
+  }
+  /// The handle that is nearest to the axial plane through the middle, which the slices then go through.
+  int handleInSlice() {
+    Eigen::Index row = 0;
+    document().pose().col(2).cwiseAbs().minCoeff(&row);
+    lookAt(document().pose().row(row).transpose());
+    return static_cast<int>(row);
+  }
+  void lookAt(const Vec3& place) {
+    window().viewModel().change([&](presentation::ViewState& view) { view.scan.focus = place; });
     settle();
   }
   void turnWheel(int direction, int steps, Qt::KeyboardModifiers modifiers = Qt::NoModifier) {
@@ -158,6 +182,173 @@ TEST_F(SlicesTest, ContoursFollowAHandleWhileItIsDragged) {
   window().actions()["edit.undo"]->trigger();
   settle();
   EXPECT_NEAR(contour(1).points.col(2).maxCoeff(), before, 1e-6);
+}
+
+TEST_F(SlicesTest, AHandleIsDraggedInTheSliceAsInTheView) {
+  key(Qt::Key_3); // Deform
+  const int row = handleInSlice();
+  const Vec3 rest = document().pose().row(row).transpose();
+  const auto steps = window().workspace().undo().position();
+  const double before = contour(0).lengthMm;
+  const Vec3 wanted(0.8 * rest.x(), 0.7 * rest.y() + 3, rest.z());
+  dragIn(0, Qt::LeftButton, placeIn(0, rest), placeIn(0, wanted));
+  const double pixel = window().slices().presenter().frame(0).right.norm();
+  EXPECT_LT((document().pose().row(row).transpose() - wanted).norm(), 2 * pixel);
+  EXPECT_EQ(document().pose()(row, 2), rest.z()) << "it stays in the slice's plane";
+  EXPECT_EQ(window().workspace().undo().position(), steps + 1);
+  EXPECT_GT(std::abs(contour(0).lengthMm - before), 0.01) << "the contour has followed";
+  window().actions()["edit.undo"]->trigger();
+  settle();
+  EXPECT_TRUE(document::atRest(window().workspace().state()));
+  EXPECT_FALSE(window().viewArea().view()->view().handleWidget()->IsDragging());
+}
+
+TEST_F(SlicesTest, ADragInASliceKeepsALockedVolumeAndEscapePutsTheHandleBack) {
+  key(Qt::Key_3);
+  window().actions()["volume.lock"]->trigger();
+  ASSERT_TRUE(document().organs().front()->volumeLocked);
+  const int row = handleInSlice();
+  const Vec3 rest = document().pose().row(row).transpose();
+  dragIn(0, Qt::LeftButton, placeIn(0, rest), placeIn(0, 0.7 * rest));
+  const live::OrganVolume volume = window().workspace().live().volume(document().organs().front()->id);
+  EXPECT_FALSE(document::atRest(window().workspace().state()));
+  EXPECT_LT(std::abs(volume.relativeChange()), 1e-6);
+  const document::DocumentState dragged = window().workspace().state();
+  lookAt(document().pose().row(row).transpose());
+  const QPoint from = placeIn(0, document().pose().row(row).transpose());
+  const auto send = [&](QEvent::Type type, const QPoint& at, Qt::MouseButton which, Qt::MouseButtons down) {
+    QMouseEvent event(type, at, slice(0).mapToGlobal(at), which, down, Qt::NoModifier);
+    QCoreApplication::sendEvent(&slice(0), &event);
+  };
+  send(QEvent::MouseButtonPress, from, Qt::LeftButton, Qt::LeftButton);
+  send(QEvent::MouseMove, from + QPoint(40, 10), Qt::NoButton, Qt::LeftButton);
+  EXPECT_NE(window().workspace().state(), dragged);
+  key(Qt::Key_Escape);
+  EXPECT_EQ(window().workspace().state(), dragged);
+  send(QEvent::MouseMove, from + QPoint(60, 10), Qt::NoButton, Qt::LeftButton);
+  send(QEvent::MouseButtonRelease, from + QPoint(60, 10), Qt::LeftButton, Qt::NoButton);
+  settle();
+  EXPECT_EQ(window().workspace().state(), dragged) << "the hand was empty";
+}
+
+TEST_F(SlicesTest, DistancesRectanglesAndSpheresAreMeasuredByDragging) {
+  key(Qt::Key_D);
+  dragIn(0, Qt::LeftButton, placeIn(0, Vec3(-30, -20, 0)), placeIn(0, Vec3(30, -20, 0)));
+  ASSERT_EQ(document().measurements().size(), 1u);
+  const double pixel = window().slices().presenter().frame(0).right.norm();
+  EXPECT_NEAR(document::measuredValue(
+                  {document().measurements()[0].points[0].rest, document().measurements()[0].points[1].rest}),
+              60, 3 * pixel);
+  EXPECT_EQ(look().width, 0) << "the drag was not one of level and width";
+  key(Qt::Key_A, Qt::ShiftModifier);
+  for (const Vec3& corner : {Vec3(-12, 6, 0), Vec3(12, 27, 0)}) // By two clicks.
+    dragIn(0, Qt::LeftButton, placeIn(0, corner), placeIn(0, corner));
+  key(Qt::Key_B, Qt::ShiftModifier);
+  dragIn(2, Qt::LeftButton, placeIn(2, Vec3(0, 0, 0)), placeIn(2, Vec3(0, 0, 90)));
+  ASSERT_EQ(document().measurements().size(), 3u);
+  auto* list = window().findChild<QTreeWidget*>(QStringLiteral("measureList"));
+  EXPECT_EQ(list->topLevelItem(1)->text(1), QStringLiteral("100.0 HU"));
+  EXPECT_EQ(list->topLevelItem(1)->text(2), QStringLiteral("\u00b1 0.0"));
+  EXPECT_GT(list->topLevelItem(2)->text(2).mid(2).toDouble(), 60) << "half ball, half ground";
+  key(Qt::Key_Escape);
+  // A point is dragged; the rectangle stays flat, and the list follows.
+  const auto steps = window().workspace().undo().position();
+  const Vec3 corner = document().measurements()[1].points[1].rest;
+  dragIn(0, Qt::LeftButton, placeIn(0, corner), placeIn(0, Vec3(85, 85, 0)));
+  EXPECT_GT(document().measurements()[1].points[1].rest.x(), 80);
+  EXPECT_EQ(window().workspace().undo().position(), steps + 1);
+  EXPECT_LT(list->topLevelItem(1)->text(1).section(QLatin1Char(' '), 0, 0).toDouble(), 95);
+  for (int i = 0; i < 4; ++i)
+    window().actions()["edit.undo"]->trigger();
+  settle();
+  EXPECT_TRUE(document().measurements().empty());
+  window().actions()["edit.redo"]->trigger();
+  EXPECT_EQ(document().measurements().size(), 1u);
+}
+
+TEST_F(SlicesTest, RegionsAskForAScanAndForSlices) {
+  key(Qt::Key_F6, Qt::ShiftModifier);
+  key(Qt::Key_B, Qt::ShiftModifier);
+  EXPECT_EQ(look().layout, "four") << "a sphere is measured on slices";
+  window().actions()["scan.close"]->trigger();
+  settle();
+  EXPECT_FALSE(window().explore().measuring());
+  EXPECT_FALSE(window().actions()["measure.sphere"]->isEnabled());
+  EXPECT_TRUE(window().actions()["measure.distance"]->isEnabled());
+}
+
+TEST_F(SlicesTest, ThePageOfExploreKeepsWhatIsOddAboutTheScan) {
+  medical_io::Scan scan = phantomScan({40, 40, 40}, Vec3(3, 3, 3), Vec3(900, 900, 900), slope);
+  scan.findings.push_back({medical_io::ScanFinding::Kind::tilt, "The gantry is tilted by 12 degrees"});
+  window().workspace().perform(document::openScan(document::scanItem(std::move(scan), {})));
+  window().scans().opened();
+  settle();
+  EXPECT_TRUE(message().contains(QStringLiteral("tilted by 12 degrees"))) << message().toStdString();
+  EXPECT_TRUE(message().contains(QStringLiteral("ball lies outside of the scan"))) << message().toStdString();
+  auto* remarks = window().findChild<QLabel*>(QStringLiteral("scanRemarks"));
+  EXPECT_TRUE(remarks->text().contains(QStringLiteral("tilted by 12 degrees")));
+  EXPECT_TRUE(remarks->text().contains(QStringLiteral("outside of the scan")));
+  window().actions()["scan.close"]->trigger();
+  EXPECT_TRUE(remarks->text().isEmpty());
+}
+
+/// Chooses the line that begins so in the next dialog that asks; says what it offered.
+struct Chooser {
+  explicit Chooser(QString beginning) : wanted(std::move(beginning)) {
+    QObject::connect(&timer, &QTimer::timeout, [this] {
+      auto* dialog = qobject_cast<QInputDialog*>(QApplication::activeModalWidget());
+      if (!dialog)
+        return;
+      timer.stop();
+      offered = dialog->comboBoxItems();
+      for (const QString& line : offered)
+        if (line.contains(wanted))
+          dialog->setTextValue(line);
+      dialog->accept();
+    });
+    timer.start(20);
+  }
+  QString wanted;
+  QStringList offered;
+  QTimer timer;
+};
+
+TEST_F(SlicesTest, SeveralSeriesAndPhasesAreListedToChooseFromAndWhatIsOddIsSaid) {
+  LabelImage image = orientedPhantomGrid(0, {0, 1, 2});
+  fillPhantom(image);
+  const std::filesystem::path folder = path(QStringLiteral("series")).toStdString();
+  std::filesystem::create_directory(folder);
+  const auto put = [&](const std::string& name, const DicomElements& elements) {
+    std::ofstream(folder / name, std::ios::binary) << dicomBytes(elements);
+  };
+  for (int k = 0; k < image.size[2]; ++k) {
+    if (k != 11)
+      put("a" + std::to_string(100 + k), dicomSlice(image, k, "1.2.3.4"));
+    for (int phase = 0; phase < 2 && k < 8; ++phase) {
+      DicomElements elements = dicomSlice(image, k, "1.2.3.5");
+      elements[0x0008103E] = "LOHeart";
+      elements[0x00080018] = "UI1.2.3.5." + std::to_string(100 * phase + k);
+      elements[0x00200100] = "IS" + std::to_string(phase + 1);
+      put("b" + std::to_string(1000 * phase + k), elements);
+    }
+  }
+  const auto opened = [&](const char* description) {
+    return waitUntil([&] { return document().state().scan->scan->description == description; });
+  };
+  {
+    Chooser chooser(QStringLiteral("Abdomen"));
+    window().files().open({QString::fromStdString(folder.string())});
+    ASSERT_TRUE(opened("Abdomen 5.0"));
+    ASSERT_EQ(chooser.offered.size(), 3) << chooser.offered.join(QLatin1Char('\n')).toStdString();
+    EXPECT_TRUE(chooser.offered.filter(QStringLiteral("CT")).filter(QStringLiteral("21 x 23 x")).size() == 3);
+    EXPECT_EQ(chooser.offered.filter(QStringLiteral("phase 2 of 2")).size(), 1);
+    settle();
+    EXPECT_TRUE(message().contains(QStringLiteral("is missing"))) << message().toStdString();
+  }
+  Chooser chooser(QStringLiteral("phase 2 of 2"));
+  window().scans().open(QString::fromStdString((folder / "b3").string()));
+  ASSERT_TRUE(opened("Heart"));
+  EXPECT_EQ(document().state().scan->phase, 1);
 }
 
 TEST_F(SlicesTest, AScanIsOneStepThatCanBeUndone) {

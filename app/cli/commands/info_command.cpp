@@ -13,7 +13,7 @@
 #include "viscera/geometry/surface_check.h"
 #include "viscera/medical_io/assess_surface.h"
 #include "viscera/medical_io/handle_file.h"
-#include "viscera/medical_io/image_file.h"
+#include "viscera/medical_io/image_beside.h"
 #include "viscera/medical_io/label_map.h"
 #include "viscera/medical_io/surface_file.h"
 
@@ -128,7 +128,7 @@ ordered_json numbersJson(const Vec3& v) {
   return {v.x(), v.y(), v.z()};
 }
 
-Outcome describe(const medical_io::LabelMap& map, const std::string& file) {
+Outcome describe(const medical_io::LabelMap& map, const std::string& file, Progress& progress) {
   const Bounds bounds = map.bounds();
   const Vec3 spacing = map.spacing();
   ordered_json labels = ordered_json::array();
@@ -157,9 +157,13 @@ Outcome describe(const medical_io::LabelMap& map, const std::string& file) {
   ordered_json directions = ordered_json::array();
   for (int axis = 0; axis < 3; ++axis)
     directions.push_back(numbersJson(map.indexToLps.linear().col(axis) / spacing[axis]));
+  const auto scan = medical_io::imageBeside(file, medical_io::ImageContents::values, progress);
+  if (scan)
+    listing.add("scan", scan->string() + ", beside it");
   Outcome outcome;
   outcome.json = {{"kind", "label map"},
                   {"file", file},
+                  {"beside", scan ? ordered_json(scan->string()) : ordered_json(nullptr)},
                   {"size", map.size},
                   {"spacingMm", numbersJson(spacing)},
                   {"originMm", numbersJson(map.indexToLps.translation())},
@@ -209,7 +213,7 @@ public:
     if (isScanOfValues(surroundings.progress))
       return describeScan(file_, scan_, surroundings);
     if (medical_io::isLabelMap(file_))
-      return describe(medical_io::readLabelMap(file_, surroundings.progress), file_);
+      return describe(medical_io::readLabelMap(file_, surroundings.progress), file_, surroundings.progress);
     return describe(medical_io::readSurface(file_), file_, surroundings);
   }
 

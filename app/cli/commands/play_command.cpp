@@ -18,6 +18,7 @@
 #include "viscera/document/open_files.h"
 #include "viscera/medical_io/handle_file.h"
 #include "viscera/motion/clinical_numbers.h"
+#include "viscera/motion/cycle_curves.h"
 #include "viscera/motion/motion_runner.h"
 #include "viscera/motion/sequence_setup.h"
 #include "viscera/motion/volume_curve.h"
@@ -89,17 +90,49 @@ std::string sequenceNames() {
   return names;
 }
 
-/// The volume between the chambers from outside and the ventricles' cavities: muscle, and the atria, whose
-/// cavities are not modelled.
-void addWall(const PlayedSequence& played, const std::vector<double>& wall, nlohmann::ordered_json& json,
-             Listing& listing) {
-  const double rest = played.restMl(played.surfaces.size()) -
-                      played.restMl(static_cast<std::size_t>(played.find("lv"))) -
-                      played.restMl(static_cast<std::size_t>(played.find("rv")));
-  const auto [low, high] = std::minmax_element(wall.begin(), wall.end());
-  const double change = std::max(*high - rest, rest - *low) / rest;
-  json["wallVolume"] = {{"minMl", *low}, {"maxMl", *high}, {"restMl", rest}, {"maxRelativeChange", change}};
-  listing.add("wall", fixed(*low, 1) + " to " + fixed(*high, 1) + " ml, at rest " + fixed(rest, 1) + " ml");
+/// A volume that a beat should leave as it is, ml.
+struct KeptVolume {
+  double restMl = 0;
+  std::vector<double> ml;
+
+  nlohmann::ordered_json json() const {
+    const auto [low, high] = std::minmax_element(ml.begin(), ml.end());
+    const double change = std::max(*high - restMl, restMl - *low) / restMl;
+    return {{"minMl", *low}, {"maxMl", *high}, {"restMl", restMl}, {"maxRelativeChange", change}};
+  }
+  std::string text() const {
+    const auto [low, high] = std::minmax_element(ml.begin(), ml.end());
+    return fixed(*low, 1) + " to " + fixed(*high, 1) + " ml, in the reference shape " + fixed(restMl, 1) +
+           " ml";
+  }
+};
+
+/// What is measured of the sample heart's walls.
+struct Walls {
+  KeptVolume chambers; ///< Chambers from outside less both cavities: muscle, and the atria with their blood.
+  KeptVolume muscle;   ///< The left ventricle from outside less its cavity.
+  std::optional<sequences::WallMotion> motion;
+};
+
+void addWalls(const Walls& walls, nlohmann::ordered_json& json, Listing& listing) {
+  constexpr double kGramsPerMl = 1.05;
+  json["wallVolume"] = walls.chambers.json();
+  json["leftVentricularMuscle"] = walls.muscle.json();
+  json["leftVentricularMuscle"]["massG"] = kGramsPerMl * walls.muscle.restMl;
+  listing.add("wall", walls.chambers.text())
+      .add("LV muscle", walls.muscle.text() + ", " + fixed(kGramsPerMl * walls.muscle.restMl, 0) + " g");
+  if (!walls.motion)
+    return;
+  const sequences::WallMotion& motion = *walls.motion;
+  json["wallMotion"] = {{"mapseMm", motion.mapseMm},
+                        {"tapseMm", motion.tapseMm},
+                        {"twistDegrees", motion.twistDegrees},
+                        {"thickeningPercent", motion.thickeningPercent},
+                        {"thinnestWallMm", motion.thinnestWallMm},
+                        {"thickestWallMm", motion.thickestWallMm}};
+  for (const sequences::WallMotionRange& range : sequences::wallMotionRanges())
+    listing.add(range.name, fixed(motion.*range.value, 1) + ' ' + range.unit + " (" + fixed(range.low, 0) +
+                                " to " + fixed(range.high, 0) + ")");
 }
 
 /// Measures at the keys of a recorded sequence: there the volumes are what was recorded.
@@ -229,8 +262,8 @@ private:
   /// What playing has shown.
   struct Measured {
     motion::VolumeRecord volumes;
-    std::vector<double> wallMl;  ///< Of the sample heart: chambers from outside less both cavities.
     motion::VolumeRecord atKeys; ///< Of a recorded sequence: at its keys, which frames may miss.
+    std::optional<Walls> walls;  ///< Of the sample heart.
   };
 
   /// The rate to play at. Throws `UsageError` outside what the sequence allows.
@@ -273,12 +306,34 @@ private:
     return runner;
   }
 
+  /// The volumes of the walls out of those of a heart's surfaces.
+  static double chambersMl(const PlayedSequence& played, const std::vector<double>& row) {
+    return row[played.surfaces.size()] - row[static_cast<std::size_t>(played.find("lv"))] -
+           row[static_cast<std::size_t>(played.find("rv"))];
+  }
+  static double muscleMl(const PlayedSequence& played, const std::vector<double>& row) {
+    return row[played.surfaces.size() + 1] - row[static_cast<std::size_t>(played.find("lv"))];
+  }
+  static Walls wallsAtRest(const PlayedSequence& played) {
+    std::vector<double> row;
+    for (std::size_t i = 0; i < played.document->state().organs->size(); ++i)
+      row.push_back(played.restMl(i));
+    Walls walls;
+    walls.chambers.restMl = chambersMl(played, row);
+    walls.muscle.restMl = muscleMl(played, row);
+    return walls;
+  }
+  static void measureWalls(const PlayedSequence& played, const std::vector<double>& row, Walls& walls) {
+    walls.chambers.ml.push_back(chambersMl(played, row));
+    walls.muscle.ml.push_back(muscleMl(played, row));
+  }
+
   /// Plays every frame, and records those that are asked for.
   Measured play(PlayedSequence& played, double rate, int frames, Surroundings& surroundings) const {
     std::vector<std::string> names;
     for (const PlayedSurface& surface : played.surfaces)
       names.push_back(surface.name);
-    Measured measured{motion::VolumeRecord(names), {}, motion::VolumeRecord(names)};
+    Measured measured{motion::VolumeRecord(names), motion::VolumeRecord(names), {}};
     std::optional<Recording> recording;
     if (!frames_.empty() || !movie_.empty() || !sheet_.empty())
       recording.emplace(played, stage_, sheet_.empty() ? 0 : kRoomOnASheet, surroundings);
@@ -294,6 +349,8 @@ private:
       recording->keep();
     }
     motion::MotionRunner runner = runnerOf(played, rate, surroundings.threads);
+    if (played.hasWalls)
+      measured.walls = wallsAtRest(played);
     for (int frame = 0; frame < frames; ++frame) {
       surroundings.progress.throwIfCancelled();
       const double seconds = frame / framesPerSecond_;
@@ -301,17 +358,19 @@ private:
       if (!runner.obstacle().empty())
         throw DataError("the volume cannot be met at " + fixed(seconds, 3) + " s: " + runner.obstacle(),
                         volumeCurve_, "ask for a volume nearer to that at rest");
-      if (played.chambers) {
-        measured.wallMl.push_back(row.back() - row[static_cast<std::size_t>(played.find("lv"))] -
-                                  row[static_cast<std::size_t>(played.find("rv"))]);
-        row.pop_back();
-      }
+      if (played.hasWalls)
+        measureWalls(played, row, *measured.walls);
+      row.resize(played.surfaces.size());
       measured.volumes.add(seconds, row);
       if (recording)
         recording->addFrame();
       surroundings.progress.report(kDrawingShare * (frame + 1) / frames, "playing");
     }
     measureKeys(played, runner, rate, measured.atKeys);
+    if (measured.walls) {
+      Progress quiet;
+      measured.walls->motion = motion::measureCycle(runner, quiet).wall;
+    }
     if (recording)
       recording->finish(surroundings.progress);
     if (!sheet_.empty())
@@ -377,8 +436,8 @@ private:
     outcome.json["maxRelativeOuterChange"] = outerChange;
     listing.add("outer change", fixed(100 * outerChange, 1) + " % at most");
     addIndices(played, measured, rate, outcome, listing);
-    if (played.chambers)
-      addWall(played, measured.wallMl, outcome.json, listing);
+    if (measured.walls)
+      addWalls(*measured.walls, outcome.json, listing);
     if (played.retargeted)
       addFit(*played.retargeted, outcome.json, listing);
     for (const auto& [key, target] :

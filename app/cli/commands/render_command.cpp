@@ -327,7 +327,8 @@ private:
     presentation::ViewState view;
     view.scan.level = level_;
     view.scan.width = width_;
-    const SliceOutcome slice = slicePicture(organs, sliceRequest(slice_), view, stage_, surroundings.threads);
+    const SliceOutcome slice =
+        slicePicture({organs.state(), organs, view}, sliceRequest(slice_), stage_, surroundings.threads);
     scene::writePng(output_, slice.image);
     Outcome outcome;
     outcome.json = {{"png", output_},
@@ -344,13 +345,15 @@ private:
   /// A session as the window showed it.
   Outcome drawSession(Surroundings& surroundings) {
     const bool more = files_.size() > 1 || !views_.empty() || !influence_.empty() || !pose_.empty() ||
-                      !beside_.empty() || !slice_.empty() || parts_.any();
+                      !beside_.empty() || parts_.any();
     if (more)
-      throw UsageError("It is drawn as it is: only --view, --size and --theme go with a session",
+      throw UsageError("It is drawn as it is: only --view, --slice, --size and --theme go with a session",
                        files_.front(), "draw its organs' and handles' own files for anything else");
     stage_.size = pictureSize(size_);
     const document::OpenedSession opened =
         document::readSession(files_.front(), surroundings.samples, surroundings.progress);
+    if (!slice_.empty())
+      return drawSlice(opened, surroundings);
     const SessionPicture picture = sessionPicture(opened, stage_, viewGiven_->count() > 0, surroundings);
     scene::writePng(output_, picture.image);
     Outcome outcome;
@@ -366,6 +369,25 @@ private:
       leftOut += (leftOut.empty() ? "" : ", ") + item;
     if (!leftOut.empty())
       outcome.warnings.push_back("the window showed what is not drawn here: " + leftOut);
+    return outcome;
+  }
+
+  /// A slice of a session's scan, as the window showed it but for its place, size and, where they are given,
+  /// level and width.
+  Outcome drawSlice(const document::OpenedSession& opened, Surroundings& surroundings) const {
+    const document::DocumentState& state = opened.contents.state;
+    const SliceOutcome slice =
+        sessionSlice(opened, sliceRequest(slice_), level_, width_, stage_, surroundings);
+    scene::writePng(output_, slice.image);
+    Outcome outcome;
+    outcome.json = {{"png", output_},
+                    {"width", stage_.size.width},
+                    {"height", stage_.size.height},
+                    {"organs", state.organs->size()},
+                    {"scan", state.scan ? state.scan->name : ""},
+                    {"contours", slice.contours}};
+    outcome.text = Listing().add("picture", output_).text();
+    outcome.warnings = opened.warnings;
     return outcome;
   }
 

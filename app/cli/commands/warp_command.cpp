@@ -15,18 +15,12 @@
 namespace viscera::app::cli {
 namespace {
 
-/// Of a voxel: what the bent image is allowed to be off its place.
-constexpr double kAccuracy = 0.05;
-/// Bound points times handles: half a gigabyte.
-constexpr double kMostWeights = 6e7;
-
 /// What was bent, before it is told.
 struct Bent {
   std::string kind;
   std::array<int, 3> size = {};
   Vec3 spacing = Vec3::Ones();
   medical_io::BendReport report;
-  double errorMm = 0;
 };
 
 /// `viscera warp`: a scan or a label map as a pose of the handles bends it.
@@ -57,9 +51,8 @@ public:
     const RigInput rig = rigInput(handles_, outcome.warnings, system_.cage());
     const Points pose = poseInput(pose_, rig, outcome.warnings);
     const auto mapFor = [&](const Vec3& spacing) {
-      return deformation::InverseMap(
-          *system, rig.handles, pose, options,
-          {.accuracyMm = kAccuracy * spacing.minCoeff(), .mostWeights = kMostWeights}, surroundings.progress);
+      return deformation::InverseMap(*system, rig.handles, pose, options, medical_io::bendOptions(spacing),
+                                     surroundings.progress);
     };
     const bool labels =
         medical_io::imageContents(scan_.file(), surroundings.progress) == medical_io::ImageContents::labels;
@@ -78,26 +71,24 @@ private:
                 std::vector<std::string>& warnings, Progress& progress) const {
     const medical_io::Scan scan = scan_.read(progress);
     appendFindings(warnings, scan);
-    bent = {"scan", scan.size, scan.spacing(), {}, 0};
+    bent = {"scan", scan.size, scan.spacing(), {}};
     const deformation::InverseMap map = mapFor(bent.spacing);
-    medical_io::writeScan(output_, medical_io::bentScan(scan, map, bent.report, progress));
-    bent.errorMm = map.residualMm(system, bent.report.posed, bent.report.rest, progress);
+    medical_io::writeScan(output_, medical_io::bentScan(scan, {map, system}, bent.report, progress));
   }
 
   template <class MapFor>
   void bendLabels(Bent& bent, const MapFor& mapFor, const coordinates::CoordinateSystem& system,
                   std::vector<std::string>& warnings, Progress& progress) const {
     const medical_io::LabelMap labels = medical_io::readLabelMap(scan_.file(), progress);
-    bent = {"label map", labels.size, labels.spacing(), {}, 0};
+    bent = {"label map", labels.size, labels.spacing(), {}};
     const deformation::InverseMap map = mapFor(bent.spacing);
-    const medical_io::LabelMap moved = medical_io::bentLabelMap(labels, map, bent.report, progress);
+    const medical_io::LabelMap moved = medical_io::bentLabelMap(labels, {map, system}, bent.report, progress);
     warnings.insert(warnings.end(), moved.warnings.begin(), moved.warnings.end());
     medical_io::writeLabelMap(output_, moved);
-    bent.errorMm = map.residualMm(system, bent.report.posed, bent.report.rest, progress);
   }
 
   void report(const Bent& bent, double seconds, Outcome& outcome) const {
-    const double errorVoxel = bent.errorMm / bent.spacing.minCoeff();
+    const double errorVoxel = bent.report.largestErrorMm / bent.spacing.minCoeff();
     const auto voxels = static_cast<std::size_t>(bent.size[0]) * static_cast<std::size_t>(bent.size[1]) *
                         static_cast<std::size_t>(bent.size[2]);
     if (bent.report.folded > 0)

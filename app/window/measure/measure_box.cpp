@@ -13,6 +13,7 @@
 #include "viscera/document/measurement_commands.h"
 #include "viscera/presentation/presenter.h"
 #include "window/style/icon.h"
+#include "window/view/picture.h"
 #include "window/widgets/ready_made.h"
 
 namespace viscera::app {
@@ -36,19 +37,21 @@ MeasureBox::MeasureBox(Workspace& workspace, MeasureTool& tool, const Actions& a
   auto* grid = makeLayout<QGridLayout>(this, 4);
   grid->addWidget(makeActionButton(actions["measure.distance"], this), 0, 0);
   grid->addWidget(makeActionButton(actions["measure.angle"], this), 0, 1);
-  grid->addWidget(hint_, 1, 0, 1, 2);
+  grid->addWidget(makeActionButton(actions["measure.rectangle"], this), 1, 0);
+  grid->addWidget(makeActionButton(actions["measure.sphere"], this), 1, 1);
+  grid->addWidget(hint_, 2, 0, 1, 2);
   makeList();
-  grid->addWidget(list_, 2, 0, 1, 2);
+  grid->addWidget(list_, 3, 0, 1, 2);
   remove_->setObjectName(QStringLiteral("measureRemove"));
   remove_->setToolTip(tr("Remove the chosen measurement (Delete in the list)"));
   connect(remove_, &QPushButton::clicked, this, &MeasureBox::removeChosen);
-  grid->addWidget(remove_, 3, 0);
+  grid->addWidget(remove_, 4, 0);
   forAll_ = {makeActionButton(actions["measure.removeAll"], this),
              makeActionButton(actions["export.measurements"], this)};
   forAll_[0]->setText(tr("Remove all"));
   forAll_[1]->setText(tr("Export CSV..."));
-  grid->addWidget(forAll_[0], 3, 1);
-  grid->addWidget(forAll_[1], 4, 0, 1, 2);
+  grid->addWidget(forAll_[0], 4, 1);
+  grid->addWidget(forAll_[1], 5, 0, 1, 2);
   grid->setColumnStretch(0, 1);
   grid->setColumnStretch(1, 1);
   values_.setSingleShot(true);
@@ -59,6 +62,8 @@ MeasureBox::MeasureBox(Workspace& workspace, MeasureTool& tool, const Actions& a
   subscriptions_.push_back(workspace.onChange([this](const document::Change& change) {
     if (change.measurements())
       rebuild();
+    else if (change.scan())
+      syncValues();
   }));
   subscriptions_.push_back(workspace.live().onEvent([this](const live::LiveEvent& event) {
     if ((event.moved || event.replaced) && !values_.isActive() && list_->topLevelItemCount() > 0)
@@ -147,11 +152,21 @@ void MeasureBox::syncValues() {
   for (std::size_t row = 0; row < measurements.size(); ++row) {
     const document::MeasuredValues values = document::measure(
         measurements[row], workspace_.state(),
-        [this](document::OrganId organ) -> const Points& { return workspace_.live().points(organ); });
-    const document::MeasurementKind kind = kindOf(measurements[row]);
+        [this](document::OrganId organ) -> const Points& { return workspace_.live().points(organ); },
+        &memory_);
+    const document::MeasurementKind kind = measurements[row].kind;
+    const std::string unit = document::unitOf(measurements[row], workspace_.state());
     QTreeWidgetItem* item = list_->topLevelItem(static_cast<int>(row));
-    item->setText(kNow, text(presentation::formatMeasured(kind, values.now)));
-    item->setText(kRest, text(presentation::formatMeasured(kind, values.rest)));
+    item->setText(kNow, text(presentation::formatMeasured(kind, values.now, unit)));
+    // The scan's values are the same in every pose: their deviation says more than the mean once again.
+    const bool region = document::isRegion(kind);
+    const bool known = region && values.region && values.region->count > 0;
+    item->setText(kRest, !region ? text(presentation::formatMeasured(kind, values.rest))
+                         : known ? QStringLiteral("\u00b1 %1").arg(values.region->deviation, 0, 'f', 1)
+                                 : QStringLiteral("-"));
+    const QString spread = text(presentation::describeSpread(measurements[row], values, unit, translated));
+    for (const int column : {kNow, kRest})
+      item->setToolTip(column, spread);
   }
 }
 
@@ -166,11 +181,21 @@ void MeasureBox::syncChosen() {
     any = any || chosen;
   }
   remove_->setEnabled(any);
+  hint_->setText(hint());
+}
+
+QString MeasureBox::hint() const {
+  using Kind = document::MeasurementKind;
   const auto kind = tool_.kind();
-  hint_->setText(!kind ? tr("Points stay on the organ while it moves, and can be dragged along it.")
-                 : *kind == document::MeasurementKind::distance
-                     ? tr("Click two points on an organ. Esc ends.")
-                     : tr("Click three points on an organ, the corner second. Esc ends."));
+  if (!kind)
+    return tr(
+        "Points stay on the organ while it moves, and can be dragged along it; those on a slice stay there.");
+  if (*kind == Kind::distance)
+    return tr("Click two points on an organ or on a slice. Esc ends.");
+  if (*kind == Kind::angle)
+    return tr("Click three points on an organ or on a slice, the corner second. Esc ends.");
+  return *kind == Kind::rectangle ? tr("Drag on a slice from corner to corner. Esc ends.")
+                                  : tr("Drag on a slice from the middle to the border. Esc ends.");
 }
 
 void MeasureBox::removeChosen() {

@@ -3,6 +3,7 @@
 #include <QTimer>
 #include <QWidget>
 
+#include "viscera/document/measured_values.h"
 #include "window/actions.h"
 #include "window/measure/measure_tool.h"
 
@@ -29,6 +30,7 @@ private:
   void rebuild();
   void syncValues();
   void syncChosen();
+  QString hint() const;
   void removeChosen();
   void rename(QTreeWidgetItem* item, int column);
 
@@ -39,6 +41,7 @@ private:
   QPushButton* remove_;
   std::vector<QPushButton*> forAll_; ///< Of use while there is any measurement.
   QTimer values_;                    ///< Figures follow a motion at a rate that can be read.
+  document::RegionMemory memory_;
   bool updating_ = false;
   std::vector<Subscription> subscriptions_;
 };

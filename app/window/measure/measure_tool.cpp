@@ -10,15 +10,11 @@
 namespace viscera::app {
 namespace {
 
-std::size_t pointsOf(document::MeasurementKind kind) {
-  return kind == document::MeasurementKind::distance ? 2 : 3;
-}
-
-/// Whether points are on surfaces that a document has.
+/// Whether points are on surfaces that a document has, or on none.
 bool areOn(const document::Document& document, const std::vector<document::MeasuredPoint>& points) {
   return std::all_of(points.begin(), points.end(), [&](const auto& point) {
     const auto organ = document.organ(point.organ);
-    return organ && point.triangle < organ->mesh->triangles.rows();
+    return !point.organ || (organ && point.triangle < organ->mesh->triangles.rows());
   });
 }
 
@@ -36,9 +32,10 @@ MeasureTool::MeasureTool(Workspace& workspace, ViewWidget& view, const Picture& 
     if (change.organs()) { // The surface that points were clicked on may be gone or another one.
       points_.clear();
       underMouse_.reset();
-      if (change.after.organs->empty())
-        end();
     }
+    const bool nothing = change.after.organs->empty() && !change.after.scan;
+    if (nothing || (!change.after.scan && kind_ && document::isRegion(*kind_)))
+      end();
     if (change.measurements())
       hovered_.reset();
   });
@@ -73,7 +70,7 @@ void MeasureTool::setEnabled(bool enabled) {
   if (enabled)
     return;
   if (held_)
-    release();
+    letGo();
   hovered_.reset();
   end();
   syncCursor();
@@ -103,11 +100,83 @@ void MeasureTool::choose(document::MeasurementId measurement) {
   Q_EMIT changed();
 }
 
-std::vector<document::MeasuredPoint> MeasureTool::pending() const {
-  std::vector<document::MeasuredPoint> points = points_;
-  if (kind_ && underMouse_)
-    points.push_back(*underMouse_);
-  return areOn(workspace_.document(), points) ? points : std::vector<document::MeasuredPoint>();
+document::Measurement MeasureTool::pending() const {
+  document::Measurement pending;
+  if (!kind_)
+    return pending;
+  pending.kind = *kind_;
+  pending.axis = axis_;
+  pending.points = points_;
+  if (underMouse_)
+    pending.points.push_back(*underMouse_);
+  if (!areOn(workspace_.document(), pending.points))
+    pending.points.clear();
+  if (pending.points.size() == 2 && *kind_ == Kind::rectangle)
+    pending.points[1].rest[axis_] = pending.points[0].rest[axis_];
+  return pending;
+}
+
+void MeasureTool::setHovered(const std::optional<scene::MeasurementGlyphs::Mark>& mark) {
+  if (mark == hovered_)
+    return;
+  hovered_ = mark;
+  syncCursor();
+  Q_EMIT changed();
+}
+
+void MeasureTool::add(const document::MeasuredPoint& point, std::optional<int> axis) {
+  if (!kind_ || (document::isRegion(*kind_) && !axis))
+    return;
+  if (*kind_ == Kind::rectangle && !points_.empty() &&
+      (*axis != axis_ || point.rest[axis_] != points_.front().rest[axis_]))
+    points_.clear();
+  if (document::isRegion(*kind_) && !points_.empty() && points_.front().rest == point.rest)
+    return; // The second click of two at one place: nothing lies between them.
+  axis_ = axis.value_or(axis_);
+  points_.push_back(point);
+  underMouse_.reset();
+  if (points_.size() == document::pointCount(*kind_))
+    workspace_.perform(
+        document::addMeasurement(document::Measurement{{}, {}, std::exchange(points_, {}), *kind_, axis_}));
+  Q_EMIT changed();
+}
+
+void MeasureTool::setUnderMouse(const std::optional<document::MeasuredPoint>& point,
+                                std::optional<int> axis) {
+  underMouse_ = point;
+  if (points_.empty())
+    axis_ = axis.value_or(axis_);
+  else if (point && kind_ == Kind::rectangle && axis != axis_)
+    underMouse_.reset(); // In another slice than its first corner.
+  Q_EMIT changed();
+}
+
+bool MeasureTool::hold(const scene::MeasurementGlyphs::Mark& mark) {
+  const auto& measurements = workspace_.document().measurements();
+  if (held_ || mark.item >= measurements.size() || mark.point >= measurements[mark.item].points.size())
+    return false;
+  const document::MeasurementId id = measurements[mark.item].id;
+  held_.emplace(Held{id, mark.point, {workspace_.undo(), "Move measured point"}});
+  chosen_ = id;
+  Q_EMIT changed();
+  return true;
+}
+
+Vec3 MeasureTool::placeHeld() const {
+  for (const document::Measurement& measurement : workspace_.document().measurements())
+    if (measurement.id == held_->measurement)
+      return measurement.points[held_->point].rest;
+  return Vec3::Zero();
+}
+
+void MeasureTool::moveHeld(const document::MeasuredPoint& point) {
+  workspace_.perform(document::moveMeasuredPoint(held_->measurement, held_->point, point));
+}
+
+void MeasureTool::letGo() {
+  auto held = std::exchange(held_, std::nullopt);
+  held->step.finish();
+  Q_EMIT changed();
 }
 
 bool MeasureTool::eventFilter(QObject* watched, QEvent* event) {
@@ -122,7 +191,7 @@ bool MeasureTool::eventFilter(QObject* watched, QEvent* event) {
   case QEvent::MouseButtonRelease:
     if (!held_)
       return false;
-    release();
+    letGo();
     return true;
   case QEvent::Leave:
     underMouse_.reset();
@@ -137,16 +206,8 @@ bool MeasureTool::eventFilter(QObject* watched, QEvent* event) {
 void MeasureTool::onClick(const QPointF& place) {
   if (handles_.underMouse())
     return;
-  const auto point = pointOf(view_.pickNear(place));
-  if (!point)
-    return;
-  points_.push_back(*point);
-  if (points_.size() == pointsOf(*kind_)) {
-    const auto points = std::exchange(points_, {});
-    underMouse_.reset();
-    workspace_.perform(document::addMeasurement(points));
-  }
-  Q_EMIT changed();
+  if (const auto point = pointOf(view_.pickNear(place)))
+    add(*point, std::nullopt);
 }
 
 /// While measuring, a press begins a click or turns the view, as ever.
@@ -157,13 +218,7 @@ bool MeasureTool::press(const QMouseEvent& event) {
       handles_.underMouse())
     return false;
   const auto mark = markUnder(event.localPos());
-  if (!mark)
-    return false;
-  const document::Measurement& measurement = workspace_.document().measurements()[mark->item];
-  held_.emplace(Held{measurement.id, mark->point, {workspace_.undo(), "Move measured point"}});
-  chosen_ = measurement.id;
-  Q_EMIT changed();
-  return true;
+  return mark && hold(*mark);
 }
 
 void MeasureTool::move(const QMouseEvent& event) {
@@ -171,25 +226,16 @@ void MeasureTool::move(const QMouseEvent& event) {
     dragTo(event.localPos());
   } else if (kind_) {
     // While the view turns, what is under the mouse stays under it.
-    underMouse_ = event.buttons() ? std::nullopt : pointUnder(event.localPos());
-    Q_EMIT changed();
-  } else if (const auto mark = event.buttons() ? std::nullopt : markUnder(event.localPos());
-             mark != hovered_) {
-    hovered_ = mark;
-    syncCursor();
-    Q_EMIT changed();
+    setUnderMouse(event.buttons() || document::isRegion(*kind_) ? std::nullopt : pointUnder(event.localPos()),
+                  std::nullopt);
+  } else {
+    setHovered(event.buttons() ? std::nullopt : markUnder(event.localPos()));
   }
 }
 
 void MeasureTool::dragTo(const QPointF& place) {
   if (const auto point = pointUnder(place))
-    workspace_.perform(document::moveMeasuredPoint(held_->measurement, held_->point, *point));
-}
-
-void MeasureTool::release() {
-  auto held = std::exchange(held_, std::nullopt);
-  held->step.finish();
-  Q_EMIT changed();
+    moveHeld(*point);
 }
 
 std::optional<document::MeasuredPoint>

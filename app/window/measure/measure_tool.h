@@ -16,6 +16,7 @@ namespace viscera::app {
 /// What the mouse does with measurements, where it is enabled: while a kind is being measured every click on
 /// an organ is a point, and the last one completes a measurement; else points that are there can be dragged
 /// along the organs, which is one undo step. Nothing is in the document before a measurement is complete.
+/// The mouse on slices comes by `SliceMeasuring`; rectangles and spheres are measured there alone.
 class MeasureTool final : public QObject {
   Q_OBJECT
 
@@ -31,7 +32,10 @@ public:
   void end();
   bool active() const { return kind_.has_value(); }
   std::optional<Kind> kind() const { return kind_; }
+  /// Whether there are points that are no measurement yet.
+  bool begun() const { return !points_.empty(); }
   void setEnabled(bool enabled);
+  bool enabled() const { return enabled_; }
   /// Takes back what the mouse is at: a drag, points that are no measurement yet, measuring, the choice.
   /// False when there was nothing.
   bool escape();
@@ -40,10 +44,25 @@ public:
   document::MeasurementId chosen() const { return chosen_; }
   void choose(document::MeasurementId measurement);
 
-  /// The points so far, with the place under the mouse behind them when there is one.
-  std::vector<document::MeasuredPoint> pending() const;
+  /// What is being measured, with the points so far and the place under the mouse behind them when there is
+  /// one.
+  document::Measurement pending() const;
   /// The mark under the mouse that a press would take hold of.
   std::optional<scene::MeasurementGlyphs::Mark> hovered() const { return hovered_; }
+  void setHovered(const std::optional<scene::MeasurementGlyphs::Mark>& mark);
+
+  /// A point of what is being measured; the last one completes it. `axis` is that of the slice that it is on,
+  /// none for one on an organ. A rectangle begins anew in another slice.
+  void add(const document::MeasuredPoint& point, std::optional<int> axis);
+  /// What would be the next point; none: the mouse is on nothing.
+  void setUnderMouse(const std::optional<document::MeasuredPoint>& point, std::optional<int> axis);
+  /// Takes a point of the document into the hand; false when it is not there.
+  bool hold(const scene::MeasurementGlyphs::Mark& mark);
+  bool holding() const { return held_.has_value(); }
+  /// Where the point in the hand is, mm; there has to be one.
+  Vec3 placeHeld() const;
+  void moveHeld(const document::MeasuredPoint& point);
+  void letGo();
 
 Q_SIGNALS:
   /// Measuring began or ended.
@@ -65,7 +84,6 @@ private:
   bool press(const QMouseEvent& event);
   void move(const QMouseEvent& event);
   void dragTo(const QPointF& place);
-  void release();
   std::optional<document::MeasuredPoint> pointOf(const std::optional<scene::SurfacePick>& pick) const;
   std::optional<document::MeasuredPoint> pointUnder(const QPointF& place) const;
   std::optional<scene::MeasurementGlyphs::Mark> markUnder(const QPointF& place) const;
@@ -79,6 +97,7 @@ private:
   std::optional<Kind> kind_;
   std::vector<document::MeasuredPoint> points_;
   std::optional<document::MeasuredPoint> underMouse_;
+  int axis_ = 2; ///< Of the slice that the points are on.
   std::optional<scene::MeasurementGlyphs::Mark> hovered_;
   std::optional<Held> held_;
   document::MeasurementId chosen_;

@@ -7,6 +7,7 @@
 #include "window/panels/cut_box.h"
 #include "window/panels/explore_page.h"
 #include "window/quiz/quiz_box.h"
+#include "window/slices/slice_panes.h"
 #include "window/view/view_area.h"
 #include "window/view/view_model.h"
 
@@ -14,25 +15,40 @@ namespace viscera::app {
 
 using Kind = document::MeasurementKind;
 
-ExploreMode::ExploreMode(const ModeParts& parts, Actions& actions)
+ExploreMode::ExploreMode(const ModeParts& parts, SlicePanes& slices, Actions& actions)
     : Mode(parts, {"explore", "explore", 1, tr("Explore"),
                    tr("Left drag rotates, Shift+left pans, right drag or wheel zooms, click "
                       "selects an organ, D and A measure")}),
-      tool_(parts.workspace, *parts.area.view(), parts.picture, parts.handles),
-      quiz_(parts.workspace, parts.picture) {
+      tool_(parts.workspace, *parts.area.view(), parts.picture, parts.handles), slices_(slices),
+      onSlices_(tool_, slices), quiz_(parts.workspace, parts.picture) {
+  slices.addGrip(onSlices_);
   connect(&tool_, &MeasureTool::changed, this, &ExploreMode::showMeasuring);
   connect(&tool_, &MeasureTool::stateChanged, &actions, &Actions::sync);
   connect(&tool_, &MeasureTool::stateChanged, this, &Mode::hintChanged);
-  makeMeasure(
-      actions, Kind::distance, "measure.distance",
-      {tr("Measure &distance"), "distance", {Qt::Key_D}, tr("Click two points on an organ; Esc ends")})
+  const QString onBoth = tr("Click two points on an organ or on a slice; Esc ends");
+  makeMeasure(actions, Kind::distance, "measure.distance",
+              {tr("Measure &distance"), "distance", {Qt::Key_D}, onBoth})
       ->setIconText(tr("Distance"));
   makeMeasure(actions, Kind::angle, "measure.angle",
               {tr("Measure &angle"),
                "angle",
                {Qt::Key_A},
-               tr("Click three points on an organ, the corner second; Esc ends")})
+               tr("Click three points on an organ or on a slice, the corner second; Esc ends")})
       ->setIconText(tr("Angle"));
+  makeMeasure(
+      actions, Kind::rectangle, "measure.rectangle",
+      {tr("Measure the values in a &rectangle"),
+       "rectangle",
+       {tr("Shift+A")},
+       tr("Drag on a slice from corner to corner: mean and deviation of the scan's values; Esc ends")})
+      ->setIconText(tr("Rectangle"));
+  makeMeasure(actions, Kind::sphere, "measure.sphere",
+              {tr("Measure the values in a &sphere"),
+               "sphere",
+               {tr("Shift+B")},
+               tr("Drag on a slice from the middle to the border: mean and deviation of the scan's values; "
+                  "Esc ends")})
+      ->setIconText(tr("Sphere"));
   actions.add("measure.removeAll", {tr("Remove all &measurements"), "remove", {}, {}},
               [this] { workspace_.perform(document::removeAllMeasurements()); });
   actions.enableWhile({"measure.removeAll"},
@@ -88,13 +104,19 @@ QAction* ExploreMode::makeMeasure(Actions& actions, Kind kind, const char* id,
   QAction* action = actions.addToggle(id, description, false, [this, kind](bool on) {
     if (on) {
       Q_EMIT wanted();
-      parts_.view.change([](presentation::ViewState& view) { view.measurements = true; });
+      parts_.view.change([kind](presentation::ViewState& view) {
+        view.measurements = true;
+        if (document::isRegion(kind) && view.scan.layout == "3d")
+          view.scan.layout = "four";
+      });
       tool_.begin(kind);
     } else if (tool_.kind() == kind) {
       tool_.end();
     }
   });
-  actions.enableWhile({id}, [this] { return !workspace_.document().organs().empty(); });
+  actions.enableWhile({id}, [this, kind] {
+    return workspace_.state().scan || (!document::isRegion(kind) && !workspace_.document().organs().empty());
+  });
   actions.whenSynced([this, action, kind] { action->setChecked(tool_.kind() == kind); });
   return action;
 }
@@ -110,19 +132,29 @@ QString ExploreMode::hint() const {
         .arg(quiz_.question().section(QLatin1Char('\n'), 0, 0));
   if (!measuring())
     return Mode::hint();
-  return tool_.kind() == Kind::angle
-             ? tr("Click three points on an organ, the corner second; drags turn the view, Esc ends")
-             : tr("Click two points on an organ; drags turn the view, Esc ends");
+  switch (*tool_.kind()) {
+  case Kind::distance:
+    return tr("Click two points on an organ or on a slice; drags turn the view, Esc ends");
+  case Kind::angle:
+    return tr(
+        "Click three points on an organ or on a slice, the corner second; drags turn the view, Esc ends");
+  case Kind::rectangle:
+    return tr("Drag on a slice from corner to corner; Esc ends");
+  case Kind::sphere:
+    break;
+  }
+  return tr("Drag on a slice from the middle of a sphere to its border; Esc ends");
 }
 
 /// What the mouse is at, which is in no document yet.
 void ExploreMode::showMeasuring() {
-  presentation::MeasuringNow now{{}, tool_.pending(), tool_.kind() == Kind::angle};
+  presentation::MeasuringNow now{{}, tool_.pending()};
   if (tool_.chosen())
     now.highlighted.push_back(tool_.chosen());
   const auto& measurements = workspace_.document().measurements();
   if (const auto hovered = tool_.hovered(); hovered && hovered->item < measurements.size())
     now.highlighted.push_back(measurements[hovered->item].id);
+  slices_.setMeasuring(now);
   parts_.picture.setMeasuring(std::move(now));
 }
 

@@ -2,6 +2,7 @@
 
 #include "window/actions.h"
 #include "window/measure/measure_tool.h"
+#include "window/measure/slice_measuring.h"
 #include "window/modes/mode.h"
 #include "window/quiz/quiz_tool.h"
 
@@ -12,10 +13,13 @@ class ExploreMode final : public Mode {
   Q_OBJECT
 
 public:
-  ExploreMode(const ModeParts& parts, Actions& actions);
+  /// `slices` have to live longer.
+  ExploreMode(const ModeParts& parts, SlicePanes& slices, Actions& actions);
 
   std::vector<const char*> actions() const override {
-    return {"measure.distance", "measure.angle", "measure.removeAll", "", "view.parts", "quiz.start"};
+    return {"measure.distance", "measure.angle",     "measure.rectangle",
+            "measure.sphere",   "measure.removeAll", "",
+            "view.parts",       "quiz.start"};
   }
   QWidget* makePage(const Actions& actions) override;
   presentation::Shown shown() const override { return {}; }
@@ -39,6 +43,8 @@ private:
   void addQuiz(Actions& actions);
 
   MeasureTool tool_;
+  SlicePanes& slices_;
+  SliceMeasuring onSlices_;
   QuizTool quiz_;
 };
 

@@ -72,6 +72,13 @@ void PlayMode::makeMotionActions(Actions& actions) {
                          {Qt::Key_O},
                          tr("Draw one cycle with a cursor; else the last seconds")},
                         &presentation::ViewState::chartOfCycle);
+  parts_.view.addToggle(actions, "play.beatSigns",
+                        {tr("&ECG, sounds and valves"),
+                         "chart",
+                         {Qt::Key_E},
+                         tr("Under the phases of a heart: a schematic electrocardiogram, S1 and S2, and "
+                            "which valves are open")},
+                        &presentation::ViewState::beatSigns);
   actions.add(
       "play.addKey",
       {tr("Record a &key"), "record", {tr("Ctrl+K")}, tr("Take the present pose into the recorded sequence")},
@@ -185,6 +192,7 @@ std::vector<const char*> PlayMode::actions() const {
           "",
           "play.slower",
           "play.cycle",
+          "play.beatSigns",
           "play.circulationChart",
           "play.keepBefore",
           "play.forgetBefore",

@@ -6,9 +6,22 @@
 #include <QLocale>
 #include <QPushButton>
 
+#include <algorithm>
+
+#include "viscera/document/scan_fit.h"
+#include "viscera/document/scan_item.h"
 #include "window/widgets/ready_made.h"
 
 namespace viscera::app {
+namespace {
+
+bool haveSameSurfaces(const document::OrganList& a, const document::OrganList& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const auto& one, const auto& other) {
+    return one->mesh == other->mesh && one->name == other->name;
+  });
+}
+
+} // namespace
 
 ExplorePage::ExplorePage(Workspace& workspace, const Actions& actions, QWidget* cut, QWidget* measurements,
                          QWidget* parts, QWidget* parent)
@@ -33,13 +46,23 @@ ExplorePage::ExplorePage(Workspace& workspace, const Actions& actions, QWidget* 
   surface_ = addFact(tr("Surface"));
   file_ = addFact(tr("File"));
   warnings_ = addRemark(QString());
+  addSection(tr("Scan"));
+  scanName_ = addFact(tr("Name"));
+  scanVoxels_ = addFact(tr("Voxels"));
+  scanSpacing_ = addFact(tr("Spacing"));
+  scanFile_ = addFact(tr("File"));
+  scanRemarks_ = addRemark(QString());
+  scanRemarks_->setObjectName(QStringLiteral("scanRemarks"));
   finish();
   subscriptions_.push_back(workspace.onChange([this](const document::Change& change) {
     if (change.organs())
       sync();
+    if (change.scan() || (change.organs() && !haveSameSurfaces(*change.before.organs, *change.after.organs)))
+      syncScan();
   }));
   subscriptions_.push_back(workspace.selection().onChange([this] { sync(); }));
   sync();
+  syncScan();
 }
 
 QWidget* ExplorePage::makeViews(const Actions& actions) {
@@ -82,6 +105,33 @@ void ExplorePage::sync() {
       lines.push_back(text(warning));
   warnings_->setText(lines.join(QLatin1Char('\n')));
   warnings_->setVisible(!lines.isEmpty());
+}
+
+void ExplorePage::syncScan() {
+  const auto item = workspace_.state().scan;
+  const QString none = QStringLiteral("-");
+  for (QLabel* fact : {scanName_, scanVoxels_, scanSpacing_, scanFile_})
+    fact->setText(none);
+  QStringList lines;
+  if (item) {
+    const medical_io::Scan& scan = *item->scan;
+    const Vec3 spacing = scan.spacing();
+    scanName_->setText(text(item->name));
+    scanVoxels_->setText(tr("%1 x %2 x %3").arg(scan.size[0]).arg(scan.size[1]).arg(scan.size[2]));
+    scanSpacing_->setText(tr("%1 x %2 x %3 mm")
+                              .arg(spacing.x(), 0, 'g', 3)
+                              .arg(spacing.y(), 0, 'g', 3)
+                              .arg(spacing.z(), 0, 'g', 3));
+    if (!item->file.empty())
+      scanFile_->setText(QFileInfo(text(item->file.string())).fileName());
+    scanFile_->setToolTip(text(item->file.string()));
+    for (const medical_io::ScanFinding& finding : scan.findings)
+      lines << asSentence(finding.sentence);
+    for (const std::string& sentence : document::scanFit(workspace_.state()))
+      lines << asSentence(sentence);
+  }
+  scanRemarks_->setText(lines.join(QLatin1Char('\n')));
+  scanRemarks_->setVisible(!lines.isEmpty());
 }
 
 } // namespace viscera::app

@@ -6,7 +6,8 @@
 
 namespace viscera::app {
 
-/// Explore: standard views, what the view shows, what is measured, and what is known of the selected organ.
+/// Explore: standard views, what the view shows, what is measured, and what is known of the selected organ
+/// and of the scan.
 class ExplorePage final : public Page {
   Q_OBJECT
 
@@ -18,6 +19,7 @@ public:
 private:
   QWidget* makeViews(const Actions& actions);
   void sync();
+  void syncScan();
 
   Workspace& workspace_;
   QLabel* name_ = nullptr;
@@ -27,6 +29,11 @@ private:
   QLabel* surface_ = nullptr;
   QLabel* file_ = nullptr;
   QLabel* warnings_ = nullptr;
+  QLabel* scanName_ = nullptr;
+  QLabel* scanVoxels_ = nullptr;
+  QLabel* scanSpacing_ = nullptr;
+  QLabel* scanFile_ = nullptr;
+  QLabel* scanRemarks_ = nullptr;
   std::vector<Subscription> subscriptions_;
 };
 

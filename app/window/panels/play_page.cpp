@@ -87,6 +87,10 @@ void PlayPage::makeTable() {
   stroke_ = addFact(tr("Stroke volume"));
   output_ = addFact(tr("Cardiac output"));
   output_->setObjectName(QStringLiteral("cardiacOutput"));
+  for (const sequences::WallMotionRange& range : sequences::wallMotionRanges()) {
+    walls_.push_back(addFact(tr(range.name)));
+    walls_.back()->setObjectName(QStringLiteral("wall%1").arg(QLatin1String(range.name)));
+  }
   normal_ = addRemark(QString());
 }
 
@@ -153,10 +157,28 @@ void PlayPage::syncTable() {
   for (std::size_t line = 0; line < lines.size(); ++line)
     fillRow(line);
   syncIndices();
+  syncWalls();
   int height = table_->horizontalHeader()->height() + 2;
   for (int row = 0; row < table_->rowCount(); ++row)
     height += table_->rowHeight(row);
   table_->setFixedHeight(height);
+}
+
+/// Measured on the surfaces of the sample heart; beside the number what healthy adults have.
+void PlayPage::syncWalls() {
+  const auto wall = volumes_.wall();
+  const auto& ranges = sequences::wallMotionRanges();
+  for (std::size_t i = 0; i < walls_.size(); ++i) {
+    const sequences::WallMotionRange& range = ranges[i];
+    walls_[i]->setText(wall ? tr("%1 %2 (%3 - %4)")
+                                  .arg((*wall).*range.value, 0, 'f', 1)
+                                  .arg(tr(range.unit))
+                                  .arg(range.low, 0, 'f', 0)
+                                  .arg(range.high, 0, 'f', 0)
+                            : nothing());
+    walls_[i]->setToolTip(tr("%1, measured on the surfaces. Healthy adults: %2")
+                              .arg(tr(range.about), QLatin1String(range.source)));
+  }
 }
 
 /// Of the left ventricle, which drives the body; else of the first cavity.

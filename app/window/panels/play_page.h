@@ -1,5 +1,7 @@
 #pragma once
 
+#include <vector>
+
 #include "window/actions.h"
 #include "window/modes/play_mode.h"
 #include "window/recording/record_box.h"
@@ -28,6 +30,7 @@ private:
   void syncTable();
   void fillRow(std::size_t line);
   void syncIndices();
+  void syncWalls();
 
   Playback& playback_;
   VolumeMonitor& volumes_;
@@ -39,6 +42,7 @@ private:
   QLabel* fraction_ = nullptr;
   QLabel* stroke_ = nullptr;
   QLabel* output_ = nullptr;
+  std::vector<QLabel*> walls_; ///< In the order of `sequences::wallMotionRanges`.
   QLabel* normal_ = nullptr;
   RecordBox* record_ = nullptr;
 };

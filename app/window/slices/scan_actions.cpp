@@ -5,7 +5,10 @@
 #include <QFileInfo>
 #include <QInputDialog>
 
+#include <algorithm>
 #include <utility>
+
+#include "viscera/document/scan_fit.h"
 
 namespace viscera::app {
 namespace {
@@ -61,9 +64,39 @@ QString lineOf(const medical_io::ScanSeries& series) {
                      .arg(series.size[0])
                      .arg(series.size[1])
                      .arg(series.size[2]);
-  if (series.phases > 1)
-    line += ScanActions::tr("  %n {phase|phases}", nullptr, series.phases);
   return line.trimmed();
+}
+
+/// What can be opened at a place: every phase of every series.
+struct Offer {
+  QString line;
+  medical_io::ScanOptions options;
+};
+
+std::vector<Offer> offersOf(const std::vector<medical_io::ScanSeries>& series) {
+  std::vector<Offer> offers;
+  for (const medical_io::ScanSeries& item : series)
+    for (int phase = 0; phase < std::max(1, item.phases); ++phase) {
+      QString line = QStringLiteral("%1. %2").arg(offers.size() + 1).arg(lineOf(item));
+      if (item.phases > 1)
+        line += ScanActions::tr("  phase %1 of %2").arg(phase + 1).arg(item.phases);
+      offers.push_back({line, {item.id, phase}});
+    }
+  return offers;
+}
+
+/// The first offer of the series that a file belongs to; the first of all for a folder.
+int offerOf(const QString& place, const std::vector<medical_io::ScanSeries>& series) {
+  const std::string name = QFileInfo(place).fileName().toStdString();
+  int offer = 0;
+  for (const medical_io::ScanSeries& item : series) {
+    if (QFileInfo(place).isFile() &&
+        std::any_of(item.files.begin(), item.files.end(),
+                    [&name](const std::filesystem::path& file) { return file.filename() == name; }))
+      return offer;
+    offer += std::max(1, item.phases);
+  }
+  return 0;
 }
 
 } // namespace
@@ -109,6 +142,7 @@ void ScanActions::makeLayouts(Actions& actions) {
         actions, layout.id, {tr(layout.name), "view", {layout.key}, {}},
         [id = std::string(layout.layout)](const ScanLook& look) { return look.layout == id; },
         [id = std::string(layout.layout)](ScanLook& look) { look.layout = id; });
+    connect(actions[layout.id], &QAction::triggered, this, &ScanActions::layoutChosen);
   }
 }
 
@@ -147,6 +181,9 @@ void ScanActions::makeSwitches(Actions& actions) {
        {tr("Contours at &rest"), "ghost", {}, tr("Thin, beside those of posed organs")},
        &ScanLook::rest},
       {"scan.standing", {tr("Slices in the &3D view"), "patient", {}, {}}, &ScanLook::standing},
+      {"scan.bent",
+       {tr("&Bend the scan"), "deform", {}, tr("Show the scan as the pose deforms it")},
+       &ScanLook::bent},
       {"scan.smooth", {tr("S&mooth between voxels"), nullptr, {}, {}}, &ScanLook::smooth},
       {"scan.maximum",
        {tr("Ma&ximum of thick slices"), nullptr, {}, tr("Instead of their mean")},
@@ -188,16 +225,17 @@ void ScanActions::open(const QString& place) {
 }
 
 void ScanActions::choose(const QString& place, const std::vector<medical_io::ScanSeries>& series) {
-  if (series.size() < 2)
+  const std::vector<Offer> offers = offersOf(series);
+  if (offers.size() < 2)
     return read(place, {});
   QStringList lines;
-  for (const medical_io::ScanSeries& item : series)
-    lines << QStringLiteral("%1. %2").arg(lines.size() + 1).arg(lineOf(item));
+  for (const Offer& offer : offers)
+    lines << offer.line;
   bool chosen = false;
   const QString line = QInputDialog::getItem(window_, tr("Open a scan"), tr("There are several. Which one?"),
-                                             lines, 0, false, &chosen);
+                                             lines, offerOf(place, series), false, &chosen);
   if (chosen)
-    read(place, {series[static_cast<std::size_t>(lines.indexOf(line))].id, 0});
+    read(place, offers[static_cast<std::size_t>(lines.indexOf(line))].options);
 }
 
 void ScanActions::read(const QString& place, const medical_io::ScanOptions& options) {
@@ -225,13 +263,30 @@ void ScanActions::opened() {
     view.scan.standing = before.standing;
     view.scan.bent = before.bent;
   });
+  Q_EMIT layoutChosen();
+  std::vector<std::string> odd;
+  for (const medical_io::ScanFinding& finding : item->scan->findings)
+    odd.push_back(finding.sentence);
+  for (const std::string& sentence : document::scanFit(workspace_.state()))
+    odd.push_back(sentence);
+  sayOdd(odd);
+}
+
+void ScanActions::sayFit() {
+  sayOdd(document::scanFit(workspace_.state()));
+}
+
+void ScanActions::sayOdd(const std::vector<std::string>& sentences) {
+  if (sentences.empty())
+    return;
   QStringList lines;
-  for (std::size_t i = 0; i < std::min(kShownFindings, item->scan->findings.size()); ++i)
-    lines << asSentence(item->scan->findings[i].sentence);
-  if (item->scan->findings.size() > kShownFindings)
-    lines << tr("And %n more.", nullptr, static_cast<int>(item->scan->findings.size() - kShownFindings));
-  if (!lines.isEmpty())
-    workspace_.note(text(item->name) + QStringLiteral(": ") + lines.join(QLatin1Char('\n')), 15);
+  for (std::size_t i = 0; i < std::min(kShownFindings, sentences.size()); ++i)
+    lines << asSentence(sentences[i]);
+  if (sentences.size() > kShownFindings)
+    lines << tr("%n more on the page of Explore, under Scan.", nullptr,
+                static_cast<int>(sentences.size() - kShownFindings));
+  workspace_.note(text(workspace_.state().scan->name) + QStringLiteral(": ") + lines.join(QLatin1Char('\n')),
+                  15);
 }
 
 } // namespace viscera::app

@@ -34,6 +34,12 @@ public:
   void open(const QString& fileOrFolder);
   /// Shows a scan that has just come into the document, all of it, and says what is odd with it.
   void opened();
+  /// Says what is odd about organs that have just come beside the scan.
+  void sayFit();
+
+Q_SIGNALS:
+  /// The user wants other views, or a scan that was opened brings them.
+  void layoutChosen();
 
 private:
   void makeLayouts(Actions& actions);
@@ -42,6 +48,7 @@ private:
   void chooseAndOpen(bool folder);
   void choose(const QString& place, const std::vector<medical_io::ScanSeries>& series);
   void read(const QString& place, const medical_io::ScanOptions& options);
+  void sayOdd(const std::vector<std::string>& sentences);
   /// A choice that is marked while the view is as it says.
   void addChoice(Actions& actions, const char* id, const Actions::Description& description,
                  std::function<bool(const presentation::ScanLook&)> chosen,

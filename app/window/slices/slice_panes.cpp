@@ -4,9 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "viscera/document/scan_item.h"
+#include "viscera/scene/vtkVisceraHandleSetRepresentation.h"
 #include "viscera/slices/slice_frame.h"
+#include "window/slices/scan_bend.h"
 #include "window/view/picture.h"
 
 namespace viscera::app {
@@ -18,37 +21,31 @@ using presentation::ViewState;
 /// Logical pixels of a drag that move the level by its width, or double the width.
 constexpr double kWindowReach = 300;
 constexpr double kLeastWidth = 1;
+constexpr double kGripReach = 9; ///< Logical pixels.
 constexpr double kLeastZoom = 0.1, kMostZoom = 100;
-/// Between slices without a scan, mm.
-constexpr double kStepMm = 1;
-
-/// How far the scan's voxels are apart along an axis of the patient, mm.
-double stepAlong(const document::DocumentState& state, int axis) {
-  if (!state.scan)
-    return kStepMm;
-  const Eigen::Matrix3d steps = state.scan->scan->indexToLps.linear();
-  const Eigen::Matrix3d directions = steps.colwise().normalized();
-  Eigen::Index along = 0;
-  directions.row(axis).cwiseAbs().maxCoeff(&along);
-  return steps.col(along).norm();
-}
 
 } // namespace
 
-SlicePanes::SlicePanes(Workspace& workspace, ViewModel& model, ViewArea& area, QMenu& menu, QObject* parent)
-    : QObject(parent), workspace_(workspace), model_(model), area_(area), presenter_({}, translated) {
+SlicePanes::SlicePanes(Workspace& workspace, ViewModel& model, Picture& picture, ViewArea& area, QMenu& menu,
+                       QObject* parent)
+    : QObject(parent), workspace_(workspace), model_(model), picture_(picture), area_(area),
+      presenter_({}, translated) {
   for (int i = 0; i < 3; ++i) {
     auto* widget = new SliceWidget;
     widget->setObjectName(QStringLiteral("slice.%1")
                               .arg(QLatin1String(slices::sliceDirections()[static_cast<std::size_t>(i)].id)));
     widgets_[static_cast<std::size_t>(i)] = widget;
     connectWidget(i);
+    connectGrips(i);
     connect(widget, &SliceWidget::menuWanted, &menu, [&menu](const QPoint& place) { menu.popup(place); });
   }
   area.addSlices({widgets_[0], widgets_[1], widgets_[2]});
   subscriptions_.push_back(workspace.onChange([this](const document::Change&) { refresh(); }));
   subscriptions_.push_back(workspace.live().onEvent([this](const live::LiveEvent&) { refresh(); }));
+  subscriptions_.push_back(ScanBend::of(workspace).onChange([this] { followBend(); }));
+  subscriptions_.push_back(workspace.selection().onChange([this] { refresh(); }));
   connect(&model, &ViewModel::changed, this, [this] {
+    ScanBend::of(workspace_).setWanted(model_.state().scan.bent);
     arrange();
     refresh();
   });
@@ -72,7 +69,50 @@ void SlicePanes::connectWidget(int direction) {
           [this, direction](double steps) { scroll(direction, steps); });
   connect(widget, &SliceWidget::doubleClicked, this, [this, direction] { isolate(direction); });
   connect(widget, &SliceWidget::hovered, this,
-          [this, direction](const std::optional<Eigen::Vector2d>& pixel) { read(direction, pixel); });
+          [this, direction](const std::optional<Eigen::Vector2d>& pixel) { hover(direction, pixel); });
+}
+
+void SlicePanes::connectGrips(int direction) {
+  SliceWidget* widget = widgets_[static_cast<std::size_t>(direction)];
+  widget->setGripper([this, direction](const Eigen::Vector2d& pixel, Qt::KeyboardModifiers modifiers) {
+    const auto taking = std::find_if(grips_.begin(), grips_.end(), [&](SliceGrip* grip) {
+      return grip->press(direction, pixel, modifiers);
+    });
+    holding_ = taking == grips_.end() ? nullptr : *taking;
+    return holding_ != nullptr;
+  });
+  connect(widget, &SliceWidget::gripDragged, this, [this, direction](const Eigen::Vector2d& pixel) {
+    holding_->drag(direction, pixel);
+    read(direction, pixel);
+  });
+  connect(widget, &SliceWidget::gripReleased, this,
+          [this, direction](const Eigen::Vector2d& pixel, bool moved) {
+            std::exchange(holding_, nullptr)->release(direction, pixel, moved);
+            hover(direction, pixel);
+          });
+}
+
+/// The first one who would take hold of what is there says which cursor it is.
+void SlicePanes::hover(int direction, const std::optional<Eigen::Vector2d>& pixel) {
+  std::optional<Qt::CursorShape> shape;
+  for (SliceGrip* grip : grips_) {
+    const auto its = grip->hover(direction, shape ? std::nullopt : pixel);
+    shape = shape ? shape : its;
+  }
+  if (shape)
+    widget(direction).setCursor(*shape);
+  else
+    widget(direction).unsetCursor();
+  read(direction, pixel);
+}
+
+double SlicePanes::reach(int direction) const {
+  return kGripReach * widgets_[static_cast<std::size_t>(direction)]->devicePixelRatioF();
+}
+
+void SlicePanes::setMeasuring(presentation::MeasuringNow measuring) {
+  measuring_ = std::move(measuring);
+  refresh();
 }
 
 void SlicePanes::setTheme(const Theme& theme) {
@@ -105,12 +145,26 @@ void SlicePanes::refresh() {
   if (shown.empty())
     return;
   workspace_.guarded([&] {
-    presenter_.update({workspace_.state(), workspace_.live(), model_.state()}, shown);
+    std::optional<presentation::Bending> bending;
+    if (model_.state().scan.bent)
+      bending = presentation::bendingOf(ScanBend::of(workspace_));
+    const ViewState view = picture_.state(); // With what is selected.
+    presentation::SliceScene scene{workspace_.state(), workspace_.live(), view};
+    scene.bending = bending ? &*bending : nullptr;
+    scene.measuring = &measuring_;
+    scene.activeHandle = picture_.view().handles()->GetActiveHandle();
+    presenter_.update(scene, shown);
     for (const presentation::SlicePane& pane : shown) {
       widget(pane.direction).setPicture(presenter_.picture(pane.direction));
       read(pane.direction, cursor_[static_cast<std::size_t>(pane.direction)]);
     }
   });
+}
+
+void SlicePanes::followBend() {
+  if (const std::string& problem = ScanBend::of(workspace_).problem(); !problem.empty())
+    workspace_.note(tr("The scan cannot be bent: %1").arg(text(problem)));
+  refresh();
 }
 
 void SlicePanes::moveCross(int direction, const Eigen::Vector2d& pixel) {
@@ -125,8 +179,8 @@ void SlicePanes::scroll(int direction, double steps) {
   const double towards = axis == 2 ? 1 : -1; // LPS: z grows to the head; front and right are negative.
   Vec3 place = presentation::focusOf(workspace_.state(), model_.state().scan);
   const Bounds box = presentation::boxOfSlices(workspace_.state());
-  place[axis] = std::clamp(place[axis] + towards * steps * stepAlong(workspace_.state(), axis), box.low[axis],
-                           box.high[axis]);
+  place[axis] = std::clamp(place[axis] + towards * steps * presentation::stepAlong(workspace_.state(), axis),
+                           box.low[axis], box.high[axis]);
   model_.change([&place](ViewState& view) { view.scan.focus = place; });
 }
 
@@ -182,6 +236,8 @@ void SlicePanes::read(int direction, const std::optional<Eigen::Vector2d>& pixel
   if (reading.value) {
     const std::string& unit = workspace_.state().scan->scan->unit;
     parts << (QString::number(*reading.value, 'f', 0) + QLatin1Char(' ') + text(unit)).trimmed();
+    if (reading.folded)
+      parts << tr("folded by the pose: a guess");
   }
   QStringList place;
   for (int axis = 0; axis < 3; ++axis)

@@ -6,7 +6,9 @@
 #include <optional>
 #include <vector>
 
+#include "viscera/presentation/presenter.h"
 #include "viscera/presentation/slice_presenter.h"
+#include "window/slices/slice_grip.h"
 #include "window/slices/slice_widget.h"
 #include "window/view/view_area.h"
 #include "window/view/view_model.h"
@@ -16,19 +18,31 @@ class QMenu;
 
 namespace viscera::app {
 
+class Picture;
+
 /// The three slices beside the 3D view: brings their pictures up to date after every change of the document,
 /// of its organs and of the view's state, and turns what the mouse does there into changes of that state.
 class SlicePanes final : public QObject {
   Q_OBJECT
 
 public:
-  /// All have to live longer. `menu` opens at the right button.
-  SlicePanes(Workspace& workspace, ViewModel& model, ViewArea& area, QMenu& menu, QObject* parent = nullptr);
+  /// All have to live longer. `picture` is the 3D view's, with the same handles; `menu` opens at the right
+  /// button.
+  SlicePanes(Workspace& workspace, ViewModel& model, Picture& picture, ViewArea& area, QMenu& menu,
+             QObject* parent = nullptr);
   ~SlicePanes() override;
 
   void setTheme(const Theme& theme);
   SliceWidget& widget(int direction) { return *widgets_[static_cast<std::size_t>(direction)]; }
   const presentation::SlicePresenter& presenter() const { return presenter_; }
+
+  /// Asks `grip`, which has to live longer, before the slices answer the left button; those that were added
+  /// before are asked first.
+  void addGrip(SliceGrip& grip) { grips_.push_back(&grip); }
+  /// How far a mouse can be from what it takes hold of, in pixels of a slice's picture.
+  double reach(int direction) const;
+  /// What somebody is measuring at the moment.
+  void setMeasuring(presentation::MeasuringNow measuring);
 
   /// Brings the slices that are seen up to date and has them rendered soon.
   void refresh();
@@ -37,7 +51,10 @@ public:
 
 private:
   void connectWidget(int direction);
+  void connectGrips(int direction);
+  void hover(int direction, const std::optional<Eigen::Vector2d>& pixel);
   void arrange();
+  void followBend();
   void moveCross(int direction, const Eigen::Vector2d& pixel);
   void dragWindow(const QPointF& by);
   void pan(int direction, const QPointF& by);
@@ -48,10 +65,14 @@ private:
 
   Workspace& workspace_;
   ViewModel& model_;
+  Picture& picture_;
   ViewArea& area_;
   std::array<SliceWidget*, 3> widgets_{};
   presentation::SlicePresenter presenter_;
   std::array<std::optional<Eigen::Vector2d>, 3> cursor_;
+  std::vector<SliceGrip*> grips_;
+  SliceGrip* holding_ = nullptr; ///< Whose the present drag is.
+  presentation::MeasuringNow measuring_;
   std::vector<Subscription> subscriptions_;
 };
 

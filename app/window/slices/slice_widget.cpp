@@ -127,6 +127,9 @@ bool SliceWidget::event(QEvent* event) {
     release(static_cast<QMouseEvent&>(*event));
     return true;
   case QEvent::MouseButtonDblClick:
+    press(static_cast<QMouseEvent&>(*event));
+    if (drag_ == Drag::grip) // Two quick presses on it.
+      return true;
     drag_ = Drag::none;
     if (static_cast<QMouseEvent*>(event)->button() == Qt::LeftButton)
       Q_EMIT doubleClicked();
@@ -154,10 +157,14 @@ bool SliceWidget::onCross(const QPointF& place) const {
 }
 
 void SliceWidget::press(QMouseEvent& event) {
+  if (drag_ == Drag::grip)
+    return; // Another button while something is in the hand.
   pressed_ = last_ = event.localPos();
   moved_ = false;
   const bool left = event.button() == Qt::LeftButton;
-  if (event.button() == Qt::MiddleButton || (left && event.modifiers().testFlag(Qt::ShiftModifier)))
+  if (left && grips_ && grips_(pixelAt(pressed_), event.modifiers()))
+    drag_ = Drag::grip;
+  else if (event.button() == Qt::MiddleButton || (left && event.modifiers().testFlag(Qt::ShiftModifier)))
     drag_ = Drag::pan;
   else if (event.button() == Qt::RightButton)
     drag_ = Drag::zoom;
@@ -177,7 +184,9 @@ void SliceWidget::move(QMouseEvent& event) {
   moved_ = true;
   const QPointF by(place.x() - last_.x(), last_.y() - place.y());
   last_ = place;
-  if (drag_ == Drag::cross)
+  if (drag_ == Drag::grip)
+    Q_EMIT gripDragged(pixelAt(place));
+  else if (drag_ == Drag::cross)
     Q_EMIT crossWanted(pixelAt(place));
   else if (drag_ == Drag::window)
     Q_EMIT windowDragged(by);
@@ -188,6 +197,13 @@ void SliceWidget::move(QMouseEvent& event) {
 }
 
 void SliceWidget::release(QMouseEvent& event) {
+  if (drag_ == Drag::grip) {
+    if (event.button() != Qt::LeftButton)
+      return;
+    drag_ = Drag::none;
+    Q_EMIT gripReleased(pixelAt(event.localPos()), moved_);
+    return;
+  }
   const Drag done = std::exchange(drag_, Drag::none);
   if (moved_ || done == Drag::none)
     return;

@@ -2,8 +2,10 @@
 
 #include <QVTKOpenGLNativeWidget.h>
 
+#include <functional>
 #include <memory>
 #include <optional>
+#include <utility>
 
 #include "viscera/scene/slice_view.h"
 #include "window/style/theme.h"
@@ -29,6 +31,12 @@ public:
   void setReading(const QString& text);
   QString reading() const;
 
+  /// Asks at every press of the left button whether somebody takes hold of what is there: its moves are then
+  /// told as `gripDragged`, and its end as `gripReleased`.
+  void setGripper(std::function<bool(const Eigen::Vector2d& pixel, Qt::KeyboardModifiers modifiers)> grips) {
+    grips_ = std::move(grips);
+  }
+
   /// Device pixels of the picture, at least 1.
   int pixelWidth() const;
   int pixelHeight() const;
@@ -51,6 +59,8 @@ Q_SIGNALS:
   void zoomWanted(double factor, const Eigen::Vector2d& around);
   /// Turns of the wheel.
   void scrolled(double steps);
+  void gripDragged(const Eigen::Vector2d& pixel);
+  void gripReleased(const Eigen::Vector2d& pixel, bool moved);
   void doubleClicked();
   /// The right button was pressed and released at one place, on the screen.
   void menuWanted(const QPoint& place);
@@ -63,7 +73,7 @@ protected:
 
 private:
   /// What a drag does, until the button is up.
-  enum class Drag { none, cross, window, pan, zoom };
+  enum class Drag { none, grip, cross, window, pan, zoom };
 
   void render();
   void press(QMouseEvent& event);
@@ -76,6 +86,7 @@ private:
   std::unique_ptr<scene::SliceView> view_;
   std::optional<Eigen::Vector2d> cross_;
   QLabel* reading_;
+  std::function<bool(const Eigen::Vector2d&, Qt::KeyboardModifiers)> grips_;
   Drag drag_ = Drag::none;
   QPointF pressed_, last_;
   bool moved_ = false;

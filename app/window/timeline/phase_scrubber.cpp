@@ -30,8 +30,18 @@ PhaseScrubber::PhaseScrubber(QWidget* parent) : QWidget(parent) {
   setCursor(Qt::PointingHandCursor);
 }
 
-void PhaseScrubber::setPhases(std::vector<sequences::Phase> phases) {
+QString phaseText(const sequences::Phase& phase, double periodSeconds) {
+  const double milliseconds = 1000 * periodSeconds * (phase.end - phase.begin);
+  // A stomach's wave lasts for seconds, which nobody counts in thousandths.
+  if (phase.group.empty() || milliseconds <= 0)
+    return text(phase.name);
+  return PhaseScrubber::tr("%1, %2 ms").arg(text(phase.name)).arg(milliseconds, 0, 'f', 0);
+}
+
+void PhaseScrubber::setPhases(std::vector<sequences::Phase> phases, double periodSeconds) {
   phases_ = std::move(phases);
+  periodSeconds_ = periodSeconds;
+  updateGeometry();
   update();
 }
 
@@ -59,8 +69,14 @@ QString PhaseScrubber::phaseName() const {
   return phase ? text(phase->name) : QString();
 }
 
+QString PhaseScrubber::phaseText() const {
+  const sequences::Phase* phase = phaseAt(fraction_);
+  return phase ? app::phaseText(*phase, periodSeconds_) : QString();
+}
+
 QSize PhaseScrubber::sizeHint() const {
-  return {400, static_cast<int>(5 + kStripHeight + kBelow) + fontMetrics().height() + 4};
+  const int lines = groups().empty() ? 1 : 2;
+  return {400, static_cast<int>(5 + kStripHeight + kBelow) + lines * fontMetrics().height() + 4};
 }
 
 bool PhaseScrubber::event(QEvent* event) {
@@ -68,7 +84,8 @@ bool PhaseScrubber::event(QEvent* event) {
     auto* help = static_cast<QHelpEvent*>(event);
     const sequences::Phase* phase = phaseAt(fractionAt(help->pos().x()));
     const QString keys = tr("Drag, or use the arrow keys");
-    QToolTip::showText(help->globalPos(), phase ? tr("%1\n%2").arg(text(phase->name), keys) : keys, this);
+    QToolTip::showText(help->globalPos(),
+                       phase ? tr("%1\n%2").arg(app::phaseText(*phase, periodSeconds_), keys) : keys, this);
     return true;
   }
   return QWidget::event(event);
@@ -99,6 +116,7 @@ void PhaseScrubber::paintEvent(QPaintEvent*) {
   painter.setBrush(ink);
   painter.drawEllipse(QPointF(x, area.top() - 1), 4, 4);
   paintNames(painter, area);
+  paintGroups(painter, area);
   if (!course_.empty())
     paintMarks(painter, area);
 }
@@ -161,6 +179,60 @@ void PhaseScrubber::paintNames(QPainter& painter, const QRectF& area) const {
     painter.setPen(name.present ? palette().color(QPalette::WindowText) : muted);
     painter.drawText(QRectF(name.center - half - 1, top, 2 * half + 2, painter.fontMetrics().height()),
                      Qt::AlignCenter | Qt::TextDontClip, name.text);
+  }
+}
+
+/// A cycle begins within a group: its two ends are one in time, and the longer one carries the name.
+std::vector<PhaseScrubber::Group> PhaseScrubber::groups() const {
+  std::vector<Group> groups;
+  for (const sequences::Phase& phase : phases_) {
+    if (phase.group.empty())
+      return {};
+    const QString name = text(phase.group);
+    if (groups.empty() || groups.back().text != name)
+      groups.push_back({name, phase.begin, phase.end});
+    groups.back().end = phase.end;
+  }
+  const auto lengthOf = [&groups](const QString& name) {
+    double length = 0;
+    for (const Group& group : groups)
+      length += group.text == name ? group.end - group.begin : 0;
+    return length;
+  };
+  std::vector<Group> named = groups;
+  for (Group& group : named)
+    group.text = tr("%1 %2 ms").arg(group.text).arg(1000 * periodSeconds_ * lengthOf(group.text), 0, 'f', 0);
+  if (named.size() > 1 && named.front().text == named.back().text)
+    (named.front().end - named.front().begin < named.back().end - named.back().begin ? named.front()
+                                                                                     : named.back())
+        .text.clear();
+  return named;
+}
+
+QStringList PhaseScrubber::groupsShown() const {
+  QStringList shown;
+  for (const Group& group : groups())
+    if (!group.text.isEmpty())
+      shown.push_back(group.text);
+  return shown;
+}
+
+void PhaseScrubber::paintGroups(QPainter& painter, const QRectF& area) const {
+  const double top = area.bottom() + kBelow + painter.fontMetrics().height();
+  const double line = top + 0.5 * painter.fontMetrics().height();
+  const QColor muted = palette().color(QPalette::PlaceholderText);
+  for (const Group& group : groups()) {
+    const double left = area.left() + group.begin * area.width() + 1;
+    const double right = area.left() + group.end * area.width() - 1;
+    const double room = group.text.isEmpty() ? 0 : painter.fontMetrics().horizontalAdvance(group.text) + 8;
+    painter.setPen(QPen(muted, 1));
+    painter.drawLine(QPointF(left, top + 2), QPointF(left, line));
+    painter.drawLine(QPointF(right, top + 2), QPointF(right, line));
+    const double middle = 0.5 * (left + right);
+    painter.drawLine(QPointF(left, line), QPointF(std::max(left, middle - room / 2), line));
+    painter.drawLine(QPointF(std::min(right, middle + room / 2), line), QPointF(right, line));
+    painter.drawText(QRectF(middle - room / 2, top, room, painter.fontMetrics().height()),
+                     Qt::AlignCenter | Qt::TextDontClip, group.text);
   }
 }
 

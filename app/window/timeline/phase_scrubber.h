@@ -17,7 +17,8 @@ class PhaseScrubber final : public QWidget {
 public:
   explicit PhaseScrubber(QWidget* parent = nullptr);
 
-  void setPhases(std::vector<sequences::Phase> phases);
+  /// `periodSeconds` is the cycle's length, for the milliseconds of its parts; 0: they are not said.
+  void setPhases(std::vector<sequences::Phase> phases, double periodSeconds);
   /// The way of what travels; empty: the names of the phases are shown.
   void setCourse(std::vector<sequences::NamedPlace> course);
   void setMarks(std::vector<sequences::TravellingMark> marks);
@@ -27,6 +28,10 @@ public:
   const std::vector<sequences::TravellingMark>& marks() const { return marks_; }
   /// The phase at the present instant; empty without phases.
   QString phaseName() const;
+  /// The same with how long it lasts.
+  QString phaseText() const;
+  /// What stands over the brackets under the strip, from the left: "systole 322 ms".
+  QStringList groupsShown() const;
   /// The names that stand under the strip now, from the left; one that finds no room is left out.
   QStringList namesShown() const;
 
@@ -59,12 +64,25 @@ private:
   std::vector<Name> names() const;
   void paintPhases(QPainter& painter, const QRectF& area) const;
   void paintNames(QPainter& painter, const QRectF& area) const;
+  void paintGroups(QPainter& painter, const QRectF& area) const;
   void paintMarks(QPainter& painter, const QRectF& area) const;
 
+  /// Phases of one group beside each other.
+  struct Group {
+    QString text;
+    double begin = 0;
+    double end = 0;
+  };
+  std::vector<Group> groups() const;
+
   std::vector<sequences::Phase> phases_;
+  double periodSeconds_ = 0;
   std::vector<sequences::NamedPlace> course_;
   std::vector<sequences::TravellingMark> marks_;
   double fraction_ = 0;
 };
+
+/// The phase's name, and how long it lasts in a cycle of that length.
+QString phaseText(const sequences::Phase& phase, double periodSeconds);
 
 } // namespace viscera::app

@@ -193,6 +193,13 @@ void Playback::step(int frames) {
     tell([&] { transport_->step(frames * kStepSeconds); });
 }
 
+void Playback::stepFinely(int steps) {
+  const double finest = sequence() ? sequence()->finestStepSeconds() : 0;
+  pause();
+  if (start())
+    tell([&] { transport_->step(steps * (finest > 0 ? finest : kStepSeconds)); });
+}
+
 void Playback::onShown() {
   const std::string& obstacle = player_.runner().obstacle();
   if (!obstacle.empty() && !outOfReach_ && !workspace_.live().busy())

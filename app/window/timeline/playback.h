@@ -90,6 +90,8 @@ public Q_SLOTS:
   void seek(double fraction);
   /// Steps by frames of a twenty-fifth of a second.
   void step(int frames);
+  /// Steps by the smallest time that shows something new of this sequence (10 ms of a heart), else by frames.
+  void stepFinely(int steps);
   void toStart() { seek(0); }
   /// The organs go back to the document's pose.
   void stop() {

@@ -8,6 +8,7 @@
 #include <QSlider>
 #include <QSpinBox>
 #include <QToolButton>
+#include <QVBoxLayout>
 
 #include <cmath>
 
@@ -36,8 +37,13 @@ TimelineBar::TimelineBar(Playback& playback, Actions& actions, QWidget* parent)
   row->addSpacing(8);
   addRate();
   row->addSpacing(8);
+  auto* strips = makeLayout<QVBoxLayout>(nullptr, 0);
   scrubber_ = new PhaseScrubber(this);
-  row->addWidget(scrubber_, 1);
+  strips->addWidget(scrubber_);
+  signs_ = new BeatStrip(this);
+  signs_->hide();
+  strips->addWidget(signs_);
+  row->addLayout(strips, 1);
   phase_ = new QLabel(this);
   phase_->setObjectName(QStringLiteral("phase"));
   row->addWidget(phase_);
@@ -58,6 +64,18 @@ void TimelineBar::addTo(Actions& actions) {
                             [this] { playback_.step(-1); }),
                 actions.add("play.forward", {tr("One frame &forward"), "step_forward", {Qt::Key_Period}, {}},
                             [this] { playback_.step(1); }),
+                actions.add("play.backFinely",
+                            {tr("A fine step bac&k"),
+                             "step_back",
+                             {tr("Shift+,"), Qt::Key_Less},
+                             tr("Ten milliseconds of a heart back, else one frame")},
+                            [this] { playback_.stepFinely(-1); }),
+                actions.add("play.forwardFinely",
+                            {tr("A fine step for&ward"),
+                             "step_forward",
+                             {tr("Shift+."), Qt::Key_Greater},
+                             tr("Ten milliseconds of a heart forward, else one frame")},
+                            [this] { playback_.stepFinely(1); }),
                 loopAction_};
 }
 
@@ -120,6 +138,8 @@ void TimelineBar::syncSequence(const sequences::Sequence& sequence) {
   rateSlider_->setRange(rate_->minimum(), rate_->maximum());
   rate_->setToolTip(
       tr("%1: %2 to %3 %4").arg(text(sequence.name())).arg(rate_->minimum()).arg(rate_->maximum()).arg(unit));
+  if (const std::string remark = sequence.rateRemark(player.ratePerMinute()); !remark.empty())
+    rate_->setToolTip(rate_->toolTip() + QLatin1Char('\n') + text(remark));
   rateSlider_->setToolTip(rate_->toolTip());
   rate_->setValue(static_cast<int>(std::lround(player.ratePerMinute())));
   rateSlider_->setValue(rate_->value());
@@ -129,16 +149,21 @@ void TimelineBar::syncSequence(const sequences::Sequence& sequence) {
   const std::vector<sequences::Phase> phases = sequence.phases(player.ratePerMinute());
   int widest = 0;
   for (const sequences::Phase& phase : phases)
-    widest = std::max(widest, phase_->fontMetrics().horizontalAdvance(text(phase.name)));
+    widest =
+        std::max(widest, phase_->fontMetrics().horizontalAdvance(phaseText(phase, player.periodSeconds())));
   phase_->setMinimumWidth(widest + 4);
-  scrubber_->setPhases(phases);
+  scrubber_->setPhases(phases, player.periodSeconds());
+  signs_->setHeart(dynamic_cast<const sequences::Heartbeat*>(&sequence), player.ratePerMinute());
+  syncSigns();
   syncInstant();
 }
 
 /// A line says where sequences come from.
 void TimelineBar::clearSequence() {
   const QString line = tr("No motion here: sample organs bring their own (Organ > Sample organs)");
-  scrubber_->setPhases({{line.toStdString(), 0, 1}});
+  scrubber_->setPhases({{line.toStdString(), 0, 1}}, 0);
+  signs_->setHeart(nullptr, 0);
+  syncSigns();
   scrubber_->setFraction(0);
   phase_->clear();
 }
@@ -150,8 +175,19 @@ void TimelineBar::syncInstant() {
   else
     scrubber_->setMarks({});
   scrubber_->setFraction(player.fraction());
-  phase_->setText(scrubber_->phaseName());
+  signs_->setFraction(player.fraction());
+  phase_->setText(scrubber_->phaseText());
   phase_->setToolTip(tr("%1 s into the cycle").arg(player.secondsInCycle(), 0, 'f', 2));
+}
+
+void TimelineBar::setSignsShown(bool shown) {
+  signsShown_ = shown;
+  syncSigns();
+}
+
+/// Only the textbook's beat has them; a circulation draws its own.
+void TimelineBar::syncSigns() {
+  signs_->setVisible(signsShown_ && signs_->hasHeart());
 }
 
 } // namespace viscera::app

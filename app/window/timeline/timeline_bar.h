@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "window/actions.h"
+#include "window/timeline/beat_strip.h"
 #include "window/timeline/phase_scrubber.h"
 #include "window/timeline/playback.h"
 
@@ -21,8 +22,12 @@ namespace viscera::app {
 class TimelineBar final : public QWidget {
   Q_OBJECT
 public:
-  /// Adds "play.toggle", "play.start", "play.back", "play.forward" and "play.loop". Both have to live longer.
+  /// Adds "play.toggle", "play.start", "play.loop" and the steps: "play.back", "play.forward",
+  /// "play.backFinely", "play.forwardFinely". Both have to live longer.
   TimelineBar(Playback& playback, Actions& actions, QWidget* parent = nullptr);
+
+  /// Shows electrocardiogram, sounds and valves of a textbook's beat.
+  void setSignsShown(bool shown);
 
 private:
   void addTo(Actions& actions);
@@ -33,6 +38,7 @@ private:
   void syncSequence(const sequences::Sequence& sequence);
   void clearSequence();
   void syncInstant();
+  void syncSigns();
 
   Playback& playback_;
   std::vector<QAction*> transport_; ///< Usable while there is a sequence.
@@ -43,6 +49,8 @@ private:
   QSlider* rateSlider_ = nullptr;
   QComboBox* speed_ = nullptr;
   PhaseScrubber* scrubber_ = nullptr;
+  BeatStrip* signs_ = nullptr;
+  bool signsShown_ = false;
   QLabel* phase_ = nullptr;
 };
 

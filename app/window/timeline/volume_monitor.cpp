@@ -224,6 +224,11 @@ std::optional<scene::ValueRange> VolumeMonitor::range(std::size_t line) const {
   return scene::ValueRange{*low, *high};
 }
 
+std::optional<sequences::WallMotion> VolumeMonitor::wall() const {
+  const Side& side = sides_[0];
+  return side.curves && side.playback->sequence() ? side.curves->wall : std::nullopt;
+}
+
 std::optional<motion::CardiacIndices> VolumeMonitor::indices(std::size_t line) const {
   const Curve curve = cycle(line);
   if (!lines_[line].cavity || curve.milliliters.empty())

@@ -65,6 +65,9 @@ public:
   std::optional<motion::CardiacIndices> indices(std::size_t line) const;
   /// The smallest and the largest volume of `cycle`, ml; none while that is empty.
   std::optional<scene::ValueRange> range(std::size_t line) const;
+  /// How the walls of the first view's heart move over the cycle; none of other organs, and while the cycle
+  /// is measured.
+  std::optional<sequences::WallMotion> wall() const;
   /// Volumes as they are this moment.
   void refresh();
 

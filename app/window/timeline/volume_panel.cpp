@@ -283,7 +283,7 @@ QString VolumePanel::detailOf(std::size_t line) const {
         .arg(indices->strokeVolumeMl, 0, 'f', 0);
   if (shown.restMl <= 0)
     return {};
-  return tr("%1 % of rest").arg(kPercent * shown.nowMl / shown.restMl, 0, 'f', 1);
+  return tr("%1 % of reference").arg(kPercent * shown.nowMl / shown.restMl, 0, 'f', 1);
 }
 
 /// What the chart holds: one cycle, the sequence as played, or the drags. Another one begins with an empty

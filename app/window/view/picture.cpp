@@ -4,7 +4,9 @@
 
 #include <utility>
 
+#include "viscera/presentation/slice_presenter.h"
 #include "viscera/scene/vtkVisceraHandleSetWidget.h"
+#include "window/slices/scan_bend.h"
 
 namespace viscera::app {
 
@@ -20,6 +22,7 @@ Picture::Picture(Workspace& workspace, ViewModel& model, ViewWidget& view, Role 
   subscriptions_.push_back(workspace.live().onEvent([this](const live::LiveEvent&) { refresh(); }));
   subscriptions_.push_back(workspace.stress().onEvent([this](const live::StressEvent&) { refresh(); }));
   subscriptions_.push_back(workspace.selection().onChange([this] { refresh(); }));
+  subscriptions_.push_back(ScanBend::of(workspace).onChange([this] { refresh(); }));
   connect(&model, &ViewModel::changed, this, [this] {
     if (looksOtherwise())
       refresh();
@@ -67,8 +70,12 @@ void Picture::refresh() {
   workspace_.guarded([this] {
     const presentation::ViewState view = state();
     const live::StressFrame stress = workspace_.stress().frame();
+    std::optional<presentation::Bending> bending;
+    if (view.scan.standing && view.scan.bent)
+      bending = presentation::bendingOf(ScanBend::of(workspace_));
     presenter_.update({workspace_.state(), workspace_.live(), view, workspace_.registry(), &stress, nullptr,
-                       &measuring_, &guests_, namedParts_ ? &*namedParts_ : nullptr});
+                       &measuring_, &guests_, namedParts_ ? &*namedParts_ : nullptr,
+                       bending ? &*bending : nullptr});
   });
   drawn_ = model_.state();
   widget_.scheduleRender();

@@ -5,8 +5,7 @@
 #include <limits>
 #include <vector>
 
-#include <Eigen/LU>
-
+#include "broyden_search.h"
 #include "viscera/core/error.h"
 #include "viscera/geometry/convex_hull.h"
 
@@ -15,9 +14,8 @@ namespace {
 
 constexpr Eigen::Index kChunk = 20'000; ///< Points bound at a time: weights take memory.
 constexpr int kMostRounds = 40;
-constexpr double kAccuracy = 1e-3;            ///< Of the spacing.
-constexpr double kWithinHull = 1e-6;          ///< Of the hull's diagonal, from its facets.
-constexpr double kSmallestDeterminant = 0.05; ///< Of the estimated derivative, below which it is given up.
+constexpr double kAccuracy = 1e-3;   ///< Of the spacing.
+constexpr double kWithinHull = 1e-6; ///< Of the hull's diagonal, from its facets.
 
 /// The displacement of any point of the rest space.
 class Motion {
@@ -69,41 +67,9 @@ private:
   Vec3 middle_;
 };
 
-/// One grid point on its way back to rest.
-struct Search {
-  Eigen::Index row = 0;
-  Vec3 target, at, step = Vec3::Zero(), rest = Vec3::Zero();
-  Eigen::Matrix3d derivative = Eigen::Matrix3d::Identity();
-  Vec3 best;
-  double bestError = std::numeric_limits<double>::infinity();
-  bool started = false;
-
-  /// Takes the displacement at `at`, goes on to the next place; false when it is near enough, or lost.
-  bool advance(const Vec3& displacement, double accuracy) {
-    const Vec3 residual = at + displacement - target;
-    if (!residual.allFinite())
-      return false;
-    if (residual.norm() < bestError) {
-      bestError = residual.norm();
-      best = at;
-    }
-    if (bestError <= accuracy)
-      return false;
-    if (started && step.squaredNorm() > 0)
-      derivative += (residual - rest - derivative * step) * step.transpose() / step.squaredNorm();
-    if (std::abs(derivative.determinant()) < kSmallestDeterminant)
-      derivative.setIdentity();
-    step = -derivative.inverse() * residual;
-    rest = residual;
-    at += step;
-    started = true;
-    return true;
-  }
-};
-
-void solve(std::vector<Search> searches, const Motion& motion, DisplacementGrid& grid) {
+void solve(std::vector<BroydenSearch> searches, const Motion& motion, DisplacementGrid& grid) {
   const double accuracy = kAccuracy * grid.spacing;
-  const auto finish = [&](const Search& search) {
+  const auto finish = [&](const BroydenSearch& search) {
     if (search.bestError <= accuracy)
       grid.largestErrorMm = std::max(grid.largestErrorMm, search.bestError);
     else
@@ -113,7 +79,7 @@ void solve(std::vector<Search> searches, const Motion& motion, DisplacementGrid&
   };
   for (int round = 0; round < kMostRounds && !searches.empty(); ++round) {
     std::vector<Vec3> places;
-    for (const Search& search : searches)
+    for (const BroydenSearch& search : searches)
       places.push_back(search.at);
     const Points moved = motion(pointsOf(places));
     std::size_t kept = 0;
@@ -125,7 +91,7 @@ void solve(std::vector<Search> searches, const Motion& motion, DisplacementGrid&
     }
     searches.resize(kept);
   }
-  for (const Search& search : searches)
+  for (const BroydenSearch& search : searches)
     finish(search);
 }
 
@@ -167,9 +133,9 @@ DisplacementGrid inverseDisplacements(const coordinates::CoordinateSystem& syste
     progress.report(static_cast<double>(begin) / static_cast<double>(grid.vectors.rows()),
                     "Tracing the displacement field");
     const Eigen::Index end = std::min(begin + kChunk, grid.vectors.rows());
-    std::vector<Search> searches(static_cast<std::size_t>(end - begin));
+    std::vector<BroydenSearch> searches(static_cast<std::size_t>(end - begin));
     for (Eigen::Index row = begin; row < end; ++row) {
-      Search& search = searches[static_cast<std::size_t>(row - begin)];
+      BroydenSearch& search = searches[static_cast<std::size_t>(row - begin)];
       search.row = row;
       search.target = grid.point(row);
       search.at = search.target;

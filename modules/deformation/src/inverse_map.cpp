@@ -6,6 +6,7 @@
 
 #include <Eigen/LU>
 
+#include "refine_rest.h"
 #include "rest_field.h"
 #include "viscera/core/error.h"
 
@@ -65,11 +66,6 @@ struct Solver {
   }
 };
 
-Vec3 sampleOf(const SamplePlane& plane, Eigen::Index column, Eigen::Index row) {
-  return plane.corner + static_cast<double>(column) * plane.columnStep +
-         static_cast<double>(row) * plane.rowStep;
-}
-
 /// A plane on its way: some samples solved, the others between them.
 class PlaneSolver {
 public:
@@ -109,7 +105,7 @@ private:
     Vec3 offset = Vec3::Zero();
     bool warm = false;
     for (const Eigen::Index column : columns_) {
-      const Vec3 posed = sampleOf(plane_, column, row);
+      const Vec3 posed = plane_.at(column, row);
       const Eigen::Index index = at(column, row);
       Vec3 rest;
       RestState found = warm ? solver_(posed, posed + offset, rest) : solver_.cold(posed, rest);
@@ -163,7 +159,7 @@ private:
 
   bool isRight(const Cell& cell, Eigen::Index column, Eigen::Index row) const {
     const Vec3 rest = between(cell, part(column, cell.left, cell.right), part(row, cell.top, cell.bottom));
-    return (rest + solver_.field.displacementAt(rest) - sampleOf(plane_, column, row)).norm() <= tolerance_;
+    return (rest + solver_.field.displacementAt(rest) - plane_.at(column, row)).norm() <= tolerance_;
   }
 
   /// Samples on the right and lower edges belong to the next cells.
@@ -179,7 +175,7 @@ private:
         Vec3 rest = guess;
         RestState found = common;
         if (!linear)
-          found = solver_(sampleOf(plane_, column, row), guess, rest);
+          found = solver_(plane_.at(column, row), guess, rest);
         result_.points.row(at(column, row)) = rest.transpose();
         state(at(column, row)) = found;
       }
@@ -202,20 +198,27 @@ public:
 InverseMap::InverseMap(const coordinates::CoordinateSystem& system, const coordinates::HandleSet& handles,
                        const Points& pose, const coordinates::BindOptions& options,
                        const InverseMapOptions& map, Progress& progress)
-    : handles_(handles), options_(options), accuracyMm_(map.accuracyMm) {
+    : handles_(handles), options_(options), wanted_(map) {
   if (!(map.accuracyMm > 0))
     throw UsageError("It has to be positive", "accuracy");
   const geometry::ConvexHull hull(handles.positions);
-  const double most = map.mostWeights / static_cast<double>(handles.positions.rows());
   double spacing = hull.diagonal() / kFirstNodes;
   for (;;) {
     field_ = std::make_unique<Field>(system, handles, options, spacing, progress);
     setPose(pose);
-    const double room = most / static_cast<double>(field_->boundPoints());
-    if (field_->errorMm() <= accuracyMm_ || room < kWorthwhile)
+    if (!wantsFinerGrid())
       return;
-    spacing /= std::min(2.0, std::cbrt(room));
+    spacing /= std::min(2.0, std::cbrt(room()));
   }
+}
+
+double InverseMap::room() const {
+  return wanted_.mostWeights / static_cast<double>(handles_.positions.rows()) /
+         static_cast<double>(field_->boundPoints());
+}
+
+bool InverseMap::wantsFinerGrid() const {
+  return field_->errorMm() > wanted_.accuracyMm && room() >= kWorthwhile;
 }
 
 InverseMap::~InverseMap() = default;
@@ -243,7 +246,7 @@ Points InverseMap::posedPoints(const Points& rest) const {
 
 RestPoints InverseMap::restPoints(const Points& posed) const {
   RestPoints result{Points(posed.rows(), 3), std::vector<RestState>(static_cast<std::size_t>(posed.rows()))};
-  const Solver solver{*field_, kSolved * accuracyMm_};
+  const Solver solver{*field_, kSolved * wanted_.accuracyMm};
   parallelRanges(posed.rows(), kChunk, options_.threads, [&](Eigen::Index begin, Eigen::Index end) {
     Vec3 offset = Vec3::Zero();
     bool warm = false;
@@ -266,7 +269,20 @@ void InverseMap::restPlane(const SamplePlane& plane, RestPoints& result) const {
   result.points.resize(plane.columns * plane.rows, 3);
   result.states.resize(static_cast<std::size_t>(plane.columns * plane.rows));
   if (plane.columns > 0 && plane.rows > 0)
-    PlaneSolver(*field_, plane, accuracyMm_, result).run(options_.threads);
+    PlaneSolver(*field_, plane, wanted_.accuracyMm, result).run(options_.threads);
+}
+
+void InverseMap::refinePlane(const coordinates::CoordinateSystem& system, const SamplePlane& plane,
+                             const Refinement& refinement, RestPoints& result, Progress& progress) const {
+  refineRest(*field_, system, plane, refinement, result, progress);
+}
+
+double InverseMap::foldedMl() const {
+  return field_->foldedMm3() / kMm3PerMl;
+}
+
+Eigen::Index InverseMap::boundPoints() const {
+  return field_->boundPoints();
 }
 
 double InverseMap::errorMm() const {

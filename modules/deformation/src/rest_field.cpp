@@ -18,6 +18,7 @@ constexpr double kReach = 3;            ///< Times what the hull's border moves:
 constexpr double kLeastReach = 0.02;    ///< Of the hull's diagonal, where anything moves at all.
 constexpr double kRoomToGrow = 1.5;     ///< Times the reach: how far the outer grid goes, for poses to come.
 constexpr Eigen::Index kMostChecks = 2000;
+constexpr double kExactCells = 2; ///< Outside of the hull, until the exact motion is the grid's.
 constexpr double kCounted = 0.99; ///< Of the checks; next to a handle the motion has a kink at any spacing.
 
 } // namespace
@@ -334,7 +335,9 @@ void RestField::joinGrids() {
 void RestField::setPose(const Points& pose) {
   pose_ = pose;
   foldCells_.clear();
+  foldedCount_ = 0;
   error_ = 0;
+  roughness_.clear();
   if (pose == handles_.positions) { // Exactly, without the rounding of sums.
     inner_.vectors.setZero();
     outer_.vectors.setZero();
@@ -350,6 +353,7 @@ void RestField::setPose(const Points& pose) {
   fadeNodes(outer_, outerFaded_);
   joinGrids();
   measureError(moved);
+  measureRoughness();
   markFolds();
 }
 
@@ -367,8 +371,62 @@ void RestField::measureError(const Points& moved) {
   error_ = *counted;
 }
 
+/// Between nodes a linear motion is off by an eighth of the second difference along each axis.
+void RestField::measureRoughness() {
+  roughness_.assign(static_cast<std::size_t>(inner_.count()), 0);
+  const std::array<Eigen::Index, 3> strides = {1, inner_.size[0],
+                                               Eigen::Index(inner_.size[0]) * inner_.size[1]};
+  parallelRanges(static_cast<Eigen::Index>(boundNodes_.size()), kGrain, options_.threads,
+                 [&](Eigen::Index begin, Eigen::Index end) {
+                   for (Eigen::Index n = begin; n < end; ++n) {
+                     const BoundNode& bound = boundNodes_[static_cast<std::size_t>(n)];
+                     if (bound.outside) // Next to motions that no system says.
+                       continue;
+                     double sum = 0;
+                     for (const Eigen::Index stride : strides)
+                       sum += (inner_.vectors.row(bound.node - stride) - 2 * inner_.vectors.row(bound.node) +
+                               inner_.vectors.row(bound.node + stride))
+                                  .norm();
+                     roughness_[static_cast<std::size_t>(bound.node)] = static_cast<float>(sum / 8);
+                   }
+                 });
+  spreadRoughness(strides);
+}
+
+/// Outside of the hull, where no system says how nodes move, cells are as rough as those next to them: the
+/// hull may end in a corner between nodes, at a handle.
+void RestField::spreadRoughness(const std::array<Eigen::Index, 3>& strides) {
+  for (int layer = 0; layer < 2; ++layer)
+    for (const BoundNode& bound : boundNodes_) {
+      if (!bound.outside)
+        continue;
+      float& own = roughness_[static_cast<std::size_t>(bound.node)];
+      for (const Eigen::Index stride : strides)
+        own = std::max({own, roughness_[static_cast<std::size_t>(bound.node - stride)],
+                        roughness_[static_cast<std::size_t>(bound.node + stride)]});
+    }
+}
+
+double RestField::roughnessAt(const Vec3& rest) const {
+  if (roughness_.empty() || !inner_.contains(rest))
+    return 0;
+  float largest = 0;
+  for (const Eigen::Index corner : cornersOf(inner_, cellAt(inner_, rest).corner))
+    largest = std::max(largest, roughness_[static_cast<std::size_t>(corner)]);
+  return largest;
+}
+
+double RestField::exactPart(const Vec3& rest) const {
+  const double distance = hull_.signedDistance(rest);
+  return std::clamp(1 - distance / (kExactCells * inner_.spacing), 0.0, 1.0);
+}
+
+double RestField::foldedMm3() const {
+  return static_cast<double>(foldedCount_) * inner_.spacing * inner_.spacing * inner_.spacing;
+}
+
 /// Cells of the hull whose middle is turned inside out.
-std::vector<Eigen::Index> RestField::foldedCells() const {
+std::vector<Eigen::Index> RestField::findFoldedCells() const {
   std::vector<Eigen::Index> folded;
   std::mutex mutex;
   parallelRanges(static_cast<Eigen::Index>(boundNodes_.size()), kGrain, options_.threads,
@@ -396,7 +454,11 @@ std::vector<Eigen::Index> RestField::foldedCells() const {
 }
 
 void RestField::markFolds() {
-  const std::vector<Eigen::Index> cells = foldedCells();
+  const std::vector<Eigen::Index> cells = findFoldedCells();
+  const Vec3 toMiddle = Vec3::Constant(0.5 * inner_.spacing);
+  foldedCount_ = static_cast<std::size_t>(std::count_if(cells.begin(), cells.end(), [&](Eigen::Index cell) {
+    return isInside(inner_.position(cell) + toMiddle);
+  }));
   if (cells.empty())
     return;
   std::vector<Bounds> boxes;

@@ -43,6 +43,8 @@ public:
   /// Poses the nodes. O(nodes x handles).
   void setPose(const Points& pose);
   const Points& pose() const { return pose_; }
+  const coordinates::HandleSet& handles() const { return handles_; }
+  const coordinates::BindOptions& options() const { return options_; }
 
   struct Motion {
     Vec3 displacement = Vec3::Zero();
@@ -57,6 +59,16 @@ public:
   /// Whether a posed point lies where the pose brings tissue that it turns inside out.
   bool isFolded(const Vec3& posed) const;
 
+  /// How far the grid may be off around a rest point, mm, by how the motion bends from node to node; zero
+  /// where no exact motion is known (`exactPart`).
+  double roughnessAt(const Vec3& rest) const;
+  /// 1 in the hull, where the system itself says how a rest point moves; falls to 0 a few cells outside.
+  double exactPart(const Vec3& rest) const;
+  /// The point itself in the hull, else where the line to the hull's middle enters it.
+  Vec3 pulledIn(const Vec3& point) const;
+
+  /// How much tissue the pose turns inside out, as it is at rest, mm3.
+  double foldedMm3() const;
   double errorMm() const { return error_; }
   double spacing() const { return inner_.spacing; }
   Eigen::Index boundPoints() const { return bound_.rows(); }
@@ -94,9 +106,10 @@ private:
   void fadeNodes(VectorGrid& grid, const std::vector<FadedNode>& nodes) const;
   void joinGrids();
   FadedNode fadedNode(Eigen::Index node, const Vec3& position) const;
-  Vec3 pulledIn(const Vec3& point) const;
   void measureError(const Points& moved);
-  std::vector<Eigen::Index> foldedCells() const;
+  void measureRoughness();
+  void spreadRoughness(const std::array<Eigen::Index, 3>& strides);
+  std::vector<Eigen::Index> findFoldedCells() const;
   void markFolds();
 
   coordinates::HandleSet handles_;
@@ -116,7 +129,9 @@ private:
   double reach_ = 0;      ///< How far outside of the hull anything moves, mm.
   double reachBuilt_ = 0; ///< How far the outer grid goes.
   double error_ = 0;
-  VectorGrid folds_; ///< Where folded tissue comes to; its vectors are not used.
+  std::vector<float> roughness_; ///< Of the inner grid's nodes.
+  std::size_t foldedCount_ = 0;  ///< Of the inner grid.
+  VectorGrid folds_;             ///< Where folded tissue comes to; its vectors are not used.
   std::vector<std::uint8_t> foldCells_;
 };
 

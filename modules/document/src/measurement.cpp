@@ -2,16 +2,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <utility>
 
 #include "viscera/core/error.h"
-#include "viscera/document/document.h"
+#include "viscera/document/organ.h"
 
 namespace viscera::document {
 namespace {
 
-constexpr double kDegreesPerRadian = 180 / M_PI;
+constexpr const char* kNames[] = {"distance", "angle", "rectangle", "sphere"};
 /// How far weights may be from a place in the triangle before they are taken for wrong.
 constexpr double kWeightTolerance = 1e-6;
 
@@ -58,46 +59,25 @@ Vec3 nearestInTriangle(const Corners& corners, const Vec3& place) {
   return best;
 }
 
-Vec3 placeNow(const MeasuredPoint& point, const DocumentState& state, const PointsOf& pointsOf) {
-  const auto organ = point.organ ? state.organ(point.organ) : nullptr;
-  if (!organ)
-    return point.rest;
-  return cornersOf(organ->mesh->triangles, pointsOf(point.organ), point.triangle) * point.weights;
-}
-
 } // namespace
 
-MeasurementKind kindOf(const Measurement& measurement) {
-  return measurement.points.size() == 2 ? MeasurementKind::distance : MeasurementKind::angle;
+std::size_t pointCount(MeasurementKind kind) {
+  return kind == MeasurementKind::angle ? 3 : 2;
+}
+
+bool isRegion(MeasurementKind kind) {
+  return kind == MeasurementKind::rectangle || kind == MeasurementKind::sphere;
 }
 
 std::string nameOf(MeasurementKind kind) {
-  return kind == MeasurementKind::distance ? "distance" : "angle";
+  return kNames[static_cast<std::size_t>(kind)];
 }
 
-std::string unitOf(MeasurementKind kind) {
-  return kind == MeasurementKind::distance ? "mm" : "deg";
-}
-
-double measuredValue(const std::vector<Vec3>& places) {
-  if (places.size() == 2)
-    return (places[1] - places[0]).norm();
-  const Vec3 a = places.at(0) - places.at(1);
-  const Vec3 b = places.at(2) - places.at(1);
-  // Exact to rounding also near 0 and 180 degrees, where the arc cosine is not.
-  return kDegreesPerRadian * std::atan2(a.cross(b).norm(), a.dot(b));
-}
-
-MeasuredValues measure(const Measurement& measurement, const DocumentState& state, const PointsOf& pointsOf) {
-  MeasuredValues values;
-  std::vector<Vec3> rest;
-  for (const MeasuredPoint& point : measurement.points) {
-    rest.push_back(point.rest);
-    values.places.push_back(placeNow(point, state, pointsOf));
-  }
-  values.rest = measuredValue(rest);
-  values.now = measuredValue(values.places);
-  return values;
+std::optional<MeasurementKind> measurementKindFromName(const std::string& name) {
+  for (std::size_t i = 0; i < std::size(kNames); ++i)
+    if (name == kNames[i])
+      return static_cast<MeasurementKind>(i);
+  return std::nullopt;
 }
 
 MeasuredPoint surfacePoint(const Organ& organ, int triangle, const Vec3& weights) {

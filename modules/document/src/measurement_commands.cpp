@@ -1,6 +1,8 @@
 #include "viscera/document/measurement_commands.h"
 
 #include <algorithm>
+#include <cctype>
+#include <string>
 #include <utility>
 
 #include "viscera/document/edit.h"
@@ -21,7 +23,8 @@ MeasuredPoint sound(const DocumentState& state, const MeasuredPoint& point) {
 }
 
 std::string freeName(const MeasurementList& measurements, MeasurementKind kind) {
-  const std::string word = kind == MeasurementKind::distance ? "Distance " : "Angle ";
+  std::string word = nameOf(kind) + ' ';
+  word[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(word[0])));
   const auto taken = [&](const std::string& name) {
     return std::any_of(measurements.begin(), measurements.end(),
                        [&name](const Measurement& other) { return other.name == name; });
@@ -32,22 +35,45 @@ std::string freeName(const MeasurementList& measurements, MeasurementKind kind) 
   return word + std::to_string(number);
 }
 
+/// A region lies in the patient, on no organ, and a rectangle in one slice: that of its first point.
+void settle(Measurement& measurement) {
+  if (!isRegion(measurement.kind))
+    return;
+  for (MeasuredPoint& point : measurement.points) {
+    const Vec3 place = point.rest;
+    point = {};
+    point.rest = place;
+  }
+  if (measurement.kind == MeasurementKind::rectangle)
+    measurement.points[1].rest[measurement.axis] = measurement.points[0].rest[measurement.axis];
+}
+
 } // namespace
 
 Command addMeasurement(std::vector<MeasuredPoint> points, std::string name) {
-  const std::string what = points.size() == 2 ? "Measure distance" : "Measure angle";
-  return edit::onPart(what, &DocumentState::measurements,
-                      [points = std::move(points), name = std::move(name)](
-                          MeasurementList& measurements, const DocumentState& state, IdSource& ids) {
-                        if (points.size() != 2 && points.size() != 3)
-                          throw UsageError("A distance needs two points and an angle three");
-                        Measurement made;
-                        for (const MeasuredPoint& point : points)
-                          made.points.push_back(sound(state, point));
-                        made.name = name.empty() ? freeName(measurements, kindOf(made)) : name;
-                        made.id = ids.next<MeasurementId>();
-                        measurements.push_back(std::move(made));
-                      });
+  const auto kind = points.size() == 2 ? MeasurementKind::distance : MeasurementKind::angle;
+  return addMeasurement(Measurement{{}, std::move(name), std::move(points), kind});
+}
+
+Command addMeasurement(Measurement wanted) {
+  return edit::onPart(
+      "Measure " + nameOf(wanted.kind), &DocumentState::measurements,
+      [wanted = std::move(wanted)](MeasurementList& measurements, const DocumentState& state, IdSource& ids) {
+        if (wanted.points.size() != pointCount(wanted.kind))
+          throw UsageError("An angle needs three points, any other measurement two");
+        if (wanted.axis < 0 || wanted.axis > 2)
+          throw UsageError("A rectangle lies in an axial, coronal or sagittal slice");
+        Measurement made = wanted;
+        if (made.kind != MeasurementKind::rectangle)
+          made.axis = Measurement().axis;
+        settle(made);
+        for (MeasuredPoint& point : made.points)
+          point = sound(state, point);
+        if (made.name.empty())
+          made.name = freeName(measurements, made.kind);
+        made.id = ids.next<MeasurementId>();
+        measurements.push_back(std::move(made));
+      });
 }
 
 Command moveMeasuredPoint(MeasurementId measurement, std::size_t index, MeasuredPoint point) {
@@ -57,7 +83,13 @@ Command moveMeasuredPoint(MeasurementId measurement, std::size_t index, Measured
         Measurement& changed = edit::require(measurements, measurement, kKind);
         if (index >= changed.points.size())
           throw UsageError("There is no such point", changed.name);
-        changed.points[index] = sound(state, point);
+        const Vec3 by = point.rest - changed.points[index].rest;
+        changed.points[index] = isRegion(changed.kind) ? point : sound(state, point);
+        if (changed.kind == MeasurementKind::sphere && index == 0)
+          changed.points[1].rest += by;
+        if (changed.kind == MeasurementKind::rectangle)
+          changed.points[1 - index].rest[changed.axis] = point.rest[changed.axis];
+        settle(changed);
       },
       "measure/" + std::to_string(measurement.value) + "/" + std::to_string(index));
 }

@@ -10,6 +10,7 @@
 #include "organ_source.h"
 #include "viscera/core/error.h"
 #include "viscera/geometry/convex_hull.h"
+#include "viscera/medical_io/scan.h"
 #include "viscera/medical_io/surface_file.h"
 
 namespace viscera::document {
@@ -58,6 +59,11 @@ void requireKnown(const std::filesystem::path& file) {
       std::any_of(extensions.begin(), extensions.end(),
                   [&](const std::string& e) { return endsWith(name, e); }))
     return;
+  if (medical_io::isScan(file))
+    throw UsageError(
+        "It is a scan and no organ", file.string(),
+        "open it beside the organs (File > Open a scan), or make a label map of it first, with 3D "
+        "Slicer or TotalSegmentator");
   std::string known = ".mrk.json, .fcsv";
   for (const auto* list : {&extensions, &medical_io::labelMapExtensions()})
     for (const std::string& extension : *list)

@@ -136,9 +136,11 @@ Command removeOrgans(std::vector<OrganId> organs) {
 
 Command removeAllOrgans() {
   return {"Remove all organs", [](DocumentState state, IdSource&) {
+            std::set<OrganId> gone;
+            for (const auto& organ : *state.organs)
+              gone.insert(organ->id);
             state.organs = std::make_shared<const OrganList>();
-            state.measurements = std::make_shared<const MeasurementList>();
-            return state;
+            return withoutMeasurementsOf(std::move(state), gone);
           }};
 }
 

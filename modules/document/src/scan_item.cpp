@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "viscera/core/error.h"
+#include "viscera/medical_io/label_map.h"
 
 namespace viscera::document {
 namespace {
@@ -76,6 +77,8 @@ std::optional<ScanItem> takeScan(std::vector<std::filesystem::path>& files, Prog
     try {
       item = openScanFile(*file, {}, progress);
     } catch (const DataError&) {
+      if (!medical_io::isLabelMap(*file))
+        throw;
       continue; // A label map of a form that scans do not have; who reads it as such says what is wrong.
     }
     if (looksLikeLabels(*item.scan))

@@ -6,6 +6,7 @@
 
 #include "viscera/core/error.h"
 #include "viscera/document/validate.h"
+#include "viscera/slices/slice_frame.h"
 
 namespace viscera::document {
 namespace {
@@ -98,6 +99,17 @@ ordered_json recordingJson(const Recording& recording) {
           {"keys", std::move(keys)}};
 }
 
+namespace {
+
+std::string sliceOf(int axis) {
+  for (const slices::SliceDirection& direction : slices::sliceDirections())
+    if (direction.axis == axis)
+      return direction.id;
+  return {};
+}
+
+} // namespace
+
 ordered_json measurementsJson(const MeasurementList& measurements,
                               const std::function<bool(OrganId)>& isKnown) {
   ordered_json list = ordered_json::array();
@@ -112,7 +124,13 @@ ordered_json measurementsJson(const MeasurementList& measurements,
       }
       points.push_back(std::move(item));
     }
-    list.push_back({{"id", measurement.id.value}, {"name", measurement.name}, {"points", std::move(points)}});
+    ordered_json item{{"id", measurement.id.value}, {"name", measurement.name}};
+    if (isRegion(measurement.kind))
+      item["kind"] = nameOf(measurement.kind);
+    if (measurement.kind == MeasurementKind::rectangle)
+      item["slice"] = sliceOf(measurement.axis);
+    item["points"] = std::move(points);
+    list.push_back(std::move(item));
   }
   return list;
 }
@@ -311,6 +329,21 @@ MeasuredPoint SessionReader::readMeasuredPoint(const ordered_json& item, const s
   return point;
 }
 
+/// What two points alone do not say; distances and angles are told by how many they have.
+void SessionReader::readMeasurementKind(const ordered_json& item, const std::string& place,
+                                        Measurement& measurement) const {
+  if (item.contains("kind"))
+    measurement.kind =
+        named(measurementKindFromName, item, "kind", place, "distance, angle, rectangle, sphere");
+  if (measurement.kind != MeasurementKind::rectangle)
+    return;
+  try {
+    measurement.axis = slices::sliceDirection(textOf(item, "slice", place)).axis;
+  } catch (const UsageError& error) {
+    fail(error.problem(), place + ".slice");
+  }
+}
+
 void SessionReader::readMeasurements(const ordered_json& root, DocumentState& state) {
   if (!root.contains("measurements"))
     return;
@@ -318,13 +351,16 @@ void SessionReader::readMeasurements(const ordered_json& root, DocumentState& st
   const ordered_json& list = listOf(root, "measurements", "");
   for (std::size_t i = 0; i < list.size(); ++i) {
     const std::string place = at("measurements", i);
-    takeObject(list[i], {"id", "name", "points"}, place);
+    takeObject(list[i], {"id", "name", "kind", "slice", "points"}, place);
     Measurement measurement;
     measurement.id = newId<MeasurementId>(list[i], place);
     measurement.name = textOf(list[i], "name", place);
+    readMeasurementKind(list[i], place, measurement);
     const ordered_json& points = listOf(list[i], "points", place);
     for (std::size_t k = 0; k < points.size(); ++k)
       measurement.points.push_back(readMeasuredPoint(points[k], at(place + ".points", k)));
+    if (!list[i].contains("kind") && points.size() == pointCount(MeasurementKind::angle))
+      measurement.kind = MeasurementKind::angle;
     measurements.push_back(std::move(measurement));
   }
   state.measurements = std::make_shared<const MeasurementList>(std::move(measurements));

@@ -56,6 +56,8 @@ private:
   void readCage(const nlohmann::ordered_json& list, Rig& rig) const;
   RecordedKey readKey(const nlohmann::ordered_json& item, const std::string& place);
   circulation::Parameters readParameters(const nlohmann::ordered_json& item, const std::string& place) const;
+  void readMeasurementKind(const nlohmann::ordered_json& item, const std::string& place,
+                           Measurement& measurement) const;
   MeasuredPoint readMeasuredPoint(const nlohmann::ordered_json& item, const std::string& place);
 
   std::set<std::int64_t> ids_;

@@ -1,5 +1,6 @@
 #include "viscera/document/tables.h"
 
+#include <cmath>
 #include <iomanip>
 #include <locale>
 #include <ostream>
@@ -46,13 +47,37 @@ std::string measurementHeader() {
       for (const char* axis : {"x_", "y_", "z_"})
         out << ',' << when << axis << i << "_mm";
   }
+  out << ",standard_deviation,minimum,maximum,voxels,area_mm2,volume_ml";
   return out.str();
 }
 
+/// Nothing where there is no number.
+void writeNumber(std::ostream& out, double value) {
+  if (std::isfinite(value))
+    out << value;
+}
+
+/// What is known of a part of the scan beside the mean.
+void writeRegion(std::ostream& out, const MeasurementRow& row) {
+  const auto region = regionOf(row.measurement);
+  if (const auto& known = row.values.region; known && known->count > 0)
+    out << ',' << known->deviation << ',' << known->minimum << ',' << known->maximum << ',' << known->count;
+  else
+    out << (region && known ? ",,,,0" : ",,,,");
+  out << ',';
+  if (region && row.measurement.kind == MeasurementKind::rectangle)
+    out << std::get<slices::RectangleRegion>(*region).areaMm2();
+  out << ',';
+  if (region && row.measurement.kind == MeasurementKind::sphere)
+    out << std::get<slices::SphereRegion>(*region).volumeMl();
+}
+
 void writeRow(std::ostream& out, const MeasurementRow& row) {
-  const MeasurementKind kind = kindOf(row.measurement);
-  out << csvField(row.measurement.name) << ',' << nameOf(kind) << ',' << row.values.rest << ','
-      << row.values.now << ',' << unitOf(kind);
+  out << csvField(row.measurement.name) << ',' << nameOf(row.measurement.kind) << ',';
+  writeNumber(out, row.values.rest);
+  out << ',';
+  writeNumber(out, row.values.now);
+  out << ',' << csvField(row.unit);
   for (std::size_t i = 0; i < kMostPoints; ++i) {
     if (i >= row.measurement.points.size()) {
       out << kNoPoint;
@@ -62,6 +87,7 @@ void writeRow(std::ostream& out, const MeasurementRow& row) {
     for (const Vec3& place : {row.measurement.points[i].rest, row.values.places[i]})
       out << ',' << place.x() << ',' << place.y() << ',' << place.z();
   }
+  writeRegion(out, row);
   out << '\n';
 }
 
@@ -87,7 +113,7 @@ void writeOrganTable(const std::filesystem::path& file, const std::vector<PosedO
 std::vector<MeasurementRow> measurementRows(const DocumentState& state, const PointsOf& pointsOf) {
   std::vector<MeasurementRow> rows;
   for (const Measurement& measurement : *state.measurements) {
-    MeasurementRow row{measurement, measure(measurement, state, pointsOf), {}};
+    MeasurementRow row{measurement, measure(measurement, state, pointsOf), unitOf(measurement, state), {}};
     for (const MeasuredPoint& point : measurement.points) {
       const auto organ = point.organ ? state.organ(point.organ) : nullptr;
       row.organs.push_back(organ ? organ->name : std::string());

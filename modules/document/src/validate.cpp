@@ -181,12 +181,14 @@ void validateMeasurements(const DocumentState& state) {
   for (const Measurement& measurement : *state.measurements) {
     const std::string where = "measurement " + measurement.name;
     requireName(measurement.name, where);
-    require(measurement.points.size() == 2 || measurement.points.size() == 3,
-            "it has neither the two points of a distance nor the three of an angle", where);
+    require(measurement.points.size() == pointCount(measurement.kind),
+            "an angle has three points, any other measurement two", where);
+    require(measurement.axis >= 0 && measurement.axis < 3, "there is no such slice", where);
     for (const MeasuredPoint& point : measurement.points) {
       requirePlace(point.rest, "one of its points", where);
       if (!point.organ)
         continue;
+      require(!isRegion(measurement.kind), "a part of the scan is on no organ", where);
       requireId(point.organ.value, where);
       const auto organ = state.organ(point.organ);
       require(point.triangle >= 0 && (!organ || point.triangle < organ->mesh->triangles.rows()),

@@ -264,7 +264,7 @@ LessonPlan planLesson(const LessonSource& source, const LessonSpec& spec) {
             return surface.organ == point.organ || point.organ == document::OrganId{};
           });
         });
-    if (shown)
+    if (shown && !document::isRegion(measurement.kind)) // A lesson has no scan.
       plan.measurements.push_back({measurement, measurement.name});
   }
   if (source.camera && source.camera->position != source.camera->focus)

@@ -114,7 +114,7 @@ ordered_json measurementJson(const Lesson& lesson, const PlannedMeasurement& pla
                       {"weights", {point.weights.x(), point.weights.y(), point.weights.z()}}});
   }
   return {{"title", planned.title},
-          {"kind", document::nameOf(document::kindOf(planned.measurement))},
+          {"kind", document::nameOf(planned.measurement.kind)},
           {"points", std::move(points)}};
 }
 

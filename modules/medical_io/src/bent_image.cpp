@@ -15,6 +15,9 @@ namespace {
 
 constexpr Eigen::Index kRows = 8;       ///< Rows of a slice that a thread fills in one go.
 constexpr std::size_t kMeasured = 4000; ///< About so many voxels are kept for measuring.
+constexpr double kRefined = 0.4; ///< Of the accuracy: how near refinement comes; the rest is the grid's.
+/// Bound points times handles: a hundred megabytes. What is finer than that grid is refined.
+constexpr double kMostWeights = 1.2e7;
 
 /// The grid of an image.
 struct Grid {
@@ -28,11 +31,13 @@ struct Grid {
   }
 };
 
-/// Counts what moved, and keeps some of it.
+/// Counts what moved, and keeps some of it to measure.
 class Reporter {
 public:
   Reporter(const Grid& grid, BendReport& report)
-      : grid_(grid), report_(report), step_(grid.voxels() / kMeasured + 1) {}
+      : grid_(grid), report_(report), step_(grid.voxels() / kMeasured + 1) {
+    report_ = {};
+  }
 
   void add(int k, const deformation::RestPoints& rest) {
     const std::size_t slice = rest.states.size();
@@ -47,12 +52,12 @@ public:
       const int j = static_cast<int>(v / std::size_t(grid_.size[0]));
       posed_.push_back(grid_.indexToLps * Vec3(i, j, k));
       rest_.push_back(rest.points.row(static_cast<Eigen::Index>(v)).transpose());
-      report_.rest.states.push_back(rest.states[v]);
+      states_.push_back(rest.states[v]);
     }
   }
-  void finish() {
-    report_.posed = pointsOf(posed_);
-    report_.rest.points = pointsOf(rest_);
+  void finish(const Bend& bend, Progress& progress) {
+    report_.largestErrorMm =
+        bend.map.residualMm(bend.system, pointsOf(posed_), {pointsOf(rest_), states_}, progress);
   }
 
 private:
@@ -60,21 +65,23 @@ private:
   BendReport& report_;
   std::size_t step_;
   std::vector<Vec3> posed_, rest_;
+  std::vector<deformation::RestState> states_;
 };
 
 /// Calls `fill(voxel, index at rest)` for every voxel that moves, slice by slice, on several threads; `index`
 /// is in voxels of the grid.
-void bend(const Grid& grid, const deformation::InverseMap& map, BendReport& report, Progress& progress,
-          const std::function<void(std::size_t voxel, const Vec3& index)>& fill) {
-  report = {};
+void bendGrid(const Grid& grid, const Bend& bend, BendReport& report, Progress& progress,
+              const std::function<void(std::size_t voxel, const Vec3& index)>& fill) {
   Reporter reporter(grid, report);
+  const double tolerance = kRefined * kBendAccuracy * grid.indexToLps.linear().colwise().norm().minCoeff();
   const Eigen::Affine3d lpsToIndex = grid.indexToLps.inverse();
   deformation::RestPoints rest;
   const std::size_t slice = std::size_t(grid.size[0]) * std::size_t(grid.size[1]);
   for (int k = 0; k < grid.size[2]; ++k) {
     progress.report(static_cast<double>(k) / grid.size[2], "Bending the image");
     progress.throwIfCancelled();
-    map.restPlane(grid.slice(k), rest);
+    bend.map.restPlane(grid.slice(k), rest);
+    bend.map.refinePlane(bend.system, grid.slice(k), {.toleranceMm = tolerance}, rest, progress);
     reporter.add(k, rest);
     const std::size_t begin = slice * std::size_t(k);
     parallelRanges(grid.size[1], kRows, {}, [&](Eigen::Index first, Eigen::Index last) {
@@ -84,7 +91,7 @@ void bend(const Grid& grid, const deformation::InverseMap& map, BendReport& repo
           fill(begin + v, lpsToIndex * Vec3(rest.points.row(static_cast<Eigen::Index>(v)).transpose()));
     });
   }
-  reporter.finish();
+  reporter.finish(bend, progress);
   progress.report(1);
 }
 
@@ -135,26 +142,30 @@ void countAgain(LabelMap& map, Progress& progress) {
 
 } // namespace
 
-Scan bentScan(const Scan& scan, const deformation::InverseMap& map, BendReport& report, Progress& progress) {
+deformation::InverseMapOptions bendOptions(const Vec3& spacing) {
+  return {.accuracyMm = kBendAccuracy * spacing.minCoeff(), .mostWeights = kMostWeights};
+}
+
+Scan bentScan(const Scan& scan, const Bend& bend, BendReport& report, Progress& progress) {
   Scan bent = scan;
   std::visit(
       [&]<class Sample>(std::vector<Sample>& out) {
         const auto& samples = std::get<std::vector<Sample>>(scan.samples);
         const TrilinearSampler<Sample> sampler(samples, scan.size, scan.padding);
         const Sample empty = emptySample(scan, samples);
-        bend({scan.size, scan.indexToLps}, map, report, progress, [&](std::size_t voxel, const Vec3& index) {
-          const std::optional<double> value = sampler(index);
-          out[voxel] = value ? rounded<Sample>(*value) : empty;
-        });
+        bendGrid({scan.size, scan.indexToLps}, bend, report, progress,
+                 [&](std::size_t voxel, const Vec3& index) {
+                   const std::optional<double> value = sampler(index);
+                   out[voxel] = value ? rounded<Sample>(*value) : empty;
+                 });
       },
       bent.samples);
   return bent;
 }
 
-LabelMap bentLabelMap(const LabelMap& map, const deformation::InverseMap& inverse, BendReport& report,
-                      Progress& progress) {
+LabelMap bentLabelMap(const LabelMap& map, const Bend& bend, BendReport& report, Progress& progress) {
   LabelMap bent = map;
-  bend({map.size, map.indexToLps}, inverse, report, progress, [&](std::size_t voxel, const Vec3& index) {
+  bendGrid({map.size, map.indexToLps}, bend, report, progress, [&](std::size_t voxel, const Vec3& index) {
     std::array<int, 3> nearest;
     bool inside = true;
     for (std::size_t axis = 0; axis < 3; ++axis) {

@@ -253,6 +253,7 @@ ScanSeries describeImage(const std::filesystem::path& path) {
   series.description = stemOf(path);
   series.size = image.size;
   series.spacing = image.indexToLps.linear().colwise().norm();
+  series.indexToLps = image.indexToLps;
   series.phases = image.layers;
   series.files = {path};
   return series;

@@ -5,6 +5,7 @@
 
 #include <Eigen/Eigenvalues>
 
+#include "sequence_binding.h"
 #include "viscera/coordinates/weights_binding.h"
 #include "viscera/core/error.h"
 
@@ -59,6 +60,12 @@ deformation::VolumeForm formOf(const geometry::TriangleMesh& rest, const Eigen::
   return std::move(*form);
 }
 
+CavityForm cavityOf(const sample_organs::SampleOrgan& organ, const char* name, const SampleHeart& heart,
+                    Threads threads) {
+  const MovedVolume moved(surfaceOf(organ, name), heart.rest, heart.system, threads);
+  return {*surfaceOf(organ, name), moved.binding(), threads};
+}
+
 } // namespace
 
 CavityForm::CavityForm(const geometry::TriangleMesh& rest, const coordinates::Binding& binding,
@@ -68,5 +75,8 @@ CavityForm::CavityForm(const geometry::TriangleMesh& rest, const coordinates::Bi
 double CavityForm::at(const Points& pose) const {
   return form_.volume(combinationsAt(basis_, pose)) / kMm3PerMl;
 }
+
+CavityForms::CavityForms(const sample_organs::SampleOrgan& organ, const SampleHeart& heart, Threads threads)
+    : left_(cavityOf(organ, "lv", heart, threads)), right_(cavityOf(organ, "rv", heart, threads)) {}
 
 } // namespace viscera::motion

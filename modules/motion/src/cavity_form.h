@@ -2,9 +2,12 @@
 
 #include <Eigen/Core>
 
+#include "sample_heart.h"
 #include "viscera/coordinates/binding.h"
 #include "viscera/deformation/volume_form.h"
 #include "viscera/geometry/triangle_mesh.h"
+#include "viscera/sample_organs/sample_organ.h"
+#include "viscera/sequences/cardiac_cycle.h"
 
 namespace viscera::motion {
 
@@ -25,6 +28,19 @@ public:
 private:
   Eigen::MatrixXd basis_; ///< `handles x combinations`, orthonormal.
   deformation::VolumeForm form_;
+};
+
+/// The same of both cavities of the sample heart. Immutable; thread-safe.
+class CavityForms {
+public:
+  /// Some 0.2 s.
+  CavityForms(const sample_organs::SampleOrgan& organ, const SampleHeart& heart, Threads threads);
+
+  sequences::CavityVolumes at(const Points& pose) const { return {left_.at(pose), right_.at(pose)}; }
+
+private:
+  CavityForm left_;
+  CavityForm right_;
 };
 
 } // namespace viscera::motion

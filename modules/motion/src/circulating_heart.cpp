@@ -9,7 +9,6 @@
 #include "viscera/circulation/periodic_state.h"
 #include "viscera/core/error.h"
 #include "viscera/document/rig_commands.h"
-#include "viscera/sequences/heartbeat_calibration.h"
 
 namespace viscera::motion {
 namespace {
@@ -17,8 +16,9 @@ namespace {
 using circulation::Compartment;
 using sequences::CardiacCycle;
 
-/// The ejection fraction with which the sample heart's base descends as far as `HeartExcursions` has it.
+/// The ejection fractions with which the sample heart's base descends as far as `HeartExcursions` has it.
 constexpr double kStandardEjection = 0.58;
+constexpr double kStandardRightEjection = 0.547;
 
 /// The parts of the beat, from the valves' times. Empty parts are left out.
 std::vector<sequences::Phase> phasesOf(const circulation::Parameters& parameters,
@@ -30,14 +30,14 @@ std::vector<sequences::Phase> phasesOf(const circulation::Parameters& parameters
   const double atrial = std::max(mitral->opens, beat.period - parameters.conduction);
   std::vector<sequences::Phase> phases;
   double begin = 0;
-  const auto until = [&](const char* name, double seconds) {
+  const auto until = [&](const char* name, double seconds, const char* group = "diastole") {
     const double end = std::clamp(seconds / beat.period, begin, 1.0);
     if (end > begin)
-      phases.push_back({name, begin, end});
+      phases.push_back({name, begin, end, group});
     begin = end;
   };
-  until("isovolumic contraction", aortic->opens);
-  until("ejection", aortic->shuts);
+  until("isovolumic contraction", aortic->opens, "systole");
+  until("ejection", aortic->shuts, "systole");
   until("isovolumic relaxation", mitral->opens);
   until("filling", atrial);
   until("atrial systole", beat.period);
@@ -52,11 +52,13 @@ sequences::HeartCourse heartCourse(const std::string& name, const circulation::P
   const auto& left = beat.volumeOf(Compartment::lv);
   const auto& right = beat.volumeOf(Compartment::rv);
   const double full = indices.of(Compartment::lv).edvMl;
+  const double rightFull = indices.of(Compartment::rv).edvMl;
   const double strength = std::min(1.0, indices.of(Compartment::lv).ef / kStandardEjection);
   for (std::size_t i = 0; i + 1 < left.size(); ++i) { // The last sample is the first of the next beat.
-    sequences::CourseInstant instant;
+    sequences::HeartInstant instant;
     instant.volumes = {left[i], right[i]};
     instant.state.emptying = (1 - left[i] / full) / kStandardEjection;
+    instant.state.rightEmptying = (1 - right[i] / rightFull) / kStandardRightEjection;
     instant.state.leftPart = left[i] / CardiacCycle::kEndDiastole.leftMl;
     instant.state.rightPart = right[i] / CardiacCycle::kEndDiastole.rightMl;
     instant.state.twist = strength * beat.activation[static_cast<std::size_t>(Compartment::lv)][i];
@@ -69,20 +71,13 @@ sequences::HeartCourse heartCourse(const std::string& name, const circulation::P
 struct CirculatingHeart::Parts {
   sample_organs::SampleOrgan organ;
   SampleHeart heart;
-  CavityForm left;
-  CavityForm right;
+  std::shared_ptr<const CavityForms> cavities;
 };
 
 namespace {
 
 /// Of the time that the heart takes, what the organ takes when nothing is cached.
 constexpr double kOrganPart = 0.8;
-
-CavityForm formOf(const sample_organs::SampleOrgan& organ, const char* cavity, const SampleHeart& heart,
-                  Threads threads) {
-  const MovedVolume moved(surfaceOf(organ, cavity), heart.rest, heart.system, threads);
-  return {*surfaceOf(organ, cavity), moved.binding(), threads};
-}
 
 } // namespace
 
@@ -95,11 +90,8 @@ CirculatingHeart::CirculatingHeart(const sample_organs::SampleLibrary& library,
   });
   SampleHeart heart = sampleHeart(library, threads);
   progress.throwIfCancelled();
-  CavityForm left = formOf(organ, "lv", heart, threads);
-  progress.throwIfCancelled();
-  CavityForm right = formOf(organ, "rv", heart, threads);
-  parts_ = std::make_unique<const Parts>(
-      Parts{std::move(organ), std::move(heart), std::move(left), std::move(right)});
+  auto cavities = std::make_shared<const CavityForms>(organ, heart, threads);
+  parts_ = std::make_unique<const Parts>(Parts{std::move(organ), std::move(heart), std::move(cavities)});
   progress.report(1);
 }
 
@@ -111,14 +103,10 @@ const sample_organs::SampleOrgan& CirculatingHeart::organ() const {
 
 std::shared_ptr<const sequences::CourseHeartbeat> CirculatingHeart::follow(sequences::HeartCourse course,
                                                                            Progress& progress) const {
-  const Parts& p = *parts_;
-  const auto measured = [&p](const Points& pose) {
-    return sequences::CavityVolumes{p.left.at(pose), p.right.at(pose)};
-  };
-  const auto at = [&course](double phase) { return course.at(phase); };
-  const auto found = sequences::calibrateCourse(p.heart.motion, at, p.heart.compensation, measured, progress);
-  return std::make_shared<sequences::CourseHeartbeat>(p.heart.motion, std::move(course), p.heart.compensation,
-                                                      found);
+  const SampleHeart& heart = parts_->heart;
+  const auto measured = [cavities = parts_->cavities](const Points& pose) { return cavities->at(pose); };
+  return std::make_shared<sequences::CourseHeartbeat>(
+      sequences::CavityFit(heart.motion, heart.compensation, measured), std::move(course), progress);
 }
 
 SequenceSetup CirculatingHeart::setup(sequences::HeartCourse course, Progress& progress) const {

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "viscera/core/error.h"
+#include "viscera/motion/heart_walls.h"
 
 namespace viscera::motion {
 namespace {
@@ -31,6 +32,8 @@ CycleCurves measureCycle(MotionRunner& runner, Progress& progress) {
     throw UsageError("There is no sequence that could move these handles", {},
                      "choose a sequence, and use its handles");
   CycleCurves curves;
+  const HeartWalls walls(runner);
+  std::vector<sequences::WallPlaces> places;
   curves.fractions = instantsOf(*runner.sequence(), runner.ratePerMinute());
   for (std::size_t instant = 0; instant < curves.fractions.size(); ++instant) {
     progress.throwIfCancelled();
@@ -39,9 +42,13 @@ CycleCurves measureCycle(MotionRunner& runner, Progress& progress) {
     curves.milliliters.resize(volumes.size());
     for (std::size_t organ = 0; organ < volumes.size(); ++organ)
       curves.milliliters[organ].push_back(volumes[organ]);
+    if (const auto now = walls.now())
+      places.push_back(*now);
     if (curves.obstacle.empty())
       curves.obstacle = runner.obstacle();
   }
+  if (!places.empty())
+    curves.wall = sequences::wallMotion(places);
   return curves;
 }
 

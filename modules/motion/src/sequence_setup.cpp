@@ -1,23 +1,10 @@
 #include "viscera/motion/sequence_setup.h"
 
-#include <algorithm>
-#include <cmath>
-#include <cstdint>
-#include <filesystem>
-#include <fstream>
-#include <iomanip>
-#include <map>
-#include <optional>
-#include <sstream>
-#include <system_error>
 #include <utility>
 
-#include <nlohmann/json.hpp>
-
+#include "cavity_form.h"
 #include "sample_heart.h"
 #include "sequence_binding.h"
-#include "viscera/core/atomic_file.h"
-#include "viscera/core/content_hash.h"
 #include "viscera/core/error.h"
 #include "viscera/document/rig_commands.h"
 #include "viscera/sequences/heartbeat.h"
@@ -26,155 +13,22 @@
 namespace viscera::motion {
 namespace {
 
-using nlohmann::json;
 using sample_organs::SampleLibrary;
-using sequences::CardiacCycle;
-using sequences::CavityVolumes;
-using sequences::HeartbeatCalibration;
 
 /// Of the time that a heart with its beat takes, what the organ takes when nothing is cached.
 constexpr double kHeartPart = 0.8;
 
-/// Lists of numbers by name.
-using NumberTable = std::map<std::string, std::vector<double>>;
-
-std::string hex(std::uint64_t key) {
-  std::ostringstream text;
-  text << std::hex << std::setw(16) << std::setfill('0') << key;
-  return text.str();
-}
-
-bool allFinite(const NumberTable& table) {
-  for (const auto& [name, numbers] : table)
-    for (const double number : numbers)
-      if (!std::isfinite(number))
-        return false;
-  return true;
-}
-
-/// Numbers that took long to find, one JSON file for each table, believed only under the key of all that they
-/// depend on.
-class NumberCache {
-public:
-  /// An empty path keeps nothing.
-  explicit NumberCache(std::filesystem::path folder) : folder_(std::move(folder)) {}
-
-  /// The table, or nothing when it is not there, damaged, or of another key. The numbers are finite.
-  std::optional<NumberTable> load(const std::string& name, std::uint64_t key) const {
-    if (folder_.empty())
-      return {};
-    std::ifstream file(fileOf(name, key));
-    try {
-      const json contents = json::parse(file);
-      if (contents.at("key") != hex(key))
-        return {};
-      NumberTable table = contents.at("numbers").get<NumberTable>();
-      if (allFinite(table))
-        return table;
-    } catch (const json::exception&) {
-      // Missing or damaged: whoever asked finds the numbers again.
-    }
-    return {};
-  }
-
-  /// Keeps a table for the next time, to the last bit; does nothing when the folder cannot be written.
-  void store(const std::string& name, std::uint64_t key, const NumberTable& table) const {
-    if (folder_.empty())
-      return;
-    std::error_code ignored;
-    std::filesystem::create_directories(folder_, ignored);
-    try {
-      writeAtomically(fileOf(name, key), [&](std::ostream& out) {
-        out << json{{"key", hex(key)}, {"numbers", table}}.dump(1) << '\n';
-      });
-    } catch (const CannotCreateError&) {
-      // A cache that cannot be written costs time, nothing else.
-    }
-  }
-
-private:
-  std::filesystem::path fileOf(const std::string& name, std::uint64_t key) const {
-    return folder_ / (name + '-' + hex(key) + ".json");
-  }
-
-  std::filesystem::path folder_;
-};
-
-/// The sample heart's beat, and how its corrections are found.
-class HeartbeatMaker {
-public:
-  HeartbeatMaker(const SampleLibrary& library, const sample_organs::SampleOrgan& organ, Threads threads)
-      : organ_(organ), threads_(threads), numbers_(library.cache), heart_(sampleHeart(library, threads)) {}
-
-  const document::SystemChoice& system() const { return heart_.system; }
-
-  std::shared_ptr<const sequences::Sequence> make(Progress& progress) const {
-    return std::make_shared<sequences::CalibratedHeartbeat>(heart_.motion, cycle_, heart_.compensation,
-                                                            calibration(progress));
-  }
-
-private:
-  /// What the cache has, or what is found now and kept.
-  HeartbeatCalibration calibration(Progress& progress) const {
-    const std::uint64_t key = cacheKey();
-    const std::string name = std::string("heartbeat-") + sample_organs::nameOf(organ_.resolution);
-    if (const auto known = numbers_.load(name, key)) {
-      const auto left = known->find("leftGain");
-      const auto right = known->find("rightShift");
-      if (left != known->end() && right != known->end())
-        return {left->second, right->second};
-    }
-    const HeartbeatCalibration found =
-        sequences::calibrateHeartbeat(heart_.motion, cycle_, heart_.compensation, measured(), progress);
-    numbers_.store(name, key, {{"leftGain", found.leftGain}, {"rightShift", found.rightShift}});
-    return found;
-  }
-
-  sequences::MeasureCavities measured() const {
-    const auto moved = [&](const char* name) {
-      return std::make_shared<MovedVolume>(surfaceOf(organ_, name), heart_.rest, heart_.system, threads_);
-    };
-    return [left = moved("lv"), right = moved("rv")](const Points& pose) {
-      return CavityVolumes{left->at(pose), right->at(pose)};
-    };
-  }
-
-  /// The cavities, the handles, and what the motion makes of them at a few instants: whoever changes a
-  /// formula, a curve or the coordinates changes the key.
-  std::uint64_t cacheKey() const {
-    std::uint64_t key = 0;
-    const auto add = [&key](const auto& array) {
-      key = contentHash({reinterpret_cast<const char*>(array.data()),
-                         static_cast<std::size_t>(array.size()) * sizeof(*array.data())},
-                        key);
-    };
-    for (const char* name : {"lv", "rv"}) {
-      add(surfaceOf(organ_, name)->points);
-      add(surfaceOf(organ_, name)->triangles);
-    }
-    add(heart_.rest);
-    Points pose;
-    for (const double phase : {0.05, 0.2, 0.3, 0.5, 0.65}) {
-      heart_.motion.pose(uncorrectedState(cycle_, phase), pose);
-      heart_.compensation.apply(heart_.rest, pose);
-      add(pose);
-    }
-    return key;
-  }
-
-  const sample_organs::SampleOrgan& organ_;
-  Threads threads_;
-  NumberCache numbers_;
-  CardiacCycle cycle_;
-  SampleHeart heart_;
-};
-
-/// Calibrated on the cavities of its heart. The corrections are kept in the library's cache under the hash of
-/// all that they depend on; calibrating takes about a second otherwise.
+/// The cavities of its heart hold what the cycle says.
 void makeHeartbeat(const SampleLibrary& library, SequenceSetup& setup, Progress& progress, Threads threads) {
-  const HeartbeatMaker maker(library, setup.organ, threads);
-  setup.system = maker.system();
-  setup.sequence = maker.make(progress);
+  SampleHeart heart = sampleHeart(library, threads);
+  progress.throwIfCancelled();
+  setup.system = heart.system;
+  const auto cavities = std::make_shared<const CavityForms>(setup.organ, heart, threads);
+  progress.throwIfCancelled();
+  setup.sequence = std::make_shared<sequences::CavityHeartbeat>(
+      sequences::CavityFit(std::move(heart.motion), std::move(heart.compensation),
+                           [cavities](const Points& pose) { return cavities->at(pose); }),
+      sequences::CardiacCycle());
 }
 
 void makePeristalsis(const SampleLibrary& library, SequenceSetup& setup, Progress& /*progress*/,

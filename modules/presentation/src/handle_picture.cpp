@@ -24,18 +24,6 @@ constexpr std::size_t kFewestHandles = 2;
 /// Half a side of the mirror plane, as a part of the organ's diagonal.
 constexpr double kHalfSide = 0.42;
 
-Colors handleColors(const document::Rig& rig, bool tinted) {
-  Colors colors(static_cast<Eigen::Index>(rig.handles.size()), 3);
-  for (std::size_t row = 0; row < rig.handles.size(); ++row) {
-    const document::Group* group = rig.groupOf(rig.handles[row].id);
-    Vec3 color = 255.0 * (group ? group->color : kUngrouped);
-    if (tinted && rig.handles[row].compensates)
-      color = (1 - kTint) * color + 255.0 * kTint * kCompensating;
-    colors.row(static_cast<Eigen::Index>(row)) = color.cast<std::uint8_t>().transpose();
-  }
-  return colors;
-}
-
 /// The selected handles' rows, ascending.
 std::vector<int> selectedRows(const Scene& scene, bool onlyFree) {
   const document::Rig& rig = *scene.state.rig;
@@ -51,6 +39,24 @@ std::vector<int> selectedRows(const Scene& scene, bool onlyFree) {
 
 } // namespace
 
+Points handlePlaces(const document::DocumentState& state, const live::PosedOrgans& organs) {
+  const Points& posed = organs.shownPose();
+  return posed.rows() == static_cast<Eigen::Index>(state.rig->handles.size()) ? posed
+                                                                              : state.rig->restPositions();
+}
+
+Colors handleColors(const document::Rig& rig, bool tinted) {
+  Colors colors(static_cast<Eigen::Index>(rig.handles.size()), 3);
+  for (std::size_t row = 0; row < rig.handles.size(); ++row) {
+    const document::Group* group = rig.groupOf(rig.handles[row].id);
+    Vec3 color = 255.0 * (group ? group->color : kUngrouped);
+    if (tinted && rig.handles[row].compensates)
+      color = (1 - kTint) * color + 255.0 * kTint * kCompensating;
+    colors.row(static_cast<Eigen::Index>(row)) = color.cast<std::uint8_t>().transpose();
+  }
+  return colors;
+}
+
 HandlePicture::HandlePicture(scene::OrganView& view) : view_(view) {
   view.handles()->SetHandleRadius(kRadius);
   view.handles()->SetActiveRadius(kActiveRadius);
@@ -59,9 +65,7 @@ HandlePicture::HandlePicture(scene::OrganView& view) : view_(view) {
 void HandlePicture::update(const Scene& scene, const ShownWhere& shownWhere) {
   const document::Rig& rig = *scene.state.rig;
   auto* handles = view_.handles();
-  const Points& posed = scene.organs.shownPose();
-  const bool fits = posed.rows() == static_cast<Eigen::Index>(rig.handles.size());
-  handles->SetPositions(fits ? posed : rig.restPositions());
+  handles->SetPositions(handlePlaces(scene.state, scene.organs));
   handles->SetColors(handleColors(rig, scene.view.shown.compensating));
   const bool shown = scene.view.shown.handles || scene.view.handles;
   for (std::size_t i = 0; i < rig.handles.size(); ++i) {

@@ -1,7 +1,9 @@
 #include "viscera/presentation/presenter.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
+#include <iterator>
 #include <utility>
 
 #include <vtkCamera.h>
@@ -18,6 +20,9 @@ namespace viscera::presentation {
 namespace {
 
 constexpr double kPercent = 100;
+/// Areas and volumes below are written with two decimals.
+constexpr double kSmall = 10;
+constexpr const char* kSpread = "\u00b1 %1, %2 to %3, %4, %5 voxels";
 
 std::string same(const char* text) {
   return text;
@@ -219,16 +224,19 @@ void Presenter::Parts::updateMeasurements(const Scene& scene) {
   };
   std::vector<scene::MeasurementGlyphs::Item> items;
   for (const document::Measurement& measurement : *scene.state.measurements) {
+    if (document::isRegion(measurement.kind)) { // Seen on slices; items are in the document's order.
+      items.emplace_back();
+      continue;
+    }
     document::MeasuredValues values = document::measure(measurement, scene.state, pointsOf);
     const bool chosen = scene.measuring && std::count(scene.measuring->highlighted.begin(),
                                                       scene.measuring->highlighted.end(), measurement.id);
     items.push_back({std::move(values.places),
-                     measurement.name + ": " + formatMeasured(document::kindOf(measurement), values.now),
-                     chosen});
+                     measurement.name + ": " + formatMeasured(measurement.kind, values.now), chosen});
   }
-  if (scene.measuring && !scene.measuring->pending.empty()) {
-    document::Measurement pending;
-    pending.points = scene.measuring->pending;
+  if (scene.measuring && !scene.measuring->pending.points.empty() &&
+      !document::isRegion(scene.measuring->pending.kind)) {
+    document::Measurement pending = scene.measuring->pending;
     const bool single = pending.points.size() == 1;
     if (single)
       pending.points.push_back(pending.points.front());
@@ -236,8 +244,8 @@ void Presenter::Parts::updateMeasurements(const Scene& scene) {
     scene::MeasurementGlyphs::Item item{std::move(values.places), {}, true};
     if (single)
       item.points.resize(1);
-    else if (!scene.measuring->angle || item.points.size() == 3) // The first leg of an angle has no value.
-      item.text = formatMeasured(document::kindOf(pending), values.now);
+    else if (item.points.size() == document::pointCount(pending.kind)) // An angle's first leg has no value.
+      item.text = formatMeasured(pending.kind, values.now);
     items.push_back(std::move(item));
   }
   if (!items.empty() || !measurements.items().empty())
@@ -335,10 +343,38 @@ std::string labelOf(const document::Organ& organ, const Presenter::Translate& tr
   return organ.name;
 }
 
-std::string formatMeasured(document::MeasurementKind kind, double value) {
+std::string formatMeasured(document::MeasurementKind kind, double value, const std::string& unit) {
+  if (!std::isfinite(value))
+    return "-";
   char number[32];
   std::snprintf(number, sizeof number, "%.1f", value);
+  if (document::isRegion(kind))
+    return unit.empty() ? number : number + (' ' + unit);
   return number + std::string(kind == document::MeasurementKind::distance ? " mm" : "\u00b0");
+}
+
+std::string describeSpread(const document::Measurement& measurement, const document::MeasuredValues& values,
+                           const std::string& unit, const Presenter::Translate& translate) {
+  const auto region = document::regionOf(measurement);
+  if (!region || !values.region || values.region->count == 0)
+    return {};
+  const auto* rectangle = std::get_if<slices::RectangleRegion>(&*region);
+  const double size = rectangle ? rectangle->areaMm2() : std::get<slices::SphereRegion>(*region).volumeMl();
+  const auto number = [](const char* format, double value) {
+    char text[32];
+    std::snprintf(text, sizeof text, format, value);
+    return std::string(text);
+  };
+  const std::string parts[] = {
+      number("%.1f", values.region->deviation), number("%.0f", values.region->minimum),
+      number("%.0f", values.region->maximum) + (unit.empty() ? "" : ' ' + unit),
+      number(size < kSmall ? "%.2f" : "%.0f", size) + (rectangle ? " mm\u00b2" : " ml"),
+      std::to_string(values.region->count)};
+  std::string text = translate ? translate(kSpread) : kSpread;
+  for (std::size_t i = 0; i < std::size(parts); ++i)
+    if (const std::size_t at = text.find('%' + std::to_string(i + 1)); at != std::string::npos)
+      text.replace(at, 2, parts[i]);
+  return text;
 }
 
 } // namespace viscera::presentation

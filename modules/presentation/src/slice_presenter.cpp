@@ -6,6 +6,8 @@
 #include <utility>
 
 #include "slice_cuts.h"
+#include "slice_marks.h"
+#include "slice_values.h"
 
 namespace viscera::presentation {
 namespace {
@@ -13,9 +15,9 @@ namespace {
 constexpr double kEmptyHalfSize = 100;
 /// The box with this much room fits into the picture.
 constexpr double kRoom = 1.04;
-/// Every so many pixels a bent slice asks where its tissue was.
-constexpr int kLatticeStep = 8;
 constexpr double kRestShade = 0.5;
+/// Between slices without a scan, mm.
+constexpr double kStepMm = 1;
 
 std::string same(const char* text) {
   return text;
@@ -51,10 +53,11 @@ struct SampledWith {
 struct Slice {
   slices::SliceFrame frame;
   SampledWith with;
-  slices::ValueImage values;
+  SliceValues values;
   medical_io::ValueWindow window{0, 0};
   scene::SlicePicture picture;
   std::size_t plane = 0; ///< Among those that organs are cut by.
+  SliceGrips grips;
 };
 
 slices::SliceFrame frameOf(const SlicePane& pane, const Bounds& box, const Vec3& focus,
@@ -93,6 +96,7 @@ struct SlicePresenter::Parts {
   std::array<Slice, 3> slices;
   std::shared_ptr<const document::ScanItem> proposedBy; ///< Whose proposal `proposed` is.
   medical_io::ValueWindow proposed;
+  document::RegionMemory regions;
 
   medical_io::ValueWindow windowFor(const SliceScene& scene);
   void sample(Slice& slice, const SliceScene& scene);
@@ -123,20 +127,14 @@ void SlicePresenter::Parts::sample(Slice& slice, const SliceScene& scene) {
     return;
   slice.with = with;
   slice.window.width = 0; // Other values have other grey levels.
-  if (!scene.state.scan) {
-    slice.values = {};
-    return;
-  }
+  if (!scene.state.scan)
+    return slice.values.clear();
   slices::SampleOptions options;
   options.nearest = !look.smooth;
   options.slabMm = look.slabMm;
   options.maximum = look.maximum;
   options.threads = threads;
-  if (!bent)
-    return slices::sampleSlice(*scene.state.scan->scan, slice.frame, options, slice.values);
-  slices::RestLattice lattice = slices::latticeOver(slice.frame, kLatticeStep);
-  scene.bending->toRest(lattice.rest);
-  slices::sampleSlice(*scene.state.scan->scan, slice.frame, options, slice.values, &lattice);
+  slice.values.take(*scene.state.scan->scan, slice.frame, options, bent ? scene.bending : nullptr);
 }
 
 void SlicePresenter::Parts::shade(Slice& slice, const SliceScene& scene) {
@@ -150,7 +148,7 @@ void SlicePresenter::Parts::shade(Slice& slice, const SliceScene& scene) {
   if (window.level == slice.window.level && window.width == slice.window.width)
     return;
   slice.window = window;
-  slices::greyOf(slice.values, window, 0, slice.picture.grey, threads);
+  slice.values.shade(window, slice.picture.grey, threads);
 }
 
 /// Contours at rest lie below those of the pose.
@@ -183,6 +181,8 @@ void SlicePresenter::Parts::label(Slice& slice, const slices::SliceDirection& di
                     formatted(" of %g mm", look.slabMm, 0);
   if (slice.with.bent)
     picture.note += translate("  Bent");
+  if (slice.values.anyFolded())
+    picture.note += translate(", folded where it is hatched");
 }
 
 SlicePresenter::SlicePresenter(Threads threads, Translate translate)
@@ -212,7 +212,9 @@ void SlicePresenter::update(const SliceScene& scene, const std::vector<SlicePane
       p.outline(slice);
     else
       slice.picture.lines.clear();
-    p.label(slice, slices::sliceDirections()[std::size_t(pane.direction)], scene, focus);
+    const slices::SliceDirection direction = slices::sliceDirections()[std::size_t(pane.direction)];
+    p.label(slice, direction, scene, focus);
+    slice.grips = addMarks(scene, direction, slice.frame, p.regions, p.translate, slice.picture);
   }
 }
 
@@ -237,11 +239,8 @@ SliceReading SlicePresenter::read(int direction, const Eigen::Vector2d& pixel) c
   SliceReading reading;
   reading.position = slice.frame.at(pixel.x(), pixel.y());
   const auto x = std::lround(pixel.x()), y = std::lround(pixel.y());
-  if (!slice.values.values.empty() && x >= 0 && y >= 0 && x < slice.values.width && y < slice.values.height) {
-    const float value = slice.values.values[std::size_t(y * slice.values.width + x)];
-    if (!std::isnan(value))
-      reading.value = value;
-  }
+  reading.value = slice.values.at(x, y);
+  reading.folded = slice.values.foldedAt(x, y);
   // A cavity lies within its organ: the shorter outline is the inner one.
   double shortest = 0;
   for (const SliceCuts::Organ& item : parts_->cuts.organs()) {
@@ -255,6 +254,17 @@ SliceReading SlicePresenter::read(int direction, const Eigen::Vector2d& pixel) c
     reading.organ = item.organ->id;
   }
   return reading;
+}
+
+int SlicePresenter::handleAt(int direction, const Eigen::Vector2d& pixel, double reach) const {
+  const auto* grip = nearestGrip(parts_->slices[std::size_t(direction)].grips.handles, pixel, reach);
+  return grip ? static_cast<int>(grip->item) : -1;
+}
+
+std::optional<scene::MeasurementGlyphs::Mark>
+SlicePresenter::measuredAt(int direction, const Eigen::Vector2d& pixel, double reach) const {
+  const auto* grip = nearestGrip(parts_->slices[std::size_t(direction)].grips.measured, pixel, reach);
+  return grip ? std::optional(scene::MeasurementGlyphs::Mark{grip->item, grip->point}) : std::nullopt;
 }
 
 std::vector<ContourFigure> SlicePresenter::contours(int direction) const {
@@ -282,6 +292,25 @@ Bounds boxOfSlices(const document::DocumentState& state) {
 
 Vec3 focusOf(const document::DocumentState& state, const ScanLook& look) {
   return look.focus ? *look.focus : boxOfSlices(state).center();
+}
+
+std::optional<Bending> bendingOf(live::LiveBend& bend) {
+  if (!bend.map())
+    return std::nullopt;
+  return Bending{[&bend](const deformation::SamplePlane& plane, deformation::RestPoints& rest) {
+                   bend.restPlane(plane, rest);
+                 },
+                 bend.revision()};
+}
+
+double stepAlong(const document::DocumentState& state, int axis) {
+  if (!state.scan)
+    return kStepMm;
+  const Eigen::Matrix3d steps = state.scan->scan->indexToLps.linear();
+  const Eigen::Matrix3d directions = steps.colwise().normalized();
+  Eigen::Index along = 0;
+  directions.row(axis).cwiseAbs().maxCoeff(&along);
+  return steps.col(along).norm();
 }
 
 std::string formatSlicePosition(int axis, double mm) {

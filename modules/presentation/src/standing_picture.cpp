@@ -4,14 +4,13 @@
 #include <cmath>
 #include <vector>
 
-#include "viscera/presentation/slice_presenter.h"
+#include "slice_values.h"
 
 namespace viscera::presentation {
 namespace {
 
 /// Of a standing slice along its longer side; finer than the voxels it is not.
 constexpr double kMostPixels = 512;
-constexpr int kLatticeStep = 8;
 
 /// A slice through the whole of the scan's box.
 slices::SliceFrame wholeSlice(const slices::SliceDirection& direction, const medical_io::Scan& scan,
@@ -56,20 +55,15 @@ void StandingPicture::update(const Scene& scene) {
   std::vector<scene::StandingSlices::Slice> shown;
   for (const slices::SliceDirection& direction : slices::sliceDirections()) {
     const slices::SliceFrame frame = wholeSlice(direction, scan, focus);
-    slices::RestLattice lattice;
-    if (bent) {
-      lattice = slices::latticeOver(frame, kLatticeStep);
-      scene.bending->toRest(lattice.rest);
-    }
-    slices::ValueImage values;
-    slices::sampleSlice(scan, frame, options, values, bent ? &lattice : nullptr);
+    SliceValues values;
+    values.take(scan, frame, options, bent ? scene.bending : nullptr);
     scene::StandingSlices::Slice slice;
     slice.corner = frame.at(-0.5, -0.5);
     slice.right = frame.width * frame.right;
     slice.up = frame.height * frame.up;
     slice.width = frame.width;
     slice.height = frame.height;
-    slices::greyOf(values, window, 0, slice.grey, threads_);
+    values.shade(window, slice.grey, threads_);
     shown.push_back(std::move(slice));
   }
   slices_.show(shown);

@@ -117,8 +117,24 @@ Section volumes(const ReportSource& source) {
   return section;
 }
 
-std::string measured(document::MeasurementKind kind, double value) {
-  return presentation::formatMeasured(kind, value);
+std::string kindWord(document::MeasurementKind kind) {
+  switch (kind) {
+  case document::MeasurementKind::distance:
+    return said("distance");
+  case document::MeasurementKind::angle:
+    return said("angle");
+  case document::MeasurementKind::rectangle:
+    return said("mean in a rectangle");
+  case document::MeasurementKind::sphere:
+    break;
+  }
+  return said("mean in a sphere");
+}
+
+/// The name, and of a part of the scan how its values spread.
+std::string titleOf(const document::MeasurementRow& row) {
+  const std::string spread = presentation::describeSpread(row.measurement, row.values, row.unit);
+  return spread.empty() ? row.measurement.name : row.measurement.name + " (" + spread + ")";
 }
 
 Section measurements(const ReportSource& source) {
@@ -130,16 +146,19 @@ Section measurements(const ReportSource& source) {
   table.head = {said("Name"), said("What"), said("On"), said("At rest"), said("Now"), said("Change")};
   table.numbers = {false, false, false, true, true, true};
   for (const document::MeasurementRow& row : rows) {
-    const auto kind = document::kindOf(row.measurement);
+    const auto kind = row.measurement.kind;
+    const bool region = document::isRegion(kind);
     std::set<std::string> organs(row.organs.begin(), row.organs.end());
     organs.erase(std::string());
     std::string on;
     for (const std::string& organ : organs)
       on += (on.empty() ? "" : ", ") + organ;
-    table.rows.push_back({row.measurement.name,
-                          kind == document::MeasurementKind::distance ? said("distance") : said("angle"),
-                          on.empty() ? "-" : on, measured(kind, row.values.rest),
-                          measured(kind, row.values.now), signedNumber(row.values.now - row.values.rest, 1)});
+    if (region)
+      on = said("the scan");
+    table.rows.push_back({titleOf(row), kindWord(kind), on.empty() ? "-" : on,
+                          presentation::formatMeasured(kind, row.values.rest, row.unit),
+                          presentation::formatMeasured(kind, row.values.now, row.unit),
+                          region ? "-" : signedNumber(row.values.now - row.values.rest, 1)});
   }
   if (!table.rows.empty())
     section.blocks.push_back(std::move(table));

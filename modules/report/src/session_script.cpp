@@ -437,10 +437,10 @@ void Writer::writePicture() {
 void Writer::writeLeftOut() {
   if (state_.measurements->empty())
     return;
-  paragraph("No command measures distances and angles; the window's File > Export more > Measurements writes "
-            "them:");
+  paragraph("No command measures; the window's File > Export more > Measurements writes what was "
+            "measured:");
   for (const document::Measurement& measurement : *state_.measurements)
-    say("  " + measurement.name + " (" + document::nameOf(document::kindOf(measurement)) + ')');
+    say("  " + measurement.name + " (" + document::nameOf(measurement.kind) + ')');
 }
 
 } // namespace

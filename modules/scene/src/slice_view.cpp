@@ -32,6 +32,7 @@ constexpr double kCrossOpacity = 0.75;
 constexpr double kTextSize = 12; ///< Logical pixels.
 constexpr double kLetterSize = 16;
 constexpr double kTick = 4;
+constexpr double kWordsGap = 8; ///< Between a place and the words beside it, logical pixels.
 /// The scale bar is at most this part of the picture's width.
 constexpr double kLongestBar = 0.25;
 constexpr double kText[] = {0.90, 0.91, 0.92};
@@ -74,6 +75,42 @@ public:
   }
 
 private:
+  FlatShape shape_;
+  vtkNew<vtkCellArray> cells_;
+  vtkNew<vtkUnsignedCharArray> colors_;
+};
+
+/// Discs with a rim and a colour each.
+class ColoredDiscs {
+public:
+  ColoredDiscs() {
+    colors_->SetNumberOfComponents(3);
+    shape_.data->SetPolys(cells_);
+    shape_.data->GetCellData()->SetScalars(colors_);
+  }
+
+  vtkActor2D* actor() { return shape_.actor; }
+
+  void show(const std::vector<SliceMark>& marks, double ratio) {
+    shape_.begin();
+    cells_->Reset();
+    colors_->Reset();
+    for (const SliceMark& mark : marks) {
+      add(mark, ratio * (mark.radius + mark.rimWidth), mark.rim);
+      add(mark, ratio * mark.radius, mark.color);
+    }
+    cells_->Modified();
+    colors_->Modified();
+    shape_.end();
+  }
+
+private:
+  void add(const SliceMark& mark, double radius, const Vec3& color) {
+    constexpr int kCorners = 24;
+    shape_.addDisc(mark.place.x() + 0.5, mark.place.y() + 0.5, radius, kCorners, cells_);
+    colors_->InsertNextTuple3(255 * color.x(), 255 * color.y(), 255 * color.z());
+  }
+
   FlatShape shape_;
   vtkNew<vtkCellArray> cells_;
   vtkNew<vtkUnsignedCharArray> colors_;
@@ -127,6 +164,8 @@ struct SliceView::Parts {
   vtkWeakPointer<vtkRenderWindow> window;
   GreyLevels levels;
   ColoredLines thin, wide;
+  ColoredDiscs discs;
+  std::vector<vtkSmartPointer<vtkTextActor>> captions; ///< One a text of the picture.
   FlatShape cross, bar;
   vtkNew<vtkCellArray> crossLines, barLines;
   std::array<vtkSmartPointer<vtkTextActor>, 4> letters;
@@ -137,6 +176,7 @@ struct SliceView::Parts {
   void showCross(const SlicePicture& picture);
   void showBar(const SlicePicture& picture);
   void showTexts(const SlicePicture& picture);
+  void showWords(const SlicePicture& picture);
 };
 
 // Its text actors ask the guarded text renderer from the beginning.
@@ -151,6 +191,7 @@ SliceView::Parts::Parts() {
   bar.data->SetLines(barLines);
   renderer->AddViewProp(cross.actor);
   renderer->AddViewProp(bar.actor);
+  renderer->AddViewProp(discs.actor());
   for (auto& letter : letters)
     letter = newText(static_cast<int>(kLetterSize));
   for (auto* text : {&title, &note, &length})
@@ -188,6 +229,34 @@ void SliceView::Parts::showTexts(const SlicePicture& picture) {
   place(letters[3], picture.edges[3], w / 2, h - margin, kLetterSize);
   place(title, picture.title, margin, h - margin, kTextSize);
   place(note, picture.note, margin, margin, kTextSize);
+}
+
+/// What is written beside places of the picture; moved as far as it takes to be in the picture.
+void SliceView::Parts::showWords(const SlicePicture& picture) {
+  while (captions.size() > picture.texts.size()) {
+    renderer->RemoveViewProp(captions.back());
+    captions.pop_back();
+  }
+  while (captions.size() < picture.texts.size()) {
+    captions.push_back(newText(static_cast<int>(kTextSize)));
+    captions.back()->GetTextProperty()->SetShadow(1);
+    captions.back()->GetTextProperty()->SetVerticalJustificationToCentered();
+    renderer->AddViewProp(captions.back());
+  }
+  const double gap = kWordsGap * ratio(), margin = kMargin * ratio();
+  for (std::size_t i = 0; i < captions.size(); ++i) {
+    const SliceText& text = picture.texts[i];
+    captions[i]->GetTextProperty()->SetColor(text.color.x(), text.color.y(), text.color.z());
+    place(captions[i], text.words, 0, 0, kTextSize);
+    double size[2] = {0, 0};
+    captions[i]->GetSize(renderer, size);
+    const auto within = [margin](double at, double low, double high) {
+      return std::max(low + margin, std::min(at, high - margin));
+    };
+    captions[i]->SetDisplayPosition(
+        static_cast<int>(within(text.place.x() + gap, 0, picture.width - size[0])),
+        static_cast<int>(within(text.place.y(), size[1] / 2, picture.height - size[1] / 2)));
+  }
 }
 
 /// Two lines with a gap where they meet, so that what is there is seen.
@@ -288,6 +357,8 @@ void SliceView::show(const SlicePicture& picture) {
   p.showCross(picture);
   p.showTexts(picture);
   p.showBar(picture);
+  p.discs.show(picture.marks, p.ratio());
+  p.showWords(picture);
 }
 
 } // namespace viscera::scene

@@ -60,6 +60,20 @@ void setPen(vtkPen* pen, const Vec3& color, double opacity) {
   pen->SetColor(byte(color.x()), byte(color.y()), byte(color.z()), byte(opacity));
 }
 
+/// Takes out numbers that stand alone between gaps: a single point is no line, and VTK says so on every
+/// picture. Whether two neighbours are left.
+bool leaveLinesOnly(double* values, std::size_t count) {
+  bool any = false, before = false; // Whether the value before is a number.
+  for (std::size_t i = 0; i < count; ++i) {
+    const bool here = std::isfinite(values[i]), after = i + 1 < count && std::isfinite(values[i + 1]);
+    any = any || (here && after);
+    if (here && !before && !after)
+      values[i] = std::numeric_limits<double>::quiet_NaN();
+    before = here;
+  }
+  return any;
+}
+
 void addColumn(vtkTable* table, const std::string& name) {
   vtkNew<vtkDoubleArray> column;
   column->SetName(name.c_str());
@@ -317,11 +331,12 @@ void VolumeChart::Parts::fillCurve(Curve& curve, ValueRange range) {
   curve.table->SetNumberOfRows(count);
   std::copy(drawn.begin(), drawn.end(),
             vtkDoubleArray::SafeDownCast(curve.table->GetColumn(0))->GetPointer(0));
-  std::copy(curve.values.begin(), curve.values.end(),
-            vtkDoubleArray::SafeDownCast(curve.table->GetColumn(1))->GetPointer(0));
+  double* values = vtkDoubleArray::SafeDownCast(curve.table->GetColumn(1))->GetPointer(0);
+  std::copy(curve.values.begin(), curve.values.end(), values);
+  const bool anyLine = leaveLinesOnly(values, drawn.size());
   curve.table->Modified();
-  // A single point is no line, and VTK draws garbage for an empty table.
-  curve.plot->SetVisible(count >= 2);
+  // VTK draws garbage for an empty table.
+  curve.plot->SetVisible(anyLine);
   for (std::size_t i = 0; i < curve.bands.size(); ++i)
     curve.bands[i]->setExtent(range, curve.line.bands[i].range);
 }

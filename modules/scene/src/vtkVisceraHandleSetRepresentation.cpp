@@ -359,11 +359,15 @@ bool vtkVisceraHandleSetRepresentation::SolveDrag(const double eventPosition[2],
 }
 
 void vtkVisceraHandleSetRepresentation::WidgetInteraction(double eventPosition[2]) {
+  if (Vec3 position; SolveDrag(eventPosition, position))
+    DragTo(position);
+}
+
+void vtkVisceraHandleSetRepresentation::DragTo(const Vec3& position) {
   auto& p = *Internals;
-  Vec3 position;
-  if (!SolveDrag(eventPosition, position))
-    return;
   const auto grabbed = std::find(p.dragged.begin(), p.dragged.end(), p.active) - p.dragged.begin();
+  if (grabbed == std::ptrdiff_t(p.dragged.size()))
+    return;
   const Vec3 delta = position - p.dragStart.row(grabbed).transpose();
   for (std::size_t k = 0; k < p.dragged.size(); ++k)
     p.positions.row(p.dragged[k]) = p.dragStart.row(Eigen::Index(k)) + delta.transpose();

@@ -61,10 +61,10 @@ bool vtkVisceraHandleSetWidget::IsOverPart() {
   return GetHandleSet()->GetActiveHandle() >= 0;
 }
 
-void vtkVisceraHandleSetWidget::Press(int x, int y) {
+/// Selects as a press on the active handle does; whether it can be dragged.
+bool vtkVisceraHandleSetWidget::PressHandle(bool extends) {
   auto* handles = GetHandleSet();
   const int handle = handles->GetActiveHandle();
-  const bool extends = Interactor->GetShiftKey() || Interactor->GetControlKey();
   if (extends) {
     auto selection = handles->GetSelection();
     if (std::erase(selection, handle) == 0)
@@ -75,11 +75,36 @@ void vtkVisceraHandleSetWidget::Press(int x, int y) {
   }
   Moved = false;
   AloneOnRelease = !extends;
-  if (handles->GetActiveHandle() != handle || !handles->IsSelected(handle) ||
-      handles->GetHandleLocked(handle))
+  return handles->GetActiveHandle() == handle && handles->IsSelected(handle) &&
+         !handles->GetHandleLocked(handle);
+}
+
+void vtkVisceraHandleSetWidget::Press(int x, int y) {
+  if (!PressHandle(Interactor->GetShiftKey() || Interactor->GetControlKey()))
     return;
   BeginDrag(x, y);
   RenderAfterChange();
+}
+
+bool vtkVisceraHandleSetWidget::Grab(int handle, bool extends) {
+  if (Dragging || !Enabled || handle < 0 || handle >= GetHandleSet()->GetNumberOfHandles())
+    return false;
+  SetHovered(handle);
+  if (!PressHandle(extends))
+    return false;
+  BeginDrag(0, 0); // Where this view's cursor is does not matter to `DragTo`.
+  RenderAfterChange();
+  return Dragging;
+}
+
+void vtkVisceraHandleSetWidget::DragTo(const viscera::Vec3& position) {
+  if (Dragging)
+    Follow([&] { GetHandleSet()->DragTo(position); });
+}
+
+void vtkVisceraHandleSetWidget::Drop() {
+  if (Dragging)
+    EndDrag(false);
 }
 
 void vtkVisceraHandleSetWidget::DragBegan() {
@@ -104,12 +129,18 @@ void vtkVisceraHandleSetWidget::SetHovered(int handle) {
 }
 
 void vtkVisceraHandleSetWidget::Drag(int x, int y) {
+  Follow([&] {
+    double at[2] = {double(x), double(y)};
+    GetHandleSet()->WidgetInteraction(at);
+  });
+}
+
+void vtkVisceraHandleSetWidget::Follow(const std::function<void()>& move) {
   auto* handles = GetHandleSet();
   if (handles->GetDraggedHandles().empty()) // The handles were replaced under the cursor.
     return EndDrag(true);
   const viscera::Vec3 before = handles->GetPosition(handles->GetActiveHandle());
-  double at[2] = {double(x), double(y)};
-  handles->WidgetInteraction(at);
+  move();
   if (handles->GetPosition(handles->GetActiveHandle()) == before)
     return;
   Moved = true;

@@ -1,75 +1,99 @@
 #include "viscera/sequences/cardiac_cycle.h"
 
-#include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include "viscera/core/error.h"
 
 namespace viscera::sequences {
 namespace {
 
-// The reference phases at which one part of the beat gives way to the next.
-constexpr double kMitralCloses = 0.11;
-constexpr double kAorticOpens = 0.17;
-constexpr double kAorticCloses = 0.47;
-constexpr double kMitralOpens = 0.54;
-constexpr double kDiastasisBegins = 0.80;
+/// The part of a stroke that enters with the atria's contraction, the A wave.
+constexpr double kAtrialKick = 0.24;
+/// The part of the ejection in which it is rapid.
+constexpr double kRapidEjection = 0.45;
 
-// Systole at long and at short beats, s, and the beats (s) between which it changes.
-constexpr double kLongSystole = 0.328;
-constexpr double kShortSystole = 0.302;
-constexpr double kLongBeat = 1.2;
-constexpr double kShortBeat = 0.4;
-/// Above about 150 beats a minute systole can have no more than this part of the beat.
-constexpr double kLargestSystole = 0.76;
-/// Isovolumic contraction as a part of systole: 40 of 330 ms.
-constexpr double kContractionShare = 0.125;
-
-// The parts of diastole when there is time enough, s; isovolumic relaxation after Copenhagen (96 +- 19 ms).
-constexpr double kAtrialSeconds = 0.110;
-constexpr double kRelaxationSeconds = 0.095;
-constexpr double kFillingSeconds = 0.200;
-/// However short the beat, diastasis keeps this part of diastole, so that the phase never jumps.
-constexpr double kSmallestDiastasis = 0.08;
-
-/// About x for small x and about 1 for large x, always below both.
-double saturated(double x) {
-  const double square = x * x;
-  return x / std::pow(1 + square * square, 0.25);
+/// How much of the stroke has left after that part of the ejection.
+double ejected(double part) {
+  static const Curve curve =
+      Curve::through({{0, 0}, {0.133, 0.139}, {0.333, 0.510}, {0.633, 0.868}, {0.867, 0.987}, {1, 1}});
+  return curve.at(part);
 }
 
-Curve repeating(std::vector<Key> keys) {
-  return Curve::periodic(std::move(keys), 1.0);
+/// How much of the E wave has entered after that part of it: it rises faster than it falls.
+double entered(double part) {
+  static const Curve curve = Curve::through({{0, 0}, {0.25, 0.33}, {0.5, 0.72}, {0.75, 0.92}, {1, 1}});
+  return curve.at(part);
+}
+
+double clampedRate(double rateBpm) {
+  return std::clamp(rateBpm, CardiacCycle::kLowestRateBpm, CardiacCycle::kHighestRateBpm);
+}
+
+/// The twist begins against its direction, is largest just before the aortic valve shuts, and half undone
+/// when the mitral valve opens.
+Curve twistOf(const CardiacTimes& times, const VentricleClock& clock) {
+  return Curve::periodic({{clock.inletShuts, 0},
+                          {clock.outletOpens, -0.12},
+                          {clock.outletOpens + 0.167 * times.ejection, 0.05},
+                          {clock.outletOpens + 0.933 * times.ejection, 1},
+                          {clock.outletShuts + 0.143 * times.isovolumicRelaxation, 0.97},
+                          {clock.inletOpens + 0.038 * times.earlyFilling, 0.55},
+                          {clock.inletOpens + 0.346 * times.earlyFilling, 0.12},
+                          {clock.inletOpens + 0.692 * times.earlyFilling, 0}},
+                         times.cycle);
+}
+
+Curve atrialOf(const CardiacTimes& times, const VentricleClock& clock) {
+  return Curve::periodic({{0, 0},
+                          {0.64 * times.atrialSystole, 1},
+                          {times.atrialSystole, 0.92},
+                          {clock.outletOpens + 0.10 * times.ejection, 0.25},
+                          {clock.outletOpens + 0.43 * times.ejection, 0}},
+                         times.cycle);
+}
+
+double mix(double from, double to, double part) {
+  return from + part * (to - from);
 }
 
 } // namespace
 
+CardiacBeat::CardiacBeat(double rateBpm, const CavityVolumes& endDiastole, const CavityVolumes& endSystole)
+    : endDiastole_(endDiastole), endSystole_(endSystole), times_(cardiacTimes(rateBpm)),
+      left_(leftClock(times_)), right_(rightClock(times_)),
+      stroke_(sequences::strokePart(times_, endDiastole.leftMl - endSystole.leftMl)),
+      twist_(twistOf(times_, left_)), atrial_(atrialOf(times_, left_)) {}
+
+double CardiacBeat::emptying(double t, const VentricleClock& clock) const {
+  const auto early = [&](double since) {
+    return (1 - kAtrialKick) * entered(std::min(1.0, since / times_.earlyFilling));
+  };
+  double filled = 0;
+  if (t < clock.inletShuts)
+    filled = early(t + times_.cycle - clock.inletOpens) + kAtrialKick * smoothStep(t / clock.inletShuts);
+  else if (t < clock.outletOpens)
+    filled = 1;
+  else if (t < clock.outletShuts)
+    filled = 1 - ejected((t - clock.outletOpens) / (clock.outletShuts - clock.outletOpens));
+  else if (t >= clock.inletOpens)
+    filled = early(t - clock.inletOpens);
+  return 1 - stroke_ * filled;
+}
+
+CardiacInstant CardiacBeat::at(double seconds) const {
+  const double t = seconds - std::floor(seconds / times_.cycle) * times_.cycle;
+  CardiacInstant now;
+  now.leftEmptying = emptying(t, left_);
+  now.rightEmptying = emptying(t, right_);
+  now.volumes = {mix(endDiastole_.leftMl, endSystole_.leftMl, now.leftEmptying),
+                 mix(endDiastole_.rightMl, endSystole_.rightMl, now.rightEmptying)};
+  now.twist = twist_.at(t);
+  now.atrialContraction = atrial_.at(t);
+  return now;
+}
+
 CardiacCycle::CardiacCycle(const CavityVolumes& endDiastole, const CavityVolumes& endSystole)
-    : endDiastole_(endDiastole), endSystole_(endSystole),
-      leftMl_(repeating({{0, 112.5},
-                         {kMitralCloses, kEndDiastole.leftMl},
-                         {kAorticOpens, kEndDiastole.leftMl},
-                         {0.21, 120},
-                         {0.27, 92},
-                         {0.36, 65},
-                         {0.43, 56},
-                         {kAorticCloses, kEndSystole.leftMl},
-                         {kMitralOpens, kEndSystole.leftMl},
-                         {0.60, 76},
-                         {0.66, 96},
-                         {0.72, 105},
-                         {kDiastasisBegins, 109}})),
-      twist_(repeating({{0, 0},
-                        {kMitralCloses, 0},
-                        {kAorticOpens, -0.12},
-                        {0.22, 0.05},
-                        {0.45, 1},
-                        {0.48, 0.97},
-                        {0.55, 0.55},
-                        {0.63, 0.12},
-                        {0.72, 0}})),
-      atrial_(repeating({{0, 0}, {0.07, 1}, {kMitralCloses, 0.92}, {0.20, 0.25}, {0.30, 0}})) {
+    : endDiastole_(endDiastole), endSystole_(endSystole) {
   const auto empties = [](double full, double empty) {
     return empty > 0 && full > empty && std::isfinite(full);
   };
@@ -78,70 +102,28 @@ CardiacCycle::CardiacCycle(const CavityVolumes& endDiastole, const CavityVolumes
                     "cardiac cycle");
 }
 
-double CardiacCycle::emptying(double phase) const {
-  return (kEndDiastole.leftMl - leftMl_.at(phase)) / (kEndDiastole.leftMl - kEndSystole.leftMl);
-}
-
-CavityVolumes CardiacCycle::volumes(double phase) const {
-  const double empty = emptying(phase);
-  return {endDiastole_.leftMl + empty * (endSystole_.leftMl - endDiastole_.leftMl),
-          endDiastole_.rightMl + empty * (endSystole_.rightMl - endDiastole_.rightMl)};
-}
-
-double CardiacCycle::twist(double phase) const {
-  return twist_.at(phase);
-}
-
-double CardiacCycle::atrialContraction(double phase) const {
-  return atrial_.at(phase);
-}
-
-CardiacTimes CardiacCycle::times(double rateBpm) {
-  const double beat = 60 / std::clamp(rateBpm, kLowestRateBpm, kHighestRateBpm);
-  const double length = std::clamp((beat - kShortBeat) / (kLongBeat - kShortBeat), 0.0, 1.0);
-  const double systole =
-      std::min(kShortSystole + length * (kLongSystole - kShortSystole), kLargestSystole * beat);
-  const double diastole = beat - systole;
-  const double wanted = kAtrialSeconds + kRelaxationSeconds + kFillingSeconds;
-  const double scale = saturated((1 - kSmallestDiastasis) * diastole / wanted);
-  CardiacTimes times;
-  times.isovolumicContraction = kContractionShare * systole;
-  times.ejection = systole - times.isovolumicContraction;
-  times.atrialSystole = scale * kAtrialSeconds;
-  times.isovolumicRelaxation = scale * kRelaxationSeconds;
-  times.rapidFilling = scale * kFillingSeconds;
-  times.diastasis = diastole - scale * wanted;
-  return times;
-}
-
-double CardiacCycle::referencePhase(double seconds, double rateBpm) const {
-  const CardiacTimes t = times(rateBpm);
-  std::vector<Key> keys{{0, 0}};
-  const auto after = [&keys](double duration, double phase) {
-    keys.push_back({keys.back().at + duration, phase});
-  };
-  after(t.atrialSystole, kMitralCloses);
-  after(t.isovolumicContraction, kAorticOpens);
-  after(t.ejection, kAorticCloses);
-  after(t.isovolumicRelaxation, kMitralOpens);
-  after(t.rapidFilling, kDiastasisBegins);
-  return Curve::periodic(std::move(keys), t.cycle(), 1.0).at(seconds);
+CardiacBeat CardiacCycle::beat(double rateBpm) const {
+  return {clampedRate(rateBpm), endDiastole_, endSystole_};
 }
 
 std::vector<Phase> CardiacCycle::phases(double rateBpm) {
-  const CardiacTimes t = times(rateBpm);
+  const CardiacTimes t = cardiacTimes(clampedRate(rateBpm));
+  const double alone = t.filling() - t.atrialSystole; // Until the atria contract.
   std::vector<Phase> phases;
-  double begin = 0;
-  const auto add = [&](const char* name, double duration) {
-    const double end = begin + duration / t.cycle();
-    phases.push_back({name, begin, end});
-    begin = end;
+  double seconds = 0;
+  const auto add = [&](const char* name, double duration, const char* group = "diastole") {
+    if (duration <= 0)
+      return;
+    phases.push_back({name, seconds / t.cycle, (seconds + duration) / t.cycle, group});
+    seconds += duration;
   };
   add("atrial systole", t.atrialSystole);
-  add("isovolumic contraction", t.isovolumicContraction);
-  add("ejection", t.ejection);
+  add("isovolumic contraction", t.isovolumicContraction, "systole");
+  add("rapid ejection", kRapidEjection * t.ejection, "systole");
+  add("reduced ejection", (1 - kRapidEjection) * t.ejection, "systole");
   add("isovolumic relaxation", t.isovolumicRelaxation);
-  add("filling", t.rapidFilling + t.diastasis);
+  add("rapid filling", std::min(t.earlyFilling, alone));
+  add("diastasis", t.diastasis());
   phases.back().end = 1;
   return phases;
 }

@@ -30,7 +30,7 @@ constexpr double kFreeWallReach = 1.2;   ///< How far it reaches around the axis
 constexpr double kFreeWallLength = 76;   ///< How far along the axis it is looked for, mm.
 constexpr double kRowCloseness = 0.85;   ///< Of its rows, as a part of the spacing.
 constexpr double kSeptumReach = 0.9;     ///< rad
-constexpr double kSeptumLength = 54;     ///< mm
+constexpr double kSeptumLength = 74;     ///< mm
 constexpr int kFewestOnARing = 5;
 constexpr std::size_t kFewestHandles = 8;
 

@@ -2,34 +2,29 @@
 
 #include <utility>
 
-#include "viscera/core/error.h"
-#include "viscera/sequences/course_heartbeat.h"
-
 namespace viscera::sequences {
+namespace {
 
-Heartbeat::Heartbeat(HeartMotion motion, CardiacCycle cycle, PoseCompensation compensation)
-    : motion_(std::move(motion)), cycle_(std::move(cycle)), compensation_(std::move(compensation)),
-      rest_(motion_.rig().restHandles()) {
-  compensation_.requireFor(rest_.rows(), "heart", "heartbeat");
+/// Instants of a beat at which the volumes are tried before a heart is there.
+constexpr int kTried = 24;
+
+} // namespace
+
+std::string Heartbeat::rateRemark(double ratePerMinute) const {
+  if (ratePerMinute >= kLowestMeasuredBpm && ratePerMinute <= kHighestMeasuredBpm)
+    return {};
+  return "Beyond the data: people were measured from 50 to 171 beats a minute";
 }
 
-CalibratedHeartbeat::CalibratedHeartbeat(HeartMotion motion, CardiacCycle cycle,
-                                         PoseCompensation compensation,
-                                         const HeartbeatCalibration& calibration)
-    : Heartbeat(std::move(motion), std::move(cycle), std::move(compensation)),
-      leftGain_(calibrationCurves(calibration).leftGain),
-      rightShift_(calibrationCurves(calibration).rightShift) {}
-
-HeartState CalibratedHeartbeat::stateAtPhase(double phase) const {
-  HeartState state = uncorrectedState(cycle_, phase);
-  state.leftGain = leftGain_.at(phase);
-  state.rightShift = rightShift_.at(phase);
-  return state;
+CavityHeartbeat::CavityHeartbeat(CavityFit fit, CardiacCycle cycle) : Heartbeat(cycle), fit_(std::move(fit)) {
+  Points pose;
+  for (const double rate : {CardiacCycle::kStandardRateBpm, CardiacCycle::kHighestRateBpm})
+    for (int i = 0; i < kTried; ++i)
+      poseAt(i * 60 / rate / kTried, rate, pose);
 }
 
-void CalibratedHeartbeat::poseAtPhase(double phase, Points& pose) const {
-  motion_.pose(stateAtPhase(phase), pose);
-  compensation_.apply(rest_, pose);
+void CavityHeartbeat::poseAt(double seconds, double ratePerMinute, Points& pose) const {
+  fit_.pose(heartInstant(cycle(), cycle().at(seconds, ratePerMinute)), pose);
 }
 
 } // namespace viscera::sequences

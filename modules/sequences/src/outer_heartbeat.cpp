@@ -6,7 +6,6 @@
 
 #include "viscera/core/cubic_root.h"
 #include "viscera/core/error.h"
-#include "viscera/sequences/heartbeat_calibration.h"
 
 namespace viscera::sequences {
 namespace {
@@ -26,19 +25,21 @@ bool widens(HeartRole role) {
 
 OuterHeartbeat::OuterHeartbeat(HeartMotion motion, PoseCompensation compensation, VolumeAlong volume,
                                double systolicLoss)
-    : Heartbeat(std::move(motion), CardiacCycle(), std::move(compensation)), volume_(std::move(volume)),
-      loss_(systolicLoss) {
+    : Heartbeat(CardiacCycle()), motion_(std::move(motion)), compensation_(std::move(compensation)),
+      rest_(motion_.rig().restHandles()), volume_(std::move(volume)), loss_(systolicLoss) {
+  compensation_.requireFor(rest_.rows(), "heart", "heartbeat");
   if (!(loss_ >= 0 && loss_ <= kLargestLoss))
     throw DataError("a heart cannot lose that part of its volume in systole", "heartbeat",
                     "choose 0 to 0.4; people have 0.048 to 0.106");
   restMl_ = volume_(rest_, Points::Zero(rest_.rows(), 3))[0];
   Points pose;
   for (int i = 0; i < kTried; ++i)
-    poseAtPhase(static_cast<double>(i) / kTried, pose);
+    poseAt(i * 60 / CardiacCycle::kStandardRateBpm / kTried, CardiacCycle::kStandardRateBpm, pose);
 }
 
-void OuterHeartbeat::poseAtPhase(double phase, Points& pose) const {
-  motion_.pose(uncorrectedState(cycle_, phase), pose);
+void OuterHeartbeat::poseAt(double seconds, double ratePerMinute, Points& pose) const {
+  const HeartInstant now = heartInstant(cycle(), cycle().at(seconds, ratePerMinute));
+  motion_.pose(now.state, pose);
   const HeartFrame& frame = motion_.rig().anatomy.frame;
   Points widened = rest_;
   for (Eigen::Index i = 0; i < pose.rows(); ++i) {
@@ -52,13 +53,13 @@ void OuterHeartbeat::poseAtPhase(double phase, Points& pose) const {
   compensation_.apply(rest_, pose);
   compensation_.apply(rest_, widened);
   const Points added = widened - rest_;
-  const double wanted = restMl_ * (1 - loss_ * cycle_.emptying(phase));
+  const double wanted = restMl_ * (1 - loss_ * now.state.emptying);
   std::array<double, 4> missing = volume_(pose, added);
   missing[0] -= wanted;
   const auto root = nearestCubicRoot(missing, -kMostWidening, kMostWidening);
   if (!root)
     throw DataError("the heart cannot be brought to the volume that it has to hold",
-                    "heartbeat at phase " + std::to_string(phase), "check the landmarks of apex and base");
+                    "heartbeat at " + std::to_string(seconds) + " s", "check the landmarks of apex and base");
   pose += *root * added;
 }
 

@@ -11,6 +11,8 @@ namespace {
 using medical_io::Scan;
 
 constexpr Eigen::Index kRowGrain = 8;
+/// Voxels that a row of pixels may stray from one of voxels, and still runs along it.
+constexpr double kAlong = 1e-3;
 constexpr float kNothing = std::numeric_limits<float>::quiet_NaN();
 
 /// A scan's samples of one type, read at places in voxels.
@@ -56,6 +58,41 @@ public:
     const auto sample = static_cast<double>(samples_[at]);
     return hasPadding_ && sample == padding_ ? kNothing : static_cast<float>(slope_ * sample + intercept_);
   }
+
+  /// Of the voxels `first` to `last` of a row along `axis`, at `place` in the other two: the samples between
+  /// the four rows around it; NaN where one of them is padding.
+  void betweenRows(const Vec3& place, int axis, int first, int last, std::vector<float>& row) const {
+    std::size_t start = static_cast<std::size_t>(first) * step_[std::size_t(axis)];
+    std::array<std::size_t, 2> next{};
+    std::array<float, 2> part{};
+    for (int n = 0; n < 2; ++n) {
+      const auto k = std::size_t((axis + 1 + n) % 3);
+      const double inside = std::clamp(place[Eigen::Index(k)], 0.0, static_cast<double>(last_[k]));
+      const int low = static_cast<int>(inside);
+      part[std::size_t(n)] = static_cast<float>(inside - low);
+      next[std::size_t(n)] = low < last_[k] ? step_[k] : 0;
+      start += static_cast<std::size_t>(low) * step_[k];
+    }
+    const float a = (1 - part[0]) * (1 - part[1]), b = part[0] * (1 - part[1]);
+    const float c = (1 - part[0]) * part[1], d = part[0] * part[1];
+    const Sample *one = samples_ + start, *two = one + next[0], *three = one + next[1],
+                 *four = three + next[0];
+    const std::size_t stride = step_[std::size_t(axis)];
+    const auto count = static_cast<std::size_t>(last - first + 1);
+    row.resize(count);
+    for (std::size_t i = 0, at = 0; i < count; ++i, at += stride)
+      row[i] = a * static_cast<float>(one[at]) + b * static_cast<float>(two[at]) +
+               c * static_cast<float>(three[at]) + d * static_cast<float>(four[at]);
+    if (!hasPadding_)
+      return;
+    const auto isPadding = [this](Sample s) { return static_cast<double>(s) == padding_; };
+    for (std::size_t i = 0, at = 0; i < count; ++i, at += stride)
+      if (isPadding(one[at]) || isPadding(two[at]) || isPadding(three[at]) || isPadding(four[at]))
+        row[i] = kNothing;
+  }
+
+  /// Of a sample, or of one between them.
+  float valueOf(float sample) const { return static_cast<float>(slope_ * double(sample) + intercept_); }
 
 private:
   bool anyPadding(const Sample* s, const std::array<std::size_t, 3>& next) const {
@@ -105,62 +142,54 @@ std::vector<double> layersOf(const Scan& scan, double slabMm) {
   return layers;
 }
 
-/// Values of several layers on their way to one.
-class Slab {
-public:
-  Slab(int width, bool maximum, float* out) : maximum_(maximum), out_(out), counts_(std::size_t(width), 0) {
-    std::fill(out, out + width, kNothing);
-  }
-
-  void add(int x, float value) {
-    if (std::isnan(value))
-      return;
-    int& count = counts_[std::size_t(x)];
-    float& out = out_[x];
-    if (count++ == 0)
-      out = value;
-    else
-      out = maximum_ ? std::max(out, value) : out + value;
-  }
-
-  void finish() {
-    for (std::size_t x = 0; x < counts_.size(); ++x)
-      if (!maximum_ && counts_[x] > 1)
-        out_[x] /= static_cast<float>(counts_[x]);
-  }
-
-private:
-  bool maximum_;
-  float* out_;
-  std::vector<int> counts_;
+/// What a thread keeps from row to row.
+struct Scratch {
+  std::vector<float> voxels; ///< Of a row of them.
+  std::vector<float> layer;  ///< Of pixels of one layer.
+  std::vector<float> counts; ///< Layers that had a value at a pixel.
 };
+
+/// Adds a layer to what there is of the others.
+void addLayer(const std::vector<float>& layer, bool maximum, float* out, std::vector<float>& counts) {
+  for (std::size_t x = 0; x < layer.size(); ++x) {
+    const float value = layer[x];
+    const bool valid = value == value; // Not NaN, in a way that the compiler can take eight of at once.
+    if (maximum)
+      out[x] = valid && (counts[x] == 0 || value > out[x]) ? value : out[x];
+    else
+      out[x] += valid ? value : 0.0F;
+    counts[x] += valid ? 1.0F : 0.0F;
+  }
+}
 
 /// Takes the rows of one slice.
 template <class Sample>
 class Slicer {
 public:
   Slicer(const Scan& scan, const std::vector<Sample>& samples, const SliceFrame& frame,
-         const SampleOptions& options, const RestLattice* bent)
+         const SampleOptions& options, const Points* rest)
       : scan_(scan), reader_(scan, samples), frame_(frame), nearest_(options.nearest),
-        maximum_(options.maximum), bent_(bent), layers_(layersOf(scan, options.slabMm)),
+        maximum_(options.maximum), rest_(rest), layers_(layersOf(scan, options.slabMm)),
         toIndex_(scan.indexToLps.inverse()), step_(toIndex_.linear() * frame.right),
-        normal_(frame.plane().normal) {}
+        normal_(frame.plane().normal) {
+    for (int axis = 0; axis < 3 && !nearest_; ++axis)
+      if (step_.cwiseAbs().sum() - std::abs(step_[axis]) < kAlong * std::abs(step_[axis]) / frame.width)
+        axis_ = axis;
+  }
 
-  void row(int y, float* out) const {
-    if (layers_.size() == 1 && !bent_) {
-      std::fill(out, out + frame_.width, kNothing);
-      straight(y, 0, [out](int x, float value) { out[x] = value; });
-      return;
+  void row(int y, float* out, Scratch& scratch) const {
+    if (layers_.size() == 1)
+      return layer(y, 0, out, scratch);
+    const auto width = static_cast<std::size_t>(frame_.width);
+    scratch.layer.resize(width);
+    scratch.counts.assign(width, 0);
+    std::fill(out, out + width, 0.0F);
+    for (const double at : layers_) {
+      layer(y, at, scratch.layer.data(), scratch);
+      addLayer(scratch.layer, maximum_, out, scratch.counts);
     }
-    Slab slab(frame_.width, maximum_, out);
-    for (const double layer : layers_) {
-      const auto add = [&slab](int x, float value) { slab.add(x, value); };
-      if (bent_)
-        curved(y, layer, add);
-      else
-        straight(y, layer, add);
-    }
-    slab.finish();
+    for (std::size_t x = 0; x < width; ++x)
+      out[x] = scratch.counts[x] == 0 ? kNothing : maximum_ ? out[x] : out[x] / scratch.counts[x];
   }
 
 private:
@@ -168,32 +197,43 @@ private:
     return nearest_ ? reader_.nearest(place.data()) : reader_.linear(place.data());
   }
 
-  template <class Take>
-  void straight(int y, double layer, Take take) const {
-    const Vec3 start = toIndex_ * (frame_.at(0, y) + layer * normal_);
+  void layer(int y, double at, float* out, Scratch& scratch) const {
+    std::fill(out, out + frame_.width, kNothing);
+    if (rest_)
+      return bent(y, at, out);
+    const Vec3 start = toIndex_ * (frame_.at(0, y) + at * normal_);
     const auto [begin, end] = insideOf(start, step_, scan_.size, frame_.width);
+    if (begin < end && axis_ >= 0)
+      return along(start, begin, end, out, scratch.voxels);
     for (int x = begin; x < end; ++x)
-      take(x, read(start + x * step_));
+      out[x] = read(start + x * step_);
   }
 
-  template <class Take>
-  void curved(int y, double layer, Take take) const {
-    const int step = bent_->step;
-    const int below = std::min(y / step, bent_->rows - 2);
-    const double up = static_cast<double>(y) / step - below;
-    const auto place = [&](int column) {
-      const Eigen::Index at = Eigen::Index(below) * bent_->columns + column;
-      const Vec3 rest =
-          ((1 - up) * bent_->rest.row(at) + up * bent_->rest.row(at + bent_->columns)).transpose();
-      return Vec3(toIndex_ * (rest + layer * normal_));
-    };
-    for (int column = 0; column + 1 < bent_->columns; ++column) {
-      const Vec3 left = place(column), along = (place(column + 1) - left) / step;
-      const int begin = column * step;
-      const int end = std::min(begin + step, frame_.width);
-      for (int x = begin; x < end; ++x)
-        if (const Vec3 at = left + (x - begin) * along; inside(at))
-          take(x, read(at));
+  /// The row runs along an axis of the voxels: first between rows of those, then along them.
+  void along(const Vec3& start, int begin, int end, float* out, std::vector<float>& voxels) const {
+    const int last = scan_.size[std::size_t(axis_)] - 1;
+    const double from = start[axis_], by = step_[axis_];
+    const auto inside = [last](double place) { return std::clamp(place, 0.0, static_cast<double>(last)); };
+    const auto ends = std::minmax({inside(from + begin * by), inside(from + (end - 1) * by)});
+    const int low = static_cast<int>(ends.first), high = std::min(static_cast<int>(ends.second) + 1, last);
+    reader_.betweenRows(start, axis_, low, high, voxels);
+    for (int x = begin; x < end; ++x) {
+      const double place = inside(from + x * by);
+      const int cell = static_cast<int>(place);
+      const auto part = static_cast<float>(place - cell);
+      const float a = voxels[std::size_t(cell - low)];
+      const float b = voxels[std::size_t(std::min(cell + 1, high) - low)];
+      const float value = a + part * (b - a);
+      out[x] = std::isnan(value) ? read(start + x * step_) : reader_.valueOf(value); // Padding is near.
+    }
+  }
+
+  void bent(int y, double at, float* out) const {
+    const Vec3 aside = at * normal_;
+    for (int x = 0; x < frame_.width; ++x) {
+      const Vec3 rest = rest_->row(Eigen::Index(y) * frame_.width + x).transpose();
+      if (const Vec3 place = toIndex_ * (rest + aside); inside(place))
+        out[x] = read(place);
     }
   }
 
@@ -208,30 +248,17 @@ private:
   Reader<Sample> reader_;
   const SliceFrame& frame_;
   bool nearest_, maximum_;
-  const RestLattice* bent_;
+  const Points* rest_;
   std::vector<double> layers_;
   Eigen::Affine3d toIndex_;
   Vec3 step_, normal_;
+  int axis_ = -1; ///< Of the voxels, along which rows of pixels run; none where they run otherwise.
 };
 
 } // namespace
 
-RestLattice latticeOver(const SliceFrame& frame, int step) {
-  RestLattice lattice;
-  lattice.step = step;
-  const auto reach = [step](int pixels) { return std::max(2, (pixels + step - 2) / step + 1); };
-  lattice.columns = reach(frame.width);
-  lattice.rows = reach(frame.height);
-  lattice.rest.resize(Eigen::Index(lattice.rows) * lattice.columns, 3);
-  for (int row = 0; row < lattice.rows; ++row)
-    for (int column = 0; column < lattice.columns; ++column)
-      lattice.rest.row(Eigen::Index(row) * lattice.columns + column) =
-          frame.at(column * step, row * step).transpose();
-  return lattice;
-}
-
 void sampleSlice(const Scan& scan, const SliceFrame& frame, const SampleOptions& options, ValueImage& image,
-                 const RestLattice* bent) {
+                 const Points* rest) {
   image.width = frame.width;
   image.height = frame.height;
   image.values.resize(std::size_t(frame.width) * std::size_t(frame.height));
@@ -241,10 +268,11 @@ void sampleSlice(const Scan& scan, const SliceFrame& frame, const SampleOptions&
   }
   std::visit(
       [&](const auto& samples) {
-        const Slicer slicer(scan, samples, frame, options, bent);
+        const Slicer slicer(scan, samples, frame, options, rest);
         parallelRanges(frame.height, kRowGrain, options.threads, [&](Eigen::Index begin, Eigen::Index end) {
+          Scratch scratch;
           for (Eigen::Index y = begin; y < end; ++y)
-            slicer.row(static_cast<int>(y), image.values.data() + y * frame.width);
+            slicer.row(static_cast<int>(y), image.values.data() + y * frame.width, scratch);
         });
       },
       scan.samples);

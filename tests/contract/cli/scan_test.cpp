@@ -1,8 +1,11 @@
+#include <cmath>
 #include <filesystem>
 
 #include "cli_test.h"
 #include "dicom_slices.h"
-#include "scan_phantom.h"
+#include "phantom_scan.h"
+#include "viscera/medical_io/label_map.h"
+#include "viscera/medical_io/scan.h"
 
 namespace viscera::app::cli {
 
@@ -57,6 +60,16 @@ TEST_F(CliScan, InfoOfADicomFolderNamesWhatIsOdd) {
   EXPECT_EQ(info["size"][2], 12);
   EXPECT_EQ(info["warnings"].size(), 1U);
   expectFailure({"info", path("dicom"), "--series", "9.9"}, kUsage, "It has no series 9.9");
+}
+
+TEST_F(CliScan, InfoNamesTheOtherHalfOfThePatientBesideIt) {
+  EXPECT_TRUE(runJson({"info", scan_})["beside"].is_null());
+  tests::LabelImage labels = image_;
+  labels.voxels.assign(labels.voxels.size(), 0);
+  labels.fill({2, 2, 2}, {8, 9, 9}, 1);
+  const std::string file = put("ct_labels.nii", tests::niftiFile(labels));
+  EXPECT_EQ(runJson({"info", scan_})["beside"], file);
+  EXPECT_EQ(runJson({"info", file})["beside"], scan_);
 }
 
 TEST_F(CliScan, ALabelMapStaysOne) {
@@ -123,6 +136,103 @@ TEST_F(CliScan, WarpMovesALabelMap) {
   ASSERT_EQ(info["labels"].size(), 1U);
   EXPECT_EQ(info["labels"][0]["label"], 4);
   EXPECT_EQ(info["labels"][0]["voxels"], 9 * 9 * 9);
+}
+
+/// A CT of a patient with its segmentation, 3 mm fine, and a box of handles around it.
+class CliWarpOfACt : public CliTest {
+protected:
+  void SetUp() override {
+    CliTest::SetUp();
+    if (!std::filesystem::exists(kCt / "example_ct_sm.nii.gz"))
+      GTEST_SKIP() << "../shared/organs/ct is not there";
+    rest_ = put("rest.mrk.json", markups(posed([](const Vec3& p) { return p; })));
+    scan_ = readScan((kCt / "example_ct_sm.nii.gz").string());
+  }
+  template <typename Motion>
+  static std::vector<std::array<double, 3>> posed(Motion motion) {
+    std::vector<std::array<double, 3>> list;
+    for (int c = 0; c < 8; ++c) {
+      const Vec3 p = motion(Vec3(c & 1 ? 300 : -300, c & 2 ? 130 : -450, c & 4 ? 360 : -80));
+      list.push_back({p.x(), p.y(), p.z()});
+    }
+    return list;
+  }
+  static medical_io::Scan readScan(const std::string& file) {
+    Progress progress;
+    return medical_io::readScan(file, {}, progress);
+  }
+  json warp(const std::string& image, const std::string& rest, const std::string& pose,
+            const std::string& out) {
+    return runJson({"warp", image, "--handles", rest, "--pose", pose, "-o", out});
+  }
+  /// Of the differences of two scans at voxels away from their borders, as a root of the mean square.
+  template <typename Value>
+  double difference(Value value) const {
+    double sum = 0;
+    int count = 0;
+    for (int k = 8; k < scan_.size[2] - 8; ++k)
+      for (int j = 15; j < scan_.size[1] - 15; ++j)
+        for (int i = 15; i < scan_.size[0] - 15; ++i, ++count)
+          sum += std::pow(value(i, j, k) - scan_.value(i, j, k), 2);
+    return std::sqrt(sum / count);
+  }
+
+  inline static const std::filesystem::path kCt = std::filesystem::path(VISCERA_SHARED_ORGANS) / "ct";
+  std::string rest_;
+  medical_io::Scan scan_;
+};
+
+TEST_F(CliWarpOfACt, APoseAndItsReverseBringItBackButForInterpolation) {
+  const Eigen::Affine3d turn =
+      Eigen::Translation3d(4, -5, 6) * Eigen::AngleAxisd(0.06, Vec3(1, 2, 8).normalized());
+  const std::string pose = put("pose.mrk.json", markups(posed([&](const Vec3& p) { return turn * p; })));
+  const std::string there = path("there.nii.gz"), back = path("back.nii.gz");
+  const json first = warp((kCt / "example_ct_sm.nii.gz").string(), rest_, pose, there);
+  EXPECT_LT(first["largestErrorVoxel"].get<double>(), 0.05);
+  EXPECT_EQ(first["folded"], 0);
+  warp(there, pose, rest_, back);
+  const medical_io::Scan moved = readScan(there), again = readScan(back);
+  // What interpolating twice does at most: a shift by half a voxel along each axis, and back.
+  const auto halfShift = [this](int i, int j, int k) {
+    double sum = 0;
+    for (int corner = 0; corner < 8; ++corner)
+      sum += scan_
+                 .at(scan_.indexToLps *
+                     Vec3(i + 0.5 - (corner & 1), j + 0.5 - (corner >> 1 & 1), k + 0.5 - (corner >> 2)))
+                 .value_or(0);
+    return sum / 8;
+  };
+  const double returned = difference([&](int i, int j, int k) { return again.value(i, j, k); });
+  EXPECT_LT(returned, difference(halfShift));
+  EXPECT_GT(difference([&](int i, int j, int k) { return moved.value(i, j, k); }), 3 * returned)
+      << "else nothing is proved";
+}
+
+TEST_F(CliWarpOfACt, ScanAndLabelMapBendAlike) {
+  const std::string pose = put("pose.mrk.json", markups(posed([](const Vec3& p) {
+                                 return Vec3(p.z() > 0 && p.y() < 0 ? Vec3(p + Vec3(40, 60, -30)) : p);
+                               })));
+  const json warped = warp((kCt / "example_ct_sm.nii.gz").string(), rest_, pose, path("ct.nii.gz"));
+  EXPECT_LT(warped["largestErrorVoxel"].get<double>(), 0.05);
+  EXPECT_EQ(warped["folded"], 0);
+  EXPECT_GT(warped["moved"].get<int>(), 300000);
+  warp((kCt / "example_seg.nii.gz").string(), rest_, pose, path("seg.nii.gz"));
+  Progress progress;
+  const auto meanOfLargest = [&](const std::filesystem::path& labels, const medical_io::Scan& scan) {
+    const medical_io::LabelMap map = medical_io::readLabelMap(labels, progress);
+    std::size_t largest = 0;
+    for (std::size_t s = 0; s < map.segments.size(); ++s)
+      largest = map.segments[s].voxels > map.segments[largest].voxels ? s : largest;
+    double sum = 0;
+    for (std::size_t v = 0; v < map.voxelCount(); ++v)
+      if (map.layers[0][v] == largest + 1)
+        sum += std::visit([&](const auto& s) { return scan.slope * double(s[v]) + scan.intercept; },
+                          scan.samples);
+    return sum / double(map.segments[largest].voxels);
+  };
+  EXPECT_NEAR(meanOfLargest(path("seg.nii.gz"), readScan(path("ct.nii.gz"))),
+              meanOfLargest(kCt / "example_seg.nii.gz", scan_), 6)
+      << "Hounsfield units within the largest organ";
 }
 
 } // namespace viscera::app::cli

@@ -1,7 +1,9 @@
 #include "cli_test.h"
+#include "phantom_scan.h"
 #include "shapes.h"
 #include "viscera/document/open_files.h"
 #include "viscera/document/rig_commands.h"
+#include "viscera/document/scan_item.h"
 #include "viscera/document/session_file.h"
 #include "viscera/document/undo_stack.h"
 
@@ -174,6 +176,29 @@ TEST_F(CliSession, MeasurementsAreListedAndDrawnUnlessTheyWereHidden) {
   contents_.view = R"({"switches": {"view.measurements": false}})";
   write("hidden.viscera");
   EXPECT_EQ(drawn("hidden.viscera"), without);
+}
+
+TEST_F(CliSession, RenderDrawsASliceAsTheWindowShowedIt) {
+  tests::LabelImage image = tests::orientedPhantomGrid(0, {0, 1, 2});
+  tests::fillPhantom(image);
+  Progress progress;
+  contents_.state.scan = std::make_shared<const document::ScanItem>(
+      document::openScanFile(put("ct.nii", tests::niftiFile(image)), {}, progress));
+  const auto slice = [this](const std::string& session, const std::string& look) {
+    contents_.view = R"({"format": 2, "mode": "deform", "scan": )" + look + "}";
+    write(session);
+    const json drawn =
+        runJson({"render", path(session), "--slice", "axial:2", "-o", path("s.png"), "--size", "300x240"});
+    EXPECT_NE(drawn["scan"], "");
+    EXPECT_EQ(drawn["contours"].size(), 1U);
+    return contents(path("s.png"));
+  };
+  const std::string plain = slice("plain.viscera", "{}");
+  EXPECT_NE(slice("bent.viscera", R"({"bent": true})"), plain) << "the pose bends it";
+  EXPECT_NE(slice("other.viscera", R"({"level": -300, "width": 900})"), plain);
+  EXPECT_EQ(slice("again.viscera", "{}"), plain);
+  expectFailure({"render", path("plain.viscera"), "--slice", "axial", "-o", path("x.png")}, kUsage,
+                "axial:120");
 }
 
 TEST_F(CliSession, DamagedOnesAndOnesWithOtherThingsAreRefused) {

@@ -19,7 +19,8 @@ std::set<std::string> with(std::set<std::string> modules, const std::set<std::st
 const std::map<std::string, std::set<std::string>>& allowedModules() {
   static const std::set<std::string> numerical = {"core",        "norms",     "geometry",   "coordinates",
                                                   "deformation", "sequences", "circulation"};
-  static const std::set<std::string> documentUses = with(numerical, {"sample_organs", "medical_io"});
+  static const std::set<std::string> documentUses =
+      with(numerical, {"sample_organs", "medical_io", "slices"});
   static const std::map<std::string, std::set<std::string>> allowed = {
       {"core", {}},
       {"norms", {"core"}},
@@ -42,7 +43,7 @@ const std::map<std::string, std::set<std::string>>& allowedModules() {
       {"document", documentUses},
       {"live", with(documentUses, {"document", "plugin"})},
       {"motion", with(documentUses, {"tracking", "document", "plugin", "live"})},
-      {"presentation", with(documentUses, {"slices", "document", "plugin", "live", "motion", "scene"})},
+      {"presentation", with(documentUses, {"document", "plugin", "live", "motion", "scene"})},
       {"lesson", with(documentUses, {"document", "plugin", "live", "motion", "scene", "presentation"})},
       {"report", with(documentUses, {"document", "plugin", "live", "motion", "scene", "presentation"})},
       {"python", with(documentUses, {"document", "plugin", "live", "motion", "localised_scc"})}};

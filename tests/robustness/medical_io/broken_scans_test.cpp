@@ -7,7 +7,7 @@
 #include "dicom_slices.h"
 #include "packed_bytes.h"
 #include "packed_dicom.h"
-#include "scan_phantom.h"
+#include "phantom_scan.h"
 #include "temporary_folder.h"
 #include "viscera/core/error.h"
 #include "viscera/medical_io/scan.h"

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "bernstein_system.h"
+#include "clouds.h"
 #include "viscera/coordinates/celestial/s_celestial.h"
 #include "viscera/core/error.h"
 #include "viscera/deformation/inverse_map.h"
@@ -9,68 +11,9 @@
 namespace viscera::deformation {
 namespace {
 
-constexpr double kSide = 100;
-
-/// Weights by Bernstein's polynomials of degree 2 on the cube [0, 100]^3: a deformation that is known at
-/// every point, and whose inverse is.
-class BernsteinSystem final : public coordinates::DescribedSystem {
-public:
-  BernsteinSystem() : DescribedSystem({"bernstein", "Bernstein", "of a test"}) {}
-
-  static coordinates::HandleSet lattice() {
-    coordinates::HandleSet handles;
-    handles.positions.resize(27, 3);
-    for (int n = 0; n < 27; ++n)
-      handles.positions.row(n) << kSide / 2 * (n % 3), kSide / 2 * (n / 3 % 3), kSide / 2 * (n / 9);
-    return handles;
-  }
-
-  std::unique_ptr<coordinates::Binding> bind(const coordinates::HandleSet&, const Points& points,
-                                             const coordinates::BindOptions&, Progress&) const override {
-    return std::make_unique<Bound>(points);
-  }
-
-private:
-  class Bound final : public coordinates::Binding {
-  public:
-    explicit Bound(const Points& points) : weights_(points.rows(), 27) {
-      for (Eigen::Index p = 0; p < points.rows(); ++p)
-        for (int n = 0; n < 27; ++n)
-          weights_(p, n) =
-              basis(n % 3, points(p, 0)) * basis(n / 3 % 3, points(p, 1)) * basis(n / 9, points(p, 2));
-    }
-    Eigen::Index handleCount() const override { return 27; }
-    Eigen::Index pointCount() const override { return weights_.rows(); }
-    const coordinates::BindingReport& report() const override { return report_; }
-    void deform(const Points& pose, Points& points, Threads) const override { points = weights_ * pose; }
-    void moveHandle(const Points&, int, const Vec3&, Points&, Threads) const override {}
-    void pullBack(const Points&, const Points&, Points&, Threads) const override {}
-    Values influence(int handle) const override { return weights_.col(handle); }
-
-  private:
-    static double basis(int i, double x) {
-      const double t = x / kSide;
-      return i == 0 ? (1 - t) * (1 - t) : i == 1 ? 2 * t * (1 - t) : t * t;
-    }
-    Eigen::MatrixXd weights_;
-    coordinates::BindingReport report_;
-  };
-};
-
-/// y = x + bend * 2 t (1 - t) along x, with t = x / 100, bends along x; z and y shear by its middle column.
-Points bentPose(const coordinates::HandleSet& handles, double bend) {
-  Points pose = handles.positions;
-  for (int n = 0; n < 27; ++n)
-    if (n % 3 == 1)
-      pose(n, 0) += bend;
-  return pose;
-}
-
-/// The x whose image is y: the root of x + 2 bend t (1 - t) = y in [0, 100].
-double analyticInverse(double y, double bend) {
-  const double a = -2 * bend / kSide / kSide, b = 1 + 2 * bend / kSide;
-  return (-b + std::sqrt(b * b + 4 * a * y)) / (2 * a);
-}
+using tests::analyticInverse;
+using tests::bentPose;
+using tests::BernsteinSystem;
 
 Points pointsWithin(double low, double high, int count) {
   Points points(count, 3);
@@ -99,6 +42,78 @@ TEST(InverseMap, IsTheInverseOfASmoothDeformation) {
   }
   EXPECT_LT(largest, 0.05);
   EXPECT_LT(map.residualMm(system, posed, rest, progress), 0.06);
+}
+
+/// Every sample of a plane as points.
+Points samplesOf(const SamplePlane& plane) {
+  Points points(plane.columns * plane.rows, 3);
+  for (Eigen::Index i = 0; i < points.rows(); ++i)
+    points.row(i) = plane.at(i % plane.columns, i / plane.columns).transpose();
+  return points;
+}
+
+TEST(InverseMap, RefinedIsTheInverseHoweverCoarseItsGrid) {
+  const BernsteinSystem system;
+  const auto handles = BernsteinSystem::lattice();
+  Progress progress;
+  const double bend = 20;
+  const InverseMap map(system, handles, bentPose(handles, bend), {}, {.mostWeights = 1}, progress);
+  ASSERT_GT(map.errorMm(), 0.05);
+  const SamplePlane plane{{3, 4, 20}, {0.9, 0.1, 0.05}, {-0.02, 0.8, 0.4}, 101, 103};
+  RestPoints rest;
+  map.restPlane(plane, rest);
+  map.refinePlane(system, plane, {.toleranceMm = 0.001}, rest, progress);
+  for (Eigen::Index i = 0; i < rest.points.rows(); ++i) {
+    const Vec3 posed = plane.at(i % plane.columns, i / plane.columns);
+    const Vec3 exact(analyticInverse(posed.x(), bend), posed.y(), posed.z());
+    ASSERT_LT((rest.points.row(i).transpose() - exact).norm(), 0.002) << posed.transpose();
+  }
+}
+
+TEST(InverseMap, RefinedIsExactBesideDraggedHandles) {
+  const coordinates::SCelestial system;
+  const coordinates::HandleSet handles{tests::onSphere(30, 110), {}, {}};
+  Points pose = handles.positions;
+  for (int handle = 0; handle < 4; ++handle)
+    pose.row(handle) *= 1 + 25.0 / 110;
+  Progress progress;
+  const InverseMap map(system, handles, pose, {}, {.mostWeights = 6e5}, progress);
+  const Vec3 dragged = pose.row(1).transpose();
+  const SamplePlane plane{dragged - Vec3(60, 60, 0), Vec3(1, 0, 0), Vec3(0, 1, 0), 121, 121};
+  RestPoints rest;
+  map.restPlane(plane, rest);
+  const Points posed = samplesOf(plane);
+  const double before = map.residualMm(system, posed, rest, progress);
+  EXPECT_GT(before, 0.2) << "of the grid alone";
+  RestPoints some = rest;
+  map.refinePlane(system, plane, {.toleranceMm = 0.02, .mostPoints = 200}, some, progress);
+  Eigen::Index changed = 0;
+  for (Eigen::Index i = 0; i < posed.rows(); ++i)
+    changed += rest.points.row(i) != some.points.row(i) ? 1 : 0;
+  EXPECT_GT(changed, 0);
+  EXPECT_LE(changed, 200);
+  map.refinePlane(system, plane, {.toleranceMm = 0.02}, rest, progress);
+  EXPECT_LT(map.residualMm(system, posed, rest, progress), 0.04);
+}
+
+TEST(InverseMap, RefinedDoesNotTearWhereTheHullEnds) {
+  const coordinates::SCelestial system;
+  const coordinates::HandleSet handles{tests::onSphere(30, 110), {}, {}};
+  Points pose = handles.positions;
+  pose.row(0) *= 1 + 25.0 / 110;
+  Progress progress;
+  const InverseMap map(system, handles, pose, {}, {.mostWeights = 3e5}, progress);
+  const Vec3 way = Vec3(pose.row(0).transpose()).normalized();
+  constexpr double kStep = 0.05;
+  const SamplePlane line{80 * way, kStep * way, way.unitOrthogonal(), 2000, 1};
+  RestPoints rest;
+  map.restPlane(line, rest);
+  map.refinePlane(system, line, {}, rest, progress);
+  for (Eigen::Index i = 1; i < line.columns; ++i) {
+    const Vec3 step = (rest.points.row(i) - rest.points.row(i - 1)).transpose();
+    ASSERT_GT(step.dot(way), 0) << i;
+    ASSERT_LT(step.norm(), 5 * kStep) << i;
+  }
 }
 
 TEST(InverseMap, IsExactForAnAffinePoseAndItsReverseUndoesIt) {
@@ -134,12 +149,7 @@ TEST(InverseMap, OfAPlaneIsThatOfItsPoints) {
   const SamplePlane plane{{-80, -60, 40}, {0.9, 0.1, 0.05}, {-0.1, 0.8, 0.1}, 259, 241};
   RestPoints all;
   map.restPlane(plane, all);
-  Points posed(plane.columns * plane.rows, 3);
-  for (Eigen::Index r = 0; r < plane.rows; ++r)
-    for (Eigen::Index c = 0; c < plane.columns; ++c)
-      posed.row(r * plane.columns + c) =
-          (plane.corner + double(c) * plane.columnStep + double(r) * plane.rowStep).transpose();
-  const RestPoints single = map.restPoints(posed);
+  const RestPoints single = map.restPoints(samplesOf(plane));
   double largest = 0;
   std::size_t moved = 0, differ = 0;
   for (std::size_t i = 0; i < all.states.size(); ++i) {
@@ -203,6 +213,7 @@ TEST(InverseMap, MarksFoldedTissue) {
     folded += marked ? 1U : 0U;
   }
   EXPECT_GT(folded, 0U);
+  EXPECT_NEAR(map.foldedMl(), 250, 60) << "a quarter of the cube, to cells of the grid";
 }
 
 TEST(InverseMap, DoesNotDependOnThreads) {

@@ -1,5 +1,6 @@
-#include "viscera/document/measurement.h"
+#include "viscera/document/measured_values.h"
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 
@@ -7,9 +8,11 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "phantom_scan.h"
 #include "session_scene.h"
 #include "viscera/core/error.h"
 #include "viscera/document/measurement_commands.h"
+#include "viscera/document/scan_item.h"
 #include "viscera/document/tables.h"
 
 namespace viscera::document {
@@ -143,7 +146,7 @@ TEST(MeasurementCommands, AddWithNumberedNamesRenameMoveRemoveAndTakeBack) {
   ASSERT_EQ(s.document.measurements().size(), 3u);
   EXPECT_EQ(s.document.measurements()[1].name, "Distance 2");
   EXPECT_EQ(s.document.measurements()[2].name, "Angle 1");
-  EXPECT_EQ(kindOf(s.document.measurements()[2]), MeasurementKind::angle);
+  EXPECT_EQ(s.document.measurements()[2].kind, MeasurementKind::angle);
   const DocumentState three = s.document.state();
 
   const MeasurementId first = s.only().id;
@@ -247,13 +250,14 @@ TEST(MeasurementTable, HasOneRowAMeasurementWithItsValuesAndPlaces) {
   EXPECT_EQ(contentsOf(folder / "m.csv"),
             "name,kind,value_at_rest,value_now,unit,organ_1,rest_x_1_mm,rest_y_1_mm,rest_z_1_mm,x_1_mm,"
             "y_1_mm,z_1_mm,organ_2,rest_x_2_mm,rest_y_2_mm,rest_z_2_mm,x_2_mm,y_2_mm,z_2_mm,organ_3,"
-            "rest_x_3_mm,rest_y_3_mm,rest_z_3_mm,x_3_mm,y_3_mm,z_3_mm\n"
+            "rest_x_3_mm,rest_y_3_mm,rest_z_3_mm,x_3_mm,y_3_mm,z_3_mm,"
+            "standard_deviation,minimum,maximum,voxels,area_mm2,volume_ml\n"
             "\"A;\"\"b\"\"\",distance,10.000000,30.000000,mm,\"Box, \"\"large\"\"\",0.000000,30.000000,"
             "40.000000,0.000000,30.000000,80.000000,,0.000000,30.000000,50.000000,0.000000,30.000000,"
-            "50.000000,,,,,,,\n"
+            "50.000000,,,,,,,,,,,,,\n"
             "Angle 1,angle,90.000000,90.000000,deg,,1.000000,0.000000,0.000000,1.000000,0.000000,0.000000,"
             ",0.000000,0.000000,0.000000,0.000000,0.000000,0.000000,,0.000000,2.000000,0.000000,0.000000,"
-            "2.000000,0.000000\n");
+            "2.000000,0.000000,,,,,,\n");
 }
 
 class MeasurementsInSessions : public testing::Test {
@@ -304,7 +308,8 @@ TEST_F(MeasurementsInSessions, ThatAreDamagedAreRefusedWithThePlace) {
   EXPECT_THAT(failureOf([](Json& list) { list[0]["id"] = 0; }), HasSubstr("measurements[0]"));
   EXPECT_THAT(failureOf([](Json& list) { list.push_back(list[0]); }), HasSubstr("comes twice"));
   EXPECT_THAT(failureOf([](Json& list) { list[0]["name"] = ""; }), HasSubstr("measurements[0]"));
-  EXPECT_THAT(failureOf([](Json& list) { list[0]["points"].erase(1); }), HasSubstr("neither the two points"));
+  EXPECT_THAT(failureOf([](Json& list) { list[0]["points"].erase(1); }),
+              HasSubstr("An angle has three points"));
   EXPECT_THAT(failureOf([&](Json& list) {
                 point(list)["rest"] = {1, 2};
               }),
@@ -368,6 +373,139 @@ TEST_F(MeasurementsInSessions, OfAnOrganThatIsNowhereAnyMoreAreWrittenAsPlacesTh
   const Measurement& measurement = opened.contents.state.measurements->at(0);
   EXPECT_FALSE(measurement.points[0].organ);
   EXPECT_EQ(measurement.points[0].rest, contents_.state.measurements->at(0).points[0].rest);
+}
+
+/// A session with a scan whose value is 100 in a ball of 20 mm, -50 around it.
+struct ScannedSession : BoxSession {
+  ScannedSession() {
+    undo.perform(
+        openScan(scanItem(viscera::tests::phantomScan({41, 41, 41}, Vec3(2, 2, 2), Vec3(-40, -40, -40),
+                                                      viscera::tests::ballValue(Vec3::Zero(), 20)),
+                          {})));
+  }
+  MeasuredValues valuesOf(const Measurement& measurement) {
+    return measure(
+        measurement, document.state(),
+        [&](OrganId organ) -> const Points& { return document.organ(organ)->mesh->points; }, &memory);
+  }
+  RegionMemory memory;
+};
+
+TEST(MeasuredRegion, HasTheScansValuesAreaOrVolumeAndANameOfItsKind) {
+  ScannedSession s;
+  s.undo.perform(addMeasurement(
+      Measurement{{}, {}, {fixedAt(-8, -6, 4), fixedAt(8, 6, 4)}, MeasurementKind::rectangle, 2}));
+  s.undo.perform(
+      addMeasurement(Measurement{{}, {}, {fixedAt(0, 0, 0), fixedAt(0, 9, 12)}, MeasurementKind::sphere}));
+  const Measurement rectangle = s.document.measurements()[0], sphere = s.document.measurements()[1];
+  EXPECT_EQ(rectangle.name, "Rectangle 1");
+  EXPECT_EQ(sphere.name, "Sphere 1");
+  EXPECT_EQ(s.undo.undoName(), "Measure sphere");
+  const MeasuredValues flat = s.valuesOf(rectangle), round = s.valuesOf(sphere);
+  ASSERT_TRUE(flat.region && round.region);
+  EXPECT_EQ(flat.region->count, 9u * 7u) << "voxels of 2 mm, borders and all";
+  EXPECT_EQ(flat.now, 100);
+  EXPECT_EQ(flat.region->deviation, 0);
+  EXPECT_EQ(round.now, 100) << "a radius of 15 mm lies within the ball";
+  EXPECT_NEAR(std::get<slices::SphereRegion>(*regionOf(sphere)).volumeMl(), 4.0 / 3 * M_PI * 3.375, 1e-9);
+  EXPECT_EQ(std::get<slices::RectangleRegion>(*regionOf(rectangle)).areaMm2(), 16 * 12);
+  EXPECT_EQ(unitOf(sphere, s.document.state()), "HU");
+  EXPECT_EQ(unitOf(s.document.measurements()[0], DocumentState()), "");
+}
+
+TEST(MeasuredRegion, IsReadAgainWhenItOrTheScanIsAnotherAndHasNoValueWithoutScan) {
+  ScannedSession s;
+  s.undo.perform(
+      addMeasurement(Measurement{{}, "Spot", {fixedAt(0, 0, 0), fixedAt(0, 0, 6)}, MeasurementKind::sphere}));
+  EXPECT_EQ(s.valuesOf(s.only()).now, 100);
+  s.undo.perform(moveMeasuredPoint(s.only().id, 0, fixedAt(30, 0, 0)));
+  EXPECT_EQ(s.only().points[1].rest, Vec3(30, 0, 6)) << "its middle takes it along";
+  EXPECT_EQ(s.valuesOf(s.only()).now, -50);
+  s.undo.perform(
+      openScan(scanItem(viscera::tests::phantomScan({41, 41, 41}, Vec3(2, 2, 2), Vec3(-40, -40, -40),
+                                                    [](const Vec3&) { return 7.0; }),
+                        {})));
+  EXPECT_EQ(s.valuesOf(s.only()).now, 7);
+  s.undo.perform(closeScan());
+  EXPECT_TRUE(std::isnan(s.valuesOf(s.only()).now));
+  s.undo.undo();
+  EXPECT_EQ(s.valuesOf(s.only()).now, 7);
+}
+
+TEST(MeasuredRegion, StaysFlatAndOffOrgansAndOutlivesThem) {
+  ScannedSession s;
+  s.undo.perform(
+      addMeasurement(Measurement{{}, {}, {s.vertex(0, 0), fixedAt(8, 6, 4)}, MeasurementKind::rectangle, 1}));
+  EXPECT_FALSE(s.only().points[0].organ);
+  EXPECT_EQ(s.only().points[1].rest.y(), s.only().points[0].rest.y());
+  s.undo.perform(moveMeasuredPoint(s.only().id, 1, fixedAt(3, 11, 5)));
+  EXPECT_EQ(s.only().points[0].rest.y(), 11) << "both corners lie in one slice";
+  s.undo.perform(addMeasurement({s.vertex(0, 0), fixedAt(1, 2, 3)}));
+  s.undo.perform(removeAllOrgans());
+  ASSERT_EQ(s.document.measurements().size(), 1u);
+  EXPECT_EQ(s.only().kind, MeasurementKind::rectangle);
+  EXPECT_THROW(
+      s.undo.perform(addMeasurement(Measurement{{}, {}, {fixedAt(0, 0, 0)}, MeasurementKind::sphere})),
+      UsageError);
+  EXPECT_THROW(s.undo.perform(addMeasurement(
+                   Measurement{{}, {}, {fixedAt(0, 0, 0), fixedAt(1, 1, 1)}, MeasurementKind::rectangle, 3})),
+               UsageError);
+}
+
+TEST(MeasuredRegion, IsARowOfTheTableWithItsSpread) {
+  ScannedSession s;
+  s.undo.perform(addMeasurement({fixedAt(0, 0, 0), fixedAt(0, 0, 6)}));
+  s.undo.perform(addMeasurement(
+      Measurement{{}, {}, {fixedAt(-8, -6, 4), fixedAt(8, 6, 4)}, MeasurementKind::rectangle, 2}));
+  s.undo.perform(
+      addMeasurement(Measurement{{}, {}, {fixedAt(500, 0, 0), fixedAt(500, 0, 6)}, MeasurementKind::sphere}));
+  TemporaryFolder folder;
+  writeMeasurementTable(folder / "m.csv",
+                        measurementRows(s.document.state(), [&](OrganId organ) -> const Points& {
+                          return s.document.organ(organ)->mesh->points;
+                        }));
+  std::ifstream file(folder / "m.csv");
+  std::string header, distance, rectangle, beside;
+  std::getline(file, header);
+  std::getline(file, distance);
+  std::getline(file, rectangle);
+  std::getline(file, beside);
+  EXPECT_TRUE(header.ends_with(",standard_deviation,minimum,maximum,voxels,area_mm2,volume_ml")) << header;
+  const auto commas = [](const std::string& line) { return std::count(line.begin(), line.end(), ','); };
+  for (const std::string* line : {&distance, &rectangle, &beside})
+    EXPECT_EQ(commas(*line), commas(header)) << *line;
+  EXPECT_TRUE(distance.ends_with(",,,,,,")) << distance;
+  EXPECT_TRUE(rectangle.starts_with("Rectangle 1,rectangle,100.000000,100.000000,HU,")) << rectangle;
+  EXPECT_TRUE(rectangle.ends_with(",0.000000,100.000000,100.000000,63,192.000000,")) << rectangle;
+  EXPECT_TRUE(beside.starts_with("Sphere 1,sphere,,,HU,")) << beside;
+  EXPECT_THAT(beside, HasSubstr(",,,,0,,0.90"));
+}
+
+TEST(MeasuredRegion, ComesBackFromASessionAndDamagedOnesAreRefused) {
+  ScannedSession s;
+  s.undo.perform(addMeasurement(
+      Measurement{{}, {}, {fixedAt(-8, 3, 4), fixedAt(8, 3, 9)}, MeasurementKind::rectangle, 1}));
+  s.undo.perform(
+      addMeasurement(Measurement{{}, {}, {fixedAt(0, 0, 0), fixedAt(0, 9, 12)}, MeasurementKind::sphere}));
+  TemporaryFolder folder;
+  SessionContents contents;
+  contents.state.measurements = s.document.state().measurements;
+  tests::write(folder / "a.viscera", contents);
+  EXPECT_EQ(*tests::readBack(folder / "a.viscera").contents.state.measurements, *contents.state.measurements);
+  EXPECT_THAT(contentsOf(folder / "a.viscera"), HasSubstr("\"slice\": \"coronal\""));
+  const auto failureOf = [&](const std::string& from, const std::string& to) -> std::string {
+    std::string text = contentsOf(folder / "a.viscera");
+    text.replace(text.find(from), from.size(), to);
+    try {
+      tests::readBack(folder.put("b.viscera", text));
+    } catch (const DataError& error) {
+      return error.what();
+    }
+    return "was opened";
+  };
+  EXPECT_THAT(failureOf("\"coronal\"", "\"sloping\""), HasSubstr("measurements[0].slice"));
+  EXPECT_THAT(failureOf("\"sphere\"", "\"cube\""), HasSubstr("There is no kind \"cube\""));
+  EXPECT_THAT(failureOf("\"sphere\"", "\"angle\""), HasSubstr("An angle has three points"));
 }
 
 } // namespace

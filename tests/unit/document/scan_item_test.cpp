@@ -7,6 +7,9 @@
 #include "label_files.h"
 #include "phantom_scan.h"
 #include "session_scene.h"
+#include "viscera/core/error.h"
+#include "viscera/document/open_files.h"
+#include "viscera/document/scan_fit.h"
 
 namespace viscera::document {
 namespace {
@@ -104,6 +107,48 @@ TEST(ScanItem, ThatIsGoneIsNamedAndStaysInTheSession) {
   EXPECT_EQ(contentsOf(folder / "again.viscera"), contentsOf(folder / "s.viscera"));
   folder.put("ct.nii", "no scan at all");
   EXPECT_THAT(tests::readBack(folder / "s.viscera").warnings.front(), HasSubstr("cannot be opened"));
+}
+
+TEST(ScanItem, ThatIsDamagedAndCannotBeALabelMapIsRefusedWithTheReason) {
+  TemporaryFolder folder;
+  const auto damaged = folder.put("slice.dcm", std::string(128, '\0') + "DICM" + std::string(60, 'x'));
+  std::vector<std::filesystem::path> files = {damaged};
+  Progress progress;
+  EXPECT_THROW(takeScan(files, progress), DataError);
+  try {
+    openFiles({damaged}, progress);
+    FAIL();
+  } catch (const UsageError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("It is a scan and no organ"));
+    EXPECT_THAT(error.what(), HasSubstr("Open a scan"));
+  }
+}
+
+TEST(ScanFit, SaysWhenLabelMapAndScanHaveOtherGridsOrPlaces) {
+  TemporaryFolder folder;
+  tests::Session s;
+  EXPECT_TRUE(scanFit(s.document.state()).empty()) << "there is no scan";
+  Progress progress;
+  const auto labels = folder.put("labels.nii", labelFile());
+  s.undo.perform(openFiles({labels}, progress).command());
+  const medical_io::ScanSeries grid = medical_io::listScans(labels, progress).front();
+  const auto onGrid = [&](const Eigen::Affine3d& indexToLps) {
+    medical_io::Scan scan = tests::phantomScan(grid.size, Vec3::Ones(), Vec3::Zero(), tests::slope);
+    scan.indexToLps = indexToLps;
+    s.undo.perform(openScan(scanItem(std::move(scan), {})));
+    return scanFit(s.document.state());
+  };
+  s.undo.perform(removeOrgans({s.organ(0)}));
+  EXPECT_TRUE(onGrid(grid.indexToLps).empty());
+  Eigen::Affine3d finer = grid.indexToLps;
+  finer.linear() *= 0.9;
+  std::vector<std::string> odd = onGrid(finer);
+  ASSERT_EQ(odd.size(), 1u);
+  EXPECT_THAT(odd[0], HasSubstr("has another grid"));
+  EXPECT_THAT(odd[0], HasSubstr("nothing is resampled"));
+  odd = onGrid(Eigen::Translation3d(0, 0, 400) * grid.indexToLps);
+  ASSERT_EQ(odd.size(), 2u);
+  EXPECT_THAT(odd[1], HasSubstr("lies outside of the scan"));
 }
 
 } // namespace

@@ -8,7 +8,7 @@
 
 #include "dicom_slices.h"
 #include "packed_dicom.h"
-#include "scan_phantom.h"
+#include "phantom_scan.h"
 #include "temporary_folder.h"
 #include "viscera/core/error.h"
 #include "viscera/medical_io/file_kind.h"
@@ -372,6 +372,25 @@ TEST_F(DicomScan, RefusesWhatIsNoScan) {
     EXPECT_THAT(error.what(), HasSubstr("is a colour picture"));
   }
   folder_.put("DICOMDIR", std::string(128, '\0') + "DICM");
+}
+
+TEST_F(DicomScan, RefusesMosaicsAndPixelsThatAreFractionsWithWhatToTry) {
+  const auto reason = [&]() -> std::string {
+    try {
+      read();
+    } catch (const DataError& error) {
+      return error.what();
+    }
+    return "was read";
+  };
+  write(smallPhantom(), {}, [](DicomElements& e, int) { e[0x00080008] = "CSORIGINAL\\PRIMARY\\M\\MOSAIC"; });
+  EXPECT_THAT(reason(), HasSubstr("is a mosaic of many slices"));
+  EXPECT_THAT(reason(), HasSubstr("dcm2niix"));
+  write(smallPhantom(), {}, [](DicomElements& e, int) {
+    e.erase(0x7FE00010);
+    e[0x7FE00008] = "UN" + std::string(std::size_t(21 * 23 * 4), '\0');
+  });
+  EXPECT_THAT(reason(), HasSubstr("pixels that are fractions"));
 }
 
 TEST_F(DicomScan, LeavesOutADamagedFileAndSaysSo) {

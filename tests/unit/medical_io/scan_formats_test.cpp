@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "packed_bytes.h"
-#include "scan_phantom.h"
+#include "phantom_scan.h"
 #include "temporary_folder.h"
 #include "viscera/core/error.h"
 #include "viscera/medical_io/image_file.h"

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
-#include <fstream>
 #include <set>
 
 #include <gtest/gtest.h>
@@ -17,12 +15,13 @@
 #include "viscera/document/system_commands.h"
 #include "viscera/document/undo_stack.h"
 #include "viscera/sequences/heartbeat.h"
+#include "viscera/sequences/wall_motion.h"
 
 namespace viscera::motion {
 namespace {
 
 using sample_organs::Resolution;
-using sequences::CalibratedHeartbeat;
+using sequences::CavityHeartbeat;
 using sequences::CavityVolumes;
 using tests::SequenceScene;
 
@@ -36,9 +35,7 @@ public:
           return setUpSequence(tests::cachedLibrary(), "heartbeat", resolution, progress);
         }) {}
 
-  const CalibratedHeartbeat& heartbeat() const {
-    return dynamic_cast<const CalibratedHeartbeat&>(*setup().sequence);
-  }
+  const CavityHeartbeat& heartbeat() const { return dynamic_cast<const CavityHeartbeat&>(*setup().sequence); }
 };
 
 /// The largest distances of the measured volumes from the curves, and the range of the left one, over one
@@ -53,11 +50,10 @@ struct Fit {
 Fit fitOverOneBeat(BeatingHeart& heart, double rate, int frames) {
   Fit fit;
   for (int frame = 0; frame < frames; ++frame) {
-    // Not at the phases where it was calibrated.
     const double seconds = (frame + 0.37) / frames * 60 / rate;
     heart.show(seconds, rate);
     const sequences::CardiacCycle& cycle = heart.heartbeat().cycle();
-    const CavityVolumes wanted = cycle.volumes(cycle.referencePhase(seconds, rate));
+    const CavityVolumes wanted = cycle.at(seconds, rate).volumes;
     const double left = heart.volumeMl("lv");
     fit.leftOff = std::max(fit.leftOff, std::abs(left - wanted.leftMl));
     fit.rightOff = std::max(fit.rightOff, std::abs(heart.volumeMl("rv") - wanted.rightMl));
@@ -67,15 +63,35 @@ Fit fitOverOneBeat(BeatingHeart& heart, double rate, int frames) {
   return fit;
 }
 
-TEST(HeartbeatSetup, cavitiesHoldWhatTheCurvesSayAt50And75And150) {
+TEST(HeartbeatSetup, CavitiesHoldWhatTheCurvesSayAtEveryRate) {
   BeatingHeart heart(Resolution::medium);
-  for (const double rate : {50.0, 75.0, 150.0}) {
-    const Fit fit = fitOverOneBeat(heart, rate, 60);
+  for (const double rate : {20.0, 50.0, 75.0, 100.0, 150.0, 220.0}) {
+    const Fit fit = fitOverOneBeat(heart, rate, 40);
+    const double stroke = 75.5 * heart.heartbeat().cycle().beat(rate).strokePart();
     EXPECT_LT(fit.leftOff, 0.5) << rate;
     EXPECT_LT(fit.rightOff, 1.0) << rate;
-    EXPECT_NEAR(fit.leftMost, 130.5, 0.5) << rate;
+    EXPECT_NEAR(fit.leftMost, 55 + stroke, 0.5) << rate;
     EXPECT_NEAR(fit.leftLeast, 55.0, 0.5) << rate;
-    EXPECT_NEAR((fit.leftMost - fit.leftLeast) / fit.leftMost, 0.58, 0.01) << rate;
+  }
+}
+
+TEST(HeartbeatSetup, WallsMoveAsMeasuredInHealthyAdults) {
+  BeatingHeart heart(Resolution::medium);
+  const sequences::HeartFrame& frame = heart.heartbeat().motion().rig().anatomy.frame;
+  const auto points = [&heart](const char* surface) { return heart.posed(surface).points; };
+  const auto& surfaces = heart.setup().organ.surfaces; // The outer one, left and right cavity.
+  const sequences::WallGauge gauge(
+      frame, {surfaces[1].mesh->points, surfaces[2].mesh->points, surfaces[0].mesh->points});
+  std::vector<sequences::WallPlaces> beat;
+  for (int frameOfBeat = 0; frameOfBeat < 40; ++frameOfBeat) {
+    heart.show(frameOfBeat / 40.0 * 60 / kRate, kRate);
+    const Points left = points("lv"), right = points("rv"), outer = points("outer");
+    beat.push_back(gauge.at({left, right, outer}));
+  }
+  const sequences::WallMotion motion = sequences::wallMotion(beat);
+  for (const sequences::WallMotionRange& range : sequences::wallMotionRanges()) {
+    EXPECT_GE(motion.*range.value, range.low) << range.name;
+    EXPECT_LE(motion.*range.value, range.high) << range.name;
   }
 }
 
@@ -168,64 +184,6 @@ TEST(HeartbeatSetup, fitsTheDocument) {
   undo.undo();
   EXPECT_TRUE(document.organs().empty());
   EXPECT_TRUE(document.rig().handles.empty());
-}
-
-/// A library whose cache holds the organs of the common one, and may be spoilt.
-class PrivateCache {
-public:
-  PrivateCache() {
-    std::string name = (std::filesystem::temp_directory_path() / "viscera-heartbeat-XXXXXX").string();
-    folder_ = ::mkdtemp(name.data());
-  }
-  ~PrivateCache() {
-    std::error_code ignored;
-    std::filesystem::remove_all(folder_, ignored);
-  }
-  PrivateCache(const PrivateCache&) = delete;
-  PrivateCache& operator=(const PrivateCache&) = delete;
-
-  sample_organs::SampleLibrary library() const { return {tests::cachedLibrary().definitions, folder_}; }
-
-  std::filesystem::path calibration() const {
-    for (const auto& file : std::filesystem::directory_iterator(folder_))
-      if (file.path().extension() == ".json")
-        return file.path();
-    return {};
-  }
-
-private:
-  std::filesystem::path folder_;
-};
-
-Points poseAt(const SequenceSetup& setup, double seconds) {
-  Points pose;
-  setup.sequence->poseAt(seconds, kRate, pose);
-  return pose;
-}
-
-TEST(HeartbeatSetup, secondStartTakesTheCorrectionsFromTheCacheToTheLastBit) {
-  const PrivateCache cache;
-  Progress progress;
-  const SequenceSetup first = setUpSequence(cache.library(), "heartbeat", Resolution::low, progress);
-  ASSERT_TRUE(std::filesystem::exists(cache.calibration()));
-  const auto written = std::filesystem::last_write_time(cache.calibration());
-  const SequenceSetup second = setUpSequence(cache.library(), "heartbeat", Resolution::low, progress);
-  EXPECT_EQ(std::filesystem::last_write_time(cache.calibration()), written);
-  EXPECT_EQ(poseAt(first, 0.41), poseAt(second, 0.41));
-}
-
-TEST(HeartbeatSetup, damagedOrForeignCorrectionsAreFoundAnew) {
-  const PrivateCache cache;
-  Progress progress;
-  const SequenceSetup first = setUpSequence(cache.library(), "heartbeat", Resolution::low, progress);
-  const std::filesystem::path file = cache.calibration();
-  const auto size = std::filesystem::file_size(file);
-  for (const char* contents : {"", "{", "[1]", R"({"key": "0000000000000000", "numbers": {}})"}) {
-    std::ofstream(file, std::ios::trunc) << contents;
-    const SequenceSetup again = setUpSequence(cache.library(), "heartbeat", Resolution::low, progress);
-    EXPECT_EQ(poseAt(first, 0.41), poseAt(again, 0.41)) << contents;
-    EXPECT_EQ(std::filesystem::file_size(file), size) << contents;
-  }
 }
 
 TEST(HeartbeatSetup, worksWithoutAnyCache) {

@@ -224,7 +224,7 @@ TEST(RetargetHeartbeat, anotherHeartLosesEightPercentInSystoleAtEveryRate) {
       for (int frame = 0; frame < 24; ++frame) {
         const double seconds = (frame + 0.37) / 24 * 60 / rate;
         const double volume = heart.volumeMl(seconds, rate);
-        const double emptying = beat.cycle().emptying(beat.cycle().referencePhase(seconds, rate));
+        const double emptying = beat.cycle().at(seconds, rate).leftEmptying;
         EXPECT_NEAR(volume, rest * (1 - sequences::kSystolicLoss * emptying), 1e-6 * rest);
         least = std::min(least, volume);
       }

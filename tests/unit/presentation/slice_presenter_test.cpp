@@ -8,6 +8,7 @@
 #include "phantom_scan.h"
 #include "session_fixture.h"
 #include "viscera/core/error.h"
+#include "viscera/document/measurement_commands.h"
 #include "viscera/document/scan_item.h"
 
 namespace viscera::presentation {
@@ -120,19 +121,126 @@ TEST(SlicePresenter, ReadsValuePlaceAndInnermostOrgan) {
   EXPECT_FALSE(ball.slices.read(0, {-5, 3}).value);
 }
 
+/// Rest is that much farther on than the pose; `folded` says where the tissue is folded.
+Bending shifted(const Vec3& by, std::uint64_t revision, bool folded = false) {
+  return {[=](const deformation::SamplePlane& plane, deformation::RestPoints& rest) {
+            rest.points.resize(plane.columns * plane.rows, 3);
+            rest.states.assign(std::size_t(rest.points.rows()), deformation::RestState::moved);
+            for (Eigen::Index i = 0; i < rest.points.rows(); ++i) {
+              const Vec3 place = plane.at(i % plane.columns, i / plane.columns);
+              rest.points.row(i) = (place + by).transpose();
+              if (folded && place.x() > 0)
+                rest.states[std::size_t(i)] = deformation::RestState::folded;
+            }
+          },
+          revision};
+}
+
 TEST(SlicePresenter, BendsTheScanWhereSomebodySaysWhereTissueWas) {
   ScannedBall ball;
   ball.view.scan.bent = true;
-  Bending bending{[](Points& places) { places.col(0).array() -= 20; }, 1};
+  Bending bending = shifted(Vec3(-20, 0, 0), 1);
   const SliceScene scene{ball.document.state(), ball.live, ball.view, &bending};
   ball.slices.update(scene, {{0, 200, 160}, {1, 200, 160}, {2, 120, 160}});
   EXPECT_GT(ball.greyAt(0, Vec3(45, 0, 5)), 150) << "what was at 25 mm is 20 mm farther on";
   EXPECT_LT(ball.greyAt(0, Vec3(-20, 0, 5)), 110);
   EXPECT_NE(ball.slices.picture(0).note.find("Bent"), std::string::npos);
-  bending.toRest = [](Points&) {};
-  bending.revision = 2;
+  bending = shifted(Vec3::Zero(), 2);
   ball.slices.update(scene, {{0, 200, 160}});
   EXPECT_GT(ball.greyAt(0, Vec3(-20, 0, 5)), 150);
+}
+
+TEST(SlicePresenter, HatchesWhereThePoseFoldsTheTissue) {
+  ScannedBall ball;
+  const auto plain = ball.slices.picture(0).grey;
+  ball.view.scan.bent = true;
+  const Bending bending = shifted(Vec3::Zero(), 1, true);
+  ball.slices.update({ball.document.state(), ball.live, ball.view, &bending}, {{0, 200, 160}});
+  const scene::SlicePicture& picture = ball.slices.picture(0);
+  std::size_t white = 0, black = 0, pixels = 0;
+  for (std::size_t i = 0; i < picture.grey.size(); ++i) {
+    const Vec3 place = ball.slices.frame(0).at(double(i % 200), double(i / 200));
+    if (place.x() <= 0) {
+      ASSERT_EQ(picture.grey[i], plain[i]) << "only what is folded";
+      continue;
+    }
+    ++pixels;
+    white += picture.grey[i] == 255 && plain[i] != 255 ? 1 : 0;
+    black += picture.grey[i] == 0 && plain[i] != 0 ? 1 : 0;
+  }
+  EXPECT_GT(white, pixels / 8) << "seen on dark tissue";
+  EXPECT_GT(black, pixels / 16) << "and on bright tissue";
+  EXPECT_LT(white + black, pixels / 2) << "with the tissue between";
+  EXPECT_NE(picture.note.find("folded"), std::string::npos);
+  EXPECT_TRUE(ball.slices.read(0, ball.slices.frame(0).pixelOf(Vec3(10, 0, 5))).folded);
+  EXPECT_FALSE(ball.slices.read(0, ball.slices.frame(0).pixelOf(Vec3(-10, 0, 5))).folded);
+}
+
+TEST(SlicePresenter, DrawsHandlesNearTheSliceAndFindsThemThere) {
+  ScannedBall ball;
+  EXPECT_TRUE(ball.slices.picture(0).marks.empty()) << "they are not shown";
+  ball.view.shown.handles = ball.view.shown.movable = true;
+  ball.view.scan.focus = Vec3(0, 0, 38); // The handle at (0, 0, 40) is 2 mm away.
+  ball.update();
+  ASSERT_EQ(ball.slices.picture(0).marks.size(), 1u);
+  const Eigen::Vector2d pixel = ball.slices.frame(0).pixelOf(Vec3(0, 0, 40));
+  EXPECT_LT((ball.slices.picture(0).marks[0].place - pixel).norm(), 1e-9);
+  EXPECT_EQ(ball.slices.handleAt(0, pixel + Eigen::Vector2d(3, -2), 8), 8);
+  EXPECT_EQ(ball.slices.handleAt(0, pixel + Eigen::Vector2d(30, 0), 8), -1);
+  ASSERT_EQ(ball.slices.picture(1).marks.size(), 2u) << "also (40, 3, -1), 3 mm in front";
+  ball.view.scan.focus = Vec3(0, 0, 30);
+  ball.update();
+  EXPECT_TRUE(ball.slices.picture(0).marks.empty());
+  ball.view.scan.slabMm = 20;
+  ball.update();
+  EXPECT_EQ(ball.slices.picture(0).marks.size(), 1u) << "within the thickness of the slice";
+  ball.undo.perform(document::moveHandles({ball.handle(8)}, tests::row(0, 0, 60)));
+  ball.update();
+  EXPECT_TRUE(ball.slices.picture(0).marks.empty()) << "it is where it is posed";
+  ball.undo.undo();
+  ball.view.shown.movable = false;
+  ball.update();
+  EXPECT_EQ(ball.slices.picture(0).marks.size(), 1u);
+  EXPECT_EQ(ball.slices.handleAt(0, ball.slices.frame(0).pixelOf(Vec3(0, 0, 40)), 8), -1);
+}
+
+TEST(SlicePresenter, DrawsWhatIsMeasuredOnTheSlicesThatItLiesIn) {
+  ScannedBall ball;
+  const auto at = [](double x, double y, double z) {
+    document::MeasuredPoint point;
+    point.rest = Vec3(x, y, z);
+    return point;
+  };
+  using Kind = document::MeasurementKind;
+  ball.undo.perform(document::addMeasurement({at(-10, 0, 5), at(10, 0, 5)}));
+  ball.undo.perform(document::addMeasurement(
+      document::Measurement{{}, {}, {at(-8, -6, 5), at(8, 6, 5)}, Kind::rectangle, 2}));
+  ball.undo.perform(
+      document::addMeasurement(document::Measurement{{}, {}, {at(0, 0, 0), at(0, 0, 13)}, Kind::sphere}));
+  ball.update();
+  const scene::SlicePicture& axial = ball.slices.picture(0);
+  ASSERT_EQ(axial.texts.size(), 3u);
+  EXPECT_EQ(axial.texts[0].words, "Distance 1: 20.0 mm");
+  EXPECT_EQ(axial.texts[1].words.substr(0, 21), "Rectangle 1: 100.0 HU");
+  EXPECT_NE(axial.texts[1].words.find("192 mm\u00b2"), std::string::npos) << axial.texts[1].words;
+  ASSERT_EQ(axial.lines.size(), 4u) << "the organ's contour, and one each";
+  // The sphere's circle in this slice: 13 mm around a middle that is 5 mm away.
+  const scene::SliceLine& circle = axial.lines[3];
+  EXPECT_TRUE(circle.closed);
+  for (const Eigen::Vector2d& point : circle.points)
+    EXPECT_NEAR((ball.slices.frame(0).at(point.x(), point.y()) - Vec3(0, 0, 5)).norm(), 12, 1e-9);
+  const auto mark = ball.slices.measuredAt(0, ball.slices.frame(0).pixelOf(Vec3(8, 6, 5)), 6);
+  ASSERT_TRUE(mark);
+  EXPECT_EQ(*mark, (scene::MeasurementGlyphs::Mark{1, 1}));
+  // From the side the distance lies in the slice, the rectangle is a line that is not drawn.
+  EXPECT_EQ(ball.slices.picture(1).texts.size(), 2u);
+  ball.view.scan.focus = Vec3(0, 0, 20);
+  ball.update();
+  EXPECT_TRUE(ball.slices.picture(0).texts.empty());
+  ball.view.scan.focus = Vec3(0, 0, 5);
+  ball.view.measurements = false;
+  ball.update();
+  EXPECT_TRUE(ball.slices.picture(0).texts.empty());
 }
 
 TEST(ScanLook, ComesBackFromASessionAndOldSessionsHaveNone) {

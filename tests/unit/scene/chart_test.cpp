@@ -89,6 +89,23 @@ TEST(VolumeChart, FixedTimeRangeDropsNothing) {
   EXPECT_EQ(chart.pointCount(), 500);
 }
 
+TEST(VolumeChart, DrawsNothingWhereANumberStandsAloneAndSaysNothing) {
+  DrawnChart drawn({kRed, kGreen}, 10);
+  const double gap = std::numeric_limits<double>::quiet_NaN();
+  drawn.chart.append(1, two(gap, 80));
+  drawn.chart.append(2, two(gap, 90));
+  drawn.chart.append(3, two(50, gap));
+  testing::internal::CaptureStderr();
+  const auto picture = drawn.picture();
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+  EXPECT_GT(count(picture, 1, 0, 500), 50) << "two neighbours are a line";
+  drawn.chart.clear();
+  drawn.chart.append(1, two(50, 80));
+  testing::internal::CaptureStderr();
+  drawn.picture();
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+}
+
 TEST(VolumeChart, DrawsItsLinesInTheirColours) {
   DrawnChart drawn({kRed, kGreen}, 10);
   VolumeChart& chart = drawn.chart;

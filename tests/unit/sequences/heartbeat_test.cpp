@@ -1,7 +1,8 @@
 #include "viscera/sequences/heartbeat.h"
 
 #include <cmath>
-#include <limits>
+#include <functional>
+#include <utility>
 
 #include <gtest/gtest.h>
 
@@ -40,125 +41,108 @@ private:
   const HeartRig& rig_;
 };
 
-class CalibratedHeartbeatTest : public ::testing::Test {
+class CavityHeartbeatTest : public ::testing::Test {
 protected:
+  CavityFit fitWith(PoseCompensation compensation) const {
+    return {motion_, std::move(compensation), std::cref(volumes_)};
+  }
+
   HeartMotion motion_{makeHeartRig(test::simpleHeart())};
   CardiacCycle cycle_;
   WallVolumes volumes_{motion_.rig()};
-  Progress progress_;
-  HeartbeatCalibration calibration_ = calibrateHeartbeat(motion_, cycle_, {}, std::cref(volumes_), progress_);
-  CalibratedHeartbeat heartbeat_{motion_, cycle_, {}, calibration_};
+  CavityHeartbeat heartbeat_{fitWith({}), cycle_};
   Points pose_;
 };
 
-TEST_F(CalibratedHeartbeatTest, cavitiesHoldWhatTheCurvesSayAtAnyTimeAndRate) {
+TEST_F(CavityHeartbeatTest, CavitiesHoldWhatTheCycleSaysAtAnyTimeAndRate) {
   double left = 0;
   double right = 0;
-  for (const double rate : {20.0, 50.0, 75.0, 150.0, 220.0}) {
+  for (const double rate : {20.0, 50.0, 75.0, 100.0, 150.0, 220.0}) {
     for (int k = 0; k < 331; ++k) {
       const double seconds = k / 331.0 * 60 / rate;
       heartbeat_.poseAt(seconds, rate, pose_);
       const CavityVolumes measured = volumes_(pose_);
-      const CavityVolumes wanted = cycle_.volumes(cycle_.referencePhase(seconds, rate));
+      const CavityVolumes wanted = cycle_.at(seconds, rate).volumes;
       left = std::max(left, std::abs(measured.leftMl - wanted.leftMl));
       right = std::max(right, std::abs(measured.rightMl - wanted.rightMl));
     }
   }
-  EXPECT_LT(left, 0.25);
-  EXPECT_LT(right, 0.5);
+  EXPECT_LT(left, 1e-4);
+  EXPECT_LT(right, 1e-4);
 }
 
-TEST_F(CalibratedHeartbeatTest, calibrationNeedsFewMeasurements) {
+TEST_F(CavityHeartbeatTest, APoseNeedsFewMeasurements) {
   volumes_.calls = 0;
-  calibrateHeartbeat(motion_, cycle_, {}, std::cref(volumes_), progress_, 96);
-  EXPECT_LT(volumes_.calls, 96 * 8);
+  for (int k = 0; k < 96; ++k)
+    heartbeat_.poseAt(k * 0.8 / 96, 75, pose_);
+  EXPECT_LT(volumes_.calls, 96 * 10);
 }
 
-TEST_F(CalibratedHeartbeatTest, repeatsWithTheBeat) {
+TEST_F(CavityHeartbeatTest, RepeatsWithTheBeat) {
   Points later;
   for (const double seconds : {0.0, 0.21, 0.55}) {
     heartbeat_.poseAt(seconds, 75, pose_);
     heartbeat_.poseAt(seconds + 3 * 0.8, 75, later);
-    EXPECT_LT((pose_ - later).cwiseAbs().maxCoeff(), 1e-9);
+    EXPECT_LT((pose_ - later).cwiseAbs().maxCoeff(), 1e-6);
   }
 }
 
-TEST_F(CalibratedHeartbeatTest, movesWithoutJumps) {
+TEST_F(CavityHeartbeatTest, MovesWithoutJumps) {
   Points next;
   heartbeat_.poseAt(0, 75, pose_);
   for (int k = 1; k <= 800; ++k) {
     heartbeat_.poseAt(k * 1e-3, 75, next);
-    EXPECT_LT((next - pose_).rowwise().norm().maxCoeff(), 0.5) << k;
+    EXPECT_LT((next - pose_).rowwise().norm().maxCoeff(), 0.6) << k;
     pose_ = next;
   }
 }
 
-TEST_F(CalibratedHeartbeatTest, passesThroughTheSameStatesAtEveryRate) {
-  Points other;
-  heartbeat_.poseAtPhase(0.31, pose_);
-  for (const double rate : {40.0, 190.0}) {
-    double low = 0;
-    double high = 60 / rate;
-    while (high - low > 1e-13) {
-      const double middle = 0.5 * (low + high);
-      (cycle_.referencePhase(middle, rate) < 0.31 ? low : high) = middle;
-    }
-    heartbeat_.poseAt(low, rate, other);
-    EXPECT_LT((pose_ - other).cwiseAbs().maxCoeff(), 1e-6);
-  }
-}
-
-TEST_F(CalibratedHeartbeatTest, describesItselfAsASequence) {
+TEST_F(CavityHeartbeatTest, DescribesItselfAsASequence) {
   const Sequence& sequence = heartbeat_;
   EXPECT_EQ(sequence.id(), "heartbeat");
   EXPECT_EQ(sequence.restHandles(), motion_.rig().restHandles());
   EXPECT_LE(sequence.lowestRatePerMinute(), 20);
   EXPECT_GE(sequence.highestRatePerMinute(), 220);
   EXPECT_EQ(sequence.standardRatePerMinute(), 75);
-  EXPECT_EQ(sequence.phases(75).size(), 5u);
+  EXPECT_EQ(sequence.phases(75).size(), 7u);
   EXPECT_EQ(sequence.groups().size(), 7u);
+  EXPECT_EQ(sequence.finestStepSeconds(), 0.01);
 }
 
-TEST_F(CalibratedHeartbeatTest, appliesTheCompensationToEveryPose) {
+TEST_F(CavityHeartbeatTest, SaysWhichRatesLieBeyondTheData) {
+  EXPECT_EQ(heartbeat_.rateRemark(50), "");
+  EXPECT_EQ(heartbeat_.rateRemark(171), "");
+  EXPECT_NE(heartbeat_.rateRemark(49), "");
+  EXPECT_NE(heartbeat_.rateRemark(200), "");
+}
+
+TEST_F(CavityHeartbeatTest, AppliesTheCompensationToEveryPose) {
   const Eigen::Index n = heartbeat_.restHandles().rows();
   const Eigen::MatrixXd half =
       0.5 * Eigen::MatrixXd::Identity(n, n) + Eigen::MatrixXd::Constant(n, n, 0.5 / static_cast<double>(n));
   const PoseCompensation compensation(half, 1);
-  const CalibratedHeartbeat compensated(motion_, cycle_, compensation, calibration_);
+  const CavityFit fit = fitWith(compensation);
+  const HeartInstant instant = heartInstant(cycle_, cycle_.at(0.4, 75));
+  const HeartState corrected = fit.pose(instant, pose_);
   Points plain;
-  heartbeat_.poseAt(0.4, 75, plain);
-  compensated.poseAt(0.4, 75, pose_);
+  motion_.pose(corrected, plain);
   compensation.apply(heartbeat_.restHandles(), plain);
-  EXPECT_LT((pose_ - plain).cwiseAbs().maxCoeff(), 1e-12);
+  EXPECT_LT((pose_ - plain).cwiseAbs().maxCoeff(), 1e-9);
 }
 
-TEST_F(CalibratedHeartbeatTest, refusesACalibrationThatDoesNotFit) {
-  HeartbeatCalibration broken = calibration_;
-  broken.rightShift.pop_back();
-  EXPECT_THROW(CalibratedHeartbeat(motion_, cycle_, {}, broken), DataError);
-  broken = calibration_;
-  broken.leftGain[3] = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_THROW(CalibratedHeartbeat(motion_, cycle_, {}, broken), DataError);
+TEST(CavityFit, RefusesACompensationForOtherHandles) {
+  const HeartMotion motion(makeHeartRig(test::simpleHeart()));
   EXPECT_THROW(
-      CalibratedHeartbeat(motion_, cycle_, PoseCompensation(Eigen::MatrixXd::Identity(3, 3)), calibration_),
+      CavityFit(motion, PoseCompensation(Eigen::MatrixXd::Identity(3, 3)), WallVolumes(motion.rig())),
       DataError);
 }
 
-TEST(HeartbeatCalibration, saysWhereVolumesCannotBeReached) {
+TEST(CavityFit, SaysWhichVolumesCannotBeReached) {
   const HeartMotion motion(makeHeartRig(test::simpleHeart()));
-  Progress progress;
-  const auto unmoved = [](const Points&) { return CavityVolumes{130.5, 138}; };
+  const auto unmoved = [](const Points&) { return CavityVolumes{120, 138}; };
   const auto broken = [](const Points&) { return CavityVolumes{std::nan(""), 138}; };
-  EXPECT_THROW(calibrateHeartbeat(motion, CardiacCycle(), {}, unmoved, progress), DataError);
-  EXPECT_THROW(calibrateHeartbeat(motion, CardiacCycle(), {}, broken, progress), DataError);
-}
-
-TEST(HeartbeatCalibration, canBeCancelled) {
-  const HeartMotion motion(makeHeartRig(test::simpleHeart()));
-  Progress progress;
-  progress.cancel();
-  EXPECT_THROW(calibrateHeartbeat(motion, CardiacCycle(), {}, WallVolumes(motion.rig()), progress),
-               Cancelled);
+  EXPECT_THROW(CavityHeartbeat(CavityFit(motion, {}, unmoved), CardiacCycle()), DataError);
+  EXPECT_THROW(CavityHeartbeat(CavityFit(motion, {}, broken), CardiacCycle()), DataError);
 }
 
 } // namespace

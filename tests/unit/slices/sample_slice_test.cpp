@@ -17,9 +17,9 @@ float valueAt(const ValueImage& image, int x, int y) {
 }
 
 ValueImage sampled(const Scan& scan, const SliceFrame& frame, const SampleOptions& options = {},
-                   const RestLattice* bent = nullptr) {
+                   const Points* rest = nullptr) {
   ValueImage image;
-  sampleSlice(scan, frame, options, image, bent);
+  sampleSlice(scan, frame, options, image, rest);
   return image;
 }
 
@@ -131,23 +131,57 @@ TEST(SampleSlice, TakesMeanOrMaximumOfASlab) {
   EXPECT_FLOAT_EQ(sampled(scan, end, options).values[4], 0);
 }
 
-TEST(SampleSlice, ShowsWhatWasAtThePlacesOfTheLattice) {
+/// The places of a frame's pixels.
+Points placesOf(const SliceFrame& frame) {
+  Points places(Eigen::Index(frame.width) * frame.height, 3);
+  for (Eigen::Index i = 0; i < places.rows(); ++i)
+    places.row(i) = frame.at(double(i % frame.width), double(i / frame.width)).transpose();
+  return places;
+}
+
+TEST(SampleSlice, ShowsWhatWasAtThePlacesAtRest) {
   const Scan scan = tests::phantomScan({60, 60, 60}, Vec3::Ones(), Vec3::Zero(), tests::slope);
-  const SliceFrame frame = frameAround(sliceDirection("coronal"), Vec3(30, 30, 30), 0.5, 37, 29);
-  RestLattice lattice = latticeOver(frame, 8);
-  EXPECT_EQ(sampled(scan, frame).values, sampled(scan, frame, {}, &lattice).values);
+  const SliceFrame frame = frameAround(sliceDirection("coronal"), Vec3(30, 30, 30), 0.5, 41, 29);
+  Points rest = placesOf(frame);
+  const ValueImage straight = sampled(scan, frame), same = sampled(scan, frame, {}, &rest);
+  for (std::size_t i = 0; i < same.values.size(); ++i)
+    EXPECT_NEAR(same.values[i], straight.values[i], 1e-3);
   const Eigen::Matrix3d turn = Eigen::AngleAxisd(0.2, Vec3(3, 1, 2).normalized()).toRotationMatrix();
-  const auto rest = [&](const Vec3& place) {
-    return Vec3(turn * (place - Vec3(30, 30, 30)) + Vec3(29, 31, 33));
-  };
-  for (Eigen::Index i = 0; i < lattice.rest.rows(); ++i)
-    lattice.rest.row(i) = rest(lattice.rest.row(i).transpose()).transpose();
-  const ValueImage image = sampled(scan, frame, {}, &lattice);
-  for (int y = 0; y < frame.height; ++y)
-    for (int x = 0; x < frame.width; ++x)
-      EXPECT_NEAR(valueAt(image, x, y), tests::slope(rest(frame.at(x, y))), 0.51);
-  lattice.rest.row(0).setConstant(std::nan(""));
-  EXPECT_TRUE(std::isnan(sampled(scan, frame, {}, &lattice).values[0]));
+  for (Eigen::Index i = 0; i < rest.rows(); ++i)
+    rest.row(i) = (turn * (rest.row(i).transpose() - Vec3(30, 30, 30)) + Vec3(29, 31, 33)).transpose();
+  const ValueImage image = sampled(scan, frame, {}, &rest);
+  for (Eigen::Index i = 0; i < rest.rows(); ++i)
+    EXPECT_NEAR(image.values[std::size_t(i)], tests::slope(rest.row(i).transpose()), 0.51);
+  rest.row(7).setConstant(std::nan(""));
+  EXPECT_TRUE(std::isnan(sampled(scan, frame, {}, &rest).values[7]));
+}
+
+TEST(SampleSlice, IsTheSameAlongTheVoxelsAsAcrossThem) {
+  // Whatever way rows of pixels run, with what padding: pixel by pixel by places, and row by row.
+  medical_io::Scan scan = tests::phantomScan({30, 34, 26}, Vec3(1, 1.2, 1.5), Vec3(-3, 2, 1), tests::slope);
+  auto& samples = std::get<std::vector<std::int16_t>>(scan.samples);
+  for (std::size_t i = 0; i < samples.size(); i += 97)
+    samples[i] = -2000;
+  for (const bool padded : {false, true}) {
+    if (padded)
+      scan.padding = -2000;
+    for (const SliceDirection& direction : sliceDirections())
+      for (const double mm : {0.4, 2.7}) {
+        const SliceFrame frame = frameAround(direction, Vec3(11.3, 21.7, 18.9), mm, 64, 48);
+        const Points places = placesOf(frame);
+        for (const SampleOptions& options :
+             {SampleOptions{}, SampleOptions{.slabMm = 5}, SampleOptions{.slabMm = 5, .maximum = true}}) {
+          const ValueImage rows = sampled(scan, frame, options),
+                           points = sampled(scan, frame, options, &places);
+          for (std::size_t i = 0; i < rows.values.size(); ++i) {
+            ASSERT_EQ(std::isnan(rows.values[i]), std::isnan(points.values[i])) << direction.id << i;
+            if (!std::isnan(rows.values[i])) {
+              ASSERT_NEAR(rows.values[i], points.values[i], 2e-3) << direction.id << i;
+            }
+          }
+        }
+      }
+  }
 }
 
 TEST(SampleSlice, IsTheSameWithOneThreadAndWithFour) {

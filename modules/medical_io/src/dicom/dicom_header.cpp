@@ -153,7 +153,17 @@ private:
   /// False for what is no slice of a scan.
   bool readPixelFormat(DcmItem& dataset) {
     if (!dataset.tagExists(DCM_PixelData)) {
-      header_.notAScan = "has no pixels";
+      header_.notAScan = dataset.tagExists(DCM_FloatPixelData) || dataset.tagExists(DCM_DoubleFloatPixelData)
+                             ? "has pixels that are fractions (Float Pixel Data), which Viscera does not "
+                               "read; export it as whole numbers, or as NIfTI"
+                             : "has no pixels";
+      return false;
+    }
+    // Siemens puts the slices of one instant side by side into one large picture.
+    if (textAt(dataset, DCM_ImageType).find("MOSAIC") != std::string::npos) {
+      header_.notAScan =
+          "is a mosaic of many slices in one picture, as Siemens writes them, which Viscera does "
+          "not take apart; convert it to NIfTI (dcm2niix does)";
       return false;
     }
     const auto number = [&](const DcmTagKey& key, int otherwise) {

@@ -199,6 +199,18 @@ void convertSlice(const DicomPixels& pixels, const DicomFrame& frame, const Samp
   }
 }
 
+/// A slice that cannot be unpacked ends the reading: nobody is given a scan with a hole that he does not
+/// expect.
+DicomPixels readPixels(DicomPixelReader& reader, const DicomHeader& header, const DicomFrame& frame) {
+  try {
+    return reader.read(frame.frame);
+  } catch (const DataError& error) {
+    throw DataError("A slice cannot be read, so the series is not opened: " + error.problem(),
+                    header.file.string(),
+                    "copy the file anew, or take it out of the folder to read the others");
+  }
+}
+
 template <class Sample>
 Scan::Samples readSamples(const FrameList& list, const SliceStack& stack, const SampleForm& form,
                           Progress& progress) {
@@ -225,7 +237,7 @@ Scan::Samples readSamples(const FrameList& list, const SliceStack& stack, const 
     for (const std::size_t k : byFile[number].second) {
       progress.throwIfCancelled();
       const DicomFrame& frame = list.frames[stack.frames[k]];
-      const DicomPixels pixels = reader.read(frame.frame);
+      const DicomPixels pixels = readPixels(reader, header, frame);
       Sample* out = samples.data() + k * slice;
       if (pixels.format.allocated == 8)
         convertSlice<std::uint8_t>(pixels, frame, form, out);
@@ -282,6 +294,7 @@ std::vector<ScanSeries> listDicomScans(const std::filesystem::path& fileOrFolder
     series.modality = first.modality;
     series.size = {first.columns, first.rows, static_cast<int>(stack.frames.size())};
     series.spacing = stack.indexToLps.linear().colwise().norm();
+    series.indexToLps = stack.indexToLps;
     series.phases = static_cast<int>(phases.size());
     std::set<std::filesystem::path> files;
     for (const std::size_t f : group.frames)

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <vector>
 
@@ -28,6 +29,17 @@ struct SamplePlane {
   Vec3 columnStep = Vec3::UnitX(); ///< mm.
   Vec3 rowStep = Vec3::UnitY();    ///< mm.
   Eigen::Index columns = 0, rows = 0;
+
+  Vec3 at(Eigen::Index column, Eigen::Index row) const {
+    return corner + static_cast<double>(column) * columnStep + static_cast<double>(row) * rowStep;
+  }
+};
+
+/// How far answers are taken beyond the grid's accuracy.
+struct Refinement {
+  double toleranceMm = 0.02; ///< How near F(x) has to come to the sample.
+  /// No more samples are asked about, the roughest first. One costs about two bindings of a point.
+  Eigen::Index mostPoints = std::numeric_limits<Eigen::Index>::max();
 };
 
 /// How finely the space between the handles is bound.
@@ -74,6 +86,14 @@ public:
   /// some and between them linear wherever that is exact to a quarter of `accuracyMm`.
   void restPlane(const SamplePlane& plane, RestPoints& result) const;
 
+  /// Goes on from what `restPlane` found where the grid may be off by more than half of the tolerance (by the
+  /// second differences of u between its nodes): asks the system itself, by Broyden's iteration from the
+  /// grid's gradient. What the grid is off where the hull is entered fades within two cells outside of it.
+  /// Folded samples stay as they are. `system` is the one of the constructor. Throws what binding throws,
+  /// `Cancelled`.
+  void refinePlane(const coordinates::CoordinateSystem& system, const SamplePlane& plane,
+                   const Refinement& refinement, RestPoints& result, Progress& progress) const;
+
   /// How far u between the nodes is off what the system itself says, mm: no farther at 99 of 100 of two
   /// thousand places in the hull.
   double errorMm() const;
@@ -81,15 +101,22 @@ public:
   /// |F(rest) - posed| among those that lie in the hull and are not folded. As long as binding them.
   double residualMm(const coordinates::CoordinateSystem& system, const Points& posed, const RestPoints& rest,
                     Progress& progress) const;
+  /// Whether binding anew for this pose would be more exact: it is farther from rest than the first one was.
+  bool wantsFinerGrid() const;
   double spacingMm() const; ///< Of the grid.
-  Bounds movedBox() const;  ///< Outside of this box, mm, everything is still.
+  /// How much tissue at rest the pose turns inside out, ml; to cells of the grid.
+  double foldedMl() const;
+  Eigen::Index boundPoints() const; ///< What the constructor has bound last.
+  Bounds movedBox() const;          ///< Outside of this box, mm, everything is still.
 
 private:
   class Field;
+  double room() const; ///< Times as many points may be bound.
+
   std::unique_ptr<Field> field_;
   coordinates::HandleSet handles_;
   coordinates::BindOptions options_;
-  double accuracyMm_;
+  InverseMapOptions wanted_;
 };
 
 } // namespace viscera::deformation

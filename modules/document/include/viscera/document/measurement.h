@@ -1,6 +1,7 @@
 #pragma once
 
-#include <functional>
+#include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -9,7 +10,6 @@
 
 namespace viscera::document {
 
-struct DocumentState;
 struct Organ;
 
 /// A place that is measured from or to. On an organ's surface it goes where the surface goes.
@@ -22,42 +22,32 @@ struct MeasuredPoint {
   friend bool operator==(const MeasuredPoint&, const MeasuredPoint&) = default;
 };
 
-/// What a user measures: two points are a distance, three the angle at the middle one.
+enum class MeasurementKind { distance, angle, rectangle, sphere };
+
+/// What a user measures: the distance of two points; the angle at the middle one of three; the values of the
+/// scan in a rectangle between two corners of a slice, or in a sphere around the first point through the
+/// second. The points of these two are on no organ: the scan stays where it is.
 struct Measurement {
   MeasurementId id;
   std::string name;
-  std::vector<MeasuredPoint> points; ///< Two or three.
+  std::vector<MeasuredPoint> points; ///< As many as `pointCount` of its kind.
+  MeasurementKind kind = MeasurementKind::distance;
+  int axis = 2; ///< Of a rectangle: which of x, y, z (0, 1, 2) its plane stands on; its sides lie along the
+                ///< other two. 2 for every other kind.
 
   friend bool operator==(const Measurement&, const Measurement&) = default;
 };
 
 using MeasurementList = std::vector<Measurement>;
 
-enum class MeasurementKind { distance, angle };
-
-/// Two points are a distance, more an angle.
-MeasurementKind kindOf(const Measurement& measurement);
-/// "distance" or "angle".
+/// How many points make a measurement of that kind.
+std::size_t pointCount(MeasurementKind kind);
+/// Whether it measures the scan's values.
+bool isRegion(MeasurementKind kind);
+/// "distance", "angle", "rectangle", "sphere".
 std::string nameOf(MeasurementKind kind);
-/// "mm" or "deg".
-std::string unitOf(MeasurementKind kind);
-
-/// The distance of two places in mm, or the angle at the second of three in degrees, 0 to 180. The angle is 0
-/// where one of its legs has no length.
-double measuredValue(const std::vector<Vec3>& places);
-
-/// What a measurement says.
-struct MeasuredValues {
-  double rest = 0;          ///< mm or degrees, at rest.
-  double now = 0;           ///< With the organs' points as they are given.
-  std::vector<Vec3> places; ///< Where its points are now, mm, LPS.
-};
-
-/// Where an organ's points are now, `n x 3` mm; asked for organs of the document only.
-using PointsOf = std::function<const Points&(OrganId)>;
-
-/// Measures. A point of an organ that the document does not have stays at its place at rest. O(organs).
-MeasuredValues measure(const Measurement& measurement, const DocumentState& state, const PointsOf& pointsOf);
+/// The kind of that name; none for another word.
+std::optional<MeasurementKind> measurementKindFromName(const std::string& name);
 
 /// The point with these weights of a triangle's corners. Weights that are a little off (rounding) are made
 /// whole. Throws `DataError` when there is no such triangle or the weights are no place in it.

@@ -13,7 +13,13 @@ namespace viscera::document {
 /// "Distance 1", or the next number that is free.
 Command addMeasurement(std::vector<MeasuredPoint> points, std::string name = {});
 
-/// Puts one of its points elsewhere. Moves of one point one after the other are one undo step.
+/// Measures what `wanted` says, of whose id nothing is taken; without a name as above. A region's points are
+/// taken off their organs, and a rectangle's second corner is brought into the slice of its first.
+Command addMeasurement(Measurement wanted);
+
+/// Puts one of its points elsewhere. Moves of one point one after the other are one undo step. A sphere's
+/// middle takes the sphere along, and a rectangle stays flat: both corners go to the slice of the one that
+/// is moved.
 Command moveMeasuredPoint(MeasurementId measurement, std::size_t index, MeasuredPoint point);
 
 Command renameMeasurement(MeasurementId measurement, std::string name);

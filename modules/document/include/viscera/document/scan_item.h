@@ -41,7 +41,8 @@ bool looksLikeLabels(const medical_io::Scan& scan);
 
 /// Takes the first file or folder out of `files` that is a scan, and reads it; none when all of them are
 /// something else. Image formats hold scans and label maps alike: what looks like labels is none, and neither
-/// is what cannot be read as a scan. Throws `NoInputError`, `Cancelled`.
+/// is what cannot be read as a scan but may be a label map. Throws `NoInputError`, `DataError` for a scan
+/// that is damaged, `Cancelled`.
 std::optional<ScanItem> takeScan(std::vector<std::filesystem::path>& files, Progress& progress);
 
 /// Puts a scan beside the organs, in the place of the one there is.

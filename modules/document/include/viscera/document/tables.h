@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "viscera/document/measurement.h"
+#include "viscera/document/measured_values.h"
 #include "viscera/document/organ.h"
 
 /// What is measured, as comma-separated values.
@@ -28,17 +28,20 @@ void writeOrganTable(const std::filesystem::path& file, const std::vector<PosedO
 struct MeasurementRow {
   Measurement measurement;
   MeasuredValues values;
+  std::string unit;
   std::vector<std::string> organs; ///< The names of its points' organs; empty for a place that stays.
 };
 
 /// The rows of all measurements of a document, in their order.
 std::vector<MeasurementRow> measurementRows(const DocumentState& state, const PointsOf& pointsOf);
 
-/// Writes measurements as comma-separated values, one row each: `name`, `kind` (distance or angle),
-/// `value_at_rest`, `value_now`, `unit` (mm or deg), and for each of three points `organ_1`, its place at
-/// rest `rest_x_1_mm`, `rest_y_1_mm`, `rest_z_1_mm` and now `x_1_mm`, `y_1_mm`, `z_1_mm` (LPS); the fields of
-/// a point that is not there are empty. Six decimals, always with a point. A reader sees the old file or the
-/// whole new one. Throws `CannotCreateError`.
+/// Writes measurements as comma-separated values, one row each: `name`, `kind` (distance, angle, rectangle or
+/// sphere), `value_at_rest`, `value_now` (of a rectangle or a sphere the mean), `unit` (mm, deg, or the
+/// scan's), and for each of three points `organ_1`, its place at rest `rest_x_1_mm`, `rest_y_1_mm`,
+/// `rest_z_1_mm` and now `x_1_mm`, `y_1_mm`, `z_1_mm` (LPS); the fields of a point that is not there are
+/// empty. Of a rectangle or a sphere also `standard_deviation`, `minimum`, `maximum`, `voxels`, `area_mm2` or
+/// `volume_ml`; empty for the others, and without a scan. Six decimals, always with a point. A reader sees
+/// the old file or the whole new one. Throws `CannotCreateError`.
 void writeMeasurementTable(const std::filesystem::path& file, const std::vector<MeasurementRow>& rows);
 
 } // namespace viscera::document

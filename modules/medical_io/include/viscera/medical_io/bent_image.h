@@ -7,24 +7,34 @@
 /// Images that bend along with a pose of the handles.
 namespace viscera::medical_io {
 
+/// How far a bent image may show a voxel's tissue off its place: this part of the smallest spacing.
+inline constexpr double kBendAccuracy = 0.05;
+
+/// What an `InverseMap` is made with for `kBendAccuracy` in an image with that spacing, mm.
+deformation::InverseMapOptions bendOptions(const Vec3& spacing);
+
+/// The inverse of a pose, and the coordinates that say it exactly.
+struct Bend {
+  const deformation::InverseMap& map; ///< Made with `bendOptions`.
+  const coordinates::CoordinateSystem& system;
+};
+
 /// What became of an image's voxels.
 struct BendReport {
-  std::size_t moved = 0;  ///< Voxels whose place at rest is another one.
-  std::size_t folded = 0; ///< Voxels at which the pose folds the tissue, so that their value is a guess.
-  /// Some thousand of the moved ones, to measure how right they are: `InverseMap::residualMm`.
-  Points posed;
-  deformation::RestPoints rest;
+  std::size_t moved = 0;     ///< Voxels whose place at rest is another one.
+  std::size_t folded = 0;    ///< Voxels at which the pose folds the tissue, so that their value is a guess.
+  double largestErrorMm = 0; ///< Of some thousand of the moved ones: `InverseMap::residualMm`.
 };
 
 /// The scan on its own grid as the pose bends it: a voxel at y gets the trilinear value of the scan at rest
 /// at x(y), rounded to the sample's type. What comes from outside of the scan is padding, or where the scan
-/// has none the lowest value of it. O(voxels); a second for ten million on two cores. Throws `Cancelled`.
-Scan bentScan(const Scan& scan, const deformation::InverseMap& map, BendReport& report, Progress& progress);
+/// has none the lowest value of it. O(voxels); a second for ten million on two cores, and binding those
+/// between which the map's grid is too coarse. Throws what binding throws, `Cancelled`.
+Scan bentScan(const Scan& scan, const Bend& bend, BendReport& report, Progress& progress);
 
 /// The label map as the pose bends it: the label of the voxel next to x(y) in each layer; its segments'
-/// voxels are counted anew, and those that lost all of theirs are left out with a warning. Throws
-/// `Cancelled`.
-LabelMap bentLabelMap(const LabelMap& map, const deformation::InverseMap& inverse, BendReport& report,
-                      Progress& progress);
+/// voxels are counted anew, and those that lost all of theirs are left out with a warning. Throws as
+/// `bentScan`.
+LabelMap bentLabelMap(const LabelMap& map, const Bend& bend, BendReport& report, Progress& progress);
 
 } // namespace viscera::medical_io

@@ -82,12 +82,13 @@ struct Scan {
 
 /// One of several series (or phases, or echoes) that lie in one place, for somebody to choose from.
 struct ScanSeries {
-  std::string id;               ///< What `ScanOptions::series` takes.
-  std::string description;      ///< "Abdomen 5.0 B30f".
-  std::string modality;         ///< "CT".
-  std::array<int, 3> size = {}; ///< Voxels.
-  Vec3 spacing = Vec3::Zero();  ///< mm.
-  int phases = 1;               ///< How many volumes in time it has.
+  std::string id;                                           ///< What `ScanOptions::series` takes.
+  std::string description;                                  ///< "Abdomen 5.0 B30f".
+  std::string modality;                                     ///< "CT".
+  std::array<int, 3> size = {};                             ///< Voxels.
+  Vec3 spacing = Vec3::Zero();                              ///< mm.
+  Eigen::Affine3d indexToLps = Eigen::Affine3d::Identity(); ///< As `Scan::indexToLps`.
+  int phases = 1;                                           ///< How many volumes in time it has.
   std::vector<std::filesystem::path> files;
 };
 

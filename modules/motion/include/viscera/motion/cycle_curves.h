@@ -1,10 +1,12 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "viscera/core/progress.h"
 #include "viscera/motion/motion_runner.h"
+#include "viscera/sequences/wall_motion.h"
 
 namespace viscera::motion {
 
@@ -19,6 +21,8 @@ struct CycleCurves {
   std::vector<double> fractions;                ///< Of the cycle, ascending, from 0 to 1.
   std::vector<std::vector<double>> milliliters; ///< For each organ of the document one number an instant; an
                                                 ///< open surface has zeros.
+  /// How the walls move, measured on the surfaces, where a sample heart beats; none of other organs.
+  std::optional<sequences::WallMotion> wall;
   std::string obstacle; ///< Why a locked or prescribed volume could not be kept somewhere; else empty.
 };
 

@@ -41,6 +41,9 @@ public:
   double ratePerMinute() const { return rate_; } ///< 0 without a sequence.
   double periodSeconds() const { return rate_ > 0 ? 60.0 / rate_ : 0; }
 
+  const document::DocumentState& state() const { return state_; }
+  const live::PosedOrgans& organs() const { return organs_; }
+
   /// Whether the handles are the sequence's, so that it can move them. O(handles).
   bool movable() const;
 

@@ -9,6 +9,7 @@
 
 #include "viscera/core/parallel.h"
 #include "viscera/document/document.h"
+#include "viscera/document/measured_values.h"
 #include "viscera/live/posed_organs.h"
 #include "viscera/live/stress_frame.h"
 #include "viscera/plugin/registry.h"
@@ -42,8 +43,9 @@ struct SurfaceMap {
 /// What somebody is measuring at the moment: no part of the document yet.
 struct MeasuringNow {
   std::vector<document::MeasurementId> highlighted; ///< Chosen, or under the mouse.
-  std::vector<document::MeasuredPoint> pending;     ///< One to three points that are no measurement yet.
-  bool angle = false;                               ///< They become an angle: two have no value yet.
+  /// What its one to three points become, complete or not: no measurement yet. None while there are no
+  /// points.
+  document::Measurement pending;
 };
 
 /// A surface that is in no document yet: an organ of a file that somebody still looks at.
@@ -129,7 +131,13 @@ void lookFrom(const Camera& camera, scene::OrganView& view);
 /// What is written beside an organ: "Left ventricle" for a cavity that is called LV, else its name.
 std::string labelOf(const document::Organ& organ, const Presenter::Translate& translate = {});
 
-/// A measured value for a reader: "83.4 mm", or degrees with the sign for them. UTF-8.
-std::string formatMeasured(document::MeasurementKind kind, double value);
+/// A measured value for a reader: "83.4 mm", degrees with the sign for them, "41.3 HU"; "-" where there is
+/// none. UTF-8.
+std::string formatMeasured(document::MeasurementKind kind, double value, const std::string& unit = {});
+
+/// How the values of a rectangle or a sphere spread: deviation, least and largest value, size and number of
+/// voxels; empty for the other kinds, and where there are no values. UTF-8.
+std::string describeSpread(const document::Measurement& measurement, const document::MeasuredValues& values,
+                           const std::string& unit, const Presenter::Translate& translate = {});
 
 } // namespace viscera::presentation

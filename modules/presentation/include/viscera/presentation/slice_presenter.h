@@ -9,21 +9,29 @@
 #include <vector>
 
 #include "viscera/core/parallel.h"
+#include "viscera/deformation/inverse_map.h"
 #include "viscera/document/document.h"
 #include "viscera/document/scan_item.h"
+#include "viscera/live/live_bend.h"
 #include "viscera/live/posed_organs.h"
 #include "viscera/presentation/view_state.h"
+#include "viscera/scene/measurement_glyphs.h"
 #include "viscera/scene/slice_view.h"
 #include "viscera/slices/sample_slice.h"
 
 namespace viscera::presentation {
 
-/// Says where the tissue at places of the posed patient is at rest.
+/// Says where the tissue of the posed patient is at rest.
 struct Bending {
-  /// Takes places, `n x 3` mm LPS, in the pose, and leaves those at rest; NaN where there is no answer.
-  std::function<void(Points& places)> toRest;
-  std::uint64_t revision = 0; ///< Another number whenever `toRest` gives something else.
+  /// Finds the places at rest, mm LPS, of the samples of a plane in the pose; NaN where there is no answer.
+  std::function<void(const deformation::SamplePlane& plane, deformation::RestPoints& rest)> rest;
+  std::uint64_t revision = 0; ///< Another number whenever `rest` gives something else.
 };
+
+/// The bending that keeps up with the open document, in the pose that is shown now; none at rest and while it
+/// is being bound. Good until the pose is another one; `bend` has to live as long.
+std::optional<Bending> bendingOf(live::LiveBend& bend);
+struct MeasuringNow;
 
 /// A slice that is wanted, and how large.
 struct SlicePane {
@@ -37,13 +45,16 @@ struct SliceScene {
   const document::DocumentState& state;
   const live::PosedOrgans& organs;
   const ViewState& view;
-  const Bending* bending = nullptr; ///< Used when the view wants the scan bent; null: it cannot be.
+  const Bending* bending = nullptr;        ///< Used when the view wants the scan bent; null: it cannot be.
+  const MeasuringNow* measuring = nullptr; ///< What somebody is measuring at the moment (presenter.h).
+  int activeHandle = -1;                   ///< The row of the handle under the mouse or in the hand.
 };
 
 /// What lies at a place of a slice.
 struct SliceReading {
   Vec3 position = Vec3::Zero(); ///< mm LPS.
   std::optional<double> value;  ///< Of the scan as it is shown; none where nothing was measured.
+  bool folded = false;          ///< The pose folds the tissue here: the value is a guess.
   document::OrganId organ;      ///< The innermost organ around the place; none outside of all.
 };
 
@@ -56,8 +67,9 @@ struct ContourFigure {
 };
 
 /// The slices of a document as pictures: the scan's grey levels, the contours of its organs as they are posed
-/// and at rest, crosshair and letters. Window and command line each have one. As `Presenter`, it compares
-/// with what it made last and makes anew what is different, and changes nothing. For one thread.
+/// and at rest, handles near it, what is measured in it, crosshair and letters. Window and command line each
+/// have one. As `Presenter`, it compares with what it made last and makes anew what is different, and changes
+/// nothing. For one thread.
 ///
 ///     SlicePresenter slices;
 ///     slices.update({document.state(), live, viewState}, {{0, width, height}});
@@ -79,6 +91,11 @@ public:
   const slices::SliceFrame& frame(int direction) const;
   /// What lies at a pixel (whole numbers are centres, from the lower left).
   SliceReading read(int direction, const Eigen::Vector2d& pixel) const;
+  /// The row of the handle that a mouse could take hold of there, not farther than `reach` pixels; or -1.
+  int handleAt(int direction, const Eigen::Vector2d& pixel, double reach) const;
+  /// The same of a point that is measured and on no organ; items are in the document's order.
+  std::optional<scene::MeasurementGlyphs::Mark> measuredAt(int direction, const Eigen::Vector2d& pixel,
+                                                           double reach) const;
   /// The contours of the organs that the slice meets.
   std::vector<ContourFigure> contours(int direction) const;
   /// The organ's cut, for somebody to measure; null when the organ is not seen.
@@ -94,6 +111,10 @@ Bounds boxOfSlices(const document::DocumentState& state);
 
 /// Where the slices meet: as the view says, else in the middle of the box.
 Vec3 focusOf(const document::DocumentState& state, const ScanLook& look);
+
+/// How far the voxels of the scan are apart along an axis of the patient (x, y, z as 0, 1, 2), or slices
+/// without a scan, mm.
+double stepAlong(const document::DocumentState& state, int axis);
 
 /// "S 120.0 mm": how far a place lies along a slice's axis, by the letter of its side.
 std::string formatSlicePosition(int axis, double mm);

@@ -25,12 +25,30 @@ struct SliceLine {
   bool thin = false;                   ///< Half as wide as the others (0.75 instead of 1.5 logical pixels).
 };
 
+/// A disc on a slice's picture: a handle, a point that is measured.
+struct SliceMark {
+  Eigen::Vector2d place; ///< In pixels of the picture.
+  double radius = 0;     ///< Logical pixels.
+  Vec3 color = Vec3::Ones();
+  Vec3 rim = Vec3::Zero(); ///< The line around it.
+  double rimWidth = 1;     ///< Logical pixels.
+};
+
+/// Words on a slice's picture, right of a place and inside of the picture.
+struct SliceText {
+  Eigen::Vector2d place; ///< In pixels of the picture.
+  std::string words;     ///< UTF-8; may have several lines.
+  Vec3 color = Vec3::Ones();
+};
+
 /// A slice as it is to be drawn: grey levels for each pixel of the window, and what lies over them.
 struct SlicePicture {
   int width = 0;                  ///< Device pixels.
   int height = 0;                 ///< Device pixels.
   std::vector<std::uint8_t> grey; ///< `width * height`, row by row from the lower left.
   std::vector<SliceLine> lines;
+  std::vector<SliceMark> marks;         ///< Over the lines.
+  std::vector<SliceText> texts;         ///< Over the marks.
   std::optional<Eigen::Vector2d> cross; ///< Where the other slices cut this one, in pixels.
   std::array<std::string, 4> edges;     ///< What lies to the left, right, below and above: "R".
   std::string title;                    ///< At the upper left: "Axial 120.0 mm".

@@ -112,6 +112,8 @@ public:
   void StartWidgetInteraction(double eventPosition[2]) override;
   void WidgetInteraction(double eventPosition[2]) override;
   bool SolveDrag(const double eventPosition[2], viscera::Vec3& position);
+  /// Brings the active handle of the drag to a place, and the others by the same way.
+  void DragTo(const viscera::Vec3& position);
   /// The handles of the present drag, ascending, and where they were when it began (as many rows).
   const std::vector<int>& GetDraggedHandles() const;
   const viscera::Points& GetDragStart() const;

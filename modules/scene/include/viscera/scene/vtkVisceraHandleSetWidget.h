@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include <vtkCommand.h>
@@ -52,6 +53,18 @@ public:
   /// Replaces the selection and tells the listeners when it changed.
   void Select(std::vector<int> selection);
 
+  ///@{
+  /// The hand of another view that shows the same handles, a slice of a scan: the same events follow as from
+  /// this view's mouse. `SetHovered` says which handle is under the cursor there (-1: none). `Grab` is a
+  /// press on one, which selects as a press here does (`extends`: with Shift or Ctrl), and says whether it is
+  /// in the hand now: a locked one never is. `DragTo` brings it to a place, mm, and what is dragged along by
+  /// the same way. `Drop` lets it go. `CancelDrag` puts everything back.
+  void SetHovered(int handle);
+  bool Grab(int handle, bool extends);
+  void DragTo(const viscera::Vec3& position);
+  void Drop();
+  ///@}
+
 protected:
   vtkVisceraHandleSetWidget();
 
@@ -64,7 +77,8 @@ protected:
   void EndDrag(bool cancelled) override;
 
 private:
-  void SetHovered(int handle);
+  bool PressHandle(bool extends);
+  void Follow(const std::function<void()>& move);
   void Tell(unsigned long event);
   void RenderAfterChange();
 

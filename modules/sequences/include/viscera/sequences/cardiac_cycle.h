@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "viscera/sequences/cardiac_times.h"
 #include "viscera/sequences/curve.h"
 #include "viscera/sequences/sequence.h"
 
@@ -13,72 +14,83 @@ struct CavityVolumes {
   double rightMl = 0;
 };
 
-/// How long each part of one beat lasts, s.
-struct CardiacTimes {
-  double atrialSystole = 0;
-  double isovolumicContraction = 0;
-  double ejection = 0;
-  double isovolumicRelaxation = 0;
-  double rapidFilling = 0;
-  double diastasis = 0; ///< The rest of diastole, in which little flows.
-
-  double systole() const { return isovolumicContraction + ejection; }
-  double cycle() const { return systole() + atrialSystole + isovolumicRelaxation + rapidFilling + diastasis; }
+/// Where in its beat a heart is at one instant.
+struct CardiacInstant {
+  CavityVolumes volumes;
+  /// How much of the stroke at rest has left each ventricle: 0 at the end of diastole at rest, 1 at the end
+  /// of systole. In hearts too fast to fill it never gets back to 0.
+  double leftEmptying = 0;
+  double rightEmptying = 0;
+  double twist = 0;             ///< Part of the largest one; slightly negative when it starts.
+  double atrialContraction = 0; ///< 0 to 1.
 };
 
-/// What happens in one beat, and when. Events are kept over a reference phase in [0, 1) that starts with the
-/// atria's contraction; `referencePhase` says where in it a beat of a given rate is. So every rate passes
-/// through the same states, and only the time between them changes. Immutable; thread-safe; every member is
-/// O(1).
+/// One beat at one rate. Immutable; thread-safe.
+class CardiacBeat {
+public:
+  const CardiacTimes& times() const { return times_; }
+  const VentricleClock& left() const { return left_; }
+  const VentricleClock& right() const { return right_; }
+  /// The stroke volume as a part of that at rest.
+  double strokePart() const { return stroke_; }
+
+  /// The heart at `seconds` after the start of a beat; periodic. Continuously differentiable in time and
+  /// continuous in the rate. O(1).
+  CardiacInstant at(double seconds) const;
+
+private:
+  friend class CardiacCycle;
+  CardiacBeat(double rateBpm, const CavityVolumes& endDiastole, const CavityVolumes& endSystole);
+  double emptying(double secondsInBeat, const VentricleClock& clock) const;
+
+  CavityVolumes endDiastole_;
+  CavityVolumes endSystole_;
+  CardiacTimes times_;
+  VentricleClock left_;
+  VentricleClock right_;
+  double stroke_ = 1;
+  Curve twist_;
+  Curve atrial_;
+};
+
+/// What happens in one beat, and when. A beat starts with the atria's contraction; how long its parts last at
+/// each rate is `cardiacTimes`.
 ///
-/// Standard volumes: left ventricle 130.5 ml at the end of diastole, 55 ml at the end of systole (ejection
-/// fraction 0.58; cardiac magnetic resonance gives 135 +- 26 and 42 +- 12 ml in women, 160 +- 29 and 50 +- 16
-/// ml in men); right ventricle 138 and 66 ml on a curve of the same shape.
+/// Standard volumes at rest: left ventricle 130.5 ml at the end of diastole, 55 ml at the end of systole
+/// (ejection fraction 0.58, the mean of healthy men: UK Biobank, doi 10.1186/s12968-017-0327-9); right
+/// ventricle 138 and 62.5 ml: it ejects as much as the left one. A beat empties the ventricles to the same
+/// volumes at every rate; how full they get depends on the time there is (`strokePart`). Immutable;
+/// thread-safe.
 class CardiacCycle {
 public:
   static constexpr double kLowestRateBpm = 20;
   static constexpr double kStandardRateBpm = 75;
   static constexpr double kHighestRateBpm = 220;
   static constexpr CavityVolumes kEndDiastole{130.5, 138.0};
-  static constexpr CavityVolumes kEndSystole{55.0, 66.0};
+  static constexpr CavityVolumes kEndSystole{55.0, 62.5};
 
-  /// A heart that holds `endDiastole` at most and `endSystole` at least. Throws `DataError` unless all four
-  /// are positive and each ventricle's end-systolic volume is the smaller one.
+  /// A heart that at rest holds `endDiastole` at most and `endSystole` at least. Throws `DataError` unless
+  /// all four are positive and each ventricle's end-systolic volume is the smaller one.
   explicit CardiacCycle(const CavityVolumes& endDiastole = kEndDiastole,
                         const CavityVolumes& endSystole = kEndSystole);
 
   const CavityVolumes& endDiastole() const { return endDiastole_; }
   const CavityVolumes& endSystole() const { return endSystole_; }
 
-  /// What the ventricles hold at reference phase `phase` (any number; periodic with 1).
-  CavityVolumes volumes(double phase) const;
-  /// How much of the stroke has left the ventricles: 0 at the end of diastole, 1 at the end of systole.
-  double emptying(double phase) const;
-  /// The ventricles' twist about their long axis as a part of the largest one; slightly negative when it
-  /// starts.
-  double twist(double phase) const;
-  /// How far the atria are contracted, 0 to 1.
-  double atrialContraction(double phase) const;
+  /// The beat at a rate, clamped to the rates above. O(1), about a microsecond.
+  CardiacBeat beat(double rateBpm) const;
 
-  /// The parts of a beat at `rateBpm` (clamped to the rates above). Systole, from the closing of the mitral
-  /// valve to that of the aortic valve, takes 0.30 to 0.33 s up to 150 beats a minute and three quarters of
-  /// the beat above; diastole takes the rest: in long beats the diastasis stretches, in short ones all its
-  /// parts shrink together.
-  static CardiacTimes times(double rateBpm);
+  /// As `beat(rateBpm).at(seconds)`.
+  CardiacInstant at(double seconds, double rateBpm) const { return beat(rateBpm).at(seconds); }
 
-  /// The reference phase at `seconds` after the start of a beat of that rate. Strictly ascending,
-  /// continuously differentiable in time, continuous in the rate, and 1 larger after each beat.
-  double referencePhase(double seconds, double rateBpm) const;
-
-  /// The parts of a beat by name; diastasis belongs to filling.
+  /// The parts of a beat by name, those of the left heart, covering [0, 1]: atrial systole, isovolumic
+  /// contraction, rapid and reduced ejection (two thirds of the stroke leave in the first), isovolumic
+  /// relaxation, rapid filling, diastasis. Diastasis is missing where the waves of filling overlap.
   static std::vector<Phase> phases(double rateBpm);
 
 private:
   CavityVolumes endDiastole_;
   CavityVolumes endSystole_;
-  Curve leftMl_; ///< Of the standard heart.
-  Curve twist_;
-  Curve atrial_;
 };
 
 } // namespace viscera::sequences

@@ -7,29 +7,30 @@ namespace viscera::sequences {
 
 /// Where in its beat a heart is.
 struct HeartState {
-  double emptying = 0;          ///< 0 at the end of diastole, 1 at the end of systole.
+  double emptying = 0;          ///< Of the left ventricle: 0 at the end of diastole at rest, 1 of systole.
+  double rightEmptying = 0;     ///< The same of the right one.
   double leftPart = 1;          ///< What the left ventricle holds, as a part of what it holds at rest.
   double rightPart = 1;         ///< The same of the right one.
   double twist = 0;             ///< Part of the largest twist.
   double atrialContraction = 0; ///< 0 to 1.
-  /// The left cavity's radius as a multiple of what its volume asks for. Calibration finds it; 1 before.
+  /// The left cavity's radius as a multiple of what its volume asks for. `CavityFit` finds it; 1 before.
   double leftGain = 1;
-  /// What is added to the right cavity's thickness, as a part of that at rest. Calibration finds it; 0
+  /// What is added to the right cavity's thickness, as a part of that at rest. `CavityFit` finds it; 0
   /// before.
   double rightShift = 0;
 };
 
 /// How far the parts of a heart move.
 struct HeartExcursions {
-  double leftDescent =
-      15; ///< Of the base at the left ventricle, mm (16.4 mm: doi 10.1152/ajpheart.01376.2006).
-  double rightDescent = 20;        ///< Of the base at the right ventricle, mm (23.4 mm, same source).
+  double leftDescent = 12.5;       ///< Of the base at the left free wall, mm; the whole annulus comes to 15.5
+                                   ///< (16.4: doi 10.1152/ajpheart.01376.2006).
+  double rightDescent = 21.5;      ///< Of the base at the right free wall, mm (23.4 mm, same source).
   double baseTwist = -0.070;       ///< Turn at the base, rad.
   double apexTwist = 0.175;        ///< Turn at the apex, rad.
   double atrialContraction = 0.12; ///< Part by which an atrium narrows when it contracts.
   /// Part by which it widens while the ventricles empty. So chosen that the whole heart loses 8 to 9 % of its
   /// volume in systole (8.2 %, 4.8 to 10.6: doi 10.1152/ajpheart.01125.2003).
-  double atrialFilling = 0.16;
+  double atrialFilling = 0.10;
 };
 
 /// Moves the handles of a heart from state to state.
@@ -65,6 +66,8 @@ private:
   Vec3 moved(const HeartHandle& handle, const HeartState& state) const;
   Vec3 movedVentricular(const HeartHandle& handle, const HeartState& state) const;
   Vec3 movedAtrial(const HeartHandle& handle, const HeartState& state) const;
+  /// By how much the left ventricle's wall is thicker at `c` than at rest, mm; not negative.
+  double thickening(const HeartState& state, double c) const;
   double ventricularRho(const HeartHandle& handle, const HeartState& state) const;
 
   HeartRig rig_;

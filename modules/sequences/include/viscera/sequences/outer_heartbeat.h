@@ -9,9 +9,9 @@ namespace viscera::sequences {
 inline constexpr double kSystolicLoss = 0.082;
 
 /// The beating of a heart of which only the outer surface is known: the motion of `HeartMotion`, and in every
-/// pose the ventricles so wide that the whole surface holds `rest (1 - loss emptying)`. The handles are
-/// affine in that width, so the volume is a cubic in it, whose root is exact at every instant and rate.
-/// Thread-safe as far as `volume` is.
+/// pose the ventricles so wide that the whole surface holds `rest (1 - loss emptying)`, emptying that of the
+/// left ventricle. The handles are affine in that width, so the volume is a cubic in it, whose root is exact
+/// at every instant and rate. Thread-safe as far as `volume` is.
 class OuterHeartbeat final : public Heartbeat {
 public:
   /// Throws `DataError` when the compensation is for another number of handles, when the loss does not lie in
@@ -19,10 +19,15 @@ public:
   OuterHeartbeat(HeartMotion motion, PoseCompensation compensation, VolumeAlong volume,
                  double systolicLoss = kSystolicLoss);
 
+  const Points& restHandles() const override { return rest_; }
+  const HeartMotion& motion() const override { return motion_; }
   /// One call of `volume`, and O(n^2). Throws `DataError` when no width reaches the volume.
-  void poseAtPhase(double phase, Points& pose) const override;
+  void poseAt(double seconds, double ratePerMinute, Points& pose) const override;
 
 private:
+  HeartMotion motion_;
+  PoseCompensation compensation_;
+  Points rest_;
   VolumeAlong volume_;
   double loss_;
   double restMl_ = 0;

@@ -12,6 +12,7 @@ struct Phase {
   std::string name; ///< "ejection"
   double begin = 0; ///< Fraction of the cycle, [0, 1).
   double end = 1;
+  std::string group = {}; ///< The larger part of the cycle that it belongs to: "systole"; empty for none.
 };
 
 /// Something that travels through the organ during the cycle, such as a peristaltic wave.

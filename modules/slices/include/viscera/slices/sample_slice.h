@@ -14,21 +14,8 @@ struct SampleOptions {
   bool nearest = false; ///< The voxel's own value instead of the trilinear one.
   double slabMm = 0;    ///< Thickness around the slice's plane; 0: the plane alone.
   bool maximum = false; ///< Of a slab the largest value instead of the mean.
-  Threads threads;
+  Threads threads = {};
 };
-
-/// Where the tissue in a slice was before it was bent: of every `step`-th pixel of every `step`-th row, its
-/// place at rest, mm LPS. Between them places are found bilinearly. A row of NaN says that there is no
-/// answer.
-struct RestLattice {
-  int step = 1;
-  int columns = 0; ///< (columns - 1) * step reaches the last pixel of a row; at least 2.
-  int rows = 0;    ///< As `columns`; at least 2.
-  Points rest;     ///< `rows * columns x 3`, from the lower left.
-};
-
-/// A lattice over a frame whose places are not yet moved.
-RestLattice latticeOver(const SliceFrame& frame, int step);
 
 /// The values of a picture's pixels, row by row from the lower left; NaN where nothing was measured: outside
 /// of the scan's voxels, and in padding.
@@ -39,11 +26,13 @@ struct ValueImage {
 };
 
 /// What a scan has on a slice, in the scan's unit. Reads the stored samples in place; a frame may lie
-/// anyhow in the scan, which may be oblique, left-handed or sheared. With `bent`, what is seen at a pixel is
-/// what was at the lattice's place. Uses the memory that `image` has. O(pixels * layers of the slab), on
-/// several threads.
+/// anyhow in the scan, which may be oblique, left-handed or sheared. With `rest`, `pixels x 3` mm LPS, what
+/// is seen at a pixel is what was at its place before the tissue was bent; a row of NaN says that there is no
+/// answer. The layers of a thick slice lie along its normal there as well. Uses the memory that `image` has.
+/// O(pixels * layers of the slab), on several threads; a fifth of that where rows of pixels run along an axis
+/// of the voxels and nothing is bent.
 void sampleSlice(const medical_io::Scan& scan, const SliceFrame& frame, const SampleOptions& options,
-                 ValueImage& image, const RestLattice* bent = nullptr);
+                 ValueImage& image, const Points* rest = nullptr);
 
 /// Grey levels as a display has them: black at `level - width / 2` and below, white at `level + width / 2`
 /// and above, `background` where nothing was measured. O(pixels), on several threads.

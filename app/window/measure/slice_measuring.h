@@ -1,0 +1,34 @@
+#pragma once
+
+#include "viscera/core/arrays.h"
+#include "window/measure/measure_tool.h"
+#include "window/slices/slice_grip.h"
+
+namespace viscera::app {
+
+class SlicePanes;
+
+/// The hand of the measure tool on slices: while a kind is being measured a click is a point, and so are both
+/// ends of a drag; else points that are on no organ can be dragged in the slice.
+class SliceMeasuring final : public SliceGrip {
+public:
+  /// Both have to live longer.
+  SliceMeasuring(MeasureTool& tool, SlicePanes& panes) : tool_(tool), panes_(panes) {}
+
+  bool press(int direction, const Eigen::Vector2d& pixel, Qt::KeyboardModifiers modifiers) override;
+  void drag(int direction, const Eigen::Vector2d& pixel) override;
+  void release(int direction, const Eigen::Vector2d& pixel, bool moved) override;
+  std::optional<Qt::CursorShape> hover(int direction, const std::optional<Eigen::Vector2d>& pixel) override;
+
+private:
+  document::MeasuredPoint pointAt(int direction, const Eigen::Vector2d& pixel) const;
+  static int axisOf(int direction);
+
+  MeasureTool& tool_;
+  SlicePanes& panes_;
+  bool drawing_ = false;      ///< The press was a first point, so that the release may be the next one.
+  Vec3 start_ = Vec3::Zero(); ///< Where the point in the hand was, mm.
+  Eigen::Vector2d offset_ = Eigen::Vector2d::Zero(); ///< From the mouse to it then, pixels.
+};
+
+} // namespace viscera::app

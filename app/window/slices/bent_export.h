@@ -1,0 +1,36 @@
+#pragma once
+
+#include <QObject>
+
+class QWidget;
+
+namespace viscera::app {
+
+class Actions;
+class Settings;
+class Workspace;
+
+/// The scan as the pose bends it, as a file for other programs, with the label map that the organs came from
+/// beside it. Written by a worker, which can be cancelled.
+class BentExport final : public QObject {
+  Q_OBJECT
+
+public:
+  /// All have to live longer.
+  BentExport(Workspace& workspace, Settings& settings, QWidget* window);
+
+  /// Adds "export.scan".
+  void addTo(Actions& actions);
+  /// Writes the scan (.nii, .nii.gz or .nrrd) and, where organs came from a label map, that one bent in the
+  /// same way: "NAME.labels.nii.gz", "NAME.seg.nrrd".
+  void exportScan(const QString& file);
+
+private:
+  void chooseAndExport();
+
+  Workspace& workspace_;
+  Settings& settings_;
+  QWidget* window_;
+};
+
+} // namespace viscera::app

@@ -1,0 +1,85 @@
+#include "window/slices/patient_offer.h"
+
+#include <algorithm>
+#include <optional>
+
+#include "viscera/medical_io/image_beside.h"
+#include "window/file_actions.h"
+#include "window/slices/scan_actions.h"
+
+namespace viscera::app {
+namespace {
+
+using medical_io::ImageContents;
+
+constexpr int kOfferSeconds = 30;
+
+bool cameFromLabels(const document::Organ& organ) {
+  return !organ.file.empty() && medical_io::isLabelMap(organ.file);
+}
+
+QString nameOf(const std::filesystem::path& file) {
+  return text(file.filename().string());
+}
+
+} // namespace
+
+PatientOffer::PatientOffer(Workspace& workspace, FileActions& files, ScanActions& scans, QObject* parent)
+    : QObject(parent), workspace_(workspace), files_(files), scans_(scans),
+      subscription_(workspace.onChange([this](const document::Change&) { look(); })) {}
+
+bool PatientOffer::misses(ImageContents wanted) const {
+  const document::DocumentState& state = workspace_.state();
+  if (wanted == ImageContents::values)
+    return !state.scan;
+  return std::none_of(state.organs->begin(), state.organs->end(),
+                      [](const auto& organ) { return cameFromLabels(*organ); });
+}
+
+/// Most changes are poses, and what a file is is not asked for every one.
+void PatientOffer::look() {
+  const document::DocumentState& state = workspace_.state();
+  if (state.organs == seenOrgans_ && state.scan == seenScan_)
+    return;
+  seenOrgans_ = state.organs;
+  seenScan_ = state.scan;
+  if (state.scan && !state.scan->file.empty() && misses(ImageContents::labels))
+    return lookBeside(state.scan->file, ImageContents::labels);
+  const auto organ = std::find_if(state.organs->begin(), state.organs->end(),
+                                  [](const auto& one) { return cameFromLabels(*one); });
+  if (organ != state.organs->end() && misses(ImageContents::values))
+    lookBeside((*organ)->file, ImageContents::values);
+}
+
+void PatientOffer::lookBeside(const std::filesystem::path& image, ImageContents wanted) {
+  if (!asked_.insert(image).second)
+    return;
+  // What goes wrong here is no news to anybody: nothing is offered then.
+  workspace_.jobs().submit<std::optional<std::filesystem::path>>(
+      tr("Looking beside %1").arg(nameOf(image)).toStdString(), "beside",
+      [image, wanted](Progress& progress) { return medical_io::imageBeside(image, wanted, progress); },
+      [this, image, wanted](const JobResult<std::optional<std::filesystem::path>>& result) {
+        if (result.value && *result.value && misses(wanted))
+          offer(image, **result.value, wanted);
+      });
+}
+
+void PatientOffer::offer(const std::filesystem::path& image, const std::filesystem::path& found,
+                         ImageContents contents) {
+  const bool scan = contents == ImageContents::values;
+  const QString place = text(found.string());
+  const QString said = scan ? tr("Beside %1 lies the scan %2.").arg(nameOf(image), nameOf(found))
+                            : tr("Beside %1 lies the label map %2.").arg(nameOf(image), nameOf(found));
+  workspace_.say({Message::Severity::info,
+                  said,
+                  {{scan ? tr("Open the scan") : tr("Open its organs"),
+                    [this, scan, place] {
+                      if (scan)
+                        scans_.open(place);
+                      else
+                        files_.open({place});
+                    }}},
+                  kOfferSeconds});
+}
+
+} // namespace viscera::app

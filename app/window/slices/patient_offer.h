@@ -1,0 +1,43 @@
+#pragma once
+
+#include <QObject>
+
+#include <filesystem>
+#include <memory>
+#include <set>
+
+#include "viscera/document/scan_item.h"
+#include "viscera/medical_io/image_file.h"
+#include "window/workspace.h"
+
+namespace viscera::app {
+
+class FileActions;
+class ScanActions;
+
+/// Organs and scan are one patient: when one of them has come from a file and the other is missing, looks for
+/// that beside the file and offers to open it. Each file is asked about once.
+class PatientOffer final : public QObject {
+  Q_OBJECT
+
+public:
+  /// All have to live longer.
+  PatientOffer(Workspace& workspace, FileActions& files, ScanActions& scans, QObject* parent = nullptr);
+
+private:
+  void look();
+  void lookBeside(const std::filesystem::path& image, medical_io::ImageContents wanted);
+  void offer(const std::filesystem::path& image, const std::filesystem::path& found,
+             medical_io::ImageContents contents);
+  bool misses(medical_io::ImageContents wanted) const;
+
+  Workspace& workspace_;
+  FileActions& files_;
+  ScanActions& scans_;
+  std::set<std::filesystem::path> asked_;
+  std::shared_ptr<const document::OrganList> seenOrgans_;
+  std::shared_ptr<const document::ScanItem> seenScan_;
+  Subscription subscription_;
+};
+
+} // namespace viscera::app

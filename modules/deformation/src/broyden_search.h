@@ -1,0 +1,48 @@
+#pragma once
+
+#include <cmath>
+#include <limits>
+
+#include <Eigen/LU>
+
+#include "viscera/core/arrays.h"
+
+namespace viscera::deformation {
+
+/// A point on its way to where a motion takes it to `target`, by Broyden's iteration (Broyden 1965, doi
+/// 10.1090/S0025-5718-1965-0198670-6). `derivative` may start with what is known of the motion's.
+struct BroydenSearch {
+  /// Of the estimated derivative; below it that is given up.
+  static constexpr double kSmallestDeterminant = 0.05;
+
+  Eigen::Index row = 0; ///< Whatever number the caller knows it by.
+  Vec3 target, at, step = Vec3::Zero(), residual = Vec3::Zero();
+  Eigen::Matrix3d derivative = Eigen::Matrix3d::Identity();
+  Vec3 best = Vec3::Zero();
+  double bestError = std::numeric_limits<double>::infinity();
+  bool started = false;
+
+  /// Takes the displacement at `at`, goes on to the next place; false when it is near enough, or lost.
+  bool advance(const Vec3& displacement, double accuracy) {
+    const Vec3 left = at + displacement - target;
+    if (!left.allFinite())
+      return false;
+    if (left.norm() < bestError) {
+      bestError = left.norm();
+      best = at;
+    }
+    if (bestError <= accuracy)
+      return false;
+    if (started && step.squaredNorm() > 0)
+      derivative += (left - residual - derivative * step) * step.transpose() / step.squaredNorm();
+    if (std::abs(derivative.determinant()) < kSmallestDeterminant)
+      derivative.setIdentity();
+    step = -derivative.inverse() * left;
+    residual = left;
+    at += step;
+    started = true;
+    return true;
+  }
+};
+
+} // namespace viscera::deformation

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "viscera/document/measurement.h"
+#include "viscera/slices/region_statistics.h"
+
+namespace viscera::document {
+
+struct DocumentState;
+
+/// What a measurement says.
+struct MeasuredValues {
+  double rest = 0; ///< mm or degrees, at rest; of a region the mean, NaN where the scan has no values.
+  double now = 0;  ///< With the organs' points as they are given; of a region as at rest.
+  std::vector<Vec3> places; ///< Where its points are now, mm, LPS.
+  /// Of a region, when there is a scan: its values, as they were recorded, not bent along.
+  std::optional<slices::RegionStatistics> region;
+};
+
+/// Where an organ's points are now, `n x 3` mm; asked for organs of the document only.
+using PointsOf = std::function<const Points&(OrganId)>;
+
+/// Keeps the statistics of regions as long as nothing that they depend on is another: to read voxels takes
+/// longer than a frame may. For one thread.
+class RegionMemory {
+public:
+  /// None without a scan. O(voxels of the region) for one that it does not know.
+  std::optional<slices::RegionStatistics> of(const Measurement& measurement, const DocumentState& state);
+
+private:
+  struct Kept {
+    Measurement measurement;
+    std::shared_ptr<const medical_io::Scan> scan;
+    slices::RegionStatistics statistics;
+  };
+  std::map<MeasurementId, Kept> kept_;
+};
+
+/// The distance of two places in mm, or the angle at the second of three in degrees, 0 to 180. The angle is 0
+/// where one of its legs has no length.
+double measuredValue(const std::vector<Vec3>& places);
+
+/// Measures. A point of an organ that the document does not have stays at its place at rest. O(organs), and
+/// of a region that `memory` does not have O(its voxels).
+MeasuredValues measure(const Measurement& measurement, const DocumentState& state, const PointsOf& pointsOf,
+                       RegionMemory* memory = nullptr);
+
+/// The part of the patient that a rectangle or a sphere is; none of the other kinds.
+std::optional<slices::Region> regionOf(const Measurement& measurement);
+
+/// "mm", "deg", or of a region the scan's unit; empty where that has none.
+std::string unitOf(const Measurement& measurement, const DocumentState& state);
+
+} // namespace viscera::document

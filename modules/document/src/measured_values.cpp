@@ -1,0 +1,95 @@
+#include "viscera/document/measured_values.h"
+
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "viscera/document/document.h"
+#include "viscera/document/scan_item.h"
+
+namespace viscera::document {
+namespace {
+
+constexpr double kDegreesPerRadian = 180 / M_PI;
+
+Vec3 placeNow(const MeasuredPoint& point, const DocumentState& state, const PointsOf& pointsOf) {
+  const auto organ = point.organ ? state.organ(point.organ) : nullptr;
+  if (!organ)
+    return point.rest;
+  const Points& points = pointsOf(point.organ);
+  Vec3 place = Vec3::Zero();
+  for (int k = 0; k < 3; ++k)
+    place += point.weights[k] * points.row(organ->mesh->triangles(point.triangle, k)).transpose();
+  return place;
+}
+
+/// The mean, or NaN where nothing was measured.
+double meanOf(const std::optional<slices::RegionStatistics>& region) {
+  return region && region->count > 0 ? region->mean : std::numeric_limits<double>::quiet_NaN();
+}
+
+} // namespace
+
+std::optional<slices::RegionStatistics> RegionMemory::of(const Measurement& measurement,
+                                                         const DocumentState& state) {
+  const auto region = regionOf(measurement);
+  if (!region || !state.scan)
+    return std::nullopt;
+  const auto known = kept_.find(measurement.id);
+  if (known != kept_.end() && known->second.scan == state.scan->scan) {
+    Measurement renamed = known->second.measurement;
+    renamed.name = measurement.name;
+    if (renamed == measurement)
+      return known->second.statistics;
+  }
+  const slices::RegionStatistics statistics = slices::statisticsOf(*state.scan->scan, *region);
+  kept_[measurement.id] = {measurement, state.scan->scan, statistics};
+  return statistics;
+}
+
+double measuredValue(const std::vector<Vec3>& places) {
+  if (places.size() == 2)
+    return (places[1] - places[0]).norm();
+  const Vec3 a = places.at(0) - places.at(1);
+  const Vec3 b = places.at(2) - places.at(1);
+  // Exact to rounding also near 0 and 180 degrees, where the arc cosine is not.
+  return kDegreesPerRadian * std::atan2(a.cross(b).norm(), a.dot(b));
+}
+
+MeasuredValues measure(const Measurement& measurement, const DocumentState& state, const PointsOf& pointsOf,
+                       RegionMemory* memory) {
+  MeasuredValues values;
+  std::vector<Vec3> rest;
+  for (const MeasuredPoint& point : measurement.points) {
+    rest.push_back(point.rest);
+    values.places.push_back(placeNow(point, state, pointsOf));
+  }
+  if (isRegion(measurement.kind)) {
+    RegionMemory none;
+    values.region = (memory ? *memory : none).of(measurement, state);
+    values.rest = values.now = meanOf(values.region);
+    return values;
+  }
+  values.rest = measuredValue(rest);
+  values.now = measuredValue(values.places);
+  return values;
+}
+
+std::optional<slices::Region> regionOf(const Measurement& measurement) {
+  if (!isRegion(measurement.kind))
+    return std::nullopt;
+  const Vec3 first = measurement.points.at(0).rest, second = measurement.points.at(1).rest;
+  if (measurement.kind == MeasurementKind::sphere)
+    return slices::SphereRegion{first, (second - first).norm()};
+  const Eigen::Index along = (measurement.axis + 1) % 3, across = (measurement.axis + 2) % 3;
+  return slices::RectangleRegion{first, (second - first)[along] * Vec3::Unit(along),
+                                 (second - first)[across] * Vec3::Unit(across)};
+}
+
+std::string unitOf(const Measurement& measurement, const DocumentState& state) {
+  if (isRegion(measurement.kind))
+    return state.scan ? state.scan->scan->unit : std::string();
+  return measurement.kind == MeasurementKind::distance ? "mm" : "deg";
+}
+
+} // namespace viscera::document

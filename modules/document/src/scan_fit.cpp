@@ -1,0 +1,109 @@
+#include "viscera/document/scan_fit.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <map>
+
+#include "viscera/core/error.h"
+#include "viscera/document/scan_item.h"
+#include "viscera/medical_io/label_map.h"
+
+namespace viscera::document {
+namespace {
+
+/// Grids whose corners are farther apart, in voxels, are not the same.
+constexpr double kSameVoxel = 0.01;
+/// An organ of whose box less lies in the scan is outside.
+constexpr double kInsidePart = 0.5;
+constexpr std::size_t kNamed = 3;
+
+std::string described(const std::array<int, 3>& size, const Eigen::Affine3d& indexToLps) {
+  const Vec3 spacing = indexToLps.linear().colwise().norm();
+  char text[160];
+  std::snprintf(text, sizeof text, "%d x %d x %d voxels of %.3g x %.3g x %.3g mm", size[0], size[1], size[2],
+                spacing.x(), spacing.y(), spacing.z());
+  return text;
+}
+
+bool isSameGrid(const medical_io::ScanSeries& grid, const medical_io::Scan& scan) {
+  if (grid.size != scan.size)
+    return false;
+  const Eigen::Affine3d toIndex = scan.indexToLps.inverse();
+  for (const Vec3& corner :
+       {Vec3(0, 0, 0), Vec3(scan.size[0], 0, 0), Vec3(0, scan.size[1], 0), Vec3(0, 0, scan.size[2])})
+    if ((toIndex * (grid.indexToLps * corner) - corner).cwiseAbs().maxCoeff() > kSameVoxel)
+      return false;
+  return true;
+}
+
+/// What grid a label map has, by its header, when it is another than the scan's; else empty, also where that
+/// is not known. `known` keeps the answers.
+std::string otherGridOf(const std::filesystem::path& file, const medical_io::Scan& scan,
+                        std::map<std::filesystem::path, std::string>& known) {
+  if (const auto found = known.find(file); found != known.end())
+    return found->second;
+  std::string& other = known[file];
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(file, error) || !medical_io::isLabelMap(file))
+    return other;
+  try {
+    Progress progress;
+    const auto grids = medical_io::listScans(file, progress);
+    if (grids.size() == 1 && !isSameGrid(grids.front(), scan))
+      other = described(grids.front().size, grids.front().indexToLps);
+  } catch (const Error&) {
+    // A label map of a form that scans do not have (DICOM-SEG): nothing is known of its grid.
+  }
+  return other;
+}
+
+double volumeOf(const Bounds& box) {
+  return (box.high - box.low).cwiseMax(0.0).prod();
+}
+
+bool isOutside(const Organ& organ, const Bounds& scan) {
+  const Bounds own = boundsOf(organ.mesh->points);
+  const Bounds common = {own.low.cwiseMax(scan.low), own.high.cwiseMin(scan.high)};
+  return volumeOf(common) < kInsidePart * volumeOf(own);
+}
+
+/// "liver, spleen and 4 more".
+std::string listed(const std::vector<std::string>& names) {
+  std::string list;
+  for (std::size_t i = 0; i < std::min(kNamed, names.size()); ++i)
+    list += (i > 0 ? ", " : "") + names[i];
+  return names.size() > kNamed ? list + " and " + std::to_string(names.size() - kNamed) + " more" : list;
+}
+
+} // namespace
+
+std::vector<std::string> scanFit(const DocumentState& state) {
+  std::vector<std::string> sentences;
+  if (!state.scan)
+    return sentences;
+  const medical_io::Scan& scan = *state.scan->scan;
+  const Bounds box = scan.bounds();
+  std::vector<std::string> otherGrid, outside;
+  std::map<std::filesystem::path, std::string> grids; // Those that are others than the scan's.
+  std::string grid;
+  for (const auto& organ : *state.organs) {
+    if (const std::string other = otherGridOf(organ->file, scan, grids); !other.empty()) {
+      otherGrid.push_back(organ->name);
+      grid = other;
+    }
+    if (isOutside(*organ, box))
+      outside.push_back(organ->name);
+  }
+  if (!otherGrid.empty())
+    sentences.push_back("The label map of " + listed(otherGrid) + " has another grid (" + grid +
+                        ") than the scan (" + described(scan.size, scan.indexToLps) +
+                        "); each lies where its file says, and nothing is resampled");
+  if (!outside.empty())
+    sentences.push_back(listed(outside) + (outside.size() == 1 ? " lies" : " lie") +
+                        " outside of the scan; look whether both are of one patient and their files agree on "
+                        "the axes (RAS or LPS)");
+  return sentences;
+}
+
+} // namespace viscera::document

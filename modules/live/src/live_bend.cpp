@@ -1,0 +1,172 @@
+#include "viscera/live/live_bend.h"
+
+#include <algorithm>
+#include <chrono>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "bound_organ.h"
+#include "viscera/core/error.h"
+
+namespace viscera::live {
+
+using deformation::InverseMap;
+
+namespace {
+
+/// A map, and what binding a point for it took.
+struct BoundMap {
+  std::shared_ptr<InverseMap> map = nullptr;
+  double secondsPerPoint = 0;
+};
+
+BoundMap bindMap(const BindingTarget& target, const Points& pose, Threads threads, Progress& progress) {
+  const auto begin = std::chrono::steady_clock::now();
+  BoundMap bound;
+  bound.map = std::make_shared<InverseMap>(*target.system, target.handles, pose,
+                                           coordinates::BindOptions{target.parameters, threads},
+                                           deformation::InverseMapOptions(), progress);
+  const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
+  bound.secondsPerPoint =
+      took.count() / static_cast<double>(std::max<Eigen::Index>(bound.map->boundPoints(), 1));
+  return bound;
+}
+
+} // namespace
+
+struct LiveBend::Impl {
+  const document::Document& document;
+  LiveBinding& live;
+  const plugin::Registry& registry;
+  JobQueue& jobs;
+  Options options;
+  Signal<> changed = {};
+  Subscription subscription = {};
+  bool wanted = false;
+  bool binding = false;
+  std::uint64_t jobsBegun = 0;
+  std::optional<BindingTarget> target = {}; ///< Of `bound`, or of what is being bound.
+  BoundMap bound = {};
+  Points pose = Points(0, 3); ///< That the map is in.
+  std::uint64_t revision = 0;
+  std::string problem = {};
+
+  bool posed() const {
+    const Points rest = document.rig().restPositions();
+    const Points& shown = live.shownPose();
+    return shown.rows() == rest.rows() && rest.rows() > 0 && shown != rest;
+  }
+  void follow();
+  void bind();
+  void take(const JobResult<BoundMap>& result);
+};
+
+/// Binds anew when that is wanted and what there is belongs to other handles. At rest nothing is bound: the
+/// grid is made as fine as the first pose asks for.
+void LiveBend::Impl::follow() {
+  if (!wanted || !posed())
+    return;
+  BindingTarget now = makeTarget(document.state(), registry);
+  if (target && sameBinding(*target, now))
+    return;
+  if (binding && target && worthWaitingFor(*target, now))
+    return;
+  bound = {};
+  ++revision;
+  problem.clear();
+  target = now;
+  if (!now.system) {
+    problem = now.problem;
+    return;
+  }
+  bind();
+}
+
+void LiveBend::Impl::bind() {
+  binding = true;
+  jobs.submit<BoundMap>(
+      "Bending the scan", "bend",
+      [to = *target, first = live.shownPose(), threads = options.threads](Progress& progress) {
+        return bindMap(to, first, threads, progress);
+      },
+      [this, job = ++jobsBegun](const JobResult<BoundMap>& result) {
+        if (job == jobsBegun) // Else another one has taken its place.
+          take(result);
+      });
+}
+
+void LiveBend::Impl::take(const JobResult<BoundMap>& result) {
+  binding = false;
+  if (result.cancelled()) { // Somebody gave it up; the next change tries again.
+    target.reset();
+    return;
+  }
+  if (result.value)
+    bound = *result.value;
+  if (result.error)
+    problem = result.error->what();
+  pose.resize(0, 3);
+  ++revision;
+  follow(); // What was wanted meanwhile.
+  changed.emit();
+}
+
+LiveBend::LiveBend(const document::Document& document, LiveBinding& live, const plugin::Registry& registry,
+                   JobQueue& jobs, Options options)
+    : impl_(new Impl{document, live, registry, jobs, options}) {
+  impl_->subscription = live.onDerive([this] { impl_->follow(); });
+}
+
+LiveBend::~LiveBend() = default;
+
+void LiveBend::setWanted(bool wanted) {
+  if (std::exchange(impl_->wanted, wanted) != wanted)
+    impl_->follow();
+}
+
+const InverseMap* LiveBend::map() {
+  Impl& p = *impl_;
+  p.follow();
+  if (!p.wanted || !p.bound.map || !p.posed())
+    return nullptr;
+  const Points& shown = p.live.shownPose();
+  if (p.pose.rows() != shown.rows() || p.pose != shown) {
+    p.bound.map->setPose(shown);
+    p.pose = shown;
+    ++p.revision;
+    if (p.bound.map->wantsFinerGrid() && !p.binding && p.problem.empty())
+      p.bind(); // This one serves until that is there.
+  }
+  return p.bound.map.get();
+}
+
+void LiveBend::restPlane(const deformation::SamplePlane& plane, deformation::RestPoints& rest) {
+  const InverseMap& known = *map();
+  known.restPlane(plane, rest);
+  const double most = impl_->options.refineSeconds / std::max(impl_->bound.secondsPerPoint, 1e-12);
+  deformation::Refinement refinement{.toleranceMm = kBendToleranceMm};
+  if (most < static_cast<double>(rest.points.rows()))
+    refinement.mostPoints = static_cast<Eigen::Index>(most);
+  Progress quiet;
+  known.refinePlane(*impl_->target->system, plane, refinement, rest, quiet);
+}
+
+double LiveBend::foldedMl() {
+  const InverseMap* known = map();
+  return known ? known->foldedMl() : 0;
+}
+
+std::uint64_t LiveBend::revision() const {
+  return impl_->revision;
+}
+
+const std::string& LiveBend::problem() const {
+  return impl_->problem;
+}
+
+Subscription LiveBend::onChange(std::function<void()> observer) {
+  return impl_->changed.connect(std::move(observer));
+}
+
+} // namespace viscera::live

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <optional>
+
+#include "viscera/motion/motion_runner.h"
+#include "viscera/sequences/wall_motion.h"
+
+namespace viscera::motion {
+
+/// The walls of the sample heart that a runner moves, measured on its organs where they are: left and right
+/// cavity ("lv", "rv") and the surface around them. For the runner's thread.
+class HeartWalls {
+public:
+  /// Looks for them; `runner` must live longer.
+  explicit HeartWalls(const MotionRunner& runner);
+
+  /// Where the walls are in the pose shown last; nothing where no sample heart beats, and of surfaces too
+  /// coarse to be measured. O(vertices).
+  std::optional<sequences::WallPlaces> now() const;
+
+private:
+  const MotionRunner& runner_;
+  document::OrganId left_, right_, outer_;
+  std::optional<sequences::WallGauge> gauge_;
+};
+
+} // namespace viscera::motion

@@ -1,0 +1,31 @@
+#pragma once
+
+#include "viscera/presentation/slice_presenter.h"
+
+namespace viscera::presentation {
+
+/// The values of a slice of the scan, as its tissue lies or as a pose bends it, and their grey levels.
+class SliceValues {
+public:
+  /// Takes them anew; with `bending`, which may be null, where the tissue at each pixel was at rest.
+  void take(const medical_io::Scan& scan, const slices::SliceFrame& frame,
+            const slices::SampleOptions& options, const Bending* bending);
+  void clear();
+  /// Pixels at which the pose folds the tissue are hatched: what is between the lines is a guess.
+  void shade(const medical_io::ValueWindow& window, std::vector<std::uint8_t>& grey, Threads threads) const;
+
+  /// Of a pixel; none where nothing was measured, and outside of the slice.
+  std::optional<double> at(long x, long y) const;
+  bool foldedAt(long x, long y) const;
+  /// Whether the pose folds tissue at any pixel.
+  bool anyFolded() const { return anyFolded_; }
+
+private:
+  std::optional<std::size_t> indexOf(long x, long y) const;
+
+  slices::ValueImage values_;
+  deformation::RestPoints rest_; ///< Without states when nothing is bent.
+  bool anyFolded_ = false;
+};
+
+} // namespace viscera::presentation

@@ -1,0 +1,97 @@
+#include "viscera/live/live_bend.h"
+
+#include <limits>
+
+#include <gtest/gtest.h>
+
+#include "session_fixture.h"
+
+namespace viscera::live {
+namespace {
+
+struct BentBall : tests::BoundSession {
+  LiveBend bend{document, live, registry, jobs, {.refineSeconds = std::numeric_limits<double>::infinity()}};
+
+  /// All handles that much farther on.
+  void shift(const Vec3& by) {
+    std::vector<document::HandleId> all;
+    Points moved = document.rig().restPositions();
+    moved.rowwise() += by.transpose();
+    for (const document::Handle& handle : document.rig().handles)
+      all.push_back(handle.id);
+    undo.perform(document::moveHandles(all, moved));
+  }
+  Vec3 restOf(const Vec3& place) {
+    Points points(1, 3);
+    points.row(0) = place.transpose();
+    return bend.map()->restPoints(points).points.row(0).transpose();
+  }
+  void wait() {
+    box.runUntil([this] { return bend.map() != nullptr; });
+  }
+};
+
+TEST(LiveBend, SaysWhereTissueWasInThePoseThatIsShown) {
+  BentBall ball;
+  ball.bend.setWanted(true);
+  EXPECT_EQ(ball.bend.map(), nullptr) << "nothing is bent at rest";
+  EXPECT_TRUE(ball.jobs.idle()) << "and nothing is bound for it";
+  ball.shift(Vec3(0, 0, 10));
+  ball.wait();
+  EXPECT_LT((ball.restOf(Vec3(3, 2, 15)) - Vec3(3, 2, 5)).norm(), 0.1);
+  const std::uint64_t before = ball.bend.revision();
+  ball.shift(Vec3(6, 0, 0));
+  EXPECT_LT((ball.restOf(Vec3(3, 2, 15)) - Vec3(-3, 2, 15)).norm(), 0.1) << "another pose needs no binding";
+  EXPECT_NE(ball.bend.revision(), before);
+  EXPECT_TRUE(ball.jobs.idle());
+  ball.live.showRest();
+  EXPECT_EQ(ball.bend.map(), nullptr);
+}
+
+TEST(LiveBend, BindsNothingUnlessSomebodyLooksAndAnewForOtherHandles) {
+  BentBall ball;
+  ball.shift(Vec3(0, 0, 10));
+  EXPECT_TRUE(ball.jobs.idle());
+  ball.bend.setWanted(true);
+  ball.wait();
+  const auto* first = ball.bend.map();
+  ball.undo.perform(document::addHandles({{Vec3(-35, 1, 2)}}));
+  EXPECT_EQ(ball.bend.map(), nullptr) << "what there was belongs to other handles";
+  ball.shift(Vec3(0, 0, 10));
+  ball.wait();
+  EXPECT_NE(first, nullptr);
+  EXPECT_LT((ball.restOf(Vec3(3, 2, 15)) - Vec3(3, 2, 5)).norm(), 0.1);
+}
+
+TEST(LiveBend, SaysItAsExactlyFarFromTheFirstPoseAsNearIt) {
+  BentBall ball;
+  ball.bend.setWanted(true);
+  ball.shift(Vec3(0, 0, 1)); // The first pose, for which the grid is made: any grid is exact for it.
+  ball.wait();
+  ball.undo.perform(document::moveHandles({ball.handle(8)}, tests::row(4, 6, 62)));
+  const deformation::SamplePlane plane{{-20, 3, -20}, {0.5, 0, 0}, {0, 0, 0.5}, 80, 90};
+  deformation::RestPoints rest;
+  ball.bend.restPlane(plane, rest);
+  const auto target = ball.registry.find(ball.document.system().id);
+  Points posed(plane.columns * plane.rows, 3);
+  for (Eigen::Index i = 0; i < posed.rows(); ++i)
+    posed.row(i) = plane.at(i % plane.columns, i / plane.columns).transpose();
+  Progress progress;
+  EXPECT_LT(ball.bend.map()->residualMm(*target, posed, rest, progress), 2 * kBendToleranceMm);
+  EXPECT_EQ(ball.bend.foldedMl(), 0);
+  // A finer grid is bound beside it, and takes its place.
+  ball.box.runUntil([&] { return ball.jobs.idle(); });
+  EXPECT_FALSE(ball.bend.map()->wantsFinerGrid());
+}
+
+TEST(LiveBend, CountsWhatThePoseFolds) {
+  BentBall ball;
+  ball.bend.setWanted(true);
+  ball.undo.perform(document::moveHandles({ball.handle(8)}, tests::row(0, 0, -90)));
+  ball.wait();
+  EXPECT_GT(ball.bend.foldedMl(), 0.5);
+  EXPECT_LT(ball.bend.foldedMl(), 150);
+}
+
+} // namespace
+} // namespace viscera::live
