@@ -12,13 +12,16 @@
 #include "viscera/geometry/volume.h"
 #include "viscera/motion/clinical_numbers.h"
 #include "viscera/motion/sequence_setup.h"
+#include "viscera/sequences/heartbeat.h"
 #include "viscera/sequences/peristalsis.h"
+#include "viscera/sequences/wall_motion.h"
 
 namespace viscera::motion {
 namespace {
 
 constexpr double kPercent = 100;
 constexpr int kInstants = 192;
+constexpr int kWallInstants = 96;
 constexpr auto kResolution = sample_organs::Resolution::medium;
 
 /// A sequence on its sample organ at its own rate.
@@ -99,6 +102,33 @@ private:
     add("lv.ivct", beat.where(), beat.millisecondsOf("isovolumic contraction"));
     add("lv.ejection", beat.where(), beat.millisecondsOf("ejection"));
     add("lv.ivrt", beat.where(), beat.millisecondsOf("isovolumic relaxation"));
+    addWalls(beat);
+  }
+
+  /// On the surfaces, by vertices that are followed through the beat.
+  void addWalls(const Played& beat) {
+    const auto& heart = dynamic_cast<const sequences::CavityHeartbeat&>(beat.sequence());
+    const MovedVolume left = beat.surface("lv"), right = beat.surface("rv"), outer = beat.surface("outer");
+    const auto pointsOf = [](const MovedVolume& surface, const Points& pose) {
+      return surface.surfaceAt(pose).points;
+    };
+    const Points& rest = beat.sequence().restHandles();
+    const Points leftRest = pointsOf(left, rest), rightRest = pointsOf(right, rest),
+                 outerRest = pointsOf(outer, rest);
+    const sequences::WallGauge gauge(heart.motion().rig().anatomy.frame, {leftRest, rightRest, outerRest});
+    std::vector<sequences::WallPlaces> places;
+    for (int i = 0; i < kWallInstants; ++i) {
+      progress_.throwIfCancelled();
+      const Points pose = beat.poseAt(static_cast<double>(i) / kWallInstants);
+      const Points leftNow = pointsOf(left, pose), rightNow = pointsOf(right, pose),
+                   outerNow = pointsOf(outer, pose);
+      places.push_back(gauge.at({leftNow, rightNow, outerNow}));
+    }
+    const sequences::WallMotion motion = sequences::wallMotion(places);
+    add("lv.mapse", beat.where(), motion.mapseMm);
+    add("rv.tapse", beat.where(), motion.tapseMm);
+    add("lv.twist", beat.where(), motion.twistDegrees);
+    add("lv.thickening", beat.where(), motion.thickeningPercent);
   }
 
   void addCirculation() {

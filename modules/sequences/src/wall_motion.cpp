@@ -7,6 +7,7 @@
 #include <string>
 
 #include "viscera/core/error.h"
+#include "viscera/norms/norms.h"
 
 namespace viscera::sequences {
 namespace {
@@ -152,20 +153,18 @@ WallMotion wallMotion(const std::vector<WallPlaces>& beat) {
 }
 
 const std::vector<WallMotionRange>& wallMotionRanges() {
+  const auto range = [](const char* name, const char* about, double WallMotion::*value, const char* id) {
+    const norms::Norm& norm = norms::norm(id);
+    const norms::Range normal = norms::rangeOf(norm);
+    return WallMotionRange{
+        name, about, value, normal.low, normal.high, norm.unit.c_str(), norm.source.c_str()};
+  };
   static const std::vector<WallMotionRange> ranges{
-      {"MAPSE", "excursion of the mitral annulus towards the apex", &WallMotion::mapseMm, 12, 16, "mm",
-       "magnetic resonance: 16.4 mm (Carlsson and others 2007, doi 10.1152/ajpheart.01376.2006); ultrasound "
-       "finds less, 12 to 15 mm"},
-      {"TAPSE", "excursion of the tricuspid annulus at the free wall", &WallMotion::tapseMm, 18, 25, "mm",
-       "magnetic resonance: 23.4 mm (Carlsson and others 2007, doi 10.1152/ajpheart.01376.2006); below 17 mm "
-       "is abnormal in ultrasound (Lang and others 2015, doi 10.1016/j.echo.2014.10.003)"},
-      {"Twist", "turn of the apex against the base", &WallMotion::twistDegrees, 8, 15, "degrees",
-       "magnetic resonance: apex about 10, base about 3 degrees the other way (Young and Cowan 2012, doi "
-       "10.1186/1532-429X-14-49)"},
-      {"Thickening", "of the left ventricle's free wall in systole", &WallMotion::thickeningPercent, 30, 60,
-       "%",
-       "magnetic resonance: 4.4 +- 1.4 mm in the middle slices (Ubachs and others 2009, doi "
-       "10.1186/1532-429X-11-S1-P61)"}};
+      range("MAPSE", "excursion of the mitral annulus towards the apex", &WallMotion::mapseMm, "lv.mapse"),
+      range("TAPSE", "excursion of the tricuspid annulus at the free wall", &WallMotion::tapseMm, "rv.tapse"),
+      range("Twist", "turn of the apex against the base", &WallMotion::twistDegrees, "lv.twist"),
+      range("Thickening", "of the left ventricle's free wall in systole", &WallMotion::thickeningPercent,
+            "lv.thickening")};
   return ranges;
 }
 

@@ -28,7 +28,7 @@ const std::map<std::string, std::set<std::string>>& allowedModules() {
       {"coordinates", {"core", "geometry"}},
       {"deformation", {"core", "geometry", "coordinates"}},
       {"tracking", {"core", "geometry", "coordinates", "deformation"}},
-      {"sequences", {"core"}},
+      {"sequences", {"core", "norms"}},
       {"circulation", {"core", "norms"}},
       {"plugin", {"core", "geometry", "coordinates"}},
       {"localised_scc", {"core", "geometry", "coordinates", "plugin"}},
