@@ -7,7 +7,7 @@
 #include "label_files.h"
 #include "packed_bytes.h"
 #include "packed_dicom.h"
-#include "scan_phantom.h"
+#include "phantom_scan.h"
 #include "viscera/core/error.h"
 #include "viscera/medical_io/label_map.h"
 #include "viscera/medical_io/label_series.h"

@@ -14,7 +14,6 @@
 
 #include "dicom_slices.h"
 #include "phantom_scan.h"
-#include "scan_phantom.h"
 #include "viscera/document/measured_values.h"
 #include "viscera/document/organ_commands.h"
 #include "viscera/document/rig_commands.h"

@@ -154,7 +154,8 @@ TEST(SampleOrgans, BecomeAnOrganWithItsCavities) {
     heart.surfaces.push_back(
         {name,
          std::make_shared<const geometry::TriangleMesh>(viscera::tests::sphere(2, radius)),
-         {0.7, 0.2, 0.2}});
+         {0.7, 0.2, 0.2},
+         {}});
   }
   Document document;
   UndoStack undo(document);
