@@ -9,6 +9,7 @@
 #include "lesson_scene.h"
 #include "run_process.h"
 #include "temporary_folder.h"
+#include "viscera/document/measured_values.h"
 #include "viscera/document/measurement_commands.h"
 #include "viscera/document/session_file.h"
 
@@ -258,16 +259,14 @@ TEST_F(LessonPage, OfStillOrgansWithMeasurementsAndHostileNamesStaysText) {
   addDrag(lesson, truth);
   truth["quiz"] = 1;
   truth["hostile"] = true;
-  truth["measurements"] = {document::measure(plan.measurements[0].measurement, source.state,
-                                             [&](document::OrganId id) -> const Points& {
-                                               return source.state.organ(id)->mesh->points;
-                                             })
-                               .rest,
-                           document::measure(plan.measurements[1].measurement, source.state,
-                                             [&](document::OrganId id) -> const Points& {
-                                               return source.state.organ(id)->mesh->points;
-                                             })
-                               .rest};
+  const auto valueOf = [&](const PlannedMeasurement& planned) {
+    return document::measure(planned.measurement, source.state,
+                             [&](document::OrganId id) -> const Points& {
+                               return source.state.organ(id)->mesh->points;
+                             })
+        .rest;
+  };
+  truth["measurements"] = {valueOf(plan.measurements[0]), valueOf(plan.measurements[1])};
   const viscera::tests::TemporaryFolder folder;
   writePage(folder.path() / "lesson.html", lesson);
   expectGood(folder.path() / "lesson.html", truth, "balls");
