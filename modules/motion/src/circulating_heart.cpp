@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "cavity_form.h"
+#include "measured_cavities.h"
 #include "sample_heart.h"
 #include "sequence_binding.h"
 #include "viscera/circulation/periodic_state.h"
@@ -71,7 +71,7 @@ sequences::HeartCourse heartCourse(const std::string& name, const circulation::P
 struct CirculatingHeart::Parts {
   sample_organs::SampleOrgan organ;
   SampleHeart heart;
-  std::shared_ptr<const CavityForms> cavities;
+  std::shared_ptr<const MeasuredCavities> cavities;
 };
 
 namespace {
@@ -90,7 +90,7 @@ CirculatingHeart::CirculatingHeart(const sample_organs::SampleLibrary& library,
   });
   SampleHeart heart = sampleHeart(library, threads);
   progress.throwIfCancelled();
-  auto cavities = std::make_shared<const CavityForms>(organ, heart, threads);
+  auto cavities = std::make_shared<const MeasuredCavities>(organ, heart, threads);
   parts_ = std::make_unique<const Parts>(Parts{std::move(organ), std::move(heart), std::move(cavities)});
   progress.report(1);
 }

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "cavity_form.h"
+#include "measured_cavities.h"
 #include "sample_heart.h"
 #include "sequence_binding.h"
 #include "viscera/core/error.h"
@@ -23,7 +23,7 @@ void makeHeartbeat(const SampleLibrary& library, SequenceSetup& setup, Progress&
   SampleHeart heart = sampleHeart(library, threads);
   progress.throwIfCancelled();
   setup.system = heart.system;
-  const auto cavities = std::make_shared<const CavityForms>(setup.organ, heart, threads);
+  const auto cavities = std::make_shared<const MeasuredCavities>(setup.organ, heart, threads);
   progress.throwIfCancelled();
   setup.sequence = std::make_shared<sequences::CavityHeartbeat>(
       sequences::CavityFit(std::move(heart.motion), std::move(heart.compensation),
