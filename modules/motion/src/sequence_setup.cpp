@@ -21,6 +21,7 @@ constexpr double kHeartPart = 0.8;
 /// The cavities of its heart hold what the cycle says.
 void makeHeartbeat(const SampleLibrary& library, SequenceSetup& setup, Progress& progress, Threads threads) {
   SampleHeart heart = sampleHeart(library, threads);
+  progress.report(0.5, "heartbeat");
   progress.throwIfCancelled();
   setup.system = heart.system;
   const auto cavities = std::make_shared<const MeasuredCavities>(setup.organ, heart, threads);

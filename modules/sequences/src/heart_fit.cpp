@@ -33,11 +33,11 @@ const Vec3 kRightOfPeople(-0.62, -0.78, 0.05);
 // Fitting, in the standard size.
 constexpr double kRayStep = 0.5;
 constexpr double kFarthest = 120;
-constexpr double kShellCenter = 28;  ///< c of the widest place,
-constexpr double kShellHalf = 65;    ///< and half the length of the left ventricle from outside;
+constexpr double kShellCenter = 30;  ///< c of the widest place,
+constexpr double kShellHalf = 67;    ///< and half the length of the left ventricle from outside;
 constexpr double kCavityCenter = 28; ///< the same of its cavity,
 constexpr double kCavityHalf = 59;
-constexpr double kCavityShare = 25.5 / 33.5; ///< and its width as a part of the outer one.
+constexpr double kCavityShare = 25.5 / 36; ///< and its width as a part of the outer one.
 constexpr double kNarrowest = 20, kWidest = 60;
 constexpr double kBehindBase = 10;   ///< The ventricles end that far behind the base, mm.
 constexpr double kFirstAtrial = 12;  ///< Atrial handles begin behind that, mm.

@@ -35,7 +35,8 @@ double square(double x) {
 } // namespace
 
 HeartMotion::HeartMotion(HeartRig rig, const HeartExcursions& excursions)
-    : rig_(std::move(rig)), excursions_(excursions) {}
+    : rig_(std::move(rig)), excursions_(excursions),
+      wallsHandled_(!rig_.handlesOf(HeartRole::leftEndocardium).empty()) {}
 
 double HeartMotion::shortening(const HeartState& state) const {
   return 1 - state.emptying * excursions_.leftDescent / rig_.anatomy.length;
@@ -81,8 +82,10 @@ double HeartMotion::ventricularRho(const HeartHandle& handle, const HeartState& 
   const double gap = rho - handle.surfaceRho;
   // What lies around the left ventricle's wall gives way as if it kept its volume too.
   const double away = 0.5 - 0.5 * std::cos(handle.place.phi);
+  const double push = (kRightPush + away * (kFreePush - kRightPush)) * thickening(state, c);
+  // Where only the outside is handled, nothing averages over a wall: its handles go with it.
   const double aroundLeft =
-      wallRho(state, rho, c) + (kRightPush + away * (kFreePush - kRightPush)) * thickening(state, c);
+      wallsHandled_ ? wallRho(state, rho, c) + push : wallRho(state, handle.surfaceRho, c) + gap;
   if (beyond <= 0)
     return aroundLeft;
   const bool inside = handle.role == HeartRole::rightFreeWall;
@@ -93,7 +96,7 @@ double HeartMotion::ventricularRho(const HeartHandle& handle, const HeartState& 
   const double scale = part + (1 - part) * ease;
   const double aroundRight =
       wallRho(state, septum, c) + (beyond - wall) * scale + wall / std::sqrt(shortening(state)) + gap;
-  const double share = inside ? 1 : smoothStep(beyond / kWhereRightBegins);
+  const double share = inside || !wallsHandled_ ? 1 : smoothStep(beyond / kWhereRightBegins);
   return aroundLeft + share * (aroundRight - aroundLeft);
 }
 

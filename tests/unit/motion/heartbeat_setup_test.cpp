@@ -152,7 +152,7 @@ TEST(HeartbeatSetup, trianglesKeepTheirShapeInEveryFrame) {
   RecordProperty("worstTriangleOfTheOuterSurface", std::to_string(worstOuter));
   RecordProperty("worstTriangleOfTheCavities", std::to_string(worstCavity));
   EXPECT_GT(worstOuter, 0.35);
-  EXPECT_GT(worstCavity, 0.7);
+  EXPECT_GT(worstCavity, 0.6) << "of the thinner wall; the thicker one had 0.7";
 }
 
 TEST(HeartbeatSetup, handlesComeLabelledInTheGroupsOfTheirRoles) {

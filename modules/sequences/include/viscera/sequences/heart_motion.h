@@ -72,6 +72,7 @@ private:
 
   HeartRig rig_;
   HeartExcursions excursions_;
+  bool wallsHandled_; ///< The cavities' walls have handles of their own.
 };
 
 } // namespace viscera::sequences
