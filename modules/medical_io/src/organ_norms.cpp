@@ -19,7 +19,7 @@ constexpr double kTypicalLowMm = 60;
 constexpr double kTypicalHighMm = 600;
 
 /// Life-sized organs differ from a range of 19 of 20 people, or from means, by at most these factors.
-constexpr double kAwayFromSpread = 2;
+constexpr double kAwayFromSpread = 1.5;
 constexpr double kAwayFromAverages = 3;
 
 /// What organs are called, where they lie, and their row in the table of normal ranges.
