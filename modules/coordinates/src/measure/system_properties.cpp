@@ -7,6 +7,7 @@
 #include <exception>
 #include <functional>
 
+#include "viscera/coordinates/cage/cage.h"
 #include "viscera/core/error.h"
 
 namespace viscera::coordinates {
@@ -104,6 +105,9 @@ private:
 
   void measureTurn(SceneProperties& found) {
     HandleSet handles = scene_.handles;
+    // Four handles in one face of the hull: rounding decides on its diagonal, in each position anew.
+    if (system_.traits().needsCage)
+      handles.cage = cageOf(handles);
     const Vec3 center = boundsOf(handles.positions).center();
     handles.positions = turned(handles.positions, center);
     const Eigen::MatrixXd after = coordinatesOf(*bind(handles, turned(points_, center)));
