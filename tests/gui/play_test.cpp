@@ -1,5 +1,7 @@
 #include "play_fixture.h"
 
+#include <algorithm>
+
 #include <QAbstractButton>
 #include <QAction>
 #include <QComboBox>
@@ -262,11 +264,21 @@ TEST_F(PlayMode, WavesTravelDownTheStomachAndUndoBringsBackTheHeartWithItsMotion
   EXPECT_EQ(scrubber->namesShown(), (QStringList{QStringLiteral("fundus"), QStringLiteral("body"),
                                                  QStringLiteral("antrum"), QStringLiteral("pylorus")}));
   window().playback().seek(0.2);
-  ASSERT_EQ(scrubber->marks().size(), 2u);
-  const double before = scrubber->marks().front().place;
-  window().playback().seek(0.4);
-  ASSERT_FALSE(scrubber->marks().empty());
-  EXPECT_GT(scrubber->marks().front().place, before);
+  ASSERT_GE(scrubber->marks().size(), 3u);
+  ASSERT_LE(scrubber->marks().size(), 4u);
+  const auto places = [scrubber] {
+    std::vector<double> all;
+    for (const auto& mark : scrubber->marks())
+      all.push_back(mark.place);
+    return all;
+  };
+  const std::vector<double> before = places();
+  const double youngest = *std::min_element(before.begin(), before.end());
+  window().playback().seek(0.3);
+  const std::vector<double> after = places();
+  EXPECT_TRUE(std::any_of(after.begin(), after.end(), [youngest](double place) {
+    return place > youngest && place < youngest + 0.1;
+  })) << "the youngest wave has gone on";
   auto* chart = window().findChild<app::VolumePanel*>();
   EXPECT_TRUE(chart->normalsText().contains(QStringLiteral("after a meal")));
 

@@ -35,8 +35,8 @@ double patient(const Vec3& p) {
 
 struct SlicedPatient : tests::BoundSession {
   ViewState view;
-  live::LiveBend bend{document, live, registry, jobs,
-                      {.refineSeconds = std::numeric_limits<double>::infinity()}};
+  live::LiveBend bend{
+      document, live, registry, jobs, {.refineSeconds = std::numeric_limits<double>::infinity()}};
 
   SlicedPatient() {
     undo.perform(document::openScan(document::scanItem(

@@ -260,10 +260,9 @@ TEST_F(LessonPage, OfStillOrgansWithMeasurementsAndHostileNamesStaysText) {
   truth["quiz"] = 1;
   truth["hostile"] = true;
   const auto valueOf = [&](const PlannedMeasurement& planned) {
-    return document::measure(planned.measurement, source.state,
-                             [&](document::OrganId id) -> const Points& {
-                               return source.state.organ(id)->mesh->points;
-                             })
+    return document::measure(
+               planned.measurement, source.state,
+               [&](document::OrganId id) -> const Points& { return source.state.organ(id)->mesh->points; })
         .rest;
   };
   truth["measurements"] = {valueOf(plan.measurements[0]), valueOf(plan.measurements[1])};

@@ -25,7 +25,8 @@ std::vector<std::filesystem::path> binaries() {
 }
 
 std::string readelf(const std::string& what, const std::filesystem::path& binary) {
-  const test::ProcessResult result = test::runProcess({"readelf", "--wide", what, binary.string()});
+  const test::ProcessResult result =
+      test::runProcess({"/usr/bin/env", "readelf", "--wide", what, binary.string()});
   EXPECT_EQ(result.exitCode, 0) << result.err;
   return result.out;
 }

@@ -24,10 +24,10 @@ struct Grouping {
 /// out of range, `DataError` for no points. O(v + n).
 Grouping groupsAlongAxis(const Points& handles, const Points& organPoints, int count, double overlap = 0.25);
 
-/// Clusters the organ into `count` parts by nearness (k-means of its points from farthest-point seeds, so that
-/// no group is without a part of the organ) and gives each the handles nearest to its middle; a handle about
-/// as near to a second cluster as to its own belongs to both. Throws as above, and `DataError` for fewer
-/// handles, or fewer points, than groups.
+/// Clusters the organ into `count` parts by nearness (k-means of its points from farthest-point seeds, so
+/// that no group is without a part of the organ) and gives each the handles nearest to its middle; a handle
+/// about as near to a second cluster as to its own belongs to both. Throws as above, and `DataError` for
+/// fewer handles, or fewer points, than groups.
 Grouping groupsByCluster(const Points& handles, const Points& organPoints, int count);
 
 /// One group an organ: the handles nearer to it than to any other. Throws `DataError` for an organ without

@@ -30,9 +30,10 @@ public:
   };
 
   /// All must live longer.
-  LiveBend(const document::Document& document, LiveBinding& live, const plugin::Registry& registry, JobQueue& jobs,
-           Options options);
-  LiveBend(const document::Document& document, LiveBinding& live, const plugin::Registry& registry, JobQueue& jobs)
+  LiveBend(const document::Document& document, LiveBinding& live, const plugin::Registry& registry,
+           JobQueue& jobs, Options options);
+  LiveBend(const document::Document& document, LiveBinding& live, const plugin::Registry& registry,
+           JobQueue& jobs)
       : LiveBend(document, live, registry, jobs, Options()) {}
   ~LiveBend();
   LiveBend(const LiveBend&) = delete;
