@@ -200,10 +200,7 @@ constexpr Case kCases[] = {
     {"stress_stretch_max_limit", hideBelowALimit},
     {"stress_stretch_min_pinned_crosses", pinTheRangeAndHideAboveALimit},
     {"stress_rotational_ellipsoids"},
-    {"stress_folded_heart_others"},
     {"stress_peak_recorded", showThePeak},
-    {"play_heartbeat_paused"},
-    {"play_peristalsis_light", nothingMore, "light"},
     {"play_recorded_locked"},
 };
 
