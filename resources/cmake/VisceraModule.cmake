@@ -11,6 +11,20 @@ if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
   set(CMAKE_BUILD_TYPE Release CACHE STRING "Build type" FORCE)
 endif()
 
+# Protections against memory errors, in everything that is built (docs/SECURITY.md). Sanitisers bring their own.
+option(VISCERA_HARDEN "Guard stacks, calls of the C library and tables of addresses" ON)
+set(VISCERA_HARDENED OFF)
+if(VISCERA_HARDEN AND NOT CMAKE_CXX_FLAGS MATCHES "-fsanitize")
+  set(VISCERA_HARDENED ON)
+  add_compile_options(-fstack-protector-strong -fstack-clash-protection)
+  if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
+    add_compile_options(-fcf-protection)
+  endif()
+  # It needs the optimiser; some distributions' compilers define it already.
+  add_compile_options($<$<CONFIG:Release,RelWithDebInfo>:-U_FORTIFY_SOURCE> $<$<CONFIG:Release,RelWithDebInfo>:-D_FORTIFY_SOURCE=2>)
+  add_link_options(LINKER:-z,relro LINKER:-z,now LINKER:-z,noexecstack)
+endif()
+
 find_program(VISCERA_CCACHE ccache)
 if(VISCERA_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
   set(CMAKE_C_COMPILER_LAUNCHER "${VISCERA_CCACHE}")

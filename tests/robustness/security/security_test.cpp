@@ -13,6 +13,7 @@
 namespace viscera {
 namespace {
 
+using testing::HasSubstr;
 using testing::IsEmpty;
 
 /// The program and the shared libraries of the modules that this build has.
@@ -65,6 +66,26 @@ TEST(Security, OnlyThePluginModuleLoadsCode) {
     else
       EXPECT_THAT(loaders, IsEmpty()) << binary;
   }
+}
+
+TEST(Hardening, IsInEveryBinary) {
+  if (!VISCERA_HARDENED)
+    GTEST_SKIP() << "this build is not hardened (VISCERA_HARDEN is off, or a sanitiser watches)";
+  std::set<std::string> imported;
+  for (const auto& binary : binaries()) {
+    SCOPED_TRACE(binary);
+    const std::string segments = readelf("--segments", binary);
+    EXPECT_THAT(segments, HasSubstr("GNU_RELRO"));
+    EXPECT_FALSE(std::regex_search(segments, std::regex(R"(GNU_STACK.*RWE)"))) << "The stack is executable.";
+    EXPECT_THAT(segments, HasSubstr("Elf file type is DYN")) << "It is not position-independent.";
+    EXPECT_THAT(readelf("--dynamic", binary), HasSubstr("NOW"));
+    imported.merge(importedBy(binary));
+  }
+  EXPECT_TRUE(imported.contains("__stack_chk_fail")) << "No function guards its stack.";
+  bool fortified = false;
+  for (const std::string& name : imported)
+    fortified = fortified || name.ends_with("_chk");
+  EXPECT_TRUE(fortified) << "No call of the C library is checked.";
 }
 
 } // namespace
