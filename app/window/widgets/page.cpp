@@ -76,7 +76,13 @@ QLabel* Page::addFact(const QString& name) {
   value->setTextInteractionFlags(Qt::TextSelectableByMouse);
   value->setWordWrap(true);
   facts_->addRow(label, value);
+  value->setProperty("name", QVariant::fromValue<QWidget*>(label));
   return value;
+}
+
+void Page::setFactShown(QLabel* value, bool shown) {
+  value->setVisible(shown);
+  value->property("name").value<QWidget*>()->setVisible(shown);
 }
 
 QLabel* Page::addRemark(const QString& text) {

@@ -40,6 +40,8 @@ protected:
   void add(QWidget* widget);
   /// A line of a name and a value that can be selected; returns the value.
   QLabel* addFact(const QString& name);
+  /// Shows or hides a line that `addFact` has made.
+  static void setFactShown(QLabel* value, bool shown);
   /// A quiet sentence.
   QLabel* addRemark(const QString& text);
   /// A button that does an action of the window and shows its name and state.
