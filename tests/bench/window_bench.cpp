@@ -126,7 +126,7 @@ void dragABall(benchmark::State& state) {
   drag(state, bench);
   state.counters["vertices"] = double(bench.document().organs().front()->mesh->points.rows());
 }
-BENCHMARK(dragABall)->Arg(6)->Arg(8)->Unit(benchmark::kMillisecond)->UseManualTime()->Iterations(40);
+BENCHMARK(dragABall)->Arg(6)->Arg(8)->Arg(9)->Unit(benchmark::kMillisecond)->UseManualTime()->Iterations(40);
 
 /// A press on a handle until it is drawn as held.
 void pressAHandle(benchmark::State& state) {

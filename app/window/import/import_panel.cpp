@@ -6,6 +6,7 @@
 #include <QLineEdit>
 #include <QPushButton>
 #include <QSignalBlocker>
+#include <QStyle>
 
 #include <algorithm>
 
@@ -150,6 +151,9 @@ void ImportPanel::showDraft(const document::ImportDraft& draft, const QString& t
   import_->setText(!whole                 ? tr("Import %n {organ|organs}", nullptr, static_cast<int>(taken))
                    : draft.questionable() ? tr("Import as it is")
                                           : tr("Import"));
+  import_->setProperty("quiet", draft.questionable());
+  import_->style()->unpolish(import_);
+  import_->style()->polish(import_);
   fillFindings();
   filter_->setVisible(draft.organs.size() > kMany);
   filter();

@@ -4,6 +4,7 @@
 #include <QLabel>
 #include <QTableWidget>
 
+#include <algorithm>
 #include <cmath>
 
 #include "viscera/motion/clinical_numbers.h"
@@ -67,10 +68,20 @@ void PlayPage::makeMotion(const ModeParts& parts, const Actions& actions) {
 }
 
 void PlayPage::makeCirculation(const ModeParts& parts, const Actions& actions) {
-  addSection(tr("What moves the heart"));
+  QWidget* head = addSection(tr("What moves the heart"));
   auto* box = new CirculationBox(parts.workspace, mode_.circulation(), actions, this);
   add(box);
   connect(box, &CirculationBox::scenarioChosen, &mode_, &PlayMode::chooseScenario);
+  const auto sync = [this, &workspace = parts.workspace, head, box] {
+    const bool wanted =
+        mode_.circulation().on() || mode_.hasSampleHeart() || workspace.document().organs().empty();
+    head->setVisible(wanted);
+    box->setVisible(wanted);
+  };
+  connect(&playback_, &Playback::stateChanged, this, sync);
+  connect(&mode_.circulation(), &CirculationModel::changed, this, sync);
+  subscription_ = parts.workspace.onChange([sync](const document::Change&) { sync(); });
+  sync();
 }
 
 void PlayPage::makeTable() {
@@ -165,6 +176,9 @@ void PlayPage::syncTable() {
   table_->setRowCount(static_cast<int>(lines.size()));
   for (std::size_t line = 0; line < lines.size(); ++line)
     fillRow(line);
+  const bool cavities = std::any_of(lines.begin(), lines.end(), [](const auto& line) { return line.cavity; });
+  for (const int column : {kStroke, kFraction})
+    table_->setColumnHidden(column, !cavities);
   syncIndices();
   syncWalls();
   int height = table_->horizontalHeader()->height() + 2;

@@ -47,6 +47,7 @@ private:
   std::vector<QLabel*> walls_; ///< In the order of `sequences::wallMotionRanges`.
   QLabel* normal_ = nullptr;
   RecordBox* record_ = nullptr;
+  Subscription subscription_;
 };
 
 } // namespace viscera::app

@@ -19,7 +19,11 @@ constexpr int kColumns = 3;
 QIcon pictureOf(const QString& id, bool dark) {
   const QString file = QStringLiteral(":/viscera/sequences/%1_%2.png")
                            .arg(id, dark ? QStringLiteral("dark") : QStringLiteral("light"));
-  return QFile::exists(file) ? QIcon(file) : icon("beat");
+  if (!QFile::exists(file))
+    return icon("beat");
+  QIcon picture(file);
+  picture.addFile(file, {}, QIcon::Selected); // Framed, not tinted: a tinted one looks disabled.
+  return picture;
 }
 
 } // namespace

@@ -66,11 +66,11 @@ void FitOffer::ask(const QString& sequence) {
   question_->setText(
       odd ? tr("%1 moves a %2, and %3 is none by its name.").arg(text(sample->name), kind, name)
           : tr("%1: fit it to %2?").arg(text(sample->name), name));
-  fit_->setText(odd ? tr("Fit it to %1 nevertheless").arg(name) : tr("Fit it to %1").arg(name));
+  fit_->setText(odd ? tr("Fit it all the same") : tr("Fit it to %1").arg(name));
   fit_->setEnabled(organ->closed());
   fit_->setToolTip(organ->closed() ? tr("Puts the sequence's handles around the organ and plays")
                                    : tr("%1 is open; a sequence needs a closed surface").arg(name));
-  sample_->setText(tr("Show the sample %1 instead").arg(kind));
+  sample_->setText(tr("Show the sample %1").arg(kind));
   setPrimary(fit_, !odd && organ->closed());
   setPrimary(sample_, odd || !organ->closed());
   show();

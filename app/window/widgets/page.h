@@ -35,8 +35,8 @@ public:
   explicit Page(QWidget* parent = nullptr);
 
 protected:
-  /// Begins a section.
-  void addSection(const QString& title);
+  /// Begins a section; returns its head.
+  QWidget* addSection(const QString& title);
   void add(QWidget* widget);
   /// A line of a name and a value that can be selected; returns the value.
   QLabel* addFact(const QString& name);

@@ -95,9 +95,10 @@ void unify(SharedFinding& size, const std::vector<FoundIn>& where, const ImportD
   for (std::size_t place = 0; place < draft.organs.size(); ++place)
     if (draft.organs[place].included && draft.files.surfaces.count(place) > 0)
       read.push_back(place);
-  if (2 * where.size() <= read.size())
+  std::vector<std::string> unit = commonestRepair(where);
+  if (2 * where.size() <= read.size() || unit.empty())
     return;
-  size.repairs = commonestRepair(where);
+  size.repairs = std::move(unit);
   size.mends = std::move(read);
   size.ofThePatient = true;
 }

@@ -43,8 +43,9 @@ constexpr double kMargin = 1.12;
 constexpr int kSamples = 4;
 constexpr int kPeelsOnGpu = 8;
 constexpr int kPeelsInSoftware = 4;
-/// Vertices that a software renderer draws while something moves.
-constexpr Eigen::Index kDrawnInMotion = 50000;
+/// Vertices that a software renderer draws as they are while something moves, and of more than that at most.
+constexpr Eigen::Index kAllDrawnInMotion = 50000;
+constexpr Eigen::Index kDrawnInMotion = 64000;
 /// What an empty view frames, mm.
 constexpr double kEmptyHalfSize = 100;
 
@@ -176,8 +177,10 @@ int OrganView::Parts::partDrawn() const {
   for (const auto& organ : organs)
     if (organ->visible())
       vertices += organ->mesh().points.rows();
-  int part = 1;
-  while (software && moving && vertices > kDrawnInMotion * part)
+  if (!software || !moving || vertices <= kAllDrawnInMotion)
+    return 1;
+  int part = 2;
+  while (vertices > kDrawnInMotion * part)
     part *= 2;
   return part;
 }

@@ -126,6 +126,15 @@ TEST_F(ImportDrafts, TheUnitOfLengthIsOneForAPatient) {
   EXPECT_TRUE(sharedFindings(mended).empty());
   EXPECT_NEAR(mended.organs[2].assessment.sizeMm.x(), 900, 1);
 
+  // A label map states its unit: organs of a child are each of their own size.
+  OpenedFiles child;
+  for (const char* name : {"liver", "spleen"})
+    child.organs.push_back({makeOrgan(name, tests::sphere(2, 12)), -1});
+  const auto small = sharedFindings(draftOf(child, progress_));
+  ASSERT_EQ(small.size(), 1u);
+  EXPECT_FALSE(small[0].ofThePatient);
+  EXPECT_TRUE(small[0].repairs.empty());
+
   const ImportDraft mixed = draft({{"liver.ply", metres(liver())},
                                    {"a.ply", metres(liver())},
                                    {"spleen.ply", spleen},
