@@ -187,7 +187,7 @@ void PlayPage::syncIndices() {
   std::size_t best = lines.size();
   for (std::size_t line = 0; line < lines.size(); ++line)
     if (lines[line].cavity && lines[line].side == 0 &&
-        (best == lines.size() || lines[line].name == QLatin1String("LV")))
+        (best == lines.size() || lines[line].name == QLatin1String("LV cavity")))
       best = line;
   const auto indices = best < lines.size() ? volumes_.indices(best) : std::nullopt;
   fraction_->setText(indices ? tr("%1 %").arg(kPercent * indices->ejectionFraction, 0, 'f', 1) : nothing());
