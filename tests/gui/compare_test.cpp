@@ -94,7 +94,7 @@ TEST_F(TwoViews, BeatAtTwoRatesUnderOneTimelineAndChart) {
   key(Qt::Key_Space);
   playFor(1.0);
   const std::size_t left = 1;
-  ASSERT_EQ(monitor.lines()[left].name, QStringLiteral("LV"));
+  ASSERT_EQ(monitor.lines()[left].name, QStringLiteral("LV cavity"));
   ASSERT_TRUE(waitUntil([&] { return monitor.indices(left) && monitor.indices(left + alone); }));
   EXPECT_NEAR(monitor.indices(left + alone)->cardiacOutputLPerMinute /
                   monitor.indices(left)->cardiacOutputLPerMinute,

@@ -211,7 +211,7 @@ void PlayPage::syncIndices() {
   std::size_t best = lines.size();
   for (std::size_t line = 0; line < lines.size(); ++line)
     if (lines[line].cavity && lines[line].side == 0 &&
-        (best == lines.size() || lines[line].name == QLatin1String("LV")))
+        (best == lines.size() || lines[line].name == QLatin1String("LV cavity")))
       best = line;
   const auto indices = best < lines.size() ? volumes_.indices(best) : std::nullopt;
   for (QLabel* fact : {fraction_, stroke_, output_})
