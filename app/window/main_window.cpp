@@ -206,6 +206,10 @@ void MainWindow::connectFiles() {
   connect(scans_, &ScanActions::layoutChosen, viewArea_, &ViewArea::frameSoon);
   connect(files_, &FileActions::scansFound, scans_, &ScanActions::open);
   connect(files_, &FileActions::filesOpened, scans_, &ScanActions::sayFit);
+  connect(sessionView_.get(), &SessionView::framingWanted, this, [this, fromFront] {
+    fromFront();
+    viewArea_->frameSoon(); // Once the layout of the session has its sizes.
+  });
   connect(samples_, &SampleLoader::loaded, this, fromFront);
   connect(samples_, &SampleLoader::loaded, sessions_, &SessionFiles::sampleLoaded);
   connect(sessions_, &SessionFiles::opened, this, [this] {

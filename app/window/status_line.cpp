@@ -6,7 +6,6 @@
 #include <QStatusBar>
 #include <QToolButton>
 
-#include "window/slices/scan_bend.h"
 #include "window/widgets/elided_label.h"
 #include "window/widgets/ready_made.h"
 
@@ -34,10 +33,10 @@ StatusLine::StatusLine(Workspace& workspace, VolumeMonitor& volumes, QStatusBar*
   }));
   subscriptions_.push_back(workspace.selection().onChange([this] { syncVolume(); }));
   subscriptions_.push_back(workspace.live().onEvent([this](const live::LiveEvent& event) {
-    if (event.status || ScanBend::of(workspace_).map())
+    if (event.status || workspace_.bend().map())
       syncBinding();
   }));
-  subscriptions_.push_back(ScanBend::of(workspace).onChange([this] { syncBinding(); }));
+  subscriptions_.push_back(workspace.bend().onChange([this] { syncBinding(); }));
   watch(workspace.jobs());
   syncVolume();
   syncBinding();
@@ -108,7 +107,7 @@ QString StatusLine::bindingText() const {
 }
 
 void StatusLine::syncBinding() {
-  const double folded = ScanBend::of(workspace_).foldedMl();
+  const double folded = workspace_.bend().foldedMl();
   binding_->setText(folded > 0 ? tr("%1, the pose folds %2").arg(bindingText(), formatMilliliters(folded))
                                : bindingText());
 }

@@ -17,8 +17,8 @@ Workspace::Workspace(plugin::Registry registry, QObject* parent)
       jobs_([this](std::function<void()> work) {
         QMetaObject::invokeMethod(this, std::move(work), Qt::QueuedConnection);
       }),
-      live_(document_, registry_, jobs_), stress_(document_, registry_, live_, jobs_), selection_(document_) {
-}
+      live_(document_, registry_, jobs_), stress_(document_, registry_, live_, jobs_),
+      bend_(document_, live_, registry_, jobs_), selection_(document_) {}
 
 bool Workspace::guarded(const std::function<void()>& work) {
   try {

@@ -7,6 +7,7 @@
 #include "viscera/document/document.h"
 #include "viscera/document/selection.h"
 #include "viscera/document/undo_stack.h"
+#include "viscera/live/live_bend.h"
 #include "viscera/live/live_binding.h"
 #include "viscera/live/live_stress.h"
 #include "viscera/plugin/registry.h"
@@ -30,6 +31,8 @@ public:
   JobQueue& jobs() { return jobs_; }
   live::LiveBinding& live() { return live_; }
   live::LiveStress& stress() { return stress_; }
+  /// What bends the scan along with the pose: one for the slices, the 3D view and the status line.
+  live::LiveBend& bend() { return bend_; }
   const plugin::Registry& registry() const { return registry_; }
 
   [[nodiscard]] Subscription onChange(std::function<void(const document::Change&)> observer) {
@@ -89,6 +92,7 @@ private:
   JobQueue jobs_;
   live::LiveBinding live_;
   live::LiveStress stress_;
+  live::LiveBend bend_;
   document::Selection selection_;
 };
 

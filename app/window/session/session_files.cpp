@@ -79,7 +79,7 @@ document::SessionContents SessionFiles::contents() const {
   document::SessionContents contents;
   contents.state = workspace_.state();
   contents.view = view_.gather();
-  contents.embedSurfaces = embed_;
+  contents.embedSurfaces = contents.embedScan = embed_;
   contents.missing = missing_;
   contents.missingScan = missingScan_;
   return contents;
@@ -95,7 +95,7 @@ void SessionFiles::save(std::function<void()> then) {
 void SessionFiles::chooseAndSave(std::function<void()> then) {
   const QString pattern = QStringLiteral(" (*%1)").arg(QLatin1String(kEnding));
   const QString linked = tr("Session that names its organs' files") + pattern;
-  const QString embedded = tr("Session with all surfaces inside") + pattern;
+  const QString embedded = tr("Session with all surfaces and the scan inside") + pattern;
   QString chosen = embed_ ? embedded : linked;
   const QString folder = settings_.folder(kFolderKey, QStandardPaths::DocumentsLocation);
   const QString start =
@@ -111,7 +111,7 @@ void SessionFiles::chooseAndSave(std::function<void()> then) {
 
 void SessionFiles::saveTo(const QString& file, bool embed, std::function<void()> then) {
   document::SessionContents saved = contents();
-  saved.embedSurfaces = embed;
+  saved.embedSurfaces = saved.embedScan = embed;
   const document::DocumentState state = saved.state;
   writes_.submit<bool>(
       tr("Saving %1").arg(QFileInfo(file).fileName()).toStdString(), {},
@@ -244,6 +244,7 @@ void SessionFiles::autosaveIfDue() {
     return;
   document::SessionContents kept = contents();
   kept.recovers = file_.toStdString();
+  kept.embedScan = false; // Every minute a hundred megabytes that are in a file, too.
   autosave_->write(std::move(kept), [this](std::shared_ptr<const Error> error) {
     if (error && !autosaveFailed_)
       workspace_.report(*error);

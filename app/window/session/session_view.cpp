@@ -75,6 +75,8 @@ void SessionView::apply(const std::string& text) {
   window_.workspace.selection().setHandles(selection.handles);
   if (camera)
     presentation::lookFrom(*camera, window_.picture.view());
+  else
+    Q_EMIT framingWanted();
   makeMotions(wanted);
 }
 

@@ -36,6 +36,10 @@ public:
   /// `DataError` for text that is no such view, with nothing of it done.
   void apply(const std::string& view);
 
+Q_SIGNALS:
+  /// The view that was applied has no camera.
+  void framingWanted();
+
 private:
   struct Wanted;
 

@@ -9,7 +9,6 @@
 #include "viscera/document/scan_item.h"
 #include "viscera/scene/vtkVisceraHandleSetRepresentation.h"
 #include "viscera/slices/slice_frame.h"
-#include "window/slices/scan_bend.h"
 #include "window/view/picture.h"
 
 namespace viscera::app {
@@ -42,10 +41,10 @@ SlicePanes::SlicePanes(Workspace& workspace, ViewModel& model, Picture& picture,
   area.addSlices({widgets_[0], widgets_[1], widgets_[2]});
   subscriptions_.push_back(workspace.onChange([this](const document::Change&) { refresh(); }));
   subscriptions_.push_back(workspace.live().onEvent([this](const live::LiveEvent&) { refresh(); }));
-  subscriptions_.push_back(ScanBend::of(workspace).onChange([this] { followBend(); }));
+  subscriptions_.push_back(workspace.bend().onChange([this] { followBend(); }));
   subscriptions_.push_back(workspace.selection().onChange([this] { refresh(); }));
   connect(&model, &ViewModel::changed, this, [this] {
-    ScanBend::of(workspace_).setWanted(model_.state().scan.bent);
+    workspace_.bend().setWanted(model_.state().scan.bent);
     arrange();
     refresh();
   });
@@ -147,7 +146,7 @@ void SlicePanes::refresh() {
   workspace_.guarded([&] {
     std::optional<presentation::Bending> bending;
     if (model_.state().scan.bent)
-      bending = presentation::bendingOf(ScanBend::of(workspace_));
+      bending = presentation::bendingOf(workspace_.bend());
     const ViewState view = picture_.state(); // With what is selected.
     presentation::SliceScene scene{workspace_.state(), workspace_.live(), view};
     scene.bending = bending ? &*bending : nullptr;
@@ -162,7 +161,7 @@ void SlicePanes::refresh() {
 }
 
 void SlicePanes::followBend() {
-  if (const std::string& problem = ScanBend::of(workspace_).problem(); !problem.empty())
+  if (const std::string& problem = workspace_.bend().problem(); !problem.empty())
     workspace_.note(tr("The scan cannot be bent: %1").arg(text(problem)));
   refresh();
 }

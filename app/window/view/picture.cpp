@@ -6,7 +6,6 @@
 
 #include "viscera/presentation/slice_presenter.h"
 #include "viscera/scene/vtkVisceraHandleSetWidget.h"
-#include "window/slices/scan_bend.h"
 
 namespace viscera::app {
 
@@ -22,7 +21,7 @@ Picture::Picture(Workspace& workspace, ViewModel& model, ViewWidget& view, Role 
   subscriptions_.push_back(workspace.live().onEvent([this](const live::LiveEvent&) { refresh(); }));
   subscriptions_.push_back(workspace.stress().onEvent([this](const live::StressEvent&) { refresh(); }));
   subscriptions_.push_back(workspace.selection().onChange([this] { refresh(); }));
-  subscriptions_.push_back(ScanBend::of(workspace).onChange([this] { refresh(); }));
+  subscriptions_.push_back(workspace.bend().onChange([this] { refresh(); }));
   connect(&model, &ViewModel::changed, this, [this] {
     if (looksOtherwise())
       refresh();
@@ -77,7 +76,7 @@ void Picture::refresh() {
     const live::StressFrame stress = workspace_.stress().frame();
     std::optional<presentation::Bending> bending;
     if (view.scan.standing && view.scan.bent)
-      bending = presentation::bendingOf(ScanBend::of(workspace_));
+      bending = presentation::bendingOf(workspace_.bend());
     presenter_.update({workspace_.state(), workspace_.live(), view, workspace_.registry(), &stress,
                        map_ ? &*map_ : nullptr, &measuring_, &guests_, namedParts_ ? &*namedParts_ : nullptr,
                        bending ? &*bending : nullptr});

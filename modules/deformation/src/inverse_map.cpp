@@ -15,7 +15,9 @@ namespace {
 
 constexpr Eigen::Index kChunk = 1024; ///< Points that one thread solves, each from the last one's answer.
 constexpr int kMostSteps = 24;
-constexpr double kSolved = 0.01;     ///< Of the accuracy.
+constexpr double kSolved = 0.01; ///< Of the accuracy.
+/// Of the accuracy: what is found so nearly is found. Where cells meet, Newton's method may go to and fro.
+constexpr double kFound = 0.5;
 constexpr Eigen::Index kLattice = 4; ///< Samples between those that are solved first.
 constexpr double kLinear = 0.25;     ///< Of the accuracy: how far samples between them may be off.
 constexpr double kFirstNodes = 16;   ///< Along the hull's diagonal.
@@ -26,8 +28,11 @@ constexpr int kMostShrinks = 6;
 
 /// Solves F(x) = y from `guess`; gives x and what it is.
 struct Solver {
+  Solver(const RestField& fieldIn, double accuracyMm)
+      : field(fieldIn), solved(kSolved * accuracyMm), found(kFound * accuracyMm) {}
+
   const RestField& field;
-  double accuracy;
+  double solved, found; ///< mm.
 
   RestState operator()(const Vec3& posed, const Vec3& guess, Vec3& rest) const {
     if (field.isStill(posed)) {
@@ -37,7 +42,8 @@ struct Solver {
     rest = guess;
     RestField::Motion motion = field.motionAt(rest);
     Vec3 residual = rest + motion.displacement - posed;
-    for (int step = 0; step < kMostSteps && residual.norm() > accuracy; ++step) {
+    Answer best{rest, residual.norm(), motion.gradient};
+    for (int step = 0; step < kMostSteps && best.off > solved; ++step) {
       const Eigen::Matrix3d derivative = Eigen::Matrix3d::Identity() + motion.gradient;
       const double determinant = derivative.determinant();
       Vec3 way =
@@ -53,9 +59,12 @@ struct Solver {
           break;
         }
       }
+      if (residual.norm() < best.off)
+        best = {rest, residual.norm(), motion.gradient};
     }
-    const double determinant = (Eigen::Matrix3d::Identity() + motion.gradient).determinant();
-    const bool folded = residual.norm() > accuracy || !(determinant > 0) || field.isFolded(posed);
+    rest = best.rest;
+    const double determinant = (Eigen::Matrix3d::Identity() + best.gradient).determinant();
+    const bool folded = best.off > found || !(determinant > 0) || field.isFolded(posed);
     return folded ? RestState::folded : RestState::moved;
   }
 
@@ -64,14 +73,21 @@ struct Solver {
     const RestState state = (*this)(posed, posed - field.displacementAt(posed), rest);
     return state == RestState::folded ? (*this)(posed, posed, rest) : state;
   }
+
+private:
+  struct Answer {
+    Vec3 rest;
+    double off; ///< mm.
+    Eigen::Matrix3d gradient;
+  };
 };
 
 /// A plane on its way: some samples solved, the others between them.
 class PlaneSolver {
 public:
   PlaneSolver(const RestField& field, const SamplePlane& plane, double accuracyMm, RestPoints& result)
-      : solver_{field, kSolved * accuracyMm}, tolerance_(kLinear * accuracyMm), plane_(plane),
-        result_(result), columns_(latticeOf(plane.columns)), rows_(latticeOf(plane.rows)) {}
+      : solver_(field, accuracyMm), tolerance_(kLinear * accuracyMm), plane_(plane), result_(result),
+        columns_(latticeOf(plane.columns)), rows_(latticeOf(plane.rows)) {}
 
   void run(Threads threads) {
     parallelRanges(static_cast<Eigen::Index>(rows_.size()), 1, threads,
@@ -246,7 +262,7 @@ Points InverseMap::posedPoints(const Points& rest) const {
 
 RestPoints InverseMap::restPoints(const Points& posed) const {
   RestPoints result{Points(posed.rows(), 3), std::vector<RestState>(static_cast<std::size_t>(posed.rows()))};
-  const Solver solver{*field_, kSolved * wanted_.accuracyMm};
+  const Solver solver(*field_, wanted_.accuracyMm);
   parallelRanges(posed.rows(), kChunk, options_.threads, [&](Eigen::Index begin, Eigen::Index end) {
     Vec3 offset = Vec3::Zero();
     bool warm = false;

@@ -1,7 +1,10 @@
 #include "refine_rest.h"
 
 #include <algorithm>
+#include <cstdint>
+#include <functional>
 #include <limits>
+#include <utility>
 
 #include "broyden_search.h"
 
@@ -86,6 +89,28 @@ Searches begin(const RestField& field, const SamplePlane& plane, const RestPoint
   return searches;
 }
 
+/// One step of all searches; gives those that are not at their end, in their order.
+Searches advanced(Searches searches, const Points& moved, double toleranceMm, Threads threads,
+                  const std::function<void(const BroydenSearch&)>& finish) {
+  std::vector<std::uint8_t> going(searches.size(), 0);
+  parallelRanges(static_cast<Eigen::Index>(searches.size()), kGrain, threads,
+                 [&](Eigen::Index begin, Eigen::Index end) {
+                   for (Eigen::Index i = begin; i < end; ++i) {
+                     BroydenSearch& search = searches[static_cast<std::size_t>(i)];
+                     const bool goesOn = search.advance(moved.row(i).transpose(), toleranceMm);
+                     going[static_cast<std::size_t>(i)] = goesOn ? 1 : 0;
+                     if (!goesOn)
+                       finish(search); // Each has a row of its own.
+                   }
+                 });
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < searches.size(); ++i)
+    if (going[i] != 0)
+      searches[kept++] = searches[i];
+  searches.resize(kept);
+  return searches;
+}
+
 } // namespace
 
 void refineRest(const RestField& field, const coordinates::CoordinateSystem& system, const SamplePlane& plane,
@@ -102,14 +127,8 @@ void refineRest(const RestField& field, const coordinates::CoordinateSystem& sys
     for (int round = 0; round < kMostRounds && !searches.empty(); ++round) {
       progress.throwIfCancelled();
       const Points moved = exactDisplacements(field, system, searches);
-      std::size_t kept = 0;
-      for (std::size_t i = 0; i < searches.size(); ++i) {
-        if (searches[i].advance(moved.row(static_cast<Eigen::Index>(i)).transpose(), refinement.toleranceMm))
-          searches[kept++] = searches[i];
-        else
-          finish(searches[i]);
-      }
-      searches.resize(kept);
+      searches =
+          advanced(std::move(searches), moved, refinement.toleranceMm, field.options().threads, finish);
     }
     std::for_each(searches.begin(), searches.end(), finish);
   }

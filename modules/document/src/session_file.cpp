@@ -175,6 +175,7 @@ public:
     if (surfaces != kEmbedded && surfaces != kLinked)
       reader_.fail("It is neither \"embedded\" nor \"linked\"", "surfaces");
     contents.embedSurfaces = surfaces == kEmbedded;
+    contents.embedScan = contents.embedSurfaces;
     contents.recovers = reader_.optionalText(root, "recovers", "");
     // What is cheap to read comes first: a damaged file is refused before a sample organ is made.
     reader_.readRig(reader_.field(root, "rig", ""), contents.state);
@@ -456,8 +457,8 @@ void writeSession(const fs::path& file, const SessionContents& contents, Progres
         measurementsJson(*state.measurements, [&](OrganId id) { return isKnown(contents, id); });
   if (!(*state.circulation == CirculationChoice()))
     root["circulation"] = circulationJson(*state.circulation);
-  if (state.scan && !state.scan->file.empty())
-    root["scan"] = sessionScanJson(*state.scan, folder);
+  if (state.scan)
+    root["scan"] = sessionScanJson(*state.scan, contents.embedScan, folder);
   else if (!contents.missingScan.empty())
     root["scan"] = ordered_json::parse(contents.missingScan);
   root["view"] = ordered_json::parse(contents.view);

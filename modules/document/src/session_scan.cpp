@@ -3,6 +3,7 @@
 #include <optional>
 #include <system_error>
 
+#include "stored_scan.h"
 #include "viscera/core/error.h"
 
 namespace viscera::document {
@@ -23,29 +24,43 @@ std::optional<fs::path> findScan(const fs::path& relative, const fs::path& absol
 
 } // namespace
 
-ordered_json sessionScanJson(const ScanItem& item, const fs::path& folder) {
+ordered_json sessionScanJson(const ScanItem& item, bool inside, const fs::path& folder) {
   std::error_code error;
-  const fs::path absolute = fs::absolute(item.file, error).lexically_normal();
-  ordered_json json{{"name", item.name},
-                    {"relative", absolute.lexically_relative(folder).generic_string()},
-                    {"absolute", absolute.generic_string()}};
+  ordered_json json{{"name", item.name}};
+  if (!item.file.empty()) {
+    const fs::path absolute = fs::absolute(item.file, error).lexically_normal();
+    json["relative"] = absolute.lexically_relative(folder).generic_string();
+    json["absolute"] = absolute.generic_string();
+  }
   if (!item.series.empty())
     json["series"] = item.series;
   if (item.phase != 0)
     json["phase"] = item.phase;
+  if (inside || item.file.empty() || !fs::exists(item.file, error))
+    json["image"] = storedScan(*item.scan);
   return json;
 }
 
 void readSessionScan(SessionReader& reader, const ordered_json& item, const fs::path& folder,
                      OpenedSession& opened, Progress& progress) {
-  reader.takeObject(item, {"name", "relative", "absolute", "series", "phase"}, "scan");
+  reader.takeObject(item, {"name", "relative", "absolute", "series", "phase", "image"}, "scan");
   const std::string name = reader.textOf(item, "name", "scan");
-  const fs::path relative = reader.textOf(item, "relative", "scan");
-  const fs::path absolute = reader.textOf(item, "absolute", "scan");
+  const bool inside = item.contains("image");
+  const auto placeOf = [&](const char* key) -> fs::path {
+    return inside ? reader.optionalText(item, key, "scan") : reader.textOf(item, key, "scan");
+  };
+  const fs::path relative = placeOf("relative"), absolute = placeOf("absolute");
   medical_io::ScanOptions options;
   options.series = reader.optionalText(item, "series", "scan");
   if (item.contains("phase"))
     options.phase = static_cast<int>(reader.wholeOf(item.at("phase"), "scan.phase"));
+  if (inside) {
+    auto scan = std::make_shared<const medical_io::Scan>(scanFrom(reader, item.at("image"), "scan.image"));
+    const auto file = absolute.empty() ? std::nullopt : findScan(relative, absolute, folder);
+    opened.contents.state.scan = std::make_shared<const ScanItem>(
+        ScanItem{name, std::move(scan), file.value_or(absolute), options.series, options.phase});
+    return;
+  }
   const auto missing = [&](const std::string& problem) {
     opened.contents.missingScan = item.dump();
     opened.warnings.push_back(name + ": " + problem);

@@ -8,14 +8,17 @@
 #include "viscera/document/scan_item.h"
 #include "viscera/document/session_file.h"
 
-/// The scan of a session, which names it (docs/session_format.md, "scan").
+/// The scan of a session, which names or holds it (docs/session_format.md, "scan").
 namespace viscera::document {
 
-/// The place of a scan, also relative to the session file's `folder`.
-nlohmann::ordered_json sessionScanJson(const ScanItem& item, const std::filesystem::path& folder);
+/// The place of a scan, also relative to the session file's `folder`; with its samples when it shall be
+/// `inside`, and in any case when it is in no file (any more). Throws `CannotCreateError` for samples of more
+/// than 1 GB.
+nlohmann::ordered_json sessionScanJson(const ScanItem& item, bool inside,
+                                       const std::filesystem::path& folder);
 
-/// Reads the scan that `item` names into `opened`. One that is not there, or cannot be read, becomes a
-/// warning and stays as `missingScan`. Throws `DataError` for a record that is none, `Cancelled`.
+/// Reads the scan that `item` holds or names into `opened`. One that is not there, or cannot be read, becomes
+/// a warning and stays as `missingScan`. Throws `DataError` for a record that is none, `Cancelled`.
 void readSessionScan(SessionReader& reader, const nlohmann::ordered_json& item,
                      const std::filesystem::path& folder, OpenedSession& opened, Progress& progress);
 

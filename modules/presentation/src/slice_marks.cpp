@@ -118,9 +118,13 @@ void draw(Sheet& sheet, const Outline& outline, const Vec3& color, std::string w
   scene::SliceLine line{{}, outline.closed, color, false};
   for (const Vec3& place : outline.line)
     line.points.push_back(sheet.frame.pixelOf(place));
+  Eigen::AlignedBox2d around;
+  for (const Eigen::Vector2d& point : line.points)
+    around.extend(point);
   sheet.picture.lines.push_back(std::move(line));
   if (!words.empty())
-    sheet.picture.texts.push_back({sheet.frame.pixelOf(outline.label), std::move(words), color});
+    sheet.picture.texts.push_back({sheet.frame.pixelOf(outline.label), std::move(words), color,
+                                   outline.closed ? around : Eigen::AlignedBox2d()});
 }
 
 /// Its points as marks. Only those of the document can be taken hold of.

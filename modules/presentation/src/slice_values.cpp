@@ -9,6 +9,9 @@ namespace {
 /// Diagonal lines, white beside black so that they are seen on any tissue; device pixels.
 constexpr std::size_t kHatchPeriod = 8, kHatchWhite = 2, kHatchBlack = 3;
 
+/// Of the eight pixels around one: as many are folded, too, where it is hatched.
+constexpr int kFoldedAround = 3;
+
 bool isFolded(deformation::RestState state) {
   return state == deformation::RestState::folded;
 }
@@ -20,26 +23,51 @@ void SliceValues::take(const medical_io::Scan& scan, const slices::SliceFrame& f
   rest_.states.clear();
   if (bending)
     bending->rest({frame.corner, frame.right, frame.up, frame.width, frame.height}, rest_);
-  anyFolded_ = std::any_of(rest_.states.begin(), rest_.states.end(), isFolded);
+  findHatched(static_cast<std::size_t>(frame.width));
   slices::sampleSlice(scan, frame, options, values_, bending ? &rest_.points : nullptr);
 }
 
 void SliceValues::clear() {
   values_ = {};
   rest_ = {};
-  anyFolded_ = false;
+  hatched_.clear();
+}
+
+/// A line of single pixels is no fold: there tissue is pressed so thin that no place is found, and a slice a
+/// little beside it shows it whole.
+void SliceValues::findHatched(std::size_t width) {
+  hatched_.clear();
+  if (std::none_of(rest_.states.begin(), rest_.states.end(), isFolded))
+    return;
+  const std::size_t height = rest_.states.size() / width;
+  const auto folded = [&](std::size_t x, std::size_t y) { return isFolded(rest_.states[y * width + x]); };
+  hatched_.assign(rest_.states.size(), 0);
+  bool any = false;
+  for (std::size_t y = 0; y < height; ++y)
+    for (std::size_t x = 0; x < width; ++x) {
+      if (!folded(x, y))
+        continue;
+      int around = -1; // Without itself.
+      for (std::size_t v = y - std::min<std::size_t>(y, 1); v < std::min(y + 2, height); ++v)
+        for (std::size_t u = x - std::min<std::size_t>(x, 1); u < std::min(x + 2, width); ++u)
+          around += folded(u, v) ? 1 : 0;
+      hatched_[y * width + x] = around >= kFoldedAround ? 1 : 0;
+      any = any || around >= kFoldedAround;
+    }
+  if (!any)
+    hatched_.clear();
 }
 
 void SliceValues::shade(const medical_io::ValueWindow& window, std::vector<std::uint8_t>& grey,
                         Threads threads) const {
   constexpr std::uint8_t kWhite = 255;
   slices::greyOf(values_, window, 0, grey, threads);
-  if (!anyFolded_)
+  if (hatched_.empty())
     return;
   const auto width = static_cast<std::size_t>(values_.width);
-  for (std::size_t i = 0; i < rest_.states.size(); ++i)
+  for (std::size_t i = 0; i < hatched_.size(); ++i)
     if (const std::size_t stripe = (i % width + i / width) % kHatchPeriod;
-        isFolded(rest_.states[i]) && stripe < kHatchBlack)
+        hatched_[i] != 0 && stripe < kHatchBlack)
       grey[i] = stripe < kHatchWhite ? kWhite : 0;
 }
 

@@ -11,21 +11,22 @@ public:
   void take(const medical_io::Scan& scan, const slices::SliceFrame& frame,
             const slices::SampleOptions& options, const Bending* bending);
   void clear();
-  /// Pixels at which the pose folds the tissue are hatched: what is between the lines is a guess.
+  /// Places where the pose folds the tissue are hatched: what is between the lines is a guess.
   void shade(const medical_io::ValueWindow& window, std::vector<std::uint8_t>& grey, Threads threads) const;
 
   /// Of a pixel; none where nothing was measured, and outside of the slice.
   std::optional<double> at(long x, long y) const;
   bool foldedAt(long x, long y) const;
-  /// Whether the pose folds tissue at any pixel.
-  bool anyFolded() const { return anyFolded_; }
+  /// Whether any pixel is hatched.
+  bool anyFolded() const { return !hatched_.empty(); }
 
 private:
+  void findHatched(std::size_t width);
   std::optional<std::size_t> indexOf(long x, long y) const;
 
   slices::ValueImage values_;
-  deformation::RestPoints rest_; ///< Without states when nothing is bent.
-  bool anyFolded_ = false;
+  deformation::RestPoints rest_;      ///< Without states when nothing is bent.
+  std::vector<std::uint8_t> hatched_; ///< One a pixel; empty when none is.
 };
 
 } // namespace viscera::presentation

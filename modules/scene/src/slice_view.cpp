@@ -154,6 +154,30 @@ double roundBelow(double limit) {
   return power;
 }
 
+/// Where words of this size stand: right of what is measured, left of it, below or above, the first that is
+/// in the picture and covers neither it nor other words; else as near to the first as the picture allows.
+Eigen::AlignedBox2d placed(const SliceText& text, const Eigen::Vector2d& size, double gap,
+                           const Eigen::AlignedBox2d& picture,
+                           const std::vector<Eigen::AlignedBox2d>& others) {
+  Eigen::AlignedBox2d around = text.around;
+  around.extend(text.place);
+  const Eigen::Vector2d middle = around.center();
+  const auto at = [&](double left, double low) {
+    const Eigen::Vector2d corner(left, low);
+    return Eigen::AlignedBox2d(corner, corner + size);
+  };
+  const double besides = text.place.y() - 0.5 * size.y(), centred = middle.x() - 0.5 * size.x();
+  const std::array<Eigen::AlignedBox2d, 4> places = {
+      at(around.max().x() + gap, besides), at(around.min().x() - gap - size.x(), besides),
+      at(centred, around.min().y() - gap - size.y()), at(centred, around.max().y() + gap)};
+  for (const Eigen::AlignedBox2d& place : places)
+    if (picture.contains(place) && std::none_of(others.begin(), others.end(),
+                                                [&](const auto& other) { return other.intersects(place); }))
+      return place;
+  const Eigen::Vector2d low = places[0].min().cwiseMin(picture.max() - size).cwiseMax(picture.min());
+  return {low, low + size};
+}
+
 } // namespace
 
 struct SliceView::Parts {
@@ -174,6 +198,7 @@ struct SliceView::Parts {
 
   double ratio() const { return pixelRatioOf(window); }
   void place(vtkTextActor* text, const std::string& words, double x, double y, double size);
+  void keepApart(vtkTextActor* words, double y, double towardsMiddle, vtkTextActor* letter, double width);
   void showCross(const SlicePicture& picture);
   void showBar(const SlicePicture& picture);
   void showTexts(const SlicePicture& picture);
@@ -230,9 +255,25 @@ void SliceView::Parts::showTexts(const SlicePicture& picture) {
   place(letters[3], picture.edges[3], w / 2, h - margin, kLetterSize);
   place(title, picture.title, margin, h - margin, kTextSize);
   place(note, picture.note, margin, margin, kTextSize);
+  keepApart(title, h - margin, -1, letters[3], w);
+  keepApart(note, margin, 1, letters[2], w);
 }
 
-/// What is written beside places of the picture; moved as far as it takes to be in the picture.
+/// Words that begin at the left edge and reach to the letter in the middle of theirs, at `y`, go a line
+/// towards the picture's middle.
+void SliceView::Parts::keepApart(vtkTextActor* words, double y, double towardsMiddle, vtkTextActor* letter,
+                                 double width) {
+  const double margin = kMargin * ratio();
+  double size[2] = {0, 0}, letterSize[2] = {0, 0};
+  words->GetSize(renderer, size);
+  letter->GetSize(renderer, letterSize);
+  if (words->GetVisibility() != 0 && letter->GetVisibility() != 0 &&
+      2 * margin + size[0] > (width - letterSize[0]) / 2)
+    words->SetDisplayPosition(static_cast<int>(margin),
+                              static_cast<int>(y + towardsMiddle * (letterSize[1] + margin / 2)));
+}
+
+/// What is written beside places of the picture.
 void SliceView::Parts::showWords(const SlicePicture& picture) {
   while (captions.size() > picture.texts.size()) {
     renderer->RemoveViewProp(captions.back());
@@ -246,18 +287,18 @@ void SliceView::Parts::showWords(const SlicePicture& picture) {
     renderer->AddViewProp(captions.back());
   }
   const double gap = kWordsGap * ratio(), margin = kMargin * ratio();
+  const Eigen::AlignedBox2d inner(Eigen::Vector2d(margin, margin),
+                                  Eigen::Vector2d(picture.width - margin, picture.height - margin));
+  std::vector<Eigen::AlignedBox2d> taken;
   for (std::size_t i = 0; i < captions.size(); ++i) {
     const SliceText& text = picture.texts[i];
     captions[i]->GetTextProperty()->SetColor(text.color.x(), text.color.y(), text.color.z());
     place(captions[i], text.words, 0, 0, kTextSize);
     double size[2] = {0, 0};
     captions[i]->GetSize(renderer, size);
-    const auto within = [margin](double at, double low, double high) {
-      return std::max(low + margin, std::min(at, high - margin));
-    };
-    captions[i]->SetDisplayPosition(
-        static_cast<int>(within(text.place.x() + gap, 0, picture.width - size[0])),
-        static_cast<int>(within(text.place.y(), size[1] / 2, picture.height - size[1] / 2)));
+    taken.push_back(placed(text, {size[0], size[1]}, gap, inner, taken));
+    captions[i]->SetDisplayPosition(static_cast<int>(taken.back().min().x()),
+                                    static_cast<int>(taken.back().center().y()));
   }
 }
 

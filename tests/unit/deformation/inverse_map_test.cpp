@@ -141,6 +141,28 @@ TEST(InverseMap, IsExactForAnAffinePoseAndItsReverseUndoesIt) {
   }
 }
 
+/// Only affine motions are undone by the reverse of a pose: of others the posed handles have other
+/// coordinates than those at rest. The user guide says how much that is.
+TEST(InverseMap, ReverseOfASmoothPoseComesBackToAFewTenthsOfAMillimetre) {
+  const coordinates::SCelestial system;
+  const Points rest = tests::onSphere(30, 110), inside = pointsWithin(-45, 45, 1000);
+  Progress progress;
+  const auto meanReturn = [&](const Points& pose) {
+    const InverseMap there(system, {rest, {}, {}}, pose, {}, {}, progress);
+    const InverseMap back(system, {pose, {}, {}}, rest, {}, {}, progress);
+    return (back.posedPoints(there.posedPoints(inside)) - inside).rowwise().norm().mean();
+  };
+  Points breathing = rest, twisted = rest;
+  for (Eigen::Index i = 0; i < rest.rows(); ++i) {
+    breathing(i, 2) += 10 * (1 - rest(i, 0) * rest(i, 0) / (110 * 110));
+    const Eigen::AngleAxisd turn(0.3 * rest(i, 2) / 110, Vec3::UnitZ());
+    twisted.row(i) = (turn * Vec3(rest.row(i).transpose())).transpose();
+  }
+  EXPECT_LT(meanReturn(breathing), 0.1);
+  EXPECT_LT(meanReturn(twisted), 0.8);
+  EXPECT_GT(meanReturn(twisted), 0.05) << "else the user guide says too much";
+}
+
 TEST(InverseMap, OfAPlaneIsThatOfItsPoints) {
   const BernsteinSystem system;
   const auto handles = BernsteinSystem::lattice();

@@ -91,6 +91,93 @@ TEST(ScanItem, ComesBackWithASessionThatHasMovedAlongWithIt) {
   EXPECT_EQ(moved.contents.state.scan->file, folder / "b/ct.nii");
 }
 
+/// A document with an organ, its scan of every kind of fact, and the file that the scan came from.
+SessionContents patient(const TemporaryFolder& folder) {
+  SessionContents contents = tests::fullContents(folder);
+  Progress progress;
+  medical_io::Scan scan = medical_io::readScan(folder.put("ct.nii", scanFile()), {}, progress);
+  scan.indexToLps = Eigen::AngleAxisd(0.1, Vec3(1, 2, 3).normalized()) * scan.indexToLps;
+  scan.slope = 1.0 / 3;
+  scan.padding = -101;
+  scan.modality = "CT";
+  scan.unit = "HU";
+  scan.description = "Abdomen \"5.0\"";
+  scan.phaseTimesMs = {0, 0.1};
+  scan.phase = 1;
+  scan.window = medical_io::ValueWindow{60, 160};
+  scan.findings = {{medical_io::ScanFinding::Kind::tilt, "The gantry is tilted by 3 degrees"}};
+  contents.state.scan = std::make_shared<const ScanItem>(scanItem(std::move(scan), folder / "ct.nii"));
+  contents.embedSurfaces = contents.embedScan = true;
+  return contents;
+}
+
+TEST(ScanItem, LiesWithTheOrgansInsideASessionToTheLastBit) {
+  TemporaryFolder folder;
+  const SessionContents contents = patient(folder);
+  tests::write(folder / "s.viscera", contents);
+  for (const auto& entry : std::filesystem::directory_iterator(folder.path()))
+    if (entry.path().extension() != ".viscera")
+      std::filesystem::remove(entry.path());
+  const OpenedSession again = tests::readBack(folder / "s.viscera");
+  EXPECT_TRUE(again.warnings.empty());
+  EXPECT_EQ(again.contents.state.organs->size(), contents.state.organs->size());
+  ASSERT_TRUE(again.contents.state.scan);
+  EXPECT_TRUE(identical(again.contents.state.scan, contents.state.scan));
+  const medical_io::Scan &was = *contents.state.scan->scan, &is = *again.contents.state.scan->scan;
+  EXPECT_EQ(is.padding, was.padding);
+  EXPECT_EQ(is.unit, was.unit);
+  EXPECT_EQ(is.description, was.description);
+  EXPECT_EQ(is.phaseTimesMs, was.phaseTimesMs);
+  EXPECT_EQ(is.phase, was.phase);
+  EXPECT_EQ(is.window->width, was.window->width);
+  ASSERT_EQ(is.findings.size(), 1u);
+  EXPECT_EQ(is.findings[0].kind, was.findings[0].kind);
+  EXPECT_EQ(is.findings[0].sentence, was.findings[0].sentence);
+  tests::write(folder / "again.viscera", again.contents);
+  EXPECT_EQ(contentsOf(folder / "again.viscera"), contentsOf(folder / "s.viscera"));
+}
+
+TEST(ScanItem, ThatIsInNoFileIsKeptInsideOfALinkedSession) {
+  TemporaryFolder folder;
+  SessionContents contents;
+  contents.state.scan = std::make_shared<const ScanItem>(
+      scanItem(tests::phantomScan({4, 4, 4}, Vec3::Ones(), Vec3::Zero(), tests::slope), {}));
+  tests::write(folder / "s.viscera", contents);
+  const OpenedSession again = tests::readBack(folder / "s.viscera");
+  EXPECT_TRUE(identical(again.contents.state.scan, contents.state.scan));
+  EXPECT_FALSE(again.contents.embedScan);
+}
+
+TEST(ScanItem, InsideASessionIsRefusedWhereItIsDamaged) {
+  TemporaryFolder folder;
+  tests::write(folder / "s.viscera", patient(folder));
+  const auto whole = nlohmann::ordered_json::parse(contentsOf(folder / "s.viscera"));
+  const auto refusal = [&](const auto& damage) -> std::string {
+    auto json = whole;
+    damage(json["scan"]["image"]);
+    folder.put("damaged.viscera", json.dump());
+    try {
+      tests::readBack(folder / "damaged.viscera");
+    } catch (const DataError& error) {
+      return error.where() + ": " + error.what();
+    }
+    return "none";
+  };
+  using Json = nlohmann::ordered_json;
+  EXPECT_THAT(refusal([](Json& image) {
+                image["size"] = {1000000, 1000000, 1000000};
+              }),
+              HasSubstr("holds less than 1000000000000000000 voxels"));
+  EXPECT_THAT(refusal([](Json& image) { image["size"][0] = 25; }), HasSubstr("does not hold"));
+  EXPECT_THAT(refusal([](Json& image) { image["size"][0] = 0; }), HasSubstr("scan.image.size"));
+  EXPECT_THAT(refusal([](Json& image) { image["type"] = "int12"; }), HasSubstr("int12"));
+  EXPECT_THAT(refusal([](Json& image) { image["indexToLps"][2] = image["indexToLps"][1]; }),
+              HasSubstr("one plane"));
+  EXPECT_THAT(refusal([](Json& image) { image["samples"] = "****"; }), HasSubstr("base64"));
+  EXPECT_THAT(refusal([](Json& image) { image["window"]["width"] = -1; }), HasSubstr("positive"));
+  EXPECT_EQ(refusal([](Json&) {}), "none");
+}
+
 TEST(ScanItem, ThatIsGoneIsNamedAndStaysInTheSession) {
   TemporaryFolder folder;
   const auto ct = folder.put("ct.nii", scanFile());

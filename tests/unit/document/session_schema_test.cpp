@@ -4,7 +4,9 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "phantom_scan.h"
 #include "session_scene.h"
+#include "viscera/document/scan_item.h"
 
 /// The schema that the project publishes says what sessions are: it takes what the program writes, and not
 /// what the program refuses.
@@ -41,6 +43,10 @@ private:
       return !value.is_number() || value.get<double>() >= rule.get<double>();
     if (word == "maximum")
       return !value.is_number() || value.get<double>() <= rule.get<double>();
+    if (word == "exclusiveMinimum")
+      return !value.is_number() || value.get<double>() > rule.get<double>();
+    if (word == "anyOf")
+      return std::any_of(rule.begin(), rule.end(), [&](const json& one) { return takes(one, value); });
     if (word == "minLength" || word == "minItems")
       return sizeOf(value) >= rule.get<std::size_t>();
     if (word == "maxLength" || word == "maxItems")
@@ -93,6 +99,11 @@ TEST(SessionSchema, TakesWhatIsWritten) {
   EXPECT_TRUE(schema.takes(written(folder, contents)));
   contents.embedSurfaces = true;
   contents.recovers = "/somewhere/a.viscera";
+  EXPECT_TRUE(schema.takes(written(folder, contents)));
+  medical_io::Scan scan = tests::phantomScan({4, 4, 4}, Vec3::Ones(), Vec3::Zero(), tests::slope);
+  scan.window = medical_io::ValueWindow();
+  scan.findings.push_back({medical_io::ScanFinding::Kind::tilt, "The gantry is tilted"});
+  contents.state.scan = std::make_shared<const ScanItem>(scanItem(std::move(scan), {}));
   EXPECT_TRUE(schema.takes(written(folder, contents)));
   EXPECT_TRUE(schema.takes(written(folder, {})));
   for (unsigned seed = 1; seed < 5; ++seed) {

@@ -176,6 +176,23 @@ TEST(SlicePresenter, HatchesWhereThePoseFoldsTheTissue) {
   EXPECT_FALSE(ball.slices.read(0, ball.slices.frame(0).pixelOf(Vec3(-10, 0, 5))).folded);
 }
 
+TEST(SlicePresenter, HatchesNoLineOfSinglePixels) {
+  ScannedBall ball;
+  const auto plain = ball.slices.picture(0).grey;
+  ball.view.scan.bent = true;
+  Bending bending = shifted(Vec3::Zero(), 1);
+  bending.rest = [whole = bending.rest](const deformation::SamplePlane& plane,
+                                        deformation::RestPoints& rest) {
+    whole(plane, rest);
+    for (Eigen::Index column = 0; column < plane.columns; ++column)
+      rest.states[std::size_t(80 * plane.columns + column)] = deformation::RestState::folded;
+  };
+  ball.slices.update({ball.document.state(), ball.live, ball.view, &bending}, {{0, 200, 160}});
+  EXPECT_EQ(ball.slices.picture(0).grey, plain);
+  EXPECT_EQ(ball.slices.picture(0).note.find("folded"), std::string::npos);
+  EXPECT_TRUE(ball.slices.read(0, Eigen::Vector2d(60, 80)).folded) << "what is read there is a guess";
+}
+
 TEST(SlicePresenter, DrawsHandlesNearTheSliceAndFindsThemThere) {
   ScannedBall ball;
   EXPECT_TRUE(ball.slices.picture(0).marks.empty()) << "they are not shown";

@@ -72,6 +72,37 @@ TEST(SliceView, DrawsContoursInTheirColoursAndTheCrosshairWithAGap) {
   EXPECT_EQ(pixel(grabPicture(window.window()), 50, 60), (Rgb{0, 0, 0}));
 }
 
+TEST(SliceView, WritesOverNeitherLettersNorWhatIsMeasured) {
+  SurfacelessWindow window(300, 200);
+  SliceView view;
+  view.setWindow(window.window());
+  SlicePicture picture = ramp(300, 200);
+  picture.edges = {"R", "L", "I", "S"};
+  const auto drawn = [&] {
+    view.show(picture);
+    return grabPicture(window.window());
+  };
+  const auto before = drawn();
+  picture.note = "L 40  W 400  Bent, folded where it is hatched";
+  picture.title = "A title that is as long as that of a narrow slice";
+  const Eigen::AlignedBox2d region(Eigen::Vector2d(200, 60), Eigen::Vector2d(285, 130));
+  for (int i = 0; i < 2; ++i) // The second one does not cover the first.
+    picture.texts.push_back({{285, 100}, "Liver: 45.3\n24 ml, 897 voxels", Vec3(1, 0.9, 0.3), region});
+  const auto after = drawn();
+  int changed = 0, near = 0;
+  const auto compare = [&](int left, int right, int low, int high, int& count) {
+    for (int y = low; y < high; ++y)
+      for (int x = left; x < right; ++x)
+        count += pixel(before, x, y) == pixel(after, x, y) ? 0 : 1;
+  };
+  compare(200, 286, 60, 130, changed);
+  compare(142, 158, 8, 24, changed);    // The letter below,
+  compare(142, 158, 177, 193, changed); // and the one above.
+  EXPECT_EQ(changed, 0);
+  compare(0, 300, 0, 200, near);
+  EXPECT_GT(near, 500) << "all of it is written";
+}
+
 TEST(SliceView, TakesPicturesOfAnotherSize) {
   SurfacelessWindow window(150, 90);
   SliceView view;

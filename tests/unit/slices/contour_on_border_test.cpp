@@ -7,9 +7,13 @@
 
 #include <gtest/gtest.h>
 
+#include "dicom_slices.h"
+#include "phantom_scan.h"
+#include "temporary_folder.h"
 #include "viscera/geometry/plane_cut.h"
 #include "viscera/medical_io/label_map.h"
 #include "viscera/medical_io/label_surfaces.h"
+#include "viscera/medical_io/scan.h"
 #include "viscera/slices/slice_frame.h"
 
 /// The contour of an organ that came from a label map lies on the border of the label's voxels: the check
@@ -160,6 +164,57 @@ medical_io::LabelMap eggInObliqueGrid() {
 
 TEST(ContourOnBorder, OfAnEggInAnObliqueLeftHandedGrid) {
   expectOnBorder(eggInObliqueGrid(), 0, 0);
+}
+
+/// An egg with a bump, so that no axis can be taken for another, on the grid of a phantom.
+tests::LabelImage bumpyEgg(const tests::LabelImage& grid, std::int16_t inside, std::int16_t outside) {
+  tests::LabelImage image = grid;
+  for (int k = 0; k < image.size[2]; ++k)
+    for (int j = 0; j < image.size[1]; ++j)
+      for (int i = 0; i < image.size[0]; ++i) {
+        const Vec3 place = image.indexToLps * Vec3(i, j, k);
+        const bool in = ((place - Vec3(6, 4, -6)).array() / Vec3(17, 25, 19).array()).matrix().norm() <= 1 ||
+                        (place - Vec3(16, 20, 4)).norm() <= 13;
+        image.at(i, j, k) = in ? inside : outside;
+      }
+  return image;
+}
+
+/// Each voxel's label says whether the scan is bright at that place of the patient.
+void expectAlike(const medical_io::LabelMap& map, const medical_io::Scan& scan) {
+  std::size_t differing = 0;
+  for (int k = 0; k < map.size[2]; ++k)
+    for (int j = 0; j < map.size[1]; ++j)
+      for (int i = 0; i < map.size[0]; ++i) {
+        const bool in = map.layers[0][map.indexOf(i, j, k)] != 0;
+        const double value = scan.at(map.indexToLps * Vec3(i, j, k)).value_or(-1e9);
+        differing += std::abs(value - (in ? 100 : -50)) > 1 ? 1U : 0U;
+      }
+  EXPECT_EQ(differing, 0U);
+}
+
+TEST(ContourOnBorder, OfAPhantomInEveryOrientationWhateverTheFormats) {
+  Progress progress;
+  for (const auto& [name, grid] : tests::orientedPhantoms()) {
+    SCOPED_TRACE(name);
+    const tests::TemporaryFolder folder;
+    const tests::LabelImage labels = bumpyEgg(grid, 1, 0), values = bumpyEgg(grid, 100, -50);
+    const std::array maps = {
+        medical_io::readLabelMap(folder.put("labels.nii", tests::niftiFile(labels)), progress),
+        medical_io::readLabelMap(folder.put("labels.nrrd", tests::nrrdFile(labels)), progress)};
+    std::filesystem::create_directories(folder / "dicom");
+    for (int k = 0; k < values.size[2]; ++k)
+      folder.put("dicom/" + std::to_string(k), tests::dicomBytes(tests::dicomSlice(values, k)));
+    const std::array scans = {
+        medical_io::readScan(folder.put("ct.nii", tests::niftiFile(values)), {}, progress),
+        medical_io::readScan(folder.put("ct.nrrd", tests::nrrdFile(values)), {}, progress),
+        medical_io::readScan(folder / "dicom", {}, progress)};
+    for (const medical_io::LabelMap& map : maps) {
+      expectOnBorder(map, 0, 0);
+      for (const medical_io::Scan& scan : scans)
+        expectAlike(map, scan);
+    }
+  }
 }
 
 TEST(ContourOnBorder, OfTheLargeOrgansOfARealPatient) {

@@ -13,12 +13,11 @@
 namespace viscera::document {
 
 /// The scan that lies beside the organs: the same patient's image. Immutable once in a document, and shared
-/// by all states that have it; a session names its place and does not hold its samples.
+/// by all states that have it. A session names its place, or holds it.
 struct ScanItem {
   std::string name;                             ///< "CT, Abdomen 5.0", or its file's.
   std::shared_ptr<const medical_io::Scan> scan; ///< Never null.
-  std::filesystem::path file; ///< Where it was read from: a file, or a folder of DICOM files. Empty: nowhere,
-                              ///< and no session keeps it.
+  std::filesystem::path file; ///< Where it was read from: a file, or a folder of DICOM files; empty: nowhere.
   std::string series;         ///< Which of several there, as `medical_io::ScanOptions`.
   int phase = 0;              ///< Which of several in time.
 };

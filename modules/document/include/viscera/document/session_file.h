@@ -31,6 +31,8 @@ struct SessionContents {
   /// Whether all surfaces are inside the file. Else those that can be read or made again are named only; a
   /// surface that was edited, or whose file is not what was read, is inside in any case.
   bool embedSurfaces = false;
+  /// Whether the scan's samples are inside, too. One that is in no file (any more) is inside in any case.
+  bool embedScan = false;
   std::vector<MissingOrgan> missing;
   /// The record of a scan that was not found, a JSON object: written again as it was unless `state` has
   /// another scan. Else empty.
@@ -69,7 +71,7 @@ bool isSessionFile(const std::filesystem::path& file);
 
 /// Reads a session. An organ's file is looked for where it was relative to the session file, where it was,
 /// beside the session file, and by its contents in those folders; sample organs are made again (seconds, the
-/// first time); the scan is read anew. What cannot be found is left out and named, the rest is opened. Throws
+/// first time); the scan is read anew where it is not inside. What cannot be found is left out and named, the rest is opened. Throws
 /// `NoInputError` when the session file cannot be read; `DataError` that names file, place and reason for one
 /// that is damaged, no session, or of a later version; `Cancelled`. For any thread.
 OpenedSession readSession(const std::filesystem::path& file, const sample_organs::SampleLibrary& samples,

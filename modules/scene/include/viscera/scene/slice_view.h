@@ -8,6 +8,7 @@
 #include <vector>
 
 #include <Eigen/Core>
+#include <Eigen/Geometry>
 
 #include "viscera/core/arrays.h"
 #include "viscera/scene/theme.h"
@@ -34,11 +35,14 @@ struct SliceMark {
   double rimWidth = 1;     ///< Logical pixels.
 };
 
-/// Words on a slice's picture, right of a place and inside of the picture.
+/// Words on a slice's picture, beside a place and inside of the picture.
 struct SliceText {
   Eigen::Vector2d place; ///< In pixels of the picture.
   std::string words;     ///< UTF-8; may have several lines.
   Vec3 color = Vec3::Ones();
+  /// In pixels of the picture: what is measured, and is not covered where there is room beside it. Empty:
+  /// nothing but `place`.
+  Eigen::AlignedBox2d around = {};
 };
 
 /// A slice as it is to be drawn: grey levels for each pixel of the window, and what lies over them.

@@ -1,0 +1,62 @@
+#include "stored_bytes.h"
+
+#include <bit>
+#include <limits>
+
+#include <QByteArray>
+#include <zlib.h>
+
+#include "viscera/core/error.h"
+
+namespace viscera::document {
+namespace {
+
+static_assert(std::endian::native == std::endian::little, "session files hold little-endian numbers");
+
+constexpr std::int64_t kLargest = std::numeric_limits<int>::max() / 2; ///< Bytes; base64 makes them more.
+/// zlib cannot make less of anything.
+constexpr std::int64_t kMostCompression = 1032;
+/// Coordinates hardly compress: more effort costs five times as long and saves a few per cent.
+constexpr int kEffort = Z_BEST_SPEED;
+
+} // namespace
+
+std::string packed(std::string_view bytes, const char* what) {
+  if (static_cast<std::int64_t>(bytes.size()) > kLargest)
+    throw CannotCreateError(std::string(what) + " of more than 1 GB cannot be kept in a session file", {},
+                            "save it as a file of its own first");
+  uLongf size = compressBound(bytes.size());
+  QByteArray compressed(static_cast<int>(size), Qt::Uninitialized);
+  compress2(reinterpret_cast<Bytef*>(compressed.data()), &size, reinterpret_cast<const Bytef*>(bytes.data()),
+            bytes.size(), kEffort);
+  compressed.resize(static_cast<int>(size));
+  return compressed.toBase64().toStdString();
+}
+
+void unpack(const JsonReader& reader, const nlohmann::ordered_json& stored, const char* key,
+            const std::string& place, std::int64_t bytes, const std::string& holds,
+            const std::function<void*()>& reserve) {
+  const std::string where = place + "." + key;
+  const nlohmann::ordered_json& value = reader.field(stored, key, place);
+  if (!value.is_string() || value.get_ref<const std::string&>().empty())
+    reader.fail("It has to be a text", where);
+  const auto& text = value.get_ref<const std::string&>(); // Not copied: it may be a gigabyte.
+  if (static_cast<std::int64_t>(text.size()) > std::numeric_limits<int>::max())
+    reader.fail("It is too long", where);
+  const auto decoded =
+      QByteArray::fromBase64Encoding(QByteArray::fromRawData(text.data(), static_cast<int>(text.size())),
+                                     QByteArray::Base64Encoding | QByteArray::AbortOnBase64DecodingErrors);
+  if (!decoded)
+    reader.fail("It is no base64", where);
+  const QByteArray& compressed = decoded.decoded;
+  if (bytes / kMostCompression > compressed.size())
+    reader.fail("It holds less than " + holds, where);
+  auto size = static_cast<uLongf>(bytes);
+  const int outcome = uncompress(static_cast<Bytef*>(reserve()), &size,
+                                 reinterpret_cast<const Bytef*>(compressed.constData()),
+                                 static_cast<uLong>(compressed.size()));
+  if (outcome != Z_OK || size != static_cast<uLongf>(bytes))
+    reader.fail("It is damaged: it does not hold " + holds, where);
+}
+
+} // namespace viscera::document
