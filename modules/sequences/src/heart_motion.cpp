@@ -19,10 +19,10 @@ constexpr double kWhereRightBegins = 12;
 // handles there go farther out by these parts of the wall's thickening. Tuned by hand on the surfaces of the
 // sample heart at medium resolution at 75 a minute; with none of them 27 % of the muscle vanish in systole.
 /// Beside the right ventricle: against the volume of the left ventricle's muscle ("lv_wall" less its cavity),
-/// which then keeps within 5.6 % (6 % is held by CliPlay.SaysHowTheHeartsWallMoves...).
+/// which then keeps within 5.6 % (6 % is held by HeartbeatSetup.WallsMoveAsMeasured...).
 constexpr double kRightPush = 2.6;
 /// At the free wall: against its thickening, which is 57 % and may be 30 to 60 %
-/// (HeartbeatSetup.WallsMoveAsMeasuredInHealthyAdults).
+/// (HeartbeatSetup.WallsMoveAsMeasured...).
 constexpr double kFreePush = 0.2;
 /// On the septum: against the same muscle's volume while 5 mm stay between the cavities
 /// (HeartbeatSetup.cavitiesStayInsideTheWallAndApartInEveryFrame).
