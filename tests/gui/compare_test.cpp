@@ -34,6 +34,46 @@ protected:
   }
 };
 
+/// What Qt has warned of since the last `begin`.
+class QtWarnings {
+public:
+  static void begin() {
+    said().clear();
+    before() =
+        qInstallMessageHandler([](QtMsgType type, const QMessageLogContext& where, const QString& text) {
+          if (type == QtWarningMsg)
+            said() << text;
+          else if (before())
+            before()(type, where, text);
+        });
+  }
+  static QStringList end() {
+    qInstallMessageHandler(before());
+    return said();
+  }
+
+private:
+  static QStringList& said() {
+    static QStringList list;
+    return list;
+  }
+  static QtMessageHandler& before() {
+    static QtMessageHandler handler = nullptr;
+    return handler;
+  }
+};
+
+TEST_F(TwoViews, AViewThatClosesUnderAHeldMouseLeavesNoGestureBehind) {
+  constexpr int kLongerThanAHeldTap = 900;
+  compareRates();
+  QtWarnings::begin();
+  app::ViewWidget& other = parts().comparison().view();
+  QTest::mousePress(&other, Qt::LeftButton, Qt::NoModifier, QPoint(20, 20));
+  parts().comparison().end();
+  QTest::qWait(kLongerThanAHeldTap);
+  EXPECT_EQ(QtWarnings::end(), QStringList());
+}
+
 TEST_F(TwoViews, AnotherOrganStandsBesideTheFirstWithAVolumeOfItsOwn) {
   parts().comparison().showFiles({sphereFile(QStringLiteral("ball.stl"), 40)});
   ASSERT_TRUE(waitUntil([this] {
