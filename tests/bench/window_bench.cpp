@@ -11,6 +11,7 @@
 #include <benchmark/benchmark.h>
 #include <vtkRenderWindow.h>
 
+#include "atlas_window.h"
 #include "session_fixture.h"
 #include "viscera/deformation/place_handles.h"
 #include "viscera/document/organ_commands.h"
@@ -125,7 +126,7 @@ void dragABall(benchmark::State& state) {
   drag(state, bench);
   state.counters["vertices"] = double(bench.document().organs().front()->mesh->points.rows());
 }
-BENCHMARK(dragABall)->Arg(6)->Arg(8)->Unit(benchmark::kMillisecond)->UseManualTime()->Iterations(40);
+BENCHMARK(dragABall)->Arg(6)->Arg(8)->Arg(9)->Unit(benchmark::kMillisecond)->UseManualTime()->Iterations(40);
 
 /// A press on a handle until it is drawn as held.
 void pressAHandle(benchmark::State& state) {
@@ -203,6 +204,47 @@ void changeTheMode(benchmark::State& state) {
   }
 }
 BENCHMARK(changeTheMode)->Arg(6)->Arg(8)->Unit(benchmark::kMillisecond)->UseManualTime()->Iterations(10);
+
+class BenchedAtlas : public tests::AtlasWindow {
+public:
+  BenchedAtlas() {
+    application();
+    SetUp();
+  }
+  ~BenchedAtlas() override { TearDown(); }
+  void TestBody() override {}
+
+  /// Until the step is done and drawn, and nothing is left to do, ms.
+  double time(void (AtlasWindow::*step)()) {
+    const auto start = Clock::now();
+    (this->*step)();
+    QCoreApplication::processEvents();
+    view().renderPending();
+    view().renderWindow()->WaitForCompletion();
+    const double ms = 1000 * secondsSince(start);
+    settle();
+    return ms;
+  }
+};
+
+/// The steps of an afternoon with an atlas of 95 organs; each is a counter, in ms.
+void workWithTheAtlas(benchmark::State& state) {
+  if (!std::filesystem::exists(BenchedAtlas::file()))
+    return state.SkipWithError("shared/organs/abdomen_seg.nrrd is absent");
+  for (auto _ : state) {
+    BenchedAtlas atlas;
+    using Walk = tests::AtlasWindow;
+    state.counters["import"] = atlas.time(&Walk::import);
+    state.counters["find"] = atlas.time(&Walk::find);
+    state.counters["choose"] = atlas.time(&Walk::choose);
+    state.counters["isolate"] = atlas.time(&Walk::isolate);
+    state.counters["surround"] = atlas.time(&Walk::surround);
+    state.counters["lock"] = atlas.time(&Walk::lock);
+    state.counters["deform"] = atlas.time(&Walk::deform);
+    state.counters["showAll"] = atlas.time(&Walk::showAll);
+  }
+}
+BENCHMARK(workWithTheAtlas)->Unit(benchmark::kMillisecond)->UseRealTime()->Iterations(1);
 
 } // namespace
 } // namespace viscera

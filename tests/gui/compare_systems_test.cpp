@@ -1,13 +1,19 @@
 #include <QComboBox>
 #include <QPushButton>
 #include <QTest>
+#include <QToolButton>
+
+#include <map>
 
 #include "shapes.h"
 #include "viscera/document/system_commands.h"
 #include "viscera/scene/vtkVisceraHandleSetRepresentation.h"
 #include "window/compare/compared_system.h"
 #include "window/compare/comparison.h"
+#include "window/compare/difference_map.h"
 #include "window/modes/play_mode.h"
+#include "window/view/picture.h"
+#include "window/widgets/system_combo.h"
 #include "window_test.h"
 
 namespace viscera::tests {
@@ -83,13 +89,60 @@ TEST_F(TwoSystems, AnotherSystemIsChosenFromTheListAndShowsItsInfluence) {
 
   auto* list = window().findChild<QComboBox*>(QStringLiteral("secondSystem"));
   ASSERT_NE(list, nullptr);
-  EXPECT_EQ(list->count(), static_cast<int>(window().workspace().registry().list().size()));
   const int row = list->findData(QStringLiteral("s-celestial"));
   list->setCurrentIndex(row);
   Q_EMIT list->activated(row);
   ASSERT_TRUE(bound());
   EXPECT_EQ(second().document().system().id, "s-celestial");
   EXPECT_EQ(second().live().influence(organ_, handle), first) << "the same system in both now";
+}
+
+TEST_F(TwoSystems, StandUnderHeadingsThatCannotBeChosen) {
+  const plugin::Registry& registry = window().workspace().registry();
+  app::SystemCombo list(registry);
+  EXPECT_EQ(list.itemText(0), QStringLiteral("Recommended"));
+  QString heading;
+  std::map<std::string, QString> under;
+  for (int row = 0; row < list.count(); ++row) {
+    const std::string id = list.systemAt(row);
+    const bool choosable = (list.model()->flags(list.model()->index(row, 0)) & Qt::ItemIsSelectable) != 0;
+    EXPECT_EQ(choosable, !id.empty()) << row;
+    if (id.empty())
+      heading = list.itemText(row);
+    else
+      EXPECT_TRUE(under.insert({id, heading}).second) << id;
+  }
+  EXPECT_EQ(under.size(), registry.list().size());
+  EXPECT_EQ(under["s-celestial"], QStringLiteral("Recommended"));
+  EXPECT_EQ(under["mean-value"], QStringLiteral("With a cage"));
+  EXPECT_EQ(under["bounded-biharmonic"], QStringLiteral("With tetrahedra"));
+  EXPECT_EQ(under["wire-approach"], QStringLiteral("Attempts of the thesis"));
+}
+
+TEST_F(TwoSystems, TheDistanceBetweenThemColoursTheSecondView) {
+  const int handle = reachableHandle();
+  ASSERT_GE(handle, 0);
+  const QPoint from = onScreen(handleInView(handle));
+  drag(from, from + QPoint(70, 20));
+  ASSERT_TRUE(bound());
+  auto* button = window().findChild<QToolButton*>(QStringLiteral("differences"));
+  ASSERT_NE(button, nullptr);
+  const auto colored = [this] { return comparison().picture().actorOf(organ_)->scalarsShown(); };
+  EXPECT_FALSE(colored());
+  button->click();
+  settle();
+  const auto distance = [this] {
+    return (points(second()) - points(window().workspace())).rowwise().norm().maxCoeff();
+  };
+  EXPECT_GT(distance(), 0.1);
+  EXPECT_DOUBLE_EQ(comparison().differences()->greatest(), distance());
+  EXPECT_TRUE(colored());
+  key(Qt::Key_Z, Qt::ControlModifier);
+  settle();
+  EXPECT_LT(comparison().differences()->greatest(), 1e-6) << "at rest both are the organ itself";
+  button->click();
+  settle();
+  EXPECT_FALSE(colored());
 }
 
 TEST_F(TwoSystems, HaveTheSameCageAndWhatDoesNotFitItIsMendedInTheFirst) {

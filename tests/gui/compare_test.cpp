@@ -34,6 +34,46 @@ protected:
   }
 };
 
+/// What Qt has warned of since the last `begin`.
+class QtWarnings {
+public:
+  static void begin() {
+    said().clear();
+    before() =
+        qInstallMessageHandler([](QtMsgType type, const QMessageLogContext& where, const QString& text) {
+          if (type == QtWarningMsg)
+            said() << text;
+          else if (before())
+            before()(type, where, text);
+        });
+  }
+  static QStringList end() {
+    qInstallMessageHandler(before());
+    return said();
+  }
+
+private:
+  static QStringList& said() {
+    static QStringList list;
+    return list;
+  }
+  static QtMessageHandler& before() {
+    static QtMessageHandler handler = nullptr;
+    return handler;
+  }
+};
+
+TEST_F(TwoViews, AViewThatClosesUnderAHeldMouseLeavesNoGestureBehind) {
+  constexpr int kLongerThanAHeldTap = 900;
+  compareRates();
+  QtWarnings::begin();
+  app::ViewWidget& other = parts().comparison().view();
+  QTest::mousePress(&other, Qt::LeftButton, Qt::NoModifier, QPoint(20, 20));
+  parts().comparison().end();
+  QTest::qWait(kLongerThanAHeldTap);
+  EXPECT_EQ(QtWarnings::end(), QStringList());
+}
+
 TEST_F(TwoViews, AnotherOrganStandsBesideTheFirstWithAVolumeOfItsOwn) {
   parts().comparison().showFiles({sphereFile(QStringLiteral("ball.stl"), 40)});
   ASSERT_TRUE(waitUntil([this] {
@@ -94,7 +134,7 @@ TEST_F(TwoViews, BeatAtTwoRatesUnderOneTimelineAndChart) {
   key(Qt::Key_Space);
   playFor(1.0);
   const std::size_t left = 1;
-  ASSERT_EQ(monitor.lines()[left].name, QStringLiteral("LV"));
+  ASSERT_EQ(monitor.lines()[left].name, QStringLiteral("LV cavity"));
   ASSERT_TRUE(waitUntil([&] { return monitor.indices(left) && monitor.indices(left + alone); }));
   EXPECT_NEAR(monitor.indices(left + alone)->cardiacOutputLPerMinute /
                   monitor.indices(left)->cardiacOutputLPerMinute,

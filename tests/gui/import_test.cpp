@@ -1,8 +1,10 @@
 #include "window_test.h"
 
 #include <QCheckBox>
+#include <QComboBox>
 #include <QDockWidget>
 #include <QLabel>
+#include <QLineEdit>
 #include <QPushButton>
 #include <QTest>
 
@@ -171,6 +173,57 @@ TEST_F(Import, OneOfSeveralIsLeftOutAndTheMirroredPatientIsPutRight) {
   press(importButton());
   ASSERT_EQ(document().organs().size(), 2u);
   EXPECT_LT(boundsOf(document().organs()[0]->mesh->points).center().x(), 0);
+}
+
+TEST_F(Import, ManyOrgansAreFilteredLeftOutTogetherAndGetOneUnitOfLength) {
+  QStringList files = {write(geometry::scaled(liver(), 0.001))};
+  for (const char* name : {"spleen", "kidney_left", "kidney_right", "stomach", "pancreas", "bladder"})
+    files += write(geometry::scaled(sphere(2, 36, {0, 40, 300}), 0.001), QStringLiteral("%1.stl").arg(name));
+  window().files().open(files);
+  settle();
+  ASSERT_TRUE(window().imports().isOpen());
+  EXPECT_EQ(findings().count(QStringLiteral("not life-sized")), 1) << findings().toStdString();
+  press(repairButton(QStringLiteral("unit-m")));
+  for (const document::DraftOrgan& organ : window().imports().draft().organs)
+    EXPECT_GT(organ.assessment.sizeMm.x(), 50) << organ.name;
+
+  panel().findChild<QLineEdit*>(QStringLiteral("importFilter"))->setText(QStringLiteral("kid"));
+  QStringList shown;
+  for (const QCheckBox* box : panel().findChildren<QCheckBox*>(QStringLiteral("included")))
+    if (box->isVisible())
+      shown += box->text();
+  shown.sort();
+  EXPECT_EQ(shown, QStringList({QStringLiteral("kidney_left"), QStringLiteral("kidney_right")}));
+  press(panel().findChild<QPushButton*>(QStringLiteral("importNone")));
+  EXPECT_EQ(importButton()->text(), QStringLiteral("Import 5 organs"));
+  press(panel().findChild<QPushButton*>(QStringLiteral("importAll")));
+  EXPECT_FALSE(importButton()->text().contains(QStringLiteral("organs")));
+  press(panel().findChild<QPushButton*>(QStringLiteral("importNone")));
+  press(importButton());
+  EXPECT_EQ(document().organs().size(), 5u);
+}
+
+TEST_F(Import, OrgansAreFilteredByWhatWasFound) {
+  QStringList files;
+  for (const char* name : {"a", "b", "c", "d", "e", "f"})
+    files += write(sphere(2, 36), QStringLiteral("%1.stl").arg(name));
+  TriangleMesh turned = sphere(2, 36);
+  turned.triangles.col(1).swap(turned.triangles.col(2));
+  for (const char* name : {"x", "y"})
+    files += write(turned, QStringLiteral("%1.stl").arg(name));
+  window().files().open(files);
+  settle();
+  ASSERT_TRUE(window().imports().isOpen());
+  auto* list = panel().findChild<QComboBox*>(QStringLiteral("importFindings"));
+  const int facing = list->findText(QStringLiteral("Triangles that face inward (2)"));
+  ASSERT_GE(facing, 0);
+  list->setCurrentIndex(facing);
+  int shown = 0;
+  for (const QCheckBox* box : panel().findChildren<QCheckBox*>(QStringLiteral("included")))
+    shown += box->isVisible() ? 1 : 0;
+  EXPECT_EQ(shown, 2);
+  press(repairButton(QStringLiteral("orient")));
+  EXPECT_FALSE(window().imports().draft().questionable()) << "both were turned";
 }
 
 TEST_F(Import, RepairsCanBeTakenBackAndARepairThatIsCancelledChangesNothing) {

@@ -5,6 +5,7 @@
 #include <QTest>
 #include <QTreeWidget>
 
+#include "atlas_window.h"
 #include "session_fixture.h"
 #include "viscera/document/organ_commands.h"
 #include "window/panels/organ_panel.h"
@@ -140,6 +141,37 @@ TEST_F(ManyOrgans, TheNameOfTheOrganUnderTheMouseIsShownAndLeavesWithIt) {
   EXPECT_EQ(name->text(), QStringLiteral("kidney_left"));
   QTest::mouseMove(&view(), QPoint(4, 4));
   EXPECT_TRUE(waitUntil([&] { return !name->isVisible(); }));
+}
+
+class Atlas : public AtlasWindow {};
+
+TEST_F(Atlas, IsSearchedIsolatedDeformedUnderALockAndShownWholeAgain) {
+  if (!std::filesystem::exists(file()))
+    GTEST_SKIP() << "shared/organs/abdomen_seg.nrrd is absent";
+  import();
+  ASSERT_EQ(document().organs().size(), 95u) << message().toStdString();
+  EXPECT_EQ(visible(), 95);
+  find();
+  EXPECT_FALSE(row("liver")->isHidden());
+  EXPECT_TRUE(row("spleen")->isHidden());
+  choose();
+  isolate();
+  EXPECT_EQ(visible(), 3);
+  surround();
+  settle();
+  ASSERT_GE(document().rig().handles.size(), 8u);
+  lock();
+  settle();
+  const document::OrganId liver = organ("liver").id;
+  ASSERT_TRUE(organ("liver").volumeLocked);
+  const double rest = window().workspace().live().volume(liver).nowMl;
+  deform();
+  settle();
+  EXPECT_NE(document().pose(), document().rig().restPositions());
+  EXPECT_NEAR(window().workspace().live().volume(liver).nowMl, rest, 1e-6 * rest);
+  showAll();
+  EXPECT_EQ(visible(), 95);
+  EXPECT_EQ(message(), QString());
 }
 
 TEST_F(ManyOrgans, FocusShowsWhatWasHidden) {

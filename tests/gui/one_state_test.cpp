@@ -377,7 +377,7 @@ TEST_F(OneState, AKeysPoseThatIsTakenIsWhereTheTimelineStands) {
 
 TEST_F(OneState, OtherCoordinatesBeginCurveAndIndicesAnew) {
   const auto& monitor = window().volumes();
-  ASSERT_EQ(monitor.lines().at(1).name, QStringLiteral("LV"));
+  ASSERT_EQ(monitor.lines().at(1).name, QStringLiteral("LV cavity"));
   ASSERT_TRUE(waitUntil([&] { return monitor.indices(1).has_value(); }));
   const double before = monitor.indices(1)->ejectionFraction;
   ASSERT_TRUE(window().workspace().perform(document::setSystem({"t-celestial", {}})));

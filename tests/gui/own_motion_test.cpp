@@ -5,6 +5,7 @@
 #include <QDoubleSpinBox>
 #include <QFile>
 #include <QLabel>
+#include <QListWidget>
 #include <QTableWidget>
 #include <QTest>
 
@@ -140,6 +141,17 @@ TEST_F(OwnMotion, APatientsOrganBreathesAndLandmarksAreClickedInTheView) {
   const auto& fit = find<app::FitBox>("fitBox");
   ASSERT_NE(fit.landmarks().find("apex"), nullptr);
   EXPECT_NEAR(fit.landmarks().find("apex")->position.norm(), 60, 1.5) << "the click is on the ball";
+  ASSERT_EQ(fit.glyphs().items().size(), 1u);
+  EXPECT_EQ(fit.glyphs().items()[0].text, "Apex");
+  const Vec3 apex = fit.landmarks().find("apex")->position;
+  pose(1.5);
+  EXPECT_LT((fit.glyphs().items()[0].points[0] - 1.5 * apex).norm(), 2) << "it follows the organ";
+  EXPECT_EQ(fit.landmarks().find("apex")->position, apex) << "and is a place of the organ at rest";
+  key(Qt::Key_4);
+  EXPECT_TRUE(fit.glyphs().items().empty()) << "it leaves with the mode";
+  key(Qt::Key_5);
+  EXPECT_EQ(fit.glyphs().items().size(), 1u);
+  key(Qt::Key_Z, Qt::ControlModifier);
   const int breathing = sequence.findText(QStringLiteral("Breathing"));
   ASSERT_GE(breathing, 0);
   sequence.setCurrentIndex(breathing);
@@ -155,6 +167,54 @@ TEST_F(OwnMotion, APatientsOrganBreathesAndLandmarksAreClickedInTheView) {
   EXPECT_NEAR(volume(), rest, 1e-6 * rest) << "breathing keeps the volume";
   const Points& points = window().workspace().live().points(document().organs().front()->id);
   EXPECT_LT(boundsOf(points).center().z(), -5) << "and moves the organ down";
+}
+
+class SequencesThatFit : public OwnMotion {
+protected:
+  void choose(const char* id) {
+    auto& list = find<QListWidget>("sequenceList");
+    for (int row = 0; row < list.count(); ++row)
+      if (list.item(row)->data(Qt::UserRole) == QLatin1String(id))
+        Q_EMIT list.itemClicked(list.item(row));
+    settle();
+  }
+  QString firstOffered() { return find<QListWidget>("sequenceList").item(0)->data(Qt::UserRole).toString(); }
+  bool standsOut(const char* button) { return find<QAbstractButton>(button).property("primary").toBool(); }
+};
+
+TEST_F(SequencesThatFit, APatientsOrganIsAskedForAndNotReplaced) {
+  key(Qt::Key_N, Qt::ControlModifier);
+  open(sphereFile(QStringLiteral("liver.stl"), 70));
+  key(Qt::Key_5);
+  EXPECT_EQ(firstOffered(), QStringLiteral("breathing"));
+  EXPECT_EQ(find<QComboBox>("fitSequence").currentData(), QStringLiteral("breathing"));
+  const document::OrganId liver = document().organs().front()->id;
+  choose("breathing");
+  EXPECT_TRUE(find<QAbstractButton>("offerFit").isVisible());
+  EXPECT_TRUE(standsOut("offerFit"));
+  ASSERT_NE(document().organ(liver), nullptr) << "nothing happens before the answer";
+  press("offerFit");
+  ASSERT_TRUE(waitUntil([this] { return window().playback().player().playing(); }))
+      << message().toStdString();
+  ASSERT_NE(document().organ(liver), nullptr);
+  EXPECT_EQ(document().organs().size(), 1u);
+  EXPECT_FALSE(find<QAbstractButton>("offerFit").isVisible());
+  choose("breathing");
+  EXPECT_FALSE(find<QAbstractButton>("offerFit").isVisible()) << "it has that motion";
+  EXPECT_FALSE(find<QLabel>("ejectionFraction").isVisible()) << "a liver ejects nothing";
+  EXPECT_FALSE(find<QLabel>("cardiacOutput").isVisible());
+}
+
+TEST_F(SequencesThatFit, AStomachIsToldThatItHasNoHeartbeat) {
+  key(Qt::Key_N, Qt::ControlModifier);
+  open(sphereFile(QStringLiteral("stomach.stl"), 60));
+  key(Qt::Key_5);
+  EXPECT_EQ(firstOffered(), QStringLiteral("peristalsis"));
+  choose("heartbeat");
+  EXPECT_TRUE(standsOut("offerSample"));
+  EXPECT_FALSE(standsOut("offerFit"));
+  ASSERT_EQ(document().organs().size(), 1u);
+  EXPECT_EQ(document().organs().front()->name, "stomach");
 }
 
 TEST_F(OwnMotion, UndoToARigOfMoreHandlesWhilePlayingLeavesTheWindowWhole) {

@@ -52,7 +52,7 @@ std::vector<std::vector<double>> tableIn(const QString& file) {
 
 TEST_F(PlayMode, TheWholeCycleIsExactBeforeAFrameOfItWasPlayed) {
   const auto& monitor = window().volumes();
-  ASSERT_EQ(monitor.lines().at(1).name, QStringLiteral("LV"));
+  ASSERT_EQ(monitor.lines().at(1).name, QStringLiteral("LV cavity"));
   ASSERT_TRUE(waitUntil([&] { return monitor.indices(1).has_value(); }));
   EXPECT_EQ(window().playback().player().playedSeconds(), 0);
   EXPECT_NEAR(monitor.indices(1)->ejectionFraction, 0.579, 5e-4);
@@ -189,7 +189,7 @@ TEST_F(PlayMode, LabelsNameTheOrgansBesideThem) {
   EXPECT_TRUE(labels().empty());
   key(Qt::Key_N);
   ASSERT_EQ(labels().size(), 3u);
-  EXPECT_EQ(labels()[1].text, "Left ventricle");
+  EXPECT_EQ(labels()[1].text, "LV cavity");
   for (const auto& organ : document().organs()) {
     if (!organ->parent)
       continue;
@@ -342,7 +342,7 @@ TEST_F(PlayMode, AVolumeCurveIsFollowedUntilItIsTakenBack) {
   auto* organ = window().findChild<QComboBox*>(QStringLiteral("curveOrgan"));
   auto* remove = window().findChild<QAbstractButton*>(QStringLiteral("removeCurve"));
   ASSERT_TRUE(box && organ && remove);
-  organ->setCurrentIndex(organ->findText(QStringLiteral("LV")));
+  organ->setCurrentIndex(organ->findText(QStringLiteral("LV cavity")));
   window().playback().seek(0.5);
   const double own = volumeOf("LV");
   EXPECT_LT(own, 62);

@@ -59,6 +59,23 @@ TEST_F(ViewTest, AClickSelectsTheOrganAndOneBesideItNothing) {
   EXPECT_FALSE(window().workspace().selection().organ());
 }
 
+TEST_F(ViewTest, AmongSeveralOrgansTheSelectedOneIsOutlinedAndNotBrightened) {
+  const document::OrganId first = document().organs().front()->id;
+  const auto& picture = window().picture();
+  window().workspace().selection().setOrgan(first);
+  EXPECT_TRUE(picture.actorOf(first)->selected()) << "alone it is a little lighter";
+  open(sphereFile(QStringLiteral("second.stl"), 30));
+  window().workspace().selection().setOrgan({});
+  settle();
+  const auto none = grab(window());
+  window().workspace().selection().setOrgan(first);
+  settle();
+  EXPECT_FALSE(picture.actorOf(first)->selected());
+  const double outline = scene::comparePictures(none, grab(window())).differing;
+  EXPECT_GT(outline, 0.0005);
+  EXPECT_LT(outline, 0.03) << "a thin line";
+}
+
 TEST_F(ViewTest, ADragRotatesTheCamera) {
   const Vec3 before = sight();
   drag(view().rect().center(), view().rect().center() + QPoint(120, 0));

@@ -29,7 +29,8 @@ struct ProcessResult {
 /// What a process is given beside its arguments.
 struct ProcessOptions {
   std::map<std::string, std::optional<std::string>> environment; ///< Set, or unset where there is no value.
-  std::optional<std::chrono::milliseconds> interruptAfter;       ///< Sends SIGINT (Ctrl+C) then.
+  std::optional<std::chrono::milliseconds> interruptAfter;       ///< Sends `signal` then.
+  int signal = SIGINT;                                           ///< Ctrl+C.
 };
 
 namespace detail {
@@ -88,9 +89,9 @@ inline ProcessResult runProcess(const std::vector<std::string>& command, const P
   ::close(err[1]);
   std::thread interrupter;
   if (options.interruptAfter)
-    interrupter = std::thread([child, after = *options.interruptAfter] {
+    interrupter = std::thread([child, after = *options.interruptAfter, signal = options.signal] {
       std::this_thread::sleep_for(after);
-      ::kill(child, SIGINT);
+      ::kill(child, signal);
     });
   ProcessResult result;
   detail::readAll(out[0], err[0], result);

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "viscera/circulation/indices.h"
+#include "viscera/circulation/scenario.h"
 #include "viscera/motion/motion_recipe.h"
 #include "viscera/sample_organs/sample_organ.h"
 #include "viscera/sequences/course_heartbeat.h"
@@ -148,9 +149,10 @@ void CirculationModel::follow() {
         if (!next.heart || known.resolution != resolution)
           next.heart = std::make_shared<const motion::CirculatingHeart>(library, resolution, progress);
         const auto beatOf = [&](const Shown& shown) {
-          return next.heart->follow(
-              motion::heartCourse("Heartbeat: " + shown.name, shown.parameters, shown.beat, shown.indices),
-              progress);
+          return next.heart->follow(motion::heartCourse("Heartbeat: " + shown.name, shown.parameters,
+                                                        shown.beat, shown.indices,
+                                                        circulation::leftMuscleOf(shown.name)),
+                                    progress);
         };
         if (by)
           next.sequence = beatOf(by->shown);

@@ -19,18 +19,14 @@ ComparedSystem::ComparedSystem(Workspace& first, Workspace& second, MessageBar* 
   subscriptions_.push_back(first.selection().onChange([this] { followSelection(); }));
 }
 
-QComboBox* ComparedSystem::makeChooser() {
-  chooser_ = new QComboBox;
+SystemCombo* ComparedSystem::makeChooser() {
+  chooser_ = new SystemCombo(second_.registry());
   chooser_->setObjectName(QStringLiteral("secondSystem"));
   chooser_->setAccessibleName(tr("Coordinates of the second view"));
   chooser_->setToolTip(tr("The coordinates that tie the same organs to the same handles in this view"));
-  chooser_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   chooser_->setMinimumContentsLength(14);
-  for (const plugin::Registry::Entry& entry : second_.registry().list())
-    chooser_->addItem(text(entry.system->name()), text(entry.system->id()));
-  chooser_->setCurrentIndex(chooser_->findData(text(choice_->id)));
-  connect(chooser_, QOverload<int>::of(&QComboBox::activated), this,
-          [this](int index) { choose(chooser_->itemData(index).toString().toStdString()); });
+  chooser_->setSystem(choice_->id);
+  connect(chooser_, &SystemCombo::systemChosen, this, &ComparedSystem::choose);
   return chooser_;
 }
 
@@ -39,7 +35,7 @@ void ComparedSystem::choose(const std::string& id) {
   choice->id = id;
   choice_ = std::move(choice);
   if (chooser_)
-    chooser_->setCurrentIndex(chooser_->findData(text(id)));
+    chooser_->setSystem(id);
   Q_EMIT chosen();
 }
 

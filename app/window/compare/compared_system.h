@@ -1,6 +1,5 @@
 #pragma once
 
-#include <QComboBox>
 #include <QObject>
 #include <QPointer>
 
@@ -8,6 +7,7 @@
 #include <vector>
 
 #include "window/binding_messages.h"
+#include "window/widgets/system_combo.h"
 #include "window/workspace.h"
 
 namespace viscera::app {
@@ -23,7 +23,7 @@ public:
   ComparedSystem(Workspace& first, Workspace& second, MessageBar* messages, QObject* parent = nullptr);
 
   /// The list of systems, for the second view's header, which owns it from then on.
-  QComboBox* makeChooser();
+  SystemCombo* makeChooser();
   void choose(const std::string& id);
   const std::string& system() const { return choice_->id; }
   /// The first document's state with the other coordinates.
@@ -42,7 +42,7 @@ private:
   Workspace& second_;
   BindingMessages messages_;
   std::shared_ptr<const document::SystemChoice> choice_;
-  QPointer<QComboBox> chooser_;
+  QPointer<SystemCombo> chooser_;
   std::vector<Subscription> subscriptions_;
 };
 

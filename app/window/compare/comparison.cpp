@@ -12,6 +12,7 @@
 #include <cmath>
 
 #include "window/compare/compared_system.h"
+#include "window/compare/difference_map.h"
 #include "window/compare/side_header.h"
 #include "window/file_actions.h"
 #include "window/sample_loader.h"
@@ -39,6 +40,7 @@ struct Comparison::Second {
   std::unique_ptr<Picture> picture;
   std::unique_ptr<CameraLink> cameras;
   std::unique_ptr<ComparedSystem> system; ///< While other coordinates are compared.
+  std::unique_ptr<DifferenceMap> differences;
   std::vector<Subscription> subscriptions;
 };
 
@@ -162,8 +164,12 @@ void Comparison::showOtherCoordinates() {
   same_ = true;
   second_->system =
       std::make_unique<ComparedSystem>(first_.workspace, second_->workspace, first_.area.messages());
+  second_->differences =
+      std::make_unique<DifferenceMap>(first_.workspace, second_->workspace, *second_->picture);
   secondHeader_->addControl(second_->system->makeChooser());
+  secondHeader_->addControl(makeDifferenceButton());
   connect(second_->system.get(), &ComparedSystem::chosen, this, [this] {
+    second_->differences->restart();
     mirror();
     syncHeaders();
   });
@@ -174,12 +180,27 @@ void Comparison::showOtherCoordinates() {
   syncHeaders();
 }
 
+QToolButton* Comparison::makeDifferenceButton() {
+  auto* button = makeIconButton(
+      "influence", tr("Colour each vertex by its distance to the same vertex in view A"), nullptr);
+  button->setObjectName(QStringLiteral("differences"));
+  button->setCheckable(true);
+  connect(button, &QToolButton::toggled, second_->differences.get(), &DifferenceMap::setOn);
+  return button;
+}
+
+DifferenceMap* Comparison::differences() const {
+  return on() ? second_->differences.get() : nullptr;
+}
+
 /// What only the comparison of coordinates has.
 void Comparison::dropSystem() {
   if (!second_->system)
     return;
+  second_->differences.reset();
   second_->system.reset();
   delete secondHeader_->findChild<QComboBox*>(QStringLiteral("secondSystem"));
+  delete secondHeader_->findChild<QToolButton*>(QStringLiteral("differences"));
 }
 
 void Comparison::showSameOrgan() {
@@ -240,6 +261,7 @@ void Comparison::end() {
   const std::unique_ptr<Second> second = std::move(second_);
   same_ = false;
   // The picture lets go of the view's renderer before the view goes.
+  second->differences.reset();
   second->system.reset();
   second->cameras.reset();
   second->picture.reset();

@@ -13,10 +13,12 @@
 #include "window/workspace.h"
 
 class QSpinBox;
+class QToolButton;
 
 namespace viscera::app {
 
 class ComparedSystem;
+class DifferenceMap;
 class Picture;
 class SideHeader;
 class ViewArea;
@@ -65,6 +67,8 @@ public:
   const Picture& picture() const;
   /// The other coordinates of the second view, or null.
   ComparedSystem* comparedSystem() const;
+  /// How far the two lie apart, while other coordinates are compared, or null.
+  DifferenceMap* differences() const;
 
 Q_SIGNALS:
   /// It began or ended.
@@ -77,6 +81,7 @@ private:
   QWidget* makeSecondPane();
   void fillHeader(SideHeader& header);
   void mirror();
+  QToolButton* makeDifferenceButton();
   void dropSystem();
   void linkCameras();
   void syncHeaders();

@@ -133,10 +133,10 @@ void ImportDesk::revert(std::size_t organ) {
          [draft = draft_, organ](Progress& progress) { return document::reverted(draft, organ, progress); });
 }
 
-void ImportDesk::include(std::size_t organ, bool included) {
+void ImportDesk::include(const std::vector<std::size_t>& organs, bool included) {
   if (!open_)
     return;
-  draft_ = document::withIncluded(std::move(draft_), organ, included);
+  draft_ = document::withIncluded(std::move(draft_), organs, included);
   show();
 }
 

@@ -44,7 +44,7 @@ Q_SIGNALS:
 private:
   void work(const QString& name, std::function<document::ImportDraft(Progress&)> next);
   void revert(std::size_t organ);
-  void include(std::size_t organ, bool included);
+  void include(const std::vector<std::size_t>& organs, bool included);
   void show();
   void preview();
   void close();

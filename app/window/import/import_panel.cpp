@@ -1,8 +1,12 @@
 #include "window/import/import_panel.h"
 
+#include <QComboBox>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QLineEdit>
 #include <QPushButton>
+#include <QSignalBlocker>
+#include <QStyle>
 
 #include <algorithm>
 
@@ -25,11 +29,51 @@ std::vector<std::size_t> byUrgency(const document::ImportDraft& draft) {
   return order;
 }
 
+/// More organs than that can be filtered, and good ones take one line.
+constexpr std::size_t kMany = 6;
+
+/// In the list of findings, before those that organs have in common.
+enum { kEveryOrgan, kToLookAt, kFirstShared };
+
+QString summaryOf(const document::ImportDraft& draft) {
+  const auto of = [&](auto light) {
+    return static_cast<int>(
+        std::count_if(draft.organs.begin(), draft.organs.end(), [&](const document::DraftOrgan& organ) {
+          return organ.included && organ.assessment.worst() == light;
+        }));
+  };
+  if (!draft.questionable())
+    return ImportPanel::tr("No problems found. Nothing is in the document yet.");
+  if (draft.organs.size() <= kMany)
+    return ImportPanel::tr(
+        "Check the findings first. Nothing is in the document yet, and no file is changed.");
+  const int faults = of(medical_io::Light::fault), doubts = of(medical_io::Light::doubt);
+  return ImportPanel::tr("%1 organs: %2 with faults, %3 to look at, %4 without problems. Nothing is in the "
+                         "document yet, and no file is changed.")
+      .arg(draft.organs.size())
+      .arg(faults)
+      .arg(doubts)
+      .arg(static_cast<int>(draft.organs.size()) - faults - doubts);
+}
+
+/// "Triangles that face inward: 12 of 95 organs".
+QString sharedText(const document::SharedFinding& shared, const document::ImportDraft& draft) {
+  if (shared.ofThePatient)
+    return ImportPanel::tr("%1 of %2 organs are not life-sized; the unit of length is one for the patient")
+        .arg(shared.organs.size())
+        .arg(draft.organs.size());
+  return ImportPanel::tr("%1: %2 of %3 organs")
+      .arg(subjectName(shared.subject))
+      .arg(shared.organs.size())
+      .arg(draft.organs.size());
+}
+
 } // namespace
 
 ImportPanel::ImportPanel(QWidget* parent)
-    : QWidget(parent), title_(new QLabel(this)), summary_(makeRemark({}, this)), organs_(new QWidget),
-      column_(new QVBoxLayout(organs_)), import_(new QPushButton(tr("Import"), this)) {
+    : QWidget(parent), title_(new QLabel(this)), summary_(makeRemark({}, this)), name_(new QLineEdit),
+      finding_(new QComboBox), filter_(makeFilter()), organs_(new QWidget), column_(new QVBoxLayout(organs_)),
+      import_(new QPushButton(tr("Import"), this)) {
   setObjectName(QStringLiteral("panel"));
   auto* whole = makeLayout<QVBoxLayout>(this, 0);
   auto* heading = makeLayout<QVBoxLayout>(nullptr, 2, {12, 8, 12, 8});
@@ -37,6 +81,7 @@ ImportPanel::ImportPanel(QWidget* parent)
   title_->setWordWrap(true);
   heading->addWidget(title_);
   heading->addWidget(summary_);
+  heading->addWidget(filter_);
   whole->addLayout(heading);
   column_->setContentsMargins(0, 0, 0, 0);
   column_->setSpacing(0);
@@ -53,6 +98,34 @@ ImportPanel::ImportPanel(QWidget* parent)
   connect(import_, &QPushButton::clicked, this, &ImportPanel::accepted);
 }
 
+QWidget* ImportPanel::makeFilter() {
+  auto* box = new QWidget(this);
+  auto* column = makeLayout<QVBoxLayout>(box, 4, {0, 6, 0, 0});
+  name_->setObjectName(QStringLiteral("importFilter"));
+  name_->setPlaceholderText(tr("Find an organ"));
+  name_->setClearButtonEnabled(true);
+  finding_->setObjectName(QStringLiteral("importFindings"));
+  finding_->setAccessibleName(tr("Organs to show, by finding"));
+  auto* all = new QPushButton(tr("All"), box);
+  all->setObjectName(QStringLiteral("importAll"));
+  all->setToolTip(tr("Take all organs of this list along"));
+  auto* none = new QPushButton(tr("None"), box);
+  none->setObjectName(QStringLiteral("importNone"));
+  none->setToolTip(tr("Leave all organs of this list out"));
+  column->addWidget(name_);
+  auto* row = new QHBoxLayout;
+  row->setSpacing(4);
+  row->addWidget(finding_, 1);
+  row->addWidget(all);
+  row->addWidget(none);
+  column->addLayout(row);
+  connect(name_, &QLineEdit::textChanged, this, &ImportPanel::filter);
+  connect(finding_, QOverload<int>::of(&QComboBox::currentIndexChanged), this, &ImportPanel::filter);
+  connect(all, &QPushButton::clicked, this, [this] { includeShown(true); });
+  connect(none, &QPushButton::clicked, this, [this] { includeShown(false); });
+  return box;
+}
+
 void ImportPanel::showDraft(const document::ImportDraft& draft, const QString& title) {
   while (QLayoutItem* item = column_->takeAt(0)) {
     // Not at once: it may be the one whose button was pressed.
@@ -62,24 +135,45 @@ void ImportPanel::showDraft(const document::ImportDraft& draft, const QString& t
     }
     delete item;
   }
+  if (title_->text() != title)
+    name_->clear();
   title_->setText(title);
-  summary_->setText(draft.questionable()
-                        ? tr("Look at this first. Nothing is in the document yet, and no file is changed.")
-                        : tr("Nothing speaks against it. Nothing is in the document yet."));
-  const bool severalFiles =
-      std::any_of(draft.organs.begin(), draft.organs.end(),
-                  [&](const document::DraftOrgan& organ) { return organ.file != draft.organs.front().file; });
-  addArrangement(draft);
+  summary_->setText(summaryOf(draft));
+  cards_.clear();
+  shared_ = document::sharedFindings(draft);
+  addCommon(draft);
   for (const std::size_t place : byUrgency(draft))
-    addOrgan(draft.organs[place], place, severalFiles);
+    addOrgan(draft, place);
   column_->addStretch(1);
-  import_->setText(draft.questionable() ? tr("Import as it is") : tr("Import"));
+  const auto taken = std::count_if(draft.organs.begin(), draft.organs.end(),
+                                   [](const auto& organ) { return organ.included; });
+  const bool whole = taken == static_cast<std::ptrdiff_t>(draft.organs.size());
+  import_->setText(!whole                 ? tr("Import %n {organ|organs}", nullptr, static_cast<int>(taken))
+                   : draft.questionable() ? tr("Import as it is")
+                                          : tr("Import"));
+  import_->setProperty("quiet", draft.questionable());
+  import_->style()->unpolish(import_);
+  import_->style()->polish(import_);
+  fillFindings();
+  filter_->setVisible(draft.organs.size() > kMany);
+  filter();
   setBusy(false);
   import_->setEnabled(!draft.empty());
 }
 
-void ImportPanel::addArrangement(const document::ImportDraft& draft) {
-  if (!draft.arrangement)
+/// What organs have in common is said above them, once, with the repairs that help all of them.
+void ImportPanel::addCommon(const document::ImportDraft& draft) {
+  std::vector<std::size_t> all(draft.organs.size());
+  for (std::size_t i = 0; i < all.size(); ++i)
+    all[i] = i;
+  std::vector<std::pair<medical_io::Finding, std::vector<std::size_t>>> lines;
+  if (draft.arrangement)
+    lines.emplace_back(*draft.arrangement, all);
+  for (const document::SharedFinding& shared : shared_)
+    lines.emplace_back(medical_io::Finding{shared.light, sharedText(shared, draft).toStdString(),
+                                           shared.repairs, shared.subject},
+                       shared.mends);
+  if (lines.empty())
     return;
   auto* frame = new QFrame(organs_);
   frame->setObjectName(QStringLiteral("organCheck"));
@@ -87,28 +181,76 @@ void ImportPanel::addArrangement(const document::ImportDraft& draft) {
   auto* heading = new QLabel(tr("All organs together"), frame);
   embolden(heading);
   column->addWidget(heading);
-  auto* line = new FindingLine(*draft.arrangement, frame);
-  column->addWidget(line);
-  std::vector<std::size_t> all;
-  for (std::size_t i = 0; i < draft.organs.size(); ++i)
-    all.push_back(i);
-  connect(line, &FindingLine::repairRequested, this,
-          [this, all](const QString& id) { Q_EMIT repairRequested(all, id.toStdString()); });
+  for (const auto& [finding, mends] : lines) {
+    auto* line = new FindingLine(finding, frame);
+    column->addWidget(line);
+    connect(line, &FindingLine::repairRequested, this,
+            [this, organs = mends](const QString& id) { Q_EMIT repairRequested(organs, id.toStdString()); });
+  }
   column_->addWidget(frame);
 }
 
-void ImportPanel::addOrgan(const document::DraftOrgan& organ, std::size_t place, bool severalFiles) {
-  auto* check = new OrganCheck(organ, severalFiles, organs_);
+void ImportPanel::addOrgan(const document::ImportDraft& draft, std::size_t place) {
+  const bool severalFiles =
+      std::any_of(draft.organs.begin(), draft.organs.end(),
+                  [&](const document::DraftOrgan& organ) { return organ.file != draft.organs.front().file; });
+  const bool sizeSaid =
+      std::any_of(shared_.begin(), shared_.end(), [](const auto& shared) { return shared.ofThePatient; });
+  OrganCheck::Detail detail;
+  detail.file = severalFiles;
+  detail.size = !sizeSaid;
+  detail.brief = draft.organs.size() > kMany;
+  auto* check = new OrganCheck(draft.organs[place], detail, organs_);
   connect(check, &OrganCheck::repairRequested, this,
           [this, place](const QString& id) { Q_EMIT repairRequested({place}, id.toStdString()); });
   connect(check, &OrganCheck::revertRequested, this, [this, place] { Q_EMIT revertRequested(place); });
   connect(check, &OrganCheck::includedChanged, this,
-          [this, place](bool included) { Q_EMIT includedChanged(place, included); });
+          [this, place](bool included) { Q_EMIT includedChanged({place}, included); });
   column_->addWidget(check);
+  cards_.push_back(
+      {place, text(draft.organs[place].name), draft.organs[place].assessment.questionable(), check});
+}
+
+/// The choice stays where it means something still.
+void ImportPanel::fillFindings() {
+  const QSignalBlocker quiet(finding_);
+  const QVariant chosen = finding_->currentData();
+  finding_->clear();
+  finding_->addItem(tr("Every organ"), -2);
+  finding_->addItem(tr("To look at"), -1);
+  for (const document::SharedFinding& shared : shared_)
+    finding_->addItem(
+        tr("%1 (%2)").arg(subjectName(shared.subject)).arg(static_cast<int>(shared.organs.size())),
+        static_cast<int>(shared.subject));
+  finding_->setCurrentIndex(std::max(finding_->findData(chosen), 0));
+}
+
+void ImportPanel::filter() {
+  const QString name = filter_->isHidden() ? QString() : name_->text().trimmed();
+  const int row = filter_->isHidden() ? kEveryOrgan : finding_->currentIndex();
+  for (const Card& card : cards_) {
+    bool wanted = card.name.contains(name, Qt::CaseInsensitive);
+    if (row == kToLookAt)
+      wanted = wanted && card.questionable;
+    if (row >= kFirstShared) {
+      const auto& organs = shared_[static_cast<std::size_t>(row - kFirstShared)].organs;
+      wanted = wanted && std::count(organs.begin(), organs.end(), card.organ) > 0;
+    }
+    card.check->setVisible(wanted);
+  }
+}
+
+void ImportPanel::includeShown(bool included) {
+  std::vector<std::size_t> organs;
+  for (const Card& card : cards_)
+    if (!card.check->isHidden())
+      organs.push_back(card.organ);
+  Q_EMIT includedChanged(organs, included);
 }
 
 void ImportPanel::setBusy(bool busy) {
   organs_->setEnabled(!busy);
+  filter_->setEnabled(!busy);
   import_->setEnabled(!busy);
 }
 

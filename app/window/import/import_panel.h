@@ -2,16 +2,23 @@
 
 #include <QWidget>
 
+#include <vector>
+
 #include "viscera/document/import_draft.h"
 
+class QComboBox;
 class QLabel;
+class QLineEdit;
 class QPushButton;
 class QVBoxLayout;
 
 namespace viscera::app {
 
-/// What files hold before any of it is in the document: a list of organs with what was found out about them,
-/// buttons that repair, and Import and Cancel. Changes nothing itself.
+class OrganCheck;
+
+/// What files hold before any of it is in the document: what was found in several organs alike, a list of
+/// organs with what was found in each, buttons that repair, and Import and Cancel. Many organs can be
+/// filtered by name and by finding, and taken along or left out together. Changes nothing itself.
 class ImportPanel final : public QWidget {
   Q_OBJECT
 
@@ -28,17 +35,33 @@ Q_SIGNALS:
   void cancelled();
   void repairRequested(const std::vector<std::size_t>& organs, const std::string& repair);
   void revertRequested(std::size_t organ);
-  void includedChanged(std::size_t organ, bool included);
+  void includedChanged(const std::vector<std::size_t>& organs, bool included);
 
 private:
-  void addArrangement(const document::ImportDraft& draft);
-  void addOrgan(const document::DraftOrgan& organ, std::size_t place, bool severalFiles);
+  struct Card {
+    std::size_t organ;
+    QString name;
+    bool questionable;
+    OrganCheck* check;
+  };
+
+  QWidget* makeFilter();
+  void addCommon(const document::ImportDraft& draft);
+  void addOrgan(const document::ImportDraft& draft, std::size_t place);
+  void fillFindings();
+  void filter();
+  void includeShown(bool included);
 
   QLabel* title_;
   QLabel* summary_;
+  QLineEdit* name_;
+  QComboBox* finding_;
+  QWidget* filter_; ///< With these two, where there are many organs.
   QWidget* organs_;
   QVBoxLayout* column_;
   QPushButton* import_;
+  std::vector<Card> cards_;
+  std::vector<document::SharedFinding> shared_;
 };
 
 } // namespace viscera::app

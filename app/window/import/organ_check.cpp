@@ -1,6 +1,7 @@
 #include "window/import/organ_check.h"
 
 #include <QCheckBox>
+#include <QContextMenuEvent>
 #include <QCoreApplication>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -64,7 +65,7 @@ QString repairName(const std::string& id) {
       {"orient", QT_TRANSLATE_NOOP("viscera::app::Repairs", "Face outward")},
       {"fill-holes", QT_TRANSLATE_NOOP("viscera::app::Repairs", "Fill holes")},
       {"keep-largest", QT_TRANSLATE_NOOP("viscera::app::Repairs", "Keep the largest piece")},
-      {"remesh", QT_TRANSLATE_NOOP("viscera::app::Repairs", "Make anew")},
+      {"remesh", QT_TRANSLATE_NOOP("viscera::app::Repairs", "Remesh")},
       {"mirror", QT_TRANSLATE_NOOP("viscera::app::Repairs", "Mirror left and right")},
       {"ras-to-lps", QT_TRANSLATE_NOOP("viscera::app::Repairs", "It is RAS: turn to LPS")}};
   const auto known = kNames.find(id);
@@ -79,6 +80,21 @@ QString repairName(const std::string& id) {
 
 QString repairTip(const std::string& id) {
   return asSentence(medical_io::surfaceRepair(id).does);
+}
+
+QString subjectName(medical_io::FindingSubject subject) {
+  using medical_io::FindingSubject;
+  static const std::map<FindingSubject, const char*> kNames = {
+      {FindingSubject::axes, QT_TRANSLATE_NOOP("viscera::app::Findings", "Side of the body")},
+      {FindingSubject::size, QT_TRANSLATE_NOOP("viscera::app::Findings", "Size")},
+      {FindingSubject::holes, QT_TRANSLATE_NOOP("viscera::app::Findings", "Open surface")},
+      {FindingSubject::edges,
+       QT_TRANSLATE_NOOP("viscera::app::Findings", "Edges of more than two triangles")},
+      {FindingSubject::facing, QT_TRANSLATE_NOOP("viscera::app::Findings", "Triangles that face inward")},
+      {FindingSubject::pieces, QT_TRANSLATE_NOOP("viscera::app::Findings", "Separate pieces")},
+      {FindingSubject::crossings, QT_TRANSLATE_NOOP("viscera::app::Findings", "Crossing triangles")},
+      {FindingSubject::arrangement, QT_TRANSLATE_NOOP("viscera::app::Findings", "Places of the organs")}};
+  return QCoreApplication::translate("viscera::app::Findings", kNames.at(subject));
 }
 
 FindingLine::FindingLine(const medical_io::Finding& finding, QWidget* parent) : QWidget(parent) {
@@ -104,16 +120,17 @@ FindingLine::FindingLine(const medical_io::Finding& finding, QWidget* parent) : 
   column->addWidget(buttons);
 }
 
-OrganCheck::OrganCheck(const document::DraftOrgan& organ, bool severalFiles, QWidget* parent)
+OrganCheck::OrganCheck(const document::DraftOrgan& organ, const Detail& detail, QWidget* parent)
     : QFrame(parent) {
   setObjectName(QStringLiteral("organCheck"));
-  auto* column = makeLayout<QVBoxLayout>(this, 6, {12, 8, 12, 8});
-  column->addLayout(makeHeading(organ, severalFiles));
-  if (!organ.included)
+  const bool brief = detail.brief && !organ.assessment.questionable() && organ.repairs.empty();
+  auto* column = makeLayout<QVBoxLayout>(this, 6, {12, brief ? 4 : 8, 12, brief ? 4 : 8});
+  column->addLayout(makeHeading(organ, detail.file));
+  if (!organ.included || brief)
     return;
   for (auto light : {medical_io::Light::fault, medical_io::Light::doubt, medical_io::Light::note})
     for (const medical_io::Finding& finding : organ.assessment.findings)
-      if (finding.light == light) {
+      if (finding.light == light && (detail.size || finding.subject != medical_io::FindingSubject::size)) {
         auto* line = new FindingLine(finding, this);
         connect(line, &FindingLine::repairRequested, this, &OrganCheck::repairRequested);
         column->addWidget(line);
@@ -122,7 +139,7 @@ OrganCheck::OrganCheck(const document::DraftOrgan& organ, bool severalFiles, QWi
   column->addLayout(makeFoot(organ));
 }
 
-QLayout* OrganCheck::makeHeading(const document::DraftOrgan& organ, bool severalFiles) {
+QLayout* OrganCheck::makeHeading(const document::DraftOrgan& organ, bool withFile) {
   auto* column = new QVBoxLayout;
   column->setSpacing(0);
   auto* name = new QCheckBox(text(organ.name), this);
@@ -133,7 +150,7 @@ QLayout* OrganCheck::makeHeading(const document::DraftOrgan& organ, bool several
   connect(name, &QCheckBox::toggled, this, &OrganCheck::includedChanged);
   column->addWidget(name);
   QString facts = measures(organ);
-  if (severalFiles)
+  if (withFile)
     facts = tr("%1 \u00b7 %2").arg(text(organ.file), facts);
   auto* size = wrapped(facts, this);
   size->setObjectName(QStringLiteral("muted"));
@@ -157,6 +174,23 @@ QWidget* OrganCheck::makeGoodLine(const document::DraftOrgan& organ) {
   return line;
 }
 
+/// When it is opened: ninety cards need no ninety full menus.
+void OrganCheck::addRepairs(QMenu& menu) {
+  if (!menu.isEmpty())
+    return;
+  menu.setToolTipsVisible(true);
+  for (const medical_io::SurfaceRepair& repair : medical_io::surfaceRepairs())
+    menu.addAction(repairName(repair.id), this, [this, id = text(repair.id)] { Q_EMIT repairRequested(id); })
+        ->setToolTip(repairTip(repair.id));
+}
+
+void OrganCheck::contextMenuEvent(QContextMenuEvent* event) {
+  auto* menu = new QMenu(this);
+  menu->setAttribute(Qt::WA_DeleteOnClose);
+  addRepairs(*menu);
+  menu->popup(event->globalPos());
+}
+
 QLayout* OrganCheck::makeFoot(const document::DraftOrgan& organ) {
   auto* column = new QVBoxLayout;
   column->setSpacing(2);
@@ -173,10 +207,7 @@ QLayout* OrganCheck::makeFoot(const document::DraftOrgan& organ) {
   auto* more = new QPushButton(tr("More repairs"), this);
   more->setObjectName(QStringLiteral("menuButton"));
   auto* menu = new QMenu(more);
-  menu->setToolTipsVisible(true);
-  for (const medical_io::SurfaceRepair& repair : medical_io::surfaceRepairs())
-    menu->addAction(repairName(repair.id), this, [this, id = text(repair.id)] { Q_EMIT repairRequested(id); })
-        ->setToolTip(repairTip(repair.id));
+  connect(menu, &QMenu::aboutToShow, this, [this, menu] { addRepairs(*menu); });
   more->setMenu(menu);
   row->addWidget(more);
   if (!done.isEmpty()) {

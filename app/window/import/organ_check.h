@@ -7,6 +7,7 @@
 #include "viscera/document/import_draft.h"
 
 class QLayout;
+class QMenu;
 
 namespace viscera::app {
 
@@ -15,6 +16,9 @@ QString repairName(const std::string& id);
 
 /// What it does, as a sentence for its tooltip.
 QString repairTip(const std::string& id);
+
+/// A heading for what findings are about: "Facing".
+QString subjectName(medical_io::FindingSubject subject);
 
 /// A finding as a line: a light, a sentence, and buttons for what would help.
 class FindingLine final : public QWidget {
@@ -32,17 +36,27 @@ class OrganCheck final : public QFrame {
   Q_OBJECT
 
 public:
-  /// `severalFiles`: whether its file's name has to be told.
-  OrganCheck(const document::DraftOrgan& organ, bool severalFiles, QWidget* parent = nullptr);
+  /// What is said of an organ.
+  struct Detail {
+    bool file = false;  ///< Its file's name.
+    bool size = true;   ///< A doubt about its size; not where that is said for all organs together.
+    bool brief = false; ///< Of one in which nothing is to be looked at, the name and the size only.
+  };
+
+  OrganCheck(const document::DraftOrgan& organ, const Detail& detail, QWidget* parent = nullptr);
 
 Q_SIGNALS:
   void includedChanged(bool included);
   void repairRequested(const QString& id);
   void revertRequested();
 
+protected:
+  void contextMenuEvent(QContextMenuEvent* event) override;
+
 private:
-  QLayout* makeHeading(const document::DraftOrgan& organ, bool severalFiles);
+  QLayout* makeHeading(const document::DraftOrgan& organ, bool withFile);
   QLayout* makeFoot(const document::DraftOrgan& organ);
+  void addRepairs(QMenu& menu);
   /// All that is as it should be, in one line.
   QWidget* makeGoodLine(const document::DraftOrgan& organ);
 };

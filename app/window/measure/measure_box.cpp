@@ -76,7 +76,7 @@ void MeasureBox::makeList() {
   list_->setObjectName(QStringLiteral("measureList"));
   list_->setAccessibleName(tr("Measurements"));
   list_->setColumnCount(kColumns);
-  list_->setHeaderLabels({tr("Name"), tr("Now"), tr("At rest")});
+  list_->setHeaderLabels({tr("Name"), tr("Now"), tr("Reference shape")});
   list_->setRootIsDecorated(false);
   list_->setUniformRowHeights(true);
   list_->header()->setStretchLastSection(false);

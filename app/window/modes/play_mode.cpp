@@ -228,6 +228,21 @@ void PlayMode::chooseSequence(const QString& id) {
       parts_.samples.load(text(sample.organ), true);
 }
 
+bool PlayMode::hasSampleHeart() const {
+  const auto& motions = parts_.playback.motions();
+  return std::any_of(motions.begin(), motions.end(),
+                     [](const auto& motion) { return motion::sampleHeartOf(motion.recipe).has_value(); });
+}
+
+bool PlayMode::replacesOrgans(const QString& sequence) const {
+  const auto& motions = parts_.playback.motions();
+  const document::OrganList& organs = parts_.workspace.document().organs();
+  return std::none_of(motions.begin(), motions.end(),
+                      [&](const auto& motion) { return text(motion.sequence->id()) == sequence; }) &&
+         std::any_of(organs.begin(), organs.end(),
+                     [](const auto& organ) { return organ->origin.sample.empty(); });
+}
+
 bool PlayMode::seesThrough() const {
   const auto walls = wallsOf(parts_.workspace.document().organs());
   return !walls.empty() && std::all_of(walls.begin(), walls.end(),

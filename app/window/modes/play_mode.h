@@ -44,6 +44,10 @@ public:
 
   /// Shows a sequence: on the organ that is there when it has it, else on its sample organ.
   void chooseSequence(const QString& id);
+  /// Whether the sample heart is there, which a circulation can move.
+  bool hasSampleHeart() const;
+  /// Whether that would take organs of the user's own out of the document.
+  bool replacesOrgans(const QString& sequence) const;
   /// Lets the circulation move the heart, in a scenario or (empty) as it was last: on the sample heart when
   /// it is there, else it is loaded.
   void chooseScenario(const QString& id);

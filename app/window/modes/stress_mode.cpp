@@ -17,7 +17,8 @@ constexpr const char* kActionIds[] = {
 
 StressMode::StressMode(const ModeParts& parts, Actions& actions)
     : Mode(parts, {"stress", "stress", 4, tr("Stress"),
-                   tr("How far the pose distorts the tissue: click it to see its values; C cuts the organ "
+                   tr("Tissue distortion (rotational stress) by the pose: click it to see its values; C cuts "
+                      "the organ "
                       "open; drag a handle, the map follows")}),
       actions_(actions), model_(parts.workspace, parts.playback, parts.settings, parts.view, parts.picture),
       cut_(parts.workspace, model_, *parts.area.view(), parts.picture, parts.handles),

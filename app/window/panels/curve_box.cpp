@@ -8,6 +8,7 @@
 #include <QSignalBlocker>
 
 #include "viscera/motion/volume_curve.h"
+#include "viscera/presentation/presenter.h"
 #include "window/style/icon.h"
 #include "window/widgets/ready_made.h"
 
@@ -69,7 +70,7 @@ void CurveBox::sync() {
   organ_->clear();
   for (const auto& organ : workspace_.document().organs())
     if (organ->closed())
-      organ_->addItem(text(organ->name), static_cast<qlonglong>(organ->id.value));
+      organ_->addItem(text(presentation::labelOf(*organ)), static_cast<qlonglong>(organ->id.value));
   organ_->setCurrentIndex(std::max(0, organ_->findData(chosen)));
   organ_->setEnabled(!prescribed);
   choose_->setEnabled(playback_.sequence() && organ_->count() > 0);

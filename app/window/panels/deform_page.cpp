@@ -29,7 +29,7 @@ DeformPage::DeformPage(const ModeParts& parts, const Actions& actions, QWidget* 
     : Page(parent), workspace_(parts.workspace), poses_(parts.poses), view_(parts.view) {
   addSection(tr("Volume"));
   now_ = addFact(tr("Now"));
-  rest_ = addFact(tr("At rest"));
+  rest_ = addFact(tr("Reference shape"));
   change_ = addFact(tr("Change"));
   farthest_ = addFact(tr("Largest shift"));
   farthest_->setToolTip(tr("How far the organ's surface has moved from rest, at most"));

@@ -10,6 +10,7 @@
 
 #include "viscera/document/scan_fit.h"
 #include "viscera/document/scan_item.h"
+#include "viscera/presentation/presenter.h"
 #include "window/widgets/ready_made.h"
 
 namespace viscera::app {
@@ -40,7 +41,7 @@ ExplorePage::ExplorePage(Workspace& workspace, const Actions& actions, QWidget* 
     addCheck(actions[id]);
   addSection(tr("Organ"));
   name_ = addFact(tr("Name"));
-  volume_ = addFact(tr("Volume at rest"));
+  volume_ = addFact(tr("Reference volume"));
   size_ = addFact(tr("Size"));
   triangles_ = addFact(tr("Triangles"));
   surface_ = addFact(tr("Surface"));
@@ -84,7 +85,7 @@ QWidget* ExplorePage::makeViews(const Actions& actions) {
 void ExplorePage::sync() {
   const auto organ = workspace_.currentOrgan();
   const QString none = QStringLiteral("-");
-  name_->setText(organ ? text(organ->name) : none);
+  name_->setText(organ ? text(presentation::labelOf(*organ)) : none);
   volume_->setText(organ && organ->closed() ? formatMilliliters(organ->restVolumeMm3 / kMm3PerMl) : none);
   triangles_->setText(organ ? locale().toString(static_cast<int>(organ->mesh->triangles.rows())) : none);
   surface_->setText(!organ            ? none

@@ -13,6 +13,7 @@
 
 #include "viscera/document/organ_commands.h"
 #include "viscera/document/organ_system.h"
+#include "viscera/presentation/presenter.h"
 #include "window/panels/color_palette.h"
 #include "window/style/icon.h"
 #include "window/widgets/ready_made.h"
@@ -286,7 +287,7 @@ void OrganPanel::filter() {
 
 void OrganPanel::updateRow(const document::Organ& organ, QTreeWidgetItem* item) {
   const QScopedValueRollback<bool> quiet(updating_, true);
-  item->setText(kName, text(organ.name));
+  item->setText(kName, text(presentation::labelOf(organ)));
   item->setIcon(kName, swatch(asColor(organ.look.color)));
   item->setIcon(kEye, icon(organ.look.visible ? "eye" : "eye_off"));
   item->setToolTip(kEye, organ.look.visible ? tr("Hide (click)") : tr("Show (click)"));
@@ -332,7 +333,7 @@ void OrganPanel::updateVolumes() {
     const QPalette& colors = list_->palette();
     item->setForeground(kChange, organ->volumeLocked ? colors.placeholderText() : colors.link());
     const QString tip = !volume.closed ? tr("An open surface encloses no volume")
-                                       : tr("%1 at rest, %2 (%3) now")
+                                       : tr("%1 in the reference shape, %2 (%3) now")
                                              .arg(formatMilliliters(volume.restMl), formatChange(volume),
                                                   formatRelativeChange(volume));
     item->setToolTip(kVolume, tip);
@@ -379,8 +380,12 @@ void OrganPanel::onChanged(QTreeWidgetItem* item, int column) {
   if (updating_ || column != kName)
     return;
   const document::OrganId id = organOf(item);
+  const std::string name = item->text(kName).trimmed().toStdString();
+  const auto present = workspace_.document().organ(id);
+  if (present && name == presentation::labelOf(*present))
+    return; // What is written for its name.
   // A name that is refused goes back to what it was.
-  if (!workspace_.perform(document::renameOrgan(id, item->text(kName).trimmed().toStdString())))
+  if (!workspace_.perform(document::renameOrgan(id, name)))
     if (const auto organ = workspace_.document().organ(id))
       updateRow(*organ, item);
 }

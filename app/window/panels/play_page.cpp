@@ -4,6 +4,7 @@
 #include <QLabel>
 #include <QTableWidget>
 
+#include <algorithm>
 #include <cmath>
 
 #include "viscera/motion/clinical_numbers.h"
@@ -29,7 +30,7 @@ QString nothing() {
 
 PlayPage::PlayPage(const ModeParts& parts, PlayMode& mode, const Actions& actions, QWidget* parent)
     : Page(parent), playback_(parts.playback), volumes_(parts.volumes), mode_(mode), view_(parts.view) {
-  makeMotion(actions);
+  makeMotion(parts, actions);
   makeCirculation(parts, actions);
   addSection(tr("Look"));
   addCheck(actions["view.seeThrough"]);
@@ -48,21 +49,39 @@ PlayPage::PlayPage(const ModeParts& parts, PlayMode& mode, const Actions& action
   syncTable();
 }
 
-void PlayPage::makeMotion(const Actions& actions) {
+void PlayPage::makeMotion(const ModeParts& parts, const Actions& actions) {
   addSection(tr("Sequence"));
-  auto* list = new SequenceList(playback_, this);
+  auto* list = new SequenceList(parts.workspace, playback_, this);
   add(list);
-  connect(list, &SequenceList::sequenceChosen, &mode_, &PlayMode::chooseSequence);
+  offer_ = new FitOffer(parts.workspace, this);
+  add(offer_);
+  connect(list, &SequenceList::sequenceChosen, this, [this](const QString& id) {
+    if (mode_.replacesOrgans(id))
+      return offer_->ask(id);
+    offer_->hide();
+    mode_.chooseSequence(id);
+  });
+  connect(offer_, &FitOffer::sampleChosen, &mode_, &PlayMode::chooseSequence);
   rate_ = addFact(tr("Rate"));
   phase_ = addFact(tr("Phase"));
   addCheck(actions["play.loop"]);
 }
 
 void PlayPage::makeCirculation(const ModeParts& parts, const Actions& actions) {
-  addSection(tr("What moves the heart"));
+  QWidget* head = addSection(tr("What moves the heart"));
   auto* box = new CirculationBox(parts.workspace, mode_.circulation(), actions, this);
   add(box);
   connect(box, &CirculationBox::scenarioChosen, &mode_, &PlayMode::chooseScenario);
+  const auto sync = [this, &workspace = parts.workspace, head, box] {
+    const bool wanted =
+        mode_.circulation().on() || mode_.hasSampleHeart() || workspace.document().organs().empty();
+    head->setVisible(wanted);
+    box->setVisible(wanted);
+  };
+  connect(&playback_, &Playback::stateChanged, this, sync);
+  connect(&mode_.circulation(), &CirculationModel::changed, this, sync);
+  subscription_ = parts.workspace.onChange([sync](const document::Change&) { sync(); });
+  sync();
 }
 
 void PlayPage::makeTable() {
@@ -109,8 +128,9 @@ void PlayPage::makeOwnMotions(const ModeParts& parts) {
   add(new Fold(tr("Prescribe a volume"), curve, false, this));
   auto* keys = new KeyBox(parts.workspace, playback_, mode_.recorded(), parts.settings, this);
   add(new Fold(tr("Record a sequence"), keys, false, this));
-  auto* fit = new FitBox(parts.workspace, playback_, *parts.area.view(), this);
+  auto* fit = new FitBox(parts.workspace, playback_, parts.picture, *parts.area.view(), this);
   add(new Fold(tr("Fit a sequence to an organ"), fit, false, this));
+  connect(offer_, &FitOffer::fitChosen, fit, &FitBox::fit);
 }
 
 void PlayPage::syncState() {
@@ -156,6 +176,9 @@ void PlayPage::syncTable() {
   table_->setRowCount(static_cast<int>(lines.size()));
   for (std::size_t line = 0; line < lines.size(); ++line)
     fillRow(line);
+  const bool cavities = std::any_of(lines.begin(), lines.end(), [](const auto& line) { return line.cavity; });
+  for (const int column : {kStroke, kFraction})
+    table_->setColumnHidden(column, !cavities);
   syncIndices();
   syncWalls();
   int height = table_->horizontalHeader()->height() + 2;
@@ -170,6 +193,7 @@ void PlayPage::syncWalls() {
   const auto& ranges = sequences::wallMotionRanges();
   for (std::size_t i = 0; i < walls_.size(); ++i) {
     const sequences::WallMotionRange& range = ranges[i];
+    setFactShown(walls_[i], wall || !fraction_->isHidden());
     walls_[i]->setText(wall ? tr("%1 %2 (%3 - %4)")
                                   .arg((*wall).*range.value, 0, 'f', 1)
                                   .arg(tr(range.unit))
@@ -187,9 +211,11 @@ void PlayPage::syncIndices() {
   std::size_t best = lines.size();
   for (std::size_t line = 0; line < lines.size(); ++line)
     if (lines[line].cavity && lines[line].side == 0 &&
-        (best == lines.size() || lines[line].name == QLatin1String("LV")))
+        (best == lines.size() || lines[line].name == QLatin1String("LV cavity")))
       best = line;
   const auto indices = best < lines.size() ? volumes_.indices(best) : std::nullopt;
+  for (QLabel* fact : {fraction_, stroke_, output_})
+    setFactShown(fact, best < lines.size());
   fraction_->setText(indices ? tr("%1 %").arg(kPercent * indices->ejectionFraction, 0, 'f', 1) : nothing());
   stroke_->setText(indices ? tr("%1 ml").arg(indices->strokeVolumeMl, 0, 'f', 1) : nothing());
   output_->setText(indices ? tr("%1 l/min").arg(indices->cardiacOutputLPerMinute, 0, 'f', 1) : nothing());

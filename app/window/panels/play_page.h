@@ -4,6 +4,7 @@
 
 #include "window/actions.h"
 #include "window/modes/play_mode.h"
+#include "window/recorded/fit_offer.h"
 #include "window/recording/record_box.h"
 #include "window/timeline/volume_monitor.h"
 #include "window/widgets/page.h"
@@ -21,7 +22,7 @@ public:
   PlayPage(const ModeParts& parts, PlayMode& mode, const Actions& actions, QWidget* parent = nullptr);
 
 private:
-  void makeMotion(const Actions& actions);
+  void makeMotion(const ModeParts& parts, const Actions& actions);
   void makeCirculation(const ModeParts& parts, const Actions& actions);
   void makeTable();
   void makeRecording(Settings& settings);
@@ -36,6 +37,7 @@ private:
   VolumeMonitor& volumes_;
   PlayMode& mode_;
   ViewModel& view_;
+  FitOffer* offer_ = nullptr;
   QLabel* rate_ = nullptr;
   QLabel* phase_ = nullptr;
   QTableWidget* table_ = nullptr;
@@ -45,6 +47,7 @@ private:
   std::vector<QLabel*> walls_; ///< In the order of `sequences::wallMotionRanges`.
   QLabel* normal_ = nullptr;
   RecordBox* record_ = nullptr;
+  Subscription subscription_;
 };
 
 } // namespace viscera::app

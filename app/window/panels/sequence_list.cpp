@@ -4,6 +4,8 @@
 #include <QFile>
 #include <QSignalBlocker>
 
+#include <algorithm>
+
 #include "viscera/motion/sequence_setup.h"
 #include "window/style/icon.h"
 
@@ -17,12 +19,17 @@ constexpr int kColumns = 3;
 QIcon pictureOf(const QString& id, bool dark) {
   const QString file = QStringLiteral(":/viscera/sequences/%1_%2.png")
                            .arg(id, dark ? QStringLiteral("dark") : QStringLiteral("light"));
-  return QFile::exists(file) ? QIcon(file) : icon("beat");
+  if (!QFile::exists(file))
+    return icon("beat");
+  QIcon picture(file);
+  picture.addFile(file, {}, QIcon::Selected); // Framed, not tinted: a tinted one looks disabled.
+  return picture;
 }
 
 } // namespace
 
-SequenceList::SequenceList(Playback& playback, QWidget* parent) : QListWidget(parent), playback_(playback) {
+SequenceList::SequenceList(Workspace& workspace, Playback& playback, QWidget* parent)
+    : QListWidget(parent), workspace_(workspace), playback_(playback) {
   setObjectName(QStringLiteral("sequenceList"));
   setAccessibleName(tr("Sequences"));
   setViewMode(IconMode);
@@ -42,41 +49,50 @@ SequenceList::SequenceList(Playback& playback, QWidget* parent) : QListWidget(pa
       choose(item);
   });
   connect(&playback, &Playback::stateChanged, this, &SequenceList::rebuild);
+  subscriptions_.push_back(workspace.onChange([this](const document::Change& change) {
+    if (change.organs())
+      rebuild();
+  }));
+  subscriptions_.push_back(workspace.selection().onChange([this] { rebuild(); }));
   rebuild();
 }
 
-void SequenceList::addSequence(const QString& id, const QString& name, const QString& tip) {
+void SequenceList::addSequence(const Item& one) {
   const bool dark = palette().color(QPalette::Base).lightness() < 128;
-  auto* item = new QListWidgetItem(pictureOf(id, dark), name, this);
-  item->setData(Qt::UserRole, id);
-  item->setToolTip(tip);
+  auto* item = new QListWidgetItem(pictureOf(one.id, dark), one.name, this);
+  item->setData(Qt::UserRole, one.id);
+  item->setToolTip(one.tip);
   item->setTextAlignment(Qt::AlignHCenter | Qt::AlignTop);
 }
 
-void SequenceList::rebuild() {
-  std::vector<std::pair<QString, QString>> all;
-  for (const motion::SampleSequence& sample : motion::sampleSequences())
-    all.emplace_back(text(sample.id), text(sample.name));
-  const std::size_t ours = all.size();
-  for (const Playback::Motion& motion : playback_.motions()) {
-    const std::pair<QString, QString> one(text(motion.sequence->id()), text(motion.sequence->name()));
-    const auto known = [&](const auto& other) { return other.first == one.first; };
-    if (std::none_of(all.begin(), all.end(), known))
-      all.push_back(one);
-  }
-  const auto shown = [this](std::size_t row) {
-    return item(static_cast<int>(row))->data(Qt::UserRole).toString();
+std::vector<SequenceList::Item> SequenceList::wanted() const {
+  std::vector<Item> items;
+  const auto add = [&](const QString& id, const QString& name, const QString& tip) {
+    if (std::none_of(items.begin(), items.end(), [&](const Item& item) { return item.id == id; }))
+      items.push_back({id, name, tip});
   };
-  bool same = count() == static_cast<int>(all.size());
-  for (std::size_t row = 0; same && row < all.size(); ++row)
-    same = shown(row) == all[row].first;
-  if (!same) {
+  const auto organ = workspace_.currentOrgan();
+  const bool own = organ && organ->origin.sample.empty();
+  for (const motion::SampleSequence& sample : motion::sampleSequences())
+    if (own && motion::suits(sample, organ->name) == motion::Suits::yes)
+      add(text(sample.id), text(sample.name),
+          tr("%1: can be fitted to %2").arg(text(sample.name), text(organ->name)));
+  for (const motion::SampleSequence& sample : motion::sampleSequences())
+    add(text(sample.id), text(sample.name),
+        tr("%1: shows the sample organ and plays").arg(text(sample.name)));
+  for (const Playback::Motion& motion : playback_.motions())
+    add(text(motion.sequence->id()), text(motion.sequence->name()), text(motion.sequence->name()));
+  return items;
+}
+
+void SequenceList::rebuild() {
+  std::vector<Item> items = wanted();
+  if (items != shown_) {
     const QSignalBlocker quiet(this);
     clear();
-    for (std::size_t row = 0; row < all.size(); ++row)
-      addSequence(all[row].first, all[row].second,
-                  row < ours ? tr("%1: shows the sample organ and plays").arg(all[row].second)
-                             : all[row].second);
+    for (const Item& item : items)
+      addSequence(item);
+    shown_ = std::move(items);
     updateGeometry();
   }
   syncCurrent();

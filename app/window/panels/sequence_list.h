@@ -6,12 +6,13 @@
 
 namespace viscera::app {
 
-/// The sequences there are, each with a picture: those that the program brings and those of the user.
+/// The sequences there are, each with a picture: those that suit the current organ first, then the others
+/// that the program brings, then those of the user.
 class SequenceList final : public QListWidget {
   Q_OBJECT
 
 public:
-  explicit SequenceList(Playback& playback, QWidget* parent = nullptr);
+  SequenceList(Workspace& workspace, Playback& playback, QWidget* parent = nullptr);
 
   QSize sizeHint() const override;
 
@@ -25,10 +26,22 @@ protected:
 
 private:
   void rebuild();
-  void addSequence(const QString& id, const QString& name, const QString& tip);
+  /// One of the list.
+  struct Item {
+    QString id;
+    QString name;
+    QString tip;
+    friend bool operator==(const Item&, const Item&) = default;
+  };
+
+  std::vector<Item> wanted() const;
+  void addSequence(const Item& item);
   void syncCurrent();
 
+  Workspace& workspace_;
   Playback& playback_;
+  std::vector<Item> shown_;
+  std::vector<Subscription> subscriptions_;
 };
 
 } // namespace viscera::app

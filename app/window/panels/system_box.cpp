@@ -14,6 +14,7 @@
 #include "viscera/presentation/space_parts.h"
 #include "window/widgets/flow_layout.h"
 #include "window/widgets/ready_made.h"
+#include "window/widgets/system_combo.h"
 #include "window/widgets/value_slider.h"
 
 namespace viscera::app {
@@ -43,16 +44,13 @@ ValueSlider::Range rangeOf(const coordinates::Parameter& parameter, double bound
 } // namespace
 
 SystemBox::SystemBox(Workspace& workspace, QWidget* parent)
-    : QWidget(parent), workspace_(workspace), combo_(new QComboBox(this)), summary_(makeRemark({}, this)),
-      badges_(new QWidget(this)), column_(new QVBoxLayout(this)) {
+    : QWidget(parent), workspace_(workspace), combo_(new SystemCombo(workspace.registry(), this)),
+      summary_(makeRemark({}, this)), badges_(new QWidget(this)), column_(new QVBoxLayout(this)) {
   column_->setContentsMargins(0, 0, 0, 0);
   column_->setSpacing(8);
   combo_->setObjectName(QStringLiteral("systems"));
   combo_->setAccessibleName(tr("Coordinates"));
   combo_->setToolTip(tr("The coordinates that tie the organs to the handles"));
-  combo_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-  for (const plugin::Registry::Entry& entry : workspace.registry().list())
-    combo_->addItem(text(entry.system->name()), text(entry.system->id()));
   new FlowLayout(badges_, 4);
   QSizePolicy policy(QSizePolicy::Preferred, QSizePolicy::Minimum);
   policy.setHeightForWidth(true);
@@ -60,9 +58,9 @@ SystemBox::SystemBox(Workspace& workspace, QWidget* parent)
   column_->addWidget(combo_);
   column_->addWidget(summary_);
   column_->addWidget(badges_);
-  connect(combo_, QOverload<int>::of(&QComboBox::activated), this, [this](int index) {
+  connect(combo_, &SystemCombo::systemChosen, this, [this](const std::string& id) {
     document::SystemChoice choice;
-    choice.id = combo_->itemData(index).toString().toStdString();
+    choice.id = id;
     workspace_.undo().seal();
     workspace_.perform(document::setSystem(choice));
     workspace_.undo().seal();
@@ -76,8 +74,7 @@ SystemBox::SystemBox(Workspace& workspace, QWidget* parent)
 
 void SystemBox::sync() {
   const document::SystemChoice& choice = workspace_.document().system();
-  const QSignalBlocker quiet(combo_);
-  combo_->setCurrentIndex(combo_->findData(text(choice.id)));
+  combo_->setSystem(choice.id);
   if (choice.id != shownSystem_ && workspace_.registry().contains(choice.id)) {
     shownSystem_ = choice.id;
     const auto system = workspace_.registry().find(choice.id);

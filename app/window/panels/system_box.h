@@ -9,13 +9,14 @@
 
 #include "window/workspace.h"
 
-class QComboBox;
 class QLabel;
 class QVBoxLayout;
 
 namespace viscera::app {
 
-/// The choice of the coordinates: a list of the systems there are, a line about the chosen one, badges for
+class SystemCombo;
+
+/// The choice of the coordinates: a list of the systems, a line about the chosen one, badges for
 /// what it can do, and its parameters, made from what the system says of itself. A slider ends where the
 /// handles bound its parameter.
 class SystemBox final : public QWidget {
@@ -32,7 +33,7 @@ private:
   QWidget* sliderFor(const coordinates::Parameter& parameter, const QString& name);
 
   Workspace& workspace_;
-  QComboBox* combo_;
+  SystemCombo* combo_;
   QLabel* summary_;
   QWidget* badges_;
   QWidget* parameterBox_ = nullptr;

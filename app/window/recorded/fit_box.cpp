@@ -8,7 +8,9 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <set>
 
+#include "viscera/document/measured_values.h"
 #include "viscera/motion/motion_recipe.h"
 #include "viscera/motion/sequence_setup.h"
 #include "window/style/icon.h"
@@ -17,13 +19,9 @@
 namespace viscera::app {
 namespace {
 
-/// Of given landmarks and of those that were found; apart also for colour-blind eyes.
-const Vec3 kGiven(0.95, 0.62, 0.0);
-const Vec3 kFound(0.34, 0.71, 0.91);
-
 QString placeText(const std::vector<Vec3>& places) {
   if (places.empty())
-    return FitBox::tr("found by itself");
+    return FitBox::tr("by the shape");
   if (places.size() > 1)
     return FitBox::tr("%n {point|points}", nullptr, static_cast<int>(places.size()));
   return QStringLiteral("%1, %2, %3")
@@ -34,10 +32,10 @@ QString placeText(const std::vector<Vec3>& places) {
 
 } // namespace
 
-FitBox::FitBox(Workspace& workspace, Playback& playback, ViewWidget& view, QWidget* parent)
-    : QWidget(parent), workspace_(workspace), playback_(playback), view_(view),
+FitBox::FitBox(Workspace& workspace, Playback& playback, Picture& picture, ViewWidget& view, QWidget* parent)
+    : QWidget(parent), workspace_(workspace), playback_(playback), picture_(picture), view_(view),
       sequence_(new QComboBox(this)), target_(makeRemark({}, this)),
-      fit_(new QPushButton(icon("patient"), tr("Fit to this organ"), this)) {
+      fit_(new QPushButton(icon("patient"), tr("Fit to this organ"), this)), glyphs_(view.view()) {
   setObjectName(QStringLiteral("fitBox"));
   auto* column = makeLayout<QVBoxLayout>(this, 6);
   column->addWidget(target_);
@@ -49,25 +47,17 @@ FitBox::FitBox(Workspace& workspace, Playback& playback, ViewWidget& view, QWidg
   fit_->setObjectName(QStringLiteral("fitButton"));
   fit_->setToolTip(tr("Puts the sequence's handles around the organ and plays"));
   column->addWidget(fit_);
-  glyphs_.setRenderer(view.view().renderer());
   connect(sequence_, QOverload<int>::of(&QComboBox::activated), this, &FitBox::rebuildRows);
-  connect(fit_, &QPushButton::clicked, this, &FitBox::fit);
+  connect(fit_, &QPushButton::clicked, this, &FitBox::fitChosen);
   connect(&view, &ViewWidget::clicked, this, &FitBox::onClick);
-  subscriptions_.push_back(workspace.onChange([this](const document::Change& change) {
-    if (change.organs()) {
-      landmarks_.points.clear(); // They were places on organs that may be gone.
-      syncRows();
-    }
-    syncTarget();
-  }));
+  subscriptions_.push_back(workspace.onChange([this](const document::Change&) { syncTarget(); }));
   subscriptions_.push_back(workspace.selection().onChange([this] { syncTarget(); }));
+  subscriptions_.push_back(workspace.live().onEvent([this](const live::LiveEvent&) { syncGlyphs(); }));
   rebuildRows();
   syncTarget();
 }
 
-FitBox::~FitBox() {
-  glyphs_.setRenderer(nullptr);
-}
+FitBox::~FitBox() = default;
 
 std::string FitBox::sequenceId() const {
   return sequence_->currentData().toString().toStdString();
@@ -110,17 +100,29 @@ void FitBox::pick(const std::string& role) {
   syncRows();
 }
 
+void FitBox::showEvent(QShowEvent* event) {
+  QWidget::showEvent(event);
+  syncGlyphs();
+}
+
 void FitBox::hideEvent(QHideEvent* event) {
   QWidget::hideEvent(event);
   if (!picking_.empty())
     pick({});
+  syncGlyphs();
 }
 
+/// The surface may be in motion: the landmark is where the clicked place is at rest.
 void FitBox::onClick(const QPointF& place) {
   if (picking_.empty())
     return;
-  if (const auto hit = view_.pickNear(place))
-    setLandmark(picking_, hit->position);
+  const auto hit = view_.pickNear(place);
+  const auto organ = hit ? workspace_.document().organ(picture_.organOf(hit->organ)) : nullptr;
+  if (!organ || organ->id != organ_)
+    return;
+  setLandmark(picking_, document::surfacePoint(*organ, hit->triangle,
+                                               Vec3(hit->weights[0], hit->weights[1], hit->weights[2]))
+                            .rest);
 }
 
 void FitBox::setLandmark(const std::string& role, const Vec3& position) {
@@ -138,19 +140,55 @@ void FitBox::setLandmark(const std::string& role, const Vec3& position) {
 }
 
 void FitBox::syncRows() {
-  std::vector<scene::LandmarkGlyphs::Mark> marks;
   for (auto& [role, row] : rows_) {
     row.pick->setChecked(role == picking_);
     row.place->setText(role == picking_ ? tr("click the organ") : placeText(landmarks_.all(role)));
   }
-  for (const motion::Landmark& point : landmarks_.points)
-    marks.push_back({point.position, point.computed ? kFound : kGiven});
-  glyphs_.setMarks(std::move(marks));
+  syncMarks();
+}
+
+void FitBox::syncMarks() {
+  marks_.clear();
+  const auto organ = workspace_.document().organ(organ_);
+  std::set<std::string> named; // Of a line of points only the first.
+  for (const motion::Landmark& point : landmarks_.points) {
+    if (!organ)
+      break;
+    const auto row = rows_.find(point.role);
+    const bool first = named.insert(point.role).second && row != rows_.end();
+    marks_.push_back({first ? row->second.pick->text().toStdString() : std::string(), point.position,
+                      document::nearestPoint(*organ, point.position), point.computed});
+  }
+  syncGlyphs();
+}
+
+void FitBox::syncGlyphs() {
+  if (marks_.empty() && glyphs_.items().empty())
+    return;
+  std::vector<scene::MeasurementGlyphs::Item> items;
+  for (const Mark& mark : marks_) {
+    const Vec3 now =
+        document::placeNow(mark.surface, workspace_.state(), [this](document::OrganId id) -> const Points& {
+          return workspace_.live().points(id);
+        });
+    items.push_back({{mark.rest + (now - mark.surface.rest)}, mark.name, !mark.computed});
+  }
+  if (!isVisible())
+    items.clear();
+  glyphs_.setTheme(view_.view().theme());
+  glyphs_.setItems(std::move(items));
   view_.scheduleRender();
 }
 
 void FitBox::syncTarget() {
   const auto organ = workspace_.currentOrgan();
+  if (const document::OrganId now = organ ? organ->id : document::OrganId(); now != organ_) {
+    organ_ = now;
+    landmarks_.points.clear(); // They were places on another organ.
+    if (organ)
+      chooseWhatSuits(*organ);
+    syncRows();
+  }
   fit_->setEnabled(organ && organ->closed());
   if (!organ)
     target_->setText(tr("Open a patient's organ first."));
@@ -162,7 +200,24 @@ void FitBox::syncTarget() {
             .arg(text(organ->name)));
 }
 
-void FitBox::fit() {
+void FitBox::chooseWhatSuits(const document::Organ& organ) {
+  for (const motion::SampleSequence& sample : motion::sampleSequences()) {
+    if (motion::suits(sample, organ.name) != motion::Suits::yes || sample.id == sequenceId())
+      continue;
+    sequence_->setCurrentIndex(sequence_->findData(text(sample.id)));
+    rebuildRows();
+  }
+}
+
+void FitBox::fit(const QString& sequence) {
+  if (sequence_->currentData().toString() != sequence) {
+    sequence_->setCurrentIndex(sequence_->findData(sequence));
+    rebuildRows();
+  }
+  fitChosen();
+}
+
+void FitBox::fitChosen() {
   const auto organ = workspace_.currentOrgan();
   if (!organ)
     return;
@@ -183,7 +238,8 @@ void FitBox::take(const motion::RetargetedSequence& fitted, document::OrganId or
   if (!workspace_.document().organ(organ) || !workspace_.perform(motion::useRetargeted(fitted)))
     return;
   playback_.setSequence(fitted.sequence, organ, motion::fittedRecipe(sequence, given));
-  landmarks_ = fitted.landmarks;
+  if (organ_ == organ)
+    landmarks_ = fitted.landmarks;
   syncRows();
   for (const std::string& warning : fitted.warnings)
     workspace_.say({Message::Severity::warning, text(warning), {}, 0});

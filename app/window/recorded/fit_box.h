@@ -5,9 +5,11 @@
 #include <map>
 #include <string>
 
+#include "viscera/document/measurement.h"
 #include "viscera/motion/retarget.h"
-#include "viscera/scene/landmark_glyphs.h"
+#include "viscera/scene/measurement_glyphs.h"
 #include "window/timeline/playback.h"
+#include "window/view/picture.h"
 #include "window/view/view_widget.h"
 #include "window/workspace.h"
 
@@ -19,23 +21,38 @@ class QToolButton;
 namespace viscera::app {
 
 /// Fits a sequence to the organ that is there: a patient's heart beats, a patient's stomach moves its waves.
-/// Landmarks are clicked in the view, or found by the shape of the organ.
+/// The sequence that suits the organ is chosen. Landmarks are clicked in the view, or found by the shape of
+/// the organ; while the box is seen they stand in the view with their names, and follow the organ.
 class FitBox final : public QWidget {
   Q_OBJECT
 
 public:
-  FitBox(Workspace& workspace, Playback& playback, ViewWidget& view, QWidget* parent = nullptr);
+  FitBox(Workspace& workspace, Playback& playback, Picture& picture, ViewWidget& view,
+         QWidget* parent = nullptr);
   ~FitBox() override;
 
+  /// Of the current organ, mm, at rest.
   const motion::Landmarks& landmarks() const { return landmarks_; }
+  /// The landmarks as they stand in the view.
+  const scene::MeasurementGlyphs& glyphs() const { return glyphs_; }
+  /// Fits the sequence of that id to the current organ, and plays it.
+  void fit(const QString& sequence);
 
 protected:
+  void showEvent(QShowEvent* event) override;
   void hideEvent(QHideEvent* event) override;
 
 private:
   struct Row {
     QToolButton* pick = nullptr;
     QLabel* place = nullptr;
+  };
+  /// A landmark in the view. One inside the organ moves as the surface that is nearest to it.
+  struct Mark {
+    std::string name;
+    Vec3 rest = Vec3::Zero();
+    document::MeasuredPoint surface;
+    bool computed = false;
   };
 
   std::string sequenceId() const;
@@ -44,13 +61,17 @@ private:
   void onClick(const QPointF& place);
   void setLandmark(const std::string& role, const Vec3& position);
   void syncRows();
+  void syncMarks();
+  void syncGlyphs();
   void syncTarget();
-  void fit();
+  void chooseWhatSuits(const document::Organ& organ);
+  void fitChosen();
   void take(const motion::RetargetedSequence& fitted, document::OrganId organ, const std::string& sequence,
             const motion::Landmarks& given);
 
   Workspace& workspace_;
   Playback& playback_;
+  Picture& picture_;
   ViewWidget& view_;
   QComboBox* sequence_;
   QLabel* target_;
@@ -58,8 +79,10 @@ private:
   std::map<std::string, Row> rows_;
   QPushButton* fit_;
   motion::Landmarks landmarks_;
+  document::OrganId organ_; ///< Whose landmarks they are.
+  std::vector<Mark> marks_;
   std::string picking_; ///< The role for which a click is waited; empty: none.
-  scene::LandmarkGlyphs glyphs_;
+  scene::MeasurementGlyphs glyphs_;
   std::vector<Subscription> subscriptions_;
 };
 

@@ -8,6 +8,10 @@
 #include "viscera/presentation/presenter.h"
 
 namespace viscera::app {
+namespace {
+/// A motion computed anew differs by rounding alone.
+constexpr double kSameMotionMm = 0.01;
+} // namespace
 
 /// The motions that a view asks for, and what is to be seen of the present one.
 struct SessionView::Wanted {
@@ -18,6 +22,7 @@ struct SessionView::Wanted {
   };
   std::vector<Motion> motions;
   std::optional<presentation::Playing> playing;
+  Points shownPose; ///< As the picture was saved.
 };
 
 SessionView::SessionView(Window window, QObject* parent) : QObject(parent), window_(std::move(window)) {}
@@ -58,7 +63,7 @@ void SessionView::apply(const std::string& text) {
   const auto camera = std::exchange(state.camera, std::nullopt);
   const presentation::SelectionState selection = std::exchange(state.selection, {});
   state.motions.clear();
-  state.shownPose.resize(0, 3);
+  wanted.shownPose = std::exchange(state.shownPose, Points(0, 3));
   window_.modes.choose(state.mode);
   window_.view.change([&](presentation::ViewState& view) {
     state.mode = view.mode; // The mode that is on says what is to be seen.
@@ -105,10 +110,27 @@ void SessionView::show(const Wanted& wanted) {
                                   playback.sequence()->highestRatePerMinute()));
       playback.setSpeed(playing.speed);
       playback.setLooping(playing.loop);
-      if (playing.shown)
+      if (playing.shown) {
         playback.seek(playing.fraction);
+        sayWhatMovesOtherwise(wanted.shownPose);
+      }
     }
   }
+}
+
+/// A program that has learnt another motion shows that one; whoever kept the picture is told.
+void SessionView::sayWhatMovesOtherwise(const Points& saved) {
+  const Points& now = window_.workspace.live().shownPose();
+  if (saved.rows() != now.rows() || saved.rows() == 0)
+    return;
+  const double apart = (saved - now).rowwise().norm().maxCoeff();
+  if (apart > kSameMotionMm)
+    window_.workspace.say({Message::Severity::warning,
+                           tr("This program moves the organ otherwise than the one that saved the session: "
+                              "handles stand up to %1 mm from where they stood.")
+                               .arg(apart, 0, 'g', 2),
+                           {},
+                           0});
 }
 
 } // namespace viscera::app

@@ -46,6 +46,7 @@ private:
   void gatherMotions(presentation::ViewState& state) const;
   void makeMotions(const Wanted& wanted);
   void show(const Wanted& wanted);
+  void sayWhatMovesOtherwise(const Points& saved);
 
   Window window_;
 };

@@ -160,7 +160,7 @@ void TimelineBar::syncSequence(const sequences::Sequence& sequence) {
 
 /// A line says where sequences come from.
 void TimelineBar::clearSequence() {
-  const QString line = tr("No motion here: sample organs bring their own (Organ > Sample organs)");
+  const QString line = tr("No motion yet: choose a sequence in Play (5)");
   scrubber_->setPhases({{line.toStdString(), 0, 1}}, 0);
   signs_->setHeart(nullptr, 0);
   syncSigns();

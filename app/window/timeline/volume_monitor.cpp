@@ -5,6 +5,8 @@
 
 #include <QPointer>
 
+#include "viscera/presentation/presenter.h"
+
 namespace viscera::app {
 namespace {
 constexpr int kUpdateMilliseconds = 100;
@@ -74,8 +76,8 @@ std::vector<VolumeMonitor::Line> VolumeMonitor::linesOf(int side) const {
     if (!organ->look.tracked || !organ->closed())
       continue;
     const double rest = organ->restVolumeMm3 / kMm3PerMl;
-    lines.push_back({organ->id, side, text(organ->name), organ->look.color, static_cast<bool>(organ->parent),
-                     rest, rest});
+    lines.push_back({organ->id, side, text(presentation::labelOf(*organ)), organ->look.color,
+                     static_cast<bool>(organ->parent), rest, rest});
   }
   return lines;
 }

@@ -65,6 +65,11 @@ void Picture::setNamedParts(std::optional<std::vector<presentation::Part>> parts
   refresh();
 }
 
+void Picture::setMap(std::optional<presentation::SurfaceMap> map) {
+  map_ = std::move(map);
+  refresh();
+}
+
 void Picture::refresh() {
   workspace_.guarded([this] {
     const presentation::ViewState view = state();
@@ -72,8 +77,8 @@ void Picture::refresh() {
     std::optional<presentation::Bending> bending;
     if (view.scan.standing && view.scan.bent)
       bending = presentation::bendingOf(workspace_.bend());
-    presenter_.update({workspace_.state(), workspace_.live(), view, workspace_.registry(), &stress, nullptr,
-                       &measuring_, &guests_, namedParts_ ? &*namedParts_ : nullptr,
+    presenter_.update({workspace_.state(), workspace_.live(), view, workspace_.registry(), &stress,
+                       map_ ? &*map_ : nullptr, &measuring_, &guests_, namedParts_ ? &*namedParts_ : nullptr,
                        bending ? &*bending : nullptr});
   });
   drawn_ = model_.state();

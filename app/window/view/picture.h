@@ -38,6 +38,8 @@ public:
   /// What is being measured, and organs that are in no document yet.
   void setMeasuring(presentation::MeasuringNow measuring);
   void setGuests(std::vector<presentation::Guest> guests);
+  /// Numbers on the organs, in place of the map that the view's state asks for; nothing: as it says.
+  void setMap(std::optional<presentation::SurfaceMap> map);
   /// Names of these parts alone; nothing: as the view's state says.
   void setNamedParts(std::optional<std::vector<presentation::Part>> parts);
 
@@ -60,6 +62,7 @@ private:
   presentation::MeasuringNow measuring_;
   std::vector<presentation::Guest> guests_;
   std::optional<std::vector<presentation::Part>> namedParts_;
+  std::optional<presentation::SurfaceMap> map_;
   std::optional<presentation::ViewState> drawn_; ///< The view's state in what was drawn last.
   std::vector<Subscription> subscriptions_;
 };

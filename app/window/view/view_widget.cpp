@@ -38,6 +38,9 @@ ViewWidget::ViewWidget(QWidget* parent)
   setAcceptDrops(true);
   setFocusPolicy(Qt::StrongFocus);
   setMinimumSize(160, 120);
+  // VTK grabs them and does nothing with them; a tap that is held when its view closes has no target left.
+  for (const Qt::GestureType gesture : {Qt::TapGesture, Qt::TapAndHoldGesture, Qt::SwipeGesture})
+    ungrabGesture(gesture);
   vtkNew<vtkGenericOpenGLRenderWindow> window;
   setRenderWindow(window);
   view_->setWindow(window);

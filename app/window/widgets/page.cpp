@@ -42,17 +42,20 @@ Page::Page(QWidget* parent) : QWidget(parent), column_(new QVBoxLayout(this)) {
   column_->setSpacing(8);
 }
 
-void Page::addSection(const QString& title) {
+QWidget* Page::addSection(const QString& title) {
+  auto* head = new QWidget(this);
+  auto* column = makeLayout<QVBoxLayout>(head);
   if (column_->count() > 0) {
-    column_->addSpacing(4);
-    auto* line = new QFrame(this);
+    auto* line = new QFrame(head);
     line->setObjectName(QStringLiteral("line"));
-    column_->addWidget(line);
+    column->addSpacing(4);
+    column->addWidget(line);
   }
-  auto* label = new QLabel(title, this);
+  auto* label = new QLabel(title, head);
   label->setObjectName(QStringLiteral("sectionTitle"));
-  column_->addWidget(label);
-  facts_ = nullptr;
+  column->addWidget(label);
+  add(head);
+  return head;
 }
 
 void Page::add(QWidget* widget) {
@@ -76,7 +79,13 @@ QLabel* Page::addFact(const QString& name) {
   value->setTextInteractionFlags(Qt::TextSelectableByMouse);
   value->setWordWrap(true);
   facts_->addRow(label, value);
+  value->setProperty("name", QVariant::fromValue<QWidget*>(label));
   return value;
+}
+
+void Page::setFactShown(QLabel* value, bool shown) {
+  value->setVisible(shown);
+  value->property("name").value<QWidget*>()->setVisible(shown);
 }
 
 QLabel* Page::addRemark(const QString& text) {

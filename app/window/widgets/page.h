@@ -35,11 +35,13 @@ public:
   explicit Page(QWidget* parent = nullptr);
 
 protected:
-  /// Begins a section.
-  void addSection(const QString& title);
+  /// Begins a section; returns its head.
+  QWidget* addSection(const QString& title);
   void add(QWidget* widget);
   /// A line of a name and a value that can be selected; returns the value.
   QLabel* addFact(const QString& name);
+  /// Shows or hides a line that `addFact` has made.
+  static void setFactShown(QLabel* value, bool shown);
   /// A quiet sentence.
   QLabel* addRemark(const QString& text);
   /// A button that does an action of the window and shows its name and state.

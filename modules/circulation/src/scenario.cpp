@@ -30,14 +30,15 @@ const std::vector<Scenario>& scenarios() {
        {{"stressedVolume", 705}}},
       {"heart-failure-reduced-ef",
        "Heart failure, reduced EF",
-       "A weak, large left ventricle and retained fluid: the loop lies far to the right, blood backs up to "
-       "the lungs.",
+       "A weak, dilated left ventricle and retained fluid: the loop lies far to the right, blood backs up to "
+       "the lungs. Its wall has more muscle and is no thicker.",
        {{"lvEes", 0.7},
         {"lvV0", 30},
         {"lvB", 0.0145},
         {"lvTau", 0.05},
         {"systemicResistance", 1.15},
-        {"stressedVolume", 1250}}},
+        {"stressedVolume", 1250}},
+       1.35},
       {"heart-failure-preserved-ef",
        "Heart failure, preserved EF",
        "A stiff left ventricle that relaxes slowly: it empties well and fills only at a high pressure.",
@@ -46,19 +47,24 @@ const std::vector<Scenario>& scenarios() {
         {"lvB", 0.033},
         {"lvTau", 0.059},
         {"systemicResistance", 1.2},
-        {"stressedVolume", 1100}}},
+        {"stressedVolume", 1100}},
+       1.3},
       {"hypertension",
        "Hypertension",
-       "Narrow small arteries and stiff large ones, against which a stronger, stiffer ventricle works.",
+       "Narrow small arteries and stiff large ones, against which a stronger, stiffer, thicker ventricle "
+       "works.",
        {{"systemicResistance", 1.38},
         {"systemicCompliance", 0.9},
         {"lvEes", 2.6},
         {"lvB", 0.0185},
-        {"stressedVolume", 990}}},
+        {"stressedVolume", 990}},
+       1.3},
       {"aortic-stenosis",
        "Aortic stenosis",
-       "The aortic valve opens to 0.8 cm2: the ventricle's pressure towers above that of the aorta.",
-       {{"aorticArea", 0.8}, {"lvEes", 2.8}, {"lvB", 0.0195}, {"stressedVolume", 1020}}},
+       "The aortic valve opens to 0.8 cm2: the pressure of the hypertrophied ventricle towers above that of "
+       "the aorta.",
+       {{"aorticArea", 0.8}, {"lvEes", 2.8}, {"lvB", 0.0195}, {"stressedVolume", 1020}},
+       1.45},
       {"mitral-regurgitation",
        "Mitral regurgitation",
        "The mitral valve leaks through 0.4 cm2: half of what the ventricle ejects goes back into the atrium.",
@@ -81,6 +87,13 @@ const Scenario& scenario(const std::string& id) {
   for (const Scenario& s : all)
     names += (names.empty() ? "" : ", ") + s.id;
   throw UsageError("there is no such scenario", id, "choose one of " + names);
+}
+
+double leftMuscleOf(const std::string& name) {
+  for (const Scenario& s : scenarios())
+    if (name == s.name || name == s.name + ", changed")
+      return s.leftMuscle;
+  return 1;
 }
 
 Parameters scenarioParameters(const std::string& id) {

@@ -134,6 +134,7 @@ void AtomicFile::commit() {
     std::filesystem::rename(temporary_, target_, error);
     if (error)
       throw CannotCreateError(reason(error.value()), target_.string(), kAdvice);
+    removeAbandonedWrites(target_);
   }
   committed_ = true;
 }

@@ -1,6 +1,7 @@
 #include "viscera/document/import_draft.h"
 
 #include <algorithm>
+#include <map>
 #include <utility>
 
 #include "viscera/core/error.h"
@@ -8,6 +9,10 @@
 
 namespace viscera::document {
 namespace {
+
+using medical_io::Finding;
+using medical_io::FindingSubject;
+using medical_io::Light;
 
 void assess(DraftOrgan& organ, const OpenedFiles& files, std::size_t place, Progress& progress) {
   const auto read = files.surfaces.find(place);
@@ -38,6 +43,64 @@ std::string listed(const std::vector<std::string>& words) {
   for (const std::string& word : words)
     list += (list.empty() ? "" : ", ") + word;
   return list;
+}
+
+struct FoundIn {
+  std::size_t organ;
+  const Finding* finding;
+};
+
+/// Repairs that every organ's finding names, in the order of the first.
+std::vector<std::string> commonRepairs(const std::vector<FoundIn>& where) {
+  std::vector<std::string> common = where.front().finding->repairs;
+  for (const FoundIn& one : where)
+    std::erase_if(common, [&](const std::string& id) {
+      return std::count(one.finding->repairs.begin(), one.finding->repairs.end(), id) == 0;
+    });
+  return common;
+}
+
+/// The repair that most organs need first; none where no organ names one.
+std::vector<std::string> commonestRepair(const std::vector<FoundIn>& where) {
+  std::vector<std::pair<std::string, int>> votes;
+  for (const FoundIn& one : where) {
+    if (one.finding->repairs.empty())
+      continue;
+    const std::string& id = one.finding->repairs.front();
+    auto known = std::find_if(votes.begin(), votes.end(), [&](const auto& vote) { return vote.first == id; });
+    if (known == votes.end())
+      known = votes.insert(votes.end(), {id, 0});
+    ++known->second;
+  }
+  const auto most = std::max_element(votes.begin(), votes.end(),
+                                     [](const auto& a, const auto& b) { return a.second < b.second; });
+  return most == votes.end() ? std::vector<std::string>() : std::vector{most->first};
+}
+
+SharedFinding sharedBy(FindingSubject subject, const std::vector<FoundIn>& where) {
+  SharedFinding shared;
+  shared.subject = subject;
+  for (const FoundIn& one : where) {
+    shared.light = std::max(shared.light, one.finding->light);
+    shared.organs.push_back(one.organ);
+  }
+  shared.repairs = commonRepairs(where);
+  shared.mends = shared.organs;
+  return shared;
+}
+
+/// One unit for the patient, where sizes of most organs are in doubt.
+void unify(SharedFinding& size, const std::vector<FoundIn>& where, const ImportDraft& draft) {
+  std::vector<std::size_t> read;
+  for (std::size_t place = 0; place < draft.organs.size(); ++place)
+    if (draft.organs[place].included && draft.files.surfaces.count(place) > 0)
+      read.push_back(place);
+  std::vector<std::string> unit = commonestRepair(where);
+  if (2 * where.size() <= read.size() || unit.empty())
+    return;
+  size.repairs = std::move(unit);
+  size.mends = std::move(read);
+  size.ofThePatient = true;
 }
 
 /// The organ as the draft has it now; what the file's name, look and parent are stays.
@@ -115,10 +178,32 @@ ImportDraft reverted(ImportDraft draft, std::size_t place, Progress& progress) {
   return draft;
 }
 
-ImportDraft withIncluded(ImportDraft draft, std::size_t organ, bool included) {
-  draft.organs.at(organ).included = included;
+ImportDraft withIncluded(ImportDraft draft, const std::vector<std::size_t>& organs, bool included) {
+  for (const std::size_t organ : organs)
+    draft.organs.at(organ).included = included;
   assessArrangement(draft);
   return draft;
+}
+
+std::vector<SharedFinding> sharedFindings(const ImportDraft& draft) {
+  std::map<FindingSubject, std::vector<FoundIn>> found;
+  for (std::size_t place = 0; place < draft.organs.size(); ++place)
+    if (draft.organs[place].included)
+      for (const Finding& finding : draft.organs[place].assessment.findings)
+        if (finding.light >= Light::doubt)
+          found[finding.subject].push_back({place, &finding});
+  std::vector<SharedFinding> shared;
+  for (const auto& [subject, where] : found) {
+    if (where.size() < 2)
+      continue;
+    shared.push_back(sharedBy(subject, where));
+    if (subject == FindingSubject::size)
+      unify(shared.back(), where, draft);
+  }
+  std::stable_sort(shared.begin(), shared.end(), [](const SharedFinding& a, const SharedFinding& b) {
+    return std::pair(a.light, a.organs.size()) > std::pair(b.light, b.organs.size());
+  });
+  return shared;
 }
 
 OpenedFiles accepted(const ImportDraft& draft) {

@@ -12,6 +12,13 @@ namespace {
 
 constexpr double kDegreesPerRadian = 180 / M_PI;
 
+/// The mean, or NaN where nothing was measured.
+double meanOf(const std::optional<slices::RegionStatistics>& region) {
+  return region && region->count > 0 ? region->mean : std::numeric_limits<double>::quiet_NaN();
+}
+
+} // namespace
+
 Vec3 placeNow(const MeasuredPoint& point, const DocumentState& state, const PointsOf& pointsOf) {
   const auto organ = point.organ ? state.organ(point.organ) : nullptr;
   if (!organ)
@@ -22,13 +29,6 @@ Vec3 placeNow(const MeasuredPoint& point, const DocumentState& state, const Poin
     place += point.weights[k] * points.row(organ->mesh->triangles(point.triangle, k)).transpose();
   return place;
 }
-
-/// The mean, or NaN where nothing was measured.
-double meanOf(const std::optional<slices::RegionStatistics>& region) {
-  return region && region->count > 0 ? region->mean : std::numeric_limits<double>::quiet_NaN();
-}
-
-} // namespace
 
 std::optional<slices::RegionStatistics> RegionMemory::of(const Measurement& measurement,
                                                          const DocumentState& state) {

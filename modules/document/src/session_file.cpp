@@ -464,7 +464,6 @@ void writeSession(const fs::path& file, const SessionContents& contents, Progres
   root["view"] = ordered_json::parse(contents.view);
   progress.throwIfCancelled();
   writeAtomically(file, [&root](std::ostream& stream) { stream << dumped(root, 1) << '\n'; });
-  removeAbandonedWrites(file);
   progress.report(1);
 }
 

@@ -6,9 +6,12 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <utility>
 #include <vector>
 
 #include <unsupported/Eigen/BVH>
+
+#include "viscera/core/exact_sum.h"
 
 namespace viscera::geometry {
 namespace {
@@ -22,8 +25,39 @@ constexpr double kBound3 = 8 * kRounding;
 constexpr double kBound2 = 4 * kRounding;
 constexpr Eigen::Index kGrain = 256;
 
-int sign(double value, double bound) {
-  return value > bound ? 1 : value < -bound ? -1 : 0;
+int sign(double value) {
+  return value > 0 ? 1 : value < 0 ? -1 : 0;
+}
+
+void addProduct(ExactSum& sum, double a, double b) {
+  const double product = a * b;
+  sum.add(product);
+  sum.add(std::fma(a, b, -product));
+}
+
+void addProduct(ExactSum& sum, double a, double b, double c) {
+  const double product = a * b;
+  addProduct(sum, product, c);
+  addProduct(sum, std::fma(a, b, -product), c);
+}
+
+/// Adds `factor` (1 or -1) times the determinant of three points.
+void addDeterminant(ExactSum& sum, double factor, const Vec3& a, const Vec3& b, const Vec3& c) {
+  for (int k = 0; k < 3; ++k) {
+    const int i = (k + 1) % 3, j = (k + 2) % 3;
+    addProduct(sum, factor * a[k], b[i], c[j]);
+    addProduct(sum, -factor * a[k], b[j], c[i]);
+  }
+}
+
+/// What `side` is where rounding could have made its determinant: without rounding.
+int exactSide(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
+  ExactSum sum;
+  addDeterminant(sum, 1, a, b, c);
+  addDeterminant(sum, -1, d, b, c);
+  addDeterminant(sum, -1, a, d, c);
+  addDeterminant(sum, -1, a, b, d);
+  return sign(sum.value());
 }
 
 /// The side of the plane through a, b, c on which d is.
@@ -34,7 +68,8 @@ int side(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
                    std::abs(z[0] * x[1]) + std::abs(z[1] * x[0]),
                    std::abs(x[0] * y[1]) + std::abs(x[1] * y[0]));
   const Vec3 heights(x[2], y[2], z[2]);
-  return sign(heights.dot(minors), kBound3 * heights.cwiseAbs().dot(sizes));
+  const double value = heights.dot(minors);
+  return std::abs(value) > kBound3 * heights.cwiseAbs().dot(sizes) ? sign(value) : exactSide(a, b, c, d);
 }
 
 /// The same in the plane that is left when an axis is dropped.
@@ -51,7 +86,8 @@ public:
   int side(const Vec3& a, const Vec3& b, const Vec3& c) const {
     const double left = (a[u_] - c[u_]) * (b[v_] - c[v_]);
     const double right = (a[v_] - c[v_]) * (b[u_] - c[u_]);
-    return sign(left - right, kBound2 * (std::abs(left) + std::abs(right)));
+    const double value = left - right;
+    return std::abs(value) > kBound2 * (std::abs(left) + std::abs(right)) ? sign(value) : exactSide(a, b, c);
   }
 
   bool inside(const Vec3& p, const Corners& t) const {
@@ -73,6 +109,15 @@ public:
   }
 
 private:
+  int exactSide(const Vec3& a, const Vec3& b, const Vec3& c) const {
+    ExactSum sum;
+    for (const auto& [from, to] : {std::pair(&a, &b), std::pair(&b, &c), std::pair(&c, &a)}) {
+      addProduct(sum, (*from)[u_], (*to)[v_]);
+      addProduct(sum, -(*from)[v_], (*to)[u_]);
+    }
+    return sign(sum.value());
+  }
+
   Eigen::Index u_ = 0, v_ = 1;
 };
 

@@ -92,6 +92,10 @@ PlannedSurface plannedSurface(const Organ& organ, const document::DocumentState&
   for (const SpecLabel& label : spec.labels)
     if (isCalled(organ, label.surface))
       surface.labels.push_back({label.text, label.at});
+  // Parts of a sample organ have names in its definition; a lesson that names some itself means those.
+  if (surface.labels.empty())
+    for (const geometry::NamedPlace& place : organ.places)
+      surface.labels.push_back({place.name, place.at});
   return surface;
 }
 

@@ -47,12 +47,19 @@ public:
     signedMl_ = closedVolumeMl();
     progress.throwIfCancelled();
     result_.selfIntersections = geometry::countSelfIntersections(mesh_, progress, threads);
+    subject_ = FindingSubject::axes;
     lookAtAxes(box);
+    subject_ = FindingSubject::size;
     lookAtSize(box);
+    subject_ = FindingSubject::holes;
     lookAtHoles();
+    subject_ = FindingSubject::edges;
     lookAtEdges();
+    subject_ = FindingSubject::facing;
     lookAtFacing();
+    subject_ = FindingSubject::pieces;
     lookAtPieces();
+    subject_ = FindingSubject::crossings;
     lookAtIntersections();
     return std::move(result_);
   }
@@ -61,7 +68,7 @@ private:
   const SurfaceReport& report() const { return result_.report; }
 
   void add(Light light, std::string text, std::vector<std::string> repairs = {}) {
-    result_.findings.push_back({light, std::move(text), std::move(repairs)});
+    result_.findings.push_back({light, std::move(text), std::move(repairs), subject_});
   }
 
   void lookAtAxes(const Bounds& box) {
@@ -177,7 +184,8 @@ private:
   const TriangleMesh& mesh_;
   const SurfaceOrigin& origin_;
   SurfaceAssessment result_;
-  double signedMl_ = 0; ///< Whose sign says where the triangles face.
+  FindingSubject subject_ = FindingSubject::axes; ///< Of what is added next.
+  double signedMl_ = 0;                           ///< Whose sign says where the triangles face.
 };
 
 /// `first` has the smaller coordinate along the axis in a body (LPS).

@@ -7,6 +7,7 @@
 #include "sample_heart.h"
 #include "sequence_binding.h"
 #include "viscera/circulation/periodic_state.h"
+#include "viscera/circulation/scenario.h"
 #include "viscera/core/error.h"
 #include "viscera/document/rig_commands.h"
 
@@ -47,7 +48,8 @@ std::vector<sequences::Phase> phasesOf(const circulation::Parameters& parameters
 } // namespace
 
 sequences::HeartCourse heartCourse(const std::string& name, const circulation::Parameters& parameters,
-                                   const circulation::Beat& beat, const circulation::Indices& indices) {
+                                   const circulation::Beat& beat, const circulation::Indices& indices,
+                                   double leftMuscle) {
   sequences::HeartCourse course{name, beat.period, {}, phasesOf(parameters, beat, indices)};
   const auto& left = beat.volumeOf(Compartment::lv);
   const auto& right = beat.volumeOf(Compartment::rv);
@@ -62,6 +64,7 @@ sequences::HeartCourse heartCourse(const std::string& name, const circulation::P
     instant.state.leftPart = left[i] / CardiacCycle::kEndDiastole.leftMl;
     instant.state.rightPart = right[i] / CardiacCycle::kEndDiastole.rightMl;
     instant.state.twist = strength * beat.activation[static_cast<std::size_t>(Compartment::lv)][i];
+    instant.state.muscle = leftMuscle;
     instant.state.atrialContraction = beat.activation[static_cast<std::size_t>(Compartment::la)][i];
     course.instants.push_back(instant);
   }
@@ -128,7 +131,9 @@ SequenceSetup circulatingHeart(const sample_organs::SampleLibrary& library, cons
     throw DataError(found.complaint, name);
   const circulation::Indices indices = circulation::indicesOf(parameters, found.beat);
   const CirculatingHeart heart(library, resolution, progress, threads);
-  return heart.setup(heartCourse("Heartbeat: " + name, parameters, found.beat, indices), progress);
+  return heart.setup(
+      heartCourse("Heartbeat: " + name, parameters, found.beat, indices, circulation::leftMuscleOf(name)),
+      progress);
 }
 
 } // namespace viscera::motion

@@ -36,8 +36,10 @@ std::vector<Shown> shownFor(const std::string& organ) {
                                             {"rv.ef", Quantity::ejectionPercent}};
   static const std::map<std::string, std::vector<Shown>> kOrgans = {
       {"lv", kLeft},
+      {"lvcavity", kLeft},
       {"leftventricle", kLeft},
       {"rv", kRight},
+      {"rvcavity", kRight},
       {"rightventricle", kRight},
       {"stomach", {{"stomach.volume", Quantity::volumeMl}}},
       {"liver", {{"liver.volume", Quantity::volumeMl}}},

@@ -7,6 +7,7 @@
 #include "sequence_binding.h"
 #include "viscera/core/error.h"
 #include "viscera/document/rig_commands.h"
+#include "viscera/medical_io/organ_norms.h"
 #include "viscera/sequences/heartbeat.h"
 #include "viscera/sequences/peristalsis.h"
 
@@ -74,6 +75,14 @@ const std::vector<SampleSequence>& sampleSequences() {
     return all;
   }();
   return list;
+}
+
+Suits suits(const SampleSequence& sequence, const std::string& organName) {
+  const auto norm = medical_io::organNorm(organName);
+  if (!norm)
+    return Suits::unknown;
+  const bool muscle = norm->name == "myocardium" && sequence.organ == "heart";
+  return muscle || norm->name == sequence.organ ? Suits::yes : Suits::no;
 }
 
 SequenceSetup setUpSequence(const sample_organs::SampleLibrary& library, const std::string& id,

@@ -103,6 +103,18 @@ private:
     add("lv.ejection", beat.where(), beat.millisecondsOf("ejection"));
     add("lv.ivrt", beat.where(), beat.millisecondsOf("isovolumic relaxation"));
     addWalls(beat);
+    addMuscle();
+  }
+
+  void addMuscle() {
+    constexpr double kGramsPerMl = 1.05;
+    const auto volumeOfSurface = [&](const char* surface) {
+      const auto found =
+          sample_organs::sampleSurface(library_, "heart", surface, kResolution, progress_, threads_);
+      return geometry::volume(found.mesh->points, found.mesh->triangles) / kMm3PerMl;
+    };
+    add("lv.mass", "sample organ", kGramsPerMl * (volumeOfSurface("lv_wall") - volumeOfSurface("lv")),
+        "from the valves' plane on, papillary muscles counted as cavity");
   }
 
   /// On the surfaces, by vertices that are followed through the beat.

@@ -14,6 +14,8 @@ OrganPicture::~OrganPicture() {
 void OrganPicture::drop(Shown& shown) {
   if (shown.ghost)
     shown.ghost->setRenderer(nullptr);
+  if (shown.outline)
+    shown.outline->setRenderer(nullptr);
   view_.remove(shown.actor);
 }
 
@@ -32,6 +34,8 @@ void OrganPicture::follow(Shown& shown, const live::PosedOrgans& organs) {
     shown.actor->setPoints(points);
   else if (revision != shown.revision)
     shown.actor->pointsChanged();
+  if (shown.outline && (points != shown.points || revision != shown.revision))
+    shown.outline->setPoints(*points, shown.actor->normals());
   shown.points = std::move(points);
   shown.revision = revision;
 }
@@ -88,6 +92,32 @@ void OrganPicture::updateGhost(Shown& shown, bool wanted) {
   shown.ghost->setVisible(wanted);
 }
 
+/// Whether there are organs to tell apart; a cavity belongs to the organ around it.
+bool OrganPicture::showsSeveral() const {
+  return std::count_if(shown_.begin(), shown_.end(), [](const auto& one) {
+           return !one.second.organ->parent && one.second.organ->look.visible;
+         }) > 1;
+}
+
+/// Among several organs an outline tells the selected one: brightening alone makes it flat.
+void OrganPicture::updateSelection(Shown& shown, bool selected, bool visible) {
+  const bool outlined = selected && visible && showsSeveral();
+  shown.actor->setSelected(selected && !outlined);
+  if (!outlined && shown.outline) {
+    shown.outline->setRenderer(nullptr);
+    shown.outline.reset();
+  }
+  if (!outlined)
+    return;
+  if (!shown.outline) {
+    shown.outline = std::make_unique<scene::GhostOutline>(shown.organ->mesh);
+    shown.outline->setPoints(*shown.points, shown.actor->normals());
+    shown.outline->setOpacity(1);
+    shown.outline->setRenderer(view_.renderer());
+  }
+  shown.outline->setColor(view_.theme().accent);
+}
+
 /// A table of colours is made only for other colours; numbers that changed in place are only told.
 void OrganPicture::updateColors(Shown& shown, const Appearance& appearance, const MapColors& colors) {
   const bool sameTable = colors.colors.name == colors_.colors.name && colors.range == colors_.range;
@@ -113,7 +143,7 @@ void OrganPicture::updateLooks(const Scene& scene, const std::map<document::Orga
     actor.setColor(look.color);
     if (std::exchange(shown.vertexColors, look.vertexColors) != look.vertexColors)
       actor.setVertexColorsShown(look.vertexColors);
-    actor.setSelected(id == scene.view.selection.organ);
+    updateSelection(shown, id == scene.view.selection.organ, appearance.visible);
     actor.setVisible(appearance.visible);
     actor.setOpacity(appearance.opacity);
     updateColors(shown, appearance, colors);

@@ -24,7 +24,8 @@ struct MapColors {
   std::uint64_t revision = 0; ///< Another number when values have changed in place.
 };
 
-/// The surfaces of a document's organs, and the outlines of their rest shapes.
+/// The surfaces of a document's organs, the outlines of their rest shapes, and the outline of the selected
+/// one among several.
 class OrganPicture {
 public:
   OrganPicture(scene::OrganView& view, Threads threads) : view_(view), threads_(threads) {}
@@ -48,6 +49,7 @@ private:
     std::shared_ptr<const Points> points;
     std::uint64_t revision = 0;
     std::unique_ptr<scene::GhostOutline> ghost;
+    std::unique_ptr<scene::GhostOutline> outline; ///< While it is selected among others.
     std::optional<scene::CutPlane> clip;
     std::shared_ptr<const Values> values;
     bool vertexColors = true;
@@ -57,6 +59,8 @@ private:
   void add(const std::shared_ptr<const document::Organ>& organ);
   void follow(Shown& shown, const live::PosedOrgans& organs);
   void updateGhost(Shown& shown, bool wanted);
+  void updateSelection(Shown& shown, bool selected, bool visible);
+  bool showsSeveral() const;
   void updateColors(Shown& shown, const Appearance& appearance, const MapColors& colors);
 
   scene::OrganView& view_;

@@ -337,9 +337,9 @@ void lookFrom(const Camera& camera, scene::OrganView& view) {
 std::string labelOf(const document::Organ& organ, const Presenter::Translate& translate) {
   const Presenter::Translate& say = translate ? translate : Presenter::Translate(same);
   if (organ.name == "LV")
-    return say("Left ventricle");
+    return say("LV cavity");
   if (organ.name == "RV")
-    return say("Right ventricle");
+    return say("RV cavity");
   return organ.name;
 }
 

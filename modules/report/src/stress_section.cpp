@@ -140,7 +140,7 @@ PictureGrid cycleChart(const live::StressPeak& peak) {
 } // namespace
 
 Section stressSection(const ReportSource& source, const live::StressFrame& frame, Threads threads) {
-  Section section{said("Stress"), {}};
+  Section section{said("Tissue distortion (rotational stress)"), {}};
   const auto organ = source.state.organ(frame.organ);
   const Eigen::Index count = frame.mesh->witnesses;
   const int folded = foldedOf(*frame.map, count);

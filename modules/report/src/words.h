@@ -17,7 +17,7 @@ std::string signedNumber(double value, int digits);
 /// A text without the folders of the files that it names: "/home/ann/liver.stl" becomes "liver.stl".
 std::string withoutFolders(const std::string& text);
 
-/// What a reader calls an organ: "Left ventricle".
+/// What a reader calls an organ: "LV cavity".
 std::string titleOf(const document::Organ& organ);
 
 } // namespace viscera::report

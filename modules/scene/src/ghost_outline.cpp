@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <string>
 #include <vector>
 
 #include <vtkCamera.h>
@@ -14,7 +15,7 @@
 #include <vtkRenderer.h>
 #include <vtkTypeInt32Array.h>
 
-#include "viscera/geometry/normals.h"
+#include "viscera/core/error.h"
 #include "viscera/scene/organ_view.h"
 
 #include "before_render.h"
@@ -37,6 +38,7 @@ constexpr double kHiddenTolerance = 0.01;
 
 struct GhostOutline::Parts {
   std::shared_ptr<const geometry::TriangleMesh> mesh;
+  std::shared_ptr<geometry::TriangleMesh> posed; ///< `mesh`, once it has points of its own.
   geometry::Normals normals;
   double diagonal = 0;
   std::vector<float> segments;
@@ -102,6 +104,20 @@ GhostOutline::GhostOutline(std::shared_ptr<const geometry::TriangleMesh> mesh)
   p.data->SetPoints(p.points);
   setColor(darkTheme().text);
   setOpacity(kOpacity);
+}
+
+void GhostOutline::setPoints(const Points& points, const geometry::Normals& normals) {
+  auto& p = *parts_;
+  if (points.rows() != p.mesh->points.rows() || normals.rows() != points.rows())
+    throw UsageError("the outline of " + std::to_string(p.mesh->points.rows()) + " vertices cannot follow " +
+                     std::to_string(points.rows()));
+  if (!p.posed) {
+    p.posed = std::make_shared<geometry::TriangleMesh>(*p.mesh);
+    p.mesh = p.posed;
+  }
+  p.posed->points = points;
+  p.normals = normals;
+  p.drawnFor = 0;
 }
 
 GhostOutline::~GhostOutline() {

@@ -1,5 +1,6 @@
 #include "viscera/scene/organ_actor.h"
 
+#include <algorithm>
 #include <string>
 
 #include <vtkActor.h>
@@ -19,6 +20,7 @@
 #include <vtkUnsignedCharArray.h>
 
 #include "viscera/core/error.h"
+#include "viscera/geometry/coarse_triangles.h"
 #include "viscera/geometry/volume.h"
 
 #include "wall_actor.h"
@@ -26,6 +28,8 @@
 namespace viscera::scene {
 namespace {
 
+/// A coarse surface keeps so many vertices, or it loses its shape.
+constexpr Eigen::Index kFewest = 300;
 constexpr double kSpecular = 0.25;
 constexpr double kSpecularPower = 28;
 constexpr double kSelectedAmbient = 0.22;
@@ -41,6 +45,15 @@ template <typename Array, typename Number>
 void look(Array* array, const Number* data, Eigen::Index count) {
   array->SetArray(const_cast<Number*>(data), count, /*save=*/1);
   array->Modified();
+}
+
+/// Cells that look at triangles which live longer.
+vtkSmartPointer<vtkCellArray> cellsOf(const Triangles& triangles) {
+  vtkNew<vtkTypeInt32Array> corners;
+  look(corners.Get(), triangles.data(), triangles.size());
+  auto cells = vtkSmartPointer<vtkCellArray>::New();
+  cells->SetData(3, corners);
+  return cells;
 }
 
 /// Whether every edge has one triangle on each side, run through in opposite directions, and the inside is
@@ -75,6 +88,11 @@ struct OrganActor::Parts {
   bool selected = false;
   bool closed = false;
 
+  int coarsePart = 1; ///< One in so many vertices is a corner of `coarse`.
+  Triangles coarse;
+  vtkSmartPointer<vtkCellArray> cells;
+  vtkSmartPointer<vtkCellArray> coarseCells;
+
   vtkNew<vtkPolyData> data;
   vtkNew<vtkDoubleArray> pointArray;
   vtkNew<vtkFloatArray> normalArray;
@@ -97,10 +115,7 @@ void OrganActor::Parts::buildData() {
   data->SetPoints(vtkPointsOfData);
   data->GetPointData()->SetNormals(normalArray);
 
-  vtkNew<vtkTypeInt32Array> corners;
-  look(corners.Get(), mesh->triangles.data(), mesh->triangles.size());
-  vtkNew<vtkCellArray> cells;
-  cells->SetData(3, corners);
+  cells = cellsOf(mesh->triangles);
   data->SetPolys(cells);
 
   if (mesh->colors.rows() == mesh->points.rows() && mesh->colors.rows() > 0) {
@@ -274,6 +289,18 @@ void OrganActor::cullBackFaces(const Vec3& eye) {
 
 void OrganActor::setUnpeeled(bool unpeeled) {
   parts_->actor->setUnpeeled(unpeeled && opacity() < 1);
+}
+
+void OrganActor::setCoarse(int part) {
+  auto& p = *parts_;
+  if (part > 1 && part != p.coarsePart) {
+    p.coarsePart = part;
+    p.coarse = geometry::coarseTriangles(*p.mesh, std::max(kFewest, p.mesh->points.rows() / part));
+    p.coarseCells = cellsOf(p.coarse);
+  }
+  vtkCellArray* wanted = part > 1 ? p.coarseCells : p.cells;
+  if (p.data->GetPolys() != wanted)
+    p.data->SetPolys(wanted);
 }
 
 bool OrganActor::scalarsShown() const {

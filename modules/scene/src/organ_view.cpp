@@ -43,6 +43,9 @@ constexpr double kMargin = 1.12;
 constexpr int kSamples = 4;
 constexpr int kPeelsOnGpu = 8;
 constexpr int kPeelsInSoftware = 4;
+/// Vertices that a software renderer draws as they are while something moves, and of more than that at most.
+constexpr Eigen::Index kAllDrawnInMotion = 50000;
+constexpr Eigen::Index kDrawnInMotion = 64000;
 /// What an empty view frames, mm.
 constexpr double kEmptyHalfSize = 100;
 
@@ -130,6 +133,7 @@ struct OrganView::Parts {
   unsigned long beforeWindowTag = 0;
 
   void prepareFrame();
+  int partDrawn() const;
   void smoothEdges();
   void watchMotion(vtkObject* source);
   void orderProps();
@@ -159,9 +163,26 @@ void OrganView::Parts::prepareFrame() {
     renderer->SetMaximumNumberOfPeels(software ? kPeelsInSoftware : kPeelsOnGpu);
   }
   const Vec3 eye(renderer->GetActiveCamera()->GetPosition());
-  for (const auto& organ : organs)
+  const int part = partDrawn();
+  for (const auto& organ : organs) {
     organ->cullBackFaces(eye);
+    organ->setCoarse(part);
+  }
   peelOrOrder(eye);
+}
+
+/// One in how many vertices is drawn: a power of two, so that an organ more or less seldom makes another one.
+int OrganView::Parts::partDrawn() const {
+  Eigen::Index vertices = 0;
+  for (const auto& organ : organs)
+    if (organ->visible())
+      vertices += organ->mesh().points.rows();
+  if (!software || !moving || vertices <= kAllDrawnInMotion)
+    return 1;
+  int part = 2;
+  while (vertices > kDrawnInMotion * part)
+    part *= 2;
+  return part;
 }
 
 /// Peeling draws the organs once for every layer. While something moves a software renderer blends instead,

@@ -38,6 +38,7 @@ HeartInstant HeartCourse::at(double phase) const {
   now.state.rightPart = mix(a.state.rightPart, b.state.rightPart, part);
   now.state.twist = mix(a.state.twist, b.state.twist, part);
   now.state.atrialContraction = mix(a.state.atrialContraction, b.state.atrialContraction, part);
+  now.state.muscle = mix(a.state.muscle, b.state.muscle, part);
   now.volumes = {mix(a.volumes.leftMl, b.volumes.leftMl, part),
                  mix(a.volumes.rightMl, b.volumes.rightMl, part)};
   return now;

@@ -31,7 +31,7 @@ TEST_F(CliReport, OfASessionIsAPdfWithItsPages) {
   expectKeys(report);
   EXPECT_EQ(report["bytes"], std::filesystem::file_size(path("r.pdf")));
   EXPECT_EQ(report["sections"],
-            json::array({"Volumes", "Stress", "Motion", "Files and what was done to them"}));
+            json::array({"Volumes", "Tissue distortion (rotational stress)", "Motion", "Files and what was done to them"}));
   EXPECT_GE(report["pages"], 3);
   EXPECT_EQ(report["pictures"], 9) << "as seen, six sides, the map at rest, the volumes";
   EXPECT_EQ(contents(path("r.pdf")).substr(0, 5), "%PDF-");

@@ -77,12 +77,12 @@ TEST_F(ImportDrafts, AMirroredPatientIsNoticedByHowTheOrgansLie) {
       draft({{"liver.ply", geometry::mirrored(liver())}, {"spleen.ply", geometry::mirrored(spleen)}});
   ASSERT_TRUE(wrong.arrangement);
   EXPECT_EQ(repaired(wrong, {0, 1}, "mirror", progress_).arrangement, std::nullopt);
-  EXPECT_EQ(withIncluded(wrong, 1, false).arrangement, std::nullopt);
+  EXPECT_EQ(withIncluded(wrong, {1}, false).arrangement, std::nullopt);
 }
 
 TEST_F(ImportDrafts, WhatIsLeftOutDoesNotComeAndTheRestIsOneUndoStep) {
   ImportDraft both = draft({{"liver.ply", liver()}, {"bad.ply", geometry::scaled(liver(), 0.001)}});
-  both = withIncluded(both, 1, false);
+  both = withIncluded(both, {1}, false);
   EXPECT_FALSE(both.questionable());
   Document document;
   UndoStack undo(document);
@@ -90,7 +90,58 @@ TEST_F(ImportDrafts, WhatIsLeftOutDoesNotComeAndTheRestIsOneUndoStep) {
   ASSERT_EQ(document.organs().size(), 1u);
   EXPECT_EQ(document.organs()[0]->name, "liver");
   EXPECT_EQ(undo.names(), std::vector<std::string>{"Open 2 files"});
-  EXPECT_TRUE(withIncluded(both, 0, false).empty());
+  EXPECT_TRUE(withIncluded(both, {0}, false).empty());
+}
+
+TEST_F(ImportDrafts, WhatIsWrongWithSeveralOrgansAlikeIsSaidOnce) {
+  const TriangleMesh spleen = tests::sphere(3, 36, {90, 40, 300});
+  TriangleMesh open = spleen;
+  open.triangles = open.triangles.bottomRows(open.triangles.rows() - 9).eval();
+  const ImportDraft two = draft({{"liver.ply", insideOut()}, {"a.ply", insideOut()}, {"spleen.ply", open}});
+  const auto shared = sharedFindings(two);
+  ASSERT_EQ(shared.size(), 1u) << "one organ alone is no crowd";
+  EXPECT_EQ(shared[0].subject, medical_io::FindingSubject::facing);
+  EXPECT_EQ(shared[0].light, medical_io::Light::fault);
+  EXPECT_THAT(shared[0].organs, testing::ElementsAre(0, 1));
+  EXPECT_THAT(shared[0].mends, testing::ElementsAre(0, 1));
+  EXPECT_THAT(shared[0].repairs, testing::ElementsAre("orient"));
+  EXPECT_TRUE(sharedFindings(withIncluded(two, {1}, false)).empty()) << "what is left out does not count";
+  EXPECT_TRUE(sharedFindings(repaired(two, shared[0].mends, "orient", progress_)).empty());
+}
+
+TEST_F(ImportDrafts, TheUnitOfLengthIsOneForAPatient) {
+  const TriangleMesh spleen = tests::sphere(3, 36, {90, 40, 300});
+  // 0.9 m across: as a thing of no name it could well be 900 mm.
+  const TriangleMesh body = tests::sphere(2, 450, {0, 0, 200});
+  const auto metres = [](const TriangleMesh& mesh) { return geometry::scaled(mesh, 0.001); };
+  const ImportDraft patient =
+      draft({{"liver.ply", metres(liver())}, {"spleen.ply", metres(spleen)}, {"trunk.ply", metres(body)}});
+  const auto shared = sharedFindings(patient);
+  ASSERT_FALSE(shared.empty());
+  ASSERT_EQ(shared[0].subject, medical_io::FindingSubject::size);
+  EXPECT_THAT(shared[0].repairs, testing::ElementsAre("unit-m"));
+  EXPECT_THAT(shared[0].mends, testing::ElementsAre(0, 1, 2)) << "every surface of the patient";
+  EXPECT_TRUE(shared[0].ofThePatient);
+  const ImportDraft mended = repaired(patient, shared[0].mends, "unit-m", progress_);
+  EXPECT_TRUE(sharedFindings(mended).empty());
+  EXPECT_NEAR(mended.organs[2].assessment.sizeMm.x(), 900, 1);
+
+  // A label map states its unit: organs of a child are each of their own size.
+  OpenedFiles child;
+  for (const char* name : {"liver", "spleen"})
+    child.organs.push_back({makeOrgan(name, tests::sphere(2, 12)), -1});
+  const auto small = sharedFindings(draftOf(child, progress_));
+  ASSERT_EQ(small.size(), 1u);
+  EXPECT_FALSE(small[0].ofThePatient);
+  EXPECT_TRUE(small[0].repairs.empty());
+
+  const ImportDraft mixed = draft({{"liver.ply", metres(liver())},
+                                   {"a.ply", metres(liver())},
+                                   {"spleen.ply", spleen},
+                                   {"b.ply", spleen},
+                                   {"c.ply", spleen}});
+  EXPECT_THAT(sharedFindings(mixed).at(0).mends, testing::ElementsAre(0, 1))
+      << "where most are of the right size only the others are in doubt";
 }
 
 TEST_F(ImportDrafts, ACavityComesWithTheOrganThatItIsIn) {
@@ -99,10 +150,10 @@ TEST_F(ImportDrafts, ACavityComesWithTheOrganThatItIsIn) {
     files.organs.push_back({makeOrgan("ball", tests::sphere(2, radius)), -1});
   files.organs[2].parentInBatch = 1;
   ImportDraft all = draftOf(files, progress_);
-  const OpenedFiles later = accepted(withIncluded(all, 0, false));
+  const OpenedFiles later = accepted(withIncluded(all, {0}, false));
   ASSERT_EQ(later.organs.size(), 2u);
   EXPECT_EQ(later.organs[1].parentInBatch, 0);
-  EXPECT_EQ(accepted(withIncluded(all, 1, false)).organs.size(), 1u)
+  EXPECT_EQ(accepted(withIncluded(all, {1}, false)).organs.size(), 1u)
       << "without its organ a cavity is nothing";
 }
 

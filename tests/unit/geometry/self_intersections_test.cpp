@@ -1,5 +1,6 @@
 #include "viscera/geometry/self_intersections.h"
 
+#include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
 #include "self_intersections.h"
@@ -51,6 +52,28 @@ TEST(SelfIntersections, OfCrumpledSurfacesAreThoseThatCgalFinds) {
     const TriangleMesh mesh = crumpled(3, by);
     EXPECT_EQ(count(mesh), tests::selfIntersections(mesh)) << by;
   }
+}
+
+/// Turned, the corners of a flat grid come to lie in one plane only but for rounding: the planes of its
+/// triangles cross everywhere, the triangles nowhere.
+TEST(SelfIntersections, AFlatPlaceThatIsTurnedHasNone) {
+  constexpr int kSide = 24;
+  const Eigen::Matrix3d turn = Eigen::AngleAxisd(0.7, Vec3(1, -2, 0.5).normalized()).toRotationMatrix();
+  TriangleMesh mesh;
+  mesh.points.resize(kSide * kSide, 3);
+  mesh.triangles.resize(2 * (kSide - 1) * (kSide - 1), 3);
+  Eigen::Index triangle = 0;
+  for (int i = 0; i < kSide; ++i)
+    for (int j = 0; j < kSide; ++j) {
+      const int at = kSide * i + j;
+      mesh.points.row(at) = turn * Vec3(1.3 * i, 1.1 * j + 0.1 * i, 70);
+      if (i + 1 < kSide && j + 1 < kSide) {
+        mesh.triangles.row(triangle++) << at, at + kSide, at + 1;
+        mesh.triangles.row(triangle++) << at + 1, at + kSide, at + kSide + 1;
+      }
+    }
+  EXPECT_EQ(count(mesh), 0);
+  EXPECT_EQ(count(mesh), tests::selfIntersections(mesh));
 }
 
 TEST(SelfIntersections, BoxesThatLieOnEachOtherTouch) {

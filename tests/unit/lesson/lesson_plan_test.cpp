@@ -163,7 +163,6 @@ TEST(LessonPlan, OfASampleOrganTakesWhatSpeaksOfItsMotionOnlyWithThatMotion) {
   SampleScene scene("breathing");
   LessonSource source = scene.source;
   const LessonSpec ready = readySpecFor(source);
-  EXPECT_GE(ready.labels.size(), 6u);
   EXPECT_GE(ready.slides.size(), 4u);
   EXPECT_FALSE(ready.title.empty());
   source.slides = {{"Mine", {.position = Vec3(0, -400, 0)}, {}}};
@@ -173,10 +172,27 @@ TEST(LessonPlan, OfASampleOrganTakesWhatSpeaksOfItsMotionOnlyWithThatMotion) {
   source.state = scene.document.state();
   source.sequence = document::sequenceOf(*source.state.recording, *source.state.rig);
   const LessonSpec recorded = readySpecFor(source);
-  EXPECT_EQ(recorded.labels.size(), ready.labels.size());
   EXPECT_TRUE(recorded.slides.empty() && recorded.rates.empty() && recorded.title.empty());
   EXPECT_THAT(planLesson(source, recorded).notes, HasSubstr("not a medical device"));
-  EXPECT_TRUE(readySpecFor(BallScene().source(nullptr)).labels.empty());
+}
+
+TEST(LessonPlan, NamesThePartsOfASampleOrganByItsDefinitionUnlessTheLessonNamesThem) {
+  SampleScene scene("breathing");
+  const auto& places = scene.document.organs().front()->places;
+  const std::vector<PlannedLabel> labels =
+      planLesson(scene.source, readySpecFor(scene.source)).surfaces[0].labels;
+  ASSERT_EQ(labels.size(), places.size());
+  EXPECT_GE(labels.size(), 6u);
+  for (std::size_t i = 0; i < labels.size(); ++i) {
+    EXPECT_EQ(labels[i].text, places[i].name);
+    EXPECT_EQ(labels[i].at, places[i].at);
+  }
+  LessonSpec spec;
+  spec.labels = {{"outer", "The organ of bile", {0, 0, 0}}};
+  const std::vector<PlannedLabel> own = planLesson(scene.source, spec).surfaces[0].labels;
+  ASSERT_EQ(own.size(), 1u);
+  EXPECT_EQ(own[0].text, "The organ of bile");
+  EXPECT_TRUE(planLesson(BallScene().source(nullptr), {}).surfaces[0].labels.empty());
 }
 
 TEST(LessonPlan, ChartsAVentricleThatIsSeenThrough) {
@@ -233,7 +249,6 @@ TEST(LessonPlan, OfWhatComesWithTheProgramIsComplete) {
   for (const std::string id : {"heartbeat", "peristalsis", "breathing"}) {
     const LessonSpec spec = readySpec(id);
     EXPECT_FALSE(spec.title.empty()) << id;
-    EXPECT_GE(spec.labels.size(), 6u) << id;
     EXPECT_GE(spec.slides.size(), 4u) << id;
     EXPECT_THAT(spec.notes, HasSubstr("not a medical device")) << id;
   }

@@ -9,6 +9,7 @@
 #include "sequence_scene.h"
 #include "viscera/circulation/scenario.h"
 #include "viscera/core/error.h"
+#include "viscera/sequences/wall_motion.h"
 
 namespace viscera::motion {
 namespace {
@@ -33,7 +34,56 @@ public:
   }
 };
 
+/// What is seen of a scenario's left ventricle at the end of diastole.
+struct LeftVentricle {
+  double muscleMl = 0;
+  double wallMm = 0;
+};
+
+LeftVentricle leftVentricleOf(const std::string& scenario) {
+  ScenarioHeart heart(scenario);
+  Progress progress;
+  const auto wall =
+      sample_organs::sampleSurface(tests::cachedLibrary(), "heart", "lv_wall", Resolution::low, progress);
+  coordinates::HandleSet handles;
+  handles.positions = heart.setup().sequence->restHandles();
+  Points pose, points;
+  heart.setup().sequence->poseAt(0, heart.setup().sequence->standardRatePerMinute(), pose);
+  for (const auto& system : coordinates::builtInSystems())
+    if (system->id() == heart.setup().system.id)
+      deformation::bindOrgan(*system, handles, wall.mesh->points, {heart.setup().system.parameters, {}},
+                             progress)
+          ->deform(pose, points);
+  heart.show(0, heart.setup().sequence->standardRatePerMinute());
+  const auto& surfaces = heart.setup().organ.surfaces; // The outer one, left and right cavity.
+  const Points left = heart.posed("lv").points, right = heart.posed("rv").points,
+               outer = heart.posed("outer").points;
+  const sequences::WallGauge gauge(
+      heart.heartbeat().motion().rig().anatomy.frame,
+      {surfaces[1].mesh->points, surfaces[2].mesh->points, surfaces[0].mesh->points});
+  return {geometry::volume(points, wall.mesh->triangles) / kMm3PerMl - heart.volumeMl("lv"),
+          gauge.at({left, right, outer}).wallMm};
+}
+
 } // namespace
+
+TEST(CirculatingHeart, HypertrophiedAndDilatedHeartsAreDrawnWithTheirMuscle) {
+  const LeftVentricle rest = leftVentricleOf("rest");
+  EXPECT_NEAR(rest.muscleMl, 111.7, 0.06 * 111.7);
+  for (const std::string id : {"hypertension", "aortic-stenosis", "heart-failure-reduced-ef"}) {
+    const LeftVentricle ill = leftVentricleOf(id);
+    const double wanted = circulation::scenario(id).leftMuscle;
+    RecordProperty(id + "Muscle", std::to_string(ill.muscleMl / rest.muscleMl));
+    RecordProperty(id + "WallMm", std::to_string(ill.wallMm));
+    EXPECT_NEAR(ill.muscleMl / rest.muscleMl, wanted, 0.1) << id;
+    // Dilated, more muscle lies around a larger cavity: the wall is as thick as that of a healthy heart.
+    if (id == "heart-failure-reduced-ef") {
+      EXPECT_NEAR(ill.wallMm, rest.wallMm, 1) << id;
+    } else {
+      EXPECT_GT(ill.wallMm, 1.15 * rest.wallMm) << id;
+    }
+  }
+}
 
 TEST(CirculatingHeart, CavitiesHoldTheCirculationsVolumesInEveryScenarioWithoutCrossingThemselves) {
   for (const circulation::Scenario& scenario : circulation::scenarios()) {

@@ -152,7 +152,9 @@ TEST(HeartbeatSetup, trianglesKeepTheirShapeInEveryFrame) {
   RecordProperty("worstTriangleOfTheOuterSurface", std::to_string(worstOuter));
   RecordProperty("worstTriangleOfTheCavities", std::to_string(worstCavity));
   EXPECT_GT(worstOuter, 0.35);
-  EXPECT_GT(worstCavity, 0.6) << "of the thinner wall; the thicker one had 0.7";
+  // 0.63 is measured. It was 0.7 while the right ventricle kept 66 ml, and the left one had a wall of 10.5 mm
+  // to average over; now both eject the same (62.5 ml are kept) and the wall weighs what a healthy one does.
+  EXPECT_GT(worstCavity, 0.6);
 }
 
 TEST(HeartbeatSetup, handlesComeLabelledInTheGroupsOfTheirRoles) {

@@ -206,11 +206,37 @@ TEST(RetargetHeartbeat, findsApexAndBaseOfTheSampleHeart) {
   EXPECT_GT(foundAxis.dot(axis), std::cos(0.45));
 }
 
-TEST(RetargetHeartbeat, theSampleHeartAsIfItWereAPatientsHardlyCrossesItself) {
+/// A mesh without the triangles that have a corner near a place at rest.
+geometry::TriangleMesh without(const geometry::TriangleMesh& posed, const Points& rest, const Vec3& place,
+                               double mm) {
+  geometry::TriangleMesh left{posed.points, Triangles(posed.triangles.rows(), 3), {}};
+  Eigen::Index kept = 0;
+  for (const auto& triangle : posed.triangles.rowwise()) {
+    const bool near = std::any_of(triangle.begin(), triangle.end(),
+                                  [&](auto v) { return (rest.row(v).transpose() - place).norm() < mm; });
+    if (!near)
+      left.triangles.row(kept++) = triangle;
+  }
+  left.triangles.conservativeResize(kept, 3);
+  return left;
+}
+
+/// The stump of the inferior vena cava stands still, as vessels do, while the right ventricle's diaphragmatic
+/// wall beside it comes in by a centimetre: in systole the rim of its hollow end, a wall of 2 mm, is bent so
+/// much that up to 13 pairs of its triangles touch (closer handles on the vessel, 10 mm apart in place of 13,
+/// leave 11). Elsewhere nothing does.
+TEST(RetargetHeartbeat, theSampleHeartAsIfItWereAPatientsCrossesItselfNowhereButAtTheCutVenaCava) {
+  const Vec3 cutCava(-46, 21, -44);
+  constexpr double kRim = 22;
   Fitted heart("heartbeat", sampleSurface("heart", sample_organs::Resolution::medium));
   heart.expectAllInsideTheHull();
-  // Seven pairs of 30,000 triangles touch in systole since the wall is thinner.
-  heart.expectSelfIntersectionsAtMost(10, 75, 8);
+  heart.expectSelfIntersectionsAtMost(15, 75, 8);
+  for (int frame = 0; frame < 8; ++frame) {
+    const geometry::TriangleMesh rest =
+        without(heart.at(frame * 0.1, 75), heart.organ().mesh->points, cutCava, kRim);
+    EXPECT_GT(rest.triangles.rows(), 0.9 * heart.organ().mesh->triangles.rows());
+    EXPECT_EQ(tests::selfIntersections(rest), 0) << "frame " << frame;
+  }
 }
 
 TEST(RetargetHeartbeat, anotherHeartLosesEightPercentInSystoleAtEveryRate) {

@@ -46,7 +46,7 @@ TEST(Report, DrawsSixSidesAndTheViewAndLeavesOutWhatThereIsNot) {
   EXPECT_EQ(report.pictures(), 7);
   EXPECT_EQ(report.title, "Ball");
   EXPECT_THAT(report.made, HasSubstr("1 March 2026"));
-  for (const char* title : {"Measurements", "Stress", "Motion"})
+  for (const char* title : {"Measurements", "Tissue distortion (rotational stress)", "Motion"})
     EXPECT_EQ(sectionOf(report, title), nullptr) << title;
   const auto& sides = std::get<report::PictureGrid>(report.sections.front().blocks.at(2));
   EXPECT_EQ(sides.pictures.at(0).caption, "From the front");
@@ -68,7 +68,7 @@ TEST(Report, GivesAnEjectionFractionToVentriclesOnlyAndKeepsThePose) {
   ASSERT_EQ(tables.size(), 2u);
   EXPECT_EQ(tables[0].rows.size(), 2u);
   ASSERT_EQ(tables[1].rows.size(), 1u);
-  EXPECT_EQ(tables[1].rows[0][0], "Left ventricle");
+  EXPECT_EQ(tables[1].rows[0][0], "LV cavity");
   motion::MotionRunner runner(session.document.state(), session.live);
   runner.setSequence(source.sequence);
   Progress progress;
@@ -96,7 +96,7 @@ TEST(Report, TellsStressWithItsMethodPercentilesAndPictures) {
   source.stress = &copy;
   source.stressStatus = stress.status();
   const report::Report report = session.report(source);
-  const report::Section* section = sectionOf(report, "Stress");
+  const report::Section* section = sectionOf(report, "Tissue distortion (rotational stress)");
   ASSERT_NE(section, nullptr);
   const report::Table numbers = tablesOf(*section).at(0);
   EXPECT_EQ(numbers.rows.size(), 4u);

@@ -9,6 +9,7 @@
 #include "self_intersections.h"
 #include "viscera/core/error.h"
 #include "viscera/core/progress.h"
+#include "viscera/geometry/self_intersections.h"
 #include "viscera/geometry/surface_check.h"
 #include "viscera/sample_organs/sample_organ.h"
 
@@ -65,6 +66,8 @@ void expectClosedOrgan(const sample_organs::SampleSurface& surface, const Expect
   EXPECT_NEAR(report.volumeMm3 / kMm3PerMl, expected.volumeMl, tolerance * expected.volumeMl);
   EXPECT_EQ(mesh.colors.rows(), mesh.points.rows());
   EXPECT_EQ(selfIntersections(mesh), 0);
+  Progress progress;
+  EXPECT_EQ(geometry::countSelfIntersections(mesh, progress), 0) << "what the program says of it";
 }
 
 } // namespace

@@ -48,6 +48,18 @@ TEST(OrganActor, VtkLooksAtTheNumbersThatColourIt) {
   EXPECT_EQ(actor.polyData()->GetPointData()->GetArray("values"), nullptr);
 }
 
+TEST(OrganActor, IsDrawnWithFewerTrianglesOnTheSamePointsAndWholeAgain) {
+  const auto mesh = ball(5);
+  OrganActor actor(mesh);
+  actor.setCoarse(8);
+  const vtkIdType few = actor.polyData()->GetNumberOfPolys();
+  EXPECT_LT(few, mesh->triangles.rows() / 4);
+  EXPECT_GT(few, mesh->triangles.rows() / 16);
+  EXPECT_EQ(pointsSeen(actor), mesh->points.data());
+  actor.setCoarse(1);
+  EXPECT_EQ(actor.polyData()->GetNumberOfPolys(), mesh->triangles.rows());
+}
+
 TEST(OrganActor, FollowsThePosedPointsWithoutCopyEvenWhenTheyMoveInMemory) {
   const auto mesh = ball();
   OrganActor actor(mesh);

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <vtkImageData.h>
 
+#include "viscera/core/error.h"
 #include "viscera/geometry/normals.h"
 #include "viscera/scene/ghost_outline.h"
 #include "viscera/scene/picture.h"
@@ -74,6 +75,24 @@ TEST(GhostOutline, IsDrawnAroundTheRestShapeAndGoesWhenHidden) {
   ghost->setVisible(false);
   EXPECT_EQ(comparePictures(without, grabPicture(window.surface.window())).differing, 0);
   ghost->setRenderer(nullptr);
+}
+
+TEST(GhostOutline, GoesWhereItsPointsGo) {
+  tests::ViewInWindow window(200, 150);
+  const auto rest = std::make_shared<const geometry::TriangleMesh>(tests::sphere(4, 20));
+  const auto posed = std::make_shared<const geometry::TriangleMesh>(tests::sphere(4, 40));
+  const auto drawn = [&](const auto& mesh, bool pose) {
+    GhostOutline outline(mesh);
+    if (pose)
+      outline.setPoints(posed->points, geometry::vertexNormals(*posed));
+    outline.setRenderer(window.view.renderer());
+    window.view.lookFrom(StandardView::anterior, boundsOf(posed->points));
+    return grabPicture(window.surface.window());
+  };
+  EXPECT_EQ(comparePictures(drawn(rest, true), drawn(posed, false)).differing, 0);
+  EXPECT_GT(comparePictures(drawn(rest, false), drawn(posed, false)).differing, 0.002);
+  GhostOutline outline(rest);
+  EXPECT_THROW(outline.setPoints(Points::Zero(3, 3), geometry::Normals::Zero(3, 3)), UsageError);
 }
 
 } // namespace

@@ -68,6 +68,20 @@ TEST_F(HeartMotionTest, wallOfTheLeftVentricleKeepsItsVolume) {
   }
 }
 
+TEST_F(HeartMotionTest, heavierMuscleLiesAroundTheSameCavity) {
+  HeartState heavy = endSystole();
+  heavy.muscle = 1.4;
+  const HeartState healthy = endSystole();
+  EXPECT_EQ(motion_.leftScale(heavy), motion_.leftScale(healthy));
+  const double inner = motion_.rig().anatomy.endocardium.radiusAt(30);
+  EXPECT_EQ(motion_.wallRho(heavy, inner, 30), motion_.wallRho(healthy, inner, 30));
+  const auto section = [&](const HeartState& state) {
+    return std::pow(motion_.wallRho(state, inner + 8, 30), 2) -
+           std::pow(motion_.wallRho(state, inner, 30), 2);
+  };
+  EXPECT_NEAR(section(heavy) / section(healthy), 1.4, 1e-9);
+}
+
 TEST_F(HeartMotionTest, cavityScaleGivesTheVolumeOfAnEllipsoid) {
   const HeartState state = endSystole();
   EXPECT_NEAR(std::pow(motion_.leftScale(state), 2) * motion_.shortening(state), state.leftPart, 1e-12);

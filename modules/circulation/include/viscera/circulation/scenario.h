@@ -14,6 +14,9 @@ struct Scenario {
   std::string name;    ///< "Aortic stenosis"
   std::string summary; ///< One sentence: what is changed, and what to look at.
   std::vector<std::pair<std::string, double>> changes; ///< Parameter and its value.
+  /// The mass of the left ventricle's muscle, as a part of a healthy one's. It is drawn and in no equation:
+  /// what a thick wall does to pressures and volumes is among the changes (stiffness, relaxation, strength).
+  double leftMuscle = 1;
 };
 
 /// Rest first, then in the order in which they are taught. Thread-safe.
@@ -21,6 +24,9 @@ const std::vector<Scenario>& scenarios();
 
 /// Throws `UsageError` that lists the scenarios for an unknown id.
 const Scenario& scenario(const std::string& id);
+
+/// The muscle of the scenario whose name, or that with ", changed" behind it, this is; 1 for any other name.
+double leftMuscleOf(const std::string& name);
 
 /// Rest with the scenario's changes. Throws as `scenario`.
 Parameters scenarioParameters(const std::string& id);

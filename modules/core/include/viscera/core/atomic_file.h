@@ -25,8 +25,9 @@ public:
   /// What to write to. It ends like the target, for writers that choose the format by the name.
   const std::filesystem::path& temporary() const { return temporary_; }
 
-  /// Brings the contents to the disk and gives them the target's name. The writer has closed the file and
-  /// checked that everything was written. Throws `CannotCreateError`.
+  /// Brings the contents to the disk and gives them the target's name, and removes what programs that were
+  /// killed while they wrote this target have left. The writer has closed the file and checked that
+  /// everything was written. Throws `CannotCreateError`.
   void commit();
 
 private:

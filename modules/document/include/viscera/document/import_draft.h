@@ -48,8 +48,24 @@ ImportDraft repaired(ImportDraft draft, const std::vector<std::size_t>& organs, 
 /// The draft with one organ as it was read.
 ImportDraft reverted(ImportDraft draft, std::size_t organ, Progress& progress);
 
-/// The draft with one organ taken along or left out. O(organs).
-ImportDraft withIncluded(ImportDraft draft, std::size_t organ, bool included);
+/// The draft with the organs at these places taken along or left out. O(organs).
+ImportDraft withIncluded(ImportDraft draft, const std::vector<std::size_t>& organs, bool included);
+
+/// What was found in several organs alike, to be said and mended once.
+struct SharedFinding {
+  medical_io::FindingSubject subject = medical_io::FindingSubject::size;
+  medical_io::Light light = medical_io::Light::doubt; ///< The worst.
+  std::vector<std::size_t> organs;                    ///< In which it was found.
+  std::vector<std::string> repairs;                   ///< Those that help every one of them, best first.
+  std::vector<std::size_t> mends;                     ///< The organs that a repair is for.
+  bool ofThePatient = false; ///< It is one thing about the patient, and said of no organ alone.
+};
+
+/// What a user should look at in two or more of the organs that are taken along, the gravest and the most
+/// frequent first. The unit of length is one for a patient: where the sizes of more than half are in doubt,
+/// the unit that most of them need is the one repair (the first on a tie), and it is for all organs read from
+/// surface files, also for those whose size says nothing. O(organs).
+std::vector<SharedFinding> sharedFindings(const ImportDraft& draft);
 
 /// What is to be added to the document: the organs that are included, as they were repaired, each with a
 /// warning that names its repairs. A cavity goes with the organ that it is in.

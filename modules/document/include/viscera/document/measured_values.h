@@ -26,6 +26,9 @@ struct MeasuredValues {
 /// Where an organ's points are now, `n x 3` mm; asked for organs of the document only.
 using PointsOf = std::function<const Points&(OrganId)>;
 
+/// Where a point is now, mm, LPS; at rest where its organ is not in the document. O(1).
+Vec3 placeNow(const MeasuredPoint& point, const DocumentState& state, const PointsOf& pointsOf);
+
 /// Keeps the statistics of regions as long as nothing that they depend on is another: to read voxels takes
 /// longer than a frame may. For one thread.
 class RegionMemory {

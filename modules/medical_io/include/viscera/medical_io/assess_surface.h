@@ -15,11 +15,15 @@ namespace viscera::medical_io {
 /// How grave a finding is: as it should be; worth knowing; to be looked at; will go wrong.
 enum class Light { good, note, doubt, fault };
 
+/// What a finding is about. `arrangement` is how organs lie to each other.
+enum class FindingSubject { axes, size, holes, edges, facing, pieces, crossings, arrangement };
+
 /// One thing found out about a surface that is to become an organ.
 struct Finding {
   Light light = Light::good;
   std::string text;                 ///< A sentence without capital and full stop, for a user.
   std::vector<std::string> repairs; ///< Ids of `surfaceRepairs` that would help, best first.
+  FindingSubject subject = FindingSubject::arrangement;
 
   friend bool operator==(const Finding&, const Finding&) = default;
 };

@@ -14,9 +14,10 @@ namespace viscera::motion {
 /// One beat of a circulation as a course that the sample heart can follow: the ventricles' volumes are the
 /// circulation's; the base descends, and the apex turns, as far as the ejection fraction says (15 mm and 10
 /// degrees at 0.58); the atria contract with their activation. Time 0 is the beginning of the ventricles'
-/// contraction. O(samples).
+/// contraction. The left ventricle has `leftMuscle` times the muscle of the sample heart. O(samples).
 sequences::HeartCourse heartCourse(const std::string& name, const circulation::Parameters& parameters,
-                                   const circulation::Beat& beat, const circulation::Indices& indices);
+                                   const circulation::Beat& beat, const circulation::Indices& indices,
+                                   double leftMuscle = 1);
 
 /// The sample heart, ready to follow one circulation after the other, as while a control moves. Immutable;
 /// thread-safe.
@@ -42,7 +43,8 @@ private:
   std::unique_ptr<const Parts> parts_;
 };
 
-/// The sample heart with the heartbeat of a circulation. Throws `DataError` when no beat repeats itself, or
+/// The sample heart with the heartbeat of a circulation, and the muscle of the scenario of that name
+/// (`circulation::leftMuscleOf`). Throws `DataError` when no beat repeats itself, or
 /// when the heart cannot take such volumes. As `CirculatingHeart`.
 SequenceSetup circulatingHeart(const sample_organs::SampleLibrary& library, const std::string& name,
                                const circulation::Parameters& parameters,

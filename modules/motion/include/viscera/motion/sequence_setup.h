@@ -30,6 +30,13 @@ struct SampleSequence {
 /// The sequences there are, in the order in which a list shows them.
 const std::vector<SampleSequence>& sampleSequences();
 
+/// Whether an organ is of the kind that a sequence moves.
+enum class Suits { yes, unknown, no };
+
+/// Judged by the organ's name alone: "liver_2" breathes, "spleen" has no heartbeat, and of "mesh 1" nothing
+/// is known.
+Suits suits(const SampleSequence& sequence, const std::string& organName);
+
 /// Makes the sample organ of a sequence, its handles and the sequence itself, calibrated on that organ at
 /// that resolution: at any time and rate the heart's left ventricle holds what its curve says within 0.5 ml,
 /// the right one within 1 ml. What takes long is kept in the library's cache. Throws `UsageError` for an

@@ -128,7 +128,7 @@ Camera cameraOf(const scene::OrganView& view);
 /// Puts it there. A camera that looks nowhere (position and focus are one place) changes nothing.
 void lookFrom(const Camera& camera, scene::OrganView& view);
 
-/// What is written beside an organ: "Left ventricle" for a cavity that is called LV, else its name.
+/// What is written beside an organ: "LV cavity" for the sample heart's organ LV, else its name.
 std::string labelOf(const document::Organ& organ, const Presenter::Translate& translate = {});
 
 /// A measured value for a reader: "83.4 mm", degrees with the sign for them, "41.3 HU"; "-" where there is

@@ -2,14 +2,15 @@
 
 #include <memory>
 
+#include "viscera/geometry/normals.h"
 #include "viscera/geometry/triangle_mesh.h"
 
 class vtkRenderer;
 
 namespace viscera::scene {
 
-/// The outline of a surface as a thin translucent line that follows the camera: the rest shape behind a pose.
-/// Belongs to the thread that renders.
+/// The outline of a surface as a thin translucent line that follows the camera: the rest shape behind a pose,
+/// or what tells the selected organ from the others. Belongs to the thread that renders.
 ///
 /// The line is where the interpolated normal is perpendicular to the line of sight (Hertzmann and Zorin,
 /// "Illustrating Smooth Surfaces", 2000, DOI 10.1145/344779.345074), so it is smooth where the triangles are
@@ -21,6 +22,9 @@ public:
   GhostOutline(const GhostOutline&) = delete;
   GhostOutline& operator=(const GhostOutline&) = delete;
 
+  /// Outlines the surface with its vertices at these places (`n x 3` mm) and with these normals, in place of
+  /// the mesh's own. Throws `UsageError` when they are not as many as the mesh has. O(n).
+  void setPoints(const Points& points, const geometry::Normals& normals);
   /// Draws in `renderer` from now on, and follows its camera. Null: nowhere.
   void setRenderer(vtkRenderer* renderer);
   void setColor(const Vec3& color);

@@ -85,6 +85,11 @@ public:
   /// while something moves.
   void setUnpeeled(bool unpeeled);
 
+  /// Draws the surface with fewer triangles, between one in `part` of its vertices
+  /// (`geometry::coarseTriangles`) and no fewer than some hundreds; they follow its points. 1: all of it.
+  /// `OrganView` calls it while something moves. O(n log n) for another part than the one before.
+  void setCoarse(int part);
+
   vtkActor* actor() const;
   vtkPolyData* polyData() const;
 

@@ -33,9 +33,11 @@ struct CardiacTimes {
 /// The times at `rateBpm`, of healthy adults. O(1).
 ///
 /// * Ejection: max(413 - 1.7 rate, 371 - 1.2 rate) ms, 130 ms at least: men at rest (Weissler and others
-///   1968, doi 10.1161/01.CIR.37.2.149) and upright on a bicycle (Lance and Spodick, 18 men).
+///   1968, doi 10.1161/01.CIR.37.2.149) and upright on a bicycle (Lance and Spodick, 18 men, +- 13.9
+///   ms).
 /// * Isovolumic contraction: 40 ms at 65 a minute (40 +- 10 in the Copenhagen study), 0.4 ms less for each
-///   beat more, as Weissler's pre-ejection period; between 40 and 25 ms.
+///   beat more, as the pre-ejection period at rest (Lewis and others 1977, doi 10.1161/01.CIR.56.2.146;
+///   that contraction shortens as that does: Nandi and Spodick 1977); between 40 and 25 ms.
 /// * Isovolumic relaxation: 96 ms at 65 (96 +- 19, Copenhagen), falling exponentially so that it has lost
 ///   54 % when the rate has risen by 85 %, as in supine exercise (30 young people, echo-polygraphy, 1985);
 ///   between 110 and 25 ms.
@@ -48,8 +50,10 @@ CardiacTimes cardiacTimes(double rateBpm);
 /// so short that blood would have to enter faster than `kFastestFilling`, then less.
 double strokePart(const CardiacTimes& times, double strokeMl);
 
-/// The mean flow into a ventricle over diastole, ml/s, at the peak of exercise: 219 ml/s for each m2 of the
-/// body (Bombardini and others 2008, doi 10.1186/1476-7120-6-15), here 1.75 m2.
+/// The mean flow into a ventricle over diastole, ml/s, at the peak of stress: 219 +- 92 ml/s for each m2 of
+/// the body in 161 people sent for a stress echocardiogram (Bombardini and others 2008,
+/// doi 10.1186/1476-7120-6-15), here 1.75 m2, which is a choice. A bound, not a measured fall:
+/// docs/sequences.md says who disagrees.
 inline constexpr double kFastestFilling = 219 * 1.75;
 
 /// When the valves of one ventricle move, s after the beginning of a beat.
@@ -68,8 +72,8 @@ VentricleClock leftClock(const CardiacTimes& times);
 /// The right ventricle's: it works against a sixth of the pressure, so its valves rest for a shorter time.
 /// The tricuspid valve shuts after the mitral one (10 ms at rest) and opens before it, the pulmonary valve
 /// opens before the aortic one and shuts after it (15 ms: the split second sound). Relaxation is shorter than
-/// the left one's in all healthy people (Larrazet and others, J Am Soc Echocardiogr 1997;10:699-706); the
-/// parts themselves are textbook values.
+/// the left one's on average in 42 healthy people (Larrazet and others, J Am Soc Echocardiogr
+/// 1997;10:699-706); the parts themselves are textbook values.
 VentricleClock rightClock(const CardiacTimes& times);
 
 } // namespace viscera::sequences

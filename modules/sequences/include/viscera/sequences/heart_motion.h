@@ -13,6 +13,7 @@ struct HeartState {
   double rightPart = 1;         ///< The same of the right one.
   double twist = 0;             ///< Part of the largest twist.
   double atrialContraction = 0; ///< 0 to 1.
+  double muscle = 1;            ///< The volume of the left ventricle's muscle, as a part of that at rest.
   /// The left cavity's radius as a multiple of what its volume asks for. `CavityFit` finds it; 1 before.
   double leftGain = 1;
   /// What is added to the right cavity's thickness, as a part of that at rest. `CavityFit` finds it; 0
@@ -36,8 +37,8 @@ struct HeartExcursions {
 /// Moves the handles of a heart from state to state.
 ///
 /// The base descends towards the apex, which stays; the left cavity narrows; the wall of the left ventricle
-/// thickens so that its volume stays (rho'^2 = (f rho_en)^2 + (rho^2 - rho_en^2) / lambda, with f the
-/// cavity's scale and lambda the shortening of the long axis); the right ventricle's free wall follows the
+/// thickens so that its volume stays (rho'^2 = (f rho_en)^2 + m (rho^2 - rho_en^2) / lambda, with f the
+/// cavity's scale, lambda the shortening of the long axis and m the muscle there is); the right ventricle's free wall follows the
 /// septum and comes closer to it, least near its outflow; the ventricles twist; the atria lengthen with the
 /// descent, fill, and contract; the vessels give way near their roots. Immutable; thread-safe.
 class HeartMotion {

@@ -1,0 +1,81 @@
+#include "window/compare/difference_map.h"
+
+#include <QTimer>
+
+#include <algorithm>
+#include <cmath>
+
+namespace viscera::app {
+namespace {
+
+/// The next of 1, 2, 5 times a power of ten: a legend with round ends that seldom change.
+double roundedUp(double value) {
+  const double decade = std::pow(10, std::floor(std::log10(value)));
+  for (const double step : {1.0, 2.0, 5.0})
+    if (value <= step * decade)
+      return step * decade;
+  return 10 * decade;
+}
+
+/// Below it the two agree, mm: the legend needs an end.
+constexpr double kLeast = 1e-3;
+
+} // namespace
+
+DifferenceMap::DifferenceMap(Workspace& first, Workspace& second, Picture& picture, QObject* parent)
+    : QObject(parent), first_(first), second_(second), picture_(picture) {
+  for (Workspace* workspace : {&first, &second})
+    subscriptions_.push_back(workspace->live().onEvent([this](const live::LiveEvent&) { followSoon(); }));
+}
+
+DifferenceMap::~DifferenceMap() {
+  picture_.setMap(std::nullopt);
+}
+
+void DifferenceMap::setOn(bool on) {
+  on_ = on;
+  restart();
+  if (!on)
+    picture_.setMap(std::nullopt);
+}
+
+void DifferenceMap::restart() {
+  reach_ = 0;
+  followSoon();
+}
+
+/// Once for a frame, when both documents have moved.
+void DifferenceMap::followSoon() {
+  if (!on_ || waiting_)
+    return;
+  waiting_ = true;
+  QTimer::singleShot(0, this, [this] {
+    waiting_ = false;
+    if (on_)
+      follow();
+  });
+}
+
+void DifferenceMap::follow() {
+  presentation::SurfaceMap map;
+  map.colors = scene::viridis();
+  map.title = tr("Distance to A").toStdString();
+  map.unit = "mm";
+  greatest_ = 0;
+  for (const auto& organ : second_.document().organs()) {
+    if (!first_.document().organ(organ->id))
+      continue;
+    const Points& here = second_.live().points(organ->id);
+    const Points& there = first_.live().points(organ->id);
+    if (here.rows() != there.rows() || here.rows() == 0)
+      continue;
+    auto distances = std::make_shared<Values>((here - there).rowwise().norm());
+    greatest_ = std::max(greatest_, distances->maxCoeff());
+    map.values[organ->id] = std::move(distances);
+  }
+  reach_ = std::max(reach_, roundedUp(std::max(greatest_, kLeast)));
+  map.range = {0, reach_};
+  picture_.setMap(std::move(map));
+}
+
+} // namespace viscera::app

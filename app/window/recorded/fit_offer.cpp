@@ -1,0 +1,79 @@
+#include "window/recorded/fit_offer.h"
+
+#include <QLabel>
+#include <QPushButton>
+#include <QStyle>
+#include <QVBoxLayout>
+
+#include <algorithm>
+
+#include "viscera/motion/sequence_setup.h"
+#include "window/widgets/ready_made.h"
+
+namespace viscera::app {
+namespace {
+
+/// Its style sheet knows the button that stands out by its name.
+void setPrimary(QPushButton* button, bool on) {
+  button->setProperty("primary", on);
+  button->style()->unpolish(button);
+  button->style()->polish(button);
+}
+
+} // namespace
+
+FitOffer::FitOffer(Workspace& workspace, QWidget* parent)
+    : QFrame(parent), workspace_(workspace), question_(new QLabel(this)), fit_(makeButton("offerFit")),
+      sample_(makeButton("offerSample")) {
+  setObjectName(QStringLiteral("badge"));
+  auto* column = makeLayout<QVBoxLayout>(this, 6, {10, 8, 10, 10});
+  question_->setWordWrap(true);
+  column->addWidget(question_);
+  column->addWidget(fit_);
+  column->addWidget(sample_);
+  sample_->setToolTip(tr("Takes the place of all organs that are open; Undo brings them back"));
+  connect(fit_, &QPushButton::clicked, this, [this] {
+    hide();
+    Q_EMIT fitChosen(sequence_);
+  });
+  connect(sample_, &QPushButton::clicked, this, [this] {
+    hide();
+    Q_EMIT sampleChosen(sequence_);
+  });
+  subscription_ = workspace.onChange([this](const document::Change& change) {
+    if (change.organs())
+      hide();
+  });
+  hide();
+}
+
+QPushButton* FitOffer::makeButton(const char* name) {
+  auto* button = new QPushButton(this);
+  button->setObjectName(QLatin1String(name));
+  return button;
+}
+
+void FitOffer::ask(const QString& sequence) {
+  const auto organ = workspace_.currentOrgan();
+  const auto& all = motion::sampleSequences();
+  const auto sample =
+      std::find_if(all.begin(), all.end(), [&](const auto& one) { return text(one.id) == sequence; });
+  if (!organ || sample == all.end())
+    return;
+  sequence_ = sequence;
+  const QString name = text(organ->name), kind = text(sample->organ);
+  const bool odd = motion::suits(*sample, organ->name) == motion::Suits::no;
+  question_->setText(
+      odd ? tr("%1 moves a %2, and %3 is none by its name.").arg(text(sample->name), kind, name)
+          : tr("%1: fit it to %2?").arg(text(sample->name), name));
+  fit_->setText(odd ? tr("Fit it all the same") : tr("Fit it to %1").arg(name));
+  fit_->setEnabled(organ->closed());
+  fit_->setToolTip(organ->closed() ? tr("Puts the sequence's handles around the organ and plays")
+                                   : tr("%1 is open; a sequence needs a closed surface").arg(name));
+  sample_->setText(tr("Show the sample %1").arg(kind));
+  setPrimary(fit_, !odd && organ->closed());
+  setPrimary(sample_, odd || !organ->closed());
+  show();
+}
+
+} // namespace viscera::app

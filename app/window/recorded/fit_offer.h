@@ -1,0 +1,39 @@
+#pragma once
+
+#include <QFrame>
+
+#include "window/workspace.h"
+
+class QLabel;
+class QPushButton;
+
+namespace viscera::app {
+
+/// The question what a sequence is to move when organs of the user's own are open: the current organ, to
+/// which it is fitted, or its sample organ, which takes the place of all organs. Hidden until something is
+/// asked; the better answer by the organ's name is the button that stands out.
+class FitOffer final : public QFrame {
+  Q_OBJECT
+
+public:
+  explicit FitOffer(Workspace& workspace, QWidget* parent = nullptr);
+
+  /// Asks about the sequence of that id.
+  void ask(const QString& sequence);
+
+Q_SIGNALS:
+  void fitChosen(const QString& sequence);
+  void sampleChosen(const QString& sequence);
+
+private:
+  QPushButton* makeButton(const char* name);
+
+  Workspace& workspace_;
+  QString sequence_;
+  QLabel* question_;
+  QPushButton* fit_;
+  QPushButton* sample_;
+  Subscription subscription_;
+};
+
+} // namespace viscera::app

@@ -1,0 +1,77 @@
+#include "window/widgets/system_combo.h"
+
+#include <QSignalBlocker>
+#include <QStandardItemModel>
+
+#include <utility>
+
+namespace viscera::app {
+namespace {
+
+/// What a system is for, in the order of the list.
+enum Kind { kRecommended, kWithCage, kWithTetrahedra, kAttempt, kKinds };
+
+/// Recommended is what answers everywhere, without jumps and kinks, from the handles alone.
+Kind kindOf(const coordinates::Traits& traits) {
+  if (traits.needsCage)
+    return kWithCage;
+  if (traits.needsTetrahedra)
+    return kWithTetrahedra;
+  return traits.everywhere && traits.continuous && traits.smooth ? kRecommended : kAttempt;
+}
+
+QString headingOf(int kind) {
+  switch (kind) {
+  case kRecommended:
+    return SystemCombo::tr("Recommended");
+  case kWithCage:
+    return SystemCombo::tr("With a cage");
+  case kWithTetrahedra:
+    return SystemCombo::tr("With tetrahedra");
+  default:
+    return SystemCombo::tr("Attempts of the thesis");
+  }
+}
+
+} // namespace
+
+SystemCombo::SystemCombo(const plugin::Registry& registry, QWidget* parent) : QComboBox(parent) {
+  setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  auto* model = new QStandardItemModel(this);
+  for (int kind = 0; kind < kKinds; ++kind) {
+    bool first = true;
+    for (const plugin::Registry::Entry& entry : registry.list()) {
+      if (kindOf(entry.system->traits()) != kind)
+        continue;
+      if (std::exchange(first, false)) {
+        auto* heading = new QStandardItem(headingOf(kind));
+        heading->setFlags(Qt::NoItemFlags);
+        QFont bold = font();
+        bold.setBold(true);
+        heading->setFont(bold);
+        model->appendRow(heading);
+      }
+      auto* item = new QStandardItem(QString::fromStdString(entry.system->name()));
+      item->setData(QString::fromStdString(entry.system->id()), Qt::UserRole);
+      item->setToolTip(QString::fromStdString(entry.system->summary()));
+      model->appendRow(item);
+    }
+  }
+  setModel(model);
+  setMaxVisibleItems(model->rowCount());
+  connect(this, QOverload<int>::of(&QComboBox::activated), this, [this](int index) {
+    if (const std::string id = systemAt(index); !id.empty())
+      Q_EMIT systemChosen(id);
+  });
+}
+
+std::string SystemCombo::systemAt(int index) const {
+  return itemData(index).toString().toStdString();
+}
+
+void SystemCombo::setSystem(const std::string& id) {
+  const QSignalBlocker quiet(this);
+  setCurrentIndex(findData(QString::fromStdString(id)));
+}
+
+} // namespace viscera::app

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <QComboBox>
+
+#include <string>
+
+#include "viscera/plugin/registry.h"
+
+namespace viscera::app {
+
+/// The coordinate systems to choose from, under headings: those recommended for organs, those with a cage,
+/// those that need tetrahedra, and the attempts of the thesis, which are there to be compared. Where a system
+/// stands follows from what it says of itself, so that a plugin's finds its place.
+class SystemCombo final : public QComboBox {
+  Q_OBJECT
+
+public:
+  explicit SystemCombo(const plugin::Registry& registry, QWidget* parent = nullptr);
+
+  /// The id at a place; empty for a heading.
+  std::string systemAt(int index) const;
+  void setSystem(const std::string& id);
+
+Q_SIGNALS:
+  /// The user has chosen a system, by its id.
+  void systemChosen(const std::string& id);
+};
+
+} // namespace viscera::app

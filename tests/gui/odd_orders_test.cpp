@@ -1,0 +1,149 @@
+#include "window_test.h"
+
+#include <QAbstractButton>
+#include <QComboBox>
+#include <QListWidget>
+#include <QTest>
+#include <QToolButton>
+
+#include "viscera/document/organ_commands.h"
+#include "viscera/document/rig_commands.h"
+#include "window/compare/compared_system.h"
+#include "window/compare/comparison.h"
+#include "window/compare/difference_map.h"
+#include "window/modes/play_mode.h"
+#include "window/recorded/fit_box.h"
+#include "window/session/session_files.h"
+#include "window/widgets/page.h"
+
+namespace viscera::tests {
+namespace {
+
+/// What no other test does in this order.
+class OddOrders : public WindowTest {
+protected:
+  template <class Widget>
+  Widget& find(const char* name) {
+    auto* widget = window().findChild<Widget*>(QLatin1String(name));
+    EXPECT_NE(widget, nullptr) << name;
+    return *widget;
+  }
+  void choose(const char* id) {
+    auto& list = find<QListWidget>("sequenceList");
+    for (int row = 0; row < list.count(); ++row)
+      if (list.item(row)->data(Qt::UserRole) == QLatin1String(id)) {
+        Q_EMIT list.itemClicked(list.item(row));
+        break;
+      }
+    settle();
+  }
+  void press(const char* name) {
+    find<QAbstractButton>(name).click();
+    settle();
+  }
+  bool playing() {
+    return waitUntil([this] { return window().playback().player().playing(); });
+  }
+  app::Comparison& comparison() { return window().play().comparison(); }
+  void undo(int steps = 1) {
+    while (steps-- > 0)
+      key(Qt::Key_Z, Qt::ControlModifier);
+    settle();
+  }
+};
+
+TEST_F(OddOrders, TheMapOfDifferencesComesAndGoesWithItsViewAndItsOrgans) {
+  open(sphereFile());
+  key(Qt::Key_3);
+  key(Qt::Key_3, Qt::ControlModifier);
+  settle();
+  press("differences");
+  document::HandleId first = document().rig().handles.front().id;
+  window().workspace().perform(
+      document::moveHandles({first}, Points(document().rig().restPositions().row(0) * 1.3)));
+  settle();
+  EXPECT_GT(comparison().differences()->greatest(), 0);
+  key(Qt::Key_2, Qt::ControlModifier); // Two rates.
+  settle();
+  EXPECT_EQ(comparison().differences(), nullptr);
+  key(Qt::Key_3, Qt::ControlModifier);
+  settle();
+  press("differences");
+  comparison().comparedSystem()->choose("mean-value");
+  settle();
+  window().workspace().perform(document::removeHandles({first}));
+  settle();
+  comparison().comparedSystem()->choose("wire-approach");
+  settle();
+  undo(2);
+  key(Qt::Key_Delete);
+  settle();
+  open(sphereFile(QStringLiteral("another.stl"), 40));
+  settle();
+  key(Qt::Key_1, Qt::ControlModifier);
+  settle();
+  undo(3);
+  key(Qt::Key_3, Qt::ControlModifier);
+  settle();
+  press("differences");
+  key(Qt::Key_N, Qt::ControlModifier);
+  settle();
+  EXPECT_TRUE(document().organs().empty());
+}
+
+TEST_F(OddOrders, LandmarksLeaveWithTheirOrganAndComeBackForNoOther) {
+  open(sphereFile(QStringLiteral("heart.stl"), 50));
+  key(Qt::Key_5);
+  for (app::Fold* fold : window().findChildren<app::Fold*>())
+    fold->setOpen(true);
+  settle();
+  EXPECT_EQ(find<QComboBox>("fitSequence").currentData(), QStringLiteral("heartbeat"));
+  press("landmark_apex");
+  click(QPoint(view().width() / 2, view().height() / 2));
+  const auto& fit = find<app::FitBox>("fitBox");
+  EXPECT_EQ(fit.glyphs().items().size(), 1u);
+  open(sphereFile(QStringLiteral("stomach.stl"), 45));
+  settle();
+  window().workspace().selection().setOrgan(document().organs().back()->id);
+  settle();
+  EXPECT_TRUE(fit.glyphs().items().empty());
+  EXPECT_EQ(find<QComboBox>("fitSequence").currentData(), QStringLiteral("peristalsis"));
+  window().workspace().selection().setOrgan(document().organs().front()->id);
+  press("landmark_apex");
+  click(QPoint(view().width() / 2, view().height() / 2));
+  window().workspace().perform(document::removeOrgans({document().organs().front()->id}));
+  settle();
+  EXPECT_TRUE(fit.glyphs().items().empty());
+  undo(2);
+  settle();
+  EXPECT_EQ(message(), QString());
+}
+
+TEST_F(OddOrders, ASessionWithAFittedOrganOpensWhileASampleIsCompared) {
+  open(sphereFile(QStringLiteral("liver.stl"), 70));
+  key(Qt::Key_5);
+  choose("breathing");
+  press("offerFit");
+  ASSERT_TRUE(playing());
+  const QString file = path(QStringLiteral("fit.viscera"));
+  bool saved = false;
+  window().sessions().saveTo(file, true, [&] { saved = true; });
+  ASSERT_TRUE(waitUntil([&] { return saved; }));
+  window().samples().load(QStringLiteral("stomach"), true);
+  ASSERT_TRUE(waitUntil([this] { return document().organs().front()->name != "liver"; }));
+  key(Qt::Key_2, Qt::ControlModifier);
+  settle();
+  window().files().open({file});
+  ASSERT_TRUE(waitUntil([this] {
+    return !document().organs().empty() && document().organs().front()->name == "liver" &&
+           window().playback().sequence();
+  }));
+  settle();
+  EXPECT_EQ(find<QListWidget>("sequenceList").currentItem()->data(Qt::UserRole), QStringLiteral("breathing"));
+  now_ += 0.2;
+  window().playback().advance();
+  settle();
+}
+
+} // namespace
+} // namespace viscera::tests
