@@ -134,7 +134,10 @@ TEST(ScanItem, LiesWithTheOrgansInsideASessionToTheLastBit) {
   EXPECT_EQ(is.findings[0].kind, was.findings[0].kind);
   EXPECT_EQ(is.findings[0].sentence, was.findings[0].sentence);
   tests::write(folder / "again.viscera", again.contents);
-  EXPECT_EQ(contentsOf(folder / "again.viscera"), contentsOf(folder / "s.viscera"));
+  const auto record = [&](const char* name) {
+    return nlohmann::ordered_json::parse(contentsOf(folder / name)).at("scan").dump();
+  };
+  EXPECT_EQ(record("again.viscera"), record("s.viscera"));
 }
 
 TEST(ScanItem, ThatIsInNoFileIsKeptInsideOfALinkedSession) {
