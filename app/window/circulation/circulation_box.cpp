@@ -98,7 +98,8 @@ void CirculationBox::makeChoice() {
     row->addWidget(button, 1);
     return button;
   };
-  textbook_ = add(tr("Textbook beat"), "textbookBeat", tr("The volumes of healthy adults, at the times of their rate"));
+  textbook_ = add(tr("Textbook beat"), "textbookBeat",
+                  tr("The volumes of healthy adults, at the times of their rate"));
   circulation_ = add(tr("Circulation"), "circulationBeat",
                      tr("A closed loop of heart and vessels: pressures, loops, valves and sounds"));
   static_cast<QVBoxLayout*>(layout())->addLayout(row);

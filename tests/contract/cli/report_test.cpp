@@ -30,8 +30,8 @@ TEST_F(CliReport, OfASessionIsAPdfWithItsPages) {
   const json report = runJson({"report", session("stress_peak_recorded"), "-o", path("r.pdf")});
   expectKeys(report);
   EXPECT_EQ(report["bytes"], std::filesystem::file_size(path("r.pdf")));
-  EXPECT_EQ(report["sections"],
-            json::array({"Volumes", "Tissue distortion (rotational stress)", "Motion", "Files and what was done to them"}));
+  EXPECT_EQ(report["sections"], json::array({"Volumes", "Tissue distortion (rotational stress)", "Motion",
+                                             "Files and what was done to them"}));
   EXPECT_GE(report["pages"], 3);
   EXPECT_EQ(report["pictures"], 9) << "as seen, six sides, the map at rest, the volumes";
   EXPECT_EQ(contents(path("r.pdf")).substr(0, 5), "%PDF-");

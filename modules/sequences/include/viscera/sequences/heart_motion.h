@@ -38,9 +38,10 @@ struct HeartExcursions {
 ///
 /// The base descends towards the apex, which stays; the left cavity narrows; the wall of the left ventricle
 /// thickens so that its volume stays (rho'^2 = (f rho_en)^2 + m (rho^2 - rho_en^2) / lambda, with f the
-/// cavity's scale, lambda the shortening of the long axis and m the muscle there is); the right ventricle's free wall follows the
-/// septum and comes closer to it, least near its outflow; the ventricles twist; the atria lengthen with the
-/// descent, fill, and contract; the vessels give way near their roots. Immutable; thread-safe.
+/// cavity's scale, lambda the shortening of the long axis and m the muscle there is); the right ventricle's
+/// free wall follows the septum and comes closer to it, least near its outflow; the ventricles twist; the
+/// atria lengthen with the descent, fill, and contract; the vessels give way near their roots. Immutable;
+/// thread-safe.
 class HeartMotion {
 public:
   explicit HeartMotion(HeartRig rig, const HeartExcursions& excursions = {});
