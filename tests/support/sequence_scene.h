@@ -29,20 +29,23 @@ class SequenceScene {
 public:
   explicit SequenceScene(const std::function<motion::SequenceSetup(Progress&)>& make)
       : setup_(make(progress_)) {
-    coordinates::HandleSet handles;
-    handles.positions = setup_.sequence->restHandles();
-    for (const auto& system : coordinates::builtInSystems()) {
-      if (system->id() != setup_.system.id)
-        continue;
-      for (const sample_organs::SampleSurface& surface : setup_.organ.surfaces)
-        surfaces_[surface.name] = {surface.mesh,
-                                   deformation::bindOrgan(*system, handles, surface.mesh->points,
-                                                          {setup_.system.parameters, {}}, progress_)};
-    }
+    for (const sample_organs::SampleSurface& surface : setup_.organ.surfaces)
+      add(surface);
   }
   virtual ~SequenceScene() = default;
 
   const motion::SequenceSetup& setup() const { return setup_; }
+
+  /// Binds another surface to the same handles.
+  void add(const sample_organs::SampleSurface& surface) {
+    coordinates::HandleSet handles;
+    handles.positions = setup_.sequence->restHandles();
+    for (const auto& system : coordinates::builtInSystems())
+      if (system->id() == setup_.system.id)
+        surfaces_[surface.name] = {surface.mesh,
+                                   deformation::bindOrgan(*system, handles, surface.mesh->points,
+                                                          {setup_.system.parameters, {}}, progress_)};
+  }
 
   void show(double seconds, double ratePerMinute) {
     setup_.sequence->poseAt(seconds, ratePerMinute, pose_);

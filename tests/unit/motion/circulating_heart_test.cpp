@@ -43,17 +43,8 @@ struct LeftVentricle {
 LeftVentricle leftVentricleOf(const std::string& scenario) {
   ScenarioHeart heart(scenario);
   Progress progress;
-  const auto wall =
-      sample_organs::sampleSurface(tests::cachedLibrary(), "heart", "lv_wall", Resolution::low, progress);
-  coordinates::HandleSet handles;
-  handles.positions = heart.setup().sequence->restHandles();
-  Points pose, points;
-  heart.setup().sequence->poseAt(0, heart.setup().sequence->standardRatePerMinute(), pose);
-  for (const auto& system : coordinates::builtInSystems())
-    if (system->id() == heart.setup().system.id)
-      deformation::bindOrgan(*system, handles, wall.mesh->points, {heart.setup().system.parameters, {}},
-                             progress)
-          ->deform(pose, points);
+  heart.add(
+      sample_organs::sampleSurface(tests::cachedLibrary(), "heart", "lv_wall", Resolution::low, progress));
   heart.show(0, heart.setup().sequence->standardRatePerMinute());
   const auto& surfaces = heart.setup().organ.surfaces; // The outer one, left and right cavity.
   const Points left = heart.posed("lv").points, right = heart.posed("rv").points,
@@ -61,8 +52,7 @@ LeftVentricle leftVentricleOf(const std::string& scenario) {
   const sequences::WallGauge gauge(
       heart.heartbeat().motion().rig().anatomy.frame,
       {surfaces[1].mesh->points, surfaces[2].mesh->points, surfaces[0].mesh->points});
-  return {geometry::volume(points, wall.mesh->triangles) / kMm3PerMl - heart.volumeMl("lv"),
-          gauge.at({left, right, outer}).wallMm};
+  return {heart.volumeMl("lv_wall") - heart.volumeMl("lv"), gauge.at({left, right, outer}).wallMm};
 }
 
 } // namespace

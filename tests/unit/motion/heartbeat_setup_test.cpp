@@ -75,8 +75,14 @@ TEST(HeartbeatSetup, CavitiesHoldWhatTheCurvesSayAtEveryRate) {
   }
 }
 
-TEST(HeartbeatSetup, WallsMoveAsMeasuredInHealthyAdults) {
+TEST(HeartbeatSetup, WallsMoveAsMeasuredInHealthyAdultsAndTheLeftMuscleKeepsItsVolume) {
   BeatingHeart heart(Resolution::medium);
+  Progress progress;
+  heart.add(
+      sample_organs::sampleSurface(tests::cachedLibrary(), "heart", "lv_wall", Resolution::medium, progress));
+  heart.show(0.12, kRate); // Full, before the ventricles contract.
+  const double fullMl = heart.volumeMl("lv_wall") - heart.volumeMl("lv");
+  double off = 0;
   const sequences::HeartFrame& frame = heart.heartbeat().motion().rig().anatomy.frame;
   const auto points = [&heart](const char* surface) { return heart.posed(surface).points; };
   const auto& surfaces = heart.setup().organ.surfaces; // The outer one, left and right cavity.
@@ -87,8 +93,12 @@ TEST(HeartbeatSetup, WallsMoveAsMeasuredInHealthyAdults) {
     heart.show(frameOfBeat / 40.0 * 60 / kRate, kRate);
     const Points left = points("lv"), right = points("rv"), outer = points("outer");
     beat.push_back(gauge.at({left, right, outer}));
+    off = std::max(off, std::abs(heart.volumeMl("lv_wall") - heart.volumeMl("lv") - fullMl) / fullMl);
   }
+  RecordProperty("relativeChangeOfTheLeftMuscle", std::to_string(off));
+  EXPECT_LT(off, 0.06);
   const sequences::WallMotion motion = sequences::wallMotion(beat);
+  RecordProperty("thickeningPercent", std::to_string(motion.thickeningPercent));
   for (const sequences::WallMotionRange& range : sequences::wallMotionRanges()) {
     EXPECT_GE(motion.*range.value, range.low) << range.name;
     EXPECT_LE(motion.*range.value, range.high) << range.name;
