@@ -68,7 +68,8 @@ MainWindow::MainWindow(Settings& settings, plugin::Registry registry, motion::Tr
   slices_->addGrip(*handleGrip_);
   files_->addTo(actions_);
   scans_->addTo(actions_);
-  new PatientOffer(workspace_, *files_, *scans_, this);
+  new PatientOffer(
+      workspace_, *files_, *scans_, [this] { return imports_->isOpen(); }, this);
   exports_->addTo(actions_);
   (new BentExport(workspace_, settings_, this))->addTo(actions_);
   lessons_ = new LessonExport({workspace_, playback_, *picture_, view_, settings_}, this);

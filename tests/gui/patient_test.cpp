@@ -11,6 +11,7 @@
 #include "viscera/document/rig_commands.h"
 #include "viscera/document/scan_item.h"
 #include "viscera/medical_io/image_file.h"
+#include "window/import/import_desk.h"
 #include "window/session/session_files.h"
 #include "window/slices/bent_export.h"
 #include "window/slices/scan_actions.h"
@@ -182,6 +183,15 @@ TEST_F(PatientTest, ALabelMapOffersTheScanBesideItAndTheScanItsOrgans) {
   settle();
   ASSERT_EQ(document().organs().size(), 1u);
   EXPECT_EQ(document().organs().front()->name, "phantom");
+}
+
+TEST_F(PatientTest, NothingIsOfferedOfWhatIsBeingImported) {
+  const QString labels = labelFile(), scan = scanFile();
+  window().files().open({labels, scan}, true); // With check.
+  settle();
+  ASSERT_TRUE(window().imports().isOpen());
+  EXPECT_TRUE(document().state().scan);
+  EXPECT_FALSE(offer()) << message().toStdString();
 }
 
 TEST_F(PatientTest, TheCameraShowsAllOfTheOrgansWhateverTheLayout) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <utility>
 
 #include "viscera/medical_io/image_beside.h"
 #include "window/file_actions.h"
@@ -24,8 +25,9 @@ QString nameOf(const std::filesystem::path& file) {
 
 } // namespace
 
-PatientOffer::PatientOffer(Workspace& workspace, FileActions& files, ScanActions& scans, QObject* parent)
-    : QObject(parent), workspace_(workspace), files_(files), scans_(scans),
+PatientOffer::PatientOffer(Workspace& workspace, FileActions& files, ScanActions& scans,
+                           std::function<bool()> importing, QObject* parent)
+    : QObject(parent), workspace_(workspace), files_(files), scans_(scans), importing_(std::move(importing)),
       subscription_(workspace.onChange([this](const document::Change&) { look(); })) {}
 
 bool PatientOffer::misses(ImageContents wanted) const {
@@ -59,7 +61,7 @@ void PatientOffer::lookBeside(const std::filesystem::path& image, ImageContents 
       tr("Looking beside %1").arg(nameOf(image)).toStdString(), "beside",
       [image, wanted](Progress& progress) { return medical_io::imageBeside(image, wanted, progress); },
       [this, image, wanted](const JobResult<std::optional<std::filesystem::path>>& result) {
-        if (result.value && *result.value && misses(wanted))
+        if (result.value && *result.value && misses(wanted) && !importing_())
           offer(image, **result.value, wanted);
       });
 }

@@ -3,6 +3,7 @@
 #include <QObject>
 
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <set>
 
@@ -21,8 +22,10 @@ class PatientOffer final : public QObject {
   Q_OBJECT
 
 public:
-  /// All have to live longer.
-  PatientOffer(Workspace& workspace, FileActions& files, ScanActions& scans, QObject* parent = nullptr);
+  /// All have to live longer. `importing` says whether files are being checked before they come in: these
+  /// may be the other half, and nothing is offered then.
+  PatientOffer(Workspace& workspace, FileActions& files, ScanActions& scans, std::function<bool()> importing,
+               QObject* parent = nullptr);
 
 private:
   void look();
@@ -34,6 +37,7 @@ private:
   Workspace& workspace_;
   FileActions& files_;
   ScanActions& scans_;
+  std::function<bool()> importing_;
   std::set<std::filesystem::path> asked_;
   std::shared_ptr<const document::OrganList> seenOrgans_;
   std::shared_ptr<const document::ScanItem> seenScan_;
