@@ -1,9 +1,12 @@
 #include "viscera/document/scan_fit.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <map>
+#include <utility>
 
 #include "viscera/core/error.h"
 #include "viscera/document/scan_item.h"
@@ -18,21 +21,36 @@ constexpr double kSameVoxel = 0.01;
 constexpr double kInsidePart = 0.5;
 constexpr std::size_t kNamed = 3;
 
+/// Its voxels and the middle of all of them.
 std::string described(const std::array<int, 3>& size, const Eigen::Affine3d& indexToLps) {
   const Vec3 spacing = indexToLps.linear().colwise().norm();
-  char text[160];
-  std::snprintf(text, sizeof text, "%d x %d x %d voxels of %.3g x %.3g x %.3g mm", size[0], size[1], size[2],
-                spacing.x(), spacing.y(), spacing.z());
+  const Vec3 middle = indexToLps * (0.5 * Vec3(size[0] - 1, size[1] - 1, size[2] - 1));
+  char text[200];
+  std::snprintf(text, sizeof text, "%d x %d x %d voxels of %.3g x %.3g x %.3g mm around %.1f, %.1f, %.1f",
+                size[0], size[1], size[2], spacing.x(), spacing.y(), spacing.z(), middle.x(), middle.y(),
+                middle.z());
   return text;
 }
 
+/// Whether both have the same voxels, whatever the order of axes in their files and the ends at which these
+/// begin.
 bool isSameGrid(const medical_io::ScanSeries& grid, const medical_io::Scan& scan) {
-  if (grid.size != scan.size)
-    return false;
-  const Eigen::Affine3d toIndex = scan.indexToLps.inverse();
-  for (const Vec3& corner :
-       {Vec3(0, 0, 0), Vec3(scan.size[0], 0, 0), Vec3(0, scan.size[1], 0), Vec3(0, 0, scan.size[2])})
-    if ((toIndex * (grid.indexToLps * corner) - corner).cwiseAbs().maxCoeff() > kSameVoxel)
+  const Eigen::Affine3d toScan = scan.indexToLps.inverse() * grid.indexToLps;
+  std::array<bool, 3> met{};
+  for (Eigen::Index axis = 0; axis < 3; ++axis) {
+    const Vec3 step = toScan.linear().col(axis);
+    Eigen::Index along = 0;
+    step.cwiseAbs().maxCoeff(&along);
+    const int count = grid.size[static_cast<std::size_t>(axis)];
+    const Vec3 off = step - (step[along] > 0 ? 1 : -1) * Vec3::Unit(along);
+    if (std::exchange(met[static_cast<std::size_t>(along)], true) || count * off.norm() > kSameVoxel ||
+        count != scan.size[static_cast<std::size_t>(along)])
+      return false;
+  }
+  const Vec3 first = toScan.translation(); // A corner of the scan.
+  for (Eigen::Index k = 0; k < 3; ++k)
+    if (std::min(std::abs(first[k]), std::abs(first[k] - (scan.size[static_cast<std::size_t>(k)] - 1))) >
+        kSameVoxel)
       return false;
   return true;
 }

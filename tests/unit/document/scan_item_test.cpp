@@ -1,5 +1,8 @@
 #include "viscera/document/scan_item.h"
 
+#include <array>
+#include <optional>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -222,14 +225,23 @@ TEST(ScanFit, SaysWhenLabelMapAndScanHaveOtherGridsOrPlaces) {
   const auto labels = folder.put("labels.nii", labelFile());
   s.undo.perform(openFiles({labels}, progress).command());
   const medical_io::ScanSeries grid = medical_io::listScans(labels, progress).front();
-  const auto onGrid = [&](const Eigen::Affine3d& indexToLps) {
-    medical_io::Scan scan = tests::phantomScan(grid.size, Vec3::Ones(), Vec3::Zero(), tests::slope);
+  const auto onGrid = [&](const Eigen::Affine3d& indexToLps, std::optional<std::array<int, 3>> size = {}) {
+    medical_io::Scan scan =
+        tests::phantomScan(size.value_or(grid.size), Vec3::Ones(), Vec3::Zero(), tests::slope);
     scan.indexToLps = indexToLps;
     s.undo.perform(openScan(scanItem(std::move(scan), {})));
     return scanFit(s.document.state());
   };
   s.undo.perform(removeOrgans({s.organ(0)}));
   EXPECT_TRUE(onGrid(grid.indexToLps).empty());
+  // The same voxels, told from the other end of an axis, and with two axes exchanged.
+  Eigen::Affine3d flipped = grid.indexToLps * Eigen::Translation3d(0, grid.size[1] - 1, 0);
+  flipped.linear().col(1) *= -1;
+  EXPECT_TRUE(onGrid(flipped).empty());
+  Eigen::Affine3d exchanged = flipped;
+  exchanged.linear().col(0).swap(exchanged.linear().col(1));
+  EXPECT_TRUE(onGrid(exchanged, std::array{grid.size[1], grid.size[0], grid.size[2]}).empty());
+  EXPECT_EQ(onGrid(exchanged).size(), 1u) << "axes of other lengths";
   Eigen::Affine3d finer = grid.indexToLps;
   finer.linear() *= 0.9;
   std::vector<std::string> odd = onGrid(finer);
