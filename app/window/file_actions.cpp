@@ -191,7 +191,7 @@ void FileActions::take(const document::OpenedFiles& opened, const QStringList& f
     undo.perform(opened.command());
     dressNewOrgans();
     if (!opened.organs.empty() && workspace_.document().rig().handles.empty())
-      undo.perform(placer_.command(*workspace_.document().organs()[firstNew]));
+      undo.perform(placer_.commandOrBox(*workspace_.document().organs()[firstNew]));
     step.finish();
   });
   if (!done)

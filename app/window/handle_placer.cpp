@@ -76,4 +76,16 @@ document::Command HandlePlacer::command(const document::Organ& organ) const {
   return document::replaceRig(std::move(rig), tr("Place handles").toStdString());
 }
 
+document::Command HandlePlacer::commandOrBox(const document::Organ& organ) const {
+  try {
+    return command(organ);
+  } catch (const DataError&) {
+    document::NewRig rig;
+    rig.handles =
+        document::newHandles(deformation::enclosingHandles(organ.mesh->points, placement_.boxMargin));
+    rig.groups.push_back({tr("Enclosing").toStdString(), kEnclosingColor, {0, 1, 2, 3, 4, 5, 6, 7}});
+    return document::replaceRig(std::move(rig), tr("Place handles").toStdString());
+  }
+}
+
 } // namespace viscera::app

@@ -30,6 +30,9 @@ public:
   /// The command that places around an organ with the present choice, the enclosing ones around all organs of
   /// the document: every one of them can be bound. May throw `DataError`.
   document::Command command(const document::Organ& organ) const;
+  /// The same for an organ that has just come: where its surface has no room for as many handles, the corners
+  /// of a box around it, so that no organ is refused for its handles.
+  document::Command commandOrBox(const document::Organ& organ) const;
 
 Q_SIGNALS:
   void placementChanged();

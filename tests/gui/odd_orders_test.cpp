@@ -6,8 +6,10 @@
 #include <QTest>
 #include <QToolButton>
 
+#include "shapes.h"
 #include "viscera/document/organ_commands.h"
 #include "viscera/document/rig_commands.h"
+#include "viscera/medical_io/surface_file.h"
 #include "window/compare/compared_system.h"
 #include "window/compare/comparison.h"
 #include "window/compare/difference_map.h"
@@ -117,6 +119,38 @@ TEST_F(OddOrders, LandmarksLeaveWithTheirOrganAndComeBackForNoOther) {
   undo(2);
   settle();
   EXPECT_EQ(message(), QString());
+}
+
+TEST_F(OddOrders, LandmarksDoNotOutliveADocumentWhoseOrganHadTheSameNumber) {
+  medical_io::writeSurface(path(QStringLiteral("small.stl")).toStdString(), sphere(1, 40));
+  open(path(QStringLiteral("small.stl")));
+  ASSERT_FALSE(document().organs().empty()) << message().toStdString();
+  EXPECT_EQ(document().rig().handles.size(), 8u) << "there is room for no more than its box";
+  const QString file = path(QStringLiteral("small.viscera"));
+  bool saved = false;
+  window().sessions().saveTo(file, true, [&] { saved = true; });
+  ASSERT_TRUE(waitUntil([&] { return saved; }));
+  const document::OrganId id = document().organs().front()->id;
+  reopenWindow(); // Numbers begin anew.
+  open(sphereFile(QStringLiteral("heart.stl"), 50));
+  ASSERT_FALSE(document().organs().empty()) << message().toStdString();
+  ASSERT_EQ(document().organs().front()->id, id);
+  key(Qt::Key_5);
+  for (app::Fold* fold : window().findChildren<app::Fold*>())
+    fold->setOpen(true);
+  settle();
+  press("landmark_apex");
+  click(QPoint(view().width() / 2, view().height() / 2));
+  const auto& fit = find<app::FitBox>("fitBox");
+  ASSERT_EQ(fit.glyphs().items().size(), 1u);
+  window().workspace().undo().markSaved();
+  window().files().open({file});
+  ASSERT_TRUE(waitUntil(
+      [this] { return !document().organs().empty() && document().organs().front()->name == "small"; }));
+  settle();
+  EXPECT_EQ(document().organs().front()->id, id);
+  EXPECT_TRUE(fit.glyphs().items().empty());
+  EXPECT_EQ(fit.landmarks().find("apex"), nullptr);
 }
 
 TEST_F(OddOrders, ASessionWithAFittedOrganOpensWhileASampleIsCompared) {

@@ -215,6 +215,12 @@ TEST_F(SequencesThatFit, AStomachIsToldThatItHasNoHeartbeat) {
   EXPECT_FALSE(standsOut("offerFit"));
   ASSERT_EQ(document().organs().size(), 1u);
   EXPECT_EQ(document().organs().front()->name, "stomach");
+  open(sphereFile(QStringLiteral("liver.stl"), 60));
+  choose("peristalsis");
+  EXPECT_TRUE(find<QAbstractButton>("offerFit").isVisible());
+  window().workspace().selection().setOrgan(document().organs().back()->id);
+  window().workspace().selection().setOrgan(document().organs().front()->id);
+  EXPECT_FALSE(find<QAbstractButton>("offerFit").isVisible()) << "it asked about another organ";
 }
 
 TEST_F(OwnMotion, UndoToARigOfMoreHandlesWhilePlayingLeavesTheWindowWhole) {

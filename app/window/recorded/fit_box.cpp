@@ -118,7 +118,7 @@ void FitBox::onClick(const QPointF& place) {
     return;
   const auto hit = view_.pickNear(place);
   const auto organ = hit ? workspace_.document().organ(picture_.organOf(hit->organ)) : nullptr;
-  if (!organ || organ->id != organ_)
+  if (!organ || !isMarked(*organ))
     return;
   setLandmark(picking_, document::surfacePoint(*organ, hit->triangle,
                                                Vec3(hit->weights[0], hit->weights[1], hit->weights[2]))
@@ -147,17 +147,21 @@ void FitBox::syncRows() {
   syncMarks();
 }
 
+/// Whether landmarks are places on this surface: after a repair the organ has another one.
+bool FitBox::isMarked(const document::Organ& organ) const {
+  return organ_ && organ.id == organ_->id && organ.mesh == organ_->mesh;
+}
+
 void FitBox::syncMarks() {
   marks_.clear();
-  const auto organ = workspace_.document().organ(organ_);
   std::set<std::string> named; // Of a line of points only the first.
   for (const motion::Landmark& point : landmarks_.points) {
-    if (!organ)
+    if (!organ_)
       break;
     const auto row = rows_.find(point.role);
     const bool first = named.insert(point.role).second && row != rows_.end();
     marks_.push_back({first ? row->second.pick->text().toStdString() : std::string(), point.position,
-                      document::nearestPoint(*organ, point.position), point.computed});
+                      document::nearestPoint(*organ_, point.position), point.computed});
   }
   syncGlyphs();
 }
@@ -166,15 +170,16 @@ void FitBox::syncGlyphs() {
   if (marks_.empty() && glyphs_.items().empty())
     return;
   std::vector<scene::MeasurementGlyphs::Item> items;
+  const auto organ = organ_ ? workspace_.document().organ(organ_->id) : nullptr;
   for (const Mark& mark : marks_) {
+    if (!isVisible() || !organ || !isMarked(*organ))
+      break;
     const Vec3 now =
         document::placeNow(mark.surface, workspace_.state(), [this](document::OrganId id) -> const Points& {
           return workspace_.live().points(id);
         });
     items.push_back({{mark.rest + (now - mark.surface.rest)}, mark.name, !mark.computed});
   }
-  if (!isVisible())
-    items.clear();
   glyphs_.setTheme(view_.view().theme());
   glyphs_.setItems(std::move(items));
   view_.scheduleRender();
@@ -182,9 +187,9 @@ void FitBox::syncGlyphs() {
 
 void FitBox::syncTarget() {
   const auto organ = workspace_.currentOrgan();
-  if (const document::OrganId now = organ ? organ->id : document::OrganId(); now != organ_) {
-    organ_ = now;
-    landmarks_.points.clear(); // They were places on another organ.
+  if (organ ? !isMarked(*organ) : organ_ != nullptr) {
+    organ_ = organ;
+    landmarks_.points.clear(); // They were places on another surface.
     if (organ)
       chooseWhatSuits(*organ);
     syncRows();
@@ -238,7 +243,7 @@ void FitBox::take(const motion::RetargetedSequence& fitted, document::OrganId or
   if (!workspace_.document().organ(organ) || !workspace_.perform(motion::useRetargeted(fitted)))
     return;
   playback_.setSequence(fitted.sequence, organ, motion::fittedRecipe(sequence, given));
-  if (organ_ == organ)
+  if (organ_ && organ_->id == organ)
     landmarks_ = fitted.landmarks;
   syncRows();
   for (const std::string& warning : fitted.warnings)

@@ -61,6 +61,7 @@ private:
   void onClick(const QPointF& place);
   void setLandmark(const std::string& role, const Vec3& position);
   void syncRows();
+  bool isMarked(const document::Organ& organ) const;
   void syncMarks();
   void syncGlyphs();
   void syncTarget();
@@ -79,7 +80,7 @@ private:
   std::map<std::string, Row> rows_;
   QPushButton* fit_;
   motion::Landmarks landmarks_;
-  document::OrganId organ_; ///< Whose landmarks they are.
+  std::shared_ptr<const document::Organ> organ_; ///< Whose landmarks they are; null without organs.
   std::vector<Mark> marks_;
   std::string picking_; ///< The role for which a click is waited; empty: none.
   scene::MeasurementGlyphs glyphs_;

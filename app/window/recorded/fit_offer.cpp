@@ -40,10 +40,14 @@ FitOffer::FitOffer(Workspace& workspace, QWidget* parent)
     hide();
     Q_EMIT sampleChosen(sequence_);
   });
-  subscription_ = workspace.onChange([this](const document::Change& change) {
+  subscriptions_.push_back(workspace.onChange([this](const document::Change& change) {
     if (change.organs())
       hide();
-  });
+  }));
+  subscriptions_.push_back(workspace.selection().onChange([this] {
+    if (workspace_.currentOrgan() != asked_)
+      hide(); // It names another organ.
+  }));
   hide();
 }
 
@@ -61,6 +65,7 @@ void FitOffer::ask(const QString& sequence) {
   if (!organ || sample == all.end())
     return;
   sequence_ = sequence;
+  asked_ = organ;
   const QString name = text(organ->name), kind = text(sample->organ);
   const bool odd = motion::suits(*sample, organ->name) == motion::Suits::no;
   question_->setText(

@@ -2,6 +2,8 @@
 
 #include <QFrame>
 
+#include <vector>
+
 #include "window/workspace.h"
 
 class QLabel;
@@ -30,10 +32,11 @@ private:
 
   Workspace& workspace_;
   QString sequence_;
+  std::shared_ptr<const document::Organ> asked_; ///< About which it asks.
   QLabel* question_;
   QPushButton* fit_;
   QPushButton* sample_;
-  Subscription subscription_;
+  std::vector<Subscription> subscriptions_;
 };
 
 } // namespace viscera::app
