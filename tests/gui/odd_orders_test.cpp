@@ -24,21 +24,6 @@ namespace {
 /// What no other test does in this order.
 class OddOrders : public WindowTest {
 protected:
-  template <class Widget>
-  Widget& find(const char* name) {
-    auto* widget = window().findChild<Widget*>(QLatin1String(name));
-    EXPECT_NE(widget, nullptr) << name;
-    return *widget;
-  }
-  void choose(const char* id) {
-    auto& list = find<QListWidget>("sequenceList");
-    for (int row = 0; row < list.count(); ++row)
-      if (list.item(row)->data(Qt::UserRole) == QLatin1String(id)) {
-        Q_EMIT list.itemClicked(list.item(row));
-        break;
-      }
-    settle();
-  }
   void press(const char* name) {
     find<QAbstractButton>(name).click();
     settle();
@@ -156,7 +141,7 @@ TEST_F(OddOrders, LandmarksDoNotOutliveADocumentWhoseOrganHadTheSameNumber) {
 TEST_F(OddOrders, ASessionWithAFittedOrganOpensWhileASampleIsCompared) {
   open(sphereFile(QStringLiteral("liver.stl"), 70));
   key(Qt::Key_5);
-  choose("breathing");
+  chooseSequence("breathing");
   press("offerFit");
   ASSERT_TRUE(playing());
   const QString file = path(QStringLiteral("fit.viscera"));

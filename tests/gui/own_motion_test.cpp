@@ -34,12 +34,6 @@ protected:
       fold->setOpen(true);
     settle();
   }
-  template <class Widget>
-  Widget& find(const char* name) {
-    auto* widget = window().findChild<Widget*>(QLatin1String(name));
-    EXPECT_NE(widget, nullptr) << name;
-    return *widget;
-  }
   void press(const char* name) {
     QTest::mouseClick(&find<QAbstractButton>(name), Qt::LeftButton);
     settle();
@@ -171,13 +165,6 @@ TEST_F(OwnMotion, APatientsOrganBreathesAndLandmarksAreClickedInTheView) {
 
 class SequencesThatFit : public OwnMotion {
 protected:
-  void choose(const char* id) {
-    auto& list = find<QListWidget>("sequenceList");
-    for (int row = 0; row < list.count(); ++row)
-      if (list.item(row)->data(Qt::UserRole) == QLatin1String(id))
-        Q_EMIT list.itemClicked(list.item(row));
-    settle();
-  }
   QString firstOffered() { return find<QListWidget>("sequenceList").item(0)->data(Qt::UserRole).toString(); }
   bool standsOut(const char* button) { return find<QAbstractButton>(button).property("primary").toBool(); }
 };
@@ -189,7 +176,7 @@ TEST_F(SequencesThatFit, APatientsOrganIsAskedForAndNotReplaced) {
   EXPECT_EQ(firstOffered(), QStringLiteral("breathing"));
   EXPECT_EQ(find<QComboBox>("fitSequence").currentData(), QStringLiteral("breathing"));
   const document::OrganId liver = document().organs().front()->id;
-  choose("breathing");
+  chooseSequence("breathing");
   EXPECT_TRUE(find<QAbstractButton>("offerFit").isVisible());
   EXPECT_TRUE(standsOut("offerFit"));
   ASSERT_NE(document().organ(liver), nullptr) << "nothing happens before the answer";
@@ -199,7 +186,7 @@ TEST_F(SequencesThatFit, APatientsOrganIsAskedForAndNotReplaced) {
   ASSERT_NE(document().organ(liver), nullptr);
   EXPECT_EQ(document().organs().size(), 1u);
   EXPECT_FALSE(find<QAbstractButton>("offerFit").isVisible());
-  choose("breathing");
+  chooseSequence("breathing");
   EXPECT_FALSE(find<QAbstractButton>("offerFit").isVisible()) << "it has that motion";
   EXPECT_FALSE(find<QLabel>("ejectionFraction").isVisible()) << "a liver ejects nothing";
   EXPECT_FALSE(find<QLabel>("cardiacOutput").isVisible());
@@ -210,13 +197,13 @@ TEST_F(SequencesThatFit, AStomachIsToldThatItHasNoHeartbeat) {
   open(sphereFile(QStringLiteral("stomach.stl"), 60));
   key(Qt::Key_5);
   EXPECT_EQ(firstOffered(), QStringLiteral("peristalsis"));
-  choose("heartbeat");
+  chooseSequence("heartbeat");
   EXPECT_TRUE(standsOut("offerSample"));
   EXPECT_FALSE(standsOut("offerFit"));
   ASSERT_EQ(document().organs().size(), 1u);
   EXPECT_EQ(document().organs().front()->name, "stomach");
   open(sphereFile(QStringLiteral("liver.stl"), 60));
-  choose("peristalsis");
+  chooseSequence("peristalsis");
   EXPECT_TRUE(find<QAbstractButton>("offerFit").isVisible());
   window().workspace().selection().setOrgan(document().organs().back()->id);
   window().workspace().selection().setOrgan(document().organs().front()->id);

@@ -41,12 +41,6 @@ int oggPackets(const QByteArray& bytes) {
 
 class Recordings : public PlayMode {
 protected:
-  template <class Widget>
-  Widget& find(const char* name) {
-    auto* widget = window().findChild<Widget*>(QLatin1String(name));
-    EXPECT_NE(widget, nullptr) << name;
-    return *widget;
-  }
   void describe(const QString& kind, const QString& file, int framesPerSecond, int cycles) {
     auto& format = find<QComboBox>("recordFormat");
     const int row = format.findText(kind, Qt::MatchContains);

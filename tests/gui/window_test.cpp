@@ -2,6 +2,7 @@
 
 #include <QApplication>
 #include <QDir>
+#include <QListWidget>
 #include <QTest>
 
 #include <vtkInteractorObserver.h>
@@ -68,6 +69,16 @@ void WindowTest::settle() {
   QTest::qWait(50);
   waitUntil([this] { return window().workspace().jobs().idle(); });
   QTest::qWait(50);
+}
+
+void WindowTest::chooseSequence(const char* id) {
+  auto& list = find<QListWidget>("sequenceList");
+  for (int row = 0; row < list.count(); ++row)
+    if (list.item(row)->data(Qt::UserRole) == QLatin1String(id)) {
+      Q_EMIT list.itemClicked(list.item(row));
+      return settle(); // The list may be another one now.
+    }
+  throw std::runtime_error(std::string("There is no sequence ") + id);
 }
 
 QPoint WindowTest::onScreen(const Vec3& point) {

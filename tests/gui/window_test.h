@@ -7,6 +7,8 @@
 
 #include <functional>
 #include <memory>
+#include <stdexcept>
+#include <string>
 
 #include "viscera/geometry/triangle_mesh.h"
 #include "window/main_window.h"
@@ -39,6 +41,17 @@ protected:
   bool waitUntil(const std::function<bool()>& done);
   /// Until nothing is loaded, bound or waiting to be drawn.
   void settle();
+
+  /// The widget of that name; without one the test ends with an exception that names it.
+  template <class Widget>
+  Widget& find(const char* name) {
+    auto* widget = window().findChild<Widget*>(QLatin1String(name));
+    if (!widget)
+      throw std::runtime_error(std::string("There is no widget ") + name);
+    return *widget;
+  }
+  /// Clicks the picture of a sequence on the page of Play.
+  void chooseSequence(const char* id);
 
   /// Where a point in mm is on the 3D view.
   QPoint onScreen(const Vec3& point);
