@@ -69,7 +69,7 @@ void FitOffer::ask(const QString& sequence) {
   const QString name = text(organ->name), kind = text(sample->organ);
   const bool odd = motion::suits(*sample, organ->name) == motion::Suits::no;
   question_->setText(
-      odd ? tr("%1 moves a %2, and %3 is none by its name.").arg(text(sample->name), kind, name)
+      odd ? tr("%1 is made for a %2; by its name, %3 is another organ.").arg(text(sample->name), kind, name)
           : tr("%1: fit it to %2?").arg(text(sample->name), name));
   fit_->setText(odd ? tr("Fit it all the same") : tr("Fit it to %1").arg(name));
   fit_->setEnabled(organ->closed());
