@@ -250,7 +250,10 @@ std::vector<NewOrgan> organsFrom(const sample_organs::SampleOrgan& sample) {
   std::vector<NewOrgan> list;
   for (const sample_organs::SampleSurface& surface : sample.surfaces) {
     const bool outer = list.empty();
-    NewOrgan item{makeOrgan(displayName(outer ? sample.name : surface.name), surface.mesh), outer ? -1 : 0};
+    const bool own = outer || !surface.organ.empty();
+    const std::string name =
+        !surface.organ.empty() ? surface.organ : displayName(outer ? sample.name : surface.name);
+    NewOrgan item{makeOrgan(name, surface.mesh), own ? -1 : 0};
     item.organ.look.color = surface.color;
     item.organ.origin.sample = sample.name + "@" + sample_organs::nameOf(sample.resolution);
     item.organ.origin.surface = surface.name;
