@@ -26,7 +26,8 @@ struct SampleSurface {
   std::shared_ptr<const geometry::TriangleMesh> mesh;
   Vec3 color = {0.8, 0.45, 0.4};            ///< The surface's own colour, red green blue, 0 to 1.
   std::vector<geometry::NamedPlace> places; ///< Its parts that have names.
-  /// Of an organ of its own, its name: "Liver". Empty for the one surface of an organ, and for cavities in it.
+  /// Of an organ of its own, its name: "Liver". Empty for the one surface of an organ, and for cavities in
+  /// it.
   std::string organ = {};
 };
 
