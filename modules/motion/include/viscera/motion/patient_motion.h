@@ -50,8 +50,8 @@ struct PatientMotion {
   /// The outer surface less its cavities in every phase, ml: tissue, as a check of the data. Empty for one
   /// surface.
   std::vector<double> tissueMl;
-  bool corresponding = false; ///< Whether points were known from phase to phase.
-  double sliceMm = 0;         ///< Of label maps.
+  bool corresponding = false;        ///< Whether points were known from phase to phase.
+  double sliceMm = 0;                ///< Of label maps.
   std::vector<std::size_t> outliers; ///< Phases that fit much worse than both neighbours: to be left out.
   std::vector<std::string> warnings;
 
