@@ -139,6 +139,7 @@ void MainWindow::placePanels() {
   for (const char* id : {"handles.addEnclosing", "handles.remove", "handles.influence", "handles.save"})
     handlePanel->addTool(actions_[id]);
   volumePanel_ = new VolumePanel(volumes_, playback_, view_);
+  volumePanel_->setMeasured(play_->measured(), play_->makeResiduals());
   layout_->place({new ModeRail(*modes_), organPanel_, handlePanel, makePages(), timeline_,
                   new ModeCharts(*modes_, volumePanel_, *layout_), new SlidePanel(*slides_, actions_),
                   imports_->panel()});
@@ -212,6 +213,13 @@ void MainWindow::connectFiles() {
     viewArea_->frameSoon(); // Once the layout of the session has its sizes.
   });
   connect(samples_, &SampleLoader::loaded, this, fromFront);
+  connect(&play_->measured(), &MeasuredMotion::found, this, [this, fromFront] {
+    showWelcome(false);
+    play_->comparison().end();
+    setMode("play"); // Where its table is.
+    fromFront();
+    viewArea_->frameSoon(); // Once the table has its place.
+  });
   connect(samples_, &SampleLoader::loaded, sessions_, &SessionFiles::sampleLoaded);
   connect(sessions_, &SessionFiles::opened, this, [this] {
     showWelcome(false);

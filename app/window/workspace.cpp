@@ -37,16 +37,20 @@ bool Workspace::guarded(const std::function<void()>& work) {
   return false;
 }
 
-void Workspace::report(const Error& error) {
+QString sentenceOf(const Error& error) {
   QString sentence = text(error.where().empty() ? error.problem() : error.where() + ": " + error.problem());
   if (!sentence.isEmpty())
     sentence[0] = sentence[0].toUpper();
   if (!error.tryThis().empty()) {
     QString advice = text(error.tryThis());
     advice[0] = advice[0].toUpper();
-    sentence += tr(". %1.").arg(advice);
+    sentence += Workspace::tr(". %1.").arg(advice);
   }
-  say({Message::Severity::error, sentence, {}, 0});
+  return sentence;
+}
+
+void Workspace::report(const Error& error) {
+  say({Message::Severity::error, sentenceOf(error), {}, 0});
 }
 
 void Workspace::noteWritten(const QString& text, const QString& file) {

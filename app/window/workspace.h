@@ -99,6 +99,8 @@ private:
 /// "83.4 ml", "938 ml": three or four significant digits.
 QString formatMilliliters(double milliliters);
 
+/// What went wrong, where, and what to try, as sentences.
+QString sentenceOf(const Error& error);
 /// What a module says, as a sentence: with a capital and a full stop.
 QString asSentence(const std::string& utf8);
 /// The change of a volume: "+12.3 ml" and "+1.3 %". One too small for the digits is "+0.0".

@@ -44,7 +44,8 @@ PlayMode::PlayMode(const ModeParts& parts, Actions& actions)
           parts.workspace, parts.playback, parts.volumes, parts.area, parts.settings, parts.view})),
       recorder_(std::make_unique<Recorder>(parts.workspace)),
       recorded_(std::make_unique<RecordedMotion>(parts.workspace, parts.playback)),
-      circulation_(std::make_unique<CirculationModel>(parts.workspace, parts.playback)) {
+      circulation_(std::make_unique<CirculationModel>(parts.workspace, parts.playback)),
+      measured_(std::make_unique<MeasuredMotion>(parts.workspace, parts.playback, parts.picture)) {
   connect(recorder_.get(), &Recorder::finished, this, &PlayMode::sayRecorded);
   makeLookActions(actions);
   makeMotionActions(actions);
@@ -57,6 +58,7 @@ PlayMode::PlayMode(const ModeParts& parts, Actions& actions)
 }
 
 PlayMode::~PlayMode() {
+  delete seriesDialog_; // It works with what goes now.
   comparison_->end();
   if (status_)
     status_->unwatch(recorder_->jobs());
@@ -83,6 +85,26 @@ void PlayMode::makeMotionActions(Actions& actions) {
       "play.addKey",
       {tr("Record a &key"), "record", {tr("Ctrl+K")}, tr("Take the present pose into the recorded sequence")},
       [this] { addKey(); });
+  actions.add("play.motionFromSeries",
+              {tr("Motion &from a series..."),
+               "patient",
+               {},
+               tr("A patient's own motion out of surfaces or label maps, one a phase of the cycle")},
+              [this] { chooseSeries(); });
+}
+
+MotionDialog& PlayMode::chooseSeries() {
+  if (!seriesDialog_)
+    seriesDialog_ = new MotionDialog(parts_.workspace, *measured_, parts_.settings, parts_.area.window());
+  seriesDialog_->show();
+  seriesDialog_->raise();
+  seriesDialog_->activateWindow();
+  return *seriesDialog_;
+}
+
+QWidget* PlayMode::makeResiduals() {
+  residuals_ = new ResidualTable(*measured_, parts_.playback);
+  return residuals_;
 }
 
 void PlayMode::makeComparisonActions(Actions& actions) {
@@ -151,6 +173,8 @@ bool PlayMode::chartWanted() const {
 
 void PlayMode::setTheme(const Theme& theme) {
   comparison_->setTheme(theme);
+  if (residuals_)
+    residuals_->setTheme(theme);
   if (chart_)
     chart_->setTheme(theme);
 }
@@ -189,6 +213,7 @@ void PlayMode::makeLookActions(Actions& actions) {
 
 std::vector<const char*> PlayMode::actions() const {
   return {"play.addKey",
+          "play.motionFromSeries",
           "",
           "play.slower",
           "play.cycle",

@@ -12,6 +12,9 @@
 #include "window/recorded/recorded_motion.h"
 #include "window/recording/recorder.h"
 #include "window/timeline/volume_monitor.h"
+#include "window/track/measured_motion.h"
+#include "window/track/motion_dialog.h"
+#include "window/track/residual_table.h"
 
 namespace viscera::app {
 
@@ -41,6 +44,11 @@ public:
   Recorder& recorder() { return *recorder_; }
   RecordedMotion& recorded() { return *recorded_; }
   CirculationModel& circulation() { return *circulation_; }
+  MeasuredMotion& measured() { return *measured_; }
+  /// The table for a motion out of a series; the caller owns it.
+  QWidget* makeResiduals();
+  /// Shows what asks for a series, and returns it.
+  MotionDialog& chooseSeries();
 
   /// Shows a sequence: on the organ that is there when it has it, else on its sample organ.
   void chooseSequence(const QString& id);
@@ -69,6 +77,9 @@ private:
   std::unique_ptr<Recorder> recorder_;
   std::unique_ptr<RecordedMotion> recorded_;
   std::unique_ptr<CirculationModel> circulation_;
+  std::unique_ptr<MeasuredMotion> measured_;
+  QPointer<MotionDialog> seriesDialog_; ///< The window's.
+  QPointer<ResidualTable> residuals_;
   QPointer<CirculationPanel> chart_;
   StatusLine* status_ = nullptr;
   JobQueue* secondJobs_ = nullptr;

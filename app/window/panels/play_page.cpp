@@ -65,6 +65,7 @@ void PlayPage::makeMotion(const ModeParts& parts, const Actions& actions) {
   rate_ = addFact(tr("Rate"));
   phase_ = addFact(tr("Phase"));
   addCheck(actions["play.loop"]);
+  addButton(actions["play.motionFromSeries"]);
 }
 
 void PlayPage::makeCirculation(const ModeParts& parts, const Actions& actions) {

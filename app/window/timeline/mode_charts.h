@@ -23,7 +23,7 @@ private:
   void follow();
 
   ModeController& modes_;
-  QWidget* volumes_;
+  VolumePanel* volumes_;
   WindowLayout& layout_;
   std::vector<QWidget*> ofModes_; ///< One a mode.
 };

@@ -77,7 +77,7 @@ std::vector<VolumeMonitor::Line> VolumeMonitor::linesOf(int side) const {
       continue;
     const double rest = organ->restVolumeMm3 / kMm3PerMl;
     lines.push_back({organ->id, side, text(presentation::labelOf(*organ)), organ->look.color,
-                     static_cast<bool>(organ->parent), rest, rest});
+                     organ->parent || motion::heartChamber(organ->name).has_value(), rest, rest});
   }
   return lines;
 }

@@ -32,7 +32,7 @@ public:
     int side = 0; ///< 1: in the second view; `organ` is one of that view's document.
     QString name;
     Vec3 color = Vec3::Ones();
-    bool cavity = false; ///< A cavity has stroke volume and ejection fraction.
+    bool cavity = false; ///< A cavity, or a chamber by its name, has stroke volume and ejection fraction.
     double restMl = 0;
     double nowMl = 0;
   };

@@ -16,6 +16,7 @@
 
 #include "viscera/motion/clinical_numbers.h"
 #include "window/timeline/person_box.h"
+#include "window/track/measured_motion.h"
 #include "window/view/view_model.h"
 #include "window/widgets/elided_label.h"
 #include "window/widgets/panel_dock.h"
@@ -28,6 +29,7 @@ constexpr double kShownSeconds = 5;
 constexpr double kShownDragSeconds = 12;
 constexpr int kTileWidth = 148;
 constexpr int kSwatch = 10;
+constexpr int kChartHeight = 160; ///< Above a table.
 constexpr double kPercent = 100;
 
 using Quantity = motion::NormalRange::Quantity;
@@ -68,16 +70,16 @@ VolumePanel::VolumePanel(VolumeMonitor& monitor, Playback& playback, ViewModel& 
   setAttribute(Qt::WA_StyledBackground);
   auto* row = makeLayout<QHBoxLayout>(this, 8, {0, 4, 8, 4});
   row->addWidget(makeTiles());
-  auto* column = makeLayout<QVBoxLayout>(nullptr, 0);
-  column->addLayout(stack_, 1);
+  column_ = makeLayout<QVBoxLayout>(nullptr, 0);
+  column_->addLayout(stack_, 1);
   normals_ = new QWidget(this);
   auto* normals = makeLayout<QHBoxLayout>(normals_, 8);
   source_ = new ElidedLabel(this);
   source_->setObjectName(QStringLiteral("chartSource"));
   normals->addWidget(source_, 1);
   normals->addWidget(new PersonBox(view, this));
-  column->addWidget(normals_);
-  row->addLayout(column, 1);
+  column_->addWidget(normals_);
+  row->addLayout(column_, 1);
   makeChart();
   connect(&monitor, &VolumeMonitor::linesChanged, this, &VolumePanel::rebuild);
   connect(&monitor, &VolumeMonitor::updated, this, &VolumePanel::refresh);
@@ -163,6 +165,24 @@ void VolumePanel::rebuild() {
     const QString name = right ? tr("%1 (right axis)").arg(nameOf(line)) : nameOf(line);
     lines.push_back({name.toStdString(), line.color, {}, right, line.side == 1});
   }
+  dots_.clear();
+  for (std::size_t line = 0; measured_ && line < monitor_.lines().size(); ++line)
+    if (const auto surface = monitor_.lines()[line].side == 0
+                                 ? measured_->surfaceOf(monitor_.lines()[line].organ)
+                                 : std::nullopt) {
+      dots_.push_back({line, *surface, false});
+      scene::ChartLine dots = lines[line];
+      dots.name = tr("%1 measured").arg(monitor_.lines()[line].name).toStdString();
+      dots.dots = true;
+      lines.push_back(dots);
+      if (const auto before = measured_->surfaceBefore(*surface)) {
+        dots_.push_back({line, *before, true});
+        dots.name = tr("%1 before").arg(monitor_.lines()[line].name).toStdString();
+        dots.dots = false;
+        dots.dashed = true;
+        lines.push_back(dots);
+      }
+    }
   prescribed_ = prescribedLine();
   if (prescribed_ < monitor_.lines().size()) {
     const std::string name = tr("%1 prescribed").arg(nameOf(monitor_.lines()[prescribed_])).toStdString();
@@ -203,7 +223,7 @@ void VolumePanel::syncPrescribed() {
 /// The target lies under the curve of its organ, which is the last one of the chart.
 void VolumePanel::drawPrescribed(double length) {
   const auto& volume = playback_.player().runner().prescribed();
-  if (!volume || chart_->lineCount() == static_cast<int>(tiles_.size()))
+  if (!volume || chart_->lineCount() == static_cast<int>(tiles_.size() + dots_.size()))
     return;
   std::vector<double> times, milliliters;
   for (int i = 0; i <= kPercent; ++i) {
@@ -211,6 +231,51 @@ void VolumePanel::drawPrescribed(double length) {
     milliliters.push_back(volume->milliliters.at(i / kPercent));
   }
   chart_->setCurve(chart_->lineCount() - 1, std::move(times), std::move(milliliters));
+}
+
+void VolumePanel::setMeasured(MeasuredMotion& measured, QWidget* table) {
+  measured_ = &measured;
+  table_ = table;
+  column_->addWidget(table);
+  connect(&measured, &MeasuredMotion::changed, this, &VolumePanel::rebuild);
+  connect(&measured, &MeasuredMotion::changed, this, &VolumePanel::syncMeasured);
+  connect(&playback_, &Playback::stateChanged, this, &VolumePanel::syncMeasured);
+  table->hide();
+}
+
+/// The table belongs to the sequence: it is there while that is shown.
+void VolumePanel::syncMeasured() {
+  const bool wanted = measured_->present() && playback_.showing();
+  if (wanted == !table_->isHidden())
+    return;
+  table_->setVisible(wanted);
+  Q_EMIT wantedHeightChanged();
+}
+
+std::optional<int> VolumePanel::wantedHeight() const {
+  if (!table_ || table_->isHidden())
+    return std::nullopt;
+  return kChartHeight + table_->sizeHint().height();
+}
+
+/// Measured volumes stand at their phases; those of the series before at the same part of the cycle.
+void VolumePanel::drawMeasured(double length) {
+  if (!measured_ || !measured_->present())
+    return;
+  for (std::size_t i = 0; i < dots_.size(); ++i) {
+    const MeasuredMotion::Found* found = dots_[i].before ? measured_->before() : measured_->present();
+    const tracking::PhaseTimes& phases = found->series->times;
+    std::vector<double> times, milliliters;
+    for (std::size_t phase = 0; phase < phases.count(); ++phase) {
+      times.push_back(length * phases.seconds[phase] / phases.periodSeconds);
+      milliliters.push_back(found->series->volumesMl[phase][dots_[i].surface]);
+    }
+    if (dots_[i].before && phases.loop) { // The line goes on to where it begins.
+      times.push_back(length);
+      milliliters.push_back(milliliters.front());
+    }
+    chart_->setCurve(static_cast<int>(tiles_.size() + i), std::move(times), std::move(milliliters));
+  }
 }
 
 VolumePanel::Tile VolumePanel::addTile(const VolumeMonitor::Line& line) {
@@ -334,6 +399,7 @@ void VolumePanel::drawCycle() {
     chart_->setCurve(static_cast<int>(line), std::move(curve.fractions), std::move(curve.milliliters));
   }
   drawPrescribed(length);
+  drawMeasured(length);
   if (playback_.showing())
     chart_->setCursor(player.fraction() * length);
   else

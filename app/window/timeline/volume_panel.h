@@ -4,6 +4,7 @@
 #include <QWidget>
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "viscera/norms/norms.h"
@@ -13,10 +14,12 @@
 
 class QLabel;
 class QStackedLayout;
+class QVBoxLayout;
 
 namespace viscera::app {
 
 class ElidedLabel;
+class MeasuredMotion;
 class ViewModel;
 
 /// The volumes as numbers and as a live chart, with ejection fraction and stroke volume, and what healthy
@@ -28,6 +31,12 @@ public:
   VolumePanel(VolumeMonitor& monitor, Playback& playback, ViewModel& view, QWidget* parent = nullptr);
   ~VolumePanel() override;
 
+  /// Draws the volumes that a motion was found from as dots, and puts `table`, of which it becomes the
+  /// parent, under the chart while they are there.
+  void setMeasured(MeasuredMotion& measured, QWidget* table);
+  /// The height that the table needs with the chart; none without it.
+  std::optional<int> wantedHeight() const;
+
   void setTheme(const Theme& theme);
   /// Draws one cycle with a cursor at the present instant; else the last seconds as they went by.
   void setCycleShown(bool shown);
@@ -35,6 +44,10 @@ public:
   void setNormalsOf(std::size_t line);
   /// What the stripes in the chart are and where they come from; empty when there are none.
   QString normalsText() const;
+
+Q_SIGNALS:
+  /// `wantedHeight` is another one.
+  void wantedHeightChanged();
 
 protected:
   void showEvent(QShowEvent* event) override;
@@ -59,6 +72,8 @@ private:
   std::size_t prescribedLine() const;
   void syncPrescribed();
   void drawPrescribed(double length);
+  void syncMeasured();
+  void drawMeasured(double length);
   Tile addTile(const VolumeMonitor::Line& line);
   QString nameOf(const VolumeMonitor::Line& line) const;
   QString detailOf(std::size_t line) const;
@@ -68,6 +83,7 @@ private:
   ViewModel& view_;
   std::unique_ptr<scene::VolumeChart> chart_;
   QVTKOpenGLNativeWidget* chartWidget_;
+  QVBoxLayout* column_ = nullptr; ///< The chart and what is under it.
   QStackedLayout* stack_;         ///< A hint, or the chart.
   ElidedLabel* source_ = nullptr; ///< What the stripes are.
   QWidget* normals_ = nullptr;    ///< That, and whose ranges they are.
@@ -78,6 +94,15 @@ private:
   const motion::VolumeRecord* shown_ = nullptr; ///< What the chart holds; null: one cycle.
   std::size_t normalsOf_ = 0;                   ///< The line whose normal ranges are drawn.
   std::size_t prescribed_ = 0; ///< The line whose prescribed volume is drawn; behind the last one: none.
+  /// A line of measured volumes in the chart.
+  struct Dots {
+    std::size_t line = 0;    ///< Of the organ.
+    std::size_t surface = 0; ///< Of the measured motion, or of the one before it.
+    bool before = false;     ///< A dashed line.
+  };
+  MeasuredMotion* measured_ = nullptr;
+  QWidget* table_ = nullptr;
+  std::vector<Dots> dots_; ///< Behind the organs' lines.
   bool cycleShown_ = true;
   std::size_t charted_ = 0; ///< Rows of the record that the chart has.
   double chartedUntil_ = 0;

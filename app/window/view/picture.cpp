@@ -60,6 +60,11 @@ void Picture::setGuests(std::vector<presentation::Guest> guests) {
   refresh();
 }
 
+void Picture::setMeasured(std::vector<presentation::Guest> surfaces) {
+  measured_ = std::move(surfaces);
+  refresh();
+}
+
 void Picture::setNamedParts(std::optional<std::vector<presentation::Part>> parts) {
   namedParts_ = std::move(parts);
   refresh();
@@ -77,8 +82,10 @@ void Picture::refresh() {
     std::optional<presentation::Bending> bending;
     if (view.scan.standing && view.scan.bent)
       bending = presentation::bendingOf(workspace_.bend());
+    std::vector<presentation::Guest> guests = guests_;
+    guests.insert(guests.end(), measured_.begin(), measured_.end());
     presenter_.update({workspace_.state(), workspace_.live(), view, workspace_.registry(), &stress,
-                       map_ ? &*map_ : nullptr, &measuring_, &guests_, namedParts_ ? &*namedParts_ : nullptr,
+                       map_ ? &*map_ : nullptr, &measuring_, &guests, namedParts_ ? &*namedParts_ : nullptr,
                        bending ? &*bending : nullptr});
   });
   drawn_ = model_.state();

@@ -4,6 +4,7 @@
 #include <cctype>
 #include <cmath>
 #include <map>
+#include <set>
 
 #include "viscera/core/error.h"
 
@@ -85,6 +86,29 @@ std::vector<NormalRange> normalRanges(const std::string& organ, const norms::Per
                       norms::meaningOf(norm, person) + "; " + norm.people, norm.source});
   }
   return ranges;
+}
+
+std::optional<HeartSide> heartChamber(const std::string& organ) {
+  std::set<std::string> words;
+  std::string word;
+  for (const char c : organ + ' ') {
+    if (std::isalpha(static_cast<unsigned char>(c))) {
+      word += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    } else if (!word.empty()) {
+      words.insert(word);
+      word.clear();
+    }
+  }
+  const auto has = [&](const char* one) { return words.count(one) > 0; };
+  for (const char* wall : {"wall", "muscle", "myocardium", "myo", "epi", "epicardium", "epicardial"})
+    if (has(wall))
+      return std::nullopt;
+  const bool chamber = has("ventricle") || has("atrium") || has("ventricular") || has("atrial");
+  if (has("lv") || has("la") || (chamber && has("left")))
+    return HeartSide::left;
+  if (has("rv") || has("ra") || (chamber && has("right")))
+    return HeartSide::right;
+  return std::nullopt;
 }
 
 } // namespace viscera::motion

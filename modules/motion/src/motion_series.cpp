@@ -24,6 +24,7 @@ using medical_io::LabelMap;
 using medical_io::SeriesTimes;
 
 constexpr double kSamePhaseMm = 0.1;
+constexpr double kSamePhase = 0.2; ///< Of the step before: of 500 phases all neighbours are near.
 constexpr double kSameGridVoxels = 0.01, kMostShear = 1e-3;
 constexpr int kMargin = 2; ///< Voxels around what is kept of a mask.
 constexpr double kApartLaterMm = 0.01;
@@ -72,6 +73,24 @@ void readFreeMeshes(const SeriesFiles& files, MotionSeries& series, Progress& pr
       geometry::faceOutward(mesh);
       series.meshes[phase].push_back(std::make_shared<const geometry::TriangleMesh>(std::move(mesh)));
     }
+}
+
+/// The surfaces that a request names; all where it names none.
+SeriesFiles chosenOf(const SeriesFiles& all, const SeriesRequest& request) {
+  if (request.surfaces.empty())
+    return all;
+  SeriesFiles chosen = all;
+  chosen.files.clear();
+  for (const LabelledSurface& surface : request.surfaces) {
+    if (!surface.labels.empty())
+      throw UsageError("Only label maps have labels", "--surface", "leave it out for surfaces");
+    const auto found = all.files.find(surface.name);
+    if (found == all.files.end())
+      throw UsageError("There is no surface \"" + surface.name + "\"", "series",
+                       "the first one there is: \"" + all.files.begin()->first + "\"");
+    chosen.files.insert(*found);
+  }
+  return chosen;
 }
 
 void readSurfaces(const SeriesFiles& files, MotionSeries& series, Progress& progress) {
@@ -245,19 +264,6 @@ private:
   std::vector<std::vector<bool>> atEdge_;                 ///< The same.
 };
 
-/// Times by what DICOM files say.
-SeriesTimes dicomTimes(const std::vector<fs::path>& files) {
-  std::vector<medical_io::DicomPhase> phases;
-  for (const fs::path& file : files) {
-    const std::string extension = file.extension().string();
-    if (extension == ".nii" || extension == ".gz" || extension.ends_with("nrrd") ||
-        extension.starts_with(".mh"))
-      return {};
-    phases.push_back(medical_io::dicomPhase(file));
-  }
-  return medical_io::timesOf(phases);
-}
-
 SeriesTimes readMasks(const SeriesFiles& files, MaskReader& reader, Progress& progress) {
   const std::vector<fs::path>& list = files.files.at("");
   if (files.kind == SeriesFiles::Kind::volumes)
@@ -310,7 +316,8 @@ void dropPhase(MotionSeries& series, std::size_t phase) {
 /// A last phase that is the first one again says that the period is one step shorter.
 bool dropRepeated(MotionSeries& series, SeriesTimes& stated, std::vector<double>& given) {
   const std::size_t last = series.volumesMl.size() - 1;
-  if (!(apartMm(series, last, 0) < kSamePhaseMm))
+  const double back = apartMm(series, last, 0);
+  if (!(back < kSamePhaseMm) || !(back < kSamePhase * apartMm(series, last - 1, last)))
     return false;
   dropPhase(series, last);
   for (std::vector<double>* seconds : {&stated.seconds, &given})
@@ -402,9 +409,7 @@ MotionSeries readMotionSeries(const SeriesRequest& request, Progress& progress) 
   if (files.kind != SeriesFiles::Kind::volumes)
     requirePhases(files.phases);
   if (files.kind == SeriesFiles::Kind::surfaces) {
-    if (!request.surfaces.empty())
-      throw UsageError("Only label maps have labels", "--surface", "leave it out for surfaces");
-    readSurfaces(files, series, progress);
+    readSurfaces(chosenOf(files, request), series, progress);
   } else {
     stated = readMasks(files, masks, progress);
     requirePhases(series.masks.size());

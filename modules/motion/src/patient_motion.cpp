@@ -23,6 +23,8 @@ using tracking::MotionRig;
 constexpr Eigen::Index kCorners = 8;
 constexpr double kDistanceSmoothing = 1e-4;
 constexpr double kSecondsPerMinute = 60;
+constexpr double kMuchWorse = 1.5;       ///< Than both neighbours: a phase's own fault.
+constexpr int kMeasuredTriangles = 8000; ///< Of a measured surface that is only looked at.
 /// Colours of groups of handles, one a surface, over again.
 const std::vector<Vec3>& groupColors() {
   static const std::vector<Vec3> colors = {
@@ -272,10 +274,12 @@ void warn(PatientMotion& motion) {
     const double own = motion.phases[phase].quality.meanMm;
     const double around = std::max(motion.phases[(phase + count - 1) % count].quality.meanMm,
                                    motion.phases[(phase + 1) % count].quality.meanMm);
-    if (motion.phases[phase].verdict.light != tracking::FitLight::good && own > 1.5 * around)
-      motion.warnings.push_back("phase " + std::to_string(phase + 1) +
-                                " fits much worse than its neighbours (" + fixed(own, 1) + " against " +
-                                fixed(around, 1) + " mm): look at its data, or leave it out");
+    if (motion.phases[phase].verdict.light == tracking::FitLight::good || own <= kMuchWorse * around)
+      continue;
+    motion.outliers.push_back(phase);
+    motion.warnings.push_back("phase " + std::to_string(phase + 1) +
+                              " fits much worse than its neighbours (" + fixed(own, 1) + " against " +
+                              fixed(around, 1) + " mm): look at its data, or leave it out");
   }
 }
 
@@ -329,6 +333,36 @@ PatientMotion trackMotion(const MotionSeries& series, const TrackOptions& option
   warn(motion);
   progress.report(1);
   return motion;
+}
+
+Values MeasuredPhase::apartMm(std::size_t surface, const Points& vertices) const {
+  if (distances.empty())
+    return (vertices - surfaces[surface]->points).rowwise().norm();
+  Values apart(vertices.rows());
+  for (Eigen::Index v = 0; v < vertices.rows(); ++v) {
+    Vec3 ignored;
+    apart[v] = std::abs(distances[surface]->at(vertices.row(v).transpose(), ignored));
+  }
+  return apart;
+}
+
+MeasuredPhase measuredPhase(const MotionSeries& series, std::size_t phase, Progress& progress,
+                            Threads threads) {
+  MeasuredPhase measured;
+  std::vector<std::string> unheard; // They were said when the motion was found.
+  for (std::size_t i = 0; i < series.names.size(); ++i) {
+    progress.throwIfCancelled();
+    if (!series.corresponding.empty())
+      measured.surfaces.push_back(std::make_shared<const TriangleMesh>(series.corresponding[i].at(phase)));
+    else if (!series.meshes.empty())
+      measured.surfaces.push_back(series.meshes[phase][i]);
+    else
+      measured.surfaces.push_back(std::make_shared<const TriangleMesh>(surfaceAround(
+          series.masks[phase][i], series.names[i], kMeasuredTriangles, unheard, progress, threads)));
+  }
+  if (series.corresponding.empty())
+    measured.distances = targetsOf(series, phase).distances;
+  return measured;
 }
 
 } // namespace viscera::motion

@@ -142,4 +142,16 @@ SeriesFiles seriesFiles(const SeriesRequest& request) {
   return series;
 }
 
+medical_io::SeriesTimes dicomTimes(const std::vector<fs::path>& files) {
+  std::vector<medical_io::DicomPhase> phases;
+  for (const fs::path& file : files) {
+    const std::string extension = file.extension().string();
+    if (extension == ".nii" || extension == ".gz" || extension.ends_with("nrrd") ||
+        extension.starts_with(".mh"))
+      return {};
+    phases.push_back(medical_io::dicomPhase(file));
+  }
+  return medical_io::timesOf(phases);
+}
+
 } // namespace viscera::motion

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "viscera/medical_io/label_series.h"
 #include "viscera/motion/motion_series.h"
 
 /// What files make a series.
@@ -23,5 +24,8 @@ struct SeriesFiles {
 /// Sorts the inputs into phases. Throws `NoInputError`, `DataError` for kinds that are mixed and for surfaces
 /// that miss a phase, `UsageError` for no inputs.
 SeriesFiles seriesFiles(const SeriesRequest& request);
+
+/// The times of phases by what their DICOM files say; empty for files of another kind.
+medical_io::SeriesTimes dicomTimes(const std::vector<std::filesystem::path>& files);
 
 } // namespace viscera::motion

@@ -19,6 +19,7 @@
 #include <vtkObjectFactory.h>
 #include <vtkPen.h>
 #include <vtkPlot.h>
+#include <vtkPlotPoints.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
 #include <vtkSmartPointer.h>
@@ -39,6 +40,7 @@ namespace {
 constexpr double kDefaultSpan = 10;
 constexpr float kLineWidth = 2;
 constexpr float kCursorWidth = 1.5;
+constexpr float kDotSize = 7; ///< Across, pixels.
 constexpr unsigned char kBandAlpha = 36;
 constexpr int kFontSize = 12;
 /// Room above and below the curves, as a part of their range.
@@ -270,7 +272,9 @@ void VolumeChart::Parts::makePlots() {
       addColumn(curve->table, "time");
       addColumn(curve->table, curve->line.name);
     }
-    curve->plot = chart->AddPlot(vtkChart::LINE);
+    curve->plot = chart->AddPlot(curve->line.dots ? vtkChart::POINTS : vtkChart::LINE);
+    if (auto* dots = vtkPlotPoints::SafeDownCast(curve->plot); dots && curve->line.dots)
+      dots->SetMarkerStyle(vtkPlotPoints::CIRCLE);
     curve->plot->SetInputData(curve->table, 0, 1);
     curve->plot->SetLabel(curve->line.name);
     curve->plot->SetWidth(kLineWidth);
@@ -333,7 +337,8 @@ void VolumeChart::Parts::fillCurve(Curve& curve, ValueRange range) {
             vtkDoubleArray::SafeDownCast(curve.table->GetColumn(0))->GetPointer(0));
   double* values = vtkDoubleArray::SafeDownCast(curve.table->GetColumn(1))->GetPointer(0);
   std::copy(curve.values.begin(), curve.values.end(), values);
-  const bool anyLine = leaveLinesOnly(values, drawn.size());
+  const bool anyLine = curve.line.dots ? std::any_of(values, values + count, [](double v) { return std::isfinite(v); })
+                                       : leaveLinesOnly(values, drawn.size());
   curve.table->Modified();
   // VTK draws garbage for an empty table.
   curve.plot->SetVisible(anyLine);
@@ -468,7 +473,10 @@ void VolumeChart::update() {
   const ValueRange times = p.timeRange(), values = p.valueRange(false), right = p.valueRange(true);
   const auto ratio = static_cast<float>(pixelRatioOf(p.window));
   for (auto& curve : p.curves)
-    curve->plot->SetWidth(ratio * kLineWidth);
+    if (auto* dots = vtkPlotPoints::SafeDownCast(curve->plot); dots && curve->line.dots)
+      dots->SetMarkerSize(ratio * kDotSize);
+    else
+      curve->plot->SetWidth(ratio * kLineWidth);
   p.cursorPlot->SetWidth(ratio * kCursorWidth);
   for (auto& curve : p.curves)
     p.fillCurve(*curve, times);

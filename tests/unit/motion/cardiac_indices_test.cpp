@@ -64,5 +64,16 @@ TEST(VolumeRecord, KeepsTheLastRowsOfALongPlay) {
   EXPECT_EQ(record.milliliters(record.rows() - 100, 1), 1800);
 }
 
+TEST(HeartChamber, IsKnownByTheWordsOfItsName) {
+  for (const char* left : {"LV", "LV cavity", "left_atrium", "heart_ventricle_left",
+                           "left ventricle of heart", "patient1_LV_ENDOCARDIAL"})
+    EXPECT_EQ(heartChamber(left), HeartSide::left) << left;
+  for (const char* right : {"rv", "RA", "patient1_RV_ENDOCARDIAL", "right ventricle"})
+    EXPECT_EQ(heartChamber(right), HeartSide::right) << right;
+  for (const char* other :
+       {"Heart", "lv_wall", "LV myocardium", "EPICARDIAL", "left kidney", "liver", "lavage", ""})
+    EXPECT_EQ(heartChamber(other), std::nullopt) << other;
+}
+
 } // namespace
 } // namespace viscera::motion

@@ -304,6 +304,57 @@ TEST(MotionSeriesRefuses, LabelsThatNobodyHasChosen) {
       << refusal;
 }
 
+TEST(MotionSeriesRefuses, AFileThatIsCutOff) {
+  Series series;
+  series.labels(5);
+  const tests::LabelImage image = tests::beatingLabels(0.6, Vec3(4, 4, 6));
+  const std::string whole = tests::nrrdFile(image);
+  series.put("beat_3.nrrd", whole.substr(0, whole.size() / 2));
+  const std::string refusal = refusalOf(series.request(kHeart));
+  EXPECT_NE(refusal.find("beat_3.nrrd"), std::string::npos) << refusal;
+  Series surfaces;
+  surfaces.balls("outer", kBeat);
+  const std::string ball = objOf(tests::sphere(2, 17, Vec3(60, 40, 9)));
+  surfaces.put("outer_4.obj", ball.substr(0, ball.size() / 3));
+  EXPECT_NE(refusalOf(surfaces.request()).find("outer_4.obj"), std::string::npos)
+      << refusalOf(surfaces.request());
+}
+
+TEST(MotionSeriesRefuses, TwoVolumesInOneFile) {
+  Series series;
+  SeriesRequest request = series.request(kHeart);
+  request.inputs = {series.put("two.nii", tests::nifti4d({tests::beatingLabels(0, Vec3(4, 4, 6)),
+                                                          tests::beatingLabels(0.5, Vec3(4, 4, 6))},
+                                                         400, 16))};
+  EXPECT_NE(refusalOf(request).find("It has 2 phases; a motion needs four at least"), std::string::npos)
+      << refusalOf(request);
+}
+
+/// A series of phases in RAS against a rest in LPS has another grid.
+TEST(MotionSeriesRefuses, LabelMapsOfTheOtherSide) {
+  Series series;
+  series.labels(5, [](std::size_t phase, tests::LabelImage& image) {
+    if (phase > 2)
+      image.indexToLps = Eigen::Scaling(-1.0, -1.0, 1.0) * image.indexToLps;
+  });
+  EXPECT_NE(refusalOf(series.request(kHeart)).find("resample all phases to one grid, in the same axes"),
+            std::string::npos)
+      << refusalOf(series.request(kHeart));
+}
+
+TEST(MotionSeries, TakesFiveHundredPhases) {
+  Series series;
+  std::vector<double> radii;
+  for (int phase = 0; phase < 500; ++phase)
+    radii.push_back(18 + 2 * std::cos(2 * 3.14159265358979 * phase / 500));
+  series.balls("outer", radii);
+  const MotionSeries found = read(series.request());
+  ASSERT_EQ(found.phases(), 500U);
+  EXPECT_NEAR(found.times.seconds[499], 0.8 * 499 / 500, 1e-12);
+  for (std::size_t phase = 0; phase < 500; phase += 50)
+    EXPECT_NEAR(std::cbrt(found.volumesMl[phase][0] / found.volumesMl[0][0]), radii[phase] / 20, 1e-9);
+}
+
 TEST(MotionSeriesRefuses, AMixtureOfSurfacesAndLabelMaps) {
   Series series;
   series.labels(5);

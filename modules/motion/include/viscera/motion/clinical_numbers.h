@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -43,5 +44,12 @@ struct NormalRange {
 /// not matter), of the table of `norms` and for that person; empty for any other. The heart has none: its
 /// surface takes in stumps of the great vessels, and no spread of the whole organ is known.
 std::vector<NormalRange> normalRanges(const std::string& organ, const norms::Person& person = {});
+
+/// The sides of the heart.
+enum class HeartSide { left, right };
+
+/// On which side a chamber's cavity is, by its name: "LV", "patient1_RV_ENDOCARDIAL", "left atrium of heart".
+/// None for anything else, walls and muscle too.
+std::optional<HeartSide> heartChamber(const std::string& organ);
 
 } // namespace viscera::motion

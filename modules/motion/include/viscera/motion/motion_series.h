@@ -27,11 +27,13 @@ struct SeriesRequest {
   /// Surfaces or label maps, one a phase; or one folder of them; or one file of several volumes. Several
   /// surfaces a phase are told by their files' names without the last number.
   std::vector<std::filesystem::path> inputs;
-  std::vector<LabelledSurface> surfaces; ///< Of label maps; empty: their only label, or those of a heart.
-  std::optional<double> periodSeconds;   ///< Of one cycle; goes before what the files say.
-  std::vector<double> seconds;           ///< One a phase; goes before what the files say.
-  std::vector<std::size_t> leftOut;      ///< Phases, counted from 0, that are not used.
-  bool loop = true;                      ///< Whether the last phase leads back to the first.
+  /// Of label maps; empty: their only label, or those of a heart. Of files of surfaces: those to use, without
+  /// labels; empty: all.
+  std::vector<LabelledSurface> surfaces;
+  std::optional<double> periodSeconds; ///< Of one cycle; goes before what the files say.
+  std::vector<double> seconds;         ///< One a phase; goes before what the files say.
+  std::vector<std::size_t> leftOut;    ///< Phases, counted from 0, that are not used.
+  bool loop = true;                    ///< Whether the last phase leads back to the first.
 };
 
 /// One organ in all phases. Volumes and grids are checked.
@@ -55,8 +57,8 @@ struct MotionSeries {
 
 /// Reads a series: a list of surfaces of any format or of label maps, a folder of them (natural order of the
 /// last number in a name), a 4D NIfTI, a .seq.nrrd of 3D Slicer. Times are the request's, else the files';
-/// phases without times are spread evenly over the period. A last phase that equals the first is dropped,
-/// with a warning.
+/// phases without times are spread evenly over the period. A last phase that equals the first (0.1 mm, and a
+/// fifth of the step before) is dropped, with a warning.
 ///
 /// Throws `NoInputError` and `DataError` of the files, and `DataError` that says what to do for: fewer than
 /// four phases; a surface or label missing in a phase; grids that differ or are sheared; a label that touches

@@ -15,6 +15,7 @@
 #include "viscera/motion/sequence_file.h"
 #include "viscera/tracking/fit_quality.h"
 #include "viscera/tracking/motion_rig.h"
+#include "viscera/tracking/surface_distance.h"
 
 /// A patient's own motion: handles and their poses in time that bring one organ through its series.
 namespace viscera::motion {
@@ -49,8 +50,9 @@ struct PatientMotion {
   /// The outer surface less its cavities in every phase, ml: tissue, as a check of the data. Empty for one
   /// surface.
   std::vector<double> tissueMl;
-  bool corresponding = false; ///< Whether points were known from phase to phase.
-  double sliceMm = 0;         ///< Of label maps.
+  bool corresponding = false;        ///< Whether points were known from phase to phase.
+  double sliceMm = 0;                ///< Of label maps.
+  std::vector<std::size_t> outliers; ///< Phases that fit much worse than both neighbours: to be left out.
   std::vector<std::string> warnings;
 
   tracking::FitLight worst() const;
@@ -64,5 +66,21 @@ struct PatientMotion {
 /// else.
 PatientMotion trackMotion(const MotionSeries& series, const TrackOptions& options, Progress& progress,
                           Threads threads = {});
+
+/// One phase of a series as it was measured, to be looked at beside the motion. Immutable.
+struct MeasuredPhase {
+  std::vector<std::shared_ptr<const geometry::TriangleMesh>> surfaces; ///< mm LPS, one a surface; never null.
+  /// From the same surfaces or voxels; empty where points correspond.
+  std::vector<std::shared_ptr<const tracking::SurfaceDistance>> distances;
+
+  /// How far each vertex (`n x 3` mm, those of the motion's organ) of a surface is from what was measured,
+  /// mm, never negative: from the same point where points correspond, else from the surface or the voxels.
+  Values apartMm(std::size_t surface, const Points& vertices) const;
+};
+
+/// Makes it. Of label maps the surface around the voxels and their distances, some tenths of a second; else
+/// O(vertices). Throws `Cancelled`.
+MeasuredPhase measuredPhase(const MotionSeries& series, std::size_t phase, Progress& progress,
+                            Threads threads = {});
 
 } // namespace viscera::motion

@@ -25,6 +25,7 @@ struct ChartLine {
   std::vector<ChartBand> bands = {}; ///< Drawn in the curve's colour, against its axis.
   bool rightAxis = false;            ///< Drawn against the axis at the right, which has a range of its own.
   bool dashed = false;               ///< For the same organ in a second view.
+  bool dots = false;                 ///< Its points alone, without a line: what was measured.
 };
 
 /// Curves over time that grow while a sequence plays: volumes in ml, usually. Draws into any vtkRenderWindow,

@@ -1,0 +1,355 @@
+#include "window/track/motion_dialog.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QEvent>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QFormLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPointer>
+#include <QPushButton>
+#include <QRegularExpression>
+#include <QSpinBox>
+#include <QStyle>
+#include <QTableWidget>
+#include <QVBoxLayout>
+
+#include <algorithm>
+#include <cmath>
+
+#include "viscera/motion/clinical_numbers.h"
+#include "window/style/icon.h"
+#include "window/widgets/page.h"
+#include "window/widgets/ready_made.h"
+
+namespace viscera::app {
+namespace {
+
+constexpr const char* kFolderKey = "files/folder"; // The one of all file dialogs.
+constexpr const char* kLookSlot = "lookIntoSeries";
+constexpr int kName = 0, kPart = 1, kItemColumns = 2;
+constexpr int kItemHeight = 32, kShownItems = 6;
+constexpr double kMsPerSecond = 1000, kSecondsPerMinute = 60;
+constexpr double kLongestMs = 60'000, kPeriodStep = 10;
+constexpr int kFewestHandles = 12, kMostHandles = 1000;
+constexpr double kMostRobustMm = 20;
+constexpr int kWidth = 500;
+
+QString partName(motion::SeriesPart part, bool labels) {
+  switch (part) {
+  case motion::SeriesPart::cavity:
+    return MotionDialog::tr("Cavity");
+  case motion::SeriesPart::tissue:
+    return labels ? MotionDialog::tr("Tissue around cavities") : MotionDialog::tr("Use");
+  default:
+    return MotionDialog::tr("Leave out");
+  }
+}
+
+} // namespace
+
+MotionDialog::MotionDialog(Workspace& workspace, MeasuredMotion& measured, Settings& settings,
+                           QWidget* parent)
+    : QDialog(parent), workspace_(workspace), measured_(measured), settings_(settings) {
+  setObjectName(QStringLiteral("motionDialog"));
+  setWindowTitle(tr("Motion from a series"));
+  setFixedWidth(kWidth);
+  auto* column = new QVBoxLayout(this);
+  makeFiles(*column);
+  makeItems(*column);
+  makeTimes(*column);
+  column->addWidget(new Fold(tr("More"), makeMore(), false, this));
+  said_ = new QLabel(this);
+  said_->setObjectName(QStringLiteral("motionSaid"));
+  said_->setWordWrap(true);
+  said_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  column->addWidget(said_);
+  auto* buttons = makeLayout<QHBoxLayout>(nullptr, 8);
+  buttons->addStretch(1);
+  auto* close = new QPushButton(tr("Close"), this);
+  connect(close, &QPushButton::clicked, this, &QDialog::close);
+  buttons->addWidget(close);
+  start_ = new QPushButton(tr("Find the motion"), this);
+  start_->setObjectName(QStringLiteral("primary"));
+  connect(start_, &QPushButton::clicked, this, &MotionDialog::start);
+  buttons->addWidget(start_);
+  column->addLayout(buttons);
+  connect(&measured, &MeasuredMotion::ended, this, &MotionDialog::onEnded);
+  fillItems();
+  sync();
+}
+
+/// As high as what is in it: sentences wrap, and parts come and go.
+bool MotionDialog::event(QEvent* event) {
+  const bool handled = QDialog::event(event);
+  if (event->type() == QEvent::LayoutRequest || event->type() == QEvent::Show)
+    resize(width(), layout()->totalHeightForWidth(width()));
+  return handled;
+}
+
+void MotionDialog::makeFiles(QVBoxLayout& column) {
+  column.addWidget(
+      makeRemark(tr("One organ over one cycle becomes handles and a recorded sequence with a key "
+                    "for each phase: surfaces or label maps, one file a phase, or one file of "
+                    "several volumes. It takes the place of the organs that are open; Undo brings "
+                    "them back."),
+                 this));
+  auto* row = makeLayout<QHBoxLayout>(nullptr, 8);
+  auto* folder = new QPushButton(icon("open"), tr("Folder..."), this);
+  folder->setObjectName(QStringLiteral("seriesFolder"));
+  connect(folder, &QPushButton::clicked, this, &MotionDialog::chooseFolder);
+  row->addWidget(folder);
+  auto* files = new QPushButton(icon("open"), tr("Files..."), this);
+  files->setObjectName(QStringLiteral("seriesFiles"));
+  files->setToolTip(tr("All phases, or one 4D NIfTI or .seq.nrrd"));
+  connect(files, &QPushButton::clicked, this, &MotionDialog::chooseFiles);
+  row->addWidget(files);
+  row->addStretch(1);
+  column.addLayout(row);
+  what_ = new QLabel(this);
+  what_->setObjectName(QStringLiteral("seriesWhat"));
+  what_->setWordWrap(true);
+  column.addWidget(what_);
+}
+
+void MotionDialog::makeItems(QVBoxLayout& column) {
+  items_ = new QTableWidget(0, kItemColumns, this);
+  items_->setObjectName(QStringLiteral("seriesItems"));
+  items_->setAccessibleName(tr("Surfaces of the series"));
+  items_->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
+  items_->horizontalHeader()->setHighlightSections(false);
+  items_->verticalHeader()->hide();
+  items_->verticalHeader()->setDefaultSectionSize(kItemHeight);
+  items_->setShowGrid(false);
+  items_->setSelectionMode(QAbstractItemView::NoSelection);
+  connect(items_, &QTableWidget::itemChanged, this, [this](const QTableWidgetItem* item) {
+    if (item->column() == kName && contents_.labels && !item->text().trimmed().isEmpty())
+      contents_.items[static_cast<std::size_t>(item->row())].name = item->text().trimmed().toStdString();
+  });
+  column.addWidget(items_);
+}
+
+void MotionDialog::makeTimes(QVBoxLayout& column) {
+  auto* form = new QFormLayout;
+  auto* row = makeLayout<QHBoxLayout>(nullptr, 8);
+  period_ = new QDoubleSpinBox(this);
+  period_->setObjectName(QStringLiteral("seriesPeriod"));
+  period_->setRange(0, kLongestMs);
+  period_->setSingleStep(kPeriodStep);
+  period_->setDecimals(1);
+  period_->setSuffix(tr(" ms"));
+  period_->setToolTip(tr("Of one whole cycle: the number of phases times the step between them"));
+  connect(period_, QOverload<double>::of(&QDoubleSpinBox::valueChanged), this, &MotionDialog::sync);
+  row->addWidget(period_);
+  rate_ = new QLabel(this);
+  rate_->setObjectName(QStringLiteral("muted"));
+  row->addWidget(rate_, 1);
+  form->addRow(tr("One cycle lasts"), row);
+  loop_ = new QCheckBox(tr("The last phase leads back to the first"), this);
+  loop_->setObjectName(QStringLiteral("seriesLoop"));
+  loop_->setChecked(true);
+  form->addRow(QString(), loop_);
+  column.addLayout(form);
+}
+
+QWidget* MotionDialog::makeMore() {
+  auto* box = new QWidget(this);
+  auto* form = new QFormLayout(box);
+  handles_ = new QSpinBox(box);
+  handles_->setObjectName(QStringLiteral("seriesHandles"));
+  handles_->setRange(kFewestHandles - 1, kMostHandles);
+  handles_->setSpecialValueText(tr("60 or 120"));
+  handles_->setToolTip(tr("60 for one surface, 120 for several. More follow the surfaces more closely"));
+  form->addRow(tr("Handles"), handles_);
+  keepVolumes_ = new QCheckBox(tr("Keep the measured volumes exactly"), box);
+  keepVolumes_->setChecked(true);
+  form->addRow(QString(), keepVolumes_);
+  robust_ = new QDoubleSpinBox(box);
+  robust_->setRange(0, kMostRobustMm);
+  robust_->setDecimals(1);
+  robust_->setSuffix(tr(" mm"));
+  robust_->setSpecialValueText(tr("All alike"));
+  robust_->setToolTip(tr("Distances beyond it count less: for label maps with outliers"));
+  form->addRow(tr("Distances count less beyond"), robust_);
+  leaveOut_ = new QLineEdit(box);
+  leaveOut_->setObjectName(QStringLiteral("seriesLeaveOut"));
+  leaveOut_->setPlaceholderText(tr("None; as in 3, 7"));
+  form->addRow(tr("Leave out phases"), leaveOut_);
+  return box;
+}
+
+void MotionDialog::chooseFolder() {
+  const QString folder = QFileDialog::getExistingDirectory(
+      this, tr("Folder with a series"), settings_.folder(kFolderKey, QStandardPaths::DocumentsLocation));
+  if (!folder.isEmpty())
+    look({folder});
+}
+
+void MotionDialog::chooseFiles() {
+  const QStringList files = QFileDialog::getOpenFileNames(
+      this, tr("Phases of a series"), settings_.folder(kFolderKey, QStandardPaths::DocumentsLocation));
+  if (!files.isEmpty())
+    look(files);
+}
+
+void MotionDialog::look(const QStringList& files) {
+  files_ = files;
+  contents_ = {};
+  looking_ = true;
+  std::vector<std::filesystem::path> paths;
+  for (const QString& file : files)
+    paths.emplace_back(file.toStdString());
+  settings_.setValue(kFolderKey, QFileInfo(files.front()).absolutePath());
+  fillItems();
+  say({}, false);
+  sync();
+  workspace_.jobs().submit<motion::SeriesContents>(
+      tr("Looking into the series").toStdString(), kLookSlot,
+      [paths](Progress& progress) { return motion::lookIntoSeries(paths, progress); },
+      [this, self = QPointer<MotionDialog>(this)](JobResult<motion::SeriesContents> result) {
+        if (!self)
+          return;
+        looking_ = false;
+        if (result.error) {
+          files_.clear();
+          say(sentenceOf(*result.error), true);
+        }
+        if (result.value)
+          take(*result.value);
+        sync();
+      });
+}
+
+void MotionDialog::take(const motion::SeriesContents& contents) {
+  contents_ = contents;
+  if (contents.periodSeconds)
+    period_->setValue(kMsPerSecond * *contents.periodSeconds);
+  say(text(contents.doubt), false);
+  fillItems();
+}
+
+void MotionDialog::fillItems() {
+  const QSignalBlocker quiet(items_);
+  items_->setVisible(!contents_.items.empty());
+  items_->setHorizontalHeaderLabels({contents_.labels ? tr("Label") : tr("Surface"), tr("What it is")});
+  items_->setRowCount(static_cast<int>(contents_.items.size()));
+  for (int row = 0; row < items_->rowCount(); ++row) {
+    motion::SeriesItem& item = contents_.items[static_cast<std::size_t>(row)];
+    auto* name = new QTableWidgetItem(text(item.name));
+    name->setFlags(contents_.labels ? Qt::ItemIsEnabled | Qt::ItemIsEditable : Qt::ItemIsEnabled);
+    name->setToolTip(contents_.labels ? tr("Label %1; a double click gives the surface another name")
+                                            .arg(text(item.label).toHtmlEscaped())
+                                      : text(item.name).toHtmlEscaped());
+    items_->setItem(row, kName, name);
+    auto* part = new QComboBox(items_);
+    if (contents_.labels)
+      part->addItem(partName(motion::SeriesPart::cavity, true), int(motion::SeriesPart::cavity));
+    part->addItem(partName(motion::SeriesPart::tissue, contents_.labels), int(motion::SeriesPart::tissue));
+    part->addItem(partName(motion::SeriesPart::unused, contents_.labels), int(motion::SeriesPart::unused));
+    part->setCurrentIndex(part->findData(int(item.part)));
+    part->setAccessibleName(tr("What %1 is").arg(text(item.name)));
+    connect(part, QOverload<int>::of(&QComboBox::activated), this, [this, row, part] {
+      contents_.items[static_cast<std::size_t>(row)].part =
+          static_cast<motion::SeriesPart>(part->currentData().toInt());
+    });
+    items_->setCellWidget(row, kPart, part);
+  }
+  const int rows = std::min(items_->rowCount(), kShownItems);
+  items_->setFixedHeight(items_->horizontalHeader()->sizeHint().height() + rows * kItemHeight + 4);
+}
+
+void MotionDialog::sync() {
+  const double period = period_->value();
+  rate_->setText(period > 0 ? tr("%1 a minute").arg(kSecondsPerMinute * kMsPerSecond / period, 0, 'f', 0)
+                            : tr("The files do not say it"));
+  rate_->setVisible(period > 0 || !contents_.items.empty());
+  QString what = tr("No series is chosen.");
+  if (looking_)
+    what = tr("Looking into %1 ...").arg(QFileInfo(files_.front()).fileName());
+  else if (!contents_.items.empty())
+    what = (contents_.labels ? tr("%1: label maps, %n {phase|phases}", nullptr, int(contents_.phases))
+                             : tr("%1: surfaces, %n {phase|phases}", nullptr, int(contents_.phases)))
+               .arg(QFileInfo(files_.front()).fileName());
+  what_->setText(what);
+  start_->setEnabled(!contents_.items.empty() && period > 0 && !finding_);
+  start_->setText(finding_ ? tr("Working...") : tr("Find the motion"));
+  start_->setToolTip(period > 0 ? QString() : tr("Say how long one cycle lasts first"));
+}
+
+motion::SeriesRequest MotionDialog::request() const {
+  motion::SeriesRequest request;
+  for (const QString& file : files_)
+    request.inputs.emplace_back(file.toStdString());
+  const bool heart = std::any_of(contents_.items.begin(), contents_.items.end(), [](const auto& item) {
+    return item.part == motion::SeriesPart::cavity && motion::heartChamber(item.name);
+  });
+  request.surfaces =
+      motion::chosenSurfaces(contents_, (heart ? tr("Heart") : tr("Outer surface")).toStdString());
+  // The files' own times are kept as long as the period is theirs.
+  const double seconds = period_->value() / kMsPerSecond;
+  if (!contents_.periodSeconds ||
+      std::abs(*contents_.periodSeconds - seconds) > 0.5 * std::pow(10, -period_->decimals()) / kMsPerSecond)
+    request.periodSeconds = seconds;
+  for (const QString& number :
+       leaveOut_->text().split(QRegularExpression(QStringLiteral("[,;\\s]+")), Qt::SkipEmptyParts)) {
+    bool isNumber = false;
+    const int phase = number.toInt(&isNumber);
+    if (!isNumber || phase < 1)
+      throw UsageError(tr("%1 is no phase").arg(number).toStdString(), {},
+                       tr("name phases by their numbers, counted from 1, as in 3, 7").toStdString());
+    request.leftOut.push_back(static_cast<std::size_t>(phase - 1));
+  }
+  request.loop = loop_->isChecked();
+  return request;
+}
+
+motion::TrackOptions MotionDialog::options() const {
+  motion::TrackOptions options;
+  options.rig.handles = handles_->value() < kFewestHandles ? 0 : handles_->value();
+  options.keepVolumes = keepVolumes_->isChecked();
+  options.robustMm = robust_->value();
+  return options;
+}
+
+void MotionDialog::start() {
+  if (!start_->isEnabled())
+    return;
+  try {
+    const motion::SeriesRequest asked = request();
+    finding_ = true;
+    say({}, false);
+    sync();
+    measured_.find(asked, options());
+  } catch (const Error& error) {
+    say(sentenceOf(error), true);
+  }
+}
+
+void MotionDialog::onEnded(const QString& refusal) {
+  finding_ = false;
+  sync();
+  if (refusal.isEmpty())
+    close();
+  else if (isVisible())
+    say(refusal, true);
+  else
+    workspace_.say({Message::Severity::error, refusal, {}, 0});
+}
+
+QString MotionDialog::said() const {
+  return said_->text();
+}
+
+void MotionDialog::say(const QString& what, bool refused) {
+  said_->setText(what);
+  said_->setVisible(!what.isEmpty());
+  said_->setProperty("refused", refused);
+  said_->style()->unpolish(said_);
+  said_->style()->polish(said_);
+}
+
+} // namespace viscera::app

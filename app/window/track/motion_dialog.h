@@ -1,0 +1,75 @@
+#pragma once
+
+#include <QDialog>
+
+#include "viscera/motion/series_contents.h"
+#include "window/settings.h"
+#include "window/track/measured_motion.h"
+
+class QCheckBox;
+class QDoubleSpinBox;
+class QLabel;
+class QLineEdit;
+class QPushButton;
+class QSpinBox;
+class QTableWidget;
+class QVBoxLayout;
+
+namespace viscera::app {
+
+/// Sequence > Motion from a series: which files, what of them is a cavity and what is tissue, how long one
+/// cycle lasts, and how the motion is looked for. What is refused is said here, and can be mended here.
+/// Stands beside the window, which goes on working.
+class MotionDialog final : public QDialog {
+  Q_OBJECT
+
+public:
+  MotionDialog(Workspace& workspace, MeasuredMotion& measured, Settings& settings, QWidget* parent);
+
+  /// Looks into a folder, or into files, on a worker.
+  void look(const QStringList& files);
+  /// Looks for the motion as it is asked for here.
+  void start();
+  /// What is said below: what was refused, or what is still missing.
+  QString said() const;
+
+protected:
+  bool event(QEvent* event) override;
+
+private:
+  void makeFiles(QVBoxLayout& column);
+  void makeItems(QVBoxLayout& column);
+  void makeTimes(QVBoxLayout& column);
+  QWidget* makeMore();
+  void chooseFolder();
+  void chooseFiles();
+  void take(const motion::SeriesContents& contents);
+  void fillItems();
+  void onEnded(const QString& refusal);
+  void say(const QString& what, bool refused);
+  void sync();
+  /// The request as it is asked for. Throws `UsageError`.
+  motion::SeriesRequest request() const;
+  motion::TrackOptions options() const;
+
+  Workspace& workspace_;
+  MeasuredMotion& measured_;
+  Settings& settings_;
+  QStringList files_;
+  motion::SeriesContents contents_;
+  bool looking_ = false;
+  bool finding_ = false;
+  QLabel* what_ = nullptr;
+  QTableWidget* items_ = nullptr;
+  QDoubleSpinBox* period_ = nullptr;
+  QLabel* rate_ = nullptr;
+  QCheckBox* loop_ = nullptr;
+  QSpinBox* handles_ = nullptr;
+  QDoubleSpinBox* robust_ = nullptr;
+  QCheckBox* keepVolumes_ = nullptr;
+  QLineEdit* leaveOut_ = nullptr;
+  QLabel* said_ = nullptr;
+  QPushButton* start_ = nullptr;
+};
+
+} // namespace viscera::app

@@ -1,0 +1,288 @@
+#include "window/track/residual_table.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QSignalBlocker>
+#include <QStackedLayout>
+#include <QTableWidget>
+#include <QVBoxLayout>
+
+#include <algorithm>
+
+#include "window/widgets/ready_made.h"
+
+namespace viscera::app {
+namespace {
+
+enum Column {
+  kPhase,
+  kTime,
+  kMean,
+  kP95,
+  kMax,
+  kMeasured,
+  kFree,
+  kFitted,
+  kDice,
+  kFlipped,
+  kFolded,
+  kSteps,
+  kColumns
+};
+constexpr int kRowHeight = 20;
+constexpr int kShownRows = 4;
+constexpr double kMsPerSecond = 1000, kPercent = 100;
+constexpr int kAll = -1, kCompared = -2;
+
+enum DifferenceColumn { kWhat, kBefore, kNow, kDifference, kDifferenceColumns };
+
+/// One number of a cavity that two series are compared by.
+struct Compared {
+  const char* name;
+  const char* unit;
+  int digits;
+  double scale;
+  double motion::CardiacIndices::*value;
+};
+const Compared kCompareds[] = {{QT_TRANSLATE_NOOP("viscera::app::ResidualTable", "largest volume"), "ml", 1,
+                                1, &motion::CardiacIndices::endDiastolicMl},
+                               {QT_TRANSLATE_NOOP("viscera::app::ResidualTable", "smallest volume"), "ml", 1,
+                                1, &motion::CardiacIndices::endSystolicMl},
+                               {QT_TRANSLATE_NOOP("viscera::app::ResidualTable", "stroke volume"), "ml", 1, 1,
+                                &motion::CardiacIndices::strokeVolumeMl},
+                               {QT_TRANSLATE_NOOP("viscera::app::ResidualTable", "ejection fraction"), "%", 1,
+                                kPercent, &motion::CardiacIndices::ejectionFraction},
+                               {QT_TRANSLATE_NOOP("viscera::app::ResidualTable", "output"), "l/min", 2, 1,
+                                &motion::CardiacIndices::cardiacOutputLPerMinute}};
+
+/// What both tables have in common.
+void makePlain(QTableWidget& table) {
+  table.horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
+  table.horizontalHeader()->setDefaultAlignment(Qt::AlignRight | Qt::AlignVCenter);
+  table.horizontalHeader()->setHighlightSections(false);
+  table.horizontalHeader()->setMinimumSectionSize(kRowHeight);
+  table.verticalHeader()->hide();
+  table.verticalHeader()->setDefaultSectionSize(kRowHeight);
+  table.setShowGrid(false);
+  table.setEditTriggers(QAbstractItemView::NoEditTriggers);
+  table.setMinimumHeight(3 * kRowHeight);
+}
+
+} // namespace
+
+ResidualTable::ResidualTable(MeasuredMotion& measured, Playback& playback, QWidget* parent)
+    : QWidget(parent), measured_(measured), playback_(playback), surfaces_(new QComboBox(this)),
+      summary_(new QLabel(this)), stack_(new QStackedLayout), table_(new QTableWidget(0, kColumns, this)),
+      differences_(new QTableWidget(0, kDifferenceColumns, this)), theme_(themeOf(ThemeKind::dark)) {
+  auto* column = makeLayout<QVBoxLayout>(this, 4, {0, 4, 0, 0});
+  column->addWidget(makeHead());
+  makeTable();
+  stack_->addWidget(table_);
+  stack_->addWidget(differences_);
+  column->addLayout(stack_, 1);
+  connect(&measured, &MeasuredMotion::changed, this, &ResidualTable::rebuild);
+  connect(&playback, &Playback::advanced, this, &ResidualTable::markPhase);
+  connect(&playback, &Playback::stateChanged, this, &ResidualTable::markPhase);
+  connect(surfaces_, QOverload<int>::of(&QComboBox::currentIndexChanged), this, &ResidualTable::fill);
+  rebuild();
+}
+
+QSize ResidualTable::sizeHint() const {
+  return {QWidget::sizeHint().width(), (kShownRows + 3) * kRowHeight};
+}
+
+QWidget* ResidualTable::makeHead() {
+  auto* head = new QWidget(this);
+  auto* row = makeLayout<QHBoxLayout>(head, 12);
+  surfaces_->setObjectName(QStringLiteral("residualSurface"));
+  surfaces_->setAccessibleName(tr("Surface whose fit is shown"));
+  row->addWidget(surfaces_);
+  auto* ghost = new QCheckBox(tr("Measured surface"), head);
+  ghost->setObjectName(QStringLiteral("measuredGhost"));
+  ghost->setToolTip(tr("The surfaces that were measured in the nearest phase, as glass in the view"));
+  ghost->setChecked(measured_.ghostShown());
+  connect(ghost, &QCheckBox::toggled, &measured_, &MeasuredMotion::setGhostShown);
+  row->addWidget(ghost);
+  auto* distances = new QCheckBox(tr("Distances"), head);
+  distances->setObjectName(QStringLiteral("measuredDistances"));
+  distances->setToolTip(
+      tr("Colours the organs by their distance from what was measured in the nearest phase"));
+  distances->setChecked(measured_.distancesShown());
+  connect(distances, &QCheckBox::toggled, &measured_, &MeasuredMotion::setDistancesShown);
+  row->addWidget(distances);
+  summary_->setObjectName(QStringLiteral("muted"));
+  summary_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+  row->addWidget(summary_, 1);
+  return head;
+}
+
+void ResidualTable::makeTable() {
+  table_->setObjectName(QStringLiteral("residuals"));
+  table_->setAccessibleName(tr("Fit of the motion, phase by phase"));
+  table_->setHorizontalHeaderLabels({tr("Phase"), tr("ms"), tr("mean mm"), tr("95 % mm"), tr("max mm"),
+                                     tr("measured ml"), tr("free ml"), tr("fitted ml"), tr("Dice"),
+                                     tr("flipped"), tr("folded"), tr("steps")});
+  const QStringList tips = {tr("A mark says that there is something to look at; the row's tip says what"),
+                            tr("Time of the phase"),
+                            tr("Distance of the surface from what was measured, by area"),
+                            tr("Below this distance are 95 % of the area"),
+                            tr("The largest distance"),
+                            tr("Volume that was measured"),
+                            tr("Volume of the fit before volumes were kept"),
+                            tr("Volume of the fit"),
+                            tr("How well the voxels agree: 1 for all"),
+                            tr("Triangles that face the wrong way"),
+                            tr("Places in the tissue that are folded"),
+                            tr("Steps that the fit took")};
+  for (int i = 0; i < kColumns; ++i)
+    table_->horizontalHeaderItem(i)->setToolTip(tips[i]);
+  makePlain(*table_);
+  makePlain(*differences_);
+  differences_->setObjectName(QStringLiteral("seriesDifferences"));
+  differences_->setAccessibleName(tr("What differs from the series before"));
+  differences_->setHorizontalHeaderLabels({QString(), tr("before"), tr("now"), tr("difference")});
+  differences_->setSelectionMode(QAbstractItemView::NoSelection);
+  table_->setSelectionBehavior(QAbstractItemView::SelectRows);
+  table_->setSelectionMode(QAbstractItemView::SingleSelection);
+  connect(table_, &QTableWidget::cellClicked, this,
+          [this](int row, int) { measured_.showPhase(static_cast<std::size_t>(row)); });
+}
+
+void ResidualTable::setTheme(const Theme& theme) {
+  theme_ = theme;
+  fill();
+}
+
+int ResidualTable::surface() const {
+  return surfaces_->currentData().toInt();
+}
+
+void ResidualTable::rebuild() {
+  {
+    const QSignalBlocker quiet(surfaces_);
+    surfaces_->clear();
+    const MeasuredMotion::Found* found = measured_.present();
+    const std::size_t count = found ? found->motion->sequence.organs.size() : 0;
+    if (count > 1)
+      surfaces_->addItem(tr("All surfaces"), kAll);
+    for (std::size_t i = 0; i < count; ++i)
+      surfaces_->addItem(text(found->motion->sequence.organs[i].name), static_cast<int>(i));
+    if (found && measured_.before())
+      surfaces_->addItem(tr("Compared with the series before"), kCompared);
+  }
+  fill();
+}
+
+void ResidualTable::fill() {
+  const MeasuredMotion::Found* found = measured_.present();
+  table_->setRowCount(found ? static_cast<int>(found->motion->phases.size()) : 0);
+  summary_->clear();
+  if (!found)
+    return;
+  const motion::PatientMotion& motion = *found->motion;
+  fillDifferences();
+  stack_->setCurrentWidget(surface() == kCompared ? differences_ : table_);
+  const bool one = surface() >= 0;
+  for (const int column : {kMeasured, kFree, kFitted, kFlipped})
+    table_->setColumnHidden(column, !one);
+  table_->setColumnHidden(kDice, !motion.phases.front().quality.dice);
+  for (int row = 0; row < table_->rowCount(); ++row)
+    fillRow(row, motion.phases[static_cast<std::size_t>(row)]);
+  QStringList parts;
+  for (const auto& [name, indices] : motion.indices)
+    parts.push_back(tr("%1: EF %2 %, %3 to %4 ml, %5 l/min")
+                        .arg(text(name))
+                        .arg(kPercent * indices.ejectionFraction, 0, 'f', 1)
+                        .arg(indices.endDiastolicMl, 0, 'f', 1)
+                        .arg(indices.endSystolicMl, 0, 'f', 1)
+                        .arg(indices.cardiacOutputLPerMinute, 0, 'f', 1));
+  if (!motion.tissueMl.empty()) {
+    const auto [low, high] = std::minmax_element(motion.tissueMl.begin(), motion.tissueMl.end());
+    parts.push_back(tr("tissue %1 to %2 ml").arg(*low, 0, 'f', 1).arg(*high, 0, 'f', 1));
+  }
+  summary_->setText(parts.join(QStringLiteral("; ")));
+  summary_->setToolTip(summary_->text());
+  markPhase();
+}
+
+void ResidualTable::fillRow(int row, const motion::TrackedPhase& phase) {
+  const tracking::PhaseQuality& all = phase.quality;
+  tracking::SurfaceQuality own{all.meanMm, all.p95Mm, all.maxMm, 0, 0, 0, all.dice, 0};
+  if (surface() >= 0)
+    own = all.surfaces[static_cast<std::size_t>(surface())];
+  const auto number = [](double value, int digits) { return QString::number(value, 'f', digits); };
+  const bool good = phase.verdict.light == tracking::FitLight::good;
+  const bool red = phase.verdict.light == tracking::FitLight::red;
+  // A sign beside the colour, for people who tell colours badly.
+  const QString sign = good ? QString() : red ? QString::fromUtf8(" \u2715") : QStringLiteral(" !");
+  const QStringList cells = {QString::number(row + 1) + sign,
+                             number(kMsPerSecond * phase.seconds, 0),
+                             number(own.meanMm, 2),
+                             number(own.p95Mm, 2),
+                             number(own.maxMm, 1),
+                             number(own.measuredMl, 1),
+                             number(own.freeMl, 1),
+                             number(own.fittedMl, 1),
+                             own.dice ? number(*own.dice, 3) : QString(),
+                             QString::number(own.flipped),
+                             QString::number(all.folded),
+                             QString::number(all.steps)};
+  QStringList reasons;
+  for (const std::string& reason : phase.verdict.reasons)
+    reasons.push_back(asSentence(reason));
+  for (int column = 0; column < kColumns; ++column) {
+    auto* item = new QTableWidgetItem(cells[column]);
+    item->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    item->setForeground(good ? theme_.text : red ? theme_.error : theme_.warning);
+    item->setToolTip(reasons.join(QLatin1Char('\n')).toHtmlEscaped());
+    table_->setItem(row, column, item);
+  }
+}
+
+/// Cavity by cavity what the two series have; a cavity that only one of them has is left out.
+void ResidualTable::fillDifferences() {
+  differences_->setRowCount(0);
+  const MeasuredMotion::Found* before = measured_.before();
+  if (!measured_.present() || !before)
+    return;
+  const auto& names = measured_.present()->series->names;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const auto other = measured_.surfaceBefore(i);
+    const auto now = measured_.present()->motion->indices.find(names[i]);
+    const auto then =
+        other ? before->motion->indices.find(before->series->names[*other]) : before->motion->indices.end();
+    if (now == measured_.present()->motion->indices.end() || then == before->motion->indices.end())
+      continue;
+    for (const Compared& compared : kCompareds) {
+      const double was = compared.scale * then->second.*compared.value;
+      const double is = compared.scale * now->second.*compared.value;
+      const auto number = [&](double value) { return QString::number(value, 'f', compared.digits); };
+      const QStringList cells = {
+          tr("%1, %2 (%3)").arg(text(names[i]), tr(compared.name), QLatin1String(compared.unit)), number(was),
+          number(is), (is >= was ? QStringLiteral("+") : QString()) + number(is - was)};
+      const int row = differences_->rowCount();
+      differences_->insertRow(row);
+      for (int column = 0; column < kDifferenceColumns; ++column) {
+        auto* item = new QTableWidgetItem(cells[column]);
+        item->setTextAlignment((column == kWhat ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter);
+        item->setForeground(theme_.text);
+        differences_->setItem(row, column, item);
+      }
+    }
+  }
+}
+
+void ResidualTable::markPhase() {
+  if (!isVisible() || !measured_.present())
+    return;
+  const int row = static_cast<int>(measured_.phaseNow());
+  if (row == table_->currentRow() || row >= table_->rowCount())
+    return;
+  table_->selectRow(row);
+  table_->scrollToItem(table_->item(row, kPhase));
+}
+
+} // namespace viscera::app

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <QWidget>
+
+#include "window/style/theme.h"
+#include "window/track/measured_motion.h"
+
+class QComboBox;
+class QLabel;
+class QStackedLayout;
+class QTableWidget;
+
+namespace viscera::app {
+
+/// How well a motion fits what it was found from, phase by phase, of all surfaces together or of one: how far
+/// they lie apart, measured volumes and those of the fit, flipped triangles, folded tissue. A click on a row
+/// shows its phase. With another series known from before, what differs between the two. Above it the
+/// switches for what stands in the view.
+class ResidualTable final : public QWidget {
+  Q_OBJECT
+
+public:
+  ResidualTable(MeasuredMotion& measured, Playback& playback, QWidget* parent = nullptr);
+
+  void setTheme(const Theme& theme);
+
+  QSize sizeHint() const override;
+
+private:
+  QWidget* makeHead();
+  void makeTable();
+  void rebuild();
+  void fill();
+  void fillRow(int row, const motion::TrackedPhase& phase);
+  void fillDifferences();
+  void markPhase();
+  /// The surface that is shown, -1 for all together, -2 for what differs from the series before.
+  int surface() const;
+
+  MeasuredMotion& measured_;
+  Playback& playback_;
+  QComboBox* surfaces_;
+  QLabel* summary_;
+  QStackedLayout* stack_;
+  QTableWidget* table_;
+  QTableWidget* differences_;
+  Theme theme_;
+};
+
+} // namespace viscera::app

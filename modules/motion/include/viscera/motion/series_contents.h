@@ -1,0 +1,48 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "viscera/core/progress.h"
+#include "viscera/motion/motion_series.h"
+
+namespace viscera::motion {
+
+/// What a label, or a surface of its own, is to a motion.
+enum class SeriesPart {
+  cavity, ///< A surface that is within the others.
+  tissue, ///< A part of the outer surface; of files of surfaces: used as it is.
+  unused
+};
+
+/// One label of a map, or one name of surface files.
+struct SeriesItem {
+  std::string name;                     ///< "LV", "heart_myocardium"
+  std::string label;                    ///< How a request names it: the label's value; empty for surfaces.
+  SeriesPart part = SeriesPart::unused; ///< What it seems to be, by its name or its box.
+};
+
+/// What there is in a series, before anything of it is chosen.
+struct SeriesContents {
+  bool labels = false;    ///< Label maps, else surfaces.
+  std::size_t phases = 0; ///< That there are files or volumes of.
+  std::vector<SeriesItem> items;
+  std::optional<double> periodSeconds; ///< That the files say.
+  std::string doubt;                   ///< What had to be assumed of their times, a sentence; or empty.
+};
+
+/// Looks what the files of a series hold: names of surfaces, or labels of the first phase, with a proposal
+/// what is a cavity and what is tissue. Labels of a heart go by their names; else the label with the largest
+/// box is tissue, the others are cavities. Reads the first label map, or the whole of a file of several.
+/// Throws what `readMotionSeries` throws of files, `Cancelled`.
+SeriesContents lookIntoSeries(const std::vector<std::filesystem::path>& inputs, Progress& progress);
+
+/// The surfaces of a request as the items say: a cavity each; of label maps with tissue, or with several
+/// cavities, also an outer surface `outerName` of all labels that are used. Throws `UsageError` when nothing
+/// is used.
+std::vector<LabelledSurface> chosenSurfaces(const SeriesContents& contents, const std::string& outerName);
+
+} // namespace viscera::motion

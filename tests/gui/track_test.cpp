@@ -1,0 +1,197 @@
+#include "window_test.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QFile>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QSpinBox>
+#include <QTableWidget>
+
+#include "beating_labels.h"
+#include "viscera/document/recording_commands.h"
+#include "viscera/document/rig_commands.h"
+#include "viscera/scene/legend.h"
+#include "window/modes/play_mode.h"
+#include "window/session/session_files.h"
+
+namespace viscera::tests {
+namespace {
+
+/// A ball that a user has open, and six phases of a small heart in one file.
+class Track : public WindowTest {
+protected:
+  void SetUp() override {
+    WindowTest::SetUp();
+    open(sphereFile());
+  }
+  QString series(int phases = 6, int units = 16) {
+    std::vector<LabelImage> images;
+    for (int phase = 0; phase < phases; ++phase)
+      images.push_back(beatingLabels(phase / double(phases), Vec3(4, 4, 8)));
+    QFile file(path(QStringLiteral("cine.nii")));
+    EXPECT_TRUE(file.open(QIODevice::WriteOnly));
+    const std::string bytes = nifti4d(images, 900.0 / phases, units);
+    file.write(bytes.data(), static_cast<qint64>(bytes.size()));
+    return file.fileName();
+  }
+  app::MotionDialog& ask(const QString& file) {
+    app::MotionDialog& dialog = window().play().chooseSeries();
+    dialog.look({file});
+    settle();
+    return dialog;
+  }
+  app::MeasuredMotion& measured() { return window().play().measured(); }
+  QTableWidget& residuals() { return find<QTableWidget>("residuals"); }
+  double volumeOf(std::size_t organ) {
+    return window().workspace().live().volume(document().organs().at(organ)->id).nowMl;
+  }
+  /// Goes on until the motion is in the document.
+  void findMotion() {
+    app::MotionDialog& dialog = ask(series());
+    find<QSpinBox>("seriesHandles").setValue(60);
+    dialog.start();
+    ASSERT_TRUE(waitUntil([&] { return measured().present() != nullptr; })) << dialog.said().toStdString();
+    window().playback().pause();
+    settle();
+  }
+};
+
+TEST_F(Track, ALabelSeriesBecomesARecordedSequenceWithWhatWasMeasured) {
+  app::MotionDialog& dialog = ask(series());
+  auto& items = find<QTableWidget>("seriesItems");
+  ASSERT_EQ(items.rowCount(), 3);
+  EXPECT_EQ(qobject_cast<QComboBox*>(items.cellWidget(0, 1))->currentText(), QStringLiteral("Cavity"));
+  EXPECT_TRUE(qobject_cast<QComboBox*>(items.cellWidget(2, 1))->currentText().startsWith("Tissue"));
+  EXPECT_NEAR(find<QDoubleSpinBox>("seriesPeriod").value(), 900, 0.01) << "as the file says";
+  items.item(0, 0)->setText(QStringLiteral("LV"));
+  items.item(1, 0)->setText(QStringLiteral("RV"));
+  find<QSpinBox>("seriesHandles").setValue(60);
+  dialog.start();
+  ASSERT_TRUE(waitUntil([&] { return measured().present() != nullptr; })) << dialog.said().toStdString();
+  settle();
+  EXPECT_FALSE(dialog.isVisible());
+  EXPECT_EQ(window().mode(), "play") << message().toStdString();
+  ASSERT_EQ(document().organs().size(), 3U);
+  EXPECT_EQ(document().organs()[0]->name, "Heart");
+  EXPECT_EQ(document().organs()[1]->name, "LV");
+  EXPECT_EQ(document().organs()[1]->parent, document().organs()[0]->id);
+  EXPECT_EQ(document().recording().keys.size(), 6U);
+  EXPECT_EQ(document().rig().handles.size(), 60U);
+  ASSERT_NE(window().playback().sequence(), nullptr);
+
+  ASSERT_TRUE(residuals().isVisible());
+  EXPECT_EQ(residuals().rowCount(), 6);
+  Q_EMIT residuals().cellClicked(3, 0);
+  settle();
+  EXPECT_FALSE(window().playback().player().playing());
+  EXPECT_EQ(measured().phaseNow(), 3U);
+  for (std::size_t i = 0; i < 3; ++i)
+    EXPECT_NEAR(volumeOf(i) / measured().present()->series->volumesMl[3][i], 1, 1e-4);
+  const auto indices = window().volumes().indices(1);
+  ASSERT_TRUE(indices);
+  EXPECT_NEAR(indices->ejectionFraction, measured().present()->motion->indices.at("LV").ejectionFraction,
+              5e-3);
+}
+
+TEST_F(Track, TheMeasuredSurfaceAndTheDistancesStandInTheViewWhileItIsShown) {
+  findMotion();
+  measured().showPhase(2);
+  const auto ghosts = [&] { return measured().ghostCount(); };
+  ASSERT_TRUE(waitUntil([&] { return ghosts() == 3; }));
+  find<QCheckBox>("measuredGhost").setChecked(false);
+  settle();
+  EXPECT_EQ(ghosts(), 0U);
+  EXPECT_FALSE(view().view().legend().visible());
+  find<QCheckBox>("measuredDistances").setChecked(true);
+  settle();
+  EXPECT_TRUE(view().view().legend().visible());
+  key(Qt::Key_3);
+  settle();
+  EXPECT_FALSE(view().view().legend().visible()) << "they leave with the sequence's pose";
+}
+
+TEST_F(Track, IsOneStepThatUndoTakesBackWithItsTable) {
+  const auto ball = document().organs().front()->mesh;
+  findMotion();
+  key(Qt::Key_Z, Qt::ControlModifier);
+  settle();
+  ASSERT_EQ(document().organs().size(), 1U);
+  EXPECT_EQ(document().organs().front()->mesh, ball);
+  EXPECT_TRUE(document().recording().keys.empty());
+  EXPECT_EQ(measured().present(), nullptr);
+  EXPECT_FALSE(residuals().isVisible());
+  key(Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
+  settle();
+  EXPECT_NE(measured().present(), nullptr);
+  ASSERT_NE(window().playback().sequence(), nullptr);
+  window().playback().play();
+  settle();
+  EXPECT_TRUE(residuals().isVisible());
+}
+
+TEST_F(Track, IsSavedAndEditedLikeAnyRecordedSequence) {
+  findMotion();
+  const document::Recording found = document().recording();
+  const QString file = path(QStringLiteral("beat.sequence.json"));
+  window().play().recorded().save(file);
+  ASSERT_TRUE(QFile::exists(file));
+  // One handle in one key changes that key only.
+  ASSERT_TRUE(window().play().recorded().takePose(found.keys[2].id));
+  const auto handle = document().rig().handles[20].id;
+  Points pose = document().pose();
+  pose.row(20) += Vec3(1, 2, 3).transpose();
+  ASSERT_TRUE(window().workspace().perform(document::setPose(pose)));
+  ASSERT_TRUE(window().workspace().perform(document::replaceKey(found.keys[2].id)));
+  for (std::size_t key = 0; key < 6; ++key) {
+    const auto& now = document().recording().keys[key].displacements;
+    EXPECT_EQ(now == found.keys[key].displacements, key != 2) << "key " << key;
+  }
+  EXPECT_NEAR((document().recording().keys[2].displacements.at(handle) -
+               found.keys[2].displacements.at(handle) - Vec3(1, 2, 3))
+                  .norm(),
+              0, 1e-9);
+}
+
+TEST_F(Track, RefusalsStandInTheDialogAndChangeNothing) {
+  const auto before = document().state();
+  app::MotionDialog& dialog = ask(series(3));
+  dialog.start();
+  ASSERT_TRUE(waitUntil([&] { return !dialog.said().isEmpty(); }));
+  EXPECT_TRUE(dialog.isVisible());
+  EXPECT_TRUE(dialog.said().contains(QStringLiteral("It has 3 phases; a motion needs four at least")))
+      << dialog.said().toStdString();
+  EXPECT_TRUE(dialog.said().contains(QStringLiteral("Name all phases of the cycle")));
+  ask(series(6, 0));
+  EXPECT_EQ(document().organs().size(), 1U);
+  find<QDoubleSpinBox>("seriesPeriod").setValue(0);
+  EXPECT_FALSE(dialog.findChild<QPushButton*>(QStringLiteral("primary"))->isEnabled())
+      << "nobody has said how long a cycle lasts";
+  find<QDoubleSpinBox>("seriesPeriod").setValue(900);
+  find<QLineEdit>("seriesLeaveOut").setText(QStringLiteral("two"));
+  dialog.start();
+  EXPECT_TRUE(dialog.said().contains(QStringLiteral("Two is no phase"), Qt::CaseInsensitive));
+  find<QLineEdit>("seriesLeaveOut").clear();
+  dialog.look({path(QStringLiteral("nowhere"))});
+  settle();
+  EXPECT_TRUE(dialog.said().contains(QStringLiteral("no such file or folder")))
+      << dialog.said().toStdString();
+  EXPECT_EQ(document().state().organs, before.organs);
+  EXPECT_EQ(document().state().rig, before.rig);
+}
+
+TEST_F(Track, CanBeCancelled) {
+  app::MotionDialog& dialog = ask(series());
+  dialog.start();
+  measured().cancel();
+  ASSERT_TRUE(waitUntil([&] { return dialog.said().contains(QStringLiteral("cancelled")); }));
+  settle();
+  EXPECT_EQ(document().organs().size(), 1U);
+  EXPECT_EQ(measured().present(), nullptr);
+  EXPECT_TRUE(dialog.isVisible());
+}
+
+} // namespace
+} // namespace viscera::tests
