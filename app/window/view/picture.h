@@ -37,7 +37,8 @@ public:
 
   /// What is being measured, and organs that are in no document yet.
   void setMeasuring(presentation::MeasuringNow measuring);
-  void setGuests(std::vector<presentation::Guest> guests);
+  /// Where they are shown alone, nothing of the document is: they will take its place.
+  void setGuests(std::vector<presentation::Guest> guests, bool alone = false);
   /// Numbers on the organs, in place of the map that the view's state asks for; nothing: as it says.
   void setMap(std::optional<presentation::SurfaceMap> map);
   /// Names of these parts alone; nothing: as the view's state says.
@@ -61,6 +62,7 @@ private:
   presentation::Presenter presenter_;
   presentation::MeasuringNow measuring_;
   std::vector<presentation::Guest> guests_;
+  bool guestsAlone_ = false;
   std::optional<std::vector<presentation::Part>> namedParts_;
   std::optional<presentation::SurfaceMap> map_;
   std::optional<presentation::ViewState> drawn_; ///< The view's state in what was drawn last.
