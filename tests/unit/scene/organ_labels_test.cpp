@@ -44,15 +44,14 @@ TEST(LabelsOfParts, AreLeftOutBehindALargeOrganOnItsBackAndWhereItIsCutAway) {
   tests::ViewInWindow window(640, 480);
   OrganLabels labels(window.view);
   const auto large = window.addOrgan(tests::sphere(6, 100));
-  const auto vertexAt = [&](const Vec3& place) {
-    Eigen::Index nearest = 0;
-    (large->points().rowwise() - place.transpose()).rowwise().squaredNorm().minCoeff(&nearest);
-    return nearest;
-  };
   const auto small = window.addOrgan(tests::sphere(3, 5, {30, 130, 0}));
-  labels.setItems({{"Front", large, false, vertexAt({0, -100, 20})},
-                   {"Back", large, false, vertexAt({20, 100, 0})},
-                   {"Behind", small, false, 0}});
+  const auto part = [](const std::string& name, const std::shared_ptr<OrganActor>& organ, const Vec3& place) {
+    Eigen::Index nearest = 0;
+    (organ->points().rowwise() - place.transpose()).rowwise().squaredNorm().minCoeff(&nearest);
+    return OrganLabels::Item{name, organ, false, nearest};
+  };
+  labels.setItems({part("Front", large, {0, -100, 20}), part("Back", large, {20, 100, 0}),
+                   part("Behind", small, {30, 125, 0})});
   labels.setShown(true);
   window.view.lookFrom(StandardView::anterior);
   const auto names = [&] {
