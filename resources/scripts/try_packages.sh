@@ -84,7 +84,7 @@ say "$(inside 'dpkg-query --show --showformat "\${Package}\n" | sort | comm -13 
 say "== The program"
 inside 'viscera --version'
 inside 'cd /tmp && viscera play heartbeat --csv heartbeat.csv && wc -l heartbeat.csv && head -n 2 heartbeat.csv'
-inside 'cd /tmp && viscera handles sample:liver@low -o h.mrk.json && viscera stress sample:liver@low --handles h.mrk.json --pose h.mrk.json --witnesses 500'
+inside 'cd /tmp && viscera handles sample:liver@low -o h.mrk.json --enclosing && viscera stress sample:liver@low --handles h.mrk.json --pose h.mrk.json --witnesses 500'
 inside 'viscera systems | grep localised-s-celestial'
 inside 'test -s /usr/share/man/man1/viscera-play.1.gz -o -n "$(grep -rl path-exclude /etc/dpkg/dpkg.cfg.d)"'
 
