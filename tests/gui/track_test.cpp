@@ -113,6 +113,27 @@ TEST_F(Track, TheMeasuredSurfaceAndTheDistancesStandInTheViewWhileItIsShown) {
   EXPECT_FALSE(view().view().legend().visible()) << "they leave with the sequence's pose";
 }
 
+TEST_F(Track, ASecondSeriesIsComparedWithTheOneBefore) {
+  findMotion();
+  app::MotionDialog& dialog = ask(series());
+  find<QLineEdit>("seriesLeaveOut").setText(QStringLiteral("4"));
+  const auto* first = measured().present()->motion.get();
+  dialog.start();
+  ASSERT_TRUE(waitUntil([&] { return measured().present() && measured().present()->motion.get() != first; }))
+      << dialog.said().toStdString();
+  settle();
+  ASSERT_NE(measured().before(), nullptr);
+  EXPECT_EQ(measured().before()->motion.get(), first);
+  auto& surfaces = find<QComboBox>("residualSurface");
+  surfaces.setCurrentIndex(surfaces.count() - 1);
+  auto& differences = find<QTableWidget>("seriesDifferences");
+  ASSERT_TRUE(differences.isVisible());
+  ASSERT_EQ(differences.rowCount(), 10) << "five numbers of two cavities";
+  const auto number = [&](int column) { return differences.item(1, column)->text().toDouble(); };
+  EXPECT_GT(number(2), number(1)) << "without its end of systole the cavity is larger at its smallest";
+  EXPECT_NEAR(number(3), number(2) - number(1), 0.11);
+}
+
 TEST_F(Track, IsOneStepThatUndoTakesBackWithItsTable) {
   const auto ball = document().organs().front()->mesh;
   findMotion();

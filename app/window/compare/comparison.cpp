@@ -89,6 +89,7 @@ void Comparison::begin() {
   connect(&second.workspace, &Workspace::messageRaised, &first_.workspace, &Workspace::messageRaised);
   connect(&second.playback, &Playback::stateChanged, this, &Comparison::syncHeaders);
   connect(&second.playback, &Playback::advanced, this, &Comparison::syncHeaders);
+  connect(&second.samples, &SampleLoader::loaded, this, &Comparison::takeRate);
   connect(&second.samples, &SampleLoader::loaded, this, &Comparison::linkCameras);
   connect(&second.files, &FileActions::filesOpened, this, &Comparison::linkCameras);
   second.subscriptions.push_back(first_.workspace.onChange([this](const document::Change&) {
@@ -291,6 +292,16 @@ void Comparison::syncMotion() {
   const auto& shown = beside_ && motion.sequence && !second_->system ? beside_ : motion.sequence;
   if (second_->playback.motion().sequence != shown)
     second_->playback.setSequence(shown, motion.organ);
+}
+
+/// At the first view's rate, where its own sequence can be as fast and as slow.
+void Comparison::takeRate() {
+  const sequences::Sequence* second = second_->playback.sequence();
+  if (!second || !first_.playback.sequence())
+    return;
+  const double rate = first_.playback.player().ratePerMinute();
+  if (rate >= second->lowestRatePerMinute() && rate <= second->highestRatePerMinute())
+    second_->playback.setRate(rate);
 }
 
 void Comparison::linkCameras() {

@@ -83,6 +83,7 @@ private:
   void mirror();
   QToolButton* makeDifferenceButton();
   void dropSystem();
+  void takeRate();
   void linkCameras();
   void syncHeaders();
   void syncMotion();

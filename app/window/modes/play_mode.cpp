@@ -86,7 +86,7 @@ void PlayMode::makeMotionActions(Actions& actions) {
       {tr("Record a &key"), "record", {tr("Ctrl+K")}, tr("Take the present pose into the recorded sequence")},
       [this] { addKey(); });
   actions.add("play.motionFromSeries",
-              {tr("Motion &from a series..."),
+              {tr("Motion from a ser&ies..."),
                "patient",
                {},
                tr("A patient's own motion out of surfaces or label maps, one a phase of the cycle")},
@@ -125,6 +125,14 @@ void PlayMode::makeComparisonActions(Actions& actions) {
   actions.add("play.compareFiles",
               {tr("Compare with another &organ..."), "patient", {}, tr("Open files beside these organs")},
               [this] { comparison_->chooseFiles(); });
+  actions.add("play.compareTextbook",
+              {tr("Compare with the te&xtbook's heart"),
+               "heart",
+               {},
+               tr("The sample heart with its textbook beat beside these organs, at their rate")},
+              [this] { comparison_->showSample(QStringLiteral("heart")); });
+  actions.enableWhile({"play.compareTextbook"},
+                      [this] { return !parts_.workspace.document().organs().empty(); });
   QAction* single =
       actions.add("play.single", {tr("&One view"), nullptr, {tr("Ctrl+1")}, tr("Close the second view")},
                   [this] { comparison_->end(); });
@@ -228,6 +236,7 @@ std::vector<const char*> PlayMode::actions() const {
           "play.compare",
           "play.compareSystems",
           "play.compareFiles",
+          "play.compareTextbook",
           "play.single"};
 }
 

@@ -113,6 +113,15 @@ QWidget* ResidualTable::makeHead() {
   distances->setChecked(measured_.distancesShown());
   connect(distances, &QCheckBox::toggled, &measured_, &MeasuredMotion::setDistancesShown);
   row->addWidget(distances);
+  // Glass over the colours would make them others.
+  connect(ghost, &QCheckBox::toggled, distances, [distances](bool on) {
+    if (on)
+      distances->setChecked(false);
+  });
+  connect(distances, &QCheckBox::toggled, ghost, [ghost](bool on) {
+    if (on)
+      ghost->setChecked(false);
+  });
   summary_->setObjectName(QStringLiteral("muted"));
   summary_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
   row->addWidget(summary_, 1);
