@@ -14,6 +14,7 @@
 #include <optional>
 #include <thread>
 
+#include "label_files.h"
 #include "session_fixture.h"
 #include "shapes.h"
 #include "viscera/document/organ_commands.h"
@@ -324,6 +325,29 @@ TEST_F(Import, ThePreviewOfWhatReplacesASampleStandsAloneAndSolid) {
   settle();
   ASSERT_EQ(view().view().organs().size(), 1u);
   EXPECT_TRUE(view().view().organs().front()->visible());
+}
+
+TEST_F(Import, ThePreviewHasTheColoursThatTheOrgansWillHave) {
+  LabelImage image = emptyLabels();
+  image.fill({2, 2, 2}, {8, 9, 9}, 1);
+  image.fill({12, 2, 2}, {18, 9, 9}, 2);
+  std::ofstream(path(QStringLiteral("a.seg.nrrd")).toStdString(), std::ios::binary)
+      << nrrdFile(image, "right-anterior-superior",
+                  "Segment0_ID:=S1\nSegment0_Name:=liver\nSegment0_Color:=0 1 1\nSegment0_LabelValue:=1\n"
+                  "Segment1_ID:=S2\nSegment1_Name:=spleen\nSegment1_LabelValue:=2\n");
+  open(path(QStringLiteral("a.seg.nrrd")));
+  ASSERT_TRUE(window().imports().isOpen());
+  const auto colors = [this] {
+    std::vector<Vec3> all;
+    for (const auto& organ : view().view().organs())
+      all.push_back(organ->color());
+    return all;
+  };
+  const std::vector<Vec3> previewed = colors();
+  ASSERT_EQ(previewed.size(), 2U);
+  EXPECT_EQ(previewed[0], Vec3(0, 1, 1)) << "the file's, though the program knows a liver's";
+  press(importButton());
+  EXPECT_EQ(colors(), previewed);
 }
 
 } // namespace

@@ -88,11 +88,14 @@ void ImportDesk::preview() {
   const bool alone = files_.replacesPresent();
   std::vector<presentation::Guest> guests;
   Bounds box;
-  for (const document::DraftOrgan& organ : draft_.organs) {
+  for (std::size_t i = 0; i < draft_.organs.size(); ++i) {
+    const document::DraftOrgan& organ = draft_.organs[i];
     if (!organ.included)
       continue;
-    presentation::Guest guest{organ.mesh, document::OrganLook().color, alone ? kSolid : kGlass};
-    if (const auto color = tissueColor(text(organ.name)))
+    // In the colours that they will have: the file's, else the tissue's.
+    const document::OrganLook& look = draft_.files.organs[i].organ.look;
+    presentation::Guest guest{organ.mesh, look.color, alone ? kSolid : kGlass};
+    if (const auto color = tissueColor(text(organ.name)); color && look == document::OrganLook())
       guest.color = asVec3(*color);
     const Bounds own = boundsOf(organ.mesh->points);
     box = guests.empty() ? own : Bounds{box.low.cwiseMin(own.low), box.high.cwiseMax(own.high)};
