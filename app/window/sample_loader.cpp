@@ -70,9 +70,9 @@ void SampleLoader::dress(std::vector<document::NewOrgan>& organs) {
     if (painted.rows() > 0)
       look.color = painted.cast<double>().colwise().mean().transpose() / 255.0;
     // Blood in its textbook colours: they stay apart also through the wall.
-    if (organ.organ.name == "LV")
+    if (organ.organ.name == "LV" || organ.organ.name == "LA")
       look.color = kArterialBlood;
-    if (organ.organ.name == "RV")
+    if (organ.organ.name == "RV" || organ.organ.name == "RA")
       look.color = kVenousBlood;
     look.vertexColors = organ.parentInBatch < 0;
   }
