@@ -183,7 +183,7 @@ void takeSample(WindowOptions& window, const sample_organs::SampleLibrary& sampl
     window.sample = file.substr(kSample.size());
     const std::vector<std::string> names = sample_organs::sampleNames(samples);
     if (std::find(names.begin(), names.end(), window.sample) == names.end())
-      throw UsageError("It is no sample organ that the window opens", file,
+      throw UsageError("It is not a sample organ that the window opens", file,
                        "viscera sample --list shows them");
     window.files.clear();
     return;

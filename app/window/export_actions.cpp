@@ -27,7 +27,7 @@ void ExportActions::addTo(Actions& actions) {
               {tr("Export all &organs..."),
                "export",
                {},
-               tr("Write all organs that are shown into one file, with names and colours")},
+               tr("Write all visible organs into one file, with names and colours")},
               [this] {
                 choose(tr("Export all organs"), tr("organs.glb"), tr("glTF scenes (*.glb)"),
                        &ExportActions::exportOrgans);
@@ -36,7 +36,7 @@ void ExportActions::addTo(Actions& actions) {
               {tr("Export &displacements..."),
                "export",
                {},
-               tr("Write the current organ at rest with the vector of every vertex's motion")},
+               tr("Write the current organ at rest, with the displacement of every vertex")},
               [this] {
                 choose(tr("Export displacements"), tr("displacements.vtp"), tr("VTK surfaces (*.vtp)"),
                        &ExportActions::exportDisplacements);
@@ -45,7 +45,7 @@ void ExportActions::addTo(Actions& actions) {
               {tr("Export displacement &field..."),
                "export",
                {},
-               tr("Write the motion of the space around the current organ for 3D Slicer and ITK")},
+               tr("Write the displacement of the space around the current organ, for 3D Slicer and ITK")},
               [this] {
                 choose(tr("Export displacement field"), tr("field.nrrd"),
                        tr("Displacement fields (*.nrrd *.mha)"), &ExportActions::exportTransform);
@@ -130,9 +130,10 @@ void ExportActions::exportTransform(const QString& file) {
           const deformation::DisplacementGrid field =
               deformation::inverseDisplacements(*system, handles, pose, options, grid, progress);
           medical_io::writeTransform(path, field);
-          return field.unreached == 0 ? QString()
-                                      : tr("%n {point|points} of the field have no certain place at rest.",
-                                           nullptr, static_cast<int>(field.unreached));
+          return field.unreached == 0
+                     ? QString()
+                     : tr("The rest position of %n {point|points} of the field is uncertain.", nullptr,
+                          static_cast<int>(field.unreached));
         });
 }
 

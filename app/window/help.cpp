@@ -67,14 +67,14 @@ void Help::startTour() {
         {tr("Handles"),
          tr("Organs follow handles around them. Here you edit them at rest: click the organ to add one, drag "
             "to move it, "
-            "Delete to remove it. Everything is bound anew at once. I shows how far a handle reaches."),
+            "Delete to remove it. The organ is bound again at once. I shows how far a handle reaches."),
          [this] { parts_.modes.choose("handles"); }},
         {tr("Deform"),
          tr("Drag a handle and the organ follows; its volume is in the status bar. The padlock in the list "
             "on "
             "the left (K) keeps the volume whatever you do. T turns and scales selected handles, M mirrors "
             "drags. "
-            "Ctrl+Z takes any change back, G shows the reference shape as an outline."),
+            "Ctrl+Z undoes any change, G shows the reference shape as an outline."),
          [this] { parts_.modes.choose("deform"); }},
         {tr("Your own organs"),
          tr("Open surfaces (STL, OBJ, PLY, OFF, VTK, VTP, GLB) with Ctrl+O or drop them here; they get "

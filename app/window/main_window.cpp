@@ -203,7 +203,7 @@ void MainWindow::connectFiles() {
     fromFront();
   });
   connect(files_, &FileActions::foundNothingOdd, this, [this](const QStringList& files) {
-    viewArea_->showBadge(tr("%1: checked, nothing odd").arg(QFileInfo(files.front()).fileName()));
+    viewArea_->showBadge(tr("%1: checked, no problems found").arg(QFileInfo(files.front()).fileName()));
   });
   connect(files_, &FileActions::scanOpened, scans_, [this] {
     showWelcome(false);

@@ -151,7 +151,7 @@ TEST_F(Import, ACleanFileComesStraightInWithAQuietLine) {
   EXPECT_FALSE(window().imports().isOpen());
   EXPECT_EQ(document().organs().size(), 1u);
   const auto* badge = window().viewArea().findChild<QLabel*>(QStringLiteral("viewBadge"));
-  EXPECT_TRUE(badge->text().contains(QStringLiteral("nothing odd"))) << badge->text().toStdString();
+  EXPECT_TRUE(badge->text().contains(QStringLiteral("no problems found"))) << badge->text().toStdString();
 }
 
 TEST_F(Import, OnDemandACleanFileIsShownToo) {

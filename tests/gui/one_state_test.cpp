@@ -392,7 +392,7 @@ TEST_F(OneState, AWarningOfOtherHandlesGoesWhenTheyFitAgain) {
   ASSERT_NE(document().rig().handles.size(), kHeartHandles);
   key(Qt::Key_5);
   key(Qt::Key_Space);
-  ASSERT_TRUE(message().contains(QStringLiteral("handles of its own"))) << message().toStdString();
+  ASSERT_TRUE(message().contains(QStringLiteral("moves its own handles"))) << message().toStdString();
   key(Qt::Key_Z, Qt::ControlModifier);
   EXPECT_EQ(document().rig().handles.size(), kHeartHandles);
   EXPECT_EQ(message(), QString());

@@ -112,7 +112,7 @@ TEST_F(OwnMotion, EveryChangeOfAKeyIsOneStepThatUndoTakesBack) {
   EXPECT_EQ(recording().keys[1].seconds, 0.5);
   table.item(1, 0)->setText(QStringLiteral("never"));
   settle();
-  EXPECT_EQ(recording().keys[1].seconds, 0.5) << "what is no time changes nothing";
+  EXPECT_EQ(recording().keys[1].seconds, 0.5) << "what is not a time changes nothing";
 }
 
 TEST_F(OwnMotion, AKeysPoseComesBackForChangingAndTheFileHoldsItAll) {

@@ -194,7 +194,7 @@ TEST_F(Track, RefusalsStandInTheDialogAndChangeNothing) {
   find<QDoubleSpinBox>("seriesPeriod").setValue(900);
   find<QLineEdit>("seriesLeaveOut").setText(QStringLiteral("two"));
   dialog.start();
-  EXPECT_TRUE(dialog.said().contains(QStringLiteral("Two is no phase"), Qt::CaseInsensitive));
+  EXPECT_TRUE(dialog.said().contains(QStringLiteral("Two is not a phase"), Qt::CaseInsensitive));
   find<QLineEdit>("seriesLeaveOut").clear();
   dialog.look({path(QStringLiteral("nowhere"))});
   settle();

@@ -177,7 +177,7 @@ void TrackCommand::addOptions(CLI::App& options) {
   options.add_option("--leave-out", leftOut_, "Phases not to use, counted from 1")
       ->type_name("N1,N2,...")
       ->delimiter(',');
-  options.add_flag("--once", once_, "The series is no whole cycle: its last phase does not lead back");
+  options.add_flag("--once", once_, "The series is not a whole cycle: its last phase does not lead back");
   options.add_flag("--free-volumes", freeVolumes_, "Do not keep the measured volumes");
   options
       .add_option("--smoothing", smoothing_,

@@ -71,7 +71,8 @@ CirculationBox::CirculationBox(Workspace& workspace, CirculationModel& model, co
   summary_ = makeRemark({}, details_);
   complaint_ = makeRemark({}, details_);
   complaint_->setObjectName(QStringLiteral("circulationComplaint"));
-  standing_ = makeRemark(tr("Only the sample heart follows a circulation; the charts show it all the same."),
+  standing_ = makeRemark(tr("Only the sample heart can be moved by the circulation model; the charts show "
+                            "its results for any organ."),
                          details_);
   inner->addWidget(summary_);
   inner->addWidget(complaint_);
@@ -98,10 +99,10 @@ void CirculationBox::makeChoice() {
     row->addWidget(button, 1);
     return button;
   };
-  textbook_ = add(tr("Textbook beat"), "textbookBeat",
-                  tr("The volumes of healthy adults, at the times of their rate"));
+  textbook_ =
+      add(tr("Textbook beat"), "textbookBeat", tr("Volumes of healthy adults over one beat at this rate"));
   circulation_ = add(tr("Circulation"), "circulationBeat",
-                     tr("A closed loop of heart and vessels: pressures, loops, valves and sounds"));
+                     tr("A model of heart and vessels: pressures, pressure-volume loops, valves and sounds"));
   static_cast<QVBoxLayout*>(layout())->addLayout(row);
   connect(textbook_, &QAbstractButton::clicked, this, [this] {
     if (model_.on())

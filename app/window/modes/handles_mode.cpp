@@ -30,10 +30,10 @@ void HandlesMode::makeRigActions(Actions& actions) {
               {tr("&Remove handles"), "remove", {QKeySequence::Delete}, tr("Remove the selected handles")},
               [this] { workspace_.perform(document::removeHandles(workspace_.selection().handles())); });
   actions.add("cage.hull",
-              {tr("Take the &hull as the cage"),
+              {tr("Use the &hull as the cage"),
                "enclosing",
                {},
-               tr("Give the loaded cage up: the convex hull of the handles is the cage again")},
+               tr("Discard the loaded cage and use the convex hull of the handles again")},
               [this] { workspace_.perform(document::dropCage()); });
   actions.enableWhile({"handles.place", "handles.addEnclosing"},
                       [this] { return !workspace_.document().organs().empty(); });
@@ -62,7 +62,10 @@ void HandlesMode::makeViewActions(Actions& actions) {
                         {tr("Show &zones"), nullptr, {Qt::Key_Z}, tr("Show where regions meet, in red")},
                         [](ViewState& view) -> bool& { return view.layout.zones; });
   parts_.view.addToggle(actions, "handles.superRegions",
-                        {tr("Show &super-regions"), nullptr, {}, tr("Show what counts in a zone, in yellow")},
+                        {tr("Show &super-regions"),
+                         nullptr,
+                         {},
+                         tr("Show the super-region that counts in each zone, in yellow")},
                         [](ViewState& view) -> bool& { return view.layout.superRegions; });
 }
 

@@ -72,7 +72,7 @@ void PlayMode::makeMotionActions(Actions& actions) {
                         {tr("&Chart of one cycle"),
                          "chart",
                          {Qt::Key_O},
-                         tr("Draw one cycle with a cursor; else the last seconds")},
+                         tr("Draw one cycle with a cursor instead of the last seconds")},
                         &presentation::ViewState::chartOfCycle);
   parts_.view.addToggle(actions, "play.beatSigns",
                         {tr("&ECG, sounds and valves"),
@@ -83,13 +83,13 @@ void PlayMode::makeMotionActions(Actions& actions) {
                         &presentation::ViewState::beatSigns);
   actions.add(
       "play.addKey",
-      {tr("Record a &key"), "record", {tr("Ctrl+K")}, tr("Take the present pose into the recorded sequence")},
+      {tr("Record a &key"), "record", {tr("Ctrl+K")}, tr("Add the present pose to the recorded sequence")},
       [this] { addKey(); });
   actions.add("play.motionFromSeries",
               {tr("Motion from a ser&ies..."),
                "patient",
                {},
-               tr("A patient's own motion out of surfaces or label maps, one a phase of the cycle")},
+               tr("Compute a patient's own motion from surfaces or label maps of each phase of the cycle")},
               [this] { chooseSeries(); });
 }
 
@@ -113,23 +113,25 @@ void PlayMode::makeComparisonActions(Actions& actions) {
       {tr("Compare two &rates"),
        "compare",
        {tr("Ctrl+2")},
-       tr("The same organs a second time beside these, at another rate, or in the circulation kept as "
-          "before")},
+       tr("Show the same organs beside these at another rate, or with the circulation kept as before")},
       [this] { comparison_->showSameOrgan(); });
   actions.add("play.compareSystems",
               {tr("Compare &coordinates"),
                "compare",
                {tr("Ctrl+3")},
-               tr("The same organs and handles a second time beside these, tied by other coordinates")},
+               tr("Show the same organs and handles beside these with another coordinate system")},
               [this] { comparison_->showOtherCoordinates(); });
   actions.add("play.compareFiles",
-              {tr("Compare with another &organ..."), "patient", {}, tr("Open files beside these organs")},
+              {tr("Compare with another &organ..."),
+               "patient",
+               {},
+               tr("Open files in a second view beside these organs")},
               [this] { comparison_->chooseFiles(); });
   actions.add("play.compareTextbook",
               {tr("Compare with the te&xtbook's heart"),
                "heart",
                {},
-               tr("The sample heart with its textbook beat beside these organs, at their rate")},
+               tr("Show the sample heart with its textbook beat beside these organs, at their rate")},
               [this] { comparison_->showSample(QStringLiteral("heart")); });
   actions.enableWhile({"play.compareTextbook"},
                       [this] { return !parts_.workspace.document().organs().empty(); });
@@ -155,13 +157,13 @@ void PlayMode::makeCirculationActions(Actions& actions) {
       {tr("&Pressures and loops"),
        "chart",
        {Qt::Key_P},
-       tr("Where a circulation moves the heart: its curves below the view; else the volumes")},
+       tr("Where a circulation moves the heart, show its curves below the view instead of the volumes")},
       &presentation::ViewState::circulationChart);
   actions.add("play.keepBefore",
               {tr("Keep as &before"),
                "compare",
                {tr("Ctrl+B")},
-               tr("Keep this circulation beside what follows: dashed loops, a second column of numbers")},
+               tr("Keep this circulation to compare with: dashed loops and a second column of numbers")},
               [this] { parts_.workspace.perform(document::keepCirculation()); });
   actions.add("play.forgetBefore", {tr("For&get"), "remove", {}, tr("Compare with nothing")},
               [this] { parts_.workspace.perform(document::forgetKeptCirculation()); });
@@ -206,13 +208,15 @@ void PlayMode::makeLookActions(Actions& actions) {
   parts_.view.addToggle(actions, "view.labels",
                         {tr("Organ &labels"), "label", {Qt::Key_N}, tr("Write names beside the organs")},
                         &presentation::ViewState::labels);
-  QAction* through = actions.addToggle(
-      "view.seeThrough",
-      {tr("See &through"), "see_through", {Qt::Key_X}, tr("Look through the wall at the cavities")}, false,
-      [this, &actions](bool on) {
-        setSeeThrough(on);
-        actions.sync(); // Where it was refused, the mark goes again.
-      });
+  QAction* through = actions.addToggle("view.seeThrough",
+                                       {tr("See &through"),
+                                        "see_through",
+                                        {Qt::Key_X},
+                                        tr("Make the wall translucent, so that the cavities are seen")},
+                                       false, [this, &actions](bool on) {
+                                         setSeeThrough(on);
+                                         actions.sync(); // Where it was refused, the mark goes again.
+                                       });
   actions.whenSynced([this, through] {
     through->setChecked(seesThrough());
     through->setEnabled(!workspace_.document().organs().empty());

@@ -32,7 +32,7 @@ DeformPage::DeformPage(const ModeParts& parts, const Actions& actions, QWidget* 
   rest_ = addFact(tr("Reference shape"));
   change_ = addFact(tr("Change"));
   farthest_ = addFact(tr("Largest shift"));
-  farthest_->setToolTip(tr("How far the organ's surface has moved from rest, at most"));
+  farthest_->setToolTip(tr("The largest distance by which a vertex of the organ has moved from rest"));
   addCheck(actions["volume.lock"]);
   add(volume_ = new VolumeBox(workspace_, poses_, this));
   addButton(actions["volume.restore"]);
@@ -43,9 +43,8 @@ DeformPage::DeformPage(const ModeParts& parts, const Actions& actions, QWidget* 
   addCheck(actions["handles.compensate"]);
   compensating_ = addFact(tr("Compensating"));
   compensating_->setToolTip(
-      tr("These handles make up for what the others change of a locked volume. Where none "
-         "is marked, a dragged handle stays in a plane, and after other motions all free "
-         "handles make up for it."));
+      tr("These handles compensate when others would change a locked volume. If none is marked, a dragged "
+         "handle stays in a plane, and all free handles compensate for other motions."));
   addSection(tr("Symmetric drags"));
   addMirror();
   addSection(tr("Pose"));
@@ -78,9 +77,8 @@ void DeformPage::addMirror() {
   mirror_->setAccessibleName(tr("Mirror plane"));
   mirror_->addItems({tr("Off"), tr("Sagittal plane (left and right)"), tr("Coronal plane (front and back)"),
                      tr("Axial plane (head and feet)")});
-  mirror_->setToolTip(
-      tr("Drags move the mirrored handles too; the plane goes through the middle of the organ at "
-         "rest (M: the next one)"));
+  mirror_->setToolTip(tr("A drag moves the mirrored handles too; the mirror plane passes through the middle "
+                         "of the organ at rest (M: next plane)"));
   mirror_->setMinimumContentsLength(8);
   mirror_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   add(mirror_);

@@ -45,7 +45,7 @@ HandlesPage::HandlesPage(Workspace& workspace, const Actions& actions, QWidget* 
   state_ = addFact(tr("State"));
   time_ = addFact(tr("Time"));
   identity_ = addFact(tr("Rest error"));
-  identity_->setToolTip(tr("How far the bound organ at rest is from the original, at most"));
+  identity_->setToolTip(tr("The largest distance of the bound organ at rest from the original"));
   smallest_ = addFact(tr("Smallest weight"));
   message_ = addRemark(QString());
   addSection(tr("Handle at rest"));

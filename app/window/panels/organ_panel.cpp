@@ -128,7 +128,7 @@ void OrganPanel::addTo(Actions& actions) {
       {tr("Show &all"), "eye", {QKeySequence(QStringLiteral("Ctrl+Shift+H"))}, tr("Show every organ")},
       [this] { show(tr("Show all"), [](const document::Organ&) { return true; }); });
   actions.add("organ.find",
-              {tr("&Find an organ"), nullptr, {QKeySequence::Find}, tr("Write a part of its name")}, [this] {
+              {tr("&Find an organ"), nullptr, {QKeySequence::Find}, tr("Type a part of its name")}, [this] {
                 search_->show();
                 search_->setFocus(Qt::ShortcutFocusReason);
                 search_->selectAll();
@@ -305,11 +305,9 @@ void OrganPanel::updateLock(const document::Organ& organ, QTreeWidgetItem* item)
   const QPixmap open = icon("unlock").pixmap(kIconSize, QIcon::Disabled);
   item->setIcon(kLock, organ.volumeLocked ? icon("lock") : QIcon(open));
   if (!organ.closed())
-    return item->setToolTip(kLock, tr("An open surface has no volume that could be locked; a click offers to "
-                                      "close it"));
-  QString tip = organ.volumeLocked
-                    ? tr("The volume is locked: nothing in Deform mode changes it (click or K)")
-                    : tr("Lock the volume (click or K)");
+    return item->setToolTip(kLock, tr("An open surface has no volume to lock; click to close its holes"));
+  QString tip = organ.volumeLocked ? tr("The volume is locked: Deform mode keeps it (click or K to unlock)")
+                                   : tr("Lock the volume (click or K)");
   const document::OrganList& all = workspace_.document().organs();
   if (std::any_of(all.begin(), all.end(), [&organ](const auto& other) { return other->parent == organ.id; }))
     tip += tr("\nThis is the volume within the outer surface; cavities have locks of their own");

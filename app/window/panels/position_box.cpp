@@ -131,7 +131,7 @@ DisplacementBox::DisplacementBox(Workspace& workspace, PoseEditor& poses, QWidge
             &DisplacementBox::sync);
   }
   apply_->setObjectName(QStringLiteral("applyDisplacement"));
-  apply_->setToolTip(tr("Move the selected handles by this much, once; the locked volumes stay"));
+  apply_->setToolTip(tr("Move the selected handles once by this distance; locked volumes are kept"));
   grid->addWidget(apply_, 3, 1);
   result_->hide();
   grid->addWidget(result_, 4, 0, 1, 2);
@@ -156,7 +156,7 @@ void DisplacementBox::apply() {
   if (!moved)
     return;
   const bool asTyped = (*moved - by).norm() < kAsTyped;
-  result_->setText(tr("Moved by %1 of %2 mm: the locked volume allows no more that way.")
+  result_->setText(tr("Moved by %1 of %2 mm: the locked volume allows no more in this direction.")
                        .arg(moved->norm(), 0, 'f', 2)
                        .arg(by.norm(), 0, 'f', 2));
   result_->setVisible(!asTyped);

@@ -50,7 +50,7 @@ SystemBox::SystemBox(Workspace& workspace, QWidget* parent)
   column_->setSpacing(8);
   combo_->setObjectName(QStringLiteral("systems"));
   combo_->setAccessibleName(tr("Coordinates"));
-  combo_->setToolTip(tr("The coordinates that tie the organs to the handles"));
+  combo_->setToolTip(tr("Coordinate system that binds the organs to the handles"));
   new FlowLayout(badges_, 4);
   QSizePolicy policy(QSizePolicy::Preferred, QSizePolicy::Minimum);
   policy.setHeightForWidth(true);
@@ -174,7 +174,7 @@ QWidget* SystemBox::sliderFor(const coordinates::Parameter& parameter, const QSt
     slider->setRange(rangeOf(parameter, most));
     slider->setValue(value);
     const QString limit = tr("%1 %2").arg(most, 0, 'f', 1).arg(text(parameter.unit));
-    remark->setText(value > most ? tr("Set to %1 %2; these handles allow no more than %3, so that counts.")
+    remark->setText(value > most ? tr("Set to %1 %2, but these handles allow %3 at most, which is used.")
                                        .arg(value)
                                        .arg(text(parameter.unit), limit)
                                  : tr("These handles allow up to %1.").arg(limit));

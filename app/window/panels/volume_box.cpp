@@ -31,8 +31,8 @@ VolumeBox::VolumeBox(Workspace& workspace, PoseEditor& poses, QWidget* parent)
   field_->setAlignment(Qt::AlignRight);
   field_->setKeyboardTracking(false);
   field_->setAccessibleName(tr("Target volume"));
-  field_->setToolTip(tr("Give the organ this volume: the compensating handles, or all that are free, move as "
-                        "little as that takes"));
+  field_->setToolTip(tr("Give the organ this volume with the smallest motion of the compensating handles, or "
+                        "of all free ones"));
   apply_->setObjectName(QStringLiteral("applyVolume"));
   apply_->setToolTip(field_->toolTip());
   row->addWidget(label);

@@ -45,7 +45,7 @@ FitBox::FitBox(Workspace& workspace, Playback& playback, Picture& picture, ViewW
     sequence_->addItem(text(sample.name), text(sample.id));
   column->addWidget(sequence_);
   fit_->setObjectName(QStringLiteral("fitButton"));
-  fit_->setToolTip(tr("Puts the sequence's handles around the organ and plays"));
+  fit_->setToolTip(tr("Place the sequence's handles around the organ and play it"));
   column->addWidget(fit_);
   connect(sequence_, QOverload<int>::of(&QComboBox::activated), this, &FitBox::rebuildRows);
   connect(fit_, &QPushButton::clicked, this, &FitBox::fitChosen);
@@ -79,7 +79,7 @@ void FitBox::rebuildRows() {
       row.pick->setObjectName(QStringLiteral("landmark_%1").arg(text(role.role)));
       row.pick->setText(text(role.name));
       row.pick->setCheckable(true);
-      row.pick->setToolTip(tr("%1: choose it by a click in the view").arg(text(role.help)));
+      row.pick->setToolTip(tr("%1: set it by a click in the view").arg(text(role.help)));
       row.place = new QLabel(rowsBox_);
       row.place->setObjectName(QStringLiteral("muted"));
       row.place->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
@@ -201,7 +201,7 @@ void FitBox::syncTarget() {
     target_->setText(tr("%1 is open; a sequence needs a closed surface.").arg(text(organ->name)));
   else
     target_->setText(
-        tr("Moves %1 as the sample moves. Landmarks that you do not give are found by its shape.")
+        tr("Moves %1 like the sample organ. Landmarks that you do not set are found from its shape.")
             .arg(text(organ->name)));
 }
 

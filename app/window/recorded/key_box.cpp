@@ -53,7 +53,7 @@ KeyBox::KeyBox(Workspace& workspace, Playback& playback, RecordedMotion& motion,
   setObjectName(QStringLiteral("keyBox"));
   auto* column = makeLayout<QVBoxLayout>(this, 6);
   column->addWidget(
-      makeRemark(tr("Pose the organ in Deform mode and press Ctrl+K: each key takes that pose."), this));
+      makeRemark(tr("Pose the organ in Deform mode and press Ctrl+K: each key stores that pose."), this));
   makeTop();
   makeTable();
   makeButtons();
@@ -76,7 +76,7 @@ void KeyBox::makeTop() {
   fillEasings(easing_);
   auto* add = new QPushButton(icon("add"), tr("Add key"), this);
   add->setObjectName(QStringLiteral("addKey"));
-  add->setToolTip(tr("Take the present pose as a key (Ctrl+K)"));
+  add->setToolTip(tr("Store the present pose as a key (Ctrl+K)"));
   row->addWidget(seconds_, 1);
   row->addWidget(easing_, 1);
   row->addWidget(add);
@@ -115,13 +115,13 @@ void KeyBox::makeButtons() {
     connect(made, &QPushButton::clicked, this, action);
     return made;
   };
-  take_ = button("takeKey", "deform", tr("Take pose"), tr("The pose of this key becomes the present one"), 0,
-                 0, [this] { motion_.takePose(selectedKey()); });
-  replace_ = button("replaceKey", "record", tr("Replace"), tr("This key takes the present pose"), 0, 1,
+  take_ = button("takeKey", "deform", tr("Take pose"), tr("Set the present pose to that of this key"), 0, 0,
+                 [this] { motion_.takePose(selectedKey()); });
+  replace_ = button("replaceKey", "record", tr("Replace"), tr("Store the present pose in this key"), 0, 1,
                     [this] { workspace_.perform(document::replaceKey(selectedKey())); });
   remove_ = button("removeKey", "remove", tr("Remove"), tr("Remove this key"), 1, 0,
                    [this] { workspace_.perform(document::removeKeys({selectedKey()})); });
-  play_ = button("playKeys", "play", tr("Play it"), tr("Play what is recorded"), 1, 1, [this] {
+  play_ = button("playKeys", "play", tr("Play it"), tr("Play the recorded sequence"), 1, 1, [this] {
     playback_.choose(motion_.sequence());
     playback_.toStart();
     playback_.play();
@@ -139,7 +139,7 @@ void KeyBox::makeButtons() {
   period_ = secondsBox(this);
   period_->setObjectName(QStringLiteral("keyPeriod"));
   period_->setPrefix(tr("lasts "));
-  period_->setToolTip(tr("How long one cycle is"));
+  period_->setToolTip(tr("Length of one cycle"));
   grid->addWidget(period_, 3, 0, 1, 2);
   connect(period_, QOverload<double>::of(&QDoubleSpinBox::valueChanged), this, [this](double seconds) {
     document::RecordingEdit edit;

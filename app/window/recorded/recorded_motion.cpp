@@ -72,7 +72,7 @@ bool RecordedMotion::takePose(document::KeyId key) {
   if (!found)
     return false;
   return workspace_.perform(document::setPose(document::poseOf(*found, workspace_.document().rig()),
-                                              tr("Take a key's pose").toStdString()));
+                                              tr("Use a key's pose").toStdString()));
 }
 
 void RecordedMotion::save(const QString& file) {

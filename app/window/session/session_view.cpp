@@ -126,8 +126,8 @@ void SessionView::sayWhatMovesOtherwise(const Points& saved) {
   const double apart = (saved - now).rowwise().norm().maxCoeff();
   if (apart > kSameMotionMm)
     window_.workspace.say({Message::Severity::warning,
-                           tr("This program moves the organ otherwise than the one that saved the session: "
-                              "handles stand up to %1 mm from where they stood.")
+                           tr("This version moves the organ differently from the one that saved the session: "
+                              "handles differ by up to %1 mm.")
                                .arg(apart, 0, 'g', 2),
                            {},
                            0});

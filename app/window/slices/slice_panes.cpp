@@ -236,7 +236,7 @@ void SlicePanes::read(int direction, const std::optional<Eigen::Vector2d>& pixel
     const std::string& unit = workspace_.state().scan->scan->unit;
     parts << (QString::number(*reading.value, 'f', 0) + QLatin1Char(' ') + text(unit)).trimmed();
     if (reading.folded)
-      parts << tr("folded by the pose: a guess");
+      parts << tr("folded by the pose: estimated");
   }
   QStringList place;
   for (int axis = 0; axis < 3; ++axis)

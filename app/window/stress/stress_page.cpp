@@ -97,8 +97,8 @@ void StressPage::makeMap(const Actions& actions) {
     look.quantity = live::stressQuantities()[static_cast<std::size_t>(index)].quantity;
   });
   quantity_->setToolTip(
-      tr("What the colours mean (M: the next one). Rotational stress is the largest angle "
-         "by which a direction is turned when the tissue is stretched; it is no pressure."));
+      tr("What the colours mean (M: next map). Rotational stress is the largest angle by which a direction "
+         "is turned when the tissue is stretched; it is not a pressure."));
   add(makePose());
   addCheck(actions["stress.peak"]);
   addCheck(actions["stress.surface"]);
@@ -164,8 +164,7 @@ void StressPage::makeInside(const Actions& actions) {
   offset_ = new ValueSlider(tr("Depth"), {-100, 100, 1, 0, tr(" %")}, this);
   offset_->setObjectName(QStringLiteral("stressOffset"));
   offset_->setToolTip(
-      tr("Of the cut from the organ's middle; the arrow in the view moves it too, the rim tilts "
-         "it"));
+      tr("Distance of the cut from the organ's middle; the arrow in the view moves it, the rim tilts it"));
   connect(offset_, &ValueSlider::valueChanged, this,
           [this](double value) { model_.change([value](StressLook& look) { look.offset = value / 100; }); });
   add(offset_);
@@ -182,7 +181,7 @@ void StressPage::makeInside(const Actions& actions) {
   glyphs_ = addChoice("stressGlyphs", tr("Glyphs"),
                       {tr("No glyphs"), tr("Ellipsoids of the stretch"), tr("Crosses of the stretch")},
                       [](StressLook& look, int index) { look.glyphs = static_cast<GlyphChoice>(index); });
-  glyphs_->setToolTip(tr("What small balls of tissue have become, at some 300 places"));
+  glyphs_->setToolTip(tr("The shapes that small balls of tissue take, at about 300 places"));
   addCheck(actions["stress.handles"]);
   addCheck(actions["stress.others"]);
 }
@@ -238,7 +237,8 @@ QWidget* StressPage::makeWitnessCount() {
   countSlider_ = new QSlider(Qt::Horizontal, box);
   countSlider_->setRange(0, kCountSteps);
   countSlider_->setAccessibleName(tr("Number of witness points"));
-  countSlider_->setToolTip(tr("More points show finer detail and take longer: 20,000 follow a drag"));
+  countSlider_->setToolTip(
+      tr("More points show finer detail and take longer; up to 20,000 the map follows a drag"));
   grid->addWidget(name, 0, 0);
   grid->addWidget(countField_, 0, 1, Qt::AlignRight);
   grid->addWidget(countSlider_, 1, 0, 1, 2);
@@ -310,10 +310,10 @@ void StressPage::syncStatus() {
     state = tr("Filling the organ with witness points...");
     break;
   case State::binding:
-    state = tr("Hanging the witness points on the handles...");
+    state = tr("Binding the witness points to the handles...");
     break;
   case State::cancelled:
-    state = tr("Cancelled. The map goes on when you try again.");
+    state = tr("Cancelled. Press Try again to go on.");
     break;
   case State::failed:
     state = text(status.message);

@@ -56,7 +56,7 @@ void HandleTable::addTo(Actions& actions) {
               {tr("&Table of handles..."),
                "handles",
                {tr("Ctrl+Shift+T")},
-               tr("All handles in numbers, and the coordinates of a vertex that you click")},
+               tr("Positions of all handles, and the coordinates of a vertex that you click")},
               [this] {
                 show();
                 raise();

@@ -156,7 +156,7 @@ void Playback::offerOwnHandles() {
   Message message;
   message.severity = Message::Severity::warning;
   message.text =
-      tr("%1 moves handles of its own, and these are others.").arg(text(present_.sequence->name()));
+      tr("%1 moves its own handles, and these are different.").arg(text(present_.sequence->name()));
   message.offers.push_back(
       {tr("Use its handles"), [this] {
          if (workspace_.perform(document::replaceRig(document::rigOf(*present_.sequence),

@@ -155,9 +155,9 @@ void MeasuredMotion::say(const Found& found) {
   if (doubtful > 0) {
     message.severity = Message::Severity::warning;
     message.seconds = 0;
-    message.text += QLatin1Char(' ') + tr("%n {phase has|phases have} something to look at: the table below "
-                                          "the chart says what.",
-                                          nullptr, static_cast<int>(doubtful));
+    message.text +=
+        QLatin1Char(' ') + tr("%n {phase needs|phases need} attention: see the table below the chart.",
+                              nullptr, static_cast<int>(doubtful));
   }
   if (!motion.outliers.empty()) {
     motion::SeriesRequest fewer = found.request;

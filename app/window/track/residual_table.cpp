@@ -134,7 +134,7 @@ void ResidualTable::makeTable() {
   table_->setHorizontalHeaderLabels({tr("Phase"), tr("ms"), tr("mean mm"), tr("95 % mm"), tr("max mm"),
                                      tr("measured ml"), tr("free ml"), tr("fitted ml"), tr("Dice"),
                                      tr("flipped"), tr("folded"), tr("steps")});
-  const QStringList tips = {tr("A mark says that there is something to look at; the row's tip says what"),
+  const QStringList tips = {tr("A mark shows that the phase needs attention; the row's tip says why"),
                             tr("Time of the phase"),
                             tr("Distance of the surface from what was measured, by area"),
                             tr("Below this distance are 95 % of the area"),

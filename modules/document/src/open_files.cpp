@@ -70,7 +70,7 @@ void requireKnown(const std::filesystem::path& file) {
   for (const auto* list : {&extensions, &medical_io::labelMapExtensions()})
     for (const std::string& extension : *list)
       known += ", " + extension;
-  throw UsageError("Nothing is known about files of this kind", file.string(), "use one of " + known);
+  throw UsageError("This kind of file is not supported", file.string(), "use one of " + known);
 }
 
 void addWarnings(std::vector<std::string>& all, const std::filesystem::path& file,

@@ -177,11 +177,12 @@ void requireClosedLoop(const MotionSeries& series) {
   const double gap = series.times.periodSeconds - series.times.seconds[last] + series.times.seconds[0];
   const double step = (series.times.seconds[last] - series.times.seconds[0]) / static_cast<double>(last);
   if (back > kMostReturn * std::max(1.0, gap / step) * largest)
-    throw DataError("The last phase does not lead back to the first: they lie " + fixed(back, 1) +
-                        " mm apart on average, neighbours " + fixed(largest, 1) + " mm at most",
-                    "series",
-                    "if it is no whole cycle, say that it is to be played once (--once); else add the phases "
-                    "that are missing");
+    throw DataError(
+        "The last phase does not lead back to the first: they lie " + fixed(back, 1) +
+            " mm apart on average, neighbours " + fixed(largest, 1) + " mm at most",
+        "series",
+        "if it is not a whole cycle, say that it is to be played once (--once); else add the phases "
+        "that are missing");
 }
 
 } // namespace viscera::motion

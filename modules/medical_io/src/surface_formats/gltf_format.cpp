@@ -164,7 +164,7 @@ private:
                      " numbers");
     for (std::size_t i = 0; i < count; ++i) {
       if (!(*found)[i].is_number())
-        document_.fail("a node's \"" + std::string(key) + "\" holds something that is no number");
+        document_.fail("a node's \"" + std::string(key) + "\" holds something that is not a number");
       values[i] = (*found)[i].get<double>();
     }
     return true;
