@@ -18,6 +18,8 @@
 namespace viscera::document {
 namespace {
 
+constexpr const char* kSessionEnding = ".viscera";
+
 constexpr std::size_t kFewestHandles = 4; ///< Fewer have no inside.
 
 std::string lowerName(const std::filesystem::path& file) {
@@ -203,6 +205,11 @@ OpenedFiles openFiles(const std::vector<std::filesystem::path>& named, Progress&
   const std::vector<std::filesystem::path> files = withoutHalves(named);
   if (std::count_if(files.begin(), files.end(), isHandleFile) > 1)
     throw UsageError("Two handle files cannot be opened at a time", {}, "choose one of them");
+  const auto session = std::find_if(files.begin(), files.end(), [](const std::filesystem::path& file) {
+    return file.extension() == kSessionEnding;
+  });
+  if (session != files.end())
+    throw UsageError("A session is opened alone", session->string(), "open the other files after it");
   OpenedFiles opened;
   std::exception_ptr first;
   for (std::size_t i = 0; i < files.size(); ++i) {
