@@ -1,12 +1,14 @@
 #include "window/menus.h"
 
 #include <QAction>
+#include <QActionGroup>
 #include <QFileInfo>
 #include <QMenu>
 #include <QMenuBar>
 
 #include <algorithm>
 
+#include "window/language.h"
 #include "window/slices/scan_actions.h"
 #include "window/style/icon.h"
 #include "window/widgets/panel_dock.h"
@@ -46,8 +48,8 @@ void Menus::addEditActions() {
   actions.whenSynced([&steps, undo, redo] {
     undo->setEnabled(steps.canUndo());
     redo->setEnabled(steps.canRedo());
-    undo->setText(steps.canUndo() ? tr("&Undo: %1").arg(text(steps.undoName())) : tr("&Undo"));
-    redo->setText(steps.canRedo() ? tr("&Redo: %1").arg(text(steps.redoName())) : tr("&Redo"));
+    undo->setText(steps.canUndo() ? tr("&Undo: %1").arg(inWords(steps.undoName())) : tr("&Undo"));
+    redo->setText(steps.canRedo() ? tr("&Redo: %1").arg(inWords(steps.redoName())) : tr("&Redo"));
   });
 }
 
@@ -111,6 +113,25 @@ void Menus::makeViewMenu() {
     panels->addAction(dock->toggleViewAction());
   fill(panels, {"", "view.layout"});
   fill(view->addMenu(icon("theme"), tr("&Theme")), {"theme.dark", "theme.light"});
+  makeLanguageMenu(*view->addMenu(tr("Lan&guage")));
+}
+
+void Menus::makeLanguageMenu(QMenu& menu) {
+  constexpr const char* kKey = "window/language";
+  auto* choices = new QActionGroup(&menu);
+  const auto add = [&](const QString& name, const QString& code) {
+    QAction* action = menu.addAction(name, this, [this, name, code] {
+      parts_.settings.setValue(kKey, code);
+      parts_.workspace.note(tr("The next start uses this language: %1.").arg(name));
+    });
+    action->setCheckable(true);
+    action->setChecked(parts_.settings.value(kKey).toString() == code);
+    choices->addAction(action);
+  };
+  add(tr("As the &system"), {});
+  menu.addSeparator();
+  for (const Language& language : languages())
+    add(language.name, language.code);
 }
 
 void Menus::makeOrganMenus() {
@@ -165,7 +186,7 @@ void Menus::fillSteps(QMenu* menu) {
     action->setFont(font);
   };
   for (std::size_t step = last; step > first; --step)
-    add(text(names[step - 1]), step);
+    add(inWords(names[step - 1]), step);
   if (first > 0)
     menu->addAction(tr("%n earlier {step|steps}", nullptr, static_cast<int>(first)))->setEnabled(false);
   else

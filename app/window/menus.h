@@ -29,7 +29,7 @@ public:
     SampleLoader& samples;
     const ScanActions& scans;
     Workspace& workspace;
-    const Settings& settings;
+    Settings& settings;
     const std::vector<PanelDock*>& docks;
   };
 
@@ -47,6 +47,7 @@ private:
   void makeFileMenu();
   void makeEditMenu();
   void makeViewMenu();
+  void makeLanguageMenu(QMenu& menu);
   void makeOrganMenus();
   void makeLastMenus();
   void fill(QMenu* menu, const std::vector<const char*>& ids) const;

@@ -6,6 +6,7 @@
 #include <QStatusBar>
 #include <QToolButton>
 
+#include "window/language.h"
 #include "window/widgets/elided_label.h"
 #include "window/widgets/ready_made.h"
 
@@ -84,7 +85,7 @@ QString StatusLine::bindingText() const {
   QString line = tr("%n {handle|handles}", nullptr, static_cast<int>(handles));
   const std::string& id = workspace_.document().system().id;
   if (workspace_.registry().contains(id))
-    line += QStringLiteral(", ") + text(workspace_.registry().find(id)->name());
+    line += QStringLiteral(", ") + inWords(workspace_.registry().find(id)->name());
   double seconds = 0;
   for (const auto& organ : workspace_.document().organs()) {
     const live::BindingStatus status = workspace_.live().status(organ->id);
@@ -103,7 +104,7 @@ QString StatusLine::bindingText() const {
   }
   if (workspace_.document().organs().empty())
     return line;
-  return line + tr(", bound in %1 ms").arg(1000 * seconds, 0, 'f', seconds < 0.01 ? 1 : 0);
+  return line + tr(", bound in %1 ms").arg(formatNumber(1000 * seconds, seconds < 0.01 ? 1 : 0));
 }
 
 void StatusLine::syncBinding() {
@@ -128,7 +129,8 @@ void StatusLine::syncJobs() {
         continue;
       shownQueue_ = watched.jobs;
       shownJob_ = job.id;
-      step_->setText(job.step.empty() ? text(job.name) : tr("%1: %2").arg(text(job.name), text(job.step)));
+      step_->setText(job.step.empty() ? inWords(job.name)
+                                      : tr("%1: %2").arg(inWords(job.name), inWords(job.step)));
       progress_->setRange(0, job.fraction > 0 ? 1000 : 0); // Of both ends 0: it cannot say how far it is.
       progress_->setValue(static_cast<int>(1000 * job.fraction));
       return job_->show();

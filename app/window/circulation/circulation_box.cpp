@@ -12,6 +12,7 @@
 #include "viscera/circulation/readings.h"
 #include "viscera/circulation/scenario.h"
 #include "viscera/document/circulation_commands.h"
+#include "window/language.h"
 #include "window/widgets/flow_layout.h"
 #include "window/widgets/page.h"
 #include "window/widgets/ready_made.h"
@@ -33,7 +34,7 @@ QString shortName(const circulation::ParameterInfo& info) {
       {"rvEes", CirculationBox::tr("Contractility, right")},
       {"lvB", CirculationBox::tr("Stiffness, left")}};
   const auto found = names.find(info.name);
-  return found == names.end() ? text(info.title) : found->second;
+  return found == names.end() ? inWords(info.title) : found->second;
 }
 
 const circulation::ParameterInfo& infoOf(const std::string& name) {
@@ -48,7 +49,7 @@ ValueSlider::Range rangeOf(const circulation::ParameterInfo& info) {
 }
 
 QString tipOf(const circulation::ParameterInfo& info) {
-  const QString what = CirculationBox::tr("%1, %2 at rest").arg(text(info.title)).arg(info.rest);
+  const QString what = CirculationBox::tr("%1, %2 at rest").arg(inWords(info.title)).arg(info.rest);
   if (!info.normal)
     return what;
   const int decimals = rangeOf(info).decimals;
@@ -122,8 +123,8 @@ QWidget* CirculationBox::makeScenarios() {
   for (const circulation::Scenario& scenario : circulation::scenarios()) {
     auto* button = new QToolButton(box);
     button->setObjectName(QStringLiteral("scenario.%1").arg(text(scenario.id)));
-    button->setText(text(scenario.name));
-    button->setToolTip(text(scenario.summary));
+    button->setText(inWords(scenario.name));
+    button->setToolTip(inWords(scenario.summary));
     button->setCheckable(true);
     connect(button, &QToolButton::clicked, this, [this, id = text(scenario.id)] {
       Q_EMIT scenarioChosen(id);
@@ -189,13 +190,13 @@ void CirculationBox::sync() {
   details_->setVisible(choice.drives);
   for (const auto& [id, button] : scenarios_)
     button->setChecked(id == choice.scenario);
-  summary_->setText(text(circulation::scenario(choice.scenario).summary));
+  summary_->setText(inWords(circulation::scenario(choice.scenario).summary));
   for (const auto& [name, control] : controls_)
     control->setValue(circulation::parameter(choice.parameters, name));
   complaint_->setText(model_.complaint());
   complaint_->setVisible(!model_.complaint().isEmpty());
   standing_->setVisible(!model_.hasHeart());
-  kept_->setText(choice.kept ? tr("Before: %1").arg(text(choice.kept->name)) : QString());
+  kept_->setText(choice.kept ? tr("Before: %1").arg(inWords(choice.kept->name)) : QString());
   kept_->setVisible(choice.kept.has_value());
 }
 

@@ -12,6 +12,7 @@
 
 #include "viscera/medical_io/organ_norms.h"
 #include "viscera/medical_io/surface_repairs.h"
+#include "window/language.h"
 #include "window/widgets/flow_layout.h"
 #include "window/widgets/ready_made.h"
 #include "window/workspace.h"
@@ -46,7 +47,7 @@ QLabel* wrapped(const QString& text, QWidget* parent) {
 
 QString measures(const document::DraftOrgan& organ) {
   const Vec3& size = organ.assessment.sizeMm;
-  const auto number = [](double value) { return QString::number(value, 'g', 3); };
+  const auto number = [](double value) { return formatDigits(value, 3); };
   const QString box =
       OrganCheck::tr("%1 x %2 x %3 mm").arg(number(size.x()), number(size.y()), number(size.z()));
   if (!organ.assessment.report.closed())

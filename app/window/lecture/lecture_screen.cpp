@@ -5,6 +5,7 @@
 #include <QLabel>
 #include <QVBoxLayout>
 
+#include "window/language.h"
 #include "window/widgets/ready_made.h"
 
 namespace viscera::app {
@@ -86,10 +87,11 @@ QString LectureScreen::numbers() const {
   QStringList parts;
   const motion::Player& player = parts_.playback.player();
   if (player.showing())
-    parts << text(player.phase());
+    parts << inWords(player.phase());
   const auto& lines = parts_.volumes.lines();
   for (std::size_t i = 0; i < std::min(lines.size(), kMostVolumes); ++i)
-    parts << tr("%1 %2 ml").arg(lines[i].name).arg(lines[i].nowMl, 0, 'f', lines[i].nowMl < 1000 ? 1 : 0);
+    parts
+        << tr("%1 %2 ml").arg(lines[i].name).arg(formatNumber(lines[i].nowMl, lines[i].nowMl < 1000 ? 1 : 0));
   parts.removeAll(QString());
   for (QString& part : parts) // A line breaks between them only.
     part.replace(QLatin1Char(' '), QChar::Nbsp);

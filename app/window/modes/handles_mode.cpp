@@ -3,6 +3,7 @@
 #include "viscera/document/rig_commands.h"
 #include "viscera/document/system_commands.h"
 #include "window/binding_messages.h"
+#include "window/language.h"
 #include "window/panels/handles_page.h"
 #include "window/view/view_area.h"
 #include "window/view/view_model.h"
@@ -91,7 +92,7 @@ QWidget* HandlesMode::makePage(const Actions& actions) {
 
 void HandlesMode::enter() {
   bound_ = connect(&parts_.binding, &BindingMessages::bound, this, [this](double seconds) {
-    parts_.area.showBadge(tr("Bound in %1 ms").arg(1000 * seconds, 0, 'f', 1));
+    parts_.area.showBadge(tr("Bound in %1 ms").arg(formatNumber(1000 * seconds, 1)));
   });
 }
 

@@ -9,6 +9,7 @@
 #include "viscera/document/organ_commands.h"
 #include "viscera/motion/motion_recipe.h"
 #include "viscera/motion/sequence_setup.h"
+#include "window/language.h"
 #include "window/panels/play_page.h"
 #include "window/sample_loader.h"
 #include "window/status_line.h"
@@ -319,7 +320,7 @@ void PlayMode::slower() {
 void PlayMode::addKey() {
   const double seconds = recorded_->nextSeconds();
   if (recorded_->addKey(seconds, sequences::Easing::smooth))
-    parts_.area.showBadge(tr("Key at %1 s").arg(seconds, 0, 'f', 2));
+    parts_.area.showBadge(tr("Key at %1 s").arg(formatNumber(seconds, 2)));
 }
 
 bool PlayMode::record(const RecordingPlan& plan) {

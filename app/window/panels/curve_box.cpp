@@ -9,6 +9,7 @@
 
 #include "viscera/motion/volume_curve.h"
 #include "viscera/presentation/presenter.h"
+#include "window/language.h"
 #include "window/style/icon.h"
 #include "window/widgets/ready_made.h"
 
@@ -70,7 +71,7 @@ void CurveBox::sync() {
   organ_->clear();
   for (const auto& organ : workspace_.document().organs())
     if (organ->closed())
-      organ_->addItem(text(presentation::labelOf(*organ)), static_cast<qlonglong>(organ->id.value));
+      organ_->addItem(inWords(presentation::labelOf(*organ)), static_cast<qlonglong>(organ->id.value));
   organ_->setCurrentIndex(std::max(0, organ_->findData(chosen)));
   organ_->setEnabled(!prescribed);
   choose_->setEnabled(playback_.sequence() && organ_->count() > 0);

@@ -4,6 +4,7 @@
 #include <QLabel>
 #include <QSignalBlocker>
 
+#include "window/language.h"
 #include "window/panels/position_box.h"
 #include "window/panels/volume_box.h"
 #include "window/timeline/volume_monitor.h"
@@ -98,7 +99,7 @@ void DeformPage::sync() {
   change_->setText(volume.closed ? tr("%1 (%2)").arg(formatChange(volume), formatRelativeChange(volume))
                                  : none);
   deformation::Deformer* deformer = organ ? workspace_.live().deformer(organ->id) : nullptr;
-  farthest_->setText(deformer ? tr("%1 mm").arg(deformer->maxDisplacementMm(), 0, 'f', 1) : none);
+  farthest_->setText(deformer ? tr("%1 mm").arg(formatNumber(deformer->maxDisplacementMm(), 1)) : none);
   volume_->sync();
   const Points rest = workspace_.document().rig().restPositions();
   const Points& pose = workspace_.document().pose();

@@ -14,6 +14,7 @@
 
 #include "viscera/document/group_commands.h"
 #include "viscera/document/system_commands.h"
+#include "window/language.h"
 #include "window/panels/color_palette.h"
 #include "window/style/icon.h"
 #include "window/widgets/ready_made.h"
@@ -272,7 +273,7 @@ void GroupPanel::sync() {
   unused_->setVisible(!looksAtGroups);
   use_->setVisible(!looksAtGroups && grouped);
   if (grouped)
-    use_->setText(tr("Use %1").arg(text(grouped->name())));
+    use_->setText(tr("Use %1").arg(inWords(grouped->name())));
 }
 
 } // namespace viscera::app

@@ -14,6 +14,7 @@
 #include "viscera/document/organ_commands.h"
 #include "viscera/document/organ_system.h"
 #include "viscera/presentation/presenter.h"
+#include "window/language.h"
 #include "window/panels/color_palette.h"
 #include "window/style/icon.h"
 #include "window/widgets/ready_made.h"
@@ -263,7 +264,7 @@ void OrganPanel::updateSystems() {
     for (int child = 0; child < row->childCount(); ++child)
       if (const auto organ = workspace_.document().organ(organOf(row->child(child))))
         seen += organ->look.visible;
-    row->setText(kName, QStringLiteral("%1 (%2)").arg(tr(system.c_str())).arg(row->childCount()));
+    row->setText(kName, QStringLiteral("%1 (%2)").arg(inWords(system)).arg(row->childCount()));
     row->setIcon(kEye, icon(seen > 0 ? "eye" : "eye_off"));
     row->setToolTip(kEye, seen > 0 ? tr("Hide all of them (click)") : tr("Show all of them (click)"));
   }
@@ -288,7 +289,7 @@ void OrganPanel::filter() {
 
 void OrganPanel::updateRow(const document::Organ& organ, QTreeWidgetItem* item) {
   const QScopedValueRollback<bool> quiet(updating_, true);
-  item->setText(kName, text(presentation::labelOf(organ)));
+  item->setText(kName, inWords(presentation::labelOf(organ)));
   item->setIcon(kName, swatch(asColor(organ.look.color)));
   item->setIcon(kEye, icon(organ.look.visible ? "eye" : "eye_off"));
   item->setToolTip(kEye, organ.look.visible ? tr("Hide (click)") : tr("Show (click)"));
@@ -382,7 +383,7 @@ void OrganPanel::onChanged(QTreeWidgetItem* item, int column) {
   const document::OrganId id = organOf(item);
   const std::string name = item->text(kName).trimmed().toStdString();
   const auto present = workspace_.document().organ(id);
-  if (present && name == presentation::labelOf(*present))
+  if (present && item->text(kName) == inWords(presentation::labelOf(*present)))
     return; // What is written for its name.
   // A name that is refused goes back to what it was.
   if (!workspace_.perform(document::renameOrgan(id, name)))

@@ -9,6 +9,7 @@
 
 #include "viscera/motion/clinical_numbers.h"
 #include "window/circulation/circulation_box.h"
+#include "window/language.h"
 #include "window/panels/curve_box.h"
 #include "window/panels/sequence_list.h"
 #include "window/recorded/fit_box.h"
@@ -138,29 +139,28 @@ void PlayPage::syncState() {
   const motion::Player& player = playback_.player();
   const sequences::Sequence* sequence = playback_.sequence();
   rate_->setText(sequence ? tr("%1 / min, one cycle %2 s")
-                                .arg(player.ratePerMinute(), 0, 'f', 0)
-                                .arg(player.periodSeconds(), 0, 'f', 2)
+                                .arg(formatNumber(player.ratePerMinute(), 0))
+                                .arg(formatNumber(player.periodSeconds(), 2))
                           : nothing());
-  phase_->setText(sequence ? text(player.phase()) : nothing());
+  phase_->setText(sequence ? inWords(player.phase()) : nothing());
   record_->setName(
-      sequence ? QStringLiteral("%1_%2").arg(text(sequence->id())).arg(player.ratePerMinute(), 0, 'f', 0)
-               : QString());
+      sequence
+          ? QStringLiteral("%1_%2").arg(text(sequence->id())).arg(formatNumber(player.ratePerMinute(), 0))
+          : QString());
 }
 
 void PlayPage::fillRow(std::size_t line) {
   const VolumeMonitor::Line& shown = volumes_.lines()[line];
   const auto range = volumes_.range(line);
   const auto indices = volumes_.indices(line);
-  const auto number = [](bool known, double value) {
-    return known ? QString::number(value, 'f', 1) : nothing();
-  };
+  const auto number = [](bool known, double value) { return known ? formatNumber(value, 1) : nothing(); };
   const QString name = !volumes_.hasSecond() ? shown.name
                        : shown.side == 0     ? tr("A: %1").arg(shown.name)
                                              : tr("B: %1").arg(shown.name);
   const QStringList cells = {name, number(range.has_value(), range ? range->high : 0),
                              number(range.has_value(), range ? range->low : 0),
                              number(indices.has_value(), indices ? indices->strokeVolumeMl : 0),
-                             indices ? tr("%1 %").arg(kPercent * indices->ejectionFraction, 0, 'f', 0)
+                             indices ? tr("%1 %").arg(formatNumber(kPercent * indices->ejectionFraction, 0))
                                      : nothing()};
   for (int column = 0; column < kColumns; ++column) {
     auto* item = new QTableWidgetItem(cells[column]);
@@ -173,7 +173,7 @@ void PlayPage::syncTable() {
   const auto& lines = volumes_.lines();
   if (!isVisible() && table_->rowCount() == static_cast<int>(lines.size()))
     return;
-  phase_->setText(playback_.sequence() ? text(playback_.player().phase()) : nothing());
+  phase_->setText(playback_.sequence() ? inWords(playback_.player().phase()) : nothing());
   table_->setRowCount(static_cast<int>(lines.size()));
   for (std::size_t line = 0; line < lines.size(); ++line)
     fillRow(line);
@@ -196,10 +196,10 @@ void PlayPage::syncWalls() {
     const sequences::WallMotionRange& range = ranges[i];
     setFactShown(walls_[i], wall || !fraction_->isHidden());
     walls_[i]->setText(wall ? tr("%1 %2 (%3 - %4)")
-                                  .arg((*wall).*range.value, 0, 'f', 1)
+                                  .arg(formatNumber((*wall).*range.value, 1))
                                   .arg(tr(range.unit))
-                                  .arg(range.low, 0, 'f', 0)
-                                  .arg(range.high, 0, 'f', 0)
+                                  .arg(formatNumber(range.low, 0))
+                                  .arg(formatNumber(range.high, 0))
                             : nothing());
     walls_[i]->setToolTip(tr("%1, measured on the surfaces. Healthy adults: %2")
                               .arg(tr(range.about), QLatin1String(range.source)));
@@ -217,9 +217,11 @@ void PlayPage::syncIndices() {
   const auto indices = best < lines.size() ? volumes_.indices(best) : std::nullopt;
   for (QLabel* fact : {fraction_, stroke_, output_})
     setFactShown(fact, best < lines.size());
-  fraction_->setText(indices ? tr("%1 %").arg(kPercent * indices->ejectionFraction, 0, 'f', 1) : nothing());
-  stroke_->setText(indices ? tr("%1 ml").arg(indices->strokeVolumeMl, 0, 'f', 1) : nothing());
-  output_->setText(indices ? tr("%1 l/min").arg(indices->cardiacOutputLPerMinute, 0, 'f', 1) : nothing());
+  fraction_->setText(indices ? tr("%1 %").arg(formatNumber(kPercent * indices->ejectionFraction, 1))
+                             : nothing());
+  stroke_->setText(indices ? tr("%1 ml").arg(formatNumber(indices->strokeVolumeMl, 1)) : nothing());
+  output_->setText(indices ? tr("%1 l/min").arg(formatNumber(indices->cardiacOutputLPerMinute, 1))
+                           : nothing());
   QStringList normal;
   QStringList sources;
   if (best < lines.size())
@@ -227,11 +229,11 @@ void PlayPage::syncIndices() {
          motion::normalRanges(lines[best].name.toStdString(), view_.state().person)) {
       const bool percent = range.quantity == motion::NormalRange::Quantity::ejectionPercent;
       normal.push_back(tr("%1 %2 - %3 %4")
-                           .arg(text(range.name))
-                           .arg(range.low, 0, 'f', 0)
-                           .arg(range.high, 0, 'f', 0)
+                           .arg(inWords(range.name))
+                           .arg(formatNumber(range.low, 0))
+                           .arg(formatNumber(range.high, 0))
                            .arg(percent ? tr("%") : tr("ml")));
-      sources.push_back(tr("%1: %2; %3").arg(text(range.name), text(range.people), text(range.source)));
+      sources.push_back(tr("%1: %2; %3").arg(inWords(range.name), inWords(range.people), text(range.source)));
     }
   normal_->setText(normal.isEmpty() ? QString()
                                     : tr("Normal for %1: %2.").arg(lines[best].name, normal.join(tr(", "))));

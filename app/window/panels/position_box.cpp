@@ -7,6 +7,7 @@
 #include <QSignalBlocker>
 
 #include "viscera/document/rig_commands.h"
+#include "window/language.h"
 #include "window/widgets/ready_made.h"
 
 namespace viscera::app {
@@ -80,7 +81,7 @@ void PositionBox::sync() {
   const double moved = (workspace_.document().pose().row(row).transpose() - handle.rest).norm();
   QString line = tr("Handle %1").arg(text(handle.label));
   if (what_ == Of::pose)
-    line += tr(", %1 mm from rest").arg(moved, 0, 'f', 1);
+    line += tr(", %1 mm from rest").arg(formatNumber(moved, 1));
   if (handle.locked)
     line += tr(", locked");
   title_->setText(line);
@@ -157,8 +158,8 @@ void DisplacementBox::apply() {
     return;
   const bool asTyped = (*moved - by).norm() < kAsTyped;
   result_->setText(tr("Moved by %1 of %2 mm: the locked volume allows no more in this direction.")
-                       .arg(moved->norm(), 0, 'f', 2)
-                       .arg(by.norm(), 0, 'f', 2));
+                       .arg(formatNumber(moved->norm(), 2))
+                       .arg(formatNumber(by.norm(), 2)));
   result_->setVisible(!asTyped);
 }
 

@@ -12,6 +12,7 @@
 
 #include "viscera/document/system_commands.h"
 #include "viscera/presentation/space_parts.h"
+#include "window/language.h"
 #include "window/widgets/flow_layout.h"
 #include "window/widgets/ready_made.h"
 #include "window/widgets/system_combo.h"
@@ -78,7 +79,7 @@ void SystemBox::sync() {
   if (choice.id != shownSystem_ && workspace_.registry().contains(choice.id)) {
     shownSystem_ = choice.id;
     const auto system = workspace_.registry().find(choice.id);
-    summary_->setText(text(system->summary()));
+    summary_->setText(inWords(system->summary()));
     rebuildBadges(system->traits());
     rebuildParameters();
   }
@@ -139,7 +140,7 @@ QWidget* SystemBox::editorFor(const coordinates::Parameter& parameter) {
     row->addWidget(combo);
     for (const std::string& choice : parameter.choices)
       combo->addItem(text(choice));
-    combo->setToolTip(text(parameter.help));
+    combo->setToolTip(inWords(parameter.help));
     combo->setAccessibleName(name);
     connect(combo, QOverload<int>::of(&QComboBox::activated), this, [this, parameter](int index) {
       workspace_.perform(document::setParameter(parameter.name, index));
@@ -159,7 +160,7 @@ QWidget* SystemBox::sliderFor(const coordinates::Parameter& parameter, const QSt
   auto* column = makeLayout<QVBoxLayout>(box, 2);
   auto* slider = new ValueSlider(name, rangeOf(parameter, std::numeric_limits<double>::infinity()), box);
   slider->setObjectName(QStringLiteral("parameter/") + text(parameter.name));
-  slider->setToolTip(text(parameter.help));
+  slider->setToolTip(inWords(parameter.help));
   auto* remark = makeRemark({}, box);
   column->addWidget(slider);
   column->addWidget(remark);
@@ -173,7 +174,7 @@ QWidget* SystemBox::sliderFor(const coordinates::Parameter& parameter, const QSt
     const double value = workspace_.document().system().parameters.get(parameter);
     slider->setRange(rangeOf(parameter, most));
     slider->setValue(value);
-    const QString limit = tr("%1 %2").arg(most, 0, 'f', 1).arg(text(parameter.unit));
+    const QString limit = tr("%1 %2").arg(formatNumber(most, 1)).arg(text(parameter.unit));
     remark->setText(value > most ? tr("Set to %1 %2, but these handles allow %3 at most, which is used.")
                                        .arg(value)
                                        .arg(text(parameter.unit), limit)

@@ -13,6 +13,7 @@
 #include "viscera/document/measured_values.h"
 #include "viscera/motion/motion_recipe.h"
 #include "viscera/motion/sequence_setup.h"
+#include "window/language.h"
 #include "window/style/icon.h"
 #include "window/widgets/ready_made.h"
 
@@ -25,9 +26,9 @@ QString placeText(const std::vector<Vec3>& places) {
   if (places.size() > 1)
     return FitBox::tr("%n {point|points}", nullptr, static_cast<int>(places.size()));
   return QStringLiteral("%1, %2, %3")
-      .arg(places.front().x(), 0, 'f', 0)
-      .arg(places.front().y(), 0, 'f', 0)
-      .arg(places.front().z(), 0, 'f', 0);
+      .arg(formatNumber(places.front().x(), 0))
+      .arg(formatNumber(places.front().y(), 0))
+      .arg(formatNumber(places.front().z(), 0));
 }
 
 } // namespace
@@ -42,7 +43,7 @@ FitBox::FitBox(Workspace& workspace, Playback& playback, Picture& picture, ViewW
   sequence_->setObjectName(QStringLiteral("fitSequence"));
   sequence_->setAccessibleName(tr("Sequence to fit"));
   for (const motion::SampleSequence& sample : motion::sampleSequences())
-    sequence_->addItem(text(sample.name), text(sample.id));
+    sequence_->addItem(inWords(sample.name), text(sample.id));
   column->addWidget(sequence_);
   fit_->setObjectName(QStringLiteral("fitButton"));
   fit_->setToolTip(tr("Place the sequence's handles around the organ and play it"));
@@ -77,9 +78,9 @@ void FitBox::rebuildRows() {
       Row row;
       row.pick = new QToolButton(rowsBox_);
       row.pick->setObjectName(QStringLiteral("landmark_%1").arg(text(role.role)));
-      row.pick->setText(text(role.name));
+      row.pick->setText(inWords(role.name));
       row.pick->setCheckable(true);
-      row.pick->setToolTip(tr("%1: set it by a click in the view").arg(text(role.help)));
+      row.pick->setToolTip(tr("%1: set it by a click in the view").arg(inWords(role.help)));
       row.place = new QLabel(rowsBox_);
       row.place->setObjectName(QStringLiteral("muted"));
       row.place->setAlignment(Qt::AlignRight | Qt::AlignVCenter);

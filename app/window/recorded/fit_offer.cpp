@@ -8,6 +8,7 @@
 #include <algorithm>
 
 #include "viscera/motion/sequence_setup.h"
+#include "window/language.h"
 #include "window/widgets/ready_made.h"
 
 namespace viscera::app {
@@ -69,8 +70,8 @@ void FitOffer::ask(const QString& sequence) {
   const QString name = text(organ->name), kind = text(sample->organ);
   const bool odd = motion::suits(*sample, organ->name) == motion::Suits::no;
   question_->setText(odd ? tr("%1 is made for a %2, and by its name %3 is another organ.")
-                               .arg(text(sample->name), kind, name)
-                         : tr("%1: fit it to %2?").arg(text(sample->name), name));
+                               .arg(inWords(sample->name), kind, name)
+                         : tr("%1: fit it to %2?").arg(inWords(sample->name), name));
   fit_->setText(odd ? tr("Fit it anyway") : tr("Fit it to %1").arg(name));
   fit_->setEnabled(organ->closed());
   fit_->setToolTip(organ->closed() ? tr("Place the sequence's handles around the organ and play it")

@@ -15,6 +15,7 @@
 
 #include "viscera/document/recording.h"
 #include "viscera/document/recording_commands.h"
+#include "window/language.h"
 #include "window/style/icon.h"
 #include "window/widgets/ready_made.h"
 
@@ -32,7 +33,7 @@ constexpr Easing kEasings[] = {Easing::smooth, Easing::linear, Easing::in, Easin
 
 void fillEasings(QComboBox* box) {
   for (const Easing easing : kEasings)
-    box->addItem(text(sequences::nameOf(easing)), static_cast<int>(easing));
+    box->addItem(inWords(std::string(sequences::nameOf(easing))), static_cast<int>(easing));
 }
 
 QDoubleSpinBox* secondsBox(QWidget* parent) {
@@ -162,17 +163,16 @@ document::KeyId KeyBox::selectedKey() const {
 }
 
 void KeyBox::onTimeEdited(int row) {
-  bool number = false;
-  const double seconds = table_->item(row, kTime)->text().toDouble(&number);
+  const std::optional<double> seconds = numberIn(table_->item(row, kTime)->text());
   const auto& keys = workspace_.document().recording().keys;
-  if (!number || row >= static_cast<int>(keys.size()) ||
-      !workspace_.perform(document::moveKey(keys[static_cast<std::size_t>(row)].id, seconds)))
+  if (!seconds || row >= static_cast<int>(keys.size()) ||
+      !workspace_.perform(document::moveKey(keys[static_cast<std::size_t>(row)].id, *seconds)))
     sync();
 }
 
 void KeyBox::fillRow(int row) {
   const document::RecordedKey& key = workspace_.document().recording().keys[static_cast<std::size_t>(row)];
-  auto* time = new QTableWidgetItem(QString::number(key.seconds, 'f', 2));
+  auto* time = new QTableWidgetItem(formatNumber(key.seconds, 2));
   time->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
   table_->setItem(row, kTime, time);
   auto* easing = new QComboBox(table_);

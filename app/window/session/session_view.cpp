@@ -6,6 +6,7 @@
 
 #include "viscera/motion/motion_recipe.h"
 #include "viscera/presentation/presenter.h"
+#include "window/language.h"
 
 namespace viscera::app {
 namespace {
@@ -128,7 +129,7 @@ void SessionView::sayWhatMovesOtherwise(const Points& saved) {
     window_.workspace.say({Message::Severity::warning,
                            tr("This version moves the organ differently from the one that saved the session: "
                               "handles differ by up to %1 mm.")
-                               .arg(apart, 0, 'g', 2),
+                               .arg(formatDigits(apart, 2)),
                            {},
                            0});
 }

@@ -6,6 +6,7 @@
 
 #include <cmath>
 
+#include "window/language.h"
 #include "window/widgets/ready_made.h"
 
 namespace viscera::app {
@@ -24,7 +25,7 @@ ProbeCard::ProbeCard(StressModel& model, QWidget* parent)
   grid->addWidget(close, 0, 1, Qt::AlignRight);
   int row = 1;
   for (const live::StressQuantityDescription& quantity : live::stressQuantities()) {
-    auto* name = new QLabel(text(quantity.name), this);
+    auto* name = new QLabel(inWords(quantity.name), this);
     name->setObjectName(QStringLiteral("muted"));
     auto* value = new QLabel(this);
     value->setObjectName(QStringLiteral("probe_%1").arg(text(quantity.id)));
@@ -51,7 +52,7 @@ void ProbeCard::sync() {
   const Vec3 at = mesh->points.row(point);
   // In the words of the anatomy: LPS has left, posterior and superior positive.
   const auto axis = [](double mm, const QString& positive, const QString& negative) {
-    return QStringLiteral("%1 %2").arg(std::abs(mm), 0, 'f', 0).arg(mm >= 0 ? positive : negative);
+    return QStringLiteral("%1 %2").arg(formatNumber(std::abs(mm), 0)).arg(mm >= 0 ? positive : negative);
   };
   place_->setText(mesh->isWitness(point) ? tr("Witness %1").arg(point) : tr("Surface point %1").arg(point));
   place_->setToolTip(tr("At rest: %1, %2, %3 mm")
@@ -63,9 +64,10 @@ void ProbeCard::sync() {
     if (quantity.quantity == live::StressQuantity::folded)
       values_[i]->setText(value > 0 ? tr("yes") : tr("no"));
     else
-      values_[i]->setText(quantity.unit.empty()
-                              ? QString::number(value, 'f', quantity.decimals)
-                              : tr("%1 %2").arg(value, 0, 'f', quantity.decimals).arg(text(quantity.unit)));
+      values_[i]->setText(
+          quantity.unit.empty()
+              ? formatNumber(value, quantity.decimals)
+              : tr("%1 %2").arg(formatNumber(value, quantity.decimals)).arg(text(quantity.unit)));
   }
   adjustSize();
 }

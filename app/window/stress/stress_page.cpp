@@ -14,6 +14,7 @@
 
 #include <cmath>
 
+#include "window/language.h"
 #include "window/stress/histogram.h"
 #include "window/widgets/ready_made.h"
 #include "window/widgets/value_slider.h"
@@ -92,7 +93,7 @@ void StressPage::makeMap(const Actions& actions) {
   addSection(tr("Map"));
   QStringList names;
   for (const live::StressQuantityDescription& quantity : live::stressQuantities())
-    names.push_back(text(quantity.name));
+    names.push_back(inWords(quantity.name));
   quantity_ = addChoice("stressQuantity", tr("Map"), names, [](StressLook& look, int index) {
     look.quantity = live::stressQuantities()[static_cast<std::size_t>(index)].quantity;
   });
@@ -336,7 +337,7 @@ void StressPage::syncStatus() {
                                                      : tr("differences"));
   QStringList lines;
   for (const std::string& remark : status.remarks)
-    lines.push_back(text(remark));
+    lines.push_back(inWords(remark));
   if (status.state == State::ready && status.outside > 0)
     lines.push_back(tr("%n {point lies|points lie} outside the handles' hull and stay where they are.",
                        nullptr, status.outside));

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "viscera/document/rig_commands.h"
+#include "window/language.h"
 
 namespace viscera::app {
 namespace {
@@ -156,7 +157,7 @@ void Playback::offerOwnHandles() {
   Message message;
   message.severity = Message::Severity::warning;
   message.text =
-      tr("%1 moves its own handles, and these are different.").arg(text(present_.sequence->name()));
+      tr("%1 moves its own handles, and these are different.").arg(inWords(present_.sequence->name()));
   message.offers.push_back(
       {tr("Use its handles"), [this] {
          if (workspace_.perform(document::replaceRig(document::rigOf(*present_.sequence),

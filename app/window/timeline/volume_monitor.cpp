@@ -6,6 +6,7 @@
 #include <QPointer>
 
 #include "viscera/presentation/presenter.h"
+#include "window/language.h"
 
 namespace viscera::app {
 namespace {
@@ -76,7 +77,7 @@ std::vector<VolumeMonitor::Line> VolumeMonitor::linesOf(int side) const {
     if (!organ->look.tracked || !organ->closed())
       continue;
     const double rest = organ->restVolumeMm3 / kMm3PerMl;
-    lines.push_back({organ->id, side, text(presentation::labelOf(*organ)), organ->look.color,
+    lines.push_back({organ->id, side, inWords(presentation::labelOf(*organ)), organ->look.color,
                      organ->parent || motion::heartChamber(organ->name).has_value(), rest, rest});
   }
   return lines;

@@ -15,6 +15,7 @@
 #include <vtkNew.h>
 
 #include "viscera/motion/clinical_numbers.h"
+#include "window/language.h"
 #include "window/timeline/person_box.h"
 #include "window/track/measured_motion.h"
 #include "window/view/view_model.h"
@@ -45,7 +46,7 @@ QIcon swatch(const Vec3& color) {
 }
 
 QString rangeText(const motion::NormalRange& range) {
-  return QStringLiteral("%1 - %2").arg(range.low, 0, 'f', 0).arg(range.high, 0, 'f', 0);
+  return QStringLiteral("%1 - %2").arg(formatNumber(range.low, 0)).arg(formatNumber(range.high, 0));
 }
 
 /// Short enough to stand in the chart.
@@ -56,7 +57,7 @@ QString shortName(const motion::NormalRange& range) {
   case Quantity::endSystolicMl:
     return VolumePanel::tr("normal at the end of systole");
   default:
-    return VolumePanel::tr("normal %1").arg(text(range.name));
+    return VolumePanel::tr("normal %1").arg(inWords(range.name));
   }
 }
 /// ms: the picture of the organs comes first, for the chart takes as long as that.
@@ -337,8 +338,8 @@ QString VolumePanel::normalsText() const {
   for (const motion::NormalRange& range : motion::normalRanges(name.toStdString(), person_)) {
     if (!inMilliliters(range))
       continue;
-    parts.push_back(tr("%1 %2 ml").arg(text(range.name), rangeText(range)));
-    from = tr("%1: %2").arg(text(range.source), text(range.people));
+    parts.push_back(tr("%1 %2 ml").arg(inWords(range.name), rangeText(range)));
+    from = tr("%1: %2").arg(text(range.source), inWords(range.people));
   }
   if (parts.isEmpty())
     return {};
@@ -349,11 +350,11 @@ QString VolumePanel::detailOf(std::size_t line) const {
   const VolumeMonitor::Line& shown = monitor_.lines()[line];
   if (const auto indices = monitor_.indices(line))
     return tr("EF %1 %  SV %2 ml")
-        .arg(kPercent * indices->ejectionFraction, 0, 'f', 0)
-        .arg(indices->strokeVolumeMl, 0, 'f', 0);
+        .arg(formatNumber(kPercent * indices->ejectionFraction, 0))
+        .arg(formatNumber(indices->strokeVolumeMl, 0));
   if (shown.restMl <= 0)
     return {};
-  return tr("%1 % of reference").arg(kPercent * shown.nowMl / shown.restMl, 0, 'f', 1);
+  return tr("%1 % of reference").arg(formatNumber(kPercent * shown.nowMl / shown.restMl, 1));
 }
 
 /// What the chart holds: one cycle, the sequence as played, or the drags. Another one begins with an empty

@@ -9,6 +9,7 @@
 #include "viscera/motion/clinical_numbers.h"
 #include "viscera/motion/sequence_file.h"
 #include "viscera/scene/color_map.h"
+#include "window/language.h"
 
 namespace viscera::app {
 namespace {
@@ -48,7 +49,7 @@ QString summaryOf(const MeasuredMotion::Found& found) {
     for (const motion::TrackedPhase& phase : motion.phases)
       mean += phase.quality.surfaces[i].meanMm / static_cast<double>(motion.phases.size());
     parts.push_back(
-        MeasuredMotion::tr("%1 %2 mm").arg(text(motion.sequence.organs[i].name)).arg(mean, 0, 'f', 2));
+        MeasuredMotion::tr("%1 %2 mm").arg(text(motion.sequence.organs[i].name)).arg(formatNumber(mean, 2)));
   }
   return MeasuredMotion::tr("Motion of %n {phase|phases}. Mean distance from what was measured: %1.", nullptr,
                             static_cast<int>(motion.phases.size()))

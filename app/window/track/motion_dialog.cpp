@@ -22,6 +22,7 @@
 #include <cmath>
 
 #include "viscera/motion/clinical_numbers.h"
+#include "window/language.h"
 #include "window/style/icon.h"
 #include "window/widgets/page.h"
 #include "window/widgets/ready_made.h"
@@ -263,8 +264,9 @@ void MotionDialog::fillItems() {
 
 void MotionDialog::sync() {
   const double period = period_->value();
-  rate_->setText(period > 0 ? tr("%1 a minute").arg(kSecondsPerMinute * kMsPerSecond / period, 0, 'f', 0)
-                            : tr("The files do not state it"));
+  rate_->setText(period > 0
+                     ? tr("%1 a minute").arg(formatNumber(kSecondsPerMinute * kMsPerSecond / period, 0))
+                     : tr("The files do not state it"));
   rate_->setVisible(period > 0 || !contents_.items.empty());
   QString what = tr("No series is chosen.");
   if (looking_)

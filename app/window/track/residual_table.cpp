@@ -12,6 +12,7 @@
 
 #include <algorithm>
 
+#include "window/language.h"
 #include "window/widgets/ready_made.h"
 
 namespace viscera::app {
@@ -204,13 +205,13 @@ void ResidualTable::fill() {
   for (const auto& [name, indices] : motion.indices)
     parts.push_back(tr("%1: EF %2 %, %3 to %4 ml, %5 l/min")
                         .arg(text(name))
-                        .arg(kPercent * indices.ejectionFraction, 0, 'f', 1)
-                        .arg(indices.endDiastolicMl, 0, 'f', 1)
-                        .arg(indices.endSystolicMl, 0, 'f', 1)
-                        .arg(indices.cardiacOutputLPerMinute, 0, 'f', 1));
+                        .arg(formatNumber(kPercent * indices.ejectionFraction, 1))
+                        .arg(formatNumber(indices.endDiastolicMl, 1))
+                        .arg(formatNumber(indices.endSystolicMl, 1))
+                        .arg(formatNumber(indices.cardiacOutputLPerMinute, 1)));
   if (!motion.tissueMl.empty()) {
     const auto [low, high] = std::minmax_element(motion.tissueMl.begin(), motion.tissueMl.end());
-    parts.push_back(tr("tissue %1 to %2 ml").arg(*low, 0, 'f', 1).arg(*high, 0, 'f', 1));
+    parts.push_back(tr("tissue %1 to %2 ml").arg(formatNumber(*low, 1)).arg(formatNumber(*high, 1)));
   }
   summary_->setText(parts.join(QStringLiteral("; ")));
   summary_->setToolTip(summary_->text());
@@ -222,7 +223,7 @@ void ResidualTable::fillRow(int row, const motion::TrackedPhase& phase) {
   tracking::SurfaceQuality own{all.meanMm, all.p95Mm, all.maxMm, 0, 0, 0, all.dice, 0};
   if (surface() >= 0)
     own = all.surfaces[static_cast<std::size_t>(surface())];
-  const auto number = [](double value, int digits) { return QString::number(value, 'f', digits); };
+  const auto number = [](double value, int digits) { return formatNumber(value, digits); };
   const bool good = phase.verdict.light == tracking::FitLight::good;
   const bool red = phase.verdict.light == tracking::FitLight::red;
   // A sign beside the colour, for people who tell colours badly.
@@ -268,7 +269,7 @@ void ResidualTable::fillDifferences() {
     for (const Compared& compared : kCompareds) {
       const double was = compared.scale * then->second.*compared.value;
       const double is = compared.scale * now->second.*compared.value;
-      const auto number = [&](double value) { return QString::number(value, 'f', compared.digits); };
+      const auto number = [&](double value) { return formatNumber(value, compared.digits); };
       const QStringList cells = {
           tr("%1, %2 (%3)").arg(text(names[i]), tr(compared.name), QLatin1String(compared.unit)), number(was),
           number(is), (is >= was ? QStringLiteral("+") : QString()) + number(is - was)};
