@@ -33,7 +33,10 @@ std::vector<document::NewOrgan> organsOf(const motion::PatientMotion& motion) {
     else if (surfaces.size() > 1)
       organ.organ.look.opacity = kWallOpacity;
     if (const auto chamber = motion::heartChamber(surfaces[i].name))
-      organ.organ.look.color = *chamber == motion::HeartSide::left ? kArterialBlood : kVenousBlood;
+      organ.organ.look.color =
+          *chamber == motion::Chamber::leftVentricle || *chamber == motion::Chamber::leftAtrium
+              ? kArterialBlood
+              : kVenousBlood;
     organs.push_back(std::move(organ));
   }
   return organs;

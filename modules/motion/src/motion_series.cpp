@@ -401,6 +401,26 @@ double MotionSeries::sliceMm() const {
   return masks.empty() ? 0 : masks.front().front().spacing().maxCoeff();
 }
 
+MotionSeries readOnePhase(const SeriesRequest& request, Progress& progress) {
+  const SeriesFiles files = seriesFiles(request);
+  MotionSeries series;
+  if (files.kind == SeriesFiles::Kind::surfaces) {
+    readSurfaces(chosenOf(files, request), series, progress);
+  } else {
+    MaskReader masks(request, series);
+    Progress quiet;
+    const fs::path& file = files.files.at("").front();
+    masks.add(medical_io::readLabelMap(file, quiet), file.string());
+    masks.finish();
+  }
+  measureVolumes(series, 1);
+  series.outer = outerOf(series);
+  series.times = tracking::PhaseTimes::even(1, 1);
+  putOuterFirst(series);
+  requireCavitiesInside(series);
+  return series;
+}
+
 MotionSeries readMotionSeries(const SeriesRequest& request, Progress& progress) {
   const SeriesFiles files = seriesFiles(request);
   MotionSeries series;
