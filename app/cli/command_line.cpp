@@ -18,7 +18,9 @@
 #include "cli/command.h"
 #include "cli/commands/all_commands.h"
 #include "cli/interrupt.h"
+#include "cli/manual.h"
 #include "cli/stage_options.h"
+#include "cli/version_text.h"
 #include "viscera/core/error.h"
 #include "viscera/sample_organs/sample_organ.h"
 
@@ -199,6 +201,17 @@ void requireFiles(const std::vector<std::string>& files) {
   }
 }
 
+/// What shells offer for the values of options, beside files.
+ValueWords valueWords() {
+  ValueWords words{{"SEQUENCE", {"heartbeat", "peristalsis", "breathing"}}};
+  for (const std::string& name : sample_organs::sampleNames(sample_organs::standardLibrary()))
+    words["ORGAN"].push_back("sample:" + name);
+  const plugin::Registry systems = plugin::builtInRegistry();
+  for (const auto& entry : systems.list())
+    words["ID"].push_back(entry.system->id());
+  return words;
+}
+
 /// The subcommand's own name where there is one: "viscera bind".
 std::string nameOf(const CLI::App& app) {
   const auto chosen = app.get_subcommands();
@@ -210,11 +223,13 @@ std::string nameOf(const CLI::App& app) {
 int runCommandLine(int argc, const char* const* argv, std::ostream& out, std::ostream& err,
                    const OpenWindow& openWindow) {
   CLI::App app("Organs deformed by handles, without a cage. Without a command the window opens.", "viscera");
-  app.set_version_flag("--version", "viscera " VISCERA_VERSION);
+  app.set_version_flag("--version", versionText);
   app.require_subcommand(0, 1);
   WindowOptions window;
   std::string windowSize;
   addWindowOptions(app, window, windowSize);
+  std::string manual; // For who makes packages, so --help keeps it to itself.
+  app.add_option("--write-manual", manual)->group("");
   CommonOptions common;
   std::vector<std::unique_ptr<Command>> commands;
   Command* chosen = nullptr;
@@ -244,6 +259,10 @@ int runCommandLine(int argc, const char* const* argv, std::ostream& out, std::os
   if (chosen)
     return runCommand(*chosen, common, out, err);
   return guarded(err, [&] {
+    if (!manual.empty()) {
+      writeManual(app, valueWords(), manual);
+      return 0;
+    }
     readSize(windowSize, window);
     takeSample(window, sample_organs::standardLibrary());
     requireFiles(window.files);

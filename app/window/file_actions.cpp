@@ -10,6 +10,7 @@
 #include "viscera/medical_io/label_map.h"
 #include "viscera/medical_io/scan.h"
 #include "viscera/medical_io/surface_file.h"
+#include "window/import/arrival.h"
 #include "window/panels/color_palette.h"
 
 namespace viscera::app {
@@ -119,9 +120,10 @@ void FileActions::open(const QStringList& files, bool check) {
   const QString name = files.size() == 1
                            ? tr("Opening %1").arg(QFileInfo(files.front()).fileName())
                            : tr("Opening %n {file|files}", nullptr, static_cast<int>(files.size()));
-  workspace_.inBackground<Read>(
-      name, "open",
-      [paths](Progress& progress) {
+  const Arrival::Ticket arriving = arrival_ ? arrival_->begin(replacesPresent()) : nullptr;
+  workspace_.jobs().submit<Read>(
+      name.toStdString(), "open",
+      [paths, arrives = Arrival::listener(arriving)](Progress& progress) {
         Read read;
         read.several = paths.size() == 1 && hasSeveralScans(paths[0], progress);
         if (read.several)
@@ -130,18 +132,33 @@ void FileActions::open(const QStringList& files, bool check) {
         if (auto scan = document::takeScan(others, progress))
           read.scan = std::make_shared<const document::ScanItem>(std::move(*scan));
         if (!others.empty() || !read.scan)
-          read.draft = document::draftOf(document::openFiles(others, progress), progress);
+          read.draft = document::draftOf(document::openFiles(others, progress, arrives), progress);
         return read;
       },
-      [this, files, check](Read read) {
-        if (read.several)
-          return Q_EMIT scansFound(files.front());
-        const bool others = !read.draft.organs.empty() || read.draft.files.rig;
-        if (read.scan)
-          takeScan(*read.scan, files, !others);
-        if (others || !read.scan)
-          checkOrTake(std::move(read.draft), files, check);
+      [this, files, check, arriving](JobResult<Read> result) {
+        if (arrival_)
+          arrival_->end(arriving, result.value.has_value());
+        if (result.error)
+          workspace_.report(*result.error);
+        if (result.value)
+          takeRead(std::move(*result.value), files, check);
       });
+}
+
+void FileActions::takeRead(Read read, const QStringList& files, bool check) {
+  if (read.several)
+    return Q_EMIT scansFound(files.front());
+  const bool others = !read.draft.organs.empty() || read.draft.files.rig;
+  if (read.scan)
+    takeScan(*read.scan, files, !others);
+  if (others || !read.scan)
+    checkOrTake(std::move(read.draft), files, check);
+}
+
+bool FileActions::replacesPresent() const {
+  // What the program made itself was only there to look at.
+  const document::OrganList& present = workspace_.document().organs();
+  return std::all_of(present.begin(), present.end(), [](const auto& o) { return !o->origin.sample.empty(); });
 }
 
 void FileActions::takeScan(const document::ScanItem& scan, const QStringList& files, bool alone) {
@@ -173,10 +190,7 @@ void FileActions::take(const document::ImportDraft& draft, const QStringList& fi
 
 void FileActions::take(const document::OpenedFiles& opened, const QStringList& files) {
   const document::OrganList& present = workspace_.document().organs();
-  // What the program made itself was only there to look at.
-  const bool onlySamples =
-      std::all_of(present.begin(), present.end(), [](const auto& o) { return !o->origin.sample.empty(); });
-  const bool replaces = !opened.organs.empty() && onlySamples;
+  const bool replaces = !opened.organs.empty() && replacesPresent();
   const std::size_t firstNew = replaces ? 0 : present.size();
   const QString name = tr("Open %1").arg(QFileInfo(files.front()).fileName());
   const bool done = workspace_.guarded([&] {

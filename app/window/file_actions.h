@@ -17,6 +17,8 @@ class QWidget;
 
 namespace viscera::app {
 
+class Arrival;
+
 /// Files in and out, on a worker: nothing blocks, and what fails leaves the document as it was and says one
 /// thing.
 class FileActions final : public QObject {
@@ -33,6 +35,10 @@ public:
   using Checker = std::function<void(document::ImportDraft, const QStringList&)>;
   void setChecker(Checker checker) { checker_ = std::move(checker); }
 
+  /// Who shows organs while their files are still being read. Without anybody they are seen when all are
+  /// there.
+  void setArrival(Arrival* arrival) { arrival_ = arrival; }
+
   /// Takes what opens a session file, which replaces everything. Without one, sessions are refused.
   void setSessionOpener(std::function<void(const QString& file)> opener) { openSession_ = std::move(opener); }
 
@@ -43,6 +49,8 @@ public:
   /// Opens organs, label maps and handles as one undo step, and a scan as another. Sample organs make room
   /// for the first files; later ones come beside those there are. Organs that come without handles get some.
   void open(const QStringList& files, bool check = false);
+  /// Whether what is opened takes the place of what is there: of nothing, or of samples alone.
+  bool replacesPresent() const;
   /// Adds what a draft has accepted to the document.
   void take(const document::ImportDraft& draft, const QStringList& files);
   /// Asks where to, and writes the handles at rest as `.mrk.json`.
@@ -75,6 +83,7 @@ private:
   };
 
   QString folder() const;
+  void takeRead(Read read, const QStringList& files, bool check);
   void takeScan(const document::ScanItem& scan, const QStringList& files, bool alone);
   void rememberFolder(const QString& file);
   void take(const document::OpenedFiles& opened, const QStringList& files);
@@ -90,6 +99,7 @@ private:
   Settings& settings_;
   QWidget* window_;
   Checker checker_;
+  Arrival* arrival_ = nullptr;
   std::function<void(const QString&)> openSession_;
 };
 

@@ -13,6 +13,7 @@
 #include "window/binding_messages.h"
 #include "window/export_actions.h"
 #include "window/help.h"
+#include "window/import/arrival.h"
 #include "window/import/import_desk.h"
 #include "window/import/import_panel.h"
 #include "window/lecture/lecture_screen.h"
@@ -62,6 +63,8 @@ MainWindow::MainWindow(Settings& settings, plugin::Registry registry, motion::Tr
   picture_ = std::make_unique<Picture>(workspace_, view_, *viewArea_->view());
   handles_ = std::make_unique<HandleController>(workspace_, poses_, *picture_);
   imports_ = std::make_unique<ImportDesk>(workspace_, *files_, *picture_, nullptr);
+  arrival_ = new Arrival(playback_, *picture_, this);
+  files_->setArrival(arrival_);
   bindingMessages_ = new BindingMessages(workspace_, viewArea_->messages(), this);
   slices_ = std::make_unique<SlicePanes>(workspace_, view_, *picture_, *viewArea_, *scans_->sliceMenu());
   handleGrip_ = std::make_unique<HandleGrip>(*slices_, *picture_);

@@ -20,6 +20,7 @@
 
 namespace viscera::app {
 
+class Arrival;
 class BindingMessages;
 class ExploreMode;
 class ExportActions;
@@ -71,6 +72,7 @@ public:
   ViewModel& viewModel() { return view_; }
   Slides& slides() { return *slides_; }
   const Picture& picture() const { return *picture_; }
+  Arrival& arrival() { return *arrival_; }
   SlicePanes& slices() { return *slices_; }
   ScanActions& scans() { return *scans_; }
   PlayMode& play() { return *play_; }
@@ -117,6 +119,7 @@ private:
   std::unique_ptr<Picture> picture_;
   std::unique_ptr<HandleController> handles_;
   std::unique_ptr<SlicePanes> slices_;
+  Arrival* arrival_;
   std::unique_ptr<ImportDesk> imports_;
   BindingMessages* bindingMessages_ = nullptr;
   std::unique_ptr<ModeController> modes_;

@@ -19,6 +19,7 @@
 #include "window/modes/mode_controller.h"
 #include "window/session/session_files.h"
 #include "window/view/view_actions.h"
+#include "window/view/view_area.h"
 
 namespace viscera::app {
 namespace {
@@ -103,6 +104,7 @@ int takePicture(const WindowOptions& options) {
   if (!session)
     window.views().lookFrom(scene::StandardView::anterior);
   waitWhile(kSettle);
+  waitFor([&window] { return window.viewArea().view()->atRest(); }, kLongestWait);
   if (!window.grab().save(QString::fromStdString(options.screenshot), "PNG")) {
     std::fprintf(stderr, "viscera: cannot write %s\n", options.screenshot.c_str());
     return kCannotCreate;

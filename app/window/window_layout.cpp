@@ -5,6 +5,7 @@
 #include <QMenuBar>
 #include <QScreen>
 #include <QStatusBar>
+#include <QTimer>
 #include <QToolBar>
 
 #include <map>
@@ -72,7 +73,8 @@ void WindowLayout::place(const Panels& panels) {
   auto* organs = addDock(tr("Organs"), "organs", Qt::LeftDockWidgetArea, panels.organs, true);
   auto* handles = addDock(tr("Handles"), "handles", Qt::LeftDockWidgetArea, panels.handles, true);
   properties_ = addDock(tr("Properties"), "properties", Qt::RightDockWidgetArea, panels.properties, false);
-  auto* timeline = addDock(tr("Timeline"), "timeline", Qt::BottomDockWidgetArea, panels.timeline, false);
+  auto* timeline = timeline_ =
+      addDock(tr("Timeline"), "timeline", Qt::BottomDockWidgetArea, panels.timeline, false);
   timeline->setTitleBarWidget(new QWidget(timeline));
   panels.timeline->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
   auto* chart = charts_ = addDock(tr("Volumes"), "volumes", Qt::BottomDockWidgetArea, panels.charts, false);
@@ -122,20 +124,35 @@ void WindowLayout::arrange() {
                                           {QStringLiteral("timeline"), useful_.timeline},
                                           {QStringLiteral("volumes"), useful_.charts},
                                           {QStringLiteral("slides"), false}};
-  QList<QDockWidget*> coming;
+  for (auto known = heights_.begin(); known != heights_.end(); ++known)
+    if (known.key()->isVisible() && !resizing_)
+      known.value() =
+          known.key() == charts_ ? chartsBefore_.value_or(charts_->height()) : known.key()->height();
+  for (PanelDock* dock : docks_)
+    dock->setVisible(chosen_.value(nameIn(mode_, *dock), useful.at(dock->objectName())).toBool());
+  giveHeights();
+  // Qt shares the room anew once more when it lays the panels out.
+  if (!std::exchange(resizing_, true))
+    QTimer::singleShot(0, this, [this] {
+      giveHeights();
+      resizing_ = false;
+    });
+}
+
+/// Panels are as high as they were, also those that stay while others come and go.
+void WindowLayout::giveHeights() {
+  QList<QDockWidget*> docks;
   QList<int> heights;
-  for (PanelDock* dock : docks_) {
-    const bool wanted = chosen_.value(nameIn(mode_, *dock), useful.at(dock->objectName())).toBool();
-    if (!wanted && dock->isVisible())
-      heights_[dock] = dock->height();
-    if (wanted && dock->isHidden() && heights_.contains(dock)) {
-      coming.push_back(dock);
-      heights.push_back(heights_.value(dock));
-    }
-    dock->setVisible(wanted);
+  if (timeline_->isVisible()) { // Else the chart pays for its height.
+    docks.push_back(timeline_);
+    heights.push_back(timeline_->sizeHint().height());
   }
-  // As high as they were: Qt shares the room anew.
-  window_.resizeDocks(coming, heights, Qt::Vertical);
+  for (auto known = heights_.constBegin(); known != heights_.constEnd(); ++known)
+    if (known.key()->isVisible() && !(known.key() == charts_ && chartsBefore_)) {
+      docks.push_back(known.key());
+      heights.push_back(known.value());
+    }
+  window_.resizeDocks(docks, heights, Qt::Vertical);
 }
 
 void WindowLayout::setFullScreen(bool full) {

@@ -67,12 +67,14 @@ private:
   void placeRail(QWidget* rail);
   void bringBack();
   void arrange();
+  void giveHeights();
   void setFullScreen(bool full);
 
   QMainWindow& window_;
   std::vector<PanelDock*> docks_;
   PanelDock* properties_ = nullptr;
   PanelDock* imports_ = nullptr;
+  PanelDock* timeline_ = nullptr;
   PanelDock* charts_ = nullptr;
   std::optional<int> chartsBefore_; ///< Their height before `fitCharts` made them higher.
   bool importing_ = false;
@@ -83,7 +85,8 @@ private:
   UsefulPanels useful_;
   /// What the user has chosen, by "mode/panel".
   QVariantMap chosen_;
-  QHash<QDockWidget*, int> heights_; ///< Of panels that are folded away, as they were.
+  QHash<QDockWidget*, int> heights_; ///< Of panels that come and go with the modes, as the user left them.
+  bool resizing_ = false;            ///< Heights are to be given once more: what they are now says nothing.
   std::vector<QWidget*> putAway_;    ///< While it is bare.
   QByteArray standard_;
 };

@@ -26,22 +26,22 @@ install(FILES
   "${PROJECT_BINARY_DIR}/VisceraConfig.cmake"
   "${PROJECT_BINARY_DIR}/VisceraConfigVersion.cmake"
   "${PROJECT_SOURCE_DIR}/resources/cmake/VisceraPlugin.cmake"
-  DESTINATION "${viscera_config_dir}")
-install(EXPORT VisceraTargets NAMESPACE Viscera:: DESTINATION "${viscera_config_dir}")
+  DESTINATION "${viscera_config_dir}" COMPONENT Development)
+install(EXPORT VisceraTargets NAMESPACE Viscera:: DESTINATION "${viscera_config_dir}" COMPONENT Development)
 # Another project may also take the build as it is, by -DViscera_DIR=: the plugin of ParaView does in the tests.
 export(EXPORT VisceraTargets NAMESPACE Viscera:: FILE "${PROJECT_BINARY_DIR}/VisceraTargets.cmake")
 file(COPY "${PROJECT_SOURCE_DIR}/resources/cmake/VisceraPlugin.cmake" DESTINATION "${PROJECT_BINARY_DIR}")
-install(FILES "${PROJECT_SOURCE_DIR}/LICENSE" DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(FILES "${PROJECT_SOURCE_DIR}/LICENSE" DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT Development)
 
 # What a desktop needs to know the program.
 if(VISCERA_WITH_APP)
   set(viscera_desktop_dir "${PROJECT_SOURCE_DIR}/resources/desktop")
   install(FILES "${viscera_desktop_dir}/org.viscera.Viscera.desktop"
-    DESTINATION "${CMAKE_INSTALL_DATADIR}/applications")
+    DESTINATION "${CMAKE_INSTALL_DATADIR}/applications" COMPONENT Program)
   install(FILES "${viscera_desktop_dir}/org.viscera.Viscera.svg"
-    DESTINATION "${CMAKE_INSTALL_DATADIR}/icons/hicolor/scalable/apps")
+    DESTINATION "${CMAKE_INSTALL_DATADIR}/icons/hicolor/scalable/apps" COMPONENT Program)
   install(FILES "${viscera_desktop_dir}/org.viscera.Viscera.mime.xml"
-    DESTINATION "${CMAKE_INSTALL_DATADIR}/mime/packages" RENAME org.viscera.Viscera.xml)
+    DESTINATION "${CMAKE_INSTALL_DATADIR}/mime/packages" COMPONENT Program RENAME org.viscera.Viscera.xml)
   install(FILES "${viscera_desktop_dir}/org.viscera.Viscera.metainfo.xml"
-    DESTINATION "${CMAKE_INSTALL_DATADIR}/metainfo")
+    DESTINATION "${CMAKE_INSTALL_DATADIR}/metainfo" COMPONENT Program)
 endif()

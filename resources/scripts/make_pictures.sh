@@ -26,6 +26,7 @@ organ liver anterior,posterior,inferior
 organ kidney_left anterior,left,posterior
 organ kidney_right anterior,right,posterior
 organ stomach_and_bowel anterior,left,posterior
+organ digestive_system anterior,left,posterior
 strip heartbeat heartbeat 10 4 340x260 anterior
 strip peristalsis peristalsis 0.4 4 340x260 anterior
 strip breathing breathing 1 4 340x260 anterior

@@ -5,21 +5,21 @@
 
 packages_to_build() {
   printf '%s\n' cmake ninja-build g++ ccache \
-    libeigen3-dev libboost-dev libqhull-dev libtet1.5-dev nlohmann-json3-dev libcli11-dev zlib1g-dev libbz2-dev libdcmtk-dev libgdcm-dev libopenjp2-7-dev \
+    libeigen3-dev libboost-dev libqhull-dev libtet1.5-dev nlohmann-json3-dev libcli11-dev zlib1g-dev libbz2-dev libdcmtk-dev libopenjp2-7-dev \
     libvtk9-dev libvtk9-qt-dev qtbase5-dev libqt5svg5-dev qttools5-dev-tools \
     libegl-dev libgl-dev libegl1 libgl1-mesa-dri \
     pybind11-dev python3-dev python3-numpy
 }
 
 packages_to_test() {
-  printf '%s\n' libgtest-dev libgmock-dev libbenchmark-dev libcgal-dev \
+  printf '%s\n' libgtest-dev libgmock-dev libbenchmark-dev libcgal-dev libavcodec-dev \
     xvfb xauth xdotool clang-format-14 python3 python3-jsonschema chromium \
     python3-scipy python3-matplotlib python3-meshio python3-vtk9 python3-mpi4py openmpi-bin libopenmpi-dev
 }
 
 # Packages that tests do without where there are none: they say so and are skipped.
 packages_to_test_if_there() {
-  printf '%s\n' python3-trimesh
+  printf '%s\n' python3-trimesh desktop-file-utils appstream shared-mime-info groff
 }
 
 say() { printf '%s\n' "$*" >&2; }

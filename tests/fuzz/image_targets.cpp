@@ -127,7 +127,8 @@ void readAnyDicom(Bytes bytes) {
 std::vector<std::string> dicomSeeds() {
   const tests::LabelImage image = phantom();
   std::vector<std::string> out;
-  for (const char* packing : {"plain", "rle", "jpeg", "jpeg-lossless", "jpeg-ls", "deflated", "big-endian"}) {
+  for (const char* packing :
+       {"plain", "rle", "jpeg", "jpeg-lossless", "jpeg-ls", "jpeg-2000", "deflated", "big-endian"}) {
     std::string series;
     for (int k = 0; k < 2; ++k) {
       const std::string plain = tests::dicomBytes(tests::dicomSlice(image, k));

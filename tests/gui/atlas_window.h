@@ -18,21 +18,29 @@
 namespace viscera::tests {
 
 /// A window in which a doctor works with an atlas of 95 labels (shared/organs/abdomen_seg.nrrd): each member
-/// is one step, for a test that looks at what it does and for a benchmark that takes its time.
+/// is one step, for a test that looks at what it does and for a benchmark that takes its time. None but the
+/// import waits for what the step sets going: `settle` does.
 class AtlasWindow : public WindowTest {
 public:
   static std::filesystem::path file() { return VISCERA_SHARED_ORGANS "/abdomen_seg.nrrd"; }
 
   void import() {
     window().files().open({QString::fromStdString(file().string())});
-    waitUntil([this] { return window().imports().isOpen() || !document().organs().empty(); });
+    waitUntil([this] {
+      const bool read = window().imports().isOpen() || !document().organs().empty();
+      if (!read)
+        mostSeen_ = std::max(mostSeen_, view().view().organs().size());
+      return read;
+    });
     if (window().imports().isOpen())
       window().imports().accept();
     waitUntil([this] { return !document().organs().empty(); });
     settle();
   }
+  /// Organs that were in the view before all of them were read.
+  std::size_t seenArriving() const { return mostSeen_; }
   void find() {
-    key(Qt::Key_F, Qt::ControlModifier);
+    press(Qt::Key_F, Qt::ControlModifier);
     QTest::keyClicks(&search(), QStringLiteral("liver"));
   }
   void choose() {
@@ -43,21 +51,25 @@ public:
     list().setCurrentItem(row("liver"), kName, QItemSelectionModel::NoUpdate);
     window().workspace().selection().setOrgan(organ("liver").id);
   }
-  void isolate() { key(Qt::Key_I, Qt::ControlModifier); }
+  void isolate() { press(Qt::Key_I, Qt::ControlModifier); }
   void surround() {
-    key(Qt::Key_2);
+    press(Qt::Key_2);
     window().actions()["handles.addEnclosing"]->trigger();
   }
   void lock() {
-    key(Qt::Key_3);
+    press(Qt::Key_3);
     window().actions()["volume.lock"]->trigger();
   }
-  /// From the press on a handle to its release.
-  void deform() {
-    const QPoint from = onScreen(handleInView(reachableHandle()));
-    drag(from, from + QPoint(30, -20));
+  void grab() {
+    grabbed_ = onScreen(handleInView(reachableHandle()));
+    QTest::mouseMove(&view(), grabbed_);
+    QTest::mousePress(&view(), Qt::LeftButton, Qt::NoModifier, grabbed_);
   }
-  void showAll() { key(Qt::Key_H, Qt::ControlModifier | Qt::ShiftModifier); }
+  void move(const QPoint& by) { QTest::mouseMove(&view(), grabbed_ + by); }
+  void release(const QPoint& by) {
+    QTest::mouseRelease(&view(), Qt::LeftButton, Qt::NoModifier, grabbed_ + by);
+  }
+  void showAll() { press(Qt::Key_H, Qt::ControlModifier | Qt::ShiftModifier); }
 
   const document::Organ& organ(const std::string& name) {
     const auto& organs = document().organs();
@@ -76,6 +88,13 @@ public:
 
 private:
   static constexpr int kName = 1; ///< Column of the list.
+
+  void press(Qt::Key key, Qt::KeyboardModifiers modifiers = Qt::NoModifier) {
+    QTest::keyClick(&window(), key, modifiers);
+  }
+
+  QPoint grabbed_;
+  std::size_t mostSeen_ = 0;
 };
 
 } // namespace viscera::tests

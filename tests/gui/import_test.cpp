@@ -8,14 +8,23 @@
 #include <QPushButton>
 #include <QTest>
 
+#include <algorithm>
 #include <fstream>
+#include <memory>
+#include <optional>
+#include <thread>
 
+#include "label_files.h"
+#include "session_fixture.h"
 #include "shapes.h"
+#include "viscera/document/organ_commands.h"
 #include "viscera/document/rig_commands.h"
 #include "viscera/geometry/triangle_mesh.h"
 #include "viscera/medical_io/displacement_file.h"
 #include "viscera/medical_io/surface_file.h"
 #include "window/export_actions.h"
+#include "window/file_actions.h"
+#include "window/import/arrival.h"
 #include "window/import/import_desk.h"
 #include "window/import/import_panel.h"
 
@@ -271,6 +280,74 @@ TEST_F(Import, OrgansDisplacementsFieldAndTableOfAPoseAreWritten) {
   EXPECT_EQ(line.substr(0, 5), "name,");
   std::getline(table, line);
   EXPECT_EQ(line.substr(0, 5), "ball,");
+}
+
+TEST_F(Import, OrgansAreSeenAsTheyArriveInPlaceOfASampleThatIsSeenAgainWhenNoneIsTaken) {
+  document::NewOrgan sample = ball("Sample");
+  sample.organ.origin.sample = "ball@medium";
+  ASSERT_TRUE(window().workspace().perform(document::addOrgans({sample})));
+  settle();
+  ASSERT_TRUE(window().files().replacesPresent());
+  const auto arriving = std::make_shared<const TriangleMesh>(liver());
+  const auto seen = [&](const std::shared_ptr<const TriangleMesh>& mesh) {
+    const auto& organs = view().view().organs();
+    return std::any_of(organs.begin(), organs.end(), [&](const auto& organ) {
+      return &organ->mesh() == mesh.get() && organ->visible() && organ->opacity() == 1;
+    });
+  };
+  app::Arrival& arrival = window().arrival();
+  const auto ticket = arrival.begin(true);
+  const auto tell = app::Arrival::listener(ticket);
+  std::thread([&] { tell({"liver", std::nullopt, arriving, boundsOf(arriving->points)}); }).join();
+  ASSERT_TRUE(waitUntil([&] { return seen(arriving); }));
+  EXPECT_FALSE(seen(sample.organ.mesh));
+  EXPECT_LT((view().view().bounds().center() - boundsOf(arriving->points).center()).norm(), 1);
+  EXPECT_TRUE(view().rect().contains(onScreen({-80, 10, 300}))) << "it comes into the picture";
+  arrival.end(ticket, false);
+  EXPECT_FALSE(seen(arriving));
+  EXPECT_TRUE(seen(sample.organ.mesh));
+  tell({"spleen", std::nullopt, arriving, boundsOf(arriving->points)});
+  QTest::qWait(300);
+  EXPECT_FALSE(seen(arriving)) << "what comes too late is not shown";
+}
+
+TEST_F(Import, ThePreviewOfWhatReplacesASampleStandsAloneAndSolid) {
+  document::NewOrgan sample = ball("Sample");
+  sample.organ.origin.sample = "ball@medium";
+  ASSERT_TRUE(window().workspace().perform(document::addOrgans({sample})));
+  open(write(geometry::scaled(liver(), 0.001)));
+  ASSERT_TRUE(window().imports().isOpen());
+  for (const auto& organ : view().view().organs()) {
+    EXPECT_EQ(organ->visible(), &organ->mesh() != sample.organ.mesh.get());
+    EXPECT_EQ(organ->opacity(), 1);
+  }
+  window().imports().cancel();
+  settle();
+  ASSERT_EQ(view().view().organs().size(), 1u);
+  EXPECT_TRUE(view().view().organs().front()->visible());
+}
+
+TEST_F(Import, ThePreviewHasTheColoursThatTheOrgansWillHave) {
+  LabelImage image = emptyLabels();
+  image.fill({2, 2, 2}, {8, 9, 9}, 1);
+  image.fill({12, 2, 2}, {18, 9, 9}, 2);
+  std::ofstream(path(QStringLiteral("a.seg.nrrd")).toStdString(), std::ios::binary)
+      << nrrdFile(image, "right-anterior-superior",
+                  "Segment0_ID:=S1\nSegment0_Name:=liver\nSegment0_Color:=0 1 1\nSegment0_LabelValue:=1\n"
+                  "Segment1_ID:=S2\nSegment1_Name:=spleen\nSegment1_LabelValue:=2\n");
+  open(path(QStringLiteral("a.seg.nrrd")));
+  ASSERT_TRUE(window().imports().isOpen());
+  const auto colors = [this] {
+    std::vector<Vec3> all;
+    for (const auto& organ : view().view().organs())
+      all.push_back(organ->color());
+    return all;
+  };
+  const std::vector<Vec3> previewed = colors();
+  ASSERT_EQ(previewed.size(), 2U);
+  EXPECT_EQ(previewed[0], Vec3(0, 1, 1)) << "the file's, though the program knows a liver's";
+  press(importButton());
+  EXPECT_EQ(colors(), previewed);
 }
 
 } // namespace

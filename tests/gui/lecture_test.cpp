@@ -58,6 +58,18 @@ TEST_F(Room, APanelThatTheUserHasShownOrHiddenStaysSoInThatMode) {
   EXPECT_FALSE(shown("handles"));
 }
 
+TEST_F(Room, TheChartKeepsItsHeightOnAWalkThroughTheModes) {
+  const auto* chart = window().findChild<QDockWidget*>(QStringLiteral("volumes"));
+  const int height = chart->height();
+  for (const Qt::Key mode : {Qt::Key_1, Qt::Key_3, Qt::Key_4, Qt::Key_5, Qt::Key_4, Qt::Key_2, Qt::Key_5}) {
+    key(mode);
+    settle();
+    if (chart->isVisible()) {
+      EXPECT_NEAR(chart->height(), height, 4) << char(mode);
+    }
+  }
+}
+
 TEST_F(Room, TheWindowIsNoLargerThanTheScreen) {
   const QSize screen = window().screen()->availableSize();
   EXPECT_LE(window().width(), screen.width());

@@ -150,12 +150,15 @@ TEST_F(Atlas, IsSearchedIsolatedDeformedUnderALockAndShownWholeAgain) {
     GTEST_SKIP() << "shared/organs/abdomen_seg.nrrd is absent";
   import();
   ASSERT_EQ(document().organs().size(), 95u) << message().toStdString();
+  EXPECT_GT(seenArriving(), 0u) << "they come one after the other";
   EXPECT_EQ(visible(), 95);
   find();
+  settle();
   EXPECT_FALSE(row("liver")->isHidden());
   EXPECT_TRUE(row("spleen")->isHidden());
   choose();
   isolate();
+  settle();
   EXPECT_EQ(visible(), 3);
   surround();
   settle();
@@ -165,11 +168,16 @@ TEST_F(Atlas, IsSearchedIsolatedDeformedUnderALockAndShownWholeAgain) {
   const document::OrganId liver = organ("liver").id;
   ASSERT_TRUE(organ("liver").volumeLocked);
   const double rest = window().workspace().live().volume(liver).nowMl;
-  deform();
+  const QPoint by(30, -20);
+  grab();
+  move(by);
+  settle();
+  release(by);
   settle();
   EXPECT_NE(document().pose(), document().rig().restPositions());
   EXPECT_NEAR(window().workspace().live().volume(liver).nowMl, rest, 1e-6 * rest);
   showAll();
+  settle();
   EXPECT_EQ(visible(), 95);
   EXPECT_EQ(message(), QString());
 }

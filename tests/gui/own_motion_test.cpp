@@ -70,6 +70,23 @@ TEST_F(OwnMotion, KeysOfPosesBecomeASequenceThatPlays) {
   EXPECT_NEAR(volume() / rest, 1, 1e-6);
 }
 
+TEST_F(OwnMotion, StandsAmongTheSequencesWithoutHidingOthers) {
+  key(Qt::Key_K, Qt::ControlModifier);
+  pose(1.2);
+  key(Qt::Key_K, Qt::ControlModifier);
+  auto& list = find<QListWidget>("sequenceList");
+  ASSERT_EQ(list.count(), 4);
+  for (int row = 0; row < list.count(); ++row)
+    EXPECT_TRUE(list.viewport()->rect().contains(list.visualItemRect(list.item(row)).center()))
+        << list.item(row)->text().toStdString();
+  key(Qt::Key_Z, Qt::ControlModifier);
+  key(Qt::Key_Z, Qt::ControlModifier);
+  key(Qt::Key_Z, Qt::ControlModifier);
+  settle();
+  ASSERT_EQ(list.count(), 3);
+  EXPECT_LT(list.height(), 2 * list.gridSize().height());
+}
+
 TEST_F(OwnMotion, EveryChangeOfAKeyIsOneStepThatUndoTakesBack) {
   key(Qt::Key_K, Qt::ControlModifier);
   pose(1.1);

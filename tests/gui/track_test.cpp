@@ -55,6 +55,7 @@ protected:
     dialog.start();
     ASSERT_TRUE(waitUntil([&] { return measured().present() != nullptr; })) << dialog.said().toStdString();
     window().playback().pause();
+    window().activateWindow(); // No window manager gives the keys back when the dialog goes.
     settle();
   }
 };

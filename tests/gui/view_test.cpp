@@ -4,9 +4,21 @@
 #include <QTest>
 #include <QTreeWidget>
 
+#include <functional>
+#include <utility>
+#include <vector>
+
+#include <vtkCallbackCommand.h>
 #include <vtkCamera.h>
+#include <vtkCellArray.h>
+#include <vtkCommand.h>
+#include <vtkNew.h>
+#include <vtkPolyData.h>
+#include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
 
+#include "session_fixture.h"
+#include "viscera/document/organ_commands.h"
 #include "viscera/document/rig_commands.h"
 #include "viscera/scene/picture.h"
 #include "window/style/theme.h"
@@ -28,6 +40,70 @@ protected:
   }
   QTreeWidget& list() { return *window().findChild<QTreeWidget*>(QStringLiteral("organList")); }
 };
+
+/// What each frame of the view was drawn with, from now on.
+class Frames {
+public:
+  struct Frame {
+    int samples = 0;
+    bool allTriangles = false;
+  };
+
+  explicit Frames(app::ViewWidget& view) : view_(view) {
+    command_->SetClientData(this);
+    command_->SetCallback(
+        [](vtkObject*, unsigned long, void* self, void*) { static_cast<Frames*>(self)->add(); });
+    tag_ = view.renderWindow()->AddObserver(vtkCommand::EndEvent, command_);
+  }
+  ~Frames() { view_.renderWindow()->RemoveObserver(tag_); }
+  Frames(const Frames&) = delete;
+  Frames& operator=(const Frames&) = delete;
+
+  std::vector<Frame> drawn;
+
+private:
+  void add() {
+    const auto& organ = *view_.view().organs().front();
+    drawn.push_back({view_.renderWindow()->GetMultiSamples(),
+                     organ.polyData()->GetNumberOfPolys() == organ.mesh().triangles.rows()});
+  }
+
+  app::ViewWidget& view_;
+  vtkNew<vtkCallbackCommand> command_;
+  unsigned long tag_ = 0;
+};
+
+TEST_F(ViewTest, WhatHappensToALargeOrganIsDrawnQuicklyFirstAndSmoothWhenNothingElseDoes) {
+  if (!scene::rendersInSoftware(view().renderWindow()))
+    GTEST_SKIP() << "a graphics processor draws here";
+  window().workspace().perform(document::removeAllOrgans());
+  window().workspace().perform(document::addOrgans({ball("Large", 60, 7)}));
+  settle();
+  const std::vector<std::pair<const char*, std::function<void()>>> events = {
+      {"a mode", [this] { QTest::keyClick(&window(), Qt::Key_3); }},
+      {"a click", [this] { QTest::mouseClick(&view(), Qt::LeftButton, {}, QPoint(5, 5)); }},
+      {"a size", [this] { window().resize(1200, 780); }},
+  };
+  for (const auto& [name, event] : events) {
+    Frames frames(view());
+    event();
+    ASSERT_TRUE(waitUntil([&] { return !frames.drawn.empty(); })) << name;
+    EXPECT_FALSE(view().atRest()) << name;
+    EXPECT_EQ(frames.drawn.front().samples, 0) << name;
+    EXPECT_FALSE(frames.drawn.front().allTriangles) << name;
+    ASSERT_TRUE(waitUntil([this] { return view().atRest(); })) << name;
+    EXPECT_GT(frames.drawn.back().samples, 1) << name;
+    EXPECT_TRUE(frames.drawn.back().allTriangles) << name;
+  }
+}
+
+TEST_F(ViewTest, ASmallOrganIsDrawnSmoothAtOnceAndOnceForAClick) {
+  Frames frames(view());
+  QTest::mouseClick(&view(), Qt::LeftButton, {}, view().rect().center());
+  ASSERT_TRUE(waitUntil([&] { return !frames.drawn.empty() && view().atRest(); }));
+  EXPECT_EQ(frames.drawn.size(), 1u) << "neither the press nor the release draws one of its own";
+  EXPECT_GT(frames.drawn.back().samples, 1);
+}
 
 TEST_F(ViewTest, KeypadDigitsLookAlongTheBodysAxes) {
   key(Qt::Key_1, Qt::KeypadModifier);

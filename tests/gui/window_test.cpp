@@ -69,6 +69,7 @@ void WindowTest::settle() {
   QTest::qWait(50);
   waitUntil([this] { return window().workspace().jobs().idle(); });
   QTest::qWait(50);
+  waitUntil([this] { return view().atRest() || !view().isVisible(); });
 }
 
 void WindowTest::chooseSequence(const char* id) {

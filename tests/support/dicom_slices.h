@@ -114,4 +114,27 @@ inline DicomElements dicomSlice(const LabelImage& image, int k, const std::strin
           {0x7FE00010, "OW" + bytes}};
 }
 
+/// All layers of `image` as one enhanced multi-frame CT, whose frames run from the head down.
+inline DicomElements enhancedDicom(const LabelImage& image) {
+  DicomElements e = dicomSlice(image, 0);
+  std::string pixels = "OW", frames = "SQ";
+  for (int k = image.size[2] - 1; k >= 0; --k) {
+    const DicomElements slice = dicomSlice(image, k);
+    pixels += slice.at(0x7FE00010).substr(2);
+    frames += dicomItem({{0x00209113, "SQ" + dicomItem({{0x00200032, slice.at(0x00200032)}})}});
+  }
+  const std::string shared =
+      "SQ" + dicomItem({{0x00209116, "SQ" + dicomItem({{0x00200037, e[0x00200037]}})},
+                        {0x00289110, "SQ" + dicomItem({{0x00280030, e[0x00280030]}})},
+                        {0x00289145, "SQ" + dicomItem({{0x00281052, "DS-1024"}, {0x00281053, "DS1"}})}});
+  for (const std::uint32_t flat : {0x00200032U, 0x00200037U, 0x00280030U, 0x00281052U, 0x00281053U})
+    e.erase(flat);
+  e[0x00080016] = "UI1.2.840.10008.5.1.4.1.1.2.1";
+  e[0x00280008] = "IS" + std::to_string(image.size[2]);
+  e[0x52009229] = shared;
+  e[0x52009230] = frames;
+  e[0x7FE00010] = pixels;
+  return e;
+}
+
 } // namespace viscera::tests

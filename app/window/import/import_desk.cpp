@@ -14,7 +14,7 @@ namespace viscera::app {
 namespace {
 
 constexpr const char* kSlot = "import";
-constexpr double kGlass = 0.5;
+constexpr double kGlass = 0.5, kSolid = 1;
 /// Of the diagonal: less is not worth a jump of the camera.
 constexpr double kElsewhere = 0.01;
 
@@ -82,16 +82,20 @@ void ImportDesk::show() {
   preview();
 }
 
-/// The organs as glass in the view, beside what the document holds; comes into the picture when they lie
-/// elsewhere or are of another size.
+/// The organs in the view: as glass beside what the document holds, solid and alone where they will take its
+/// place. They come into the picture when they lie elsewhere or are of another size.
 void ImportDesk::preview() {
+  const bool alone = files_.replacesPresent();
   std::vector<presentation::Guest> guests;
   Bounds box;
-  for (const document::DraftOrgan& organ : draft_.organs) {
+  for (std::size_t i = 0; i < draft_.organs.size(); ++i) {
+    const document::DraftOrgan& organ = draft_.organs[i];
     if (!organ.included)
       continue;
-    presentation::Guest guest{organ.mesh, document::OrganLook().color, kGlass};
-    if (const auto color = tissueColor(text(organ.name)))
+    // In the colours that they will have: the file's, else the tissue's.
+    const document::OrganLook& look = draft_.files.organs[i].organ.look;
+    presentation::Guest guest{organ.mesh, look.color, alone ? kSolid : kGlass};
+    if (const auto color = tissueColor(text(organ.name)); color && look == document::OrganLook())
       guest.color = asVec3(*color);
     const Bounds own = boundsOf(organ.mesh->points);
     box = guests.empty() ? own : Bounds{box.low.cwiseMin(own.low), box.high.cwiseMax(own.high)};
@@ -99,7 +103,7 @@ void ImportDesk::preview() {
   }
   const double moved = (box.low - previewed_.low).norm() + (box.high - previewed_.high).norm();
   const bool elsewhere = !guests.empty() && moved > kElsewhere * box.diagonal();
-  picture_.setGuests(std::move(guests));
+  picture_.setGuests(std::move(guests), alone);
   if (!elsewhere)
     return;
   picture_.view().frame(box);

@@ -93,7 +93,7 @@ void SequenceList::rebuild() {
     for (const Item& item : items)
       addSequence(item);
     shown_ = std::move(items);
-    updateGeometry();
+    setFixedHeight(sizeHint().height()); // Another number of pictures may need another line.
   }
   syncCurrent();
 }

@@ -59,6 +59,8 @@ QString shortName(const motion::NormalRange& range) {
     return VolumePanel::tr("normal %1").arg(text(range.name));
   }
 }
+/// ms: the picture of the organs comes first, for the chart takes as long as that.
+constexpr int kDelay = 40;
 
 } // namespace
 
@@ -115,6 +117,9 @@ void VolumePanel::makeChart() {
   window->SetMultiSamples(0);
   chartWidget_->setRenderWindow(window);
   chart_->setWindow(window);
+  drawing_.setSingleShot(true);
+  drawing_.setInterval(kDelay);
+  connect(&drawing_, &QTimer::timeout, this, &VolumePanel::draw);
 }
 
 VolumePanel::~VolumePanel() {
@@ -379,7 +384,13 @@ void VolumePanel::refresh() {
   normals_->setVisible(anything && !dragsShown() && !source_->fullText().isEmpty());
   cycle ? drawCycle() : drawRecord();
   chart_->update();
-  chartWidget_->renderWindow()->Render();
+  if (!drawing_.isActive())
+    drawing_.start();
+}
+
+void VolumePanel::draw() {
+  if (isVisible())
+    chartWidget_->renderWindow()->Render();
 }
 
 /// Of two views the curves lie over one another by their part of the cycle, whatever their rates.

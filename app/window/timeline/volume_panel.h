@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QTimer>
 #include <QVTKOpenGLNativeWidget.h>
 #include <QWidget>
 
@@ -66,6 +67,7 @@ private:
   bool dragsShown() const { return !playback_.showing() && monitor_.drags().rows() >= 2; }
   void take(const motion::VolumeRecord* record);
   void refreshTiles();
+  void draw();
   void drawCycle();
   void drawRecord();
   void syncNormals();
@@ -106,6 +108,7 @@ private:
   bool cycleShown_ = true;
   std::size_t charted_ = 0; ///< Rows of the record that the chart has.
   double chartedUntil_ = 0;
+  QTimer drawing_; ///< Until the chart is drawn.
 };
 
 } // namespace viscera::app

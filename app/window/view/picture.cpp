@@ -13,6 +13,24 @@ std::string translated(const char* text) {
   return QCoreApplication::translate("viscera::presentation", text).toStdString();
 }
 
+namespace {
+
+/// Nothing of the document is seen; it stays as it is.
+void hide(document::DocumentState& state, presentation::ViewState& view) {
+  auto organs = std::make_shared<document::OrganList>();
+  for (const auto& organ : *state.organs) {
+    auto hidden = std::make_shared<document::Organ>(*organ);
+    hidden->look.visible = false;
+    organs->push_back(std::move(hidden));
+  }
+  state.organs = std::move(organs);
+  state.measurements = std::make_shared<const document::MeasurementList>();
+  view.shown = {.rest = view.shown.rest};
+  view.handles = false;
+}
+
+} // namespace
+
 Picture::Picture(Workspace& workspace, ViewModel& model, ViewWidget& view, Role role, QObject* parent)
     : QObject(parent), workspace_(workspace), model_(model), widget_(view), role_(role),
       presenter_(view.view(), {}, translated) {
@@ -55,8 +73,9 @@ void Picture::setMeasuring(presentation::MeasuringNow measuring) {
   refresh();
 }
 
-void Picture::setGuests(std::vector<presentation::Guest> guests) {
+void Picture::setGuests(std::vector<presentation::Guest> guests, bool alone) {
   guests_ = std::move(guests);
+  guestsAlone_ = alone && !guests_.empty();
   refresh();
 }
 
@@ -77,14 +96,17 @@ void Picture::setMap(std::optional<presentation::SurfaceMap> map) {
 
 void Picture::refresh() {
   workspace_.guarded([this] {
-    const presentation::ViewState view = state();
+    presentation::ViewState view = state();
+    document::DocumentState shown = workspace_.state();
+    if (guestsAlone_)
+      hide(shown, view);
     const live::StressFrame stress = workspace_.stress().frame();
     std::optional<presentation::Bending> bending;
     if (view.scan.standing && view.scan.bent)
       bending = presentation::bendingOf(workspace_.bend());
     std::vector<presentation::Guest> guests = guests_;
     guests.insert(guests.end(), measured_.begin(), measured_.end());
-    presenter_.update({workspace_.state(), workspace_.live(), view, workspace_.registry(), &stress,
+    presenter_.update({shown, workspace_.live(), view, workspace_.registry(), &stress,
                        map_ ? &*map_ : nullptr, &measuring_, &guests, namedParts_ ? &*namedParts_ : nullptr,
                        bending ? &*bending : nullptr});
   });

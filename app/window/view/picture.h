@@ -37,7 +37,8 @@ public:
 
   /// What is being measured, and organs that are in no document yet.
   void setMeasuring(presentation::MeasuringNow measuring);
-  void setGuests(std::vector<presentation::Guest> guests);
+  /// Where they are shown alone, nothing of the document is: they will take its place.
+  void setGuests(std::vector<presentation::Guest> guests, bool alone = false);
   /// Surfaces that were measured, beside the organs that move through them.
   void setMeasured(std::vector<presentation::Guest> surfaces);
   /// Numbers on the organs, in place of the map that the view's state asks for; nothing: as it says.
@@ -64,6 +65,7 @@ private:
   presentation::MeasuringNow measuring_;
   std::vector<presentation::Guest> guests_;
   std::vector<presentation::Guest> measured_;
+  bool guestsAlone_ = false;
   std::optional<std::vector<presentation::Part>> namedParts_;
   std::optional<presentation::SurfaceMap> map_;
   std::optional<presentation::ViewState> drawn_; ///< The view's state in what was drawn last.

@@ -4,14 +4,13 @@
 #include <QElapsedTimer>
 #include <QMimeData>
 #include <QMouseEvent>
-#include <QTimer>
 #include <QUrl>
 
 #include <cmath>
 #include <utility>
 
+#include <vtkCommand.h>
 #include <vtkGenericOpenGLRenderWindow.h>
-#include <vtkNew.h>
 #include <vtkRenderWindowInteractor.h>
 
 namespace viscera::app {
@@ -21,6 +20,8 @@ namespace {
 constexpr double kClickDistance = 4;
 /// Logical pixels around the cursor in which a surface is looked for.
 constexpr double kNearDistances[] = {0, 6, 12};
+/// ms without a new frame, until the quick one is replaced by a smooth one.
+constexpr int kPause = 120;
 
 QStringList localFiles(const QMimeData* data) {
   QStringList files;
@@ -45,9 +46,21 @@ ViewWidget::ViewWidget(QWidget* parent)
   setRenderWindow(window);
   view_->setWindow(window);
   view_->setInteractor(interactor());
+  // VTK's interaction asks to render within a press and within a release: it, too, gets the next frame.
+  interactor()->EnableRenderOff();
+  renderWanted_->SetClientData(this);
+  renderWanted_->SetCallback(
+      [](vtkObject*, unsigned long, void* self, void*) { static_cast<ViewWidget*>(self)->onRenderWanted(); });
+  interactor()->AddObserver(vtkCommand::RenderEvent, renderWanted_);
+  smoothFrame_.setSingleShot(true);
+  connect(&smoothFrame_, &QTimer::timeout, this, [this] {
+    if (isVisible() && !view_->moving()) // Whoever ends a motion has the next frame drawn.
+      draw(false);
+  });
 }
 
 ViewWidget::~ViewWidget() {
+  interactor()->RemoveObserver(renderWanted_);
   view_->setInteractor(nullptr);
   view_->setWindow(nullptr);
 }
@@ -83,12 +96,37 @@ void ViewWidget::renderPending() {
   if (!renderScheduled_)
     return;
   renderScheduled_ = false;
-  if (!isVisible())
-    return;
+  if (isVisible())
+    draw(view_->isSlow());
+}
+
+/// What is painted has to be there now, at its new size, say; all else can wait for the events that are
+/// there.
+void ViewWidget::onRenderWanted() {
+  if (painting_)
+    draw(view_->isSlow());
+  else
+    scheduleRender();
+}
+
+void ViewWidget::paintGL() {
+  painting_ = true;
+  QVTKOpenGLNativeWidget::paintGL();
+  painting_ = false;
+}
+
+void ViewWidget::draw(bool quick) {
   QElapsedTimer timer;
   timer.start();
+  renderScheduled_ = false;
+  view_->setQuick(quick);
   renderWindow()->Render();
+  view_->setQuick(false);
   frameSeconds_ = 1e-9 * static_cast<double>(timer.nsecsElapsed());
+  if (quick)
+    smoothFrame_.start(kPause);
+  else
+    smoothFrame_.stop();
 }
 
 void ViewWidget::mousePressEvent(QMouseEvent* event) {

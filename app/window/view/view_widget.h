@@ -1,10 +1,14 @@
 #pragma once
 
 #include <QPointF>
+#include <QTimer>
 #include <QVTKOpenGLNativeWidget.h>
 
 #include <memory>
 #include <optional>
+
+#include <vtkCallbackCommand.h>
+#include <vtkNew.h>
 
 #include "viscera/scene/organ_view.h"
 #include "window/style/theme.h"
@@ -12,7 +16,9 @@
 namespace viscera::app {
 
 /// The 3D view in the window. Renders at most once for all that changed since the event loop last came round,
-/// and tells a click from a drag.
+/// whoever asked for it, and tells a click from a drag. Where a whole, smooth frame takes long
+/// (`scene::OrganView::isSlow`), what happens is answered by a quick frame, and the smooth one follows when
+/// nothing else has happened for a moment.
 class ViewWidget final : public QVTKOpenGLNativeWidget {
   Q_OBJECT
 
@@ -28,6 +34,8 @@ public:
 
   /// How long the last frame took to draw, s.
   double frameSeconds() const { return frameSeconds_; }
+  /// Whether what is seen will stay: nothing waits to be drawn, and the last frame was a whole one.
+  bool atRest() const { return !renderScheduled_ && !smoothFrame_.isActive(); }
 
 public Q_SLOTS:
   /// Renders soon, once.
@@ -48,6 +56,7 @@ Q_SIGNALS:
   void themeChanged();
 
 protected:
+  void paintGL() override;
   void mousePressEvent(QMouseEvent* event) override;
   void mouseReleaseEvent(QMouseEvent* event) override;
   void mouseDoubleClickEvent(QMouseEvent* event) override;
@@ -57,11 +66,17 @@ protected:
   void dropEvent(QDropEvent* event) override;
 
 private:
+  void onRenderWanted();
+  void draw(bool quick);
+
   std::unique_ptr<scene::OrganView> view_;
   QPointF pressed_;
   Qt::MouseButton pressing_ = Qt::NoButton; ///< Until it is released, or has moved away.
   bool renderScheduled_ = false;
+  bool painting_ = false;
+  QTimer smoothFrame_; ///< Runs from a quick frame to the whole one.
   double frameSeconds_ = 0;
+  vtkNew<vtkCallbackCommand> renderWanted_;
 };
 
 } // namespace viscera::app

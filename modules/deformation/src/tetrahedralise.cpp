@@ -218,7 +218,8 @@ std::filesystem::path installedTetgenWorker() {
   Dl_info library{};
   if (dladdr(reinterpret_cast<void*>(&installedTetgenWorker), &library) == 0 || !library.dli_fname)
     return kWorkerName;
-  const auto folder = std::filesystem::absolute(library.dli_fname).parent_path();
+  // The loader may have found the library through a link, as /lib is one to /usr/lib.
+  const auto folder = std::filesystem::weakly_canonical(library.dli_fname).parent_path();
   for (const char* beside : {VISCERA_LIBEXEC_FROM_LIBDIR, "../bin"})
     if (std::filesystem::exists(folder / beside / kWorkerName))
       return (folder / beside / kWorkerName).lexically_normal();

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <limits>
 #include <map>
 #include <set>
 #include <tuple>
@@ -104,6 +105,26 @@ std::pair<Organ, ReadSurface> readBoth(const std::filesystem::path& file) {
   return {std::move(organ), std::move(read)};
 }
 
+/// Around the voxels of these segments, mm LPS.
+Bounds boxOf(const medical_io::LabelMap& map, const std::vector<std::size_t>& segments) {
+  constexpr double kHalf = 0.5;
+  Bounds box{Vec3::Constant(std::numeric_limits<double>::infinity()),
+             Vec3::Constant(-std::numeric_limits<double>::infinity())};
+  for (const std::size_t segment : segments)
+    for (int corner = 0; corner < 8; ++corner) {
+      Vec3 index;
+      for (int axis = 0; axis < 3; ++axis) {
+        const bool high = ((corner >> axis) & 1) != 0;
+        const auto at = static_cast<std::size_t>(axis);
+        const medical_io::Segment& one = map.segments[segment];
+        index[axis] = high ? one.high[at] + kHalf : one.low[at] - kHalf;
+      }
+      const Vec3 place = map.indexToLps * index;
+      box = {box.low.cwiseMin(place), box.high.cwiseMax(place)};
+    }
+  return box;
+}
+
 } // namespace
 
 bool isHandleFile(const std::filesystem::path& file) {
@@ -132,14 +153,22 @@ std::vector<Organ> organsFrom(const medical_io::LabelMap& map, std::vector<medic
 }
 
 std::vector<Organ> readLabelOrgans(const std::filesystem::path& file, const std::vector<std::string>& labels,
-                                   Progress& progress) {
+                                   Progress& progress, const ArrivalListener& arrives) {
   const medical_io::LabelMap map = medical_io::readLabelMap(file, progress);
   medical_io::LabelSurfaceOptions options;
   options.segments = medical_io::segmentsNamed(map, labels, file.string());
-  return organsFrom(map, medical_io::labelSurfaces(map, options, progress), file);
+  medical_io::SurfaceListener made;
+  if (arrives)
+    made = [&arrives, &map, whole = boxOf(map, options.segments)](const medical_io::LabelSurface& surface) {
+      const medical_io::Segment& segment = map.segments[surface.segment];
+      arrives(
+          {segment.name, segment.color, std::make_shared<const geometry::TriangleMesh>(surface.mesh), whole});
+    };
+  return organsFrom(map, medical_io::labelSurfaces(map, options, progress, {}, made), file);
 }
 
-OpenedFiles openFiles(const std::vector<std::filesystem::path>& named, Progress& progress) {
+OpenedFiles openFiles(const std::vector<std::filesystem::path>& named, Progress& progress,
+                      const ArrivalListener& arrives) {
   if (named.empty())
     throw UsageError("There is no file to open");
   const std::vector<std::filesystem::path> files = withoutHalves(named);
@@ -156,13 +185,15 @@ OpenedFiles openFiles(const std::vector<std::filesystem::path>& named, Progress&
       addWarnings(opened.warnings, files[i], handles.warnings);
       opened.rig = rigFrom(handles, files[i].string());
     } else if (medical_io::isLabelMap(files[i])) {
-      for (Organ& organ : readLabelOrgans(files[i], {}, progress)) {
+      for (Organ& organ : readLabelOrgans(files[i], {}, progress, arrives)) {
         for (const std::string& warning : organ.warnings)
           opened.warnings.push_back(files[i].filename().string() + ": " + organ.name + ": " + warning);
         opened.organs.push_back({std::move(organ), -1});
       }
     } else {
       auto [organ, read] = readBoth(files[i]);
+      if (arrives)
+        arrives({organ.name, std::nullopt, organ.mesh, boundsOf(organ.mesh->points)});
       opened.surfaces.emplace(opened.organs.size(), std::move(read));
       opened.organs.push_back({std::move(organ), -1});
       addWarnings(opened.warnings, files[i], opened.organs.back().organ.warnings);
@@ -250,7 +281,10 @@ std::vector<NewOrgan> organsFrom(const sample_organs::SampleOrgan& sample) {
   std::vector<NewOrgan> list;
   for (const sample_organs::SampleSurface& surface : sample.surfaces) {
     const bool outer = list.empty();
-    NewOrgan item{makeOrgan(displayName(outer ? sample.name : surface.name), surface.mesh), outer ? -1 : 0};
+    const bool own = outer || !surface.organ.empty();
+    const std::string name =
+        !surface.organ.empty() ? surface.organ : displayName(outer ? sample.name : surface.name);
+    NewOrgan item{makeOrgan(name, surface.mesh), own ? -1 : 0};
     item.organ.look.color = surface.color;
     item.organ.origin.sample = sample.name + "@" + sample_organs::nameOf(sample.resolution);
     item.organ.origin.surface = surface.name;

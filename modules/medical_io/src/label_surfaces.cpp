@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <mutex>
 #include <numeric>
 
 #include "file_bytes.h"
@@ -141,7 +142,7 @@ std::vector<std::size_t> requestedSegments(const LabelMap& map, const LabelSurfa
 } // namespace
 
 std::vector<LabelSurface> labelSurfaces(const LabelMap& map, const LabelSurfaceOptions& options,
-                                        Progress& progress, Threads threads) {
+                                        Progress& progress, Threads threads, const SurfaceListener& made) {
   const std::vector<std::size_t> segments = requestedSegments(map, options);
   // The large ones first: the last thread to finish should not have just begun with one.
   std::vector<std::size_t> order(segments.size());
@@ -151,10 +152,15 @@ std::vector<LabelSurface> labelSurfaces(const LabelMap& map, const LabelSurfaceO
   });
   std::vector<LabelSurface> surfaces(segments.size());
   std::atomic<int> done{0};
+  std::mutex telling;
   progress.report(0, "surfaces");
   parallelRanges(static_cast<Eigen::Index>(order.size()), 1, threads, [&](Eigen::Index begin, Eigen::Index) {
     const std::size_t place = order[static_cast<std::size_t>(begin)];
     surfaces[place] = surfaceOf(map, segments[place], options, progress);
+    if (made) {
+      const std::lock_guard lock(telling);
+      made(surfaces[place]);
+    }
     progress.report(static_cast<double>(++done) / static_cast<double>(order.size()),
                     map.segments[segments[place]].name);
   });

@@ -4,6 +4,16 @@
 #include <utility>
 
 namespace viscera::presentation {
+namespace {
+
+void cutLike(scene::GhostOutline& outline, const std::optional<scene::CutPlane>& plane) {
+  if (plane)
+    outline.setClipPlane(plane->origin, plane->normal);
+  else
+    outline.clearClipPlane();
+}
+
+} // namespace
 
 OrganPicture::~OrganPicture() {
   for (auto& [id, shown] : shown_)
@@ -143,7 +153,6 @@ void OrganPicture::updateLooks(const Scene& scene, const std::map<document::Orga
     actor.setColor(look.color);
     if (std::exchange(shown.vertexColors, look.vertexColors) != look.vertexColors)
       actor.setVertexColorsShown(look.vertexColors);
-    updateSelection(shown, id == scene.view.selection.organ, appearance.visible);
     actor.setVisible(appearance.visible);
     actor.setOpacity(appearance.opacity);
     updateColors(shown, appearance, colors);
@@ -152,7 +161,10 @@ void OrganPicture::updateLooks(const Scene& scene, const std::map<document::Orga
     else if (!appearance.clip && shown.clip)
       actor.clearClipPlane();
     shown.clip = appearance.clip;
+    updateSelection(shown, id == scene.view.selection.organ, appearance.visible);
     updateGhost(shown, scene.view.ghost && look.visible);
+    if (shown.outline)
+      cutLike(*shown.outline, shown.clip);
   }
   colors_ = colors;
 }

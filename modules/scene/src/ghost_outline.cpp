@@ -8,7 +8,9 @@
 #include <vtkCamera.h>
 #include <vtkCellArray.h>
 #include <vtkFloatArray.h>
+#include <vtkMapper.h>
 #include <vtkNew.h>
+#include <vtkPlane.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkProperty.h>
@@ -137,6 +139,20 @@ void GhostOutline::setColor(const Vec3& color) {
 void GhostOutline::setOpacity(double opacity) {
   parts_->actors[0]->GetProperty()->SetOpacity(kBehind * opacity);
   parts_->actors[1]->GetProperty()->SetOpacity(opacity);
+}
+
+void GhostOutline::setClipPlane(const Vec3& origin, const Vec3& normal) {
+  vtkNew<vtkPlane> plane;
+  plane->SetOrigin(origin.data());
+  plane->SetNormal(normal.normalized().eval().data());
+  clearClipPlane();
+  for (const auto& actor : parts_->actors)
+    actor->GetMapper()->AddClippingPlane(plane);
+}
+
+void GhostOutline::clearClipPlane() {
+  for (const auto& actor : parts_->actors)
+    actor->GetMapper()->RemoveAllClippingPlanes();
 }
 
 void GhostOutline::setVisible(bool visible) {

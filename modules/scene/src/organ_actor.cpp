@@ -250,6 +250,12 @@ void OrganActor::clearClipPlane() {
   parts_->mapper->RemoveAllClippingPlanes();
 }
 
+bool OrganActor::cutsAway(const Vec3& place) const {
+  vtkPlaneCollection* planes = parts_->mapper->GetClippingPlanes();
+  Vec3 at = place;
+  return planes && planes->GetNumberOfItems() > 0 && planes->GetItem(0)->EvaluateFunction(at.data()) < 0;
+}
+
 void OrganActor::showScalars(std::shared_ptr<const Values> values, const ColorMap& map, ValueRange range) {
   auto& p = *parts_;
   if (values->size() != p.mesh->points.rows())

@@ -34,13 +34,16 @@ constexpr double kLineOpacity = 0.75;
 constexpr double kCell = 16;
 /// Organs that let less than this through hide what is behind them.
 constexpr double kOpaque = 0.9;
-/// Vertices of an organ that are looked at in a frame.
-constexpr Eigen::Index kMostVertices = 3000;
+/// Vertices of an organ that are looked at in a frame; more where its parts are named, so that no cell of the
+/// front is empty for lack of vertices.
+constexpr Eigen::Index kMostVertices = 3000, kMostVerticesForParts = 30'000;
 /// A vertex covers that part of the distance to its neighbours.
 constexpr double kSpacingPart = 0.6;
 constexpr int kDotCorners = 12;
 /// A part is hidden when something is that much, of the organ's size, nearer to the reader than it is.
 constexpr double kHidden = 0.04;
+/// An opaque part that faces away from the reader by more than that (a cosine) is its organ's back.
+constexpr double kBack = 0.3;
 /// How high on an organ the line of a label at the edge starts, as a part of its height.
 constexpr double kEdgeHeight = 0.7;
 
@@ -119,17 +122,19 @@ struct Sighting {
   bool seen = false;
 };
 
-Sighting sight(const OrganActor& organ, std::size_t owner, const ViewGeometry& view, Footprint& all,
-               FrontGrid& fronts) {
+Sighting sight(const OrganActor& organ, std::size_t owner, const ViewGeometry& view, Eigen::Index most,
+               Footprint& all, FrontGrid& fronts) {
   Sighting sighting{Footprint(view.pixelHeight)};
   const Points& points = organ.points();
-  const Eigen::Index stride = std::max<Eigen::Index>(1, points.rows() / kMostVertices);
+  const Eigen::Index stride = std::max<Eigen::Index>(1, points.rows() / most);
   // What lies between the vertices that are looked at is covered, too.
   const Vec3 box = boundsOf(points).high - boundsOf(points).low;
   const double area = 2 * (box.x() * box.y() + box.y() * box.z() + box.z() * box.x());
   const double spacing = std::sqrt(area * static_cast<double>(stride) / static_cast<double>(points.rows()));
   Eigen::Index count = 0;
   for (Eigen::Index i = 0; i < points.rows(); i += stride) {
+    if (organ.cutsAway(points.row(i).transpose()))
+      continue;
     const DisplayPoint place = view.project(points.row(i).transpose());
     if (!(place.depth > 0) || !std::isfinite(place.x) || !std::isfinite(place.y))
       continue;
@@ -151,13 +156,22 @@ Sighting sight(const OrganActor& organ, std::size_t owner, const ViewGeometry& v
   return sighting;
 }
 
-/// A part where its vertex is; nothing while that is behind something opaque, or outside of the view.
+bool showsItsBack(const OrganActor& organ, Eigen::Index vertex, const ViewGeometry& view) {
+  const Vec3 normal = organ.normals().row(vertex).transpose().cast<double>();
+  return organ.opacity() >= kOpaque && normal.dot(view.forward) > kBack;
+}
+
+/// A part where its vertex is; nothing while that is cut away, behind something opaque, or outside of the
+/// view.
 std::optional<Sighting> sightPart(const OrganLabels::Item& item, const Sighting& organ,
                                   const ViewGeometry& view, const FrontGrid& fronts) {
   const Points& points = item.organ->points();
   if (item.vertex >= points.rows())
     return std::nullopt;
-  const DisplayPoint place = view.project(points.row(item.vertex).transpose());
+  const Vec3 at = points.row(item.vertex).transpose();
+  if (item.organ->cutsAway(at) || showsItsBack(*item.organ, item.vertex, view))
+    return std::nullopt;
+  const DisplayPoint place = view.project(at);
   const double slack = kHidden * boundsOf(points).diagonal();
   if (!(place.depth > 0) || !(place.x >= 0) || !(place.y >= 0) || place.x > 2 * view.centerX ||
       place.y > view.pixelHeight || place.depth > fronts.depthAt(place) + slack)
@@ -218,12 +232,15 @@ void OrganLabels::Parts::lookAtOrgans(const ViewGeometry& geometry, Footprint& a
   sightings.assign(items.size(), std::nullopt);
   FrontGrid fronts(geometry);
   std::map<const OrganActor*, Sighting> seen;
+  const bool parts =
+      std::any_of(items.begin(), items.end(), [](const Item& item) { return item.vertex >= 0; });
   for (const auto& organ : view.organs()) {
     if (!organ->visible())
       continue;
     const auto named = std::find_if(items.begin(), items.end(),
                                     [&](const Item& item) { return item.organ == organ && item.vertex < 0; });
-    Sighting sighting = sight(*organ, static_cast<std::size_t>(named - items.begin()), geometry, all, fronts);
+    Sighting sighting = sight(*organ, static_cast<std::size_t>(named - items.begin()), geometry,
+                              parts ? kMostVerticesForParts : kMostVertices, all, fronts);
     if (sighting.seen)
       seen.emplace(organ.get(), std::move(sighting));
   }

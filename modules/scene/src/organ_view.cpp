@@ -116,6 +116,7 @@ struct OrganView::Parts {
   bool knowsGpu = false;
   bool software = false;
   bool moving = false;
+  bool quick = false;
   bool peeling = true;
   vtkNew<vtkCallbackCommand> motion;
   vtkNew<vtkVisceraHandleSetRepresentation> handles;
@@ -133,6 +134,8 @@ struct OrganView::Parts {
   unsigned long beforeWindowTag = 0;
 
   void prepareFrame();
+  bool hurries() const { return software && (moving || quick); }
+  Eigen::Index verticesSeen() const;
   int partDrawn() const;
   void smoothEdges();
   void watchMotion(vtkObject* source);
@@ -141,12 +144,12 @@ struct OrganView::Parts {
   void putHandlesIntoRenderer();
 };
 
-/// Multisampling doubles the time of a frame in software (FXAA triples it), so it waits until nothing moves.
+/// Multisampling doubles the time of a frame in software (FXAA triples it), so it waits until there is time.
 /// Depth peeling draws nothing at all into a multisampled buffer, so there FXAA steps in.
 void OrganView::Parts::smoothEdges() {
   if (!window)
     return;
-  const bool smooth = !(software && moving);
+  const bool smooth = !hurries();
   const bool peels = std::any_of(organs.begin(), organs.end(),
                                  [](const auto& organ) { return organ->visible() && organ->opacity() < 1; });
   const int samples = smooth && !peels ? kSamples : 0;
@@ -171,13 +174,18 @@ void OrganView::Parts::prepareFrame() {
   peelOrOrder(eye);
 }
 
-/// One in how many vertices is drawn: a power of two, so that an organ more or less seldom makes another one.
-int OrganView::Parts::partDrawn() const {
+Eigen::Index OrganView::Parts::verticesSeen() const {
   Eigen::Index vertices = 0;
   for (const auto& organ : organs)
     if (organ->visible())
       vertices += organ->mesh().points.rows();
-  if (!software || !moving || vertices <= kAllDrawnInMotion)
+  return vertices;
+}
+
+/// One in how many vertices is drawn: a power of two, so that an organ more or less seldom makes another one.
+int OrganView::Parts::partDrawn() const {
+  const Eigen::Index vertices = verticesSeen();
+  if (!hurries() || vertices <= kAllDrawnInMotion)
     return 1;
   int part = 2;
   while (vertices > kDrawnInMotion * part)
@@ -185,10 +193,10 @@ int OrganView::Parts::partDrawn() const {
   return part;
 }
 
-/// Peeling draws the organs once for every layer. While something moves a software renderer blends instead,
-/// the farther organs first; a cavity is farther than the wall around it.
+/// Peeling draws the organs once for every layer. In a hurry a software renderer blends instead, the farther
+/// organs first; a cavity is farther than the wall around it.
 void OrganView::Parts::peelOrOrder(const Vec3& eye) {
-  const bool peel = !(software && moving);
+  const bool peel = !hurries();
   for (const auto& organ : organs)
     organ->setUnpeeled(!peel);
   if (peel && !std::exchange(peeling, peel))
@@ -456,6 +464,14 @@ void OrganView::setMoving(bool moving) {
 
 bool OrganView::moving() const {
   return parts_->moving;
+}
+
+void OrganView::setQuick(bool quick) {
+  parts_->quick = quick;
+}
+
+bool OrganView::isSlow() const {
+  return parts_->software && parts_->verticesSeen() > kAllDrawnInMotion;
 }
 
 std::optional<SurfacePick> OrganView::pick(double x, double y) const {

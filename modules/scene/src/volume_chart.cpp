@@ -337,8 +337,9 @@ void VolumeChart::Parts::fillCurve(Curve& curve, ValueRange range) {
             vtkDoubleArray::SafeDownCast(curve.table->GetColumn(0))->GetPointer(0));
   double* values = vtkDoubleArray::SafeDownCast(curve.table->GetColumn(1))->GetPointer(0);
   std::copy(curve.values.begin(), curve.values.end(), values);
-  const bool anyLine = curve.line.dots ? std::any_of(values, values + count, [](double v) { return std::isfinite(v); })
-                                       : leaveLinesOnly(values, drawn.size());
+  const bool anyLine = curve.line.dots
+                           ? std::any_of(values, values + count, [](double v) { return std::isfinite(v); })
+                           : leaveLinesOnly(values, drawn.size());
   curve.table->Modified();
   // VTK draws garbage for an empty table.
   curve.plot->SetVisible(anyLine);

@@ -59,6 +59,8 @@ protected:
       return tests::nrrdFile(phantom());
     if (kind == "a.mha")
       return tests::metaImageFile(phantom());
+    if (kind == "enhanced.dcm")
+      return tests::dicomBytes(tests::enhancedDicom(phantom()));
     const std::string plain = tests::dicomBytes(tests::dicomSlice(phantom(), 3));
     return kind == "plain.dcm" ? plain : tests::packedDicom(plain, kind.substr(0, kind.find('.')));
   }
@@ -91,7 +93,8 @@ TEST_P(BrokenScans, AreRefusedWithAReasonAndTakeLittleMemory) {
 
 INSTANTIATE_TEST_SUITE_P(OfEveryFormat, BrokenScans,
                          testing::Values("a.nii", "a.nii.gz", "a.nrrd", "a.mha", "plain.dcm", "rle.dcm",
-                                         "jpeg.dcm", "jpeg-lossless.dcm", "jpeg-ls.dcm", "deflated.dcm"),
+                                         "jpeg.dcm", "jpeg-lossless.dcm", "jpeg-ls.dcm", "jpeg-2000.dcm",
+                                         "deflated.dcm", "enhanced.dcm"),
                          [](const auto& instance) {
                            std::string name = instance.param;
                            std::replace_if(

@@ -1,7 +1,10 @@
 #include "viscera/document/open_files.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -73,6 +76,28 @@ TEST(LabelOrgans, AreOpenedLikeOtherFiles) {
   const OpenedFiles opened = openFiles({segmentation(folder)}, progress);
   EXPECT_EQ(opened.organs.size(), 2U);
   EXPECT_THAT(opened.warnings, Contains(HasSubstr("a.seg.nrrd: liver: a liver of")));
+}
+
+TEST(LabelOrgans, AreToldAsTheyArriveWithTheirColourAndThePlaceOfAll) {
+  const TemporaryFolder folder;
+  Progress progress;
+  std::vector<ArrivingOrgan> arrived;
+  const OpenedFiles opened = openFiles({segmentation(folder)}, progress,
+                                       [&](ArrivingOrgan organ) { arrived.push_back(std::move(organ)); });
+  ASSERT_EQ(arrived.size(), 2U);
+  Bounds all = boundsOf(opened.organs.front().organ.mesh->points);
+  for (const NewOrgan& item : opened.organs) {
+    const auto same = [&](const ArrivingOrgan& organ) { return organ.name == item.organ.name; };
+    const auto found = std::find_if(arrived.begin(), arrived.end(), same);
+    ASSERT_NE(found, arrived.end()) << item.organ.name;
+    EXPECT_EQ(found->mesh->points, item.organ.mesh->points);
+    EXPECT_EQ(found->color, item.organ.look.color);
+    const Bounds own = boundsOf(item.organ.mesh->points);
+    all = {all.low.cwiseMin(own.low), all.high.cwiseMax(own.high)};
+  }
+  const double voxel = 1;
+  EXPECT_LT((arrived.front().whole.low - all.low).norm(), 2 * voxel);
+  EXPECT_LT((arrived.front().whole.high - all.high).norm(), 2 * voxel);
 }
 
 TEST(LabelOrgans, OfTwoFilesOpenedTogetherComeOnce) {

@@ -167,5 +167,21 @@ TEST(SampleOrgans, BecomeAnOrganWithItsCavities) {
   EXPECT_EQ(document.organs()[1]->look.color, Vec3(0.7, 0.2, 0.2));
 }
 
+TEST(SampleOrgans, WithNamesOfTheirOwnStandBesideTheFirst) {
+  sample_organs::SampleOrgan system{"digestive_system", sample_organs::Resolution::low, {}};
+  const auto mesh = std::make_shared<const geometry::TriangleMesh>(tests::sphere(1));
+  for (const std::string name : {"outer", "lumen", "liver"})
+    system.surfaces.push_back({name, mesh, {0.7, 0.2, 0.2}, {}});
+  system.surfaces[0].organ = "Stomach and bowel";
+  system.surfaces[2].organ = "Liver";
+  const std::vector<NewOrgan> organs = organsFrom(system);
+  ASSERT_EQ(organs.size(), 3U);
+  EXPECT_EQ(organs[0].organ.name, "Stomach and bowel");
+  EXPECT_EQ(organs[1].parentInBatch, 0) << "a cavity";
+  EXPECT_EQ(organs[2].organ.name, "Liver");
+  EXPECT_EQ(organs[2].parentInBatch, -1);
+  EXPECT_EQ(organs[2].organ.origin.surface, "liver");
+}
+
 } // namespace
 } // namespace viscera::document

@@ -1,65 +1,49 @@
 #include <cstring>
 #include <filesystem>
-#include <memory>
 #include <numeric>
 #include <set>
 
 #include <gtest/gtest.h>
-#include <openjpeg.h>
+
+extern "C" {
+#include <libavcodec/avcodec.h>
+}
 
 #include "temporary_folder.h"
 #include "viscera/medical_io/scan.h"
 
-/// The CT beside the project, packed as JPEG 2000, against OpenJPEG on the code stream alone.
+/// The CT beside the project, packed as JPEG 2000, against the decoder of libavcodec, which shares nothing
+/// with OpenJPEG.
 namespace viscera::medical_io {
 namespace {
 
 const std::filesystem::path kSeries = std::filesystem::path(VISCERA_SHARED_ORGANS) / "ct" / "dicom";
 
-/// Bytes as OpenJPEG reads them.
-struct Stream {
-  std::string_view bytes;
-  std::size_t at = 0;
-
-  static OPJ_SIZE_T read(void* out, OPJ_SIZE_T count, void* self) {
-    auto& s = *static_cast<Stream*>(self);
-    const std::size_t there = s.bytes.substr(s.at).copy(static_cast<char*>(out), count);
-    s.at += there;
-    return there > 0 ? there : static_cast<OPJ_SIZE_T>(-1);
-  }
-  static OPJ_OFF_T skip(OPJ_OFF_T count, void* self) {
-    static_cast<Stream*>(self)->at += static_cast<std::size_t>(count);
-    return count;
-  }
-  static OPJ_BOOL seek(OPJ_OFF_T to, void* self) {
-    static_cast<Stream*>(self)->at = static_cast<std::size_t>(to);
-    return OPJ_TRUE;
-  }
-};
-
-/// Pixels of a DICOM file with one JPEG 2000 code stream, found by its markers.
+/// Pixels of a DICOM file with one JPEG 2000 code stream, found by its markers, as libavcodec's own decoder
+/// unpacks it; none when it cannot.
 std::vector<int> decoded(const std::filesystem::path& file) {
   const std::string bytes = tests::contentsOf(file);
-  Stream source{std::string_view(bytes).substr(bytes.find("\xff\x4f\xff\x51"))};
-  const std::unique_ptr<opj_codec_t, void (*)(opj_codec_t*)> codec(opj_create_decompress(OPJ_CODEC_J2K),
-                                                                   opj_destroy_codec);
-  opj_dparameters_t parameters;
-  opj_set_default_decoder_parameters(&parameters);
-  opj_setup_decoder(codec.get(), &parameters);
-  const std::unique_ptr<opj_stream_t, void (*)(opj_stream_t*)> stream(opj_stream_create(1 << 16, OPJ_TRUE),
-                                                                      opj_stream_destroy);
-  opj_stream_set_user_data(stream.get(), &source, nullptr);
-  opj_stream_set_user_data_length(stream.get(), source.bytes.size());
-  opj_stream_set_read_function(stream.get(), Stream::read);
-  opj_stream_set_skip_function(stream.get(), Stream::skip);
-  opj_stream_set_seek_function(stream.get(), Stream::seek);
-  opj_image_t* image = nullptr;
+  const std::size_t begin = bytes.find("\xff\x4f\xff\x51");
+  av_log_set_level(AV_LOG_QUIET);
+  AVCodecContext* context = avcodec_alloc_context3(avcodec_find_decoder_by_name("jpeg2000"));
+  AVPacket* packet = av_packet_alloc();
+  AVFrame* frame = av_frame_alloc();
   std::vector<int> pixels;
-  if (opj_read_header(stream.get(), codec.get(), &image) != 0 &&
-      opj_decode(codec.get(), stream.get(), image) != 0)
-    pixels.assign(image->comps[0].data,
-                  image->comps[0].data + std::size_t(image->comps[0].w) * image->comps[0].h);
-  opj_image_destroy(image);
+  if (begin != bytes.npos && avcodec_open2(context, nullptr, nullptr) == 0 &&
+      av_new_packet(packet, static_cast<int>(bytes.size() - begin)) == 0) {
+    bytes.copy(reinterpret_cast<char*>(packet->data), bytes.size() - begin, begin);
+    if (avcodec_send_packet(context, packet) == 0 && avcodec_receive_frame(context, frame) == 0 &&
+        frame->format == AV_PIX_FMT_GRAY16)
+      for (int y = 0; y < frame->height; ++y)
+        for (int x = 0; x < frame->width; ++x) {
+          std::uint16_t pixel = 0;
+          std::memcpy(&pixel, frame->data[0] + std::ptrdiff_t(y) * frame->linesize[0] + 2 * x, 2);
+          pixels.push_back(pixel >> (16 - context->bits_per_raw_sample)); // It fills the lower bits up.
+        }
+  }
+  av_frame_free(&frame);
+  av_packet_free(&packet);
+  avcodec_free_context(&context);
   return pixels;
 }
 

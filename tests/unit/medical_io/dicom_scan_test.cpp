@@ -209,8 +209,8 @@ TEST_F(DicomScan, NamesPicturesOfAnotherSizeInASeries) {
   const LabelImage image = smallPhantom();
   write(image);
   LabelImage other = tests::orientedPhantomGrid(0, {1, 0, 2});
+  tests::fillPhantom(other);
   other.size[2] = 1;
-  tests::fillPhantom(image.size[2] > 0 ? other : other);
   write(
       other, {}, [](DicomElements& e, int) { e[0x00080018] = "UI1.2.3.4.77"; }, "1.2.3.4", "other");
   const Scan scan = read();
@@ -303,25 +303,7 @@ TEST_F(DicomScan, AppliesASlopeThatDiffersFromSliceToSlice) {
 
 TEST_F(DicomScan, ReadsEnhancedFiles) {
   const LabelImage image = smallPhantom();
-  DicomElements e = tests::dicomSlice(image, 0);
-  std::string pixels = "OW", frames = "SQ";
-  for (int k = image.size[2] - 1; k >= 0; --k) { // From the head down.
-    const DicomElements slice = tests::dicomSlice(image, k);
-    pixels += slice.at(0x7FE00010).substr(2);
-    frames += tests::dicomItem({{0x00209113, "SQ" + tests::dicomItem({{0x00200032, slice.at(0x00200032)}})}});
-  }
-  const std::string shared =
-      "SQ" + tests::dicomItem(
-                 {{0x00209116, "SQ" + tests::dicomItem({{0x00200037, e[0x00200037]}})},
-                  {0x00289110, "SQ" + tests::dicomItem({{0x00280030, e[0x00280030]}})},
-                  {0x00289145, "SQ" + tests::dicomItem({{0x00281052, "DS-1024"}, {0x00281053, "DS1"}})}});
-  for (const std::uint32_t flat : {0x00200032U, 0x00200037U, 0x00280030U, 0x00281052U, 0x00281053U})
-    e.erase(flat);
-  e[0x00080016] = "UI1.2.840.10008.5.1.4.1.1.2.1";
-  e[0x00280008] = "IS" + std::to_string(image.size[2]);
-  e[0x52009229] = shared;
-  e[0x52009230] = frames;
-  e[0x7FE00010] = pixels;
+  DicomElements e = tests::enhancedDicom(image);
   const auto file = folder_.put("enhanced.dcm", tests::dicomBytes(e));
   expectPhantom(readScan(file, {}, progress_), image);
   e[0x00280008] = "IS" + std::to_string(image.size[2] + 1);
@@ -353,8 +335,9 @@ TEST_P(PackedDicomScan, HasTheValuesOfTheUnpackedOne) {
   EXPECT_LT(difference, 15);
 }
 
-INSTANTIATE_TEST_SUITE_P(AsDcmtkPacksIt, PackedDicomScan,
-                         testing::Values("rle", "jpeg-lossless", "jpeg-ls", "jpeg", "deflated", "big-endian"),
+INSTANTIATE_TEST_SUITE_P(AsOthersPackIt, PackedDicomScan,
+                         testing::Values("rle", "jpeg-lossless", "jpeg-ls", "jpeg", "jpeg-2000", "deflated",
+                                         "big-endian"),
                          [](const auto& instance) {
                            std::string name = instance.param;
                            std::replace(name.begin(), name.end(), '-', '_');

@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cstdint>
+#include <map>
 #include <random>
 #include <string>
 
@@ -177,6 +179,24 @@ TEST(LabelSurfaces, AreTheSameForAnyNumberOfThreads) {
     EXPECT_EQ(one[i].mesh.points, three[i].mesh.points);
     EXPECT_EQ(one[i].mesh.triangles, three[i].mesh.triangles);
   }
+}
+
+TEST(LabelSurfaces, AreToldOneByOneAsSoonAsTheyAreMade) {
+  LabelImage image = tests::emptyLabels({40, 40, 40});
+  tests::addBall(image, Vec3(12, 12, 12), 10, 1);
+  tests::addBall(image, Vec3(28, 25, 20), 9, 2);
+  tests::addBall(image, Vec3(10, 30, 28), 8, 3);
+  Progress progress;
+  std::atomic<int> telling{0};
+  std::map<std::size_t, Points> told;
+  const auto surfaces = labelSurfaces(mapOf(image), {}, progress, Threads{3}, [&](const LabelSurface& made) {
+    EXPECT_EQ(++telling, 1) << "never by two at a time";
+    told[made.segment] = made.mesh.points;
+    --telling;
+  });
+  ASSERT_EQ(told.size(), 3U);
+  for (const LabelSurface& surface : surfaces)
+    EXPECT_EQ(told.at(surface.segment), surface.mesh.points);
 }
 
 TEST(LabelSurfaces, CanBeCancelledAndAreOfSegmentsThatThereAre) {

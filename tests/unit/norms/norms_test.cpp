@@ -54,6 +54,35 @@ TEST(Norms, AbsoluteAndIndexedValuesAgreeOnTheBodiesTheyWereMeasuredIn) {
     }
 }
 
+/// UK Biobank's limits of what is normal, the widest of its three age groups, as others quote the paper's
+/// tables of men and women: people of all ages together spread a little less.
+struct QuotedLimits {
+  const char* id;
+  Range women, men, womenPerM2, menPerM2;
+};
+
+TEST(Norms, OfVentriclesLieWithinTheLimitsThatOthersQuoteOfTheSamePeople) {
+  const QuotedLimits all[] = {{"lv.edv", {80, 175}, {93, 232}, {50, 101}, {52, 117}},
+                              {"lv.esv", {25, 73}, {34, 103}, {16, 43}, {19, 52}},
+                              {"lv.sv", {47, 110}, {49, 140}, {29, 63}, {28, 70}},
+                              {"rv.edv", {83, 192}, {99, 260}, {51, 110}, {55, 128}},
+                              {"rv.esv", {26, 95}, {34, 135}, {16, 55}, {19, 67}},
+                              {"rv.sv", {47, 107}, {54, 140}, {29, 61}, {30, 69}}};
+  const auto check = [](const std::string& what, const Measured& measured, const Range& limits) {
+    const double low = measured.mean - 2 * measured.deviation, high = measured.mean + 2 * measured.deviation;
+    EXPECT_GE(low, limits.low - 1) << what;
+    EXPECT_LE(high, limits.high + 1) << what;
+    EXPECT_GE(high - low, 0.8 * (limits.high - limits.low)) << what;
+  };
+  for (const QuotedLimits& quoted : all) {
+    const Norm& row = norm(quoted.id);
+    check(row.id + ", women", *row.women, quoted.women);
+    check(row.id + ", men", *row.men, quoted.men);
+    check(row.id + ", women a square metre", *row.womenPerM2, quoted.womenPerM2);
+    check(row.id + ", men a square metre", *row.menPerM2, quoted.menPerM2);
+  }
+}
+
 /// What a ventricle holds, less what it keeps, is what it ejects.
 TEST(Norms, OfAVentricleAddUp) {
   for (const char* side : {"lv", "rv"}) {

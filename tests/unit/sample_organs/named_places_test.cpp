@@ -20,11 +20,13 @@ TEST_P(NamedPlaces, LieOnTheSurfaceApartFromEachOther) {
   Progress progress;
   // Vessels of the liver are there from the middle resolution on.
   const auto resolution =
-      GetParam() == "liver" ? sample_organs::Resolution::medium : sample_organs::Resolution::low;
-  const auto surface =
-      sample_organs::sampleSurface(projectLibrary(), GetParam(), "outer", resolution, progress);
+      GetParam().ends_with("liver") ? sample_organs::Resolution::medium : sample_organs::Resolution::low;
+  const std::size_t slash = GetParam().find('/');
+  const std::string organ = GetParam().substr(0, slash);
+  const std::string name = slash == std::string::npos ? "outer" : GetParam().substr(slash + 1);
+  const auto surface = sample_organs::sampleSurface(projectLibrary(), organ, name, resolution, progress);
   ASSERT_GE(surface.places.size(), 5U);
-  EXPECT_EQ(surface.places, sample_organs::namedPlaces(projectLibrary(), GetParam(), "outer"));
+  EXPECT_EQ(surface.places, sample_organs::namedPlaces(projectLibrary(), organ, name));
   std::set<std::string> names;
   Points vertices(0, 3);
   for (const geometry::NamedPlace& place : surface.places) {
@@ -45,10 +47,11 @@ TEST_P(NamedPlaces, LieOnTheSurfaceApartFromEachOther) {
 
 INSTANTIATE_TEST_SUITE_P(OfOrgan, NamedPlaces,
                          testing::Values("heart", "stomach", "liver", "kidney_left", "kidney_right",
-                                         "stomach_and_bowel"),
+                                         "stomach_and_bowel", "digestive_system", "digestive_system/liver",
+                                         "digestive_system/pancreas"),
                          [](const auto& instance) {
                            std::string name = instance.param;
-                           name.erase(std::remove(name.begin(), name.end(), '_'), name.end());
+                           std::erase_if(name, [](char c) { return c == '_' || c == '/'; });
                            return name;
                          });
 

@@ -37,8 +37,8 @@ private:
 
 TEST(SampleLibrary, OfTheBuildHasTheProjectsOrgans) {
   const std::vector<std::string> names = sample_organs::sampleNames(sample_organs::standardLibrary());
-  const std::vector<std::string> expected = {"heart", "kidney_left", "kidney_right",
-                                             "liver", "stomach",     "stomach_and_bowel"};
+  const std::vector<std::string> expected = {
+      "digestive_system", "heart", "kidney_left", "kidney_right", "liver", "stomach", "stomach_and_bowel"};
   EXPECT_EQ(names, expected);
 }
 

@@ -37,7 +37,11 @@ const std::map<std::string, std::map<std::string, Expected>>& expectedOrgans() {
       {"liver", {{"outer", {1622, 0.015, {{kLow, 3000}, {kMedium, 30000}, {kHigh, 130000}}}}}},
       {"kidney_left", {{"outer", {151, 0.03, {{kLow, 3000}, {kMedium, 30000}, {kHigh, 150000}}}}}},
       {"kidney_right", {{"outer", {145, 0.03, {{kLow, 3000}, {kMedium, 30000}, {kHigh, 150000}}}}}},
-      {"stomach_and_bowel", {{"outer", {3089, 0.03, {{kLow, 10000}, {kMedium, 60000}, {kHigh, 350000}}}}}}};
+      {"stomach_and_bowel", {{"outer", {3089, 0.03, {{kLow, 10000}, {kMedium, 60000}, {kHigh, 350000}}}}}},
+      {"digestive_system",
+       {{"outer", {3089, 0.03, {{kLow, 10000}, {kMedium, 60000}, {kHigh, 350000}}}},
+        {"liver", {1558, 0.015, {{kLow, 3000}, {kMedium, 30000}, {kHigh, 130000}}}},
+        {"pancreas", {66.5, 0.03, {{kLow, 2000}, {kMedium, 12000}, {kHigh, 60000}}}}}}};
   return organs;
 }
 
@@ -88,7 +92,8 @@ TEST_P(SampleSurfaces, AreClosedManifoldOutwardOfTheRightSizeAndDoNotIntersectTh
 
 INSTANTIATE_TEST_SUITE_P(Every, SampleSurfaces,
                          testing::Combine(testing::Values("heart", "stomach", "liver", "kidney_left",
-                                                          "kidney_right", "stomach_and_bowel"),
+                                                          "kidney_right", "stomach_and_bowel",
+                                                          "digestive_system"),
                                           testing::Values(kLow, kMedium, kHigh)),
                          nameOfCase);
 
@@ -109,6 +114,18 @@ TEST(SampleOrgans, HeartCavitiesLieInsideTheWallAndApart) {
       sample_organs::implicitSurface(projectLibrary(), "heart", "surf outer");
   EXPECT_LT(wall(lv.mesh->points.row(0)), 0);
   EXPECT_LT(wall(rv.mesh->points.row(0)), 0);
+}
+
+TEST(SampleOrgans, OfTheDigestiveSystemLieBesideEachOther) {
+  Progress progress;
+  const sample_organs::SampleOrgan system =
+      sample_organs::sampleOrgan(projectLibrary(), "digestive_system", kMedium, progress);
+  const auto& [bowel, liver, pancreas] = std::tie(system.surfaces[0], system.surfaces[1], system.surfaces[2]);
+  EXPECT_EQ(bowel.organ, "Stomach and bowel");
+  EXPECT_EQ(liver.organ, "Liver");
+  EXPECT_EQ(pancreas.organ, "Pancreas");
+  EXPECT_FALSE(surfacesMeet(*bowel.mesh, *liver.mesh));
+  EXPECT_FALSE(surfacesMeet(*bowel.mesh, *pancreas.mesh));
 }
 
 TEST(SampleOrgans, DoNotDependOnTheNumberOfThreads) {

@@ -39,6 +39,36 @@ protected:
   std::vector<OrganLabels::Drawn> drawn;
 };
 
+/// A large organ of many vertices: looked at sparsely it would let what is behind it through.
+TEST(LabelsOfParts, AreLeftOutBehindALargeOrganOnItsBackAndWhereItIsCutAway) {
+  tests::ViewInWindow window(640, 480);
+  OrganLabels labels(window.view);
+  const auto large = window.addOrgan(tests::sphere(6, 100));
+  const auto small = window.addOrgan(tests::sphere(3, 5, {30, 130, 0}));
+  const auto part = [](const std::string& name, const std::shared_ptr<OrganActor>& organ, const Vec3& place) {
+    Eigen::Index nearest = 0;
+    (organ->points().rowwise() - place.transpose()).rowwise().squaredNorm().minCoeff(&nearest);
+    return OrganLabels::Item{name, organ, false, nearest};
+  };
+  labels.setItems({part("Front", large, {0, -100, 20}), part("Back", large, {20, 100, 0}),
+                   part("Behind", small, {30, 125, 0})});
+  labels.setShown(true);
+  window.view.lookFrom(StandardView::anterior);
+  const auto names = [&] {
+    window.render();
+    std::vector<std::string> texts;
+    for (const auto& label : labels.drawn())
+      texts.push_back(label.text);
+    return texts;
+  };
+  EXPECT_EQ(names(), std::vector<std::string>{"Front"});
+  large->setClipPlane({0, 0, 0}, {0, 1, 0});
+  EXPECT_EQ(names(), std::vector<std::string>{}) << "the front is cut away, the back is seen from inside";
+  large->clearClipPlane();
+  large->setOpacity(0.3);
+  EXPECT_EQ(names().size(), 3U) << "one sees through it";
+}
+
 TEST_F(Labels, LinesEndOnTheOrgansAndBoxesLieBesideThem) {
   for (const auto& [text, center] :
        {std::pair{"Left ventricle", Vec3(18, 0, 0)}, std::pair{"Right ventricle", Vec3(-18, 0, 4)}}) {

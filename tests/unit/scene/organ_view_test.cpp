@@ -155,6 +155,25 @@ TEST(OrganView, SoftwareRenderersSmoothEdgesOnlyWhenNothingMoves) {
   EXPECT_GT(window.surface.window()->GetMultiSamples(), 1);
 }
 
+TEST(OrganView, AQuickFrameOfManyVerticesHasFewerTrianglesAndNoSmoothEdges) {
+  ViewInWindow window(200, 150);
+  const auto large = window.addOrgan(tests::sphere(7, 40));
+  window.render();
+  if (!rendersInSoftware(window.surface.window()))
+    GTEST_SKIP() << "a graphics processor draws here";
+  EXPECT_TRUE(window.view.isSlow());
+  const auto whole = grabPicture(window.surface.window());
+  window.view.setQuick(true);
+  window.render();
+  EXPECT_EQ(window.surface.window()->GetMultiSamples(), 0);
+  EXPECT_LT(large->polyData()->GetNumberOfPolys(), large->mesh().triangles.rows() / 2);
+  window.view.setQuick(false);
+  EXPECT_EQ(comparePictures(whole, grabPicture(window.surface.window()), 0).differing, 0);
+  EXPECT_GT(window.surface.window()->GetMultiSamples(), 1);
+  large->setVisible(false);
+  EXPECT_FALSE(window.view.isSlow());
+}
+
 /// A ball in a translucent one that is added first, and a translucent one far behind that is added last.
 struct BallInAGlass {
   BallInAGlass() : window(320, 240) {

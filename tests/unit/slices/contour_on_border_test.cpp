@@ -105,9 +105,17 @@ std::vector<Piece> contour(const Layer& layer, const geometry::TriangleMesh& mes
   return pieces;
 }
 
-/// Holds the contours of a segment's surface against its voxels, in every layer along every axis of the
-/// voxels that has enough of both.
-void expectOnBorder(const medical_io::LabelMap& map, std::size_t segment, int triangles) {
+/// What is asked of contours, in voxels of the map, by how many voxels wide the stairs of its labels are: a
+/// segmentation that was copied to finer voxels keeps the stairs of its own, and the surface smooths them.
+struct Asked {
+  int stairs = 1;
+  double onBorder = 0.25; ///< Mean distance of a contour from the border, at most.
+  double covered = 0.5;   ///< Mean distance of the border from the contour.
+};
+
+/// Holds the contours of a segment's surface of `triangles` (0: all) against its voxels, in every layer along
+/// every axis of the voxels, the outermost too.
+void expectOnBorder(const medical_io::LabelMap& map, std::size_t segment, int triangles, const Asked& asked) {
   Progress progress;
   medical_io::LabelSurfaceOptions options;
   options.segments = {segment};
@@ -119,16 +127,18 @@ void expectOnBorder(const medical_io::LabelMap& map, std::size_t segment, int tr
     inside[v] = map.layers[std::size_t(item.layer)][v] == segment + 1;
   int seen = 0;
   for (std::size_t axis = 0; axis < 3; ++axis)
-    // In the outermost layers a smooth surface ends where it will.
-    for (int at = item.low[axis] + 1; at < item.high[axis]; ++at) {
+    for (int at = item.low[axis]; at <= item.high[axis]; ++at) {
       const Layer layer{map, axis, at};
       const std::vector<Piece> edges = borders(layer, inside, item), lines = contour(layer, mesh);
-      const std::string where =
-          item.name + ", axis " + std::to_string(axis) + ", layer " + std::to_string(at);
-      ASSERT_FALSE(edges.empty()) << where;
-      ASSERT_FALSE(lines.empty()) << where;
-      EXPECT_LE(meanDistance(lines, edges), 0.25) << where;
-      EXPECT_LE(meanDistance(edges, lines), 0.5) << where;
+      SCOPED_TRACE(item.name + ", axis " + std::to_string(axis) + ", layer " + std::to_string(at));
+      ASSERT_FALSE(edges.empty());
+      // A nub of one, two or three stairs is all corners: it is rounded by half a stair, or off.
+      const bool nub = edges.size() < std::size_t(12 * asked.stairs);
+      if (nub && lines.empty())
+        continue;
+      ASSERT_FALSE(lines.empty());
+      EXPECT_LE(meanDistance(lines, edges), nub ? 0.55 * asked.stairs : asked.onBorder);
+      EXPECT_LE(meanDistance(edges, lines), nub ? 0.75 * asked.stairs : asked.covered);
       ++seen;
     }
   EXPECT_GE(seen, 15) << item.name;
@@ -163,7 +173,7 @@ medical_io::LabelMap eggInObliqueGrid() {
 }
 
 TEST(ContourOnBorder, OfAnEggInAnObliqueLeftHandedGrid) {
-  expectOnBorder(eggInObliqueGrid(), 0, 0);
+  expectOnBorder(eggInObliqueGrid(), 0, 0, {});
 }
 
 /// An egg with a bump, so that no axis can be taken for another, on the grid of a phantom.
@@ -210,22 +220,37 @@ TEST(ContourOnBorder, OfAPhantomInEveryOrientationWhateverTheFormats) {
         medical_io::readScan(folder.put("ct.nrrd", tests::nrrdFile(values)), {}, progress),
         medical_io::readScan(folder / "dicom", {}, progress)};
     for (const medical_io::LabelMap& map : maps) {
-      expectOnBorder(map, 0, 0);
+      expectOnBorder(map, 0, 0, {});
       for (const medical_io::Scan& scan : scans)
         expectAlike(map, scan);
     }
   }
 }
 
-TEST(ContourOnBorder, OfTheLargeOrgansOfARealPatient) {
-  const std::filesystem::path file = std::filesystem::path(VISCERA_SHARED_ORGANS) / "ct/example_seg.nii.gz";
+/// The organs of one of the shared segmentations.
+void expectOrgansOnBorder(const std::string& name, const std::vector<std::string>& organs, int triangles,
+                          const Asked& asked = {}) {
+  const std::filesystem::path file = std::filesystem::path(VISCERA_SHARED_ORGANS) / "ct" / name;
   if (!std::filesystem::exists(file))
     GTEST_SKIP() << file << " is not there";
   Progress progress;
   const medical_io::LabelMap map = medical_io::readLabelMap(file, progress);
-  const std::vector<std::string> names = {"liver", "spleen", "kidney_left", "stomach"};
-  for (const std::size_t segment : medical_io::segmentsNamed(map, names, file.string()))
-    expectOnBorder(map, segment, 0);
+  for (const std::size_t segment : medical_io::segmentsNamed(map, organs, file.string()))
+    expectOnBorder(map, segment, triangles, asked);
+}
+
+constexpr int kTrianglesOfTheWindow = medical_io::LabelSurfaceOptions().triangles;
+
+TEST(ContourOnBorder, OfTheLargeOrgansOfARealPatient) {
+  expectOrgansOnBorder("example_seg.nii.gz", {"liver", "spleen", "kidney_left", "stomach"}, 0);
+  expectOrgansOnBorder("example_seg.nii.gz", {"liver"}, kTrianglesOfTheWindow);
+}
+
+// Its voxels of 0.98 mm are copies of voxels of 3 mm.
+TEST(ContourOnBorder, OfTheLiverOfARealDicomSeries) {
+  const Asked asked{3, 0.5, 0.6};
+  for (const int triangles : {0, kTrianglesOfTheWindow})
+    expectOrgansOnBorder("example_seg_dicom.nii.gz", {"liver"}, triangles, asked);
 }
 
 } // namespace

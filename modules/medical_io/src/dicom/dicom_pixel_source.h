@@ -16,7 +16,7 @@ public:
   virtual DicomPixels read(int frame) = 0;
 };
 
-/// JPEG 2000, unpacked by GDCM. Throws `DataError`.
+/// JPEG 2000, unpacked by OpenJPEG. Throws `DataError`.
 std::unique_ptr<DicomPixelSource> jpeg2000Pixels(const DicomHeader& header,
                                                  std::shared_ptr<DcmFileFormat> format);
 

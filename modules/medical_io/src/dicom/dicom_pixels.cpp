@@ -15,7 +15,7 @@
 #include <dcmtk/dcmjpls/djdecode.h>
 
 /// DCMTK parses, because it holds every length against the file, and unpacks JPEG and JPEG-LS, because it
-/// does so without printing. JPEG 2000, which it does not know, goes to GDCM; RLE, where it reads behind
+/// does so without printing. JPEG 2000, which it does not know, goes to OpenJPEG; RLE, where it reads behind
 /// damaged data, is ours.
 namespace viscera::medical_io {
 namespace {

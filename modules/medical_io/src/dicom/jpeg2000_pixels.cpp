@@ -1,5 +1,7 @@
 #include <algorithm>
-#include <mutex>
+#include <bit>
+#include <cstring>
+#include <string_view>
 #include <vector>
 
 #include "dicom/dicom_pixel_source.h"
@@ -12,30 +14,117 @@
 #include <dcmtk/dcmdata/dcpixseq.h>
 #include <dcmtk/dcmdata/dcpxitem.h>
 #include <dcmtk/dcmdata/dctk.h>
-#include <dcmtk/dcmdata/dcxfer.h>
 
-#include <gdcmDataElement.h>
-#include <gdcmPixmap.h>
-#include <gdcmSequenceOfFragments.h>
-#include <gdcmTrace.h>
-#include <gdcmTransferSyntax.h>
+#include <openjpeg.h>
 
-/// GDCM parses nothing here: it gets the code stream of one frame.
+/// OpenJPEG gets the code stream of one frame. What its header promises is held against the file's before
+/// memory is taken. GDCM, which wraps OpenJPEG, writes behind its buffer when the two differ.
 namespace viscera::medical_io {
 namespace {
 
-void silenceGdcm() {
-  static std::once_flag once;
-  std::call_once(once, [] {
-    gdcm::Trace::DebugOff();
-    gdcm::Trace::WarningOff();
-    gdcm::Trace::ErrorOff();
-  });
+/// Bytes as OpenJPEG reads them.
+struct PackedStream {
+  std::string_view bytes;
+  std::size_t at = 0;
+
+  static OPJ_SIZE_T read(void* out, OPJ_SIZE_T count, void* self) {
+    auto& s = *static_cast<PackedStream*>(self);
+    const std::size_t copied = s.bytes.substr(s.at).copy(static_cast<char*>(out), count);
+    s.at += copied;
+    return copied > 0 ? copied : static_cast<OPJ_SIZE_T>(-1);
+  }
+  static OPJ_OFF_T skip(OPJ_OFF_T count, void* self) {
+    auto& s = *static_cast<PackedStream*>(self);
+    const auto there = static_cast<OPJ_OFF_T>(s.bytes.size() - s.at);
+    if (count < 0 || there == 0)
+      return -1;
+    const OPJ_OFF_T skipped = std::min(count, there);
+    s.at += static_cast<std::size_t>(skipped);
+    return skipped;
+  }
+  static OPJ_BOOL seek(OPJ_OFF_T to, void* self) {
+    auto& s = *static_cast<PackedStream*>(self);
+    if (to < 0 || static_cast<std::size_t>(to) > s.bytes.size())
+      return OPJ_FALSE;
+    s.at = static_cast<std::size_t>(to);
+    return OPJ_TRUE;
+  }
+};
+
+using Codec = std::unique_ptr<opj_codec_t, void (*)(opj_codec_t*)>;
+using Stream = std::unique_ptr<opj_stream_t, void (*)(opj_stream_t*)>;
+using Image = std::unique_ptr<opj_image_t, void (*)(opj_image_t*)>;
+
+Codec codecFor(std::string_view packed) {
+  // Some writers put the file format JP2 around the code stream that belongs there.
+  constexpr std::string_view kBox("\0\0\0\x0CjP  ", 8);
+  Codec codec(opj_create_decompress(packed.starts_with(kBox) ? OPJ_CODEC_JP2 : OPJ_CODEC_J2K),
+              opj_destroy_codec);
+  opj_dparameters_t parameters;
+  opj_set_default_decoder_parameters(&parameters);
+  opj_setup_decoder(codec.get(), &parameters);
+  return codec;
 }
 
-std::uint64_t bytesOf(const DicomHeader& header) {
-  return std::uint64_t(header.rows) * std::uint64_t(header.columns) *
-         std::uint64_t(header.format.allocated / 8);
+Stream streamOf(PackedStream& source) {
+  Stream stream(opj_stream_create(1 << 16, OPJ_TRUE), opj_stream_destroy);
+  opj_stream_set_user_data(stream.get(), &source, nullptr);
+  opj_stream_set_user_data_length(stream.get(), source.bytes.size());
+  opj_stream_set_read_function(stream.get(), PackedStream::read);
+  opj_stream_set_skip_function(stream.get(), PackedStream::skip);
+  opj_stream_set_seek_function(stream.get(), PackedStream::seek);
+  return stream;
+}
+
+/// Whether a code stream is the picture that the file's header describes.
+bool isThePicture(const opj_image_t& image, const DicomHeader& header) {
+  if (image.numcomps != 1)
+    return false;
+  const opj_image_comp_t& pixels = image.comps[0];
+  return pixels.dx == 1 && pixels.dy == 1 && pixels.w == OPJ_UINT32(header.columns) &&
+         pixels.h == OPJ_UINT32(header.rows) && pixels.prec >= 1 &&
+         pixels.prec <= OPJ_UINT32(header.format.allocated);
+}
+
+/// A picture of more than 2^26 pixels has a byte for a thousand of them, or else is a damaged header.
+bool isPlausible(std::size_t packedBytes, const DicomHeader& header) {
+  const std::uint64_t pixels = std::uint64_t(header.rows) * std::uint64_t(header.columns);
+  return pixels <= (1U << 26U) || pixels / 1000 <= packedBytes;
+}
+
+/// The picture in a code stream; none when it is damaged or another one than the header describes.
+Image unpacked(std::string_view packed, const DicomHeader& header) {
+  Image none(nullptr, opj_image_destroy);
+  if (!isPlausible(packed.size(), header))
+    return none;
+  PackedStream source{packed};
+  const Codec codec = codecFor(packed);
+  const Stream stream = streamOf(source);
+  opj_image_t* made = nullptr;
+  const bool known = opj_read_header(stream.get(), codec.get(), &made) != OPJ_FALSE;
+  Image image(made, opj_image_destroy);
+  if (!known || image == nullptr || !isThePicture(*image, header) ||
+      opj_decode(codec.get(), stream.get(), image.get()) == OPJ_FALSE || !isThePicture(*image, header) ||
+      image->comps[0].data == nullptr)
+    return none;
+  return image;
+}
+
+template <typename Pixel>
+std::string bytesAs(const opj_image_comp_t& picture) {
+  const std::size_t count = std::size_t(picture.w) * picture.h;
+  std::string bytes(count * sizeof(Pixel), '\0');
+  for (std::size_t p = 0; p < count; ++p) {
+    const auto pixel = static_cast<Pixel>(picture.data[p]);
+    std::memcpy(bytes.data() + p * sizeof(Pixel), &pixel, sizeof(Pixel));
+  }
+  return bytes;
+}
+
+std::string bytesOf(const opj_image_comp_t& picture, int bitsAllocated) {
+  if (bitsAllocated == 8)
+    return bytesAs<std::uint8_t>(picture);
+  return bitsAllocated == 16 ? bytesAs<std::uint16_t>(picture) : bytesAs<std::uint32_t>(picture);
 }
 
 /// Packed pixels: fragments, of which a frame has one or more.
@@ -43,9 +132,7 @@ class Jpeg2000Source final : public DicomPixelSource {
 public:
   Jpeg2000Source(const DicomHeader& header, std::shared_ptr<DcmFileFormat> format)
       : header_(header), file_{header.file, {}}, format_(std::move(format)) {
-    silenceGdcm();
     DcmDataset& dataset = *format_->getDataset();
-    syntax_ = gdcm::TransferSyntax::GetTSType(DcmXfer(dataset.getOriginalXfer()).getXferID());
     DcmElement* element = nullptr;
     if (dataset.findAndGetElement(DCM_PixelData, element).bad() || element == nullptr)
       file_.fail("its pixels cannot be read");
@@ -130,41 +217,14 @@ private:
   }
 
   DicomPixels unpack(const std::string& packed) const {
-    const DicomPixelFormat& stated = header_.format;
-    gdcm::Fragment fragment;
-    fragment.SetByteValue(packed.data(), static_cast<std::uint32_t>(packed.size()));
-    gdcm::SmartPointer<gdcm::SequenceOfFragments> sequence = new gdcm::SequenceOfFragments;
-    sequence->AddFragment(fragment);
-    gdcm::DataElement element(gdcm::Tag(0x7fe0, 0x0010), 0, gdcm::VR::OB);
-    element.SetValue(*sequence);
-    gdcm::Pixmap picture;
-    picture.SetNumberOfDimensions(2);
-    picture.SetDimension(0, static_cast<unsigned>(header_.columns));
-    picture.SetDimension(1, static_cast<unsigned>(header_.rows));
-    picture.SetPixelFormat(gdcm::PixelFormat(1, static_cast<unsigned short>(stated.allocated),
-                                             static_cast<unsigned short>(stated.stored),
-                                             static_cast<unsigned short>(stated.high), stated.isSigned));
-    picture.SetPhotometricInterpretation(gdcm::PhotometricInterpretation::MONOCHROME2);
-    picture.SetTransferSyntax(gdcm::TransferSyntax(syntax_));
-    picture.SetDataElement(element);
-    const std::size_t promised = picture.GetBufferLength();
-    // A codec may find wider pixels in the packed data than the header says.
-    std::string bytes(4 * promised, '\0');
-    bool done = false;
-    try {
-      done = promised == bytesOf(header_) && picture.GetBuffer(bytes.data());
-    } catch (const std::exception&) {
-      done = false;
-    }
-    const gdcm::PixelFormat& found = picture.GetPixelFormat();
-    if (!done || found.GetBitsAllocated() != stated.allocated || found.GetSamplesPerPixel() != 1 ||
-        picture.GetBufferLength() != promised)
+    const Image image = unpacked(packed, header_);
+    if (image == nullptr)
       file_.fail("its pixels (" + header_.transferSyntax + ") are damaged or packed in an unknown way");
-    bytes.resize(promised);
-    DicomPixels pixels{std::move(bytes), stated};
-    pixels.format.stored = found.GetBitsStored();
-    pixels.format.high = found.GetHighBit();
-    pixels.format.isSigned = found.GetPixelRepresentation() == 1;
+    const opj_image_comp_t& found = image->comps[0];
+    DicomPixels pixels{bytesOf(found, header_.format.allocated), header_.format};
+    pixels.format.stored = static_cast<int>(found.prec);
+    pixels.format.high = pixels.format.stored - 1;
+    pixels.format.isSigned = found.sgnd != 0;
     return pixels;
   }
 
@@ -173,7 +233,6 @@ private:
   std::shared_ptr<DcmFileFormat> format_; ///< Owns the fragments.
   DcmPixelSequence* fragments_ = nullptr;
   std::vector<std::size_t> firstPart_; ///< Of each frame, and one behind the last.
-  gdcm::TransferSyntax::TSType syntax_ = gdcm::TransferSyntax::TS_END;
 };
 
 } // namespace

@@ -98,6 +98,8 @@ private:
         fields.fail("check_only", "is neither true nor false");
       surface.checkOnly = checkOnly->get<bool>();
     }
+    if (fields.optional("organ"))
+      surface.organ = fields.text("organ");
     surface.color = fields.vector("color", surface.color);
     surface.largestSpacing = fields.positive("spacing", surface.largestSpacing);
     if (const json* triangles = fields.optional("triangles"))

@@ -17,6 +17,7 @@ namespace viscera::sample_organs {
 /// A surface that a definition asks for.
 struct SurfaceDefinition {
   std::string name;
+  std::string organ;                                    ///< Its name when it is an organ of its own.
   bool checkOnly = false;                               ///< Made only when asked for by name.
   Vec3 color = {0.8, 0.45, 0.4};                        ///< Red green blue, 0 to 1.
   std::array<int, 3> triangles = {3000, 30000, 150000}; ///< Low, medium, high.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -39,19 +40,33 @@ struct OpenedFiles {
   Command command() const;
 };
 
+/// An organ of a file that is still being read.
+struct ArrivingOrgan {
+  std::string name;
+  std::optional<Vec3> color;                          ///< That its file gives it.
+  std::shared_ptr<const geometry::TriangleMesh> mesh; ///< As it was read; never null.
+  Bounds whole; ///< mm LPS: what the organs of its file will fill, as far as that is known.
+};
+
+/// Told of every organ as soon as its surface is there, long before all of them are: by any thread, never by
+/// two at a time.
+using ArrivalListener = std::function<void(ArrivingOrgan)>;
+
 /// Whether the name ends like a handle file (.mrk.json, .fcsv).
 bool isHandleFile(const std::filesystem::path& file);
 
 /// Reads all files, surfaces, label maps and folders of masks (an organ for each label) and at most one
 /// handle file, or throws what the first that fails throws (`NoInputError`, `DataError`, `UsageError` for an
-/// ending that nothing is known about or no file at all, `Cancelled`).
-OpenedFiles openFiles(const std::vector<std::filesystem::path>& files, Progress& progress);
+/// ending that nothing is known about or no file at all, `Cancelled`). Who is told by `arrives` gets a copy
+/// of each surface.
+OpenedFiles openFiles(const std::vector<std::filesystem::path>& files, Progress& progress,
+                      const ArrivalListener& arrives = {});
 
 /// Reads a label map or a folder of masks, and makes an organ, named and coloured, of each of the labels that
 /// are asked for by name or value; of all when none are. Throws what `medical_io::readLabelMap`,
 /// `medical_io::segmentsNamed` and `medical_io::labelSurfaces` throw.
 std::vector<Organ> readLabelOrgans(const std::filesystem::path& file, const std::vector<std::string>& labels,
-                                   Progress& progress);
+                                   Progress& progress, const ArrivalListener& arrives = {});
 
 /// Organs of surfaces that were made from a label map, which was read from `file`. The first has the warnings
 /// of the map as a whole.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -29,6 +30,9 @@ struct LabelSurface {
   std::vector<std::string> warnings; ///< Pieces that were left out, and what else a user should know.
 };
 
+/// Told of every surface as soon as it is made: by the thread that made it, never by two at a time.
+using SurfaceListener = std::function<void(const LabelSurface&)>;
+
 /// A closed surface around every label, in the order of `options.segments`: flying edges through the label's
 /// voxels with a margin, so that organs that the image cuts off are closed as well; windowed-sinc smoothing
 /// (Taubin et al. 1996, doi 10.1007/BFb0015551); `geometry::thinClosedSurface`; then all vertices move along
@@ -38,7 +42,8 @@ struct LabelSurface {
 /// Throws `UsageError` for a segment that the map does not have, `Cancelled`. In parallel over labels;
 /// results do not depend on the number of threads. O(v + m log m) for a box of v voxels and m triangles.
 std::vector<LabelSurface> labelSurfaces(const LabelMap& map, const LabelSurfaceOptions& options,
-                                        Progress& progress, Threads threads = {});
+                                        Progress& progress, Threads threads = {},
+                                        const SurfaceListener& made = {});
 
 /// Largest relative difference between the volumes of a surface and of its voxels.
 inline constexpr double kVolumeTolerance = 0.01;

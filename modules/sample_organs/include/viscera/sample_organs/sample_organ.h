@@ -20,12 +20,15 @@ enum class Resolution { low, medium, high };
 Resolution resolutionFromName(const std::string& name);
 std::string nameOf(Resolution resolution);
 
-/// One closed surface of a sample organ.
+/// One closed surface of a sample organ: its outer one, a cavity in that, or an organ that lies beside it.
 struct SampleSurface {
   std::string name; ///< "outer", "lv", "rv"
   std::shared_ptr<const geometry::TriangleMesh> mesh;
   Vec3 color = {0.8, 0.45, 0.4};            ///< The surface's own colour, red green blue, 0 to 1.
   std::vector<geometry::NamedPlace> places; ///< Its parts that have names.
+  /// Of an organ of its own, its name: "Liver". Empty for the one surface of an organ, and for cavities in
+  /// it.
+  std::string organ = {};
 };
 
 struct SampleOrgan {

@@ -29,6 +29,9 @@ public:
   void setRenderer(vtkRenderer* renderer);
   void setColor(const Vec3& color);
   void setOpacity(double opacity);
+  /// Leaves out what lies on the negative side of a plane (`normal` need not be unit), as `OrganActor` does.
+  void setClipPlane(const Vec3& origin, const Vec3& normal);
+  void clearClipPlane();
   void setVisible(bool visible);
   bool visible() const;
 

@@ -68,6 +68,8 @@ public:
   /// plane.
   void setClipPlane(const Vec3& origin, const Vec3& normal);
   void clearClipPlane();
+  /// Whether the plane has cut a place away. O(1).
+  bool cutsAway(const Vec3& place) const;
 
   /// Colours the surface by one number a vertex (an influence, a stress), without a copy. Throws `UsageError`
   /// when their count is not the mesh's.

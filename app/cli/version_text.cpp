@@ -1,0 +1,37 @@
+#include "cli/version_text.h"
+
+#include <Eigen/Core>
+#include <QtGlobal>
+#include <nlohmann/json.hpp>
+#include <vtkVersion.h>
+
+#include <CLI/CLI.hpp>
+
+namespace viscera::app::cli {
+namespace {
+
+std::string dotted(int major, int minor, int patch) {
+  return std::to_string(major) + '.' + std::to_string(minor) + '.' + std::to_string(patch);
+}
+
+} // namespace
+
+std::string versionText() {
+  std::string text = "viscera " VISCERA_VERSION "\n";
+  const auto add = [&text](const std::string& name, const std::string& version) {
+    text += "  " + name + ' ' + version + '\n';
+  };
+  add("VTK", vtkVersion::GetVTKVersion());
+  add("Qt", qVersion());
+  add("Eigen", dotted(EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION));
+  add("DCMTK", VISCERA_DCMTK_VERSION);
+  add("OpenJPEG", VISCERA_OPENJPEG_VERSION);
+  add("nlohmann JSON",
+      dotted(NLOHMANN_JSON_VERSION_MAJOR, NLOHMANN_JSON_VERSION_MINOR, NLOHMANN_JSON_VERSION_PATCH));
+  add("CLI11", CLI11_VERSION);
+  add("OpenMP", VISCERA_OPENMP_VERSION);
+  add("TetGen", VISCERA_TETGEN_VERSION " (in viscera_tetgen_worker, a program of its own)");
+  return text + "  compiled by " VISCERA_COMPILER;
+}
+
+} // namespace viscera::app::cli

@@ -1,0 +1,83 @@
+#include "window/import/arrival.h"
+
+#include <utility>
+
+#include "window/panels/color_palette.h"
+#include "window/timeline/playback.h"
+#include "window/view/picture.h"
+
+namespace viscera::app {
+namespace {
+/// ms: often enough to be seen to go on, seldom enough to leave the processor to the reading.
+constexpr int kInterval = 200;
+} // namespace
+
+Arrival::Arrival(Playback& playback, Picture& picture, QObject* parent)
+    : QObject(parent), playback_(playback), picture_(picture) {
+  timer_.setInterval(kInterval);
+  connect(&timer_, &QTimer::timeout, this, &Arrival::look);
+}
+
+Arrival::~Arrival() = default;
+
+Arrival::Ticket Arrival::begin(bool alone) {
+  end(ticket_, false);
+  ticket_ = std::make_shared<Box>();
+  alone_ = alone;
+  timer_.start();
+  return ticket_;
+}
+
+document::ArrivalListener Arrival::listener(const Ticket& ticket) {
+  if (!ticket)
+    return {};
+  return [ticket](document::ArrivingOrgan organ) {
+    const std::lock_guard lock(ticket->mutex);
+    ticket->organs.push_back(std::move(organ));
+  };
+}
+
+void Arrival::look() {
+  std::vector<document::ArrivingOrgan> arrived;
+  {
+    const std::lock_guard lock(ticket_->mutex);
+    arrived.swap(ticket_->organs);
+  }
+  if (arrived.empty())
+    return;
+  const bool first = guests_.empty();
+  for (document::ArrivingOrgan& organ : arrived) {
+    const auto known = tissueColor(text(organ.name));
+    const Vec3 color = organ.color ? *organ.color : known ? asVec3(*known) : document::OrganLook().color;
+    guests_.push_back({std::move(organ.mesh), color, 1});
+  }
+  if (first)
+    show(arrived.front().whole);
+  picture_.setGuests(guests_, alone_);
+}
+
+/// What is not seen need not move, and between two arrivals there is no time for a smooth frame.
+void Arrival::show(const Bounds& whole) {
+  played_ = alone_ && playback_.player().playing();
+  if (played_)
+    playback_.pause();
+  picture_.view().setMoving(true);
+  if (alone_)
+    picture_.view().lookFrom(scene::StandardView::anterior, whole);
+}
+
+void Arrival::end(const Ticket& ticket, bool taken) {
+  if (!ticket || ticket != ticket_)
+    return;
+  ticket_.reset();
+  timer_.stop();
+  if (guests_.empty())
+    return;
+  guests_.clear();
+  if (std::exchange(played_, false) && !taken)
+    playback_.play();
+  picture_.view().setMoving(playback_.player().playing());
+  picture_.setGuests({});
+}
+
+} // namespace viscera::app
