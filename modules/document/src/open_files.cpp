@@ -11,6 +11,7 @@
 #include "organ_source.h"
 #include "viscera/core/error.h"
 #include "viscera/geometry/convex_hull.h"
+#include "viscera/medical_io/heart_labels.h"
 #include "viscera/medical_io/scan.h"
 #include "viscera/medical_io/surface_file.h"
 
@@ -152,19 +153,44 @@ std::vector<Organ> organsFrom(const medical_io::LabelMap& map, std::vector<medic
   return organs;
 }
 
-std::vector<Organ> readLabelOrgans(const std::filesystem::path& file, const std::vector<std::string>& labels,
-                                   Progress& progress, const ArrivalListener& arrives) {
-  const medical_io::LabelMap map = medical_io::readLabelMap(file, progress);
+std::vector<NewOrgan> readLabelBatch(const std::filesystem::path& file,
+                                     const std::vector<std::string>& labels, Progress& progress,
+                                     const ArrivalListener& arrives) {
+  medical_io::LabelMap map = medical_io::readLabelMap(file, progress);
+  const auto heart = medical_io::heartLabels(map);
+  const auto whole = heart ? medical_io::addWholeHeart(map, *heart) : std::nullopt;
   medical_io::LabelSurfaceOptions options;
   options.segments = medical_io::segmentsNamed(map, labels, file.string());
+  if (whole && labels.empty()) { // Its muscle is what the cavities leave of it.
+    std::erase_if(options.segments, [&](std::size_t segment) {
+      return segment == *whole || std::count(heart->muscle.begin(), heart->muscle.end(), segment) > 0;
+    });
+    options.segments.insert(options.segments.begin(), *whole);
+  }
   medical_io::SurfaceListener made;
   if (arrives)
-    made = [&arrives, &map, whole = boxOf(map, options.segments)](const medical_io::LabelSurface& surface) {
+    made = [&arrives, &map, all = boxOf(map, options.segments)](const medical_io::LabelSurface& surface) {
       const medical_io::Segment& segment = map.segments[surface.segment];
       arrives(
-          {segment.name, segment.color, std::make_shared<const geometry::TriangleMesh>(surface.mesh), whole});
+          {segment.name, segment.color, std::make_shared<const geometry::TriangleMesh>(surface.mesh), all});
     };
-  return organsFrom(map, medical_io::labelSurfaces(map, options, progress, {}, made), file);
+  std::vector<NewOrgan> batch;
+  for (Organ& organ : organsFrom(map, medical_io::labelSurfaces(map, options, progress, {}, made), file)) {
+    const bool cavity = whole && labels.empty() &&
+                        std::any_of(heart->cavities.begin(), heart->cavities.end(), [&](const auto& one) {
+                          return map.segments[one.segment].name == organ.name;
+                        });
+    batch.push_back({std::move(organ), cavity ? 0 : -1});
+  }
+  return batch;
+}
+
+std::vector<Organ> readLabelOrgans(const std::filesystem::path& file, const std::vector<std::string>& labels,
+                                   Progress& progress, const ArrivalListener& arrives) {
+  std::vector<Organ> organs;
+  for (NewOrgan& item : readLabelBatch(file, labels, progress, arrives))
+    organs.push_back(std::move(item.organ));
+  return organs;
 }
 
 OpenedFiles openFiles(const std::vector<std::filesystem::path>& named, Progress& progress,
@@ -185,10 +211,13 @@ OpenedFiles openFiles(const std::vector<std::filesystem::path>& named, Progress&
       addWarnings(opened.warnings, files[i], handles.warnings);
       opened.rig = rigFrom(handles, files[i].string());
     } else if (medical_io::isLabelMap(files[i])) {
-      for (Organ& organ : readLabelOrgans(files[i], {}, progress, arrives)) {
-        for (const std::string& warning : organ.warnings)
-          opened.warnings.push_back(files[i].filename().string() + ": " + organ.name + ": " + warning);
-        opened.organs.push_back({std::move(organ), -1});
+      const auto before = static_cast<int>(opened.organs.size());
+      for (NewOrgan& item : readLabelBatch(files[i], {}, progress, arrives)) {
+        for (const std::string& warning : item.organ.warnings)
+          opened.warnings.push_back(files[i].filename().string() + ": " + item.organ.name + ": " + warning);
+        if (item.parentInBatch >= 0)
+          item.parentInBatch += before;
+        opened.organs.push_back(std::move(item));
       }
     } else {
       auto [organ, read] = readBoth(files[i]);

@@ -2,13 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
+#include <iterator>
+#include <utility>
 
 #include "viscera/core/error.h"
 #include "viscera/core/text.h"
 #include "viscera/geometry/volume.h"
 #include "viscera/motion/clinical_numbers.h"
-#include "viscera/motion/patient_motion.h"
 #include "viscera/sequences/cardiac_cycle.h"
 #include "viscera/tracking/motion_rig.h"
 
@@ -17,6 +17,7 @@ namespace {
 
 using geometry::TriangleMesh;
 
+constexpr const char* kName = "Textbook heartbeat";
 constexpr int kInstants = 400; ///< At which the end of diastole is looked for.
 constexpr double kLeastEjection = 0.1, kMostEjection = 0.8;
 /// Atria hold between these parts of what they hold at the end of diastole.
@@ -141,6 +142,16 @@ double endOfDiastole(const sequences::CardiacBeat& beat, double period) {
   return best;
 }
 
+/// The closed cavities of a heart that are chambers.
+std::vector<std::shared_ptr<const document::Organ>> chambersOf(const document::OrganList& organs,
+                                                               document::OrganId heart) {
+  std::vector<std::shared_ptr<const document::Organ>> chambers;
+  std::copy_if(organs.begin(), organs.end(), std::back_inserter(chambers), [&](const auto& organ) {
+    return organ->parent == heart && organ->closed() && heartChamber(organ->name);
+  });
+  return chambers;
+}
+
 std::vector<Points> surfacesAt(const tracking::MotionRig& rig, const Points& pose) {
   std::vector<Points> surfaces;
   for (std::size_t i = 0; i < rig.surfaces().size(); ++i)
@@ -203,6 +214,39 @@ MotionSeries textbookSeries(const MotionSeries& heart, const TextbookBeat& beat,
   }
   progress.report(1);
   return series;
+}
+
+std::shared_ptr<const document::Organ> heartWithCavities(const document::OrganList& organs,
+                                                         const document::Organ& organ) {
+  const document::OrganId wanted = organ.parent && heartChamber(organ.name) ? organ.parent : organ.id;
+  const auto heart =
+      std::find_if(organs.begin(), organs.end(), [&](const auto& one) { return one->id == wanted; });
+  const std::vector<std::shared_ptr<const document::Organ>> chambers = chambersOf(organs, wanted);
+  const bool ventricle = std::any_of(chambers.begin(), chambers.end(), [](const auto& one) {
+    const auto chamber = heartChamber(one->name);
+    return chamber == Chamber::leftVentricle || chamber == Chamber::rightVentricle;
+  });
+  return heart != organs.end() && (*heart)->closed() && ventricle ? *heart : nullptr;
+}
+
+PatientMotion textbookMotion(const document::OrganList& organs, const document::Organ& heart,
+                             const TextbookBeat& beat, Progress& progress, Threads threads) {
+  MotionSeries image;
+  image.names = {heart.name};
+  image.times = tracking::PhaseTimes::even(1, 1);
+  image.meshes = {{heart.mesh}};
+  image.volumesMl = {{heart.restVolumeMm3 / kMm3PerMl}};
+  for (const auto& chamber : chambersOf(organs, heart.id)) {
+    image.names.push_back(chamber->name);
+    image.meshes.front().push_back(chamber->mesh);
+    image.volumesMl.front().push_back(chamber->restVolumeMm3 / kMm3PerMl);
+  }
+  MotionSeries series;
+  runPart(progress, 0, 0.4, [&](Progress& part) { series = textbookSeries(image, beat, part, threads); });
+  PatientMotion found;
+  runPart(progress, 0.4, 1, [&](Progress& part) { found = trackMotion(series, {}, part, threads); });
+  found.sequence.track.name = kName;
+  return found;
 }
 
 } // namespace viscera::motion

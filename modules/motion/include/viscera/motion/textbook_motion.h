@@ -1,8 +1,12 @@
 #pragma once
 
+#include <memory>
+
 #include "viscera/core/parallel.h"
 #include "viscera/core/progress.h"
+#include "viscera/document/document.h"
 #include "viscera/motion/motion_series.h"
+#include "viscera/motion/patient_motion.h"
 #include "viscera/motion/retarget.h"
 
 namespace viscera::motion {
@@ -25,5 +29,16 @@ struct TextbookBeat {
 /// (0.1, 0.8), `Cancelled`. Some seconds.
 MotionSeries textbookSeries(const MotionSeries& heart, const TextbookBeat& beat, Progress& progress,
                             Threads threads = {});
+
+/// The heart that an organ is, or is a chamber of: the organ around a chamber, else the organ itself. None
+/// where no ventricle is among its closed cavities.
+std::shared_ptr<const document::Organ> heartWithCavities(const document::OrganList& organs,
+                                                         const document::Organ& organ);
+
+/// The textbook's beat for a heart of a document and its chambers, as recorded poses of handles around and in
+/// them. Cavities that are no chambers, and open ones, are carried along. Throws what `textbookSeries` and
+/// `trackMotion` throw. Some seconds.
+PatientMotion textbookMotion(const document::OrganList& organs, const document::Organ& heart,
+                             const TextbookBeat& beat, Progress& progress, Threads threads = {});
 
 } // namespace viscera::motion
