@@ -402,16 +402,18 @@ double MotionSeries::sliceMm() const {
 }
 
 MotionSeries readOnePhase(const SeriesRequest& request, Progress& progress) {
-  const SeriesFiles files = seriesFiles(request);
+  const bool masks = isHeartFolder(request.inputs);
+  const SeriesFiles files = masks ? SeriesFiles() : seriesFiles(request);
   MotionSeries series;
-  if (files.kind == SeriesFiles::Kind::surfaces) {
+  if (!masks && files.kind == SeriesFiles::Kind::surfaces) {
     readSurfaces(chosenOf(files, request), series, progress);
   } else {
-    MaskReader masks(request, series);
+    MaskReader reader(request, series);
     Progress quiet;
-    const fs::path& file = files.files.at("").front();
-    masks.add(medical_io::readLabelMap(file, quiet), file.string());
-    masks.finish();
+    const fs::path& image = masks ? request.inputs.front() : files.files.at("").front();
+    reader.add(masks ? medical_io::readLabelFolder(image, quiet) : medical_io::readLabelMap(image, quiet),
+               image.string());
+    reader.finish();
   }
   measureVolumes(series, 1);
   series.outer = outerOf(series);
@@ -422,6 +424,8 @@ MotionSeries readOnePhase(const SeriesRequest& request, Progress& progress) {
 }
 
 MotionSeries readMotionSeries(const SeriesRequest& request, Progress& progress) {
+  if (isHeartFolder(request.inputs))
+    requirePhases(1);
   const SeriesFiles files = seriesFiles(request);
   MotionSeries series;
   SeriesTimes stated;

@@ -76,6 +76,12 @@ public:
           std::clamp(ejection * restMl_[at(left_)] / restMl_[at(right_)], kLeastEjection, kMostEjection);
   }
 
+  /// Whether the right ventricle is too small to eject what the left one does.
+  bool rightFallsShort() const {
+    return left_ >= 0 && right_ >= 0 &&
+           leftEjection_ * restMl_[at(left_)] > kMostEjection * restMl_[at(right_)];
+  }
+
   /// `moved` are the surfaces as the outer one carries them; `emptying` of both ventricles, 0 at first.
   void beat(std::vector<Points>& moved, double leftEmptying, double rightEmptying) const {
     double ventricles = 0, still = 0;
@@ -188,6 +194,8 @@ MotionSeries textbookSeries(const MotionSeries& heart, const TextbookBeat& beat,
   series.warnings.insert(series.warnings.end(), fitted.warnings.begin(), fitted.warnings.end());
   series.warnings.push_back(
       "the motion is the textbook's, fitted to one image: it is not this patient's own");
+  if (textbook.rightFallsShort())
+    series.warnings.push_back("the right ventricle is too small to eject as much as the left one");
   const double period = 60 / beat.ratePerMinute;
   series.times = tracking::PhaseTimes::even(beat.phases, period);
   for (std::size_t i = 0; i < surfaces.size(); ++i)

@@ -40,10 +40,9 @@ Triangles skinOf(const Tetrahedra& tetrahedra);
 void requireUsable(const WitnessMesh& mesh, const std::string& where);
 
 /// The mesh without what lies inside `cavities` (blood in a ventricle is no tissue that could be distorted):
-/// tetrahedra whose middle is inside one of them go, and points that no tetrahedron needs any more. Corners
-/// inside a cavity that are still needed are witnesses no more. The rest keeps its order, witnesses first.
-/// Unchanged when nothing would be left. O((n + t) log m) on several threads; the same answer whatever their
-/// number.
+/// tetrahedra whose middle is inside one go, points that none needs, and corners inside one are no witnesses
+/// any more. The rest keeps its order, witnesses first. Unchanged when nothing would be left. O((n + t) log
+/// m) on several threads; the same answer whatever their number.
 WitnessMesh withoutCavities(const WitnessMesh& mesh,
                             const std::vector<std::shared_ptr<const geometry::TriangleMesh>>& cavities,
                             Threads threads = {});
