@@ -13,6 +13,7 @@
 #include "viscera/medical_io/surface_file.h"
 #include "viscera/scene/vtkVisceraHandleSetRepresentation.h"
 #include "viscera/sequences/keyframes.h"
+#include "window/import/import_desk.h"
 #include "window/modes/play_mode.h"
 #include "window/recorded/fit_box.h"
 #include "window/recorded/key_box.h"
@@ -192,10 +193,12 @@ TEST_F(OwnMotion, AHeartBeatsWithItsChambersByTheEjectionFractionThatIsAskedFor)
   file.write(labels.data(), static_cast<qint64>(labels.size()));
   file.close();
   open(file.fileName());
+  window().imports().accept(); // Nobody has so small a heart.
+  settle();
   key(Qt::Key_5);
   ASSERT_EQ(document().organs().size(), 3u) << message().toStdString();
   const auto heart = document().organs()[0], left = document().organs()[1];
-  EXPECT_EQ(heart->name, "heart");
+  EXPECT_EQ(heart->name, "Heart");
   EXPECT_EQ(left->parent, heart->id);
   window().workspace().selection().setOrgan(left->id);
   settle();

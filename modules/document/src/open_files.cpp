@@ -126,6 +126,17 @@ Bounds boxOf(const medical_io::LabelMap& map, const std::vector<std::size_t>& se
   return box;
 }
 
+/// Chambers are called and, unless the file colours them, coloured as those of the sample heart.
+void nameChambers(medical_io::LabelMap& map, const medical_io::HeartLabels& heart) {
+  const Vec3 arterial(0.84, 0.16, 0.14), venous(0.20, 0.36, 0.80);
+  for (const medical_io::HeartLabels::Cavity& cavity : heart.cavities) {
+    medical_io::Segment& segment = map.segments[cavity.segment];
+    segment.name = cavity.chamber;
+    if (!segment.colored)
+      segment.color = cavity.chamber.front() == 'L' ? arterial : venous;
+  }
+}
+
 } // namespace
 
 bool isHandleFile(const std::filesystem::path& file) {
@@ -159,13 +170,15 @@ std::vector<NewOrgan> readLabelBatch(const std::filesystem::path& file,
   medical_io::LabelMap map = medical_io::readLabelMap(file, progress);
   const auto heart = medical_io::heartLabels(map);
   const auto whole = heart ? medical_io::addWholeHeart(map, *heart) : std::nullopt;
+  const bool joined = whole && labels.empty();
   medical_io::LabelSurfaceOptions options;
   options.segments = medical_io::segmentsNamed(map, labels, file.string());
-  if (whole && labels.empty()) { // Its muscle is what the cavities leave of it.
+  if (joined) { // Its muscle is what the cavities leave of it.
     std::erase_if(options.segments, [&](std::size_t segment) {
       return segment == *whole || std::count(heart->muscle.begin(), heart->muscle.end(), segment) > 0;
     });
     options.segments.insert(options.segments.begin(), *whole);
+    nameChambers(map, *heart);
   }
   medical_io::SurfaceListener made;
   if (arrives)
@@ -176,10 +189,8 @@ std::vector<NewOrgan> readLabelBatch(const std::filesystem::path& file,
     };
   std::vector<NewOrgan> batch;
   for (Organ& organ : organsFrom(map, medical_io::labelSurfaces(map, options, progress, {}, made), file)) {
-    const bool cavity = whole && labels.empty() &&
-                        std::any_of(heart->cavities.begin(), heart->cavities.end(), [&](const auto& one) {
-                          return map.segments[one.segment].name == organ.name;
-                        });
+    const bool cavity = joined && std::any_of(heart->cavities.begin(), heart->cavities.end(),
+                                              [&](const auto& one) { return one.chamber == organ.name; });
     batch.push_back({std::move(organ), cavity ? 0 : -1});
   }
   return batch;

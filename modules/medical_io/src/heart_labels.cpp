@@ -9,7 +9,7 @@
 namespace viscera::medical_io {
 namespace {
 
-constexpr const char* kWhole = "heart";
+constexpr const char* kWhole = "Heart";
 
 /// A chamber and the words that its label has.
 struct Chamber {
@@ -73,7 +73,7 @@ std::optional<HeartLabels> heartLabels(const LabelMap& map) {
 
 std::optional<std::size_t> addWholeHeart(LabelMap& map, const HeartLabels& heart) {
   for (const Segment& segment : map.segments)
-    if (lowered(segment.name) == kWhole)
+    if (lowered(segment.name) == lowered(kWhole))
       return std::nullopt;
   std::vector<std::size_t> parts = heart.muscle;
   for (const HeartLabels::Cavity& cavity : heart.cavities)

@@ -84,10 +84,10 @@ TEST(LabelOrgans, OfAHeartAreOneOrganWithItsChambersAsCavities) {
   const OpenedFiles opened = openFiles({segmentation(folder), file}, progress);
   ASSERT_EQ(opened.organs.size(), 6U);
   const auto& organs = opened.organs;
-  EXPECT_EQ(organs[2].organ.name, "heart");
+  EXPECT_EQ(organs[2].organ.name, "Heart");
   EXPECT_EQ(organs[2].parentInBatch, -1);
-  EXPECT_EQ(organs[3].organ.name, "left ventricle of heart");
-  EXPECT_EQ(organs[4].organ.name, "right ventricle of heart");
+  EXPECT_EQ(organs[3].organ.name, "LV");
+  EXPECT_EQ(organs[4].organ.name, "RV");
   for (const std::size_t cavity : {3, 4})
     EXPECT_EQ(organs[cavity].parentInBatch, 2) << "behind the organs of the file before";
   EXPECT_EQ(organs[5].organ.name, "aorta");
@@ -97,7 +97,7 @@ TEST(LabelOrgans, OfAHeartAreOneOrganWithItsChambersAsCavities) {
   EXPECT_NEAR(organs[2].organ.restVolumeMm3, 27.0 * double(voxels), 0.01 * 27.0 * double(voxels))
       << "muscle and chambers";
   EXPECT_EQ(readLabelOrgans(file, {"myocardium"}, progress).at(0).name, "myocardium") << "as it is asked for";
-  EXPECT_EQ(readLabelOrgans(file, {"heart"}, progress).at(0).name, "heart");
+  EXPECT_EQ(readLabelOrgans(file, {"heart"}, progress).at(0).name, "Heart");
 }
 
 TEST(LabelOrgans, AreOpenedLikeOtherFiles) {

@@ -29,7 +29,7 @@ std::optional<HeartLabels> heartAmong(const std::vector<std::string>& names);
 /// The heart among the labels of a map that a file or a table names.
 std::optional<HeartLabels> heartLabels(const LabelMap& map);
 
-/// Adds the segment "heart" to the map: the voxels of its muscle and of its cavities, in a layer of their
+/// Adds the segment "Heart" to the map: the voxels of its muscle and of its cavities, in a layer of their
 /// own. Returns its index. Nothing is done, and none returned, where a segment has that name already.
 /// O(voxels).
 std::optional<std::size_t> addWholeHeart(LabelMap& map, const HeartLabels& heart);
