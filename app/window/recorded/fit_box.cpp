@@ -287,15 +287,15 @@ void FitBox::fitHeart(const document::Organ& heart, const motion::Landmarks& giv
       [organs = workspace_.document().organs(), heart, beat](Progress& progress) {
         return motion::textbookMotion(organs, heart, beat, progress);
       },
-      [this, id = heart.id](const motion::PatientMotion& found) { takeHeart(found, id); });
+      [this, id = heart.id, mesh = heart.mesh](const motion::PatientMotion& found) {
+        // Only on the surface for which it was found.
+        if (const auto organ = workspace_.document().organ(id); organ && organ->mesh == mesh)
+          takeHeart(found, *organ);
+      });
 }
 
-/// Only on the surfaces for which it was found.
-void FitBox::takeHeart(const motion::PatientMotion& found, document::OrganId heart) {
-  const auto organ = workspace_.document().organ(heart);
-  if (!organ || organ->mesh->points != found.sequence.organs[found.outer].mesh->points)
-    return;
-  const std::string name = tr("Fit the textbook's beat to %1").arg(text(organ->name)).toStdString();
+void FitBox::takeHeart(const motion::PatientMotion& found, const document::Organ& heart) {
+  const std::string name = tr("Fit the textbook's beat to %1").arg(text(heart.name)).toStdString();
   if (!workspace_.perform(document::combined(name, {motion::openSequence(found.sequence)})))
     return;
   for (const std::string& warning : found.warnings)

@@ -75,7 +75,7 @@ private:
   void chooseWhatSuits(const document::Organ& organ);
   void fitChosen();
   void fitHeart(const document::Organ& heart, const motion::Landmarks& given);
-  void takeHeart(const motion::PatientMotion& found, document::OrganId heart);
+  void takeHeart(const motion::PatientMotion& found, const document::Organ& heart);
   void take(const motion::RetargetedSequence& fitted, document::OrganId organ, const std::string& sequence,
             const motion::Landmarks& given);
 

@@ -211,9 +211,10 @@ MotionSeries textbookSeries(const MotionSeries& heart, const TextbookBeat& beat,
     fitted.sequence->poseAt(std::fmod(begin + seconds, period), beat.ratePerMinute, pose);
     std::vector<Points> moved = surfacesAt(rig, pose);
     for (std::size_t i = 0; i < moved.size(); ++i) // From the image on, which is the end of diastole.
-      moved[i] += surfaces[i].points - first[i];
+      moved[i] = seconds > 0 ? Points(moved[i] + (surfaces[i].points - first[i])) : surfaces[i].points;
     const sequences::CardiacInstant now = cycle.at(begin + seconds);
-    textbook.beat(moved, now.leftEmptying - full.leftEmptying, now.rightEmptying - full.rightEmptying);
+    if (seconds > 0) // The first phase is the image, to the bit.
+      textbook.beat(moved, now.leftEmptying - full.leftEmptying, now.rightEmptying - full.rightEmptying);
     std::vector<double>& volumes = series.volumesMl.emplace_back();
     for (std::size_t i = 0; i < moved.size(); ++i) {
       volumes.push_back(volumeMl(moved[i], surfaces[i]));
