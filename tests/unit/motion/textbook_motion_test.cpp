@@ -1,7 +1,10 @@
 #include <gtest/gtest.h>
 
 #include "measured_beat.h"
+#include "shapes.h"
 #include "viscera/core/error.h"
+#include "viscera/document/organ_commands.h"
+#include "viscera/document/undo_stack.h"
 #include "viscera/motion/textbook_motion.h"
 
 namespace viscera::motion {
@@ -35,6 +38,34 @@ TEST(TextbookSeries, MovesTheCavitiesOfOneImageByWhatIsWanted) {
         EXPECT_EQ(surface.flipped, 0) << "phase " << phase;
     }
   }
+}
+
+TEST(TextbookMotion, IsARecordedSequenceForTheHeartOfADocument) {
+  Progress progress;
+  const MeasuredPhase rest = measuredPhase(image(Vec3(3, 3, 3)), 0, progress);
+  std::vector<document::NewOrgan> batch;
+  for (const char* name : {"Heart", "LV", "RV"})
+    batch.push_back({document::makeOrgan(name, rest.surfaces[batch.size()]), batch.empty() ? -1 : 0});
+  batch.push_back({document::makeOrgan("spleen", tests::sphere(2, 20, Vec3(300, 0, 0))), -1});
+  document::Document document;
+  document::UndoStack undo(document);
+  undo.perform(document::addOrgans(batch));
+  const document::OrganList organs = document.organs();
+  EXPECT_EQ(heartWithCavities(organs, *organs[0]), organs[0]);
+  EXPECT_EQ(heartWithCavities(organs, *organs[1]), organs[0]) << "a chamber is of its heart";
+  EXPECT_EQ(heartWithCavities(organs, *organs[3]), nullptr);
+  TextbookBeat beat;
+  beat.ejectionFraction = 0.45;
+  beat.phases = 8;
+  const PatientMotion found = textbookMotion(organs, *organs[0], beat, progress);
+  EXPECT_NEAR(found.indices.at("LV").ejectionFraction, 0.45, 0.02);
+  for (std::size_t i = 0; i < 3; ++i)
+    EXPECT_EQ(found.sequence.organs[i].mesh->points, organs[i]->mesh->points) << "the image, to the bit";
+  undo.perform(openSequence(found.sequence));
+  EXPECT_EQ(document.recording().keys.size(), 8U);
+  EXPECT_EQ(document.recording().name, "Textbook heartbeat");
+  EXPECT_EQ(document.rig().handles.size(), 120U);
+  EXPECT_EQ(document.organs(), organs);
 }
 
 TEST(TextbookSeries, SaysWhatItNeeds) {
