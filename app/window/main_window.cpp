@@ -126,8 +126,8 @@ void MainWindow::makeThemeActions() {
 }
 
 void MainWindow::makeSession() {
-  sessionView_ =
-      std::make_unique<SessionView>(SessionView::Window{workspace_, playback_, view_, *picture_, *modes_});
+  sessionView_ = std::make_unique<SessionView>(
+      SessionView::Window{workspace_, playback_, view_, *picture_, *modes_, play_->measured()});
   sessions_ = new SessionFiles(workspace_, playback_, *sessionView_, settings_, this);
   sessions_->addTo(actions_);
   (new ReportExport({workspace_, playback_, *sessionView_, *sessions_, settings_}, this))->addTo(actions_);
@@ -217,6 +217,8 @@ void MainWindow::connectFiles() {
     viewArea_->frameSoon(); // Once the layout of the session has its sizes.
   });
   connect(samples_, &SampleLoader::loaded, this, fromFront);
+  connect(&play_->measured(), &MeasuredMotion::changed, this,
+          [this] { stress_->model().setCaution(play_->measured().caution()); });
   connect(&play_->measured(), &MeasuredMotion::found, this, [this, fromFront] {
     showWelcome(false);
     play_->comparison().end();

@@ -4,6 +4,8 @@
 #include <utility>
 #include <vector>
 
+#include <nlohmann/json.hpp>
+
 #include "viscera/motion/motion_recipe.h"
 #include "viscera/presentation/presenter.h"
 #include "window/language.h"
@@ -12,6 +14,8 @@ namespace viscera::app {
 namespace {
 /// A motion computed anew differs by rounding alone.
 constexpr double kSameMotionMm = 0.01;
+/// The field of a view with the numbers of a measured motion.
+constexpr const char* kMeasured = "measured";
 } // namespace
 
 /// The motions that a view asks for, and what is to be seen of the present one.
@@ -36,7 +40,20 @@ std::string SessionView::gather() const {
   gatherMotions(state);
   if (window_.playback.showing())
     state.shownPose = window_.workspace.live().shownPose();
-  return presentation::toJson(state);
+  const std::string view = presentation::toJson(state);
+  const std::string measured = window_.measured.record();
+  if (measured.empty())
+    return view;
+  auto with = nlohmann::ordered_json::parse(view);
+  with[kMeasured] = nlohmann::ordered_json::parse(measured);
+  return with.dump();
+}
+
+/// Before its sequence is shown, which draws it.
+void SessionView::recallMeasured(const std::string& text) {
+  const auto view = nlohmann::ordered_json::parse(text, nullptr, false);
+  if (const auto measured = view.find(kMeasured); view.is_object() && measured != view.end())
+    window_.workspace.guarded([&] { window_.measured.recall(measured->dump()); });
 }
 
 void SessionView::gatherMotions(presentation::ViewState& state) const {
@@ -65,6 +82,7 @@ void SessionView::apply(const std::string& text) {
   const presentation::SelectionState selection = std::exchange(state.selection, {});
   state.motions.clear();
   wanted.shownPose = std::exchange(state.shownPose, Points(0, 3));
+  recallMeasured(text);
   window_.modes.choose(state.mode);
   window_.view.change([&](presentation::ViewState& view) {
     state.mode = view.mode; // The mode that is on says what is to be seen.

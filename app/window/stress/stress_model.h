@@ -64,6 +64,13 @@ public:
     view_.change([point](presentation::ViewState& state) { state.stress.probe = point; });
   }
 
+  /// What the map of the sequence that is shown does not tell; empty: it tells all.
+  const QString& caution() const { return caution_; }
+  void setCaution(const QString& caution) {
+    caution_ = caution;
+    Q_EMIT statusChanged();
+  }
+
   /// Looks at the witness with the largest value of the quantity that is shown (the smallest, where that is
   /// what the quantity is about), and moves the cut there; what is folded goes before all. Nothing happens
   /// while there is no map.
@@ -96,6 +103,7 @@ private:
   live::LiveStress& live_;
   StressLook known_; ///< That everybody was told of.
   bool knownActive_ = false;
+  QString caution_;
   live::StressRecord record_;
   QTimer throttle_;
   std::vector<Subscription> subscriptions_;

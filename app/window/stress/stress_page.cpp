@@ -134,6 +134,8 @@ void StressPage::makeNumbers(const Actions& actions) {
   addSection(tr("Numbers"));
   state_ = addRemark(QString());
   state_->setObjectName(QStringLiteral("stressState"));
+  caution_ = addRemark(QString());
+  caution_->setObjectName(QStringLiteral("stressCaution"));
   min_ = addFact(tr("Smallest"));
   mean_ = addFact(tr("Mean"));
   percentile_ = addFact(tr("95th percentile"));
@@ -324,6 +326,8 @@ void StressPage::syncStatus() {
   }
   state_->setText(state);
   state_->setVisible(!state.isEmpty());
+  caution_->setText(model_.caution());
+  caution_->setVisible(!model_.caution().isEmpty() && playback_.showing());
   retry_->setVisible(status.state == State::cancelled || status.state == State::failed);
   const auto mesh = model_.live().mesh();
   const QString none = QStringLiteral("-");

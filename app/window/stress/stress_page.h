@@ -49,6 +49,7 @@ private:
   QPushButton* played_ = nullptr;
   QComboBox* quantity_ = nullptr;
   QLabel* state_ = nullptr;
+  QLabel* caution_ = nullptr;
   QLabel* min_ = nullptr;
   QLabel* mean_ = nullptr;
   QLabel* percentile_ = nullptr;

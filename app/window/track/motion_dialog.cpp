@@ -228,7 +228,12 @@ void MotionDialog::take(const motion::SeriesContents& contents) {
   contents_ = contents;
   if (contents.periodSeconds)
     period_->setValue(kMsPerSecond * *contents.periodSeconds);
-  say(text(contents.doubt), false);
+  say(contents.phases == 1
+          ? tr("One image has no motion of its own. Open it (File > Open), and Fit a sequence "
+               "to an organ in Play mode lets the heart and its chambers beat as the "
+               "textbook's.")
+          : text(contents.doubt),
+      false);
   fillItems();
 }
 
@@ -276,7 +281,7 @@ void MotionDialog::sync() {
                              : tr("%1: surfaces, %n {phase|phases}", nullptr, int(contents_.phases)))
                .arg(QFileInfo(files_.front()).fileName());
   what_->setText(what);
-  start_->setEnabled(!contents_.items.empty() && period > 0 && !finding_);
+  start_->setEnabled(!contents_.items.empty() && contents_.phases != 1 && period > 0 && !finding_);
   start_->setText(finding_ ? tr("Working...") : tr("Find the motion"));
   start_->setToolTip(period > 0 ? QString() : tr("Enter the length of one cycle first"));
 }

@@ -103,14 +103,11 @@ QWidget* ResidualTable::makeHead() {
   row->addWidget(surfaces_);
   auto* ghost = new QCheckBox(tr("Measured surface"), head);
   ghost->setObjectName(QStringLiteral("measuredGhost"));
-  ghost->setToolTip(tr("The surfaces that were measured in the nearest phase, as glass in the view"));
   ghost->setChecked(measured_.ghostShown());
   connect(ghost, &QCheckBox::toggled, &measured_, &MeasuredMotion::setGhostShown);
   row->addWidget(ghost);
   auto* distances = new QCheckBox(tr("Distances"), head);
   distances->setObjectName(QStringLiteral("measuredDistances"));
-  distances->setToolTip(
-      tr("Colours the organs by their distance from what was measured in the nearest phase"));
   distances->setChecked(measured_.distancesShown());
   connect(distances, &QCheckBox::toggled, &measured_, &MeasuredMotion::setDistancesShown);
   row->addWidget(distances);
@@ -123,6 +120,8 @@ QWidget* ResidualTable::makeHead() {
     if (on)
       ghost->setChecked(false);
   });
+  ghost_ = ghost;
+  distances_ = distances;
   summary_->setObjectName(QStringLiteral("muted"));
   summary_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
   row->addWidget(summary_, 1);
@@ -188,6 +187,7 @@ void ResidualTable::rebuild() {
 
 void ResidualTable::fill() {
   const MeasuredMotion::Found* found = measured_.present();
+  syncSwitches();
   table_->setRowCount(found ? static_cast<int>(found->motion->phases.size()) : 0);
   summary_->clear();
   if (!found)
@@ -216,6 +216,20 @@ void ResidualTable::fill() {
   summary_->setText(parts.join(QStringLiteral("; ")));
   summary_->setToolTip(summary_->text());
   markPhase();
+}
+
+/// A session has the numbers, and not the surfaces.
+void ResidualTable::syncSwitches() {
+  const QString tip =
+      tr("A session does not keep what was measured. Find the motion again to see it: Sequence "
+         "> Motion from a series");
+  const bool known = measured_.surfacesKnown();
+  ghost_->setEnabled(known);
+  ghost_->setToolTip(known ? tr("The surfaces that were measured in the nearest phase, as glass in the view")
+                           : tip);
+  distances_->setEnabled(known);
+  distances_->setToolTip(
+      known ? tr("Colours the organs by their distance from what was measured in the nearest phase") : tip);
 }
 
 void ResidualTable::fillRow(int row, const motion::TrackedPhase& phase) {

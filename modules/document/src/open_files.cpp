@@ -12,6 +12,7 @@
 #include "organ_source.h"
 #include "viscera/core/error.h"
 #include "viscera/geometry/convex_hull.h"
+#include "viscera/medical_io/heart_labels.h"
 #include "viscera/medical_io/scan.h"
 #include "viscera/medical_io/surface_file.h"
 
@@ -128,6 +129,17 @@ Bounds boxOf(const medical_io::LabelMap& map, const std::vector<std::size_t>& se
   return box;
 }
 
+/// Chambers are called and, unless the file colours them, coloured as those of the sample heart.
+void nameChambers(medical_io::LabelMap& map, const medical_io::HeartLabels& heart) {
+  const Vec3 arterial(0.84, 0.16, 0.14), venous(0.20, 0.36, 0.80);
+  for (const medical_io::HeartLabels::Cavity& cavity : heart.cavities) {
+    medical_io::Segment& segment = map.segments[cavity.segment];
+    segment.name = cavity.chamber;
+    if (!segment.colored)
+      segment.color = cavity.chamber.front() == 'L' ? arterial : venous;
+  }
+}
+
 } // namespace
 
 bool isHandleFile(const std::filesystem::path& file) {
@@ -155,19 +167,44 @@ std::vector<Organ> organsFrom(const medical_io::LabelMap& map, std::vector<medic
   return organs;
 }
 
-std::vector<Organ> readLabelOrgans(const std::filesystem::path& file, const std::vector<std::string>& labels,
-                                   Progress& progress, const ArrivalListener& arrives) {
-  const medical_io::LabelMap map = medical_io::readLabelMap(file, progress);
+std::vector<NewOrgan> readLabelBatch(const std::filesystem::path& file,
+                                     const std::vector<std::string>& labels, Progress& progress,
+                                     const ArrivalListener& arrives) {
+  medical_io::LabelMap map = medical_io::readLabelMap(file, progress);
+  const auto heart = medical_io::heartLabels(map);
+  const auto whole = heart ? medical_io::addWholeHeart(map, *heart) : std::nullopt;
+  const bool joined = whole && labels.empty();
   medical_io::LabelSurfaceOptions options;
   options.segments = medical_io::segmentsNamed(map, labels, file.string());
+  if (joined) { // Its muscle is what the cavities leave of it.
+    std::erase_if(options.segments, [&](std::size_t segment) {
+      return segment == *whole || std::count(heart->muscle.begin(), heart->muscle.end(), segment) > 0;
+    });
+    options.segments.insert(options.segments.begin(), *whole);
+    nameChambers(map, *heart);
+  }
   medical_io::SurfaceListener made;
   if (arrives)
-    made = [&arrives, &map, whole = boxOf(map, options.segments)](const medical_io::LabelSurface& surface) {
+    made = [&arrives, &map, all = boxOf(map, options.segments)](const medical_io::LabelSurface& surface) {
       const medical_io::Segment& segment = map.segments[surface.segment];
       arrives(
-          {segment.name, segment.color, std::make_shared<const geometry::TriangleMesh>(surface.mesh), whole});
+          {segment.name, segment.color, std::make_shared<const geometry::TriangleMesh>(surface.mesh), all});
     };
-  return organsFrom(map, medical_io::labelSurfaces(map, options, progress, {}, made), file);
+  std::vector<NewOrgan> batch;
+  for (Organ& organ : organsFrom(map, medical_io::labelSurfaces(map, options, progress, {}, made), file)) {
+    const bool cavity = joined && std::any_of(heart->cavities.begin(), heart->cavities.end(),
+                                              [&](const auto& one) { return one.chamber == organ.name; });
+    batch.push_back({std::move(organ), cavity ? 0 : -1});
+  }
+  return batch;
+}
+
+std::vector<Organ> readLabelOrgans(const std::filesystem::path& file, const std::vector<std::string>& labels,
+                                   Progress& progress, const ArrivalListener& arrives) {
+  std::vector<Organ> organs;
+  for (NewOrgan& item : readLabelBatch(file, labels, progress, arrives))
+    organs.push_back(std::move(item.organ));
+  return organs;
 }
 
 namespace {
@@ -181,10 +218,13 @@ void addFile(OpenedFiles& opened, const std::filesystem::path& file, Progress& p
     opened.rig = rigFrom(handles, file.string());
     addWarnings(opened.warnings, file, handles.warnings);
   } else if (medical_io::isLabelMap(file)) {
-    for (Organ& organ : readLabelOrgans(file, {}, progress, arrives)) {
-      for (const std::string& warning : organ.warnings)
-        opened.warnings.push_back(file.filename().string() + ": " + organ.name + ": " + warning);
-      opened.organs.push_back({std::move(organ), -1});
+    const auto before = static_cast<int>(opened.organs.size());
+    for (NewOrgan& item : readLabelBatch(file, {}, progress, arrives)) {
+      for (const std::string& warning : item.organ.warnings)
+        opened.warnings.push_back(file.filename().string() + ": " + item.organ.name + ": " + warning);
+      if (item.parentInBatch >= 0)
+        item.parentInBatch += before;
+      opened.organs.push_back(std::move(item));
     }
   } else {
     auto [organ, read] = readBoth(file);

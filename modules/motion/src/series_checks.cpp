@@ -81,7 +81,11 @@ void requirePhases(std::size_t count) {
   if (count < kFewestPhases)
     throw DataError("It has " + std::to_string(count) + (count == 1 ? " phase" : " phases") +
                         "; a motion needs four at least",
-                    "series", "name all phases of the cycle");
+                    "series",
+                    count == 1
+                        ? "name all phases of the cycle; a single image of a heart with cavities can "
+                          "beat as the textbook's (--textbook, in the window Fit a sequence to an organ)"
+                        : "name all phases of the cycle");
 }
 
 void requireSteadyVolumes(const MotionSeries& series) {
