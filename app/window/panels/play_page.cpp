@@ -34,6 +34,7 @@ PlayPage::PlayPage(const ModeParts& parts, PlayMode& mode, const Actions& action
   makeCirculation(parts, actions);
   addSection(tr("Look"));
   addCheck(actions["view.seeThrough"]);
+  addCheck(actions["play.valves"]);
   addCheck(actions["view.labels"]);
   addButton(actions["play.compare"]);
   addButton(actions["play.compareFiles"]);
