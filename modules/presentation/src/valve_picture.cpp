@@ -22,6 +22,8 @@ const std::array<Vec3, 2> kBlood = {Vec3(0.98, 0.25, 0.20), Vec3(0.33, 0.55, 0.9
 /// radius.
 constexpr double kMmPerMetrePerSecond = 32;
 constexpr double kLongestMm = 75;
+/// Leaflets that shut push back a little blood through a gap that is gone in a moment: no long arrow.
+constexpr double kMmPerFlow = 0.25; ///< At most, for each ml/s.
 constexpr double kShaft = 0.34;
 constexpr double kThinnestMm = 0.9;
 /// The part of the arrow that is behind the valve.
@@ -56,7 +58,8 @@ std::optional<scene::FlowArrow> arrowOf(const ValveRing& ring, const sequences::
   if (std::abs(valve.flowMlPerS) < kLeastFlow || !(valve.areaMm2 > 0))
     return std::nullopt;
   const double metresPerSecond = valve.flowMlPerS / valve.areaMm2;
-  const double length = std::min(kMmPerMetrePerSecond * std::abs(metresPerSecond), kLongestMm);
+  const double length = std::min({kMmPerMetrePerSecond * std::abs(metresPerSecond),
+                                  kMmPerFlow * std::abs(valve.flowMlPerS), kLongestMm});
   const Vec3 along = std::copysign(length, metresPerSecond) * ring.downstream;
   const double radius = std::max(kThinnestMm, kShaft * std::sqrt(valve.areaMm2 / std::numbers::pi));
   return scene::FlowArrow{ring.center - (1 - kDownstream) * along, ring.center + kDownstream * along, radius,
