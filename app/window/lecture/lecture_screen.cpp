@@ -34,7 +34,7 @@ LectureScreen::LectureScreen(const Parts& parts, Actions& actions, QObject* pare
   numbers_->setObjectName(QStringLiteral("lectureNumbers"));
   embolden(caption_, kCaptionFactor);
   embolden(numbers_, kNumbersFactor);
-  parts_.area.addCard(card_, Qt::AlignBottom);
+  parts_.area.addCard(card_, Qt::AlignBottom | Qt::AlignHCenter); // The orientation cube is beside it.
   card_->hide();
   dark_->setObjectName(QStringLiteral("lectureDark"));
   dark_->setAttribute(Qt::WA_StyledBackground);
@@ -91,6 +91,8 @@ QString LectureScreen::numbers() const {
   for (std::size_t i = 0; i < std::min(lines.size(), kMostVolumes); ++i)
     parts << tr("%1 %2 ml").arg(lines[i].name).arg(lines[i].nowMl, 0, 'f', lines[i].nowMl < 1000 ? 1 : 0);
   parts.removeAll(QString());
+  for (QString& part : parts) // A line breaks between them only.
+    part.replace(QLatin1Char(' '), QChar::Nbsp);
   return parts.join(QStringLiteral("   "));
 }
 

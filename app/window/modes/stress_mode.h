@@ -24,7 +24,10 @@ public:
   /// Handles can be moved while the document's pose is shown, not a sequence's.
   presentation::Shown shown() const override;
   motion::WantedPose pose() const override { return motion::WantedPose::sequence; }
-  UsefulPanels panels() const override { return {false, parts_.playback.sequence() != nullptr, true}; }
+  /// The chart is of a sequence: without one on show the view has its room.
+  UsefulPanels panels() const override {
+    return {false, parts_.playback.sequence() != nullptr, parts_.playback.showing()};
+  }
   void setTheme(const Theme& theme) override;
   /// Closes the probe or puts a dragged plane back; false when there was nothing to do.
   bool escape() override;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <exception>
 #include <limits>
 #include <map>
 #include <set>
@@ -167,6 +168,34 @@ std::vector<Organ> readLabelOrgans(const std::filesystem::path& file, const std:
   return organsFrom(map, medical_io::labelSurfaces(map, options, progress, {}, made), file);
 }
 
+namespace {
+
+/// Adds what a file holds; nothing when it throws.
+void addFile(OpenedFiles& opened, const std::filesystem::path& file, Progress& progress,
+             const ArrivalListener& arrives) {
+  requireKnown(file);
+  if (isHandleFile(file)) {
+    const medical_io::HandleFile handles = medical_io::readHandles(file);
+    opened.rig = rigFrom(handles, file.string());
+    addWarnings(opened.warnings, file, handles.warnings);
+  } else if (medical_io::isLabelMap(file)) {
+    for (Organ& organ : readLabelOrgans(file, {}, progress, arrives)) {
+      for (const std::string& warning : organ.warnings)
+        opened.warnings.push_back(file.filename().string() + ": " + organ.name + ": " + warning);
+      opened.organs.push_back({std::move(organ), -1});
+    }
+  } else {
+    auto [organ, read] = readBoth(file);
+    if (arrives)
+      arrives({organ.name, std::nullopt, organ.mesh, boundsOf(organ.mesh->points)});
+    opened.surfaces.emplace(opened.organs.size(), std::move(read));
+    opened.organs.push_back({std::move(organ), -1});
+    addWarnings(opened.warnings, file, opened.organs.back().organ.warnings);
+  }
+}
+
+} // namespace
+
 OpenedFiles openFiles(const std::vector<std::filesystem::path>& named, Progress& progress,
                       const ArrivalListener& arrives) {
   if (named.empty())
@@ -174,31 +203,23 @@ OpenedFiles openFiles(const std::vector<std::filesystem::path>& named, Progress&
   const std::vector<std::filesystem::path> files = withoutHalves(named);
   if (std::count_if(files.begin(), files.end(), isHandleFile) > 1)
     throw UsageError("Two handle files cannot be opened at a time", {}, "choose one of them");
-  for (const auto& file : files)
-    requireKnown(file);
   OpenedFiles opened;
+  std::exception_ptr first;
   for (std::size_t i = 0; i < files.size(); ++i) {
     progress.report(static_cast<double>(i) / static_cast<double>(files.size()), files[i].filename().string());
     progress.throwIfCancelled();
-    if (isHandleFile(files[i])) {
-      const medical_io::HandleFile handles = medical_io::readHandles(files[i]);
-      addWarnings(opened.warnings, files[i], handles.warnings);
-      opened.rig = rigFrom(handles, files[i].string());
-    } else if (medical_io::isLabelMap(files[i])) {
-      for (Organ& organ : readLabelOrgans(files[i], {}, progress, arrives)) {
-        for (const std::string& warning : organ.warnings)
-          opened.warnings.push_back(files[i].filename().string() + ": " + organ.name + ": " + warning);
-        opened.organs.push_back({std::move(organ), -1});
-      }
-    } else {
-      auto [organ, read] = readBoth(files[i]);
-      if (arrives)
-        arrives({organ.name, std::nullopt, organ.mesh, boundsOf(organ.mesh->points)});
-      opened.surfaces.emplace(opened.organs.size(), std::move(read));
-      opened.organs.push_back({std::move(organ), -1});
-      addWarnings(opened.warnings, files[i], opened.organs.back().organ.warnings);
+    try {
+      addFile(opened, files[i], progress, arrives);
+    } catch (const Cancelled&) {
+      throw;
+    } catch (const Error& error) {
+      opened.failures.emplace_back(error.what());
+      if (!first)
+        first = std::current_exception();
     }
   }
+  if (first && opened.organs.empty() && !opened.rig)
+    std::rethrow_exception(first);
   opened.name = files.size() == 1 ? "Open " + files.front().filename().string()
                                   : "Open " + std::to_string(files.size()) + " files";
   progress.report(1);
