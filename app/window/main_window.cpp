@@ -61,6 +61,7 @@ MainWindow::MainWindow(Settings& settings, plugin::Registry registry, motion::Tr
       layout_(new WindowLayout(*this, actions_)) {
   setCentralWidget(viewArea_);
   picture_ = std::make_unique<Picture>(workspace_, view_, *viewArea_->view());
+  picture_->setValves([this] { return playback_.valves(); });
   handles_ = std::make_unique<HandleController>(workspace_, poses_, *picture_);
   imports_ = std::make_unique<ImportDesk>(workspace_, *files_, *picture_, nullptr);
   arrival_ = new Arrival(playback_, *picture_, this);

@@ -30,7 +30,9 @@ struct Comparison::Second {
       : workspace(first.workspace.registry()), playback(workspace, first.playback), placer(workspace),
         samples(workspace, placer, playback), files(workspace, placer, first.settings, window),
         view(new ViewWidget),
-        picture(std::make_unique<Picture>(workspace, first.view, *view, Picture::Role::showing)) {}
+        picture(std::make_unique<Picture>(workspace, first.view, *view, Picture::Role::showing)) {
+    picture->setValves([this] { return playback.valves(); });
+  }
 
   Workspace workspace;
   Playback playback;

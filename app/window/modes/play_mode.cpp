@@ -82,6 +82,14 @@ void PlayMode::makeMotionActions(Actions& actions) {
                          tr("Under the phases of a heart: a schematic electrocardiogram, S1 and S2, and "
                             "which valves are open")},
                         &presentation::ViewState::beatSigns);
+  parts_.view.addToggle(
+      actions, "play.valves",
+      {tr("&Valves and flow"),
+       "beat",
+       {Qt::Key_V},
+       tr("In the beating sample heart: leaflets as far open as the valves are, and an arrow "
+          "where blood flows, as thick as the opening and as long as the blood is fast")},
+      &presentation::ViewState::valves);
   actions.add(
       "play.addKey",
       {tr("Record a &key"), "record", {tr("Ctrl+K")}, tr("Add the present pose to the recorded sequence")},
@@ -169,6 +177,7 @@ void PlayMode::makeCirculationActions(Actions& actions) {
   actions.add("play.forgetBefore", {tr("For&get"), "remove", {}, tr("Compare with nothing")},
               [this] { parts_.workspace.perform(document::forgetKeptCirculation()); });
   actions.enableWhile({"play.keepBefore", "play.circulationChart"}, [this] { return circulation_->on(); });
+  actions.enableWhile({"play.valves"}, [this] { return hasSampleHeart(); });
   actions.enableWhile({"play.forgetBefore"},
                       [this] { return circulation_->on() && circulation_->choice().kept.has_value(); });
 }
@@ -230,6 +239,7 @@ std::vector<const char*> PlayMode::actions() const {
           "",
           "play.slower",
           "play.cycle",
+          "play.valves",
           "play.beatSigns",
           "play.circulationChart",
           "play.keepBefore",

@@ -2,12 +2,14 @@
 
 #include <QHeaderView>
 #include <QLabel>
+#include <QPushButton>
 #include <QTableWidget>
 
 #include <algorithm>
 #include <cmath>
 
-#include "viscera/motion/clinical_numbers.h"
+#include "viscera/circulation/patient_fit.h"
+#include "viscera/document/circulation_commands.h"
 #include "window/circulation/circulation_box.h"
 #include "window/language.h"
 #include "window/panels/curve_box.h"
@@ -35,10 +37,12 @@ PlayPage::PlayPage(const ModeParts& parts, PlayMode& mode, const Actions& action
   makeCirculation(parts, actions);
   addSection(tr("Look"));
   addCheck(actions["view.seeThrough"]);
+  addCheck(actions["play.valves"]);
   addCheck(actions["view.labels"]);
   addButton(actions["play.compare"]);
   addButton(actions["play.compareFiles"]);
   makeTable();
+  makePatientCirculation(parts.workspace);
   makeRecording(parts.settings);
   makeOwnMotions(parts);
   finish();
@@ -113,6 +117,50 @@ void PlayPage::makeTable() {
     walls_.back()->setObjectName(QStringLiteral("wall%1").arg(QLatin1String(range.name)));
   }
   normal_ = addRemark(QString());
+}
+
+/// Of a heart that keeps its own motion: its volumes choose the circulation.
+void PlayPage::makePatientCirculation(Workspace& workspace) {
+  patient_ = new QPushButton(tr("Circulation of this heart"), this);
+  patient_->setObjectName(QStringLiteral("patientCirculation"));
+  patient_->setToolTip(
+      tr("Finds pressures, loops and sounds for the volume and the ejection fraction of this left "
+         "ventricle. The organ keeps its own motion."));
+  add(patient_);
+  patientFit_ = addRemark(QString());
+  patientFit_->setObjectName(QStringLiteral("patientCirculationFit"));
+  patient_->hide();
+  patientFit_->hide();
+  connect(patient_, &QAbstractButton::clicked, this, [this, &workspace] {
+    if (!ventricle_)
+      return;
+    workspace.guarded([this, &workspace] {
+      Progress quiet;
+      const circulation::PatientFit fit = circulation::fitToVentricle(
+          {ventricle_->endDiastolicMl, ventricle_->ejectionFraction, playback_.player().ratePerMinute(), 0},
+          quiet);
+      if (!workspace.perform(
+              document::takeCirculation(tr("Circulation of this heart").toStdString(), fit.parameters)))
+        return;
+      patientFit_->setText(asSentence(fit.remark()));
+      syncPatientCirculation();
+    });
+  });
+}
+
+void PlayPage::syncPatientCirculation() {
+  const auto isLeft = [](const VolumeMonitor::Line& line) {
+    const auto ranges = motion::normalRanges(line.name.toStdString());
+    return line.side == 0 && std::any_of(ranges.begin(), ranges.end(),
+                                         [](const auto& range) { return range.norm == "lv.edv"; });
+  };
+  const auto& lines = volumes_.lines();
+  ventricle_.reset();
+  for (std::size_t line = 0; line < lines.size() && !ventricle_ && !mode_.hasSampleHeart(); ++line)
+    if (isLeft(lines[line]))
+      ventricle_ = volumes_.indices(line);
+  patient_->setVisible(ventricle_.has_value());
+  patientFit_->setVisible(ventricle_ && mode_.circulation().on() && !patientFit_->text().isEmpty());
 }
 
 void PlayPage::makeRecording(Settings& settings) {
@@ -215,6 +263,7 @@ void PlayPage::syncIndices() {
         (best == lines.size() || lines[line].name == QLatin1String("LV cavity")))
       best = line;
   const auto indices = best < lines.size() ? volumes_.indices(best) : std::nullopt;
+  syncPatientCirculation();
   for (QLabel* fact : {fraction_, stroke_, output_})
     setFactShown(fact, best < lines.size());
   fraction_->setText(indices ? tr("%1 %").arg(formatNumber(kPercent * indices->ejectionFraction, 1))

@@ -9,6 +9,7 @@
 #include <vtkTextProperty.h>
 
 #include "viscera/presentation/presenter.h"
+#include "viscera/sequences/heart_valves.h"
 #include "window/language.h"
 
 namespace viscera::app {
@@ -85,7 +86,10 @@ vtkSmartPointer<vtkImageData> RecordingStage::picture() {
   if (!stage_)
     openStage();
   const live::StressFrame& stress = stress_.at(organs_.shownPose());
-  stage_->presenter().update({state_, organs_, view_, systems_, &stress});
+  presentation::Scene scene{state_, organs_, view_, systems_, &stress};
+  if (runner_.sequence())
+    scene.valves = sequences::valvesAt(*runner_.sequence(), seconds_, runner_.ratePerMinute());
+  stage_->presenter().update(scene);
   if (captionWanted_)
     writeCaption();
   return stage_->picture();

@@ -183,6 +183,12 @@ void Playback::setSpeed(double speed) {
     Q_EMIT stateChanged();
 }
 
+std::optional<sequences::ValveInstants> Playback::valves() const {
+  if (!showing())
+    return std::nullopt;
+  return sequences::valvesAt(*sequence(), player_.secondsInCycle(), player_.ratePerMinute());
+}
+
 void Playback::seek(double fraction) {
   if (start())
     tell([&] { transport_->seek(std::clamp(fraction, 0.0, 1.0)); });

@@ -23,6 +23,7 @@
 #include "viscera/scene/organ_view.h"
 #include "viscera/scene/stretch_glyphs.h"
 #include "viscera/scene/tissue_actor.h"
+#include "viscera/sequences/heart_valves.h"
 
 class vtkVisceraCutPlaneRepresentation;
 
@@ -68,6 +69,8 @@ struct Scene {
   /// The parts whose names are written instead of those that `view` asks for; null: as it says.
   const std::vector<Part>* parts = nullptr;
   const Bending* bending = nullptr; ///< For slices in the view that are bent; null: they cannot be.
+  /// The valves of a heart that is shown beating, at this instant; nothing: none are known.
+  std::optional<sequences::ValveInstants> valves = std::nullopt;
 };
 
 /// Draws a document: the one place where organs, handles, ghosts, regions, cages, influence and stress maps,
