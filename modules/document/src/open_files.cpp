@@ -89,8 +89,7 @@ std::string displayName(std::string name) {
 }
 
 /// As an organ, and as it is in the file.
-std::pair<Organ, ReadSurface> readBoth(const std::filesystem::path& file) {
-  medical_io::SurfaceFile surface = medical_io::readSurface(file);
+std::pair<Organ, ReadSurface> readBoth(medical_io::SurfaceFile surface, const std::filesystem::path& file) {
   ReadSurface read{std::make_shared<const geometry::TriangleMesh>(std::move(surface.mesh)),
                    surface.spaceStated ? std::optional(surface.space) : std::nullopt};
   const std::string name = surface.name.empty() ? file.stem().string() : surface.name;
@@ -133,7 +132,7 @@ bool isHandleFile(const std::filesystem::path& file) {
 }
 
 Organ readOrgan(const std::filesystem::path& file) {
-  return readBoth(file).first;
+  return readBoth(medical_io::readSurface(file), file).first;
 }
 
 std::vector<Organ> organsFrom(const medical_io::LabelMap& map, std::vector<medical_io::LabelSurface> surfaces,
@@ -167,6 +166,30 @@ std::vector<Organ> readLabelOrgans(const std::filesystem::path& file, const std:
   return organsFrom(map, medical_io::labelSurfaces(map, options, progress, {}, made), file);
 }
 
+namespace {
+
+/// The organs of a surface file: one, or those that a GLB holds with their colours and cavities.
+void addSurfaces(OpenedFiles& opened, const std::filesystem::path& file, const ArrivalListener& arrives) {
+  std::vector<medical_io::SurfacePart> parts = medical_io::readSurfaces(file);
+  const auto first = static_cast<int>(opened.organs.size());
+  const bool several = parts.size() > 1;
+  for (medical_io::SurfacePart& part : parts) {
+    auto [organ, read] = readBoth(std::move(part.surface), file);
+    if (several) // A session cannot name one organ of a file, so it holds the surfaces.
+      organ.origin.fileHash.clear();
+    if (part.color)
+      organ.look.color = *part.color;
+    organ.look.opacity = part.opacity;
+    if (arrives)
+      arrives({organ.name, part.color, organ.mesh, boundsOf(organ.mesh->points)});
+    opened.surfaces.emplace(opened.organs.size(), std::move(read));
+    opened.organs.push_back({std::move(organ), part.cavityOf < 0 ? -1 : first + part.cavityOf});
+    addWarnings(opened.warnings, file, opened.organs.back().organ.warnings);
+  }
+}
+
+} // namespace
+
 OpenedFiles openFiles(const std::vector<std::filesystem::path>& named, Progress& progress,
                       const ArrivalListener& arrives) {
   if (named.empty())
@@ -191,12 +214,7 @@ OpenedFiles openFiles(const std::vector<std::filesystem::path>& named, Progress&
         opened.organs.push_back({std::move(organ), -1});
       }
     } else {
-      auto [organ, read] = readBoth(files[i]);
-      if (arrives)
-        arrives({organ.name, std::nullopt, organ.mesh, boundsOf(organ.mesh->points)});
-      opened.surfaces.emplace(opened.organs.size(), std::move(read));
-      opened.organs.push_back({std::move(organ), -1});
-      addWarnings(opened.warnings, files[i], opened.organs.back().organ.warnings);
+      addSurfaces(opened, files[i], arrives);
     }
   }
   opened.name = files.size() == 1 ? "Open " + files.front().filename().string()
