@@ -272,7 +272,7 @@ void SessionFiles::offerRecovery() {
   message.severity = Message::Severity::warning;
   message.text = tr("Viscera ended without saving. The work of %1 is still there.").arg(when);
   message.offers.push_back({tr("Bring it back"), [this] { recover(); }});
-  message.offers.push_back({tr("Throw it away"), [this] {
+  message.offers.push_back({tr("Discard"), [this] {
                               document::discard(recoveries_.front());
                               recoveries_.erase(recoveries_.begin());
                               Q_EMIT changed();
@@ -298,8 +298,12 @@ void SessionFiles::endCleanly() {
     autosave_->clear();
 }
 
-void SessionFiles::sampleLoaded(const QString&, bool untouched) {
-  if (untouched && file_.isEmpty())
+void SessionFiles::sampleLoaded(const QString&, bool untouched, bool first) {
+  if (!untouched || !file_.isEmpty())
+    return;
+  if (first) // Work begins with it: there is nothing to go back to.
+    workspace_.undo().reset(workspace_.state());
+  else
     workspace_.undo().markSaved();
 }
 
