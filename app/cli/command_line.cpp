@@ -190,11 +190,13 @@ void takeSample(WindowOptions& window, const sample_organs::SampleLibrary& sampl
   }
 }
 
-/// A file that is not there is said before a window opens; a word that looks like a mistyped command as such.
+/// When no file is there, that is said before a window opens; a word that looks like a mistyped command as
+/// such. Otherwise the window opens what there is, and says what is not.
 void requireFiles(const std::vector<std::string>& files) {
+  const auto isThere = [](const std::string& file) { return std::filesystem::exists(file); };
+  if (std::any_of(files.begin(), files.end(), isThere))
+    return;
   for (const std::string& file : files) {
-    if (std::filesystem::exists(file))
-      continue;
     if (std::filesystem::path(file).has_extension() || file.find('/') != std::string::npos)
       throw NoInputError("there is no such file", file, "check the path");
     throw UsageError("It is neither a command nor a file", file, "viscera --help lists the commands");

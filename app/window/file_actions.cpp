@@ -149,10 +149,15 @@ void FileActions::takeRead(Read read, const QStringList& files, bool check) {
   if (read.several)
     return Q_EMIT scansFound(files.front());
   const bool others = !read.draft.organs.empty() || read.draft.files.rig;
+  QStringList failures;
+  for (const std::string& failure : read.draft.files.failures)
+    failures.push_back(asSentence(failure));
   if (read.scan)
     takeScan(*read.scan, files, !others);
   if (others || !read.scan)
     checkOrTake(std::move(read.draft), files, check);
+  if (!failures.isEmpty()) // Last: a message takes the place of the one before it.
+    workspace_.say({Message::Severity::error, failures.join(QLatin1Char('\n')), {}, 0});
 }
 
 bool FileActions::replacesPresent() const {

@@ -48,6 +48,7 @@ public:
   void chooseAndOpenFolder();
   /// Opens organs, label maps and handles as one undo step, and a scan as another. Sample organs make room
   /// for the first files; later ones come beside those there are. Organs that come without handles get some.
+  /// Files that cannot be read are said, and the others opened.
   void open(const QStringList& files, bool check = false);
   /// Whether what is opened takes the place of what is there: of nothing, or of samples alone.
   bool replacesPresent() const;

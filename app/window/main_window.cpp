@@ -149,6 +149,7 @@ void MainWindow::placePanels() {
   const auto follow = [this] { layout_->follow(modes_->present()); };
   connect(modes_.get(), &ModeController::changed, layout_, follow);
   connect(&playback_, &Playback::stateChanged, layout_, follow);
+  connect(&playback_, &Playback::advanced, layout_, follow); // The timeline was dragged.
   follow();
   status_ = new StatusLine(workspace_, volumes_, statusBar());
   play_->setStatus(*status_);

@@ -109,6 +109,16 @@ TEST_F(WindowTest, AMissingFileSaysSoAndLeavesTheDocument) {
   EXPECT_TRUE(document().organs().empty());
 }
 
+TEST_F(WindowTest, TheGoodOfSeveralFilesAreOpenedAndAllBadOnesAreSaid) {
+  write(path(QStringLiteral("empty.stl")), "");
+  window().files().open(
+      {path(QStringLiteral("nowhere.stl")), sphereFile(), path(QStringLiteral("empty.stl"))});
+  settle();
+  ASSERT_EQ(document().organs().size(), 1u);
+  EXPECT_TRUE(message().contains(QStringLiteral("nowhere.stl"))) << message().toStdString();
+  EXPECT_TRUE(message().contains(QStringLiteral("empty.stl"))) << message().toStdString();
+}
+
 TEST_F(WindowTest, ADroppedFileIsOpened) {
   QMimeData data;
   data.setUrls({QUrl::fromLocalFile(sphereFile())});

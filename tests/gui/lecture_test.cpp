@@ -25,7 +25,12 @@ protected:
   }
   Vec3 eye() { return Vec3(view().view().renderer()->GetActiveCamera()->GetPosition()); }
   QString caption() { return window().findChild<QLabel*>(QStringLiteral("lectureCaption"))->text(); }
-  QString numbers() { return window().findChild<QLabel*>(QStringLiteral("lectureNumbers"))->text(); }
+  QString numbers() {
+    return window()
+        .findChild<QLabel*>(QStringLiteral("lectureNumbers"))
+        ->text()
+        .replace(QChar(QChar::Nbsp), QLatin1Char(' '));
+  }
 };
 
 TEST_F(Room, AModeShowsThePanelsItHasAUseFor) {
@@ -40,6 +45,21 @@ TEST_F(Room, AModeShowsThePanelsItHasAUseFor) {
   EXPECT_TRUE(shown("timeline")) << "the heart still beats";
   EXPECT_FALSE(shown("handles") || shown("volumes"));
   EXPECT_TRUE(shown("organs") && shown("properties"));
+}
+
+TEST_F(Room, TheChartKeepsItsHeightOnAWalkThroughTheModesAndIsAwayWhereItIsEmpty) {
+  auto* chart = window().findChild<QDockWidget*>(QStringLiteral("volumes"));
+  const int height = chart->height();
+  key(Qt::Key_3);
+  EXPECT_NEAR(chart->height(), height, 4);
+  key(Qt::Key_4);
+  EXPECT_FALSE(chart->isVisible()) << "the map is of a pose";
+  key(Qt::Key_3);
+  key(Qt::Key_5);
+  EXPECT_NEAR(chart->height(), height, 4) << "the timeline took its room from the view";
+  window().playback().seek(0.3);
+  key(Qt::Key_4);
+  EXPECT_TRUE(waitUntil([&] { return chart->isVisible(); })) << "the map is of the sequence";
 }
 
 TEST_F(Room, APanelThatTheUserHasShownOrHiddenStaysSoInThatMode) {

@@ -67,7 +67,8 @@ QString repairName(const std::string& id) {
       {"keep-largest", QT_TRANSLATE_NOOP("viscera::app::Repairs", "Keep the largest piece")},
       {"remesh", QT_TRANSLATE_NOOP("viscera::app::Repairs", "Remesh")},
       {"mirror", QT_TRANSLATE_NOOP("viscera::app::Repairs", "Mirror left and right")},
-      {"ras-to-lps", QT_TRANSLATE_NOOP("viscera::app::Repairs", "It is RAS: turn to LPS")}};
+      {"ras-to-lps", QT_TRANSLATE_NOOP("viscera::app::Repairs", "It is RAS: turn to LPS")},
+      {"y-up", QT_TRANSLATE_NOOP("viscera::app::Repairs", "Y is up: quarter turn")}};
   const auto known = kNames.find(id);
   if (known != kNames.end())
     return translated(known->second);

@@ -40,7 +40,7 @@ LectureScreen::LectureScreen(const Parts& parts, Actions& actions, QObject* pare
   auto* room = new QWidget(&parts_.area);
   room->setAttribute(Qt::WA_TransparentForMouseEvents);
   makeLayout<QVBoxLayout>(room, 0, {kCorner, 0, kCorner, kScaleBar})->addWidget(card_);
-  parts_.area.addCard(room, Qt::AlignBottom);
+  parts_.area.addCard(room, Qt::AlignBottom | Qt::AlignHCenter);
   room->hide();
   dark_->setObjectName(QStringLiteral("lectureDark"));
   dark_->setAttribute(Qt::WA_StyledBackground);
@@ -97,6 +97,8 @@ QString LectureScreen::numbers() const {
   for (std::size_t i = 0; i < std::min(lines.size(), kMostVolumes); ++i)
     parts << tr("%1 %2 ml").arg(lines[i].name).arg(lines[i].nowMl, 0, 'f', lines[i].nowMl < 1000 ? 1 : 0);
   parts.removeAll(QString());
+  for (QString& part : parts) // A line breaks between them only.
+    part.replace(QLatin1Char(' '), QChar::Nbsp);
   return parts.join(QStringLiteral("   "));
 }
 

@@ -234,7 +234,8 @@ void OrganPanel::makeRows() {
   systems_.clear();
   list_->clear();
   list_->setRootIsDecorated(grouped);
-  if (grouped) // In the order of the body's systems, not in that of a file.
+  list_->setColumnHidden(kChange, grouped); // Among many organs the room goes to their names.
+  if (grouped)                              // In the order of the body's systems, not in that of a file.
     for (const std::string& system : document::organSystems())
       if (std::any_of(organs.begin(), organs.end(), [&system](const auto& organ) {
             return !organ->parent && document::organSystem(organ->name) == system;
@@ -366,10 +367,11 @@ void OrganPanel::updateVolumes() {
     QTreeWidgetItem* item = found->second;
     item->setText(kVolume, volume.closed ? formatMilliliters(volume.nowMl) : tr("open"));
     const bool changed = volume.closed && std::abs(volume.relativeChange()) >= kNoticed;
-    // Among many organs the room goes to their names; the tip tells the rest.
-    const QString change = systems_.empty() ? formatChange(volume) + QLatin1Char('\n') : QString();
-    item->setText(kChange, changed ? change + formatRelativeChange(volume) : QString());
+    item->setText(kChange, changed ? formatChange(volume) + QLatin1Char('\n') + formatRelativeChange(volume)
+                                   : QString());
     const QPalette& colors = list_->palette();
+    // Where the change has no column, the tip tells it.
+    item->setForeground(kVolume, changed && !systems_.empty() ? colors.link() : colors.text());
     item->setForeground(kChange, organ->volumeLocked ? colors.placeholderText() : colors.link());
     const QString tip = !volume.closed ? tr("An open surface encloses no volume")
                                        : tr("%1 in the reference shape, %2 (%3) now")

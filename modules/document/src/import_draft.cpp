@@ -18,7 +18,8 @@ void assess(DraftOrgan& organ, const OpenedFiles& files, std::size_t place, Prog
   const auto read = files.surfaces.find(place);
   const bool labelMap = read == files.surfaces.end();
   const bool stated = labelMap || read->second.statedSpace ||
-                      std::count(organ.repairs.begin(), organ.repairs.end(), "ras-to-lps") > 0;
+                      std::any_of(organ.repairs.begin(), organ.repairs.end(),
+                                  [](const std::string& id) { return id == "ras-to-lps" || id == "y-up"; });
   const auto space = labelMap || !read->second.statedSpace ? std::optional(medical_io::Space::lps)
                                                            : read->second.statedSpace;
   organ.assessment =

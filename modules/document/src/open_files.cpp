@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <exception>
 #include <limits>
 #include <map>
 #include <set>
@@ -171,11 +172,14 @@ namespace {
 /// The organs of a surface file: one, or those that a GLB holds with their colours and cavities.
 void addSurfaces(OpenedFiles& opened, const std::filesystem::path& file, const ArrivalListener& arrives) {
   std::vector<medical_io::SurfacePart> parts = medical_io::readSurfaces(file);
+  std::vector<std::pair<Organ, ReadSurface>> made; // All of them, before any is added.
+  for (medical_io::SurfacePart& part : parts)
+    made.push_back(readBoth(std::move(part.surface), file));
   const auto first = static_cast<int>(opened.organs.size());
-  const bool several = parts.size() > 1;
-  for (medical_io::SurfacePart& part : parts) {
-    auto [organ, read] = readBoth(std::move(part.surface), file);
-    if (several) // A session cannot name one organ of a file, so it holds the surfaces.
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    const medical_io::SurfacePart& part = parts[i];
+    auto& [organ, read] = made[i];
+    if (parts.size() > 1) // A session cannot name one organ of a file, so it holds the surfaces.
       organ.origin.fileHash.clear();
     if (part.color)
       organ.look.color = *part.color;
@@ -188,6 +192,25 @@ void addSurfaces(OpenedFiles& opened, const std::filesystem::path& file, const A
   }
 }
 
+/// Adds what a file holds; nothing when it throws.
+void addFile(OpenedFiles& opened, const std::filesystem::path& file, Progress& progress,
+             const ArrivalListener& arrives) {
+  requireKnown(file);
+  if (isHandleFile(file)) {
+    const medical_io::HandleFile handles = medical_io::readHandles(file);
+    opened.rig = rigFrom(handles, file.string());
+    addWarnings(opened.warnings, file, handles.warnings);
+  } else if (medical_io::isLabelMap(file)) {
+    for (Organ& organ : readLabelOrgans(file, {}, progress, arrives)) {
+      for (const std::string& warning : organ.warnings)
+        opened.warnings.push_back(file.filename().string() + ": " + organ.name + ": " + warning);
+      opened.organs.push_back({std::move(organ), -1});
+    }
+  } else {
+    addSurfaces(opened, file, arrives);
+  }
+}
+
 } // namespace
 
 OpenedFiles openFiles(const std::vector<std::filesystem::path>& named, Progress& progress,
@@ -197,26 +220,23 @@ OpenedFiles openFiles(const std::vector<std::filesystem::path>& named, Progress&
   const std::vector<std::filesystem::path> files = withoutHalves(named);
   if (std::count_if(files.begin(), files.end(), isHandleFile) > 1)
     throw UsageError("Two handle files cannot be opened at a time", {}, "choose one of them");
-  for (const auto& file : files)
-    requireKnown(file);
   OpenedFiles opened;
+  std::exception_ptr first;
   for (std::size_t i = 0; i < files.size(); ++i) {
     progress.report(static_cast<double>(i) / static_cast<double>(files.size()), files[i].filename().string());
     progress.throwIfCancelled();
-    if (isHandleFile(files[i])) {
-      const medical_io::HandleFile handles = medical_io::readHandles(files[i]);
-      addWarnings(opened.warnings, files[i], handles.warnings);
-      opened.rig = rigFrom(handles, files[i].string());
-    } else if (medical_io::isLabelMap(files[i])) {
-      for (Organ& organ : readLabelOrgans(files[i], {}, progress, arrives)) {
-        for (const std::string& warning : organ.warnings)
-          opened.warnings.push_back(files[i].filename().string() + ": " + organ.name + ": " + warning);
-        opened.organs.push_back({std::move(organ), -1});
-      }
-    } else {
-      addSurfaces(opened, files[i], arrives);
+    try {
+      addFile(opened, files[i], progress, arrives);
+    } catch (const Cancelled&) {
+      throw;
+    } catch (const Error& error) {
+      opened.failures.emplace_back(error.what());
+      if (!first)
+        first = std::current_exception();
     }
   }
+  if (first && opened.organs.empty() && !opened.rig)
+    std::rethrow_exception(first);
   opened.name = files.size() == 1 ? "Open " + files.front().filename().string()
                                   : "Open " + std::to_string(files.size()) + " files";
   progress.report(1);

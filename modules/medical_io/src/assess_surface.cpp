@@ -89,7 +89,7 @@ private:
     if (origin_.statedSpace)
       add(Light::good, "the file states its axes: " + std::string(spaceName(*origin_.statedSpace)));
     else
-      add(Light::note, "the file does not state its axes: LPS is assumed", {"ras-to-lps", "mirror"});
+      add(Light::note, "the file does not state its axes: LPS is assumed", {"ras-to-lps", "mirror", "y-up"});
   }
 
   /// Signed; of an open surface as it would be with caps, 0 where it cannot be closed.

@@ -48,6 +48,15 @@ SurfaceRepair quick(std::string id, std::string does, Function function) {
           }};
 }
 
+/// Of a model that stands on its y axis and looks along z, as programs for films and prints write it: x goes
+/// to the patient's left there too. A quarter turn about x.
+TriangleMesh stoodUp(TriangleMesh mesh) {
+  const Values up = mesh.points.col(1);
+  mesh.points.col(1) = -mesh.points.col(2);
+  mesh.points.col(2) = up;
+  return mesh;
+}
+
 std::vector<SurfaceRepair> allRepairs() {
   std::vector<SurfaceRepair> list = {
       quick("orient", "turns triangles around so that all of them face outward",
@@ -64,7 +73,9 @@ std::vector<SurfaceRepair> allRepairs() {
          return remeshed(mesh, 0, progress, threads);
        }},
       quick("mirror", "exchanges left and right", geometry::mirrored),
-      quick("ras-to-lps", "turns the surface by half a turn, as from RAS to LPS", geometry::turnedHalf)};
+      quick("ras-to-lps", "turns the surface by half a turn, as from RAS to LPS", geometry::turnedHalf),
+      quick("y-up", "turns the surface by a quarter turn, from a model whose y axis points to the head",
+            stoodUp)};
   for (const LengthUnit& unit : lengthUnits())
     if (unit.mm != 1)
       list.push_back(quick("unit-" + std::string(unit.id),

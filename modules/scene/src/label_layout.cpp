@@ -11,6 +11,9 @@ namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 /// How finely another height is looked for, pixels.
 constexpr double kHeightStep = 4;
+/// By how many heights of a label the way to what it names has to become shorter, before the label is broken,
+/// changes sides, or stands above or below everything.
+constexpr double kForBreaking = 2, kForOtherSide = 5, kForAbove = 10;
 
 /// Means of runs of numbers, merged until they ascend: the nearest ascending numbers.
 std::vector<double> nearestAscending(const std::vector<double>& numbers) {
@@ -51,15 +54,48 @@ public:
       wishes(side);
     }
     for (std::size_t i = 0; i < labels_.size(); ++i) {
-      const bool left = labels_[i].x < middle;
-      boxes_[i] = nearest(i, left);
-      if (!boxes_[i])
-        boxes_[i] = nearest(i, !left);
+      boxes_[i] = best(i, labels_[i].x < middle);
     }
     return boxes_;
   }
 
 private:
+  struct Size {
+    double width = 0;
+    double height = 0;
+  };
+
+  /// The place from which the way to what is named is shortest.
+  std::optional<ScreenBox> best(std::size_t label, bool left) const {
+    const LabelRequest& wanted = labels_[label];
+    std::optional<ScreenBox> found;
+    double least = kInfinity;
+    const auto tryForm = [&](const Size& size, bool side, double handicap) {
+      const auto box = nearest(label, size, side);
+      if (!box)
+        return;
+      const double above = covered_.between(box->bottom, box->top) ? 0 : kForAbove * wanted.height;
+      const double way = wayTo(*box, wanted) + handicap + above;
+      if (way >= least)
+        return;
+      found = box;
+      least = way;
+    };
+    for (const bool side : {left, !left}) {
+      const double other = side == left ? 0 : kForOtherSide * wanted.height;
+      tryForm({wanted.width, wanted.height}, side, other);
+      if (wanted.brokenWidth > 0)
+        tryForm({wanted.brokenWidth, wanted.brokenHeight}, side, other + kForBreaking * wanted.height);
+    }
+    return found;
+  }
+
+  /// How long the line from the label is.
+  static double wayTo(const ScreenBox& box, const LabelRequest& wanted) {
+    const ScreenPlace start = leaderStart(box, {wanted.x, wanted.y}, 0);
+    return std::hypot(start.x - wanted.x, start.y - wanted.y);
+  }
+
   /// The heights at which the labels of one side do not meet.
   void wishes(const std::vector<std::size_t>& side) {
     heights_.resize(labels_.size());
@@ -77,26 +113,28 @@ private:
   }
 
   /// The free place on that side whose height is nearest to the wished one.
-  std::optional<ScreenBox> nearest(std::size_t label, bool left) const {
+  std::optional<ScreenBox> nearest(std::size_t label, const Size& size, bool left) const {
     for (double away = 0; away <= space_.height; away += kHeightStep)
       for (const double y : {heights_[label] + away, heights_[label] - away})
-        if (const auto box = at(label, y, left))
+        if (const auto box = at(label, size, y, left))
           return box;
     return std::nullopt;
   }
 
-  std::optional<ScreenBox> at(std::size_t label, double y, bool left) const {
+  std::optional<ScreenBox> at(std::size_t label, const Size& size, double y, bool left) const {
     const LabelRequest& wanted = labels_[label];
-    const double bottom = y - wanted.height / 2;
-    const double top = y + wanted.height / 2;
+    const double bottom = y - size.height / 2;
+    const double top = y + size.height / 2;
     if (bottom < space_.margin || top > space_.height - space_.margin)
       return std::nullopt;
     // Level with all of what is covered where there is room, so that labels stand in a column.
     for (const auto& extent : {covered_.all(), covered_.between(bottom, top)}) {
-      double x = left ? wanted.x - space_.gap - wanted.width : wanted.x + space_.gap;
+      double x = left ? wanted.x - space_.gap - size.width : wanted.x + space_.gap;
       if (extent)
-        x = left ? extent->left - space_.gap - wanted.width : extent->right + space_.gap;
-      const ScreenBox box{x, bottom, x + wanted.width, top};
+        x = left ? extent->left - space_.gap - size.width : extent->right + space_.gap;
+      else // Above or below everything: as far inside as it has to be.
+        x = std::max(space_.margin, std::min(x, space_.width - space_.margin - size.width));
+      const ScreenBox box{x, bottom, x + size.width, top};
       if (isFree(box))
         return box;
     }
@@ -185,6 +223,15 @@ std::optional<Footprint::Extent> Footprint::between(double bottom, double top) c
 bool Footprint::touches(const ScreenBox& box) const {
   const auto extent = between(box.bottom, box.top);
   return extent && box.left < extent->right && box.right > extent->left;
+}
+
+ScreenPlace leaderStart(const ScreenBox& box, const ScreenPlace& named, double gap) {
+  const double middle = (box.bottom + box.top) / 2;
+  if (named.x > box.right)
+    return {box.right + gap, middle};
+  if (named.x < box.left)
+    return {box.left - gap, middle};
+  return {named.x, named.y < middle ? box.bottom - gap : box.top + gap};
 }
 
 std::vector<std::optional<ScreenBox>> placeLabels(const std::vector<LabelRequest>& labels,

@@ -250,10 +250,14 @@ void OrganActor::clearClipPlane() {
   parts_->mapper->RemoveAllClippingPlanes();
 }
 
-bool OrganActor::cutsAway(const Vec3& place) const {
+bool OrganActor::isCut() const {
   vtkPlaneCollection* planes = parts_->mapper->GetClippingPlanes();
+  return planes && planes->GetNumberOfItems() > 0;
+}
+
+bool OrganActor::cutsAway(const Vec3& place) const {
   Vec3 at = place;
-  return planes && planes->GetNumberOfItems() > 0 && planes->GetItem(0)->EvaluateFunction(at.data()) < 0;
+  return isCut() && parts_->mapper->GetClippingPlanes()->GetItem(0)->EvaluateFunction(at.data()) < 0;
 }
 
 void OrganActor::showScalars(std::shared_ptr<const Values> values, const ColorMap& map, ValueRange range) {
@@ -289,8 +293,7 @@ void OrganActor::cullBackFaces(const Vec3& eye) {
   const double* b = p.data->GetBounds();
   const bool outside = eye.x() < b[0] || eye.x() > b[1] || eye.y() < b[2] || eye.y() > b[3] ||
                        eye.z() < b[4] || eye.z() > b[5];
-  const bool clipped = p.mapper->GetClippingPlanes() && p.mapper->GetClippingPlanes()->GetNumberOfItems() > 0;
-  p.actor->GetProperty()->SetBackfaceCulling(p.closed && outside && !clipped && opacity() >= 1);
+  p.actor->GetProperty()->SetBackfaceCulling(p.closed && outside && !isCut() && opacity() >= 1);
 }
 
 void OrganActor::setUnpeeled(bool unpeeled) {

@@ -6,6 +6,7 @@
 #include <limits>
 #include <map>
 #include <optional>
+#include <string>
 
 #include <vtkProperty2D.h>
 #include <vtkRenderer.h>
@@ -24,7 +25,7 @@ constexpr int kFontSize = 14; ///< Points at 72 DPI: logical pixels.
 /// Logical pixels.
 constexpr double kReach = 6; ///< A vertex that is looked at stands for that much around it, or for more.
 constexpr double kDot = 3;
-constexpr double kLineWidth = 1.2;
+constexpr double kLineWidth = 1;
 constexpr double kLineGap = 4;
 constexpr double kInside = 7; ///< How far inside the edge a line ends.
 constexpr double kBottom = 44;
@@ -44,6 +45,8 @@ constexpr int kDotCorners = 12;
 constexpr double kHidden = 0.04;
 /// An opaque part that faces away from the reader by more than that (a cosine) is its organ's back.
 constexpr double kBack = 0.3;
+/// A cut organ that faces away by more than that would show its inside without its cut face.
+constexpr double kHollow = 0.05;
 /// How high on an organ the line of a label at the edge starts, as a part of its height.
 constexpr double kEdgeHeight = 0.7;
 
@@ -54,25 +57,22 @@ public:
       : cell_(kCell * view.pixelRatio), columns_(cellsIn(2 * view.centerX)), rows_(cellsIn(view.pixelHeight)),
         fronts_(columns_ * rows_) {}
 
-  void add(const DisplayPoint& place, std::size_t owner) {
-    if (place.x < 0 || place.y < 0)
-      return;
-    const auto column = static_cast<std::size_t>(place.x / cell_);
-    const auto row = static_cast<std::size_t>(place.y / cell_);
-    if (column >= columns_ || row >= rows_)
-      return;
-    Front& front = fronts_[row * columns_ + column];
-    if (place.depth < front.depth)
-      front = {place.depth, owner};
+  void add(const DisplayPoint& place, std::size_t owner, bool inside = false) {
+    const auto cell = cellOf(place);
+    if (cell && place.depth < fronts_[*cell].depth)
+      fronts_[*cell] = {place.depth, owner, inside};
   }
 
   /// How far away the nearest thing in the place's cell is; infinite where there is none.
   double depthAt(const DisplayPoint& place) const {
-    if (place.x < 0 || place.y < 0)
-      return kNothing;
-    const auto column = static_cast<std::size_t>(place.x / cell_);
-    const auto row = static_cast<std::size_t>(place.y / cell_);
-    return column < columns_ && row < rows_ ? fronts_[row * columns_ + column].depth : kNothing;
+    const auto cell = cellOf(place);
+    return cell ? fronts_[*cell].depth : kNothing;
+  }
+
+  /// Whether the nearest thing in the place's cell was added as an inside.
+  bool isInsideAt(const DisplayPoint& place) const {
+    const auto cell = cellOf(place);
+    return cell && fronts_[*cell].inside;
   }
 
   /// The middle of the cells in which `owner` is in front, moved into the nearest one of them.
@@ -102,7 +102,15 @@ private:
   struct Front {
     double depth = kNothing;
     std::size_t owner = 0;
+    bool inside = false;
   };
+  std::optional<std::size_t> cellOf(const DisplayPoint& place) const {
+    if (place.x < 0 || place.y < 0)
+      return std::nullopt;
+    const auto column = static_cast<std::size_t>(place.x / cell_);
+    const auto row = static_cast<std::size_t>(place.y / cell_);
+    return column < columns_ && row < rows_ ? std::optional(row * columns_ + column) : std::nullopt;
+  }
   std::size_t cellsIn(double pixels) const {
     return static_cast<std::size_t>(std::max(1.0, std::ceil(pixels / cell_)));
   }
@@ -111,6 +119,13 @@ private:
   std::size_t columns_;
   std::size_t rows_;
   std::vector<Front> fronts_;
+};
+
+/// What is in front. Where the nearest of the organs that are cut open is the inside of one, its cut face
+/// hides what is there.
+struct Fronts {
+  FrontGrid opaque;
+  FrontGrid cut;
 };
 
 /// One organ on the display.
@@ -122,8 +137,13 @@ struct Sighting {
   bool seen = false;
 };
 
+/// How much a vertex faces away from the reader: 1 entirely, -1 looks at him.
+double turnedAway(const OrganActor& organ, Eigen::Index vertex, const ViewGeometry& view) {
+  return organ.normals().row(vertex).cast<double>().dot(view.forward.transpose());
+}
+
 Sighting sight(const OrganActor& organ, std::size_t owner, const ViewGeometry& view, Eigen::Index most,
-               Footprint& all, FrontGrid& fronts) {
+               Footprint& all, Fronts& fronts) {
   Sighting sighting{Footprint(view.pixelHeight)};
   const Points& points = organ.points();
   const Eigen::Index stride = std::max<Eigen::Index>(1, points.rows() / most);
@@ -143,7 +163,9 @@ Sighting sight(const OrganActor& organ, std::size_t owner, const ViewGeometry& v
     sighting.covered.cover(place.x, place.y, reach);
     all.cover(place.x, place.y, reach);
     if (organ.opacity() >= kOpaque)
-      fronts.add(place, owner);
+      fronts.opaque.add(place, owner);
+    if (organ.isCut())
+      fronts.cut.add(place, owner, turnedAway(organ, i, view) > kHollow);
     sighting.x += place.x;
     sighting.y += place.y;
     sighting.bottom = std::min(sighting.bottom, place.y);
@@ -156,30 +178,41 @@ Sighting sight(const OrganActor& organ, std::size_t owner, const ViewGeometry& v
   return sighting;
 }
 
-bool showsItsBack(const OrganActor& organ, Eigen::Index vertex, const ViewGeometry& view) {
-  const Vec3 normal = organ.normals().row(vertex).transpose().cast<double>();
-  return organ.opacity() >= kOpaque && normal.dot(view.forward) > kBack;
-}
-
 /// A part where its vertex is; nothing while that is cut away, behind something opaque, or outside of the
 /// view.
 std::optional<Sighting> sightPart(const OrganLabels::Item& item, const Sighting& organ,
-                                  const ViewGeometry& view, const FrontGrid& fronts) {
+                                  const ViewGeometry& view, const Fronts& fronts) {
   const Points& points = item.organ->points();
   if (item.vertex >= points.rows())
     return std::nullopt;
   const Vec3 at = points.row(item.vertex).transpose();
-  if (item.organ->cutsAway(at) || showsItsBack(*item.organ, item.vertex, view))
+  if (item.organ->cutsAway(at) ||
+      (item.organ->opacity() >= kOpaque && turnedAway(*item.organ, item.vertex, view) > kBack))
     return std::nullopt;
   const DisplayPoint place = view.project(at);
   const double slack = kHidden * boundsOf(points).diagonal();
   if (!(place.depth > 0) || !(place.x >= 0) || !(place.y >= 0) || place.x > 2 * view.centerX ||
-      place.y > view.pixelHeight || place.depth > fronts.depthAt(place) + slack)
+      place.y > view.pixelHeight || place.depth > fronts.opaque.depthAt(place) + slack ||
+      fronts.cut.isInsideAt(place))
     return std::nullopt;
   Sighting part = organ;
   part.x = place.x;
   part.y = place.y;
   return part;
+}
+
+/// The text in two lines of much the same length; as it is, when it is one word.
+std::string broken(const std::string& text) {
+  const double middle = static_cast<double>(text.size()) / 2;
+  std::size_t best = std::string::npos;
+  for (std::size_t at = text.find(' '); at != std::string::npos; at = text.find(' ', at + 1))
+    if (best == std::string::npos ||
+        std::abs(static_cast<double>(at) - middle) < std::abs(static_cast<double>(best) - middle))
+      best = at;
+  std::string lines = text;
+  if (best != std::string::npos)
+    lines[best] = '\n';
+  return lines;
 }
 
 bool sameView(const ViewGeometry& a, const ViewGeometry& b) {
@@ -212,6 +245,7 @@ struct OrganLabels::Parts {
   LabelSpace space(const ViewGeometry& geometry) const;
   bool stillFits(const ViewGeometry& geometry, const Footprint& all,
                  const std::vector<std::optional<Sighting>>& sightings) const;
+  LabelRequest request(std::size_t row, double x, double y);
   void layOut(const ViewGeometry& geometry, const Footprint& all,
               const std::vector<std::optional<Sighting>>& sightings);
   void draw(double ratio, const std::vector<std::optional<Sighting>>& sightings);
@@ -230,7 +264,7 @@ void OrganLabels::Parts::hideAll() {
 void OrganLabels::Parts::lookAtOrgans(const ViewGeometry& geometry, Footprint& all,
                                       std::vector<std::optional<Sighting>>& sightings) const {
   sightings.assign(items.size(), std::nullopt);
-  FrontGrid fronts(geometry);
+  Fronts fronts{FrontGrid(geometry), FrontGrid(geometry)};
   std::map<const OrganActor*, Sighting> seen;
   const bool parts =
       std::any_of(items.begin(), items.end(), [](const Item& item) { return item.vertex >= 0; });
@@ -253,7 +287,7 @@ void OrganLabels::Parts::lookAtOrgans(const ViewGeometry& geometry, Footprint& a
       continue;
     }
     sightings[i] = organ->second;
-    if (const auto middle = fronts.middleOf(i)) {
+    if (const auto middle = fronts.opaque.middleOf(i)) {
       sightings[i]->x = (*middle)[0];
       sightings[i]->y = (*middle)[1];
     }
@@ -284,6 +318,26 @@ bool OrganLabels::Parts::stillFits(const ViewGeometry& geometry, const Footprint
   return true;
 }
 
+/// What the label of a row takes in one line, as which it is left, and in two.
+LabelRequest OrganLabels::Parts::request(std::size_t row, double x, double y) {
+  const auto sizeOf = [&](const std::string& text) {
+    std::array<double, 2> size{0, 0};
+    texts[row]->SetInput(text.c_str());
+    texts[row]->GetSize(view.renderer(), size.data());
+    return size;
+  };
+  LabelRequest wanted{x, y};
+  if (const std::string two = broken(items[row].text); two != items[row].text) {
+    const auto size = sizeOf(two);
+    wanted.brokenWidth = size[0];
+    wanted.brokenHeight = size[1];
+  }
+  const auto size = sizeOf(items[row].text);
+  wanted.width = size[0];
+  wanted.height = size[1];
+  return wanted;
+}
+
 void OrganLabels::Parts::layOut(const ViewGeometry& geometry, const Footprint& all,
                                 const std::vector<std::optional<Sighting>>& sightings) {
   std::vector<LabelRequest> requests;
@@ -292,24 +346,24 @@ void OrganLabels::Parts::layOut(const ViewGeometry& geometry, const Footprint& a
     if (!sightings[i])
       continue;
     const Sighting& organ = *sightings[i];
-    double size[2] = {0, 0};
-    texts[i]->GetSize(view.renderer(), size);
     const double y = items[i].atEdge ? organ.bottom + kEdgeHeight * (organ.top - organ.bottom) : organ.y;
-    requests.push_back({organ.x, y, size[0], size[1]});
+    requests.push_back(request(i, organ.x, y));
     rows.push_back(i);
   }
   const auto placed = placeLabels(requests, all, space(geometry));
   boxes.assign(items.size(), std::nullopt);
-  for (std::size_t k = 0; k < rows.size(); ++k)
+  for (std::size_t k = 0; k < rows.size(); ++k) {
     boxes[rows[k]] = placed[k];
+    if (placed[k] && placed[k]->height() > (requests[k].height + requests[k].brokenHeight) / 2)
+      texts[rows[k]]->SetInput(broken(items[rows[k]].text).c_str());
+  }
   laidOutFor = geometry;
 }
 
 void OrganLabels::Parts::drawLine(const ScreenBox& box, double x, double y, double ratio,
                                   vtkCellArray* segments, vtkCellArray* dots) {
-  const bool left = box.left < x;
-  const double start = left ? box.right + kLineGap * ratio : box.left - kLineGap * ratio;
-  segments->InsertNextCell({lines.add(start, (box.bottom + box.top) / 2), lines.add(x, y)});
+  const ScreenPlace start = leaderStart(box, {x, y}, kLineGap * ratio);
+  segments->InsertNextCell({lines.add(start.x, start.y), lines.add(x, y)});
   lines.addDisc(x, y, kDot * ratio, kDotCorners, dots);
 }
 

@@ -87,12 +87,25 @@ TEST_F(OpenFiles, BringOrgansAndHandlesAsOneStep) {
   EXPECT_TRUE(document.rig().handles.empty());
 }
 
-TEST_F(OpenFiles, FailAsAWholeWhenOneOfThemFails) {
-  const fs::path good = surface("liver.vtp", 30);
+TEST_F(OpenFiles, LeaveOutThoseThatFailAndSayWhich) {
   std::ofstream(folder_ / "empty.stl").close();
-  EXPECT_THAT(refusal<DataError>({good, folder_ / "empty.stl"}), HasSubstr("empty.stl"));
-  EXPECT_THAT(refusal<NoInputError>({good, folder_ / "missing.stl"}), HasSubstr("missing.stl"));
-  EXPECT_THAT(refusal<UsageError>({good, folder_ / "notes.docx"}), HasSubstr(".mrk.json"));
+  Progress progress;
+  const OpenedFiles opened =
+      openFiles({folder_ / "missing.stl", surface("liver.vtp", 30), folder_ / "empty.stl",
+                 folder_ / "notes.docx", surface("kidney.stl", 20)},
+                progress);
+  ASSERT_EQ(opened.organs.size(), 2u);
+  EXPECT_EQ(opened.organs[1].organ.name, "kidney");
+  EXPECT_TRUE(opened.surfaces.count(1) == 1) << "as it was read";
+  EXPECT_THAT(opened.failures, ::testing::ElementsAre(HasSubstr("missing.stl"), HasSubstr("empty.stl"),
+                                                      HasSubstr("notes.docx")));
+}
+
+TEST_F(OpenFiles, ThrowWhatTheFirstThrowsWhenNothingIsLeft) {
+  std::ofstream(folder_ / "empty.stl").close();
+  EXPECT_THAT(refusal<DataError>({folder_ / "empty.stl", folder_ / "missing.stl"}), HasSubstr("empty.stl"));
+  EXPECT_THAT(refusal<NoInputError>({folder_ / "missing.stl"}), HasSubstr("missing.stl"));
+  EXPECT_THAT(refusal<UsageError>({folder_ / "notes.docx"}), HasSubstr(".mrk.json"));
   refusal<UsageError>({});
   const fs::path rig = handles("a.mrk.json", corners());
   refusal<UsageError>({rig, rig});

@@ -76,6 +76,18 @@ TEST(RepairSurface, RefusesWhatEnclosesNothing) {
   EXPECT_THROW(repairSurface(openSphere(), {.cells = 30}, progress), Cancelled);
 }
 
+TEST(SurfaceRepairs, StandAModelUpWhoseYAxisPointsToTheHead) {
+  Progress progress;
+  // Tall along y, its face at +z, its left at +x.
+  const auto model = tests::box(20, 60, 30);
+  const auto turned = surfaceRepair("y-up").apply(model, progress, {});
+  const Bounds before = boundsOf(model.points), after = boundsOf(turned.points);
+  EXPECT_EQ(after.low.x(), before.low.x());
+  EXPECT_EQ(after.high.z(), before.high.y()) << "the head is superior";
+  EXPECT_EQ(after.low.y(), -before.high.z()) << "the face is anterior";
+  EXPECT_NEAR(geometry::checkSurface(turned).volumeMm3, 20 * 60 * 30, 1e-6) << "turned, not mirrored";
+}
+
 TEST(ThinSurface, KeepsASurfaceClosedAndItsVolume) {
   const auto thin = thinSurface(tests::sphere(5, 30), 1500);
   const auto report = geometry::checkSurface(thin);

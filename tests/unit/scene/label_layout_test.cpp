@@ -151,5 +151,40 @@ TEST(LabelLayout, FindsTheFreeCornerBesideALargeOrgan) {
   expectApart(boxes, covered, view());
 }
 
+TEST(LabelLayout, BreaksALongNameInANarrowViewSoThatItStandsNearby) {
+  const Footprint covered = disc(180, 200, 60);
+  LabelRequest name{200, 200, 190, 16};
+  const auto far = placeLabels({name}, covered, view(360));
+  name.brokenWidth = 80;
+  name.brokenHeight = 34;
+  const auto near = placeLabels({name}, covered, view(360));
+  ASSERT_TRUE(far[0] && near[0]);
+  EXPECT_GT(std::abs((far[0]->bottom + far[0]->top) / 2 - 200), 60) << "beside it there is no room";
+  EXPECT_NEAR((near[0]->bottom + near[0]->top) / 2, 200, 1e-9);
+  EXPECT_DOUBLE_EQ(near[0]->height(), 34);
+  expectApart(near, covered, view(360));
+  const auto wide = placeLabels({name}, disc(300, 200, 60), view(700));
+  EXPECT_DOUBLE_EQ(wide[0]->height(), 16) << "in one line where there is room";
+}
+
+TEST(LabelLayout, PutsALabelAboveEverythingIntoTheViewWhereverItsOrganIs) {
+  const Footprint covered = disc(180, 150, 140);
+  const auto boxes = placeLabels({{60, 200, 300, 16}}, covered, view(360));
+  ASSERT_TRUE(boxes[0]);
+  expectApart(boxes, covered, view(360));
+}
+
+TEST(LabelLayout, BeginsTheLineAtTheSideThatIsTurnedToWhatIsNamed) {
+  const ScreenBox box{100, 50, 200, 70};
+  const auto start = [&](double x, double y) {
+    const ScreenPlace place = leaderStart(box, {x, y}, 3);
+    return std::vector<double>{place.x, place.y};
+  };
+  EXPECT_EQ(start(300, 10), (std::vector<double>{203, 60}));
+  EXPECT_EQ(start(20, 200), (std::vector<double>{97, 60}));
+  EXPECT_EQ(start(150, 200), (std::vector<double>{150, 73})) << "not through the name";
+  EXPECT_EQ(start(120, 10), (std::vector<double>{120, 47}));
+}
+
 } // namespace
 } // namespace viscera::scene

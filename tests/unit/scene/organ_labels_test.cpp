@@ -69,6 +69,27 @@ TEST(LabelsOfParts, AreLeftOutBehindALargeOrganOnItsBackAndWhereItIsCutAway) {
   EXPECT_EQ(names().size(), 3U) << "one sees through it";
 }
 
+/// Its side walls hardly face away, but the cut face lies before them.
+TEST(LabelsOfParts, AreLeftOutBehindTheFaceOfACut) {
+  tests::ViewInWindow window(640, 480);
+  OrganLabels labels(window.view);
+  auto deep = tests::sphere(6, 100);
+  deep.points.col(1) *= 3;
+  Eigen::Index side = 0;
+  (deep.points.rowwise() - Eigen::RowVector3d(80, 180, 0)).rowwise().squaredNorm().minCoeff(&side);
+  const auto organ = window.addOrgan(deep);
+  organ->setOpacity(0.3);
+  organ->setClipPlane({0, 0, 0}, {0, 1, 0});
+  labels.setItems({{"Side", organ, false, side}});
+  labels.setShown(true);
+  window.view.lookFrom(StandardView::anterior);
+  window.render();
+  EXPECT_TRUE(labels.drawn().empty());
+  window.view.lookFrom(StandardView::left);
+  window.render();
+  EXPECT_EQ(labels.drawn().size(), 1U);
+}
+
 TEST_F(Labels, LinesEndOnTheOrgansAndBoxesLieBesideThem) {
   for (const auto& [text, center] :
        {std::pair{"Left ventricle", Vec3(18, 0, 0)}, std::pair{"Right ventricle", Vec3(-18, 0, 4)}}) {

@@ -35,6 +35,7 @@ struct OpenedFiles {
   std::map<std::size_t, ReadSurface> surfaces; ///< Of those `organs` that come from surface files.
   std::optional<NewRig> rig;                   ///< When there was a handle file.
   std::vector<std::string> warnings;           ///< What a user should know, each with its file's name.
+  std::vector<std::string> failures; ///< Of files that could not be read, each with its file's name.
 
   /// Adds every organ, and the rig: one undo step.
   Command command() const;
@@ -56,9 +57,10 @@ using ArrivalListener = std::function<void(ArrivingOrgan)>;
 bool isHandleFile(const std::filesystem::path& file);
 
 /// Reads all files, surfaces, label maps and folders of masks (an organ for each label) and at most one
-/// handle file, or throws what the first that fails throws (`NoInputError`, `DataError`, `UsageError` for an
-/// ending that nothing is known about or no file at all, `Cancelled`). Who is told by `arrives` gets a copy
-/// of each surface.
+/// handle file. One that cannot be read is left out and told in `failures`; when nothing is left, throws what
+/// the first of them throws (`NoInputError`, `DataError`, `UsageError` for an ending that nothing is known
+/// about). Throws `UsageError` for two handle files or no file at all, `Cancelled`. Who is told by `arrives`
+/// gets a copy of each surface.
 OpenedFiles openFiles(const std::vector<std::filesystem::path>& files, Progress& progress,
                       const ArrivalListener& arrives = {});
 

@@ -20,8 +20,8 @@ struct SurfaceRepair {
   std::function<geometry::TriangleMesh(const geometry::TriangleMesh&, Progress&, Threads)> apply;
 };
 
-/// All there are: `orient`, `fill-holes`, `keep-largest`, `remesh`, `mirror`, `ras-to-lps`, and `unit-ID` for
-/// every unit of `lengthUnits` but mm.
+/// All there are: `orient`, `fill-holes`, `keep-largest`, `remesh`, `mirror`, `ras-to-lps`, `y-up`, and
+/// `unit-ID` for every unit of `lengthUnits` but mm.
 const std::vector<SurfaceRepair>& surfaceRepairs();
 
 /// The one of that id. Throws `UsageError` that names those there are.

@@ -62,6 +62,8 @@ struct LabelRequest {
   double y = 0;
   double width = 0; ///< Of the label.
   double height = 0;
+  double brokenWidth = 0; ///< Of the same label in two lines; 0: it has only one.
+  double brokenHeight = 0;
 };
 
 /// Where there is room for labels.
@@ -74,9 +76,20 @@ struct LabelSpace {
   std::vector<ScreenBox> reserved; ///< Where something else is written.
 };
 
+/// A place on the display, in pixels.
+struct ScreenPlace {
+  double x = 0;
+  double y = 0;
+};
+
+/// Where the line from a label to what it names begins: `gap` beside the box, at half its height; above or
+/// below it where the named place is above or below it.
+ScreenPlace leaderStart(const ScreenBox& box, const ScreenPlace& named, double gap);
+
 /// Places labels to the left and to the right of what is covered, each as level with what it names as there
-/// is room. No two overlap, none touches what is covered or reserved, all lie inside the view; one for which
-/// there is no such place is left out (empty). Earlier labels go first. O(labels^2 x height).
+/// is room; in two lines (the box has that size), or on the other side, where that is much nearer to it, as
+/// it is in a narrow view. No two overlap, none touches what is covered or reserved, all lie inside the view;
+/// one for which there is no such place is left out (empty). Earlier labels go first. O(labels^2 x height).
 std::vector<std::optional<ScreenBox>> placeLabels(const std::vector<LabelRequest>& labels,
                                                   const Footprint& covered, const LabelSpace& space);
 

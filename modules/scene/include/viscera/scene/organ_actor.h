@@ -68,6 +68,7 @@ public:
   /// plane.
   void setClipPlane(const Vec3& origin, const Vec3& normal);
   void clearClipPlane();
+  bool isCut() const;
   /// Whether the plane has cut a place away. O(1).
   bool cutsAway(const Vec3& place) const;
 
