@@ -33,8 +33,12 @@ void giveLetters(const QMenu& menu) {
     }
     label.remove(mark, 1);
     int place = -1;
+    const auto widgets = action->associatedWidgets();
+    const bool elsewhere = std::count_if(widgets.begin(), widgets.end(), [](const QWidget* widget) {
+                             return qobject_cast<const QMenu*>(widget) != nullptr;
+                           }) > 1; // There the new letter might be another one's.
     for (const bool starts : {true, false})
-      for (int i = 0; place < 0 && i < label.size(); ++i)
+      for (int i = 0; !elsewhere && place < 0 && i < label.size(); ++i)
         if (label[i].isLetter() && !taken.contains(label[i].toLower()) &&
             (!starts || i == 0 || label[i - 1] == QLatin1Char(' ')))
           place = i;
@@ -56,9 +60,7 @@ Menus::Menus(QMenuBar& bar, const Parts& parts) : QObject(&bar), bar_(bar), part
   makeLastMenus();
   for (QMenu* menu : bar.findChildren<QMenu*>()) {
     menu->setToolTipsVisible(true);
-    // Others may have changed an entry that stands in several menus: then the letters are given once more.
-    for (QMenu* other : bar.findChildren<QMenu*>())
-      giveLetters(*other);
+    giveLetters(*menu);
   }
   fillRecent();
   fillSamples();

@@ -334,7 +334,7 @@ TEST_F(SmallFaults, TheCardOfALectureLeavesTheCubeAndTheScaleBarFree) {
   key(Qt::Key_F5);
   const auto& card = find<QFrame>("lectureCard");
   ASSERT_TRUE(card.isVisible());
-  const QRect there(card.mapTo(&view(), QPoint(0, 0)), card.size());
+  const QRect there(view().mapFromGlobal(card.mapToGlobal(QPoint(0, 0))), card.size());
   const QRect cube(0, view().height() - 96, 96, 96);
   const QRect scale(view().width() / 2 - 90, view().height() - 45, 180, 30);
   EXPECT_FALSE(there.intersects(cube));
