@@ -18,8 +18,9 @@ namespace {
 /// The steps on each side of the present one that the list of steps shows.
 constexpr std::size_t kShownSteps = 20;
 
-/// Gives an entry whose letter another one of the menu has already another letter: the first of a word, else
-/// any, else none. With two entries of one letter a key only marks the first of them.
+/// Gives an entry whose letter another one of the menu has already another letter (none, when it stands in
+/// several menus): the first of a word, else any, else none. With two entries of one letter a key only marks
+/// the first of them.
 void giveLetters(const QMenu& menu) {
   QSet<QChar> taken;
   for (QAction* action : menu.actions()) {
