@@ -3,6 +3,8 @@
 #include <QFileDialog>
 #include <QFileInfo>
 
+#include <map>
+
 #include "viscera/deformation/inverse_displacements.h"
 #include "viscera/document/tables.h"
 #include "viscera/medical_io/displacement_file.h"
@@ -88,6 +90,7 @@ void ExportActions::write(const QString& what, const QString& file, std::functio
 
 void ExportActions::exportOrgans(const QString& file) {
   std::vector<medical_io::NamedSurface> surfaces;
+  std::map<document::OrganId, int> places;
   for (const auto& organ : workspace_.document().organs()) {
     if (!organ->look.visible)
       continue;
@@ -95,7 +98,10 @@ void ExportActions::exportOrgans(const QString& file) {
     mesh->points = workspace_.live().points(organ->id);
     if (!organ->look.vertexColors)
       mesh->colors.resize(0, 3);
-    surfaces.push_back({std::move(mesh), organ->name, organ->look.color, organ->look.opacity});
+    const auto outer = places.find(organ->parent);
+    places[organ->id] = static_cast<int>(surfaces.size());
+    surfaces.push_back({std::move(mesh), organ->name, organ->look.color, organ->look.opacity,
+                        outer == places.end() ? -1 : outer->second});
   }
   write(tr("all organs"), file, [surfaces = std::move(surfaces), path = file.toStdString()](Progress&) {
     medical_io::writeSurfaces(path, surfaces);

@@ -211,6 +211,11 @@ void MainWindow::connectFiles() {
     scans_->opened();
   });
   connect(scans_, &ScanActions::layoutChosen, viewArea_, &ViewArea::frameSoon);
+  // An undone or redone scan gives the view another size; a session, which has no steps yet, has a camera.
+  subscriptions_.push_back(workspace_.onChange([this](const document::Change& change) {
+    if (change.scan() && !workspace_.undo().names().empty())
+      viewArea_->frameSoon();
+  }));
   connect(files_, &FileActions::scansFound, scans_, &ScanActions::open);
   connect(files_, &FileActions::filesOpened, scans_, &ScanActions::sayFit);
   connect(sessionView_.get(), &SessionView::framingWanted, this, [this, fromFront] {
@@ -252,6 +257,8 @@ void MainWindow::connectHints() {
   const auto hint = [this] { status_->setHint(modes_->present().hint()); };
   connect(modes_.get(), &ModeController::hintChanged, status_, hint);
   hint();
+  connect(modes_.get(), &ModeController::dragTakenBack, this,
+          [this] { workspace_.note(tr("The drag was taken back, because another mode was chosen.")); });
   // Why a drag stops is said where the hint of the mode stands.
   connect(&poses_, &PoseEditor::obstacleChanged, status_, [this, hint](const QString& obstacle) {
     if (obstacle.isEmpty())

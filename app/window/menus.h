@@ -33,7 +33,7 @@ public:
     const std::vector<PanelDock*>& docks;
   };
 
-  /// Adds "edit.undo", "edit.redo" and "edit.selectAll".
+  /// Adds "edit.undo" and "edit.redo".
   Menus(QMenuBar& bar, const Parts& parts);
 
   QMenu* samples() const { return samples_; }
@@ -54,7 +54,6 @@ private:
   void fillSamples();
   /// The steps around the present one, the youngest first; those that were undone are in italics.
   void fillSteps(QMenu* menu);
-  void selectAll();
 
   QMenuBar& bar_;
   Parts parts_;

@@ -175,6 +175,9 @@ int runWindow(int argc, char** argv, const WindowOptions& options) {
     window.setTheme(themeFromName(QString::fromStdString(options.theme)));
   if (options.width > 0 && options.height > 0)
     window.resize(options.width, options.height);
+  window.setMode(options.mode);
+  if (options.files.empty()) // A worker makes the organ while the window is drawn for the first time.
+    load(window, options, true);
   window.show();
   if (options.files.empty())
     window.showWelcome(settings.value("window/welcome", true).toBool());
@@ -187,10 +190,8 @@ int runWindow(int argc, char** argv, const WindowOptions& options) {
     window.sessions().startAutosave(document::standardRecoveryFolder());
     window.sessions().offerRecovery();
   }
-  QTimer::singleShot(0, &window, [&] {
-    window.setMode(options.mode);
-    load(window, options, true);
-  });
+  if (!options.files.empty())
+    QTimer::singleShot(0, &window, [&] { load(window, options, true); });
   const int code = QApplication::exec();
   application.setGuard({}); // The window is about to go.
   return code;

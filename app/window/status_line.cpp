@@ -11,6 +11,10 @@
 #include "window/widgets/ready_made.h"
 
 namespace viscera::app {
+namespace {
+/// Logical pixels: what a long name of a file may take.
+constexpr int kJobWidth = 360;
+} // namespace
 
 StatusLine::StatusLine(Workspace& workspace, VolumeMonitor& volumes, QStatusBar* bar)
     : QObject(bar), workspace_(workspace), volume_(new QLabel(bar)), binding_(new QLabel(bar)),
@@ -28,8 +32,9 @@ StatusLine::StatusLine(Workspace& workspace, VolumeMonitor& volumes, QStatusBar*
   makeJob();
   bar->addPermanentWidget(job_);
   connect(&volumes, &VolumeMonitor::updated, this, &StatusLine::syncVolume);
-  subscriptions_.push_back(workspace.onChange([this](const document::Change&) {
-    syncVolume();
+  subscriptions_.push_back(workspace.onChange([this](const document::Change& change) {
+    if (change.organs()) // A pose's volumes are said together with the list's and the chart's.
+      syncVolume();
     syncBinding();
   }));
   subscriptions_.push_back(workspace.selection().onChange([this] { syncVolume(); }));
@@ -129,8 +134,10 @@ void StatusLine::syncJobs() {
         continue;
       shownQueue_ = watched.jobs;
       shownJob_ = job.id;
-      step_->setText(job.step.empty() ? inWords(job.name)
-                                      : tr("%1: %2").arg(inWords(job.name), inWords(job.step)));
+      const QString said =
+          job.step.empty() ? inWords(job.name) : tr("%1: %2").arg(inWords(job.name), inWords(job.step));
+      step_->setText(step_->fontMetrics().elidedText(said, Qt::ElideMiddle, kJobWidth));
+      step_->setToolTip(said);
       progress_->setRange(0, job.fraction > 0 ? 1000 : 0); // Of both ends 0: it cannot say how far it is.
       progress_->setValue(static_cast<int>(1000 * job.fraction));
       return job_->show();

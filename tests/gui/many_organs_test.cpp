@@ -1,5 +1,6 @@
 #include "window_test.h"
 
+#include <QDockWidget>
 #include <QLabel>
 #include <QLineEdit>
 #include <QTest>
@@ -100,6 +101,29 @@ TEST_F(ManyOrgans, ThatAreChosenAreShownAloneHiddenAndShownAgainInOneStepEach) {
   for (int step = 0; step < 3; ++step)
     key(Qt::Key_Z, Qt::ControlModifier);
   EXPECT_EQ(seen(), all);
+}
+
+/// Beside each name is its square; numbers come back as soon as the panel has room for both.
+TEST_F(ManyOrgans, HaveTheirWholeNamesAndNumbersWhereThereIsRoom) {
+  constexpr int kVolume = 2;
+  constexpr int kSquare = 24;
+  ASSERT_TRUE(window().workspace().perform(
+      document::renameOrgan(organ("left renal artery").id, "inferior mesenteric artery")));
+  settle();
+  for (const auto& one : document().organs()) {
+    QTreeWidgetItem* item = row(QString::fromStdString(one->name));
+    const QModelIndex place =
+        list().model()->index(item->parent()->indexOfChild(item), kName,
+                              list().model()->index(list().indexOfTopLevelItem(item->parent()), 0));
+    EXPECT_GE(list().visualRect(place).width(),
+              kSquare + list().fontMetrics().horizontalAdvance(item->text(kName)))
+        << one->name;
+  }
+  EXPECT_TRUE(list().isColumnHidden(kVolume));
+  auto* dock = window().findChild<QDockWidget*>(QStringLiteral("organs"));
+  window().resizeDocks({dock}, {460}, Qt::Horizontal);
+  settle();
+  EXPECT_FALSE(list().isColumnHidden(kVolume));
 }
 
 TEST_F(ManyOrgans, OfASystemAreHiddenByItsEye) {

@@ -138,12 +138,12 @@ TEST_F(OneState, StaysOneOnAWalkAmongTheThreeSampleSequences) {
       120000));
   waitForPeace();
   document::UndoStack& stack = window().workspace().undo();
-  ASSERT_EQ(stack.names().size(), 3u);
+  ASSERT_EQ(stack.names().size(), 2u) << "the heart was there at the start";
   std::string walked;
   for (int step = 0; step < 60; ++step) {
     const int kind = number(6);
     if (kind < 3) {
-      const auto to = static_cast<std::size_t>(number(4));
+      const auto to = static_cast<std::size_t>(number(3));
       walked += " step " + std::to_string(to);
       window().workspace().guarded([&] { stack.goTo(to); });
     } else if (kind == 3) {

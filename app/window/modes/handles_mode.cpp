@@ -1,5 +1,8 @@
 #include "window/modes/handles_mode.h"
 
+#include <QAbstractItemView>
+#include <QApplication>
+
 #include "viscera/document/rig_commands.h"
 #include "viscera/document/system_commands.h"
 #include "window/binding_messages.h"
@@ -30,6 +33,8 @@ void HandlesMode::makeRigActions(Actions& actions) {
   actions.add("handles.remove",
               {tr("&Remove handles"), "remove", {QKeySequence::Delete}, tr("Remove the selected handles")},
               [this] { workspace_.perform(document::removeHandles(workspace_.selection().handles())); });
+  actions.add("edit.selectAll", {tr("Select &all handles"), nullptr, {QKeySequence::SelectAll}, {}},
+              [this] { selectAll(); });
   actions.add("cage.hull",
               {tr("Use the &hull as the cage"),
                "enclosing",
@@ -38,10 +43,25 @@ void HandlesMode::makeRigActions(Actions& actions) {
               [this] { workspace_.perform(document::dropCage()); });
   actions.enableWhile({"handles.place", "handles.addEnclosing"},
                       [this] { return !workspace_.document().organs().empty(); });
-  actions.enableWhile({"handles.remove"}, [this] { return !workspace_.selection().handles().empty(); });
+  // What nobody sees is not removed by a key.
+  const auto seen = [this] { return parts_.view.state().shown.handles || parts_.view.state().handles; };
+  actions.enableWhile({"handles.remove"},
+                      [this, seen] { return seen() && !workspace_.selection().handles().empty(); });
+  actions.enableWhile({"edit.selectAll"},
+                      [this, seen] { return seen() && !workspace_.document().rig().handles.empty(); });
   actions.enableWhile({"cage.hull"}, [this] {
     return workspace_.systemTraits().needsCage && !workspace_.document().rig().cage.empty();
   });
+}
+
+/// The key is meant for the list that has the focus, else for the handles.
+void HandlesMode::selectAll() {
+  if (auto* list = qobject_cast<QAbstractItemView*>(QApplication::focusWidget()))
+    return list->selectAll();
+  std::vector<document::HandleId> all;
+  for (const document::Handle& handle : workspace_.document().rig().handles)
+    all.push_back(handle.id);
+  workspace_.selection().setHandles(all);
 }
 
 void HandlesMode::makeViewActions(Actions& actions) {

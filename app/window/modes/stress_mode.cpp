@@ -33,7 +33,15 @@ StressMode::StressMode(const ModeParts& parts, Actions& actions)
   connect(&model_, &StressModel::activeChanged, this, &StressMode::syncActions);
   connect(&playback, &Playback::stateChanged, this, &StressMode::syncActions);
   connect(&playback, &Playback::stateChanged, this, &Mode::shownChanged);
-  connect(&playback, &Playback::advanced, this, &Mode::shownChanged); // Dragging the timeline shows it too.
+  connect(&playback, &Playback::advanced, this, [this] {
+    if (!model_.active()) // Another mode shows the sequence again.
+      posed_ = false;
+    Q_EMIT shownChanged(); // Dragging the timeline shows it too.
+  });
+  subscription_ = workspace_.onChange([this, &playback](const document::Change& change) {
+    if (change.pose() && playback.wantedPose() == motion::WantedPose::document)
+      posed_ = !document::atRest(change.after);
+  });
   syncActions();
 }
 
@@ -131,6 +139,11 @@ void StressMode::syncActions() {
 
 std::vector<const char*> StressMode::actions() const {
   return {std::begin(kActionIds), std::end(kActionIds)};
+}
+
+void StressMode::enter() {
+  if (posed_ && parts_.playback.showing())
+    parts_.playback.stop();
 }
 
 QWidget* StressMode::makePage(const Actions& actions) {

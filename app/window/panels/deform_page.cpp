@@ -4,6 +4,7 @@
 #include <QLabel>
 #include <QSignalBlocker>
 
+#include "viscera/presentation/presenter.h"
 #include "window/language.h"
 #include "window/panels/position_box.h"
 #include "window/panels/volume_box.h"
@@ -29,6 +30,8 @@ QString namesOf(const document::Rig& rig, const std::vector<document::HandleId>&
 DeformPage::DeformPage(const ModeParts& parts, const Actions& actions, QWidget* parent)
     : Page(parent), workspace_(parts.workspace), poses_(parts.poses), view_(parts.view) {
   addSection(tr("Volume"));
+  organ_ = addFact(tr("Organ"));
+  organ_->setObjectName(QStringLiteral("deformOrgan"));
   now_ = addFact(tr("Now"));
   rest_ = addFact(tr("Reference shape"));
   change_ = addFact(tr("Change"));
@@ -94,6 +97,7 @@ void DeformPage::sync() {
   const auto organ = workspace_.currentOrgan();
   const QString none = QStringLiteral("-");
   const live::OrganVolume volume = organ ? workspace_.live().volume(organ->id) : live::OrganVolume();
+  organ_->setText(organ ? text(presentation::labelOf(*organ)) : none);
   now_->setText(volume.closed ? formatMilliliters(volume.nowMl) : none);
   rest_->setText(volume.closed ? formatMilliliters(volume.restMl) : none);
   change_->setText(volume.closed ? tr("%1 (%2)").arg(formatChange(volume), formatRelativeChange(volume))

@@ -13,6 +13,7 @@
 
 #include "viscera/document/organ_commands.h"
 #include "viscera/document/organ_system.h"
+#include "viscera/document/rig_commands.h"
 #include "viscera/presentation/presenter.h"
 #include "window/language.h"
 #include "window/panels/color_palette.h"
@@ -44,6 +45,7 @@ QTreeWidget* makeList(QWidget* parent) {
   list->setExpandsOnDoubleClick(false);
   list->setSelectionMode(QAbstractItemView::ExtendedSelection);
   list->setUniformRowHeights(true);
+  list->setTextElideMode(Qt::ElideMiddle); // Left and right, upper and lower stand at the ends of names.
   list->setEditTriggers(QAbstractItemView::EditKeyPressed);
   list->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   list->header()->setStretchLastSection(false);
@@ -137,7 +139,7 @@ void OrganPanel::addTo(Actions& actions) {
   actions.add("organ.rename", {tr("Re&name organ"), "rename", {}, {}}, [this] { editName(); });
   actions.add("organ.remove", {tr("&Remove organ"), "remove", {}, {}}, [this] {
     if (const auto organs = chosen(); !organs.empty())
-      workspace_.perform(document::removeOrgans(organs));
+      remove(organs);
   });
   actions.enableWhile(
       {"organ.showOnly", "organ.hide", "organ.showAll", "organ.find", "organ.rename", "organ.remove"},
@@ -146,6 +148,19 @@ void OrganPanel::addTo(Actions& actions) {
   menu_ = new QMenu(this);
   for (const char* id : {"organ.showOnly", "organ.hide", "organ.showAll", "view.focus", "organ.rename"})
     menu_->addAction(actions[id]);
+}
+
+/// Handles without an organ are of no use: they go with the last one.
+void OrganPanel::remove(const std::vector<document::OrganId>& organs) {
+  document::Command command = document::removeOrgans(organs);
+  const document::OrganList& all = workspace_.document().organs();
+  const auto goes = [&organs](document::OrganId id) {
+    return std::find(organs.begin(), organs.end(), id) != organs.end();
+  };
+  const bool none = std::all_of(all.begin(), all.end(), [&goes](const auto& organ) {
+    return goes(organ->id) || goes(organ->parent); // Cavities go with their organ.
+  });
+  workspace_.perform(none ? document::combined(command.name, {command, document::replaceRig({})}) : command);
 }
 
 void OrganPanel::editName() {
@@ -254,6 +269,30 @@ void OrganPanel::rebuild() {
   search_->setVisible(!systems_.empty());
   updateVolumes();
   syncSelection();
+  giveNamesRoom();
+}
+
+/// Among many organs the numbers give way where names would be cut: a wider panel has room for both, and tips
+/// and the status bar tell them, too.
+void OrganPanel::giveNamesRoom() {
+  constexpr int kPadding = 12; // Around a name and its square.
+  const QFontMetrics metrics(list_->font());
+  int widest = 0;
+  int numbers = 0;
+  for (const auto& [id, item] : items_) {
+    const int steps = item->parent() && item->parent()->parent() ? 3 : item->parent() ? 2 : 1;
+    widest = std::max(widest, steps * list_->indentation() + metrics.horizontalAdvance(item->text(kName)));
+    numbers = std::max(numbers, metrics.horizontalAdvance(item->text(kVolume)));
+  }
+  const int room = list_->viewport()->width() - list_->columnWidth(kEye) - list_->columnWidth(kLock);
+  const bool cut = !systems_.empty() && widest + kSwatchWidth + 2 * kPadding + numbers > room;
+  list_->setColumnHidden(kVolume, cut);
+}
+
+void OrganPanel::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  QMetaObject::invokeMethod(this, &OrganPanel::giveNamesRoom,
+                            Qt::QueuedConnection); // The list has its size then.
 }
 
 /// A system's row has the number of its organs, and an eye for all of them.
@@ -290,7 +329,7 @@ void OrganPanel::filter() {
 void OrganPanel::updateRow(const document::Organ& organ, QTreeWidgetItem* item) {
   const QScopedValueRollback<bool> quiet(updating_, true);
   item->setText(kName, inWords(presentation::labelOf(organ)));
-  item->setIcon(kName, swatch(asColor(organ.look.color)));
+  item->setIcon(kName, swatch(asColor(presentation::shownColor(organ.look.color))));
   item->setIcon(kEye, icon(organ.look.visible ? "eye" : "eye_off"));
   item->setToolTip(kEye, organ.look.visible ? tr("Hide (click)") : tr("Show (click)"));
   QString tip = tr("%1\n%n {triangle|triangles}", nullptr, static_cast<int>(organ.mesh->triangles.rows()))

@@ -138,8 +138,11 @@ QWidget* SystemBox::editorFor(const coordinates::Parameter& parameter) {
     auto* combo = new QComboBox(box);
     row->addWidget(new QLabel(name, box), 1);
     row->addWidget(combo);
-    for (const std::string& choice : parameter.choices)
-      combo->addItem(text(choice));
+    combo->setObjectName(QStringLiteral("parameter/") + text(parameter.name));
+    const plugin::Registry& registry = workspace_.registry();
+    for (const std::string& choice :
+         parameter.choices) // Systems are called what the list of them calls them.
+      combo->addItem(inWords(registry.contains(choice) ? registry.find(choice)->name() : choice));
     combo->setToolTip(inWords(parameter.help));
     combo->setAccessibleName(name);
     connect(combo, QOverload<int>::of(&QComboBox::activated), this, [this, parameter](int index) {

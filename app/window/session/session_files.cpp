@@ -299,8 +299,12 @@ void SessionFiles::endCleanly() {
     autosave_->clear();
 }
 
-void SessionFiles::sampleLoaded(const QString&, bool untouched) {
-  if (untouched && file_.isEmpty())
+void SessionFiles::sampleLoaded(const QString&, bool untouched, bool first) {
+  if (!untouched || !file_.isEmpty())
+    return;
+  if (first) // Work begins with it: there is nothing to go back to.
+    workspace_.undo().reset(workspace_.state());
+  else
     workspace_.undo().markSaved();
 }
 

@@ -12,7 +12,7 @@
 namespace viscera::app {
 
 ProbeCard::ProbeCard(StressModel& model, QWidget* parent)
-    : QFrame(parent), model_(model), place_(new QLabel(this)) {
+    : QFrame(parent), model_(model), place_(new QLabel(this)), position_(new QLabel(this)) {
   setObjectName(QStringLiteral("badge"));
   auto* grid = makeLayout<QGridLayout>(this, -1, {12, 8, 8, 10});
   grid->setHorizontalSpacing(16);
@@ -23,7 +23,11 @@ ProbeCard::ProbeCard(StressModel& model, QWidget* parent)
   place_->setObjectName(QStringLiteral("probePlace"));
   grid->addWidget(place_, 0, 0);
   grid->addWidget(close, 0, 1, Qt::AlignRight);
-  int row = 1;
+  position_->setObjectName(QStringLiteral("probePosition"));
+  position_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  position_->setToolTip(tr("In the patient's axes, mm; left, posterior and superior count up"));
+  grid->addWidget(position_, 1, 0, 1, 2);
+  int row = 2;
   for (const live::StressQuantityDescription& quantity : live::stressQuantities()) {
     auto* name = new QLabel(inWords(quantity.name), this);
     name->setObjectName(QStringLiteral("muted"));
@@ -55,7 +59,7 @@ void ProbeCard::sync() {
     return QStringLiteral("%1 %2").arg(formatNumber(std::abs(mm), 0)).arg(mm >= 0 ? positive : negative);
   };
   place_->setText(mesh->isWitness(point) ? tr("Witness %1").arg(point) : tr("Surface point %1").arg(point));
-  place_->setToolTip(tr("At rest: %1, %2, %3 mm")
+  position_->setText(tr("At rest %1, %2, %3 mm")
                          .arg(axis(at.x(), tr("L"), tr("R")), axis(at.y(), tr("P"), tr("A")),
                               axis(at.z(), tr("S"), tr("I"))));
   for (std::size_t i = 0; i < values_.size(); ++i) {

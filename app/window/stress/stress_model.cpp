@@ -19,6 +19,7 @@ StressLook habit(StressLook look) {
   look.pinned = look.threshold = look.peak = false;
   look.range = {0, 0};
   look.probe = -1;
+  look.glyphs = GlyphChoice::none; // They stand in the place of the tissue: nobody begins with them.
   return look;
 }
 

@@ -41,6 +41,9 @@ public:
   /// Changes a part of the look.
   void change(const std::function<void(StressLook&)>& edit);
 
+  /// Of the sequence that is there, s.
+  double periodSeconds() const { return playback_.player().periodSeconds(); }
+
   /// The numbers that are shown, with their colours and range.
   const presentation::StressValues& shown() const { return picture_.presenter().stressValues(); }
   QString title() const;

@@ -70,6 +70,7 @@ StressPage::StressPage(Workspace& workspace, Playback& playback, StressModel& mo
     syncThreshold();
   });
   connect(&playback, &Playback::stateChanged, this, &StressPage::syncStatus);
+  connect(&playback, &Playback::advanced, this, &StressPage::syncPose);
   syncLook();
   syncStatus();
   syncNumbers();
@@ -122,9 +123,13 @@ QWidget* StressPage::makePose() {
   ownPose_ = addButton(tr("Your pose"), "stressOwnPose", tr("The map of your pose; handles can be dragged"));
   played_ = addButton(tr("Sequence"), "stressPlayed",
                       tr("The map of the sequence at the timeline's instant; Space plays"));
-  connect(ownPose_, &QPushButton::clicked, &playback_, &Playback::stop);
+  connect(ownPose_, &QPushButton::clicked, this, [this] {
+    instant_ = playback_.player().fraction();
+    playback_.stop();
+  });
   connect(played_, &QPushButton::clicked, this, [this] {
-    playback_.seek(playback_.player().fraction());
+    if (!playback_.showing())
+      playback_.seek(instant_);
     syncStatus(); // It may not be possible.
   });
   return box;
@@ -297,7 +302,10 @@ void StressPage::syncLook() {
 void StressPage::syncThreshold() {
   if (!model_.look().threshold)
     return;
-  limit_->setRange(model_.shown().range().low, model_.shown().range().high);
+  const scene::ValueRange& range = model_.shown().range();
+  const live::StressQuantityDescription& quantity = live::describe(model_.look().quantity);
+  limit_->setRange({range.low, range.high, std::pow(10.0, -quantity.decimals), quantity.decimals,
+                    quantity.unit.empty() ? QString() : QLatin1Char(' ') + text(quantity.unit)});
   limit_->setValue(model_.look().limit);
 }
 
@@ -347,10 +355,20 @@ void StressPage::syncStatus() {
                        nullptr, status.outside));
   remarks_->setText(lines.join(QLatin1Char('\n')));
   remarks_->setVisible(mesh && !lines.isEmpty());
+  syncPose();
+  syncNumbers();
+}
+
+/// Also when the mode begins with an instant of the sequence, of which the playback's state says nothing new.
+void StressPage::syncPose() {
   const QSignalBlocker quietOwn(ownPose_), quietPlayed(played_);
   played_->setEnabled(playback_.sequence());
   (playback_.showing() ? played_ : ownPose_)->setChecked(true);
-  syncNumbers();
+}
+
+void StressPage::showEvent(QShowEvent* event) {
+  Page::showEvent(event);
+  syncPose();
 }
 
 void StressPage::syncNumbers() {

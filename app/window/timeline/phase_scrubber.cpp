@@ -200,11 +200,18 @@ std::vector<PhaseScrubber::Group> PhaseScrubber::groups() const {
       length += group.text == name ? group.end - group.begin : 0;
     return length;
   };
+  const double room = strip().width();
   std::vector<Group> named = groups;
-  for (Group& group : named)
+  for (Group& group : named) {
+    const QString name = group.text;
     group.text =
         tr("%1 %2 ms").arg(group.text).arg(formatNumber(1000 * periodSeconds_ * lengthOf(group.text), 0));
-  if (named.size() > 1 && named.front().text == named.back().text)
+    // A narrow window has room for the name alone, or for none.
+    for (const QString& shorter : {name, QString()})
+      if (fontMetrics().horizontalAdvance(group.text) > (group.end - group.begin) * room)
+        group.text = shorter;
+  }
+  if (named.size() > 1 && groups.front().text == groups.back().text)
     (named.front().end - named.front().begin < named.back().end - named.back().begin ? named.front()
                                                                                      : named.back())
         .text.clear();

@@ -64,6 +64,8 @@ public:
   /// Whether the organs show the sequence's pose.
   bool showing() const { return player_.showing(); }
 
+  /// Which pose the mode wants to be shown.
+  motion::WantedPose wantedPose() const { return transport_->pose(); }
   /// Which pose is wanted; a sequence that plays is paused when it is not its own.
   void setPose(motion::WantedPose pose) {
     tell([&] { transport_->setPose(pose); });

@@ -166,6 +166,7 @@ void TimelineBar::syncSequence(const sequences::Sequence& sequence) {
 void TimelineBar::clearSequence() {
   const QString line = tr("No motion yet: choose a sequence in Play (5)");
   scrubber_->setPhases({{line.toStdString(), 0, 1}}, 0);
+  play_->setIcon(icon("play"));
   signs_->setHeart(nullptr, 0);
   syncSigns();
   scrubber_->setFraction(0);

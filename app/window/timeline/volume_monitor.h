@@ -70,6 +70,7 @@ public:
   std::optional<sequences::WallMotion> wall() const;
   /// Volumes as they are this moment.
   void refresh();
+  void update();
 
 Q_SIGNALS:
   /// Other organs are followed: everything that was recorded is gone.

@@ -93,8 +93,7 @@ std::string displayName(std::string name) {
 }
 
 /// As an organ, and as it is in the file.
-std::pair<Organ, ReadSurface> readBoth(const std::filesystem::path& file) {
-  medical_io::SurfaceFile surface = medical_io::readSurface(file);
+std::pair<Organ, ReadSurface> readBoth(medical_io::SurfaceFile surface, const std::filesystem::path& file) {
   ReadSurface read{std::make_shared<const geometry::TriangleMesh>(std::move(surface.mesh)),
                    surface.spaceStated ? std::optional(surface.space) : std::nullopt};
   const std::string name = surface.name.empty() ? file.stem().string() : surface.name;
@@ -148,7 +147,7 @@ bool isHandleFile(const std::filesystem::path& file) {
 }
 
 Organ readOrgan(const std::filesystem::path& file) {
-  return readBoth(file).first;
+  return readBoth(medical_io::readSurface(file), file).first;
 }
 
 std::vector<Organ> organsFrom(const medical_io::LabelMap& map, std::vector<medical_io::LabelSurface> surfaces,
@@ -209,6 +208,29 @@ std::vector<Organ> readLabelOrgans(const std::filesystem::path& file, const std:
 
 namespace {
 
+/// The organs of a surface file: one, or those that a GLB holds with their colours and cavities.
+void addSurfaces(OpenedFiles& opened, const std::filesystem::path& file, const ArrivalListener& arrives) {
+  std::vector<medical_io::SurfacePart> parts = medical_io::readSurfaces(file);
+  std::vector<std::pair<Organ, ReadSurface>> made; // All of them, before any is added.
+  for (medical_io::SurfacePart& part : parts)
+    made.push_back(readBoth(std::move(part.surface), file));
+  const auto first = static_cast<int>(opened.organs.size());
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    const medical_io::SurfacePart& part = parts[i];
+    auto& [organ, read] = made[i];
+    if (parts.size() > 1) // A session cannot name one organ of a file, so it holds the surfaces.
+      organ.origin.fileHash.clear();
+    if (part.color)
+      organ.look.color = *part.color;
+    organ.look.opacity = part.opacity;
+    if (arrives)
+      arrives({organ.name, part.color, organ.mesh, boundsOf(organ.mesh->points)});
+    opened.surfaces.emplace(opened.organs.size(), std::move(read));
+    opened.organs.push_back({std::move(organ), part.cavityOf < 0 ? -1 : first + part.cavityOf});
+    addWarnings(opened.warnings, file, opened.organs.back().organ.warnings);
+  }
+}
+
 /// Adds what a file holds; nothing when it throws.
 void addFile(OpenedFiles& opened, const std::filesystem::path& file, Progress& progress,
              const ArrivalListener& arrives) {
@@ -227,12 +249,7 @@ void addFile(OpenedFiles& opened, const std::filesystem::path& file, Progress& p
       opened.organs.push_back(std::move(item));
     }
   } else {
-    auto [organ, read] = readBoth(file);
-    if (arrives)
-      arrives({organ.name, std::nullopt, organ.mesh, boundsOf(organ.mesh->points)});
-    opened.surfaces.emplace(opened.organs.size(), std::move(read));
-    opened.organs.push_back({std::move(organ), -1});
-    addWarnings(opened.warnings, file, opened.organs.back().organ.warnings);
+    addSurfaces(opened, file, arrives);
   }
 }
 

@@ -338,6 +338,15 @@ void lookFrom(const Camera& camera, scene::OrganView& view) {
   view.renderer()->ResetCameraClippingRange();
 }
 
+Vec3 shownColor(const Vec3& color) {
+  constexpr double kMostVivid = 0.7; // Between the largest and the smallest part.
+  const double vivid = color.maxCoeff() - color.minCoeff();
+  if (vivid <= kMostVivid + 1e-9)
+    return color;
+  const double middle = 0.5 * (color.maxCoeff() + color.minCoeff());
+  return (middle + (color.array() - middle) * (kMostVivid / vivid)).matrix();
+}
+
 std::string labelOf(const document::Organ& organ, const Presenter::Translate& translate) {
   const Presenter::Translate& say = translate ? translate : Presenter::Translate(same);
   if (organ.name == "LV")
