@@ -74,9 +74,9 @@ void StatusLine::syncVolume() {
     return volume_->setText(tr("No organ"));
   const live::OrganVolume volume = workspace_.live().volume(organ->id);
   if (!volume.closed)
-    return volume_->setText(tr("%1: open surface, no volume").arg(text(organ->name)));
+    return volume_->setText(tr("%1: open surface, no volume").arg(inWords(organ->name)));
   QString line = tr("%1  %2  (%3, %4)")
-                     .arg(text(organ->name), formatMilliliters(volume.nowMl), formatChange(volume),
+                     .arg(inWords(organ->name), formatMilliliters(volume.nowMl), formatChange(volume),
                           formatRelativeChange(volume));
   if (organ->volumeLocked)
     line += tr("  locked");

@@ -97,7 +97,7 @@ void DeformPage::sync() {
   const auto organ = workspace_.currentOrgan();
   const QString none = QStringLiteral("-");
   const live::OrganVolume volume = organ ? workspace_.live().volume(organ->id) : live::OrganVolume();
-  organ_->setText(organ ? text(presentation::labelOf(*organ)) : none);
+  organ_->setText(organ ? inWords(presentation::labelOf(*organ)) : none);
   now_->setText(volume.closed ? formatMilliliters(volume.nowMl) : none);
   rest_->setText(volume.closed ? formatMilliliters(volume.restMl) : none);
   change_->setText(volume.closed ? tr("%1 (%2)").arg(formatChange(volume), formatRelativeChange(volume))

@@ -150,7 +150,7 @@ void PlayPage::makePatientCirculation(Workspace& workspace) {
 
 void PlayPage::syncPatientCirculation() {
   const auto isLeft = [](const VolumeMonitor::Line& line) {
-    const auto ranges = motion::normalRanges(line.name.toStdString());
+    const auto ranges = motion::normalRanges(line.label);
     return line.side == 0 && std::any_of(ranges.begin(), ranges.end(),
                                          [](const auto& range) { return range.norm == "lv.edv"; });
   };
@@ -260,7 +260,7 @@ void PlayPage::syncIndices() {
   std::size_t best = lines.size();
   for (std::size_t line = 0; line < lines.size(); ++line)
     if (lines[line].cavity && lines[line].side == 0 &&
-        (best == lines.size() || lines[line].name == QLatin1String("LV cavity")))
+        (best == lines.size() || lines[line].label == "LV cavity"))
       best = line;
   const auto indices = best < lines.size() ? volumes_.indices(best) : std::nullopt;
   syncPatientCirculation();
@@ -274,8 +274,7 @@ void PlayPage::syncIndices() {
   QStringList normal;
   QStringList sources;
   if (best < lines.size())
-    for (const motion::NormalRange& range :
-         motion::normalRanges(lines[best].name.toStdString(), view_.state().person)) {
+    for (const motion::NormalRange& range : motion::normalRanges(lines[best].label, view_.state().person)) {
       const bool percent = range.quantity == motion::NormalRange::Quantity::ejectionPercent;
       normal.push_back(tr("%1 %2 - %3 %4")
                            .arg(inWords(range.name))

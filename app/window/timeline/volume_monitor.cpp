@@ -77,9 +77,9 @@ std::vector<VolumeMonitor::Line> VolumeMonitor::linesOf(int side) const {
     if (!organ->look.tracked || !organ->closed())
       continue;
     const double rest = organ->restVolumeMm3 / kMm3PerMl;
-    lines.push_back({organ->id, side, inWords(presentation::labelOf(*organ)),
-                     presentation::shownColor(organ->look.color),
-                     organ->parent || motion::heartChamber(organ->name).has_value(), rest, rest});
+    const std::string label = presentation::labelOf(*organ);
+    lines.push_back({organ->id, side, inWords(label), presentation::shownColor(organ->look.color),
+                     organ->parent || motion::heartChamber(organ->name).has_value(), rest, rest, label});
   }
   return lines;
 }
@@ -96,7 +96,7 @@ void VolumeMonitor::rebuild() {
   lines_ = std::move(lines);
   std::vector<std::string> names;
   for (const Line& line : lines_)
-    names.push_back(line.name.toStdString());
+    names.push_back(line.label);
   record_ = motion::VolumeRecord(names, kRows);
   drags_ = motion::VolumeRecord(std::move(names), kDragRows);
   refresh();

@@ -204,7 +204,7 @@ void VolumePanel::rebuild() {
   chart_->setLines(lines);
   charted_ = 0;
   const auto hasNormals = [](const VolumeMonitor::Line& line) {
-    return !motion::normalRanges(line.name.toStdString()).empty();
+    return !motion::normalRanges(line.label).empty();
   };
   const auto first = std::find_if(monitor_.lines().begin(), monitor_.lines().end(), hasNormals);
   normalsOf_ = static_cast<std::size_t>(first - monitor_.lines().begin());
@@ -320,8 +320,7 @@ void VolumePanel::syncNormals() {
   for (std::size_t line = 0; line < monitor_.lines().size(); ++line) {
     std::vector<scene::ChartBand> bands;
     if (line == normalsOf_)
-      for (const motion::NormalRange& range :
-           motion::normalRanges(monitor_.lines()[line].name.toStdString(), person_))
+      for (const motion::NormalRange& range : motion::normalRanges(monitor_.lines()[line].label, person_))
         if (inMilliliters(range))
           bands.push_back({{range.low, range.high}, shortName(range).toStdString()});
     chart_->setBands(static_cast<int>(line), std::move(bands));
@@ -332,10 +331,10 @@ void VolumePanel::syncNormals() {
 QString VolumePanel::normalsText() const {
   if (normalsOf_ >= monitor_.lines().size())
     return {};
-  const QString name = monitor_.lines()[normalsOf_].name;
+  const VolumeMonitor::Line& line = monitor_.lines()[normalsOf_];
   QStringList parts;
   QString from;
-  for (const motion::NormalRange& range : motion::normalRanges(name.toStdString(), person_)) {
+  for (const motion::NormalRange& range : motion::normalRanges(line.label, person_)) {
     if (!inMilliliters(range))
       continue;
     parts.push_back(tr("%1 %2 ml").arg(inWords(range.name), rangeText(range)));
@@ -343,7 +342,7 @@ QString VolumePanel::normalsText() const {
   }
   if (parts.isEmpty())
     return {};
-  return tr("Shaded: normal for %1, %2. %3").arg(name, parts.join(tr(", ")), from);
+  return tr("Shaded: normal for %1, %2. %3").arg(line.name, parts.join(tr(", ")), from);
 }
 
 QString VolumePanel::detailOf(std::size_t line) const {

@@ -118,7 +118,8 @@ MeasuredRecord measuredRecordFrom(const std::string& text) {
   try {
     return recordFrom(ordered_json::parse(text));
   } catch (const ordered_json::exception& error) {
-    throw DataError(std::string("it is no record of a measured motion: ") + error.what(), "measured motion");
+    throw DataError(std::string("it is not a record of a measured motion: ") + error.what(),
+                    "measured motion");
   }
 }
 

@@ -67,8 +67,8 @@ OpenedFiles openFiles(const std::vector<std::filesystem::path>& files, Progress&
 /// Reads a label map or a folder of masks, and makes an organ, named and coloured, of each of the labels that
 /// are asked for by name or value; of all when none are. A heart that is labelled part by part
 /// (`medical_io::heartLabels`) is then "Heart", muscle and chambers together, first, with the chambers "LV",
-/// "RV", "LA", "RA" as its cavities; by "heart" it may be asked for, too. Throws what `medical_io::readLabelMap`,
-/// `medical_io::segmentsNamed` and `medical_io::labelSurfaces` throw.
+/// "RV", "LA", "RA" as its cavities; by "heart" it may be asked for, too. Throws what
+/// `medical_io::readLabelMap`, `medical_io::segmentsNamed` and `medical_io::labelSurfaces` throw.
 std::vector<NewOrgan> readLabelBatch(const std::filesystem::path& file,
                                      const std::vector<std::string>& labels, Progress& progress,
                                      const ArrivalListener& arrives = {});
