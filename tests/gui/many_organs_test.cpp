@@ -7,6 +7,7 @@
 #include <QTreeWidget>
 
 #include "atlas_window.h"
+#include "screen_check.h"
 #include "session_fixture.h"
 #include "viscera/document/organ_commands.h"
 #include "window/panels/organ_panel.h"
@@ -203,6 +204,10 @@ TEST_F(Atlas, IsSearchedIsolatedDeformedUnderALockAndShownWholeAgain) {
   showAll();
   settle();
   EXPECT_EQ(visible(), 95);
+  key(Qt::Key_1);
+  window().resize(1600, 1000);
+  settle();
+  expectScreen(window().grab().toImage(), "atlas");
   EXPECT_EQ(message(), QString());
 }
 
