@@ -91,6 +91,8 @@ void addWindowOptions(CLI::App& app, WindowOptions& window, std::string& size) {
   app.add_option("FILE", window.files,
                  "Sessions, organs, label maps and handles to open in the window, or one sample:NAME");
   app.add_option("--theme", window.theme, "Colours of the window")->check(CLI::IsMember({"dark", "light"}));
+  app.add_option("--language", window.language, "Language of the window")
+      ->check(CLI::IsMember({"en", "ca", "de", "es", "fr"}));
   app.add_option("--mode", window.mode, "What the mouse does to begin with")
       ->check(CLI::IsMember({"explore", "handles", "deform", "stress", "play"}));
   app.add_option("--window-size", size, "Size of the window in pixels")->type_name("WxH");
@@ -183,7 +185,7 @@ void takeSample(WindowOptions& window, const sample_organs::SampleLibrary& sampl
     window.sample = file.substr(kSample.size());
     const std::vector<std::string> names = sample_organs::sampleNames(samples);
     if (std::find(names.begin(), names.end(), window.sample) == names.end())
-      throw UsageError("It is no sample organ that the window opens", file,
+      throw UsageError("It is not a sample organ that the window opens", file,
                        "viscera sample --list shows them");
     window.files.clear();
     return;

@@ -60,6 +60,8 @@ Surfaces surfacesOf(const sample_organs::SampleOrgan& sample) {
   for (const sample_organs::SampleSurface& surface : sample.surfaces) {
     document::Organ organ = document::makeOrgan(surface.name, surface.mesh);
     organ.look.color = surface.color;
+    organ.origin.sample = sample.name + "@" + sample_organs::nameOf(sample.resolution);
+    organ.origin.surface = surface.name;
     surfaces.add(surface.name, std::move(organ));
   }
   return surfaces;

@@ -15,6 +15,7 @@
 #include "viscera/document/undo_stack.h"
 #include "viscera/live/live_binding.h"
 #include "viscera/live/live_stress.h"
+#include "viscera/motion/circulating_heart.h"
 #include "viscera/motion/motion_recipe.h"
 #include "viscera/presentation/presenter.h"
 #include "viscera/presentation/space_parts.h"
@@ -72,6 +73,19 @@ presentation::ViewState viewOf(const document::OpenedSession& opened, bool fromS
       return {};
     throw DataError(error.problem(), error.where(), "give --view for a picture from another side");
   }
+}
+
+/// The valves of the sample heart at the instant that the view shows.
+std::optional<sequences::ValveInstants> valvesOf(const document::DocumentState& state,
+                                                 const presentation::ViewState& view) {
+  if (!view.playing || !view.playing->shown)
+    return std::nullopt;
+  const auto chosen = static_cast<std::size_t>(view.playing->motion);
+  if (view.playing->motion < 0 || chosen >= view.motions.size())
+    return std::nullopt;
+  Progress quiet;
+  return motion::heartValves(view.motions[chosen].recipe, *state.circulation, view.playing->fraction,
+                             view.playing->ratePerMinute, quiet);
 }
 
 } // namespace
@@ -213,6 +227,7 @@ SessionPicture sessionPicture(const document::OpenedSession& opened, const Stage
   presentation::Stage stage = stageFor(options, surroundings.threads);
   presentation::Scene scene{posed.state(), posed.organs(), view, surroundings.systems, &frame};
   scene.bending = bending ? &*bending : nullptr;
+  scene.valves = valvesOf(state, view);
   stage.presenter().update(scene);
   if (!fromSide && view.camera)
     presentation::lookFrom(*view.camera, stage.view());

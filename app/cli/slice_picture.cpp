@@ -24,7 +24,7 @@ SliceRequest sliceRequest(const std::string& text) {
     if (read.ec == std::errc() && read.ptr == end && std::isfinite(request.mm))
       return request;
   }
-  throw UsageError("It is no slice", "\"" + text + "\"",
+  throw UsageError("It is not a slice", "\"" + text + "\"",
                    "take axial, coronal or sagittal and a place in mm: axial:120");
 }
 

@@ -20,7 +20,7 @@ PictureSize pictureSize(const std::string& text) {
   const bool cross = width.ec == std::errc() && width.ptr != end && *width.ptr == 'x';
   const auto height = cross ? std::from_chars(width.ptr + 1, end, size.height) : width;
   if (!cross || height.ec != std::errc() || height.ptr != end)
-    throw UsageError("It is no size in pixels", text, "for instance 1600x1000");
+    throw UsageError("It is not a size in pixels", text, "for instance 1600x1000");
   for (int side : {size.width, size.height})
     if (side < kSmallest || side > kLargest)
       throw UsageError("It is out of range", text,

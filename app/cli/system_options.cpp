@@ -75,7 +75,7 @@ variantsOf(const std::vector<std::shared_ptr<const coordinates::CoordinateSystem
         taken = true;
       }
     if (!taken)
-      throw UsageError("It is a parameter of none of the systems", name, "viscera systems lists them");
+      throw UsageError("No coordinate system has this parameter", name, "viscera systems lists them");
   }
   return variants;
 }

@@ -73,7 +73,7 @@ Message BindingMessages::messageFor(const document::Organ& organ, const live::Bi
                         status.outsideCage)
                          .arg(text(organ.name));
     message.offers.push_back(
-        {tr("Take the hull as the cage"), [this] { mended_.perform(document::dropCage()); }});
+        {tr("Use the hull as the cage"), [this] { mended_.perform(document::dropCage()); }});
     message.offers.push_back({tr("Undo"), [this] { mended_.guarded([this] { mended_.undo().undo(); }); }});
     return message;
   }

@@ -3,6 +3,8 @@
 #include <QFileDialog>
 #include <QFileInfo>
 
+#include <map>
+
 #include "viscera/deformation/inverse_displacements.h"
 #include "viscera/document/tables.h"
 #include "viscera/medical_io/displacement_file.h"
@@ -27,7 +29,7 @@ void ExportActions::addTo(Actions& actions) {
               {tr("Export all &organs..."),
                "export",
                {},
-               tr("Write all organs that are shown into one file, with names and colours")},
+               tr("Write all visible organs into one file, with names and colours")},
               [this] {
                 choose(tr("Export all organs"), tr("organs.glb"), tr("glTF scenes (*.glb)"),
                        &ExportActions::exportOrgans);
@@ -36,7 +38,7 @@ void ExportActions::addTo(Actions& actions) {
               {tr("Export &displacements..."),
                "export",
                {},
-               tr("Write the current organ at rest with the vector of every vertex's motion")},
+               tr("Write the current organ at rest, with the displacement of every vertex")},
               [this] {
                 choose(tr("Export displacements"), tr("displacements.vtp"), tr("VTK surfaces (*.vtp)"),
                        &ExportActions::exportDisplacements);
@@ -45,7 +47,7 @@ void ExportActions::addTo(Actions& actions) {
               {tr("Export displacement &field..."),
                "export",
                {},
-               tr("Write the motion of the space around the current organ for 3D Slicer and ITK")},
+               tr("Write the displacement of the space around the current organ, for 3D Slicer and ITK")},
               [this] {
                 choose(tr("Export displacement field"), tr("field.nrrd"),
                        tr("Displacement fields (*.nrrd *.mha)"), &ExportActions::exportTransform);
@@ -88,6 +90,7 @@ void ExportActions::write(const QString& what, const QString& file, std::functio
 
 void ExportActions::exportOrgans(const QString& file) {
   std::vector<medical_io::NamedSurface> surfaces;
+  std::map<document::OrganId, int> places;
   for (const auto& organ : workspace_.document().organs()) {
     if (!organ->look.visible)
       continue;
@@ -95,7 +98,10 @@ void ExportActions::exportOrgans(const QString& file) {
     mesh->points = workspace_.live().points(organ->id);
     if (!organ->look.vertexColors)
       mesh->colors.resize(0, 3);
-    surfaces.push_back({std::move(mesh), organ->name, organ->look.color, organ->look.opacity});
+    const auto outer = places.find(organ->parent);
+    places[organ->id] = static_cast<int>(surfaces.size());
+    surfaces.push_back({std::move(mesh), organ->name, organ->look.color, organ->look.opacity,
+                        outer == places.end() ? -1 : outer->second});
   }
   write(tr("all organs"), file, [surfaces = std::move(surfaces), path = file.toStdString()](Progress&) {
     medical_io::writeSurfaces(path, surfaces);
@@ -130,9 +136,10 @@ void ExportActions::exportTransform(const QString& file) {
           const deformation::DisplacementGrid field =
               deformation::inverseDisplacements(*system, handles, pose, options, grid, progress);
           medical_io::writeTransform(path, field);
-          return field.unreached == 0 ? QString()
-                                      : tr("%n {point|points} of the field have no certain place at rest.",
-                                           nullptr, static_cast<int>(field.unreached));
+          return field.unreached == 0
+                     ? QString()
+                     : tr("The rest position of %n {point|points} of the field is uncertain.", nullptr,
+                          static_cast<int>(field.unreached));
         });
 }
 

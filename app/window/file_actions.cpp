@@ -57,20 +57,20 @@ void FileActions::addTo(Actions& actions) {
               {tr("&Import with check..."),
                "patient",
                {tr("Ctrl+Shift+O")},
-               tr("Look at what files hold, and repair it, before it comes in")},
+               tr("Check and repair the contents of files before importing them")},
               [this] { chooseAndOpen(true); });
   actions.add("handles.save",
               {tr("Save &handles..."), "save", {}, tr("Save the handles at rest as Slicer markups")},
               [this] { chooseAndSaveHandles(); });
   actions.add("file.export",
-              {tr("&Export organ..."), "export", {tr("Ctrl+E")}, tr("Export the organ as it is posed now")},
+              {tr("&Export organ..."), "export", {tr("Ctrl+E")}, tr("Export the organ in its present pose")},
               [this] { chooseAndExportOrgan(); });
   actions.add("cage.load",
               {tr("Load a &cage..."),
                "open",
                {},
-               tr("For coordinates with a cage: take a closed surface around the organ; its vertices are the "
-                  "handles")},
+               tr("For coordinates that need a cage: load a closed surface around the organ; its vertices "
+                  "become the handles")},
               [this] { chooseAndLoadCage(); });
   actions.enableWhile({"file.export"}, [this] { return !workspace_.document().organs().empty(); });
   actions.enableWhile({"handles.save"}, [this] { return !workspace_.document().rig().handles.empty(); });
@@ -291,8 +291,8 @@ void FileActions::takeCage(const document::GivenCage& cage, const QString& file)
   const int vertices = static_cast<int>(cage.mesh->points.rows());
   workspace_.note( // First: what binding to it has to say counts more.
       document::standAt(workspace_.document().rig(), *cage.mesh)
-          ? tr("The handles at the vertices of %1 are the corners of the cage now.").arg(text(cage.name))
-          : tr("The %n {vertex|vertices} of %1 are the handles now.", nullptr, vertices)
+          ? tr("The handles at the vertices of %1 are now the corners of the cage.").arg(text(cage.name))
+          : tr("The %n {vertex|vertices} of %1 are now the handles.", nullptr, vertices)
                 .arg(text(cage.name)));
   workspace_.undo().seal();
   if (workspace_.perform(document::takeCage(cage)))
@@ -305,7 +305,7 @@ void FileActions::chooseAndExportOrgan() {
     return workspace_.note(tr("There is no organ to export. Open one first."), 6);
   const QString start = folder() + QLatin1Char('/') + text(organ->name) + QStringLiteral(".vtp");
   const QString file =
-      QFileDialog::getSaveFileName(window_, tr("Export the organ as it is now"), start,
+      QFileDialog::getSaveFileName(window_, tr("Export the organ in its present pose"), start,
                                    tr("Surfaces (%1)").arg(patterns(medical_io::surfaceExtensions())));
   if (!file.isEmpty())
     exportOrgan(file);

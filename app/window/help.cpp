@@ -23,6 +23,8 @@ void Help::makeCards(const QMenuBar& menus, QMenu* samples) {
   parts_.area.addCard(shortcuts_, Qt::AlignCenter);
   connect(welcome_, &WelcomeCard::openRequested, &parts_.files, [this] { parts_.files.chooseAndOpen(); });
   connect(welcome_, &WelcomeCard::tourRequested, this, &Help::startTour);
+  // Who has gone on to another mode is welcome already.
+  connect(&parts_.modes, &ModeController::changed, this, [this] { showWelcome(false); });
   connect(welcome_, &WelcomeCard::closed, this,
           [this] { parts_.settings.setValue("window/welcome", false); });
 }
@@ -53,7 +55,8 @@ void Help::startTour() {
         {tr("Look around"),
          tr("Drag with the left button to rotate, with Shift to pan; the wheel zooms. Click an organ to "
             "select it, press F "
-            "to bring it into the picture. The eye in the list on the left hides it, the square changes its "
+            "to bring it into the picture; D measures distances, A angles. The eye in the list on the left "
+            "hides it, the square changes its "
             "colour."),
          [this] { parts_.modes.choose("explore"); }},
         {tr("See it move"),
@@ -67,17 +70,24 @@ void Help::startTour() {
         {tr("Handles"),
          tr("Organs follow handles around them. Here you edit them at rest: click the organ to add one, drag "
             "to move it, "
-            "Delete to remove it. Everything is bound anew at once. I shows how far a handle reaches."),
+            "Delete to remove it. The organ is bound again at once. I shows how far a handle reaches."),
          [this] { parts_.modes.choose("handles"); }},
         {tr("Deform"),
          tr("Drag a handle and the organ follows; its volume is in the status bar. The padlock in the list "
             "on "
             "the left (K) keeps the volume whatever you do. T turns and scales selected handles, M mirrors "
             "drags. "
-            "Ctrl+Z takes any change back, G shows the reference shape as an outline."),
+            "Ctrl+Z undoes any change, G shows the reference shape as an outline."),
          [this] { parts_.modes.choose("deform"); }},
+        {tr("Stress"),
+         tr("The colours say how much the pose distorts the tissue inside. Click the organ to read the "
+            "values "
+            "of a "
+            "point, C cuts it open, M shows the next map. Space plays the sequence, and the map follows."),
+         [this] { parts_.modes.choose("stress"); }},
         {tr("Your own organs"),
-         tr("Open surfaces (STL, OBJ, PLY, OFF, VTK, VTP, GLB) with Ctrl+O or drop them here; they get "
+         tr("Open surfaces (STL, OBJ, PLY, OFF, VTK, VTP, GLB) or label maps (NIfTI, NRRD, DICOM-SEG) with "
+            "Ctrl+O or drop them here; they get "
             "handles at once. "
             "Ctrl+S saves all of it as a session. ? lists all keys."),
          [this] { parts_.modes.choose("explore"); }}};

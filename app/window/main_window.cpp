@@ -61,6 +61,7 @@ MainWindow::MainWindow(Settings& settings, plugin::Registry registry, motion::Tr
       layout_(new WindowLayout(*this, actions_)) {
   setCentralWidget(viewArea_);
   picture_ = std::make_unique<Picture>(workspace_, view_, *viewArea_->view());
+  picture_->setValves([this] { return playback_.valves(); });
   handles_ = std::make_unique<HandleController>(workspace_, poses_, *picture_);
   imports_ = std::make_unique<ImportDesk>(workspace_, *files_, *picture_, nullptr);
   arrival_ = new Arrival(playback_, *picture_, this);
@@ -126,8 +127,8 @@ void MainWindow::makeThemeActions() {
 }
 
 void MainWindow::makeSession() {
-  sessionView_ =
-      std::make_unique<SessionView>(SessionView::Window{workspace_, playback_, view_, *picture_, *modes_});
+  sessionView_ = std::make_unique<SessionView>(
+      SessionView::Window{workspace_, playback_, view_, *picture_, *modes_, play_->measured()});
   sessions_ = new SessionFiles(workspace_, playback_, *sessionView_, settings_, this);
   sessions_->addTo(actions_);
   (new ReportExport({workspace_, playback_, *sessionView_, *sessions_, settings_}, this))->addTo(actions_);
@@ -203,13 +204,18 @@ void MainWindow::connectFiles() {
     fromFront();
   });
   connect(files_, &FileActions::foundNothingOdd, this, [this](const QStringList& files) {
-    viewArea_->showBadge(tr("%1: checked, nothing odd").arg(QFileInfo(files.front()).fileName()));
+    viewArea_->showBadge(tr("%1: checked, no problems found").arg(QFileInfo(files.front()).fileName()));
   });
   connect(files_, &FileActions::scanOpened, scans_, [this] {
     showWelcome(false);
     scans_->opened();
   });
   connect(scans_, &ScanActions::layoutChosen, viewArea_, &ViewArea::frameSoon);
+  // An undone or redone scan gives the view another size; a session, which has no steps yet, has a camera.
+  subscriptions_.push_back(workspace_.onChange([this](const document::Change& change) {
+    if (change.scan() && !workspace_.undo().names().empty())
+      viewArea_->frameSoon();
+  }));
   connect(files_, &FileActions::scansFound, scans_, &ScanActions::open);
   connect(files_, &FileActions::filesOpened, scans_, &ScanActions::sayFit);
   connect(sessionView_.get(), &SessionView::framingWanted, this, [this, fromFront] {
@@ -217,6 +223,8 @@ void MainWindow::connectFiles() {
     viewArea_->frameSoon(); // Once the layout of the session has its sizes.
   });
   connect(samples_, &SampleLoader::loaded, this, fromFront);
+  connect(&play_->measured(), &MeasuredMotion::changed, this,
+          [this] { stress_->model().setCaution(play_->measured().caution()); });
   connect(&play_->measured(), &MeasuredMotion::found, this, [this, fromFront] {
     showWelcome(false);
     play_->comparison().end();
@@ -249,6 +257,8 @@ void MainWindow::connectHints() {
   const auto hint = [this] { status_->setHint(modes_->present().hint()); };
   connect(modes_.get(), &ModeController::hintChanged, status_, hint);
   hint();
+  connect(modes_.get(), &ModeController::dragTakenBack, this,
+          [this] { workspace_.note(tr("The drag was taken back, because another mode was chosen.")); });
   // Why a drag stops is said where the hint of the mode stands.
   connect(&poses_, &PoseEditor::obstacleChanged, status_, [this, hint](const QString& obstacle) {
     if (obstacle.isEmpty())

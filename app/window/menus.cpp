@@ -1,12 +1,15 @@
 #include "window/menus.h"
 
 #include <QAction>
+#include <QActionGroup>
 #include <QFileInfo>
 #include <QMenu>
 #include <QMenuBar>
+#include <QSet>
 
 #include <algorithm>
 
+#include "window/language.h"
 #include "window/slices/scan_actions.h"
 #include "window/style/icon.h"
 #include "window/widgets/panel_dock.h"
@@ -16,6 +19,39 @@ namespace viscera::app {
 namespace {
 /// The steps on each side of the present one that the list of steps shows.
 constexpr std::size_t kShownSteps = 20;
+
+/// Gives an entry whose letter another one of the menu has already another letter (none, when it stands in
+/// several menus): the first of a word, else any, else none. With two entries of one letter a key only marks
+/// the first of them.
+void giveLetters(const QMenu& menu) {
+  QSet<QChar> taken;
+  for (QAction* action : menu.actions()) {
+    QString label = action->text();
+    const int mark = label.indexOf(QLatin1Char('&'));
+    if (mark < 0 || mark + 1 >= label.size())
+      continue;
+    if (!taken.contains(label[mark + 1].toLower())) {
+      taken.insert(label[mark + 1].toLower());
+      continue;
+    }
+    label.remove(mark, 1);
+    int place = -1;
+    const auto widgets = action->associatedWidgets();
+    const bool elsewhere = std::count_if(widgets.begin(), widgets.end(), [](const QWidget* widget) {
+                             return qobject_cast<const QMenu*>(widget) != nullptr;
+                           }) > 1; // There the new letter might be another one's.
+    for (const bool starts : {true, false})
+      for (int i = 0; !elsewhere && place < 0 && i < label.size(); ++i)
+        if (label[i].isLetter() && !taken.contains(label[i].toLower()) &&
+            (!starts || i == 0 || label[i - 1] == QLatin1Char(' ')))
+          place = i;
+    if (place >= 0) {
+      taken.insert(label[place].toLower());
+      label.insert(place, QLatin1Char('&'));
+    }
+    action->setText(label);
+  }
+}
 } // namespace
 
 Menus::Menus(QMenuBar& bar, const Parts& parts) : QObject(&bar), bar_(bar), parts_(parts) {
@@ -25,8 +61,10 @@ Menus::Menus(QMenuBar& bar, const Parts& parts) : QObject(&bar), bar_(bar), part
   makeViewMenu();
   makeOrganMenus();
   makeLastMenus();
-  for (QMenu* menu : bar.findChildren<QMenu*>())
+  for (QMenu* menu : bar.findChildren<QMenu*>()) {
     menu->setToolTipsVisible(true);
+    giveLetters(*menu);
+  }
   fillRecent();
   fillSamples();
 }
@@ -39,23 +77,12 @@ void Menus::addEditActions() {
                               [&workspace, &steps] { workspace.guarded([&steps] { steps.undo(); }); });
   QAction* redo = actions.add("edit.redo", {tr("&Redo"), "redo", {tr("Ctrl+Shift+Z")}, {}},
                               [&workspace, &steps] { workspace.guarded([&steps] { steps.redo(); }); });
-  actions.add("edit.selectAll", {tr("Select &all handles"), nullptr, {QKeySequence::SelectAll}, {}},
-              [this] { selectAll(); });
-  actions.enableWhile({"edit.selectAll"},
-                      [&workspace] { return !workspace.document().rig().handles.empty(); });
   actions.whenSynced([&steps, undo, redo] {
     undo->setEnabled(steps.canUndo());
     redo->setEnabled(steps.canRedo());
-    undo->setText(steps.canUndo() ? tr("&Undo: %1").arg(text(steps.undoName())) : tr("&Undo"));
-    redo->setText(steps.canRedo() ? tr("&Redo: %1").arg(text(steps.redoName())) : tr("&Redo"));
+    undo->setText(steps.canUndo() ? tr("&Undo: %1").arg(inWords(steps.undoName())) : tr("&Undo"));
+    redo->setText(steps.canRedo() ? tr("&Redo: %1").arg(inWords(steps.redoName())) : tr("&Redo"));
   });
-}
-
-void Menus::selectAll() {
-  std::vector<document::HandleId> all;
-  for (const document::Handle& handle : parts_.workspace.document().rig().handles)
-    all.push_back(handle.id);
-  parts_.workspace.selection().setHandles(all);
 }
 
 void Menus::fill(QMenu* menu, const std::vector<const char*>& ids) const {
@@ -96,7 +123,7 @@ void Menus::makeViewMenu() {
     fill(view, {(QByteArray("mode.") + mode->description().id).constData()});
   fill(view, {"", "view.anterior", "view.posterior", "view.left", "view.right", "view.superior",
               "view.inferior", "view.focus", "", "view.handles", "view.ghost", "view.cut", "view.cube",
-              "view.scale", "view.measurements", "view.parts", ""});
+              "view.scale", "view.shading", "view.measurements", "view.parts", ""});
   fill(view->addMenu(icon("stress"), tr("St&ress map")), parts_.modes.find("stress").actions());
   QMenu* slices = view->addMenu(icon("patient"), tr("&Scan"));
   fill(slices, parts_.scans.layouts());
@@ -111,6 +138,25 @@ void Menus::makeViewMenu() {
     panels->addAction(dock->toggleViewAction());
   fill(panels, {"", "view.layout"});
   fill(view->addMenu(icon("theme"), tr("&Theme")), {"theme.dark", "theme.light"});
+  makeLanguageMenu(*view->addMenu(tr("Lan&guage")));
+}
+
+void Menus::makeLanguageMenu(QMenu& menu) {
+  constexpr const char* kKey = "window/language";
+  auto* choices = new QActionGroup(&menu);
+  const auto add = [&](const QString& name, const QString& code) {
+    QAction* action = menu.addAction(name, this, [this, name, code] {
+      parts_.settings.setValue(kKey, code);
+      parts_.workspace.note(tr("The next start uses this language: %1.").arg(name));
+    });
+    action->setCheckable(true);
+    action->setChecked(parts_.settings.value(kKey).toString() == code);
+    choices->addAction(action);
+  };
+  add(tr("As the &system"), {});
+  menu.addSeparator();
+  for (const Language& language : languages())
+    add(language.name, language.code);
 }
 
 void Menus::makeOrganMenus() {
@@ -120,7 +166,7 @@ void Menus::makeOrganMenus() {
   fill(organ, parts_.modes.find("explore").actions());
   fill(organ, {"", "organ.showOnly", "organ.hide", "organ.showAll", "organ.find", "", "organ.rename",
                "organ.remove", "", "file.export"});
-  QMenu* handles = bar_.addMenu(tr("&Handles"));
+  QMenu* handles = bar_.addMenu(tr("Ha&ndles"));
   fill(handles, parts_.modes.find("handles").actions());
   fill(handles, {""});
   fill(handles, parts_.modes.find("deform").actions());
@@ -165,7 +211,7 @@ void Menus::fillSteps(QMenu* menu) {
     action->setFont(font);
   };
   for (std::size_t step = last; step > first; --step)
-    add(text(names[step - 1]), step);
+    add(inWords(names[step - 1]), step);
   if (first > 0)
     menu->addAction(tr("%n earlier {step|steps}", nullptr, static_cast<int>(first)))->setEnabled(false);
   else

@@ -29,11 +29,11 @@ public:
     SampleLoader& samples;
     const ScanActions& scans;
     Workspace& workspace;
-    const Settings& settings;
+    Settings& settings;
     const std::vector<PanelDock*>& docks;
   };
 
-  /// Adds "edit.undo", "edit.redo" and "edit.selectAll".
+  /// Adds "edit.undo" and "edit.redo".
   Menus(QMenuBar& bar, const Parts& parts);
 
   QMenu* samples() const { return samples_; }
@@ -47,13 +47,13 @@ private:
   void makeFileMenu();
   void makeEditMenu();
   void makeViewMenu();
+  void makeLanguageMenu(QMenu& menu);
   void makeOrganMenus();
   void makeLastMenus();
   void fill(QMenu* menu, const std::vector<const char*>& ids) const;
   void fillSamples();
   /// The steps around the present one, the youngest first; those that were undone are in italics.
   void fillSteps(QMenu* menu);
-  void selectAll();
 
   QMenuBar& bar_;
   Parts parts_;

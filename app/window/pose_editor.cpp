@@ -91,7 +91,7 @@ void PoseEditor::reset(const std::vector<document::HandleId>& handles) {
     if (motion.obstacle().empty())
       return;
     workspace_.say({Message::Severity::warning,
-                    tr("The handles are not all the way back: %1.").arg(text(motion.obstacle())),
+                    tr("The handles could not move back all the way: %1.").arg(text(motion.obstacle())),
                     {},
                     0});
   });

@@ -15,6 +15,7 @@
 #include "available_systems.h"
 #include "window/application.h"
 #include "window/import/import_desk.h"
+#include "window/language.h"
 #include "window/main_window.h"
 #include "window/modes/mode_controller.h"
 #include "window/session/session_files.h"
@@ -141,6 +142,7 @@ void setUpApplication(QApplication& application) {
   QApplication::setApplicationDisplayName(QStringLiteral("Viscera"));
   QApplication::setApplicationVersion(QStringLiteral(VISCERA_VERSION));
   QApplication::installTranslator(new EnglishPlurals(&application));
+  QLocale::setDefault(localeOf(QStringLiteral("en")));
 }
 
 int runWindow(int argc, char** argv, const WindowOptions& options) {
@@ -154,10 +156,15 @@ int runWindow(int argc, char** argv, const WindowOptions& options) {
   prepareForApplication();
   Application application(argc, argv);
   setUpApplication(application);
-  if (!options.screenshot.empty())
+  const QString language = QString::fromStdString(options.language);
+  if (!options.screenshot.empty()) {
+    const InstalledLanguage installed(languageFor(language, QLocale::c()));
     return takePicture(options);
+  }
 
   Settings settings(options.freshSettings ? QString() : Settings::standardFile());
+  const InstalledLanguage installed(languageFor(
+      language.isEmpty() ? settings.value("window/language").toString() : language, QLocale::system()));
   if (!options.theme.empty())
     settings.setValue("window/theme", QString::fromStdString(options.theme));
   AvailableSystems systems = availableSystems(options.pluginPath);
@@ -168,6 +175,9 @@ int runWindow(int argc, char** argv, const WindowOptions& options) {
     window.setTheme(themeFromName(QString::fromStdString(options.theme)));
   if (options.width > 0 && options.height > 0)
     window.resize(options.width, options.height);
+  window.setMode(options.mode);
+  if (options.files.empty()) // A worker makes the organ while the window is drawn for the first time.
+    load(window, options, true);
   window.show();
   if (options.files.empty())
     window.showWelcome(settings.value("window/welcome", true).toBool());
@@ -180,10 +190,8 @@ int runWindow(int argc, char** argv, const WindowOptions& options) {
     window.sessions().startAutosave(document::standardRecoveryFolder());
     window.sessions().offerRecovery();
   }
-  QTimer::singleShot(0, &window, [&] {
-    window.setMode(options.mode);
-    load(window, options, true);
-  });
+  if (!options.files.empty())
+    QTimer::singleShot(0, &window, [&] { load(window, options, true); });
   const int code = QApplication::exec();
   application.setGuard({}); // The window is about to go.
   return code;

@@ -34,7 +34,7 @@ void SampleLoader::load(const QString& name, bool play) {
       },
       [this, name, play](const Sample& sample) {
         take(sample, name);
-        if (play && playback_.sequence())
+        if (play && playback_.sequence() && playback_.wantedPose() == motion::WantedPose::sequence)
           playback_.play();
       });
 }
@@ -81,6 +81,7 @@ void SampleLoader::dress(std::vector<document::NewOrgan>& organs) {
 void SampleLoader::take(const Sample& sample, const QString& name) {
   playback_.setSequence(nullptr, {});
   const bool untouched = workspace_.undo().isClean();
+  const bool first = workspace_.undo().names().empty() && workspace_.document().organs().empty();
   const bool done = workspace_.guarded([&] {
     document::UndoStack& undo = workspace_.undo();
     document::UndoStack::Step step(undo, tr("Sample %1").arg(name).toStdString());
@@ -100,7 +101,7 @@ void SampleLoader::take(const Sample& sample, const QString& name) {
   workspace_.selection().setOrgan(organ->id);
   if (sample.motion)
     playback_.setSequence(sample.motion, organ->id, sample.recipe);
-  Q_EMIT loaded(name, untouched);
+  Q_EMIT loaded(name, untouched, first);
 }
 
 } // namespace viscera::app

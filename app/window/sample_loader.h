@@ -26,12 +26,13 @@ public:
 
   /// The samples there are, by name; empty when none are installed.
   QStringList names() const;
-  /// Takes the place of everything in the document, as one undo step. With `play` its motion starts at once.
+  /// Takes the place of everything in the document, as one undo step. With `play` its motion starts at once,
+  /// in a mode that shows motions.
   void load(const QString& name, bool play);
 
 Q_SIGNALS:
-  /// `untouched`: there was no work before that anybody had to save.
-  void loaded(const QString& name, bool untouched);
+  /// `untouched`: there was no work before that anybody had to save. `first`: nothing was there at all.
+  void loaded(const QString& name, bool untouched, bool first);
 
 private:
   /// What a worker makes.

@@ -6,10 +6,15 @@
 #include <QStatusBar>
 #include <QToolButton>
 
+#include "window/language.h"
 #include "window/widgets/elided_label.h"
 #include "window/widgets/ready_made.h"
 
 namespace viscera::app {
+namespace {
+/// Logical pixels: what a long name of a file may take.
+constexpr int kJobWidth = 360;
+} // namespace
 
 StatusLine::StatusLine(Workspace& workspace, VolumeMonitor& volumes, QStatusBar* bar)
     : QObject(bar), workspace_(workspace), volume_(new QLabel(bar)), binding_(new QLabel(bar)),
@@ -27,8 +32,9 @@ StatusLine::StatusLine(Workspace& workspace, VolumeMonitor& volumes, QStatusBar*
   makeJob();
   bar->addPermanentWidget(job_);
   connect(&volumes, &VolumeMonitor::updated, this, &StatusLine::syncVolume);
-  subscriptions_.push_back(workspace.onChange([this](const document::Change&) {
-    syncVolume();
+  subscriptions_.push_back(workspace.onChange([this](const document::Change& change) {
+    if (change.organs()) // A pose's volumes are said together with the list's and the chart's.
+      syncVolume();
     syncBinding();
   }));
   subscriptions_.push_back(workspace.selection().onChange([this] { syncVolume(); }));
@@ -68,9 +74,9 @@ void StatusLine::syncVolume() {
     return volume_->setText(tr("No organ"));
   const live::OrganVolume volume = workspace_.live().volume(organ->id);
   if (!volume.closed)
-    return volume_->setText(tr("%1: open surface, no volume").arg(text(organ->name)));
+    return volume_->setText(tr("%1: open surface, no volume").arg(inWords(organ->name)));
   QString line = tr("%1  %2  (%3, %4)")
-                     .arg(text(organ->name), formatMilliliters(volume.nowMl), formatChange(volume),
+                     .arg(inWords(organ->name), formatMilliliters(volume.nowMl), formatChange(volume),
                           formatRelativeChange(volume));
   if (organ->volumeLocked)
     line += tr("  locked");
@@ -84,7 +90,7 @@ QString StatusLine::bindingText() const {
   QString line = tr("%n {handle|handles}", nullptr, static_cast<int>(handles));
   const std::string& id = workspace_.document().system().id;
   if (workspace_.registry().contains(id))
-    line += QStringLiteral(", ") + text(workspace_.registry().find(id)->name());
+    line += QStringLiteral(", ") + inWords(workspace_.registry().find(id)->name());
   double seconds = 0;
   for (const auto& organ : workspace_.document().organs()) {
     const live::BindingStatus status = workspace_.live().status(organ->id);
@@ -103,7 +109,7 @@ QString StatusLine::bindingText() const {
   }
   if (workspace_.document().organs().empty())
     return line;
-  return line + tr(", bound in %1 ms").arg(1000 * seconds, 0, 'f', seconds < 0.01 ? 1 : 0);
+  return line + tr(", bound in %1 ms").arg(formatNumber(1000 * seconds, seconds < 0.01 ? 1 : 0));
 }
 
 void StatusLine::syncBinding() {
@@ -128,7 +134,10 @@ void StatusLine::syncJobs() {
         continue;
       shownQueue_ = watched.jobs;
       shownJob_ = job.id;
-      step_->setText(job.step.empty() ? text(job.name) : tr("%1: %2").arg(text(job.name), text(job.step)));
+      const QString said =
+          job.step.empty() ? inWords(job.name) : tr("%1: %2").arg(inWords(job.name), inWords(job.step));
+      step_->setText(step_->fontMetrics().elidedText(said, Qt::ElideMiddle, kJobWidth));
+      step_->setToolTip(said);
       progress_->setRange(0, job.fraction > 0 ? 1000 : 0); // Of both ends 0: it cannot say how far it is.
       progress_->setValue(static_cast<int>(1000 * job.fraction));
       return job_->show();

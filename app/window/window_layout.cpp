@@ -36,7 +36,7 @@ QString nameIn(const std::string& mode, const QDockWidget& dock) {
 WindowLayout::WindowLayout(QMainWindow& window, Actions& actions) : QObject(&window), window_(window) {
   window.setDockOptions(QMainWindow::AnimatedDocks | QMainWindow::AllowNestedDocks);
   actions.add("view.layout",
-              {tr("&Standard layout"), "reset", {}, tr("Put every panel back where it was at first")},
+              {tr("&Standard layout"), "reset", {}, tr("Restore the first arrangement of all panels")},
               [this] { bringBack(); });
   actions.addToggle(
       "view.fullScreen",

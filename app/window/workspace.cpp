@@ -9,6 +9,7 @@
 #include <new>
 
 #include "viscera/presentation/space_parts.h"
+#include "window/language.h"
 
 namespace viscera::app {
 
@@ -82,7 +83,7 @@ namespace {
 QString withSign(double value, int decimals) {
   const double half = 0.5 * std::pow(10.0, -decimals);
   const double shown = std::abs(value) < half ? 0.0 : value;
-  return (shown >= 0 ? QStringLiteral("+") : QString()) + QString::number(shown, 'f', decimals);
+  return (shown >= 0 ? QStringLiteral("+") : QString()) + formatNumber(shown, decimals);
 }
 
 } // namespace
@@ -97,7 +98,7 @@ QString formatRelativeChange(const live::OrganVolume& volume) {
 
 QString formatMilliliters(double milliliters) {
   const int decimals = std::abs(milliliters) < 1 ? 3 : std::abs(milliliters) < 1000 ? 1 : 0;
-  return QObject::tr("%1 ml").arg(milliliters, 0, 'f', decimals);
+  return QObject::tr("%1 ml").arg(formatNumber(milliliters, decimals));
 }
 
 } // namespace viscera::app

@@ -469,4 +469,5407 @@ N: noms, H: tiradors, X: paret, R: restableix, T: clar o fosc, Inici: principi</
         <translation>Pausa</translation>
     </message>
 </context>
+<context>
+    <name>QObject</name>
+    <message>
+        <source>%1 ml</source>
+        <translation>%1 ml</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+</context>
+<context>
+    <name>Tissue</name>
+    <message>
+        <source>Muscle</source>
+        <translation>Múscul</translation>
+    </message>
+    <message>
+        <source>Liver</source>
+        <translation>Fetge</translation>
+    </message>
+    <message>
+        <source>Kidney</source>
+        <translation>Ronyó</translation>
+    </message>
+    <message>
+        <source>Spleen</source>
+        <translation>Melsa</translation>
+    </message>
+    <message>
+        <source>Stomach</source>
+        <translation>Estómac</translation>
+    </message>
+    <message>
+        <source>Bowel</source>
+        <translation>Intestí</translation>
+    </message>
+    <message>
+        <source>Arterial blood</source>
+        <translation>Sang arterial</translation>
+    </message>
+    <message>
+        <source>Venous blood</source>
+        <translation>Sang venosa</translation>
+    </message>
+    <message>
+        <source>Lung</source>
+        <translation>Pulmó</translation>
+    </message>
+    <message>
+        <source>Bone</source>
+        <translation>Os</translation>
+    </message>
+    <message>
+        <source>Fat</source>
+        <translation>Greix</translation>
+    </message>
+    <message>
+        <source>Gall</source>
+        <translation>Bilis</translation>
+    </message>
+    <message>
+        <source>Another colour...</source>
+        <translation>Un altre color...</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::BeatStrip</name>
+    <message>
+        <source>Electrocardiogram, heart sounds and valves</source>
+        <translation>Electrocardiograma, sorolls cardíacs i vàlvules</translation>
+    </message>
+    <message>
+        <source>Schematic electrocardiogram, heart sounds S1 and S2 when the valves close, and a bar for each valve while it is open. The lamp is lit while the valve is open.</source>
+        <translation>Electrocardiograma esquemàtic, sorolls cardíacs S1 i S2 quan es tanquen les vàlvules, i una barra per a cada vàlvula mentre és oberta. El llum és encès mentre la vàlvula és oberta.</translation>
+    </message>
+    <message>
+        <source>S1</source>
+        <translation>S1</translation>
+    </message>
+    <message>
+        <source>S2</source>
+        <translation>S2</translation>
+    </message>
+    <message>
+        <source>Mitral valve</source>
+        <translation>Vàlvula mitral</translation>
+    </message>
+    <message>
+        <source>Aortic valve</source>
+        <translation>Vàlvula aòrtica</translation>
+    </message>
+    <message>
+        <source>Tricuspid valve</source>
+        <translation>Vàlvula tricúspide</translation>
+    </message>
+    <message>
+        <source>Pulmonary valve</source>
+        <translation>Vàlvula pulmonar</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::BentExport</name>
+    <message>
+        <source>Export the &amp;bent scan...</source>
+        <translation>Exporta l’exploració de&amp;formada...</translation>
+    </message>
+    <message>
+        <source>Write the scan as the pose bends it, with a label map of the posed organs</source>
+        <translation>Escriu l’exploració tal com la deforma la postura, amb un mapa d’etiquetes dels òrgans en aquesta postura</translation>
+    </message>
+    <message>
+        <source>Export the bent scan</source>
+        <translation>Exporta l’exploració deformada</translation>
+    </message>
+    <message>
+        <source>/bent.nii.gz</source>
+        <translation>/bent.nii.gz</translation>
+    </message>
+    <message>
+        <source>NIfTI (*.nii.gz *.nii);;NRRD (*.nrrd)</source>
+        <translation>NIfTI (*.nii.gz *.nii);;NRRD (*.nrrd)</translation>
+    </message>
+    <message>
+        <source>Exporting the bent scan</source>
+        <translation>S’exporta l’exploració deformada</translation>
+    </message>
+    <message>
+        <source>The bent scan was written to %1.</source>
+        <translation>S’ha escrit l’exploració deformada a %1.</translation>
+    </message>
+    <message>
+        <source>Its labels are beside it: %1.</source>
+        <translation>Les etiquetes són al costat: %1.</translation>
+    </message>
+    <message numerus="yes">
+        <source>The pose folds the tissue at %n {voxel|voxels}: their values are estimates.</source>
+        <translation>
+            <numerusform>La postura plega el teixit en %n vòxel: el valor és una estimació.</numerusform>
+            <numerusform>La postura plega el teixit en %n vòxels: els valors són estimacions.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::BindingMessages</name>
+    <message>
+        <source>%1 is not bound to these handles: binding was cancelled.</source>
+        <translation>%1 no està vinculat a aquests tiradors: s’ha cancel·lat la vinculació.</translation>
+    </message>
+    <message>
+        <source>Bind now</source>
+        <translation>Vincula ara</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {vertex of %1 has|vertices of %1 have} no coordinates in the cage.</source>
+        <translation>
+            <numerusform>%n vèrtex de %1 no té coordenades a la gàbia.</numerusform>
+            <numerusform>%n vèrtexs de %1 no tenen coordenades a la gàbia.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Use the hull as the cage</source>
+        <translation>Fes servir l’envolupant com a gàbia</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Desfés</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {vertex of %1 lies|vertices of %1 lie} in no group&apos;s region.</source>
+        <translation>
+            <numerusform>%n vèrtex de %1 no és a la regió de cap grup.</numerusform>
+            <numerusform>%n vèrtexs de %1 no són a la regió de cap grup.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Add enclosing group</source>
+        <translation>Afegeix un grup envoltant</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {vertex of %1 lies|vertices of %1 lie} outside the handles&apos; hull.</source>
+        <translation>
+            <numerusform>%n vèrtex de %1 és fora de l’envolupant dels tiradors.</numerusform>
+            <numerusform>%n vèrtexs de %1 són fora de l’envolupant dels tiradors.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Add enclosing handles</source>
+        <translation>Afegeix tiradors envoltants</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::CirculationBox</name>
+    <message>
+        <source>Preload: stressed blood</source>
+        <translation>Precàrrega: sang estressada</translation>
+    </message>
+    <message>
+        <source>Afterload: body</source>
+        <translation>Postcàrrega: cos</translation>
+    </message>
+    <message>
+        <source>Afterload: lungs</source>
+        <translation>Postcàrrega: pulmons</translation>
+    </message>
+    <message>
+        <source>Contractility, left</source>
+        <translation>Contractilitat, esquerra</translation>
+    </message>
+    <message>
+        <source>Contractility, right</source>
+        <translation>Contractilitat, dreta</translation>
+    </message>
+    <message>
+        <source>Stiffness, left</source>
+        <translation>Rigidesa, esquerra</translation>
+    </message>
+    <message>
+        <source>%1, %2 at rest</source>
+        <translation>%1, %2 en repòs</translation>
+    </message>
+    <message>
+        <source>%1. Marked: normal, %2 %3 (%4)</source>
+        <translation>%1. Marcat: normal, %2 %3 (%4)</translation>
+    </message>
+    <message>
+        <source>Only the sample heart can be moved by the circulation model; the charts show its results for any organ.</source>
+        <translation>El model de circulació només pot moure el cor de mostra; els gràfics en mostren els resultats per a qualsevol òrgan.</translation>
+    </message>
+    <message>
+        <source>Textbook beat</source>
+        <translation>Batec de llibre</translation>
+    </message>
+    <message>
+        <source>Volumes of healthy adults over one beat at this rate</source>
+        <translation>Volums d’adults sans durant un batec a aquesta freqüència</translation>
+    </message>
+    <message>
+        <source>Circulation</source>
+        <translation>Circulació</translation>
+    </message>
+    <message>
+        <source>A model of heart and vessels: pressures, pressure-volume loops, valves and sounds</source>
+        <translation>Un model del cor i els vasos: pressions, bucles pressió-volum, vàlvules i sorolls</translation>
+    </message>
+    <message>
+        <source>Rate, preload, afterload</source>
+        <translation>Freqüència, precàrrega, postcàrrega</translation>
+    </message>
+    <message>
+        <source>Muscle</source>
+        <translation>Múscul</translation>
+    </message>
+    <message>
+        <source>Valves and pericardium</source>
+        <translation>Vàlvules i pericardi</translation>
+    </message>
+    <message>
+        <source>Before: %1</source>
+        <translation>Abans: %1</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::CirculationModel</name>
+    <message>
+        <source>Circulation</source>
+        <translation>Circulació</translation>
+    </message>
+    <message>
+        <source>Heart of the circulation</source>
+        <translation>Cor de la circulació</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::ComparedSystem</name>
+    <message>
+        <source>Coordinates of the second view</source>
+        <translation>Coordenades de la segona vista</translation>
+    </message>
+    <message>
+        <source>Coordinate system that binds the same organs to the same handles in this view</source>
+        <translation>Sistema de coordenades que vincula els mateixos òrgans als mateixos tiradors en aquesta vista</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::Comparison</name>
+    <message>
+        <source>A</source>
+        <translation>A</translation>
+    </message>
+    <message>
+        <source>B</source>
+        <translation>B</translation>
+    </message>
+    <message>
+        <source>Rate of the second view</source>
+        <translation>Freqüència de la segona vista</translation>
+    </message>
+    <message>
+        <source> / min</source>
+        <translation> / min</translation>
+    </message>
+    <message>
+        <source>What this view shows</source>
+        <translation>Què mostra aquesta vista</translation>
+    </message>
+    <message>
+        <source>The same organ at another rate</source>
+        <translation>El mateix òrgan a una altra freqüència</translation>
+    </message>
+    <message>
+        <source>The same organ with other coordinates</source>
+        <translation>El mateix òrgan amb altres coordenades</translation>
+    </message>
+    <message>
+        <source>Sample %1</source>
+        <translation>Mostra: %1</translation>
+    </message>
+    <message>
+        <source>Open files...</source>
+        <translation>Obre fitxers...</translation>
+    </message>
+    <message>
+        <source>Back to one view</source>
+        <translation>Torna a una vista</translation>
+    </message>
+    <message>
+        <source>Colour each vertex by its distance to the same vertex in view A</source>
+        <translation>Acoloreix cada vèrtex segons la distància al mateix vèrtex de la vista A</translation>
+    </message>
+    <message>
+        <source>Open beside the first organ</source>
+        <translation>Obre al costat del primer òrgan</translation>
+    </message>
+    <message>
+        <source>Organs (*.stl *.obj *.ply *.off *.vtk *.vtp *.glb *.gltf)</source>
+        <translation>Òrgans (*.stl *.obj *.ply *.off *.vtk *.vtp *.glb *.gltf)</translation>
+    </message>
+    <message>
+        <source>No organ yet</source>
+        <translation>Encara cap òrgan</translation>
+    </message>
+    <message>
+        <source>  %1 / min</source>
+        <translation>  %1 / min</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::CurveBox</name>
+    <message>
+        <source>Curve...</source>
+        <translation>Corba...</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Elimina</translation>
+    </message>
+    <message>
+        <source>Organ whose volume is prescribed</source>
+        <translation>Òrgan del qual es prescriu el volum</translation>
+    </message>
+    <message>
+        <source>A .csv file with two columns: the fraction of the cycle (or time_s) and the volume in ml. At each instant the handles move as little as possible to reach that volume</source>
+        <translation>Un fitxer .csv amb dues columnes: la fracció del cicle (o time_s) i el volum en ml. A cada instant els tiradors es mouen el mínim possible per assolir aquest volum</translation>
+    </message>
+    <message>
+        <source>Let the sequence alone determine the volume again</source>
+        <translation>Deixa que només la seqüència torni a determinar el volum</translation>
+    </message>
+    <message>
+        <source>Prescribe a volume</source>
+        <translation>Prescriu un volum</translation>
+    </message>
+    <message>
+        <source>Volume curves (*.csv *.txt *.tsv)</source>
+        <translation>Corbes de volum (*.csv *.txt *.tsv)</translation>
+    </message>
+    <message>
+        <source>%1 follows %2; dashed in the chart.</source>
+        <translation>%1 segueix %2; en traç discontinu al gràfic.</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::CutBox</name>
+    <message>
+        <source>Depth</source>
+        <translation>Profunditat</translation>
+    </message>
+    <message>
+        <source>Distance of the cut from the middle of the organs, as a part of the way to their edge</source>
+        <translation>Distància de la secció al centre dels òrgans, com a part del camí fins a la vora</translation>
+    </message>
+    <message>
+        <source>Coronal</source>
+        <translation>Coronal</translation>
+    </message>
+    <message>
+        <source>Cut away the front</source>
+        <translation>Retalla la part anterior</translation>
+    </message>
+    <message>
+        <source>Sagittal</source>
+        <translation>Sagital</translation>
+    </message>
+    <message>
+        <source>Cut away the left side</source>
+        <translation>Retalla el costat esquerre</translation>
+    </message>
+    <message>
+        <source>Axial</source>
+        <translation>Axial</translation>
+    </message>
+    <message>
+        <source>Cut away the upper part</source>
+        <translation>Retalla la part superior</translation>
+    </message>
+    <message>
+        <source>Facing me</source>
+        <translation>De cara a mi</translation>
+    </message>
+    <message>
+        <source>Cut away what is nearest to the viewer</source>
+        <translation>Retalla el que és més a prop de l’observador</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::DeformMode</name>
+    <message>
+        <source>Deform</source>
+        <translation>Deforma</translation>
+    </message>
+    <message>
+        <source>Drag a handle and the organ follows; K locks the volume, T turns and scales, M mirrors</source>
+        <translation>Arrossegueu un tirador i l’òrgan el segueix; K bloqueja el volum, T gira i escala, M reflecteix</translation>
+    </message>
+    <message>
+        <source>&amp;Turn and scale</source>
+        <translation>&amp;Gira i escala</translation>
+    </message>
+    <message>
+        <source>In Deform mode, rings turn and cubes scale the selected handles (at least two)</source>
+        <translation>En el mode Deforma, uns anells giren i uns cubs escalen els tiradors seleccionats (almenys dos)</translation>
+    </message>
+    <message>
+        <source>Reset &amp;pose</source>
+        <translation>Restableix la &amp;postura</translation>
+    </message>
+    <message>
+        <source>Ctrl+R</source>
+        <translation>Ctrl+R</translation>
+    </message>
+    <message>
+        <source>Move every handle back to its rest position</source>
+        <translation>Torna tots els tiradors a la posició de repòs</translation>
+    </message>
+    <message>
+        <source>Reset selected handles</source>
+        <translation>Restableix els tiradors seleccionats</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+R</source>
+        <translation>Ctrl+Shift+R</translation>
+    </message>
+    <message>
+        <source>Move the selected handles back to their rest positions</source>
+        <translation>Torna els tiradors seleccionats a la posició de repòs</translation>
+    </message>
+    <message>
+        <source>&amp;Lock volume</source>
+        <translation>B&amp;loqueja el volum</translation>
+    </message>
+    <message>
+        <source>Keep the organ&apos;s volume constant in Deform mode; for an organ with cavities, the volume within its outer surface</source>
+        <translation>Manté constant el volum de l’òrgan en el mode Deforma; en un òrgan amb cavitats, el volum dins de la superfície externa</translation>
+    </message>
+    <message>
+        <source>Restore &amp;rest volume</source>
+        <translation>Restableix el volum en &amp;repòs</translation>
+    </message>
+    <message>
+        <source>Restore the organ&apos;s volume at rest with the smallest motion of the handles</source>
+        <translation>Restableix el volum de l’òrgan en repòs amb el mínim moviment dels tiradors</translation>
+    </message>
+    <message>
+        <source>Selected handles &amp;compensate</source>
+        <translation>Els seleccionats &amp;compensen</translation>
+    </message>
+    <message>
+        <source>Only the selected handles compensate when others would change a locked volume</source>
+        <translation>Només compensen els tiradors seleccionats quan els altres canviarien un volum bloquejat</translation>
+    </message>
+    <message>
+        <source>&amp;Off</source>
+        <translation>&amp;Desactivat</translation>
+    </message>
+    <message>
+        <source>&amp;Sagittal plane</source>
+        <translation>Pla &amp;sagital</translation>
+    </message>
+    <message>
+        <source>&amp;Coronal plane</source>
+        <translation>Pla &amp;coronal</translation>
+    </message>
+    <message>
+        <source>&amp;Axial plane</source>
+        <translation>Pla &amp;axial</translation>
+    </message>
+    <message>
+        <source>In Deform mode, mirrored handles move along with a drag</source>
+        <translation>En el mode Deforma, els tiradors simètrics es mouen junts en arrossegar</translation>
+    </message>
+    <message>
+        <source>&amp;Next mirror plane</source>
+        <translation>Pla de simetria següe&amp;nt</translation>
+    </message>
+    <message>
+        <source>Switch between off, sagittal, coronal and axial</source>
+        <translation>Alterna entre desactivat, sagital, coronal i axial</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::DeformPage</name>
+    <message numerus="yes">
+        <source>%n {handle|handles}</source>
+        <translation>
+            <numerusform>%n tirador</numerusform>
+            <numerusform>%n tiradors</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Volume</source>
+        <translation>Volum</translation>
+    </message>
+    <message>
+        <source>Organ</source>
+        <translation>Òrgan</translation>
+    </message>
+    <message>
+        <source>Now</source>
+        <translation>Ara</translation>
+    </message>
+    <message>
+        <source>Reference shape</source>
+        <translation>Forma de referència</translation>
+    </message>
+    <message>
+        <source>Change</source>
+        <translation>Canvi</translation>
+    </message>
+    <message>
+        <source>Largest shift</source>
+        <translation>Desplaçament màxim</translation>
+    </message>
+    <message>
+        <source>The largest distance by which a vertex of the organ has moved from rest</source>
+        <translation>La distància més gran que s’ha mogut un vèrtex de l’òrgan des del repòs</translation>
+    </message>
+    <message>
+        <source>Selected handles</source>
+        <translation>Tiradors seleccionats</translation>
+    </message>
+    <message>
+        <source>Compensating</source>
+        <translation>Compensadors</translation>
+    </message>
+    <message>
+        <source>These handles compensate when others would change a locked volume. If none is marked, a dragged handle stays in a plane, and all free handles compensate for other motions.</source>
+        <translation>Aquests tiradors compensen quan els altres canviarien un volum bloquejat. Si no n’hi ha cap de marcat, un tirador arrossegat es manté en un pla, i tots els tiradors lliures compensen els altres moviments.</translation>
+    </message>
+    <message>
+        <source>Symmetric drags</source>
+        <translation>Arrossegament simètric</translation>
+    </message>
+    <message>
+        <source>Pose</source>
+        <translation>Postura</translation>
+    </message>
+    <message>
+        <source>Handles moved</source>
+        <translation>Tiradors moguts</translation>
+    </message>
+    <message>
+        <source>Mirror plane</source>
+        <translation>Pla de simetria</translation>
+    </message>
+    <message>
+        <source>Off</source>
+        <translation>Desactivat</translation>
+    </message>
+    <message>
+        <source>Sagittal plane (left and right)</source>
+        <translation>Pla sagital (esquerra i dreta)</translation>
+    </message>
+    <message>
+        <source>Coronal plane (front and back)</source>
+        <translation>Pla coronal (davant i darrere)</translation>
+    </message>
+    <message>
+        <source>Axial plane (head and feet)</source>
+        <translation>Pla axial (cap i peus)</translation>
+    </message>
+    <message>
+        <source>A drag moves the mirrored handles too; the mirror plane passes through the middle of the organ at rest (M: next plane)</source>
+        <translation>En arrossegar es mouen també els tiradors simètrics; el pla de simetria passa pel centre de l’òrgan en repòs (M: pla següent)</translation>
+    </message>
+    <message>
+        <source>Moves along</source>
+        <translation>També es mou</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 de %2</translation>
+    </message>
+    <message>
+        <source>all that are free</source>
+        <translation>tots els lliures</translation>
+    </message>
+    <message>
+        <source>no handle is near the mirror image</source>
+        <translation>no hi ha cap tirador prop de la imatge simètrica</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::DifferenceMap</name>
+    <message>
+        <source>Distance to A</source>
+        <translation>Distància a A</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::DisplacementBox</name>
+    <message>
+        <source>Apply</source>
+        <translation>Aplica</translation>
+    </message>
+    <message>
+        <source>Right to left</source>
+        <translation>De dreta a esquerra</translation>
+    </message>
+    <message>
+        <source>Front to back</source>
+        <translation>De davant a darrere</translation>
+    </message>
+    <message>
+        <source>Foot to head</source>
+        <translation>De peus a cap</translation>
+    </message>
+    <message>
+        <source>Towards the patient&apos;s left; negative: right (R/L)</source>
+        <translation>Cap a l’esquerra del pacient; negatiu: dreta (R/L)</translation>
+    </message>
+    <message>
+        <source>Towards the patient&apos;s back; negative: front (A/P)</source>
+        <translation>Cap a l’esquena del pacient; negatiu: davant (A/P)</translation>
+    </message>
+    <message>
+        <source>Towards the patient&apos;s head; negative: feet (S/I)</source>
+        <translation>Cap al cap del pacient; negatiu: peus (S/I)</translation>
+    </message>
+    <message>
+        <source>Move the selected handles once by this distance; locked volumes are kept</source>
+        <translation>Mou una vegada els tiradors seleccionats aquesta distància; es mantenen els volums bloquejats</translation>
+    </message>
+    <message>
+        <source>Moved by %1 of %2 mm: the locked volume allows no more in this direction.</source>
+        <translation>Moviment de %1 de %2 mm: el volum bloquejat no en permet més en aquesta direcció.</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::ExploreMode</name>
+    <message>
+        <source>Explore</source>
+        <translation>Explora</translation>
+    </message>
+    <message>
+        <source>Left drag rotates, Shift+left pans, right drag or wheel zooms, click selects an organ, D and A measure</source>
+        <translation>Arrossegar amb el botó esquerre gira, Maj+esquerre desplaça, el dret o la roda fan zoom, un clic selecciona un òrgan, D i A mesuren</translation>
+    </message>
+    <message>
+        <source>Click two points on an organ or on a slice; Esc ends</source>
+        <translation>Feu clic a dos punts d’un òrgan o d’un tall; Esc ho acaba</translation>
+    </message>
+    <message>
+        <source>Measure &amp;distance</source>
+        <translation>Mesura la &amp;distància</translation>
+    </message>
+    <message>
+        <source>Distance</source>
+        <translation>Distància</translation>
+    </message>
+    <message>
+        <source>Measure &amp;angle</source>
+        <translation>Mesura l’&amp;angle</translation>
+    </message>
+    <message>
+        <source>Click three points on an organ or on a slice, the corner second; Esc ends</source>
+        <translation>Feu clic a tres punts d’un òrgan o d’un tall, el vèrtex en segon lloc; Esc ho acaba</translation>
+    </message>
+    <message>
+        <source>Angle</source>
+        <translation>Angle</translation>
+    </message>
+    <message>
+        <source>Measure the values in a &amp;rectangle</source>
+        <translation>Mesura els valors en un &amp;rectangle</translation>
+    </message>
+    <message>
+        <source>Shift+A</source>
+        <translation>Shift+A</translation>
+    </message>
+    <message>
+        <source>Drag on a slice from corner to corner: mean and deviation of the scan&apos;s values; Esc ends</source>
+        <translation>Arrossegueu sobre un tall de cantó a cantó: mitjana i desviació dels valors de l’exploració; Esc ho acaba</translation>
+    </message>
+    <message>
+        <source>Rectangle</source>
+        <translation>Rectangle</translation>
+    </message>
+    <message>
+        <source>Measure the values in a &amp;sphere</source>
+        <translation>Mesura els valors en una &amp;esfera</translation>
+    </message>
+    <message>
+        <source>Shift+B</source>
+        <translation>Shift+B</translation>
+    </message>
+    <message>
+        <source>Drag on a slice from the middle to the border: mean and deviation of the scan&apos;s values; Esc ends</source>
+        <translation>Arrossegueu sobre un tall del centre a la vora: mitjana i desviació dels valors de l’exploració; Esc ho acaba</translation>
+    </message>
+    <message>
+        <source>Sphere</source>
+        <translation>Esfera</translation>
+    </message>
+    <message>
+        <source>Remove all &amp;measurements</source>
+        <translation>Elimina totes les &amp;mesures</translation>
+    </message>
+    <message>
+        <source>&amp;Measurements</source>
+        <translation>&amp;Mesures</translation>
+    </message>
+    <message>
+        <source>Show what is measured</source>
+        <translation>Mostra el que s’ha mesurat</translation>
+    </message>
+    <message>
+        <source>Names of &amp;parts</source>
+        <translation>Noms de les &amp;parts</translation>
+    </message>
+    <message>
+        <source>Name the parts of the organs, such as the apex of the heart</source>
+        <translation>Anomena les parts dels òrgans, com ara l’àpex del cor</translation>
+    </message>
+    <message>
+        <source>&amp;Quiz on the parts</source>
+        <translation>&amp;Qüestionari de les parts</translation>
+    </message>
+    <message>
+        <source>Hide the names and ask for one part after the other; answer with a click on the organ</source>
+        <translation>Amaga els noms i pregunta una part rere l’altra; responeu amb un clic a l’òrgan</translation>
+    </message>
+    <message>
+        <source>%1. Drags turn the view, Esc ends the quiz</source>
+        <translation>%1. Arrossegar gira la vista, Esc acaba el qüestionari</translation>
+    </message>
+    <message>
+        <source>Click two points on an organ or on a slice; drags turn the view, Esc ends</source>
+        <translation>Feu clic a dos punts d’un òrgan o d’un tall; arrossegar gira la vista, Esc ho acaba</translation>
+    </message>
+    <message>
+        <source>Click three points on an organ or on a slice, the corner second; drags turn the view, Esc ends</source>
+        <translation>Feu clic a tres punts d’un òrgan o d’un tall, el vèrtex en segon lloc; arrossegar gira la vista, Esc ho acaba</translation>
+    </message>
+    <message>
+        <source>Drag on a slice from corner to corner; Esc ends</source>
+        <translation>Arrossegueu sobre un tall de cantó a cantó; Esc ho acaba</translation>
+    </message>
+    <message>
+        <source>Drag on a slice from the middle of a sphere to its border; Esc ends</source>
+        <translation>Arrossegueu sobre un tall del centre d’una esfera a la vora; Esc ho acaba</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::ExplorePage</name>
+    <message>
+        <source>View from</source>
+        <translation>Vista des de</translation>
+    </message>
+    <message>
+        <source>Cut</source>
+        <translation>Secció</translation>
+    </message>
+    <message>
+        <source>Measure</source>
+        <translation>Mesura</translation>
+    </message>
+    <message>
+        <source>Parts</source>
+        <translation>Parts</translation>
+    </message>
+    <message>
+        <source>Show</source>
+        <translation>Mostra</translation>
+    </message>
+    <message>
+        <source>Organ</source>
+        <translation>Òrgan</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Nom</translation>
+    </message>
+    <message>
+        <source>Reference volume</source>
+        <translation>Volum de referència</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Mida</translation>
+    </message>
+    <message>
+        <source>Triangles</source>
+        <translation>Triangles</translation>
+    </message>
+    <message>
+        <source>Surface</source>
+        <translation>Superfície</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Fitxer</translation>
+    </message>
+    <message>
+        <source>Scan</source>
+        <translation>Exploració</translation>
+    </message>
+    <message>
+        <source>Voxels</source>
+        <translation>Vòxels</translation>
+    </message>
+    <message>
+        <source>Spacing</source>
+        <translation>Espaiat</translation>
+    </message>
+    <message>
+        <source>closed</source>
+        <translation>tancada</translation>
+    </message>
+    <message numerus="yes">
+        <source>open, %n {edge|edges}</source>
+        <translation>
+            <numerusform>oberta, %n aresta</numerusform>
+            <numerusform>oberta, %n arestes</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 x %2 x %3 mm</source>
+        <translation>%1 x %2 x %3 mm</translation>
+    </message>
+    <message>
+        <source>%1 x %2 x %3</source>
+        <translation>%1 x %2 x %3</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::ExportActions</name>
+    <message>
+        <source>Export all &amp;organs...</source>
+        <translation>Exporta tots els ò&amp;rgans...</translation>
+    </message>
+    <message>
+        <source>Write all visible organs into one file, with names and colours</source>
+        <translation>Escriu tots els òrgans visibles en un sol fitxer, amb noms i colors</translation>
+    </message>
+    <message>
+        <source>Export all organs</source>
+        <translation>Exporta tots els òrgans</translation>
+    </message>
+    <message>
+        <source>organs.glb</source>
+        <translation>organs.glb</translation>
+    </message>
+    <message>
+        <source>glTF scenes (*.glb)</source>
+        <translation>Escenes glTF (*.glb)</translation>
+    </message>
+    <message>
+        <source>Export &amp;displacements...</source>
+        <translation>Exporta els &amp;desplaçaments...</translation>
+    </message>
+    <message>
+        <source>Write the current organ at rest, with the displacement of every vertex</source>
+        <translation>Escriu l’òrgan actual en repòs, amb el desplaçament de cada vèrtex</translation>
+    </message>
+    <message>
+        <source>Export displacements</source>
+        <translation>Exporta els desplaçaments</translation>
+    </message>
+    <message>
+        <source>displacements.vtp</source>
+        <translation>displacements.vtp</translation>
+    </message>
+    <message>
+        <source>VTK surfaces (*.vtp)</source>
+        <translation>Superfícies VTK (*.vtp)</translation>
+    </message>
+    <message>
+        <source>Export displacement &amp;field...</source>
+        <translation>Exporta el &amp;camp de desplaçaments...</translation>
+    </message>
+    <message>
+        <source>Write the displacement of the space around the current organ, for 3D Slicer and ITK</source>
+        <translation>Escriu el desplaçament de l’espai al voltant de l’òrgan actual, per a 3D Slicer i ITK</translation>
+    </message>
+    <message>
+        <source>Export displacement field</source>
+        <translation>Exporta el camp de desplaçaments</translation>
+    </message>
+    <message>
+        <source>field.nrrd</source>
+        <translation>field.nrrd</translation>
+    </message>
+    <message>
+        <source>Displacement fields (*.nrrd *.mha)</source>
+        <translation>Camps de desplaçaments (*.nrrd *.mha)</translation>
+    </message>
+    <message>
+        <source>Export &amp;table of volumes...</source>
+        <translation>Exporta la &amp;taula de volums...</translation>
+    </message>
+    <message>
+        <source>Write volumes and sizes of all organs</source>
+        <translation>Escriu els volums i les mides de tots els òrgans</translation>
+    </message>
+    <message>
+        <source>Export table of volumes</source>
+        <translation>Exporta la taula de volums</translation>
+    </message>
+    <message>
+        <source>volumes.csv</source>
+        <translation>volumes.csv</translation>
+    </message>
+    <message>
+        <source>Comma-separated values (*.csv)</source>
+        <translation>Valors separats per comes (*.csv)</translation>
+    </message>
+    <message>
+        <source>Export &amp;measurements...</source>
+        <translation>Exporta les &amp;mesures...</translation>
+    </message>
+    <message>
+        <source>Write all measured distances and angles</source>
+        <translation>Escriu totes les distàncies i els angles mesurats</translation>
+    </message>
+    <message>
+        <source>Nothing is measured yet. Measure a distance (D) or an angle (A) first.</source>
+        <translation>Encara no s’ha mesurat res. Mesureu primer una distància (D) o un angle (A).</translation>
+    </message>
+    <message>
+        <source>Export measurements</source>
+        <translation>Exporta les mesures</translation>
+    </message>
+    <message>
+        <source>measurements.csv</source>
+        <translation>measurements.csv</translation>
+    </message>
+    <message>
+        <source>There is no organ to export. Open one first.</source>
+        <translation>No hi ha cap òrgan per exportar. Obriu-ne primer un.</translation>
+    </message>
+    <message>
+        <source>Exporting %1</source>
+        <translation>S’exporta: %1</translation>
+    </message>
+    <message>
+        <source>Written to %1.</source>
+        <translation>S’ha escrit a %1.</translation>
+    </message>
+    <message>
+        <source>all organs</source>
+        <translation>tots els òrgans</translation>
+    </message>
+    <message numerus="yes">
+        <source>The rest position of %n {point|points} of the field is uncertain.</source>
+        <translation>
+            <numerusform>La posició de repòs de %n punt del camp és incerta.</numerusform>
+            <numerusform>La posició de repòs de %n punts del camp és incerta.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>table of volumes</source>
+        <translation>taula de volums</translation>
+    </message>
+    <message>
+        <source>measurements</source>
+        <translation>mesures</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::FileActions</name>
+    <message>
+        <source>&amp;Open...</source>
+        <translation>&amp;Obre...</translation>
+    </message>
+    <message>
+        <source>Open a session, organs, label maps, handles or a scan</source>
+        <translation>Obre una sessió, òrgans, mapes d’etiquetes, tiradors o una exploració</translation>
+    </message>
+    <message>
+        <source>Open a &amp;folder of masks...</source>
+        <translation>Obre una &amp;carpeta de màscares...</translation>
+    </message>
+    <message>
+        <source>Open one patient: a folder with one mask for each organ, as TotalSegmentator writes it</source>
+        <translation>Obre un pacient: una carpeta amb una màscara per a cada òrgan, tal com l’escriu TotalSegmentator</translation>
+    </message>
+    <message>
+        <source>&amp;Import with check...</source>
+        <translation>&amp;Importa amb comprovació...</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+O</source>
+        <translation>Ctrl+Shift+O</translation>
+    </message>
+    <message>
+        <source>Check and repair the contents of files before importing them</source>
+        <translation>Comprova i repara el contingut dels fitxers abans d’importar-los</translation>
+    </message>
+    <message>
+        <source>Save &amp;handles...</source>
+        <translation>Desa els &amp;tiradors...</translation>
+    </message>
+    <message>
+        <source>Save the handles at rest as Slicer markups</source>
+        <translation>Desa els tiradors en repòs com a marques de Slicer</translation>
+    </message>
+    <message>
+        <source>&amp;Export organ...</source>
+        <translation>&amp;Exporta l’òrgan...</translation>
+    </message>
+    <message>
+        <source>Ctrl+E</source>
+        <translation>Ctrl+E</translation>
+    </message>
+    <message>
+        <source>Export the organ in its present pose</source>
+        <translation>Exporta l’òrgan en la postura actual</translation>
+    </message>
+    <message>
+        <source>Load a &amp;cage...</source>
+        <translation>Carrega una &amp;gàbia...</translation>
+    </message>
+    <message>
+        <source>For coordinates that need a cage: load a closed surface around the organ; its vertices become the handles</source>
+        <translation>Per a coordenades que necessiten gàbia: carrega una superfície tancada al voltant de l’òrgan; els vèrtexs esdevenen els tiradors</translation>
+    </message>
+    <message>
+        <source>Sessions, organs, label maps, handles and scans (*.viscera %1 %2 %3)</source>
+        <translation>Sessions, òrgans, mapes d’etiquetes, tiradors i exploracions (*.viscera %1 %2 %3)</translation>
+    </message>
+    <message>
+        <source>Sessions (*.viscera)</source>
+        <translation>Sessions (*.viscera)</translation>
+    </message>
+    <message>
+        <source>Organs, label maps and handles (%1 %2 %3)</source>
+        <translation>Òrgans, mapes d’etiquetes i tiradors (%1 %2 %3)</translation>
+    </message>
+    <message>
+        <source>Organs (%1)</source>
+        <translation>Òrgans (%1)</translation>
+    </message>
+    <message>
+        <source>Label maps (%1)</source>
+        <translation>Mapes d’etiquetes (%1)</translation>
+    </message>
+    <message>
+        <source>Handles (%1)</source>
+        <translation>Tiradors (%1)</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>Tots els fitxers (*)</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Obre</translation>
+    </message>
+    <message>
+        <source>Open a folder with one mask for each organ</source>
+        <translation>Obre una carpeta amb una màscara per a cada òrgan</translation>
+    </message>
+    <message>
+        <source>Opening %1</source>
+        <translation>S’obre %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>Opening %n {file|files}</source>
+        <translation>
+            <numerusform>S’obre %n fitxer</numerusform>
+            <numerusform>S’obren %n fitxers</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Open %1</source>
+        <translation>Obre %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n more on the {page of its organ|pages of their organs} in Explore</source>
+        <translation>
+            <numerusform>%n més a la pàgina del seu òrgan a Explora</numerusform>
+            <numerusform>%n més a les pàgines dels seus òrgans a Explora</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Save handles</source>
+        <translation>Desa els tiradors</translation>
+    </message>
+    <message>
+        <source>Slicer markups (*%1 *.fcsv)</source>
+        <translation>Marques de Slicer (*%1 *.fcsv)</translation>
+    </message>
+    <message>
+        <source>Handles</source>
+        <translation>Tiradors</translation>
+    </message>
+    <message>
+        <source>Load a cage</source>
+        <translation>Carrega una gàbia</translation>
+    </message>
+    <message>
+        <source>Closed surfaces (%1);;All files (*)</source>
+        <translation>Superfícies tancades (%1);;Tots els fitxers (*)</translation>
+    </message>
+    <message>
+        <source>Reading the cage %1</source>
+        <translation>Es llegeix la gàbia %1</translation>
+    </message>
+    <message>
+        <source>The handles at the vertices of %1 are now the corners of the cage.</source>
+        <translation>Els tiradors als vèrtexs de %1 són ara els cantons de la gàbia.</translation>
+    </message>
+    <message numerus="yes">
+        <source>The %n {vertex|vertices} of %1 are now the handles.</source>
+        <translation>
+            <numerusform>L’únic vèrtex (%n) de %1 és ara el tirador.</numerusform>
+            <numerusform>Els %n vèrtexs de %1 són ara els tiradors.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>There is no organ to export. Open one first.</source>
+        <translation>No hi ha cap òrgan per exportar. Obriu-ne primer un.</translation>
+    </message>
+    <message>
+        <source>Surfaces (%1)</source>
+        <translation>Superfícies (%1)</translation>
+    </message>
+    <message>
+        <source>Exporting %1</source>
+        <translation>S’exporta: %1</translation>
+    </message>
+    <message>
+        <source>%1 written to %2</source>
+        <translation>S’ha escrit %1 a %2</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::Findings</name>
+    <message>
+        <source>Side of the body</source>
+        <translation>Costat del cos</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Mida</translation>
+    </message>
+    <message>
+        <source>Open surface</source>
+        <translation>Superfície oberta</translation>
+    </message>
+    <message>
+        <source>Edges of more than two triangles</source>
+        <translation>Arestes de més de dos triangles</translation>
+    </message>
+    <message>
+        <source>Triangles that face inward</source>
+        <translation>Triangles que miren cap endins</translation>
+    </message>
+    <message>
+        <source>Separate pieces</source>
+        <translation>Peces separades</translation>
+    </message>
+    <message>
+        <source>Crossing triangles</source>
+        <translation>Triangles que es creuen</translation>
+    </message>
+    <message>
+        <source>Positions of the organs</source>
+        <translation>Posicions dels òrgans</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::FitBox</name>
+    <message>
+        <source>by the shape</source>
+        <translation>per la forma</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {point|points}</source>
+        <translation>
+            <numerusform>%n punt</numerusform>
+            <numerusform>%n punts</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Fit to this organ</source>
+        <translation>Ajusta a aquest òrgan</translation>
+    </message>
+    <message>
+        <source>Sequence to fit</source>
+        <translation>Seqüència per ajustar</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>Of the left ventricle. The right one ejects as much blood, and the muscle keeps its volume</source>
+        <translation>Del ventricle esquerre. El dret expulsa la mateixa sang i el múscul conserva el volum</translation>
+    </message>
+    <message>
+        <source>Ejection fraction</source>
+        <translation>Fracció d’ejecció</translation>
+    </message>
+    <message>
+        <source>Place the sequence&apos;s handles around the organ and play it</source>
+        <translation>Col·loca els tiradors de la seqüència al voltant de l’òrgan i la reprodueix</translation>
+    </message>
+    <message>
+        <source>%1: set it by a click in the view</source>
+        <translation>%1: definiu-lo amb un clic a la vista</translation>
+    </message>
+    <message>
+        <source>click the organ</source>
+        <translation>feu clic a l’òrgan</translation>
+    </message>
+    <message>
+        <source>Open a patient&apos;s organ first.</source>
+        <translation>Obriu primer un òrgan d’un pacient.</translation>
+    </message>
+    <message>
+        <source>%1 is open; a sequence needs a closed surface.</source>
+        <translation>%1 és una superfície oberta; una seqüència en necessita una de tancada.</translation>
+    </message>
+    <message>
+        <source>Moves %1 and its chambers as a textbook&apos;s heart, from how they are as the end of diastole. It becomes a recorded sequence.</source>
+        <translation>Mou %1 i les seves cavitats com el cor d’un llibre de text, a partir de l’estat actual com a final de la diàstole. Es converteix en una seqüència enregistrada.</translation>
+    </message>
+    <message>
+        <source>Moves %1 like the sample organ. Landmarks that you do not set are found from its shape.</source>
+        <translation>Mou %1 com l’òrgan de mostra. Els punts de referència que no definiu es dedueixen de la forma.</translation>
+    </message>
+    <message>
+        <source>Fitting %1</source>
+        <translation>S’ajusta %1</translation>
+    </message>
+    <message>
+        <source>Fit the textbook&apos;s beat to %1</source>
+        <translation>Ajusta el batec de llibre a %1</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::FitOffer</name>
+    <message>
+        <source>Replace all open organs; Undo brings them back</source>
+        <translation>Substitueix tots els òrgans oberts; Desfés els recupera</translation>
+    </message>
+    <message>
+        <source>%1 is made for a %2, and by its name %3 is another organ.</source>
+        <translation>%1 és per a: %2; segons el nom, %3 és un altre òrgan.</translation>
+    </message>
+    <message>
+        <source>%1: fit it to %2?</source>
+        <translation>%1: voleu ajustar-la a %2?</translation>
+    </message>
+    <message>
+        <source>Fit it anyway</source>
+        <translation>Ajusta-la igualment</translation>
+    </message>
+    <message>
+        <source>Fit it to %1</source>
+        <translation>Ajusta-la a %1</translation>
+    </message>
+    <message>
+        <source>Place the sequence&apos;s handles around the organ and play it</source>
+        <translation>Col·loca els tiradors de la seqüència al voltant de l’òrgan i la reprodueix</translation>
+    </message>
+    <message>
+        <source>%1 is open; a sequence needs a closed surface</source>
+        <translation>%1 és una superfície oberta; una seqüència en necessita una de tancada</translation>
+    </message>
+    <message>
+        <source>Show the sample %1</source>
+        <translation>Mostra l’òrgan de mostra: %1</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::GroupPanel</name>
+    <message>
+        <source>No groups: all handles act everywhere. Select handles and make a group of them, or make groups automatically below.</source>
+        <translation>No hi ha grups: tots els tiradors actuen pertot. Seleccioneu tiradors i feu-ne un grup, o creeu grups automàticament a sota.</translation>
+    </message>
+    <message>
+        <source>Groups</source>
+        <translation>Grups</translation>
+    </message>
+    <message>
+        <source>New group</source>
+        <translation>Grup nou</translation>
+    </message>
+    <message>
+        <source>Make a group of the selected handles</source>
+        <translation>Fes un grup amb els tiradors seleccionats</translation>
+    </message>
+    <message>
+        <source>Select handles</source>
+        <translation>Selecciona tiradors</translation>
+    </message>
+    <message>
+        <source>Select the handles of the chosen group</source>
+        <translation>Selecciona els tiradors del grup triat</translation>
+    </message>
+    <message>
+        <source>Add selected</source>
+        <translation>Afegeix-hi</translation>
+    </message>
+    <message>
+        <source>Add the selected handles to the chosen group</source>
+        <translation>Afegeix els tiradors seleccionats al grup triat</translation>
+    </message>
+    <message>
+        <source>Take out</source>
+        <translation>Treu</translation>
+    </message>
+    <message>
+        <source>Take the selected handles out of the chosen group</source>
+        <translation>Treu els tiradors seleccionats del grup triat</translation>
+    </message>
+    <message>
+        <source>Colour...</source>
+        <translation>Color...</translation>
+    </message>
+    <message>
+        <source>Choose the colour of the chosen group</source>
+        <translation>Tria el color del grup triat</translation>
+    </message>
+    <message>
+        <source>Remove group</source>
+        <translation>Elimina el grup</translation>
+    </message>
+    <message>
+        <source>Remove the chosen group; its handles stay</source>
+        <translation>Elimina el grup triat; els tiradors es conserven</translation>
+    </message>
+    <message>
+        <source>How groups are made</source>
+        <translation>Com es fan els grups</translation>
+    </message>
+    <message>
+        <source>Parts along the axis</source>
+        <translation>Parts al llarg de l’eix</translation>
+    </message>
+    <message>
+        <source>Clusters of handles</source>
+        <translation>Agrupacions de tiradors</translation>
+    </message>
+    <message>
+        <source>Organs and their pieces</source>
+        <translation>Òrgans i les seves peces</translation>
+    </message>
+    <message>
+        <source>How many groups</source>
+        <translation>Nombre de grups</translation>
+    </message>
+    <message>
+        <source>Group automatically</source>
+        <translation>Agrupa automàticament</translation>
+    </message>
+    <message>
+        <source>Replace the present groups. Where handles do not surround a group&apos;s part of the organ, the corners of a box are added.</source>
+        <translation>Substitueix els grups actuals. On els tiradors no envolten la part de l’òrgan d’un grup, s’hi afegeixen els cantons d’una capsa.</translation>
+    </message>
+    <message>
+        <source>Group %1</source>
+        <translation>Grup %1</translation>
+    </message>
+    <message>
+        <source>F2 renames</source>
+        <translation>F2 canvia el nom</translation>
+    </message>
+    <message>
+        <source>A region needs at least four handles</source>
+        <translation>Una regió necessita almenys quatre tiradors</translation>
+    </message>
+    <message>
+        <source>These coordinates do not use groups.</source>
+        <translation>Aquestes coordenades no fan servir grups.</translation>
+    </message>
+    <message>
+        <source>No coordinate system that uses groups is loaded: the plugin is missing.</source>
+        <translation>No hi ha carregat cap sistema de coordenades amb grups: falta el connector.</translation>
+    </message>
+    <message>
+        <source>Use %1</source>
+        <translation>Fes servir %1</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::HandleController</name>
+    <message numerus="yes">
+        <source>Move %n {handle|handles}</source>
+        <translation>
+            <numerusform>Mou %n tirador</numerusform>
+            <numerusform>Mou %n tiradors</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Move handle %1</source>
+        <translation>Mou el tirador %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>Turn %n {handle|handles}</source>
+        <translation>
+            <numerusform>Gira %n tirador</numerusform>
+            <numerusform>Gira %n tiradors</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Scale %n {handle|handles}</source>
+        <translation>
+            <numerusform>Escala %n tirador</numerusform>
+            <numerusform>Escala %n tiradors</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::HandleModel</name>
+    <message>
+        <source>Handle</source>
+        <translation>Tirador</translation>
+    </message>
+    <message>
+        <source>Groups</source>
+        <translation>Grups</translation>
+    </message>
+    <message>
+        <source>Rest L</source>
+        <translation>Repòs L</translation>
+    </message>
+    <message>
+        <source>Rest P</source>
+        <translation>Repòs P</translation>
+    </message>
+    <message>
+        <source>Rest S</source>
+        <translation>Repòs S</translation>
+    </message>
+    <message>
+        <source>Pose L</source>
+        <translation>Postura L</translation>
+    </message>
+    <message>
+        <source>Pose P</source>
+        <translation>Postura P</translation>
+    </message>
+    <message>
+        <source>Pose S</source>
+        <translation>Postura S</translation>
+    </message>
+    <message>
+        <source>Moved (mm)</source>
+        <translation>Mogut (mm)</translation>
+    </message>
+    <message>
+        <source>Coordinate</source>
+        <translation>Coordenada</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::HandlePanel</name>
+    <message>
+        <source>No handles yet.
+Move the slider above to place some, or click the organ in Handles mode (2).</source>
+        <translation>Encara no hi ha tiradors.
+Moveu el lliscador de dalt per col·locar-ne, o feu clic a l’òrgan en el mode Tiradors (2).</translation>
+    </message>
+    <message>
+        <source>Place automatically</source>
+        <translation>Col·loca automàticament</translation>
+    </message>
+    <message>
+        <source>Place this many handles evenly, a little outside the organ&apos;s surface; they replace the present ones</source>
+        <translation>Col·loca aquest nombre de tiradors de manera uniforme, una mica fora de la superfície de l’òrgan; substitueixen els actuals</translation>
+    </message>
+    <message>
+        <source>Enclosing box</source>
+        <translation>Capsa envoltant</translation>
+    </message>
+    <message>
+        <source>Eight of the handles are the corners of a box around the organ, so that all of it lies inside</source>
+        <translation>Vuit dels tiradors són els cantons d’una capsa al voltant de l’òrgan, de manera que tot hi queda dins</translation>
+    </message>
+    <message>
+        <source>Handles</source>
+        <translation>Tiradors</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>F2 renames, Delete removes</source>
+        <translation>F2 canvia el nom, Supr elimina</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::HandlePlacer</name>
+    <message>
+        <source>Place handles</source>
+        <translation>Col·loca tiradors</translation>
+    </message>
+    <message>
+        <source>Enclosing</source>
+        <translation>Envoltants</translation>
+    </message>
+    <message>
+        <source>Surface</source>
+        <translation>Superfície</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::HandleTable</name>
+    <message>
+        <source>Table of handles</source>
+        <translation>Taula de tiradors</translation>
+    </message>
+    <message>
+        <source>&amp;Copy</source>
+        <translation>&amp;Copia</translation>
+    </message>
+    <message>
+        <source>Copy the selected rows, or all, with all digits (Ctrl+C)</source>
+        <translation>Copia les files seleccionades, o totes, amb tots els dígits (Ctrl+C)</translation>
+    </message>
+    <message>
+        <source>&amp;Table of handles...</source>
+        <translation>&amp;Taula de tiradors...</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+T</source>
+        <translation>Ctrl+Shift+T</translation>
+    </message>
+    <message>
+        <source>Positions of all handles, and the coordinates of a vertex that you click</source>
+        <translation>Posicions de tots els tiradors, i coordenades del vèrtex en què feu clic</translation>
+    </message>
+    <message>
+        <source>Click the organ in the view to see the coordinates of its nearest vertex.</source>
+        <translation>Feu clic a l’òrgan a la vista per veure les coordenades del vèrtex més proper.</translation>
+    </message>
+    <message>
+        <source>Vertex %1 of %2, at rest at %3, %4, %5 mm (LPS)</source>
+        <translation>Vèrtex %1 de %2, en repòs a %3, %4, %5 mm (LPS)</translation>
+    </message>
+    <message>
+        <source>%1: the organ is not bound to the handles.</source>
+        <translation>%1: l’òrgan no està vinculat als tiradors.</translation>
+    </message>
+    <message>
+        <source>%1. Its coordinates sum to %2 and miss it by %3 mm.</source>
+        <translation>%1. Les coordenades sumen %2 i se’n desvien %3 mm.</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::HandlesMode</name>
+    <message>
+        <source>Handles</source>
+        <translation>Tiradors</translation>
+    </message>
+    <message>
+        <source>Click the organ to add a handle, drag to move it, Delete removes it; the reference shape stays</source>
+        <translation>Feu clic a l’òrgan per afegir un tirador, arrossegueu per moure’l, Supr l’elimina; la forma de referència es manté</translation>
+    </message>
+    <message>
+        <source>&amp;Place automatically</source>
+        <translation>Col·loca a&amp;utomàticament</translation>
+    </message>
+    <message>
+        <source>Ctrl+P</source>
+        <translation>Ctrl+P</translation>
+    </message>
+    <message>
+        <source>Spread handles evenly around the organ</source>
+        <translation>Distribueix tiradors uniformement al voltant de l’òrgan</translation>
+    </message>
+    <message>
+        <source>Add &amp;enclosing handles</source>
+        <translation>Afegeix tiradors &amp;envoltants</translation>
+    </message>
+    <message>
+        <source>Add the eight corners of a box around everything</source>
+        <translation>Afegeix els vuit cantons d’una capsa al voltant de tot</translation>
+    </message>
+    <message>
+        <source>&amp;Remove handles</source>
+        <translation>Elimina els &amp;tiradors</translation>
+    </message>
+    <message>
+        <source>Remove the selected handles</source>
+        <translation>Elimina els tiradors seleccionats</translation>
+    </message>
+    <message>
+        <source>Select &amp;all handles</source>
+        <translation>Selecciona &amp;tots els tiradors</translation>
+    </message>
+    <message>
+        <source>Use the &amp;hull as the cage</source>
+        <translation>&amp;Fes servir l’envolupant com a gàbia</translation>
+    </message>
+    <message>
+        <source>Discard the loaded cage and use the convex hull of the handles again</source>
+        <translation>Descarta la gàbia carregada i torna a fer servir l’envolupant convexa dels tiradors</translation>
+    </message>
+    <message>
+        <source>&amp;Influence map</source>
+        <translation>Mapa d’&amp;influència</translation>
+    </message>
+    <message>
+        <source>Colour the organ by the influence of the selected handle</source>
+        <translation>Acoloreix l’òrgan segons la influència del tirador seleccionat</translation>
+    </message>
+    <message>
+        <source>Show &amp;regions</source>
+        <translation>Mostra les &amp;regions</translation>
+    </message>
+    <message>
+        <source>Show where each group of handles acts, and the cage of coordinates that need one</source>
+        <translation>Mostra on actua cada grup de tiradors, i la gàbia de les coordenades que en necessiten</translation>
+    </message>
+    <message>
+        <source>Show &amp;zones</source>
+        <translation>Mostra les &amp;zones</translation>
+    </message>
+    <message>
+        <source>Show where regions meet, in red</source>
+        <translation>Mostra en vermell on es troben les regions</translation>
+    </message>
+    <message>
+        <source>Show &amp;super-regions</source>
+        <translation>Mostra les &amp;superregions</translation>
+    </message>
+    <message>
+        <source>Show the super-region that counts in each zone, in yellow</source>
+        <translation>Mostra en groc la superregió que compta en cada zona</translation>
+    </message>
+    <message>
+        <source>Bound in %1 ms</source>
+        <translation>Vinculat en %1 ms</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::HandlesPage</name>
+    <message>
+        <source>not bound</source>
+        <translation>no vinculat</translation>
+    </message>
+    <message>
+        <source>binding...</source>
+        <translation>es vincula...</translation>
+    </message>
+    <message>
+        <source>bound</source>
+        <translation>vinculat</translation>
+    </message>
+    <message>
+        <source>cancelled</source>
+        <translation>cancel·lat</translation>
+    </message>
+    <message>
+        <source>not possible</source>
+        <translation>no és possible</translation>
+    </message>
+    <message>
+        <source>Coordinates</source>
+        <translation>Coordenades</translation>
+    </message>
+    <message>
+        <source>Groups</source>
+        <translation>Grups</translation>
+    </message>
+    <message>
+        <source>Binding</source>
+        <translation>Vinculació</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>Estat</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Temps</translation>
+    </message>
+    <message>
+        <source>Rest error</source>
+        <translation>Error en repòs</translation>
+    </message>
+    <message>
+        <source>The largest distance of the bound organ at rest from the original</source>
+        <translation>La distància màxima entre l’òrgan vinculat en repòs i l’original</translation>
+    </message>
+    <message>
+        <source>Smallest weight</source>
+        <translation>Pes mínim</translation>
+    </message>
+    <message>
+        <source>Handle at rest</source>
+        <translation>Tirador en repòs</translation>
+    </message>
+    <message>
+        <source>The cage is the convex hull of the handles.</source>
+        <translation>La gàbia és l’envolupant convexa dels tiradors.</translation>
+    </message>
+    <message>
+        <source>The cage has %1 triangles over %2 handles.</source>
+        <translation>La gàbia té %1 triangles sobre %2 tiradors.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 ms, %n {thread|threads}</source>
+        <translation>
+            <numerusform>%1 ms, %n fil</numerusform>
+            <numerusform>%1 ms, %n fils</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::Help</name>
+    <message>
+        <source>&amp;Mouse and keys</source>
+        <translation>&amp;Ratolí i tecles</translation>
+    </message>
+    <message>
+        <source>Shift+?</source>
+        <translation>Shift+?</translation>
+    </message>
+    <message>
+        <source>Two-minute &amp;tour</source>
+        <translation>&amp;Visita de dos minuts</translation>
+    </message>
+    <message>
+        <source>&amp;Welcome</source>
+        <translation>&amp;Benvinguda</translation>
+    </message>
+    <message>
+        <source>&amp;About Viscera</source>
+        <translation>&amp;Quant a Viscera</translation>
+    </message>
+    <message>
+        <source>Viscera %1: organs deformed by handles, without a cage. BSD-3-Clause; a program for research and teaching, not a medical device.</source>
+        <translation>Viscera %1: òrgans deformats amb tiradors, sense gàbia. BSD-3-Clause; un programa per a la recerca i la docència, no és un producte sanitari.</translation>
+    </message>
+    <message>
+        <source>Look around</source>
+        <translation>Mireu al voltant</translation>
+    </message>
+    <message>
+        <source>Drag with the left button to rotate, with Shift to pan; the wheel zooms. Click an organ to select it, press F to bring it into the picture; D measures distances, A angles. The eye in the list on the left hides it, the square changes its colour.</source>
+        <translation>Arrossegueu amb el botó esquerre per girar, amb Maj per desplaçar; la roda apropa i allunya. Feu clic en un òrgan per seleccionar-lo, premeu F per enquadrar-lo; D mesura distàncies i A angles. L’ull de la llista de l’esquerra l’amaga, el quadrat en canvia el color.</translation>
+    </message>
+    <message>
+        <source>See it move</source>
+        <translation>Mireu com es mou</translation>
+    </message>
+    <message>
+        <source>Space plays and pauses. The timeline shows the phases of the cycle: drag along it to look at one instant. Below, the volumes are drawn as they change.</source>
+        <translation>Espai reprodueix i posa en pausa. La línia de temps mostra les fases del cicle: arrossegueu-la per veure un instant. A sota es dibuixen els volums a mesura que canvien.</translation>
+    </message>
+    <message>
+        <source>Handles</source>
+        <translation>Tiradors</translation>
+    </message>
+    <message>
+        <source>Organs follow handles around them. Here you edit them at rest: click the organ to add one, drag to move it, Delete to remove it. The organ is bound again at once. I shows how far a handle reaches.</source>
+        <translation>Els òrgans segueixen els tiradors que els envolten. Aquí els editeu en repòs: feu clic a l’òrgan per afegir-ne un, arrossegueu-lo per moure’l, Supr per eliminar-lo. L’òrgan es torna a vincular de seguida. I mostra fins on arriba un tirador.</translation>
+    </message>
+    <message>
+        <source>Deform</source>
+        <translation>Deforma</translation>
+    </message>
+    <message>
+        <source>Drag a handle and the organ follows; its volume is in the status bar. The padlock in the list on the left (K) keeps the volume whatever you do. T turns and scales selected handles, M mirrors drags. Ctrl+Z undoes any change, G shows the reference shape as an outline.</source>
+        <translation>Arrossegueu un tirador i l’òrgan el segueix; el volum és a la barra d’estat. El cadenat de la llista de l’esquerra (K) manté el volum feu el que feu. T gira i escala els tiradors seleccionats, M fa simètric l’arrossegament. Ctrl+Z desfà qualsevol canvi, G mostra el contorn de la forma de referència.</translation>
+    </message>
+    <message>
+        <source>Stress</source>
+        <translation>Tensió</translation>
+    </message>
+    <message>
+        <source>The colours say how much the pose distorts the tissue inside. Click the organ to read the values of a point, C cuts it open, M shows the next map. Space plays the sequence, and the map follows.</source>
+        <translation>Els colors mostren com deforma la postura el teixit interior. Feu clic a l’òrgan per llegir els valors d’un punt; C el secciona, M mostra el mapa següent. Espai reprodueix la seqüència i el mapa la segueix.</translation>
+    </message>
+    <message>
+        <source>Your own organs</source>
+        <translation>Els vostres òrgans</translation>
+    </message>
+    <message>
+        <source>Open surfaces (STL, OBJ, PLY, OFF, VTK, VTP, GLB) or label maps (NIfTI, NRRD, DICOM-SEG) with Ctrl+O or drop them here; they get handles at once. Ctrl+S saves all of it as a session. ? lists all keys.</source>
+        <translation>Obriu superfícies (STL, OBJ, PLY, OFF, VTK, VTP, GLB) o mapes d’etiquetes (NIfTI, NRRD, DICOM-SEG) amb Ctrl+O o deixeu-los anar aquí; reben tiradors a l’instant. Ctrl+S ho desa tot com a sessió. ? mostra totes les tecles.</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::Histogram</name>
+    <message>
+        <source>Histogram of the map</source>
+        <translation>Histograma del mapa</translation>
+    </message>
+    <message>
+        <source>Number of witness points with each value; the lines mark the mean and the 95th percentile</source>
+        <translation>Nombre de punts testimoni amb cada valor; les línies marquen la mitjana i el percentil 95</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::ImportDesk</name>
+    <message>
+        <source>Import or cancel the files in the panel first, then open the others.</source>
+        <translation>Primer importeu o cancel·leu els fitxers del panell, després obriu els altres.</translation>
+    </message>
+    <message>
+        <source>Check of %1</source>
+        <translation>Comprovació de %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>Check of %n {file|files}</source>
+        <translation>
+            <numerusform>Comprovació de %n fitxer</numerusform>
+            <numerusform>Comprovació de %n fitxers</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Repairing: %1</source>
+        <translation>Es repara: %1</translation>
+    </message>
+    <message>
+        <source>Checking again</source>
+        <translation>Es torna a comprovar</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::ImportPanel</name>
+    <message>
+        <source>No problems found. Nothing is in the document yet.</source>
+        <translation>No s’ha trobat cap problema. Encara no hi ha res al document.</translation>
+    </message>
+    <message>
+        <source>Check the findings first. Nothing is in the document yet, and no file is changed.</source>
+        <translation>Reviseu primer les troballes. Encara no hi ha res al document, i no es canvia cap fitxer.</translation>
+    </message>
+    <message>
+        <source>%1 organs: %2 with faults, %3 to look at, %4 without problems. Nothing is in the document yet, and no file is changed.</source>
+        <translation>%1 òrgans: %2 amb errors, %3 per revisar, %4 sense problemes. Encara no hi ha res al document, i no es canvia cap fitxer.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 organs are not life-sized; the unit of length is one for the patient</source>
+        <translation>%1 de %2 òrgans no són de mida natural; la unitat de longitud és única per al pacient</translation>
+    </message>
+    <message>
+        <source>%1: %2 of %3 organs</source>
+        <translation>%1: %2 de %3 òrgans</translation>
+    </message>
+    <message>
+        <source>Import</source>
+        <translation>Importa</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Cancel·la</translation>
+    </message>
+    <message>
+        <source>Find an organ</source>
+        <translation>Cerca un òrgan</translation>
+    </message>
+    <message>
+        <source>Organs to show, by finding</source>
+        <translation>Òrgans que es mostren, segons la troballa</translation>
+    </message>
+    <message>
+        <source>All</source>
+        <translation>Tots</translation>
+    </message>
+    <message>
+        <source>Import all organs of this list</source>
+        <translation>Importa tots els òrgans d’aquesta llista</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Cap</translation>
+    </message>
+    <message>
+        <source>Import no organ of this list</source>
+        <translation>No importis cap òrgan d’aquesta llista</translation>
+    </message>
+    <message numerus="yes">
+        <source>Import %n {organ|organs}</source>
+        <translation>
+            <numerusform>Importa %n òrgan</numerusform>
+            <numerusform>Importa %n òrgans</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Import as it is</source>
+        <translation>Importa tal com és</translation>
+    </message>
+    <message>
+        <source>All organs together</source>
+        <translation>Tots els òrgans alhora</translation>
+    </message>
+    <message>
+        <source>Every organ</source>
+        <translation>Tots els òrgans</translation>
+    </message>
+    <message>
+        <source>To look at</source>
+        <translation>Per revisar</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::KeyBox</name>
+    <message>
+        <source> s</source>
+        <translation> s</translation>
+    </message>
+    <message>
+        <source>Pose the organ in Deform mode and press Ctrl+K: each key stores that pose.</source>
+        <translation>Poseu l’òrgan en postura en el mode Deforma i premeu Ctrl+K: cada clau desa aquella postura.</translation>
+    </message>
+    <message>
+        <source>Time of the next key</source>
+        <translation>Temps de la clau següent</translation>
+    </message>
+    <message>
+        <source>Easing to the key after it</source>
+        <translation>Suavització fins a la clau següent</translation>
+    </message>
+    <message>
+        <source>Add key</source>
+        <translation>Afegeix una clau</translation>
+    </message>
+    <message>
+        <source>Store the present pose as a key (Ctrl+K)</source>
+        <translation>Desa la postura actual com a clau (Ctrl+K)</translation>
+    </message>
+    <message>
+        <source>time (s)</source>
+        <translation>temps (s)</translation>
+    </message>
+    <message>
+        <source>then</source>
+        <translation>després</translation>
+    </message>
+    <message>
+        <source>Take pose</source>
+        <translation>Pren la postura</translation>
+    </message>
+    <message>
+        <source>Set the present pose to that of this key</source>
+        <translation>Posa com a postura actual la d’aquesta clau</translation>
+    </message>
+    <message>
+        <source>Replace</source>
+        <translation>Substitueix</translation>
+    </message>
+    <message>
+        <source>Store the present pose in this key</source>
+        <translation>Desa la postura actual en aquesta clau</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Elimina</translation>
+    </message>
+    <message>
+        <source>Remove this key</source>
+        <translation>Elimina aquesta clau</translation>
+    </message>
+    <message>
+        <source>Play it</source>
+        <translation>Reprodueix-la</translation>
+    </message>
+    <message>
+        <source>Play the recorded sequence</source>
+        <translation>Reprodueix la seqüència enregistrada</translation>
+    </message>
+    <message>
+        <source>Save...</source>
+        <translation>Desa...</translation>
+    </message>
+    <message>
+        <source>Save the sequence as a file</source>
+        <translation>Desa la seqüència en un fitxer</translation>
+    </message>
+    <message>
+        <source>Open...</source>
+        <translation>Obre...</translation>
+    </message>
+    <message>
+        <source>Open a sequence file</source>
+        <translation>Obre un fitxer de seqüència</translation>
+    </message>
+    <message>
+        <source>lasts </source>
+        <translation>dura </translation>
+    </message>
+    <message>
+        <source>Length of one cycle</source>
+        <translation>Durada d’un cicle</translation>
+    </message>
+    <message>
+        <source>Sequences (*%1)</source>
+        <translation>Seqüències (*%1)</translation>
+    </message>
+    <message>
+        <source>Save the sequence</source>
+        <translation>Desa la seqüència</translation>
+    </message>
+    <message>
+        <source>Open a sequence</source>
+        <translation>Obre una seqüència</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::LectureScreen</name>
+    <message>
+        <source>&amp;Lecture</source>
+        <translation>C&amp;lasse</translation>
+    </message>
+    <message>
+        <source>The view alone on the whole screen, in large letters; Page Down shows the next slide, Escape ends it</source>
+        <translation>Només la vista a tota la pantalla, amb lletra grossa; Av Pàg mostra la diapositiva següent, Esc ho acaba</translation>
+    </message>
+    <message>
+        <source>&amp;Darken the screen</source>
+        <translation>&amp;Enfosqueix la pantalla</translation>
+    </message>
+    <message>
+        <source>%1 %2 ml</source>
+        <translation>%1 %2 ml</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::LessonDialog</name>
+    <message>
+        <source>Handles that a reader can drag</source>
+        <translation>Tiradors que el lector pot arrossegar</translation>
+    </message>
+    <message>
+        <source>Export lesson</source>
+        <translation>Exporta la lliçó</translation>
+    </message>
+    <message>
+        <source>Web page for any browser (.html)</source>
+        <translation>Pàgina web per a qualsevol navegador (.html)</translation>
+    </message>
+    <message>
+        <source>Animated glTF scene (.glb)</source>
+        <translation>Escena glTF animada (.glb)</translation>
+    </message>
+    <message>
+        <source>As the window</source>
+        <translation>Com la finestra</translation>
+    </message>
+    <message>
+        <source>Language of the page&apos;s buttons and messages; the texts below stay as they are</source>
+        <translation>Llengua dels botons i missatges de la pàgina; els textos de sota es queden com estan</translation>
+    </message>
+    <message>
+        <source>This is all that a reader will be able to read: names of files, dates and what is hidden are not in the lesson. Look for names of patients; double-click a text to change it.</source>
+        <translation>Això és tot el que el lector podrà llegir: els noms de fitxer, les dates i el que és amagat no són a la lliçó. Comproveu que no hi hagi noms de pacients; feu doble clic en un text per canviar-lo.</translation>
+    </message>
+    <message>
+        <source>Title</source>
+        <translation>Títol</translation>
+    </message>
+    <message>
+        <source>Notes</source>
+        <translation>Notes</translation>
+    </message>
+    <message>
+        <source>Becomes</source>
+        <translation>Format</translation>
+    </message>
+    <message>
+        <source>Language</source>
+        <translation>Llengua</translation>
+    </message>
+    <message>
+        <source>Save as...</source>
+        <translation>Anomena i desa...</translation>
+    </message>
+    <message>
+        <source>Texts of the lesson</source>
+        <translation>Textos de la lliçó</translation>
+    </message>
+    <message>
+        <source>What it is</source>
+        <translation>Què és</translation>
+    </message>
+    <message>
+        <source>Text</source>
+        <translation>Text</translation>
+    </message>
+    <message>
+        <source>The shape of a head or a face can identify a patient.</source>
+        <translation>La forma d’un cap o d’una cara pot identificar un pacient.</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::LessonExport</name>
+    <message>
+        <source>Export &amp;lesson...</source>
+        <translation>Exporta la &amp;lliçó...</translation>
+    </message>
+    <message>
+        <source>Write the organs and their motion as one page that opens in any browser</source>
+        <translation>Escriu els òrgans i el seu moviment en una pàgina que s’obre en qualsevol navegador</translation>
+    </message>
+    <message>
+        <source>Export lesson</source>
+        <translation>Exporta la lliçó</translation>
+    </message>
+    <message>
+        <source>lesson.html</source>
+        <translation>lesson.html</translation>
+    </message>
+    <message>
+        <source>lesson.glb</source>
+        <translation>lesson.glb</translation>
+    </message>
+    <message>
+        <source>Web pages (*.html)</source>
+        <translation>Pàgines web (*.html)</translation>
+    </message>
+    <message>
+        <source>glTF scenes (*.glb)</source>
+        <translation>Escenes glTF (*.glb)</translation>
+    </message>
+    <message>
+        <source>Exporting the lesson</source>
+        <translation>S’exporta la lliçó</translation>
+    </message>
+    <message>
+        <source>Written to %1 (%2 MB). Its motion is off by %3 mm at most.</source>
+        <translation>S’ha escrit a %1 (%2 MB). El moviment es desvia %3 mm com a màxim.</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::MainWindow</name>
+    <message>
+        <source>&amp;Quit</source>
+        <translation>&amp;Surt</translation>
+    </message>
+    <message>
+        <source>&amp;Dark</source>
+        <translation>&amp;Fosc</translation>
+    </message>
+    <message>
+        <source>&amp;Light</source>
+        <translation>C&amp;lar</translation>
+    </message>
+    <message>
+        <source>%1: checked, no problems found</source>
+        <translation>%1: comprovat, sense problemes</translation>
+    </message>
+    <message>
+        <source>The drag was taken back, because another mode was chosen.</source>
+        <translation>L’arrossegament s’ha desfet perquè s’ha triat un altre mode.</translation>
+    </message>
+    <message>
+        <source>As far as it goes: %1</source>
+        <translation>Fins on és possible: %1</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::MeasureBox</name>
+    <message>
+        <source>Remove</source>
+        <translation>Elimina</translation>
+    </message>
+    <message>
+        <source>Remove the chosen measurement (Delete in the list)</source>
+        <translation>Elimina la mesura triada (Supr a la llista)</translation>
+    </message>
+    <message>
+        <source>Remove all</source>
+        <translation>Elimina-ho tot</translation>
+    </message>
+    <message>
+        <source>Export CSV...</source>
+        <translation>Exporta CSV...</translation>
+    </message>
+    <message>
+        <source>Measurements</source>
+        <translation>Mesures</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Nom</translation>
+    </message>
+    <message>
+        <source>Now</source>
+        <translation>Ara</translation>
+    </message>
+    <message>
+        <source>Reference shape</source>
+        <translation>Forma de referència</translation>
+    </message>
+    <message>
+        <source>Points stay on the organ while it moves, and can be dragged along it; those on a slice stay there.</source>
+        <translation>Els punts segueixen l’òrgan mentre es mou, i s’hi poden arrossegar; els d’un tall es queden on són.</translation>
+    </message>
+    <message>
+        <source>Click two points on an organ or on a slice. Esc ends.</source>
+        <translation>Feu clic a dos punts d’un òrgan o d’un tall. Esc ho acaba.</translation>
+    </message>
+    <message>
+        <source>Click three points on an organ or on a slice, the corner second. Esc ends.</source>
+        <translation>Feu clic a tres punts d’un òrgan o d’un tall, el vèrtex en segon lloc. Esc ho acaba.</translation>
+    </message>
+    <message>
+        <source>Drag on a slice from corner to corner. Esc ends.</source>
+        <translation>Arrossegueu sobre un tall de cantó a cantó. Esc ho acaba.</translation>
+    </message>
+    <message>
+        <source>Drag on a slice from the middle to the border. Esc ends.</source>
+        <translation>Arrossegueu sobre un tall del centre a la vora. Esc ho acaba.</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::MeasuredMotion</name>
+    <message>
+        <source>%1 %2 mm</source>
+        <translation>%1 %2 mm</translation>
+    </message>
+    <message numerus="yes">
+        <source>Motion of %n {phase|phases}. Mean distance from what was measured: %1.</source>
+        <translation>
+            <numerusform>Moviment de %n fase. Distància mitjana al que s’ha mesurat: %1.</numerusform>
+            <numerusform>Moviment de %n fases. Distància mitjana al que s’ha mesurat: %1.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>It was cancelled.</source>
+        <translation>S’ha cancel·lat.</translation>
+    </message>
+    <message>
+        <source>Motion from a series</source>
+        <translation>Moviment a partir d’una sèrie</translation>
+    </message>
+    <message>
+        <source>Where points of a wall move along it was not measured: mean and 95th percentile over the beat can be read, the local pattern of this map cannot.</source>
+        <translation>No s’ha mesurat com es mouen els punts al llarg d’una paret: la mitjana i el percentil 95 del batec són vàlids, el patró local d’aquest mapa no.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {phase needs|phases need} attention: see the table below the chart.</source>
+        <translation>
+            <numerusform>%n fase requereix atenció: vegeu la taula sota el gràfic.</numerusform>
+            <numerusform>%n fases requereixen atenció: vegeu la taula sota el gràfic.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Leave out phase %1</source>
+        <translation>Omet la fase %1</translation>
+    </message>
+    <message>
+        <source>Surface of phase %1</source>
+        <translation>Superfície de la fase %1</translation>
+    </message>
+    <message>
+        <source>Distance from what was measured</source>
+        <translation>Distància al que s’ha mesurat</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::Menus</name>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Desfés</translation>
+    </message>
+    <message>
+        <source>Ctrl+Z</source>
+        <translation>Ctrl+Z</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>&amp;Refés</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+Z</source>
+        <translation>Ctrl+Shift+Z</translation>
+    </message>
+    <message>
+        <source>&amp;Undo: %1</source>
+        <translation>&amp;Desfés: %1</translation>
+    </message>
+    <message>
+        <source>&amp;Redo: %1</source>
+        <translation>&amp;Refés: %1</translation>
+    </message>
+    <message>
+        <source>&amp;File</source>
+        <translation>&amp;Fitxer</translation>
+    </message>
+    <message>
+        <source>Open &amp;recent</source>
+        <translation>Obre un &amp;recent</translation>
+    </message>
+    <message>
+        <source>Sample &amp;organs</source>
+        <translation>Òr&amp;gans de mostra</translation>
+    </message>
+    <message>
+        <source>Export &amp;more</source>
+        <translation>Exporta &amp;més</translation>
+    </message>
+    <message>
+        <source>&amp;Edit</source>
+        <translation>&amp;Edita</translation>
+    </message>
+    <message>
+        <source>&amp;Steps</source>
+        <translation>&amp;Passos</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>&amp;Visualitza</translation>
+    </message>
+    <message>
+        <source>St&amp;ress map</source>
+        <translation>Mapa de t&amp;ensió</translation>
+    </message>
+    <message>
+        <source>&amp;Scan</source>
+        <translation>E&amp;xploració</translation>
+    </message>
+    <message>
+        <source>&amp;Slides</source>
+        <translation>&amp;Diapositives</translation>
+    </message>
+    <message>
+        <source>&amp;Panels</source>
+        <translation>&amp;Panells</translation>
+    </message>
+    <message>
+        <source>&amp;Theme</source>
+        <translation>&amp;Tema</translation>
+    </message>
+    <message>
+        <source>Lan&amp;guage</source>
+        <translation>&amp;Idioma</translation>
+    </message>
+    <message>
+        <source>The next start uses this language: %1.</source>
+        <translation>El proper inici farà servir aquest idioma: %1.</translation>
+    </message>
+    <message>
+        <source>As the &amp;system</source>
+        <translation>Com el &amp;sistema</translation>
+    </message>
+    <message>
+        <source>&amp;Organ</source>
+        <translation>Ò&amp;rgan</translation>
+    </message>
+    <message>
+        <source>Ha&amp;ndles</source>
+        <translation>&amp;Tiradors</translation>
+    </message>
+    <message>
+        <source>&amp;Mirror drags</source>
+        <translation>Arrossegament &amp;simètric</translation>
+    </message>
+    <message>
+        <source>&amp;Sequence</source>
+        <translation>&amp;Seqüència</translation>
+    </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation>&amp;Ajuda</translation>
+    </message>
+    <message>
+        <source>Nothing was opened yet</source>
+        <translation>Encara no s’ha obert res</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n earlier {step|steps}</source>
+        <translation>
+            <numerusform>%n pas anterior</numerusform>
+            <numerusform>%n passos anteriors</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>As opened</source>
+        <translation>Tal com s’ha obert</translation>
+    </message>
+    <message>
+        <source>No sample organs are installed</source>
+        <translation>No hi ha instal·lat cap òrgan de mostra</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::MessageBar</name>
+    <message>
+        <source>Close this message (Esc)</source>
+        <translation>Tanca aquest missatge (Esc)</translation>
+    </message>
+    <message>
+        <source>Close this message</source>
+        <translation>Tanca aquest missatge</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::ModeRail</name>
+    <message>
+        <source>%1 (%2)
+%3</source>
+        <translation>%1 (%2)
+%3</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::MotionDialog</name>
+    <message>
+        <source>Cavity</source>
+        <translation>Cavitat</translation>
+    </message>
+    <message>
+        <source>Tissue around cavities</source>
+        <translation>Teixit al voltant de cavitats</translation>
+    </message>
+    <message>
+        <source>Use</source>
+        <translation>Usa</translation>
+    </message>
+    <message>
+        <source>Leave out</source>
+        <translation>Omet</translation>
+    </message>
+    <message>
+        <source>Motion from a series</source>
+        <translation>Moviment a partir d’una sèrie</translation>
+    </message>
+    <message>
+        <source>More</source>
+        <translation>Més</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Tanca</translation>
+    </message>
+    <message>
+        <source>Find the motion</source>
+        <translation>Troba el moviment</translation>
+    </message>
+    <message>
+        <source>Turns one organ, given in several phases of a cycle, into handles and a recorded sequence with a key for each phase. Choose surfaces or label maps, one file for each phase, or one file of several volumes. The result replaces the open organs; Undo brings them back.</source>
+        <translation>Converteix un òrgan, donat en diverses fases d’un cicle, en tiradors i una seqüència enregistrada amb una clau per a cada fase. Trieu superfícies o mapes d’etiquetes, un fitxer per fase, o un fitxer de diversos volums. El resultat substitueix els òrgans oberts; Desfés els recupera.</translation>
+    </message>
+    <message>
+        <source>Folder...</source>
+        <translation>Carpeta...</translation>
+    </message>
+    <message>
+        <source>Files...</source>
+        <translation>Fitxers...</translation>
+    </message>
+    <message>
+        <source>All phases, or one 4D NIfTI or .seq.nrrd</source>
+        <translation>Totes les fases, o un NIfTI 4D o .seq.nrrd</translation>
+    </message>
+    <message>
+        <source>Surfaces of the series</source>
+        <translation>Superfícies de la sèrie</translation>
+    </message>
+    <message>
+        <source> ms</source>
+        <translation> ms</translation>
+    </message>
+    <message>
+        <source>Length of one whole cycle: the number of phases times the step between them</source>
+        <translation>Durada d’un cicle sencer: el nombre de fases per l’interval entre elles</translation>
+    </message>
+    <message>
+        <source>One cycle lasts</source>
+        <translation>Un cicle dura</translation>
+    </message>
+    <message>
+        <source>The last phase leads back to the first</source>
+        <translation>L’última fase torna a la primera</translation>
+    </message>
+    <message>
+        <source>60 or 120</source>
+        <translation>60 o 120</translation>
+    </message>
+    <message>
+        <source>60 for one surface, 120 for several. More follow the surfaces more closely</source>
+        <translation>60 per a una superfície, 120 per a diverses. Amb més se segueixen millor les superfícies</translation>
+    </message>
+    <message>
+        <source>Handles</source>
+        <translation>Tiradors</translation>
+    </message>
+    <message>
+        <source>Keep the measured volumes exactly</source>
+        <translation>Mantén exactament els volums mesurats</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>All alike</source>
+        <translation>Totes igual</translation>
+    </message>
+    <message>
+        <source>Larger distances count less: for label maps with outliers</source>
+        <translation>Les distàncies grans compten menys: per a mapes d’etiquetes amb valors atípics</translation>
+    </message>
+    <message>
+        <source>Distances count less beyond</source>
+        <translation>Les distàncies compten menys a partir de</translation>
+    </message>
+    <message>
+        <source>None; as in 3, 7</source>
+        <translation>Cap; p. ex. 3, 7</translation>
+    </message>
+    <message>
+        <source>Leave out phases</source>
+        <translation>Omet les fases</translation>
+    </message>
+    <message>
+        <source>Folder with a series</source>
+        <translation>Carpeta amb una sèrie</translation>
+    </message>
+    <message>
+        <source>Phases of a series</source>
+        <translation>Fases d’una sèrie</translation>
+    </message>
+    <message>
+        <source>Reading the series</source>
+        <translation>Es llegeix la sèrie</translation>
+    </message>
+    <message>
+        <source>One image has no motion of its own. Open it (File &gt; Open), and Fit a sequence to an organ in Play mode lets the heart and its chambers beat as the textbook&apos;s.</source>
+        <translation>Una sola imatge no té moviment propi. Obriu-la (Fitxer &gt; Obre); «Ajusta una seqüència a un òrgan» en el mode Reprodueix fa bategar el cor i les seves cavitats com al llibre.</translation>
+    </message>
+    <message>
+        <source>Label</source>
+        <translation>Etiqueta</translation>
+    </message>
+    <message>
+        <source>Surface</source>
+        <translation>Superfície</translation>
+    </message>
+    <message>
+        <source>What it is</source>
+        <translation>Què és</translation>
+    </message>
+    <message>
+        <source>Label %1; a double click gives the surface another name</source>
+        <translation>Etiqueta %1; un doble clic canvia el nom de la superfície</translation>
+    </message>
+    <message>
+        <source>What %1 is</source>
+        <translation>Què és %1</translation>
+    </message>
+    <message>
+        <source>%1 a minute</source>
+        <translation>%1 per minut</translation>
+    </message>
+    <message>
+        <source>The files do not state it</source>
+        <translation>Els fitxers no ho indiquen</translation>
+    </message>
+    <message>
+        <source>No series is chosen.</source>
+        <translation>No s’ha triat cap sèrie.</translation>
+    </message>
+    <message>
+        <source>Reading %1 ...</source>
+        <translation>Es llegeix %1 ...</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1: label maps, %n {phase|phases}</source>
+        <translation>
+            <numerusform>%1: mapes d’etiquetes, %n fase</numerusform>
+            <numerusform>%1: mapes d’etiquetes, %n fases</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1: surfaces, %n {phase|phases}</source>
+        <translation>
+            <numerusform>%1: superfícies, %n fase</numerusform>
+            <numerusform>%1: superfícies, %n fases</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Working...</source>
+        <translation>En curs...</translation>
+    </message>
+    <message>
+        <source>Enter the length of one cycle first</source>
+        <translation>Introduïu primer la durada d’un cicle</translation>
+    </message>
+    <message>
+        <source>Heart</source>
+        <translation>Cor</translation>
+    </message>
+    <message>
+        <source>Outer surface</source>
+        <translation>Superfície externa</translation>
+    </message>
+    <message>
+        <source>%1 is not a phase</source>
+        <translation>%1 no és una fase</translation>
+    </message>
+    <message>
+        <source>name phases by their numbers, counted from 1, as in 3, 7</source>
+        <translation>indiqueu les fases amb el número, comptant des d’1, p. ex. 3, 7</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::NumbersTable</name>
+    <message>
+        <source>Numbers of the circulation</source>
+        <translation>Valors de la circulació</translation>
+    </message>
+    <message>
+        <source>now</source>
+        <translation>ara</translation>
+    </message>
+    <message>
+        <source>before</source>
+        <translation>abans</translation>
+    </message>
+    <message>
+        <source>normal</source>
+        <translation>normal</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::OrganCheck</name>
+    <message>
+        <source>%1 x %2 x %3 mm</source>
+        <translation>%1 x %2 x %3 mm</translation>
+    </message>
+    <message>
+        <source>%1, open</source>
+        <translation>%1, oberta</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>Import this organ</source>
+        <translation>Importa aquest òrgan</translation>
+    </message>
+    <message>
+        <source>%1 · %2</source>
+        <translation>%1 · %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {check|checks} passed</source>
+        <translation>
+            <numerusform>%n comprovació superada</numerusform>
+            <numerusform>%n comprovacions superades</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Done: %1</source>
+        <translation>Fet: %1</translation>
+    </message>
+    <message>
+        <source>More repairs</source>
+        <translation>Més reparacions</translation>
+    </message>
+    <message>
+        <source>As in the file</source>
+        <translation>Com al fitxer</translation>
+    </message>
+    <message>
+        <source>Undo the repairs of this organ</source>
+        <translation>Desfés les reparacions d’aquest òrgan</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::OrganPanel</name>
+    <message>
+        <source>Opacity</source>
+        <translation>Opacitat</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>No organ yet.
+Open a file (Ctrl+O), drop one here, or take a sample organ from the menu.</source>
+        <translation>Encara no hi ha cap òrgan.
+Obriu un fitxer (Ctrl+O), deixeu-ne anar un aquí o agafeu un òrgan de mostra del menú.</translation>
+    </message>
+    <message>
+        <source>Find an organ (Ctrl+F)</source>
+        <translation>Cerca un òrgan (Ctrl+F)</translation>
+    </message>
+    <message>
+        <source>Change opacity</source>
+        <translation>Canvia l’opacitat</translation>
+    </message>
+    <message>
+        <source>Show &amp;only this</source>
+        <translation>Mostra &amp;només aquest</translation>
+    </message>
+    <message>
+        <source>Show the chosen organs with their cavities and hide all others</source>
+        <translation>Mostra els òrgans triats amb les seves cavitats i amaga tots els altres</translation>
+    </message>
+    <message>
+        <source>&amp;Hide this</source>
+        <translation>&amp;Amaga’l</translation>
+    </message>
+    <message>
+        <source>Hide the chosen organs</source>
+        <translation>Amaga els òrgans triats</translation>
+    </message>
+    <message>
+        <source>Hide</source>
+        <translation>Amaga</translation>
+    </message>
+    <message>
+        <source>Show &amp;all</source>
+        <translation>Mostra’ls &amp;tots</translation>
+    </message>
+    <message>
+        <source>Show every organ</source>
+        <translation>Mostra tots els òrgans</translation>
+    </message>
+    <message>
+        <source>Show all</source>
+        <translation>Mostra’ls tots</translation>
+    </message>
+    <message>
+        <source>&amp;Find an organ</source>
+        <translation>&amp;Cerca un òrgan</translation>
+    </message>
+    <message>
+        <source>Type a part of its name</source>
+        <translation>Escriviu una part del nom</translation>
+    </message>
+    <message>
+        <source>Re&amp;name organ</source>
+        <translation>Canvia el &amp;nom de l’òrgan</translation>
+    </message>
+    <message>
+        <source>&amp;Remove organ</source>
+        <translation>&amp;Elimina l’òrgan</translation>
+    </message>
+    <message>
+        <source>Hide all of them (click)</source>
+        <translation>Amaga’ls tots (clic)</translation>
+    </message>
+    <message>
+        <source>Show all of them (click)</source>
+        <translation>Mostra’ls tots (clic)</translation>
+    </message>
+    <message>
+        <source>Hide (click)</source>
+        <translation>Amaga (clic)</translation>
+    </message>
+    <message>
+        <source>Show (click)</source>
+        <translation>Mostra (clic)</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1
+%n {triangle|triangles}</source>
+        <translation>
+            <numerusform>%1
+%n triangle</numerusform>
+            <numerusform>%1
+%n triangles</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>
+Double click or F2 renames; a click on the square changes the colour</source>
+        <translation>
+Doble clic o F2 canvia el nom; un clic al quadrat canvia el color</translation>
+    </message>
+    <message>
+        <source>An open surface has no volume to lock; click to close its holes</source>
+        <translation>Una superfície oberta no té volum per bloquejar; feu clic per tancar-ne els forats</translation>
+    </message>
+    <message>
+        <source>The volume is locked: Deform mode keeps it (click or K to unlock)</source>
+        <translation>El volum està bloquejat: el mode Deforma el manté (clic o K per desbloquejar-lo)</translation>
+    </message>
+    <message>
+        <source>Lock the volume (click or K)</source>
+        <translation>Bloqueja el volum (clic o K)</translation>
+    </message>
+    <message>
+        <source>
+This is the volume within the outer surface; cavities have locks of their own</source>
+        <translation>
+És el volum dins de la superfície externa; les cavitats tenen bloquejos propis</translation>
+    </message>
+    <message>
+        <source>
+This is the volume of the cavity; the wall around it has a lock of its own</source>
+        <translation>
+És el volum de la cavitat; la paret que l’envolta té un bloqueig propi</translation>
+    </message>
+    <message>
+        <source>open</source>
+        <translation>oberta</translation>
+    </message>
+    <message>
+        <source>An open surface encloses no volume</source>
+        <translation>Una superfície oberta no tanca cap volum</translation>
+    </message>
+    <message>
+        <source>%1 in the reference shape, %2 (%3) now</source>
+        <translation>%1 en la forma de referència, %2 (%3) ara</translation>
+    </message>
+    <message>
+        <source>Show only this</source>
+        <translation>Mostra només aquest</translation>
+    </message>
+    <message>
+        <source>Show</source>
+        <translation>Mostra</translation>
+    </message>
+    <message>
+        <source>Colour...</source>
+        <translation>Color...</translation>
+    </message>
+    <message>
+        <source>The organ&apos;s own colours</source>
+        <translation>Colors propis de l’òrgan</translation>
+    </message>
+    <message>
+        <source>Unlock volume</source>
+        <translation>Desbloqueja el volum</translation>
+    </message>
+    <message>
+        <source>Lock volume</source>
+        <translation>Bloqueja el volum</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::PanelDock</name>
+    <message>
+        <source>Float or dock the panel %1</source>
+        <translation>Fes flotar o acobla el panell %1</translation>
+    </message>
+    <message>
+        <source>Hide the panel %1 (the View menu shows it again)</source>
+        <translation>Amaga el panell %1 (el menú Visualitza el torna a mostrar)</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::PatientOffer</name>
+    <message>
+        <source>Searching beside %1</source>
+        <translation>Se cerca al costat de %1</translation>
+    </message>
+    <message>
+        <source>Beside %1 lies the scan %2.</source>
+        <translation>Al costat de %1 hi ha l’exploració %2.</translation>
+    </message>
+    <message>
+        <source>Beside %1 lies the label map %2.</source>
+        <translation>Al costat de %1 hi ha el mapa d’etiquetes %2.</translation>
+    </message>
+    <message>
+        <source>Open the scan</source>
+        <translation>Obre l’exploració</translation>
+    </message>
+    <message>
+        <source>Open its organs</source>
+        <translation>Obre’n els òrgans</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::PersonBox</name>
+    <message>
+        <source>Women and men</source>
+        <translation>Dones i homes</translation>
+    </message>
+    <message>
+        <source>Women</source>
+        <translation>Dones</translation>
+    </message>
+    <message>
+        <source>Men</source>
+        <translation>Homes</translation>
+    </message>
+    <message>
+        <source>Whose normal ranges are shown</source>
+        <translation>De qui es mostren els intervals normals</translation>
+    </message>
+    <message>
+        <source> m²</source>
+        <translation> m²</translation>
+    </message>
+    <message>
+        <source>any body size</source>
+        <translation>qualsevol mida corporal</translation>
+    </message>
+    <message>
+        <source>Body surface area: ranges that the source gives per square metre are scaled by it</source>
+        <translation>Superfície corporal: escala els intervals que la font dona per metre quadrat</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::PhaseScrubber</name>
+    <message>
+        <source>Instant of the cycle</source>
+        <translation>Instant del cicle</translation>
+    </message>
+    <message>
+        <source>%1, %2 ms</source>
+        <translation>%1, %2 ms</translation>
+    </message>
+    <message>
+        <source>Drag, or use the arrow keys</source>
+        <translation>Arrossegueu, o feu servir les fletxes</translation>
+    </message>
+    <message>
+        <source>%1
+%2</source>
+        <translation>%1
+%2</translation>
+    </message>
+    <message>
+        <source>%1 %2 ms</source>
+        <translation>%1 %2 ms</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::PlayMode</name>
+    <message>
+        <source>Play</source>
+        <translation>Reprodueix</translation>
+    </message>
+    <message>
+        <source>Space plays or pauses; drag the timeline to look at one instant</source>
+        <translation>Espai reprodueix o posa en pausa; arrossegueu la línia de temps per veure un instant</translation>
+    </message>
+    <message>
+        <source>Slow &amp;motion</source>
+        <translation>Càmera &amp;lenta</translation>
+    </message>
+    <message>
+        <source>Slower, down to a tenth; then real time again</source>
+        <translation>Més lent, fins a una dècima; després torna al temps real</translation>
+    </message>
+    <message>
+        <source>&amp;Chart of one cycle</source>
+        <translation>&amp;Gràfic d’un cicle</translation>
+    </message>
+    <message>
+        <source>Draw one cycle with a cursor instead of the last seconds</source>
+        <translation>Dibuixa un cicle amb un cursor en comptes dels últims segons</translation>
+    </message>
+    <message>
+        <source>&amp;ECG, sounds and valves</source>
+        <translation>&amp;ECG, sorolls i vàlvules</translation>
+    </message>
+    <message>
+        <source>Under the phases of a heart: a schematic electrocardiogram, S1 and S2, and which valves are open</source>
+        <translation>Sota les fases d’un cor: un electrocardiograma esquemàtic, S1 i S2, i quines vàlvules són obertes</translation>
+    </message>
+    <message>
+        <source>&amp;Valves and flow</source>
+        <translation>&amp;Vàlvules i flux</translation>
+    </message>
+    <message>
+        <source>In the beating sample heart: leaflets as far open as the valves are, and an arrow where blood flows, as thick as the opening and as long as the blood is fast</source>
+        <translation>En el cor de mostra que batega: valves tan obertes com les vàlvules i una fletxa on flueix sang, tan gruixuda com l’obertura i tan llarga com ràpida és la sang</translation>
+    </message>
+    <message>
+        <source>Record a &amp;key</source>
+        <translation>Enregistra una &amp;clau</translation>
+    </message>
+    <message>
+        <source>Ctrl+K</source>
+        <translation>Ctrl+K</translation>
+    </message>
+    <message>
+        <source>Add the present pose to the recorded sequence</source>
+        <translation>Afegeix la postura actual a la seqüència enregistrada</translation>
+    </message>
+    <message>
+        <source>Motion from a ser&amp;ies...</source>
+        <translation>Moviment a partir d’una &amp;sèrie...</translation>
+    </message>
+    <message>
+        <source>Compute a patient&apos;s own motion from surfaces or label maps of each phase of the cycle</source>
+        <translation>Calcula el moviment propi d’un pacient a partir de superfícies o mapes d’etiquetes de cada fase del cicle</translation>
+    </message>
+    <message>
+        <source>Compare two &amp;rates</source>
+        <translation>Compara dues &amp;freqüències</translation>
+    </message>
+    <message>
+        <source>Ctrl+2</source>
+        <translation>Ctrl+2</translation>
+    </message>
+    <message>
+        <source>Show the same organs beside these at another rate, or with the circulation kept as before</source>
+        <translation>Mostra al costat els mateixos òrgans a una altra freqüència, o amb la circulació guardada com a anterior</translation>
+    </message>
+    <message>
+        <source>Compare &amp;coordinates</source>
+        <translation>Compara &amp;coordenades</translation>
+    </message>
+    <message>
+        <source>Ctrl+3</source>
+        <translation>Ctrl+3</translation>
+    </message>
+    <message>
+        <source>Show the same organs and handles beside these with another coordinate system</source>
+        <translation>Mostra al costat els mateixos òrgans i tiradors amb un altre sistema de coordenades</translation>
+    </message>
+    <message>
+        <source>Compare with another &amp;organ...</source>
+        <translation>Compara amb un altre ò&amp;rgan...</translation>
+    </message>
+    <message>
+        <source>Open files in a second view beside these organs</source>
+        <translation>Obre fitxers en una segona vista al costat d’aquests òrgans</translation>
+    </message>
+    <message>
+        <source>Compare with the te&amp;xtbook&apos;s heart</source>
+        <translation>Compara amb el cor de &amp;llibre</translation>
+    </message>
+    <message>
+        <source>Show the sample heart with its textbook beat beside these organs, at their rate</source>
+        <translation>Mostra el cor de mostra amb el batec de llibre al costat d’aquests òrgans, a la mateixa freqüència</translation>
+    </message>
+    <message>
+        <source>&amp;One view</source>
+        <translation>&amp;Una vista</translation>
+    </message>
+    <message>
+        <source>Ctrl+1</source>
+        <translation>Ctrl+1</translation>
+    </message>
+    <message>
+        <source>Close the second view</source>
+        <translation>Tanca la segona vista</translation>
+    </message>
+    <message>
+        <source>&amp;Pressures and loops</source>
+        <translation>&amp;Pressions i bucles</translation>
+    </message>
+    <message>
+        <source>Where a circulation moves the heart, show its curves below the view instead of the volumes</source>
+        <translation>Si una circulació mou el cor, mostra’n les corbes sota la vista en comptes dels volums</translation>
+    </message>
+    <message>
+        <source>Keep as &amp;before</source>
+        <translation>Guarda com a &amp;anterior</translation>
+    </message>
+    <message>
+        <source>Ctrl+B</source>
+        <translation>Ctrl+B</translation>
+    </message>
+    <message>
+        <source>Keep this circulation to compare with: dashed loops and a second column of numbers</source>
+        <translation>Guarda aquesta circulació per comparar-hi: bucles discontinus i una segona columna de valors</translation>
+    </message>
+    <message>
+        <source>For&amp;get</source>
+        <translation>&amp;Oblida</translation>
+    </message>
+    <message>
+        <source>Compare with nothing</source>
+        <translation>No comparis amb res</translation>
+    </message>
+    <message>
+        <source>Organ &amp;labels</source>
+        <translation>Etiqu&amp;etes dels òrgans</translation>
+    </message>
+    <message>
+        <source>Write names beside the organs</source>
+        <translation>Escriu els noms al costat dels òrgans</translation>
+    </message>
+    <message>
+        <source>See &amp;through</source>
+        <translation>&amp;Transparent</translation>
+    </message>
+    <message>
+        <source>Make the wall translucent, so that the cavities are seen</source>
+        <translation>Fa translúcida la paret perquè es vegin les cavitats</translation>
+    </message>
+    <message>
+        <source>See through</source>
+        <translation>Transparent</translation>
+    </message>
+    <message>
+        <source>Close the wall</source>
+        <translation>Paret opaca</translation>
+    </message>
+    <message>
+        <source>Key at %1 s</source>
+        <translation>Clau a %1 s</translation>
+    </message>
+    <message>
+        <source>Recorded as %1</source>
+        <translation>Enregistrat com a %1</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::PlayPage</name>
+    <message>
+        <source>Look</source>
+        <translation>Aspecte</translation>
+    </message>
+    <message>
+        <source>Sequence</source>
+        <translation>Seqüència</translation>
+    </message>
+    <message>
+        <source>Rate</source>
+        <translation>Freqüència</translation>
+    </message>
+    <message>
+        <source>Phase</source>
+        <translation>Fase</translation>
+    </message>
+    <message>
+        <source>What moves the heart</source>
+        <translation>Què mou el cor</translation>
+    </message>
+    <message>
+        <source>Over the cycle</source>
+        <translation>Al llarg del cicle</translation>
+    </message>
+    <message>
+        <source>max</source>
+        <translation>màx</translation>
+    </message>
+    <message>
+        <source>min</source>
+        <translation>mín</translation>
+    </message>
+    <message>
+        <source>SV</source>
+        <translation>VS</translation>
+    </message>
+    <message>
+        <source>EF</source>
+        <translation>FE</translation>
+    </message>
+    <message>
+        <source>Volumes in ml. SV is the stroke volume, EF the ejection fraction.</source>
+        <translation>Volums en ml. VS és el volum sistòlic, FE la fracció d’ejecció.</translation>
+    </message>
+    <message>
+        <source>Ejection fraction</source>
+        <translation>Fracció d’ejecció</translation>
+    </message>
+    <message>
+        <source>Stroke volume</source>
+        <translation>Volum sistòlic</translation>
+    </message>
+    <message>
+        <source>Cardiac output</source>
+        <translation>Cabal cardíac</translation>
+    </message>
+    <message>
+        <source>Circulation of this heart</source>
+        <translation>Circulació d’aquest cor</translation>
+    </message>
+    <message>
+        <source>Finds pressures, loops and sounds for the volume and the ejection fraction of this left ventricle. The organ keeps its own motion.</source>
+        <translation>Calcula pressions, bucles i sorolls per al volum i la fracció d’ejecció d’aquest ventricle esquerre. L’òrgan conserva el seu propi moviment.</translation>
+    </message>
+    <message>
+        <source>Record a movie</source>
+        <translation>Enregistra un vídeo</translation>
+    </message>
+    <message>
+        <source>Prescribe a volume</source>
+        <translation>Prescriu un volum</translation>
+    </message>
+    <message>
+        <source>Record a sequence</source>
+        <translation>Enregistra una seqüència</translation>
+    </message>
+    <message>
+        <source>Fit a sequence to an organ</source>
+        <translation>Ajusta una seqüència a un òrgan</translation>
+    </message>
+    <message>
+        <source>%1 / min, one cycle %2 s</source>
+        <translation>%1 / min, un cicle %2 s</translation>
+    </message>
+    <message>
+        <source>A: %1</source>
+        <translation>A: %1</translation>
+    </message>
+    <message>
+        <source>B: %1</source>
+        <translation>B: %1</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>%1 %2 (%3 - %4)</source>
+        <translation>%1 %2 (%3 - %4)</translation>
+    </message>
+    <message>
+        <source>%1, measured on the surfaces. Healthy adults: %2</source>
+        <translation>%1, mesurat a les superfícies. Adults sans: %2</translation>
+    </message>
+    <message>
+        <source>%1 ml</source>
+        <translation>%1 ml</translation>
+    </message>
+    <message>
+        <source>%1 l/min</source>
+        <translation>%1 l/min</translation>
+    </message>
+    <message>
+        <source>%1 %2 - %3 %4</source>
+        <translation>%1 %2 - %3 %4</translation>
+    </message>
+    <message>
+        <source>%</source>
+        <translation>%</translation>
+    </message>
+    <message>
+        <source>ml</source>
+        <translation>ml</translation>
+    </message>
+    <message>
+        <source>%1: %2; %3</source>
+        <translation>%1: %2; %3</translation>
+    </message>
+    <message>
+        <source>Normal for %1: %2.</source>
+        <translation>Normal per a %1: %2.</translation>
+    </message>
+    <message>
+        <source>, </source>
+        <translation>, </translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::Playback</name>
+    <message>
+        <source>%1 moves its own handles, and these are different.</source>
+        <translation>%1 mou els seus propis tiradors, i aquests són diferents.</translation>
+    </message>
+    <message>
+        <source>Use its handles</source>
+        <translation>Fes servir els seus</translation>
+    </message>
+    <message>
+        <source>Use the sequence&apos;s handles</source>
+        <translation>Fes servir els tiradors de la seqüència</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::PoseEditor</name>
+    <message>
+        <source>Move handle %1</source>
+        <translation>Mou el tirador %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>Move %n {handle|handles}</source>
+        <translation>
+            <numerusform>Mou %n tirador</numerusform>
+            <numerusform>Mou %n tiradors</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Reset %n {handle|handles}</source>
+        <translation>
+            <numerusform>Restableix %n tirador</numerusform>
+            <numerusform>Restableix %n tiradors</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The handles could not move back all the way: %1.</source>
+        <translation>Els tiradors no han pogut tornar del tot: %1.</translation>
+    </message>
+    <message>
+        <source>Volume %1</source>
+        <translation>Volum de %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 is open (%n boundary {edge|edges}), so it has no volume that could be locked.</source>
+        <translation>
+            <numerusform>%1 és una superfície oberta (%n aresta de vora): no té volum per bloquejar.</numerusform>
+            <numerusform>%1 és una superfície oberta (%n arestes de vora): no té volum per bloquejar.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Close the holes and lock</source>
+        <translation>Tanca els forats i bloqueja</translation>
+    </message>
+    <message>
+        <source>Close holes and lock volume</source>
+        <translation>Tanca els forats i bloqueja el volum</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::PositionBox</name>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation>Esquerra</translation>
+    </message>
+    <message>
+        <source>Posterior</source>
+        <translation>Posterior</translation>
+    </message>
+    <message>
+        <source>Superior</source>
+        <translation>Superior</translation>
+    </message>
+    <message>
+        <source>No handle is selected. Click one in the view or in the list.</source>
+        <translation>No hi ha cap tirador seleccionat. Feu clic en un a la vista o a la llista.</translation>
+    </message>
+    <message>
+        <source>Handle %1</source>
+        <translation>Tirador %1</translation>
+    </message>
+    <message>
+        <source>, %1 mm from rest</source>
+        <translation>, a %1 mm del repòs</translation>
+    </message>
+    <message>
+        <source>, locked</source>
+        <translation>, bloquejat</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::ProbeCard</name>
+    <message>
+        <source>Close (Esc)</source>
+        <translation>Tanca (Esc)</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Tanca</translation>
+    </message>
+    <message>
+        <source>In the patient&apos;s axes, mm; left, posterior and superior count up</source>
+        <translation>En els eixos del pacient, mm; esquerra, posterior i superior són positius</translation>
+    </message>
+    <message>
+        <source>Witness %1</source>
+        <translation>Testimoni %1</translation>
+    </message>
+    <message>
+        <source>Surface point %1</source>
+        <translation>Punt de superfície %1</translation>
+    </message>
+    <message>
+        <source>At rest %1, %2, %3 mm</source>
+        <translation>En repòs %1, %2, %3 mm</translation>
+    </message>
+    <message>
+        <source>L</source>
+        <translation>L</translation>
+    </message>
+    <message>
+        <source>R</source>
+        <translation>R</translation>
+    </message>
+    <message>
+        <source>P</source>
+        <translation>P</translation>
+    </message>
+    <message>
+        <source>A</source>
+        <translation>A</translation>
+    </message>
+    <message>
+        <source>S</source>
+        <translation>S</translation>
+    </message>
+    <message>
+        <source>I</source>
+        <translation>I</translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation>sí</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>no</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <translation>%1 %2</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::QuizTool</name>
+    <message>
+        <source>Click: %1</source>
+        <translation>Feu clic a: %1</translation>
+    </message>
+    <message>
+        <source>All %1 found without a mistake.</source>
+        <translation>S’han trobat totes (%1) sense cap error.</translation>
+    </message>
+    <message numerus="yes">
+        <source>All %1 found, with %n {mistake|mistakes}.</source>
+        <translation>
+            <numerusform>S’han trobat totes (%1), amb %n error.</numerusform>
+            <numerusform>S’han trobat totes (%1), amb %n errors.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 de %2</translation>
+    </message>
+    <message>
+        <source>Right: %1</source>
+        <translation>Correcte: %1</translation>
+    </message>
+    <message>
+        <source>No, that is nearer to: %1</source>
+        <translation>No, això és més a prop de: %1</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::RecordBox</name>
+    <message>
+        <source>Kind</source>
+        <translation>Tipus</translation>
+    </message>
+    <message>
+        <source>Choose where to</source>
+        <translation>Tria la destinació</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Fitxer</translation>
+    </message>
+    <message>
+        <source>%1 x %2</source>
+        <translation>%1 x %2</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Mida</translation>
+    </message>
+    <message>
+        <source> / s</source>
+        <translation> / s</translation>
+    </message>
+    <message>
+        <source>Frames</source>
+        <translation>Fotogrames</translation>
+    </message>
+    <message>
+        <source>Cycles</source>
+        <translation>Cicles</translation>
+    </message>
+    <message>
+        <source>Write phase and volumes into it</source>
+        <translation>Escriu-hi la fase i els volums</translation>
+    </message>
+    <message>
+        <source>Table of volumes beside it (.csv)</source>
+        <translation>Taula de volums al costat (.csv)</translation>
+    </message>
+    <message>
+        <source>Cancel the recording</source>
+        <translation>Cancel·la l’enregistrament</translation>
+    </message>
+    <message>
+        <source>Record</source>
+        <translation>Enregistra</translation>
+    </message>
+    <message>
+        <source>Discard the recording</source>
+        <translation>Descarta l’enregistrament</translation>
+    </message>
+    <message>
+        <source>Record what the view shows</source>
+        <translation>Enregistra el que mostra la vista</translation>
+    </message>
+    <message>
+        <source>MP4 and GIF need the program ffmpeg, which is not installed on this computer.</source>
+        <translation>MP4 i GIF necessiten el programa ffmpeg, que no està instal·lat en aquest ordinador.</translation>
+    </message>
+    <message>
+        <source>Folder for the pictures</source>
+        <translation>Carpeta per a les imatges</translation>
+    </message>
+    <message>
+        <source>Record as</source>
+        <translation>Enregistra com a</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::RecordedMotion</name>
+    <message>
+        <source>Record a key at %1 s</source>
+        <translation>Enregistra una clau a %1 s</translation>
+    </message>
+    <message>
+        <source>Use a key&apos;s pose</source>
+        <translation>Usa la postura d’una clau</translation>
+    </message>
+    <message>
+        <source>Sequence saved as %1</source>
+        <translation>Seqüència desada com a %1</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::Recorder</name>
+    <message>
+        <source>Recording %1</source>
+        <translation>S’enregistra %1</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::RecordingStage</name>
+    <message>
+        <source>%1, %2 / min</source>
+        <translation>%1, %2 / min</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::Repairs</name>
+    <message>
+        <source>Face outward</source>
+        <translation>Orienta cap enfora</translation>
+    </message>
+    <message>
+        <source>Fill holes</source>
+        <translation>Omple els forats</translation>
+    </message>
+    <message>
+        <source>Keep the largest piece</source>
+        <translation>Conserva la peça més gran</translation>
+    </message>
+    <message>
+        <source>Remesh</source>
+        <translation>Refés la malla</translation>
+    </message>
+    <message>
+        <source>Mirror left and right</source>
+        <translation>Inverteix esquerra i dreta</translation>
+    </message>
+    <message>
+        <source>It is RAS: turn to LPS</source>
+        <translation>És RAS: converteix a LPS</translation>
+    </message>
+    <message>
+        <source>Y is up: quarter turn</source>
+        <translation>Y és amunt: quart de volta</translation>
+    </message>
+    <message>
+        <source>It is in %1</source>
+        <translation>És en %1</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::ReportExport</name>
+    <message>
+        <source>&amp;Report...</source>
+        <translation>&amp;Informe...</translation>
+    </message>
+    <message>
+        <source>Write pictures, volumes, measurements, stress and motion as PDF or as one HTML page</source>
+        <translation>Escriu imatges, volums, mesures, tensió i moviment en PDF o en una sola pàgina HTML</translation>
+    </message>
+    <message>
+        <source>&amp;Copy as commands</source>
+        <translation>&amp;Copia com a ordres</translation>
+    </message>
+    <message>
+        <source>Copy the session as a script of viscera commands that gives the same result</source>
+        <translation>Copia la sessió com un script d’ordres de viscera que dona el mateix resultat</translation>
+    </message>
+    <message>
+        <source>Report</source>
+        <translation>Informe</translation>
+    </message>
+    <message>
+        <source>report.pdf</source>
+        <translation>report.pdf</translation>
+    </message>
+    <message>
+        <source>PDF documents (*.pdf);;Web pages (*.html)</source>
+        <translation>Documents PDF (*.pdf);;Pàgines web (*.html)</translation>
+    </message>
+    <message>
+        <source>Writing the report</source>
+        <translation>S’escriu l’informe</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1: %n {page|pages}.</source>
+        <translation>
+            <numerusform>%1: %n pàgina.</numerusform>
+            <numerusform>%1: %n pàgines.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Copying as commands</source>
+        <translation>Es copia com a ordres</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {command is|commands are} in the clipboard.</source>
+        <translation>
+            <numerusform>Hi ha %n ordre al porta-retalls.</numerusform>
+            <numerusform>Hi ha %n ordres al porta-retalls.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::ResidualTable</name>
+    <message>
+        <source>largest volume</source>
+        <translation>volum màxim</translation>
+    </message>
+    <message>
+        <source>smallest volume</source>
+        <translation>volum mínim</translation>
+    </message>
+    <message>
+        <source>stroke volume</source>
+        <translation>volum sistòlic</translation>
+    </message>
+    <message>
+        <source>ejection fraction</source>
+        <translation>fracció d’ejecció</translation>
+    </message>
+    <message>
+        <source>output</source>
+        <translation>cabal</translation>
+    </message>
+    <message>
+        <source>Surface whose fit is shown</source>
+        <translation>Superfície de la qual es mostra l’ajust</translation>
+    </message>
+    <message>
+        <source>Measured surface</source>
+        <translation>Superfície mesurada</translation>
+    </message>
+    <message>
+        <source>Distances</source>
+        <translation>Distàncies</translation>
+    </message>
+    <message>
+        <source>Fit of the motion, phase by phase</source>
+        <translation>Ajust del moviment, fase per fase</translation>
+    </message>
+    <message>
+        <source>Phase</source>
+        <translation>Fase</translation>
+    </message>
+    <message>
+        <source>ms</source>
+        <translation>ms</translation>
+    </message>
+    <message>
+        <source>mean mm</source>
+        <translation>mm mitjana</translation>
+    </message>
+    <message>
+        <source>95 % mm</source>
+        <translation>mm 95 %</translation>
+    </message>
+    <message>
+        <source>max mm</source>
+        <translation>mm màx</translation>
+    </message>
+    <message>
+        <source>measured ml</source>
+        <translation>ml mesurats</translation>
+    </message>
+    <message>
+        <source>free ml</source>
+        <translation>ml lliures</translation>
+    </message>
+    <message>
+        <source>fitted ml</source>
+        <translation>ml ajustats</translation>
+    </message>
+    <message>
+        <source>Dice</source>
+        <translation>Dice</translation>
+    </message>
+    <message>
+        <source>flipped</source>
+        <translation>invertits</translation>
+    </message>
+    <message>
+        <source>folded</source>
+        <translation>plegats</translation>
+    </message>
+    <message>
+        <source>steps</source>
+        <translation>passos</translation>
+    </message>
+    <message>
+        <source>A mark shows that the phase needs attention; the row&apos;s tip says why</source>
+        <translation>Una marca indica que la fase requereix atenció; la descripció de la fila diu per què</translation>
+    </message>
+    <message>
+        <source>Time of the phase</source>
+        <translation>Temps de la fase</translation>
+    </message>
+    <message>
+        <source>Distance of the surface from what was measured, by area</source>
+        <translation>Distància de la superfície al que es va mesurar, per àrea</translation>
+    </message>
+    <message>
+        <source>Below this distance are 95 % of the area</source>
+        <translation>El 95 % de l’àrea és per sota d’aquesta distància</translation>
+    </message>
+    <message>
+        <source>The largest distance</source>
+        <translation>La distància més gran</translation>
+    </message>
+    <message>
+        <source>Volume that was measured</source>
+        <translation>Volum mesurat</translation>
+    </message>
+    <message>
+        <source>Volume of the fit before volumes were kept</source>
+        <translation>Volum de l’ajust abans de mantenir els volums</translation>
+    </message>
+    <message>
+        <source>Volume of the fit</source>
+        <translation>Volum de l’ajust</translation>
+    </message>
+    <message>
+        <source>How well the voxels agree: 1 for all</source>
+        <translation>Com coincideixen els vòxels: 1 si coincideixen tots</translation>
+    </message>
+    <message>
+        <source>Triangles that face the wrong way</source>
+        <translation>Triangles orientats al revés</translation>
+    </message>
+    <message>
+        <source>Places in the tissue that are folded</source>
+        <translation>Llocs del teixit que estan plegats</translation>
+    </message>
+    <message>
+        <source>Steps that the fit took</source>
+        <translation>Passos que ha necessitat l’ajust</translation>
+    </message>
+    <message>
+        <source>What differs from the series before</source>
+        <translation>Què canvia respecte a la sèrie anterior</translation>
+    </message>
+    <message>
+        <source>before</source>
+        <translation>abans</translation>
+    </message>
+    <message>
+        <source>now</source>
+        <translation>ara</translation>
+    </message>
+    <message>
+        <source>difference</source>
+        <translation>diferència</translation>
+    </message>
+    <message>
+        <source>All surfaces</source>
+        <translation>Totes les superfícies</translation>
+    </message>
+    <message>
+        <source>Compared with the series before</source>
+        <translation>Comparat amb la sèrie anterior</translation>
+    </message>
+    <message>
+        <source>%1: EF %2 %, %3 to %4 ml, %5 l/min</source>
+        <translation>%1: FE %2 %, de %3 a %4 ml, %5 l/min</translation>
+    </message>
+    <message>
+        <source>tissue %1 to %2 ml</source>
+        <translation>teixit de %1 a %2 ml</translation>
+    </message>
+    <message>
+        <source>A session does not keep what was measured. Find the motion again to see it: Sequence &gt; Motion from a series</source>
+        <translation>La sessió no desa el que s’ha mesurat. Calculeu de nou el moviment per veure-ho: Seqüència &gt; Moviment a partir d’una sèrie</translation>
+    </message>
+    <message>
+        <source>The surfaces that were measured in the nearest phase, as glass in the view</source>
+        <translation>Les superfícies mesurades en la fase més propera, com de vidre a la vista</translation>
+    </message>
+    <message>
+        <source>Colours the organs by their distance from what was measured in the nearest phase</source>
+        <translation>Acoloreix els òrgans segons la distància al que es va mesurar en la fase més propera</translation>
+    </message>
+    <message>
+        <source>%1, %2 (%3)</source>
+        <translation>%1, %2 (%3)</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::SampleLoader</name>
+    <message>
+        <source>Sample %1</source>
+        <translation>Mostra: %1</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::ScanActions</name>
+    <message>
+        <source>Soft &amp;tissue</source>
+        <translation>&amp;Teixits tous</translation>
+    </message>
+    <message>
+        <source>&amp;Lung</source>
+        <translation>&amp;Pulmó</translation>
+    </message>
+    <message>
+        <source>&amp;Bone</source>
+        <translation>&amp;Os</translation>
+    </message>
+    <message>
+        <source>B&amp;rain</source>
+        <translation>&amp;Cervell</translation>
+    </message>
+    <message>
+        <source>Li&amp;ver</source>
+        <translation>&amp;Fetge</translation>
+    </message>
+    <message>
+        <source>&amp;Angiography</source>
+        <translation>&amp;Angiografia</translation>
+    </message>
+    <message>
+        <source>&amp;3D view alone</source>
+        <translation>Només la vista &amp;3D</translation>
+    </message>
+    <message>
+        <source>&amp;Four views</source>
+        <translation>&amp;Quatre vistes</translation>
+    </message>
+    <message>
+        <source>&amp;Axial slice</source>
+        <translation>Tall &amp;axial</translation>
+    </message>
+    <message>
+        <source>&amp;Coronal slice</source>
+        <translation>Tall &amp;coronal</translation>
+    </message>
+    <message>
+        <source>&amp;Sagittal slice</source>
+        <translation>Tall &amp;sagital</translation>
+    </message>
+    <message>
+        <source>  phase %1 of %2</source>
+        <translation>  fase %1 de %2</translation>
+    </message>
+    <message>
+        <source>Open a &amp;scan...</source>
+        <translation>Obre una &amp;exploració...</translation>
+    </message>
+    <message>
+        <source>Open a CT or MR beside the organs</source>
+        <translation>Obre una TC o RM al costat dels òrgans</translation>
+    </message>
+    <message>
+        <source>Open a DICOM &amp;series...</source>
+        <translation>Obre una sèrie &amp;DICOM...</translation>
+    </message>
+    <message>
+        <source>Open a folder of DICOM files as a scan</source>
+        <translation>Obre una carpeta de fitxers DICOM com a exploració</translation>
+    </message>
+    <message>
+        <source>C&amp;lose the scan</source>
+        <translation>&amp;Tanca l’exploració</translation>
+    </message>
+    <message>
+        <source>Close the scan; the organs stay</source>
+        <translation>Tanca l’exploració; els òrgans es conserven</translation>
+    </message>
+    <message>
+        <source>A&amp;utomatic</source>
+        <translation>A&amp;utomàtic</translation>
+    </message>
+    <message>
+        <source>Level and width that the scan&apos;s file proposes, or found from its values</source>
+        <translation>Nivell i amplada que proposa el fitxer de l’exploració, o trobats a partir dels valors</translation>
+    </message>
+    <message>
+        <source>Level %1, width %2</source>
+        <translation>Nivell %1, amplada %2</translation>
+    </message>
+    <message>
+        <source>&amp;Contours</source>
+        <translation>&amp;Contorns</translation>
+    </message>
+    <message>
+        <source>Draw the organs&apos; contours on the slices</source>
+        <translation>Dibuixa els contorns dels òrgans als talls</translation>
+    </message>
+    <message>
+        <source>Contours at &amp;rest</source>
+        <translation>Contorns en &amp;repòs</translation>
+    </message>
+    <message>
+        <source>Draw thin contours of the organs at rest as well</source>
+        <translation>Dibuixa també contorns fins dels òrgans en repòs</translation>
+    </message>
+    <message>
+        <source>Slices in the &amp;3D view</source>
+        <translation>Talls a la &amp;vista 3D</translation>
+    </message>
+    <message>
+        <source>&amp;Bend the scan</source>
+        <translation>&amp;Deforma l’exploració</translation>
+    </message>
+    <message>
+        <source>Show the scan as the pose deforms it</source>
+        <translation>Mostra l’exploració tal com la deforma la postura</translation>
+    </message>
+    <message>
+        <source>S&amp;mooth between voxels</source>
+        <translation>&amp;Suavitza entre vòxels</translation>
+    </message>
+    <message>
+        <source>Ma&amp;ximum of thick slices</source>
+        <translation>Mà&amp;xim de talls gruixuts</translation>
+    </message>
+    <message>
+        <source>Instead of their mean</source>
+        <translation>En comptes de la mitjana</translation>
+    </message>
+    <message>
+        <source>&amp;Thickness</source>
+        <translation>&amp;Gruix</translation>
+    </message>
+    <message>
+        <source>Slices of %1 mm</source>
+        <translation>Talls de %1 mm</translation>
+    </message>
+    <message>
+        <source>Thin slices</source>
+        <translation>Talls fins</translation>
+    </message>
+    <message>
+        <source>Open a folder of DICOM files</source>
+        <translation>Obre una carpeta de fitxers DICOM</translation>
+    </message>
+    <message>
+        <source>Open a scan</source>
+        <translation>Obre una exploració</translation>
+    </message>
+    <message>
+        <source>Scans (*.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.dcm);;All files (*)</source>
+        <translation>Exploracions (*.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.dcm);;Tots els fitxers (*)</translation>
+    </message>
+    <message>
+        <source>Reading %1</source>
+        <translation>Es llegeix %1</translation>
+    </message>
+    <message>
+        <source>The folder has several scans. Which one?</source>
+        <translation>La carpeta té diverses exploracions. Quina?</translation>
+    </message>
+    <message>
+        <source>Opening %1</source>
+        <translation>S’obre %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n more: see Scan on the page of Explore.</source>
+        <translation>
+            <numerusform>%n més: vegeu Exploració a la pàgina d’Explora.</numerusform>
+            <numerusform>%n més: vegeu Exploració a la pàgina d’Explora.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::SequenceList</name>
+    <message>
+        <source>Sequences</source>
+        <translation>Seqüències</translation>
+    </message>
+    <message>
+        <source>%1: can be fitted to %2</source>
+        <translation>%1: es pot ajustar a %2</translation>
+    </message>
+    <message>
+        <source>%1: shows the sample organ and plays</source>
+        <translation>%1: mostra l’òrgan de mostra i es reprodueix</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::SessionFiles</name>
+    <message>
+        <source>&amp;New session</source>
+        <translation>Sessió &amp;nova</translation>
+    </message>
+    <message>
+        <source>Start with an empty session</source>
+        <translation>Comença amb una sessió buida</translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>&amp;Desa</translation>
+    </message>
+    <message>
+        <source>Save the session</source>
+        <translation>Desa la sessió</translation>
+    </message>
+    <message>
+        <source>Save &amp;as...</source>
+        <translation>&amp;Anomena i desa...</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+S</source>
+        <translation>Ctrl+Shift+S</translation>
+    </message>
+    <message>
+        <source>Save the session in another file</source>
+        <translation>Desa la sessió en un altre fitxer</translation>
+    </message>
+    <message>
+        <source>&amp;Recover unsaved work</source>
+        <translation>&amp;Recupera el treball no desat</translation>
+    </message>
+    <message>
+        <source>Open the copy that Viscera kept when it ended without saving</source>
+        <translation>Obre la còpia que Viscera va guardar quan es va tancar sense desar</translation>
+    </message>
+    <message>
+        <source>Viscera</source>
+        <translation>Viscera</translation>
+    </message>
+    <message>
+        <source>Untitled session</source>
+        <translation>Sessió sense títol</translation>
+    </message>
+    <message>
+        <source>Session that names its organs&apos; files</source>
+        <translation>Sessió que enllaça els fitxers dels òrgans</translation>
+    </message>
+    <message>
+        <source>Session with all surfaces and the scan inside</source>
+        <translation>Sessió amb totes les superfícies i l’exploració a dins</translation>
+    </message>
+    <message>
+        <source>session</source>
+        <translation>sessió</translation>
+    </message>
+    <message>
+        <source>Save the session as</source>
+        <translation>Anomena i desa la sessió</translation>
+    </message>
+    <message>
+        <source>Saving %1</source>
+        <translation>Es desa %1</translation>
+    </message>
+    <message>
+        <source>Saved as %1</source>
+        <translation>S’ha desat com a %1</translation>
+    </message>
+    <message>
+        <source>Save changes?</source>
+        <translation>Voleu desar els canvis?</translation>
+    </message>
+    <message>
+        <source>Save the changes of %1?</source>
+        <translation>Voleu desar els canvis de %1?</translation>
+    </message>
+    <message>
+        <source>Unsaved changes will be lost.</source>
+        <translation>Els canvis no desats es perdran.</translation>
+    </message>
+    <message>
+        <source>&amp;Discard</source>
+        <translation>&amp;Descarta</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation>&amp;Cancel·la</translation>
+    </message>
+    <message>
+        <source>Opening %1</source>
+        <translation>S’obre %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>And %n more.</source>
+        <translation>
+            <numerusform>I %n més.</numerusform>
+            <numerusform>I %n més.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Viscera ended without saving. It has kept a copy of the work of %1.</source>
+        <translation>Viscera es va tancar sense desar. Ha guardat una còpia del treball del %1.</translation>
+    </message>
+    <message>
+        <source>Recover</source>
+        <translation>Recupera</translation>
+    </message>
+    <message>
+        <source>Discard</source>
+        <translation>Descarta</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::SessionView</name>
+    <message>
+        <source>Preparing the motion</source>
+        <translation>Es prepara el moviment</translation>
+    </message>
+    <message>
+        <source>This version moves the organ differently from the one that saved the session: handles differ by up to %1 mm.</source>
+        <translation>Aquesta versió mou l’òrgan de manera diferent de la que va desar la sessió: els tiradors difereixen fins a %1 mm.</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::ShortcutCard</name>
+    <message>
+        <source>Mouse and keys</source>
+        <translation>Ratolí i tecles</translation>
+    </message>
+    <message>
+        <source>Close (Esc)</source>
+        <translation>Tanca (Esc)</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Tanca</translation>
+    </message>
+    <message>
+        <source>Left drag</source>
+        <translation>Arrossegar amb l’esquerre</translation>
+    </message>
+    <message>
+        <source>Rotate, or move a handle</source>
+        <translation>Gira, o mou un tirador</translation>
+    </message>
+    <message>
+        <source>Middle, Shift+left drag</source>
+        <translation>Botó del mig, Maj+esquerre</translation>
+    </message>
+    <message>
+        <source>Pan</source>
+        <translation>Desplaça</translation>
+    </message>
+    <message>
+        <source>Right drag, wheel</source>
+        <translation>Arrossegar amb el dret, roda</translation>
+    </message>
+    <message>
+        <source>Zoom</source>
+        <translation>Zoom</translation>
+    </message>
+    <message>
+        <source>Click</source>
+        <translation>Clic</translation>
+    </message>
+    <message>
+        <source>Select, or add a handle</source>
+        <translation>Selecciona, o afegeix un tirador</translation>
+    </message>
+    <message>
+        <source>Shift or Ctrl+click</source>
+        <translation>Maj o Ctrl+clic</translation>
+    </message>
+    <message>
+        <source>Add to the selection</source>
+        <translation>Afegeix a la selecció</translation>
+    </message>
+    <message>
+        <source>Esc</source>
+        <translation>Esc</translation>
+    </message>
+    <message>
+        <source>Cancel a drag, close a message</source>
+        <translation>Cancel·la l’arrossegament, tanca un missatge</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::SlicePanes</name>
+    <message>
+        <source>The scan cannot be bent: %1</source>
+        <translation>L’exploració no es pot deformar: %1</translation>
+    </message>
+    <message>
+        <source>folded by the pose: estimated</source>
+        <translation>plegat per la postura: estimat</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::SlidePanel</name>
+    <message>
+        <source>Keep views as slides, then show them with F5 and Page Down. The session keeps them.</source>
+        <translation>Guardeu vistes com a diapositives i mostreu-les amb F5 i Av Pàg. La sessió les conserva.</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::Slides</name>
+    <message>
+        <source>&amp;Keep this view as a slide</source>
+        <translation>&amp;Guarda la vista com a diapositiva</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+K</source>
+        <translation>Ctrl+Shift+K</translation>
+    </message>
+    <message>
+        <source>Keep the present view, and the instant of a paused sequence</source>
+        <translation>Guarda la vista actual, i l’instant d’una seqüència en pausa</translation>
+    </message>
+    <message>
+        <source>&amp;Remove the slide</source>
+        <translation>&amp;Elimina la diapositiva</translation>
+    </message>
+    <message>
+        <source>Remove the slide that was shown last</source>
+        <translation>Elimina l’última diapositiva mostrada</translation>
+    </message>
+    <message>
+        <source>&amp;Next slide</source>
+        <translation>Diapositiva següe&amp;nt</translation>
+    </message>
+    <message>
+        <source>&amp;Previous slide</source>
+        <translation>Diapositiva &amp;anterior</translation>
+    </message>
+    <message>
+        <source>Slide %1</source>
+        <translation>Diapositiva %1</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::StatusLine</name>
+    <message>
+        <source>Cancel this task</source>
+        <translation>Cancel·la aquesta tasca</translation>
+    </message>
+    <message>
+        <source>No organ</source>
+        <translation>Cap òrgan</translation>
+    </message>
+    <message>
+        <source>%1: open surface, no volume</source>
+        <translation>%1: superfície oberta, sense volum</translation>
+    </message>
+    <message>
+        <source>%1  %2  (%3, %4)</source>
+        <translation>%1  %2  (%3, %4)</translation>
+    </message>
+    <message>
+        <source>  locked</source>
+        <translation>  bloquejat</translation>
+    </message>
+    <message>
+        <source>no handles</source>
+        <translation>sense tiradors</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {handle|handles}</source>
+        <translation>
+            <numerusform>%n tirador</numerusform>
+            <numerusform>%n tiradors</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>, binding...</source>
+        <translation>, es vincula...</translation>
+    </message>
+    <message>
+        <source>, not bound</source>
+        <translation>, no vinculat</translation>
+    </message>
+    <message>
+        <source>, binding cancelled</source>
+        <translation>, vinculació cancel·lada</translation>
+    </message>
+    <message>
+        <source>, bound in %1 ms</source>
+        <translation>, vinculat en %1 ms</translation>
+    </message>
+    <message>
+        <source>%1, the pose folds %2</source>
+        <translation>%1, la postura plega %2</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::StressChart</name>
+    <message>
+        <source>The stress over time is drawn here while a sequence plays (Space).</source>
+        <translation>La tensió al llarg del temps es dibuixa aquí mentre es reprodueix una seqüència (Espai).</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Temps</translation>
+    </message>
+    <message>
+        <source>Rotational stress</source>
+        <translation>Tensió rotacional</translation>
+    </message>
+    <message>
+        <source>largest</source>
+        <translation>màxima</translation>
+    </message>
+    <message>
+        <source>95th percentile</source>
+        <translation>percentil 95</translation>
+    </message>
+    <message>
+        <source>mean</source>
+        <translation>mitjana</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::StressExport</name>
+    <message>
+        <source>Comma-separated values (*.csv)</source>
+        <translation>Valors separats per comes (*.csv)</translation>
+    </message>
+    <message>
+        <source>Export stress &amp;map...</source>
+        <translation>Exporta el &amp;mapa de tensió...</translation>
+    </message>
+    <message>
+        <source>Write all quantities at all points inside the organ, for ParaView</source>
+        <translation>Escriu totes les magnituds en tots els punts dins de l’òrgan, per a ParaView</translation>
+    </message>
+    <message>
+        <source>Export stress map</source>
+        <translation>Exporta el mapa de tensió</translation>
+    </message>
+    <message>
+        <source>stress.vtu</source>
+        <translation>stress.vtu</translation>
+    </message>
+    <message>
+        <source>VTK solids (*.vtu)</source>
+        <translation>Sòlids VTK (*.vtu)</translation>
+    </message>
+    <message>
+        <source>Export stress at the &amp;points...</source>
+        <translation>Exporta la tensió als &amp;punts...</translation>
+    </message>
+    <message>
+        <source>Write the values at the witness points as a table</source>
+        <translation>Escriu els valors als punts testimoni com a taula</translation>
+    </message>
+    <message>
+        <source>Export stress at the points</source>
+        <translation>Exporta la tensió als punts</translation>
+    </message>
+    <message>
+        <source>stress.csv</source>
+        <translation>stress.csv</translation>
+    </message>
+    <message>
+        <source>Export &amp;histogram...</source>
+        <translation>Exporta l’&amp;histograma...</translation>
+    </message>
+    <message>
+        <source>Write the distribution of the shown quantity over the witness points</source>
+        <translation>Escriu la distribució de la magnitud mostrada sobre els punts testimoni</translation>
+    </message>
+    <message>
+        <source>Export histogram</source>
+        <translation>Exporta l’histograma</translation>
+    </message>
+    <message>
+        <source>histogram.csv</source>
+        <translation>histogram.csv</translation>
+    </message>
+    <message>
+        <source>Export &amp;curve over the sequence...</source>
+        <translation>Exporta la &amp;corba de la seqüència...</translation>
+    </message>
+    <message>
+        <source>Write the rotational stress over one whole cycle of the sequence</source>
+        <translation>Escriu la tensió rotacional durant un cicle sencer de la seqüència</translation>
+    </message>
+    <message>
+        <source>Export curve</source>
+        <translation>Exporta la corba</translation>
+    </message>
+    <message>
+        <source>curve.csv</source>
+        <translation>curve.csv</translation>
+    </message>
+    <message>
+        <source>Exporting %1</source>
+        <translation>S’exporta: %1</translation>
+    </message>
+    <message>
+        <source>Written to %1.</source>
+        <translation>S’ha escrit a %1.</translation>
+    </message>
+    <message>
+        <source>the stress map</source>
+        <translation>el mapa de tensió</translation>
+    </message>
+    <message>
+        <source>the stress</source>
+        <translation>la tensió</translation>
+    </message>
+    <message>
+        <source>the histogram</source>
+        <translation>l’histograma</translation>
+    </message>
+    <message>
+        <source>the curve</source>
+        <translation>la corba</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::StressMode</name>
+    <message>
+        <source>Stress</source>
+        <translation>Tensió</translation>
+    </message>
+    <message>
+        <source>Tissue distortion (rotational stress) by the pose: click it to see its values; C cuts the organ open; drag a handle, the map follows</source>
+        <translation>Distorsió del teixit (tensió rotacional) per la postura: feu-hi clic per veure els valors; C secciona l’òrgan; arrossegueu un tirador i el mapa el segueix</translation>
+    </message>
+    <message>
+        <source>&amp;Next map</source>
+        <translation>Mapa següe&amp;nt</translation>
+    </message>
+    <message>
+        <source>The next stress map</source>
+        <translation>El mapa de tensió següent</translation>
+    </message>
+    <message>
+        <source>&amp;Go to the maximum</source>
+        <translation>&amp;Ves al màxim</translation>
+    </message>
+    <message>
+        <source>Shift+X</source>
+        <translation>Shift+X</translation>
+    </message>
+    <message>
+        <source>Show the values where the map is largest, and cut the organ open there</source>
+        <translation>Mostra els valors on el mapa és màxim, i hi secciona l’òrgan</translation>
+    </message>
+    <message>
+        <source>&amp;Peak over the sequence</source>
+        <translation>&amp;Pic de la seqüència</translation>
+    </message>
+    <message>
+        <source>Shift+M</source>
+        <translation>Shift+M</translation>
+    </message>
+    <message>
+        <source>The largest value that each point reaches in one cycle of the sequence</source>
+        <translation>El valor més gran que assoleix cada punt en un cicle de la seqüència</translation>
+    </message>
+    <message>
+        <source>Map on the organ&apos;s &amp;surface</source>
+        <translation>Mapa a la &amp;superfície de l’òrgan</translation>
+    </message>
+    <message>
+        <source>Draw the map on the organ&apos;s surface instead of the outer tetrahedra</source>
+        <translation>Dibuixa el mapa a la superfície de l’òrgan en comptes dels tetraedres exteriors</translation>
+    </message>
+    <message>
+        <source>&amp;Keep the legend&apos;s range</source>
+        <translation>&amp;Fixa l’escala de la llegenda</translation>
+    </message>
+    <message>
+        <source>Keep the range of colours, so that poses can be compared</source>
+        <translation>Manté l’interval dels colors perquè es puguin comparar postures</translation>
+    </message>
+    <message>
+        <source>&amp;Cut open</source>
+        <translation>&amp;Secciona</translation>
+    </message>
+    <message>
+        <source>Cut the organ open by a plane</source>
+        <translation>Secciona l’òrgan per un pla</translation>
+    </message>
+    <message>
+        <source>&amp;Only beyond a limit</source>
+        <translation>&amp;Només més enllà d’un límit</translation>
+    </message>
+    <message>
+        <source>Show only tissue above or below a limit</source>
+        <translation>Mostra només el teixit per sobre o per sota d’un límit</translation>
+    </message>
+    <message>
+        <source>&amp;Glyphs of the stretch</source>
+        <translation>&amp;Glifs de l’estirament</translation>
+    </message>
+    <message>
+        <source>Shift+G</source>
+        <translation>Shift+G</translation>
+    </message>
+    <message>
+        <source>No glyphs, ellipsoids or crosses</source>
+        <translation>Sense glifs, el·lipsoides o creus</translation>
+    </message>
+    <message>
+        <source>&amp;Handles</source>
+        <translation>&amp;Tiradors</translation>
+    </message>
+    <message>
+        <source>Show the handles, so that they can be dragged</source>
+        <translation>Mostra els tiradors per poder-los arrossegar</translation>
+    </message>
+    <message>
+        <source>O&amp;ther organs</source>
+        <translation>Els al&amp;tres òrgans</translation>
+    </message>
+    <message>
+        <source>Show the other organs as well</source>
+        <translation>Mostra també els altres òrgans</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::StressModel</name>
+    <message>
+        <source>Peak of %1</source>
+        <translation>Pic de: %1</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <translation>%1 %2</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::StressPage</name>
+    <message>
+        <source>TetGen</source>
+        <translation>TetGen</translation>
+    </message>
+    <message>
+        <source>TetGen, surface repaired</source>
+        <translation>TetGen, superfície reparada</translation>
+    </message>
+    <message>
+        <source>regular grid</source>
+        <translation>quadrícula regular</translation>
+    </message>
+    <message>
+        <source>Map</source>
+        <translation>Mapa</translation>
+    </message>
+    <message>
+        <source>What the colours mean (M: next map). Rotational stress is the largest angle by which a direction is turned when the tissue is stretched; it is not a pressure.</source>
+        <translation>Què volen dir els colors (M: mapa següent). La tensió rotacional és l’angle màxim que gira una direcció quan el teixit s’estira; no és una pressió.</translation>
+    </message>
+    <message>
+        <source>Your pose</source>
+        <translation>La vostra postura</translation>
+    </message>
+    <message>
+        <source>The map of your pose; handles can be dragged</source>
+        <translation>El mapa de la vostra postura; es poden arrossegar tiradors</translation>
+    </message>
+    <message>
+        <source>Sequence</source>
+        <translation>Seqüència</translation>
+    </message>
+    <message>
+        <source>The map of the sequence at the timeline&apos;s instant; Space plays</source>
+        <translation>El mapa de la seqüència a l’instant de la línia de temps; Espai reprodueix</translation>
+    </message>
+    <message>
+        <source>Numbers</source>
+        <translation>Valors</translation>
+    </message>
+    <message>
+        <source>Smallest</source>
+        <translation>Mínim</translation>
+    </message>
+    <message>
+        <source>Mean</source>
+        <translation>Mitjana</translation>
+    </message>
+    <message>
+        <source>95th percentile</source>
+        <translation>percentil 95</translation>
+    </message>
+    <message>
+        <source>Largest</source>
+        <translation>Màxim</translation>
+    </message>
+    <message>
+        <source>Folded</source>
+        <translation>Plegats</translation>
+    </message>
+    <message>
+        <source>Witness points at which the tissue is turned inside out; in magenta on every map</source>
+        <translation>Punts testimoni on el teixit està girat del revés; en magenta a tots els mapes</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Exporta</translation>
+    </message>
+    <message>
+        <source>Look inside</source>
+        <translation>Mira a dins</translation>
+    </message>
+    <message>
+        <source>Cut</source>
+        <translation>Secció</translation>
+    </message>
+    <message>
+        <source>Smooth: through the tetrahedra</source>
+        <translation>Llisa: a través dels tetraedres</translation>
+    </message>
+    <message>
+        <source>Crinkle: whole tetrahedra</source>
+        <translation>Irregular: tetraedres sencers</translation>
+    </message>
+    <message>
+        <source>Depth</source>
+        <translation>Profunditat</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>Distance of the cut from the organ&apos;s middle; the arrow in the view moves it, the rim tilts it</source>
+        <translation>Distància de la secció al centre de l’òrgan; a la vista, la fletxa la mou i la vora la inclina</translation>
+    </message>
+    <message>
+        <source>Shown</source>
+        <translation>Visible</translation>
+    </message>
+    <message>
+        <source>Show what is above</source>
+        <translation>Mostra el que és per sobre</translation>
+    </message>
+    <message>
+        <source>Show what is below</source>
+        <translation>Mostra el que és per sota</translation>
+    </message>
+    <message>
+        <source>Limit</source>
+        <translation>Límit</translation>
+    </message>
+    <message>
+        <source>Glyphs</source>
+        <translation>Glifs</translation>
+    </message>
+    <message>
+        <source>No glyphs</source>
+        <translation>Sense glifs</translation>
+    </message>
+    <message>
+        <source>Ellipsoids of the stretch</source>
+        <translation>El·lipsoides de l’estirament</translation>
+    </message>
+    <message>
+        <source>Crosses of the stretch</source>
+        <translation>Creus de l’estirament</translation>
+    </message>
+    <message>
+        <source>The shapes that small balls of tissue take, at about 300 places</source>
+        <translation>Les formes que prenen petites boles de teixit, en uns 300 llocs</translation>
+    </message>
+    <message>
+        <source>Coronal</source>
+        <translation>Coronal</translation>
+    </message>
+    <message>
+        <source>Cut away the front</source>
+        <translation>Retalla la part anterior</translation>
+    </message>
+    <message>
+        <source>Sagittal</source>
+        <translation>Sagital</translation>
+    </message>
+    <message>
+        <source>Cut away the right side</source>
+        <translation>Retalla el costat dret</translation>
+    </message>
+    <message>
+        <source>Axial</source>
+        <translation>Axial</translation>
+    </message>
+    <message>
+        <source>Cut away the upper part</source>
+        <translation>Retalla la part superior</translation>
+    </message>
+    <message>
+        <source>Facing me</source>
+        <translation>De cara a mi</translation>
+    </message>
+    <message>
+        <source>Cut through the middle, across the line of sight</source>
+        <translation>Secciona pel mig, perpendicularment a la línia de visió</translation>
+    </message>
+    <message>
+        <source>Number</source>
+        <translation>Nombre</translation>
+    </message>
+    <message>
+        <source>Number of witness points</source>
+        <translation>Nombre de punts testimoni</translation>
+    </message>
+    <message>
+        <source>More points show finer detail and take longer; up to 20,000 the map follows a drag</source>
+        <translation>Més punts mostren més detall i triguen més; fins a 20.000 el mapa segueix l’arrossegament</translation>
+    </message>
+    <message>
+        <source>Witness points</source>
+        <translation>Punts testimoni</translation>
+    </message>
+    <message>
+        <source>Source</source>
+        <translation>Font</translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation>Punts</translation>
+    </message>
+    <message>
+        <source>Derivatives</source>
+        <translation>Derivades</translation>
+    </message>
+    <message>
+        <source>Try again</source>
+        <translation>Torna-ho a provar</translation>
+    </message>
+    <message>
+        <source>Open an organ to see where it is distorted.</source>
+        <translation>Obriu un òrgan per veure on es distorsiona.</translation>
+    </message>
+    <message>
+        <source>Filling the organ with witness points...</source>
+        <translation>S’omple l’òrgan de punts testimoni...</translation>
+    </message>
+    <message>
+        <source>Binding the witness points to the handles...</source>
+        <translation>Es vinculen els punts testimoni als tiradors...</translation>
+    </message>
+    <message>
+        <source>Cancelled. Press Try again to go on.</source>
+        <translation>Cancel·lat. Premeu Torna-ho a provar per continuar.</translation>
+    </message>
+    <message>
+        <source>%1 in %2 tetrahedra</source>
+        <translation>%1 en %2 tetraedres</translation>
+    </message>
+    <message>
+        <source>closed form</source>
+        <translation>forma tancada</translation>
+    </message>
+    <message>
+        <source>differences</source>
+        <translation>diferències</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {point lies|points lie} outside the handles&apos; hull and stay where they are.</source>
+        <translation>
+            <numerusform>%n punt és fora de l’envolupant dels tiradors i es queda on és.</numerusform>
+            <numerusform>%n punts són fora de l’envolupant dels tiradors i es queden on són.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::SystemBox</name>
+    <message>
+        <source>Coordinates</source>
+        <translation>Coordenades</translation>
+    </message>
+    <message>
+        <source>Coordinate system that binds the organs to the handles</source>
+        <translation>Sistema de coordenades que vincula els òrgans als tiradors</translation>
+    </message>
+    <message>
+        <source>no cage</source>
+        <translation>sense gàbia</translation>
+    </message>
+    <message>
+        <source>Handles may stand anywhere around the organ</source>
+        <translation>Els tiradors poden ser a qualsevol lloc al voltant de l’òrgan</translation>
+    </message>
+    <message>
+        <source>cage</source>
+        <translation>gàbia</translation>
+    </message>
+    <message>
+        <source>Works with a closed surface over the handles: their convex hull, or a cage that was loaded</source>
+        <translation>Treballa amb una superfície tancada sobre els tiradors: l’envolupant convexa, o una gàbia carregada</translation>
+    </message>
+    <message>
+        <source>positive</source>
+        <translation>positives</translation>
+    </message>
+    <message>
+        <source>No handle ever pushes the organ the other way</source>
+        <translation>Cap tirador no empeny mai l’òrgan en sentit contrari</translation>
+    </message>
+    <message>
+        <source>interpolating</source>
+        <translation>interpolants</translation>
+    </message>
+    <message>
+        <source>A point at a handle follows it exactly</source>
+        <translation>Un punt en un tirador el segueix exactament</translation>
+    </message>
+    <message>
+        <source>exact gradient</source>
+        <translation>gradient exacte</translation>
+    </message>
+    <message>
+        <source>Stress is computed without differences</source>
+        <translation>La tensió es calcula sense diferències</translation>
+    </message>
+    <message>
+        <source>gaps</source>
+        <translation>buits</translation>
+    </message>
+    <message>
+        <source>Some points inside the hull have no coordinates and do not move</source>
+        <translation>Alguns punts dins de l’envolupant no tenen coordenades i no es mouen</translation>
+    </message>
+    <message>
+        <source>jumps</source>
+        <translation>salts</translation>
+    </message>
+    <message>
+        <source>Neighbouring points may move very differently</source>
+        <translation>Punts veïns es poden moure de manera molt diferent</translation>
+    </message>
+    <message>
+        <source>kinks</source>
+        <translation>plecs</translation>
+    </message>
+    <message>
+        <source>The deformed organ may show creases</source>
+        <translation>L’òrgan deformat pot mostrar arrugues</translation>
+    </message>
+    <message>
+        <source>groups</source>
+        <translation>grups</translation>
+    </message>
+    <message>
+        <source>Handles act by their groups</source>
+        <translation>Els tiradors actuen per grups</translation>
+    </message>
+    <message>
+        <source>tetrahedra</source>
+        <translation>tetraedres</translation>
+    </message>
+    <message>
+        <source>Fills the organ with tetrahedra first</source>
+        <translation>Primer omple l’òrgan de tetraedres</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <translation>%1 %2</translation>
+    </message>
+    <message>
+        <source>Set to %1 %2, but these handles allow %3 at most, which is used.</source>
+        <translation>Establert a %1 %2, però aquests tiradors permeten com a màxim %3, que és el que s’usa.</translation>
+    </message>
+    <message>
+        <source>These handles allow up to %1.</source>
+        <translation>Aquests tiradors permeten fins a %1.</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::SystemCombo</name>
+    <message>
+        <source>Recommended</source>
+        <translation>Recomanats</translation>
+    </message>
+    <message>
+        <source>With a cage</source>
+        <translation>Amb gàbia</translation>
+    </message>
+    <message>
+        <source>With tetrahedra</source>
+        <translation>Amb tetraedres</translation>
+    </message>
+    <message>
+        <source>Attempts of the thesis</source>
+        <translation>Intents de la tesi</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::TimelineBar</name>
+    <message>
+        <source>To the start of the cycle (Home)</source>
+        <translation>A l’inici del cicle (Inici)</translation>
+    </message>
+    <message>
+        <source>One frame back (,)</source>
+        <translation>Un fotograma enrere (,)</translation>
+    </message>
+    <message>
+        <source>Play or pause (Space)</source>
+        <translation>Reprodueix o pausa (Espai)</translation>
+    </message>
+    <message>
+        <source>One frame forward (.)</source>
+        <translation>Un fotograma endavant (.)</translation>
+    </message>
+    <message>
+        <source>Repeat the cycle (L)</source>
+        <translation>Repeteix el cicle (L)</translation>
+    </message>
+    <message>
+        <source>&amp;Repeat</source>
+        <translation>&amp;Repeteix</translation>
+    </message>
+    <message>
+        <source>Repeat the cycle</source>
+        <translation>Repeteix el cicle</translation>
+    </message>
+    <message>
+        <source>&amp;Play or pause</source>
+        <translation>Re&amp;produeix o pausa</translation>
+    </message>
+    <message>
+        <source>To the &amp;start</source>
+        <translation>A l’&amp;inici</translation>
+    </message>
+    <message>
+        <source>One frame &amp;back</source>
+        <translation>Un fotograma &amp;enrere</translation>
+    </message>
+    <message>
+        <source>One frame &amp;forward</source>
+        <translation>Un fotograma en&amp;davant</translation>
+    </message>
+    <message>
+        <source>A fine step bac&amp;k</source>
+        <translation>Un pas fi enre&amp;re</translation>
+    </message>
+    <message>
+        <source>Shift+,</source>
+        <translation>Shift+,</translation>
+    </message>
+    <message>
+        <source>Ten milliseconds of a heart back, else one frame</source>
+        <translation>Deu mil·lisegons enrere en un cor; si no, un fotograma</translation>
+    </message>
+    <message>
+        <source>A fine step for&amp;ward</source>
+        <translation>Un pas fi enda&amp;vant</translation>
+    </message>
+    <message>
+        <source>Shift+.</source>
+        <translation>Shift+.</translation>
+    </message>
+    <message>
+        <source>Ten milliseconds of a heart forward, else one frame</source>
+        <translation>Deu mil·lisegons endavant en un cor; si no, un fotograma</translation>
+    </message>
+    <message>
+        <source>Rate</source>
+        <translation>Freqüència</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Velocitat</translation>
+    </message>
+    <message>
+        <source>Slow motion: how fast time passes (S)</source>
+        <translation>Càmera lenta: com passa de ràpid el temps (S)</translation>
+    </message>
+    <message>
+        <source>1x</source>
+        <translation>1x</translation>
+    </message>
+    <message>
+        <source>1/%1x</source>
+        <translation>1/%1x</translation>
+    </message>
+    <message>
+        <source>/ min</source>
+        <translation>/ min</translation>
+    </message>
+    <message>
+        <source>%1: %2 to %3 %4</source>
+        <translation>%1: de %2 a %3 %4</translation>
+    </message>
+    <message>
+        <source>No motion yet: choose a sequence in Play (5)</source>
+        <translation>Encara sense moviment: trieu una seqüència a Reprodueix (5)</translation>
+    </message>
+    <message>
+        <source>%1 s into the cycle</source>
+        <translation>a %1 s de l’inici del cicle</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::TourCard</name>
+    <message>
+        <source>Back</source>
+        <translation>Enrere</translation>
+    </message>
+    <message>
+        <source>End the tour</source>
+        <translation>Acaba la visita</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 de %2</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>Següent</translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation>Fet</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::ViewActions</name>
+    <message>
+        <source>Save s&amp;creenshot</source>
+        <translation>Desa una &amp;captura</translation>
+    </message>
+    <message>
+        <source>Save a picture of the 3D view</source>
+        <translation>Desa una imatge de la vista 3D</translation>
+    </message>
+    <message>
+        <source>&amp;Focus</source>
+        <translation>&amp;Enquadra</translation>
+    </message>
+    <message>
+        <source>Bring the selected organ, or all, into the picture</source>
+        <translation>Enquadra l’òrgan seleccionat, o tots</translation>
+    </message>
+    <message>
+        <source>&amp;Anterior</source>
+        <translation>&amp;Anterior</translation>
+    </message>
+    <message>
+        <source>Alt+1</source>
+        <translation>Alt+1</translation>
+    </message>
+    <message>
+        <source>&amp;Posterior</source>
+        <translation>&amp;Posterior</translation>
+    </message>
+    <message>
+        <source>Alt+2</source>
+        <translation>Alt+2</translation>
+    </message>
+    <message>
+        <source>&amp;Left</source>
+        <translation>&amp;Esquerra</translation>
+    </message>
+    <message>
+        <source>Alt+3</source>
+        <translation>Alt+3</translation>
+    </message>
+    <message>
+        <source>&amp;Right</source>
+        <translation>&amp;Dreta</translation>
+    </message>
+    <message>
+        <source>Alt+4</source>
+        <translation>Alt+4</translation>
+    </message>
+    <message>
+        <source>&amp;Superior</source>
+        <translation>&amp;Superior</translation>
+    </message>
+    <message>
+        <source>Alt+5</source>
+        <translation>Alt+5</translation>
+    </message>
+    <message>
+        <source>&amp;Inferior</source>
+        <translation>&amp;Inferior</translation>
+    </message>
+    <message>
+        <source>Alt+6</source>
+        <translation>Alt+6</translation>
+    </message>
+    <message>
+        <source>Show &amp;handles in every mode</source>
+        <translation>Mostra els &amp;tiradors en tots els modes</translation>
+    </message>
+    <message>
+        <source>&amp;Ghost of the reference shape</source>
+        <translation>&amp;Fantasma de la forma de referència</translation>
+    </message>
+    <message>
+        <source>Cut &amp;open</source>
+        <translation>Secci&amp;ona</translation>
+    </message>
+    <message>
+        <source>Shift+C</source>
+        <translation>Shift+C</translation>
+    </message>
+    <message>
+        <source>Cut all organs open by a plane; their cavities are hollow then</source>
+        <translation>Secciona tots els òrgans per un pla; les cavitats es veuen buides</translation>
+    </message>
+    <message>
+        <source>Orientation &amp;cube</source>
+        <translation>&amp;Cub d’orientació</translation>
+    </message>
+    <message>
+        <source>Scale &amp;bar</source>
+        <translation>&amp;Barra d’escala</translation>
+    </message>
+    <message>
+        <source>Sha&amp;de in folds</source>
+        <translation>Om&amp;breja els plecs</translation>
+    </message>
+    <message>
+        <source>Shift+D</source>
+        <translation>Shift+D</translation>
+    </message>
+    <message>
+        <source>Darken the folds of organs and soften the light; takes time on a computer without a graphics processor</source>
+        <translation>Enfosqueix els plecs dels òrgans i suavitza la llum; lent en un ordinador sense processador gràfic</translation>
+    </message>
+    <message>
+        <source>Picture saved as %1</source>
+        <translation>Imatge desada com a %1</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::VolumeBox</name>
+    <message>
+        <source>Apply</source>
+        <translation>Aplica</translation>
+    </message>
+    <message>
+        <source>Target</source>
+        <translation>Objectiu</translation>
+    </message>
+    <message>
+        <source> ml</source>
+        <translation> ml</translation>
+    </message>
+    <message>
+        <source>Target volume</source>
+        <translation>Volum objectiu</translation>
+    </message>
+    <message>
+        <source>Give the organ this volume with the smallest motion of the compensating handles, or of all free ones</source>
+        <translation>Dona a l’òrgan aquest volum amb el mínim moviment dels tiradors compensadors, o de tots els lliures</translation>
+    </message>
+    <message>
+        <source>%1 has the volume that was asked for; from here on its lock keeps that one.</source>
+        <translation>%1 té el volum demanat; a partir d’ara el bloqueig conserva aquest.</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::VolumeMonitor</name>
+    <message>
+        <source>Volumes over the cycle</source>
+        <translation>Volums al llarg del cicle</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::VolumePanel</name>
+    <message>
+        <source>normal at the end of diastole</source>
+        <translation>normal al final de la diàstole</translation>
+    </message>
+    <message>
+        <source>normal at the end of systole</source>
+        <translation>normal al final de la sístole</translation>
+    </message>
+    <message>
+        <source>normal %1</source>
+        <translation>normal %1</translation>
+    </message>
+    <message>
+        <source>Volumes over time are drawn here while a sequence plays (Space) or handles are dragged (3).</source>
+        <translation>Els volums al llarg del temps es dibuixen aquí mentre es reprodueix una seqüència (Espai) o s’arrosseguen tiradors (3).</translation>
+    </message>
+    <message>
+        <source>A: %1</source>
+        <translation>A: %1</translation>
+    </message>
+    <message>
+        <source>B: %1</source>
+        <translation>B: %1</translation>
+    </message>
+    <message>
+        <source>%1 (right axis)</source>
+        <translation>%1 (eix dret)</translation>
+    </message>
+    <message>
+        <source>%1 measured</source>
+        <translation>%1 mesurat</translation>
+    </message>
+    <message>
+        <source>%1 before</source>
+        <translation>%1 abans</translation>
+    </message>
+    <message>
+        <source>%1 prescribed</source>
+        <translation>%1 prescrit</translation>
+    </message>
+    <message>
+        <source>Closed organs show their volume here.</source>
+        <translation>Els òrgans tancats mostren aquí el seu volum.</translation>
+    </message>
+    <message>
+        <source>%1: show what is normal for it in the chart</source>
+        <translation>%1: mostra al gràfic què és normal</translation>
+    </message>
+    <message>
+        <source>%1 %2 ml</source>
+        <translation>%1 %2 ml</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Shaded: normal for %1, %2. %3</source>
+        <translation>Ombrejat: normal per a %1, %2. %3</translation>
+    </message>
+    <message>
+        <source>, </source>
+        <translation>, </translation>
+    </message>
+    <message>
+        <source>EF %1 %  SV %2 ml</source>
+        <translation>FE %1 %  VS %2 ml</translation>
+    </message>
+    <message>
+        <source>%1 % of reference</source>
+        <translation>%1 % de la referència</translation>
+    </message>
+    <message>
+        <source>Part of the cycle</source>
+        <translation>Part del cicle</translation>
+    </message>
+    <message>
+        <source>Volume</source>
+        <translation>Volum</translation>
+    </message>
+    <message>
+        <source>Time in the cycle</source>
+        <translation>Temps en el cicle</translation>
+    </message>
+    <message>
+        <source>Time dragged</source>
+        <translation>Temps d’arrossegament</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Temps</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::WelcomeCard</name>
+    <message>
+        <source>Welcome</source>
+        <translation>Benvinguda</translation>
+    </message>
+    <message>
+        <source>Open a patient...</source>
+        <translation>Obre un pacient...</translation>
+    </message>
+    <message>
+        <source>Choose organ surfaces of a patient (Ctrl+O)</source>
+        <translation>Trieu superfícies d’òrgans d’un pacient (Ctrl+O)</translation>
+    </message>
+    <message>
+        <source>Sample organs</source>
+        <translation>Òrgans de mostra</translation>
+    </message>
+    <message>
+        <source>Organs that come with the program</source>
+        <translation>Òrgans que venen amb el programa</translation>
+    </message>
+    <message>
+        <source>Two-minute tour</source>
+        <translation>Visita de dos minuts</translation>
+    </message>
+    <message>
+        <source>The parts of the window, step by step</source>
+        <translation>Les parts de la finestra, pas a pas</translation>
+    </message>
+    <message>
+        <source>Close this card (Help &gt; Welcome shows it again)</source>
+        <translation>Tanca aquesta targeta (Ajuda &gt; Benvinguda la torna a mostrar)</translation>
+    </message>
+    <message>
+        <source>Close this card</source>
+        <translation>Tanca aquesta targeta</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::WindowLayout</name>
+    <message>
+        <source>&amp;Standard layout</source>
+        <translation>&amp;Disposició estàndard</translation>
+    </message>
+    <message>
+        <source>Restore the first arrangement of all panels</source>
+        <translation>Restaura la disposició inicial de tots els panells</translation>
+    </message>
+    <message>
+        <source>&amp;Full screen</source>
+        <translation>&amp;Pantalla completa</translation>
+    </message>
+    <message>
+        <source>The window takes the whole screen</source>
+        <translation>La finestra ocupa tota la pantalla</translation>
+    </message>
+    <message>
+        <source>Modes</source>
+        <translation>Modes</translation>
+    </message>
+    <message>
+        <source>Organs</source>
+        <translation>Òrgans</translation>
+    </message>
+    <message>
+        <source>Handles</source>
+        <translation>Tiradors</translation>
+    </message>
+    <message>
+        <source>Properties</source>
+        <translation>Propietats</translation>
+    </message>
+    <message>
+        <source>Timeline</source>
+        <translation>Línia de temps</translation>
+    </message>
+    <message>
+        <source>Volumes</source>
+        <translation>Volums</translation>
+    </message>
+    <message>
+        <source>Slides</source>
+        <translation>Diapositives</translation>
+    </message>
+    <message>
+        <source>Import</source>
+        <translation>Importa</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::Workspace</name>
+    <message>
+        <source>. %1.</source>
+        <translation>. %1.</translation>
+    </message>
+    <message>
+        <source>Open folder</source>
+        <translation>Obre la carpeta</translation>
+    </message>
+</context>
 </TS>

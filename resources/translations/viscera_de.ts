@@ -469,4 +469,5407 @@ N: Namen, H: Griffe, X: Wand, R: zurück, T: hell oder dunkel, Pos1: Anfang</tra
         <translation>Pause</translation>
     </message>
 </context>
+<context>
+    <name>QObject</name>
+    <message>
+        <source>%1 ml</source>
+        <translation>%1 ml</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+</context>
+<context>
+    <name>Tissue</name>
+    <message>
+        <source>Muscle</source>
+        <translation>Muskel</translation>
+    </message>
+    <message>
+        <source>Liver</source>
+        <translation>Leber</translation>
+    </message>
+    <message>
+        <source>Kidney</source>
+        <translation>Niere</translation>
+    </message>
+    <message>
+        <source>Spleen</source>
+        <translation>Milz</translation>
+    </message>
+    <message>
+        <source>Stomach</source>
+        <translation>Magen</translation>
+    </message>
+    <message>
+        <source>Bowel</source>
+        <translation>Darm</translation>
+    </message>
+    <message>
+        <source>Arterial blood</source>
+        <translation>Arterielles Blut</translation>
+    </message>
+    <message>
+        <source>Venous blood</source>
+        <translation>Venöses Blut</translation>
+    </message>
+    <message>
+        <source>Lung</source>
+        <translation>Lunge</translation>
+    </message>
+    <message>
+        <source>Bone</source>
+        <translation>Knochen</translation>
+    </message>
+    <message>
+        <source>Fat</source>
+        <translation>Fett</translation>
+    </message>
+    <message>
+        <source>Gall</source>
+        <translation>Galle</translation>
+    </message>
+    <message>
+        <source>Another colour...</source>
+        <translation>Andere Farbe...</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::BeatStrip</name>
+    <message>
+        <source>Electrocardiogram, heart sounds and valves</source>
+        <translation>Elektrokardiogramm, Herztöne und Klappen</translation>
+    </message>
+    <message>
+        <source>Schematic electrocardiogram, heart sounds S1 and S2 when the valves close, and a bar for each valve while it is open. The lamp is lit while the valve is open.</source>
+        <translation>Schematisches Elektrokardiogramm, die Herztöne S1 und S2 beim Schließen der Klappen und ein Balken für jede Klappe, solange sie offen ist. Die Lampe leuchtet, solange die Klappe offen ist.</translation>
+    </message>
+    <message>
+        <source>S1</source>
+        <translation>S1</translation>
+    </message>
+    <message>
+        <source>S2</source>
+        <translation>S2</translation>
+    </message>
+    <message>
+        <source>Mitral valve</source>
+        <translation>Mitralklappe</translation>
+    </message>
+    <message>
+        <source>Aortic valve</source>
+        <translation>Aortenklappe</translation>
+    </message>
+    <message>
+        <source>Tricuspid valve</source>
+        <translation>Trikuspidalklappe</translation>
+    </message>
+    <message>
+        <source>Pulmonary valve</source>
+        <translation>Pulmonalklappe</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::BentExport</name>
+    <message>
+        <source>Export the &amp;bent scan...</source>
+        <translation>Ge&amp;bogenen Scan exportieren...</translation>
+    </message>
+    <message>
+        <source>Write the scan as the pose bends it, with a label map of the posed organs</source>
+        <translation>Den Scan so schreiben, wie die Pose ihn biegt, mit einer Labelmap der Organe in dieser Pose</translation>
+    </message>
+    <message>
+        <source>Export the bent scan</source>
+        <translation>Gebogenen Scan exportieren</translation>
+    </message>
+    <message>
+        <source>/bent.nii.gz</source>
+        <translation>/bent.nii.gz</translation>
+    </message>
+    <message>
+        <source>NIfTI (*.nii.gz *.nii);;NRRD (*.nrrd)</source>
+        <translation>NIfTI (*.nii.gz *.nii);;NRRD (*.nrrd)</translation>
+    </message>
+    <message>
+        <source>Exporting the bent scan</source>
+        <translation>Gebogener Scan wird exportiert</translation>
+    </message>
+    <message>
+        <source>The bent scan was written to %1.</source>
+        <translation>Der gebogene Scan wurde in %1 geschrieben.</translation>
+    </message>
+    <message>
+        <source>Its labels are beside it: %1.</source>
+        <translation>Seine Labels liegen daneben: %1.</translation>
+    </message>
+    <message numerus="yes">
+        <source>The pose folds the tissue at %n {voxel|voxels}: their values are estimates.</source>
+        <translation>
+            <numerusform>Die Pose faltet das Gewebe an %n Voxel: Sein Wert ist geschätzt.</numerusform>
+            <numerusform>Die Pose faltet das Gewebe an %n Voxeln: Ihre Werte sind geschätzt.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::BindingMessages</name>
+    <message>
+        <source>%1 is not bound to these handles: binding was cancelled.</source>
+        <translation>%1 ist nicht an diese Griffe gebunden: Das Binden wurde abgebrochen.</translation>
+    </message>
+    <message>
+        <source>Bind now</source>
+        <translation>Jetzt binden</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {vertex of %1 has|vertices of %1 have} no coordinates in the cage.</source>
+        <translation>
+            <numerusform>%n Eckpunkt von %1 hat keine Koordinaten im Käfig.</numerusform>
+            <numerusform>%n Eckpunkte von %1 haben keine Koordinaten im Käfig.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Use the hull as the cage</source>
+        <translation>Hülle als Käfig verwenden</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Rückgängig</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {vertex of %1 lies|vertices of %1 lie} in no group&apos;s region.</source>
+        <translation>
+            <numerusform>%n Eckpunkt von %1 liegt in keiner Region einer Gruppe.</numerusform>
+            <numerusform>%n Eckpunkte von %1 liegen in keiner Region einer Gruppe.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Add enclosing group</source>
+        <translation>Umschließende Gruppe hinzufügen</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {vertex of %1 lies|vertices of %1 lie} outside the handles&apos; hull.</source>
+        <translation>
+            <numerusform>%n Eckpunkt von %1 liegt außerhalb der Hülle der Griffe.</numerusform>
+            <numerusform>%n Eckpunkte von %1 liegen außerhalb der Hülle der Griffe.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Add enclosing handles</source>
+        <translation>Umschließende Griffe hinzufügen</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::CirculationBox</name>
+    <message>
+        <source>Preload: stressed blood</source>
+        <translation>Vorlast: Blut unter Spannung</translation>
+    </message>
+    <message>
+        <source>Afterload: body</source>
+        <translation>Nachlast: Körper</translation>
+    </message>
+    <message>
+        <source>Afterload: lungs</source>
+        <translation>Nachlast: Lunge</translation>
+    </message>
+    <message>
+        <source>Contractility, left</source>
+        <translation>Kontraktilität, links</translation>
+    </message>
+    <message>
+        <source>Contractility, right</source>
+        <translation>Kontraktilität, rechts</translation>
+    </message>
+    <message>
+        <source>Stiffness, left</source>
+        <translation>Steifigkeit, links</translation>
+    </message>
+    <message>
+        <source>%1, %2 at rest</source>
+        <translation>%1, %2 in Ruhe</translation>
+    </message>
+    <message>
+        <source>%1. Marked: normal, %2 %3 (%4)</source>
+        <translation>%1. Markiert: normal, %2 %3 (%4)</translation>
+    </message>
+    <message>
+        <source>Only the sample heart can be moved by the circulation model; the charts show its results for any organ.</source>
+        <translation>Nur das Beispielherz kann vom Kreislaufmodell bewegt werden; die Diagramme zeigen dessen Ergebnisse für jedes Organ.</translation>
+    </message>
+    <message>
+        <source>Textbook beat</source>
+        <translation>Lehrbuchschlag</translation>
+    </message>
+    <message>
+        <source>Volumes of healthy adults over one beat at this rate</source>
+        <translation>Volumina gesunder Erwachsener über einen Herzschlag bei dieser Frequenz</translation>
+    </message>
+    <message>
+        <source>Circulation</source>
+        <translation>Kreislauf</translation>
+    </message>
+    <message>
+        <source>A model of heart and vessels: pressures, pressure-volume loops, valves and sounds</source>
+        <translation>Ein Modell von Herz und Gefäßen: Drücke, Druck-Volumen-Schleifen, Klappen und Töne</translation>
+    </message>
+    <message>
+        <source>Rate, preload, afterload</source>
+        <translation>Frequenz, Vorlast, Nachlast</translation>
+    </message>
+    <message>
+        <source>Muscle</source>
+        <translation>Muskel</translation>
+    </message>
+    <message>
+        <source>Valves and pericardium</source>
+        <translation>Klappen und Perikard</translation>
+    </message>
+    <message>
+        <source>Before: %1</source>
+        <translation>Vorher: %1</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::CirculationModel</name>
+    <message>
+        <source>Circulation</source>
+        <translation>Kreislauf</translation>
+    </message>
+    <message>
+        <source>Heart of the circulation</source>
+        <translation>Herz des Kreislaufs</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::ComparedSystem</name>
+    <message>
+        <source>Coordinates of the second view</source>
+        <translation>Koordinaten der zweiten Ansicht</translation>
+    </message>
+    <message>
+        <source>Coordinate system that binds the same organs to the same handles in this view</source>
+        <translation>Koordinatensystem, das in dieser Ansicht dieselben Organe an dieselben Griffe bindet</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::Comparison</name>
+    <message>
+        <source>A</source>
+        <translation>A</translation>
+    </message>
+    <message>
+        <source>B</source>
+        <translation>B</translation>
+    </message>
+    <message>
+        <source>Rate of the second view</source>
+        <translation>Frequenz der zweiten Ansicht</translation>
+    </message>
+    <message>
+        <source> / min</source>
+        <translation> / min</translation>
+    </message>
+    <message>
+        <source>What this view shows</source>
+        <translation>Was diese Ansicht zeigt</translation>
+    </message>
+    <message>
+        <source>The same organ at another rate</source>
+        <translation>Dasselbe Organ bei anderer Frequenz</translation>
+    </message>
+    <message>
+        <source>The same organ with other coordinates</source>
+        <translation>Dasselbe Organ mit anderen Koordinaten</translation>
+    </message>
+    <message>
+        <source>Sample %1</source>
+        <translation>Beispiel %1</translation>
+    </message>
+    <message>
+        <source>Open files...</source>
+        <translation>Dateien öffnen...</translation>
+    </message>
+    <message>
+        <source>Back to one view</source>
+        <translation>Zurück zu einer Ansicht</translation>
+    </message>
+    <message>
+        <source>Colour each vertex by its distance to the same vertex in view A</source>
+        <translation>Jeden Eckpunkt nach seinem Abstand vom selben Eckpunkt in Ansicht A färben</translation>
+    </message>
+    <message>
+        <source>Open beside the first organ</source>
+        <translation>Neben dem ersten Organ öffnen</translation>
+    </message>
+    <message>
+        <source>Organs (*.stl *.obj *.ply *.off *.vtk *.vtp *.glb *.gltf)</source>
+        <translation>Organe (*.stl *.obj *.ply *.off *.vtk *.vtp *.glb *.gltf)</translation>
+    </message>
+    <message>
+        <source>No organ yet</source>
+        <translation>Noch kein Organ</translation>
+    </message>
+    <message>
+        <source>  %1 / min</source>
+        <translation>  %1 / min</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::CurveBox</name>
+    <message>
+        <source>Curve...</source>
+        <translation>Kurve...</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>Organ whose volume is prescribed</source>
+        <translation>Organ, dessen Volumen vorgegeben wird</translation>
+    </message>
+    <message>
+        <source>A .csv file with two columns: the fraction of the cycle (or time_s) and the volume in ml. At each instant the handles move as little as possible to reach that volume</source>
+        <translation>Eine .csv-Datei mit zwei Spalten: dem Anteil des Zyklus (oder time_s) und dem Volumen in ml. Zu jedem Zeitpunkt bewegen sich die Griffe so wenig wie möglich, um dieses Volumen zu erreichen</translation>
+    </message>
+    <message>
+        <source>Let the sequence alone determine the volume again</source>
+        <translation>Das Volumen wieder allein von der Sequenz bestimmen lassen</translation>
+    </message>
+    <message>
+        <source>Prescribe a volume</source>
+        <translation>Volumen vorgeben</translation>
+    </message>
+    <message>
+        <source>Volume curves (*.csv *.txt *.tsv)</source>
+        <translation>Volumenkurven (*.csv *.txt *.tsv)</translation>
+    </message>
+    <message>
+        <source>%1 follows %2; dashed in the chart.</source>
+        <translation>%1 folgt %2; im Diagramm gestrichelt.</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::CutBox</name>
+    <message>
+        <source>Depth</source>
+        <translation>Tiefe</translation>
+    </message>
+    <message>
+        <source>Distance of the cut from the middle of the organs, as a part of the way to their edge</source>
+        <translation>Abstand des Schnitts von der Mitte der Organe, als Anteil des Wegs bis zu ihrem Rand</translation>
+    </message>
+    <message>
+        <source>Coronal</source>
+        <translation>Koronal</translation>
+    </message>
+    <message>
+        <source>Cut away the front</source>
+        <translation>Vorderen Teil wegschneiden</translation>
+    </message>
+    <message>
+        <source>Sagittal</source>
+        <translation>Sagittal</translation>
+    </message>
+    <message>
+        <source>Cut away the left side</source>
+        <translation>Linke Seite wegschneiden</translation>
+    </message>
+    <message>
+        <source>Axial</source>
+        <translation>Axial</translation>
+    </message>
+    <message>
+        <source>Cut away the upper part</source>
+        <translation>Oberen Teil wegschneiden</translation>
+    </message>
+    <message>
+        <source>Facing me</source>
+        <translation>Zu mir hin</translation>
+    </message>
+    <message>
+        <source>Cut away what is nearest to the viewer</source>
+        <translation>Wegschneiden, was dem Betrachter am nächsten ist</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::DeformMode</name>
+    <message>
+        <source>Deform</source>
+        <translation>Verformen</translation>
+    </message>
+    <message>
+        <source>Drag a handle and the organ follows; K locks the volume, T turns and scales, M mirrors</source>
+        <translation>Ziehen Sie an einem Griff, und das Organ folgt; K sperrt das Volumen, T dreht und skaliert, M spiegelt</translation>
+    </message>
+    <message>
+        <source>&amp;Turn and scale</source>
+        <translation>&amp;Drehen und skalieren</translation>
+    </message>
+    <message>
+        <source>In Deform mode, rings turn and cubes scale the selected handles (at least two)</source>
+        <translation>Im Modus Verformen drehen Ringe und skalieren Würfel die gewählten Griffe (mindestens zwei)</translation>
+    </message>
+    <message>
+        <source>Reset &amp;pose</source>
+        <translation>&amp;Pose zurücksetzen</translation>
+    </message>
+    <message>
+        <source>Ctrl+R</source>
+        <translation>Ctrl+R</translation>
+    </message>
+    <message>
+        <source>Move every handle back to its rest position</source>
+        <translation>Alle Griffe in ihre Ruhelage zurückbewegen</translation>
+    </message>
+    <message>
+        <source>Reset selected handles</source>
+        <translation>Gewählte Griffe zurücksetzen</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+R</source>
+        <translation>Ctrl+Shift+R</translation>
+    </message>
+    <message>
+        <source>Move the selected handles back to their rest positions</source>
+        <translation>Die gewählten Griffe in ihre Ruhelage zurückbewegen</translation>
+    </message>
+    <message>
+        <source>&amp;Lock volume</source>
+        <translation>Volumen &amp;sperren</translation>
+    </message>
+    <message>
+        <source>Keep the organ&apos;s volume constant in Deform mode; for an organ with cavities, the volume within its outer surface</source>
+        <translation>Das Volumen des Organs im Modus Verformen konstant halten; bei einem Organ mit Hohlräumen das Volumen innerhalb seiner Außenfläche</translation>
+    </message>
+    <message>
+        <source>Restore &amp;rest volume</source>
+        <translation>&amp;Ruhevolumen wiederherstellen</translation>
+    </message>
+    <message>
+        <source>Restore the organ&apos;s volume at rest with the smallest motion of the handles</source>
+        <translation>Das Volumen des Organs in Ruhe mit der kleinsten Bewegung der Griffe wiederherstellen</translation>
+    </message>
+    <message>
+        <source>Selected handles &amp;compensate</source>
+        <translation>Gewählte Griffe &amp;gleichen aus</translation>
+    </message>
+    <message>
+        <source>Only the selected handles compensate when others would change a locked volume</source>
+        <translation>Nur die gewählten Griffe gleichen aus, wenn andere ein gesperrtes Volumen ändern würden</translation>
+    </message>
+    <message>
+        <source>&amp;Off</source>
+        <translation>&amp;Aus</translation>
+    </message>
+    <message>
+        <source>&amp;Sagittal plane</source>
+        <translation>&amp;Sagittalebene</translation>
+    </message>
+    <message>
+        <source>&amp;Coronal plane</source>
+        <translation>&amp;Koronalebene</translation>
+    </message>
+    <message>
+        <source>&amp;Axial plane</source>
+        <translation>A&amp;xialebene</translation>
+    </message>
+    <message>
+        <source>In Deform mode, mirrored handles move along with a drag</source>
+        <translation>Im Modus Verformen bewegen sich gespiegelte Griffe beim Ziehen mit</translation>
+    </message>
+    <message>
+        <source>&amp;Next mirror plane</source>
+        <translation>&amp;Nächste Spiegelebene</translation>
+    </message>
+    <message>
+        <source>Switch between off, sagittal, coronal and axial</source>
+        <translation>Zwischen aus, sagittal, koronal und axial wechseln</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::DeformPage</name>
+    <message numerus="yes">
+        <source>%n {handle|handles}</source>
+        <translation>
+            <numerusform>%n Griff</numerusform>
+            <numerusform>%n Griffe</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Volume</source>
+        <translation>Volumen</translation>
+    </message>
+    <message>
+        <source>Organ</source>
+        <translation>Organ</translation>
+    </message>
+    <message>
+        <source>Now</source>
+        <translation>Jetzt</translation>
+    </message>
+    <message>
+        <source>Reference shape</source>
+        <translation>Referenzform</translation>
+    </message>
+    <message>
+        <source>Change</source>
+        <translation>Änderung</translation>
+    </message>
+    <message>
+        <source>Largest shift</source>
+        <translation>Größte Verschiebung</translation>
+    </message>
+    <message>
+        <source>The largest distance by which a vertex of the organ has moved from rest</source>
+        <translation>Der größte Weg, um den sich ein Eckpunkt des Organs aus der Ruhelage bewegt hat</translation>
+    </message>
+    <message>
+        <source>Selected handles</source>
+        <translation>Gewählte Griffe</translation>
+    </message>
+    <message>
+        <source>Compensating</source>
+        <translation>Ausgleichend</translation>
+    </message>
+    <message>
+        <source>These handles compensate when others would change a locked volume. If none is marked, a dragged handle stays in a plane, and all free handles compensate for other motions.</source>
+        <translation>Diese Griffe gleichen aus, wenn andere ein gesperrtes Volumen ändern würden. Ist keiner markiert, bleibt ein gezogener Griff in einer Ebene, und bei anderen Bewegungen gleichen alle freien Griffe aus.</translation>
+    </message>
+    <message>
+        <source>Symmetric drags</source>
+        <translation>Symmetrisches Ziehen</translation>
+    </message>
+    <message>
+        <source>Pose</source>
+        <translation>Pose</translation>
+    </message>
+    <message>
+        <source>Handles moved</source>
+        <translation>Bewegte Griffe</translation>
+    </message>
+    <message>
+        <source>Mirror plane</source>
+        <translation>Spiegelebene</translation>
+    </message>
+    <message>
+        <source>Off</source>
+        <translation>Aus</translation>
+    </message>
+    <message>
+        <source>Sagittal plane (left and right)</source>
+        <translation>Sagittalebene (links und rechts)</translation>
+    </message>
+    <message>
+        <source>Coronal plane (front and back)</source>
+        <translation>Koronalebene (vorn und hinten)</translation>
+    </message>
+    <message>
+        <source>Axial plane (head and feet)</source>
+        <translation>Axialebene (Kopf und Füße)</translation>
+    </message>
+    <message>
+        <source>A drag moves the mirrored handles too; the mirror plane passes through the middle of the organ at rest (M: next plane)</source>
+        <translation>Beim Ziehen bewegen sich auch die gespiegelten Griffe; die Spiegelebene geht durch die Mitte des Organs in Ruhe (M: nächste Ebene)</translation>
+    </message>
+    <message>
+        <source>Moves along</source>
+        <translation>Bewegt sich mit</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 von %2</translation>
+    </message>
+    <message>
+        <source>all that are free</source>
+        <translation>alle freien</translation>
+    </message>
+    <message>
+        <source>no handle is near the mirror image</source>
+        <translation>kein Griff liegt nahe dem Spiegelbild</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::DifferenceMap</name>
+    <message>
+        <source>Distance to A</source>
+        <translation>Abstand zu A</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::DisplacementBox</name>
+    <message>
+        <source>Apply</source>
+        <translation>Anwenden</translation>
+    </message>
+    <message>
+        <source>Right to left</source>
+        <translation>Rechts nach links</translation>
+    </message>
+    <message>
+        <source>Front to back</source>
+        <translation>Vorn nach hinten</translation>
+    </message>
+    <message>
+        <source>Foot to head</source>
+        <translation>Fuß nach Kopf</translation>
+    </message>
+    <message>
+        <source>Towards the patient&apos;s left; negative: right (R/L)</source>
+        <translation>Zur linken Seite des Patienten; negativ: rechts (R/L)</translation>
+    </message>
+    <message>
+        <source>Towards the patient&apos;s back; negative: front (A/P)</source>
+        <translation>Zum Rücken des Patienten; negativ: nach vorn (A/P)</translation>
+    </message>
+    <message>
+        <source>Towards the patient&apos;s head; negative: feet (S/I)</source>
+        <translation>Zum Kopf des Patienten; negativ: zu den Füßen (S/I)</translation>
+    </message>
+    <message>
+        <source>Move the selected handles once by this distance; locked volumes are kept</source>
+        <translation>Die gewählten Griffe einmal um diese Strecke bewegen; gesperrte Volumina bleiben erhalten</translation>
+    </message>
+    <message>
+        <source>Moved by %1 of %2 mm: the locked volume allows no more in this direction.</source>
+        <translation>Um %1 von %2 mm bewegt: Mehr lässt das gesperrte Volumen in dieser Richtung nicht zu.</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::ExploreMode</name>
+    <message>
+        <source>Explore</source>
+        <translation>Erkunden</translation>
+    </message>
+    <message>
+        <source>Left drag rotates, Shift+left pans, right drag or wheel zooms, click selects an organ, D and A measure</source>
+        <translation>Ziehen mit links dreht, Umschalt+links verschiebt, Ziehen mit rechts oder Mausrad zoomt, Klick wählt ein Organ, D und A messen</translation>
+    </message>
+    <message>
+        <source>Click two points on an organ or on a slice; Esc ends</source>
+        <translation>Zwei Punkte auf einem Organ oder einer Schicht anklicken; Esc beendet</translation>
+    </message>
+    <message>
+        <source>Measure &amp;distance</source>
+        <translation>&amp;Abstand messen</translation>
+    </message>
+    <message>
+        <source>Distance</source>
+        <translation>Abstand</translation>
+    </message>
+    <message>
+        <source>Measure &amp;angle</source>
+        <translation>&amp;Winkel messen</translation>
+    </message>
+    <message>
+        <source>Click three points on an organ or on a slice, the corner second; Esc ends</source>
+        <translation>Drei Punkte auf einem Organ oder einer Schicht anklicken, den Scheitel als zweiten; Esc beendet</translation>
+    </message>
+    <message>
+        <source>Angle</source>
+        <translation>Winkel</translation>
+    </message>
+    <message>
+        <source>Measure the values in a &amp;rectangle</source>
+        <translation>Werte in einem &amp;Rechteck messen</translation>
+    </message>
+    <message>
+        <source>Shift+A</source>
+        <translation>Shift+A</translation>
+    </message>
+    <message>
+        <source>Drag on a slice from corner to corner: mean and deviation of the scan&apos;s values; Esc ends</source>
+        <translation>Auf einer Schicht von Ecke zu Ecke ziehen: Mittelwert und Abweichung der Werte des Scans; Esc beendet</translation>
+    </message>
+    <message>
+        <source>Rectangle</source>
+        <translation>Rechteck</translation>
+    </message>
+    <message>
+        <source>Measure the values in a &amp;sphere</source>
+        <translation>Werte in einer &amp;Kugel messen</translation>
+    </message>
+    <message>
+        <source>Shift+B</source>
+        <translation>Shift+B</translation>
+    </message>
+    <message>
+        <source>Drag on a slice from the middle to the border: mean and deviation of the scan&apos;s values; Esc ends</source>
+        <translation>Auf einer Schicht von der Mitte zum Rand ziehen: Mittelwert und Abweichung der Werte des Scans; Esc beendet</translation>
+    </message>
+    <message>
+        <source>Sphere</source>
+        <translation>Kugel</translation>
+    </message>
+    <message>
+        <source>Remove all &amp;measurements</source>
+        <translation>Alle &amp;Messungen entfernen</translation>
+    </message>
+    <message>
+        <source>&amp;Measurements</source>
+        <translation>&amp;Messungen</translation>
+    </message>
+    <message>
+        <source>Show what is measured</source>
+        <translation>Zeigen, was gemessen ist</translation>
+    </message>
+    <message>
+        <source>Names of &amp;parts</source>
+        <translation>Namen der &amp;Teile</translation>
+    </message>
+    <message>
+        <source>Name the parts of the organs, such as the apex of the heart</source>
+        <translation>Die Teile der Organe benennen, etwa die Herzspitze</translation>
+    </message>
+    <message>
+        <source>&amp;Quiz on the parts</source>
+        <translation>&amp;Quiz zu den Teilen</translation>
+    </message>
+    <message>
+        <source>Hide the names and ask for one part after the other; answer with a click on the organ</source>
+        <translation>Die Namen verbergen und nach einem Teil nach dem anderen fragen; geantwortet wird mit einem Klick auf das Organ</translation>
+    </message>
+    <message>
+        <source>%1. Drags turn the view, Esc ends the quiz</source>
+        <translation>%1. Ziehen dreht die Ansicht, Esc beendet das Quiz</translation>
+    </message>
+    <message>
+        <source>Click two points on an organ or on a slice; drags turn the view, Esc ends</source>
+        <translation>Zwei Punkte auf einem Organ oder einer Schicht anklicken; Ziehen dreht die Ansicht, Esc beendet</translation>
+    </message>
+    <message>
+        <source>Click three points on an organ or on a slice, the corner second; drags turn the view, Esc ends</source>
+        <translation>Drei Punkte auf einem Organ oder einer Schicht anklicken, den Scheitel als zweiten; Ziehen dreht die Ansicht, Esc beendet</translation>
+    </message>
+    <message>
+        <source>Drag on a slice from corner to corner; Esc ends</source>
+        <translation>Auf einer Schicht von Ecke zu Ecke ziehen; Esc beendet</translation>
+    </message>
+    <message>
+        <source>Drag on a slice from the middle of a sphere to its border; Esc ends</source>
+        <translation>Auf einer Schicht von der Mitte einer Kugel zu ihrem Rand ziehen; Esc beendet</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::ExplorePage</name>
+    <message>
+        <source>View from</source>
+        <translation>Ansicht von</translation>
+    </message>
+    <message>
+        <source>Cut</source>
+        <translation>Schnitt</translation>
+    </message>
+    <message>
+        <source>Measure</source>
+        <translation>Messen</translation>
+    </message>
+    <message>
+        <source>Parts</source>
+        <translation>Teile</translation>
+    </message>
+    <message>
+        <source>Show</source>
+        <translation>Zeigen</translation>
+    </message>
+    <message>
+        <source>Organ</source>
+        <translation>Organ</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>Reference volume</source>
+        <translation>Referenzvolumen</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>Triangles</source>
+        <translation>Dreiecke</translation>
+    </message>
+    <message>
+        <source>Surface</source>
+        <translation>Oberfläche</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Datei</translation>
+    </message>
+    <message>
+        <source>Scan</source>
+        <translation>Scan</translation>
+    </message>
+    <message>
+        <source>Voxels</source>
+        <translation>Voxel</translation>
+    </message>
+    <message>
+        <source>Spacing</source>
+        <translation>Abstand</translation>
+    </message>
+    <message>
+        <source>closed</source>
+        <translation>geschlossen</translation>
+    </message>
+    <message numerus="yes">
+        <source>open, %n {edge|edges}</source>
+        <translation>
+            <numerusform>offen, %n Kante</numerusform>
+            <numerusform>offen, %n Kanten</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 x %2 x %3 mm</source>
+        <translation>%1 x %2 x %3 mm</translation>
+    </message>
+    <message>
+        <source>%1 x %2 x %3</source>
+        <translation>%1 x %2 x %3</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::ExportActions</name>
+    <message>
+        <source>Export all &amp;organs...</source>
+        <translation>Alle &amp;Organe exportieren...</translation>
+    </message>
+    <message>
+        <source>Write all visible organs into one file, with names and colours</source>
+        <translation>Alle sichtbaren Organe mit Namen und Farben in eine Datei schreiben</translation>
+    </message>
+    <message>
+        <source>Export all organs</source>
+        <translation>Alle Organe exportieren</translation>
+    </message>
+    <message>
+        <source>organs.glb</source>
+        <translation>organs.glb</translation>
+    </message>
+    <message>
+        <source>glTF scenes (*.glb)</source>
+        <translation>glTF-Szenen (*.glb)</translation>
+    </message>
+    <message>
+        <source>Export &amp;displacements...</source>
+        <translation>&amp;Verschiebungen exportieren...</translation>
+    </message>
+    <message>
+        <source>Write the current organ at rest, with the displacement of every vertex</source>
+        <translation>Das aktuelle Organ in Ruhe schreiben, mit der Verschiebung jedes Eckpunkts</translation>
+    </message>
+    <message>
+        <source>Export displacements</source>
+        <translation>Verschiebungen exportieren</translation>
+    </message>
+    <message>
+        <source>displacements.vtp</source>
+        <translation>displacements.vtp</translation>
+    </message>
+    <message>
+        <source>VTK surfaces (*.vtp)</source>
+        <translation>VTK-Oberflächen (*.vtp)</translation>
+    </message>
+    <message>
+        <source>Export displacement &amp;field...</source>
+        <translation>Verschiebungs&amp;feld exportieren...</translation>
+    </message>
+    <message>
+        <source>Write the displacement of the space around the current organ, for 3D Slicer and ITK</source>
+        <translation>Die Verschiebung des Raums um das aktuelle Organ schreiben, für 3D Slicer und ITK</translation>
+    </message>
+    <message>
+        <source>Export displacement field</source>
+        <translation>Verschiebungsfeld exportieren</translation>
+    </message>
+    <message>
+        <source>field.nrrd</source>
+        <translation>field.nrrd</translation>
+    </message>
+    <message>
+        <source>Displacement fields (*.nrrd *.mha)</source>
+        <translation>Verschiebungsfelder (*.nrrd *.mha)</translation>
+    </message>
+    <message>
+        <source>Export &amp;table of volumes...</source>
+        <translation>Volumen&amp;tabelle exportieren...</translation>
+    </message>
+    <message>
+        <source>Write volumes and sizes of all organs</source>
+        <translation>Volumina und Größen aller Organe schreiben</translation>
+    </message>
+    <message>
+        <source>Export table of volumes</source>
+        <translation>Volumentabelle exportieren</translation>
+    </message>
+    <message>
+        <source>volumes.csv</source>
+        <translation>volumes.csv</translation>
+    </message>
+    <message>
+        <source>Comma-separated values (*.csv)</source>
+        <translation>Kommagetrennte Werte (*.csv)</translation>
+    </message>
+    <message>
+        <source>Export &amp;measurements...</source>
+        <translation>&amp;Messungen exportieren...</translation>
+    </message>
+    <message>
+        <source>Write all measured distances and angles</source>
+        <translation>Alle gemessenen Abstände und Winkel schreiben</translation>
+    </message>
+    <message>
+        <source>Nothing is measured yet. Measure a distance (D) or an angle (A) first.</source>
+        <translation>Noch ist nichts gemessen. Messen Sie zuerst einen Abstand (D) oder einen Winkel (A).</translation>
+    </message>
+    <message>
+        <source>Export measurements</source>
+        <translation>Messungen exportieren</translation>
+    </message>
+    <message>
+        <source>measurements.csv</source>
+        <translation>measurements.csv</translation>
+    </message>
+    <message>
+        <source>There is no organ to export. Open one first.</source>
+        <translation>Kein Organ zum Exportieren vorhanden. Öffnen Sie zuerst eines.</translation>
+    </message>
+    <message>
+        <source>Exporting %1</source>
+        <translation>%1 wird exportiert</translation>
+    </message>
+    <message>
+        <source>Written to %1.</source>
+        <translation>In %1 geschrieben.</translation>
+    </message>
+    <message>
+        <source>all organs</source>
+        <translation>alle Organe</translation>
+    </message>
+    <message numerus="yes">
+        <source>The rest position of %n {point|points} of the field is uncertain.</source>
+        <translation>
+            <numerusform>Die Ruhelage von %n Punkt des Felds ist unsicher.</numerusform>
+            <numerusform>Die Ruhelage von %n Punkten des Felds ist unsicher.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>table of volumes</source>
+        <translation>Volumentabelle</translation>
+    </message>
+    <message>
+        <source>measurements</source>
+        <translation>Messungen</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::FileActions</name>
+    <message>
+        <source>&amp;Open...</source>
+        <translation>Ö&amp;ffnen...</translation>
+    </message>
+    <message>
+        <source>Open a session, organs, label maps, handles or a scan</source>
+        <translation>Eine Sitzung, Organe, Labelmaps, Griffe oder einen Scan öffnen</translation>
+    </message>
+    <message>
+        <source>Open a &amp;folder of masks...</source>
+        <translation>&amp;Maskenordner öffnen...</translation>
+    </message>
+    <message>
+        <source>Open one patient: a folder with one mask for each organ, as TotalSegmentator writes it</source>
+        <translation>Einen Patienten öffnen: ein Ordner mit einer Maske je Organ, wie TotalSegmentator ihn schreibt</translation>
+    </message>
+    <message>
+        <source>&amp;Import with check...</source>
+        <translation>Mit Prüfung &amp;importieren...</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+O</source>
+        <translation>Ctrl+Shift+O</translation>
+    </message>
+    <message>
+        <source>Check and repair the contents of files before importing them</source>
+        <translation>Den Inhalt von Dateien vor dem Import prüfen und reparieren</translation>
+    </message>
+    <message>
+        <source>Save &amp;handles...</source>
+        <translation>&amp;Griffe speichern...</translation>
+    </message>
+    <message>
+        <source>Save the handles at rest as Slicer markups</source>
+        <translation>Die Griffe in Ruhe als Slicer-Markups speichern</translation>
+    </message>
+    <message>
+        <source>&amp;Export organ...</source>
+        <translation>Organ &amp;exportieren...</translation>
+    </message>
+    <message>
+        <source>Ctrl+E</source>
+        <translation>Ctrl+E</translation>
+    </message>
+    <message>
+        <source>Export the organ in its present pose</source>
+        <translation>Das Organ in seiner jetzigen Pose exportieren</translation>
+    </message>
+    <message>
+        <source>Load a &amp;cage...</source>
+        <translation>&amp;Käfig laden...</translation>
+    </message>
+    <message>
+        <source>For coordinates that need a cage: load a closed surface around the organ; its vertices become the handles</source>
+        <translation>Für Koordinaten, die einen Käfig brauchen: eine geschlossene Oberfläche um das Organ laden; ihre Eckpunkte werden die Griffe</translation>
+    </message>
+    <message>
+        <source>Sessions, organs, label maps, handles and scans (*.viscera %1 %2 %3)</source>
+        <translation>Sitzungen, Organe, Labelmaps, Griffe und Scans (*.viscera %1 %2 %3)</translation>
+    </message>
+    <message>
+        <source>Sessions (*.viscera)</source>
+        <translation>Sitzungen (*.viscera)</translation>
+    </message>
+    <message>
+        <source>Organs, label maps and handles (%1 %2 %3)</source>
+        <translation>Organe, Labelmaps und Griffe (%1 %2 %3)</translation>
+    </message>
+    <message>
+        <source>Organs (%1)</source>
+        <translation>Organe (%1)</translation>
+    </message>
+    <message>
+        <source>Label maps (%1)</source>
+        <translation>Labelmaps (%1)</translation>
+    </message>
+    <message>
+        <source>Handles (%1)</source>
+        <translation>Griffe (%1)</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Öffnen</translation>
+    </message>
+    <message>
+        <source>Open a folder with one mask for each organ</source>
+        <translation>Ordner mit einer Maske je Organ öffnen</translation>
+    </message>
+    <message>
+        <source>Opening %1</source>
+        <translation>%1 wird geöffnet</translation>
+    </message>
+    <message numerus="yes">
+        <source>Opening %n {file|files}</source>
+        <translation>
+            <numerusform>%n Datei wird geöffnet</numerusform>
+            <numerusform>%n Dateien werden geöffnet</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Open %1</source>
+        <translation>%1 öffnen</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n more on the {page of its organ|pages of their organs} in Explore</source>
+        <translation>
+            <numerusform>%n weiterer auf der Seite seines Organs in Erkunden</numerusform>
+            <numerusform>%n weitere auf den Seiten ihrer Organe in Erkunden</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Save handles</source>
+        <translation>Griffe speichern</translation>
+    </message>
+    <message>
+        <source>Slicer markups (*%1 *.fcsv)</source>
+        <translation>Slicer-Markups (*%1 *.fcsv)</translation>
+    </message>
+    <message>
+        <source>Handles</source>
+        <translation>Griffe</translation>
+    </message>
+    <message>
+        <source>Load a cage</source>
+        <translation>Käfig laden</translation>
+    </message>
+    <message>
+        <source>Closed surfaces (%1);;All files (*)</source>
+        <translation>Geschlossene Oberflächen (%1);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Reading the cage %1</source>
+        <translation>Käfig %1 wird gelesen</translation>
+    </message>
+    <message>
+        <source>The handles at the vertices of %1 are now the corners of the cage.</source>
+        <translation>Die Griffe an den Eckpunkten von %1 sind jetzt die Ecken des Käfigs.</translation>
+    </message>
+    <message numerus="yes">
+        <source>The %n {vertex|vertices} of %1 are now the handles.</source>
+        <translation>
+            <numerusform>Der %n Eckpunkt von %1 ist jetzt der Griff.</numerusform>
+            <numerusform>Die %n Eckpunkte von %1 sind jetzt die Griffe.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>There is no organ to export. Open one first.</source>
+        <translation>Kein Organ zum Exportieren vorhanden. Öffnen Sie zuerst eines.</translation>
+    </message>
+    <message>
+        <source>Surfaces (%1)</source>
+        <translation>Oberflächen (%1)</translation>
+    </message>
+    <message>
+        <source>Exporting %1</source>
+        <translation>%1 wird exportiert</translation>
+    </message>
+    <message>
+        <source>%1 written to %2</source>
+        <translation>%1 in %2 geschrieben</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::Findings</name>
+    <message>
+        <source>Side of the body</source>
+        <translation>Körperseite</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>Open surface</source>
+        <translation>Offene Oberfläche</translation>
+    </message>
+    <message>
+        <source>Edges of more than two triangles</source>
+        <translation>Kanten von mehr als zwei Dreiecken</translation>
+    </message>
+    <message>
+        <source>Triangles that face inward</source>
+        <translation>Nach innen gerichtete Dreiecke</translation>
+    </message>
+    <message>
+        <source>Separate pieces</source>
+        <translation>Getrennte Stücke</translation>
+    </message>
+    <message>
+        <source>Crossing triangles</source>
+        <translation>Sich kreuzende Dreiecke</translation>
+    </message>
+    <message>
+        <source>Positions of the organs</source>
+        <translation>Lage der Organe</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::FitBox</name>
+    <message>
+        <source>by the shape</source>
+        <translation>nach der Form</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {point|points}</source>
+        <translation>
+            <numerusform>%n Punkt</numerusform>
+            <numerusform>%n Punkte</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Fit to this organ</source>
+        <translation>An dieses Organ anpassen</translation>
+    </message>
+    <message>
+        <source>Sequence to fit</source>
+        <translation>Anzupassende Sequenz</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>Of the left ventricle. The right one ejects as much blood, and the muscle keeps its volume</source>
+        <translation>Des linken Ventrikels. Der rechte wirft ebenso viel Blut aus, und der Muskel behält sein Volumen</translation>
+    </message>
+    <message>
+        <source>Ejection fraction</source>
+        <translation>Ejektionsfraktion</translation>
+    </message>
+    <message>
+        <source>Place the sequence&apos;s handles around the organ and play it</source>
+        <translation>Die Griffe der Sequenz um das Organ setzen und sie abspielen</translation>
+    </message>
+    <message>
+        <source>%1: set it by a click in the view</source>
+        <translation>%1: durch Klick in die Ansicht setzen</translation>
+    </message>
+    <message>
+        <source>click the organ</source>
+        <translation>Organ anklicken</translation>
+    </message>
+    <message>
+        <source>Open a patient&apos;s organ first.</source>
+        <translation>Öffnen Sie zuerst ein Organ eines Patienten.</translation>
+    </message>
+    <message>
+        <source>%1 is open; a sequence needs a closed surface.</source>
+        <translation>%1 ist offen; eine Sequenz braucht eine geschlossene Oberfläche.</translation>
+    </message>
+    <message>
+        <source>Moves %1 and its chambers as a textbook&apos;s heart, from how they are as the end of diastole. It becomes a recorded sequence.</source>
+        <translation>Bewegt %1 und seine Höhlen wie ein Lehrbuchherz, ausgehend vom jetzigen Zustand als Ende der Diastole. Daraus wird eine aufgezeichnete Sequenz.</translation>
+    </message>
+    <message>
+        <source>Moves %1 like the sample organ. Landmarks that you do not set are found from its shape.</source>
+        <translation>Bewegt %1 wie das Beispielorgan. Landmarken, die Sie nicht setzen, werden aus der Form bestimmt.</translation>
+    </message>
+    <message>
+        <source>Fitting %1</source>
+        <translation>%1 wird angepasst</translation>
+    </message>
+    <message>
+        <source>Fit the textbook&apos;s beat to %1</source>
+        <translation>Lehrbuchschlag an %1 anpassen</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::FitOffer</name>
+    <message>
+        <source>Replace all open organs; Undo brings them back</source>
+        <translation>Alle offenen Organe ersetzen; Rückgängig holt sie zurück</translation>
+    </message>
+    <message>
+        <source>%1 is made for a %2, and by its name %3 is another organ.</source>
+        <translation>%1 ist für ein anderes Organ gemacht (%2): Dem Namen nach ist %3 keines.</translation>
+    </message>
+    <message>
+        <source>%1: fit it to %2?</source>
+        <translation>%1: an %2 anpassen?</translation>
+    </message>
+    <message>
+        <source>Fit it anyway</source>
+        <translation>Trotzdem anpassen</translation>
+    </message>
+    <message>
+        <source>Fit it to %1</source>
+        <translation>An %1 anpassen</translation>
+    </message>
+    <message>
+        <source>Place the sequence&apos;s handles around the organ and play it</source>
+        <translation>Die Griffe der Sequenz um das Organ setzen und sie abspielen</translation>
+    </message>
+    <message>
+        <source>%1 is open; a sequence needs a closed surface</source>
+        <translation>%1 ist offen; eine Sequenz braucht eine geschlossene Oberfläche</translation>
+    </message>
+    <message>
+        <source>Show the sample %1</source>
+        <translation>Beispiel %1 zeigen</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::GroupPanel</name>
+    <message>
+        <source>No groups: all handles act everywhere. Select handles and make a group of them, or make groups automatically below.</source>
+        <translation>Keine Gruppen: Alle Griffe wirken überall. Wählen Sie Griffe und bilden Sie daraus eine Gruppe, oder bilden Sie unten Gruppen automatisch.</translation>
+    </message>
+    <message>
+        <source>Groups</source>
+        <translation>Gruppen</translation>
+    </message>
+    <message>
+        <source>New group</source>
+        <translation>Neue Gruppe</translation>
+    </message>
+    <message>
+        <source>Make a group of the selected handles</source>
+        <translation>Aus den gewählten Griffen eine Gruppe bilden</translation>
+    </message>
+    <message>
+        <source>Select handles</source>
+        <translation>Griffe wählen</translation>
+    </message>
+    <message>
+        <source>Select the handles of the chosen group</source>
+        <translation>Die Griffe der gewählten Gruppe auswählen</translation>
+    </message>
+    <message>
+        <source>Add selected</source>
+        <translation>Gewählte dazu</translation>
+    </message>
+    <message>
+        <source>Add the selected handles to the chosen group</source>
+        <translation>Die gewählten Griffe der gewählten Gruppe hinzufügen</translation>
+    </message>
+    <message>
+        <source>Take out</source>
+        <translation>Herausnehmen</translation>
+    </message>
+    <message>
+        <source>Take the selected handles out of the chosen group</source>
+        <translation>Die gewählten Griffe aus der gewählten Gruppe nehmen</translation>
+    </message>
+    <message>
+        <source>Colour...</source>
+        <translation>Farbe...</translation>
+    </message>
+    <message>
+        <source>Choose the colour of the chosen group</source>
+        <translation>Die Farbe der gewählten Gruppe wählen</translation>
+    </message>
+    <message>
+        <source>Remove group</source>
+        <translation>Gruppe entfernen</translation>
+    </message>
+    <message>
+        <source>Remove the chosen group; its handles stay</source>
+        <translation>Die gewählte Gruppe entfernen; ihre Griffe bleiben</translation>
+    </message>
+    <message>
+        <source>How groups are made</source>
+        <translation>Wie Gruppen gebildet werden</translation>
+    </message>
+    <message>
+        <source>Parts along the axis</source>
+        <translation>Teile entlang der Achse</translation>
+    </message>
+    <message>
+        <source>Clusters of handles</source>
+        <translation>Häufungen von Griffen</translation>
+    </message>
+    <message>
+        <source>Organs and their pieces</source>
+        <translation>Organe und ihre Stücke</translation>
+    </message>
+    <message>
+        <source>How many groups</source>
+        <translation>Anzahl der Gruppen</translation>
+    </message>
+    <message>
+        <source>Group automatically</source>
+        <translation>Automatisch gruppieren</translation>
+    </message>
+    <message>
+        <source>Replace the present groups. Where handles do not surround a group&apos;s part of the organ, the corners of a box are added.</source>
+        <translation>Die jetzigen Gruppen ersetzen. Wo Griffe den Teil des Organs einer Gruppe nicht umgeben, werden die Ecken eines Quaders hinzugefügt.</translation>
+    </message>
+    <message>
+        <source>Group %1</source>
+        <translation>Gruppe %1</translation>
+    </message>
+    <message>
+        <source>F2 renames</source>
+        <translation>F2 benennt um</translation>
+    </message>
+    <message>
+        <source>A region needs at least four handles</source>
+        <translation>Eine Region braucht mindestens vier Griffe</translation>
+    </message>
+    <message>
+        <source>These coordinates do not use groups.</source>
+        <translation>Diese Koordinaten verwenden keine Gruppen.</translation>
+    </message>
+    <message>
+        <source>No coordinate system that uses groups is loaded: the plugin is missing.</source>
+        <translation>Kein Koordinatensystem mit Gruppen ist geladen: Das Plugin fehlt.</translation>
+    </message>
+    <message>
+        <source>Use %1</source>
+        <translation>%1 verwenden</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::HandleController</name>
+    <message numerus="yes">
+        <source>Move %n {handle|handles}</source>
+        <translation>
+            <numerusform>%n Griff bewegen</numerusform>
+            <numerusform>%n Griffe bewegen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Move handle %1</source>
+        <translation>Griff %1 bewegen</translation>
+    </message>
+    <message numerus="yes">
+        <source>Turn %n {handle|handles}</source>
+        <translation>
+            <numerusform>%n Griff drehen</numerusform>
+            <numerusform>%n Griffe drehen</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Scale %n {handle|handles}</source>
+        <translation>
+            <numerusform>%n Griff skalieren</numerusform>
+            <numerusform>%n Griffe skalieren</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::HandleModel</name>
+    <message>
+        <source>Handle</source>
+        <translation>Griff</translation>
+    </message>
+    <message>
+        <source>Groups</source>
+        <translation>Gruppen</translation>
+    </message>
+    <message>
+        <source>Rest L</source>
+        <translation>Ruhe L</translation>
+    </message>
+    <message>
+        <source>Rest P</source>
+        <translation>Ruhe P</translation>
+    </message>
+    <message>
+        <source>Rest S</source>
+        <translation>Ruhe S</translation>
+    </message>
+    <message>
+        <source>Pose L</source>
+        <translation>Pose L</translation>
+    </message>
+    <message>
+        <source>Pose P</source>
+        <translation>Pose P</translation>
+    </message>
+    <message>
+        <source>Pose S</source>
+        <translation>Pose S</translation>
+    </message>
+    <message>
+        <source>Moved (mm)</source>
+        <translation>Weg (mm)</translation>
+    </message>
+    <message>
+        <source>Coordinate</source>
+        <translation>Koordinate</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::HandlePanel</name>
+    <message>
+        <source>No handles yet.
+Move the slider above to place some, or click the organ in Handles mode (2).</source>
+        <translation>Noch keine Griffe.
+Bewegen Sie den Regler oben, um welche zu setzen, oder klicken Sie im Modus Griffe (2) auf das Organ.</translation>
+    </message>
+    <message>
+        <source>Place automatically</source>
+        <translation>Automatisch setzen</translation>
+    </message>
+    <message>
+        <source>Place this many handles evenly, a little outside the organ&apos;s surface; they replace the present ones</source>
+        <translation>So viele Griffe gleichmäßig setzen, etwas außerhalb der Oberfläche des Organs; sie ersetzen die jetzigen</translation>
+    </message>
+    <message>
+        <source>Enclosing box</source>
+        <translation>Umschließender Quader</translation>
+    </message>
+    <message>
+        <source>Eight of the handles are the corners of a box around the organ, so that all of it lies inside</source>
+        <translation>Acht der Griffe sind die Ecken eines Quaders um das Organ, sodass es ganz darin liegt</translation>
+    </message>
+    <message>
+        <source>Handles</source>
+        <translation>Griffe</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>F2 renames, Delete removes</source>
+        <translation>F2 benennt um, Entf entfernt</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::HandlePlacer</name>
+    <message>
+        <source>Place handles</source>
+        <translation>Griffe setzen</translation>
+    </message>
+    <message>
+        <source>Enclosing</source>
+        <translation>Umschließend</translation>
+    </message>
+    <message>
+        <source>Surface</source>
+        <translation>Oberfläche</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::HandleTable</name>
+    <message>
+        <source>Table of handles</source>
+        <translation>Tabelle der Griffe</translation>
+    </message>
+    <message>
+        <source>&amp;Copy</source>
+        <translation>&amp;Kopieren</translation>
+    </message>
+    <message>
+        <source>Copy the selected rows, or all, with all digits (Ctrl+C)</source>
+        <translation>Die gewählten Zeilen oder alle mit sämtlichen Stellen kopieren (Strg+C)</translation>
+    </message>
+    <message>
+        <source>&amp;Table of handles...</source>
+        <translation>&amp;Tabelle der Griffe...</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+T</source>
+        <translation>Ctrl+Shift+T</translation>
+    </message>
+    <message>
+        <source>Positions of all handles, and the coordinates of a vertex that you click</source>
+        <translation>Positionen aller Griffe und die Koordinaten eines Eckpunkts, den Sie anklicken</translation>
+    </message>
+    <message>
+        <source>Click the organ in the view to see the coordinates of its nearest vertex.</source>
+        <translation>Klicken Sie in der Ansicht auf das Organ, um die Koordinaten des nächsten Eckpunkts zu sehen.</translation>
+    </message>
+    <message>
+        <source>Vertex %1 of %2, at rest at %3, %4, %5 mm (LPS)</source>
+        <translation>Eckpunkt %1 von %2, in Ruhe bei %3, %4, %5 mm (LPS)</translation>
+    </message>
+    <message>
+        <source>%1: the organ is not bound to the handles.</source>
+        <translation>%1: Das Organ ist nicht an die Griffe gebunden.</translation>
+    </message>
+    <message>
+        <source>%1. Its coordinates sum to %2 and miss it by %3 mm.</source>
+        <translation>%1. Seine Koordinaten haben die Summe %2 und verfehlen ihn um %3 mm.</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::HandlesMode</name>
+    <message>
+        <source>Handles</source>
+        <translation>Griffe</translation>
+    </message>
+    <message>
+        <source>Click the organ to add a handle, drag to move it, Delete removes it; the reference shape stays</source>
+        <translation>Klick auf das Organ fügt einen Griff hinzu, Ziehen bewegt ihn, Entf entfernt ihn; die Referenzform bleibt</translation>
+    </message>
+    <message>
+        <source>&amp;Place automatically</source>
+        <translation>Automatisch &amp;setzen</translation>
+    </message>
+    <message>
+        <source>Ctrl+P</source>
+        <translation>Ctrl+P</translation>
+    </message>
+    <message>
+        <source>Spread handles evenly around the organ</source>
+        <translation>Griffe gleichmäßig um das Organ verteilen</translation>
+    </message>
+    <message>
+        <source>Add &amp;enclosing handles</source>
+        <translation>&amp;Umschließende Griffe hinzufügen</translation>
+    </message>
+    <message>
+        <source>Add the eight corners of a box around everything</source>
+        <translation>Die acht Ecken eines Quaders um alles hinzufügen</translation>
+    </message>
+    <message>
+        <source>&amp;Remove handles</source>
+        <translation>Griffe &amp;entfernen</translation>
+    </message>
+    <message>
+        <source>Remove the selected handles</source>
+        <translation>Die gewählten Griffe entfernen</translation>
+    </message>
+    <message>
+        <source>Select &amp;all handles</source>
+        <translation>&amp;Alle Griffe auswählen</translation>
+    </message>
+    <message>
+        <source>Use the &amp;hull as the cage</source>
+        <translation>&amp;Hülle als Käfig verwenden</translation>
+    </message>
+    <message>
+        <source>Discard the loaded cage and use the convex hull of the handles again</source>
+        <translation>Den geladenen Käfig verwerfen und wieder die konvexe Hülle der Griffe verwenden</translation>
+    </message>
+    <message>
+        <source>&amp;Influence map</source>
+        <translation>Ein&amp;flusskarte</translation>
+    </message>
+    <message>
+        <source>Colour the organ by the influence of the selected handle</source>
+        <translation>Das Organ nach dem Einfluss des gewählten Griffs färben</translation>
+    </message>
+    <message>
+        <source>Show &amp;regions</source>
+        <translation>&amp;Regionen zeigen</translation>
+    </message>
+    <message>
+        <source>Show where each group of handles acts, and the cage of coordinates that need one</source>
+        <translation>Zeigen, wo jede Gruppe von Griffen wirkt, und den Käfig von Koordinaten, die einen brauchen</translation>
+    </message>
+    <message>
+        <source>Show &amp;zones</source>
+        <translation>&amp;Zonen zeigen</translation>
+    </message>
+    <message>
+        <source>Show where regions meet, in red</source>
+        <translation>In Rot zeigen, wo Regionen sich treffen</translation>
+    </message>
+    <message>
+        <source>Show &amp;super-regions</source>
+        <translation>Superre&amp;gionen zeigen</translation>
+    </message>
+    <message>
+        <source>Show the super-region that counts in each zone, in yellow</source>
+        <translation>In Gelb die Superregion zeigen, die in jeder Zone gilt</translation>
+    </message>
+    <message>
+        <source>Bound in %1 ms</source>
+        <translation>In %1 ms gebunden</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::HandlesPage</name>
+    <message>
+        <source>not bound</source>
+        <translation>nicht gebunden</translation>
+    </message>
+    <message>
+        <source>binding...</source>
+        <translation>wird gebunden...</translation>
+    </message>
+    <message>
+        <source>bound</source>
+        <translation>gebunden</translation>
+    </message>
+    <message>
+        <source>cancelled</source>
+        <translation>abgebrochen</translation>
+    </message>
+    <message>
+        <source>not possible</source>
+        <translation>nicht möglich</translation>
+    </message>
+    <message>
+        <source>Coordinates</source>
+        <translation>Koordinaten</translation>
+    </message>
+    <message>
+        <source>Groups</source>
+        <translation>Gruppen</translation>
+    </message>
+    <message>
+        <source>Binding</source>
+        <translation>Bindung</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>Zustand</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>Rest error</source>
+        <translation>Ruhefehler</translation>
+    </message>
+    <message>
+        <source>The largest distance of the bound organ at rest from the original</source>
+        <translation>Der größte Abstand des gebundenen Organs in Ruhe vom Original</translation>
+    </message>
+    <message>
+        <source>Smallest weight</source>
+        <translation>Kleinstes Gewicht</translation>
+    </message>
+    <message>
+        <source>Handle at rest</source>
+        <translation>Griff in Ruhe</translation>
+    </message>
+    <message>
+        <source>The cage is the convex hull of the handles.</source>
+        <translation>Der Käfig ist die konvexe Hülle der Griffe.</translation>
+    </message>
+    <message>
+        <source>The cage has %1 triangles over %2 handles.</source>
+        <translation>Der Käfig hat %1 Dreiecke über %2 Griffen.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 ms, %n {thread|threads}</source>
+        <translation>
+            <numerusform>%1 ms, %n Thread</numerusform>
+            <numerusform>%1 ms, %n Threads</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::Help</name>
+    <message>
+        <source>&amp;Mouse and keys</source>
+        <translation>&amp;Maus und Tasten</translation>
+    </message>
+    <message>
+        <source>Shift+?</source>
+        <translation>Shift+?</translation>
+    </message>
+    <message>
+        <source>Two-minute &amp;tour</source>
+        <translation>&amp;Tour in zwei Minuten</translation>
+    </message>
+    <message>
+        <source>&amp;Welcome</source>
+        <translation>&amp;Willkommen</translation>
+    </message>
+    <message>
+        <source>&amp;About Viscera</source>
+        <translation>&amp;Über Viscera</translation>
+    </message>
+    <message>
+        <source>Viscera %1: organs deformed by handles, without a cage. BSD-3-Clause; a program for research and teaching, not a medical device.</source>
+        <translation>Viscera %1: Organe, mit Griffen verformt, ohne Käfig. BSD-3-Clause; ein Programm für Forschung und Lehre, kein Medizinprodukt.</translation>
+    </message>
+    <message>
+        <source>Look around</source>
+        <translation>Umsehen</translation>
+    </message>
+    <message>
+        <source>Drag with the left button to rotate, with Shift to pan; the wheel zooms. Click an organ to select it, press F to bring it into the picture; D measures distances, A angles. The eye in the list on the left hides it, the square changes its colour.</source>
+        <translation>Ziehen mit der linken Taste dreht, mit Umschalt verschiebt; das Rad zoomt. Ein Klick wählt ein Organ, F holt es ins Bild; D misst Abstände, A Winkel. Das Auge in der Liste links blendet es aus, das Quadrat ändert seine Farbe.</translation>
+    </message>
+    <message>
+        <source>See it move</source>
+        <translation>In Bewegung sehen</translation>
+    </message>
+    <message>
+        <source>Space plays and pauses. The timeline shows the phases of the cycle: drag along it to look at one instant. Below, the volumes are drawn as they change.</source>
+        <translation>Die Leertaste spielt ab und hält an. Die Zeitleiste zeigt die Phasen des Zyklus: Ziehen Sie daran, um einen Zeitpunkt zu betrachten. Darunter werden die Volumina in ihrem Verlauf gezeichnet.</translation>
+    </message>
+    <message>
+        <source>Handles</source>
+        <translation>Griffe</translation>
+    </message>
+    <message>
+        <source>Organs follow handles around them. Here you edit them at rest: click the organ to add one, drag to move it, Delete to remove it. The organ is bound again at once. I shows how far a handle reaches.</source>
+        <translation>Organe folgen den Griffen um sie herum. Hier bearbeiten Sie die Griffe in Ruhe: Klick auf das Organ fügt einen hinzu, Ziehen bewegt ihn, Entf entfernt ihn. Das Organ wird sofort neu gebunden. I zeigt, wie weit ein Griff reicht.</translation>
+    </message>
+    <message>
+        <source>Deform</source>
+        <translation>Verformen</translation>
+    </message>
+    <message>
+        <source>Drag a handle and the organ follows; its volume is in the status bar. The padlock in the list on the left (K) keeps the volume whatever you do. T turns and scales selected handles, M mirrors drags. Ctrl+Z undoes any change, G shows the reference shape as an outline.</source>
+        <translation>Ziehen Sie an einem Griff, und das Organ folgt; sein Volumen steht in der Statusleiste. Das Schloss in der Liste links (K) hält das Volumen, was immer Sie tun. T dreht und skaliert gewählte Griffe, M spiegelt das Ziehen. Strg+Z macht jede Änderung rückgängig, G zeigt die Referenzform als Umriss.</translation>
+    </message>
+    <message>
+        <source>Stress</source>
+        <translation>Stress</translation>
+    </message>
+    <message>
+        <source>The colours say how much the pose distorts the tissue inside. Click the organ to read the values of a point, C cuts it open, M shows the next map. Space plays the sequence, and the map follows.</source>
+        <translation>Die Farben zeigen, wie stark die Pose das Gewebe innen verzerrt. Ein Klick auf das Organ zeigt die Werte eines Punktes, C schneidet es auf, M zeigt die nächste Karte. Die Leertaste spielt die Sequenz, und die Karte folgt.</translation>
+    </message>
+    <message>
+        <source>Your own organs</source>
+        <translation>Ihre eigenen Organe</translation>
+    </message>
+    <message>
+        <source>Open surfaces (STL, OBJ, PLY, OFF, VTK, VTP, GLB) or label maps (NIfTI, NRRD, DICOM-SEG) with Ctrl+O or drop them here; they get handles at once. Ctrl+S saves all of it as a session. ? lists all keys.</source>
+        <translation>Öffnen Sie Oberflächen (STL, OBJ, PLY, OFF, VTK, VTP, GLB) oder Labelkarten (NIfTI, NRRD, DICOM-SEG) mit Strg+O oder legen Sie sie hier ab; sie erhalten sofort Griffe. Strg+S speichert alles als Sitzung. ? listet alle Tasten.</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::Histogram</name>
+    <message>
+        <source>Histogram of the map</source>
+        <translation>Histogramm der Karte</translation>
+    </message>
+    <message>
+        <source>Number of witness points with each value; the lines mark the mean and the 95th percentile</source>
+        <translation>Anzahl der Messpunkte mit jedem Wert; die Linien markieren den Mittelwert und das 95. Perzentil</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::ImportDesk</name>
+    <message>
+        <source>Import or cancel the files in the panel first, then open the others.</source>
+        <translation>Importieren oder verwerfen Sie zuerst die Dateien im Bereich und öffnen Sie dann die anderen.</translation>
+    </message>
+    <message>
+        <source>Check of %1</source>
+        <translation>Prüfung von %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>Check of %n {file|files}</source>
+        <translation>
+            <numerusform>Prüfung von %n Datei</numerusform>
+            <numerusform>Prüfung von %n Dateien</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Repairing: %1</source>
+        <translation>Reparatur: %1</translation>
+    </message>
+    <message>
+        <source>Checking again</source>
+        <translation>Wird erneut geprüft</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::ImportPanel</name>
+    <message>
+        <source>No problems found. Nothing is in the document yet.</source>
+        <translation>Keine Probleme gefunden. Noch ist nichts im Dokument.</translation>
+    </message>
+    <message>
+        <source>Check the findings first. Nothing is in the document yet, and no file is changed.</source>
+        <translation>Prüfen Sie zuerst die Befunde. Noch ist nichts im Dokument, und keine Datei wird geändert.</translation>
+    </message>
+    <message>
+        <source>%1 organs: %2 with faults, %3 to look at, %4 without problems. Nothing is in the document yet, and no file is changed.</source>
+        <translation>%1 Organe: %2 mit Fehlern, %3 zum Ansehen, %4 ohne Probleme. Noch ist nichts im Dokument, und keine Datei wird geändert.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 organs are not life-sized; the unit of length is one for the patient</source>
+        <translation>%1 von %2 Organen sind nicht lebensgroß; die Längeneinheit ist für den ganzen Patienten dieselbe</translation>
+    </message>
+    <message>
+        <source>%1: %2 of %3 organs</source>
+        <translation>%1: %2 von %3 Organen</translation>
+    </message>
+    <message>
+        <source>Import</source>
+        <translation>Importieren</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Find an organ</source>
+        <translation>Organ suchen</translation>
+    </message>
+    <message>
+        <source>Organs to show, by finding</source>
+        <translation>Angezeigte Organe, nach Befund</translation>
+    </message>
+    <message>
+        <source>All</source>
+        <translation>Alle</translation>
+    </message>
+    <message>
+        <source>Import all organs of this list</source>
+        <translation>Alle Organe dieser Liste importieren</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Keine</translation>
+    </message>
+    <message>
+        <source>Import no organ of this list</source>
+        <translation>Kein Organ dieser Liste importieren</translation>
+    </message>
+    <message numerus="yes">
+        <source>Import %n {organ|organs}</source>
+        <translation>
+            <numerusform>%n Organ importieren</numerusform>
+            <numerusform>%n Organe importieren</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Import as it is</source>
+        <translation>Unverändert importieren</translation>
+    </message>
+    <message>
+        <source>All organs together</source>
+        <translation>Alle Organe zusammen</translation>
+    </message>
+    <message>
+        <source>Every organ</source>
+        <translation>Jedes Organ</translation>
+    </message>
+    <message>
+        <source>To look at</source>
+        <translation>Zum Ansehen</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::KeyBox</name>
+    <message>
+        <source> s</source>
+        <translation> s</translation>
+    </message>
+    <message>
+        <source>Pose the organ in Deform mode and press Ctrl+K: each key stores that pose.</source>
+        <translation>Stellen Sie im Modus Verformen eine Pose ein und drücken Sie Strg+K: Jeder Schlüssel speichert diese Pose.</translation>
+    </message>
+    <message>
+        <source>Time of the next key</source>
+        <translation>Zeit des nächsten Schlüssels</translation>
+    </message>
+    <message>
+        <source>Easing to the key after it</source>
+        <translation>Übergang zum folgenden Schlüssel</translation>
+    </message>
+    <message>
+        <source>Add key</source>
+        <translation>Neuer Schlüssel</translation>
+    </message>
+    <message>
+        <source>Store the present pose as a key (Ctrl+K)</source>
+        <translation>Die jetzige Pose als Schlüssel speichern (Strg+K)</translation>
+    </message>
+    <message>
+        <source>time (s)</source>
+        <translation>Zeit (s)</translation>
+    </message>
+    <message>
+        <source>then</source>
+        <translation>dann</translation>
+    </message>
+    <message>
+        <source>Take pose</source>
+        <translation>Pose holen</translation>
+    </message>
+    <message>
+        <source>Set the present pose to that of this key</source>
+        <translation>Die jetzige Pose auf die dieses Schlüssels setzen</translation>
+    </message>
+    <message>
+        <source>Replace</source>
+        <translation>Ersetzen</translation>
+    </message>
+    <message>
+        <source>Store the present pose in this key</source>
+        <translation>Die jetzige Pose in diesem Schlüssel speichern</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>Remove this key</source>
+        <translation>Diesen Schlüssel entfernen</translation>
+    </message>
+    <message>
+        <source>Play it</source>
+        <translation>Abspielen</translation>
+    </message>
+    <message>
+        <source>Play the recorded sequence</source>
+        <translation>Die aufgezeichnete Sequenz abspielen</translation>
+    </message>
+    <message>
+        <source>Save...</source>
+        <translation>Speichern...</translation>
+    </message>
+    <message>
+        <source>Save the sequence as a file</source>
+        <translation>Die Sequenz als Datei speichern</translation>
+    </message>
+    <message>
+        <source>Open...</source>
+        <translation>Öffnen...</translation>
+    </message>
+    <message>
+        <source>Open a sequence file</source>
+        <translation>Eine Sequenzdatei öffnen</translation>
+    </message>
+    <message>
+        <source>lasts </source>
+        <translation>dauert </translation>
+    </message>
+    <message>
+        <source>Length of one cycle</source>
+        <translation>Länge eines Zyklus</translation>
+    </message>
+    <message>
+        <source>Sequences (*%1)</source>
+        <translation>Sequenzen (*%1)</translation>
+    </message>
+    <message>
+        <source>Save the sequence</source>
+        <translation>Sequenz speichern</translation>
+    </message>
+    <message>
+        <source>Open a sequence</source>
+        <translation>Sequenz öffnen</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::LectureScreen</name>
+    <message>
+        <source>&amp;Lecture</source>
+        <translation>&amp;Vortrag</translation>
+    </message>
+    <message>
+        <source>The view alone on the whole screen, in large letters; Page Down shows the next slide, Escape ends it</source>
+        <translation>Nur die Ansicht auf dem ganzen Bildschirm, in großer Schrift; Bild ab zeigt die nächste Folie, Escape beendet</translation>
+    </message>
+    <message>
+        <source>&amp;Darken the screen</source>
+        <translation>Bildschirm &amp;verdunkeln</translation>
+    </message>
+    <message>
+        <source>%1 %2 ml</source>
+        <translation>%1 %2 ml</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::LessonDialog</name>
+    <message>
+        <source>Handles that a reader can drag</source>
+        <translation>Griffe, an denen Leser ziehen können</translation>
+    </message>
+    <message>
+        <source>Export lesson</source>
+        <translation>Lektion exportieren</translation>
+    </message>
+    <message>
+        <source>Web page for any browser (.html)</source>
+        <translation>Webseite für jeden Browser (.html)</translation>
+    </message>
+    <message>
+        <source>Animated glTF scene (.glb)</source>
+        <translation>Animierte glTF-Szene (.glb)</translation>
+    </message>
+    <message>
+        <source>As the window</source>
+        <translation>Wie das Fenster</translation>
+    </message>
+    <message>
+        <source>Language of the page&apos;s buttons and messages; the texts below stay as they are</source>
+        <translation>Sprache der Schaltflächen und Meldungen der Seite; die Texte unten bleiben, wie sie sind</translation>
+    </message>
+    <message>
+        <source>This is all that a reader will be able to read: names of files, dates and what is hidden are not in the lesson. Look for names of patients; double-click a text to change it.</source>
+        <translation>Mehr als dies kann ein Leser nicht lesen: Dateinamen, Daten und Ausgeblendetes sind nicht in der Lektion. Achten Sie auf Namen von Patienten; ein Doppelklick auf einen Text ändert ihn.</translation>
+    </message>
+    <message>
+        <source>Title</source>
+        <translation>Titel</translation>
+    </message>
+    <message>
+        <source>Notes</source>
+        <translation>Bemerkungen</translation>
+    </message>
+    <message>
+        <source>Becomes</source>
+        <translation>Wird zu</translation>
+    </message>
+    <message>
+        <source>Language</source>
+        <translation>Sprache</translation>
+    </message>
+    <message>
+        <source>Save as...</source>
+        <translation>Speichern unter...</translation>
+    </message>
+    <message>
+        <source>Texts of the lesson</source>
+        <translation>Texte der Lektion</translation>
+    </message>
+    <message>
+        <source>What it is</source>
+        <translation>Was es ist</translation>
+    </message>
+    <message>
+        <source>Text</source>
+        <translation>Text</translation>
+    </message>
+    <message>
+        <source>The shape of a head or a face can identify a patient.</source>
+        <translation>Die Form eines Kopfs oder Gesichts kann einen Patienten erkennbar machen.</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::LessonExport</name>
+    <message>
+        <source>Export &amp;lesson...</source>
+        <translation>&amp;Lektion exportieren...</translation>
+    </message>
+    <message>
+        <source>Write the organs and their motion as one page that opens in any browser</source>
+        <translation>Die Organe und ihre Bewegung als eine Seite schreiben, die sich in jedem Browser öffnet</translation>
+    </message>
+    <message>
+        <source>Export lesson</source>
+        <translation>Lektion exportieren</translation>
+    </message>
+    <message>
+        <source>lesson.html</source>
+        <translation>lesson.html</translation>
+    </message>
+    <message>
+        <source>lesson.glb</source>
+        <translation>lesson.glb</translation>
+    </message>
+    <message>
+        <source>Web pages (*.html)</source>
+        <translation>Webseiten (*.html)</translation>
+    </message>
+    <message>
+        <source>glTF scenes (*.glb)</source>
+        <translation>glTF-Szenen (*.glb)</translation>
+    </message>
+    <message>
+        <source>Exporting the lesson</source>
+        <translation>Lektion wird exportiert</translation>
+    </message>
+    <message>
+        <source>Written to %1 (%2 MB). Its motion is off by %3 mm at most.</source>
+        <translation>In %1 geschrieben (%2 MB). Ihre Bewegung weicht um höchstens %3 mm ab.</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::MainWindow</name>
+    <message>
+        <source>&amp;Quit</source>
+        <translation>&amp;Beenden</translation>
+    </message>
+    <message>
+        <source>&amp;Dark</source>
+        <translation>&amp;Dunkel</translation>
+    </message>
+    <message>
+        <source>&amp;Light</source>
+        <translation>&amp;Hell</translation>
+    </message>
+    <message>
+        <source>%1: checked, no problems found</source>
+        <translation>%1: geprüft, keine Probleme gefunden</translation>
+    </message>
+    <message>
+        <source>The drag was taken back, because another mode was chosen.</source>
+        <translation>Das Ziehen wurde zurückgenommen, weil ein anderer Modus gewählt wurde.</translation>
+    </message>
+    <message>
+        <source>As far as it goes: %1</source>
+        <translation>So weit wie möglich: %1</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::MeasureBox</name>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>Remove the chosen measurement (Delete in the list)</source>
+        <translation>Die gewählte Messung entfernen (Entf in der Liste)</translation>
+    </message>
+    <message>
+        <source>Remove all</source>
+        <translation>Alle entfernen</translation>
+    </message>
+    <message>
+        <source>Export CSV...</source>
+        <translation>CSV exportieren...</translation>
+    </message>
+    <message>
+        <source>Measurements</source>
+        <translation>Messungen</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>Now</source>
+        <translation>Jetzt</translation>
+    </message>
+    <message>
+        <source>Reference shape</source>
+        <translation>Referenzform</translation>
+    </message>
+    <message>
+        <source>Points stay on the organ while it moves, and can be dragged along it; those on a slice stay there.</source>
+        <translation>Punkte bleiben auf dem Organ, während es sich bewegt, und lassen sich darauf ziehen; Punkte auf einer Schicht bleiben dort.</translation>
+    </message>
+    <message>
+        <source>Click two points on an organ or on a slice. Esc ends.</source>
+        <translation>Zwei Punkte auf einem Organ oder einer Schicht anklicken. Esc beendet.</translation>
+    </message>
+    <message>
+        <source>Click three points on an organ or on a slice, the corner second. Esc ends.</source>
+        <translation>Drei Punkte auf einem Organ oder einer Schicht anklicken, den Scheitel als zweiten. Esc beendet.</translation>
+    </message>
+    <message>
+        <source>Drag on a slice from corner to corner. Esc ends.</source>
+        <translation>Auf einer Schicht von Ecke zu Ecke ziehen. Esc beendet.</translation>
+    </message>
+    <message>
+        <source>Drag on a slice from the middle to the border. Esc ends.</source>
+        <translation>Auf einer Schicht von der Mitte zum Rand ziehen. Esc beendet.</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::MeasuredMotion</name>
+    <message>
+        <source>%1 %2 mm</source>
+        <translation>%1 %2 mm</translation>
+    </message>
+    <message numerus="yes">
+        <source>Motion of %n {phase|phases}. Mean distance from what was measured: %1.</source>
+        <translation>
+            <numerusform>Bewegung aus %n Phase. Mittlerer Abstand von den Messdaten: %1.</numerusform>
+            <numerusform>Bewegung aus %n Phasen. Mittlerer Abstand von den Messdaten: %1.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>It was cancelled.</source>
+        <translation>Es wurde abgebrochen.</translation>
+    </message>
+    <message>
+        <source>Motion from a series</source>
+        <translation>Bewegung aus einer Serie</translation>
+    </message>
+    <message>
+        <source>Where points of a wall move along it was not measured: mean and 95th percentile over the beat can be read, the local pattern of this map cannot.</source>
+        <translation>Wie sich Punkte entlang einer Wand bewegen, wurde nicht gemessen: Mittelwert und 95. Perzentil über den Schlag sind aussagekräftig, das örtliche Muster dieser Karte nicht.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {phase needs|phases need} attention: see the table below the chart.</source>
+        <translation>
+            <numerusform>%n Phase braucht Aufmerksamkeit: siehe Tabelle unter dem Diagramm.</numerusform>
+            <numerusform>%n Phasen brauchen Aufmerksamkeit: siehe Tabelle unter dem Diagramm.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Leave out phase %1</source>
+        <translation>Phase %1 auslassen</translation>
+    </message>
+    <message>
+        <source>Surface of phase %1</source>
+        <translation>Oberfläche der Phase %1</translation>
+    </message>
+    <message>
+        <source>Distance from what was measured</source>
+        <translation>Abstand von den Messdaten</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::Menus</name>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Rückgängig</translation>
+    </message>
+    <message>
+        <source>Ctrl+Z</source>
+        <translation>Ctrl+Z</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>&amp;Wiederholen</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+Z</source>
+        <translation>Ctrl+Shift+Z</translation>
+    </message>
+    <message>
+        <source>&amp;Undo: %1</source>
+        <translation>&amp;Rückgängig: %1</translation>
+    </message>
+    <message>
+        <source>&amp;Redo: %1</source>
+        <translation>&amp;Wiederholen: %1</translation>
+    </message>
+    <message>
+        <source>&amp;File</source>
+        <translation>&amp;Datei</translation>
+    </message>
+    <message>
+        <source>Open &amp;recent</source>
+        <translation>&amp;Zuletzt geöffnet</translation>
+    </message>
+    <message>
+        <source>Sample &amp;organs</source>
+        <translation>Beispiel&amp;organe</translation>
+    </message>
+    <message>
+        <source>Export &amp;more</source>
+        <translation>&amp;Weitere Exporte</translation>
+    </message>
+    <message>
+        <source>&amp;Edit</source>
+        <translation>&amp;Bearbeiten</translation>
+    </message>
+    <message>
+        <source>&amp;Steps</source>
+        <translation>&amp;Schritte</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>&amp;Ansicht</translation>
+    </message>
+    <message>
+        <source>St&amp;ress map</source>
+        <translation>St&amp;resskarte</translation>
+    </message>
+    <message>
+        <source>&amp;Scan</source>
+        <translation>S&amp;can</translation>
+    </message>
+    <message>
+        <source>&amp;Slides</source>
+        <translation>&amp;Folien</translation>
+    </message>
+    <message>
+        <source>&amp;Panels</source>
+        <translation>&amp;Bereiche</translation>
+    </message>
+    <message>
+        <source>&amp;Theme</source>
+        <translation>&amp;Design</translation>
+    </message>
+    <message>
+        <source>Lan&amp;guage</source>
+        <translation>Sp&amp;rache</translation>
+    </message>
+    <message>
+        <source>The next start uses this language: %1.</source>
+        <translation>Der nächste Start verwendet diese Sprache: %1.</translation>
+    </message>
+    <message>
+        <source>As the &amp;system</source>
+        <translation>Wie das &amp;System</translation>
+    </message>
+    <message>
+        <source>&amp;Organ</source>
+        <translation>&amp;Organ</translation>
+    </message>
+    <message>
+        <source>Ha&amp;ndles</source>
+        <translation>&amp;Griffe</translation>
+    </message>
+    <message>
+        <source>&amp;Mirror drags</source>
+        <translation>Ziehen s&amp;piegeln</translation>
+    </message>
+    <message>
+        <source>&amp;Sequence</source>
+        <translation>&amp;Sequenz</translation>
+    </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation>&amp;Hilfe</translation>
+    </message>
+    <message>
+        <source>Nothing was opened yet</source>
+        <translation>Noch nichts geöffnet</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n earlier {step|steps}</source>
+        <translation>
+            <numerusform>%n früherer Schritt</numerusform>
+            <numerusform>%n frühere Schritte</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>As opened</source>
+        <translation>Wie geöffnet</translation>
+    </message>
+    <message>
+        <source>No sample organs are installed</source>
+        <translation>Keine Beispielorgane installiert</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::MessageBar</name>
+    <message>
+        <source>Close this message (Esc)</source>
+        <translation>Diese Meldung schließen (Esc)</translation>
+    </message>
+    <message>
+        <source>Close this message</source>
+        <translation>Diese Meldung schließen</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::ModeRail</name>
+    <message>
+        <source>%1 (%2)
+%3</source>
+        <translation>%1 (%2)
+%3</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::MotionDialog</name>
+    <message>
+        <source>Cavity</source>
+        <translation>Hohlraum</translation>
+    </message>
+    <message>
+        <source>Tissue around cavities</source>
+        <translation>Gewebe um Hohlräume</translation>
+    </message>
+    <message>
+        <source>Use</source>
+        <translation>Verwenden</translation>
+    </message>
+    <message>
+        <source>Leave out</source>
+        <translation>Auslassen</translation>
+    </message>
+    <message>
+        <source>Motion from a series</source>
+        <translation>Bewegung aus einer Serie</translation>
+    </message>
+    <message>
+        <source>More</source>
+        <translation>Mehr</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Find the motion</source>
+        <translation>Bewegung bestimmen</translation>
+    </message>
+    <message>
+        <source>Turns one organ, given in several phases of a cycle, into handles and a recorded sequence with a key for each phase. Choose surfaces or label maps, one file for each phase, or one file of several volumes. The result replaces the open organs; Undo brings them back.</source>
+        <translation>Macht aus einem Organ, das in mehreren Phasen eines Zyklus vorliegt, Griffe und eine aufgezeichnete Sequenz mit einem Schlüssel je Phase. Wählen Sie Oberflächen oder Labelmaps, eine Datei je Phase, oder eine Datei mit mehreren Volumina. Das Ergebnis ersetzt die offenen Organe; Rückgängig holt sie zurück.</translation>
+    </message>
+    <message>
+        <source>Folder...</source>
+        <translation>Ordner...</translation>
+    </message>
+    <message>
+        <source>Files...</source>
+        <translation>Dateien...</translation>
+    </message>
+    <message>
+        <source>All phases, or one 4D NIfTI or .seq.nrrd</source>
+        <translation>Alle Phasen oder ein 4D-NIfTI oder .seq.nrrd</translation>
+    </message>
+    <message>
+        <source>Surfaces of the series</source>
+        <translation>Oberflächen der Serie</translation>
+    </message>
+    <message>
+        <source> ms</source>
+        <translation> ms</translation>
+    </message>
+    <message>
+        <source>Length of one whole cycle: the number of phases times the step between them</source>
+        <translation>Länge eines ganzen Zyklus: Anzahl der Phasen mal Schritt zwischen ihnen</translation>
+    </message>
+    <message>
+        <source>One cycle lasts</source>
+        <translation>Ein Zyklus dauert</translation>
+    </message>
+    <message>
+        <source>The last phase leads back to the first</source>
+        <translation>Die letzte Phase führt zur ersten zurück</translation>
+    </message>
+    <message>
+        <source>60 or 120</source>
+        <translation>60 oder 120</translation>
+    </message>
+    <message>
+        <source>60 for one surface, 120 for several. More follow the surfaces more closely</source>
+        <translation>60 für eine Oberfläche, 120 für mehrere. Mehr folgen den Oberflächen genauer</translation>
+    </message>
+    <message>
+        <source>Handles</source>
+        <translation>Griffe</translation>
+    </message>
+    <message>
+        <source>Keep the measured volumes exactly</source>
+        <translation>Gemessene Volumina genau halten</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>All alike</source>
+        <translation>Alle gleich</translation>
+    </message>
+    <message>
+        <source>Larger distances count less: for label maps with outliers</source>
+        <translation>Größere Abstände zählen weniger: für Labelmaps mit Ausreißern</translation>
+    </message>
+    <message>
+        <source>Distances count less beyond</source>
+        <translation>Abstände zählen weniger ab</translation>
+    </message>
+    <message>
+        <source>None; as in 3, 7</source>
+        <translation>Keine; wie in 3, 7</translation>
+    </message>
+    <message>
+        <source>Leave out phases</source>
+        <translation>Phasen auslassen</translation>
+    </message>
+    <message>
+        <source>Folder with a series</source>
+        <translation>Ordner mit einer Serie</translation>
+    </message>
+    <message>
+        <source>Phases of a series</source>
+        <translation>Phasen einer Serie</translation>
+    </message>
+    <message>
+        <source>Reading the series</source>
+        <translation>Serie wird gelesen</translation>
+    </message>
+    <message>
+        <source>One image has no motion of its own. Open it (File &gt; Open), and Fit a sequence to an organ in Play mode lets the heart and its chambers beat as the textbook&apos;s.</source>
+        <translation>Ein einzelnes Bild hat keine eigene Bewegung. Öffnen Sie es (Datei &gt; Öffnen); „Sequenz an ein Organ anpassen“ im Modus Abspielen lässt das Herz und seine Höhlen wie im Lehrbuch schlagen.</translation>
+    </message>
+    <message>
+        <source>Label</source>
+        <translation>Label</translation>
+    </message>
+    <message>
+        <source>Surface</source>
+        <translation>Oberfläche</translation>
+    </message>
+    <message>
+        <source>What it is</source>
+        <translation>Was es ist</translation>
+    </message>
+    <message>
+        <source>Label %1; a double click gives the surface another name</source>
+        <translation>Label %1; ein Doppelklick gibt der Oberfläche einen anderen Namen</translation>
+    </message>
+    <message>
+        <source>What %1 is</source>
+        <translation>Was %1 ist</translation>
+    </message>
+    <message>
+        <source>%1 a minute</source>
+        <translation>%1 pro Minute</translation>
+    </message>
+    <message>
+        <source>The files do not state it</source>
+        <translation>Die Dateien geben es nicht an</translation>
+    </message>
+    <message>
+        <source>No series is chosen.</source>
+        <translation>Keine Serie gewählt.</translation>
+    </message>
+    <message>
+        <source>Reading %1 ...</source>
+        <translation>%1 wird gelesen ...</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1: label maps, %n {phase|phases}</source>
+        <translation>
+            <numerusform>%1: Labelmaps, %n Phase</numerusform>
+            <numerusform>%1: Labelmaps, %n Phasen</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1: surfaces, %n {phase|phases}</source>
+        <translation>
+            <numerusform>%1: Oberflächen, %n Phase</numerusform>
+            <numerusform>%1: Oberflächen, %n Phasen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Working...</source>
+        <translation>In Arbeit...</translation>
+    </message>
+    <message>
+        <source>Enter the length of one cycle first</source>
+        <translation>Geben Sie zuerst die Länge eines Zyklus ein</translation>
+    </message>
+    <message>
+        <source>Heart</source>
+        <translation>Herz</translation>
+    </message>
+    <message>
+        <source>Outer surface</source>
+        <translation>Außenfläche</translation>
+    </message>
+    <message>
+        <source>%1 is not a phase</source>
+        <translation>%1 ist keine Phase</translation>
+    </message>
+    <message>
+        <source>name phases by their numbers, counted from 1, as in 3, 7</source>
+        <translation>Nennen Sie Phasen mit ihrer Nummer, ab 1 gezählt, wie in 3, 7</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::NumbersTable</name>
+    <message>
+        <source>Numbers of the circulation</source>
+        <translation>Zahlen des Kreislaufs</translation>
+    </message>
+    <message>
+        <source>now</source>
+        <translation>jetzt</translation>
+    </message>
+    <message>
+        <source>before</source>
+        <translation>vorher</translation>
+    </message>
+    <message>
+        <source>normal</source>
+        <translation>normal</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::OrganCheck</name>
+    <message>
+        <source>%1 x %2 x %3 mm</source>
+        <translation>%1 x %2 x %3 mm</translation>
+    </message>
+    <message>
+        <source>%1, open</source>
+        <translation>%1, offen</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>Import this organ</source>
+        <translation>Dieses Organ importieren</translation>
+    </message>
+    <message>
+        <source>%1 · %2</source>
+        <translation>%1 · %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {check|checks} passed</source>
+        <translation>
+            <numerusform>%n Prüfung bestanden</numerusform>
+            <numerusform>%n Prüfungen bestanden</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Done: %1</source>
+        <translation>Erledigt: %1</translation>
+    </message>
+    <message>
+        <source>More repairs</source>
+        <translation>Weitere Reparaturen</translation>
+    </message>
+    <message>
+        <source>As in the file</source>
+        <translation>Wie in der Datei</translation>
+    </message>
+    <message>
+        <source>Undo the repairs of this organ</source>
+        <translation>Die Reparaturen dieses Organs rückgängig machen</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::OrganPanel</name>
+    <message>
+        <source>Opacity</source>
+        <translation>Deckkraft</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>No organ yet.
+Open a file (Ctrl+O), drop one here, or take a sample organ from the menu.</source>
+        <translation>Noch kein Organ.
+Öffnen Sie eine Datei (Strg+O), ziehen Sie eine hierher oder nehmen Sie ein Beispielorgan aus dem Menü.</translation>
+    </message>
+    <message>
+        <source>Find an organ (Ctrl+F)</source>
+        <translation>Organ suchen (Strg+F)</translation>
+    </message>
+    <message>
+        <source>Change opacity</source>
+        <translation>Deckkraft ändern</translation>
+    </message>
+    <message>
+        <source>Show &amp;only this</source>
+        <translation>N&amp;ur dieses zeigen</translation>
+    </message>
+    <message>
+        <source>Show the chosen organs with their cavities and hide all others</source>
+        <translation>Die gewählten Organe mit ihren Hohlräumen zeigen und alle anderen ausblenden</translation>
+    </message>
+    <message>
+        <source>&amp;Hide this</source>
+        <translation>Dieses aus&amp;blenden</translation>
+    </message>
+    <message>
+        <source>Hide the chosen organs</source>
+        <translation>Die gewählten Organe ausblenden</translation>
+    </message>
+    <message>
+        <source>Hide</source>
+        <translation>Ausblenden</translation>
+    </message>
+    <message>
+        <source>Show &amp;all</source>
+        <translation>&amp;Alle zeigen</translation>
+    </message>
+    <message>
+        <source>Show every organ</source>
+        <translation>Jedes Organ zeigen</translation>
+    </message>
+    <message>
+        <source>Show all</source>
+        <translation>Alle zeigen</translation>
+    </message>
+    <message>
+        <source>&amp;Find an organ</source>
+        <translation>Organ &amp;suchen</translation>
+    </message>
+    <message>
+        <source>Type a part of its name</source>
+        <translation>Geben Sie einen Teil seines Namens ein</translation>
+    </message>
+    <message>
+        <source>Re&amp;name organ</source>
+        <translation>Organ u&amp;mbenennen</translation>
+    </message>
+    <message>
+        <source>&amp;Remove organ</source>
+        <translation>Organ &amp;entfernen</translation>
+    </message>
+    <message>
+        <source>Hide all of them (click)</source>
+        <translation>Alle ausblenden (Klick)</translation>
+    </message>
+    <message>
+        <source>Show all of them (click)</source>
+        <translation>Alle zeigen (Klick)</translation>
+    </message>
+    <message>
+        <source>Hide (click)</source>
+        <translation>Ausblenden (Klick)</translation>
+    </message>
+    <message>
+        <source>Show (click)</source>
+        <translation>Zeigen (Klick)</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1
+%n {triangle|triangles}</source>
+        <translation>
+            <numerusform>%1
+%n Dreieck</numerusform>
+            <numerusform>%1
+%n Dreiecke</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>
+Double click or F2 renames; a click on the square changes the colour</source>
+        <translation>
+Doppelklick oder F2 benennt um; ein Klick auf das Quadrat ändert die Farbe</translation>
+    </message>
+    <message>
+        <source>An open surface has no volume to lock; click to close its holes</source>
+        <translation>Eine offene Oberfläche hat kein Volumen zum Sperren; Klick schließt ihre Löcher</translation>
+    </message>
+    <message>
+        <source>The volume is locked: Deform mode keeps it (click or K to unlock)</source>
+        <translation>Das Volumen ist gesperrt: Der Modus Verformen hält es (Klick oder K entsperrt)</translation>
+    </message>
+    <message>
+        <source>Lock the volume (click or K)</source>
+        <translation>Volumen sperren (Klick oder K)</translation>
+    </message>
+    <message>
+        <source>
+This is the volume within the outer surface; cavities have locks of their own</source>
+        <translation>
+Dies ist das Volumen innerhalb der Außenfläche; Hohlräume haben eigene Sperren</translation>
+    </message>
+    <message>
+        <source>
+This is the volume of the cavity; the wall around it has a lock of its own</source>
+        <translation>
+Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</translation>
+    </message>
+    <message>
+        <source>open</source>
+        <translation>offen</translation>
+    </message>
+    <message>
+        <source>An open surface encloses no volume</source>
+        <translation>Eine offene Oberfläche schließt kein Volumen ein</translation>
+    </message>
+    <message>
+        <source>%1 in the reference shape, %2 (%3) now</source>
+        <translation>%1 in der Referenzform, jetzt %2 (%3)</translation>
+    </message>
+    <message>
+        <source>Show only this</source>
+        <translation>Nur dieses zeigen</translation>
+    </message>
+    <message>
+        <source>Show</source>
+        <translation>Zeigen</translation>
+    </message>
+    <message>
+        <source>Colour...</source>
+        <translation>Farbe...</translation>
+    </message>
+    <message>
+        <source>The organ&apos;s own colours</source>
+        <translation>Eigene Farben des Organs</translation>
+    </message>
+    <message>
+        <source>Unlock volume</source>
+        <translation>Volumen entsperren</translation>
+    </message>
+    <message>
+        <source>Lock volume</source>
+        <translation>Volumen sperren</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::PanelDock</name>
+    <message>
+        <source>Float or dock the panel %1</source>
+        <translation>Bereich %1 lösen oder andocken</translation>
+    </message>
+    <message>
+        <source>Hide the panel %1 (the View menu shows it again)</source>
+        <translation>Bereich %1 ausblenden (das Menü Ansicht zeigt ihn wieder)</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::PatientOffer</name>
+    <message>
+        <source>Searching beside %1</source>
+        <translation>Suche neben %1</translation>
+    </message>
+    <message>
+        <source>Beside %1 lies the scan %2.</source>
+        <translation>Neben %1 liegt der Scan %2.</translation>
+    </message>
+    <message>
+        <source>Beside %1 lies the label map %2.</source>
+        <translation>Neben %1 liegt die Labelmap %2.</translation>
+    </message>
+    <message>
+        <source>Open the scan</source>
+        <translation>Scan öffnen</translation>
+    </message>
+    <message>
+        <source>Open its organs</source>
+        <translation>Seine Organe öffnen</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::PersonBox</name>
+    <message>
+        <source>Women and men</source>
+        <translation>Frauen und Männer</translation>
+    </message>
+    <message>
+        <source>Women</source>
+        <translation>Frauen</translation>
+    </message>
+    <message>
+        <source>Men</source>
+        <translation>Männer</translation>
+    </message>
+    <message>
+        <source>Whose normal ranges are shown</source>
+        <translation>Wessen Normbereiche gezeigt werden</translation>
+    </message>
+    <message>
+        <source> m²</source>
+        <translation> m²</translation>
+    </message>
+    <message>
+        <source>any body size</source>
+        <translation>jede Körpergröße</translation>
+    </message>
+    <message>
+        <source>Body surface area: ranges that the source gives per square metre are scaled by it</source>
+        <translation>Körperoberfläche: Bereiche, die die Quelle je Quadratmeter angibt, werden damit skaliert</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::PhaseScrubber</name>
+    <message>
+        <source>Instant of the cycle</source>
+        <translation>Zeitpunkt im Zyklus</translation>
+    </message>
+    <message>
+        <source>%1, %2 ms</source>
+        <translation>%1, %2 ms</translation>
+    </message>
+    <message>
+        <source>Drag, or use the arrow keys</source>
+        <translation>Ziehen oder Pfeiltasten verwenden</translation>
+    </message>
+    <message>
+        <source>%1
+%2</source>
+        <translation>%1
+%2</translation>
+    </message>
+    <message>
+        <source>%1 %2 ms</source>
+        <translation>%1 %2 ms</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::PlayMode</name>
+    <message>
+        <source>Play</source>
+        <translation>Abspielen</translation>
+    </message>
+    <message>
+        <source>Space plays or pauses; drag the timeline to look at one instant</source>
+        <translation>Leertaste spielt ab oder hält an; ziehen Sie an der Zeitleiste, um einen Zeitpunkt zu betrachten</translation>
+    </message>
+    <message>
+        <source>Slow &amp;motion</source>
+        <translation>Zeit&amp;lupe</translation>
+    </message>
+    <message>
+        <source>Slower, down to a tenth; then real time again</source>
+        <translation>Langsamer, bis zu einem Zehntel; dann wieder Echtzeit</translation>
+    </message>
+    <message>
+        <source>&amp;Chart of one cycle</source>
+        <translation>&amp;Diagramm eines Zyklus</translation>
+    </message>
+    <message>
+        <source>Draw one cycle with a cursor instead of the last seconds</source>
+        <translation>Einen Zyklus mit Cursor zeichnen statt der letzten Sekunden</translation>
+    </message>
+    <message>
+        <source>&amp;ECG, sounds and valves</source>
+        <translation>&amp;EKG, Töne und Klappen</translation>
+    </message>
+    <message>
+        <source>Under the phases of a heart: a schematic electrocardiogram, S1 and S2, and which valves are open</source>
+        <translation>Unter den Phasen eines Herzens: ein schematisches Elektrokardiogramm, S1 und S2 und welche Klappen offen sind</translation>
+    </message>
+    <message>
+        <source>&amp;Valves and flow</source>
+        <translation>&amp;Klappen und Fluss</translation>
+    </message>
+    <message>
+        <source>In the beating sample heart: leaflets as far open as the valves are, and an arrow where blood flows, as thick as the opening and as long as the blood is fast</source>
+        <translation>Im schlagenden Beispielherz: Segel, so weit geöffnet wie die Klappen, und ein Pfeil, wo Blut fließt, so dick wie die Öffnung und so lang, wie das Blut schnell ist</translation>
+    </message>
+    <message>
+        <source>Record a &amp;key</source>
+        <translation>Schl&amp;üssel aufzeichnen</translation>
+    </message>
+    <message>
+        <source>Ctrl+K</source>
+        <translation>Ctrl+K</translation>
+    </message>
+    <message>
+        <source>Add the present pose to the recorded sequence</source>
+        <translation>Die jetzige Pose der aufgezeichneten Sequenz hinzufügen</translation>
+    </message>
+    <message>
+        <source>Motion from a ser&amp;ies...</source>
+        <translation>Bewegung aus einer Ser&amp;ie...</translation>
+    </message>
+    <message>
+        <source>Compute a patient&apos;s own motion from surfaces or label maps of each phase of the cycle</source>
+        <translation>Die eigene Bewegung eines Patienten aus Oberflächen oder Labelmaps jeder Phase des Zyklus berechnen</translation>
+    </message>
+    <message>
+        <source>Compare two &amp;rates</source>
+        <translation>Zwei &amp;Frequenzen vergleichen</translation>
+    </message>
+    <message>
+        <source>Ctrl+2</source>
+        <translation>Ctrl+2</translation>
+    </message>
+    <message>
+        <source>Show the same organs beside these at another rate, or with the circulation kept as before</source>
+        <translation>Dieselben Organe daneben bei anderer Frequenz zeigen oder mit dem zuvor gemerkten Kreislauf</translation>
+    </message>
+    <message>
+        <source>Compare &amp;coordinates</source>
+        <translation>&amp;Koordinaten vergleichen</translation>
+    </message>
+    <message>
+        <source>Ctrl+3</source>
+        <translation>Ctrl+3</translation>
+    </message>
+    <message>
+        <source>Show the same organs and handles beside these with another coordinate system</source>
+        <translation>Dieselben Organe und Griffe daneben mit einem anderen Koordinatensystem zeigen</translation>
+    </message>
+    <message>
+        <source>Compare with another &amp;organ...</source>
+        <translation>Mit anderem &amp;Organ vergleichen...</translation>
+    </message>
+    <message>
+        <source>Open files in a second view beside these organs</source>
+        <translation>Dateien in einer zweiten Ansicht neben diesen Organen öffnen</translation>
+    </message>
+    <message>
+        <source>Compare with the te&amp;xtbook&apos;s heart</source>
+        <translation>Mit dem Herzen des Lehr&amp;buchs vergleichen</translation>
+    </message>
+    <message>
+        <source>Show the sample heart with its textbook beat beside these organs, at their rate</source>
+        <translation>Das Beispielherz mit seinem Schlag nach Lehrbuch neben diesen Organen zeigen, bei deren Frequenz</translation>
+    </message>
+    <message>
+        <source>&amp;One view</source>
+        <translation>Eine A&amp;nsicht</translation>
+    </message>
+    <message>
+        <source>Ctrl+1</source>
+        <translation>Ctrl+1</translation>
+    </message>
+    <message>
+        <source>Close the second view</source>
+        <translation>Die zweite Ansicht schließen</translation>
+    </message>
+    <message>
+        <source>&amp;Pressures and loops</source>
+        <translation>D&amp;rücke und Schleifen</translation>
+    </message>
+    <message>
+        <source>Where a circulation moves the heart, show its curves below the view instead of the volumes</source>
+        <translation>Wo ein Kreislauf das Herz bewegt, unter der Ansicht dessen Kurven statt der Volumina zeigen</translation>
+    </message>
+    <message>
+        <source>Keep as &amp;before</source>
+        <translation>Als &amp;Vorher merken</translation>
+    </message>
+    <message>
+        <source>Ctrl+B</source>
+        <translation>Ctrl+B</translation>
+    </message>
+    <message>
+        <source>Keep this circulation to compare with: dashed loops and a second column of numbers</source>
+        <translation>Diesen Kreislauf zum Vergleich merken: gestrichelte Schleifen und eine zweite Spalte mit Zahlen</translation>
+    </message>
+    <message>
+        <source>For&amp;get</source>
+        <translation>Ver&amp;gessen</translation>
+    </message>
+    <message>
+        <source>Compare with nothing</source>
+        <translation>Mit nichts vergleichen</translation>
+    </message>
+    <message>
+        <source>Organ &amp;labels</source>
+        <translation>Organ&amp;namen</translation>
+    </message>
+    <message>
+        <source>Write names beside the organs</source>
+        <translation>Namen neben die Organe schreiben</translation>
+    </message>
+    <message>
+        <source>See &amp;through</source>
+        <translation>Durchsich&amp;tig</translation>
+    </message>
+    <message>
+        <source>Make the wall translucent, so that the cavities are seen</source>
+        <translation>Die Wand durchscheinend machen, damit die Hohlräume zu sehen sind</translation>
+    </message>
+    <message>
+        <source>See through</source>
+        <translation>Durchsichtig</translation>
+    </message>
+    <message>
+        <source>Close the wall</source>
+        <translation>Wand schließen</translation>
+    </message>
+    <message>
+        <source>Key at %1 s</source>
+        <translation>Schlüssel bei %1 s</translation>
+    </message>
+    <message>
+        <source>Recorded as %1</source>
+        <translation>Aufgezeichnet als %1</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::PlayPage</name>
+    <message>
+        <source>Look</source>
+        <translation>Darstellung</translation>
+    </message>
+    <message>
+        <source>Sequence</source>
+        <translation>Sequenz</translation>
+    </message>
+    <message>
+        <source>Rate</source>
+        <translation>Frequenz</translation>
+    </message>
+    <message>
+        <source>Phase</source>
+        <translation>Phase</translation>
+    </message>
+    <message>
+        <source>What moves the heart</source>
+        <translation>Was das Herz bewegt</translation>
+    </message>
+    <message>
+        <source>Over the cycle</source>
+        <translation>Über den Zyklus</translation>
+    </message>
+    <message>
+        <source>max</source>
+        <translation>Max</translation>
+    </message>
+    <message>
+        <source>min</source>
+        <translation>Min</translation>
+    </message>
+    <message>
+        <source>SV</source>
+        <translation>SV</translation>
+    </message>
+    <message>
+        <source>EF</source>
+        <translation>EF</translation>
+    </message>
+    <message>
+        <source>Volumes in ml. SV is the stroke volume, EF the ejection fraction.</source>
+        <translation>Volumina in ml. SV ist das Schlagvolumen, EF die Ejektionsfraktion.</translation>
+    </message>
+    <message>
+        <source>Ejection fraction</source>
+        <translation>Ejektionsfraktion</translation>
+    </message>
+    <message>
+        <source>Stroke volume</source>
+        <translation>Schlagvolumen</translation>
+    </message>
+    <message>
+        <source>Cardiac output</source>
+        <translation>Herzminutenvolumen</translation>
+    </message>
+    <message>
+        <source>Circulation of this heart</source>
+        <translation>Kreislauf dieses Herzens</translation>
+    </message>
+    <message>
+        <source>Finds pressures, loops and sounds for the volume and the ejection fraction of this left ventricle. The organ keeps its own motion.</source>
+        <translation>Bestimmt Drücke, Schleifen und Töne zu Volumen und Ejektionsfraktion dieses linken Ventrikels. Das Organ behält seine eigene Bewegung.</translation>
+    </message>
+    <message>
+        <source>Record a movie</source>
+        <translation>Film aufzeichnen</translation>
+    </message>
+    <message>
+        <source>Prescribe a volume</source>
+        <translation>Volumen vorgeben</translation>
+    </message>
+    <message>
+        <source>Record a sequence</source>
+        <translation>Sequenz aufzeichnen</translation>
+    </message>
+    <message>
+        <source>Fit a sequence to an organ</source>
+        <translation>Sequenz an ein Organ anpassen</translation>
+    </message>
+    <message>
+        <source>%1 / min, one cycle %2 s</source>
+        <translation>%1 / min, ein Zyklus %2 s</translation>
+    </message>
+    <message>
+        <source>A: %1</source>
+        <translation>A: %1</translation>
+    </message>
+    <message>
+        <source>B: %1</source>
+        <translation>B: %1</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>%1 %2 (%3 - %4)</source>
+        <translation>%1 %2 (%3 - %4)</translation>
+    </message>
+    <message>
+        <source>%1, measured on the surfaces. Healthy adults: %2</source>
+        <translation>%1, an den Oberflächen gemessen. Gesunde Erwachsene: %2</translation>
+    </message>
+    <message>
+        <source>%1 ml</source>
+        <translation>%1 ml</translation>
+    </message>
+    <message>
+        <source>%1 l/min</source>
+        <translation>%1 l/min</translation>
+    </message>
+    <message>
+        <source>%1 %2 - %3 %4</source>
+        <translation>%1 %2 - %3 %4</translation>
+    </message>
+    <message>
+        <source>%</source>
+        <translation>%</translation>
+    </message>
+    <message>
+        <source>ml</source>
+        <translation>ml</translation>
+    </message>
+    <message>
+        <source>%1: %2; %3</source>
+        <translation>%1: %2; %3</translation>
+    </message>
+    <message>
+        <source>Normal for %1: %2.</source>
+        <translation>Normal für %1: %2.</translation>
+    </message>
+    <message>
+        <source>, </source>
+        <translation>, </translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::Playback</name>
+    <message>
+        <source>%1 moves its own handles, and these are different.</source>
+        <translation>%1 bewegt eigene Griffe, und diese hier sind andere.</translation>
+    </message>
+    <message>
+        <source>Use its handles</source>
+        <translation>Deren Griffe verwenden</translation>
+    </message>
+    <message>
+        <source>Use the sequence&apos;s handles</source>
+        <translation>Griffe der Sequenz verwenden</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::PoseEditor</name>
+    <message>
+        <source>Move handle %1</source>
+        <translation>Griff %1 bewegen</translation>
+    </message>
+    <message numerus="yes">
+        <source>Move %n {handle|handles}</source>
+        <translation>
+            <numerusform>%n Griff bewegen</numerusform>
+            <numerusform>%n Griffe bewegen</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Reset %n {handle|handles}</source>
+        <translation>
+            <numerusform>%n Griff zurücksetzen</numerusform>
+            <numerusform>%n Griffe zurücksetzen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The handles could not move back all the way: %1.</source>
+        <translation>Die Griffe konnten nicht ganz zurückbewegt werden: %1.</translation>
+    </message>
+    <message>
+        <source>Volume %1</source>
+        <translation>Volumen %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 is open (%n boundary {edge|edges}), so it has no volume that could be locked.</source>
+        <translation>
+            <numerusform>%1 ist offen (%n Randkante) und hat daher kein Volumen, das gesperrt werden könnte.</numerusform>
+            <numerusform>%1 ist offen (%n Randkanten) und hat daher kein Volumen, das gesperrt werden könnte.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Close the holes and lock</source>
+        <translation>Löcher schließen und sperren</translation>
+    </message>
+    <message>
+        <source>Close holes and lock volume</source>
+        <translation>Löcher schließen und Volumen sperren</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::PositionBox</name>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation>Links</translation>
+    </message>
+    <message>
+        <source>Posterior</source>
+        <translation>Posterior</translation>
+    </message>
+    <message>
+        <source>Superior</source>
+        <translation>Superior</translation>
+    </message>
+    <message>
+        <source>No handle is selected. Click one in the view or in the list.</source>
+        <translation>Kein Griff ist gewählt. Klicken Sie einen in der Ansicht oder in der Liste an.</translation>
+    </message>
+    <message>
+        <source>Handle %1</source>
+        <translation>Griff %1</translation>
+    </message>
+    <message>
+        <source>, %1 mm from rest</source>
+        <translation>, %1 mm aus der Ruhelage</translation>
+    </message>
+    <message>
+        <source>, locked</source>
+        <translation>, gesperrt</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::ProbeCard</name>
+    <message>
+        <source>Close (Esc)</source>
+        <translation>Schließen (Esc)</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>In the patient&apos;s axes, mm; left, posterior and superior count up</source>
+        <translation>In den Achsen des Patienten, mm; links, hinten und oben zählen positiv</translation>
+    </message>
+    <message>
+        <source>Witness %1</source>
+        <translation>Messpunkt %1</translation>
+    </message>
+    <message>
+        <source>Surface point %1</source>
+        <translation>Oberflächenpunkt %1</translation>
+    </message>
+    <message>
+        <source>At rest %1, %2, %3 mm</source>
+        <translation>In Ruhe %1, %2, %3 mm</translation>
+    </message>
+    <message>
+        <source>L</source>
+        <translation>L</translation>
+    </message>
+    <message>
+        <source>R</source>
+        <translation>R</translation>
+    </message>
+    <message>
+        <source>P</source>
+        <translation>P</translation>
+    </message>
+    <message>
+        <source>A</source>
+        <translation>A</translation>
+    </message>
+    <message>
+        <source>S</source>
+        <translation>S</translation>
+    </message>
+    <message>
+        <source>I</source>
+        <translation>I</translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation>ja</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>nein</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <translation>%1 %2</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::QuizTool</name>
+    <message>
+        <source>Click: %1</source>
+        <translation>Anklicken: %1</translation>
+    </message>
+    <message>
+        <source>All %1 found without a mistake.</source>
+        <translation>Alle %1 ohne Fehler gefunden.</translation>
+    </message>
+    <message numerus="yes">
+        <source>All %1 found, with %n {mistake|mistakes}.</source>
+        <translation>
+            <numerusform>Alle %1 gefunden, mit %n Fehler.</numerusform>
+            <numerusform>Alle %1 gefunden, mit %n Fehlern.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 von %2</translation>
+    </message>
+    <message>
+        <source>Right: %1</source>
+        <translation>Richtig: %1</translation>
+    </message>
+    <message>
+        <source>No, that is nearer to: %1</source>
+        <translation>Nein, näher liegt: %1</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::RecordBox</name>
+    <message>
+        <source>Kind</source>
+        <translation>Art</translation>
+    </message>
+    <message>
+        <source>Choose where to</source>
+        <translation>Ziel wählen</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Datei</translation>
+    </message>
+    <message>
+        <source>%1 x %2</source>
+        <translation>%1 x %2</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source> / s</source>
+        <translation> / s</translation>
+    </message>
+    <message>
+        <source>Frames</source>
+        <translation>Bilder</translation>
+    </message>
+    <message>
+        <source>Cycles</source>
+        <translation>Zyklen</translation>
+    </message>
+    <message>
+        <source>Write phase and volumes into it</source>
+        <translation>Phase und Volumina hineinschreiben</translation>
+    </message>
+    <message>
+        <source>Table of volumes beside it (.csv)</source>
+        <translation>Volumentabelle daneben (.csv)</translation>
+    </message>
+    <message>
+        <source>Cancel the recording</source>
+        <translation>Aufnahme abbrechen</translation>
+    </message>
+    <message>
+        <source>Record</source>
+        <translation>Aufnehmen</translation>
+    </message>
+    <message>
+        <source>Discard the recording</source>
+        <translation>Aufnahme verwerfen</translation>
+    </message>
+    <message>
+        <source>Record what the view shows</source>
+        <translation>Aufnehmen, was die Ansicht zeigt</translation>
+    </message>
+    <message>
+        <source>MP4 and GIF need the program ffmpeg, which is not installed on this computer.</source>
+        <translation>MP4 und GIF brauchen das Programm ffmpeg, das auf diesem Rechner nicht installiert ist.</translation>
+    </message>
+    <message>
+        <source>Folder for the pictures</source>
+        <translation>Ordner für die Bilder</translation>
+    </message>
+    <message>
+        <source>Record as</source>
+        <translation>Aufnehmen als</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::RecordedMotion</name>
+    <message>
+        <source>Record a key at %1 s</source>
+        <translation>Schlüssel bei %1 s aufzeichnen</translation>
+    </message>
+    <message>
+        <source>Use a key&apos;s pose</source>
+        <translation>Pose eines Schlüssels verwenden</translation>
+    </message>
+    <message>
+        <source>Sequence saved as %1</source>
+        <translation>Sequenz als %1 gespeichert</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::Recorder</name>
+    <message>
+        <source>Recording %1</source>
+        <translation>%1 wird aufgenommen</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::RecordingStage</name>
+    <message>
+        <source>%1, %2 / min</source>
+        <translation>%1, %2 / min</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::Repairs</name>
+    <message>
+        <source>Face outward</source>
+        <translation>Nach außen richten</translation>
+    </message>
+    <message>
+        <source>Fill holes</source>
+        <translation>Löcher füllen</translation>
+    </message>
+    <message>
+        <source>Keep the largest piece</source>
+        <translation>Größtes Stück behalten</translation>
+    </message>
+    <message>
+        <source>Remesh</source>
+        <translation>Neu vernetzen</translation>
+    </message>
+    <message>
+        <source>Mirror left and right</source>
+        <translation>Links und rechts spiegeln</translation>
+    </message>
+    <message>
+        <source>It is RAS: turn to LPS</source>
+        <translation>Ist RAS: nach LPS drehen</translation>
+    </message>
+    <message>
+        <source>Y is up: quarter turn</source>
+        <translation>Y ist oben: Vierteldrehung</translation>
+    </message>
+    <message>
+        <source>It is in %1</source>
+        <translation>Ist in %1</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::ReportExport</name>
+    <message>
+        <source>&amp;Report...</source>
+        <translation>&amp;Bericht...</translation>
+    </message>
+    <message>
+        <source>Write pictures, volumes, measurements, stress and motion as PDF or as one HTML page</source>
+        <translation>Bilder, Volumina, Messungen, Stress und Bewegung als PDF oder als eine HTML-Seite schreiben</translation>
+    </message>
+    <message>
+        <source>&amp;Copy as commands</source>
+        <translation>Als Befehle &amp;kopieren</translation>
+    </message>
+    <message>
+        <source>Copy the session as a script of viscera commands that gives the same result</source>
+        <translation>Die Sitzung als Skript von viscera-Befehlen kopieren, das dasselbe Ergebnis liefert</translation>
+    </message>
+    <message>
+        <source>Report</source>
+        <translation>Bericht</translation>
+    </message>
+    <message>
+        <source>report.pdf</source>
+        <translation>report.pdf</translation>
+    </message>
+    <message>
+        <source>PDF documents (*.pdf);;Web pages (*.html)</source>
+        <translation>PDF-Dokumente (*.pdf);;Webseiten (*.html)</translation>
+    </message>
+    <message>
+        <source>Writing the report</source>
+        <translation>Bericht wird geschrieben</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1: %n {page|pages}.</source>
+        <translation>
+            <numerusform>%1: %n Seite.</numerusform>
+            <numerusform>%1: %n Seiten.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Copying as commands</source>
+        <translation>Als Befehle kopieren</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {command is|commands are} in the clipboard.</source>
+        <translation>
+            <numerusform>%n Befehl ist in der Zwischenablage.</numerusform>
+            <numerusform>%n Befehle sind in der Zwischenablage.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::ResidualTable</name>
+    <message>
+        <source>largest volume</source>
+        <translation>größtes Volumen</translation>
+    </message>
+    <message>
+        <source>smallest volume</source>
+        <translation>kleinstes Volumen</translation>
+    </message>
+    <message>
+        <source>stroke volume</source>
+        <translation>Schlagvolumen</translation>
+    </message>
+    <message>
+        <source>ejection fraction</source>
+        <translation>Ejektionsfraktion</translation>
+    </message>
+    <message>
+        <source>output</source>
+        <translation>Minutenvolumen</translation>
+    </message>
+    <message>
+        <source>Surface whose fit is shown</source>
+        <translation>Oberfläche, deren Anpassung gezeigt wird</translation>
+    </message>
+    <message>
+        <source>Measured surface</source>
+        <translation>Gemessene Oberfläche</translation>
+    </message>
+    <message>
+        <source>Distances</source>
+        <translation>Abstände</translation>
+    </message>
+    <message>
+        <source>Fit of the motion, phase by phase</source>
+        <translation>Anpassung der Bewegung, Phase für Phase</translation>
+    </message>
+    <message>
+        <source>Phase</source>
+        <translation>Phase</translation>
+    </message>
+    <message>
+        <source>ms</source>
+        <translation>ms</translation>
+    </message>
+    <message>
+        <source>mean mm</source>
+        <translation>Mittel mm</translation>
+    </message>
+    <message>
+        <source>95 % mm</source>
+        <translation>95 % mm</translation>
+    </message>
+    <message>
+        <source>max mm</source>
+        <translation>max. mm</translation>
+    </message>
+    <message>
+        <source>measured ml</source>
+        <translation>gemessen ml</translation>
+    </message>
+    <message>
+        <source>free ml</source>
+        <translation>frei ml</translation>
+    </message>
+    <message>
+        <source>fitted ml</source>
+        <translation>angepasst ml</translation>
+    </message>
+    <message>
+        <source>Dice</source>
+        <translation>Dice</translation>
+    </message>
+    <message>
+        <source>flipped</source>
+        <translation>umgeklappt</translation>
+    </message>
+    <message>
+        <source>folded</source>
+        <translation>gefaltet</translation>
+    </message>
+    <message>
+        <source>steps</source>
+        <translation>Schritte</translation>
+    </message>
+    <message>
+        <source>A mark shows that the phase needs attention; the row&apos;s tip says why</source>
+        <translation>Eine Marke zeigt, dass die Phase Aufmerksamkeit braucht; der Tooltip der Zeile sagt, warum</translation>
+    </message>
+    <message>
+        <source>Time of the phase</source>
+        <translation>Zeit der Phase</translation>
+    </message>
+    <message>
+        <source>Distance of the surface from what was measured, by area</source>
+        <translation>Abstand der Oberfläche von den Messdaten, nach Fläche</translation>
+    </message>
+    <message>
+        <source>Below this distance are 95 % of the area</source>
+        <translation>Unter diesem Abstand liegen 95 % der Fläche</translation>
+    </message>
+    <message>
+        <source>The largest distance</source>
+        <translation>Der größte Abstand</translation>
+    </message>
+    <message>
+        <source>Volume that was measured</source>
+        <translation>Gemessenes Volumen</translation>
+    </message>
+    <message>
+        <source>Volume of the fit before volumes were kept</source>
+        <translation>Volumen der Anpassung, bevor Volumina gehalten wurden</translation>
+    </message>
+    <message>
+        <source>Volume of the fit</source>
+        <translation>Volumen der Anpassung</translation>
+    </message>
+    <message>
+        <source>How well the voxels agree: 1 for all</source>
+        <translation>Wie gut die Voxel übereinstimmen: 1, wenn alle</translation>
+    </message>
+    <message>
+        <source>Triangles that face the wrong way</source>
+        <translation>Dreiecke, die in die falsche Richtung zeigen</translation>
+    </message>
+    <message>
+        <source>Places in the tissue that are folded</source>
+        <translation>Stellen im Gewebe, die gefaltet sind</translation>
+    </message>
+    <message>
+        <source>Steps that the fit took</source>
+        <translation>Schritte, die die Anpassung brauchte</translation>
+    </message>
+    <message>
+        <source>What differs from the series before</source>
+        <translation>Was sich von der vorigen Serie unterscheidet</translation>
+    </message>
+    <message>
+        <source>before</source>
+        <translation>vorher</translation>
+    </message>
+    <message>
+        <source>now</source>
+        <translation>jetzt</translation>
+    </message>
+    <message>
+        <source>difference</source>
+        <translation>Differenz</translation>
+    </message>
+    <message>
+        <source>All surfaces</source>
+        <translation>Alle Oberflächen</translation>
+    </message>
+    <message>
+        <source>Compared with the series before</source>
+        <translation>Verglichen mit der vorigen Serie</translation>
+    </message>
+    <message>
+        <source>%1: EF %2 %, %3 to %4 ml, %5 l/min</source>
+        <translation>%1: EF %2 %, %3 bis %4 ml, %5 l/min</translation>
+    </message>
+    <message>
+        <source>tissue %1 to %2 ml</source>
+        <translation>Gewebe %1 bis %2 ml</translation>
+    </message>
+    <message>
+        <source>A session does not keep what was measured. Find the motion again to see it: Sequence &gt; Motion from a series</source>
+        <translation>Eine Sitzung behält nicht, was gemessen wurde. Bestimmen Sie die Bewegung erneut, um es zu sehen: Sequenz &gt; Bewegung aus einer Serie</translation>
+    </message>
+    <message>
+        <source>The surfaces that were measured in the nearest phase, as glass in the view</source>
+        <translation>Die in der nächsten Phase gemessenen Oberflächen, als Glas in der Ansicht</translation>
+    </message>
+    <message>
+        <source>Colours the organs by their distance from what was measured in the nearest phase</source>
+        <translation>Färbt die Organe nach ihrem Abstand von den Messdaten der nächsten Phase</translation>
+    </message>
+    <message>
+        <source>%1, %2 (%3)</source>
+        <translation>%1, %2 (%3)</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::SampleLoader</name>
+    <message>
+        <source>Sample %1</source>
+        <translation>Beispiel %1</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::ScanActions</name>
+    <message>
+        <source>Soft &amp;tissue</source>
+        <translation>&amp;Weichteile</translation>
+    </message>
+    <message>
+        <source>&amp;Lung</source>
+        <translation>&amp;Lunge</translation>
+    </message>
+    <message>
+        <source>&amp;Bone</source>
+        <translation>&amp;Knochen</translation>
+    </message>
+    <message>
+        <source>B&amp;rain</source>
+        <translation>&amp;Gehirn</translation>
+    </message>
+    <message>
+        <source>Li&amp;ver</source>
+        <translation>L&amp;eber</translation>
+    </message>
+    <message>
+        <source>&amp;Angiography</source>
+        <translation>&amp;Angiographie</translation>
+    </message>
+    <message>
+        <source>&amp;3D view alone</source>
+        <translation>Nur &amp;3D-Ansicht</translation>
+    </message>
+    <message>
+        <source>&amp;Four views</source>
+        <translation>&amp;Vier Ansichten</translation>
+    </message>
+    <message>
+        <source>&amp;Axial slice</source>
+        <translation>&amp;Axiale Schicht</translation>
+    </message>
+    <message>
+        <source>&amp;Coronal slice</source>
+        <translation>&amp;Koronale Schicht</translation>
+    </message>
+    <message>
+        <source>&amp;Sagittal slice</source>
+        <translation>&amp;Sagittale Schicht</translation>
+    </message>
+    <message>
+        <source>  phase %1 of %2</source>
+        <translation>  Phase %1 von %2</translation>
+    </message>
+    <message>
+        <source>Open a &amp;scan...</source>
+        <translation>&amp;Scan öffnen...</translation>
+    </message>
+    <message>
+        <source>Open a CT or MR beside the organs</source>
+        <translation>CT oder MR neben den Organen öffnen</translation>
+    </message>
+    <message>
+        <source>Open a DICOM &amp;series...</source>
+        <translation>&amp;DICOM-Serie öffnen...</translation>
+    </message>
+    <message>
+        <source>Open a folder of DICOM files as a scan</source>
+        <translation>Einen Ordner mit DICOM-Dateien als Scan öffnen</translation>
+    </message>
+    <message>
+        <source>C&amp;lose the scan</source>
+        <translation>Scan schl&amp;ießen</translation>
+    </message>
+    <message>
+        <source>Close the scan; the organs stay</source>
+        <translation>Den Scan schließen; die Organe bleiben</translation>
+    </message>
+    <message>
+        <source>A&amp;utomatic</source>
+        <translation>A&amp;utomatisch</translation>
+    </message>
+    <message>
+        <source>Level and width that the scan&apos;s file proposes, or found from its values</source>
+        <translation>Fenstermitte und -weite, wie die Datei des Scans sie vorschlägt oder aus seinen Werten bestimmt</translation>
+    </message>
+    <message>
+        <source>Level %1, width %2</source>
+        <translation>Mitte %1, Weite %2</translation>
+    </message>
+    <message>
+        <source>&amp;Contours</source>
+        <translation>K&amp;onturen</translation>
+    </message>
+    <message>
+        <source>Draw the organs&apos; contours on the slices</source>
+        <translation>Die Konturen der Organe auf die Schichten zeichnen</translation>
+    </message>
+    <message>
+        <source>Contours at &amp;rest</source>
+        <translation>Konturen in &amp;Ruhe</translation>
+    </message>
+    <message>
+        <source>Draw thin contours of the organs at rest as well</source>
+        <translation>Auch dünne Konturen der Organe in Ruhe zeichnen</translation>
+    </message>
+    <message>
+        <source>Slices in the &amp;3D view</source>
+        <translation>Schichten in der 3&amp;D-Ansicht</translation>
+    </message>
+    <message>
+        <source>&amp;Bend the scan</source>
+        <translation>Scan &amp;biegen</translation>
+    </message>
+    <message>
+        <source>Show the scan as the pose deforms it</source>
+        <translation>Den Scan so zeigen, wie die Pose ihn verformt</translation>
+    </message>
+    <message>
+        <source>S&amp;mooth between voxels</source>
+        <translation>Zwischen Voxeln &amp;glätten</translation>
+    </message>
+    <message>
+        <source>Ma&amp;ximum of thick slices</source>
+        <translation>Ma&amp;ximum dicker Schichten</translation>
+    </message>
+    <message>
+        <source>Instead of their mean</source>
+        <translation>Statt ihres Mittelwerts</translation>
+    </message>
+    <message>
+        <source>&amp;Thickness</source>
+        <translation>Schichtdi&amp;cke</translation>
+    </message>
+    <message>
+        <source>Slices of %1 mm</source>
+        <translation>Schichten von %1 mm</translation>
+    </message>
+    <message>
+        <source>Thin slices</source>
+        <translation>Dünne Schichten</translation>
+    </message>
+    <message>
+        <source>Open a folder of DICOM files</source>
+        <translation>Ordner mit DICOM-Dateien öffnen</translation>
+    </message>
+    <message>
+        <source>Open a scan</source>
+        <translation>Scan öffnen</translation>
+    </message>
+    <message>
+        <source>Scans (*.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.dcm);;All files (*)</source>
+        <translation>Scans (*.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.dcm);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Reading %1</source>
+        <translation>%1 wird gelesen</translation>
+    </message>
+    <message>
+        <source>The folder has several scans. Which one?</source>
+        <translation>Der Ordner enthält mehrere Scans. Welchen öffnen?</translation>
+    </message>
+    <message>
+        <source>Opening %1</source>
+        <translation>%1 wird geöffnet</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n more: see Scan on the page of Explore.</source>
+        <translation>
+            <numerusform>%n weiterer: siehe Scan auf der Seite von Erkunden.</numerusform>
+            <numerusform>%n weitere: siehe Scan auf der Seite von Erkunden.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::SequenceList</name>
+    <message>
+        <source>Sequences</source>
+        <translation>Sequenzen</translation>
+    </message>
+    <message>
+        <source>%1: can be fitted to %2</source>
+        <translation>%1: lässt sich an %2 anpassen</translation>
+    </message>
+    <message>
+        <source>%1: shows the sample organ and plays</source>
+        <translation>%1: zeigt das Beispielorgan und spielt ab</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::SessionFiles</name>
+    <message>
+        <source>&amp;New session</source>
+        <translation>&amp;Neue Sitzung</translation>
+    </message>
+    <message>
+        <source>Start with an empty session</source>
+        <translation>Mit einer leeren Sitzung beginnen</translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>&amp;Speichern</translation>
+    </message>
+    <message>
+        <source>Save the session</source>
+        <translation>Die Sitzung speichern</translation>
+    </message>
+    <message>
+        <source>Save &amp;as...</source>
+        <translation>Speichern &amp;unter...</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+S</source>
+        <translation>Ctrl+Shift+S</translation>
+    </message>
+    <message>
+        <source>Save the session in another file</source>
+        <translation>Die Sitzung in einer anderen Datei speichern</translation>
+    </message>
+    <message>
+        <source>&amp;Recover unsaved work</source>
+        <translation>Ungespeicherte Arbeit &amp;wiederherstellen</translation>
+    </message>
+    <message>
+        <source>Open the copy that Viscera kept when it ended without saving</source>
+        <translation>Die Kopie öffnen, die Viscera behielt, als es ohne Speichern endete</translation>
+    </message>
+    <message>
+        <source>Viscera</source>
+        <translation>Viscera</translation>
+    </message>
+    <message>
+        <source>Untitled session</source>
+        <translation>Unbenannte Sitzung</translation>
+    </message>
+    <message>
+        <source>Session that names its organs&apos; files</source>
+        <translation>Sitzung, die auf die Dateien ihrer Organe verweist</translation>
+    </message>
+    <message>
+        <source>Session with all surfaces and the scan inside</source>
+        <translation>Sitzung mit allen Oberflächen und dem Scan darin</translation>
+    </message>
+    <message>
+        <source>session</source>
+        <translation>Sitzung</translation>
+    </message>
+    <message>
+        <source>Save the session as</source>
+        <translation>Sitzung speichern unter</translation>
+    </message>
+    <message>
+        <source>Saving %1</source>
+        <translation>%1 wird gespeichert</translation>
+    </message>
+    <message>
+        <source>Saved as %1</source>
+        <translation>Als %1 gespeichert</translation>
+    </message>
+    <message>
+        <source>Save changes?</source>
+        <translation>Änderungen speichern?</translation>
+    </message>
+    <message>
+        <source>Save the changes of %1?</source>
+        <translation>Änderungen von %1 speichern?</translation>
+    </message>
+    <message>
+        <source>Unsaved changes will be lost.</source>
+        <translation>Ungespeicherte Änderungen gehen verloren.</translation>
+    </message>
+    <message>
+        <source>&amp;Discard</source>
+        <translation>&amp;Verwerfen</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation>&amp;Abbrechen</translation>
+    </message>
+    <message>
+        <source>Opening %1</source>
+        <translation>%1 wird geöffnet</translation>
+    </message>
+    <message numerus="yes">
+        <source>And %n more.</source>
+        <translation>
+            <numerusform>Und %n weiterer Eintrag.</numerusform>
+            <numerusform>Und %n weitere Einträge.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Viscera ended without saving. It has kept a copy of the work of %1.</source>
+        <translation>Viscera endete ohne zu speichern. Es hat eine Kopie der Arbeit von %1 behalten.</translation>
+    </message>
+    <message>
+        <source>Recover</source>
+        <translation>Wiederherstellen</translation>
+    </message>
+    <message>
+        <source>Discard</source>
+        <translation>Verwerfen</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::SessionView</name>
+    <message>
+        <source>Preparing the motion</source>
+        <translation>Bewegung wird vorbereitet</translation>
+    </message>
+    <message>
+        <source>This version moves the organ differently from the one that saved the session: handles differ by up to %1 mm.</source>
+        <translation>Diese Version bewegt das Organ anders als die, mit der die Sitzung gespeichert wurde: Griffe weichen um bis zu %1 mm ab.</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::ShortcutCard</name>
+    <message>
+        <source>Mouse and keys</source>
+        <translation>Maus und Tasten</translation>
+    </message>
+    <message>
+        <source>Close (Esc)</source>
+        <translation>Schließen (Esc)</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Left drag</source>
+        <translation>Links ziehen</translation>
+    </message>
+    <message>
+        <source>Rotate, or move a handle</source>
+        <translation>Drehen oder einen Griff bewegen</translation>
+    </message>
+    <message>
+        <source>Middle, Shift+left drag</source>
+        <translation>Mitte, Umschalt+links ziehen</translation>
+    </message>
+    <message>
+        <source>Pan</source>
+        <translation>Verschieben</translation>
+    </message>
+    <message>
+        <source>Right drag, wheel</source>
+        <translation>Rechts ziehen, Mausrad</translation>
+    </message>
+    <message>
+        <source>Zoom</source>
+        <translation>Zoomen</translation>
+    </message>
+    <message>
+        <source>Click</source>
+        <translation>Klick</translation>
+    </message>
+    <message>
+        <source>Select, or add a handle</source>
+        <translation>Wählen oder einen Griff hinzufügen</translation>
+    </message>
+    <message>
+        <source>Shift or Ctrl+click</source>
+        <translation>Umschalt- oder Strg-Klick</translation>
+    </message>
+    <message>
+        <source>Add to the selection</source>
+        <translation>Zur Auswahl hinzufügen</translation>
+    </message>
+    <message>
+        <source>Esc</source>
+        <translation>Esc</translation>
+    </message>
+    <message>
+        <source>Cancel a drag, close a message</source>
+        <translation>Ziehen abbrechen, eine Meldung schließen</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::SlicePanes</name>
+    <message>
+        <source>The scan cannot be bent: %1</source>
+        <translation>Der Scan kann nicht gebogen werden: %1</translation>
+    </message>
+    <message>
+        <source>folded by the pose: estimated</source>
+        <translation>von der Pose gefaltet: geschätzt</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::SlidePanel</name>
+    <message>
+        <source>Keep views as slides, then show them with F5 and Page Down. The session keeps them.</source>
+        <translation>Behalten Sie Ansichten als Folien und zeigen Sie sie mit F5 und Bild ab. Die Sitzung bewahrt sie auf.</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::Slides</name>
+    <message>
+        <source>&amp;Keep this view as a slide</source>
+        <translation>Diese Ansicht als Folie &amp;behalten</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+K</source>
+        <translation>Ctrl+Shift+K</translation>
+    </message>
+    <message>
+        <source>Keep the present view, and the instant of a paused sequence</source>
+        <translation>Die jetzige Ansicht behalten, und den Zeitpunkt einer angehaltenen Sequenz</translation>
+    </message>
+    <message>
+        <source>&amp;Remove the slide</source>
+        <translation>Folie &amp;entfernen</translation>
+    </message>
+    <message>
+        <source>Remove the slide that was shown last</source>
+        <translation>Die zuletzt gezeigte Folie entfernen</translation>
+    </message>
+    <message>
+        <source>&amp;Next slide</source>
+        <translation>&amp;Nächste Folie</translation>
+    </message>
+    <message>
+        <source>&amp;Previous slide</source>
+        <translation>&amp;Vorige Folie</translation>
+    </message>
+    <message>
+        <source>Slide %1</source>
+        <translation>Folie %1</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::StatusLine</name>
+    <message>
+        <source>Cancel this task</source>
+        <translation>Diese Aufgabe abbrechen</translation>
+    </message>
+    <message>
+        <source>No organ</source>
+        <translation>Kein Organ</translation>
+    </message>
+    <message>
+        <source>%1: open surface, no volume</source>
+        <translation>%1: offene Oberfläche, kein Volumen</translation>
+    </message>
+    <message>
+        <source>%1  %2  (%3, %4)</source>
+        <translation>%1  %2  (%3, %4)</translation>
+    </message>
+    <message>
+        <source>  locked</source>
+        <translation>  gesperrt</translation>
+    </message>
+    <message>
+        <source>no handles</source>
+        <translation>keine Griffe</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {handle|handles}</source>
+        <translation>
+            <numerusform>%n Griff</numerusform>
+            <numerusform>%n Griffe</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>, binding...</source>
+        <translation>, wird gebunden...</translation>
+    </message>
+    <message>
+        <source>, not bound</source>
+        <translation>, nicht gebunden</translation>
+    </message>
+    <message>
+        <source>, binding cancelled</source>
+        <translation>, Binden abgebrochen</translation>
+    </message>
+    <message>
+        <source>, bound in %1 ms</source>
+        <translation>, in %1 ms gebunden</translation>
+    </message>
+    <message>
+        <source>%1, the pose folds %2</source>
+        <translation>%1, die Pose faltet %2</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::StressChart</name>
+    <message>
+        <source>The stress over time is drawn here while a sequence plays (Space).</source>
+        <translation>Der Stress im Zeitverlauf wird hier gezeichnet, während eine Sequenz läuft (Leertaste).</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>Rotational stress</source>
+        <translation>Rotationsstress</translation>
+    </message>
+    <message>
+        <source>largest</source>
+        <translation>größter</translation>
+    </message>
+    <message>
+        <source>95th percentile</source>
+        <translation>95. Perzentil</translation>
+    </message>
+    <message>
+        <source>mean</source>
+        <translation>Mittel</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::StressExport</name>
+    <message>
+        <source>Comma-separated values (*.csv)</source>
+        <translation>Kommagetrennte Werte (*.csv)</translation>
+    </message>
+    <message>
+        <source>Export stress &amp;map...</source>
+        <translation>Stress&amp;karte exportieren...</translation>
+    </message>
+    <message>
+        <source>Write all quantities at all points inside the organ, for ParaView</source>
+        <translation>Alle Größen an allen Punkten im Organ schreiben, für ParaView</translation>
+    </message>
+    <message>
+        <source>Export stress map</source>
+        <translation>Stresskarte exportieren</translation>
+    </message>
+    <message>
+        <source>stress.vtu</source>
+        <translation>stress.vtu</translation>
+    </message>
+    <message>
+        <source>VTK solids (*.vtu)</source>
+        <translation>VTK-Körper (*.vtu)</translation>
+    </message>
+    <message>
+        <source>Export stress at the &amp;points...</source>
+        <translation>Stress an den &amp;Punkten exportieren...</translation>
+    </message>
+    <message>
+        <source>Write the values at the witness points as a table</source>
+        <translation>Die Werte an den Messpunkten als Tabelle schreiben</translation>
+    </message>
+    <message>
+        <source>Export stress at the points</source>
+        <translation>Stress an den Punkten exportieren</translation>
+    </message>
+    <message>
+        <source>stress.csv</source>
+        <translation>stress.csv</translation>
+    </message>
+    <message>
+        <source>Export &amp;histogram...</source>
+        <translation>&amp;Histogramm exportieren...</translation>
+    </message>
+    <message>
+        <source>Write the distribution of the shown quantity over the witness points</source>
+        <translation>Die Verteilung der gezeigten Größe über die Messpunkte schreiben</translation>
+    </message>
+    <message>
+        <source>Export histogram</source>
+        <translation>Histogramm exportieren</translation>
+    </message>
+    <message>
+        <source>histogram.csv</source>
+        <translation>histogram.csv</translation>
+    </message>
+    <message>
+        <source>Export &amp;curve over the sequence...</source>
+        <translation>K&amp;urve über die Sequenz exportieren...</translation>
+    </message>
+    <message>
+        <source>Write the rotational stress over one whole cycle of the sequence</source>
+        <translation>Den Rotationsstress über einen ganzen Zyklus der Sequenz schreiben</translation>
+    </message>
+    <message>
+        <source>Export curve</source>
+        <translation>Kurve exportieren</translation>
+    </message>
+    <message>
+        <source>curve.csv</source>
+        <translation>curve.csv</translation>
+    </message>
+    <message>
+        <source>Exporting %1</source>
+        <translation>%1 wird exportiert</translation>
+    </message>
+    <message>
+        <source>Written to %1.</source>
+        <translation>In %1 geschrieben.</translation>
+    </message>
+    <message>
+        <source>the stress map</source>
+        <translation>die Stresskarte</translation>
+    </message>
+    <message>
+        <source>the stress</source>
+        <translation>der Stress</translation>
+    </message>
+    <message>
+        <source>the histogram</source>
+        <translation>das Histogramm</translation>
+    </message>
+    <message>
+        <source>the curve</source>
+        <translation>die Kurve</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::StressMode</name>
+    <message>
+        <source>Stress</source>
+        <translation>Stress</translation>
+    </message>
+    <message>
+        <source>Tissue distortion (rotational stress) by the pose: click it to see its values; C cuts the organ open; drag a handle, the map follows</source>
+        <translation>Gewebeverzerrung (Rotationsstress) durch die Pose: Ein Klick zeigt ihre Werte; C schneidet das Organ auf; ziehen Sie an einem Griff, folgt die Karte</translation>
+    </message>
+    <message>
+        <source>&amp;Next map</source>
+        <translation>&amp;Nächste Karte</translation>
+    </message>
+    <message>
+        <source>The next stress map</source>
+        <translation>Die nächste Stresskarte</translation>
+    </message>
+    <message>
+        <source>&amp;Go to the maximum</source>
+        <translation>&amp;Zum Maximum gehen</translation>
+    </message>
+    <message>
+        <source>Shift+X</source>
+        <translation>Shift+X</translation>
+    </message>
+    <message>
+        <source>Show the values where the map is largest, and cut the organ open there</source>
+        <translation>Die Werte zeigen, wo die Karte am größten ist, und das Organ dort aufschneiden</translation>
+    </message>
+    <message>
+        <source>&amp;Peak over the sequence</source>
+        <translation>&amp;Spitze über die Sequenz</translation>
+    </message>
+    <message>
+        <source>Shift+M</source>
+        <translation>Shift+M</translation>
+    </message>
+    <message>
+        <source>The largest value that each point reaches in one cycle of the sequence</source>
+        <translation>Der größte Wert, den jeder Punkt in einem Zyklus der Sequenz erreicht</translation>
+    </message>
+    <message>
+        <source>Map on the organ&apos;s &amp;surface</source>
+        <translation>Karte auf der &amp;Oberfläche des Organs</translation>
+    </message>
+    <message>
+        <source>Draw the map on the organ&apos;s surface instead of the outer tetrahedra</source>
+        <translation>Die Karte auf die Oberfläche des Organs statt auf die äußeren Tetraeder zeichnen</translation>
+    </message>
+    <message>
+        <source>&amp;Keep the legend&apos;s range</source>
+        <translation>&amp;Bereich der Legende halten</translation>
+    </message>
+    <message>
+        <source>Keep the range of colours, so that poses can be compared</source>
+        <translation>Den Farbbereich halten, damit Posen verglichen werden können</translation>
+    </message>
+    <message>
+        <source>&amp;Cut open</source>
+        <translation>&amp;Aufschneiden</translation>
+    </message>
+    <message>
+        <source>Cut the organ open by a plane</source>
+        <translation>Das Organ mit einer Ebene aufschneiden</translation>
+    </message>
+    <message>
+        <source>&amp;Only beyond a limit</source>
+        <translation>Nur &amp;jenseits einer Grenze</translation>
+    </message>
+    <message>
+        <source>Show only tissue above or below a limit</source>
+        <translation>Nur Gewebe über oder unter einer Grenze zeigen</translation>
+    </message>
+    <message>
+        <source>&amp;Glyphs of the stretch</source>
+        <translation>G&amp;lyphen der Streckung</translation>
+    </message>
+    <message>
+        <source>Shift+G</source>
+        <translation>Shift+G</translation>
+    </message>
+    <message>
+        <source>No glyphs, ellipsoids or crosses</source>
+        <translation>Keine Glyphen, Ellipsoide oder Kreuze</translation>
+    </message>
+    <message>
+        <source>&amp;Handles</source>
+        <translation>&amp;Griffe</translation>
+    </message>
+    <message>
+        <source>Show the handles, so that they can be dragged</source>
+        <translation>Die Griffe zeigen, damit man sie ziehen kann</translation>
+    </message>
+    <message>
+        <source>O&amp;ther organs</source>
+        <translation>Andere O&amp;rgane</translation>
+    </message>
+    <message>
+        <source>Show the other organs as well</source>
+        <translation>Auch die anderen Organe zeigen</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::StressModel</name>
+    <message>
+        <source>Peak of %1</source>
+        <translation>Spitze: %1</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <translation>%1 %2</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::StressPage</name>
+    <message>
+        <source>TetGen</source>
+        <translation>TetGen</translation>
+    </message>
+    <message>
+        <source>TetGen, surface repaired</source>
+        <translation>TetGen, Oberfläche repariert</translation>
+    </message>
+    <message>
+        <source>regular grid</source>
+        <translation>regelmäßiges Gitter</translation>
+    </message>
+    <message>
+        <source>Map</source>
+        <translation>Karte</translation>
+    </message>
+    <message>
+        <source>What the colours mean (M: next map). Rotational stress is the largest angle by which a direction is turned when the tissue is stretched; it is not a pressure.</source>
+        <translation>Was die Farben bedeuten (M: nächste Karte). Rotationsstress ist der größte Winkel, um den eine Richtung beim Strecken des Gewebes gedreht wird; er ist kein Druck.</translation>
+    </message>
+    <message>
+        <source>Your pose</source>
+        <translation>Ihre Pose</translation>
+    </message>
+    <message>
+        <source>The map of your pose; handles can be dragged</source>
+        <translation>Die Karte Ihrer Pose; Griffe können gezogen werden</translation>
+    </message>
+    <message>
+        <source>Sequence</source>
+        <translation>Sequenz</translation>
+    </message>
+    <message>
+        <source>The map of the sequence at the timeline&apos;s instant; Space plays</source>
+        <translation>Die Karte der Sequenz zum Zeitpunkt der Zeitleiste; Leertaste spielt ab</translation>
+    </message>
+    <message>
+        <source>Numbers</source>
+        <translation>Zahlen</translation>
+    </message>
+    <message>
+        <source>Smallest</source>
+        <translation>Kleinster</translation>
+    </message>
+    <message>
+        <source>Mean</source>
+        <translation>Mittel</translation>
+    </message>
+    <message>
+        <source>95th percentile</source>
+        <translation>95. Perzentil</translation>
+    </message>
+    <message>
+        <source>Largest</source>
+        <translation>Größter</translation>
+    </message>
+    <message>
+        <source>Folded</source>
+        <translation>Gefaltet</translation>
+    </message>
+    <message>
+        <source>Witness points at which the tissue is turned inside out; in magenta on every map</source>
+        <translation>Messpunkte, an denen das Gewebe umgestülpt ist; auf jeder Karte in Magenta</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Exportieren</translation>
+    </message>
+    <message>
+        <source>Look inside</source>
+        <translation>Hineinsehen</translation>
+    </message>
+    <message>
+        <source>Cut</source>
+        <translation>Schnitt</translation>
+    </message>
+    <message>
+        <source>Smooth: through the tetrahedra</source>
+        <translation>Glatt: durch die Tetraeder</translation>
+    </message>
+    <message>
+        <source>Crinkle: whole tetrahedra</source>
+        <translation>Zackig: ganze Tetraeder</translation>
+    </message>
+    <message>
+        <source>Depth</source>
+        <translation>Tiefe</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>Distance of the cut from the organ&apos;s middle; the arrow in the view moves it, the rim tilts it</source>
+        <translation>Abstand des Schnitts von der Mitte des Organs; der Pfeil in der Ansicht bewegt ihn, der Rand kippt ihn</translation>
+    </message>
+    <message>
+        <source>Shown</source>
+        <translation>Gezeigt</translation>
+    </message>
+    <message>
+        <source>Show what is above</source>
+        <translation>Zeigen, was darüber liegt</translation>
+    </message>
+    <message>
+        <source>Show what is below</source>
+        <translation>Zeigen, was darunter liegt</translation>
+    </message>
+    <message>
+        <source>Limit</source>
+        <translation>Grenze</translation>
+    </message>
+    <message>
+        <source>Glyphs</source>
+        <translation>Glyphen</translation>
+    </message>
+    <message>
+        <source>No glyphs</source>
+        <translation>Keine Glyphen</translation>
+    </message>
+    <message>
+        <source>Ellipsoids of the stretch</source>
+        <translation>Ellipsoide der Streckung</translation>
+    </message>
+    <message>
+        <source>Crosses of the stretch</source>
+        <translation>Kreuze der Streckung</translation>
+    </message>
+    <message>
+        <source>The shapes that small balls of tissue take, at about 300 places</source>
+        <translation>Die Formen, die kleine Kugeln aus Gewebe annehmen, an etwa 300 Stellen</translation>
+    </message>
+    <message>
+        <source>Coronal</source>
+        <translation>Koronal</translation>
+    </message>
+    <message>
+        <source>Cut away the front</source>
+        <translation>Vorderen Teil wegschneiden</translation>
+    </message>
+    <message>
+        <source>Sagittal</source>
+        <translation>Sagittal</translation>
+    </message>
+    <message>
+        <source>Cut away the right side</source>
+        <translation>Rechte Seite wegschneiden</translation>
+    </message>
+    <message>
+        <source>Axial</source>
+        <translation>Axial</translation>
+    </message>
+    <message>
+        <source>Cut away the upper part</source>
+        <translation>Oberen Teil wegschneiden</translation>
+    </message>
+    <message>
+        <source>Facing me</source>
+        <translation>Zu mir hin</translation>
+    </message>
+    <message>
+        <source>Cut through the middle, across the line of sight</source>
+        <translation>Schnitt durch die Mitte, quer zur Blickrichtung</translation>
+    </message>
+    <message>
+        <source>Number</source>
+        <translation>Anzahl</translation>
+    </message>
+    <message>
+        <source>Number of witness points</source>
+        <translation>Anzahl der Messpunkte</translation>
+    </message>
+    <message>
+        <source>More points show finer detail and take longer; up to 20,000 the map follows a drag</source>
+        <translation>Mehr Punkte zeigen feinere Einzelheiten und brauchen länger; bis 20000 folgt die Karte dem Ziehen</translation>
+    </message>
+    <message>
+        <source>Witness points</source>
+        <translation>Messpunkte</translation>
+    </message>
+    <message>
+        <source>Source</source>
+        <translation>Quelle</translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation>Punkte</translation>
+    </message>
+    <message>
+        <source>Derivatives</source>
+        <translation>Ableitungen</translation>
+    </message>
+    <message>
+        <source>Try again</source>
+        <translation>Noch einmal</translation>
+    </message>
+    <message>
+        <source>Open an organ to see where it is distorted.</source>
+        <translation>Öffnen Sie ein Organ, um zu sehen, wo es verzerrt ist.</translation>
+    </message>
+    <message>
+        <source>Filling the organ with witness points...</source>
+        <translation>Organ wird mit Messpunkten gefüllt...</translation>
+    </message>
+    <message>
+        <source>Binding the witness points to the handles...</source>
+        <translation>Messpunkte werden an die Griffe gebunden...</translation>
+    </message>
+    <message>
+        <source>Cancelled. Press Try again to go on.</source>
+        <translation>Abgebrochen. Weiter geht es mit Noch einmal.</translation>
+    </message>
+    <message>
+        <source>%1 in %2 tetrahedra</source>
+        <translation>%1 in %2 Tetraedern</translation>
+    </message>
+    <message>
+        <source>closed form</source>
+        <translation>geschlossene Form</translation>
+    </message>
+    <message>
+        <source>differences</source>
+        <translation>Differenzen</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {point lies|points lie} outside the handles&apos; hull and stay where they are.</source>
+        <translation>
+            <numerusform>%n Punkt liegt außerhalb der Hülle der Griffe und bleibt, wo er ist.</numerusform>
+            <numerusform>%n Punkte liegen außerhalb der Hülle der Griffe und bleiben, wo sie sind.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::SystemBox</name>
+    <message>
+        <source>Coordinates</source>
+        <translation>Koordinaten</translation>
+    </message>
+    <message>
+        <source>Coordinate system that binds the organs to the handles</source>
+        <translation>Koordinatensystem, das die Organe an die Griffe bindet</translation>
+    </message>
+    <message>
+        <source>no cage</source>
+        <translation>kein Käfig</translation>
+    </message>
+    <message>
+        <source>Handles may stand anywhere around the organ</source>
+        <translation>Griffe können überall um das Organ stehen</translation>
+    </message>
+    <message>
+        <source>cage</source>
+        <translation>Käfig</translation>
+    </message>
+    <message>
+        <source>Works with a closed surface over the handles: their convex hull, or a cage that was loaded</source>
+        <translation>Arbeitet mit einer geschlossenen Oberfläche über den Griffen: ihrer konvexen Hülle oder einem geladenen Käfig</translation>
+    </message>
+    <message>
+        <source>positive</source>
+        <translation>positiv</translation>
+    </message>
+    <message>
+        <source>No handle ever pushes the organ the other way</source>
+        <translation>Kein Griff schiebt das Organ je in die Gegenrichtung</translation>
+    </message>
+    <message>
+        <source>interpolating</source>
+        <translation>interpolierend</translation>
+    </message>
+    <message>
+        <source>A point at a handle follows it exactly</source>
+        <translation>Ein Punkt an einem Griff folgt ihm genau</translation>
+    </message>
+    <message>
+        <source>exact gradient</source>
+        <translation>exakter Gradient</translation>
+    </message>
+    <message>
+        <source>Stress is computed without differences</source>
+        <translation>Stress wird ohne Differenzen berechnet</translation>
+    </message>
+    <message>
+        <source>gaps</source>
+        <translation>Lücken</translation>
+    </message>
+    <message>
+        <source>Some points inside the hull have no coordinates and do not move</source>
+        <translation>Manche Punkte in der Hülle haben keine Koordinaten und bewegen sich nicht</translation>
+    </message>
+    <message>
+        <source>jumps</source>
+        <translation>Sprünge</translation>
+    </message>
+    <message>
+        <source>Neighbouring points may move very differently</source>
+        <translation>Benachbarte Punkte können sich sehr verschieden bewegen</translation>
+    </message>
+    <message>
+        <source>kinks</source>
+        <translation>Knicke</translation>
+    </message>
+    <message>
+        <source>The deformed organ may show creases</source>
+        <translation>Das verformte Organ kann Kanten zeigen</translation>
+    </message>
+    <message>
+        <source>groups</source>
+        <translation>Gruppen</translation>
+    </message>
+    <message>
+        <source>Handles act by their groups</source>
+        <translation>Griffe wirken nach ihren Gruppen</translation>
+    </message>
+    <message>
+        <source>tetrahedra</source>
+        <translation>Tetraeder</translation>
+    </message>
+    <message>
+        <source>Fills the organ with tetrahedra first</source>
+        <translation>Füllt das Organ zuerst mit Tetraedern</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <translation>%1 %2</translation>
+    </message>
+    <message>
+        <source>Set to %1 %2, but these handles allow %3 at most, which is used.</source>
+        <translation>Auf %1 %2 gesetzt, aber diese Griffe erlauben höchstens %3; dieser Wert wird verwendet.</translation>
+    </message>
+    <message>
+        <source>These handles allow up to %1.</source>
+        <translation>Diese Griffe erlauben bis zu %1.</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::SystemCombo</name>
+    <message>
+        <source>Recommended</source>
+        <translation>Empfohlen</translation>
+    </message>
+    <message>
+        <source>With a cage</source>
+        <translation>Mit Käfig</translation>
+    </message>
+    <message>
+        <source>With tetrahedra</source>
+        <translation>Mit Tetraedern</translation>
+    </message>
+    <message>
+        <source>Attempts of the thesis</source>
+        <translation>Versuche der Dissertation</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::TimelineBar</name>
+    <message>
+        <source>To the start of the cycle (Home)</source>
+        <translation>Zum Anfang des Zyklus (Pos1)</translation>
+    </message>
+    <message>
+        <source>One frame back (,)</source>
+        <translation>Ein Bild zurück (,)</translation>
+    </message>
+    <message>
+        <source>Play or pause (Space)</source>
+        <translation>Abspielen oder anhalten (Leertaste)</translation>
+    </message>
+    <message>
+        <source>One frame forward (.)</source>
+        <translation>Ein Bild vor (.)</translation>
+    </message>
+    <message>
+        <source>Repeat the cycle (L)</source>
+        <translation>Zyklus wiederholen (L)</translation>
+    </message>
+    <message>
+        <source>&amp;Repeat</source>
+        <translation>&amp;Wiederholen</translation>
+    </message>
+    <message>
+        <source>Repeat the cycle</source>
+        <translation>Zyklus wiederholen</translation>
+    </message>
+    <message>
+        <source>&amp;Play or pause</source>
+        <translation>Abspielen oder an&amp;halten</translation>
+    </message>
+    <message>
+        <source>To the &amp;start</source>
+        <translation>Zum &amp;Anfang</translation>
+    </message>
+    <message>
+        <source>One frame &amp;back</source>
+        <translation>Ein Bild &amp;zurück</translation>
+    </message>
+    <message>
+        <source>One frame &amp;forward</source>
+        <translation>Ein Bild &amp;vor</translation>
+    </message>
+    <message>
+        <source>A fine step bac&amp;k</source>
+        <translation>Kleiner Schritt zurüc&amp;k</translation>
+    </message>
+    <message>
+        <source>Shift+,</source>
+        <translation>Shift+,</translation>
+    </message>
+    <message>
+        <source>Ten milliseconds of a heart back, else one frame</source>
+        <translation>Beim Herzen zehn Millisekunden zurück, sonst ein Bild</translation>
+    </message>
+    <message>
+        <source>A fine step for&amp;ward</source>
+        <translation>Kleiner Schritt v&amp;or</translation>
+    </message>
+    <message>
+        <source>Shift+.</source>
+        <translation>Shift+.</translation>
+    </message>
+    <message>
+        <source>Ten milliseconds of a heart forward, else one frame</source>
+        <translation>Beim Herzen zehn Millisekunden vor, sonst ein Bild</translation>
+    </message>
+    <message>
+        <source>Rate</source>
+        <translation>Frequenz</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Tempo</translation>
+    </message>
+    <message>
+        <source>Slow motion: how fast time passes (S)</source>
+        <translation>Zeitlupe: wie schnell die Zeit vergeht (S)</translation>
+    </message>
+    <message>
+        <source>1x</source>
+        <translation>1x</translation>
+    </message>
+    <message>
+        <source>1/%1x</source>
+        <translation>1/%1x</translation>
+    </message>
+    <message>
+        <source>/ min</source>
+        <translation>/ min</translation>
+    </message>
+    <message>
+        <source>%1: %2 to %3 %4</source>
+        <translation>%1: %2 bis %3 %4</translation>
+    </message>
+    <message>
+        <source>No motion yet: choose a sequence in Play (5)</source>
+        <translation>Noch keine Bewegung: Wählen Sie eine Sequenz in Abspielen (5)</translation>
+    </message>
+    <message>
+        <source>%1 s into the cycle</source>
+        <translation>%1 s im Zyklus</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::TourCard</name>
+    <message>
+        <source>Back</source>
+        <translation>Zurück</translation>
+    </message>
+    <message>
+        <source>End the tour</source>
+        <translation>Tour beenden</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 von %2</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>Weiter</translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation>Fertig</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::ViewActions</name>
+    <message>
+        <source>Save s&amp;creenshot</source>
+        <translation>Bildschirm&amp;foto speichern</translation>
+    </message>
+    <message>
+        <source>Save a picture of the 3D view</source>
+        <translation>Ein Bild der 3D-Ansicht speichern</translation>
+    </message>
+    <message>
+        <source>&amp;Focus</source>
+        <translation>&amp;Fokus</translation>
+    </message>
+    <message>
+        <source>Bring the selected organ, or all, into the picture</source>
+        <translation>Das gewählte Organ oder alle ins Bild holen</translation>
+    </message>
+    <message>
+        <source>&amp;Anterior</source>
+        <translation>&amp;Anterior</translation>
+    </message>
+    <message>
+        <source>Alt+1</source>
+        <translation>Alt+1</translation>
+    </message>
+    <message>
+        <source>&amp;Posterior</source>
+        <translation>&amp;Posterior</translation>
+    </message>
+    <message>
+        <source>Alt+2</source>
+        <translation>Alt+2</translation>
+    </message>
+    <message>
+        <source>&amp;Left</source>
+        <translation>&amp;Links</translation>
+    </message>
+    <message>
+        <source>Alt+3</source>
+        <translation>Alt+3</translation>
+    </message>
+    <message>
+        <source>&amp;Right</source>
+        <translation>&amp;Rechts</translation>
+    </message>
+    <message>
+        <source>Alt+4</source>
+        <translation>Alt+4</translation>
+    </message>
+    <message>
+        <source>&amp;Superior</source>
+        <translation>&amp;Superior</translation>
+    </message>
+    <message>
+        <source>Alt+5</source>
+        <translation>Alt+5</translation>
+    </message>
+    <message>
+        <source>&amp;Inferior</source>
+        <translation>&amp;Inferior</translation>
+    </message>
+    <message>
+        <source>Alt+6</source>
+        <translation>Alt+6</translation>
+    </message>
+    <message>
+        <source>Show &amp;handles in every mode</source>
+        <translation>&amp;Griffe in jedem Modus zeigen</translation>
+    </message>
+    <message>
+        <source>&amp;Ghost of the reference shape</source>
+        <translation>Schatten&amp;bild der Referenzform</translation>
+    </message>
+    <message>
+        <source>Cut &amp;open</source>
+        <translation>A&amp;ufschneiden</translation>
+    </message>
+    <message>
+        <source>Shift+C</source>
+        <translation>Shift+C</translation>
+    </message>
+    <message>
+        <source>Cut all organs open by a plane; their cavities are hollow then</source>
+        <translation>Alle Organe mit einer Ebene aufschneiden; ihre Hohlräume sind dann hohl</translation>
+    </message>
+    <message>
+        <source>Orientation &amp;cube</source>
+        <translation>Orientierungs&amp;würfel</translation>
+    </message>
+    <message>
+        <source>Scale &amp;bar</source>
+        <translation>&amp;Maßstab</translation>
+    </message>
+    <message>
+        <source>Sha&amp;de in folds</source>
+        <translation>Falten sch&amp;attieren</translation>
+    </message>
+    <message>
+        <source>Shift+D</source>
+        <translation>Shift+D</translation>
+    </message>
+    <message>
+        <source>Darken the folds of organs and soften the light; takes time on a computer without a graphics processor</source>
+        <translation>Falten der Organe abdunkeln und das Licht weicher machen; braucht ohne Grafikprozessor Zeit</translation>
+    </message>
+    <message>
+        <source>Picture saved as %1</source>
+        <translation>Bild als %1 gespeichert</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::VolumeBox</name>
+    <message>
+        <source>Apply</source>
+        <translation>Anwenden</translation>
+    </message>
+    <message>
+        <source>Target</source>
+        <translation>Ziel</translation>
+    </message>
+    <message>
+        <source> ml</source>
+        <translation> ml</translation>
+    </message>
+    <message>
+        <source>Target volume</source>
+        <translation>Zielvolumen</translation>
+    </message>
+    <message>
+        <source>Give the organ this volume with the smallest motion of the compensating handles, or of all free ones</source>
+        <translation>Dem Organ dieses Volumen mit der kleinsten Bewegung der ausgleichenden oder aller freien Griffe geben</translation>
+    </message>
+    <message>
+        <source>%1 has the volume that was asked for; from here on its lock keeps that one.</source>
+        <translation>%1 hat das gewünschte Volumen; ab jetzt hält die Sperre dieses.</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::VolumeMonitor</name>
+    <message>
+        <source>Volumes over the cycle</source>
+        <translation>Volumina über den Zyklus</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::VolumePanel</name>
+    <message>
+        <source>normal at the end of diastole</source>
+        <translation>normal am Ende der Diastole</translation>
+    </message>
+    <message>
+        <source>normal at the end of systole</source>
+        <translation>normal am Ende der Systole</translation>
+    </message>
+    <message>
+        <source>normal %1</source>
+        <translation>normal %1</translation>
+    </message>
+    <message>
+        <source>Volumes over time are drawn here while a sequence plays (Space) or handles are dragged (3).</source>
+        <translation>Volumina im Zeitverlauf werden hier gezeichnet, während eine Sequenz läuft (Leertaste) oder Griffe gezogen werden (3).</translation>
+    </message>
+    <message>
+        <source>A: %1</source>
+        <translation>A: %1</translation>
+    </message>
+    <message>
+        <source>B: %1</source>
+        <translation>B: %1</translation>
+    </message>
+    <message>
+        <source>%1 (right axis)</source>
+        <translation>%1 (rechte Achse)</translation>
+    </message>
+    <message>
+        <source>%1 measured</source>
+        <translation>%1 gemessen</translation>
+    </message>
+    <message>
+        <source>%1 before</source>
+        <translation>%1 vorher</translation>
+    </message>
+    <message>
+        <source>%1 prescribed</source>
+        <translation>%1 vorgegeben</translation>
+    </message>
+    <message>
+        <source>Closed organs show their volume here.</source>
+        <translation>Geschlossene Organe zeigen hier ihr Volumen.</translation>
+    </message>
+    <message>
+        <source>%1: show what is normal for it in the chart</source>
+        <translation>%1: im Diagramm zeigen, was dafür normal ist</translation>
+    </message>
+    <message>
+        <source>%1 %2 ml</source>
+        <translation>%1 %2 ml</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Shaded: normal for %1, %2. %3</source>
+        <translation>Schattiert: normal für %1, %2. %3</translation>
+    </message>
+    <message>
+        <source>, </source>
+        <translation>, </translation>
+    </message>
+    <message>
+        <source>EF %1 %  SV %2 ml</source>
+        <translation>EF %1 %  SV %2 ml</translation>
+    </message>
+    <message>
+        <source>%1 % of reference</source>
+        <translation>%1 % der Referenz</translation>
+    </message>
+    <message>
+        <source>Part of the cycle</source>
+        <translation>Anteil des Zyklus</translation>
+    </message>
+    <message>
+        <source>Volume</source>
+        <translation>Volumen</translation>
+    </message>
+    <message>
+        <source>Time in the cycle</source>
+        <translation>Zeit im Zyklus</translation>
+    </message>
+    <message>
+        <source>Time dragged</source>
+        <translation>Zeit beim Ziehen</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Zeit</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::WelcomeCard</name>
+    <message>
+        <source>Welcome</source>
+        <translation>Willkommen</translation>
+    </message>
+    <message>
+        <source>Open a patient...</source>
+        <translation>Patient öffnen...</translation>
+    </message>
+    <message>
+        <source>Choose organ surfaces of a patient (Ctrl+O)</source>
+        <translation>Organoberflächen eines Patienten wählen (Strg+O)</translation>
+    </message>
+    <message>
+        <source>Sample organs</source>
+        <translation>Beispielorgane</translation>
+    </message>
+    <message>
+        <source>Organs that come with the program</source>
+        <translation>Organe, die das Programm mitbringt</translation>
+    </message>
+    <message>
+        <source>Two-minute tour</source>
+        <translation>Tour in zwei Minuten</translation>
+    </message>
+    <message>
+        <source>The parts of the window, step by step</source>
+        <translation>Die Teile des Fensters, Schritt für Schritt</translation>
+    </message>
+    <message>
+        <source>Close this card (Help &gt; Welcome shows it again)</source>
+        <translation>Diese Karte schließen (Hilfe &gt; Willkommen zeigt sie wieder)</translation>
+    </message>
+    <message>
+        <source>Close this card</source>
+        <translation>Diese Karte schließen</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::WindowLayout</name>
+    <message>
+        <source>&amp;Standard layout</source>
+        <translation>&amp;Standardanordnung</translation>
+    </message>
+    <message>
+        <source>Restore the first arrangement of all panels</source>
+        <translation>Die anfängliche Anordnung aller Bereiche wiederherstellen</translation>
+    </message>
+    <message>
+        <source>&amp;Full screen</source>
+        <translation>&amp;Vollbild</translation>
+    </message>
+    <message>
+        <source>The window takes the whole screen</source>
+        <translation>Das Fenster nimmt den ganzen Bildschirm ein</translation>
+    </message>
+    <message>
+        <source>Modes</source>
+        <translation>Modi</translation>
+    </message>
+    <message>
+        <source>Organs</source>
+        <translation>Organe</translation>
+    </message>
+    <message>
+        <source>Handles</source>
+        <translation>Griffe</translation>
+    </message>
+    <message>
+        <source>Properties</source>
+        <translation>Eigenschaften</translation>
+    </message>
+    <message>
+        <source>Timeline</source>
+        <translation>Zeitleiste</translation>
+    </message>
+    <message>
+        <source>Volumes</source>
+        <translation>Volumina</translation>
+    </message>
+    <message>
+        <source>Slides</source>
+        <translation>Folien</translation>
+    </message>
+    <message>
+        <source>Import</source>
+        <translation>Importieren</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::Workspace</name>
+    <message>
+        <source>. %1.</source>
+        <translation>. %1.</translation>
+    </message>
+    <message>
+        <source>Open folder</source>
+        <translation>Ordner öffnen</translation>
+    </message>
+</context>
 </TS>

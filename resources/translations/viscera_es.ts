@@ -469,4 +469,5407 @@ N: nombres, H: tiradores, X: pared, R: restablecer, T: claro u oscuro, Inicio: p
         <translation>Pausa</translation>
     </message>
 </context>
+<context>
+    <name>QObject</name>
+    <message>
+        <source>%1 ml</source>
+        <translation>%1 ml</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+</context>
+<context>
+    <name>Tissue</name>
+    <message>
+        <source>Muscle</source>
+        <translation>Músculo</translation>
+    </message>
+    <message>
+        <source>Liver</source>
+        <translation>Hígado</translation>
+    </message>
+    <message>
+        <source>Kidney</source>
+        <translation>Riñón</translation>
+    </message>
+    <message>
+        <source>Spleen</source>
+        <translation>Bazo</translation>
+    </message>
+    <message>
+        <source>Stomach</source>
+        <translation>Estómago</translation>
+    </message>
+    <message>
+        <source>Bowel</source>
+        <translation>Intestino</translation>
+    </message>
+    <message>
+        <source>Arterial blood</source>
+        <translation>Sangre arterial</translation>
+    </message>
+    <message>
+        <source>Venous blood</source>
+        <translation>Sangre venosa</translation>
+    </message>
+    <message>
+        <source>Lung</source>
+        <translation>Pulmón</translation>
+    </message>
+    <message>
+        <source>Bone</source>
+        <translation>Hueso</translation>
+    </message>
+    <message>
+        <source>Fat</source>
+        <translation>Grasa</translation>
+    </message>
+    <message>
+        <source>Gall</source>
+        <translation>Bilis</translation>
+    </message>
+    <message>
+        <source>Another colour...</source>
+        <translation>Otro color...</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::BeatStrip</name>
+    <message>
+        <source>Electrocardiogram, heart sounds and valves</source>
+        <translation>Electrocardiograma, ruidos cardíacos y válvulas</translation>
+    </message>
+    <message>
+        <source>Schematic electrocardiogram, heart sounds S1 and S2 when the valves close, and a bar for each valve while it is open. The lamp is lit while the valve is open.</source>
+        <translation>Electrocardiograma esquemático, ruidos S1 y S2 al cerrarse las válvulas y una barra para cada válvula mientras está abierta. La luz está encendida mientras la válvula está abierta.</translation>
+    </message>
+    <message>
+        <source>S1</source>
+        <translation>S1</translation>
+    </message>
+    <message>
+        <source>S2</source>
+        <translation>S2</translation>
+    </message>
+    <message>
+        <source>Mitral valve</source>
+        <translation>Válvula mitral</translation>
+    </message>
+    <message>
+        <source>Aortic valve</source>
+        <translation>Válvula aórtica</translation>
+    </message>
+    <message>
+        <source>Tricuspid valve</source>
+        <translation>Válvula tricúspide</translation>
+    </message>
+    <message>
+        <source>Pulmonary valve</source>
+        <translation>Válvula pulmonar</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::BentExport</name>
+    <message>
+        <source>Export the &amp;bent scan...</source>
+        <translation>Exportar el estudio &amp;curvado...</translation>
+    </message>
+    <message>
+        <source>Write the scan as the pose bends it, with a label map of the posed organs</source>
+        <translation>Guardar el estudio curvado según la pose, con un mapa de etiquetas de los órganos en esa pose</translation>
+    </message>
+    <message>
+        <source>Export the bent scan</source>
+        <translation>Exportar el estudio curvado</translation>
+    </message>
+    <message>
+        <source>/bent.nii.gz</source>
+        <translation>/bent.nii.gz</translation>
+    </message>
+    <message>
+        <source>NIfTI (*.nii.gz *.nii);;NRRD (*.nrrd)</source>
+        <translation>NIfTI (*.nii.gz *.nii);;NRRD (*.nrrd)</translation>
+    </message>
+    <message>
+        <source>Exporting the bent scan</source>
+        <translation>Exportando el estudio curvado</translation>
+    </message>
+    <message>
+        <source>The bent scan was written to %1.</source>
+        <translation>El estudio curvado se ha guardado en %1.</translation>
+    </message>
+    <message>
+        <source>Its labels are beside it: %1.</source>
+        <translation>Sus etiquetas están al lado: %1.</translation>
+    </message>
+    <message numerus="yes">
+        <source>The pose folds the tissue at %n {voxel|voxels}: their values are estimates.</source>
+        <translation>
+            <numerusform>La pose pliega el tejido en %n vóxel: su valor es una estimación.</numerusform>
+            <numerusform>La pose pliega el tejido en %n vóxeles: sus valores son estimaciones.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::BindingMessages</name>
+    <message>
+        <source>%1 is not bound to these handles: binding was cancelled.</source>
+        <translation>%1: sin vincular a estos tiradores; se canceló la vinculación.</translation>
+    </message>
+    <message>
+        <source>Bind now</source>
+        <translation>Vincular ahora</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {vertex of %1 has|vertices of %1 have} no coordinates in the cage.</source>
+        <translation>
+            <numerusform>%n vértice de %1 no tiene coordenadas en la jaula.</numerusform>
+            <numerusform>%n vértices de %1 no tienen coordenadas en la jaula.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Use the hull as the cage</source>
+        <translation>Usar la envolvente como jaula</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Deshacer</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {vertex of %1 lies|vertices of %1 lie} in no group&apos;s region.</source>
+        <translation>
+            <numerusform>%n vértice de %1 no está en la región de ningún grupo.</numerusform>
+            <numerusform>%n vértices de %1 no están en la región de ningún grupo.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Add enclosing group</source>
+        <translation>Añadir grupo envolvente</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {vertex of %1 lies|vertices of %1 lie} outside the handles&apos; hull.</source>
+        <translation>
+            <numerusform>%n vértice de %1 está fuera de la envolvente de los tiradores.</numerusform>
+            <numerusform>%n vértices de %1 están fuera de la envolvente de los tiradores.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Add enclosing handles</source>
+        <translation>Añadir tiradores envolventes</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::CirculationBox</name>
+    <message>
+        <source>Preload: stressed blood</source>
+        <translation>Precarga: volumen estresado</translation>
+    </message>
+    <message>
+        <source>Afterload: body</source>
+        <translation>Poscarga: sistémica</translation>
+    </message>
+    <message>
+        <source>Afterload: lungs</source>
+        <translation>Poscarga: pulmonar</translation>
+    </message>
+    <message>
+        <source>Contractility, left</source>
+        <translation>Contractilidad, izda.</translation>
+    </message>
+    <message>
+        <source>Contractility, right</source>
+        <translation>Contractilidad, dcha.</translation>
+    </message>
+    <message>
+        <source>Stiffness, left</source>
+        <translation>Rigidez, izda.</translation>
+    </message>
+    <message>
+        <source>%1, %2 at rest</source>
+        <translation>%1, %2 en reposo</translation>
+    </message>
+    <message>
+        <source>%1. Marked: normal, %2 %3 (%4)</source>
+        <translation>%1. Marcado: normal, %2 %3 (%4)</translation>
+    </message>
+    <message>
+        <source>Only the sample heart can be moved by the circulation model; the charts show its results for any organ.</source>
+        <translation>El modelo de circulación solo puede mover el corazón de muestra; las gráficas muestran sus resultados con cualquier órgano.</translation>
+    </message>
+    <message>
+        <source>Textbook beat</source>
+        <translation>Latido de manual</translation>
+    </message>
+    <message>
+        <source>Volumes of healthy adults over one beat at this rate</source>
+        <translation>Volúmenes de adultos sanos en un latido a esta frecuencia</translation>
+    </message>
+    <message>
+        <source>Circulation</source>
+        <translation>Circulación</translation>
+    </message>
+    <message>
+        <source>A model of heart and vessels: pressures, pressure-volume loops, valves and sounds</source>
+        <translation>Modelo del corazón y los vasos: presiones, bucles presión-volumen, válvulas y ruidos</translation>
+    </message>
+    <message>
+        <source>Rate, preload, afterload</source>
+        <translation>Frecuencia, precarga, poscarga</translation>
+    </message>
+    <message>
+        <source>Muscle</source>
+        <translation>Músculo</translation>
+    </message>
+    <message>
+        <source>Valves and pericardium</source>
+        <translation>Válvulas y pericardio</translation>
+    </message>
+    <message>
+        <source>Before: %1</source>
+        <translation>Antes: %1</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::CirculationModel</name>
+    <message>
+        <source>Circulation</source>
+        <translation>Circulación</translation>
+    </message>
+    <message>
+        <source>Heart of the circulation</source>
+        <translation>Corazón de la circulación</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::ComparedSystem</name>
+    <message>
+        <source>Coordinates of the second view</source>
+        <translation>Coordenadas de la segunda vista</translation>
+    </message>
+    <message>
+        <source>Coordinate system that binds the same organs to the same handles in this view</source>
+        <translation>Sistema de coordenadas que vincula los mismos órganos a los mismos tiradores en esta vista</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::Comparison</name>
+    <message>
+        <source>A</source>
+        <translation>A</translation>
+    </message>
+    <message>
+        <source>B</source>
+        <translation>B</translation>
+    </message>
+    <message>
+        <source>Rate of the second view</source>
+        <translation>Frecuencia de la segunda vista</translation>
+    </message>
+    <message>
+        <source> / min</source>
+        <translation> / min</translation>
+    </message>
+    <message>
+        <source>What this view shows</source>
+        <translation>Qué muestra esta vista</translation>
+    </message>
+    <message>
+        <source>The same organ at another rate</source>
+        <translation>El mismo órgano a otra frecuencia</translation>
+    </message>
+    <message>
+        <source>The same organ with other coordinates</source>
+        <translation>El mismo órgano con otras coordenadas</translation>
+    </message>
+    <message>
+        <source>Sample %1</source>
+        <translation>%1 de muestra</translation>
+    </message>
+    <message>
+        <source>Open files...</source>
+        <translation>Abrir archivos...</translation>
+    </message>
+    <message>
+        <source>Back to one view</source>
+        <translation>Volver a una vista</translation>
+    </message>
+    <message>
+        <source>Colour each vertex by its distance to the same vertex in view A</source>
+        <translation>Colorear cada vértice según su distancia al mismo vértice de la vista A</translation>
+    </message>
+    <message>
+        <source>Open beside the first organ</source>
+        <translation>Abrir junto al primer órgano</translation>
+    </message>
+    <message>
+        <source>Organs (*.stl *.obj *.ply *.off *.vtk *.vtp *.glb *.gltf)</source>
+        <translation>Órganos (*.stl *.obj *.ply *.off *.vtk *.vtp *.glb *.gltf)</translation>
+    </message>
+    <message>
+        <source>No organ yet</source>
+        <translation>Aún no hay órganos</translation>
+    </message>
+    <message>
+        <source>  %1 / min</source>
+        <translation>  %1 / min</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::CurveBox</name>
+    <message>
+        <source>Curve...</source>
+        <translation>Curva...</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Quitar</translation>
+    </message>
+    <message>
+        <source>Organ whose volume is prescribed</source>
+        <translation>Órgano cuyo volumen se prescribe</translation>
+    </message>
+    <message>
+        <source>A .csv file with two columns: the fraction of the cycle (or time_s) and the volume in ml. At each instant the handles move as little as possible to reach that volume</source>
+        <translation>Archivo .csv con dos columnas: la fracción del ciclo (o time_s) y el volumen en ml. En cada instante los tiradores se mueven lo mínimo para alcanzar ese volumen</translation>
+    </message>
+    <message>
+        <source>Let the sequence alone determine the volume again</source>
+        <translation>Dejar de nuevo que solo la secuencia determine el volumen</translation>
+    </message>
+    <message>
+        <source>Prescribe a volume</source>
+        <translation>Prescribir un volumen</translation>
+    </message>
+    <message>
+        <source>Volume curves (*.csv *.txt *.tsv)</source>
+        <translation>Curvas de volumen (*.csv *.txt *.tsv)</translation>
+    </message>
+    <message>
+        <source>%1 follows %2; dashed in the chart.</source>
+        <translation>%1 sigue %2; línea discontinua en la gráfica.</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::CutBox</name>
+    <message>
+        <source>Depth</source>
+        <translation>Profundidad</translation>
+    </message>
+    <message>
+        <source>Distance of the cut from the middle of the organs, as a part of the way to their edge</source>
+        <translation>Distancia de la sección al centro de los órganos, como fracción del trayecto hasta su borde</translation>
+    </message>
+    <message>
+        <source>Coronal</source>
+        <translation>Coronal</translation>
+    </message>
+    <message>
+        <source>Cut away the front</source>
+        <translation>Retirar la parte anterior</translation>
+    </message>
+    <message>
+        <source>Sagittal</source>
+        <translation>Sagital</translation>
+    </message>
+    <message>
+        <source>Cut away the left side</source>
+        <translation>Retirar el lado izquierdo</translation>
+    </message>
+    <message>
+        <source>Axial</source>
+        <translation>Axial</translation>
+    </message>
+    <message>
+        <source>Cut away the upper part</source>
+        <translation>Retirar la parte superior</translation>
+    </message>
+    <message>
+        <source>Facing me</source>
+        <translation>Hacia mí</translation>
+    </message>
+    <message>
+        <source>Cut away what is nearest to the viewer</source>
+        <translation>Retirar lo más cercano al observador</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::DeformMode</name>
+    <message>
+        <source>Deform</source>
+        <translation>Deformar</translation>
+    </message>
+    <message>
+        <source>Drag a handle and the organ follows; K locks the volume, T turns and scales, M mirrors</source>
+        <translation>Arrastre un tirador y el órgano lo sigue; K bloquea el volumen, T gira y escala, M refleja</translation>
+    </message>
+    <message>
+        <source>&amp;Turn and scale</source>
+        <translation>&amp;Girar y escalar</translation>
+    </message>
+    <message>
+        <source>In Deform mode, rings turn and cubes scale the selected handles (at least two)</source>
+        <translation>En el modo Deformar, los anillos giran y los cubos escalan los tiradores seleccionados (dos como mínimo)</translation>
+    </message>
+    <message>
+        <source>Reset &amp;pose</source>
+        <translation>Restablecer la &amp;pose</translation>
+    </message>
+    <message>
+        <source>Ctrl+R</source>
+        <translation>Ctrl+R</translation>
+    </message>
+    <message>
+        <source>Move every handle back to its rest position</source>
+        <translation>Devolver todos los tiradores a su posición de reposo</translation>
+    </message>
+    <message>
+        <source>Reset selected handles</source>
+        <translation>Restablecer tiradores seleccionados</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+R</source>
+        <translation>Ctrl+Shift+R</translation>
+    </message>
+    <message>
+        <source>Move the selected handles back to their rest positions</source>
+        <translation>Devolver los tiradores seleccionados a su posición de reposo</translation>
+    </message>
+    <message>
+        <source>&amp;Lock volume</source>
+        <translation>&amp;Bloquear volumen</translation>
+    </message>
+    <message>
+        <source>Keep the organ&apos;s volume constant in Deform mode; for an organ with cavities, the volume within its outer surface</source>
+        <translation>Mantener constante el volumen del órgano en el modo Deformar; en un órgano con cavidades, el volumen dentro de su superficie externa</translation>
+    </message>
+    <message>
+        <source>Restore &amp;rest volume</source>
+        <translation>Restaurar volumen de &amp;reposo</translation>
+    </message>
+    <message>
+        <source>Restore the organ&apos;s volume at rest with the smallest motion of the handles</source>
+        <translation>Restaurar el volumen del órgano en reposo con el menor movimiento de los tiradores</translation>
+    </message>
+    <message>
+        <source>Selected handles &amp;compensate</source>
+        <translation>&amp;Compensar con los seleccionados</translation>
+    </message>
+    <message>
+        <source>Only the selected handles compensate when others would change a locked volume</source>
+        <translation>Solo los tiradores seleccionados compensan cuando otros cambiarían un volumen bloqueado</translation>
+    </message>
+    <message>
+        <source>&amp;Off</source>
+        <translation>&amp;Ninguno</translation>
+    </message>
+    <message>
+        <source>&amp;Sagittal plane</source>
+        <translation>Plano &amp;sagital</translation>
+    </message>
+    <message>
+        <source>&amp;Coronal plane</source>
+        <translation>Plano &amp;coronal</translation>
+    </message>
+    <message>
+        <source>&amp;Axial plane</source>
+        <translation>Plano &amp;axial</translation>
+    </message>
+    <message>
+        <source>In Deform mode, mirrored handles move along with a drag</source>
+        <translation>En el modo Deformar, los tiradores simétricos acompañan el arrastre</translation>
+    </message>
+    <message>
+        <source>&amp;Next mirror plane</source>
+        <translation>&amp;Siguiente plano de simetría</translation>
+    </message>
+    <message>
+        <source>Switch between off, sagittal, coronal and axial</source>
+        <translation>Alternar entre ninguno, sagital, coronal y axial</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::DeformPage</name>
+    <message numerus="yes">
+        <source>%n {handle|handles}</source>
+        <translation>
+            <numerusform>%n tirador</numerusform>
+            <numerusform>%n tiradores</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Volume</source>
+        <translation>Volumen</translation>
+    </message>
+    <message>
+        <source>Organ</source>
+        <translation>Órgano</translation>
+    </message>
+    <message>
+        <source>Now</source>
+        <translation>Ahora</translation>
+    </message>
+    <message>
+        <source>Reference shape</source>
+        <translation>Forma de referencia</translation>
+    </message>
+    <message>
+        <source>Change</source>
+        <translation>Cambio</translation>
+    </message>
+    <message>
+        <source>Largest shift</source>
+        <translation>Desplaz. máximo</translation>
+    </message>
+    <message>
+        <source>The largest distance by which a vertex of the organ has moved from rest</source>
+        <translation>La mayor distancia que un vértice del órgano se ha movido desde el reposo</translation>
+    </message>
+    <message>
+        <source>Selected handles</source>
+        <translation>Tiradores seleccionados</translation>
+    </message>
+    <message>
+        <source>Compensating</source>
+        <translation>Compensan</translation>
+    </message>
+    <message>
+        <source>These handles compensate when others would change a locked volume. If none is marked, a dragged handle stays in a plane, and all free handles compensate for other motions.</source>
+        <translation>Estos tiradores compensan cuando otros cambiarían un volumen bloqueado. Si no se marca ninguno, el tirador arrastrado permanece en un plano y todos los tiradores libres compensan los demás movimientos.</translation>
+    </message>
+    <message>
+        <source>Symmetric drags</source>
+        <translation>Arrastres simétricos</translation>
+    </message>
+    <message>
+        <source>Pose</source>
+        <translation>Pose</translation>
+    </message>
+    <message>
+        <source>Handles moved</source>
+        <translation>Tiradores movidos</translation>
+    </message>
+    <message>
+        <source>Mirror plane</source>
+        <translation>Plano de simetría</translation>
+    </message>
+    <message>
+        <source>Off</source>
+        <translation>Ninguno</translation>
+    </message>
+    <message>
+        <source>Sagittal plane (left and right)</source>
+        <translation>Plano sagital (izquierda y derecha)</translation>
+    </message>
+    <message>
+        <source>Coronal plane (front and back)</source>
+        <translation>Plano coronal (delante y detrás)</translation>
+    </message>
+    <message>
+        <source>Axial plane (head and feet)</source>
+        <translation>Plano axial (cabeza y pies)</translation>
+    </message>
+    <message>
+        <source>A drag moves the mirrored handles too; the mirror plane passes through the middle of the organ at rest (M: next plane)</source>
+        <translation>El arrastre mueve también los tiradores simétricos; el plano de simetría pasa por el centro del órgano en reposo (M: plano siguiente)</translation>
+    </message>
+    <message>
+        <source>Moves along</source>
+        <translation>Acompaña</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 de %2</translation>
+    </message>
+    <message>
+        <source>all that are free</source>
+        <translation>todos los libres</translation>
+    </message>
+    <message>
+        <source>no handle is near the mirror image</source>
+        <translation>ningún tirador cerca de la imagen especular</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::DifferenceMap</name>
+    <message>
+        <source>Distance to A</source>
+        <translation>Distancia a A</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::DisplacementBox</name>
+    <message>
+        <source>Apply</source>
+        <translation>Aplicar</translation>
+    </message>
+    <message>
+        <source>Right to left</source>
+        <translation>Derecha a izquierda</translation>
+    </message>
+    <message>
+        <source>Front to back</source>
+        <translation>Delante a detrás</translation>
+    </message>
+    <message>
+        <source>Foot to head</source>
+        <translation>Pies a cabeza</translation>
+    </message>
+    <message>
+        <source>Towards the patient&apos;s left; negative: right (R/L)</source>
+        <translation>Hacia la izquierda del paciente; negativo: derecha (R/L)</translation>
+    </message>
+    <message>
+        <source>Towards the patient&apos;s back; negative: front (A/P)</source>
+        <translation>Hacia la espalda del paciente; negativo: delante (A/P)</translation>
+    </message>
+    <message>
+        <source>Towards the patient&apos;s head; negative: feet (S/I)</source>
+        <translation>Hacia la cabeza del paciente; negativo: pies (S/I)</translation>
+    </message>
+    <message>
+        <source>Move the selected handles once by this distance; locked volumes are kept</source>
+        <translation>Mover una vez esta distancia los tiradores seleccionados; los volúmenes bloqueados se mantienen</translation>
+    </message>
+    <message>
+        <source>Moved by %1 of %2 mm: the locked volume allows no more in this direction.</source>
+        <translation>Movido %1 de %2 mm: el volumen bloqueado no permite más en esta dirección.</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::ExploreMode</name>
+    <message>
+        <source>Explore</source>
+        <translation>Explorar</translation>
+    </message>
+    <message>
+        <source>Left drag rotates, Shift+left pans, right drag or wheel zooms, click selects an organ, D and A measure</source>
+        <translation>Arrastrar con el izquierdo gira; Mayús+izquierdo desplaza; arrastrar con el derecho o la rueda acerca; un clic selecciona un órgano; D y A miden</translation>
+    </message>
+    <message>
+        <source>Click two points on an organ or on a slice; Esc ends</source>
+        <translation>Haga clic en dos puntos de un órgano o un corte; Esc termina</translation>
+    </message>
+    <message>
+        <source>Measure &amp;distance</source>
+        <translation>Medir &amp;distancia</translation>
+    </message>
+    <message>
+        <source>Distance</source>
+        <translation>Distancia</translation>
+    </message>
+    <message>
+        <source>Measure &amp;angle</source>
+        <translation>Medir á&amp;ngulo</translation>
+    </message>
+    <message>
+        <source>Click three points on an organ or on a slice, the corner second; Esc ends</source>
+        <translation>Haga clic en tres puntos de un órgano o un corte, el vértice en segundo lugar; Esc termina</translation>
+    </message>
+    <message>
+        <source>Angle</source>
+        <translation>Ángulo</translation>
+    </message>
+    <message>
+        <source>Measure the values in a &amp;rectangle</source>
+        <translation>Medir los valores en un &amp;rectángulo</translation>
+    </message>
+    <message>
+        <source>Shift+A</source>
+        <translation>Shift+A</translation>
+    </message>
+    <message>
+        <source>Drag on a slice from corner to corner: mean and deviation of the scan&apos;s values; Esc ends</source>
+        <translation>Arrastre en un corte de esquina a esquina: media y desviación de los valores del estudio; Esc termina</translation>
+    </message>
+    <message>
+        <source>Rectangle</source>
+        <translation>Rectángulo</translation>
+    </message>
+    <message>
+        <source>Measure the values in a &amp;sphere</source>
+        <translation>Medir los valores en una &amp;esfera</translation>
+    </message>
+    <message>
+        <source>Shift+B</source>
+        <translation>Shift+B</translation>
+    </message>
+    <message>
+        <source>Drag on a slice from the middle to the border: mean and deviation of the scan&apos;s values; Esc ends</source>
+        <translation>Arrastre en un corte del centro al borde: media y desviación de los valores del estudio; Esc termina</translation>
+    </message>
+    <message>
+        <source>Sphere</source>
+        <translation>Esfera</translation>
+    </message>
+    <message>
+        <source>Remove all &amp;measurements</source>
+        <translation>&amp;Quitar todas las mediciones</translation>
+    </message>
+    <message>
+        <source>&amp;Measurements</source>
+        <translation>&amp;Mediciones</translation>
+    </message>
+    <message>
+        <source>Show what is measured</source>
+        <translation>Mostrar lo medido</translation>
+    </message>
+    <message>
+        <source>Names of &amp;parts</source>
+        <translation>Nombres de las &amp;partes</translation>
+    </message>
+    <message>
+        <source>Name the parts of the organs, such as the apex of the heart</source>
+        <translation>Nombrar las partes de los órganos, como el ápex del corazón</translation>
+    </message>
+    <message>
+        <source>&amp;Quiz on the parts</source>
+        <translation>&amp;Cuestionario sobre las partes</translation>
+    </message>
+    <message>
+        <source>Hide the names and ask for one part after the other; answer with a click on the organ</source>
+        <translation>Ocultar los nombres y preguntar las partes una a una; se responde con un clic en el órgano</translation>
+    </message>
+    <message>
+        <source>%1. Drags turn the view, Esc ends the quiz</source>
+        <translation>%1. Arrastrar gira la vista, Esc termina el cuestionario</translation>
+    </message>
+    <message>
+        <source>Click two points on an organ or on a slice; drags turn the view, Esc ends</source>
+        <translation>Haga clic en dos puntos de un órgano o un corte; arrastrar gira la vista, Esc termina</translation>
+    </message>
+    <message>
+        <source>Click three points on an organ or on a slice, the corner second; drags turn the view, Esc ends</source>
+        <translation>Haga clic en tres puntos de un órgano o un corte, el vértice en segundo lugar; arrastrar gira la vista, Esc termina</translation>
+    </message>
+    <message>
+        <source>Drag on a slice from corner to corner; Esc ends</source>
+        <translation>Arrastre en un corte de esquina a esquina; Esc termina</translation>
+    </message>
+    <message>
+        <source>Drag on a slice from the middle of a sphere to its border; Esc ends</source>
+        <translation>Arrastre en un corte del centro de una esfera a su borde; Esc termina</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::ExplorePage</name>
+    <message>
+        <source>View from</source>
+        <translation>Ver desde</translation>
+    </message>
+    <message>
+        <source>Cut</source>
+        <translation>Sección</translation>
+    </message>
+    <message>
+        <source>Measure</source>
+        <translation>Medir</translation>
+    </message>
+    <message>
+        <source>Parts</source>
+        <translation>Partes</translation>
+    </message>
+    <message>
+        <source>Show</source>
+        <translation>Mostrar</translation>
+    </message>
+    <message>
+        <source>Organ</source>
+        <translation>Órgano</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Nombre</translation>
+    </message>
+    <message>
+        <source>Reference volume</source>
+        <translation>Volumen de referencia</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Tamaño</translation>
+    </message>
+    <message>
+        <source>Triangles</source>
+        <translation>Triángulos</translation>
+    </message>
+    <message>
+        <source>Surface</source>
+        <translation>Superficie</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Archivo</translation>
+    </message>
+    <message>
+        <source>Scan</source>
+        <translation>Estudio</translation>
+    </message>
+    <message>
+        <source>Voxels</source>
+        <translation>Vóxeles</translation>
+    </message>
+    <message>
+        <source>Spacing</source>
+        <translation>Espaciado</translation>
+    </message>
+    <message>
+        <source>closed</source>
+        <translation>cerrada</translation>
+    </message>
+    <message numerus="yes">
+        <source>open, %n {edge|edges}</source>
+        <translation>
+            <numerusform>abierta, %n arista</numerusform>
+            <numerusform>abierta, %n aristas</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 x %2 x %3 mm</source>
+        <translation>%1 x %2 x %3 mm</translation>
+    </message>
+    <message>
+        <source>%1 x %2 x %3</source>
+        <translation>%1 x %2 x %3</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::ExportActions</name>
+    <message>
+        <source>Export all &amp;organs...</source>
+        <translation>Exportar todos los &amp;órganos...</translation>
+    </message>
+    <message>
+        <source>Write all visible organs into one file, with names and colours</source>
+        <translation>Guardar todos los órganos visibles en un archivo, con nombres y colores</translation>
+    </message>
+    <message>
+        <source>Export all organs</source>
+        <translation>Exportar todos los órganos</translation>
+    </message>
+    <message>
+        <source>organs.glb</source>
+        <translation>organs.glb</translation>
+    </message>
+    <message>
+        <source>glTF scenes (*.glb)</source>
+        <translation>Escenas glTF (*.glb)</translation>
+    </message>
+    <message>
+        <source>Export &amp;displacements...</source>
+        <translation>Exportar &amp;desplazamientos...</translation>
+    </message>
+    <message>
+        <source>Write the current organ at rest, with the displacement of every vertex</source>
+        <translation>Guardar el órgano actual en reposo, con el desplazamiento de cada vértice</translation>
+    </message>
+    <message>
+        <source>Export displacements</source>
+        <translation>Exportar desplazamientos</translation>
+    </message>
+    <message>
+        <source>displacements.vtp</source>
+        <translation>displacements.vtp</translation>
+    </message>
+    <message>
+        <source>VTK surfaces (*.vtp)</source>
+        <translation>Superficies VTK (*.vtp)</translation>
+    </message>
+    <message>
+        <source>Export displacement &amp;field...</source>
+        <translation>Exportar &amp;campo de desplazamiento...</translation>
+    </message>
+    <message>
+        <source>Write the displacement of the space around the current organ, for 3D Slicer and ITK</source>
+        <translation>Guardar el desplazamiento del espacio en torno al órgano actual, para 3D Slicer e ITK</translation>
+    </message>
+    <message>
+        <source>Export displacement field</source>
+        <translation>Exportar campo de desplazamiento</translation>
+    </message>
+    <message>
+        <source>field.nrrd</source>
+        <translation>field.nrrd</translation>
+    </message>
+    <message>
+        <source>Displacement fields (*.nrrd *.mha)</source>
+        <translation>Campos de desplazamiento (*.nrrd *.mha)</translation>
+    </message>
+    <message>
+        <source>Export &amp;table of volumes...</source>
+        <translation>Exportar &amp;tabla de volúmenes...</translation>
+    </message>
+    <message>
+        <source>Write volumes and sizes of all organs</source>
+        <translation>Guardar volúmenes y tamaños de todos los órganos</translation>
+    </message>
+    <message>
+        <source>Export table of volumes</source>
+        <translation>Exportar tabla de volúmenes</translation>
+    </message>
+    <message>
+        <source>volumes.csv</source>
+        <translation>volumes.csv</translation>
+    </message>
+    <message>
+        <source>Comma-separated values (*.csv)</source>
+        <translation>Valores separados por comas (*.csv)</translation>
+    </message>
+    <message>
+        <source>Export &amp;measurements...</source>
+        <translation>Exportar &amp;mediciones...</translation>
+    </message>
+    <message>
+        <source>Write all measured distances and angles</source>
+        <translation>Guardar todas las distancias y ángulos medidos</translation>
+    </message>
+    <message>
+        <source>Nothing is measured yet. Measure a distance (D) or an angle (A) first.</source>
+        <translation>Aún no hay mediciones. Mida antes una distancia (D) o un ángulo (A).</translation>
+    </message>
+    <message>
+        <source>Export measurements</source>
+        <translation>Exportar mediciones</translation>
+    </message>
+    <message>
+        <source>measurements.csv</source>
+        <translation>measurements.csv</translation>
+    </message>
+    <message>
+        <source>There is no organ to export. Open one first.</source>
+        <translation>No hay ningún órgano que exportar. Abra uno primero.</translation>
+    </message>
+    <message>
+        <source>Exporting %1</source>
+        <translation>Exportando %1</translation>
+    </message>
+    <message>
+        <source>Written to %1.</source>
+        <translation>Guardado en %1.</translation>
+    </message>
+    <message>
+        <source>all organs</source>
+        <translation>todos los órganos</translation>
+    </message>
+    <message numerus="yes">
+        <source>The rest position of %n {point|points} of the field is uncertain.</source>
+        <translation>
+            <numerusform>La posición de reposo de %n punto del campo es incierta.</numerusform>
+            <numerusform>La posición de reposo de %n puntos del campo es incierta.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>table of volumes</source>
+        <translation>tabla de volúmenes</translation>
+    </message>
+    <message>
+        <source>measurements</source>
+        <translation>mediciones</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::FileActions</name>
+    <message>
+        <source>&amp;Open...</source>
+        <translation>&amp;Abrir...</translation>
+    </message>
+    <message>
+        <source>Open a session, organs, label maps, handles or a scan</source>
+        <translation>Abrir una sesión, órganos, mapas de etiquetas, tiradores o un estudio</translation>
+    </message>
+    <message>
+        <source>Open a &amp;folder of masks...</source>
+        <translation>Abrir una ca&amp;rpeta de máscaras...</translation>
+    </message>
+    <message>
+        <source>Open one patient: a folder with one mask for each organ, as TotalSegmentator writes it</source>
+        <translation>Abrir un paciente: una carpeta con una máscara por órgano, como las que escribe TotalSegmentator</translation>
+    </message>
+    <message>
+        <source>&amp;Import with check...</source>
+        <translation>&amp;Importar con comprobación...</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+O</source>
+        <translation>Ctrl+Shift+O</translation>
+    </message>
+    <message>
+        <source>Check and repair the contents of files before importing them</source>
+        <translation>Comprobar y reparar el contenido de los archivos antes de importarlos</translation>
+    </message>
+    <message>
+        <source>Save &amp;handles...</source>
+        <translation>Guardar &amp;tiradores...</translation>
+    </message>
+    <message>
+        <source>Save the handles at rest as Slicer markups</source>
+        <translation>Guardar los tiradores en reposo como marcas de Slicer</translation>
+    </message>
+    <message>
+        <source>&amp;Export organ...</source>
+        <translation>&amp;Exportar órgano...</translation>
+    </message>
+    <message>
+        <source>Ctrl+E</source>
+        <translation>Ctrl+E</translation>
+    </message>
+    <message>
+        <source>Export the organ in its present pose</source>
+        <translation>Exportar el órgano en su pose actual</translation>
+    </message>
+    <message>
+        <source>Load a &amp;cage...</source>
+        <translation>Cargar una &amp;jaula...</translation>
+    </message>
+    <message>
+        <source>For coordinates that need a cage: load a closed surface around the organ; its vertices become the handles</source>
+        <translation>Para coordenadas que necesitan una jaula: cargar una superficie cerrada en torno al órgano; sus vértices pasan a ser los tiradores</translation>
+    </message>
+    <message>
+        <source>Sessions, organs, label maps, handles and scans (*.viscera %1 %2 %3)</source>
+        <translation>Sesiones, órganos, mapas de etiquetas, tiradores y estudios (*.viscera %1 %2 %3)</translation>
+    </message>
+    <message>
+        <source>Sessions (*.viscera)</source>
+        <translation>Sesiones (*.viscera)</translation>
+    </message>
+    <message>
+        <source>Organs, label maps and handles (%1 %2 %3)</source>
+        <translation>Órganos, mapas de etiquetas y tiradores (%1 %2 %3)</translation>
+    </message>
+    <message>
+        <source>Organs (%1)</source>
+        <translation>Órganos (%1)</translation>
+    </message>
+    <message>
+        <source>Label maps (%1)</source>
+        <translation>Mapas de etiquetas (%1)</translation>
+    </message>
+    <message>
+        <source>Handles (%1)</source>
+        <translation>Tiradores (%1)</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>Todos los archivos (*)</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Abrir</translation>
+    </message>
+    <message>
+        <source>Open a folder with one mask for each organ</source>
+        <translation>Abrir una carpeta con una máscara por órgano</translation>
+    </message>
+    <message>
+        <source>Opening %1</source>
+        <translation>Abriendo %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>Opening %n {file|files}</source>
+        <translation>
+            <numerusform>Abriendo %n archivo</numerusform>
+            <numerusform>Abriendo %n archivos</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Open %1</source>
+        <translation>Abrir %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n more on the {page of its organ|pages of their organs} in Explore</source>
+        <translation>
+            <numerusform>%n más en la página de su órgano, en Explorar</numerusform>
+            <numerusform>%n más en las páginas de sus órganos, en Explorar</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Save handles</source>
+        <translation>Guardar tiradores</translation>
+    </message>
+    <message>
+        <source>Slicer markups (*%1 *.fcsv)</source>
+        <translation>Marcas de Slicer (*%1 *.fcsv)</translation>
+    </message>
+    <message>
+        <source>Handles</source>
+        <translation>Tiradores</translation>
+    </message>
+    <message>
+        <source>Load a cage</source>
+        <translation>Cargar una jaula</translation>
+    </message>
+    <message>
+        <source>Closed surfaces (%1);;All files (*)</source>
+        <translation>Superficies cerradas (%1);;Todos los archivos (*)</translation>
+    </message>
+    <message>
+        <source>Reading the cage %1</source>
+        <translation>Leyendo la jaula %1</translation>
+    </message>
+    <message>
+        <source>The handles at the vertices of %1 are now the corners of the cage.</source>
+        <translation>Los tiradores en los vértices de %1 son ahora las esquinas de la jaula.</translation>
+    </message>
+    <message numerus="yes">
+        <source>The %n {vertex|vertices} of %1 are now the handles.</source>
+        <translation>
+            <numerusform>El %n vértice de %1 es ahora el tirador.</numerusform>
+            <numerusform>Los %n vértices de %1 son ahora los tiradores.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>There is no organ to export. Open one first.</source>
+        <translation>No hay ningún órgano que exportar. Abra uno primero.</translation>
+    </message>
+    <message>
+        <source>Surfaces (%1)</source>
+        <translation>Superficies (%1)</translation>
+    </message>
+    <message>
+        <source>Exporting %1</source>
+        <translation>Exportando %1</translation>
+    </message>
+    <message>
+        <source>%1 written to %2</source>
+        <translation>%1 guardado en %2</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::Findings</name>
+    <message>
+        <source>Side of the body</source>
+        <translation>Lado del cuerpo</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Tamaño</translation>
+    </message>
+    <message>
+        <source>Open surface</source>
+        <translation>Superficie abierta</translation>
+    </message>
+    <message>
+        <source>Edges of more than two triangles</source>
+        <translation>Aristas de más de dos triángulos</translation>
+    </message>
+    <message>
+        <source>Triangles that face inward</source>
+        <translation>Triángulos orientados hacia dentro</translation>
+    </message>
+    <message>
+        <source>Separate pieces</source>
+        <translation>Fragmentos separados</translation>
+    </message>
+    <message>
+        <source>Crossing triangles</source>
+        <translation>Triángulos que se cruzan</translation>
+    </message>
+    <message>
+        <source>Positions of the organs</source>
+        <translation>Posiciones de los órganos</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::FitBox</name>
+    <message>
+        <source>by the shape</source>
+        <translation>por la forma</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {point|points}</source>
+        <translation>
+            <numerusform>%n punto</numerusform>
+            <numerusform>%n puntos</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Fit to this organ</source>
+        <translation>Ajustar a este órgano</translation>
+    </message>
+    <message>
+        <source>Sequence to fit</source>
+        <translation>Secuencia que ajustar</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>Of the left ventricle. The right one ejects as much blood, and the muscle keeps its volume</source>
+        <translation>Del ventrículo izquierdo. El derecho expulsa la misma sangre y el músculo conserva su volumen</translation>
+    </message>
+    <message>
+        <source>Ejection fraction</source>
+        <translation>Fracción de eyección</translation>
+    </message>
+    <message>
+        <source>Place the sequence&apos;s handles around the organ and play it</source>
+        <translation>Colocar los tiradores de la secuencia en torno al órgano y reproducirla</translation>
+    </message>
+    <message>
+        <source>%1: set it by a click in the view</source>
+        <translation>%1: fíjelo con un clic en la vista</translation>
+    </message>
+    <message>
+        <source>click the organ</source>
+        <translation>clic en el órgano</translation>
+    </message>
+    <message>
+        <source>Open a patient&apos;s organ first.</source>
+        <translation>Abra primero el órgano de un paciente.</translation>
+    </message>
+    <message>
+        <source>%1 is open; a sequence needs a closed surface.</source>
+        <translation>%1 tiene una superficie abierta; una secuencia necesita una cerrada.</translation>
+    </message>
+    <message>
+        <source>Moves %1 and its chambers as a textbook&apos;s heart, from how they are as the end of diastole. It becomes a recorded sequence.</source>
+        <translation>Mueve %1 y sus cavidades como el corazón de un libro de texto, a partir de su estado actual como final de la diástole. Se convierte en una secuencia grabada.</translation>
+    </message>
+    <message>
+        <source>Moves %1 like the sample organ. Landmarks that you do not set are found from its shape.</source>
+        <translation>Mueve %1 como el órgano de muestra. Los puntos de referencia que no fije se deducen de su forma.</translation>
+    </message>
+    <message>
+        <source>Fitting %1</source>
+        <translation>Ajustando %1</translation>
+    </message>
+    <message>
+        <source>Fit the textbook&apos;s beat to %1</source>
+        <translation>Ajustar el latido de libro a %1</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::FitOffer</name>
+    <message>
+        <source>Replace all open organs; Undo brings them back</source>
+        <translation>Sustituir todos los órganos abiertos; Deshacer los recupera</translation>
+    </message>
+    <message>
+        <source>%1 is made for a %2, and by its name %3 is another organ.</source>
+        <translation>%1 es para %2 y, por su nombre, %3 es otro órgano.</translation>
+    </message>
+    <message>
+        <source>%1: fit it to %2?</source>
+        <translation>%1: ¿ajustar a %2?</translation>
+    </message>
+    <message>
+        <source>Fit it anyway</source>
+        <translation>Ajustar igualmente</translation>
+    </message>
+    <message>
+        <source>Fit it to %1</source>
+        <translation>Ajustar a %1</translation>
+    </message>
+    <message>
+        <source>Place the sequence&apos;s handles around the organ and play it</source>
+        <translation>Colocar los tiradores de la secuencia en torno al órgano y reproducirla</translation>
+    </message>
+    <message>
+        <source>%1 is open; a sequence needs a closed surface</source>
+        <translation>%1 tiene una superficie abierta; una secuencia necesita una cerrada</translation>
+    </message>
+    <message>
+        <source>Show the sample %1</source>
+        <translation>Mostrar %1 de muestra</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::GroupPanel</name>
+    <message>
+        <source>No groups: all handles act everywhere. Select handles and make a group of them, or make groups automatically below.</source>
+        <translation>Sin grupos: todos los tiradores actúan en todas partes. Seleccione tiradores y forme un grupo con ellos, o cree grupos automáticamente abajo.</translation>
+    </message>
+    <message>
+        <source>Groups</source>
+        <translation>Grupos</translation>
+    </message>
+    <message>
+        <source>New group</source>
+        <translation>Nuevo grupo</translation>
+    </message>
+    <message>
+        <source>Make a group of the selected handles</source>
+        <translation>Formar un grupo con los tiradores seleccionados</translation>
+    </message>
+    <message>
+        <source>Select handles</source>
+        <translation>Seleccionar tiradores</translation>
+    </message>
+    <message>
+        <source>Select the handles of the chosen group</source>
+        <translation>Seleccionar los tiradores del grupo elegido</translation>
+    </message>
+    <message>
+        <source>Add selected</source>
+        <translation>Añadir selección</translation>
+    </message>
+    <message>
+        <source>Add the selected handles to the chosen group</source>
+        <translation>Añadir los tiradores seleccionados al grupo elegido</translation>
+    </message>
+    <message>
+        <source>Take out</source>
+        <translation>Sacar</translation>
+    </message>
+    <message>
+        <source>Take the selected handles out of the chosen group</source>
+        <translation>Sacar los tiradores seleccionados del grupo elegido</translation>
+    </message>
+    <message>
+        <source>Colour...</source>
+        <translation>Color...</translation>
+    </message>
+    <message>
+        <source>Choose the colour of the chosen group</source>
+        <translation>Elegir el color del grupo elegido</translation>
+    </message>
+    <message>
+        <source>Remove group</source>
+        <translation>Quitar grupo</translation>
+    </message>
+    <message>
+        <source>Remove the chosen group; its handles stay</source>
+        <translation>Quitar el grupo elegido; sus tiradores permanecen</translation>
+    </message>
+    <message>
+        <source>How groups are made</source>
+        <translation>Cómo se forman los grupos</translation>
+    </message>
+    <message>
+        <source>Parts along the axis</source>
+        <translation>Partes a lo largo del eje</translation>
+    </message>
+    <message>
+        <source>Clusters of handles</source>
+        <translation>Cúmulos de tiradores</translation>
+    </message>
+    <message>
+        <source>Organs and their pieces</source>
+        <translation>Órganos y sus fragmentos</translation>
+    </message>
+    <message>
+        <source>How many groups</source>
+        <translation>Número de grupos</translation>
+    </message>
+    <message>
+        <source>Group automatically</source>
+        <translation>Agrupar automáticamente</translation>
+    </message>
+    <message>
+        <source>Replace the present groups. Where handles do not surround a group&apos;s part of the organ, the corners of a box are added.</source>
+        <translation>Sustituir los grupos actuales. Donde los tiradores no rodean la parte del órgano de un grupo, se añaden las esquinas de una caja.</translation>
+    </message>
+    <message>
+        <source>Group %1</source>
+        <translation>Grupo %1</translation>
+    </message>
+    <message>
+        <source>F2 renames</source>
+        <translation>F2 renombra</translation>
+    </message>
+    <message>
+        <source>A region needs at least four handles</source>
+        <translation>Una región necesita al menos cuatro tiradores</translation>
+    </message>
+    <message>
+        <source>These coordinates do not use groups.</source>
+        <translation>Estas coordenadas no usan grupos.</translation>
+    </message>
+    <message>
+        <source>No coordinate system that uses groups is loaded: the plugin is missing.</source>
+        <translation>No hay cargado ningún sistema de coordenadas que use grupos: falta el complemento.</translation>
+    </message>
+    <message>
+        <source>Use %1</source>
+        <translation>Usar %1</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::HandleController</name>
+    <message numerus="yes">
+        <source>Move %n {handle|handles}</source>
+        <translation>
+            <numerusform>Mover %n tirador</numerusform>
+            <numerusform>Mover %n tiradores</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Move handle %1</source>
+        <translation>Mover tirador %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>Turn %n {handle|handles}</source>
+        <translation>
+            <numerusform>Girar %n tirador</numerusform>
+            <numerusform>Girar %n tiradores</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Scale %n {handle|handles}</source>
+        <translation>
+            <numerusform>Escalar %n tirador</numerusform>
+            <numerusform>Escalar %n tiradores</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::HandleModel</name>
+    <message>
+        <source>Handle</source>
+        <translation>Tirador</translation>
+    </message>
+    <message>
+        <source>Groups</source>
+        <translation>Grupos</translation>
+    </message>
+    <message>
+        <source>Rest L</source>
+        <translation>Reposo L</translation>
+    </message>
+    <message>
+        <source>Rest P</source>
+        <translation>Reposo P</translation>
+    </message>
+    <message>
+        <source>Rest S</source>
+        <translation>Reposo S</translation>
+    </message>
+    <message>
+        <source>Pose L</source>
+        <translation>Pose L</translation>
+    </message>
+    <message>
+        <source>Pose P</source>
+        <translation>Pose P</translation>
+    </message>
+    <message>
+        <source>Pose S</source>
+        <translation>Pose S</translation>
+    </message>
+    <message>
+        <source>Moved (mm)</source>
+        <translation>Movido (mm)</translation>
+    </message>
+    <message>
+        <source>Coordinate</source>
+        <translation>Coordenada</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::HandlePanel</name>
+    <message>
+        <source>No handles yet.
+Move the slider above to place some, or click the organ in Handles mode (2).</source>
+        <translation>Aún no hay tiradores.
+Mueva el control de arriba para colocar algunos o haga clic en el órgano en el modo Tiradores (2).</translation>
+    </message>
+    <message>
+        <source>Place automatically</source>
+        <translation>Colocar automáticamente</translation>
+    </message>
+    <message>
+        <source>Place this many handles evenly, a little outside the organ&apos;s surface; they replace the present ones</source>
+        <translation>Colocar este número de tiradores de forma regular, algo por fuera de la superficie del órgano; sustituyen a los actuales</translation>
+    </message>
+    <message>
+        <source>Enclosing box</source>
+        <translation>Caja envolvente</translation>
+    </message>
+    <message>
+        <source>Eight of the handles are the corners of a box around the organ, so that all of it lies inside</source>
+        <translation>Ocho de los tiradores son las esquinas de una caja en torno al órgano, de modo que todo él queda dentro</translation>
+    </message>
+    <message>
+        <source>Handles</source>
+        <translation>Tiradores</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>F2 renames, Delete removes</source>
+        <translation>F2 renombra, Supr quita</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::HandlePlacer</name>
+    <message>
+        <source>Place handles</source>
+        <translation>Colocar tiradores</translation>
+    </message>
+    <message>
+        <source>Enclosing</source>
+        <translation>Envolventes</translation>
+    </message>
+    <message>
+        <source>Surface</source>
+        <translation>Superficie</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::HandleTable</name>
+    <message>
+        <source>Table of handles</source>
+        <translation>Tabla de tiradores</translation>
+    </message>
+    <message>
+        <source>&amp;Copy</source>
+        <translation>&amp;Copiar</translation>
+    </message>
+    <message>
+        <source>Copy the selected rows, or all, with all digits (Ctrl+C)</source>
+        <translation>Copiar las filas seleccionadas, o todas, con todos los dígitos (Ctrl+C)</translation>
+    </message>
+    <message>
+        <source>&amp;Table of handles...</source>
+        <translation>&amp;Tabla de tiradores...</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+T</source>
+        <translation>Ctrl+Shift+T</translation>
+    </message>
+    <message>
+        <source>Positions of all handles, and the coordinates of a vertex that you click</source>
+        <translation>Posiciones de todos los tiradores y coordenadas del vértice en que haga clic</translation>
+    </message>
+    <message>
+        <source>Click the organ in the view to see the coordinates of its nearest vertex.</source>
+        <translation>Haga clic en el órgano en la vista para ver las coordenadas de su vértice más cercano.</translation>
+    </message>
+    <message>
+        <source>Vertex %1 of %2, at rest at %3, %4, %5 mm (LPS)</source>
+        <translation>Vértice %1 de %2, en reposo en %3, %4, %5 mm (LPS)</translation>
+    </message>
+    <message>
+        <source>%1: the organ is not bound to the handles.</source>
+        <translation>%1: órgano sin vincular a los tiradores.</translation>
+    </message>
+    <message>
+        <source>%1. Its coordinates sum to %2 and miss it by %3 mm.</source>
+        <translation>%1. Sus coordenadas suman %2 y el error es de %3 mm.</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::HandlesMode</name>
+    <message>
+        <source>Handles</source>
+        <translation>Tiradores</translation>
+    </message>
+    <message>
+        <source>Click the organ to add a handle, drag to move it, Delete removes it; the reference shape stays</source>
+        <translation>Clic en el órgano añade un tirador, arrastrar lo mueve, Supr lo quita; la forma de referencia se mantiene</translation>
+    </message>
+    <message>
+        <source>&amp;Place automatically</source>
+        <translation>&amp;Colocar automáticamente</translation>
+    </message>
+    <message>
+        <source>Ctrl+P</source>
+        <translation>Ctrl+P</translation>
+    </message>
+    <message>
+        <source>Spread handles evenly around the organ</source>
+        <translation>Distribuir los tiradores de forma regular en torno al órgano</translation>
+    </message>
+    <message>
+        <source>Add &amp;enclosing handles</source>
+        <translation>&amp;Añadir tiradores envolventes</translation>
+    </message>
+    <message>
+        <source>Add the eight corners of a box around everything</source>
+        <translation>Añadir las ocho esquinas de una caja en torno a todo</translation>
+    </message>
+    <message>
+        <source>&amp;Remove handles</source>
+        <translation>&amp;Quitar tiradores</translation>
+    </message>
+    <message>
+        <source>Remove the selected handles</source>
+        <translation>Quitar los tiradores seleccionados</translation>
+    </message>
+    <message>
+        <source>Select &amp;all handles</source>
+        <translation>Seleccionar &amp;todos los tiradores</translation>
+    </message>
+    <message>
+        <source>Use the &amp;hull as the cage</source>
+        <translation>Usar la &amp;envolvente como jaula</translation>
+    </message>
+    <message>
+        <source>Discard the loaded cage and use the convex hull of the handles again</source>
+        <translation>Descartar la jaula cargada y usar de nuevo la envolvente convexa de los tiradores</translation>
+    </message>
+    <message>
+        <source>&amp;Influence map</source>
+        <translation>Mapa de &amp;influencia</translation>
+    </message>
+    <message>
+        <source>Colour the organ by the influence of the selected handle</source>
+        <translation>Colorear el órgano según la influencia del tirador seleccionado</translation>
+    </message>
+    <message>
+        <source>Show &amp;regions</source>
+        <translation>Mostrar &amp;regiones</translation>
+    </message>
+    <message>
+        <source>Show where each group of handles acts, and the cage of coordinates that need one</source>
+        <translation>Mostrar dónde actúa cada grupo de tiradores y la jaula de las coordenadas que la necesitan</translation>
+    </message>
+    <message>
+        <source>Show &amp;zones</source>
+        <translation>Mostrar &amp;zonas</translation>
+    </message>
+    <message>
+        <source>Show where regions meet, in red</source>
+        <translation>Mostrar en rojo dónde se encuentran las regiones</translation>
+    </message>
+    <message>
+        <source>Show &amp;super-regions</source>
+        <translation>Mostrar &amp;superregiones</translation>
+    </message>
+    <message>
+        <source>Show the super-region that counts in each zone, in yellow</source>
+        <translation>Mostrar en amarillo la superregión que cuenta en cada zona</translation>
+    </message>
+    <message>
+        <source>Bound in %1 ms</source>
+        <translation>Vinculado en %1 ms</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::HandlesPage</name>
+    <message>
+        <source>not bound</source>
+        <translation>sin vincular</translation>
+    </message>
+    <message>
+        <source>binding...</source>
+        <translation>vinculando...</translation>
+    </message>
+    <message>
+        <source>bound</source>
+        <translation>vinculado</translation>
+    </message>
+    <message>
+        <source>cancelled</source>
+        <translation>cancelado</translation>
+    </message>
+    <message>
+        <source>not possible</source>
+        <translation>no es posible</translation>
+    </message>
+    <message>
+        <source>Coordinates</source>
+        <translation>Coordenadas</translation>
+    </message>
+    <message>
+        <source>Groups</source>
+        <translation>Grupos</translation>
+    </message>
+    <message>
+        <source>Binding</source>
+        <translation>Vinculación</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>Estado</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Tiempo</translation>
+    </message>
+    <message>
+        <source>Rest error</source>
+        <translation>Error en reposo</translation>
+    </message>
+    <message>
+        <source>The largest distance of the bound organ at rest from the original</source>
+        <translation>La mayor distancia entre el órgano vinculado en reposo y el original</translation>
+    </message>
+    <message>
+        <source>Smallest weight</source>
+        <translation>Peso mínimo</translation>
+    </message>
+    <message>
+        <source>Handle at rest</source>
+        <translation>Tirador en reposo</translation>
+    </message>
+    <message>
+        <source>The cage is the convex hull of the handles.</source>
+        <translation>La jaula es la envolvente convexa de los tiradores.</translation>
+    </message>
+    <message>
+        <source>The cage has %1 triangles over %2 handles.</source>
+        <translation>La jaula tiene %1 triángulos sobre %2 tiradores.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 ms, %n {thread|threads}</source>
+        <translation>
+            <numerusform>%1 ms, %n hilo</numerusform>
+            <numerusform>%1 ms, %n hilos</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::Help</name>
+    <message>
+        <source>&amp;Mouse and keys</source>
+        <translation>&amp;Ratón y teclas</translation>
+    </message>
+    <message>
+        <source>Shift+?</source>
+        <translation>Shift+?</translation>
+    </message>
+    <message>
+        <source>Two-minute &amp;tour</source>
+        <translation>&amp;Recorrido de dos minutos</translation>
+    </message>
+    <message>
+        <source>&amp;Welcome</source>
+        <translation>&amp;Bienvenida</translation>
+    </message>
+    <message>
+        <source>&amp;About Viscera</source>
+        <translation>&amp;Acerca de Viscera</translation>
+    </message>
+    <message>
+        <source>Viscera %1: organs deformed by handles, without a cage. BSD-3-Clause; a program for research and teaching, not a medical device.</source>
+        <translation>Viscera %1: órganos deformados mediante tiradores, sin jaula. BSD-3-Clause; un programa para la investigación y la enseñanza, no un producto sanitario.</translation>
+    </message>
+    <message>
+        <source>Look around</source>
+        <translation>Mirar alrededor</translation>
+    </message>
+    <message>
+        <source>Drag with the left button to rotate, with Shift to pan; the wheel zooms. Click an organ to select it, press F to bring it into the picture; D measures distances, A angles. The eye in the list on the left hides it, the square changes its colour.</source>
+        <translation>Arrastre con el botón izquierdo para girar, con Mayús para desplazar; la rueda acerca y aleja. Haga clic en un órgano para seleccionarlo, pulse F para encuadrarlo; D mide distancias y A ángulos. El ojo de la lista de la izquierda lo oculta, el cuadrado cambia su color.</translation>
+    </message>
+    <message>
+        <source>See it move</source>
+        <translation>Verlo en movimiento</translation>
+    </message>
+    <message>
+        <source>Space plays and pauses. The timeline shows the phases of the cycle: drag along it to look at one instant. Below, the volumes are drawn as they change.</source>
+        <translation>Espacio reproduce y pausa. La línea de tiempo muestra las fases del ciclo: arrastre por ella para ver un instante. Debajo se dibujan los volúmenes a medida que cambian.</translation>
+    </message>
+    <message>
+        <source>Handles</source>
+        <translation>Tiradores</translation>
+    </message>
+    <message>
+        <source>Organs follow handles around them. Here you edit them at rest: click the organ to add one, drag to move it, Delete to remove it. The organ is bound again at once. I shows how far a handle reaches.</source>
+        <translation>Los órganos siguen a los tiradores que los rodean. Aquí se editan en reposo: haga clic en el órgano para añadir uno, arrastre para moverlo, Supr para quitarlo. El órgano se vincula de nuevo al instante. I muestra hasta dónde llega un tirador.</translation>
+    </message>
+    <message>
+        <source>Deform</source>
+        <translation>Deformar</translation>
+    </message>
+    <message>
+        <source>Drag a handle and the organ follows; its volume is in the status bar. The padlock in the list on the left (K) keeps the volume whatever you do. T turns and scales selected handles, M mirrors drags. Ctrl+Z undoes any change, G shows the reference shape as an outline.</source>
+        <translation>Arrastre un tirador y el órgano lo sigue; su volumen está en la barra de estado. El candado de la lista de la izquierda (K) mantiene el volumen haga lo que haga. T gira y escala los tiradores seleccionados, M refleja los arrastres. Ctrl+Z deshace cualquier cambio, G muestra la silueta de la forma de referencia.</translation>
+    </message>
+    <message>
+        <source>Stress</source>
+        <translation>Estrés</translation>
+    </message>
+    <message>
+        <source>The colours say how much the pose distorts the tissue inside. Click the organ to read the values of a point, C cuts it open, M shows the next map. Space plays the sequence, and the map follows.</source>
+        <translation>Los colores muestran cuánto deforma la pose el tejido interior. Haga clic en el órgano para leer los valores de un punto; C lo corta, M muestra el mapa siguiente. Espacio reproduce la secuencia y el mapa la sigue.</translation>
+    </message>
+    <message>
+        <source>Your own organs</source>
+        <translation>Sus propios órganos</translation>
+    </message>
+    <message>
+        <source>Open surfaces (STL, OBJ, PLY, OFF, VTK, VTP, GLB) or label maps (NIfTI, NRRD, DICOM-SEG) with Ctrl+O or drop them here; they get handles at once. Ctrl+S saves all of it as a session. ? lists all keys.</source>
+        <translation>Abra superficies (STL, OBJ, PLY, OFF, VTK, VTP, GLB) o mapas de etiquetas (NIfTI, NRRD, DICOM-SEG) con Ctrl+O o suéltelos aquí; reciben tiradores al instante. Ctrl+S lo guarda todo como sesión. ? muestra todas las teclas.</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::Histogram</name>
+    <message>
+        <source>Histogram of the map</source>
+        <translation>Histograma del mapa</translation>
+    </message>
+    <message>
+        <source>Number of witness points with each value; the lines mark the mean and the 95th percentile</source>
+        <translation>Número de puntos testigo con cada valor; las líneas marcan la media y el percentil 95</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::ImportDesk</name>
+    <message>
+        <source>Import or cancel the files in the panel first, then open the others.</source>
+        <translation>Importe o cancele primero los archivos del panel y abra después los demás.</translation>
+    </message>
+    <message>
+        <source>Check of %1</source>
+        <translation>Comprobación de %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>Check of %n {file|files}</source>
+        <translation>
+            <numerusform>Comprobación de %n archivo</numerusform>
+            <numerusform>Comprobación de %n archivos</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Repairing: %1</source>
+        <translation>Reparando: %1</translation>
+    </message>
+    <message>
+        <source>Checking again</source>
+        <translation>Comprobando de nuevo</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::ImportPanel</name>
+    <message>
+        <source>No problems found. Nothing is in the document yet.</source>
+        <translation>No se han encontrado problemas. Aún no hay nada en el documento.</translation>
+    </message>
+    <message>
+        <source>Check the findings first. Nothing is in the document yet, and no file is changed.</source>
+        <translation>Revise primero los hallazgos. Aún no hay nada en el documento y no se modifica ningún archivo.</translation>
+    </message>
+    <message>
+        <source>%1 organs: %2 with faults, %3 to look at, %4 without problems. Nothing is in the document yet, and no file is changed.</source>
+        <translation>%1 órganos: %2 con defectos, %3 por revisar, %4 sin problemas. Aún no hay nada en el documento y no se modifica ningún archivo.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 organs are not life-sized; the unit of length is one for the patient</source>
+        <translation>%1 de %2 órganos no tienen tamaño natural; la unidad de longitud es la misma para todo el paciente</translation>
+    </message>
+    <message>
+        <source>%1: %2 of %3 organs</source>
+        <translation>%1: %2 de %3 órganos</translation>
+    </message>
+    <message>
+        <source>Import</source>
+        <translation>Importar</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Cancelar</translation>
+    </message>
+    <message>
+        <source>Find an organ</source>
+        <translation>Buscar un órgano</translation>
+    </message>
+    <message>
+        <source>Organs to show, by finding</source>
+        <translation>Órganos que mostrar, por hallazgo</translation>
+    </message>
+    <message>
+        <source>All</source>
+        <translation>Todos</translation>
+    </message>
+    <message>
+        <source>Import all organs of this list</source>
+        <translation>Importar todos los órganos de esta lista</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Ninguno</translation>
+    </message>
+    <message>
+        <source>Import no organ of this list</source>
+        <translation>No importar ningún órgano de esta lista</translation>
+    </message>
+    <message numerus="yes">
+        <source>Import %n {organ|organs}</source>
+        <translation>
+            <numerusform>Importar %n órgano</numerusform>
+            <numerusform>Importar %n órganos</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Import as it is</source>
+        <translation>Importar tal cual</translation>
+    </message>
+    <message>
+        <source>All organs together</source>
+        <translation>Todos los órganos juntos</translation>
+    </message>
+    <message>
+        <source>Every organ</source>
+        <translation>Todos los órganos</translation>
+    </message>
+    <message>
+        <source>To look at</source>
+        <translation>Por revisar</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::KeyBox</name>
+    <message>
+        <source> s</source>
+        <translation> s</translation>
+    </message>
+    <message>
+        <source>Pose the organ in Deform mode and press Ctrl+K: each key stores that pose.</source>
+        <translation>Dé una pose al órgano en el modo Deformar y pulse Ctrl+K: cada fotograma clave guarda esa pose.</translation>
+    </message>
+    <message>
+        <source>Time of the next key</source>
+        <translation>Tiempo de la clave siguiente</translation>
+    </message>
+    <message>
+        <source>Easing to the key after it</source>
+        <translation>Aceleración hasta la clave siguiente</translation>
+    </message>
+    <message>
+        <source>Add key</source>
+        <translation>Añadir clave</translation>
+    </message>
+    <message>
+        <source>Store the present pose as a key (Ctrl+K)</source>
+        <translation>Guardar la pose actual como fotograma clave (Ctrl+K)</translation>
+    </message>
+    <message>
+        <source>time (s)</source>
+        <translation>tiempo (s)</translation>
+    </message>
+    <message>
+        <source>then</source>
+        <translation>después</translation>
+    </message>
+    <message>
+        <source>Take pose</source>
+        <translation>Tomar pose</translation>
+    </message>
+    <message>
+        <source>Set the present pose to that of this key</source>
+        <translation>Aplicar la pose de esta clave como pose actual</translation>
+    </message>
+    <message>
+        <source>Replace</source>
+        <translation>Sustituir</translation>
+    </message>
+    <message>
+        <source>Store the present pose in this key</source>
+        <translation>Guardar la pose actual en esta clave</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Quitar</translation>
+    </message>
+    <message>
+        <source>Remove this key</source>
+        <translation>Quitar esta clave</translation>
+    </message>
+    <message>
+        <source>Play it</source>
+        <translation>Reproducir</translation>
+    </message>
+    <message>
+        <source>Play the recorded sequence</source>
+        <translation>Reproducir la secuencia grabada</translation>
+    </message>
+    <message>
+        <source>Save...</source>
+        <translation>Guardar...</translation>
+    </message>
+    <message>
+        <source>Save the sequence as a file</source>
+        <translation>Guardar la secuencia como archivo</translation>
+    </message>
+    <message>
+        <source>Open...</source>
+        <translation>Abrir...</translation>
+    </message>
+    <message>
+        <source>Open a sequence file</source>
+        <translation>Abrir un archivo de secuencia</translation>
+    </message>
+    <message>
+        <source>lasts </source>
+        <translation>dura </translation>
+    </message>
+    <message>
+        <source>Length of one cycle</source>
+        <translation>Duración de un ciclo</translation>
+    </message>
+    <message>
+        <source>Sequences (*%1)</source>
+        <translation>Secuencias (*%1)</translation>
+    </message>
+    <message>
+        <source>Save the sequence</source>
+        <translation>Guardar la secuencia</translation>
+    </message>
+    <message>
+        <source>Open a sequence</source>
+        <translation>Abrir una secuencia</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::LectureScreen</name>
+    <message>
+        <source>&amp;Lecture</source>
+        <translation>&amp;Clase</translation>
+    </message>
+    <message>
+        <source>The view alone on the whole screen, in large letters; Page Down shows the next slide, Escape ends it</source>
+        <translation>Solo la vista a pantalla completa, con letra grande; Av Pág muestra la diapositiva siguiente, Escape termina</translation>
+    </message>
+    <message>
+        <source>&amp;Darken the screen</source>
+        <translation>&amp;Oscurecer la pantalla</translation>
+    </message>
+    <message>
+        <source>%1 %2 ml</source>
+        <translation>%1 %2 ml</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::LessonDialog</name>
+    <message>
+        <source>Handles that a reader can drag</source>
+        <translation>Tiradores que el lector puede arrastrar</translation>
+    </message>
+    <message>
+        <source>Export lesson</source>
+        <translation>Exportar lección</translation>
+    </message>
+    <message>
+        <source>Web page for any browser (.html)</source>
+        <translation>Página web para cualquier navegador (.html)</translation>
+    </message>
+    <message>
+        <source>Animated glTF scene (.glb)</source>
+        <translation>Escena glTF animada (.glb)</translation>
+    </message>
+    <message>
+        <source>As the window</source>
+        <translation>Como la ventana</translation>
+    </message>
+    <message>
+        <source>Language of the page&apos;s buttons and messages; the texts below stay as they are</source>
+        <translation>Idioma de los botones y mensajes de la página; los textos de abajo no cambian</translation>
+    </message>
+    <message>
+        <source>This is all that a reader will be able to read: names of files, dates and what is hidden are not in the lesson. Look for names of patients; double-click a text to change it.</source>
+        <translation>Esto es todo lo que podrá leer un lector: los nombres de archivos, las fechas y lo oculto no están en la lección. Busque nombres de pacientes; haga doble clic en un texto para cambiarlo.</translation>
+    </message>
+    <message>
+        <source>Title</source>
+        <translation>Título</translation>
+    </message>
+    <message>
+        <source>Notes</source>
+        <translation>Notas</translation>
+    </message>
+    <message>
+        <source>Becomes</source>
+        <translation>Formato</translation>
+    </message>
+    <message>
+        <source>Language</source>
+        <translation>Idioma</translation>
+    </message>
+    <message>
+        <source>Save as...</source>
+        <translation>Guardar como...</translation>
+    </message>
+    <message>
+        <source>Texts of the lesson</source>
+        <translation>Textos de la lección</translation>
+    </message>
+    <message>
+        <source>What it is</source>
+        <translation>Qué es</translation>
+    </message>
+    <message>
+        <source>Text</source>
+        <translation>Texto</translation>
+    </message>
+    <message>
+        <source>The shape of a head or a face can identify a patient.</source>
+        <translation>La forma de una cabeza o una cara puede identificar a un paciente.</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::LessonExport</name>
+    <message>
+        <source>Export &amp;lesson...</source>
+        <translation>Exportar &amp;lección...</translation>
+    </message>
+    <message>
+        <source>Write the organs and their motion as one page that opens in any browser</source>
+        <translation>Guardar los órganos y su movimiento como una página que se abre en cualquier navegador</translation>
+    </message>
+    <message>
+        <source>Export lesson</source>
+        <translation>Exportar lección</translation>
+    </message>
+    <message>
+        <source>lesson.html</source>
+        <translation>lesson.html</translation>
+    </message>
+    <message>
+        <source>lesson.glb</source>
+        <translation>lesson.glb</translation>
+    </message>
+    <message>
+        <source>Web pages (*.html)</source>
+        <translation>Páginas web (*.html)</translation>
+    </message>
+    <message>
+        <source>glTF scenes (*.glb)</source>
+        <translation>Escenas glTF (*.glb)</translation>
+    </message>
+    <message>
+        <source>Exporting the lesson</source>
+        <translation>Exportando la lección</translation>
+    </message>
+    <message>
+        <source>Written to %1 (%2 MB). Its motion is off by %3 mm at most.</source>
+        <translation>Guardado en %1 (%2 MB). Su movimiento se desvía %3 mm como máximo.</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::MainWindow</name>
+    <message>
+        <source>&amp;Quit</source>
+        <translation>&amp;Salir</translation>
+    </message>
+    <message>
+        <source>&amp;Dark</source>
+        <translation>&amp;Oscuro</translation>
+    </message>
+    <message>
+        <source>&amp;Light</source>
+        <translation>&amp;Claro</translation>
+    </message>
+    <message>
+        <source>%1: checked, no problems found</source>
+        <translation>%1: comprobado, sin problemas</translation>
+    </message>
+    <message>
+        <source>The drag was taken back, because another mode was chosen.</source>
+        <translation>El arrastre se ha deshecho porque se ha elegido otro modo.</translation>
+    </message>
+    <message>
+        <source>As far as it goes: %1</source>
+        <translation>Hasta donde es posible: %1</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::MeasureBox</name>
+    <message>
+        <source>Remove</source>
+        <translation>Quitar</translation>
+    </message>
+    <message>
+        <source>Remove the chosen measurement (Delete in the list)</source>
+        <translation>Quitar la medición elegida (Supr en la lista)</translation>
+    </message>
+    <message>
+        <source>Remove all</source>
+        <translation>Quitar todo</translation>
+    </message>
+    <message>
+        <source>Export CSV...</source>
+        <translation>Exportar CSV...</translation>
+    </message>
+    <message>
+        <source>Measurements</source>
+        <translation>Mediciones</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Nombre</translation>
+    </message>
+    <message>
+        <source>Now</source>
+        <translation>Ahora</translation>
+    </message>
+    <message>
+        <source>Reference shape</source>
+        <translation>Forma de referencia</translation>
+    </message>
+    <message>
+        <source>Points stay on the organ while it moves, and can be dragged along it; those on a slice stay there.</source>
+        <translation>Los puntos siguen al órgano mientras se mueve y pueden arrastrarse por él; los de un corte se quedan en el corte.</translation>
+    </message>
+    <message>
+        <source>Click two points on an organ or on a slice. Esc ends.</source>
+        <translation>Haga clic en dos puntos de un órgano o un corte. Esc termina.</translation>
+    </message>
+    <message>
+        <source>Click three points on an organ or on a slice, the corner second. Esc ends.</source>
+        <translation>Haga clic en tres puntos de un órgano o un corte, el vértice en segundo lugar. Esc termina.</translation>
+    </message>
+    <message>
+        <source>Drag on a slice from corner to corner. Esc ends.</source>
+        <translation>Arrastre en un corte de esquina a esquina. Esc termina.</translation>
+    </message>
+    <message>
+        <source>Drag on a slice from the middle to the border. Esc ends.</source>
+        <translation>Arrastre en un corte del centro al borde. Esc termina.</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::MeasuredMotion</name>
+    <message>
+        <source>%1 %2 mm</source>
+        <translation>%1 %2 mm</translation>
+    </message>
+    <message numerus="yes">
+        <source>Motion of %n {phase|phases}. Mean distance from what was measured: %1.</source>
+        <translation>
+            <numerusform>Movimiento de %n fase. Distancia media a lo medido: %1.</numerusform>
+            <numerusform>Movimiento de %n fases. Distancia media a lo medido: %1.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>It was cancelled.</source>
+        <translation>Se canceló.</translation>
+    </message>
+    <message>
+        <source>Motion from a series</source>
+        <translation>Movimiento de una serie</translation>
+    </message>
+    <message>
+        <source>Where points of a wall move along it was not measured: mean and 95th percentile over the beat can be read, the local pattern of this map cannot.</source>
+        <translation>No se ha medido cómo se mueven los puntos a lo largo de una pared: la media y el percentil 95 del latido son válidos, el patrón local de este mapa no.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {phase needs|phases need} attention: see the table below the chart.</source>
+        <translation>
+            <numerusform>%n fase requiere atención: vea la tabla debajo de la gráfica.</numerusform>
+            <numerusform>%n fases requieren atención: vea la tabla debajo de la gráfica.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Leave out phase %1</source>
+        <translation>Omitir la fase %1</translation>
+    </message>
+    <message>
+        <source>Surface of phase %1</source>
+        <translation>Superficie de la fase %1</translation>
+    </message>
+    <message>
+        <source>Distance from what was measured</source>
+        <translation>Distancia a lo medido</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::Menus</name>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Deshacer</translation>
+    </message>
+    <message>
+        <source>Ctrl+Z</source>
+        <translation>Ctrl+Z</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>&amp;Rehacer</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+Z</source>
+        <translation>Ctrl+Shift+Z</translation>
+    </message>
+    <message>
+        <source>&amp;Undo: %1</source>
+        <translation>&amp;Deshacer: %1</translation>
+    </message>
+    <message>
+        <source>&amp;Redo: %1</source>
+        <translation>&amp;Rehacer: %1</translation>
+    </message>
+    <message>
+        <source>&amp;File</source>
+        <translation>&amp;Archivo</translation>
+    </message>
+    <message>
+        <source>Open &amp;recent</source>
+        <translation>Abrir &amp;reciente</translation>
+    </message>
+    <message>
+        <source>Sample &amp;organs</source>
+        <translation>Órganos de &amp;muestra</translation>
+    </message>
+    <message>
+        <source>Export &amp;more</source>
+        <translation>E&amp;xportar más</translation>
+    </message>
+    <message>
+        <source>&amp;Edit</source>
+        <translation>&amp;Edición</translation>
+    </message>
+    <message>
+        <source>&amp;Steps</source>
+        <translation>&amp;Pasos</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>&amp;Ver</translation>
+    </message>
+    <message>
+        <source>St&amp;ress map</source>
+        <translation>Mapa de es&amp;trés</translation>
+    </message>
+    <message>
+        <source>&amp;Scan</source>
+        <translation>E&amp;studio</translation>
+    </message>
+    <message>
+        <source>&amp;Slides</source>
+        <translation>&amp;Diapositivas</translation>
+    </message>
+    <message>
+        <source>&amp;Panels</source>
+        <translation>&amp;Paneles</translation>
+    </message>
+    <message>
+        <source>&amp;Theme</source>
+        <translation>&amp;Tema</translation>
+    </message>
+    <message>
+        <source>Lan&amp;guage</source>
+        <translation>&amp;Idioma</translation>
+    </message>
+    <message>
+        <source>The next start uses this language: %1.</source>
+        <translation>El próximo inicio usará este idioma: %1.</translation>
+    </message>
+    <message>
+        <source>As the &amp;system</source>
+        <translation>Como el &amp;sistema</translation>
+    </message>
+    <message>
+        <source>&amp;Organ</source>
+        <translation>Ór&amp;gano</translation>
+    </message>
+    <message>
+        <source>Ha&amp;ndles</source>
+        <translation>&amp;Tiradores</translation>
+    </message>
+    <message>
+        <source>&amp;Mirror drags</source>
+        <translation>Arrastres &amp;simétricos</translation>
+    </message>
+    <message>
+        <source>&amp;Sequence</source>
+        <translation>Sec&amp;uencia</translation>
+    </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation>A&amp;yuda</translation>
+    </message>
+    <message>
+        <source>Nothing was opened yet</source>
+        <translation>Aún no se ha abierto nada</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n earlier {step|steps}</source>
+        <translation>
+            <numerusform>%n paso anterior</numerusform>
+            <numerusform>%n pasos anteriores</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>As opened</source>
+        <translation>Al abrir</translation>
+    </message>
+    <message>
+        <source>No sample organs are installed</source>
+        <translation>No hay órganos de muestra instalados</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::MessageBar</name>
+    <message>
+        <source>Close this message (Esc)</source>
+        <translation>Cerrar este mensaje (Esc)</translation>
+    </message>
+    <message>
+        <source>Close this message</source>
+        <translation>Cerrar este mensaje</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::ModeRail</name>
+    <message>
+        <source>%1 (%2)
+%3</source>
+        <translation>%1 (%2)
+%3</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::MotionDialog</name>
+    <message>
+        <source>Cavity</source>
+        <translation>Cavidad</translation>
+    </message>
+    <message>
+        <source>Tissue around cavities</source>
+        <translation>Tejido en torno a cavidades</translation>
+    </message>
+    <message>
+        <source>Use</source>
+        <translation>Usar</translation>
+    </message>
+    <message>
+        <source>Leave out</source>
+        <translation>Omitir</translation>
+    </message>
+    <message>
+        <source>Motion from a series</source>
+        <translation>Movimiento de una serie</translation>
+    </message>
+    <message>
+        <source>More</source>
+        <translation>Más</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Cerrar</translation>
+    </message>
+    <message>
+        <source>Find the motion</source>
+        <translation>Hallar el movimiento</translation>
+    </message>
+    <message>
+        <source>Turns one organ, given in several phases of a cycle, into handles and a recorded sequence with a key for each phase. Choose surfaces or label maps, one file for each phase, or one file of several volumes. The result replaces the open organs; Undo brings them back.</source>
+        <translation>Convierte un órgano, dado en varias fases de un ciclo, en tiradores y una secuencia grabada con una clave por fase. Elija superficies o mapas de etiquetas, un archivo por fase o un archivo de varios volúmenes. El resultado sustituye los órganos abiertos; Deshacer los recupera.</translation>
+    </message>
+    <message>
+        <source>Folder...</source>
+        <translation>Carpeta...</translation>
+    </message>
+    <message>
+        <source>Files...</source>
+        <translation>Archivos...</translation>
+    </message>
+    <message>
+        <source>All phases, or one 4D NIfTI or .seq.nrrd</source>
+        <translation>Todas las fases, o un NIfTI 4D o .seq.nrrd</translation>
+    </message>
+    <message>
+        <source>Surfaces of the series</source>
+        <translation>Superficies de la serie</translation>
+    </message>
+    <message>
+        <source> ms</source>
+        <translation> ms</translation>
+    </message>
+    <message>
+        <source>Length of one whole cycle: the number of phases times the step between them</source>
+        <translation>Duración de un ciclo completo: el número de fases por el intervalo entre ellas</translation>
+    </message>
+    <message>
+        <source>One cycle lasts</source>
+        <translation>Duración del ciclo</translation>
+    </message>
+    <message>
+        <source>The last phase leads back to the first</source>
+        <translation>La última fase enlaza con la primera</translation>
+    </message>
+    <message>
+        <source>60 or 120</source>
+        <translation>60 o 120</translation>
+    </message>
+    <message>
+        <source>60 for one surface, 120 for several. More follow the surfaces more closely</source>
+        <translation>60 para una superficie, 120 para varias. Un número mayor sigue más de cerca las superficies</translation>
+    </message>
+    <message>
+        <source>Handles</source>
+        <translation>Tiradores</translation>
+    </message>
+    <message>
+        <source>Keep the measured volumes exactly</source>
+        <translation>Mantener exactos los volúmenes medidos</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>All alike</source>
+        <translation>Todas por igual</translation>
+    </message>
+    <message>
+        <source>Larger distances count less: for label maps with outliers</source>
+        <translation>Las distancias mayores cuentan menos: para mapas de etiquetas con valores atípicos</translation>
+    </message>
+    <message>
+        <source>Distances count less beyond</source>
+        <translation>Cuentan menos las distancias desde</translation>
+    </message>
+    <message>
+        <source>None; as in 3, 7</source>
+        <translation>Ninguna; p. ej. 3, 7</translation>
+    </message>
+    <message>
+        <source>Leave out phases</source>
+        <translation>Omitir fases</translation>
+    </message>
+    <message>
+        <source>Folder with a series</source>
+        <translation>Carpeta con una serie</translation>
+    </message>
+    <message>
+        <source>Phases of a series</source>
+        <translation>Fases de una serie</translation>
+    </message>
+    <message>
+        <source>Reading the series</source>
+        <translation>Leyendo la serie</translation>
+    </message>
+    <message>
+        <source>One image has no motion of its own. Open it (File &gt; Open), and Fit a sequence to an organ in Play mode lets the heart and its chambers beat as the textbook&apos;s.</source>
+        <translation>Una sola imagen no tiene movimiento propio. Ábrala (Archivo &gt; Abrir); «Ajustar una secuencia a un órgano» en el modo Reproducir hace latir el corazón y sus cavidades como en el libro.</translation>
+    </message>
+    <message>
+        <source>Label</source>
+        <translation>Etiqueta</translation>
+    </message>
+    <message>
+        <source>Surface</source>
+        <translation>Superficie</translation>
+    </message>
+    <message>
+        <source>What it is</source>
+        <translation>Qué es</translation>
+    </message>
+    <message>
+        <source>Label %1; a double click gives the surface another name</source>
+        <translation>Etiqueta %1; un doble clic da otro nombre a la superficie</translation>
+    </message>
+    <message>
+        <source>What %1 is</source>
+        <translation>Qué es %1</translation>
+    </message>
+    <message>
+        <source>%1 a minute</source>
+        <translation>%1 por minuto</translation>
+    </message>
+    <message>
+        <source>The files do not state it</source>
+        <translation>Los archivos no lo indican</translation>
+    </message>
+    <message>
+        <source>No series is chosen.</source>
+        <translation>No se ha elegido ninguna serie.</translation>
+    </message>
+    <message>
+        <source>Reading %1 ...</source>
+        <translation>Leyendo %1 ...</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1: label maps, %n {phase|phases}</source>
+        <translation>
+            <numerusform>%1: mapas de etiquetas, %n fase</numerusform>
+            <numerusform>%1: mapas de etiquetas, %n fases</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1: surfaces, %n {phase|phases}</source>
+        <translation>
+            <numerusform>%1: superficies, %n fase</numerusform>
+            <numerusform>%1: superficies, %n fases</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Working...</source>
+        <translation>Trabajando...</translation>
+    </message>
+    <message>
+        <source>Enter the length of one cycle first</source>
+        <translation>Introduzca primero la duración de un ciclo</translation>
+    </message>
+    <message>
+        <source>Heart</source>
+        <translation>Corazón</translation>
+    </message>
+    <message>
+        <source>Outer surface</source>
+        <translation>Superficie externa</translation>
+    </message>
+    <message>
+        <source>%1 is not a phase</source>
+        <translation>%1 no es una fase</translation>
+    </message>
+    <message>
+        <source>name phases by their numbers, counted from 1, as in 3, 7</source>
+        <translation>indique las fases por su número, contando desde 1, p. ej. 3, 7</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::NumbersTable</name>
+    <message>
+        <source>Numbers of the circulation</source>
+        <translation>Valores de la circulación</translation>
+    </message>
+    <message>
+        <source>now</source>
+        <translation>ahora</translation>
+    </message>
+    <message>
+        <source>before</source>
+        <translation>antes</translation>
+    </message>
+    <message>
+        <source>normal</source>
+        <translation>normal</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::OrganCheck</name>
+    <message>
+        <source>%1 x %2 x %3 mm</source>
+        <translation>%1 x %2 x %3 mm</translation>
+    </message>
+    <message>
+        <source>%1, open</source>
+        <translation>%1, abierta</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>Import this organ</source>
+        <translation>Importar este órgano</translation>
+    </message>
+    <message>
+        <source>%1 · %2</source>
+        <translation>%1 · %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {check|checks} passed</source>
+        <translation>
+            <numerusform>%n comprobación superada</numerusform>
+            <numerusform>%n comprobaciones superadas</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Done: %1</source>
+        <translation>Hecho: %1</translation>
+    </message>
+    <message>
+        <source>More repairs</source>
+        <translation>Más reparaciones</translation>
+    </message>
+    <message>
+        <source>As in the file</source>
+        <translation>Como en el archivo</translation>
+    </message>
+    <message>
+        <source>Undo the repairs of this organ</source>
+        <translation>Deshacer las reparaciones de este órgano</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::OrganPanel</name>
+    <message>
+        <source>Opacity</source>
+        <translation>Opacidad</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>No organ yet.
+Open a file (Ctrl+O), drop one here, or take a sample organ from the menu.</source>
+        <translation>Aún no hay órganos.
+Abra un archivo (Ctrl+O), suelte uno aquí o elija un órgano de muestra en el menú.</translation>
+    </message>
+    <message>
+        <source>Find an organ (Ctrl+F)</source>
+        <translation>Buscar un órgano (Ctrl+F)</translation>
+    </message>
+    <message>
+        <source>Change opacity</source>
+        <translation>Cambiar opacidad</translation>
+    </message>
+    <message>
+        <source>Show &amp;only this</source>
+        <translation>Mostrar &amp;solo este</translation>
+    </message>
+    <message>
+        <source>Show the chosen organs with their cavities and hide all others</source>
+        <translation>Mostrar los órganos elegidos con sus cavidades y ocultar todos los demás</translation>
+    </message>
+    <message>
+        <source>&amp;Hide this</source>
+        <translation>&amp;Ocultar este</translation>
+    </message>
+    <message>
+        <source>Hide the chosen organs</source>
+        <translation>Ocultar los órganos elegidos</translation>
+    </message>
+    <message>
+        <source>Hide</source>
+        <translation>Ocultar</translation>
+    </message>
+    <message>
+        <source>Show &amp;all</source>
+        <translation>&amp;Mostrar todos</translation>
+    </message>
+    <message>
+        <source>Show every organ</source>
+        <translation>Mostrar todos los órganos</translation>
+    </message>
+    <message>
+        <source>Show all</source>
+        <translation>Mostrar todos</translation>
+    </message>
+    <message>
+        <source>&amp;Find an organ</source>
+        <translation>&amp;Buscar un órgano</translation>
+    </message>
+    <message>
+        <source>Type a part of its name</source>
+        <translation>Escriba parte de su nombre</translation>
+    </message>
+    <message>
+        <source>Re&amp;name organ</source>
+        <translation>Re&amp;nombrar órgano</translation>
+    </message>
+    <message>
+        <source>&amp;Remove organ</source>
+        <translation>&amp;Quitar órgano</translation>
+    </message>
+    <message>
+        <source>Hide all of them (click)</source>
+        <translation>Ocultar todos (clic)</translation>
+    </message>
+    <message>
+        <source>Show all of them (click)</source>
+        <translation>Mostrar todos (clic)</translation>
+    </message>
+    <message>
+        <source>Hide (click)</source>
+        <translation>Ocultar (clic)</translation>
+    </message>
+    <message>
+        <source>Show (click)</source>
+        <translation>Mostrar (clic)</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1
+%n {triangle|triangles}</source>
+        <translation>
+            <numerusform>%1
+%n triángulo</numerusform>
+            <numerusform>%1
+%n triángulos</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>
+Double click or F2 renames; a click on the square changes the colour</source>
+        <translation>
+Doble clic o F2 renombra; un clic en el cuadrado cambia el color</translation>
+    </message>
+    <message>
+        <source>An open surface has no volume to lock; click to close its holes</source>
+        <translation>Una superficie abierta no tiene volumen que bloquear; haga clic para cerrar sus orificios</translation>
+    </message>
+    <message>
+        <source>The volume is locked: Deform mode keeps it (click or K to unlock)</source>
+        <translation>El volumen está bloqueado: el modo Deformar lo mantiene (clic o K para desbloquear)</translation>
+    </message>
+    <message>
+        <source>Lock the volume (click or K)</source>
+        <translation>Bloquear el volumen (clic o K)</translation>
+    </message>
+    <message>
+        <source>
+This is the volume within the outer surface; cavities have locks of their own</source>
+        <translation>
+Este es el volumen dentro de la superficie externa; las cavidades tienen sus propios bloqueos</translation>
+    </message>
+    <message>
+        <source>
+This is the volume of the cavity; the wall around it has a lock of its own</source>
+        <translation>
+Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo</translation>
+    </message>
+    <message>
+        <source>open</source>
+        <translation>abierta</translation>
+    </message>
+    <message>
+        <source>An open surface encloses no volume</source>
+        <translation>Una superficie abierta no encierra ningún volumen</translation>
+    </message>
+    <message>
+        <source>%1 in the reference shape, %2 (%3) now</source>
+        <translation>%1 en la forma de referencia, %2 (%3) ahora</translation>
+    </message>
+    <message>
+        <source>Show only this</source>
+        <translation>Mostrar solo este</translation>
+    </message>
+    <message>
+        <source>Show</source>
+        <translation>Mostrar</translation>
+    </message>
+    <message>
+        <source>Colour...</source>
+        <translation>Color...</translation>
+    </message>
+    <message>
+        <source>The organ&apos;s own colours</source>
+        <translation>Los colores propios del órgano</translation>
+    </message>
+    <message>
+        <source>Unlock volume</source>
+        <translation>Desbloquear volumen</translation>
+    </message>
+    <message>
+        <source>Lock volume</source>
+        <translation>Bloquear volumen</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::PanelDock</name>
+    <message>
+        <source>Float or dock the panel %1</source>
+        <translation>Desacoplar o acoplar el panel %1</translation>
+    </message>
+    <message>
+        <source>Hide the panel %1 (the View menu shows it again)</source>
+        <translation>Ocultar el panel %1 (el menú Ver vuelve a mostrarlo)</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::PatientOffer</name>
+    <message>
+        <source>Searching beside %1</source>
+        <translation>Buscando junto a %1</translation>
+    </message>
+    <message>
+        <source>Beside %1 lies the scan %2.</source>
+        <translation>Junto a %1 está el estudio %2.</translation>
+    </message>
+    <message>
+        <source>Beside %1 lies the label map %2.</source>
+        <translation>Junto a %1 está el mapa de etiquetas %2.</translation>
+    </message>
+    <message>
+        <source>Open the scan</source>
+        <translation>Abrir el estudio</translation>
+    </message>
+    <message>
+        <source>Open its organs</source>
+        <translation>Abrir sus órganos</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::PersonBox</name>
+    <message>
+        <source>Women and men</source>
+        <translation>Mujeres y hombres</translation>
+    </message>
+    <message>
+        <source>Women</source>
+        <translation>Mujeres</translation>
+    </message>
+    <message>
+        <source>Men</source>
+        <translation>Hombres</translation>
+    </message>
+    <message>
+        <source>Whose normal ranges are shown</source>
+        <translation>De quién son los intervalos normales mostrados</translation>
+    </message>
+    <message>
+        <source> m²</source>
+        <translation> m²</translation>
+    </message>
+    <message>
+        <source>any body size</source>
+        <translation>cualquier tamaño</translation>
+    </message>
+    <message>
+        <source>Body surface area: ranges that the source gives per square metre are scaled by it</source>
+        <translation>Superficie corporal: escala los intervalos que la fuente da por metro cuadrado</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::PhaseScrubber</name>
+    <message>
+        <source>Instant of the cycle</source>
+        <translation>Instante del ciclo</translation>
+    </message>
+    <message>
+        <source>%1, %2 ms</source>
+        <translation>%1, %2 ms</translation>
+    </message>
+    <message>
+        <source>Drag, or use the arrow keys</source>
+        <translation>Arrastre o use las flechas</translation>
+    </message>
+    <message>
+        <source>%1
+%2</source>
+        <translation>%1
+%2</translation>
+    </message>
+    <message>
+        <source>%1 %2 ms</source>
+        <translation>%1 %2 ms</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::PlayMode</name>
+    <message>
+        <source>Play</source>
+        <translation>Reproducir</translation>
+    </message>
+    <message>
+        <source>Space plays or pauses; drag the timeline to look at one instant</source>
+        <translation>Espacio reproduce o pausa; arrastre la línea de tiempo para ver un instante</translation>
+    </message>
+    <message>
+        <source>Slow &amp;motion</source>
+        <translation>Cámara &amp;lenta</translation>
+    </message>
+    <message>
+        <source>Slower, down to a tenth; then real time again</source>
+        <translation>Más lento, hasta una décima parte; después, tiempo real de nuevo</translation>
+    </message>
+    <message>
+        <source>&amp;Chart of one cycle</source>
+        <translation>&amp;Gráfica de un ciclo</translation>
+    </message>
+    <message>
+        <source>Draw one cycle with a cursor instead of the last seconds</source>
+        <translation>Dibujar un ciclo con un cursor en lugar de los últimos segundos</translation>
+    </message>
+    <message>
+        <source>&amp;ECG, sounds and valves</source>
+        <translation>&amp;ECG, ruidos y válvulas</translation>
+    </message>
+    <message>
+        <source>Under the phases of a heart: a schematic electrocardiogram, S1 and S2, and which valves are open</source>
+        <translation>Bajo las fases de un corazón: un electrocardiograma esquemático, S1 y S2 y qué válvulas están abiertas</translation>
+    </message>
+    <message>
+        <source>&amp;Valves and flow</source>
+        <translation>&amp;Válvulas y flujo</translation>
+    </message>
+    <message>
+        <source>In the beating sample heart: leaflets as far open as the valves are, and an arrow where blood flows, as thick as the opening and as long as the blood is fast</source>
+        <translation>En el corazón de muestra que late: valvas tan abiertas como las válvulas y una flecha donde fluye sangre, tan gruesa como la apertura y tan larga como rápida es la sangre</translation>
+    </message>
+    <message>
+        <source>Record a &amp;key</source>
+        <translation>Grabar una &amp;clave</translation>
+    </message>
+    <message>
+        <source>Ctrl+K</source>
+        <translation>Ctrl+K</translation>
+    </message>
+    <message>
+        <source>Add the present pose to the recorded sequence</source>
+        <translation>Añadir la pose actual a la secuencia grabada</translation>
+    </message>
+    <message>
+        <source>Motion from a ser&amp;ies...</source>
+        <translation>Movimiento de una ser&amp;ie...</translation>
+    </message>
+    <message>
+        <source>Compute a patient&apos;s own motion from surfaces or label maps of each phase of the cycle</source>
+        <translation>Calcular el movimiento propio de un paciente a partir de superficies o mapas de etiquetas de cada fase del ciclo</translation>
+    </message>
+    <message>
+        <source>Compare two &amp;rates</source>
+        <translation>Comparar dos &amp;frecuencias</translation>
+    </message>
+    <message>
+        <source>Ctrl+2</source>
+        <translation>Ctrl+2</translation>
+    </message>
+    <message>
+        <source>Show the same organs beside these at another rate, or with the circulation kept as before</source>
+        <translation>Mostrar al lado los mismos órganos a otra frecuencia, o con la circulación conservada como anterior</translation>
+    </message>
+    <message>
+        <source>Compare &amp;coordinates</source>
+        <translation>Comparar c&amp;oordenadas</translation>
+    </message>
+    <message>
+        <source>Ctrl+3</source>
+        <translation>Ctrl+3</translation>
+    </message>
+    <message>
+        <source>Show the same organs and handles beside these with another coordinate system</source>
+        <translation>Mostrar al lado los mismos órganos y tiradores con otro sistema de coordenadas</translation>
+    </message>
+    <message>
+        <source>Compare with another &amp;organ...</source>
+        <translation>Comparar con otro ó&amp;rgano...</translation>
+    </message>
+    <message>
+        <source>Open files in a second view beside these organs</source>
+        <translation>Abrir archivos en una segunda vista junto a estos órganos</translation>
+    </message>
+    <message>
+        <source>Compare with the te&amp;xtbook&apos;s heart</source>
+        <translation>Comparar con el corazón de &amp;manual</translation>
+    </message>
+    <message>
+        <source>Show the sample heart with its textbook beat beside these organs, at their rate</source>
+        <translation>Mostrar junto a estos órganos el corazón de muestra con su latido de manual, a la frecuencia de ellos</translation>
+    </message>
+    <message>
+        <source>&amp;One view</source>
+        <translation>&amp;Una vista</translation>
+    </message>
+    <message>
+        <source>Ctrl+1</source>
+        <translation>Ctrl+1</translation>
+    </message>
+    <message>
+        <source>Close the second view</source>
+        <translation>Cerrar la segunda vista</translation>
+    </message>
+    <message>
+        <source>&amp;Pressures and loops</source>
+        <translation>&amp;Presiones y bucles</translation>
+    </message>
+    <message>
+        <source>Where a circulation moves the heart, show its curves below the view instead of the volumes</source>
+        <translation>Cuando una circulación mueve el corazón, mostrar sus curvas bajo la vista en lugar de los volúmenes</translation>
+    </message>
+    <message>
+        <source>Keep as &amp;before</source>
+        <translation>Conservar como &amp;anterior</translation>
+    </message>
+    <message>
+        <source>Ctrl+B</source>
+        <translation>Ctrl+B</translation>
+    </message>
+    <message>
+        <source>Keep this circulation to compare with: dashed loops and a second column of numbers</source>
+        <translation>Conservar esta circulación para comparar: bucles discontinuos y una segunda columna de valores</translation>
+    </message>
+    <message>
+        <source>For&amp;get</source>
+        <translation>Olvi&amp;dar</translation>
+    </message>
+    <message>
+        <source>Compare with nothing</source>
+        <translation>No comparar con nada</translation>
+    </message>
+    <message>
+        <source>Organ &amp;labels</source>
+        <translation>&amp;Etiquetas de órganos</translation>
+    </message>
+    <message>
+        <source>Write names beside the organs</source>
+        <translation>Escribir los nombres junto a los órganos</translation>
+    </message>
+    <message>
+        <source>See &amp;through</source>
+        <translation>&amp;Transparencia</translation>
+    </message>
+    <message>
+        <source>Make the wall translucent, so that the cavities are seen</source>
+        <translation>Hacer translúcida la pared para que se vean las cavidades</translation>
+    </message>
+    <message>
+        <source>See through</source>
+        <translation>Ver a través</translation>
+    </message>
+    <message>
+        <source>Close the wall</source>
+        <translation>Cerrar la pared</translation>
+    </message>
+    <message>
+        <source>Key at %1 s</source>
+        <translation>Clave en %1 s</translation>
+    </message>
+    <message>
+        <source>Recorded as %1</source>
+        <translation>Grabado como %1</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::PlayPage</name>
+    <message>
+        <source>Look</source>
+        <translation>Aspecto</translation>
+    </message>
+    <message>
+        <source>Sequence</source>
+        <translation>Secuencia</translation>
+    </message>
+    <message>
+        <source>Rate</source>
+        <translation>Frecuencia</translation>
+    </message>
+    <message>
+        <source>Phase</source>
+        <translation>Fase</translation>
+    </message>
+    <message>
+        <source>What moves the heart</source>
+        <translation>Qué mueve el corazón</translation>
+    </message>
+    <message>
+        <source>Over the cycle</source>
+        <translation>En el ciclo</translation>
+    </message>
+    <message>
+        <source>max</source>
+        <translation>máx.</translation>
+    </message>
+    <message>
+        <source>min</source>
+        <translation>mín.</translation>
+    </message>
+    <message>
+        <source>SV</source>
+        <translation>VS</translation>
+    </message>
+    <message>
+        <source>EF</source>
+        <translation>FE</translation>
+    </message>
+    <message>
+        <source>Volumes in ml. SV is the stroke volume, EF the ejection fraction.</source>
+        <translation>Volúmenes en ml. VS es el volumen sistólico; FE, la fracción de eyección.</translation>
+    </message>
+    <message>
+        <source>Ejection fraction</source>
+        <translation>Fracción de eyección</translation>
+    </message>
+    <message>
+        <source>Stroke volume</source>
+        <translation>Volumen sistólico</translation>
+    </message>
+    <message>
+        <source>Cardiac output</source>
+        <translation>Gasto cardíaco</translation>
+    </message>
+    <message>
+        <source>Circulation of this heart</source>
+        <translation>Circulación de este corazón</translation>
+    </message>
+    <message>
+        <source>Finds pressures, loops and sounds for the volume and the ejection fraction of this left ventricle. The organ keeps its own motion.</source>
+        <translation>Calcula presiones, bucles y ruidos para el volumen y la fracción de eyección de este ventrículo izquierdo. El órgano conserva su propio movimiento.</translation>
+    </message>
+    <message>
+        <source>Record a movie</source>
+        <translation>Grabar una película</translation>
+    </message>
+    <message>
+        <source>Prescribe a volume</source>
+        <translation>Prescribir un volumen</translation>
+    </message>
+    <message>
+        <source>Record a sequence</source>
+        <translation>Grabar una secuencia</translation>
+    </message>
+    <message>
+        <source>Fit a sequence to an organ</source>
+        <translation>Ajustar una secuencia a un órgano</translation>
+    </message>
+    <message>
+        <source>%1 / min, one cycle %2 s</source>
+        <translation>%1 / min, un ciclo %2 s</translation>
+    </message>
+    <message>
+        <source>A: %1</source>
+        <translation>A: %1</translation>
+    </message>
+    <message>
+        <source>B: %1</source>
+        <translation>B: %1</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>%1 %2 (%3 - %4)</source>
+        <translation>%1 %2 (%3 - %4)</translation>
+    </message>
+    <message>
+        <source>%1, measured on the surfaces. Healthy adults: %2</source>
+        <translation>%1, medido en las superficies. Adultos sanos: %2</translation>
+    </message>
+    <message>
+        <source>%1 ml</source>
+        <translation>%1 ml</translation>
+    </message>
+    <message>
+        <source>%1 l/min</source>
+        <translation>%1 l/min</translation>
+    </message>
+    <message>
+        <source>%1 %2 - %3 %4</source>
+        <translation>%1 %2 - %3 %4</translation>
+    </message>
+    <message>
+        <source>%</source>
+        <translation>%</translation>
+    </message>
+    <message>
+        <source>ml</source>
+        <translation>ml</translation>
+    </message>
+    <message>
+        <source>%1: %2; %3</source>
+        <translation>%1: %2; %3</translation>
+    </message>
+    <message>
+        <source>Normal for %1: %2.</source>
+        <translation>Normal para %1: %2.</translation>
+    </message>
+    <message>
+        <source>, </source>
+        <translation>, </translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::Playback</name>
+    <message>
+        <source>%1 moves its own handles, and these are different.</source>
+        <translation>%1 mueve sus propios tiradores y estos son distintos.</translation>
+    </message>
+    <message>
+        <source>Use its handles</source>
+        <translation>Usar sus tiradores</translation>
+    </message>
+    <message>
+        <source>Use the sequence&apos;s handles</source>
+        <translation>Usar los tiradores de la secuencia</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::PoseEditor</name>
+    <message>
+        <source>Move handle %1</source>
+        <translation>Mover tirador %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>Move %n {handle|handles}</source>
+        <translation>
+            <numerusform>Mover %n tirador</numerusform>
+            <numerusform>Mover %n tiradores</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Reset %n {handle|handles}</source>
+        <translation>
+            <numerusform>Restablecer %n tirador</numerusform>
+            <numerusform>Restablecer %n tiradores</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The handles could not move back all the way: %1.</source>
+        <translation>Los tiradores no pudieron volver del todo: %1.</translation>
+    </message>
+    <message>
+        <source>Volume %1</source>
+        <translation>Volumen %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 is open (%n boundary {edge|edges}), so it has no volume that could be locked.</source>
+        <translation>
+            <numerusform>%1 tiene una superficie abierta (%n arista de borde), sin volumen que se pueda bloquear.</numerusform>
+            <numerusform>%1 tiene una superficie abierta (%n aristas de borde), sin volumen que se pueda bloquear.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Close the holes and lock</source>
+        <translation>Cerrar orificios y bloquear</translation>
+    </message>
+    <message>
+        <source>Close holes and lock volume</source>
+        <translation>Cerrar orificios y bloquear volumen</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::PositionBox</name>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation>Izquierda</translation>
+    </message>
+    <message>
+        <source>Posterior</source>
+        <translation>Posterior</translation>
+    </message>
+    <message>
+        <source>Superior</source>
+        <translation>Superior</translation>
+    </message>
+    <message>
+        <source>No handle is selected. Click one in the view or in the list.</source>
+        <translation>No hay ningún tirador seleccionado. Haga clic en uno en la vista o en la lista.</translation>
+    </message>
+    <message>
+        <source>Handle %1</source>
+        <translation>Tirador %1</translation>
+    </message>
+    <message>
+        <source>, %1 mm from rest</source>
+        <translation>, a %1 mm del reposo</translation>
+    </message>
+    <message>
+        <source>, locked</source>
+        <translation>, bloqueado</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::ProbeCard</name>
+    <message>
+        <source>Close (Esc)</source>
+        <translation>Cerrar (Esc)</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Cerrar</translation>
+    </message>
+    <message>
+        <source>In the patient&apos;s axes, mm; left, posterior and superior count up</source>
+        <translation>En los ejes del paciente, mm; izquierda, posterior y superior son positivos</translation>
+    </message>
+    <message>
+        <source>Witness %1</source>
+        <translation>Testigo %1</translation>
+    </message>
+    <message>
+        <source>Surface point %1</source>
+        <translation>Punto de superficie %1</translation>
+    </message>
+    <message>
+        <source>At rest %1, %2, %3 mm</source>
+        <translation>En reposo %1, %2, %3 mm</translation>
+    </message>
+    <message>
+        <source>L</source>
+        <translation>L</translation>
+    </message>
+    <message>
+        <source>R</source>
+        <translation>R</translation>
+    </message>
+    <message>
+        <source>P</source>
+        <translation>P</translation>
+    </message>
+    <message>
+        <source>A</source>
+        <translation>A</translation>
+    </message>
+    <message>
+        <source>S</source>
+        <translation>S</translation>
+    </message>
+    <message>
+        <source>I</source>
+        <translation>I</translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation>sí</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>no</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <translation>%1 %2</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::QuizTool</name>
+    <message>
+        <source>Click: %1</source>
+        <translation>Haga clic: %1</translation>
+    </message>
+    <message>
+        <source>All %1 found without a mistake.</source>
+        <translation>Encontradas las %1 sin ningún error.</translation>
+    </message>
+    <message numerus="yes">
+        <source>All %1 found, with %n {mistake|mistakes}.</source>
+        <translation>
+            <numerusform>Encontradas las %1, con %n error.</numerusform>
+            <numerusform>Encontradas las %1, con %n errores.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 de %2</translation>
+    </message>
+    <message>
+        <source>Right: %1</source>
+        <translation>Correcto: %1</translation>
+    </message>
+    <message>
+        <source>No, that is nearer to: %1</source>
+        <translation>No, eso está más cerca de: %1</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::RecordBox</name>
+    <message>
+        <source>Kind</source>
+        <translation>Tipo</translation>
+    </message>
+    <message>
+        <source>Choose where to</source>
+        <translation>Elegir dónde</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Archivo</translation>
+    </message>
+    <message>
+        <source>%1 x %2</source>
+        <translation>%1 x %2</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Tamaño</translation>
+    </message>
+    <message>
+        <source> / s</source>
+        <translation> / s</translation>
+    </message>
+    <message>
+        <source>Frames</source>
+        <translation>Fotogramas</translation>
+    </message>
+    <message>
+        <source>Cycles</source>
+        <translation>Ciclos</translation>
+    </message>
+    <message>
+        <source>Write phase and volumes into it</source>
+        <translation>Incluir fase y volúmenes</translation>
+    </message>
+    <message>
+        <source>Table of volumes beside it (.csv)</source>
+        <translation>Tabla de volúmenes al lado (.csv)</translation>
+    </message>
+    <message>
+        <source>Cancel the recording</source>
+        <translation>Cancelar la grabación</translation>
+    </message>
+    <message>
+        <source>Record</source>
+        <translation>Grabar</translation>
+    </message>
+    <message>
+        <source>Discard the recording</source>
+        <translation>Descartar la grabación</translation>
+    </message>
+    <message>
+        <source>Record what the view shows</source>
+        <translation>Grabar lo que muestra la vista</translation>
+    </message>
+    <message>
+        <source>MP4 and GIF need the program ffmpeg, which is not installed on this computer.</source>
+        <translation>MP4 y GIF necesitan el programa ffmpeg, que no está instalado en este equipo.</translation>
+    </message>
+    <message>
+        <source>Folder for the pictures</source>
+        <translation>Carpeta para las imágenes</translation>
+    </message>
+    <message>
+        <source>Record as</source>
+        <translation>Grabar como</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::RecordedMotion</name>
+    <message>
+        <source>Record a key at %1 s</source>
+        <translation>Grabar una clave en %1 s</translation>
+    </message>
+    <message>
+        <source>Use a key&apos;s pose</source>
+        <translation>Usar la pose de una clave</translation>
+    </message>
+    <message>
+        <source>Sequence saved as %1</source>
+        <translation>Secuencia guardada como %1</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::Recorder</name>
+    <message>
+        <source>Recording %1</source>
+        <translation>Grabando %1</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::RecordingStage</name>
+    <message>
+        <source>%1, %2 / min</source>
+        <translation>%1, %2 / min</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::Repairs</name>
+    <message>
+        <source>Face outward</source>
+        <translation>Orientar hacia fuera</translation>
+    </message>
+    <message>
+        <source>Fill holes</source>
+        <translation>Rellenar orificios</translation>
+    </message>
+    <message>
+        <source>Keep the largest piece</source>
+        <translation>Conservar el fragmento mayor</translation>
+    </message>
+    <message>
+        <source>Remesh</source>
+        <translation>Remallar</translation>
+    </message>
+    <message>
+        <source>Mirror left and right</source>
+        <translation>Reflejar izquierda y derecha</translation>
+    </message>
+    <message>
+        <source>It is RAS: turn to LPS</source>
+        <translation>Es RAS: pasar a LPS</translation>
+    </message>
+    <message>
+        <source>Y is up: quarter turn</source>
+        <translation>Y es arriba: cuarto de vuelta</translation>
+    </message>
+    <message>
+        <source>It is in %1</source>
+        <translation>Está en %1</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::ReportExport</name>
+    <message>
+        <source>&amp;Report...</source>
+        <translation>&amp;Informe...</translation>
+    </message>
+    <message>
+        <source>Write pictures, volumes, measurements, stress and motion as PDF or as one HTML page</source>
+        <translation>Guardar imágenes, volúmenes, mediciones, estrés y movimiento como PDF o como una página HTML</translation>
+    </message>
+    <message>
+        <source>&amp;Copy as commands</source>
+        <translation>&amp;Copiar como órdenes</translation>
+    </message>
+    <message>
+        <source>Copy the session as a script of viscera commands that gives the same result</source>
+        <translation>Copiar la sesión como un guion de órdenes de viscera que da el mismo resultado</translation>
+    </message>
+    <message>
+        <source>Report</source>
+        <translation>Informe</translation>
+    </message>
+    <message>
+        <source>report.pdf</source>
+        <translation>report.pdf</translation>
+    </message>
+    <message>
+        <source>PDF documents (*.pdf);;Web pages (*.html)</source>
+        <translation>Documentos PDF (*.pdf);;Páginas web (*.html)</translation>
+    </message>
+    <message>
+        <source>Writing the report</source>
+        <translation>Escribiendo el informe</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1: %n {page|pages}.</source>
+        <translation>
+            <numerusform>%1: %n página.</numerusform>
+            <numerusform>%1: %n páginas.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Copying as commands</source>
+        <translation>Copiando como órdenes</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {command is|commands are} in the clipboard.</source>
+        <translation>
+            <numerusform>%n orden en el portapapeles.</numerusform>
+            <numerusform>%n órdenes en el portapapeles.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::ResidualTable</name>
+    <message>
+        <source>largest volume</source>
+        <translation>volumen máximo</translation>
+    </message>
+    <message>
+        <source>smallest volume</source>
+        <translation>volumen mínimo</translation>
+    </message>
+    <message>
+        <source>stroke volume</source>
+        <translation>volumen sistólico</translation>
+    </message>
+    <message>
+        <source>ejection fraction</source>
+        <translation>fracción de eyección</translation>
+    </message>
+    <message>
+        <source>output</source>
+        <translation>gasto</translation>
+    </message>
+    <message>
+        <source>Surface whose fit is shown</source>
+        <translation>Superficie cuyo ajuste se muestra</translation>
+    </message>
+    <message>
+        <source>Measured surface</source>
+        <translation>Superficie medida</translation>
+    </message>
+    <message>
+        <source>Distances</source>
+        <translation>Distancias</translation>
+    </message>
+    <message>
+        <source>Fit of the motion, phase by phase</source>
+        <translation>Ajuste del movimiento, fase por fase</translation>
+    </message>
+    <message>
+        <source>Phase</source>
+        <translation>Fase</translation>
+    </message>
+    <message>
+        <source>ms</source>
+        <translation>ms</translation>
+    </message>
+    <message>
+        <source>mean mm</source>
+        <translation>media mm</translation>
+    </message>
+    <message>
+        <source>95 % mm</source>
+        <translation>95 % mm</translation>
+    </message>
+    <message>
+        <source>max mm</source>
+        <translation>máx. mm</translation>
+    </message>
+    <message>
+        <source>measured ml</source>
+        <translation>medido ml</translation>
+    </message>
+    <message>
+        <source>free ml</source>
+        <translation>libre ml</translation>
+    </message>
+    <message>
+        <source>fitted ml</source>
+        <translation>ajustado ml</translation>
+    </message>
+    <message>
+        <source>Dice</source>
+        <translation>Dice</translation>
+    </message>
+    <message>
+        <source>flipped</source>
+        <translation>invertidos</translation>
+    </message>
+    <message>
+        <source>folded</source>
+        <translation>plegado</translation>
+    </message>
+    <message>
+        <source>steps</source>
+        <translation>pasos</translation>
+    </message>
+    <message>
+        <source>A mark shows that the phase needs attention; the row&apos;s tip says why</source>
+        <translation>Una marca indica que la fase requiere atención; la descripción de la fila dice por qué</translation>
+    </message>
+    <message>
+        <source>Time of the phase</source>
+        <translation>Tiempo de la fase</translation>
+    </message>
+    <message>
+        <source>Distance of the surface from what was measured, by area</source>
+        <translation>Distancia de la superficie a lo medido, ponderada por área</translation>
+    </message>
+    <message>
+        <source>Below this distance are 95 % of the area</source>
+        <translation>El 95 % del área está por debajo de esta distancia</translation>
+    </message>
+    <message>
+        <source>The largest distance</source>
+        <translation>La mayor distancia</translation>
+    </message>
+    <message>
+        <source>Volume that was measured</source>
+        <translation>Volumen medido</translation>
+    </message>
+    <message>
+        <source>Volume of the fit before volumes were kept</source>
+        <translation>Volumen del ajuste antes de imponer los volúmenes</translation>
+    </message>
+    <message>
+        <source>Volume of the fit</source>
+        <translation>Volumen del ajuste</translation>
+    </message>
+    <message>
+        <source>How well the voxels agree: 1 for all</source>
+        <translation>Concordancia de los vóxeles: 1 si coinciden todos</translation>
+    </message>
+    <message>
+        <source>Triangles that face the wrong way</source>
+        <translation>Triángulos orientados al lado equivocado</translation>
+    </message>
+    <message>
+        <source>Places in the tissue that are folded</source>
+        <translation>Lugares del tejido que están plegados</translation>
+    </message>
+    <message>
+        <source>Steps that the fit took</source>
+        <translation>Pasos que necesitó el ajuste</translation>
+    </message>
+    <message>
+        <source>What differs from the series before</source>
+        <translation>Qué cambia respecto a la serie anterior</translation>
+    </message>
+    <message>
+        <source>before</source>
+        <translation>antes</translation>
+    </message>
+    <message>
+        <source>now</source>
+        <translation>ahora</translation>
+    </message>
+    <message>
+        <source>difference</source>
+        <translation>diferencia</translation>
+    </message>
+    <message>
+        <source>All surfaces</source>
+        <translation>Todas las superficies</translation>
+    </message>
+    <message>
+        <source>Compared with the series before</source>
+        <translation>En comparación con la serie anterior</translation>
+    </message>
+    <message>
+        <source>%1: EF %2 %, %3 to %4 ml, %5 l/min</source>
+        <translation>%1: FE %2 %, %3 a %4 ml, %5 l/min</translation>
+    </message>
+    <message>
+        <source>tissue %1 to %2 ml</source>
+        <translation>tejido %1 a %2 ml</translation>
+    </message>
+    <message>
+        <source>A session does not keep what was measured. Find the motion again to see it: Sequence &gt; Motion from a series</source>
+        <translation>La sesión no guarda lo medido. Calcule de nuevo el movimiento para verlo: Secuencia &gt; Movimiento de una serie</translation>
+    </message>
+    <message>
+        <source>The surfaces that were measured in the nearest phase, as glass in the view</source>
+        <translation>Las superficies medidas en la fase más próxima, como vidrio en la vista</translation>
+    </message>
+    <message>
+        <source>Colours the organs by their distance from what was measured in the nearest phase</source>
+        <translation>Colorea los órganos según su distancia a lo medido en la fase más próxima</translation>
+    </message>
+    <message>
+        <source>%1, %2 (%3)</source>
+        <translation>%1, %2 (%3)</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::SampleLoader</name>
+    <message>
+        <source>Sample %1</source>
+        <translation>%1 de muestra</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::ScanActions</name>
+    <message>
+        <source>Soft &amp;tissue</source>
+        <translation>&amp;Partes blandas</translation>
+    </message>
+    <message>
+        <source>&amp;Lung</source>
+        <translation>P&amp;ulmón</translation>
+    </message>
+    <message>
+        <source>&amp;Bone</source>
+        <translation>&amp;Hueso</translation>
+    </message>
+    <message>
+        <source>B&amp;rain</source>
+        <translation>&amp;Encéfalo</translation>
+    </message>
+    <message>
+        <source>Li&amp;ver</source>
+        <translation>Hí&amp;gado</translation>
+    </message>
+    <message>
+        <source>&amp;Angiography</source>
+        <translation>&amp;Angiografía</translation>
+    </message>
+    <message>
+        <source>&amp;3D view alone</source>
+        <translation>Solo vista &amp;3D</translation>
+    </message>
+    <message>
+        <source>&amp;Four views</source>
+        <translation>&amp;Cuatro vistas</translation>
+    </message>
+    <message>
+        <source>&amp;Axial slice</source>
+        <translation>Corte &amp;axial</translation>
+    </message>
+    <message>
+        <source>&amp;Coronal slice</source>
+        <translation>Corte c&amp;oronal</translation>
+    </message>
+    <message>
+        <source>&amp;Sagittal slice</source>
+        <translation>Corte &amp;sagital</translation>
+    </message>
+    <message>
+        <source>  phase %1 of %2</source>
+        <translation>  fase %1 de %2</translation>
+    </message>
+    <message>
+        <source>Open a &amp;scan...</source>
+        <translation>Abrir un &amp;estudio...</translation>
+    </message>
+    <message>
+        <source>Open a CT or MR beside the organs</source>
+        <translation>Abrir una TC o RM junto a los órganos</translation>
+    </message>
+    <message>
+        <source>Open a DICOM &amp;series...</source>
+        <translation>Abrir una serie &amp;DICOM...</translation>
+    </message>
+    <message>
+        <source>Open a folder of DICOM files as a scan</source>
+        <translation>Abrir una carpeta de archivos DICOM como estudio</translation>
+    </message>
+    <message>
+        <source>C&amp;lose the scan</source>
+        <translation>Ce&amp;rrar el estudio</translation>
+    </message>
+    <message>
+        <source>Close the scan; the organs stay</source>
+        <translation>Cerrar el estudio; los órganos permanecen</translation>
+    </message>
+    <message>
+        <source>A&amp;utomatic</source>
+        <translation>A&amp;utomático</translation>
+    </message>
+    <message>
+        <source>Level and width that the scan&apos;s file proposes, or found from its values</source>
+        <translation>Nivel y ancho propuestos por el archivo del estudio o deducidos de sus valores</translation>
+    </message>
+    <message>
+        <source>Level %1, width %2</source>
+        <translation>Nivel %1, ancho %2</translation>
+    </message>
+    <message>
+        <source>&amp;Contours</source>
+        <translation>Co&amp;ntornos</translation>
+    </message>
+    <message>
+        <source>Draw the organs&apos; contours on the slices</source>
+        <translation>Dibujar los contornos de los órganos en los cortes</translation>
+    </message>
+    <message>
+        <source>Contours at &amp;rest</source>
+        <translation>Contornos en &amp;reposo</translation>
+    </message>
+    <message>
+        <source>Draw thin contours of the organs at rest as well</source>
+        <translation>Dibujar también contornos finos de los órganos en reposo</translation>
+    </message>
+    <message>
+        <source>Slices in the &amp;3D view</source>
+        <translation>Cortes en la &amp;vista 3D</translation>
+    </message>
+    <message>
+        <source>&amp;Bend the scan</source>
+        <translation>&amp;Curvar el estudio</translation>
+    </message>
+    <message>
+        <source>Show the scan as the pose deforms it</source>
+        <translation>Mostrar el estudio deformado por la pose</translation>
+    </message>
+    <message>
+        <source>S&amp;mooth between voxels</source>
+        <translation>Sua&amp;vizar entre vóxeles</translation>
+    </message>
+    <message>
+        <source>Ma&amp;ximum of thick slices</source>
+        <translation>Má&amp;ximo de los cortes gruesos</translation>
+    </message>
+    <message>
+        <source>Instead of their mean</source>
+        <translation>En lugar de su media</translation>
+    </message>
+    <message>
+        <source>&amp;Thickness</source>
+        <translation>&amp;Grosor</translation>
+    </message>
+    <message>
+        <source>Slices of %1 mm</source>
+        <translation>Cortes de %1 mm</translation>
+    </message>
+    <message>
+        <source>Thin slices</source>
+        <translation>Cortes finos</translation>
+    </message>
+    <message>
+        <source>Open a folder of DICOM files</source>
+        <translation>Abrir una carpeta de archivos DICOM</translation>
+    </message>
+    <message>
+        <source>Open a scan</source>
+        <translation>Abrir un estudio</translation>
+    </message>
+    <message>
+        <source>Scans (*.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.dcm);;All files (*)</source>
+        <translation>Estudios (*.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.dcm);;Todos los archivos (*)</translation>
+    </message>
+    <message>
+        <source>Reading %1</source>
+        <translation>Leyendo %1</translation>
+    </message>
+    <message>
+        <source>The folder has several scans. Which one?</source>
+        <translation>La carpeta contiene varios estudios. ¿Cuál?</translation>
+    </message>
+    <message>
+        <source>Opening %1</source>
+        <translation>Abriendo %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n more: see Scan on the page of Explore.</source>
+        <translation>
+            <numerusform>%n más: vea Estudio en la página de Explorar.</numerusform>
+            <numerusform>%n más: vea Estudio en la página de Explorar.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::SequenceList</name>
+    <message>
+        <source>Sequences</source>
+        <translation>Secuencias</translation>
+    </message>
+    <message>
+        <source>%1: can be fitted to %2</source>
+        <translation>%1: puede ajustarse a %2</translation>
+    </message>
+    <message>
+        <source>%1: shows the sample organ and plays</source>
+        <translation>%1: muestra el órgano de muestra y lo reproduce</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::SessionFiles</name>
+    <message>
+        <source>&amp;New session</source>
+        <translation>&amp;Nueva sesión</translation>
+    </message>
+    <message>
+        <source>Start with an empty session</source>
+        <translation>Empezar con una sesión vacía</translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>&amp;Guardar</translation>
+    </message>
+    <message>
+        <source>Save the session</source>
+        <translation>Guardar la sesión</translation>
+    </message>
+    <message>
+        <source>Save &amp;as...</source>
+        <translation>G&amp;uardar como...</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+S</source>
+        <translation>Ctrl+Shift+S</translation>
+    </message>
+    <message>
+        <source>Save the session in another file</source>
+        <translation>Guardar la sesión en otro archivo</translation>
+    </message>
+    <message>
+        <source>&amp;Recover unsaved work</source>
+        <translation>&amp;Recuperar trabajo no guardado</translation>
+    </message>
+    <message>
+        <source>Open the copy that Viscera kept when it ended without saving</source>
+        <translation>Abrir la copia que Viscera conservó al terminar sin guardar</translation>
+    </message>
+    <message>
+        <source>Viscera</source>
+        <translation>Viscera</translation>
+    </message>
+    <message>
+        <source>Untitled session</source>
+        <translation>Sesión sin título</translation>
+    </message>
+    <message>
+        <source>Session that names its organs&apos; files</source>
+        <translation>Sesión que nombra los archivos de sus órganos</translation>
+    </message>
+    <message>
+        <source>Session with all surfaces and the scan inside</source>
+        <translation>Sesión con todas las superficies y el estudio dentro</translation>
+    </message>
+    <message>
+        <source>session</source>
+        <translation>sesión</translation>
+    </message>
+    <message>
+        <source>Save the session as</source>
+        <translation>Guardar la sesión como</translation>
+    </message>
+    <message>
+        <source>Saving %1</source>
+        <translation>Guardando %1</translation>
+    </message>
+    <message>
+        <source>Saved as %1</source>
+        <translation>Guardado como %1</translation>
+    </message>
+    <message>
+        <source>Save changes?</source>
+        <translation>¿Guardar los cambios?</translation>
+    </message>
+    <message>
+        <source>Save the changes of %1?</source>
+        <translation>¿Guardar los cambios de %1?</translation>
+    </message>
+    <message>
+        <source>Unsaved changes will be lost.</source>
+        <translation>Los cambios sin guardar se perderán.</translation>
+    </message>
+    <message>
+        <source>&amp;Discard</source>
+        <translation>&amp;Descartar</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation>&amp;Cancelar</translation>
+    </message>
+    <message>
+        <source>Opening %1</source>
+        <translation>Abriendo %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>And %n more.</source>
+        <translation>
+            <numerusform>Y %n más.</numerusform>
+            <numerusform>Y %n más.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Viscera ended without saving. It has kept a copy of the work of %1.</source>
+        <translation>Viscera terminó sin guardar. Ha conservado una copia del trabajo de %1.</translation>
+    </message>
+    <message>
+        <source>Recover</source>
+        <translation>Recuperar</translation>
+    </message>
+    <message>
+        <source>Discard</source>
+        <translation>Descartar</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::SessionView</name>
+    <message>
+        <source>Preparing the motion</source>
+        <translation>Preparando el movimiento</translation>
+    </message>
+    <message>
+        <source>This version moves the organ differently from the one that saved the session: handles differ by up to %1 mm.</source>
+        <translation>Esta versión mueve el órgano de forma distinta a la que guardó la sesión: los tiradores difieren hasta %1 mm.</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::ShortcutCard</name>
+    <message>
+        <source>Mouse and keys</source>
+        <translation>Ratón y teclas</translation>
+    </message>
+    <message>
+        <source>Close (Esc)</source>
+        <translation>Cerrar (Esc)</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Cerrar</translation>
+    </message>
+    <message>
+        <source>Left drag</source>
+        <translation>Arrastrar izquierdo</translation>
+    </message>
+    <message>
+        <source>Rotate, or move a handle</source>
+        <translation>Girar o mover un tirador</translation>
+    </message>
+    <message>
+        <source>Middle, Shift+left drag</source>
+        <translation>Arrastrar central, Mayús+izdo.</translation>
+    </message>
+    <message>
+        <source>Pan</source>
+        <translation>Desplazar</translation>
+    </message>
+    <message>
+        <source>Right drag, wheel</source>
+        <translation>Arrastrar derecho, rueda</translation>
+    </message>
+    <message>
+        <source>Zoom</source>
+        <translation>Zoom</translation>
+    </message>
+    <message>
+        <source>Click</source>
+        <translation>Clic</translation>
+    </message>
+    <message>
+        <source>Select, or add a handle</source>
+        <translation>Seleccionar o añadir un tirador</translation>
+    </message>
+    <message>
+        <source>Shift or Ctrl+click</source>
+        <translation>Mayús o Ctrl+clic</translation>
+    </message>
+    <message>
+        <source>Add to the selection</source>
+        <translation>Añadir a la selección</translation>
+    </message>
+    <message>
+        <source>Esc</source>
+        <translation>Esc</translation>
+    </message>
+    <message>
+        <source>Cancel a drag, close a message</source>
+        <translation>Cancelar un arrastre, cerrar un mensaje</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::SlicePanes</name>
+    <message>
+        <source>The scan cannot be bent: %1</source>
+        <translation>El estudio no se puede curvar: %1</translation>
+    </message>
+    <message>
+        <source>folded by the pose: estimated</source>
+        <translation>plegado por la pose: estimado</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::SlidePanel</name>
+    <message>
+        <source>Keep views as slides, then show them with F5 and Page Down. The session keeps them.</source>
+        <translation>Conserve vistas como diapositivas y muéstrelas con F5 y Av Pág. La sesión las guarda.</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::Slides</name>
+    <message>
+        <source>&amp;Keep this view as a slide</source>
+        <translation>&amp;Conservar esta vista como diapositiva</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+K</source>
+        <translation>Ctrl+Shift+K</translation>
+    </message>
+    <message>
+        <source>Keep the present view, and the instant of a paused sequence</source>
+        <translation>Conservar la vista actual y el instante de una secuencia en pausa</translation>
+    </message>
+    <message>
+        <source>&amp;Remove the slide</source>
+        <translation>&amp;Quitar la diapositiva</translation>
+    </message>
+    <message>
+        <source>Remove the slide that was shown last</source>
+        <translation>Quitar la última diapositiva mostrada</translation>
+    </message>
+    <message>
+        <source>&amp;Next slide</source>
+        <translation>Diapositiva &amp;siguiente</translation>
+    </message>
+    <message>
+        <source>&amp;Previous slide</source>
+        <translation>Diapositiva &amp;anterior</translation>
+    </message>
+    <message>
+        <source>Slide %1</source>
+        <translation>Diapositiva %1</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::StatusLine</name>
+    <message>
+        <source>Cancel this task</source>
+        <translation>Cancelar esta tarea</translation>
+    </message>
+    <message>
+        <source>No organ</source>
+        <translation>Sin órgano</translation>
+    </message>
+    <message>
+        <source>%1: open surface, no volume</source>
+        <translation>%1: superficie abierta, sin volumen</translation>
+    </message>
+    <message>
+        <source>%1  %2  (%3, %4)</source>
+        <translation>%1  %2  (%3, %4)</translation>
+    </message>
+    <message>
+        <source>  locked</source>
+        <translation>  bloqueado</translation>
+    </message>
+    <message>
+        <source>no handles</source>
+        <translation>sin tiradores</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {handle|handles}</source>
+        <translation>
+            <numerusform>%n tirador</numerusform>
+            <numerusform>%n tiradores</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>, binding...</source>
+        <translation>, vinculando...</translation>
+    </message>
+    <message>
+        <source>, not bound</source>
+        <translation>, sin vincular</translation>
+    </message>
+    <message>
+        <source>, binding cancelled</source>
+        <translation>, vinculación cancelada</translation>
+    </message>
+    <message>
+        <source>, bound in %1 ms</source>
+        <translation>, vinculado en %1 ms</translation>
+    </message>
+    <message>
+        <source>%1, the pose folds %2</source>
+        <translation>%1, la pose pliega %2</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::StressChart</name>
+    <message>
+        <source>The stress over time is drawn here while a sequence plays (Space).</source>
+        <translation>El estrés en el tiempo se dibuja aquí mientras se reproduce una secuencia (Espacio).</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Tiempo</translation>
+    </message>
+    <message>
+        <source>Rotational stress</source>
+        <translation>Estrés rotacional</translation>
+    </message>
+    <message>
+        <source>largest</source>
+        <translation>máximo</translation>
+    </message>
+    <message>
+        <source>95th percentile</source>
+        <translation>percentil 95</translation>
+    </message>
+    <message>
+        <source>mean</source>
+        <translation>media</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::StressExport</name>
+    <message>
+        <source>Comma-separated values (*.csv)</source>
+        <translation>Valores separados por comas (*.csv)</translation>
+    </message>
+    <message>
+        <source>Export stress &amp;map...</source>
+        <translation>Exportar &amp;mapa de estrés...</translation>
+    </message>
+    <message>
+        <source>Write all quantities at all points inside the organ, for ParaView</source>
+        <translation>Guardar todas las magnitudes en todos los puntos dentro del órgano, para ParaView</translation>
+    </message>
+    <message>
+        <source>Export stress map</source>
+        <translation>Exportar mapa de estrés</translation>
+    </message>
+    <message>
+        <source>stress.vtu</source>
+        <translation>stress.vtu</translation>
+    </message>
+    <message>
+        <source>VTK solids (*.vtu)</source>
+        <translation>Sólidos VTK (*.vtu)</translation>
+    </message>
+    <message>
+        <source>Export stress at the &amp;points...</source>
+        <translation>Exportar estrés en los &amp;puntos...</translation>
+    </message>
+    <message>
+        <source>Write the values at the witness points as a table</source>
+        <translation>Guardar como tabla los valores en los puntos testigo</translation>
+    </message>
+    <message>
+        <source>Export stress at the points</source>
+        <translation>Exportar estrés en los puntos</translation>
+    </message>
+    <message>
+        <source>stress.csv</source>
+        <translation>stress.csv</translation>
+    </message>
+    <message>
+        <source>Export &amp;histogram...</source>
+        <translation>Exportar &amp;histograma...</translation>
+    </message>
+    <message>
+        <source>Write the distribution of the shown quantity over the witness points</source>
+        <translation>Guardar la distribución de la magnitud mostrada en los puntos testigo</translation>
+    </message>
+    <message>
+        <source>Export histogram</source>
+        <translation>Exportar histograma</translation>
+    </message>
+    <message>
+        <source>histogram.csv</source>
+        <translation>histogram.csv</translation>
+    </message>
+    <message>
+        <source>Export &amp;curve over the sequence...</source>
+        <translation>Exportar &amp;curva de la secuencia...</translation>
+    </message>
+    <message>
+        <source>Write the rotational stress over one whole cycle of the sequence</source>
+        <translation>Guardar el estrés rotacional durante un ciclo completo de la secuencia</translation>
+    </message>
+    <message>
+        <source>Export curve</source>
+        <translation>Exportar curva</translation>
+    </message>
+    <message>
+        <source>curve.csv</source>
+        <translation>curve.csv</translation>
+    </message>
+    <message>
+        <source>Exporting %1</source>
+        <translation>Exportando %1</translation>
+    </message>
+    <message>
+        <source>Written to %1.</source>
+        <translation>Guardado en %1.</translation>
+    </message>
+    <message>
+        <source>the stress map</source>
+        <translation>el mapa de estrés</translation>
+    </message>
+    <message>
+        <source>the stress</source>
+        <translation>el estrés</translation>
+    </message>
+    <message>
+        <source>the histogram</source>
+        <translation>el histograma</translation>
+    </message>
+    <message>
+        <source>the curve</source>
+        <translation>la curva</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::StressMode</name>
+    <message>
+        <source>Stress</source>
+        <translation>Estrés</translation>
+    </message>
+    <message>
+        <source>Tissue distortion (rotational stress) by the pose: click it to see its values; C cuts the organ open; drag a handle, the map follows</source>
+        <translation>Distorsión del tejido (estrés rotacional) por la pose: haga clic para ver sus valores; C secciona el órgano; arrastre un tirador y el mapa lo sigue</translation>
+    </message>
+    <message>
+        <source>&amp;Next map</source>
+        <translation>Mapa &amp;siguiente</translation>
+    </message>
+    <message>
+        <source>The next stress map</source>
+        <translation>El siguiente mapa de estrés</translation>
+    </message>
+    <message>
+        <source>&amp;Go to the maximum</source>
+        <translation>&amp;Ir al máximo</translation>
+    </message>
+    <message>
+        <source>Shift+X</source>
+        <translation>Shift+X</translation>
+    </message>
+    <message>
+        <source>Show the values where the map is largest, and cut the organ open there</source>
+        <translation>Mostrar los valores donde el mapa es máximo y seccionar ahí el órgano</translation>
+    </message>
+    <message>
+        <source>&amp;Peak over the sequence</source>
+        <translation>Máximo de la se&amp;cuencia</translation>
+    </message>
+    <message>
+        <source>Shift+M</source>
+        <translation>Shift+M</translation>
+    </message>
+    <message>
+        <source>The largest value that each point reaches in one cycle of the sequence</source>
+        <translation>El mayor valor que alcanza cada punto en un ciclo de la secuencia</translation>
+    </message>
+    <message>
+        <source>Map on the organ&apos;s &amp;surface</source>
+        <translation>Mapa en la s&amp;uperficie del órgano</translation>
+    </message>
+    <message>
+        <source>Draw the map on the organ&apos;s surface instead of the outer tetrahedra</source>
+        <translation>Dibujar el mapa en la superficie del órgano en lugar de los tetraedros externos</translation>
+    </message>
+    <message>
+        <source>&amp;Keep the legend&apos;s range</source>
+        <translation>&amp;Mantener el intervalo de la leyenda</translation>
+    </message>
+    <message>
+        <source>Keep the range of colours, so that poses can be compared</source>
+        <translation>Mantener el intervalo de colores para poder comparar poses</translation>
+    </message>
+    <message>
+        <source>&amp;Cut open</source>
+        <translation>Seccion&amp;ar</translation>
+    </message>
+    <message>
+        <source>Cut the organ open by a plane</source>
+        <translation>Seccionar el órgano por un plano</translation>
+    </message>
+    <message>
+        <source>&amp;Only beyond a limit</source>
+        <translation>Solo más allá de un &amp;límite</translation>
+    </message>
+    <message>
+        <source>Show only tissue above or below a limit</source>
+        <translation>Mostrar solo el tejido por encima o por debajo de un límite</translation>
+    </message>
+    <message>
+        <source>&amp;Glyphs of the stretch</source>
+        <translation>&amp;Glifos del estiramiento</translation>
+    </message>
+    <message>
+        <source>Shift+G</source>
+        <translation>Shift+G</translation>
+    </message>
+    <message>
+        <source>No glyphs, ellipsoids or crosses</source>
+        <translation>Sin glifos, elipsoides o cruces</translation>
+    </message>
+    <message>
+        <source>&amp;Handles</source>
+        <translation>&amp;Tiradores</translation>
+    </message>
+    <message>
+        <source>Show the handles, so that they can be dragged</source>
+        <translation>Mostrar los tiradores para poder arrastrarlos</translation>
+    </message>
+    <message>
+        <source>O&amp;ther organs</source>
+        <translation>&amp;Otros órganos</translation>
+    </message>
+    <message>
+        <source>Show the other organs as well</source>
+        <translation>Mostrar también los demás órganos</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::StressModel</name>
+    <message>
+        <source>Peak of %1</source>
+        <translation>Máximo de %1</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <translation>%1 %2</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::StressPage</name>
+    <message>
+        <source>TetGen</source>
+        <translation>TetGen</translation>
+    </message>
+    <message>
+        <source>TetGen, surface repaired</source>
+        <translation>TetGen, superficie reparada</translation>
+    </message>
+    <message>
+        <source>regular grid</source>
+        <translation>cuadrícula regular</translation>
+    </message>
+    <message>
+        <source>Map</source>
+        <translation>Mapa</translation>
+    </message>
+    <message>
+        <source>What the colours mean (M: next map). Rotational stress is the largest angle by which a direction is turned when the tissue is stretched; it is not a pressure.</source>
+        <translation>Qué significan los colores (M: mapa siguiente). El estrés rotacional es el mayor ángulo que gira una dirección al estirarse el tejido; no es una presión.</translation>
+    </message>
+    <message>
+        <source>Your pose</source>
+        <translation>Su pose</translation>
+    </message>
+    <message>
+        <source>The map of your pose; handles can be dragged</source>
+        <translation>El mapa de su pose; los tiradores se pueden arrastrar</translation>
+    </message>
+    <message>
+        <source>Sequence</source>
+        <translation>Secuencia</translation>
+    </message>
+    <message>
+        <source>The map of the sequence at the timeline&apos;s instant; Space plays</source>
+        <translation>El mapa de la secuencia en el instante de la línea de tiempo; Espacio reproduce</translation>
+    </message>
+    <message>
+        <source>Numbers</source>
+        <translation>Valores</translation>
+    </message>
+    <message>
+        <source>Smallest</source>
+        <translation>Mínimo</translation>
+    </message>
+    <message>
+        <source>Mean</source>
+        <translation>Media</translation>
+    </message>
+    <message>
+        <source>95th percentile</source>
+        <translation>percentil 95</translation>
+    </message>
+    <message>
+        <source>Largest</source>
+        <translation>Máximo</translation>
+    </message>
+    <message>
+        <source>Folded</source>
+        <translation>Plegado</translation>
+    </message>
+    <message>
+        <source>Witness points at which the tissue is turned inside out; in magenta on every map</source>
+        <translation>Puntos testigo en los que el tejido está vuelto del revés; en magenta en todos los mapas</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Exportar</translation>
+    </message>
+    <message>
+        <source>Look inside</source>
+        <translation>Mirar dentro</translation>
+    </message>
+    <message>
+        <source>Cut</source>
+        <translation>Sección</translation>
+    </message>
+    <message>
+        <source>Smooth: through the tetrahedra</source>
+        <translation>Liso: a través de los tetraedros</translation>
+    </message>
+    <message>
+        <source>Crinkle: whole tetrahedra</source>
+        <translation>Escalonado: tetraedros enteros</translation>
+    </message>
+    <message>
+        <source>Depth</source>
+        <translation>Profundidad</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>Distance of the cut from the organ&apos;s middle; the arrow in the view moves it, the rim tilts it</source>
+        <translation>Distancia de la sección al centro del órgano; la flecha de la vista la mueve, el borde la inclina</translation>
+    </message>
+    <message>
+        <source>Shown</source>
+        <translation>Mostrado</translation>
+    </message>
+    <message>
+        <source>Show what is above</source>
+        <translation>Mostrar lo que está por encima</translation>
+    </message>
+    <message>
+        <source>Show what is below</source>
+        <translation>Mostrar lo que está por debajo</translation>
+    </message>
+    <message>
+        <source>Limit</source>
+        <translation>Límite</translation>
+    </message>
+    <message>
+        <source>Glyphs</source>
+        <translation>Glifos</translation>
+    </message>
+    <message>
+        <source>No glyphs</source>
+        <translation>Sin glifos</translation>
+    </message>
+    <message>
+        <source>Ellipsoids of the stretch</source>
+        <translation>Elipsoides del estiramiento</translation>
+    </message>
+    <message>
+        <source>Crosses of the stretch</source>
+        <translation>Cruces del estiramiento</translation>
+    </message>
+    <message>
+        <source>The shapes that small balls of tissue take, at about 300 places</source>
+        <translation>Las formas que adoptan pequeñas bolas de tejido en unos 300 lugares</translation>
+    </message>
+    <message>
+        <source>Coronal</source>
+        <translation>Coronal</translation>
+    </message>
+    <message>
+        <source>Cut away the front</source>
+        <translation>Retirar la parte anterior</translation>
+    </message>
+    <message>
+        <source>Sagittal</source>
+        <translation>Sagital</translation>
+    </message>
+    <message>
+        <source>Cut away the right side</source>
+        <translation>Retirar el lado derecho</translation>
+    </message>
+    <message>
+        <source>Axial</source>
+        <translation>Axial</translation>
+    </message>
+    <message>
+        <source>Cut away the upper part</source>
+        <translation>Retirar la parte superior</translation>
+    </message>
+    <message>
+        <source>Facing me</source>
+        <translation>Hacia mí</translation>
+    </message>
+    <message>
+        <source>Cut through the middle, across the line of sight</source>
+        <translation>Seccionar por el centro, perpendicular a la línea de visión</translation>
+    </message>
+    <message>
+        <source>Number</source>
+        <translation>Número</translation>
+    </message>
+    <message>
+        <source>Number of witness points</source>
+        <translation>Número de puntos testigo</translation>
+    </message>
+    <message>
+        <source>More points show finer detail and take longer; up to 20,000 the map follows a drag</source>
+        <translation>Más puntos muestran más detalle y tardan más; hasta 20 000, el mapa sigue el arrastre</translation>
+    </message>
+    <message>
+        <source>Witness points</source>
+        <translation>Puntos testigo</translation>
+    </message>
+    <message>
+        <source>Source</source>
+        <translation>Origen</translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation>Puntos</translation>
+    </message>
+    <message>
+        <source>Derivatives</source>
+        <translation>Derivadas</translation>
+    </message>
+    <message>
+        <source>Try again</source>
+        <translation>Reintentar</translation>
+    </message>
+    <message>
+        <source>Open an organ to see where it is distorted.</source>
+        <translation>Abra un órgano para ver dónde se distorsiona.</translation>
+    </message>
+    <message>
+        <source>Filling the organ with witness points...</source>
+        <translation>Llenando el órgano de puntos testigo...</translation>
+    </message>
+    <message>
+        <source>Binding the witness points to the handles...</source>
+        <translation>Vinculando los puntos testigo a los tiradores...</translation>
+    </message>
+    <message>
+        <source>Cancelled. Press Try again to go on.</source>
+        <translation>Cancelado. Pulse Reintentar para continuar.</translation>
+    </message>
+    <message>
+        <source>%1 in %2 tetrahedra</source>
+        <translation>%1 en %2 tetraedros</translation>
+    </message>
+    <message>
+        <source>closed form</source>
+        <translation>forma cerrada</translation>
+    </message>
+    <message>
+        <source>differences</source>
+        <translation>diferencias</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {point lies|points lie} outside the handles&apos; hull and stay where they are.</source>
+        <translation>
+            <numerusform>%n punto está fuera de la envolvente de los tiradores y no se mueve.</numerusform>
+            <numerusform>%n puntos están fuera de la envolvente de los tiradores y no se mueven.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::SystemBox</name>
+    <message>
+        <source>Coordinates</source>
+        <translation>Coordenadas</translation>
+    </message>
+    <message>
+        <source>Coordinate system that binds the organs to the handles</source>
+        <translation>Sistema de coordenadas que vincula los órganos a los tiradores</translation>
+    </message>
+    <message>
+        <source>no cage</source>
+        <translation>sin jaula</translation>
+    </message>
+    <message>
+        <source>Handles may stand anywhere around the organ</source>
+        <translation>Los tiradores pueden estar en cualquier lugar en torno al órgano</translation>
+    </message>
+    <message>
+        <source>cage</source>
+        <translation>jaula</translation>
+    </message>
+    <message>
+        <source>Works with a closed surface over the handles: their convex hull, or a cage that was loaded</source>
+        <translation>Funciona con una superficie cerrada sobre los tiradores: su envolvente convexa o una jaula cargada</translation>
+    </message>
+    <message>
+        <source>positive</source>
+        <translation>positivas</translation>
+    </message>
+    <message>
+        <source>No handle ever pushes the organ the other way</source>
+        <translation>Ningún tirador empuja nunca el órgano en sentido contrario</translation>
+    </message>
+    <message>
+        <source>interpolating</source>
+        <translation>interpolantes</translation>
+    </message>
+    <message>
+        <source>A point at a handle follows it exactly</source>
+        <translation>Un punto situado en un tirador lo sigue exactamente</translation>
+    </message>
+    <message>
+        <source>exact gradient</source>
+        <translation>gradiente exacto</translation>
+    </message>
+    <message>
+        <source>Stress is computed without differences</source>
+        <translation>El estrés se calcula sin diferencias</translation>
+    </message>
+    <message>
+        <source>gaps</source>
+        <translation>huecos</translation>
+    </message>
+    <message>
+        <source>Some points inside the hull have no coordinates and do not move</source>
+        <translation>Algunos puntos dentro de la envolvente no tienen coordenadas y no se mueven</translation>
+    </message>
+    <message>
+        <source>jumps</source>
+        <translation>saltos</translation>
+    </message>
+    <message>
+        <source>Neighbouring points may move very differently</source>
+        <translation>Puntos vecinos pueden moverse de forma muy distinta</translation>
+    </message>
+    <message>
+        <source>kinks</source>
+        <translation>dobleces</translation>
+    </message>
+    <message>
+        <source>The deformed organ may show creases</source>
+        <translation>El órgano deformado puede mostrar dobleces</translation>
+    </message>
+    <message>
+        <source>groups</source>
+        <translation>grupos</translation>
+    </message>
+    <message>
+        <source>Handles act by their groups</source>
+        <translation>Los tiradores actúan por grupos</translation>
+    </message>
+    <message>
+        <source>tetrahedra</source>
+        <translation>tetraedros</translation>
+    </message>
+    <message>
+        <source>Fills the organ with tetrahedra first</source>
+        <translation>Llena antes el órgano de tetraedros</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <translation>%1 %2</translation>
+    </message>
+    <message>
+        <source>Set to %1 %2, but these handles allow %3 at most, which is used.</source>
+        <translation>Fijado en %1 %2, pero estos tiradores permiten %3 como máximo, que es lo que se usa.</translation>
+    </message>
+    <message>
+        <source>These handles allow up to %1.</source>
+        <translation>Estos tiradores permiten hasta %1.</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::SystemCombo</name>
+    <message>
+        <source>Recommended</source>
+        <translation>Recomendados</translation>
+    </message>
+    <message>
+        <source>With a cage</source>
+        <translation>Con jaula</translation>
+    </message>
+    <message>
+        <source>With tetrahedra</source>
+        <translation>Con tetraedros</translation>
+    </message>
+    <message>
+        <source>Attempts of the thesis</source>
+        <translation>Intentos de la tesis</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::TimelineBar</name>
+    <message>
+        <source>To the start of the cycle (Home)</source>
+        <translation>Al principio del ciclo (Inicio)</translation>
+    </message>
+    <message>
+        <source>One frame back (,)</source>
+        <translation>Un fotograma atrás (,)</translation>
+    </message>
+    <message>
+        <source>Play or pause (Space)</source>
+        <translation>Reproducir o pausar (Espacio)</translation>
+    </message>
+    <message>
+        <source>One frame forward (.)</source>
+        <translation>Un fotograma adelante (.)</translation>
+    </message>
+    <message>
+        <source>Repeat the cycle (L)</source>
+        <translation>Repetir el ciclo (L)</translation>
+    </message>
+    <message>
+        <source>&amp;Repeat</source>
+        <translation>&amp;Repetir</translation>
+    </message>
+    <message>
+        <source>Repeat the cycle</source>
+        <translation>Repetir el ciclo</translation>
+    </message>
+    <message>
+        <source>&amp;Play or pause</source>
+        <translation>Re&amp;producir o pausar</translation>
+    </message>
+    <message>
+        <source>To the &amp;start</source>
+        <translation>Al pr&amp;incipio</translation>
+    </message>
+    <message>
+        <source>One frame &amp;back</source>
+        <translation>Un &amp;fotograma atrás</translation>
+    </message>
+    <message>
+        <source>One frame &amp;forward</source>
+        <translation>Un fo&amp;tograma adelante</translation>
+    </message>
+    <message>
+        <source>A fine step bac&amp;k</source>
+        <translation>Un paso fino at&amp;rás</translation>
+    </message>
+    <message>
+        <source>Shift+,</source>
+        <translation>Shift+,</translation>
+    </message>
+    <message>
+        <source>Ten milliseconds of a heart back, else one frame</source>
+        <translation>Diez milisegundos de un corazón atrás; si no, un fotograma</translation>
+    </message>
+    <message>
+        <source>A fine step for&amp;ward</source>
+        <translation>Un paso fino a&amp;delante</translation>
+    </message>
+    <message>
+        <source>Shift+.</source>
+        <translation>Shift+.</translation>
+    </message>
+    <message>
+        <source>Ten milliseconds of a heart forward, else one frame</source>
+        <translation>Diez milisegundos de un corazón adelante; si no, un fotograma</translation>
+    </message>
+    <message>
+        <source>Rate</source>
+        <translation>Frecuencia</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Velocidad</translation>
+    </message>
+    <message>
+        <source>Slow motion: how fast time passes (S)</source>
+        <translation>Cámara lenta: lo rápido que pasa el tiempo (S)</translation>
+    </message>
+    <message>
+        <source>1x</source>
+        <translation>1x</translation>
+    </message>
+    <message>
+        <source>1/%1x</source>
+        <translation>1/%1x</translation>
+    </message>
+    <message>
+        <source>/ min</source>
+        <translation>/ min</translation>
+    </message>
+    <message>
+        <source>%1: %2 to %3 %4</source>
+        <translation>%1: %2 a %3 %4</translation>
+    </message>
+    <message>
+        <source>No motion yet: choose a sequence in Play (5)</source>
+        <translation>Aún no hay movimiento: elija una secuencia en Reproducir (5)</translation>
+    </message>
+    <message>
+        <source>%1 s into the cycle</source>
+        <translation>%1 s desde el inicio</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::TourCard</name>
+    <message>
+        <source>Back</source>
+        <translation>Atrás</translation>
+    </message>
+    <message>
+        <source>End the tour</source>
+        <translation>Terminar el recorrido</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 de %2</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>Siguiente</translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation>Listo</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::ViewActions</name>
+    <message>
+        <source>Save s&amp;creenshot</source>
+        <translation>Guardar &amp;captura de pantalla</translation>
+    </message>
+    <message>
+        <source>Save a picture of the 3D view</source>
+        <translation>Guardar una imagen de la vista 3D</translation>
+    </message>
+    <message>
+        <source>&amp;Focus</source>
+        <translation>&amp;Encuadrar</translation>
+    </message>
+    <message>
+        <source>Bring the selected organ, or all, into the picture</source>
+        <translation>Encuadrar el órgano seleccionado, o todos</translation>
+    </message>
+    <message>
+        <source>&amp;Anterior</source>
+        <translation>&amp;Anterior</translation>
+    </message>
+    <message>
+        <source>Alt+1</source>
+        <translation>Alt+1</translation>
+    </message>
+    <message>
+        <source>&amp;Posterior</source>
+        <translation>&amp;Posterior</translation>
+    </message>
+    <message>
+        <source>Alt+2</source>
+        <translation>Alt+2</translation>
+    </message>
+    <message>
+        <source>&amp;Left</source>
+        <translation>&amp;Izquierda</translation>
+    </message>
+    <message>
+        <source>Alt+3</source>
+        <translation>Alt+3</translation>
+    </message>
+    <message>
+        <source>&amp;Right</source>
+        <translation>&amp;Derecha</translation>
+    </message>
+    <message>
+        <source>Alt+4</source>
+        <translation>Alt+4</translation>
+    </message>
+    <message>
+        <source>&amp;Superior</source>
+        <translation>&amp;Superior</translation>
+    </message>
+    <message>
+        <source>Alt+5</source>
+        <translation>Alt+5</translation>
+    </message>
+    <message>
+        <source>&amp;Inferior</source>
+        <translation>In&amp;ferior</translation>
+    </message>
+    <message>
+        <source>Alt+6</source>
+        <translation>Alt+6</translation>
+    </message>
+    <message>
+        <source>Show &amp;handles in every mode</source>
+        <translation>Mostrar &amp;tiradores en todos los modos</translation>
+    </message>
+    <message>
+        <source>&amp;Ghost of the reference shape</source>
+        <translation>Si&amp;lueta de la forma de referencia</translation>
+    </message>
+    <message>
+        <source>Cut &amp;open</source>
+        <translation>Secci&amp;onar</translation>
+    </message>
+    <message>
+        <source>Shift+C</source>
+        <translation>Shift+C</translation>
+    </message>
+    <message>
+        <source>Cut all organs open by a plane; their cavities are hollow then</source>
+        <translation>Seccionar todos los órganos por un plano; sus cavidades quedan entonces huecas</translation>
+    </message>
+    <message>
+        <source>Orientation &amp;cube</source>
+        <translation>C&amp;ubo de orientación</translation>
+    </message>
+    <message>
+        <source>Scale &amp;bar</source>
+        <translation>&amp;Barra de escala</translation>
+    </message>
+    <message>
+        <source>Sha&amp;de in folds</source>
+        <translation>Som&amp;brear los pliegues</translation>
+    </message>
+    <message>
+        <source>Shift+D</source>
+        <translation>Shift+D</translation>
+    </message>
+    <message>
+        <source>Darken the folds of organs and soften the light; takes time on a computer without a graphics processor</source>
+        <translation>Oscurecer los pliegues de los órganos y suavizar la luz; lento en un ordenador sin procesador gráfico</translation>
+    </message>
+    <message>
+        <source>Picture saved as %1</source>
+        <translation>Imagen guardada como %1</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::VolumeBox</name>
+    <message>
+        <source>Apply</source>
+        <translation>Aplicar</translation>
+    </message>
+    <message>
+        <source>Target</source>
+        <translation>Objetivo</translation>
+    </message>
+    <message>
+        <source> ml</source>
+        <translation> ml</translation>
+    </message>
+    <message>
+        <source>Target volume</source>
+        <translation>Volumen objetivo</translation>
+    </message>
+    <message>
+        <source>Give the organ this volume with the smallest motion of the compensating handles, or of all free ones</source>
+        <translation>Dar al órgano este volumen con el menor movimiento de los tiradores que compensan, o de todos los libres</translation>
+    </message>
+    <message>
+        <source>%1 has the volume that was asked for; from here on its lock keeps that one.</source>
+        <translation>%1 tiene el volumen pedido; desde ahora su bloqueo conserva ese.</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::VolumeMonitor</name>
+    <message>
+        <source>Volumes over the cycle</source>
+        <translation>Volúmenes en el ciclo</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::VolumePanel</name>
+    <message>
+        <source>normal at the end of diastole</source>
+        <translation>normal al final de la diástole</translation>
+    </message>
+    <message>
+        <source>normal at the end of systole</source>
+        <translation>normal al final de la sístole</translation>
+    </message>
+    <message>
+        <source>normal %1</source>
+        <translation>normal %1</translation>
+    </message>
+    <message>
+        <source>Volumes over time are drawn here while a sequence plays (Space) or handles are dragged (3).</source>
+        <translation>Los volúmenes en el tiempo se dibujan aquí mientras se reproduce una secuencia (Espacio) o se arrastran tiradores (3).</translation>
+    </message>
+    <message>
+        <source>A: %1</source>
+        <translation>A: %1</translation>
+    </message>
+    <message>
+        <source>B: %1</source>
+        <translation>B: %1</translation>
+    </message>
+    <message>
+        <source>%1 (right axis)</source>
+        <translation>%1 (eje derecho)</translation>
+    </message>
+    <message>
+        <source>%1 measured</source>
+        <translation>%1 medido</translation>
+    </message>
+    <message>
+        <source>%1 before</source>
+        <translation>%1 antes</translation>
+    </message>
+    <message>
+        <source>%1 prescribed</source>
+        <translation>%1 prescrito</translation>
+    </message>
+    <message>
+        <source>Closed organs show their volume here.</source>
+        <translation>Los órganos cerrados muestran aquí su volumen.</translation>
+    </message>
+    <message>
+        <source>%1: show what is normal for it in the chart</source>
+        <translation>%1: mostrar en la gráfica sus valores normales</translation>
+    </message>
+    <message>
+        <source>%1 %2 ml</source>
+        <translation>%1 %2 ml</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Shaded: normal for %1, %2. %3</source>
+        <translation>Sombreado: normal para %1, %2. %3</translation>
+    </message>
+    <message>
+        <source>, </source>
+        <translation>, </translation>
+    </message>
+    <message>
+        <source>EF %1 %  SV %2 ml</source>
+        <translation>FE %1 %  VS %2 ml</translation>
+    </message>
+    <message>
+        <source>%1 % of reference</source>
+        <translation>%1 % de la referencia</translation>
+    </message>
+    <message>
+        <source>Part of the cycle</source>
+        <translation>Parte del ciclo</translation>
+    </message>
+    <message>
+        <source>Volume</source>
+        <translation>Volumen</translation>
+    </message>
+    <message>
+        <source>Time in the cycle</source>
+        <translation>Tiempo en el ciclo</translation>
+    </message>
+    <message>
+        <source>Time dragged</source>
+        <translation>Tiempo de arrastre</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Tiempo</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::WelcomeCard</name>
+    <message>
+        <source>Welcome</source>
+        <translation>Bienvenida</translation>
+    </message>
+    <message>
+        <source>Open a patient...</source>
+        <translation>Abrir un paciente...</translation>
+    </message>
+    <message>
+        <source>Choose organ surfaces of a patient (Ctrl+O)</source>
+        <translation>Elegir superficies de órganos de un paciente (Ctrl+O)</translation>
+    </message>
+    <message>
+        <source>Sample organs</source>
+        <translation>Órganos de muestra</translation>
+    </message>
+    <message>
+        <source>Organs that come with the program</source>
+        <translation>Órganos que se incluyen con el programa</translation>
+    </message>
+    <message>
+        <source>Two-minute tour</source>
+        <translation>Recorrido de dos minutos</translation>
+    </message>
+    <message>
+        <source>The parts of the window, step by step</source>
+        <translation>Las partes de la ventana, paso a paso</translation>
+    </message>
+    <message>
+        <source>Close this card (Help &gt; Welcome shows it again)</source>
+        <translation>Cerrar esta tarjeta (Ayuda &gt; Bienvenida la muestra de nuevo)</translation>
+    </message>
+    <message>
+        <source>Close this card</source>
+        <translation>Cerrar esta tarjeta</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::WindowLayout</name>
+    <message>
+        <source>&amp;Standard layout</source>
+        <translation>&amp;Disposición estándar</translation>
+    </message>
+    <message>
+        <source>Restore the first arrangement of all panels</source>
+        <translation>Restaurar la disposición inicial de todos los paneles</translation>
+    </message>
+    <message>
+        <source>&amp;Full screen</source>
+        <translation>&amp;Pantalla completa</translation>
+    </message>
+    <message>
+        <source>The window takes the whole screen</source>
+        <translation>La ventana ocupa toda la pantalla</translation>
+    </message>
+    <message>
+        <source>Modes</source>
+        <translation>Modos</translation>
+    </message>
+    <message>
+        <source>Organs</source>
+        <translation>Órganos</translation>
+    </message>
+    <message>
+        <source>Handles</source>
+        <translation>Tiradores</translation>
+    </message>
+    <message>
+        <source>Properties</source>
+        <translation>Propiedades</translation>
+    </message>
+    <message>
+        <source>Timeline</source>
+        <translation>Línea de tiempo</translation>
+    </message>
+    <message>
+        <source>Volumes</source>
+        <translation>Volúmenes</translation>
+    </message>
+    <message>
+        <source>Slides</source>
+        <translation>Diapositivas</translation>
+    </message>
+    <message>
+        <source>Import</source>
+        <translation>Importar</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::Workspace</name>
+    <message>
+        <source>. %1.</source>
+        <translation>. %1.</translation>
+    </message>
+    <message>
+        <source>Open folder</source>
+        <translation>Abrir carpeta</translation>
+    </message>
+</context>
 </TS>

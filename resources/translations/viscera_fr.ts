@@ -469,4 +469,5407 @@ N : noms, H : poignées, X : paroi, R : rétablir, T : clair ou sombre, Origine 
         <translation>Pause</translation>
     </message>
 </context>
+<context>
+    <name>QObject</name>
+    <message>
+        <source>%1 ml</source>
+        <translation>%1 ml</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+</context>
+<context>
+    <name>Tissue</name>
+    <message>
+        <source>Muscle</source>
+        <translation>Muscle</translation>
+    </message>
+    <message>
+        <source>Liver</source>
+        <translation>Foie</translation>
+    </message>
+    <message>
+        <source>Kidney</source>
+        <translation>Rein</translation>
+    </message>
+    <message>
+        <source>Spleen</source>
+        <translation>Rate</translation>
+    </message>
+    <message>
+        <source>Stomach</source>
+        <translation>Estomac</translation>
+    </message>
+    <message>
+        <source>Bowel</source>
+        <translation>Intestin</translation>
+    </message>
+    <message>
+        <source>Arterial blood</source>
+        <translation>Sang artériel</translation>
+    </message>
+    <message>
+        <source>Venous blood</source>
+        <translation>Sang veineux</translation>
+    </message>
+    <message>
+        <source>Lung</source>
+        <translation>Poumon</translation>
+    </message>
+    <message>
+        <source>Bone</source>
+        <translation>Os</translation>
+    </message>
+    <message>
+        <source>Fat</source>
+        <translation>Graisse</translation>
+    </message>
+    <message>
+        <source>Gall</source>
+        <translation>Bile</translation>
+    </message>
+    <message>
+        <source>Another colour...</source>
+        <translation>Autre couleur...</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::BeatStrip</name>
+    <message>
+        <source>Electrocardiogram, heart sounds and valves</source>
+        <translation>Électrocardiogramme, bruits du cœur et valves</translation>
+    </message>
+    <message>
+        <source>Schematic electrocardiogram, heart sounds S1 and S2 when the valves close, and a bar for each valve while it is open. The lamp is lit while the valve is open.</source>
+        <translation>Électrocardiogramme schématique, bruits du cœur B1 et B2 à la fermeture des valves, et une barre pour chaque valve tant qu’elle est ouverte. Le voyant est allumé tant que la valve est ouverte.</translation>
+    </message>
+    <message>
+        <source>S1</source>
+        <translation>B1</translation>
+    </message>
+    <message>
+        <source>S2</source>
+        <translation>B2</translation>
+    </message>
+    <message>
+        <source>Mitral valve</source>
+        <translation>Valve mitrale</translation>
+    </message>
+    <message>
+        <source>Aortic valve</source>
+        <translation>Valve aortique</translation>
+    </message>
+    <message>
+        <source>Tricuspid valve</source>
+        <translation>Valve tricuspide</translation>
+    </message>
+    <message>
+        <source>Pulmonary valve</source>
+        <translation>Valve pulmonaire</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::BentExport</name>
+    <message>
+        <source>Export the &amp;bent scan...</source>
+        <translation>Exporter l’examen &amp;courbé...</translation>
+    </message>
+    <message>
+        <source>Write the scan as the pose bends it, with a label map of the posed organs</source>
+        <translation>Écrire l’examen tel que la pose le courbe, avec une carte d’étiquettes des organes dans cette pose</translation>
+    </message>
+    <message>
+        <source>Export the bent scan</source>
+        <translation>Exporter l’examen courbé</translation>
+    </message>
+    <message>
+        <source>/bent.nii.gz</source>
+        <translation>/bent.nii.gz</translation>
+    </message>
+    <message>
+        <source>NIfTI (*.nii.gz *.nii);;NRRD (*.nrrd)</source>
+        <translation>NIfTI (*.nii.gz *.nii);;NRRD (*.nrrd)</translation>
+    </message>
+    <message>
+        <source>Exporting the bent scan</source>
+        <translation>Exportation de l’examen courbé</translation>
+    </message>
+    <message>
+        <source>The bent scan was written to %1.</source>
+        <translation>L’examen courbé a été écrit dans %1.</translation>
+    </message>
+    <message>
+        <source>Its labels are beside it: %1.</source>
+        <translation>Ses étiquettes sont à côté : %1.</translation>
+    </message>
+    <message numerus="yes">
+        <source>The pose folds the tissue at %n {voxel|voxels}: their values are estimates.</source>
+        <translation>
+            <numerusform>La pose replie le tissu dans %n voxel : sa valeur est une estimation.</numerusform>
+            <numerusform>La pose replie le tissu dans %n voxels : leurs valeurs sont des estimations.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::BindingMessages</name>
+    <message>
+        <source>%1 is not bound to these handles: binding was cancelled.</source>
+        <translation>%1 n’est pas lié à ces poignées : la liaison a été annulée.</translation>
+    </message>
+    <message>
+        <source>Bind now</source>
+        <translation>Lier maintenant</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {vertex of %1 has|vertices of %1 have} no coordinates in the cage.</source>
+        <translation>
+            <numerusform>%n sommet de %1 n’a pas de coordonnées dans la cage.</numerusform>
+            <numerusform>%n sommets de %1 n’ont pas de coordonnées dans la cage.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Use the hull as the cage</source>
+        <translation>Utiliser l’enveloppe comme cage</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Annuler</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {vertex of %1 lies|vertices of %1 lie} in no group&apos;s region.</source>
+        <translation>
+            <numerusform>%n sommet de %1 n’est dans la région d’aucun groupe.</numerusform>
+            <numerusform>%n sommets de %1 ne sont dans la région d’aucun groupe.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Add enclosing group</source>
+        <translation>Ajouter un groupe englobant</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {vertex of %1 lies|vertices of %1 lie} outside the handles&apos; hull.</source>
+        <translation>
+            <numerusform>%n sommet de %1 est hors de l’enveloppe des poignées.</numerusform>
+            <numerusform>%n sommets de %1 sont hors de l’enveloppe des poignées.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Add enclosing handles</source>
+        <translation>Ajouter des poignées englobantes</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::CirculationBox</name>
+    <message>
+        <source>Preload: stressed blood</source>
+        <translation>Précharge : sang sous tension</translation>
+    </message>
+    <message>
+        <source>Afterload: body</source>
+        <translation>Postcharge : corps</translation>
+    </message>
+    <message>
+        <source>Afterload: lungs</source>
+        <translation>Postcharge : poumons</translation>
+    </message>
+    <message>
+        <source>Contractility, left</source>
+        <translation>Contractilité gauche</translation>
+    </message>
+    <message>
+        <source>Contractility, right</source>
+        <translation>Contractilité droite</translation>
+    </message>
+    <message>
+        <source>Stiffness, left</source>
+        <translation>Rigidité gauche</translation>
+    </message>
+    <message>
+        <source>%1, %2 at rest</source>
+        <translation>%1, %2 au repos</translation>
+    </message>
+    <message>
+        <source>%1. Marked: normal, %2 %3 (%4)</source>
+        <translation>%1. Repère : normale, %2 %3 (%4)</translation>
+    </message>
+    <message>
+        <source>Only the sample heart can be moved by the circulation model; the charts show its results for any organ.</source>
+        <translation>Seul le cœur type peut être mû par le modèle de circulation ; les graphiques montrent ses résultats pour tout organe.</translation>
+    </message>
+    <message>
+        <source>Textbook beat</source>
+        <translation>Battement type</translation>
+    </message>
+    <message>
+        <source>Volumes of healthy adults over one beat at this rate</source>
+        <translation>Volumes d’adultes sains sur un battement à cette fréquence</translation>
+    </message>
+    <message>
+        <source>Circulation</source>
+        <translation>Circulation</translation>
+    </message>
+    <message>
+        <source>A model of heart and vessels: pressures, pressure-volume loops, valves and sounds</source>
+        <translation>Un modèle du cœur et des vaisseaux : pressions, boucles pression-volume, valves et bruits</translation>
+    </message>
+    <message>
+        <source>Rate, preload, afterload</source>
+        <translation>Fréquence, précharge, postcharge</translation>
+    </message>
+    <message>
+        <source>Muscle</source>
+        <translation>Muscle</translation>
+    </message>
+    <message>
+        <source>Valves and pericardium</source>
+        <translation>Valves et péricarde</translation>
+    </message>
+    <message>
+        <source>Before: %1</source>
+        <translation>Avant : %1</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::CirculationModel</name>
+    <message>
+        <source>Circulation</source>
+        <translation>Circulation</translation>
+    </message>
+    <message>
+        <source>Heart of the circulation</source>
+        <translation>Cœur de la circulation</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::ComparedSystem</name>
+    <message>
+        <source>Coordinates of the second view</source>
+        <translation>Coordonnées de la seconde vue</translation>
+    </message>
+    <message>
+        <source>Coordinate system that binds the same organs to the same handles in this view</source>
+        <translation>Système de coordonnées qui lie les mêmes organes aux mêmes poignées dans cette vue</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::Comparison</name>
+    <message>
+        <source>A</source>
+        <translation>A</translation>
+    </message>
+    <message>
+        <source>B</source>
+        <translation>B</translation>
+    </message>
+    <message>
+        <source>Rate of the second view</source>
+        <translation>Fréquence de la seconde vue</translation>
+    </message>
+    <message>
+        <source> / min</source>
+        <translation> / min</translation>
+    </message>
+    <message>
+        <source>What this view shows</source>
+        <translation>Ce que montre cette vue</translation>
+    </message>
+    <message>
+        <source>The same organ at another rate</source>
+        <translation>Le même organe à une autre fréquence</translation>
+    </message>
+    <message>
+        <source>The same organ with other coordinates</source>
+        <translation>Le même organe avec d’autres coordonnées</translation>
+    </message>
+    <message>
+        <source>Sample %1</source>
+        <translation>%1 type</translation>
+    </message>
+    <message>
+        <source>Open files...</source>
+        <translation>Ouvrir des fichiers...</translation>
+    </message>
+    <message>
+        <source>Back to one view</source>
+        <translation>Revenir à une vue</translation>
+    </message>
+    <message>
+        <source>Colour each vertex by its distance to the same vertex in view A</source>
+        <translation>Colorer chaque sommet selon sa distance au même sommet de la vue A</translation>
+    </message>
+    <message>
+        <source>Open beside the first organ</source>
+        <translation>Ouvrir à côté du premier organe</translation>
+    </message>
+    <message>
+        <source>Organs (*.stl *.obj *.ply *.off *.vtk *.vtp *.glb *.gltf)</source>
+        <translation>Organes (*.stl *.obj *.ply *.off *.vtk *.vtp *.glb *.gltf)</translation>
+    </message>
+    <message>
+        <source>No organ yet</source>
+        <translation>Pas encore d’organe</translation>
+    </message>
+    <message>
+        <source>  %1 / min</source>
+        <translation>  %1 / min</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::CurveBox</name>
+    <message>
+        <source>Curve...</source>
+        <translation>Courbe...</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Supprimer</translation>
+    </message>
+    <message>
+        <source>Organ whose volume is prescribed</source>
+        <translation>Organe dont le volume est imposé</translation>
+    </message>
+    <message>
+        <source>A .csv file with two columns: the fraction of the cycle (or time_s) and the volume in ml. At each instant the handles move as little as possible to reach that volume</source>
+        <translation>Un fichier .csv à deux colonnes : la fraction du cycle (ou time_s) et le volume en ml. À chaque instant, les poignées bougent le moins possible pour atteindre ce volume</translation>
+    </message>
+    <message>
+        <source>Let the sequence alone determine the volume again</source>
+        <translation>Laisser à nouveau la séquence seule déterminer le volume</translation>
+    </message>
+    <message>
+        <source>Prescribe a volume</source>
+        <translation>Imposer un volume</translation>
+    </message>
+    <message>
+        <source>Volume curves (*.csv *.txt *.tsv)</source>
+        <translation>Courbes de volume (*.csv *.txt *.tsv)</translation>
+    </message>
+    <message>
+        <source>%1 follows %2; dashed in the chart.</source>
+        <translation>%1 suit %2 ; en tirets dans le graphique.</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::CutBox</name>
+    <message>
+        <source>Depth</source>
+        <translation>Profondeur</translation>
+    </message>
+    <message>
+        <source>Distance of the cut from the middle of the organs, as a part of the way to their edge</source>
+        <translation>Distance de la section au milieu des organes, en fraction du chemin jusqu’à leur bord</translation>
+    </message>
+    <message>
+        <source>Coronal</source>
+        <translation>Coronale</translation>
+    </message>
+    <message>
+        <source>Cut away the front</source>
+        <translation>Retirer la partie avant</translation>
+    </message>
+    <message>
+        <source>Sagittal</source>
+        <translation>Sagittale</translation>
+    </message>
+    <message>
+        <source>Cut away the left side</source>
+        <translation>Retirer le côté gauche</translation>
+    </message>
+    <message>
+        <source>Axial</source>
+        <translation>Axiale</translation>
+    </message>
+    <message>
+        <source>Cut away the upper part</source>
+        <translation>Retirer la partie supérieure</translation>
+    </message>
+    <message>
+        <source>Facing me</source>
+        <translation>Face à moi</translation>
+    </message>
+    <message>
+        <source>Cut away what is nearest to the viewer</source>
+        <translation>Retirer ce qui est le plus proche de l’observateur</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::DeformMode</name>
+    <message>
+        <source>Deform</source>
+        <translation>Déformer</translation>
+    </message>
+    <message>
+        <source>Drag a handle and the organ follows; K locks the volume, T turns and scales, M mirrors</source>
+        <translation>Faites glisser une poignée et l’organe suit ; K verrouille le volume, T tourne et met à l’échelle, M met en miroir</translation>
+    </message>
+    <message>
+        <source>&amp;Turn and scale</source>
+        <translation>&amp;Tourner et mettre à l’échelle</translation>
+    </message>
+    <message>
+        <source>In Deform mode, rings turn and cubes scale the selected handles (at least two)</source>
+        <translation>En mode Déformer, des anneaux tournent et des cubes mettent à l’échelle les poignées sélectionnées (au moins deux)</translation>
+    </message>
+    <message>
+        <source>Reset &amp;pose</source>
+        <translation>Rétablir la &amp;pose</translation>
+    </message>
+    <message>
+        <source>Ctrl+R</source>
+        <translation>Ctrl+R</translation>
+    </message>
+    <message>
+        <source>Move every handle back to its rest position</source>
+        <translation>Ramener chaque poignée à sa position de repos</translation>
+    </message>
+    <message>
+        <source>Reset selected handles</source>
+        <translation>Rétablir les poignées sélectionnées</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+R</source>
+        <translation>Ctrl+Shift+R</translation>
+    </message>
+    <message>
+        <source>Move the selected handles back to their rest positions</source>
+        <translation>Ramener les poignées sélectionnées à leur position de repos</translation>
+    </message>
+    <message>
+        <source>&amp;Lock volume</source>
+        <translation>&amp;Verrouiller le volume</translation>
+    </message>
+    <message>
+        <source>Keep the organ&apos;s volume constant in Deform mode; for an organ with cavities, the volume within its outer surface</source>
+        <translation>Garder constant le volume de l’organe en mode Déformer ; pour un organe à cavités, le volume dans sa surface externe</translation>
+    </message>
+    <message>
+        <source>Restore &amp;rest volume</source>
+        <translation>Rendre le volume de &amp;repos</translation>
+    </message>
+    <message>
+        <source>Restore the organ&apos;s volume at rest with the smallest motion of the handles</source>
+        <translation>Rendre à l’organe son volume de repos par le plus petit mouvement des poignées</translation>
+    </message>
+    <message>
+        <source>Selected handles &amp;compensate</source>
+        <translation>Les poignées sélectionnées &amp;compensent</translation>
+    </message>
+    <message>
+        <source>Only the selected handles compensate when others would change a locked volume</source>
+        <translation>Seules les poignées sélectionnées compensent quand d’autres changeraient un volume verrouillé</translation>
+    </message>
+    <message>
+        <source>&amp;Off</source>
+        <translation>&amp;Aucun</translation>
+    </message>
+    <message>
+        <source>&amp;Sagittal plane</source>
+        <translation>Plan &amp;sagittal</translation>
+    </message>
+    <message>
+        <source>&amp;Coronal plane</source>
+        <translation>Plan &amp;coronal</translation>
+    </message>
+    <message>
+        <source>&amp;Axial plane</source>
+        <translation>Plan &amp;axial</translation>
+    </message>
+    <message>
+        <source>In Deform mode, mirrored handles move along with a drag</source>
+        <translation>En mode Déformer, les poignées symétriques accompagnent un glissement</translation>
+    </message>
+    <message>
+        <source>&amp;Next mirror plane</source>
+        <translation>Plan de miroir &amp;suivant</translation>
+    </message>
+    <message>
+        <source>Switch between off, sagittal, coronal and axial</source>
+        <translation>Passer entre aucun, sagittal, coronal et axial</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::DeformPage</name>
+    <message numerus="yes">
+        <source>%n {handle|handles}</source>
+        <translation>
+            <numerusform>%n poignée</numerusform>
+            <numerusform>%n poignées</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Volume</source>
+        <translation>Volume</translation>
+    </message>
+    <message>
+        <source>Organ</source>
+        <translation>Organe</translation>
+    </message>
+    <message>
+        <source>Now</source>
+        <translation>Actuel</translation>
+    </message>
+    <message>
+        <source>Reference shape</source>
+        <translation>Forme de référence</translation>
+    </message>
+    <message>
+        <source>Change</source>
+        <translation>Écart</translation>
+    </message>
+    <message>
+        <source>Largest shift</source>
+        <translation>Plus grand déplacement</translation>
+    </message>
+    <message>
+        <source>The largest distance by which a vertex of the organ has moved from rest</source>
+        <translation>La plus grande distance dont un sommet de l’organe s’est éloigné du repos</translation>
+    </message>
+    <message>
+        <source>Selected handles</source>
+        <translation>Poignées sélectionnées</translation>
+    </message>
+    <message>
+        <source>Compensating</source>
+        <translation>Compensent</translation>
+    </message>
+    <message>
+        <source>These handles compensate when others would change a locked volume. If none is marked, a dragged handle stays in a plane, and all free handles compensate for other motions.</source>
+        <translation>Ces poignées compensent quand d’autres changeraient un volume verrouillé. Si aucune n’est marquée, une poignée que l’on fait glisser reste dans un plan, et toutes les poignées libres compensent les autres mouvements.</translation>
+    </message>
+    <message>
+        <source>Symmetric drags</source>
+        <translation>Glissements symétriques</translation>
+    </message>
+    <message>
+        <source>Pose</source>
+        <translation>Pose</translation>
+    </message>
+    <message>
+        <source>Handles moved</source>
+        <translation>Poignées déplacées</translation>
+    </message>
+    <message>
+        <source>Mirror plane</source>
+        <translation>Plan de miroir</translation>
+    </message>
+    <message>
+        <source>Off</source>
+        <translation>Aucun</translation>
+    </message>
+    <message>
+        <source>Sagittal plane (left and right)</source>
+        <translation>Plan sagittal (gauche et droite)</translation>
+    </message>
+    <message>
+        <source>Coronal plane (front and back)</source>
+        <translation>Plan coronal (avant et arrière)</translation>
+    </message>
+    <message>
+        <source>Axial plane (head and feet)</source>
+        <translation>Plan axial (tête et pieds)</translation>
+    </message>
+    <message>
+        <source>A drag moves the mirrored handles too; the mirror plane passes through the middle of the organ at rest (M: next plane)</source>
+        <translation>Un glissement déplace aussi les poignées symétriques ; le plan de miroir passe par le milieu de l’organe au repos (M : plan suivant)</translation>
+    </message>
+    <message>
+        <source>Moves along</source>
+        <translation>Accompagne</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 sur %2</translation>
+    </message>
+    <message>
+        <source>all that are free</source>
+        <translation>toutes celles qui sont libres</translation>
+    </message>
+    <message>
+        <source>no handle is near the mirror image</source>
+        <translation>aucune poignée près de l’image miroir</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::DifferenceMap</name>
+    <message>
+        <source>Distance to A</source>
+        <translation>Distance à A</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::DisplacementBox</name>
+    <message>
+        <source>Apply</source>
+        <translation>Appliquer</translation>
+    </message>
+    <message>
+        <source>Right to left</source>
+        <translation>De droite à gauche</translation>
+    </message>
+    <message>
+        <source>Front to back</source>
+        <translation>D’avant en arrière</translation>
+    </message>
+    <message>
+        <source>Foot to head</source>
+        <translation>Des pieds à la tête</translation>
+    </message>
+    <message>
+        <source>Towards the patient&apos;s left; negative: right (R/L)</source>
+        <translation>Vers la gauche du patient ; négatif : droite (R/L)</translation>
+    </message>
+    <message>
+        <source>Towards the patient&apos;s back; negative: front (A/P)</source>
+        <translation>Vers le dos du patient ; négatif : avant (A/P)</translation>
+    </message>
+    <message>
+        <source>Towards the patient&apos;s head; negative: feet (S/I)</source>
+        <translation>Vers la tête du patient ; négatif : pieds (S/I)</translation>
+    </message>
+    <message>
+        <source>Move the selected handles once by this distance; locked volumes are kept</source>
+        <translation>Déplacer une fois les poignées sélectionnées de cette distance ; les volumes verrouillés sont gardés</translation>
+    </message>
+    <message>
+        <source>Moved by %1 of %2 mm: the locked volume allows no more in this direction.</source>
+        <translation>Déplacé de %1 sur %2 mm : le volume verrouillé ne permet pas plus dans cette direction.</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::ExploreMode</name>
+    <message>
+        <source>Explore</source>
+        <translation>Explorer</translation>
+    </message>
+    <message>
+        <source>Left drag rotates, Shift+left pans, right drag or wheel zooms, click selects an organ, D and A measure</source>
+        <translation>Glisser à gauche tourne, Maj+gauche déplace, glisser à droite ou molette zoome, un clic sélectionne un organe, D et A mesurent</translation>
+    </message>
+    <message>
+        <source>Click two points on an organ or on a slice; Esc ends</source>
+        <translation>Cliquez deux points sur un organe ou une coupe ; Échap termine</translation>
+    </message>
+    <message>
+        <source>Measure &amp;distance</source>
+        <translation>Mesurer une &amp;distance</translation>
+    </message>
+    <message>
+        <source>Distance</source>
+        <translation>Distance</translation>
+    </message>
+    <message>
+        <source>Measure &amp;angle</source>
+        <translation>Mesurer un &amp;angle</translation>
+    </message>
+    <message>
+        <source>Click three points on an organ or on a slice, the corner second; Esc ends</source>
+        <translation>Cliquez trois points sur un organe ou une coupe, le sommet de l’angle en deuxième ; Échap termine</translation>
+    </message>
+    <message>
+        <source>Angle</source>
+        <translation>Angle</translation>
+    </message>
+    <message>
+        <source>Measure the values in a &amp;rectangle</source>
+        <translation>Mesurer les valeurs d’un &amp;rectangle</translation>
+    </message>
+    <message>
+        <source>Shift+A</source>
+        <translation>Shift+A</translation>
+    </message>
+    <message>
+        <source>Drag on a slice from corner to corner: mean and deviation of the scan&apos;s values; Esc ends</source>
+        <translation>Faites glisser sur une coupe de coin à coin : moyenne et écart type des valeurs de l’examen ; Échap termine</translation>
+    </message>
+    <message>
+        <source>Rectangle</source>
+        <translation>Rectangle</translation>
+    </message>
+    <message>
+        <source>Measure the values in a &amp;sphere</source>
+        <translation>Mesurer les valeurs d’une &amp;sphère</translation>
+    </message>
+    <message>
+        <source>Shift+B</source>
+        <translation>Shift+B</translation>
+    </message>
+    <message>
+        <source>Drag on a slice from the middle to the border: mean and deviation of the scan&apos;s values; Esc ends</source>
+        <translation>Faites glisser sur une coupe du centre au bord : moyenne et écart type des valeurs de l’examen ; Échap termine</translation>
+    </message>
+    <message>
+        <source>Sphere</source>
+        <translation>Sphère</translation>
+    </message>
+    <message>
+        <source>Remove all &amp;measurements</source>
+        <translation>Supprimer toutes les &amp;mesures</translation>
+    </message>
+    <message>
+        <source>&amp;Measurements</source>
+        <translation>&amp;Mesures</translation>
+    </message>
+    <message>
+        <source>Show what is measured</source>
+        <translation>Afficher ce qui est mesuré</translation>
+    </message>
+    <message>
+        <source>Names of &amp;parts</source>
+        <translation>Noms des &amp;parties</translation>
+    </message>
+    <message>
+        <source>Name the parts of the organs, such as the apex of the heart</source>
+        <translation>Nommer les parties des organes, comme l’apex du cœur</translation>
+    </message>
+    <message>
+        <source>&amp;Quiz on the parts</source>
+        <translation>&amp;Quiz sur les parties</translation>
+    </message>
+    <message>
+        <source>Hide the names and ask for one part after the other; answer with a click on the organ</source>
+        <translation>Masquer les noms et demander une partie après l’autre ; répondez par un clic sur l’organe</translation>
+    </message>
+    <message>
+        <source>%1. Drags turn the view, Esc ends the quiz</source>
+        <translation>%1. Glisser tourne la vue, Échap termine le quiz</translation>
+    </message>
+    <message>
+        <source>Click two points on an organ or on a slice; drags turn the view, Esc ends</source>
+        <translation>Cliquez deux points sur un organe ou une coupe ; glisser tourne la vue, Échap termine</translation>
+    </message>
+    <message>
+        <source>Click three points on an organ or on a slice, the corner second; drags turn the view, Esc ends</source>
+        <translation>Cliquez trois points sur un organe ou une coupe, le sommet de l’angle en deuxième ; glisser tourne la vue, Échap termine</translation>
+    </message>
+    <message>
+        <source>Drag on a slice from corner to corner; Esc ends</source>
+        <translation>Faites glisser sur une coupe de coin à coin ; Échap termine</translation>
+    </message>
+    <message>
+        <source>Drag on a slice from the middle of a sphere to its border; Esc ends</source>
+        <translation>Faites glisser sur une coupe du centre d’une sphère à son bord ; Échap termine</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::ExplorePage</name>
+    <message>
+        <source>View from</source>
+        <translation>Vu de</translation>
+    </message>
+    <message>
+        <source>Cut</source>
+        <translation>Section</translation>
+    </message>
+    <message>
+        <source>Measure</source>
+        <translation>Mesurer</translation>
+    </message>
+    <message>
+        <source>Parts</source>
+        <translation>Parties</translation>
+    </message>
+    <message>
+        <source>Show</source>
+        <translation>Afficher</translation>
+    </message>
+    <message>
+        <source>Organ</source>
+        <translation>Organe</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Nom</translation>
+    </message>
+    <message>
+        <source>Reference volume</source>
+        <translation>Volume de référence</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Taille</translation>
+    </message>
+    <message>
+        <source>Triangles</source>
+        <translation>Triangles</translation>
+    </message>
+    <message>
+        <source>Surface</source>
+        <translation>Surface</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Fichier</translation>
+    </message>
+    <message>
+        <source>Scan</source>
+        <translation>Examen</translation>
+    </message>
+    <message>
+        <source>Voxels</source>
+        <translation>Voxels</translation>
+    </message>
+    <message>
+        <source>Spacing</source>
+        <translation>Pas</translation>
+    </message>
+    <message>
+        <source>closed</source>
+        <translation>fermée</translation>
+    </message>
+    <message numerus="yes">
+        <source>open, %n {edge|edges}</source>
+        <translation>
+            <numerusform>ouverte, %n arête</numerusform>
+            <numerusform>ouverte, %n arêtes</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 x %2 x %3 mm</source>
+        <translation>%1 x %2 x %3 mm</translation>
+    </message>
+    <message>
+        <source>%1 x %2 x %3</source>
+        <translation>%1 x %2 x %3</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::ExportActions</name>
+    <message>
+        <source>Export all &amp;organs...</source>
+        <translation>Exporter tous les &amp;organes...</translation>
+    </message>
+    <message>
+        <source>Write all visible organs into one file, with names and colours</source>
+        <translation>Écrire tous les organes visibles dans un fichier, avec noms et couleurs</translation>
+    </message>
+    <message>
+        <source>Export all organs</source>
+        <translation>Exporter tous les organes</translation>
+    </message>
+    <message>
+        <source>organs.glb</source>
+        <translation>organs.glb</translation>
+    </message>
+    <message>
+        <source>glTF scenes (*.glb)</source>
+        <translation>Scènes glTF (*.glb)</translation>
+    </message>
+    <message>
+        <source>Export &amp;displacements...</source>
+        <translation>Exporter les &amp;déplacements...</translation>
+    </message>
+    <message>
+        <source>Write the current organ at rest, with the displacement of every vertex</source>
+        <translation>Écrire l’organe courant au repos, avec le déplacement de chaque sommet</translation>
+    </message>
+    <message>
+        <source>Export displacements</source>
+        <translation>Exporter les déplacements</translation>
+    </message>
+    <message>
+        <source>displacements.vtp</source>
+        <translation>displacements.vtp</translation>
+    </message>
+    <message>
+        <source>VTK surfaces (*.vtp)</source>
+        <translation>Surfaces VTK (*.vtp)</translation>
+    </message>
+    <message>
+        <source>Export displacement &amp;field...</source>
+        <translation>Exporter le &amp;champ de déplacement...</translation>
+    </message>
+    <message>
+        <source>Write the displacement of the space around the current organ, for 3D Slicer and ITK</source>
+        <translation>Écrire le déplacement de l’espace autour de l’organe courant, pour 3D Slicer et ITK</translation>
+    </message>
+    <message>
+        <source>Export displacement field</source>
+        <translation>Exporter le champ de déplacement</translation>
+    </message>
+    <message>
+        <source>field.nrrd</source>
+        <translation>field.nrrd</translation>
+    </message>
+    <message>
+        <source>Displacement fields (*.nrrd *.mha)</source>
+        <translation>Champs de déplacement (*.nrrd *.mha)</translation>
+    </message>
+    <message>
+        <source>Export &amp;table of volumes...</source>
+        <translation>Exporter le &amp;tableau des volumes...</translation>
+    </message>
+    <message>
+        <source>Write volumes and sizes of all organs</source>
+        <translation>Écrire les volumes et tailles de tous les organes</translation>
+    </message>
+    <message>
+        <source>Export table of volumes</source>
+        <translation>Exporter le tableau des volumes</translation>
+    </message>
+    <message>
+        <source>volumes.csv</source>
+        <translation>volumes.csv</translation>
+    </message>
+    <message>
+        <source>Comma-separated values (*.csv)</source>
+        <translation>Valeurs séparées par des virgules (*.csv)</translation>
+    </message>
+    <message>
+        <source>Export &amp;measurements...</source>
+        <translation>Exporter les &amp;mesures...</translation>
+    </message>
+    <message>
+        <source>Write all measured distances and angles</source>
+        <translation>Écrire toutes les distances et tous les angles mesurés</translation>
+    </message>
+    <message>
+        <source>Nothing is measured yet. Measure a distance (D) or an angle (A) first.</source>
+        <translation>Rien n’est encore mesuré. Mesurez d’abord une distance (D) ou un angle (A).</translation>
+    </message>
+    <message>
+        <source>Export measurements</source>
+        <translation>Exporter les mesures</translation>
+    </message>
+    <message>
+        <source>measurements.csv</source>
+        <translation>measurements.csv</translation>
+    </message>
+    <message>
+        <source>There is no organ to export. Open one first.</source>
+        <translation>Il n’y a pas d’organe à exporter. Ouvrez-en un d’abord.</translation>
+    </message>
+    <message>
+        <source>Exporting %1</source>
+        <translation>Exportation : %1</translation>
+    </message>
+    <message>
+        <source>Written to %1.</source>
+        <translation>Écrit dans %1.</translation>
+    </message>
+    <message>
+        <source>all organs</source>
+        <translation>tous les organes</translation>
+    </message>
+    <message numerus="yes">
+        <source>The rest position of %n {point|points} of the field is uncertain.</source>
+        <translation>
+            <numerusform>La position de repos de %n point du champ est incertaine.</numerusform>
+            <numerusform>La position de repos de %n points du champ est incertaine.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>table of volumes</source>
+        <translation>tableau des volumes</translation>
+    </message>
+    <message>
+        <source>measurements</source>
+        <translation>mesures</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::FileActions</name>
+    <message>
+        <source>&amp;Open...</source>
+        <translation>&amp;Ouvrir...</translation>
+    </message>
+    <message>
+        <source>Open a session, organs, label maps, handles or a scan</source>
+        <translation>Ouvrir une session, des organes, des cartes d’étiquettes, des poignées ou un examen</translation>
+    </message>
+    <message>
+        <source>Open a &amp;folder of masks...</source>
+        <translation>Ouvrir un &amp;dossier de masques...</translation>
+    </message>
+    <message>
+        <source>Open one patient: a folder with one mask for each organ, as TotalSegmentator writes it</source>
+        <translation>Ouvrir un patient : un dossier avec un masque par organe, tel que TotalSegmentator l’écrit</translation>
+    </message>
+    <message>
+        <source>&amp;Import with check...</source>
+        <translation>&amp;Importer avec contrôle...</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+O</source>
+        <translation>Ctrl+Shift+O</translation>
+    </message>
+    <message>
+        <source>Check and repair the contents of files before importing them</source>
+        <translation>Contrôler et réparer le contenu des fichiers avant de les importer</translation>
+    </message>
+    <message>
+        <source>Save &amp;handles...</source>
+        <translation>Enregistrer les &amp;poignées...</translation>
+    </message>
+    <message>
+        <source>Save the handles at rest as Slicer markups</source>
+        <translation>Enregistrer les poignées au repos comme markups de Slicer</translation>
+    </message>
+    <message>
+        <source>&amp;Export organ...</source>
+        <translation>&amp;Exporter l’organe...</translation>
+    </message>
+    <message>
+        <source>Ctrl+E</source>
+        <translation>Ctrl+E</translation>
+    </message>
+    <message>
+        <source>Export the organ in its present pose</source>
+        <translation>Exporter l’organe dans sa pose actuelle</translation>
+    </message>
+    <message>
+        <source>Load a &amp;cage...</source>
+        <translation>Charger une &amp;cage...</translation>
+    </message>
+    <message>
+        <source>For coordinates that need a cage: load a closed surface around the organ; its vertices become the handles</source>
+        <translation>Pour les coordonnées qui demandent une cage : charger une surface fermée autour de l’organe ; ses sommets deviennent les poignées</translation>
+    </message>
+    <message>
+        <source>Sessions, organs, label maps, handles and scans (*.viscera %1 %2 %3)</source>
+        <translation>Sessions, organes, cartes d’étiquettes, poignées et examens (*.viscera %1 %2 %3)</translation>
+    </message>
+    <message>
+        <source>Sessions (*.viscera)</source>
+        <translation>Sessions (*.viscera)</translation>
+    </message>
+    <message>
+        <source>Organs, label maps and handles (%1 %2 %3)</source>
+        <translation>Organes, cartes d’étiquettes et poignées (%1 %2 %3)</translation>
+    </message>
+    <message>
+        <source>Organs (%1)</source>
+        <translation>Organes (%1)</translation>
+    </message>
+    <message>
+        <source>Label maps (%1)</source>
+        <translation>Cartes d’étiquettes (%1)</translation>
+    </message>
+    <message>
+        <source>Handles (%1)</source>
+        <translation>Poignées (%1)</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>Tous les fichiers (*)</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Ouvrir</translation>
+    </message>
+    <message>
+        <source>Open a folder with one mask for each organ</source>
+        <translation>Ouvrir un dossier avec un masque par organe</translation>
+    </message>
+    <message>
+        <source>Opening %1</source>
+        <translation>Ouverture de %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>Opening %n {file|files}</source>
+        <translation>
+            <numerusform>Ouverture de %n fichier</numerusform>
+            <numerusform>Ouverture de %n fichiers</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Open %1</source>
+        <translation>Ouvrir %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n more on the {page of its organ|pages of their organs} in Explore</source>
+        <translation>
+            <numerusform>%n autre sur la page de son organe dans Explorer</numerusform>
+            <numerusform>%n autres sur les pages de leurs organes dans Explorer</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Save handles</source>
+        <translation>Enregistrer les poignées</translation>
+    </message>
+    <message>
+        <source>Slicer markups (*%1 *.fcsv)</source>
+        <translation>Markups de Slicer (*%1 *.fcsv)</translation>
+    </message>
+    <message>
+        <source>Handles</source>
+        <translation>Poignées</translation>
+    </message>
+    <message>
+        <source>Load a cage</source>
+        <translation>Charger une cage</translation>
+    </message>
+    <message>
+        <source>Closed surfaces (%1);;All files (*)</source>
+        <translation>Surfaces fermées (%1);;Tous les fichiers (*)</translation>
+    </message>
+    <message>
+        <source>Reading the cage %1</source>
+        <translation>Lecture de la cage %1</translation>
+    </message>
+    <message>
+        <source>The handles at the vertices of %1 are now the corners of the cage.</source>
+        <translation>Les poignées aux sommets de %1 sont maintenant les coins de la cage.</translation>
+    </message>
+    <message numerus="yes">
+        <source>The %n {vertex|vertices} of %1 are now the handles.</source>
+        <translation>
+            <numerusform>Le sommet (%n) de %1 est maintenant la poignée.</numerusform>
+            <numerusform>Les %n sommets de %1 sont maintenant les poignées.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>There is no organ to export. Open one first.</source>
+        <translation>Il n’y a pas d’organe à exporter. Ouvrez-en un d’abord.</translation>
+    </message>
+    <message>
+        <source>Surfaces (%1)</source>
+        <translation>Surfaces (%1)</translation>
+    </message>
+    <message>
+        <source>Exporting %1</source>
+        <translation>Exportation : %1</translation>
+    </message>
+    <message>
+        <source>%1 written to %2</source>
+        <translation>%1 écrit dans %2</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::Findings</name>
+    <message>
+        <source>Side of the body</source>
+        <translation>Côté du corps</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Taille</translation>
+    </message>
+    <message>
+        <source>Open surface</source>
+        <translation>Surface ouverte</translation>
+    </message>
+    <message>
+        <source>Edges of more than two triangles</source>
+        <translation>Arêtes de plus de deux triangles</translation>
+    </message>
+    <message>
+        <source>Triangles that face inward</source>
+        <translation>Triangles tournés vers l’intérieur</translation>
+    </message>
+    <message>
+        <source>Separate pieces</source>
+        <translation>Morceaux séparés</translation>
+    </message>
+    <message>
+        <source>Crossing triangles</source>
+        <translation>Triangles qui se croisent</translation>
+    </message>
+    <message>
+        <source>Positions of the organs</source>
+        <translation>Positions des organes</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::FitBox</name>
+    <message>
+        <source>by the shape</source>
+        <translation>par la forme</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {point|points}</source>
+        <translation>
+            <numerusform>%n point</numerusform>
+            <numerusform>%n points</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Fit to this organ</source>
+        <translation>Ajuster à cet organe</translation>
+    </message>
+    <message>
+        <source>Sequence to fit</source>
+        <translation>Séquence à ajuster</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>Of the left ventricle. The right one ejects as much blood, and the muscle keeps its volume</source>
+        <translation>Du ventricule gauche. Le droit éjecte autant de sang et le muscle garde son volume</translation>
+    </message>
+    <message>
+        <source>Ejection fraction</source>
+        <translation>Fraction d’éjection</translation>
+    </message>
+    <message>
+        <source>Place the sequence&apos;s handles around the organ and play it</source>
+        <translation>Placer les poignées de la séquence autour de l’organe et la lire</translation>
+    </message>
+    <message>
+        <source>%1: set it by a click in the view</source>
+        <translation>%1 : placez-le d’un clic dans la vue</translation>
+    </message>
+    <message>
+        <source>click the organ</source>
+        <translation>cliquez l’organe</translation>
+    </message>
+    <message>
+        <source>Open a patient&apos;s organ first.</source>
+        <translation>Ouvrez d’abord un organe de patient.</translation>
+    </message>
+    <message>
+        <source>%1 is open; a sequence needs a closed surface.</source>
+        <translation>%1 : surface ouverte ; une séquence demande une surface fermée.</translation>
+    </message>
+    <message>
+        <source>Moves %1 and its chambers as a textbook&apos;s heart, from how they are as the end of diastole. It becomes a recorded sequence.</source>
+        <translation>Anime %1 et ses cavités comme le cœur d’un manuel, à partir de leur état actuel pris comme fin de diastole. Il en résulte une séquence enregistrée.</translation>
+    </message>
+    <message>
+        <source>Moves %1 like the sample organ. Landmarks that you do not set are found from its shape.</source>
+        <translation>Meut %1 comme l’organe type. Les repères que vous ne placez pas sont trouvés d’après sa forme.</translation>
+    </message>
+    <message>
+        <source>Fitting %1</source>
+        <translation>Ajustement de %1</translation>
+    </message>
+    <message>
+        <source>Fit the textbook&apos;s beat to %1</source>
+        <translation>Ajuster le battement du manuel à %1</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::FitOffer</name>
+    <message>
+        <source>Replace all open organs; Undo brings them back</source>
+        <translation>Remplacer tous les organes ouverts ; Annuler les ramène</translation>
+    </message>
+    <message>
+        <source>%1 is made for a %2, and by its name %3 is another organ.</source>
+        <translation>%1 est faite pour un organe « %2 » et, d’après son nom, %3 est un autre organe.</translation>
+    </message>
+    <message>
+        <source>%1: fit it to %2?</source>
+        <translation>%1 : ajuster à %2 ?</translation>
+    </message>
+    <message>
+        <source>Fit it anyway</source>
+        <translation>Ajuster quand même</translation>
+    </message>
+    <message>
+        <source>Fit it to %1</source>
+        <translation>Ajuster à %1</translation>
+    </message>
+    <message>
+        <source>Place the sequence&apos;s handles around the organ and play it</source>
+        <translation>Placer les poignées de la séquence autour de l’organe et la lire</translation>
+    </message>
+    <message>
+        <source>%1 is open; a sequence needs a closed surface</source>
+        <translation>%1 : surface ouverte ; une séquence demande une surface fermée</translation>
+    </message>
+    <message>
+        <source>Show the sample %1</source>
+        <translation>Montrer l’organe type : %1</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::GroupPanel</name>
+    <message>
+        <source>No groups: all handles act everywhere. Select handles and make a group of them, or make groups automatically below.</source>
+        <translation>Pas de groupes : toutes les poignées agissent partout. Sélectionnez des poignées et faites-en un groupe, ou créez des groupes automatiquement ci-dessous.</translation>
+    </message>
+    <message>
+        <source>Groups</source>
+        <translation>Groupes</translation>
+    </message>
+    <message>
+        <source>New group</source>
+        <translation>Nouveau groupe</translation>
+    </message>
+    <message>
+        <source>Make a group of the selected handles</source>
+        <translation>Faire un groupe des poignées sélectionnées</translation>
+    </message>
+    <message>
+        <source>Select handles</source>
+        <translation>Sélectionner</translation>
+    </message>
+    <message>
+        <source>Select the handles of the chosen group</source>
+        <translation>Sélectionner les poignées du groupe choisi</translation>
+    </message>
+    <message>
+        <source>Add selected</source>
+        <translation>Ajouter la sélection</translation>
+    </message>
+    <message>
+        <source>Add the selected handles to the chosen group</source>
+        <translation>Ajouter les poignées sélectionnées au groupe choisi</translation>
+    </message>
+    <message>
+        <source>Take out</source>
+        <translation>Retirer</translation>
+    </message>
+    <message>
+        <source>Take the selected handles out of the chosen group</source>
+        <translation>Retirer les poignées sélectionnées du groupe choisi</translation>
+    </message>
+    <message>
+        <source>Colour...</source>
+        <translation>Couleur...</translation>
+    </message>
+    <message>
+        <source>Choose the colour of the chosen group</source>
+        <translation>Choisir la couleur du groupe choisi</translation>
+    </message>
+    <message>
+        <source>Remove group</source>
+        <translation>Supprimer le groupe</translation>
+    </message>
+    <message>
+        <source>Remove the chosen group; its handles stay</source>
+        <translation>Supprimer le groupe choisi ; ses poignées restent</translation>
+    </message>
+    <message>
+        <source>How groups are made</source>
+        <translation>Façon de grouper</translation>
+    </message>
+    <message>
+        <source>Parts along the axis</source>
+        <translation>Parties le long de l’axe</translation>
+    </message>
+    <message>
+        <source>Clusters of handles</source>
+        <translation>Amas de poignées</translation>
+    </message>
+    <message>
+        <source>Organs and their pieces</source>
+        <translation>Organes et leurs morceaux</translation>
+    </message>
+    <message>
+        <source>How many groups</source>
+        <translation>Nombre de groupes</translation>
+    </message>
+    <message>
+        <source>Group automatically</source>
+        <translation>Grouper automatiquement</translation>
+    </message>
+    <message>
+        <source>Replace the present groups. Where handles do not surround a group&apos;s part of the organ, the corners of a box are added.</source>
+        <translation>Remplacer les groupes actuels. Là où les poignées n’entourent pas la partie d’organe d’un groupe, les coins d’une boîte sont ajoutés.</translation>
+    </message>
+    <message>
+        <source>Group %1</source>
+        <translation>Groupe %1</translation>
+    </message>
+    <message>
+        <source>F2 renames</source>
+        <translation>F2 renomme</translation>
+    </message>
+    <message>
+        <source>A region needs at least four handles</source>
+        <translation>Une région demande au moins quatre poignées</translation>
+    </message>
+    <message>
+        <source>These coordinates do not use groups.</source>
+        <translation>Ces coordonnées n’utilisent pas de groupes.</translation>
+    </message>
+    <message>
+        <source>No coordinate system that uses groups is loaded: the plugin is missing.</source>
+        <translation>Aucun système de coordonnées à groupes n’est chargé : le plugin manque.</translation>
+    </message>
+    <message>
+        <source>Use %1</source>
+        <translation>Utiliser %1</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::HandleController</name>
+    <message numerus="yes">
+        <source>Move %n {handle|handles}</source>
+        <translation>
+            <numerusform>Déplacer %n poignée</numerusform>
+            <numerusform>Déplacer %n poignées</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Move handle %1</source>
+        <translation>Déplacer la poignée %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>Turn %n {handle|handles}</source>
+        <translation>
+            <numerusform>Tourner %n poignée</numerusform>
+            <numerusform>Tourner %n poignées</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Scale %n {handle|handles}</source>
+        <translation>
+            <numerusform>Mettre %n poignée à l’échelle</numerusform>
+            <numerusform>Mettre %n poignées à l’échelle</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::HandleModel</name>
+    <message>
+        <source>Handle</source>
+        <translation>Poignée</translation>
+    </message>
+    <message>
+        <source>Groups</source>
+        <translation>Groupes</translation>
+    </message>
+    <message>
+        <source>Rest L</source>
+        <translation>Repos L</translation>
+    </message>
+    <message>
+        <source>Rest P</source>
+        <translation>Repos P</translation>
+    </message>
+    <message>
+        <source>Rest S</source>
+        <translation>Repos S</translation>
+    </message>
+    <message>
+        <source>Pose L</source>
+        <translation>Pose L</translation>
+    </message>
+    <message>
+        <source>Pose P</source>
+        <translation>Pose P</translation>
+    </message>
+    <message>
+        <source>Pose S</source>
+        <translation>Pose S</translation>
+    </message>
+    <message>
+        <source>Moved (mm)</source>
+        <translation>Déplacée (mm)</translation>
+    </message>
+    <message>
+        <source>Coordinate</source>
+        <translation>Coordonnée</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::HandlePanel</name>
+    <message>
+        <source>No handles yet.
+Move the slider above to place some, or click the organ in Handles mode (2).</source>
+        <translation>Pas encore de poignées.
+Déplacez le curseur ci-dessus pour en placer, ou cliquez l’organe en mode Poignées (2).</translation>
+    </message>
+    <message>
+        <source>Place automatically</source>
+        <translation>Placer automatiquement</translation>
+    </message>
+    <message>
+        <source>Place this many handles evenly, a little outside the organ&apos;s surface; they replace the present ones</source>
+        <translation>Placer ce nombre de poignées régulièrement, un peu hors de la surface de l’organe ; elles remplacent les actuelles</translation>
+    </message>
+    <message>
+        <source>Enclosing box</source>
+        <translation>Boîte englobante</translation>
+    </message>
+    <message>
+        <source>Eight of the handles are the corners of a box around the organ, so that all of it lies inside</source>
+        <translation>Huit des poignées sont les coins d’une boîte autour de l’organe, qui le contient ainsi tout entier</translation>
+    </message>
+    <message>
+        <source>Handles</source>
+        <translation>Poignées</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>F2 renames, Delete removes</source>
+        <translation>F2 renomme, Suppr supprime</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::HandlePlacer</name>
+    <message>
+        <source>Place handles</source>
+        <translation>Placer les poignées</translation>
+    </message>
+    <message>
+        <source>Enclosing</source>
+        <translation>Englobantes</translation>
+    </message>
+    <message>
+        <source>Surface</source>
+        <translation>Surface</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::HandleTable</name>
+    <message>
+        <source>Table of handles</source>
+        <translation>Tableau des poignées</translation>
+    </message>
+    <message>
+        <source>&amp;Copy</source>
+        <translation>&amp;Copier</translation>
+    </message>
+    <message>
+        <source>Copy the selected rows, or all, with all digits (Ctrl+C)</source>
+        <translation>Copier les lignes sélectionnées, ou toutes, avec tous les chiffres (Ctrl+C)</translation>
+    </message>
+    <message>
+        <source>&amp;Table of handles...</source>
+        <translation>&amp;Tableau des poignées...</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+T</source>
+        <translation>Ctrl+Shift+T</translation>
+    </message>
+    <message>
+        <source>Positions of all handles, and the coordinates of a vertex that you click</source>
+        <translation>Positions de toutes les poignées, et coordonnées d’un sommet que vous cliquez</translation>
+    </message>
+    <message>
+        <source>Click the organ in the view to see the coordinates of its nearest vertex.</source>
+        <translation>Cliquez l’organe dans la vue pour voir les coordonnées du sommet le plus proche.</translation>
+    </message>
+    <message>
+        <source>Vertex %1 of %2, at rest at %3, %4, %5 mm (LPS)</source>
+        <translation>Sommet %1 sur %2, au repos à %3, %4, %5 mm (LPS)</translation>
+    </message>
+    <message>
+        <source>%1: the organ is not bound to the handles.</source>
+        <translation>%1 : l’organe n’est pas lié aux poignées.</translation>
+    </message>
+    <message>
+        <source>%1. Its coordinates sum to %2 and miss it by %3 mm.</source>
+        <translation>%1. Ses coordonnées ont pour somme %2 et le manquent de %3 mm.</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::HandlesMode</name>
+    <message>
+        <source>Handles</source>
+        <translation>Poignées</translation>
+    </message>
+    <message>
+        <source>Click the organ to add a handle, drag to move it, Delete removes it; the reference shape stays</source>
+        <translation>Cliquez l’organe pour ajouter une poignée, glissez pour la déplacer, Suppr la supprime ; la forme de référence reste</translation>
+    </message>
+    <message>
+        <source>&amp;Place automatically</source>
+        <translation>&amp;Placer automatiquement</translation>
+    </message>
+    <message>
+        <source>Ctrl+P</source>
+        <translation>Ctrl+P</translation>
+    </message>
+    <message>
+        <source>Spread handles evenly around the organ</source>
+        <translation>Répartir les poignées régulièrement autour de l’organe</translation>
+    </message>
+    <message>
+        <source>Add &amp;enclosing handles</source>
+        <translation>Ajouter des poignées &amp;englobantes</translation>
+    </message>
+    <message>
+        <source>Add the eight corners of a box around everything</source>
+        <translation>Ajouter les huit coins d’une boîte autour de tout</translation>
+    </message>
+    <message>
+        <source>&amp;Remove handles</source>
+        <translation>&amp;Supprimer les poignées</translation>
+    </message>
+    <message>
+        <source>Remove the selected handles</source>
+        <translation>Supprimer les poignées sélectionnées</translation>
+    </message>
+    <message>
+        <source>Select &amp;all handles</source>
+        <translation>&amp;Sélectionner toutes les poignées</translation>
+    </message>
+    <message>
+        <source>Use the &amp;hull as the cage</source>
+        <translation>Utiliser l’en&amp;veloppe comme cage</translation>
+    </message>
+    <message>
+        <source>Discard the loaded cage and use the convex hull of the handles again</source>
+        <translation>Abandonner la cage chargée et reprendre l’enveloppe convexe des poignées</translation>
+    </message>
+    <message>
+        <source>&amp;Influence map</source>
+        <translation>Carte d’&amp;influence</translation>
+    </message>
+    <message>
+        <source>Colour the organ by the influence of the selected handle</source>
+        <translation>Colorer l’organe selon l’influence de la poignée sélectionnée</translation>
+    </message>
+    <message>
+        <source>Show &amp;regions</source>
+        <translation>Afficher les &amp;régions</translation>
+    </message>
+    <message>
+        <source>Show where each group of handles acts, and the cage of coordinates that need one</source>
+        <translation>Montrer où agit chaque groupe de poignées, et la cage des coordonnées qui en demandent une</translation>
+    </message>
+    <message>
+        <source>Show &amp;zones</source>
+        <translation>Afficher les &amp;zones</translation>
+    </message>
+    <message>
+        <source>Show where regions meet, in red</source>
+        <translation>Montrer en rouge où les régions se rejoignent</translation>
+    </message>
+    <message>
+        <source>Show &amp;super-regions</source>
+        <translation>Afficher les s&amp;uper-régions</translation>
+    </message>
+    <message>
+        <source>Show the super-region that counts in each zone, in yellow</source>
+        <translation>Montrer en jaune la super-région qui compte dans chaque zone</translation>
+    </message>
+    <message>
+        <source>Bound in %1 ms</source>
+        <translation>Lié en %1 ms</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::HandlesPage</name>
+    <message>
+        <source>not bound</source>
+        <translation>non lié</translation>
+    </message>
+    <message>
+        <source>binding...</source>
+        <translation>liaison...</translation>
+    </message>
+    <message>
+        <source>bound</source>
+        <translation>lié</translation>
+    </message>
+    <message>
+        <source>cancelled</source>
+        <translation>annulée</translation>
+    </message>
+    <message>
+        <source>not possible</source>
+        <translation>impossible</translation>
+    </message>
+    <message>
+        <source>Coordinates</source>
+        <translation>Coordonnées</translation>
+    </message>
+    <message>
+        <source>Groups</source>
+        <translation>Groupes</translation>
+    </message>
+    <message>
+        <source>Binding</source>
+        <translation>Liaison</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>État</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Temps</translation>
+    </message>
+    <message>
+        <source>Rest error</source>
+        <translation>Erreur au repos</translation>
+    </message>
+    <message>
+        <source>The largest distance of the bound organ at rest from the original</source>
+        <translation>La plus grande distance entre l’organe lié au repos et l’original</translation>
+    </message>
+    <message>
+        <source>Smallest weight</source>
+        <translation>Plus petit poids</translation>
+    </message>
+    <message>
+        <source>Handle at rest</source>
+        <translation>Poignée au repos</translation>
+    </message>
+    <message>
+        <source>The cage is the convex hull of the handles.</source>
+        <translation>La cage est l’enveloppe convexe des poignées.</translation>
+    </message>
+    <message>
+        <source>The cage has %1 triangles over %2 handles.</source>
+        <translation>La cage a %1 triangles sur %2 poignées.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 ms, %n {thread|threads}</source>
+        <translation>
+            <numerusform>%1 ms, %n thread</numerusform>
+            <numerusform>%1 ms, %n threads</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::Help</name>
+    <message>
+        <source>&amp;Mouse and keys</source>
+        <translation>&amp;Souris et touches</translation>
+    </message>
+    <message>
+        <source>Shift+?</source>
+        <translation>Shift+?</translation>
+    </message>
+    <message>
+        <source>Two-minute &amp;tour</source>
+        <translation>&amp;Visite en deux minutes</translation>
+    </message>
+    <message>
+        <source>&amp;Welcome</source>
+        <translation>&amp;Bienvenue</translation>
+    </message>
+    <message>
+        <source>&amp;About Viscera</source>
+        <translation>À &amp;propos de Viscera</translation>
+    </message>
+    <message>
+        <source>Viscera %1: organs deformed by handles, without a cage. BSD-3-Clause; a program for research and teaching, not a medical device.</source>
+        <translation>Viscera %1 : des organes déformés par des poignées, sans cage. BSD-3-Clause ; un programme pour la recherche et l’enseignement, pas un dispositif médical.</translation>
+    </message>
+    <message>
+        <source>Look around</source>
+        <translation>Regarder</translation>
+    </message>
+    <message>
+        <source>Drag with the left button to rotate, with Shift to pan; the wheel zooms. Click an organ to select it, press F to bring it into the picture; D measures distances, A angles. The eye in the list on the left hides it, the square changes its colour.</source>
+        <translation>Glissez avec le bouton gauche pour tourner, avec Maj pour déplacer ; la molette zoome. Cliquez sur un organe pour le sélectionner, appuyez sur F pour le cadrer ; D mesure des distances, A des angles. L’œil de la liste de gauche le masque, le carré change sa couleur.</translation>
+    </message>
+    <message>
+        <source>See it move</source>
+        <translation>Le voir bouger</translation>
+    </message>
+    <message>
+        <source>Space plays and pauses. The timeline shows the phases of the cycle: drag along it to look at one instant. Below, the volumes are drawn as they change.</source>
+        <translation>Espace lit et met en pause. La barre de temps montre les phases du cycle : faites-la glisser pour regarder un instant. Dessous, les volumes sont tracés à mesure qu’ils changent.</translation>
+    </message>
+    <message>
+        <source>Handles</source>
+        <translation>Poignées</translation>
+    </message>
+    <message>
+        <source>Organs follow handles around them. Here you edit them at rest: click the organ to add one, drag to move it, Delete to remove it. The organ is bound again at once. I shows how far a handle reaches.</source>
+        <translation>Les organes suivent les poignées qui les entourent. Ici vous les modifiez au repos : cliquez l’organe pour en ajouter une, glissez pour la déplacer, Suppr pour la supprimer. L’organe est aussitôt relié. I montre jusqu’où porte une poignée.</translation>
+    </message>
+    <message>
+        <source>Deform</source>
+        <translation>Déformer</translation>
+    </message>
+    <message>
+        <source>Drag a handle and the organ follows; its volume is in the status bar. The padlock in the list on the left (K) keeps the volume whatever you do. T turns and scales selected handles, M mirrors drags. Ctrl+Z undoes any change, G shows the reference shape as an outline.</source>
+        <translation>Faites glisser une poignée et l’organe suit ; son volume est dans la barre d’état. Le cadenas dans la liste de gauche (K) garde le volume quoi que vous fassiez. T tourne et met à l’échelle les poignées sélectionnées, M met les glissements en miroir. Ctrl+Z annule tout changement, G montre le contour de la forme de référence.</translation>
+    </message>
+    <message>
+        <source>Stress</source>
+        <translation>Contrainte</translation>
+    </message>
+    <message>
+        <source>The colours say how much the pose distorts the tissue inside. Click the organ to read the values of a point, C cuts it open, M shows the next map. Space plays the sequence, and the map follows.</source>
+        <translation>Les couleurs montrent combien la pose déforme le tissu à l’intérieur. Cliquez sur l’organe pour lire les valeurs d’un point ; C l’ouvre, M montre la carte suivante. Espace joue la séquence et la carte suit.</translation>
+    </message>
+    <message>
+        <source>Your own organs</source>
+        <translation>Vos propres organes</translation>
+    </message>
+    <message>
+        <source>Open surfaces (STL, OBJ, PLY, OFF, VTK, VTP, GLB) or label maps (NIfTI, NRRD, DICOM-SEG) with Ctrl+O or drop them here; they get handles at once. Ctrl+S saves all of it as a session. ? lists all keys.</source>
+        <translation>Ouvrez des surfaces (STL, OBJ, PLY, OFF, VTK, VTP, GLB) ou des cartes d’étiquettes (NIfTI, NRRD, DICOM-SEG) avec Ctrl+O ou déposez-les ici ; elles reçoivent aussitôt des poignées. Ctrl+S enregistre le tout comme session. ? montre toutes les touches.</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::Histogram</name>
+    <message>
+        <source>Histogram of the map</source>
+        <translation>Histogramme de la carte</translation>
+    </message>
+    <message>
+        <source>Number of witness points with each value; the lines mark the mean and the 95th percentile</source>
+        <translation>Nombre de points témoins pour chaque valeur ; les lignes marquent la moyenne et le 95e centile</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::ImportDesk</name>
+    <message>
+        <source>Import or cancel the files in the panel first, then open the others.</source>
+        <translation>Importez ou annulez d’abord les fichiers du panneau, puis ouvrez les autres.</translation>
+    </message>
+    <message>
+        <source>Check of %1</source>
+        <translation>Contrôle de %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>Check of %n {file|files}</source>
+        <translation>
+            <numerusform>Contrôle de %n fichier</numerusform>
+            <numerusform>Contrôle de %n fichiers</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Repairing: %1</source>
+        <translation>Réparation : %1</translation>
+    </message>
+    <message>
+        <source>Checking again</source>
+        <translation>Nouveau contrôle</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::ImportPanel</name>
+    <message>
+        <source>No problems found. Nothing is in the document yet.</source>
+        <translation>Aucun problème trouvé. Rien n’est encore dans le document.</translation>
+    </message>
+    <message>
+        <source>Check the findings first. Nothing is in the document yet, and no file is changed.</source>
+        <translation>Examinez d’abord les constats. Rien n’est encore dans le document, et aucun fichier n’est modifié.</translation>
+    </message>
+    <message>
+        <source>%1 organs: %2 with faults, %3 to look at, %4 without problems. Nothing is in the document yet, and no file is changed.</source>
+        <translation>%1 organes : %2 avec défauts, %3 à examiner, %4 sans problème. Rien n’est encore dans le document, et aucun fichier n’est modifié.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 organs are not life-sized; the unit of length is one for the patient</source>
+        <translation>%1 organes sur %2 ne sont pas grandeur nature ; l’unité de longueur est commune au patient</translation>
+    </message>
+    <message>
+        <source>%1: %2 of %3 organs</source>
+        <translation>%1 : %2 organes sur %3</translation>
+    </message>
+    <message>
+        <source>Import</source>
+        <translation>Importer</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Annuler</translation>
+    </message>
+    <message>
+        <source>Find an organ</source>
+        <translation>Chercher un organe</translation>
+    </message>
+    <message>
+        <source>Organs to show, by finding</source>
+        <translation>Organes à afficher, par constat</translation>
+    </message>
+    <message>
+        <source>All</source>
+        <translation>Tous</translation>
+    </message>
+    <message>
+        <source>Import all organs of this list</source>
+        <translation>Importer tous les organes de cette liste</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Aucun</translation>
+    </message>
+    <message>
+        <source>Import no organ of this list</source>
+        <translation>N’importer aucun organe de cette liste</translation>
+    </message>
+    <message numerus="yes">
+        <source>Import %n {organ|organs}</source>
+        <translation>
+            <numerusform>Importer %n organe</numerusform>
+            <numerusform>Importer %n organes</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Import as it is</source>
+        <translation>Importer tel quel</translation>
+    </message>
+    <message>
+        <source>All organs together</source>
+        <translation>Tous les organes ensemble</translation>
+    </message>
+    <message>
+        <source>Every organ</source>
+        <translation>Chaque organe</translation>
+    </message>
+    <message>
+        <source>To look at</source>
+        <translation>À examiner</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::KeyBox</name>
+    <message>
+        <source> s</source>
+        <translation> s</translation>
+    </message>
+    <message>
+        <source>Pose the organ in Deform mode and press Ctrl+K: each key stores that pose.</source>
+        <translation>Posez l’organe en mode Déformer et pressez Ctrl+K : chaque clé mémorise cette pose.</translation>
+    </message>
+    <message>
+        <source>Time of the next key</source>
+        <translation>Temps de la prochaine clé</translation>
+    </message>
+    <message>
+        <source>Easing to the key after it</source>
+        <translation>Transition vers la clé suivante</translation>
+    </message>
+    <message>
+        <source>Add key</source>
+        <translation>Ajouter une clé</translation>
+    </message>
+    <message>
+        <source>Store the present pose as a key (Ctrl+K)</source>
+        <translation>Mémoriser la pose actuelle comme clé (Ctrl+K)</translation>
+    </message>
+    <message>
+        <source>time (s)</source>
+        <translation>temps (s)</translation>
+    </message>
+    <message>
+        <source>then</source>
+        <translation>ensuite</translation>
+    </message>
+    <message>
+        <source>Take pose</source>
+        <translation>Reprendre la pose</translation>
+    </message>
+    <message>
+        <source>Set the present pose to that of this key</source>
+        <translation>Donner à l’organe la pose de cette clé</translation>
+    </message>
+    <message>
+        <source>Replace</source>
+        <translation>Remplacer</translation>
+    </message>
+    <message>
+        <source>Store the present pose in this key</source>
+        <translation>Mémoriser la pose actuelle dans cette clé</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Supprimer</translation>
+    </message>
+    <message>
+        <source>Remove this key</source>
+        <translation>Supprimer cette clé</translation>
+    </message>
+    <message>
+        <source>Play it</source>
+        <translation>Lire</translation>
+    </message>
+    <message>
+        <source>Play the recorded sequence</source>
+        <translation>Lire la séquence enregistrée</translation>
+    </message>
+    <message>
+        <source>Save...</source>
+        <translation>Enregistrer...</translation>
+    </message>
+    <message>
+        <source>Save the sequence as a file</source>
+        <translation>Enregistrer la séquence dans un fichier</translation>
+    </message>
+    <message>
+        <source>Open...</source>
+        <translation>Ouvrir...</translation>
+    </message>
+    <message>
+        <source>Open a sequence file</source>
+        <translation>Ouvrir un fichier de séquence</translation>
+    </message>
+    <message>
+        <source>lasts </source>
+        <translation>dure </translation>
+    </message>
+    <message>
+        <source>Length of one cycle</source>
+        <translation>Durée d’un cycle</translation>
+    </message>
+    <message>
+        <source>Sequences (*%1)</source>
+        <translation>Séquences (*%1)</translation>
+    </message>
+    <message>
+        <source>Save the sequence</source>
+        <translation>Enregistrer la séquence</translation>
+    </message>
+    <message>
+        <source>Open a sequence</source>
+        <translation>Ouvrir une séquence</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::LectureScreen</name>
+    <message>
+        <source>&amp;Lecture</source>
+        <translation>&amp;Présentation</translation>
+    </message>
+    <message>
+        <source>The view alone on the whole screen, in large letters; Page Down shows the next slide, Escape ends it</source>
+        <translation>La vue seule sur tout l’écran, en grandes lettres ; Page suiv. montre la diapositive suivante, Échap termine</translation>
+    </message>
+    <message>
+        <source>&amp;Darken the screen</source>
+        <translation>&amp;Noircir l’écran</translation>
+    </message>
+    <message>
+        <source>%1 %2 ml</source>
+        <translation>%1 %2 ml</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::LessonDialog</name>
+    <message>
+        <source>Handles that a reader can drag</source>
+        <translation>Poignées que le lecteur peut déplacer</translation>
+    </message>
+    <message>
+        <source>Export lesson</source>
+        <translation>Exporter la leçon</translation>
+    </message>
+    <message>
+        <source>Web page for any browser (.html)</source>
+        <translation>Page web pour tout navigateur (.html)</translation>
+    </message>
+    <message>
+        <source>Animated glTF scene (.glb)</source>
+        <translation>Scène glTF animée (.glb)</translation>
+    </message>
+    <message>
+        <source>As the window</source>
+        <translation>Comme la fenêtre</translation>
+    </message>
+    <message>
+        <source>Language of the page&apos;s buttons and messages; the texts below stay as they are</source>
+        <translation>Langue des boutons et messages de la page ; les textes ci-dessous restent tels quels</translation>
+    </message>
+    <message>
+        <source>This is all that a reader will be able to read: names of files, dates and what is hidden are not in the lesson. Look for names of patients; double-click a text to change it.</source>
+        <translation>C’est tout ce qu’un lecteur pourra lire : noms de fichiers, dates et éléments masqués ne sont pas dans la leçon. Cherchez des noms de patients ; double-cliquez un texte pour le changer.</translation>
+    </message>
+    <message>
+        <source>Title</source>
+        <translation>Titre</translation>
+    </message>
+    <message>
+        <source>Notes</source>
+        <translation>Notes</translation>
+    </message>
+    <message>
+        <source>Becomes</source>
+        <translation>Devient</translation>
+    </message>
+    <message>
+        <source>Language</source>
+        <translation>Langue</translation>
+    </message>
+    <message>
+        <source>Save as...</source>
+        <translation>Enregistrer sous...</translation>
+    </message>
+    <message>
+        <source>Texts of the lesson</source>
+        <translation>Textes de la leçon</translation>
+    </message>
+    <message>
+        <source>What it is</source>
+        <translation>Nature</translation>
+    </message>
+    <message>
+        <source>Text</source>
+        <translation>Texte</translation>
+    </message>
+    <message>
+        <source>The shape of a head or a face can identify a patient.</source>
+        <translation>La forme d’une tête ou d’un visage peut identifier un patient.</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::LessonExport</name>
+    <message>
+        <source>Export &amp;lesson...</source>
+        <translation>Exporter la &amp;leçon...</translation>
+    </message>
+    <message>
+        <source>Write the organs and their motion as one page that opens in any browser</source>
+        <translation>Écrire les organes et leur mouvement en une page qui s’ouvre dans tout navigateur</translation>
+    </message>
+    <message>
+        <source>Export lesson</source>
+        <translation>Exporter la leçon</translation>
+    </message>
+    <message>
+        <source>lesson.html</source>
+        <translation>lesson.html</translation>
+    </message>
+    <message>
+        <source>lesson.glb</source>
+        <translation>lesson.glb</translation>
+    </message>
+    <message>
+        <source>Web pages (*.html)</source>
+        <translation>Pages web (*.html)</translation>
+    </message>
+    <message>
+        <source>glTF scenes (*.glb)</source>
+        <translation>Scènes glTF (*.glb)</translation>
+    </message>
+    <message>
+        <source>Exporting the lesson</source>
+        <translation>Exportation de la leçon</translation>
+    </message>
+    <message>
+        <source>Written to %1 (%2 MB). Its motion is off by %3 mm at most.</source>
+        <translation>Écrit dans %1 (%2 Mo). Son mouvement s’écarte de %3 mm au plus.</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::MainWindow</name>
+    <message>
+        <source>&amp;Quit</source>
+        <translation>&amp;Quitter</translation>
+    </message>
+    <message>
+        <source>&amp;Dark</source>
+        <translation>&amp;Sombre</translation>
+    </message>
+    <message>
+        <source>&amp;Light</source>
+        <translation>&amp;Clair</translation>
+    </message>
+    <message>
+        <source>%1: checked, no problems found</source>
+        <translation>%1 : contrôlé, aucun problème trouvé</translation>
+    </message>
+    <message>
+        <source>The drag was taken back, because another mode was chosen.</source>
+        <translation>Le glissement a été annulé, car un autre mode a été choisi.</translation>
+    </message>
+    <message>
+        <source>As far as it goes: %1</source>
+        <translation>Résultat partiel : %1</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::MeasureBox</name>
+    <message>
+        <source>Remove</source>
+        <translation>Supprimer</translation>
+    </message>
+    <message>
+        <source>Remove the chosen measurement (Delete in the list)</source>
+        <translation>Supprimer la mesure choisie (Suppr dans la liste)</translation>
+    </message>
+    <message>
+        <source>Remove all</source>
+        <translation>Tout supprimer</translation>
+    </message>
+    <message>
+        <source>Export CSV...</source>
+        <translation>Exporter en CSV...</translation>
+    </message>
+    <message>
+        <source>Measurements</source>
+        <translation>Mesures</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Nom</translation>
+    </message>
+    <message>
+        <source>Now</source>
+        <translation>Actuel</translation>
+    </message>
+    <message>
+        <source>Reference shape</source>
+        <translation>Forme de référence</translation>
+    </message>
+    <message>
+        <source>Points stay on the organ while it moves, and can be dragged along it; those on a slice stay there.</source>
+        <translation>Les points restent sur l’organe quand il bouge, et glissent le long de lui ; ceux d’une coupe y restent.</translation>
+    </message>
+    <message>
+        <source>Click two points on an organ or on a slice. Esc ends.</source>
+        <translation>Cliquez deux points sur un organe ou une coupe. Échap termine.</translation>
+    </message>
+    <message>
+        <source>Click three points on an organ or on a slice, the corner second. Esc ends.</source>
+        <translation>Cliquez trois points sur un organe ou une coupe, le sommet de l’angle en deuxième. Échap termine.</translation>
+    </message>
+    <message>
+        <source>Drag on a slice from corner to corner. Esc ends.</source>
+        <translation>Faites glisser sur une coupe de coin à coin. Échap termine.</translation>
+    </message>
+    <message>
+        <source>Drag on a slice from the middle to the border. Esc ends.</source>
+        <translation>Faites glisser sur une coupe du centre au bord. Échap termine.</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::MeasuredMotion</name>
+    <message>
+        <source>%1 %2 mm</source>
+        <translation>%1 %2 mm</translation>
+    </message>
+    <message numerus="yes">
+        <source>Motion of %n {phase|phases}. Mean distance from what was measured: %1.</source>
+        <translation>
+            <numerusform>Mouvement de %n phase. Distance moyenne à ce qui a été mesuré : %1.</numerusform>
+            <numerusform>Mouvement de %n phases. Distance moyenne à ce qui a été mesuré : %1.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>It was cancelled.</source>
+        <translation>Annulé.</translation>
+    </message>
+    <message>
+        <source>Motion from a series</source>
+        <translation>Mouvement d’une série</translation>
+    </message>
+    <message>
+        <source>Where points of a wall move along it was not measured: mean and 95th percentile over the beat can be read, the local pattern of this map cannot.</source>
+        <translation>Le mouvement des points le long d’une paroi n’a pas été mesuré : la moyenne et le 95e percentile du battement sont valables, le motif local de cette carte ne l’est pas.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {phase needs|phases need} attention: see the table below the chart.</source>
+        <translation>
+            <numerusform>%n phase demande attention : voir le tableau sous le graphique.</numerusform>
+            <numerusform>%n phases demandent attention : voir le tableau sous le graphique.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Leave out phase %1</source>
+        <translation>Omettre la phase %1</translation>
+    </message>
+    <message>
+        <source>Surface of phase %1</source>
+        <translation>Surface de la phase %1</translation>
+    </message>
+    <message>
+        <source>Distance from what was measured</source>
+        <translation>Distance à ce qui a été mesuré</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::Menus</name>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Annuler</translation>
+    </message>
+    <message>
+        <source>Ctrl+Z</source>
+        <translation>Ctrl+Z</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>&amp;Rétablir</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+Z</source>
+        <translation>Ctrl+Shift+Z</translation>
+    </message>
+    <message>
+        <source>&amp;Undo: %1</source>
+        <translation>&amp;Annuler : %1</translation>
+    </message>
+    <message>
+        <source>&amp;Redo: %1</source>
+        <translation>&amp;Rétablir : %1</translation>
+    </message>
+    <message>
+        <source>&amp;File</source>
+        <translation>&amp;Fichier</translation>
+    </message>
+    <message>
+        <source>Open &amp;recent</source>
+        <translation>Fichiers &amp;récents</translation>
+    </message>
+    <message>
+        <source>Sample &amp;organs</source>
+        <translation>&amp;Organes types</translation>
+    </message>
+    <message>
+        <source>Export &amp;more</source>
+        <translation>Autres &amp;exportations</translation>
+    </message>
+    <message>
+        <source>&amp;Edit</source>
+        <translation>&amp;Édition</translation>
+    </message>
+    <message>
+        <source>&amp;Steps</source>
+        <translation>É&amp;tapes</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>&amp;Vue</translation>
+    </message>
+    <message>
+        <source>St&amp;ress map</source>
+        <translation>&amp;Carte de contrainte</translation>
+    </message>
+    <message>
+        <source>&amp;Scan</source>
+        <translation>E&amp;xamen</translation>
+    </message>
+    <message>
+        <source>&amp;Slides</source>
+        <translation>&amp;Diapositives</translation>
+    </message>
+    <message>
+        <source>&amp;Panels</source>
+        <translation>&amp;Panneaux</translation>
+    </message>
+    <message>
+        <source>&amp;Theme</source>
+        <translation>&amp;Thème</translation>
+    </message>
+    <message>
+        <source>Lan&amp;guage</source>
+        <translation>&amp;Langue</translation>
+    </message>
+    <message>
+        <source>The next start uses this language: %1.</source>
+        <translation>Le prochain démarrage utilisera cette langue : %1.</translation>
+    </message>
+    <message>
+        <source>As the &amp;system</source>
+        <translation>Comme le &amp;système</translation>
+    </message>
+    <message>
+        <source>&amp;Organ</source>
+        <translation>&amp;Organe</translation>
+    </message>
+    <message>
+        <source>Ha&amp;ndles</source>
+        <translation>&amp;Poignées</translation>
+    </message>
+    <message>
+        <source>&amp;Mirror drags</source>
+        <translation>Glissements en &amp;miroir</translation>
+    </message>
+    <message>
+        <source>&amp;Sequence</source>
+        <translation>&amp;Séquence</translation>
+    </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation>&amp;Aide</translation>
+    </message>
+    <message>
+        <source>Nothing was opened yet</source>
+        <translation>Rien n’a encore été ouvert</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n earlier {step|steps}</source>
+        <translation>
+            <numerusform>%n étape antérieure</numerusform>
+            <numerusform>%n étapes antérieures</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>As opened</source>
+        <translation>À l’ouverture</translation>
+    </message>
+    <message>
+        <source>No sample organs are installed</source>
+        <translation>Aucun organe type n’est installé</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::MessageBar</name>
+    <message>
+        <source>Close this message (Esc)</source>
+        <translation>Fermer ce message (Échap)</translation>
+    </message>
+    <message>
+        <source>Close this message</source>
+        <translation>Fermer ce message</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::ModeRail</name>
+    <message>
+        <source>%1 (%2)
+%3</source>
+        <translation>%1 (%2)
+%3</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::MotionDialog</name>
+    <message>
+        <source>Cavity</source>
+        <translation>Cavité</translation>
+    </message>
+    <message>
+        <source>Tissue around cavities</source>
+        <translation>Tissu autour de cavités</translation>
+    </message>
+    <message>
+        <source>Use</source>
+        <translation>Utiliser</translation>
+    </message>
+    <message>
+        <source>Leave out</source>
+        <translation>Omettre</translation>
+    </message>
+    <message>
+        <source>Motion from a series</source>
+        <translation>Mouvement d’une série</translation>
+    </message>
+    <message>
+        <source>More</source>
+        <translation>Plus</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Fermer</translation>
+    </message>
+    <message>
+        <source>Find the motion</source>
+        <translation>Trouver le mouvement</translation>
+    </message>
+    <message>
+        <source>Turns one organ, given in several phases of a cycle, into handles and a recorded sequence with a key for each phase. Choose surfaces or label maps, one file for each phase, or one file of several volumes. The result replaces the open organs; Undo brings them back.</source>
+        <translation>Transforme un organe, donné en plusieurs phases d’un cycle, en poignées et en une séquence enregistrée avec une clé par phase. Choisissez des surfaces ou des cartes d’étiquettes, un fichier par phase, ou un fichier de plusieurs volumes. Le résultat remplace les organes ouverts ; Annuler les ramène.</translation>
+    </message>
+    <message>
+        <source>Folder...</source>
+        <translation>Dossier...</translation>
+    </message>
+    <message>
+        <source>Files...</source>
+        <translation>Fichiers...</translation>
+    </message>
+    <message>
+        <source>All phases, or one 4D NIfTI or .seq.nrrd</source>
+        <translation>Toutes les phases, ou un NIfTI 4D ou .seq.nrrd</translation>
+    </message>
+    <message>
+        <source>Surfaces of the series</source>
+        <translation>Surfaces de la série</translation>
+    </message>
+    <message>
+        <source> ms</source>
+        <translation> ms</translation>
+    </message>
+    <message>
+        <source>Length of one whole cycle: the number of phases times the step between them</source>
+        <translation>Durée d’un cycle entier : le nombre de phases multiplié par le pas entre elles</translation>
+    </message>
+    <message>
+        <source>One cycle lasts</source>
+        <translation>Durée d’un cycle</translation>
+    </message>
+    <message>
+        <source>The last phase leads back to the first</source>
+        <translation>La dernière phase ramène à la première</translation>
+    </message>
+    <message>
+        <source>60 or 120</source>
+        <translation>60 ou 120</translation>
+    </message>
+    <message>
+        <source>60 for one surface, 120 for several. More follow the surfaces more closely</source>
+        <translation>60 pour une surface, 120 pour plusieurs. Davantage suivent les surfaces de plus près</translation>
+    </message>
+    <message>
+        <source>Handles</source>
+        <translation>Poignées</translation>
+    </message>
+    <message>
+        <source>Keep the measured volumes exactly</source>
+        <translation>Garder exactement les volumes mesurés</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>All alike</source>
+        <translation>Toutes égales</translation>
+    </message>
+    <message>
+        <source>Larger distances count less: for label maps with outliers</source>
+        <translation>Les grandes distances comptent moins : pour des cartes d’étiquettes aberrantes</translation>
+    </message>
+    <message>
+        <source>Distances count less beyond</source>
+        <translation>Distances moindres au-delà de</translation>
+    </message>
+    <message>
+        <source>None; as in 3, 7</source>
+        <translation>Aucune ; comme 3, 7</translation>
+    </message>
+    <message>
+        <source>Leave out phases</source>
+        <translation>Phases à omettre</translation>
+    </message>
+    <message>
+        <source>Folder with a series</source>
+        <translation>Dossier d’une série</translation>
+    </message>
+    <message>
+        <source>Phases of a series</source>
+        <translation>Phases d’une série</translation>
+    </message>
+    <message>
+        <source>Reading the series</source>
+        <translation>Lecture de la série</translation>
+    </message>
+    <message>
+        <source>One image has no motion of its own. Open it (File &gt; Open), and Fit a sequence to an organ in Play mode lets the heart and its chambers beat as the textbook&apos;s.</source>
+        <translation>Une image seule n’a pas de mouvement propre. Ouvrez-la (Fichier &gt; Ouvrir) ; « Ajuster une séquence à un organe » en mode Lire fait battre le cœur et ses cavités comme dans le manuel.</translation>
+    </message>
+    <message>
+        <source>Label</source>
+        <translation>Étiquette</translation>
+    </message>
+    <message>
+        <source>Surface</source>
+        <translation>Surface</translation>
+    </message>
+    <message>
+        <source>What it is</source>
+        <translation>Nature</translation>
+    </message>
+    <message>
+        <source>Label %1; a double click gives the surface another name</source>
+        <translation>Étiquette %1 ; un double-clic donne un autre nom à la surface</translation>
+    </message>
+    <message>
+        <source>What %1 is</source>
+        <translation>Nature de %1</translation>
+    </message>
+    <message>
+        <source>%1 a minute</source>
+        <translation>%1 par minute</translation>
+    </message>
+    <message>
+        <source>The files do not state it</source>
+        <translation>Les fichiers ne l’indiquent pas</translation>
+    </message>
+    <message>
+        <source>No series is chosen.</source>
+        <translation>Aucune série n’est choisie.</translation>
+    </message>
+    <message>
+        <source>Reading %1 ...</source>
+        <translation>Lecture de %1 ...</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1: label maps, %n {phase|phases}</source>
+        <translation>
+            <numerusform>%1 : cartes d’étiquettes, %n phase</numerusform>
+            <numerusform>%1 : cartes d’étiquettes, %n phases</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1: surfaces, %n {phase|phases}</source>
+        <translation>
+            <numerusform>%1 : surfaces, %n phase</numerusform>
+            <numerusform>%1 : surfaces, %n phases</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Working...</source>
+        <translation>En cours...</translation>
+    </message>
+    <message>
+        <source>Enter the length of one cycle first</source>
+        <translation>Indiquez d’abord la durée d’un cycle</translation>
+    </message>
+    <message>
+        <source>Heart</source>
+        <translation>Cœur</translation>
+    </message>
+    <message>
+        <source>Outer surface</source>
+        <translation>Surface externe</translation>
+    </message>
+    <message>
+        <source>%1 is not a phase</source>
+        <translation>%1 n’est pas une phase</translation>
+    </message>
+    <message>
+        <source>name phases by their numbers, counted from 1, as in 3, 7</source>
+        <translation>nommez les phases par leurs numéros, comptés à partir de 1, comme 3, 7</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::NumbersTable</name>
+    <message>
+        <source>Numbers of the circulation</source>
+        <translation>Valeurs de la circulation</translation>
+    </message>
+    <message>
+        <source>now</source>
+        <translation>actuel</translation>
+    </message>
+    <message>
+        <source>before</source>
+        <translation>avant</translation>
+    </message>
+    <message>
+        <source>normal</source>
+        <translation>normale</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::OrganCheck</name>
+    <message>
+        <source>%1 x %2 x %3 mm</source>
+        <translation>%1 x %2 x %3 mm</translation>
+    </message>
+    <message>
+        <source>%1, open</source>
+        <translation>%1, ouverte</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>Import this organ</source>
+        <translation>Importer cet organe</translation>
+    </message>
+    <message>
+        <source>%1 · %2</source>
+        <translation>%1 · %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {check|checks} passed</source>
+        <translation>
+            <numerusform>%n contrôle réussi</numerusform>
+            <numerusform>%n contrôles réussis</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Done: %1</source>
+        <translation>Fait : %1</translation>
+    </message>
+    <message>
+        <source>More repairs</source>
+        <translation>Autres réparations</translation>
+    </message>
+    <message>
+        <source>As in the file</source>
+        <translation>Comme dans le fichier</translation>
+    </message>
+    <message>
+        <source>Undo the repairs of this organ</source>
+        <translation>Annuler les réparations de cet organe</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::OrganPanel</name>
+    <message>
+        <source>Opacity</source>
+        <translation>Opacité</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>No organ yet.
+Open a file (Ctrl+O), drop one here, or take a sample organ from the menu.</source>
+        <translation>Pas encore d’organe.
+Ouvrez un fichier (Ctrl+O), déposez-en un ici, ou prenez un organe type dans le menu.</translation>
+    </message>
+    <message>
+        <source>Find an organ (Ctrl+F)</source>
+        <translation>Chercher un organe (Ctrl+F)</translation>
+    </message>
+    <message>
+        <source>Change opacity</source>
+        <translation>Changer l’opacité</translation>
+    </message>
+    <message>
+        <source>Show &amp;only this</source>
+        <translation>Afficher &amp;seulement ceci</translation>
+    </message>
+    <message>
+        <source>Show the chosen organs with their cavities and hide all others</source>
+        <translation>Afficher les organes choisis avec leurs cavités et masquer tous les autres</translation>
+    </message>
+    <message>
+        <source>&amp;Hide this</source>
+        <translation>&amp;Masquer ceci</translation>
+    </message>
+    <message>
+        <source>Hide the chosen organs</source>
+        <translation>Masquer les organes choisis</translation>
+    </message>
+    <message>
+        <source>Hide</source>
+        <translation>Masquer</translation>
+    </message>
+    <message>
+        <source>Show &amp;all</source>
+        <translation>Tout &amp;afficher</translation>
+    </message>
+    <message>
+        <source>Show every organ</source>
+        <translation>Afficher tous les organes</translation>
+    </message>
+    <message>
+        <source>Show all</source>
+        <translation>Tout afficher</translation>
+    </message>
+    <message>
+        <source>&amp;Find an organ</source>
+        <translation>&amp;Chercher un organe</translation>
+    </message>
+    <message>
+        <source>Type a part of its name</source>
+        <translation>Tapez une partie de son nom</translation>
+    </message>
+    <message>
+        <source>Re&amp;name organ</source>
+        <translation>&amp;Renommer l’organe</translation>
+    </message>
+    <message>
+        <source>&amp;Remove organ</source>
+        <translation>&amp;Supprimer l’organe</translation>
+    </message>
+    <message>
+        <source>Hide all of them (click)</source>
+        <translation>Tous les masquer (clic)</translation>
+    </message>
+    <message>
+        <source>Show all of them (click)</source>
+        <translation>Tous les afficher (clic)</translation>
+    </message>
+    <message>
+        <source>Hide (click)</source>
+        <translation>Masquer (clic)</translation>
+    </message>
+    <message>
+        <source>Show (click)</source>
+        <translation>Afficher (clic)</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1
+%n {triangle|triangles}</source>
+        <translation>
+            <numerusform>%1
+%n triangle</numerusform>
+            <numerusform>%1
+%n triangles</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>
+Double click or F2 renames; a click on the square changes the colour</source>
+        <translation>
+Un double-clic ou F2 renomme ; un clic sur le carré change la couleur</translation>
+    </message>
+    <message>
+        <source>An open surface has no volume to lock; click to close its holes</source>
+        <translation>Une surface ouverte n’a pas de volume à verrouiller ; cliquez pour fermer ses trous</translation>
+    </message>
+    <message>
+        <source>The volume is locked: Deform mode keeps it (click or K to unlock)</source>
+        <translation>Le volume est verrouillé : le mode Déformer le garde (clic ou K pour déverrouiller)</translation>
+    </message>
+    <message>
+        <source>Lock the volume (click or K)</source>
+        <translation>Verrouiller le volume (clic ou K)</translation>
+    </message>
+    <message>
+        <source>
+This is the volume within the outer surface; cavities have locks of their own</source>
+        <translation>
+C’est le volume dans la surface externe ; les cavités ont leurs propres verrous</translation>
+    </message>
+    <message>
+        <source>
+This is the volume of the cavity; the wall around it has a lock of its own</source>
+        <translation>
+C’est le volume de la cavité ; la paroi qui l’entoure a son propre verrou</translation>
+    </message>
+    <message>
+        <source>open</source>
+        <translation>ouverte</translation>
+    </message>
+    <message>
+        <source>An open surface encloses no volume</source>
+        <translation>Une surface ouverte n’enferme aucun volume</translation>
+    </message>
+    <message>
+        <source>%1 in the reference shape, %2 (%3) now</source>
+        <translation>%1 dans la forme de référence, %2 (%3) actuellement</translation>
+    </message>
+    <message>
+        <source>Show only this</source>
+        <translation>Afficher seulement ceci</translation>
+    </message>
+    <message>
+        <source>Show</source>
+        <translation>Afficher</translation>
+    </message>
+    <message>
+        <source>Colour...</source>
+        <translation>Couleur...</translation>
+    </message>
+    <message>
+        <source>The organ&apos;s own colours</source>
+        <translation>Couleurs propres de l’organe</translation>
+    </message>
+    <message>
+        <source>Unlock volume</source>
+        <translation>Déverrouiller le volume</translation>
+    </message>
+    <message>
+        <source>Lock volume</source>
+        <translation>Verrouiller le volume</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::PanelDock</name>
+    <message>
+        <source>Float or dock the panel %1</source>
+        <translation>Détacher ou ancrer le panneau %1</translation>
+    </message>
+    <message>
+        <source>Hide the panel %1 (the View menu shows it again)</source>
+        <translation>Masquer le panneau %1 (le menu Vue l’affiche à nouveau)</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::PatientOffer</name>
+    <message>
+        <source>Searching beside %1</source>
+        <translation>Recherche à côté de %1</translation>
+    </message>
+    <message>
+        <source>Beside %1 lies the scan %2.</source>
+        <translation>À côté de %1 se trouve l’examen %2.</translation>
+    </message>
+    <message>
+        <source>Beside %1 lies the label map %2.</source>
+        <translation>À côté de %1 se trouve la carte d’étiquettes %2.</translation>
+    </message>
+    <message>
+        <source>Open the scan</source>
+        <translation>Ouvrir l’examen</translation>
+    </message>
+    <message>
+        <source>Open its organs</source>
+        <translation>Ouvrir ses organes</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::PersonBox</name>
+    <message>
+        <source>Women and men</source>
+        <translation>Femmes et hommes</translation>
+    </message>
+    <message>
+        <source>Women</source>
+        <translation>Femmes</translation>
+    </message>
+    <message>
+        <source>Men</source>
+        <translation>Hommes</translation>
+    </message>
+    <message>
+        <source>Whose normal ranges are shown</source>
+        <translation>De qui les intervalles normaux sont montrés</translation>
+    </message>
+    <message>
+        <source> m²</source>
+        <translation> m²</translation>
+    </message>
+    <message>
+        <source>any body size</source>
+        <translation>toute surface corporelle</translation>
+    </message>
+    <message>
+        <source>Body surface area: ranges that the source gives per square metre are scaled by it</source>
+        <translation>Surface corporelle : les intervalles que la source donne par mètre carré sont multipliés par elle</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::PhaseScrubber</name>
+    <message>
+        <source>Instant of the cycle</source>
+        <translation>Instant du cycle</translation>
+    </message>
+    <message>
+        <source>%1, %2 ms</source>
+        <translation>%1, %2 ms</translation>
+    </message>
+    <message>
+        <source>Drag, or use the arrow keys</source>
+        <translation>Faites glisser, ou utilisez les flèches</translation>
+    </message>
+    <message>
+        <source>%1
+%2</source>
+        <translation>%1
+%2</translation>
+    </message>
+    <message>
+        <source>%1 %2 ms</source>
+        <translation>%1 %2 ms</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::PlayMode</name>
+    <message>
+        <source>Play</source>
+        <translation>Lire</translation>
+    </message>
+    <message>
+        <source>Space plays or pauses; drag the timeline to look at one instant</source>
+        <translation>Espace lit ou met en pause ; faites glisser la barre de temps pour regarder un instant</translation>
+    </message>
+    <message>
+        <source>Slow &amp;motion</source>
+        <translation>&amp;Ralenti</translation>
+    </message>
+    <message>
+        <source>Slower, down to a tenth; then real time again</source>
+        <translation>Plus lent, jusqu’à un dixième ; puis de nouveau temps réel</translation>
+    </message>
+    <message>
+        <source>&amp;Chart of one cycle</source>
+        <translation>&amp;Graphique d’un cycle</translation>
+    </message>
+    <message>
+        <source>Draw one cycle with a cursor instead of the last seconds</source>
+        <translation>Tracer un cycle avec un curseur au lieu des dernières secondes</translation>
+    </message>
+    <message>
+        <source>&amp;ECG, sounds and valves</source>
+        <translation>&amp;ECG, bruits et valves</translation>
+    </message>
+    <message>
+        <source>Under the phases of a heart: a schematic electrocardiogram, S1 and S2, and which valves are open</source>
+        <translation>Sous les phases d’un cœur : un électrocardiogramme schématique, B1 et B2, et quelles valves sont ouvertes</translation>
+    </message>
+    <message>
+        <source>&amp;Valves and flow</source>
+        <translation>&amp;Valves et flux</translation>
+    </message>
+    <message>
+        <source>In the beating sample heart: leaflets as far open as the valves are, and an arrow where blood flows, as thick as the opening and as long as the blood is fast</source>
+        <translation>Dans le cœur d’exemple qui bat : des feuillets ouverts comme les valves et une flèche là où le sang s’écoule, épaisse comme l’ouverture et longue selon la vitesse du sang</translation>
+    </message>
+    <message>
+        <source>Record a &amp;key</source>
+        <translation>Enregistrer une &amp;clé</translation>
+    </message>
+    <message>
+        <source>Ctrl+K</source>
+        <translation>Ctrl+K</translation>
+    </message>
+    <message>
+        <source>Add the present pose to the recorded sequence</source>
+        <translation>Ajouter la pose actuelle à la séquence enregistrée</translation>
+    </message>
+    <message>
+        <source>Motion from a ser&amp;ies...</source>
+        <translation>Mouvement d’une &amp;série...</translation>
+    </message>
+    <message>
+        <source>Compute a patient&apos;s own motion from surfaces or label maps of each phase of the cycle</source>
+        <translation>Calculer le mouvement propre d’un patient à partir de surfaces ou de cartes d’étiquettes de chaque phase du cycle</translation>
+    </message>
+    <message>
+        <source>Compare two &amp;rates</source>
+        <translation>Comparer deux &amp;fréquences</translation>
+    </message>
+    <message>
+        <source>Ctrl+2</source>
+        <translation>Ctrl+2</translation>
+    </message>
+    <message>
+        <source>Show the same organs beside these at another rate, or with the circulation kept as before</source>
+        <translation>Montrer les mêmes organes à côté de ceux-ci à une autre fréquence, ou avec la circulation gardée comme avant</translation>
+    </message>
+    <message>
+        <source>Compare &amp;coordinates</source>
+        <translation>Comparer les c&amp;oordonnées</translation>
+    </message>
+    <message>
+        <source>Ctrl+3</source>
+        <translation>Ctrl+3</translation>
+    </message>
+    <message>
+        <source>Show the same organs and handles beside these with another coordinate system</source>
+        <translation>Montrer les mêmes organes et poignées à côté de ceux-ci avec un autre système de coordonnées</translation>
+    </message>
+    <message>
+        <source>Compare with another &amp;organ...</source>
+        <translation>Comparer avec un &amp;autre organe...</translation>
+    </message>
+    <message>
+        <source>Open files in a second view beside these organs</source>
+        <translation>Ouvrir des fichiers dans une seconde vue à côté de ces organes</translation>
+    </message>
+    <message>
+        <source>Compare with the te&amp;xtbook&apos;s heart</source>
+        <translation>Comparer avec le cœur &amp;type</translation>
+    </message>
+    <message>
+        <source>Show the sample heart with its textbook beat beside these organs, at their rate</source>
+        <translation>Montrer le cœur type avec son battement type à côté de ces organes, à leur fréquence</translation>
+    </message>
+    <message>
+        <source>&amp;One view</source>
+        <translation>&amp;Une vue</translation>
+    </message>
+    <message>
+        <source>Ctrl+1</source>
+        <translation>Ctrl+1</translation>
+    </message>
+    <message>
+        <source>Close the second view</source>
+        <translation>Fermer la seconde vue</translation>
+    </message>
+    <message>
+        <source>&amp;Pressures and loops</source>
+        <translation>&amp;Pressions et boucles</translation>
+    </message>
+    <message>
+        <source>Where a circulation moves the heart, show its curves below the view instead of the volumes</source>
+        <translation>Quand une circulation meut le cœur, montrer ses courbes sous la vue au lieu des volumes</translation>
+    </message>
+    <message>
+        <source>Keep as &amp;before</source>
+        <translation>&amp;Garder comme avant</translation>
+    </message>
+    <message>
+        <source>Ctrl+B</source>
+        <translation>Ctrl+B</translation>
+    </message>
+    <message>
+        <source>Keep this circulation to compare with: dashed loops and a second column of numbers</source>
+        <translation>Garder cette circulation pour comparer : boucles en tirets et seconde colonne de valeurs</translation>
+    </message>
+    <message>
+        <source>For&amp;get</source>
+        <translation>&amp;Oublier</translation>
+    </message>
+    <message>
+        <source>Compare with nothing</source>
+        <translation>Ne comparer avec rien</translation>
+    </message>
+    <message>
+        <source>Organ &amp;labels</source>
+        <translation>&amp;Noms des organes</translation>
+    </message>
+    <message>
+        <source>Write names beside the organs</source>
+        <translation>Écrire les noms à côté des organes</translation>
+    </message>
+    <message>
+        <source>See &amp;through</source>
+        <translation>&amp;Transparence</translation>
+    </message>
+    <message>
+        <source>Make the wall translucent, so that the cavities are seen</source>
+        <translation>Rendre la paroi translucide pour voir les cavités</translation>
+    </message>
+    <message>
+        <source>See through</source>
+        <translation>Transparence</translation>
+    </message>
+    <message>
+        <source>Close the wall</source>
+        <translation>Refermer la paroi</translation>
+    </message>
+    <message>
+        <source>Key at %1 s</source>
+        <translation>Clé à %1 s</translation>
+    </message>
+    <message>
+        <source>Recorded as %1</source>
+        <translation>Enregistré comme %1</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::PlayPage</name>
+    <message>
+        <source>Look</source>
+        <translation>Aspect</translation>
+    </message>
+    <message>
+        <source>Sequence</source>
+        <translation>Séquence</translation>
+    </message>
+    <message>
+        <source>Rate</source>
+        <translation>Fréquence</translation>
+    </message>
+    <message>
+        <source>Phase</source>
+        <translation>Phase</translation>
+    </message>
+    <message>
+        <source>What moves the heart</source>
+        <translation>Ce qui meut le cœur</translation>
+    </message>
+    <message>
+        <source>Over the cycle</source>
+        <translation>Sur le cycle</translation>
+    </message>
+    <message>
+        <source>max</source>
+        <translation>max</translation>
+    </message>
+    <message>
+        <source>min</source>
+        <translation>min</translation>
+    </message>
+    <message>
+        <source>SV</source>
+        <translation>VES</translation>
+    </message>
+    <message>
+        <source>EF</source>
+        <translation>FE</translation>
+    </message>
+    <message>
+        <source>Volumes in ml. SV is the stroke volume, EF the ejection fraction.</source>
+        <translation>Volumes en ml. VES : volume d’éjection systolique, FE : fraction d’éjection.</translation>
+    </message>
+    <message>
+        <source>Ejection fraction</source>
+        <translation>Fraction d’éjection</translation>
+    </message>
+    <message>
+        <source>Stroke volume</source>
+        <translation>Volume d’éjection systolique</translation>
+    </message>
+    <message>
+        <source>Cardiac output</source>
+        <translation>Débit cardiaque</translation>
+    </message>
+    <message>
+        <source>Circulation of this heart</source>
+        <translation>Circulation de ce cœur</translation>
+    </message>
+    <message>
+        <source>Finds pressures, loops and sounds for the volume and the ejection fraction of this left ventricle. The organ keeps its own motion.</source>
+        <translation>Calcule pressions, boucles et bruits pour le volume et la fraction d’éjection de ce ventricule gauche. L’organe garde son propre mouvement.</translation>
+    </message>
+    <message>
+        <source>Record a movie</source>
+        <translation>Enregistrer un film</translation>
+    </message>
+    <message>
+        <source>Prescribe a volume</source>
+        <translation>Imposer un volume</translation>
+    </message>
+    <message>
+        <source>Record a sequence</source>
+        <translation>Enregistrer une séquence</translation>
+    </message>
+    <message>
+        <source>Fit a sequence to an organ</source>
+        <translation>Ajuster une séquence à un organe</translation>
+    </message>
+    <message>
+        <source>%1 / min, one cycle %2 s</source>
+        <translation>%1 / min, un cycle %2 s</translation>
+    </message>
+    <message>
+        <source>A: %1</source>
+        <translation>A : %1</translation>
+    </message>
+    <message>
+        <source>B: %1</source>
+        <translation>B : %1</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>%1 %2 (%3 - %4)</source>
+        <translation>%1 %2 (%3 - %4)</translation>
+    </message>
+    <message>
+        <source>%1, measured on the surfaces. Healthy adults: %2</source>
+        <translation>%1, mesuré sur les surfaces. Adultes sains : %2</translation>
+    </message>
+    <message>
+        <source>%1 ml</source>
+        <translation>%1 ml</translation>
+    </message>
+    <message>
+        <source>%1 l/min</source>
+        <translation>%1 l/min</translation>
+    </message>
+    <message>
+        <source>%1 %2 - %3 %4</source>
+        <translation>%1 %2 - %3 %4</translation>
+    </message>
+    <message>
+        <source>%</source>
+        <translation>%</translation>
+    </message>
+    <message>
+        <source>ml</source>
+        <translation>ml</translation>
+    </message>
+    <message>
+        <source>%1: %2; %3</source>
+        <translation>%1 : %2 ; %3</translation>
+    </message>
+    <message>
+        <source>Normal for %1: %2.</source>
+        <translation>Normale pour %1 : %2.</translation>
+    </message>
+    <message>
+        <source>, </source>
+        <translation>, </translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::Playback</name>
+    <message>
+        <source>%1 moves its own handles, and these are different.</source>
+        <translation>%1 meut ses propres poignées, et celles-ci sont différentes.</translation>
+    </message>
+    <message>
+        <source>Use its handles</source>
+        <translation>Utiliser ses poignées</translation>
+    </message>
+    <message>
+        <source>Use the sequence&apos;s handles</source>
+        <translation>Utiliser les poignées de la séquence</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::PoseEditor</name>
+    <message>
+        <source>Move handle %1</source>
+        <translation>Déplacer la poignée %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>Move %n {handle|handles}</source>
+        <translation>
+            <numerusform>Déplacer %n poignée</numerusform>
+            <numerusform>Déplacer %n poignées</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Reset %n {handle|handles}</source>
+        <translation>
+            <numerusform>Rétablir %n poignée</numerusform>
+            <numerusform>Rétablir %n poignées</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The handles could not move back all the way: %1.</source>
+        <translation>Les poignées n’ont pas pu revenir jusqu’au bout : %1.</translation>
+    </message>
+    <message>
+        <source>Volume %1</source>
+        <translation>Volume %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 is open (%n boundary {edge|edges}), so it has no volume that could be locked.</source>
+        <translation>
+            <numerusform>%1 : surface ouverte (%n arête de bord), donc sans volume à verrouiller.</numerusform>
+            <numerusform>%1 : surface ouverte (%n arêtes de bord), donc sans volume à verrouiller.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Close the holes and lock</source>
+        <translation>Fermer les trous et verrouiller</translation>
+    </message>
+    <message>
+        <source>Close holes and lock volume</source>
+        <translation>Fermer les trous et verrouiller le volume</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::PositionBox</name>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation>Gauche</translation>
+    </message>
+    <message>
+        <source>Posterior</source>
+        <translation>Postérieur</translation>
+    </message>
+    <message>
+        <source>Superior</source>
+        <translation>Supérieur</translation>
+    </message>
+    <message>
+        <source>No handle is selected. Click one in the view or in the list.</source>
+        <translation>Aucune poignée n’est sélectionnée. Cliquez-en une dans la vue ou dans la liste.</translation>
+    </message>
+    <message>
+        <source>Handle %1</source>
+        <translation>Poignée %1</translation>
+    </message>
+    <message>
+        <source>, %1 mm from rest</source>
+        <translation>, à %1 mm du repos</translation>
+    </message>
+    <message>
+        <source>, locked</source>
+        <translation>, verrouillée</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::ProbeCard</name>
+    <message>
+        <source>Close (Esc)</source>
+        <translation>Fermer (Échap)</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Fermer</translation>
+    </message>
+    <message>
+        <source>In the patient&apos;s axes, mm; left, posterior and superior count up</source>
+        <translation>Dans les axes du patient, mm ; gauche, postérieur et supérieur sont positifs</translation>
+    </message>
+    <message>
+        <source>Witness %1</source>
+        <translation>Témoin %1</translation>
+    </message>
+    <message>
+        <source>Surface point %1</source>
+        <translation>Point de surface %1</translation>
+    </message>
+    <message>
+        <source>At rest %1, %2, %3 mm</source>
+        <translation>Au repos %1, %2, %3 mm</translation>
+    </message>
+    <message>
+        <source>L</source>
+        <translation>L</translation>
+    </message>
+    <message>
+        <source>R</source>
+        <translation>R</translation>
+    </message>
+    <message>
+        <source>P</source>
+        <translation>P</translation>
+    </message>
+    <message>
+        <source>A</source>
+        <translation>A</translation>
+    </message>
+    <message>
+        <source>S</source>
+        <translation>S</translation>
+    </message>
+    <message>
+        <source>I</source>
+        <translation>I</translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation>oui</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>non</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <translation>%1 %2</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::QuizTool</name>
+    <message>
+        <source>Click: %1</source>
+        <translation>Cliquez : %1</translation>
+    </message>
+    <message>
+        <source>All %1 found without a mistake.</source>
+        <translation>Les %1 trouvées sans erreur.</translation>
+    </message>
+    <message numerus="yes">
+        <source>All %1 found, with %n {mistake|mistakes}.</source>
+        <translation>
+            <numerusform>Les %1 trouvées, avec %n erreur.</numerusform>
+            <numerusform>Les %1 trouvées, avec %n erreurs.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 sur %2</translation>
+    </message>
+    <message>
+        <source>Right: %1</source>
+        <translation>Exact : %1</translation>
+    </message>
+    <message>
+        <source>No, that is nearer to: %1</source>
+        <translation>Non, c’est plus proche de : %1</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::RecordBox</name>
+    <message>
+        <source>Kind</source>
+        <translation>Type</translation>
+    </message>
+    <message>
+        <source>Choose where to</source>
+        <translation>Choisir la destination</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Fichier</translation>
+    </message>
+    <message>
+        <source>%1 x %2</source>
+        <translation>%1 x %2</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Taille</translation>
+    </message>
+    <message>
+        <source> / s</source>
+        <translation> / s</translation>
+    </message>
+    <message>
+        <source>Frames</source>
+        <translation>Images</translation>
+    </message>
+    <message>
+        <source>Cycles</source>
+        <translation>Cycles</translation>
+    </message>
+    <message>
+        <source>Write phase and volumes into it</source>
+        <translation>Y inscrire la phase et les volumes</translation>
+    </message>
+    <message>
+        <source>Table of volumes beside it (.csv)</source>
+        <translation>Tableau des volumes à côté (.csv)</translation>
+    </message>
+    <message>
+        <source>Cancel the recording</source>
+        <translation>Annuler l’enregistrement</translation>
+    </message>
+    <message>
+        <source>Record</source>
+        <translation>Enregistrer</translation>
+    </message>
+    <message>
+        <source>Discard the recording</source>
+        <translation>Abandonner l’enregistrement</translation>
+    </message>
+    <message>
+        <source>Record what the view shows</source>
+        <translation>Enregistrer ce que montre la vue</translation>
+    </message>
+    <message>
+        <source>MP4 and GIF need the program ffmpeg, which is not installed on this computer.</source>
+        <translation>MP4 et GIF demandent le programme ffmpeg, qui n’est pas installé sur cet ordinateur.</translation>
+    </message>
+    <message>
+        <source>Folder for the pictures</source>
+        <translation>Dossier des images</translation>
+    </message>
+    <message>
+        <source>Record as</source>
+        <translation>Enregistrer sous</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::RecordedMotion</name>
+    <message>
+        <source>Record a key at %1 s</source>
+        <translation>Enregistrer une clé à %1 s</translation>
+    </message>
+    <message>
+        <source>Use a key&apos;s pose</source>
+        <translation>Utiliser la pose d’une clé</translation>
+    </message>
+    <message>
+        <source>Sequence saved as %1</source>
+        <translation>Séquence enregistrée dans %1</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::Recorder</name>
+    <message>
+        <source>Recording %1</source>
+        <translation>Enregistrement de %1</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::RecordingStage</name>
+    <message>
+        <source>%1, %2 / min</source>
+        <translation>%1, %2 / min</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::Repairs</name>
+    <message>
+        <source>Face outward</source>
+        <translation>Tourner vers l’extérieur</translation>
+    </message>
+    <message>
+        <source>Fill holes</source>
+        <translation>Boucher les trous</translation>
+    </message>
+    <message>
+        <source>Keep the largest piece</source>
+        <translation>Garder le plus grand morceau</translation>
+    </message>
+    <message>
+        <source>Remesh</source>
+        <translation>Remailler</translation>
+    </message>
+    <message>
+        <source>Mirror left and right</source>
+        <translation>Inverser gauche et droite</translation>
+    </message>
+    <message>
+        <source>It is RAS: turn to LPS</source>
+        <translation>C’est RAS : tourner en LPS</translation>
+    </message>
+    <message>
+        <source>Y is up: quarter turn</source>
+        <translation>Y est en haut : quart de tour</translation>
+    </message>
+    <message>
+        <source>It is in %1</source>
+        <translation>C’est en %1</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::ReportExport</name>
+    <message>
+        <source>&amp;Report...</source>
+        <translation>&amp;Rapport...</translation>
+    </message>
+    <message>
+        <source>Write pictures, volumes, measurements, stress and motion as PDF or as one HTML page</source>
+        <translation>Écrire images, volumes, mesures, contrainte et mouvement en PDF ou en une page HTML</translation>
+    </message>
+    <message>
+        <source>&amp;Copy as commands</source>
+        <translation>&amp;Copier comme commandes</translation>
+    </message>
+    <message>
+        <source>Copy the session as a script of viscera commands that gives the same result</source>
+        <translation>Copier la session comme script de commandes viscera qui donne le même résultat</translation>
+    </message>
+    <message>
+        <source>Report</source>
+        <translation>Rapport</translation>
+    </message>
+    <message>
+        <source>report.pdf</source>
+        <translation>report.pdf</translation>
+    </message>
+    <message>
+        <source>PDF documents (*.pdf);;Web pages (*.html)</source>
+        <translation>Documents PDF (*.pdf);;Pages web (*.html)</translation>
+    </message>
+    <message>
+        <source>Writing the report</source>
+        <translation>Écriture du rapport</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1: %n {page|pages}.</source>
+        <translation>
+            <numerusform>%1 : %n page.</numerusform>
+            <numerusform>%1 : %n pages.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Copying as commands</source>
+        <translation>Copie comme commandes</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {command is|commands are} in the clipboard.</source>
+        <translation>
+            <numerusform>%n commande est dans le presse-papiers.</numerusform>
+            <numerusform>%n commandes sont dans le presse-papiers.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::ResidualTable</name>
+    <message>
+        <source>largest volume</source>
+        <translation>plus grand volume</translation>
+    </message>
+    <message>
+        <source>smallest volume</source>
+        <translation>plus petit volume</translation>
+    </message>
+    <message>
+        <source>stroke volume</source>
+        <translation>volume d’éjection systolique</translation>
+    </message>
+    <message>
+        <source>ejection fraction</source>
+        <translation>fraction d’éjection</translation>
+    </message>
+    <message>
+        <source>output</source>
+        <translation>débit</translation>
+    </message>
+    <message>
+        <source>Surface whose fit is shown</source>
+        <translation>Surface dont l’ajustement est montré</translation>
+    </message>
+    <message>
+        <source>Measured surface</source>
+        <translation>Surface mesurée</translation>
+    </message>
+    <message>
+        <source>Distances</source>
+        <translation>Distances</translation>
+    </message>
+    <message>
+        <source>Fit of the motion, phase by phase</source>
+        <translation>Ajustement du mouvement, phase par phase</translation>
+    </message>
+    <message>
+        <source>Phase</source>
+        <translation>Phase</translation>
+    </message>
+    <message>
+        <source>ms</source>
+        <translation>ms</translation>
+    </message>
+    <message>
+        <source>mean mm</source>
+        <translation>moy. mm</translation>
+    </message>
+    <message>
+        <source>95 % mm</source>
+        <translation>95 % mm</translation>
+    </message>
+    <message>
+        <source>max mm</source>
+        <translation>max mm</translation>
+    </message>
+    <message>
+        <source>measured ml</source>
+        <translation>mesuré ml</translation>
+    </message>
+    <message>
+        <source>free ml</source>
+        <translation>libre ml</translation>
+    </message>
+    <message>
+        <source>fitted ml</source>
+        <translation>ajusté ml</translation>
+    </message>
+    <message>
+        <source>Dice</source>
+        <translation>Dice</translation>
+    </message>
+    <message>
+        <source>flipped</source>
+        <translation>retournés</translation>
+    </message>
+    <message>
+        <source>folded</source>
+        <translation>replié</translation>
+    </message>
+    <message>
+        <source>steps</source>
+        <translation>étapes</translation>
+    </message>
+    <message>
+        <source>A mark shows that the phase needs attention; the row&apos;s tip says why</source>
+        <translation>Une marque montre que la phase demande attention ; l’infobulle de la ligne dit pourquoi</translation>
+    </message>
+    <message>
+        <source>Time of the phase</source>
+        <translation>Temps de la phase</translation>
+    </message>
+    <message>
+        <source>Distance of the surface from what was measured, by area</source>
+        <translation>Distance de la surface à ce qui a été mesuré, selon l’aire</translation>
+    </message>
+    <message>
+        <source>Below this distance are 95 % of the area</source>
+        <translation>95 % de l’aire sont sous cette distance</translation>
+    </message>
+    <message>
+        <source>The largest distance</source>
+        <translation>La plus grande distance</translation>
+    </message>
+    <message>
+        <source>Volume that was measured</source>
+        <translation>Volume mesuré</translation>
+    </message>
+    <message>
+        <source>Volume of the fit before volumes were kept</source>
+        <translation>Volume de l’ajustement avant conservation des volumes</translation>
+    </message>
+    <message>
+        <source>Volume of the fit</source>
+        <translation>Volume de l’ajustement</translation>
+    </message>
+    <message>
+        <source>How well the voxels agree: 1 for all</source>
+        <translation>Concordance des voxels : 1 si totale</translation>
+    </message>
+    <message>
+        <source>Triangles that face the wrong way</source>
+        <translation>Triangles tournés du mauvais côté</translation>
+    </message>
+    <message>
+        <source>Places in the tissue that are folded</source>
+        <translation>Endroits du tissu qui sont repliés</translation>
+    </message>
+    <message>
+        <source>Steps that the fit took</source>
+        <translation>Étapes de l’ajustement</translation>
+    </message>
+    <message>
+        <source>What differs from the series before</source>
+        <translation>Ce qui diffère de la série précédente</translation>
+    </message>
+    <message>
+        <source>before</source>
+        <translation>avant</translation>
+    </message>
+    <message>
+        <source>now</source>
+        <translation>actuel</translation>
+    </message>
+    <message>
+        <source>difference</source>
+        <translation>différence</translation>
+    </message>
+    <message>
+        <source>All surfaces</source>
+        <translation>Toutes les surfaces</translation>
+    </message>
+    <message>
+        <source>Compared with the series before</source>
+        <translation>Comparé à la série précédente</translation>
+    </message>
+    <message>
+        <source>%1: EF %2 %, %3 to %4 ml, %5 l/min</source>
+        <translation>%1 : FE %2 %, %3 à %4 ml, %5 l/min</translation>
+    </message>
+    <message>
+        <source>tissue %1 to %2 ml</source>
+        <translation>tissu %1 à %2 ml</translation>
+    </message>
+    <message>
+        <source>A session does not keep what was measured. Find the motion again to see it: Sequence &gt; Motion from a series</source>
+        <translation>Une session ne garde pas ce qui a été mesuré. Recalculez le mouvement pour le voir : Séquence &gt; Mouvement d’une série</translation>
+    </message>
+    <message>
+        <source>The surfaces that were measured in the nearest phase, as glass in the view</source>
+        <translation>Les surfaces mesurées à la phase la plus proche, comme du verre dans la vue</translation>
+    </message>
+    <message>
+        <source>Colours the organs by their distance from what was measured in the nearest phase</source>
+        <translation>Colore les organes selon leur distance à ce qui a été mesuré à la phase la plus proche</translation>
+    </message>
+    <message>
+        <source>%1, %2 (%3)</source>
+        <translation>%1, %2 (%3)</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::SampleLoader</name>
+    <message>
+        <source>Sample %1</source>
+        <translation>%1 type</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::ScanActions</name>
+    <message>
+        <source>Soft &amp;tissue</source>
+        <translation>&amp;Tissus mous</translation>
+    </message>
+    <message>
+        <source>&amp;Lung</source>
+        <translation>&amp;Poumon</translation>
+    </message>
+    <message>
+        <source>&amp;Bone</source>
+        <translation>&amp;Os</translation>
+    </message>
+    <message>
+        <source>B&amp;rain</source>
+        <translation>&amp;Cerveau</translation>
+    </message>
+    <message>
+        <source>Li&amp;ver</source>
+        <translation>&amp;Foie</translation>
+    </message>
+    <message>
+        <source>&amp;Angiography</source>
+        <translation>&amp;Angiographie</translation>
+    </message>
+    <message>
+        <source>&amp;3D view alone</source>
+        <translation>Vue &amp;3D seule</translation>
+    </message>
+    <message>
+        <source>&amp;Four views</source>
+        <translation>&amp;Quatre vues</translation>
+    </message>
+    <message>
+        <source>&amp;Axial slice</source>
+        <translation>Coupe &amp;axiale</translation>
+    </message>
+    <message>
+        <source>&amp;Coronal slice</source>
+        <translation>Coupe &amp;coronale</translation>
+    </message>
+    <message>
+        <source>&amp;Sagittal slice</source>
+        <translation>Coupe &amp;sagittale</translation>
+    </message>
+    <message>
+        <source>  phase %1 of %2</source>
+        <translation>  phase %1 sur %2</translation>
+    </message>
+    <message>
+        <source>Open a &amp;scan...</source>
+        <translation>Ouvrir un &amp;examen...</translation>
+    </message>
+    <message>
+        <source>Open a CT or MR beside the organs</source>
+        <translation>Ouvrir un scanner ou une IRM à côté des organes</translation>
+    </message>
+    <message>
+        <source>Open a DICOM &amp;series...</source>
+        <translation>Ouvrir une &amp;série DICOM...</translation>
+    </message>
+    <message>
+        <source>Open a folder of DICOM files as a scan</source>
+        <translation>Ouvrir un dossier de fichiers DICOM comme examen</translation>
+    </message>
+    <message>
+        <source>C&amp;lose the scan</source>
+        <translation>&amp;Fermer l’examen</translation>
+    </message>
+    <message>
+        <source>Close the scan; the organs stay</source>
+        <translation>Fermer l’examen ; les organes restent</translation>
+    </message>
+    <message>
+        <source>A&amp;utomatic</source>
+        <translation>A&amp;utomatique</translation>
+    </message>
+    <message>
+        <source>Level and width that the scan&apos;s file proposes, or found from its values</source>
+        <translation>Niveau et largeur que propose le fichier de l’examen, ou trouvés d’après ses valeurs</translation>
+    </message>
+    <message>
+        <source>Level %1, width %2</source>
+        <translation>Niveau %1, largeur %2</translation>
+    </message>
+    <message>
+        <source>&amp;Contours</source>
+        <translation>&amp;Contours</translation>
+    </message>
+    <message>
+        <source>Draw the organs&apos; contours on the slices</source>
+        <translation>Tracer les contours des organes sur les coupes</translation>
+    </message>
+    <message>
+        <source>Contours at &amp;rest</source>
+        <translation>Contours au &amp;repos</translation>
+    </message>
+    <message>
+        <source>Draw thin contours of the organs at rest as well</source>
+        <translation>Tracer aussi de fins contours des organes au repos</translation>
+    </message>
+    <message>
+        <source>Slices in the &amp;3D view</source>
+        <translation>Coupes dans la vue &amp;3D</translation>
+    </message>
+    <message>
+        <source>&amp;Bend the scan</source>
+        <translation>Cour&amp;ber l’examen</translation>
+    </message>
+    <message>
+        <source>Show the scan as the pose deforms it</source>
+        <translation>Montrer l’examen tel que la pose le déforme</translation>
+    </message>
+    <message>
+        <source>S&amp;mooth between voxels</source>
+        <translation>&amp;Lisser entre les voxels</translation>
+    </message>
+    <message>
+        <source>Ma&amp;ximum of thick slices</source>
+        <translation>&amp;Maximum des coupes épaisses</translation>
+    </message>
+    <message>
+        <source>Instead of their mean</source>
+        <translation>Au lieu de leur moyenne</translation>
+    </message>
+    <message>
+        <source>&amp;Thickness</source>
+        <translation>É&amp;paisseur</translation>
+    </message>
+    <message>
+        <source>Slices of %1 mm</source>
+        <translation>Coupes de %1 mm</translation>
+    </message>
+    <message>
+        <source>Thin slices</source>
+        <translation>Coupes fines</translation>
+    </message>
+    <message>
+        <source>Open a folder of DICOM files</source>
+        <translation>Ouvrir un dossier de fichiers DICOM</translation>
+    </message>
+    <message>
+        <source>Open a scan</source>
+        <translation>Ouvrir un examen</translation>
+    </message>
+    <message>
+        <source>Scans (*.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.dcm);;All files (*)</source>
+        <translation>Examens (*.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.dcm);;Tous les fichiers (*)</translation>
+    </message>
+    <message>
+        <source>Reading %1</source>
+        <translation>Lecture de %1</translation>
+    </message>
+    <message>
+        <source>The folder has several scans. Which one?</source>
+        <translation>Le dossier contient plusieurs examens. Lequel ?</translation>
+    </message>
+    <message>
+        <source>Opening %1</source>
+        <translation>Ouverture de %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n more: see Scan on the page of Explore.</source>
+        <translation>
+            <numerusform>%n autre : voir Examen sur la page d’Explorer.</numerusform>
+            <numerusform>%n autres : voir Examen sur la page d’Explorer.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::SequenceList</name>
+    <message>
+        <source>Sequences</source>
+        <translation>Séquences</translation>
+    </message>
+    <message>
+        <source>%1: can be fitted to %2</source>
+        <translation>%1 : peut être ajustée à %2</translation>
+    </message>
+    <message>
+        <source>%1: shows the sample organ and plays</source>
+        <translation>%1 : montre l’organe type et joue</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::SessionFiles</name>
+    <message>
+        <source>&amp;New session</source>
+        <translation>&amp;Nouvelle session</translation>
+    </message>
+    <message>
+        <source>Start with an empty session</source>
+        <translation>Commencer avec une session vide</translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>&amp;Enregistrer</translation>
+    </message>
+    <message>
+        <source>Save the session</source>
+        <translation>Enregistrer la session</translation>
+    </message>
+    <message>
+        <source>Save &amp;as...</source>
+        <translation>Enregistrer &amp;sous...</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+S</source>
+        <translation>Ctrl+Shift+S</translation>
+    </message>
+    <message>
+        <source>Save the session in another file</source>
+        <translation>Enregistrer la session dans un autre fichier</translation>
+    </message>
+    <message>
+        <source>&amp;Recover unsaved work</source>
+        <translation>&amp;Récupérer le travail non enregistré</translation>
+    </message>
+    <message>
+        <source>Open the copy that Viscera kept when it ended without saving</source>
+        <translation>Ouvrir la copie que Viscera a gardée quand il s’est terminé sans enregistrer</translation>
+    </message>
+    <message>
+        <source>Viscera</source>
+        <translation>Viscera</translation>
+    </message>
+    <message>
+        <source>Untitled session</source>
+        <translation>Session sans titre</translation>
+    </message>
+    <message>
+        <source>Session that names its organs&apos; files</source>
+        <translation>Session qui nomme les fichiers de ses organes</translation>
+    </message>
+    <message>
+        <source>Session with all surfaces and the scan inside</source>
+        <translation>Session avec toutes les surfaces et l’examen</translation>
+    </message>
+    <message>
+        <source>session</source>
+        <translation>session</translation>
+    </message>
+    <message>
+        <source>Save the session as</source>
+        <translation>Enregistrer la session sous</translation>
+    </message>
+    <message>
+        <source>Saving %1</source>
+        <translation>Enregistrement de %1</translation>
+    </message>
+    <message>
+        <source>Saved as %1</source>
+        <translation>Enregistré dans %1</translation>
+    </message>
+    <message>
+        <source>Save changes?</source>
+        <translation>Enregistrer les modifications ?</translation>
+    </message>
+    <message>
+        <source>Save the changes of %1?</source>
+        <translation>Enregistrer les modifications de %1 ?</translation>
+    </message>
+    <message>
+        <source>Unsaved changes will be lost.</source>
+        <translation>Les modifications non enregistrées seront perdues.</translation>
+    </message>
+    <message>
+        <source>&amp;Discard</source>
+        <translation>A&amp;bandonner</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation>&amp;Annuler</translation>
+    </message>
+    <message>
+        <source>Opening %1</source>
+        <translation>Ouverture de %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>And %n more.</source>
+        <translation>
+            <numerusform>Et %n autre.</numerusform>
+            <numerusform>Et %n autres.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Viscera ended without saving. It has kept a copy of the work of %1.</source>
+        <translation>Viscera s’est terminé sans enregistrer. Il a gardé une copie du travail du %1.</translation>
+    </message>
+    <message>
+        <source>Recover</source>
+        <translation>Récupérer</translation>
+    </message>
+    <message>
+        <source>Discard</source>
+        <translation>Abandonner</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::SessionView</name>
+    <message>
+        <source>Preparing the motion</source>
+        <translation>Préparation du mouvement</translation>
+    </message>
+    <message>
+        <source>This version moves the organ differently from the one that saved the session: handles differ by up to %1 mm.</source>
+        <translation>Cette version meut l’organe autrement que celle qui a enregistré la session : les poignées diffèrent de %1 mm au plus.</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::ShortcutCard</name>
+    <message>
+        <source>Mouse and keys</source>
+        <translation>Souris et touches</translation>
+    </message>
+    <message>
+        <source>Close (Esc)</source>
+        <translation>Fermer (Échap)</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Fermer</translation>
+    </message>
+    <message>
+        <source>Left drag</source>
+        <translation>Glisser à gauche</translation>
+    </message>
+    <message>
+        <source>Rotate, or move a handle</source>
+        <translation>Tourner, ou déplacer une poignée</translation>
+    </message>
+    <message>
+        <source>Middle, Shift+left drag</source>
+        <translation>Milieu, Maj+glisser à gauche</translation>
+    </message>
+    <message>
+        <source>Pan</source>
+        <translation>Translater</translation>
+    </message>
+    <message>
+        <source>Right drag, wheel</source>
+        <translation>Glisser à droite, molette</translation>
+    </message>
+    <message>
+        <source>Zoom</source>
+        <translation>Zoomer</translation>
+    </message>
+    <message>
+        <source>Click</source>
+        <translation>Clic</translation>
+    </message>
+    <message>
+        <source>Select, or add a handle</source>
+        <translation>Sélectionner, ou ajouter une poignée</translation>
+    </message>
+    <message>
+        <source>Shift or Ctrl+click</source>
+        <translation>Maj ou Ctrl+clic</translation>
+    </message>
+    <message>
+        <source>Add to the selection</source>
+        <translation>Ajouter à la sélection</translation>
+    </message>
+    <message>
+        <source>Esc</source>
+        <translation>Échap</translation>
+    </message>
+    <message>
+        <source>Cancel a drag, close a message</source>
+        <translation>Annuler un glissement, fermer un message</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::SlicePanes</name>
+    <message>
+        <source>The scan cannot be bent: %1</source>
+        <translation>L’examen ne peut pas être courbé : %1</translation>
+    </message>
+    <message>
+        <source>folded by the pose: estimated</source>
+        <translation>replié par la pose : estimé</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::SlidePanel</name>
+    <message>
+        <source>Keep views as slides, then show them with F5 and Page Down. The session keeps them.</source>
+        <translation>Gardez des vues comme diapositives, puis montrez-les avec F5 et Page suiv. La session les conserve.</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::Slides</name>
+    <message>
+        <source>&amp;Keep this view as a slide</source>
+        <translation>&amp;Garder cette vue comme diapositive</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+K</source>
+        <translation>Ctrl+Shift+K</translation>
+    </message>
+    <message>
+        <source>Keep the present view, and the instant of a paused sequence</source>
+        <translation>Garder la vue actuelle, et l’instant d’une séquence en pause</translation>
+    </message>
+    <message>
+        <source>&amp;Remove the slide</source>
+        <translation>Supprimer la &amp;diapositive</translation>
+    </message>
+    <message>
+        <source>Remove the slide that was shown last</source>
+        <translation>Supprimer la dernière diapositive montrée</translation>
+    </message>
+    <message>
+        <source>&amp;Next slide</source>
+        <translation>Diapositive &amp;suivante</translation>
+    </message>
+    <message>
+        <source>&amp;Previous slide</source>
+        <translation>Diapositive &amp;précédente</translation>
+    </message>
+    <message>
+        <source>Slide %1</source>
+        <translation>Diapositive %1</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::StatusLine</name>
+    <message>
+        <source>Cancel this task</source>
+        <translation>Annuler cette tâche</translation>
+    </message>
+    <message>
+        <source>No organ</source>
+        <translation>Aucun organe</translation>
+    </message>
+    <message>
+        <source>%1: open surface, no volume</source>
+        <translation>%1 : surface ouverte, pas de volume</translation>
+    </message>
+    <message>
+        <source>%1  %2  (%3, %4)</source>
+        <translation>%1  %2  (%3, %4)</translation>
+    </message>
+    <message>
+        <source>  locked</source>
+        <translation>  verrouillé</translation>
+    </message>
+    <message>
+        <source>no handles</source>
+        <translation>aucune poignée</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {handle|handles}</source>
+        <translation>
+            <numerusform>%n poignée</numerusform>
+            <numerusform>%n poignées</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>, binding...</source>
+        <translation>, liaison...</translation>
+    </message>
+    <message>
+        <source>, not bound</source>
+        <translation>, non lié</translation>
+    </message>
+    <message>
+        <source>, binding cancelled</source>
+        <translation>, liaison annulée</translation>
+    </message>
+    <message>
+        <source>, bound in %1 ms</source>
+        <translation>, lié en %1 ms</translation>
+    </message>
+    <message>
+        <source>%1, the pose folds %2</source>
+        <translation>%1, la pose replie %2</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1 : %2</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::StressChart</name>
+    <message>
+        <source>The stress over time is drawn here while a sequence plays (Space).</source>
+        <translation>La contrainte au cours du temps est tracée ici pendant la lecture d’une séquence (Espace).</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Temps</translation>
+    </message>
+    <message>
+        <source>Rotational stress</source>
+        <translation>Contrainte rotationnelle</translation>
+    </message>
+    <message>
+        <source>largest</source>
+        <translation>maximum</translation>
+    </message>
+    <message>
+        <source>95th percentile</source>
+        <translation>95e centile</translation>
+    </message>
+    <message>
+        <source>mean</source>
+        <translation>moyenne</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::StressExport</name>
+    <message>
+        <source>Comma-separated values (*.csv)</source>
+        <translation>Valeurs séparées par des virgules (*.csv)</translation>
+    </message>
+    <message>
+        <source>Export stress &amp;map...</source>
+        <translation>Exporter la &amp;carte de contrainte...</translation>
+    </message>
+    <message>
+        <source>Write all quantities at all points inside the organ, for ParaView</source>
+        <translation>Écrire toutes les grandeurs en tous les points de l’organe, pour ParaView</translation>
+    </message>
+    <message>
+        <source>Export stress map</source>
+        <translation>Exporter la carte de contrainte</translation>
+    </message>
+    <message>
+        <source>stress.vtu</source>
+        <translation>stress.vtu</translation>
+    </message>
+    <message>
+        <source>VTK solids (*.vtu)</source>
+        <translation>Solides VTK (*.vtu)</translation>
+    </message>
+    <message>
+        <source>Export stress at the &amp;points...</source>
+        <translation>Exporter la contrainte aux &amp;points...</translation>
+    </message>
+    <message>
+        <source>Write the values at the witness points as a table</source>
+        <translation>Écrire les valeurs aux points témoins sous forme de tableau</translation>
+    </message>
+    <message>
+        <source>Export stress at the points</source>
+        <translation>Exporter la contrainte aux points</translation>
+    </message>
+    <message>
+        <source>stress.csv</source>
+        <translation>stress.csv</translation>
+    </message>
+    <message>
+        <source>Export &amp;histogram...</source>
+        <translation>Exporter l’&amp;histogramme...</translation>
+    </message>
+    <message>
+        <source>Write the distribution of the shown quantity over the witness points</source>
+        <translation>Écrire la distribution de la grandeur affichée sur les points témoins</translation>
+    </message>
+    <message>
+        <source>Export histogram</source>
+        <translation>Exporter l’histogramme</translation>
+    </message>
+    <message>
+        <source>histogram.csv</source>
+        <translation>histogram.csv</translation>
+    </message>
+    <message>
+        <source>Export &amp;curve over the sequence...</source>
+        <translation>Exporter la co&amp;urbe sur la séquence...</translation>
+    </message>
+    <message>
+        <source>Write the rotational stress over one whole cycle of the sequence</source>
+        <translation>Écrire la contrainte rotationnelle sur un cycle entier de la séquence</translation>
+    </message>
+    <message>
+        <source>Export curve</source>
+        <translation>Exporter la courbe</translation>
+    </message>
+    <message>
+        <source>curve.csv</source>
+        <translation>curve.csv</translation>
+    </message>
+    <message>
+        <source>Exporting %1</source>
+        <translation>Exportation : %1</translation>
+    </message>
+    <message>
+        <source>Written to %1.</source>
+        <translation>Écrit dans %1.</translation>
+    </message>
+    <message>
+        <source>the stress map</source>
+        <translation>la carte de contrainte</translation>
+    </message>
+    <message>
+        <source>the stress</source>
+        <translation>la contrainte</translation>
+    </message>
+    <message>
+        <source>the histogram</source>
+        <translation>l’histogramme</translation>
+    </message>
+    <message>
+        <source>the curve</source>
+        <translation>la courbe</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::StressMode</name>
+    <message>
+        <source>Stress</source>
+        <translation>Contrainte</translation>
+    </message>
+    <message>
+        <source>Tissue distortion (rotational stress) by the pose: click it to see its values; C cuts the organ open; drag a handle, the map follows</source>
+        <translation>Distorsion tissulaire (contrainte rotationnelle) due à la pose : cliquez-la pour voir ses valeurs ; C ouvre l’organe ; faites glisser une poignée, la carte suit</translation>
+    </message>
+    <message>
+        <source>&amp;Next map</source>
+        <translation>Carte &amp;suivante</translation>
+    </message>
+    <message>
+        <source>The next stress map</source>
+        <translation>La carte de contrainte suivante</translation>
+    </message>
+    <message>
+        <source>&amp;Go to the maximum</source>
+        <translation>Aller au &amp;maximum</translation>
+    </message>
+    <message>
+        <source>Shift+X</source>
+        <translation>Shift+X</translation>
+    </message>
+    <message>
+        <source>Show the values where the map is largest, and cut the organ open there</source>
+        <translation>Montrer les valeurs là où la carte est maximale, et y ouvrir l’organe</translation>
+    </message>
+    <message>
+        <source>&amp;Peak over the sequence</source>
+        <translation>&amp;Pic sur la séquence</translation>
+    </message>
+    <message>
+        <source>Shift+M</source>
+        <translation>Shift+M</translation>
+    </message>
+    <message>
+        <source>The largest value that each point reaches in one cycle of the sequence</source>
+        <translation>La plus grande valeur que chaque point atteint en un cycle de la séquence</translation>
+    </message>
+    <message>
+        <source>Map on the organ&apos;s &amp;surface</source>
+        <translation>Carte sur la s&amp;urface de l’organe</translation>
+    </message>
+    <message>
+        <source>Draw the map on the organ&apos;s surface instead of the outer tetrahedra</source>
+        <translation>Tracer la carte sur la surface de l’organe au lieu des tétraèdres externes</translation>
+    </message>
+    <message>
+        <source>&amp;Keep the legend&apos;s range</source>
+        <translation>&amp;Garder l’échelle de la légende</translation>
+    </message>
+    <message>
+        <source>Keep the range of colours, so that poses can be compared</source>
+        <translation>Garder l’intervalle des couleurs, pour comparer des poses</translation>
+    </message>
+    <message>
+        <source>&amp;Cut open</source>
+        <translation>&amp;Ouvrir par une section</translation>
+    </message>
+    <message>
+        <source>Cut the organ open by a plane</source>
+        <translation>Ouvrir l’organe par un plan</translation>
+    </message>
+    <message>
+        <source>&amp;Only beyond a limit</source>
+        <translation>Seulement au-delà d’une &amp;limite</translation>
+    </message>
+    <message>
+        <source>Show only tissue above or below a limit</source>
+        <translation>N’afficher que le tissu au-dessus ou au-dessous d’une limite</translation>
+    </message>
+    <message>
+        <source>&amp;Glyphs of the stretch</source>
+        <translation>Gl&amp;yphes de l’étirement</translation>
+    </message>
+    <message>
+        <source>Shift+G</source>
+        <translation>Shift+G</translation>
+    </message>
+    <message>
+        <source>No glyphs, ellipsoids or crosses</source>
+        <translation>Aucun glyphe, ellipsoïdes ou croix</translation>
+    </message>
+    <message>
+        <source>&amp;Handles</source>
+        <translation>&amp;Poignées</translation>
+    </message>
+    <message>
+        <source>Show the handles, so that they can be dragged</source>
+        <translation>Afficher les poignées, pour les faire glisser</translation>
+    </message>
+    <message>
+        <source>O&amp;ther organs</source>
+        <translation>&amp;Autres organes</translation>
+    </message>
+    <message>
+        <source>Show the other organs as well</source>
+        <translation>Afficher aussi les autres organes</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::StressModel</name>
+    <message>
+        <source>Peak of %1</source>
+        <translation>Pic de : %1</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <translation>%1 %2</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::StressPage</name>
+    <message>
+        <source>TetGen</source>
+        <translation>TetGen</translation>
+    </message>
+    <message>
+        <source>TetGen, surface repaired</source>
+        <translation>TetGen, surface réparée</translation>
+    </message>
+    <message>
+        <source>regular grid</source>
+        <translation>grille régulière</translation>
+    </message>
+    <message>
+        <source>Map</source>
+        <translation>Carte</translation>
+    </message>
+    <message>
+        <source>What the colours mean (M: next map). Rotational stress is the largest angle by which a direction is turned when the tissue is stretched; it is not a pressure.</source>
+        <translation>Ce que signifient les couleurs (M : carte suivante). La contrainte rotationnelle est le plus grand angle dont une direction tourne quand le tissu est étiré ; ce n’est pas une pression.</translation>
+    </message>
+    <message>
+        <source>Your pose</source>
+        <translation>Votre pose</translation>
+    </message>
+    <message>
+        <source>The map of your pose; handles can be dragged</source>
+        <translation>La carte de votre pose ; les poignées peuvent être déplacées</translation>
+    </message>
+    <message>
+        <source>Sequence</source>
+        <translation>Séquence</translation>
+    </message>
+    <message>
+        <source>The map of the sequence at the timeline&apos;s instant; Space plays</source>
+        <translation>La carte de la séquence à l’instant de la barre de temps ; Espace lit</translation>
+    </message>
+    <message>
+        <source>Numbers</source>
+        <translation>Valeurs</translation>
+    </message>
+    <message>
+        <source>Smallest</source>
+        <translation>Minimum</translation>
+    </message>
+    <message>
+        <source>Mean</source>
+        <translation>Moyenne</translation>
+    </message>
+    <message>
+        <source>95th percentile</source>
+        <translation>95e centile</translation>
+    </message>
+    <message>
+        <source>Largest</source>
+        <translation>Maximum</translation>
+    </message>
+    <message>
+        <source>Folded</source>
+        <translation>Replié</translation>
+    </message>
+    <message>
+        <source>Witness points at which the tissue is turned inside out; in magenta on every map</source>
+        <translation>Points témoins où le tissu est retourné ; en magenta sur chaque carte</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Exporter</translation>
+    </message>
+    <message>
+        <source>Look inside</source>
+        <translation>Regarder à l’intérieur</translation>
+    </message>
+    <message>
+        <source>Cut</source>
+        <translation>Section</translation>
+    </message>
+    <message>
+        <source>Smooth: through the tetrahedra</source>
+        <translation>Lisse : à travers les tétraèdres</translation>
+    </message>
+    <message>
+        <source>Crinkle: whole tetrahedra</source>
+        <translation>Crénelée : tétraèdres entiers</translation>
+    </message>
+    <message>
+        <source>Depth</source>
+        <translation>Profondeur</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>Distance of the cut from the organ&apos;s middle; the arrow in the view moves it, the rim tilts it</source>
+        <translation>Distance de la section au milieu de l’organe ; la flèche dans la vue la déplace, le bord l’incline</translation>
+    </message>
+    <message>
+        <source>Shown</source>
+        <translation>Affiché</translation>
+    </message>
+    <message>
+        <source>Show what is above</source>
+        <translation>Afficher ce qui est au-dessus</translation>
+    </message>
+    <message>
+        <source>Show what is below</source>
+        <translation>Afficher ce qui est au-dessous</translation>
+    </message>
+    <message>
+        <source>Limit</source>
+        <translation>Limite</translation>
+    </message>
+    <message>
+        <source>Glyphs</source>
+        <translation>Glyphes</translation>
+    </message>
+    <message>
+        <source>No glyphs</source>
+        <translation>Aucun glyphe</translation>
+    </message>
+    <message>
+        <source>Ellipsoids of the stretch</source>
+        <translation>Ellipsoïdes de l’étirement</translation>
+    </message>
+    <message>
+        <source>Crosses of the stretch</source>
+        <translation>Croix de l’étirement</translation>
+    </message>
+    <message>
+        <source>The shapes that small balls of tissue take, at about 300 places</source>
+        <translation>Les formes que prennent de petites boules de tissu, en 300 endroits environ</translation>
+    </message>
+    <message>
+        <source>Coronal</source>
+        <translation>Coronale</translation>
+    </message>
+    <message>
+        <source>Cut away the front</source>
+        <translation>Retirer la partie avant</translation>
+    </message>
+    <message>
+        <source>Sagittal</source>
+        <translation>Sagittale</translation>
+    </message>
+    <message>
+        <source>Cut away the right side</source>
+        <translation>Retirer le côté droit</translation>
+    </message>
+    <message>
+        <source>Axial</source>
+        <translation>Axiale</translation>
+    </message>
+    <message>
+        <source>Cut away the upper part</source>
+        <translation>Retirer la partie supérieure</translation>
+    </message>
+    <message>
+        <source>Facing me</source>
+        <translation>Face à moi</translation>
+    </message>
+    <message>
+        <source>Cut through the middle, across the line of sight</source>
+        <translation>Couper par le milieu, perpendiculairement au regard</translation>
+    </message>
+    <message>
+        <source>Number</source>
+        <translation>Nombre</translation>
+    </message>
+    <message>
+        <source>Number of witness points</source>
+        <translation>Nombre de points témoins</translation>
+    </message>
+    <message>
+        <source>More points show finer detail and take longer; up to 20,000 the map follows a drag</source>
+        <translation>Plus de points montrent des détails plus fins et prennent plus de temps ; jusqu’à 20 000, la carte suit un glissement</translation>
+    </message>
+    <message>
+        <source>Witness points</source>
+        <translation>Points témoins</translation>
+    </message>
+    <message>
+        <source>Source</source>
+        <translation>Source</translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation>Points</translation>
+    </message>
+    <message>
+        <source>Derivatives</source>
+        <translation>Dérivées</translation>
+    </message>
+    <message>
+        <source>Try again</source>
+        <translation>Réessayer</translation>
+    </message>
+    <message>
+        <source>Open an organ to see where it is distorted.</source>
+        <translation>Ouvrez un organe pour voir où il est déformé.</translation>
+    </message>
+    <message>
+        <source>Filling the organ with witness points...</source>
+        <translation>Remplissage de l’organe de points témoins...</translation>
+    </message>
+    <message>
+        <source>Binding the witness points to the handles...</source>
+        <translation>Liaison des points témoins aux poignées...</translation>
+    </message>
+    <message>
+        <source>Cancelled. Press Try again to go on.</source>
+        <translation>Annulé. Cliquez Réessayer pour continuer.</translation>
+    </message>
+    <message>
+        <source>%1 in %2 tetrahedra</source>
+        <translation>%1 dans %2 tétraèdres</translation>
+    </message>
+    <message>
+        <source>closed form</source>
+        <translation>forme close</translation>
+    </message>
+    <message>
+        <source>differences</source>
+        <translation>différences</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {point lies|points lie} outside the handles&apos; hull and stay where they are.</source>
+        <translation>
+            <numerusform>%n point est hors de l’enveloppe des poignées et reste où il est.</numerusform>
+            <numerusform>%n points sont hors de l’enveloppe des poignées et restent où ils sont.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::SystemBox</name>
+    <message>
+        <source>Coordinates</source>
+        <translation>Coordonnées</translation>
+    </message>
+    <message>
+        <source>Coordinate system that binds the organs to the handles</source>
+        <translation>Système de coordonnées qui lie les organes aux poignées</translation>
+    </message>
+    <message>
+        <source>no cage</source>
+        <translation>sans cage</translation>
+    </message>
+    <message>
+        <source>Handles may stand anywhere around the organ</source>
+        <translation>Les poignées peuvent être n’importe où autour de l’organe</translation>
+    </message>
+    <message>
+        <source>cage</source>
+        <translation>cage</translation>
+    </message>
+    <message>
+        <source>Works with a closed surface over the handles: their convex hull, or a cage that was loaded</source>
+        <translation>Fonctionne avec une surface fermée sur les poignées : leur enveloppe convexe, ou une cage chargée</translation>
+    </message>
+    <message>
+        <source>positive</source>
+        <translation>positif</translation>
+    </message>
+    <message>
+        <source>No handle ever pushes the organ the other way</source>
+        <translation>Aucune poignée ne pousse jamais l’organe en sens contraire</translation>
+    </message>
+    <message>
+        <source>interpolating</source>
+        <translation>interpolant</translation>
+    </message>
+    <message>
+        <source>A point at a handle follows it exactly</source>
+        <translation>Un point situé à une poignée la suit exactement</translation>
+    </message>
+    <message>
+        <source>exact gradient</source>
+        <translation>gradient exact</translation>
+    </message>
+    <message>
+        <source>Stress is computed without differences</source>
+        <translation>La contrainte est calculée sans différences</translation>
+    </message>
+    <message>
+        <source>gaps</source>
+        <translation>lacunes</translation>
+    </message>
+    <message>
+        <source>Some points inside the hull have no coordinates and do not move</source>
+        <translation>Certains points de l’enveloppe n’ont pas de coordonnées et ne bougent pas</translation>
+    </message>
+    <message>
+        <source>jumps</source>
+        <translation>sauts</translation>
+    </message>
+    <message>
+        <source>Neighbouring points may move very differently</source>
+        <translation>Des points voisins peuvent bouger très différemment</translation>
+    </message>
+    <message>
+        <source>kinks</source>
+        <translation>plis</translation>
+    </message>
+    <message>
+        <source>The deformed organ may show creases</source>
+        <translation>L’organe déformé peut montrer des arêtes</translation>
+    </message>
+    <message>
+        <source>groups</source>
+        <translation>groupes</translation>
+    </message>
+    <message>
+        <source>Handles act by their groups</source>
+        <translation>Les poignées agissent par leurs groupes</translation>
+    </message>
+    <message>
+        <source>tetrahedra</source>
+        <translation>tétraèdres</translation>
+    </message>
+    <message>
+        <source>Fills the organ with tetrahedra first</source>
+        <translation>Remplit d’abord l’organe de tétraèdres</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <translation>%1 %2</translation>
+    </message>
+    <message>
+        <source>Set to %1 %2, but these handles allow %3 at most, which is used.</source>
+        <translation>Réglé à %1 %2, mais ces poignées permettent %3 au plus, valeur utilisée.</translation>
+    </message>
+    <message>
+        <source>These handles allow up to %1.</source>
+        <translation>Ces poignées permettent jusqu’à %1.</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::SystemCombo</name>
+    <message>
+        <source>Recommended</source>
+        <translation>Recommandés</translation>
+    </message>
+    <message>
+        <source>With a cage</source>
+        <translation>Avec une cage</translation>
+    </message>
+    <message>
+        <source>With tetrahedra</source>
+        <translation>Avec des tétraèdres</translation>
+    </message>
+    <message>
+        <source>Attempts of the thesis</source>
+        <translation>Essais de la thèse</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::TimelineBar</name>
+    <message>
+        <source>To the start of the cycle (Home)</source>
+        <translation>Au début du cycle (Origine)</translation>
+    </message>
+    <message>
+        <source>One frame back (,)</source>
+        <translation>Une image en arrière (,)</translation>
+    </message>
+    <message>
+        <source>Play or pause (Space)</source>
+        <translation>Lire ou mettre en pause (Espace)</translation>
+    </message>
+    <message>
+        <source>One frame forward (.)</source>
+        <translation>Une image en avant (.)</translation>
+    </message>
+    <message>
+        <source>Repeat the cycle (L)</source>
+        <translation>Répéter le cycle (L)</translation>
+    </message>
+    <message>
+        <source>&amp;Repeat</source>
+        <translation>&amp;Répéter</translation>
+    </message>
+    <message>
+        <source>Repeat the cycle</source>
+        <translation>Répéter le cycle</translation>
+    </message>
+    <message>
+        <source>&amp;Play or pause</source>
+        <translation>&amp;Lire ou mettre en pause</translation>
+    </message>
+    <message>
+        <source>To the &amp;start</source>
+        <translation>Au &amp;début</translation>
+    </message>
+    <message>
+        <source>One frame &amp;back</source>
+        <translation>Une image en a&amp;rrière</translation>
+    </message>
+    <message>
+        <source>One frame &amp;forward</source>
+        <translation>Une image en &amp;avant</translation>
+    </message>
+    <message>
+        <source>A fine step bac&amp;k</source>
+        <translation>Un pas fin en arr&amp;ière</translation>
+    </message>
+    <message>
+        <source>Shift+,</source>
+        <translation>Shift+,</translation>
+    </message>
+    <message>
+        <source>Ten milliseconds of a heart back, else one frame</source>
+        <translation>Dix millisecondes d’un cœur en arrière, sinon une image</translation>
+    </message>
+    <message>
+        <source>A fine step for&amp;ward</source>
+        <translation>Un pas fin en a&amp;vant</translation>
+    </message>
+    <message>
+        <source>Shift+.</source>
+        <translation>Shift+.</translation>
+    </message>
+    <message>
+        <source>Ten milliseconds of a heart forward, else one frame</source>
+        <translation>Dix millisecondes d’un cœur en avant, sinon une image</translation>
+    </message>
+    <message>
+        <source>Rate</source>
+        <translation>Fréquence</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Vitesse</translation>
+    </message>
+    <message>
+        <source>Slow motion: how fast time passes (S)</source>
+        <translation>Ralenti : vitesse à laquelle passe le temps (S)</translation>
+    </message>
+    <message>
+        <source>1x</source>
+        <translation>1x</translation>
+    </message>
+    <message>
+        <source>1/%1x</source>
+        <translation>1/%1x</translation>
+    </message>
+    <message>
+        <source>/ min</source>
+        <translation>/ min</translation>
+    </message>
+    <message>
+        <source>%1: %2 to %3 %4</source>
+        <translation>%1 : %2 à %3 %4</translation>
+    </message>
+    <message>
+        <source>No motion yet: choose a sequence in Play (5)</source>
+        <translation>Pas encore de mouvement : choisissez une séquence dans Lire (5)</translation>
+    </message>
+    <message>
+        <source>%1 s into the cycle</source>
+        <translation>à %1 s du cycle</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::TourCard</name>
+    <message>
+        <source>Back</source>
+        <translation>Précédent</translation>
+    </message>
+    <message>
+        <source>End the tour</source>
+        <translation>Terminer la visite</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 sur %2</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>Suivant</translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation>Terminé</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::ViewActions</name>
+    <message>
+        <source>Save s&amp;creenshot</source>
+        <translation>Enregistrer une &amp;capture</translation>
+    </message>
+    <message>
+        <source>Save a picture of the 3D view</source>
+        <translation>Enregistrer une image de la vue 3D</translation>
+    </message>
+    <message>
+        <source>&amp;Focus</source>
+        <translation>&amp;Cadrer</translation>
+    </message>
+    <message>
+        <source>Bring the selected organ, or all, into the picture</source>
+        <translation>Cadrer l’organe sélectionné, ou tous</translation>
+    </message>
+    <message>
+        <source>&amp;Anterior</source>
+        <translation>&amp;Antérieure</translation>
+    </message>
+    <message>
+        <source>Alt+1</source>
+        <translation>Alt+1</translation>
+    </message>
+    <message>
+        <source>&amp;Posterior</source>
+        <translation>&amp;Postérieure</translation>
+    </message>
+    <message>
+        <source>Alt+2</source>
+        <translation>Alt+2</translation>
+    </message>
+    <message>
+        <source>&amp;Left</source>
+        <translation>&amp;Gauche</translation>
+    </message>
+    <message>
+        <source>Alt+3</source>
+        <translation>Alt+3</translation>
+    </message>
+    <message>
+        <source>&amp;Right</source>
+        <translation>&amp;Droite</translation>
+    </message>
+    <message>
+        <source>Alt+4</source>
+        <translation>Alt+4</translation>
+    </message>
+    <message>
+        <source>&amp;Superior</source>
+        <translation>&amp;Supérieure</translation>
+    </message>
+    <message>
+        <source>Alt+5</source>
+        <translation>Alt+5</translation>
+    </message>
+    <message>
+        <source>&amp;Inferior</source>
+        <translation>&amp;Inférieure</translation>
+    </message>
+    <message>
+        <source>Alt+6</source>
+        <translation>Alt+6</translation>
+    </message>
+    <message>
+        <source>Show &amp;handles in every mode</source>
+        <translation>Afficher les &amp;poignées dans chaque mode</translation>
+    </message>
+    <message>
+        <source>&amp;Ghost of the reference shape</source>
+        <translation>&amp;Fantôme de la forme de référence</translation>
+    </message>
+    <message>
+        <source>Cut &amp;open</source>
+        <translation>&amp;Ouvrir par une section</translation>
+    </message>
+    <message>
+        <source>Shift+C</source>
+        <translation>Shift+C</translation>
+    </message>
+    <message>
+        <source>Cut all organs open by a plane; their cavities are hollow then</source>
+        <translation>Ouvrir tous les organes par un plan ; leurs cavités sont alors creuses</translation>
+    </message>
+    <message>
+        <source>Orientation &amp;cube</source>
+        <translation>C&amp;ube d’orientation</translation>
+    </message>
+    <message>
+        <source>Scale &amp;bar</source>
+        <translation>&amp;Barre d’échelle</translation>
+    </message>
+    <message>
+        <source>Sha&amp;de in folds</source>
+        <translation>Om&amp;brer les plis</translation>
+    </message>
+    <message>
+        <source>Shift+D</source>
+        <translation>Shift+D</translation>
+    </message>
+    <message>
+        <source>Darken the folds of organs and soften the light; takes time on a computer without a graphics processor</source>
+        <translation>Assombrir les plis des organes et adoucir la lumière ; lent sur un ordinateur sans processeur graphique</translation>
+    </message>
+    <message>
+        <source>Picture saved as %1</source>
+        <translation>Image enregistrée dans %1</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::VolumeBox</name>
+    <message>
+        <source>Apply</source>
+        <translation>Appliquer</translation>
+    </message>
+    <message>
+        <source>Target</source>
+        <translation>Cible</translation>
+    </message>
+    <message>
+        <source> ml</source>
+        <translation> ml</translation>
+    </message>
+    <message>
+        <source>Target volume</source>
+        <translation>Volume cible</translation>
+    </message>
+    <message>
+        <source>Give the organ this volume with the smallest motion of the compensating handles, or of all free ones</source>
+        <translation>Donner ce volume à l’organe par le plus petit mouvement des poignées qui compensent, ou de toutes les libres</translation>
+    </message>
+    <message>
+        <source>%1 has the volume that was asked for; from here on its lock keeps that one.</source>
+        <translation>%1 a le volume demandé ; désormais son verrou garde celui-ci.</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::VolumeMonitor</name>
+    <message>
+        <source>Volumes over the cycle</source>
+        <translation>Volumes sur le cycle</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::VolumePanel</name>
+    <message>
+        <source>normal at the end of diastole</source>
+        <translation>normale en fin de diastole</translation>
+    </message>
+    <message>
+        <source>normal at the end of systole</source>
+        <translation>normale en fin de systole</translation>
+    </message>
+    <message>
+        <source>normal %1</source>
+        <translation>normale %1</translation>
+    </message>
+    <message>
+        <source>Volumes over time are drawn here while a sequence plays (Space) or handles are dragged (3).</source>
+        <translation>Les volumes au cours du temps sont tracés ici pendant la lecture d’une séquence (Espace) ou le glissement de poignées (3).</translation>
+    </message>
+    <message>
+        <source>A: %1</source>
+        <translation>A : %1</translation>
+    </message>
+    <message>
+        <source>B: %1</source>
+        <translation>B : %1</translation>
+    </message>
+    <message>
+        <source>%1 (right axis)</source>
+        <translation>%1 (axe droit)</translation>
+    </message>
+    <message>
+        <source>%1 measured</source>
+        <translation>%1 mesuré</translation>
+    </message>
+    <message>
+        <source>%1 before</source>
+        <translation>%1 avant</translation>
+    </message>
+    <message>
+        <source>%1 prescribed</source>
+        <translation>%1 imposé</translation>
+    </message>
+    <message>
+        <source>Closed organs show their volume here.</source>
+        <translation>Les organes fermés montrent ici leur volume.</translation>
+    </message>
+    <message>
+        <source>%1: show what is normal for it in the chart</source>
+        <translation>%1 : montrer dans le graphique ce qui est normal pour lui</translation>
+    </message>
+    <message>
+        <source>%1 %2 ml</source>
+        <translation>%1 %2 ml</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1 : %2</translation>
+    </message>
+    <message>
+        <source>Shaded: normal for %1, %2. %3</source>
+        <translation>Ombré : normale pour %1, %2. %3</translation>
+    </message>
+    <message>
+        <source>, </source>
+        <translation>, </translation>
+    </message>
+    <message>
+        <source>EF %1 %  SV %2 ml</source>
+        <translation>FE %1 %  VES %2 ml</translation>
+    </message>
+    <message>
+        <source>%1 % of reference</source>
+        <translation>%1 % de la référence</translation>
+    </message>
+    <message>
+        <source>Part of the cycle</source>
+        <translation>Fraction du cycle</translation>
+    </message>
+    <message>
+        <source>Volume</source>
+        <translation>Volume</translation>
+    </message>
+    <message>
+        <source>Time in the cycle</source>
+        <translation>Temps dans le cycle</translation>
+    </message>
+    <message>
+        <source>Time dragged</source>
+        <translation>Temps de glissement</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Temps</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::WelcomeCard</name>
+    <message>
+        <source>Welcome</source>
+        <translation>Bienvenue</translation>
+    </message>
+    <message>
+        <source>Open a patient...</source>
+        <translation>Ouvrir un patient...</translation>
+    </message>
+    <message>
+        <source>Choose organ surfaces of a patient (Ctrl+O)</source>
+        <translation>Choisir les surfaces d’organes d’un patient (Ctrl+O)</translation>
+    </message>
+    <message>
+        <source>Sample organs</source>
+        <translation>Organes types</translation>
+    </message>
+    <message>
+        <source>Organs that come with the program</source>
+        <translation>Organes fournis avec le programme</translation>
+    </message>
+    <message>
+        <source>Two-minute tour</source>
+        <translation>Visite en deux minutes</translation>
+    </message>
+    <message>
+        <source>The parts of the window, step by step</source>
+        <translation>Les parties de la fenêtre, étape par étape</translation>
+    </message>
+    <message>
+        <source>Close this card (Help &gt; Welcome shows it again)</source>
+        <translation>Fermer cette carte (Aide &gt; Bienvenue l’affiche à nouveau)</translation>
+    </message>
+    <message>
+        <source>Close this card</source>
+        <translation>Fermer cette carte</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::WindowLayout</name>
+    <message>
+        <source>&amp;Standard layout</source>
+        <translation>Disposition &amp;standard</translation>
+    </message>
+    <message>
+        <source>Restore the first arrangement of all panels</source>
+        <translation>Rétablir la disposition initiale de tous les panneaux</translation>
+    </message>
+    <message>
+        <source>&amp;Full screen</source>
+        <translation>&amp;Plein écran</translation>
+    </message>
+    <message>
+        <source>The window takes the whole screen</source>
+        <translation>La fenêtre occupe tout l’écran</translation>
+    </message>
+    <message>
+        <source>Modes</source>
+        <translation>Modes</translation>
+    </message>
+    <message>
+        <source>Organs</source>
+        <translation>Organes</translation>
+    </message>
+    <message>
+        <source>Handles</source>
+        <translation>Poignées</translation>
+    </message>
+    <message>
+        <source>Properties</source>
+        <translation>Propriétés</translation>
+    </message>
+    <message>
+        <source>Timeline</source>
+        <translation>Barre de temps</translation>
+    </message>
+    <message>
+        <source>Volumes</source>
+        <translation>Volumes</translation>
+    </message>
+    <message>
+        <source>Slides</source>
+        <translation>Diapositives</translation>
+    </message>
+    <message>
+        <source>Import</source>
+        <translation>Importer</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::Workspace</name>
+    <message>
+        <source>. %1.</source>
+        <translation>. %1.</translation>
+    </message>
+    <message>
+        <source>Open folder</source>
+        <translation>Ouvrir un dossier</translation>
+    </message>
+</context>
 </TS>

@@ -42,7 +42,7 @@ void loadAnyPlugin(Bytes bytes) {
   const auto file = scratchFile("a.so", bytes);
   const std::vector<plugin::PluginReport> reports = plugin::loadPlugins({file}, registry);
   require(reports.size() == 1, "A file that is named is reported.");
-  require(!reports[0].problem.empty(), "What is no plugin has a problem.");
+  require(!reports[0].problem.empty(), "What is not a plugin has a problem.");
 }
 
 std::vector<std::string> pluginSeeds() {

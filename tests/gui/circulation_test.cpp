@@ -162,5 +162,24 @@ TEST_F(PlayedCirculation, ASessionComesBackWithTheHeartThatFollows) {
   EXPECT_FALSE(window().isWindowModified());
 }
 
+/// The sample heart's surfaces with a motion that is nobody's recipe stand for a patient's.
+TEST_F(PlayedCirculation, OfAPatientsHeartHasItsVentricleAndLeavesItItsMotion) {
+  auto* button = window().findChild<QAbstractButton*>(QStringLiteral("patientCirculation"));
+  ASSERT_NE(button, nullptr);
+  EXPECT_TRUE(button->isHidden()) << "the sample heart follows a circulation itself";
+  const auto own = window().playback().motion();
+  window().playback().forget(own.sequence.get());
+  window().playback().setSequence(own.sequence, own.organ);
+  ASSERT_TRUE(waitUntil([&] { return !button->isHidden(); })) << message().toStdString();
+  button->click();
+  ASSERT_TRUE(waitUntil([this] { return model().settled() && model().present(); }))
+      << message().toStdString();
+  const circulation::ChamberIndices& lv = model().present()->indices.of(Compartment::lv);
+  EXPECT_NEAR(lv.edvMl, 130.5, 1);
+  EXPECT_NEAR(lv.ef, 0.579, 0.005);
+  EXPECT_EQ(window().playback().sequence(), own.sequence.get());
+  EXPECT_EQ(window().workspace().undo().undoName(), "Circulation of this heart");
+}
+
 } // namespace
 } // namespace viscera::tests

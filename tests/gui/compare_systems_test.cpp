@@ -159,7 +159,7 @@ TEST_F(TwoSystems, HaveTheSameCageAndWhatDoesNotFitItIsMendedInTheFirst) {
   ASSERT_TRUE(bound());
   EXPECT_EQ(second().live().status(organ_).state, live::BindingStatus::State::failed);
   for (auto* button : window().viewArea().messages()->findChildren<QPushButton*>())
-    if (button->text() == QLatin1String("Take the hull as the cage"))
+    if (button->text() == QLatin1String("Use the hull as the cage"))
       button->click();
   EXPECT_TRUE(document().rig().cage.empty());
   EXPECT_EQ(second().document().rig(), document().rig());

@@ -138,6 +138,12 @@ TEST_F(Groups, AHullTakesTheColourThatItsGroupIsGiven) {
   EXPECT_EQ(hulls()[0].color, *edit.color);
 }
 
+TEST_F(Groups, NameTheSystemInsideARegionAsTheListOfSystemsDoes) {
+  const auto* inner = window().findChild<QComboBox*>(QStringLiteral("parameter/inner"));
+  ASSERT_NE(inner, nullptr);
+  EXPECT_GE(inner->findText(QStringLiteral("S-Celestial")), 0) << inner->itemText(0).toStdString();
+}
+
 TEST_F(Groups, TheOffsetSliderEndsAtItsBoundAndBindsLive) {
   groupAutomatically(3);
   auto* offset = window().findChild<app::ValueSlider*>(QStringLiteral("parameter/offset"));

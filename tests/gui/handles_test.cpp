@@ -163,7 +163,7 @@ TEST_F(Cage, IsLoadedAndShownAndTakenBack) {
   load(100);
   EXPECT_EQ(rig().handles.size(), 8u);
   EXPECT_EQ(rig().cage.size(), 12u);
-  EXPECT_TRUE(message().contains(QStringLiteral("8 vertices of cage.off are the handles")))
+  EXPECT_TRUE(message().contains(QStringLiteral("8 vertices of cage.off are now the handles")))
       << message().toStdString();
   EXPECT_TRUE(says(QStringLiteral("The cage has 12 triangles over 8 handles.")));
   ASSERT_EQ(hulls().size(), 1u);
@@ -193,7 +193,7 @@ TEST_F(Cage, ThatIsOpenIsRefusedAndNothingChanges) {
 }
 
 TEST_F(Cage, GivesWayToTheHullByTheButton) {
-  QPushButton* hull = button(QStringLiteral("Take the hull as the cage"));
+  QPushButton* hull = button(QStringLiteral("Use the hull as the cage"));
   ASSERT_NE(hull, nullptr);
   EXPECT_FALSE(hull->isEnabled()) << "it is the hull already";
   load(100);
@@ -210,7 +210,7 @@ TEST_F(Cage, ThatCannotHoldTheOrganIsSaidWithTheHullAsAnOffer) {
       << message().toStdString();
   QPushButton* offer = nullptr;
   for (auto* button : window().viewArea().messages()->findChildren<QPushButton*>())
-    if (button->isVisible() && button->text() == QLatin1String("Take the hull as the cage"))
+    if (button->isVisible() && button->text() == QLatin1String("Use the hull as the cage"))
       offer = button;
   ASSERT_NE(offer, nullptr);
   offer->click();

@@ -1,11 +1,13 @@
 #include "window_test.h"
 
+#include <QDockWidget>
 #include <QLabel>
 #include <QLineEdit>
 #include <QTest>
 #include <QTreeWidget>
 
 #include "atlas_window.h"
+#include "screen_check.h"
 #include "session_fixture.h"
 #include "viscera/document/organ_commands.h"
 #include "window/panels/organ_panel.h"
@@ -102,6 +104,29 @@ TEST_F(ManyOrgans, ThatAreChosenAreShownAloneHiddenAndShownAgainInOneStepEach) {
   EXPECT_EQ(seen(), all);
 }
 
+/// Beside each name is its square; numbers come back as soon as the panel has room for both.
+TEST_F(ManyOrgans, HaveTheirWholeNamesAndNumbersWhereThereIsRoom) {
+  constexpr int kVolume = 2;
+  constexpr int kSquare = 24;
+  ASSERT_TRUE(window().workspace().perform(
+      document::renameOrgan(organ("left renal artery").id, "inferior mesenteric artery")));
+  settle();
+  for (const auto& one : document().organs()) {
+    QTreeWidgetItem* item = row(QString::fromStdString(one->name));
+    const QModelIndex place =
+        list().model()->index(item->parent()->indexOfChild(item), kName,
+                              list().model()->index(list().indexOfTopLevelItem(item->parent()), 0));
+    EXPECT_GE(list().visualRect(place).width(),
+              kSquare + list().fontMetrics().horizontalAdvance(item->text(kName)))
+        << one->name;
+  }
+  EXPECT_TRUE(list().isColumnHidden(kVolume));
+  auto* dock = window().findChild<QDockWidget*>(QStringLiteral("organs"));
+  window().resizeDocks({dock}, {460}, Qt::Horizontal);
+  settle();
+  EXPECT_FALSE(list().isColumnHidden(kVolume));
+}
+
 TEST_F(ManyOrgans, OfASystemAreHiddenByItsEye) {
   QTreeWidgetItem* arteries = row(QStringLiteral("aorta"))->parent();
   list().scrollToItem(arteries);
@@ -179,6 +204,10 @@ TEST_F(Atlas, IsSearchedIsolatedDeformedUnderALockAndShownWholeAgain) {
   showAll();
   settle();
   EXPECT_EQ(visible(), 95);
+  key(Qt::Key_1);
+  window().resize(1600, 1000);
+  settle();
+  expectScreen(window().grab().toImage(), "atlas");
   EXPECT_EQ(message(), QString());
 }
 

@@ -138,12 +138,12 @@ TEST_F(OneState, StaysOneOnAWalkAmongTheThreeSampleSequences) {
       120000));
   waitForPeace();
   document::UndoStack& stack = window().workspace().undo();
-  ASSERT_EQ(stack.names().size(), 3u);
+  ASSERT_EQ(stack.names().size(), 2u) << "the heart was there at the start";
   std::string walked;
   for (int step = 0; step < 60; ++step) {
     const int kind = number(6);
     if (kind < 3) {
-      const auto to = static_cast<std::size_t>(number(4));
+      const auto to = static_cast<std::size_t>(number(3));
       walked += " step " + std::to_string(to);
       window().workspace().guarded([&] { stack.goTo(to); });
     } else if (kind == 3) {
@@ -392,7 +392,7 @@ TEST_F(OneState, AWarningOfOtherHandlesGoesWhenTheyFitAgain) {
   ASSERT_NE(document().rig().handles.size(), kHeartHandles);
   key(Qt::Key_5);
   key(Qt::Key_Space);
-  ASSERT_TRUE(message().contains(QStringLiteral("handles of its own"))) << message().toStdString();
+  ASSERT_TRUE(message().contains(QStringLiteral("moves its own handles"))) << message().toStdString();
   key(Qt::Key_Z, Qt::ControlModifier);
   EXPECT_EQ(document().rig().handles.size(), kHeartHandles);
   EXPECT_EQ(message(), QString());

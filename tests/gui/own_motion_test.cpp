@@ -13,11 +13,13 @@
 #include "viscera/medical_io/surface_file.h"
 #include "viscera/scene/vtkVisceraHandleSetRepresentation.h"
 #include "viscera/sequences/keyframes.h"
+#include "window/import/import_desk.h"
 #include "window/modes/play_mode.h"
 #include "window/recorded/fit_box.h"
 #include "window/recorded/key_box.h"
 #include "window/widgets/page.h"
 
+#include "beating_labels.h"
 #include "shapes.h"
 
 namespace viscera::tests {
@@ -112,7 +114,7 @@ TEST_F(OwnMotion, EveryChangeOfAKeyIsOneStepThatUndoTakesBack) {
   EXPECT_EQ(recording().keys[1].seconds, 0.5);
   table.item(1, 0)->setText(QStringLiteral("never"));
   settle();
-  EXPECT_EQ(recording().keys[1].seconds, 0.5) << "what is no time changes nothing";
+  EXPECT_EQ(recording().keys[1].seconds, 0.5) << "what is not a time changes nothing";
 }
 
 TEST_F(OwnMotion, AKeysPoseComesBackForChangingAndTheFileHoldsItAll) {
@@ -178,6 +180,52 @@ TEST_F(OwnMotion, APatientsOrganBreathesAndLandmarksAreClickedInTheView) {
   EXPECT_NEAR(volume(), rest, 1e-6 * rest) << "breathing keeps the volume";
   const Points& points = window().workspace().live().points(document().organs().front()->id);
   EXPECT_LT(boundsOf(points).center().z(), -5) << "and moves the organ down";
+}
+
+/// Labels of a heart come in as one organ with cavities, which the textbook's beat moves, too.
+TEST_F(OwnMotion, AHeartBeatsWithItsChambersByTheEjectionFractionThatIsAskedFor) {
+  key(Qt::Key_N, Qt::ControlModifier);
+  const auto& ejection = find<QDoubleSpinBox>("fitEjection");
+  EXPECT_FALSE(ejection.isVisible()) << "there is no heart";
+  QFile file(path(QStringLiteral("heart.seg.nrrd")));
+  ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+  const std::string labels = nrrdFile(beatingLabels(0, Vec3(4, 4, 4)), "right-anterior-superior", kHeartKeys);
+  file.write(labels.data(), static_cast<qint64>(labels.size()));
+  file.close();
+  open(file.fileName());
+  window().imports().accept(); // Nobody has so small a heart.
+  settle();
+  key(Qt::Key_5);
+  ASSERT_EQ(document().organs().size(), 3u) << message().toStdString();
+  const auto heart = document().organs()[0], left = document().organs()[1];
+  EXPECT_EQ(heart->name, "Heart");
+  EXPECT_EQ(left->parent, heart->id);
+  window().workspace().selection().setOrgan(left->id);
+  settle();
+  EXPECT_EQ(find<QComboBox>("fitSequence").currentData(), QStringLiteral("heartbeat"));
+  ASSERT_TRUE(ejection.isVisible()) << "a chamber is of its heart";
+  find<QDoubleSpinBox>("fitEjection").setValue(30);
+  const std::size_t steps = window().workspace().undo().position();
+  press("fitButton");
+  ASSERT_TRUE(waitUntil([this] { return window().playback().player().playing(); }))
+      << message().toStdString();
+  settle();
+  EXPECT_EQ(window().workspace().undo().position(), steps + 1) << "the fit is one step";
+  EXPECT_EQ(document().organs()[0], heart) << "no organ is replaced";
+  ASSERT_FALSE(recording().keys.empty()) << "saved and edited as any recorded sequence";
+  const auto leftMl = [&] { return window().workspace().live().volume(left->id).nowMl; };
+  window().playback().seek(0);
+  const double full = leftMl();
+  double least = full;
+  for (const document::RecordedKey& key : recording().keys) {
+    window().playback().seek(key.seconds / recording().periodSeconds);
+    least = std::min(least, leftMl());
+  }
+  EXPECT_NEAR(1 - least / full, 0.30, 0.02);
+  key(Qt::Key_Z, Qt::ControlModifier);
+  settle();
+  EXPECT_TRUE(recording().keys.empty());
+  EXPECT_EQ(document().organs().size(), 3u);
 }
 
 class SequencesThatFit : public OwnMotion {

@@ -206,6 +206,18 @@ TEST_F(PatientTest, TheCameraShowsAllOfTheOrgansWhateverTheLayout) {
   EXPECT_NEAR(fraction(), four, 0.05 * four);
 }
 
+TEST_F(PatientTest, TheOrgansFillTheViewAfterUndoAndRedoOfTheScan) {
+  openBoth();
+  const double four = fraction();
+  ASSERT_TRUE(document().state().scan);
+  key(Qt::Key_Z, Qt::ControlModifier);
+  ASSERT_FALSE(document().state().scan);
+  EXPECT_NEAR(fraction(), four, 0.25 * four);
+  key(Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
+  ASSERT_TRUE(document().state().scan);
+  EXPECT_NEAR(fraction(), four, 0.05 * four);
+}
+
 TEST_F(PatientTest, ASessionHasScanAndOrgansInsideAndIsFramedWhenItHasNoCamera) {
   openBoth();
   const auto scan = document().state().scan->scan;

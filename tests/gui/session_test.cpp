@@ -203,7 +203,7 @@ TEST_F(SessionTest, ASessionOfAnOlderMotionShowsTheOneOfTodayAndSaysSo) {
   open(QStringLiteral(VISCERA_SOURCE_DIR "/tests/gui/sessions/play_peristalsis_light.viscera"));
   ASSERT_TRUE(waitUntil([this] { return window().playback().showing(); })) << message().toStdString();
   EXPECT_NEAR(window().playback().player().fraction(), 0.6, 1e-9);
-  EXPECT_TRUE(message().contains(QStringLiteral("otherwise"))) << message().toStdString();
+  EXPECT_TRUE(message().contains(QStringLiteral("differently"))) << message().toStdString();
 }
 
 TEST_F(SessionTest, UnsavedWorkIsOfferedAfterACrashAndComesBackUnsaved) {

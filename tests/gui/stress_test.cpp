@@ -183,6 +183,7 @@ TEST_F(StressModeTest, AClickShowsTheValuesOfThePointAndFollowsThePose) {
   const double degrees = 180 / std::numbers::pi * model().live().map().rotationalStress[point];
   EXPECT_EQ(label("probe_rotational-stress"), QStringLiteral("%1 deg").arg(degrees, 0, 'f', 1));
   EXPECT_TRUE(find<QLabel>("probe_volume-ratio")->isVisible());
+  EXPECT_TRUE(label("probePosition").contains(QStringLiteral(" mm"))) << label("probePosition").toStdString();
   key(Qt::Key_Escape);
   EXPECT_EQ(model().probe(), -1);
   EXPECT_FALSE(drawn().probe().visible());

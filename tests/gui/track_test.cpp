@@ -1,5 +1,6 @@
 #include "window_test.h"
 
+#include <QAction>
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
@@ -9,10 +10,12 @@
 #include <QPushButton>
 #include <QSpinBox>
 #include <QTableWidget>
+#include <QTest>
 
 #include "beating_labels.h"
 #include "viscera/document/recording_commands.h"
 #include "viscera/document/rig_commands.h"
+#include "viscera/geometry/winding_number.h"
 #include "viscera/scene/legend.h"
 #include "window/modes/play_mode.h"
 #include "window/session/session_files.h"
@@ -177,6 +180,86 @@ TEST_F(Track, IsSavedAndEditedLikeAnyRecordedSequence) {
               0, 1e-9);
 }
 
+TEST_F(Track, ASessionKeepsTheDotsAndTheTable) {
+  findMotion();
+  measured().showPhase(2);
+  const auto before = *measured().present();
+  const auto cells = [&] {
+    QStringList all;
+    for (int row = 0; row < residuals().rowCount(); ++row)
+      for (int column = 0; column < residuals().columnCount(); ++column)
+        all.push_back(residuals().item(row, column)->text() + residuals().item(row, column)->toolTip());
+    return all;
+  };
+  settle();
+  const QStringList table = cells();
+  const QString file = path(QStringLiteral("beat.viscera"));
+  window().sessions().saveTo(file, false);
+  ASSERT_TRUE(waitUntil([&] { return QFile::exists(file); })) << message().toStdString();
+  reopenWindow();
+  window().sessions().open(file);
+  settle();
+  ASSERT_TRUE(waitUntil([&] { return measured().present() && residuals().isVisible(); }))
+      << message().toStdString();
+  EXPECT_EQ(cells(), table);
+  EXPECT_EQ(measured().phaseNow(), 2U);
+  EXPECT_EQ(measured().present()->series->volumesMl, before.series->volumesMl) << "dots of the chart";
+  EXPECT_EQ(measured().present()->motion->tissueMl, before.motion->tissueMl);
+  EXPECT_FALSE(find<QCheckBox>("measuredGhost").isEnabled()) << "surfaces are in no session";
+  EXPECT_EQ(measured().ghostCount(), 0U);
+  key(Qt::Key_N, Qt::ControlModifier);
+  settle();
+  EXPECT_EQ(measured().present(), nullptr);
+}
+
+TEST_F(Track, StressIsThatOfTheMuscleAloneAndSaysWhatItDoesNotTell) {
+  findMotion();
+  key(Qt::Key_4);
+  measured().showPhase(3);
+  auto& live = window().workspace().stress();
+  ASSERT_TRUE(waitUntil([&] { return live.mesh() != nullptr; }));
+  settle();
+  const auto& organs = document().organs();
+  for (const std::size_t cavity : {1, 2}) {
+    const Bounds box = boundsOf(organs[cavity]->mesh->points);
+    const geometry::WindingNumber winding(*organs[cavity]->mesh);
+    for (Eigen::Index point = 0; point < live.mesh()->witnesses; ++point) {
+      const Vec3 at = live.mesh()->points.row(point).transpose();
+      if ((at - box.center()).norm() < box.diagonal() / 2) {
+        ASSERT_FALSE(winding.inside(at)) << "blood is not distorted";
+      }
+    }
+  }
+  EXPECT_TRUE(find<QLabel>("stressCaution").isVisible());
+  EXPECT_TRUE(find<QLabel>("stressCaution").text().contains(QStringLiteral("was not measured")));
+  window().playback().stop();
+  settle();
+  EXPECT_FALSE(find<QLabel>("stressCaution").isVisible()) << "your own pose is known everywhere";
+}
+
+TEST_F(Track, BeatsBesideTheTextbooksHeartUnderOneTimeline) {
+  findMotion();
+  window().actions()["play.compareTextbook"]->trigger();
+  app::Comparison& comparison = window().play().comparison();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return comparison.on() && comparison.playback().sequence(); }, 120000));
+  ASSERT_TRUE(waitUntil([&] { return !comparison.workspace().live().busy(); }));
+  settle();
+  EXPECT_EQ(document().organs().size(), 3U) << "the patient's heart stays";
+  EXPECT_GT(comparison.workspace().document().organs().size(), 2U);
+  const double own = window().playback().player().ratePerMinute();
+  EXPECT_NEAR(own, 60 / 0.9, 1e-3);
+  EXPECT_NEAR(comparison.playback().player().ratePerMinute(), own, 1e-6) << "at the patient's rate";
+  window().playback().toStart();
+  window().playback().seek(0.4);
+  settle();
+  EXPECT_NEAR(comparison.playback().player().fraction(), 0.4, 1e-6) << "one timeline";
+  EXPECT_GT(window().volumes().lines().size(), 4U) << "curves of both";
+  window().actions()["play.single"]->trigger();
+  settle();
+  EXPECT_FALSE(comparison.on());
+  EXPECT_NE(measured().present(), nullptr);
+}
+
 TEST_F(Track, RefusalsStandInTheDialogAndChangeNothing) {
   const auto before = document().state();
   app::MotionDialog& dialog = ask(series(3));
@@ -194,7 +277,7 @@ TEST_F(Track, RefusalsStandInTheDialogAndChangeNothing) {
   find<QDoubleSpinBox>("seriesPeriod").setValue(900);
   find<QLineEdit>("seriesLeaveOut").setText(QStringLiteral("two"));
   dialog.start();
-  EXPECT_TRUE(dialog.said().contains(QStringLiteral("Two is no phase"), Qt::CaseInsensitive));
+  EXPECT_TRUE(dialog.said().contains(QStringLiteral("Two is not a phase"), Qt::CaseInsensitive));
   find<QLineEdit>("seriesLeaveOut").clear();
   dialog.look({path(QStringLiteral("nowhere"))});
   settle();

@@ -182,6 +182,7 @@ class Circulation(unittest.TestCase):
     def test_scenarios_and_parameters_are_those_of_the_catalogue(self):
         self.assertEqual(viscera.scenarios()[0].id, "rest")
         narrow = next(each for each in viscera.scenarios() if each.id == "aortic-stenosis")
+        self.assertGreater(narrow.left_muscle, 1)
         found = viscera.circulate(narrow.id, rate=80)
         self.assertLessEqual(set(narrow.changes.items()), set(found.parameters.items()))
         self.assertEqual(found.parameters["rate"], 80)

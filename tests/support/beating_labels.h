@@ -32,6 +32,12 @@ inline LabelImage beatingLabels(double part, const Vec3& spacing = Vec3(2, 2, 2)
   return image;
 }
 
+/// Names for these labels as 3D Slicer writes them, keys of a .seg.nrrd (`nrrdFile`).
+inline const char* const kHeartKeys =
+    "Segment0_ID:=S1\nSegment0_Name:=left ventricle of heart\nSegment0_LabelValue:=1\n"
+    "Segment1_ID:=S2\nSegment1_Name:=right ventricle of heart\nSegment1_LabelValue:=2\n"
+    "Segment2_ID:=S3\nSegment2_Name:=myocardium\nSegment2_LabelValue:=3\n";
+
 /// Several phases in one NIfTI, time last; `step` in the unit that `units` says (0x38 of xyzt_units).
 inline std::string nifti4d(const std::vector<LabelImage>& phases, double step, int units) {
   std::string bytes = niftiFile(phases.front());

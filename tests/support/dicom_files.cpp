@@ -113,7 +113,9 @@ private:
     }
     if (empty && writing_.withoutEmptyFrames)
       return;
-    const Vec3 position = image_.indexToLps * Vec3(0, 0, k);
+    const double off = k + 1 == image_.size[2] ? writing_.lastSliceOffMm : 0;
+    const Vec3 position =
+        image_.indexToLps * Vec3(0, 0, k) + off * image_.indexToLps.linear().col(2).normalized();
     const std::unique_ptr<FGPlanePosPatient> place(
         FGPlanePosPatient::createMinimal(text(position[0]), text(position[1]), text(position[2])));
     FGFrameContent content;

@@ -12,6 +12,7 @@ struct DicomWriting {
   bool fractional = false; ///< Labelled voxels have the largest fraction, 3 of 4 others next to none.
   bool withoutEmptyFrames = true;
   std::vector<std::string> names; ///< Of the labels 1, 2, ...; as many segments.
+  double lastSliceOffMm = 0; ///< The last slice lies so much farther than the others are from each other.
 };
 
 /// A DICOM segmentation as DCMTK writes it: one segment a label, one frame a slice. The grid of `image` is

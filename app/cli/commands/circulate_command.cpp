@@ -1,7 +1,9 @@
 #include "cli/commands/all_commands.h"
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -11,6 +13,7 @@
 #include "cli/circulation_findings.h"
 #include "cli/listing.h"
 #include "cli/stage_options.h"
+#include "viscera/circulation/patient_fit.h"
 #include "viscera/circulation/periodic_state.h"
 #include "viscera/circulation/published.h"
 #include "viscera/circulation/scenario.h"
@@ -37,9 +40,11 @@ private:
   Outcome list() const;
   Outcome published(Surroundings& surroundings) const;
   Outcome vary(Surroundings& surroundings) const;
+  std::optional<circulation::PatientFit> fit(Surroundings& surroundings) const;
 
   std::string scenario_ = "rest";
   std::vector<std::string> parameters_;
+  circulation::MeasuredVentricle measured_{0, 0, 0, 0};
   std::string vary_;
   std::string csv_;
   std::string png_;
@@ -98,6 +103,14 @@ nlohmann::ordered_json changes(const Parameters& parameters) {
   return json;
 }
 
+nlohmann::ordered_json fitJson(const circulation::MeasuredVentricle& measured,
+                               const circulation::PatientFit& fit) {
+  return {{"edvMl", measured.edvMl}, {"ef", measured.ef},
+          {"met", fit.met()},        {"edvErrorMl", fit.edvErrorMl},
+          {"efError", fit.efError},  {"meanPressureErrorMmHg", fit.pressureErrorMmHg},
+          {"atLimit", fit.atLimit}};
+}
+
 presentation::ShownCirculation shownOf(const std::string& name, const Parameters& parameters,
                                        const PeriodicState& state) {
   return {name, parameters, state.beat, circulation::indicesOf(parameters, state.beat)};
@@ -123,6 +136,20 @@ void CirculateCommand::addOptions(CLI::App& options) {
       ->type_name("NAME=VALUE")
       ->expected(1)
       ->take_all();
+  options
+      .add_option("--edv", measured_.edvMl,
+                  "A patient's left ventricle: its end-diastolic volume, ml; with --ef. The circulation that "
+                  "has just that ventricle is found")
+      ->type_name("ML");
+  options.add_option("--ef", measured_.ef, "Its ejection fraction, 0 to 1")->type_name("F");
+  options
+      .add_option("--rate", measured_.ratePerMinute,
+                  "Beats a minute of that patient; otherwise the scenario's")
+      ->type_name("N");
+  options
+      .add_option("--mean-pressure", measured_.meanAorticMmHg,
+                  "Mean aortic pressure of that patient; otherwise the scenario's")
+      ->type_name("MMHG");
   options
       .add_option("--vary", vary_, "How the numbers answer to one parameter, as in stressedVolume=600:1400")
       ->type_name("NAME=FROM:TO");
@@ -150,9 +177,12 @@ Outcome CirculateCommand::run(Surroundings& surroundings) {
   for (const std::string& target : {csv_, png_})
     if (!target.empty())
       const AtomicFile writable(target); // Said before the work, not after it.
-  const Parameters parameters = parametersOf(scenario_, parameters_);
-  const PeriodicState found = circulation::findPeriodicState(parameters, surroundings.progress);
-  const auto shown = shownOf(circulation::scenario(scenario_).name, parameters, found);
+  const std::optional<circulation::PatientFit> patient = fit(surroundings);
+  const Parameters parameters = patient ? patient->parameters : parametersOf(scenario_, parameters_);
+  const PeriodicState found =
+      patient ? patient->state : circulation::findPeriodicState(parameters, surroundings.progress);
+  const std::string& scenarioName = circulation::scenario(scenario_).name;
+  const auto shown = shownOf(patient ? scenarioName + ", of a patient" : scenarioName, parameters, found);
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   if (!csv_.empty())
     writeCurves(csv_, circulation::curvesOf(parameters, found.beat, shown.indices));
@@ -174,6 +204,12 @@ Outcome CirculateCommand::run(Surroundings& surroundings) {
   outcome.json["volumeErrorMl"] = std::abs(circulation::totalVolume(found.start) - parameters.stressedVolume);
   outcome.json["seconds"] = seconds;
   Listing listing;
+  if (patient) {
+    outcome.json["fit"] = fitJson(measured_, *patient);
+    listing.add("fit", patient->remark());
+    if (!patient->met())
+      outcome.warnings.push_back(patient->remark());
+  }
   listing.add("scenario", shown.name + ", " + significant(parameters.rate, 4) + " beats a minute")
       .add("beats", std::to_string(found.beats) + (found.converged ? "" : ", not periodic"));
   outcome.text = listing.text() + circulationText(shown.indices);
@@ -187,6 +223,28 @@ Outcome CirculateCommand::run(Surroundings& surroundings) {
   return outcome;
 }
 
+/// What the fit of a patient's ventricle found; nothing when none is given.
+std::optional<circulation::PatientFit> CirculateCommand::fit(Surroundings& surroundings) const {
+  if (measured_.edvMl == 0 && measured_.ef == 0) {
+    if (measured_.ratePerMinute != 0 || measured_.meanAorticMmHg != 0)
+      throw UsageError("Rate and pressure of a patient belong to a ventricle", "--rate, --mean-pressure",
+                       "give --edv and --ef too, or --param rate=60");
+    return std::nullopt;
+  }
+  if (measured_.edvMl == 0 || measured_.ef == 0)
+    throw UsageError("A patient's ventricle has both a volume and an ejection fraction",
+                     measured_.ef == 0 ? "--edv" : "--ef", "as in --edv 150 --ef 0.45");
+  for (const std::string& text : parameters_)
+    for (const std::string& name : circulation::fittedParameters())
+      if (text.rfind(name + '=', 0) == 0)
+        throw UsageError("The fit chooses it", "--param " + text, "leave it out, or --edv and --ef");
+  const Parameters start = parametersOf(scenario_, parameters_);
+  circulation::MeasuredVentricle measured = measured_;
+  if (measured.ratePerMinute == 0)
+    measured.ratePerMinute = start.rate;
+  return circulation::fitToVentricle(measured, surroundings.progress, start);
+}
+
 Outcome CirculateCommand::list() const {
   Outcome outcome;
   Listing scenarios;
@@ -197,8 +255,12 @@ Outcome CirculateCommand::list() const {
     outcome.json["scenarios"].push_back({{"id", scenario.id},
                                          {"name", scenario.name},
                                          {"summary", scenario.summary},
-                                         {"parameters", changed}});
+                                         {"parameters", changed},
+                                         {"leftMuscle", scenario.leftMuscle}});
     scenarios.add(scenario.id, scenario.summary);
+    if (scenario.leftMuscle != 1)
+      scenarios.add("", "Muscle of the left ventricle, drawn: " + fixed(scenario.leftMuscle, 2) +
+                            " times a healthy one's.");
   }
   for (const circulation::ParameterInfo& info : circulation::parameterInfos()) {
     outcome.json["parameters"].push_back({{"name", info.name},
@@ -241,8 +303,10 @@ Outcome CirculateCommand::vary(Surroundings& surroundings) const {
   std::vector<double> values;
   for (int i = 0; i < kVaried; ++i)
     values.push_back(from + (to - from) * i / (kVaried - 1));
+  const std::optional<circulation::PatientFit> patient = fit(surroundings);
   const auto points =
-      circulation::responseTo(parametersOf(scenario_, parameters_), name, values, surroundings.progress);
+      circulation::responseTo(patient ? patient->parameters : parametersOf(scenario_, parameters_), name,
+                              values, surroundings.progress);
   Outcome outcome;
   outcome.json = {{"scenario", scenario_}, {"parameter", name}};
   Listing listing;

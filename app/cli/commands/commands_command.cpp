@@ -26,7 +26,7 @@ public:
 
   Outcome run(Surroundings& surroundings) override {
     if (!document::isSessionFile(file_))
-      throw UsageError("It is no session", file_,
+      throw UsageError("It is not a session", file_,
                        "name a .viscera file; the window saves one by File > Save");
     const document::OpenedSession opened =
         document::readSession(file_, surroundings.samples, surroundings.progress);

@@ -27,7 +27,7 @@ double millimetres(const std::string& unit) {
   for (const medical_io::LengthUnit& known : medical_io::lengthUnits())
     if (known.id == unit)
       return known.mm;
-  throw UsageError("It is no unit that is known", unit);
+  throw UsageError("It is not a unit that is known", unit);
 }
 
 medical_io::Space spaceNamed(const std::string& name) {

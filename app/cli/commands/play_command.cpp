@@ -25,6 +25,7 @@
 #include "viscera/motion/volume_record.h"
 #include "viscera/scene/movie_writer.h"
 #include "viscera/scene/picture.h"
+#include "viscera/sequences/heart_valves.h"
 #include "viscera/sequences/keyframes.h"
 
 namespace viscera::app::cli {
@@ -44,7 +45,7 @@ public:
             const Surroundings& surroundings)
       : systems_(surroundings.systems), played_(*played.document),
         stage_(stageFor(options, surroundings.threads)) {
-    show();
+    show(std::nullopt);
     stage_.compose(scene::standardViewFromName(options.view), room);
   }
 
@@ -53,8 +54,9 @@ public:
         target, scene::MovieOptions{.framesPerSecond = framesPerSecond}));
   }
 
-  void addFrame() {
-    show();
+  /// The pose that is shown, with these valves.
+  void addFrame(const std::optional<sequences::ValveInstants>& valves) {
+    show(valves);
     const vtkSmartPointer<vtkImageData> picture = stage_.picture();
     for (const auto& writer : writers_)
       writer->add(picture);
@@ -72,7 +74,11 @@ public:
   }
 
 private:
-  void show() { stage_.presenter().update({played_.state(), played_.organs(), view_, systems_}); }
+  void show(const std::optional<sequences::ValveInstants>& valves) {
+    presentation::Scene scene{played_.state(), played_.organs(), view_, systems_};
+    scene.valves = valves;
+    stage_.presenter().update(scene);
+  }
 
   const plugin::Registry& systems_;
   BoundDocument& played_;
@@ -366,7 +372,7 @@ private:
       row.resize(played.surfaces.size());
       measured.volumes.add(seconds, row);
       if (recording)
-        recording->addFrame();
+        recording->addFrame(sequences::valvesAt(*played.sequence, seconds, rate));
       surroundings.progress.report(kDrawingShare * (frame + 1) / frames, "playing");
     }
     measureKeys(played, runner, rate, measured.atKeys);

@@ -23,7 +23,7 @@ Vec3 positionOf(const std::string& text) {
     const auto [next, error] = std::from_chars(at, end, position[axis]);
     const bool separated = axis == 2 ? next == end : next != end && *next == ',';
     if (error != std::errc() || !separated || !std::isfinite(position[axis]))
-      throw UsageError("It is no position X,Y,Z in mm", "--at " + text, "for instance --at 12,-40,310");
+      throw UsageError("It is not a position X,Y,Z in mm", "--at " + text, "for instance --at 12,-40,310");
     at = next + 1;
   }
   return position;

@@ -17,6 +17,7 @@
 #include "viscera/medical_io/handle_file.h"
 #include "viscera/medical_io/surface_file.h"
 #include "viscera/motion/patient_motion.h"
+#include "viscera/motion/textbook_motion.h"
 
 namespace viscera::app::cli {
 namespace {
@@ -32,6 +33,8 @@ public:
 private:
   /// What is asked for, checked. Throws `UsageError`.
   motion::SeriesRequest request() const;
+  /// The series, or the one that a single image has while it beats as the textbook's.
+  motion::MotionSeries read(const motion::SeriesRequest& asked, Progress& progress, Threads threads) const;
   motion::TrackOptions trackOptions(std::vector<std::string>& warnings) const;
   /// Writes the sequence and what else is asked for: all of it, or nothing.
   void write(const motion::PatientMotion& found) const;
@@ -52,6 +55,8 @@ private:
   bool freeVolumes_ = false;
   double smoothing_ = -1;
   double robustMm_ = 0;
+  bool textbook_ = false;
+  double ejection_ = motion::TextbookBeat().ejectionFraction;
 };
 
 using nlohmann::ordered_json;
@@ -177,7 +182,7 @@ void TrackCommand::addOptions(CLI::App& options) {
   options.add_option("--leave-out", leftOut_, "Phases not to use, counted from 1")
       ->type_name("N1,N2,...")
       ->delimiter(',');
-  options.add_flag("--once", once_, "The series is no whole cycle: its last phase does not lead back");
+  options.add_flag("--once", once_, "The series is not a whole cycle: its last phase does not lead back");
   options.add_flag("--free-volumes", freeVolumes_, "Do not keep the measured volumes");
   options
       .add_option("--smoothing", smoothing_,
@@ -187,6 +192,12 @@ void TrackCommand::addOptions(CLI::App& options) {
       .add_option("--robust-mm", robustMm_,
                   "Distances beyond it count less: for label maps with outliers; 0: all alike")
       ->check(CLI::NonNegativeNumber);
+  auto* textbook = options.add_flag(
+      "--textbook", textbook_, "PHASES is one image of a heart with cavities: fit the textbook's beat to it");
+  options
+      .add_option("--ejection-fraction", ejection_,
+                  "Of the left ventricle in the textbook's beat; 0.58 when not said")
+      ->needs(textbook);
 }
 
 motion::SeriesRequest TrackCommand::request() const {
@@ -207,6 +218,17 @@ motion::SeriesRequest TrackCommand::request() const {
   }
   request.loop = !once_;
   return request;
+}
+
+motion::MotionSeries TrackCommand::read(const motion::SeriesRequest& asked, Progress& progress,
+                                        Threads threads) const {
+  if (!textbook_)
+    return motion::readMotionSeries(asked, progress);
+  motion::TextbookBeat beat;
+  beat.ejectionFraction = ejection_;
+  if (asked.periodSeconds)
+    beat.ratePerMinute = kSecondsPerMinute / *asked.periodSeconds;
+  return motion::textbookSeries(motion::readOnePhase(asked, progress), beat, progress, threads);
 }
 
 motion::TrackOptions TrackCommand::trackOptions(std::vector<std::string>& warnings) const {
@@ -237,7 +259,7 @@ Outcome TrackCommand::run(Surroundings& surroundings) {
   const motion::TrackOptions options = trackOptions(warnings);
   motion::MotionSeries series;
   runPart(surroundings.progress, 0, 0.1,
-          [&](Progress& part) { series = motion::readMotionSeries(asked, part); });
+          [&](Progress& part) { series = read(asked, part, surroundings.threads); });
   motion::PatientMotion found;
   runPart(surroundings.progress, 0.1, 1,
           [&](Progress& part) { found = motion::trackMotion(series, options, part, surroundings.threads); });

@@ -12,6 +12,7 @@
 #include "viscera/circulation/readings.h"
 #include "viscera/circulation/scenario.h"
 #include "viscera/document/circulation_commands.h"
+#include "window/language.h"
 #include "window/widgets/flow_layout.h"
 #include "window/widgets/page.h"
 #include "window/widgets/ready_made.h"
@@ -33,7 +34,7 @@ QString shortName(const circulation::ParameterInfo& info) {
       {"rvEes", CirculationBox::tr("Contractility, right")},
       {"lvB", CirculationBox::tr("Stiffness, left")}};
   const auto found = names.find(info.name);
-  return found == names.end() ? text(info.title) : found->second;
+  return found == names.end() ? inWords(info.title) : found->second;
 }
 
 const circulation::ParameterInfo& infoOf(const std::string& name) {
@@ -48,7 +49,7 @@ ValueSlider::Range rangeOf(const circulation::ParameterInfo& info) {
 }
 
 QString tipOf(const circulation::ParameterInfo& info) {
-  const QString what = CirculationBox::tr("%1, %2 at rest").arg(text(info.title)).arg(info.rest);
+  const QString what = CirculationBox::tr("%1, %2 at rest").arg(inWords(info.title)).arg(info.rest);
   if (!info.normal)
     return what;
   const int decimals = rangeOf(info).decimals;
@@ -71,7 +72,8 @@ CirculationBox::CirculationBox(Workspace& workspace, CirculationModel& model, co
   summary_ = makeRemark({}, details_);
   complaint_ = makeRemark({}, details_);
   complaint_->setObjectName(QStringLiteral("circulationComplaint"));
-  standing_ = makeRemark(tr("Only the sample heart follows a circulation; the charts show it all the same."),
+  standing_ = makeRemark(tr("Only the sample heart can be moved by the circulation model; the charts show "
+                            "its results for any organ."),
                          details_);
   inner->addWidget(summary_);
   inner->addWidget(complaint_);
@@ -98,10 +100,10 @@ void CirculationBox::makeChoice() {
     row->addWidget(button, 1);
     return button;
   };
-  textbook_ = add(tr("Textbook beat"), "textbookBeat",
-                  tr("The volumes of healthy adults, at the times of their rate"));
+  textbook_ =
+      add(tr("Textbook beat"), "textbookBeat", tr("Volumes of healthy adults over one beat at this rate"));
   circulation_ = add(tr("Circulation"), "circulationBeat",
-                     tr("A closed loop of heart and vessels: pressures, loops, valves and sounds"));
+                     tr("A model of heart and vessels: pressures, pressure-volume loops, valves and sounds"));
   static_cast<QVBoxLayout*>(layout())->addLayout(row);
   connect(textbook_, &QAbstractButton::clicked, this, [this] {
     if (model_.on())
@@ -121,8 +123,8 @@ QWidget* CirculationBox::makeScenarios() {
   for (const circulation::Scenario& scenario : circulation::scenarios()) {
     auto* button = new QToolButton(box);
     button->setObjectName(QStringLiteral("scenario.%1").arg(text(scenario.id)));
-    button->setText(text(scenario.name));
-    button->setToolTip(text(scenario.summary));
+    button->setText(inWords(scenario.name));
+    button->setToolTip(inWords(scenario.summary));
     button->setCheckable(true);
     connect(button, &QToolButton::clicked, this, [this, id = text(scenario.id)] {
       Q_EMIT scenarioChosen(id);
@@ -188,13 +190,13 @@ void CirculationBox::sync() {
   details_->setVisible(choice.drives);
   for (const auto& [id, button] : scenarios_)
     button->setChecked(id == choice.scenario);
-  summary_->setText(text(circulation::scenario(choice.scenario).summary));
+  summary_->setText(inWords(circulation::scenario(choice.scenario).summary));
   for (const auto& [name, control] : controls_)
     control->setValue(circulation::parameter(choice.parameters, name));
   complaint_->setText(model_.complaint());
   complaint_->setVisible(!model_.complaint().isEmpty());
   standing_->setVisible(!model_.hasHeart());
-  kept_->setText(choice.kept ? tr("Before: %1").arg(text(choice.kept->name)) : QString());
+  kept_->setText(choice.kept ? tr("Before: %1").arg(inWords(choice.kept->name)) : QString());
   kept_->setVisible(choice.kept.has_value());
 }
 

@@ -2,6 +2,7 @@
 
 #include <QHeaderView>
 
+#include "window/language.h"
 #include "window/workspace.h"
 
 namespace viscera::app {
@@ -37,7 +38,7 @@ NumbersTable::NumbersTable(QWidget* parent)
   for (int row = 0; row < rowCount(); ++row) {
     const circulation::Reading& reading = readingOf(row);
     const QString unit = reading.unit.empty() ? QString() : QStringLiteral(" (%1)").arg(text(reading.unit));
-    auto* name = new QTableWidgetItem(text(reading.title) + unit);
+    auto* name = new QTableWidgetItem(inWords(reading.title) + unit);
     name->setToolTip(name->text());
     setItem(row, kName, name);
     for (const int column : {kNow, kBefore, kNormal}) {
@@ -74,7 +75,7 @@ void NumbersTable::fill(int row, int column, const circulation::Indices* indices
   const double value = indices ? reading.of(*indices) : 0;
   const auto normal = circulation::normalOf(reading, person_);
   const bool odd = indices && normal && !normal->holds(value);
-  item(row, column)->setText(indices ? QString::number(value, 'f', reading.decimals) : QStringLiteral("-"));
+  item(row, column)->setText(indices ? formatNumber(value, reading.decimals) : QStringLiteral("-"));
   item(row, column)->setForeground(odd ? theme_.warning : theme_.text);
 }
 

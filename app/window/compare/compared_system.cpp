@@ -23,7 +23,7 @@ SystemCombo* ComparedSystem::makeChooser() {
   chooser_ = new SystemCombo(second_.registry());
   chooser_->setObjectName(QStringLiteral("secondSystem"));
   chooser_->setAccessibleName(tr("Coordinates of the second view"));
-  chooser_->setToolTip(tr("The coordinates that tie the same organs to the same handles in this view"));
+  chooser_->setToolTip(tr("Coordinate system that binds the same organs to the same handles in this view"));
   chooser_->setMinimumContentsLength(14);
   chooser_->setSystem(choice_->id);
   connect(chooser_, &SystemCombo::systemChosen, this, &ComparedSystem::choose);

@@ -15,6 +15,7 @@
 #include "window/compare/difference_map.h"
 #include "window/compare/side_header.h"
 #include "window/file_actions.h"
+#include "window/language.h"
 #include "window/sample_loader.h"
 #include "window/view/camera_link.h"
 #include "window/view/picture.h"
@@ -29,7 +30,9 @@ struct Comparison::Second {
       : workspace(first.workspace.registry()), playback(workspace, first.playback), placer(workspace),
         samples(workspace, placer, playback), files(workspace, placer, first.settings, window),
         view(new ViewWidget),
-        picture(std::make_unique<Picture>(workspace, first.view, *view, Picture::Role::showing)) {}
+        picture(std::make_unique<Picture>(workspace, first.view, *view, Picture::Role::showing)) {
+    picture->setValves([this] { return playback.valves(); });
+  }
 
   Workspace workspace;
   Playback playback;
@@ -325,7 +328,7 @@ QString Comparison::volumesOf(int side) const {
 
 QString Comparison::titleOf(const Workspace& workspace, const Playback& playback) const {
   if (const sequences::Sequence* sequence = playback.sequence())
-    return text(sequence->name());
+    return inWords(sequence->name());
   const auto& organs = workspace.document().organs();
   return organs.empty() ? tr("No organ yet") : text(organs.front()->name);
 }
@@ -335,16 +338,16 @@ void Comparison::syncHeaders() {
     return;
   const motion::Player& first = first_.playback.player();
   const auto systemName = [](const Workspace& workspace) {
-    return text(workspace.registry().find(workspace.document().system().id)->name());
+    return inWords(workspace.registry().find(workspace.document().system().id)->name());
   };
   QString title = second_->system ? systemName(first_.workspace) : titleOf(first_.workspace, first_.playback);
   if (first_.playback.sequence() && !second_->system)
-    title += tr("  %1 / min").arg(first.ratePerMinute(), 0, 'f', 0);
+    title += tr("  %1 / min").arg(formatNumber(first.ratePerMinute(), 0));
   firstHeader_->setTitle(title);
-  firstHeader_->setState(first_.playback.sequence() ? text(first.phase()) : QString(), volumesOf(0));
+  firstHeader_->setState(first_.playback.sequence() ? inWords(first.phase()) : QString(), volumesOf(0));
   Playback& second = second_->playback;
   secondHeader_->setTitle(second_->system ? QString() : titleOf(second_->workspace, second));
-  secondHeader_->setState(second.sequence() ? text(second.player().phase()) : QString(), volumesOf(1));
+  secondHeader_->setState(second.sequence() ? inWords(second.player().phase()) : QString(), volumesOf(1));
   rate_->setVisible(second.sequence() != nullptr && !second_->system);
   if (!second.sequence())
     return;

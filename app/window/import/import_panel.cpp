@@ -108,10 +108,10 @@ QWidget* ImportPanel::makeFilter() {
   finding_->setAccessibleName(tr("Organs to show, by finding"));
   auto* all = new QPushButton(tr("All"), box);
   all->setObjectName(QStringLiteral("importAll"));
-  all->setToolTip(tr("Take all organs of this list along"));
+  all->setToolTip(tr("Import all organs of this list"));
   auto* none = new QPushButton(tr("None"), box);
   none->setObjectName(QStringLiteral("importNone"));
-  none->setToolTip(tr("Leave all organs of this list out"));
+  none->setToolTip(tr("Import no organ of this list"));
   column->addWidget(name_);
   auto* row = new QHBoxLayout;
   row->setSpacing(4);

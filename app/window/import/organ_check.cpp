@@ -12,6 +12,7 @@
 
 #include "viscera/medical_io/organ_norms.h"
 #include "viscera/medical_io/surface_repairs.h"
+#include "window/language.h"
 #include "window/widgets/flow_layout.h"
 #include "window/widgets/ready_made.h"
 #include "window/workspace.h"
@@ -46,7 +47,7 @@ QLabel* wrapped(const QString& text, QWidget* parent) {
 
 QString measures(const document::DraftOrgan& organ) {
   const Vec3& size = organ.assessment.sizeMm;
-  const auto number = [](double value) { return QString::number(value, 'g', 3); };
+  const auto number = [](double value) { return formatDigits(value, 3); };
   const QString box =
       OrganCheck::tr("%1 x %2 x %3 mm").arg(number(size.x()), number(size.y()), number(size.z()));
   if (!organ.assessment.report.closed())
@@ -94,7 +95,7 @@ QString subjectName(medical_io::FindingSubject subject) {
       {FindingSubject::facing, QT_TRANSLATE_NOOP("viscera::app::Findings", "Triangles that face inward")},
       {FindingSubject::pieces, QT_TRANSLATE_NOOP("viscera::app::Findings", "Separate pieces")},
       {FindingSubject::crossings, QT_TRANSLATE_NOOP("viscera::app::Findings", "Crossing triangles")},
-      {FindingSubject::arrangement, QT_TRANSLATE_NOOP("viscera::app::Findings", "Places of the organs")}};
+      {FindingSubject::arrangement, QT_TRANSLATE_NOOP("viscera::app::Findings", "Positions of the organs")}};
   return QCoreApplication::translate("viscera::app::Findings", kNames.at(subject));
 }
 
@@ -146,7 +147,7 @@ QLayout* OrganCheck::makeHeading(const document::DraftOrgan& organ, bool withFil
   auto* name = new QCheckBox(text(organ.name), this);
   name->setObjectName(QStringLiteral("included"));
   name->setChecked(organ.included);
-  name->setToolTip(tr("Take this organ along"));
+  name->setToolTip(tr("Import this organ"));
   embolden(name);
   connect(name, &QCheckBox::toggled, this, &OrganCheck::includedChanged);
   column->addWidget(name);
@@ -214,7 +215,7 @@ QLayout* OrganCheck::makeFoot(const document::DraftOrgan& organ) {
   if (!done.isEmpty()) {
     auto* back = new QPushButton(tr("As in the file"), this);
     back->setObjectName(QStringLiteral("revert"));
-    back->setToolTip(tr("Take the repairs of this organ back"));
+    back->setToolTip(tr("Undo the repairs of this organ"));
     connect(back, &QPushButton::clicked, this, &OrganCheck::revertRequested);
     row->addWidget(back);
   }

@@ -5,6 +5,7 @@
 #include <QLabel>
 #include <QVBoxLayout>
 
+#include "window/language.h"
 #include "window/widgets/ready_made.h"
 
 namespace viscera::app {
@@ -15,6 +16,9 @@ constexpr double kCaptionFactor = 2.4;
 constexpr double kNumbersFactor = 1.8;
 /// As many volumes as one reads at a glance.
 constexpr std::size_t kMostVolumes = 4;
+/// Logical pixels beside and below the card, where the view has its orientation cube and its scale bar.
+constexpr int kCorner = 88;
+constexpr int kScaleBar = 36;
 
 } // namespace
 
@@ -34,8 +38,11 @@ LectureScreen::LectureScreen(const Parts& parts, Actions& actions, QObject* pare
   numbers_->setObjectName(QStringLiteral("lectureNumbers"));
   embolden(caption_, kCaptionFactor);
   embolden(numbers_, kNumbersFactor);
-  parts_.area.addCard(card_, Qt::AlignBottom | Qt::AlignHCenter); // The orientation cube is beside it.
-  card_->hide();
+  auto* room = new QWidget(&parts_.area);
+  room->setAttribute(Qt::WA_TransparentForMouseEvents);
+  makeLayout<QVBoxLayout>(room, 0, {kCorner, 0, kCorner, kScaleBar})->addWidget(card_);
+  parts_.area.addCard(room, Qt::AlignBottom | Qt::AlignHCenter);
+  room->hide();
   dark_->setObjectName(QStringLiteral("lectureDark"));
   dark_->setAttribute(Qt::WA_StyledBackground);
   dark_->hide();
@@ -66,7 +73,7 @@ LectureScreen::LectureScreen(const Parts& parts, Actions& actions, QObject* pare
 void LectureScreen::begin() {
   parts_.layout.setBare(true);
   shown_->setChecked(true);
-  card_->show();
+  card_->parentWidget()->show();
   if (parts_.slides.current() < 0)
     parts_.slides.show(0);
   sync();
@@ -77,7 +84,7 @@ bool LectureScreen::end() {
     return false;
   parts_.layout.setBare(false);
   shown_->setChecked(false);
-  card_->hide();
+  card_->parentWidget()->hide();
   dark_->hide();
   return true;
 }
@@ -86,10 +93,11 @@ QString LectureScreen::numbers() const {
   QStringList parts;
   const motion::Player& player = parts_.playback.player();
   if (player.showing())
-    parts << text(player.phase());
+    parts << inWords(player.phase());
   const auto& lines = parts_.volumes.lines();
   for (std::size_t i = 0; i < std::min(lines.size(), kMostVolumes); ++i)
-    parts << tr("%1 %2 ml").arg(lines[i].name).arg(lines[i].nowMl, 0, 'f', lines[i].nowMl < 1000 ? 1 : 0);
+    parts
+        << tr("%1 %2 ml").arg(lines[i].name).arg(formatNumber(lines[i].nowMl, lines[i].nowMl < 1000 ? 1 : 0));
   parts.removeAll(QString());
   for (QString& part : parts) // A line breaks between them only.
     part.replace(QLatin1Char(' '), QChar::Nbsp);

@@ -12,7 +12,7 @@ Slides::Slides(ViewModel& view, ViewWidget& widget, Playback& playback, Actions&
               {tr("&Keep this view as a slide"),
                "add",
                {tr("Ctrl+Shift+K")},
-               tr("Keep where one looks from, and the instant of a sequence that stands still")},
+               tr("Keep the present view, and the instant of a paused sequence")},
               [this] { add(); });
   actions.add("slides.remove",
               {tr("&Remove the slide"), "remove", {}, tr("Remove the slide that was shown last")},

@@ -35,18 +35,17 @@ LessonDialog::LessonDialog(const lesson::LessonPlan& plan, QWidget* parent)
   language_->addItem(tr("As the window"), QString());
   for (const lesson::PageLanguage& language : lesson::pageLanguages())
     language_->addItem(text(language.name), text(language.code));
-  language_->setToolTip(tr("Of the buttons and messages of the page; the texts below stay as they are"));
+  language_->setToolTip(tr("Language of the page's buttons and messages; the texts below stay as they are"));
   handles_->setChecked(plan.ownHandles || plan.placedHandles > 0);
   title_->setObjectName(QStringLiteral("lessonTitle"));
   notes_->setObjectName(QStringLiteral("lessonNotes"));
   notes_->setMaximumHeight(96);
   notes_->setTabChangesFocus(true);
 
-  auto* remark =
-      new QLabel(tr("This is all that a reader will be able to read: names of files, dates and what is "
-                    "hidden are not in the lesson. Look for names of patients, and change what you "
-                    "like by a double click.") +
-                 QLatin1Char(' ') + caution());
+  auto* remark = new QLabel(
+      tr("This is all that a reader will be able to read: names of files, dates and what is "
+         "hidden are not in the lesson. Look for names of patients; double-click a text to change it.") +
+      QLatin1Char(' ') + caution());
   remark->setWordWrap(true);
   auto* form = new QFormLayout;
   form->addRow(tr("Title"), title_);

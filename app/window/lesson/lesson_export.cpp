@@ -7,6 +7,7 @@
 #include "viscera/lesson/lesson.h"
 #include "viscera/presentation/presenter.h"
 #include "window/actions.h"
+#include "window/language.h"
 #include "window/lesson/lesson_dialog.h"
 #include "window/settings.h"
 #include "window/workspace.h"
@@ -86,8 +87,8 @@ void LessonExport::write(const lesson::LessonPlan& plan, const QString& file) {
         window_.workspace.say({Message::Severity::info,
                                tr("Written to %1 (%2 MB). Its motion is off by %3 mm at most.")
                                    .arg(file)
-                                   .arg(static_cast<double>(QFileInfo(file).size()) / 1e6, 0, 'f', 1)
-                                   .arg(*result.value, 0, 'f', 2),
+                                   .arg(formatNumber(static_cast<double>(QFileInfo(file).size()) / 1e6, 1))
+                                   .arg(formatNumber(*result.value, 2)),
                                {},
                                8});
       });

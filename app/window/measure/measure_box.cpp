@@ -12,6 +12,7 @@
 
 #include "viscera/document/measurement_commands.h"
 #include "viscera/presentation/presenter.h"
+#include "window/language.h"
 #include "window/style/icon.h"
 #include "window/view/picture.h"
 #include "window/widgets/ready_made.h"
@@ -162,7 +163,7 @@ void MeasureBox::syncValues() {
     const bool region = document::isRegion(kind);
     const bool known = region && values.region && values.region->count > 0;
     item->setText(kRest, !region ? text(presentation::formatMeasured(kind, values.rest))
-                         : known ? QStringLiteral("\u00b1 %1").arg(values.region->deviation, 0, 'f', 1)
+                         : known ? QStringLiteral("\u00b1 %1").arg(formatNumber(values.region->deviation, 1))
                                  : QStringLiteral("-"));
     const QString spread = text(presentation::describeSpread(measurements[row], values, unit, translated));
     for (const int column : {kNow, kRest})

@@ -27,49 +27,50 @@ DeformMode::DeformMode(const ModeParts& parts, Actions& actions)
   makePoseActions(actions);
   makeVolumeActions(actions);
   makeCompensate(actions);
-  parts_.view.addToggle(actions, "handles.gizmo",
-                        {tr("&Turn and scale"),
-                         "gizmo",
-                         {Qt::Key_T},
-                         tr("In Deform mode, rings turn and cubes scale the selected handles, two at least")},
-                        &presentation::ViewState::gizmo);
+  parts_.view.addToggle(
+      actions, "handles.gizmo",
+      {tr("&Turn and scale"),
+       "gizmo",
+       {Qt::Key_T},
+       tr("In Deform mode, rings turn and cubes scale the selected handles (at least two)")},
+      &presentation::ViewState::gizmo);
   makeMirrorActions(actions);
   // Their keys mean something else in other modes.
   actions.enableWhile({"handles.gizmo", "mirror.next"}, [this] { return parts_.view.state().shown.tools; });
 }
 
 void DeformMode::makePoseActions(Actions& actions) {
-  actions.add("pose.reset", {tr("Reset &pose"), "reset", {tr("Ctrl+R")}, tr("Put every handle back to rest")},
+  actions.add("pose.reset",
+              {tr("Reset &pose"), "reset", {tr("Ctrl+R")}, tr("Move every handle back to its rest position")},
               [this] { workspace_.perform(document::resetPose()); });
   actions.add("pose.resetSelected",
               {tr("Reset selected handles"),
                "reset",
                {tr("Ctrl+Shift+R")},
-               tr("Put the selected handles back to rest")},
+               tr("Move the selected handles back to their rest positions")},
               [this] { parts_.poses.reset(workspace_.selection().handles()); });
   actions.enableWhile({"pose.reset"}, [this] { return !document::atRest(workspace_.state()); });
   actions.enableWhile({"pose.resetSelected"}, [this] { return !workspace_.selection().handles().empty(); });
 }
 
 void DeformMode::makeVolumeActions(Actions& actions) {
-  QAction* lock = actions.add(
-      "volume.lock",
-      {tr("&Lock volume"),
-       "lock",
-       {Qt::Key_K},
-       tr("Nothing in Deform mode changes the volume of the organ any more; of an organ with cavities, the "
-          "volume within its outer surface")},
-      [this, &actions] {
-        if (const auto organ = workspace_.currentOrgan())
-          parts_.poses.setLocked(organ->id, !organ->volumeLocked);
-        actions.sync(); // Where it was refused, the mark goes again.
-      });
+  QAction* lock = actions.add("volume.lock",
+                              {tr("&Lock volume"),
+                               "lock",
+                               {Qt::Key_K},
+                               tr("Keep the organ's volume constant in Deform mode; for an organ with "
+                                  "cavities, the volume within its outer surface")},
+                              [this, &actions] {
+                                if (const auto organ = workspace_.currentOrgan())
+                                  parts_.poses.setLocked(organ->id, !organ->volumeLocked);
+                                actions.sync(); // Where it was refused, the mark goes again.
+                              });
   lock->setCheckable(true);
   actions.add("volume.restore",
               {tr("Restore &rest volume"),
                "reset",
                {},
-               tr("Give the organ the volume it has at rest, by the least motion of the handles")},
+               tr("Restore the organ's volume at rest with the smallest motion of the handles")},
               [this] {
                 if (const auto organ = workspace_.currentOrgan())
                   parts_.poses.setVolume(organ->id, organ->restVolumeMm3 / kMm3PerMl);
@@ -86,16 +87,16 @@ void DeformMode::makeVolumeActions(Actions& actions) {
 }
 
 void DeformMode::makeCompensate(Actions& actions) {
-  QAction* compensate = actions.add(
-      "handles.compensate",
-      {tr("Selected handles &compensate"),
-       nullptr,
-       {},
-       tr("The selected handles make up for what others change of a locked volume, and no other does")},
-      [this, &actions] {
-        parts_.poses.setCompensating(actions["handles.compensate"]->isChecked());
-        actions.sync();
-      });
+  QAction* compensate =
+      actions.add("handles.compensate",
+                  {tr("Selected handles &compensate"),
+                   nullptr,
+                   {},
+                   tr("Only the selected handles compensate when others would change a locked volume")},
+                  [this, &actions] {
+                    parts_.poses.setCompensating(actions["handles.compensate"]->isChecked());
+                    actions.sync();
+                  });
   compensate->setCheckable(true);
   actions.whenSynced([this, compensate] {
     const auto& selected = workspace_.selection().handles();
@@ -136,7 +137,10 @@ void DeformMode::makeMirrorActions(Actions& actions) {
     });
   }
   actions.add("mirror.next",
-              {tr("&Next mirror plane"), "mirror", {Qt::Key_M}, tr("Off, sagittal, coronal, axial, off")},
+              {tr("&Next mirror plane"),
+               "mirror",
+               {Qt::Key_M},
+               tr("Switch between off, sagittal, coronal and axial")},
               [this, choose] {
                 constexpr int kMirrors = 4;
                 choose(static_cast<Mirror>((static_cast<int>(parts_.view.state().mirror) + 1) % kMirrors));

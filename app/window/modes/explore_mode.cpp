@@ -71,7 +71,7 @@ void ExploreMode::addQuiz(Actions& actions) {
       {tr("&Quiz on the parts"),
        "label",
        {static_cast<int>(Qt::SHIFT) + static_cast<int>(Qt::Key_Q)},
-       tr("Hide the names and ask for one after the other; a click on the organ is the answer")},
+       tr("Hide the names and ask for one part after the other; answer with a click on the organ")},
       false, [this](bool on) {
         if (!on)
           return quiz_.end();

@@ -1,8 +1,12 @@
 #include "window/modes/handles_mode.h"
 
+#include <QAbstractItemView>
+#include <QApplication>
+
 #include "viscera/document/rig_commands.h"
 #include "viscera/document/system_commands.h"
 #include "window/binding_messages.h"
+#include "window/language.h"
 #include "window/panels/handles_page.h"
 #include "window/view/view_area.h"
 #include "window/view/view_model.h"
@@ -29,18 +33,35 @@ void HandlesMode::makeRigActions(Actions& actions) {
   actions.add("handles.remove",
               {tr("&Remove handles"), "remove", {QKeySequence::Delete}, tr("Remove the selected handles")},
               [this] { workspace_.perform(document::removeHandles(workspace_.selection().handles())); });
+  actions.add("edit.selectAll", {tr("Select &all handles"), nullptr, {QKeySequence::SelectAll}, {}},
+              [this] { selectAll(); });
   actions.add("cage.hull",
-              {tr("Take the &hull as the cage"),
+              {tr("Use the &hull as the cage"),
                "enclosing",
                {},
-               tr("Give the loaded cage up: the convex hull of the handles is the cage again")},
+               tr("Discard the loaded cage and use the convex hull of the handles again")},
               [this] { workspace_.perform(document::dropCage()); });
   actions.enableWhile({"handles.place", "handles.addEnclosing"},
                       [this] { return !workspace_.document().organs().empty(); });
-  actions.enableWhile({"handles.remove"}, [this] { return !workspace_.selection().handles().empty(); });
+  // What nobody sees is not removed by a key.
+  const auto seen = [this] { return parts_.view.state().shown.handles || parts_.view.state().handles; };
+  actions.enableWhile({"handles.remove"},
+                      [this, seen] { return seen() && !workspace_.selection().handles().empty(); });
+  actions.enableWhile({"edit.selectAll"},
+                      [this, seen] { return seen() && !workspace_.document().rig().handles.empty(); });
   actions.enableWhile({"cage.hull"}, [this] {
     return workspace_.systemTraits().needsCage && !workspace_.document().rig().cage.empty();
   });
+}
+
+/// The key is meant for the list that has the focus, else for the handles.
+void HandlesMode::selectAll() {
+  if (auto* list = qobject_cast<QAbstractItemView*>(QApplication::focusWidget()))
+    return list->selectAll();
+  std::vector<document::HandleId> all;
+  for (const document::Handle& handle : workspace_.document().rig().handles)
+    all.push_back(handle.id);
+  workspace_.selection().setHandles(all);
 }
 
 void HandlesMode::makeViewActions(Actions& actions) {
@@ -62,7 +83,10 @@ void HandlesMode::makeViewActions(Actions& actions) {
                         {tr("Show &zones"), nullptr, {Qt::Key_Z}, tr("Show where regions meet, in red")},
                         [](ViewState& view) -> bool& { return view.layout.zones; });
   parts_.view.addToggle(actions, "handles.superRegions",
-                        {tr("Show &super-regions"), nullptr, {}, tr("Show what counts in a zone, in yellow")},
+                        {tr("Show &super-regions"),
+                         nullptr,
+                         {},
+                         tr("Show the super-region that counts in each zone, in yellow")},
                         [](ViewState& view) -> bool& { return view.layout.superRegions; });
 }
 
@@ -88,7 +112,7 @@ QWidget* HandlesMode::makePage(const Actions& actions) {
 
 void HandlesMode::enter() {
   bound_ = connect(&parts_.binding, &BindingMessages::bound, this, [this](double seconds) {
-    parts_.area.showBadge(tr("Bound in %1 ms").arg(1000 * seconds, 0, 'f', 1));
+    parts_.area.showBadge(tr("Bound in %1 ms").arg(formatNumber(1000 * seconds, 1)));
   });
 }
 

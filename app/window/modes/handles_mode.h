@@ -28,6 +28,7 @@ public:
 private:
   void makeRigActions(Actions& actions);
   void makeViewActions(Actions& actions);
+  void selectAll();
 
   QMetaObject::Connection bound_;
 };

@@ -40,7 +40,8 @@ void ModeController::choose(const std::string& id) {
   const std::size_t row = rowOf(id);
   if (row == present_)
     return;
-  parts_.handles.cancelDrag();
+  if (parts_.handles.cancelDrag())
+    Q_EMIT dragTakenBack();
   modes_[present_]->leave();
   begin(row);
 }

@@ -55,6 +55,8 @@ public:
   bool escape() { return parts_.handles.cancelDrag() || modes_[present_]->escape(); }
 
 Q_SIGNALS:
+  /// A mode was chosen while the mouse held something, which went back to where it was.
+  void dragTakenBack();
   /// Another mode is on.
   void changed();
   /// The present mode has another hint.

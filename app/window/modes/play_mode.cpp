@@ -9,6 +9,7 @@
 #include "viscera/document/organ_commands.h"
 #include "viscera/motion/motion_recipe.h"
 #include "viscera/motion/sequence_setup.h"
+#include "window/language.h"
 #include "window/panels/play_page.h"
 #include "window/sample_loader.h"
 #include "window/status_line.h"
@@ -72,7 +73,7 @@ void PlayMode::makeMotionActions(Actions& actions) {
                         {tr("&Chart of one cycle"),
                          "chart",
                          {Qt::Key_O},
-                         tr("Draw one cycle with a cursor; else the last seconds")},
+                         tr("Draw one cycle with a cursor instead of the last seconds")},
                         &presentation::ViewState::chartOfCycle);
   parts_.view.addToggle(actions, "play.beatSigns",
                         {tr("&ECG, sounds and valves"),
@@ -81,15 +82,23 @@ void PlayMode::makeMotionActions(Actions& actions) {
                          tr("Under the phases of a heart: a schematic electrocardiogram, S1 and S2, and "
                             "which valves are open")},
                         &presentation::ViewState::beatSigns);
+  parts_.view.addToggle(
+      actions, "play.valves",
+      {tr("&Valves and flow"),
+       "beat",
+       {Qt::Key_V},
+       tr("In the beating sample heart: leaflets as far open as the valves are, and an arrow "
+          "where blood flows, as thick as the opening and as long as the blood is fast")},
+      &presentation::ViewState::valves);
   actions.add(
       "play.addKey",
-      {tr("Record a &key"), "record", {tr("Ctrl+K")}, tr("Take the present pose into the recorded sequence")},
+      {tr("Record a &key"), "record", {tr("Ctrl+K")}, tr("Add the present pose to the recorded sequence")},
       [this] { addKey(); });
   actions.add("play.motionFromSeries",
               {tr("Motion from a ser&ies..."),
                "patient",
                {},
-               tr("A patient's own motion out of surfaces or label maps, one a phase of the cycle")},
+               tr("Compute a patient's own motion from surfaces or label maps of each phase of the cycle")},
               [this] { chooseSeries(); });
 }
 
@@ -113,23 +122,25 @@ void PlayMode::makeComparisonActions(Actions& actions) {
       {tr("Compare two &rates"),
        "compare",
        {tr("Ctrl+2")},
-       tr("The same organs a second time beside these, at another rate, or in the circulation kept as "
-          "before")},
+       tr("Show the same organs beside these at another rate, or with the circulation kept as before")},
       [this] { comparison_->showSameOrgan(); });
   actions.add("play.compareSystems",
               {tr("Compare &coordinates"),
                "compare",
                {tr("Ctrl+3")},
-               tr("The same organs and handles a second time beside these, tied by other coordinates")},
+               tr("Show the same organs and handles beside these with another coordinate system")},
               [this] { comparison_->showOtherCoordinates(); });
   actions.add("play.compareFiles",
-              {tr("Compare with another &organ..."), "patient", {}, tr("Open files beside these organs")},
+              {tr("Compare with another &organ..."),
+               "patient",
+               {},
+               tr("Open files in a second view beside these organs")},
               [this] { comparison_->chooseFiles(); });
   actions.add("play.compareTextbook",
               {tr("Compare with the te&xtbook's heart"),
                "heart",
                {},
-               tr("The sample heart with its textbook beat beside these organs, at their rate")},
+               tr("Show the sample heart with its textbook beat beside these organs, at their rate")},
               [this] { comparison_->showSample(QStringLiteral("heart")); });
   actions.enableWhile({"play.compareTextbook"},
                       [this] { return !parts_.workspace.document().organs().empty(); });
@@ -155,17 +166,18 @@ void PlayMode::makeCirculationActions(Actions& actions) {
       {tr("&Pressures and loops"),
        "chart",
        {Qt::Key_P},
-       tr("Where a circulation moves the heart: its curves below the view; else the volumes")},
+       tr("Where a circulation moves the heart, show its curves below the view instead of the volumes")},
       &presentation::ViewState::circulationChart);
   actions.add("play.keepBefore",
               {tr("Keep as &before"),
                "compare",
                {tr("Ctrl+B")},
-               tr("Keep this circulation beside what follows: dashed loops, a second column of numbers")},
+               tr("Keep this circulation to compare with: dashed loops and a second column of numbers")},
               [this] { parts_.workspace.perform(document::keepCirculation()); });
   actions.add("play.forgetBefore", {tr("For&get"), "remove", {}, tr("Compare with nothing")},
               [this] { parts_.workspace.perform(document::forgetKeptCirculation()); });
   actions.enableWhile({"play.keepBefore", "play.circulationChart"}, [this] { return circulation_->on(); });
+  actions.enableWhile({"play.valves"}, [this] { return hasSampleHeart(); });
   actions.enableWhile({"play.forgetBefore"},
                       [this] { return circulation_->on() && circulation_->choice().kept.has_value(); });
 }
@@ -206,13 +218,15 @@ void PlayMode::makeLookActions(Actions& actions) {
   parts_.view.addToggle(actions, "view.labels",
                         {tr("Organ &labels"), "label", {Qt::Key_N}, tr("Write names beside the organs")},
                         &presentation::ViewState::labels);
-  QAction* through = actions.addToggle(
-      "view.seeThrough",
-      {tr("See &through"), "see_through", {Qt::Key_X}, tr("Look through the wall at the cavities")}, false,
-      [this, &actions](bool on) {
-        setSeeThrough(on);
-        actions.sync(); // Where it was refused, the mark goes again.
-      });
+  QAction* through = actions.addToggle("view.seeThrough",
+                                       {tr("See &through"),
+                                        "see_through",
+                                        {Qt::Key_X},
+                                        tr("Make the wall translucent, so that the cavities are seen")},
+                                       false, [this, &actions](bool on) {
+                                         setSeeThrough(on);
+                                         actions.sync(); // Where it was refused, the mark goes again.
+                                       });
   actions.whenSynced([this, through] {
     through->setChecked(seesThrough());
     through->setEnabled(!workspace_.document().organs().empty());
@@ -225,6 +239,7 @@ std::vector<const char*> PlayMode::actions() const {
           "",
           "play.slower",
           "play.cycle",
+          "play.valves",
           "play.beatSigns",
           "play.circulationChart",
           "play.keepBefore",
@@ -315,7 +330,7 @@ void PlayMode::slower() {
 void PlayMode::addKey() {
   const double seconds = recorded_->nextSeconds();
   if (recorded_->addKey(seconds, sequences::Easing::smooth))
-    parts_.area.showBadge(tr("Key at %1 s").arg(seconds, 0, 'f', 2));
+    parts_.area.showBadge(tr("Key at %1 s").arg(formatNumber(seconds, 2)));
 }
 
 bool PlayMode::record(const RecordingPlan& plan) {

@@ -33,7 +33,15 @@ StressMode::StressMode(const ModeParts& parts, Actions& actions)
   connect(&model_, &StressModel::activeChanged, this, &StressMode::syncActions);
   connect(&playback, &Playback::stateChanged, this, &StressMode::syncActions);
   connect(&playback, &Playback::stateChanged, this, &Mode::shownChanged);
-  connect(&playback, &Playback::advanced, this, &Mode::shownChanged); // Dragging the timeline shows it too.
+  connect(&playback, &Playback::advanced, this, [this] {
+    if (!model_.active()) // Another mode shows the sequence again.
+      posed_ = false;
+    Q_EMIT shownChanged(); // Dragging the timeline shows it too.
+  });
+  subscription_ = workspace_.onChange([this, &playback](const document::Change& change) {
+    if (change.pose() && playback.wantedPose() == motion::WantedPose::document)
+      posed_ = !document::atRest(change.after);
+  });
   syncActions();
 }
 
@@ -54,7 +62,7 @@ void StressMode::makeActions() {
                      {tr("&Peak over the sequence"),
                       "chart",
                       {tr("Shift+M")},
-                      tr("The worst that every point meets in one cycle of the sequence")},
+                      tr("The largest value that each point reaches in one cycle of the sequence")},
                      false, [this](bool on) {
                        if (on)
                          model_.findPeak();
@@ -69,10 +77,16 @@ void StressMode::makeActions() {
     });
   };
   toggle("stress.surface",
-         {tr("Map on the organ's &surface"), nullptr, {}, tr("Instead of on the outer tetrahedra")},
+         {tr("Map on the organ's &surface"),
+          nullptr,
+          {},
+          tr("Draw the map on the organ's surface instead of the outer tetrahedra")},
          &StressLook::onSurface);
   toggle("stress.pin",
-         {tr("&Keep the legend's range"), nullptr, {}, tr("Colours stay comparable between poses")},
+         {tr("&Keep the legend's range"),
+          nullptr,
+          {},
+          tr("Keep the range of colours, so that poses can be compared")},
          &StressLook::pinned);
   toggle("stress.cut", {tr("&Cut open"), nullptr, {Qt::Key_C}, tr("Cut the organ open by a plane")},
          &StressLook::cut);
@@ -99,7 +113,7 @@ void StressMode::makeActions() {
       });
   toggle("stress.handles", {tr("&Handles"), nullptr, {}, tr("Show the handles, so that they can be dragged")},
          &StressLook::handles);
-  toggle("stress.others", {tr("O&ther organs"), nullptr, {}, tr("Keep the other organs in the picture")},
+  toggle("stress.others", {tr("O&ther organs"), nullptr, {}, tr("Show the other organs as well")},
          &StressLook::others);
 }
 
@@ -125,6 +139,11 @@ void StressMode::syncActions() {
 
 std::vector<const char*> StressMode::actions() const {
   return {std::begin(kActionIds), std::end(kActionIds)};
+}
+
+void StressMode::enter() {
+  if (posed_ && parts_.playback.showing())
+    parts_.playback.stop();
 }
 
 QWidget* StressMode::makePage(const Actions& actions) {

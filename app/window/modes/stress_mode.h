@@ -24,10 +24,13 @@ public:
   /// Handles can be moved while the document's pose is shown, not a sequence's.
   presentation::Shown shown() const override;
   motion::WantedPose pose() const override { return motion::WantedPose::sequence; }
-  /// The chart is of a sequence: without one on show the view has its room.
+  /// Its chart is of a sequence that is shown.
   UsefulPanels panels() const override {
     return {false, parts_.playback.sequence() != nullptr, parts_.playback.showing()};
   }
+  /// Whoever comes from posing the organ sees the map of that pose, not of the sequence that was paused
+  /// before.
+  void enter() override;
   void setTheme(const Theme& theme) override;
   /// Closes the probe or puts a dragged plane back; false when there was nothing to do.
   bool escape() override;
@@ -50,6 +53,8 @@ private:
   ProbeCard* card_;
   StressChart* chart_ = nullptr;
   StressExport* exports_;
+  bool posed_ = false; ///< In a mode that shows the own pose, and no sequence was shown since.
+  Subscription subscription_;
 };
 
 } // namespace viscera::app

@@ -9,6 +9,7 @@
 
 #include "viscera/motion/volume_curve.h"
 #include "viscera/presentation/presenter.h"
+#include "window/language.h"
 #include "window/style/icon.h"
 #include "window/widgets/ready_made.h"
 
@@ -27,10 +28,10 @@ CurveBox::CurveBox(Workspace& workspace, Playback& playback, Settings& settings,
   organ_->setAccessibleName(tr("Organ whose volume is prescribed"));
   choose_->setObjectName(QStringLiteral("chooseCurve"));
   choose_->setToolTip(
-      tr("A .csv file of two columns: the fraction of the cycle (or time_s), and the volume in "
-         "ml. After each pose of the sequence the handles move by the least that gives it"));
+      tr("A .csv file with two columns: the fraction of the cycle (or time_s) and the volume in ml. At each "
+         "instant the handles move as little as possible to reach that volume"));
   remove_->setObjectName(QStringLiteral("removeCurve"));
-  remove_->setToolTip(tr("The sequence alone decides about the volume again"));
+  remove_->setToolTip(tr("Let the sequence alone determine the volume again"));
   grid->addWidget(organ_, 0, 0, 1, 2);
   grid->addWidget(choose_, 1, 0);
   grid->addWidget(remove_, 1, 1);
@@ -70,7 +71,7 @@ void CurveBox::sync() {
   organ_->clear();
   for (const auto& organ : workspace_.document().organs())
     if (organ->closed())
-      organ_->addItem(text(presentation::labelOf(*organ)), static_cast<qlonglong>(organ->id.value));
+      organ_->addItem(inWords(presentation::labelOf(*organ)), static_cast<qlonglong>(organ->id.value));
   organ_->setCurrentIndex(std::max(0, organ_->findData(chosen)));
   organ_->setEnabled(!prescribed);
   choose_->setEnabled(playback_.sequence() && organ_->count() > 0);

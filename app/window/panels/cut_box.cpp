@@ -29,7 +29,8 @@ CutBox::CutBox(ViewModel& view, ViewWidget& widget, const Actions& actions, QWid
   column->addWidget(directions_);
   offset_ = new ValueSlider(tr("Depth"), {-kPercent, kPercent, 1, 0, QStringLiteral(" %")}, this);
   offset_->setObjectName(QStringLiteral("cutOffset"));
-  offset_->setToolTip(tr("Of the way from the middle of the organs to their edge"));
+  offset_->setToolTip(
+      tr("Distance of the cut from the middle of the organs, as a part of the way to their edge"));
   column->addWidget(offset_);
   connect(offset_, &ValueSlider::valueChanged, this, [this](double value) {
     view_.change([value](presentation::ViewState& state) { state.cut.offset = value / kPercent; });
@@ -46,10 +47,11 @@ QWidget* CutBox::makeDirections() {
     QString tip;
     Vec3 normal; ///< Zero: along the sight.
   };
-  const Direction directions[] = {{tr("Coronal"), tr("Cut away the front"), Vec3::UnitY()},
-                                  {tr("Sagittal"), tr("Cut away the left side"), -Vec3::UnitX()},
-                                  {tr("Axial"), tr("Cut away the upper part"), -Vec3::UnitZ()},
-                                  {tr("Facing me"), tr("Cut away what is nearest"), Vec3::Zero()}};
+  const Direction directions[] = {
+      {tr("Coronal"), tr("Cut away the front"), Vec3::UnitY()},
+      {tr("Sagittal"), tr("Cut away the left side"), -Vec3::UnitX()},
+      {tr("Axial"), tr("Cut away the upper part"), -Vec3::UnitZ()},
+      {tr("Facing me"), tr("Cut away what is nearest to the viewer"), Vec3::Zero()}};
   int index = 0;
   for (const Direction& direction : directions) {
     auto* button = new QPushButton(direction.name, box);

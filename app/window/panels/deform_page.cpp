@@ -4,6 +4,8 @@
 #include <QLabel>
 #include <QSignalBlocker>
 
+#include "viscera/presentation/presenter.h"
+#include "window/language.h"
 #include "window/panels/position_box.h"
 #include "window/panels/volume_box.h"
 #include "window/timeline/volume_monitor.h"
@@ -28,11 +30,13 @@ QString namesOf(const document::Rig& rig, const std::vector<document::HandleId>&
 DeformPage::DeformPage(const ModeParts& parts, const Actions& actions, QWidget* parent)
     : Page(parent), workspace_(parts.workspace), poses_(parts.poses), view_(parts.view) {
   addSection(tr("Volume"));
+  organ_ = addFact(tr("Organ"));
+  organ_->setObjectName(QStringLiteral("deformOrgan"));
   now_ = addFact(tr("Now"));
   rest_ = addFact(tr("Reference shape"));
   change_ = addFact(tr("Change"));
   farthest_ = addFact(tr("Largest shift"));
-  farthest_->setToolTip(tr("How far the organ's surface has moved from rest, at most"));
+  farthest_->setToolTip(tr("The largest distance by which a vertex of the organ has moved from rest"));
   addCheck(actions["volume.lock"]);
   add(volume_ = new VolumeBox(workspace_, poses_, this));
   addButton(actions["volume.restore"]);
@@ -43,9 +47,8 @@ DeformPage::DeformPage(const ModeParts& parts, const Actions& actions, QWidget* 
   addCheck(actions["handles.compensate"]);
   compensating_ = addFact(tr("Compensating"));
   compensating_->setToolTip(
-      tr("These handles make up for what the others change of a locked volume. Where none "
-         "is marked, a dragged handle stays in a plane, and after other motions all free "
-         "handles make up for it."));
+      tr("These handles compensate when others would change a locked volume. If none is marked, a dragged "
+         "handle stays in a plane, and all free handles compensate for other motions."));
   addSection(tr("Symmetric drags"));
   addMirror();
   addSection(tr("Pose"));
@@ -78,9 +81,8 @@ void DeformPage::addMirror() {
   mirror_->setAccessibleName(tr("Mirror plane"));
   mirror_->addItems({tr("Off"), tr("Sagittal plane (left and right)"), tr("Coronal plane (front and back)"),
                      tr("Axial plane (head and feet)")});
-  mirror_->setToolTip(
-      tr("Drags move the mirrored handles too; the plane goes through the middle of the organ at "
-         "rest (M: the next one)"));
+  mirror_->setToolTip(tr("A drag moves the mirrored handles too; the mirror plane passes through the middle "
+                         "of the organ at rest (M: next plane)"));
   mirror_->setMinimumContentsLength(8);
   mirror_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   add(mirror_);
@@ -95,12 +97,13 @@ void DeformPage::sync() {
   const auto organ = workspace_.currentOrgan();
   const QString none = QStringLiteral("-");
   const live::OrganVolume volume = organ ? workspace_.live().volume(organ->id) : live::OrganVolume();
+  organ_->setText(organ ? inWords(presentation::labelOf(*organ)) : none);
   now_->setText(volume.closed ? formatMilliliters(volume.nowMl) : none);
   rest_->setText(volume.closed ? formatMilliliters(volume.restMl) : none);
   change_->setText(volume.closed ? tr("%1 (%2)").arg(formatChange(volume), formatRelativeChange(volume))
                                  : none);
   deformation::Deformer* deformer = organ ? workspace_.live().deformer(organ->id) : nullptr;
-  farthest_->setText(deformer ? tr("%1 mm").arg(deformer->maxDisplacementMm(), 0, 'f', 1) : none);
+  farthest_->setText(deformer ? tr("%1 mm").arg(formatNumber(deformer->maxDisplacementMm(), 1)) : none);
   volume_->sync();
   const Points rest = workspace_.document().rig().restPositions();
   const Points& pose = workspace_.document().pose();

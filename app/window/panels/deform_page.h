@@ -29,6 +29,7 @@ private:
   PoseEditor& poses_;
   ViewModel& view_;
   VolumeBox* volume_ = nullptr;
+  QLabel* organ_ = nullptr;
   QLabel* now_ = nullptr;
   QLabel* rest_ = nullptr;
   QLabel* change_ = nullptr;

@@ -11,6 +11,7 @@
 #include "viscera/document/scan_fit.h"
 #include "viscera/document/scan_item.h"
 #include "viscera/presentation/presenter.h"
+#include "window/language.h"
 #include "window/widgets/ready_made.h"
 
 namespace viscera::app {
@@ -85,7 +86,7 @@ QWidget* ExplorePage::makeViews(const Actions& actions) {
 void ExplorePage::sync() {
   const auto organ = workspace_.currentOrgan();
   const QString none = QStringLiteral("-");
-  name_->setText(organ ? text(presentation::labelOf(*organ)) : none);
+  name_->setText(organ ? inWords(presentation::labelOf(*organ)) : none);
   volume_->setText(organ && organ->closed() ? formatMilliliters(organ->restVolumeMm3 / kMm3PerMl) : none);
   triangles_->setText(organ ? locale().toString(static_cast<int>(organ->mesh->triangles.rows())) : none);
   surface_->setText(!organ            ? none
@@ -97,8 +98,10 @@ void ExplorePage::sync() {
   if (organ) {
     const Bounds bounds = boundsOf(organ->mesh->points);
     const Vec3 size = bounds.high - bounds.low;
-    size_->setText(
-        tr("%1 x %2 x %3 mm").arg(size.x(), 0, 'f', 0).arg(size.y(), 0, 'f', 0).arg(size.z(), 0, 'f', 0));
+    size_->setText(tr("%1 x %2 x %3 mm")
+                       .arg(formatNumber(size.x(), 0))
+                       .arg(formatNumber(size.y(), 0))
+                       .arg(formatNumber(size.z(), 0)));
   }
   QStringList lines;
   if (organ)
@@ -120,9 +123,9 @@ void ExplorePage::syncScan() {
     scanName_->setText(text(item->name));
     scanVoxels_->setText(tr("%1 x %2 x %3").arg(scan.size[0]).arg(scan.size[1]).arg(scan.size[2]));
     scanSpacing_->setText(tr("%1 x %2 x %3 mm")
-                              .arg(spacing.x(), 0, 'g', 3)
-                              .arg(spacing.y(), 0, 'g', 3)
-                              .arg(spacing.z(), 0, 'g', 3));
+                              .arg(formatDigits(spacing.x(), 3))
+                              .arg(formatDigits(spacing.y(), 3))
+                              .arg(formatDigits(spacing.z(), 3)));
     if (!item->file.empty())
       scanFile_->setText(QFileInfo(text(item->file.string())).fileName());
     scanFile_->setToolTip(text(item->file.string()));

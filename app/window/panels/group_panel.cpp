@@ -14,6 +14,7 @@
 
 #include "viscera/document/group_commands.h"
 #include "viscera/document/system_commands.h"
+#include "window/language.h"
 #include "window/panels/color_palette.h"
 #include "window/style/icon.h"
 #include "window/widgets/ready_made.h"
@@ -51,8 +52,8 @@ GroupPanel::GroupPanel(Workspace& workspace, QWidget* parent)
     label->setObjectName(QStringLiteral("muted"));
     label->setWordWrap(true);
   }
-  empty_->setText(tr("No groups: all handles act everywhere. Select handles and make a group of them, or let "
-                     "groups make themselves below."));
+  empty_->setText(tr("No groups: all handles act everywhere. Select handles and make a group of them, or "
+                     "make groups automatically below."));
   list_->setObjectName(QStringLiteral("groupList"));
   list_->setAccessibleName(tr("Groups"));
   list_->setHeaderHidden(true);
@@ -107,7 +108,7 @@ QWidget* GroupPanel::makeButtons() {
     if (const document::Group* group = current())
       workspace_.selection().setHandles(group->handles);
   });
-  add_ = button("groupAdd", tr("Add selected"), tr("Put the selected handles into the chosen group as well"),
+  add_ = button("groupAdd", tr("Add selected"), tr("Add the selected handles to the chosen group"),
                 [this, selected] {
                   if (const document::Group* group = current())
                     workspace_.perform(document::addToGroup(group->id, selected()));
@@ -146,9 +147,8 @@ QWidget* GroupPanel::makeAutomatic() {
   count_->setValue(3);
   automatic_ = new QPushButton(tr("Group automatically"), box);
   automatic_->setObjectName(QStringLiteral("groupAutomatically"));
-  automatic_->setToolTip(
-      tr("Puts new groups in the place of those there are. Where the handles do not surround "
-         "a group's part of the organ, corners of a box are added."));
+  automatic_->setToolTip(tr("Replace the present groups. Where handles do not surround a group's part of the "
+                            "organ, the corners of a box are added."));
   grid->addWidget(by_, 0, 0);
   grid->addWidget(count_, 0, 1);
   grid->addWidget(automatic_, 1, 0, 1, 2);
@@ -268,12 +268,12 @@ void GroupPanel::sync() {
   const std::string& id = workspace_.document().system().id;
   const bool looksAtGroups =
       workspace_.registry().contains(id) && workspace_.registry().find(id)->traits().usesGroups;
-  unused_->setText(grouped ? tr("These coordinates do not look at groups.")
-                           : tr("No coordinates that look at groups are loaded: the plugin is missing."));
+  unused_->setText(grouped ? tr("These coordinates do not use groups.")
+                           : tr("No coordinate system that uses groups is loaded: the plugin is missing."));
   unused_->setVisible(!looksAtGroups);
   use_->setVisible(!looksAtGroups && grouped);
   if (grouped)
-    use_->setText(tr("Use %1").arg(text(grouped->name())));
+    use_->setText(tr("Use %1").arg(inWords(grouped->name())));
 }
 
 } // namespace viscera::app

@@ -72,11 +72,11 @@ QWidget* HandlePanel::makePlacement() {
   count_ = new ValueSlider(tr("Place automatically"),
                            {double(placer_.fewest()), double(placer_.most()), 1, 0, QString()}, box);
   count_->setObjectName(QStringLiteral("handleCount"));
-  count_->setToolTip(
-      tr("Spreads so many handles evenly, a little off the organ's surface; replaces those there are"));
+  count_->setToolTip(tr(
+      "Place this many handles evenly, a little outside the organ's surface; they replace the present ones"));
   enclosing_ = new QCheckBox(tr("Enclosing box"), box);
   enclosing_->setToolTip(
-      tr("Eight of them are the corners of a box around the organ, so that no part of it lies outside"));
+      tr("Eight of the handles are the corners of a box around the organ, so that all of it lies inside"));
   column->addWidget(count_);
   column->addWidget(enclosing_);
   connect(count_, &ValueSlider::valueChanged, this,

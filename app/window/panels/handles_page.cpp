@@ -3,6 +3,7 @@
 #include <QLabel>
 #include <QPushButton>
 
+#include "window/language.h"
 #include "window/panels/group_panel.h"
 #include "window/panels/position_box.h"
 #include "window/panels/system_box.h"
@@ -45,7 +46,7 @@ HandlesPage::HandlesPage(Workspace& workspace, const Actions& actions, QWidget* 
   state_ = addFact(tr("State"));
   time_ = addFact(tr("Time"));
   identity_ = addFact(tr("Rest error"));
-  identity_->setToolTip(tr("How far the bound organ at rest is from the original, at most"));
+  identity_->setToolTip(tr("The largest distance of the bound organ at rest from the original"));
   smallest_ = addFact(tr("Smallest weight"));
   message_ = addRemark(QString());
   addSection(tr("Handle at rest"));
@@ -88,10 +89,10 @@ void HandlesPage::sync() {
   const QString none = QStringLiteral("-");
   state_->setText(nameOf(status.state));
   time_->setText(bound ? tr("%1 ms, %n {thread|threads}", nullptr, status.report.threads)
-                             .arg(1000 * status.report.seconds, 0, 'f', 1)
+                             .arg(formatNumber(1000 * status.report.seconds, 1))
                        : none);
-  identity_->setText(bound ? tr("%1 mm").arg(status.report.identityError, 0, 'g', 2) : none);
-  smallest_->setText(bound ? QString::number(status.report.minWeight, 'g', 2) : none);
+  identity_->setText(bound ? tr("%1 mm").arg(formatDigits(status.report.identityError, 2)) : none);
+  smallest_->setText(bound ? formatDigits(status.report.minWeight, 2) : none);
   QStringList remarks;
   for (const std::string& note : status.report.notes)
     remarks.push_back(asSentence(note));

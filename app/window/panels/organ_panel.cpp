@@ -13,7 +13,9 @@
 
 #include "viscera/document/organ_commands.h"
 #include "viscera/document/organ_system.h"
+#include "viscera/document/rig_commands.h"
 #include "viscera/presentation/presenter.h"
+#include "window/language.h"
 #include "window/panels/color_palette.h"
 #include "window/style/icon.h"
 #include "window/widgets/ready_made.h"
@@ -43,6 +45,7 @@ QTreeWidget* makeList(QWidget* parent) {
   list->setExpandsOnDoubleClick(false);
   list->setSelectionMode(QAbstractItemView::ExtendedSelection);
   list->setUniformRowHeights(true);
+  list->setTextElideMode(Qt::ElideMiddle); // Left and right, upper and lower stand at the ends of names.
   list->setEditTriggers(QAbstractItemView::EditKeyPressed);
   list->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   list->header()->setStretchLastSection(false);
@@ -128,7 +131,7 @@ void OrganPanel::addTo(Actions& actions) {
       {tr("Show &all"), "eye", {QKeySequence(QStringLiteral("Ctrl+Shift+H"))}, tr("Show every organ")},
       [this] { show(tr("Show all"), [](const document::Organ&) { return true; }); });
   actions.add("organ.find",
-              {tr("&Find an organ"), nullptr, {QKeySequence::Find}, tr("Write a part of its name")}, [this] {
+              {tr("&Find an organ"), nullptr, {QKeySequence::Find}, tr("Type a part of its name")}, [this] {
                 search_->show();
                 search_->setFocus(Qt::ShortcutFocusReason);
                 search_->selectAll();
@@ -136,7 +139,7 @@ void OrganPanel::addTo(Actions& actions) {
   actions.add("organ.rename", {tr("Re&name organ"), "rename", {}, {}}, [this] { editName(); });
   actions.add("organ.remove", {tr("&Remove organ"), "remove", {}, {}}, [this] {
     if (const auto organs = chosen(); !organs.empty())
-      workspace_.perform(document::removeOrgans(organs));
+      remove(organs);
   });
   actions.enableWhile(
       {"organ.showOnly", "organ.hide", "organ.showAll", "organ.find", "organ.rename", "organ.remove"},
@@ -145,6 +148,19 @@ void OrganPanel::addTo(Actions& actions) {
   menu_ = new QMenu(this);
   for (const char* id : {"organ.showOnly", "organ.hide", "organ.showAll", "view.focus", "organ.rename"})
     menu_->addAction(actions[id]);
+}
+
+/// Handles without an organ are of no use: they go with the last one.
+void OrganPanel::remove(const std::vector<document::OrganId>& organs) {
+  document::Command command = document::removeOrgans(organs);
+  const document::OrganList& all = workspace_.document().organs();
+  const auto goes = [&organs](document::OrganId id) {
+    return std::find(organs.begin(), organs.end(), id) != organs.end();
+  };
+  const bool none = std::all_of(all.begin(), all.end(), [&goes](const auto& organ) {
+    return goes(organ->id) || goes(organ->parent); // Cavities go with their organ.
+  });
+  workspace_.perform(none ? document::combined(command.name, {command, document::replaceRig({})}) : command);
 }
 
 void OrganPanel::editName() {
@@ -253,6 +269,30 @@ void OrganPanel::rebuild() {
   search_->setVisible(!systems_.empty());
   updateVolumes();
   syncSelection();
+  giveNamesRoom();
+}
+
+/// Among many organs the numbers give way where names would be cut: a wider panel has room for both, and tips
+/// and the status bar tell them, too.
+void OrganPanel::giveNamesRoom() {
+  constexpr int kPadding = 12; // Around a name and its square.
+  const QFontMetrics metrics(list_->font());
+  int widest = 0;
+  int numbers = 0;
+  for (const auto& [id, item] : items_) {
+    const int steps = item->parent() && item->parent()->parent() ? 3 : item->parent() ? 2 : 1;
+    widest = std::max(widest, steps * list_->indentation() + metrics.horizontalAdvance(item->text(kName)));
+    numbers = std::max(numbers, metrics.horizontalAdvance(item->text(kVolume)));
+  }
+  const int room = list_->viewport()->width() - list_->columnWidth(kEye) - list_->columnWidth(kLock);
+  const bool cut = !systems_.empty() && widest + kSwatchWidth + 2 * kPadding + numbers > room;
+  list_->setColumnHidden(kVolume, cut);
+}
+
+void OrganPanel::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  QMetaObject::invokeMethod(this, &OrganPanel::giveNamesRoom,
+                            Qt::QueuedConnection); // The list has its size then.
 }
 
 /// A system's row has the number of its organs, and an eye for all of them.
@@ -263,7 +303,7 @@ void OrganPanel::updateSystems() {
     for (int child = 0; child < row->childCount(); ++child)
       if (const auto organ = workspace_.document().organ(organOf(row->child(child))))
         seen += organ->look.visible;
-    row->setText(kName, QStringLiteral("%1 (%2)").arg(tr(system.c_str())).arg(row->childCount()));
+    row->setText(kName, QStringLiteral("%1 (%2)").arg(inWords(system)).arg(row->childCount()));
     row->setIcon(kEye, icon(seen > 0 ? "eye" : "eye_off"));
     row->setToolTip(kEye, seen > 0 ? tr("Hide all of them (click)") : tr("Show all of them (click)"));
   }
@@ -288,8 +328,8 @@ void OrganPanel::filter() {
 
 void OrganPanel::updateRow(const document::Organ& organ, QTreeWidgetItem* item) {
   const QScopedValueRollback<bool> quiet(updating_, true);
-  item->setText(kName, text(presentation::labelOf(organ)));
-  item->setIcon(kName, swatch(asColor(organ.look.color)));
+  item->setText(kName, inWords(presentation::labelOf(organ)));
+  item->setIcon(kName, swatch(asColor(presentation::shownColor(organ.look.color))));
   item->setIcon(kEye, icon(organ.look.visible ? "eye" : "eye_off"));
   item->setToolTip(kEye, organ.look.visible ? tr("Hide (click)") : tr("Show (click)"));
   QString tip = tr("%1\n%n {triangle|triangles}", nullptr, static_cast<int>(organ.mesh->triangles.rows()))
@@ -305,11 +345,9 @@ void OrganPanel::updateLock(const document::Organ& organ, QTreeWidgetItem* item)
   const QPixmap open = icon("unlock").pixmap(kIconSize, QIcon::Disabled);
   item->setIcon(kLock, organ.volumeLocked ? icon("lock") : QIcon(open));
   if (!organ.closed())
-    return item->setToolTip(kLock, tr("An open surface has no volume that could be locked; a click offers to "
-                                      "close it"));
-  QString tip = organ.volumeLocked
-                    ? tr("The volume is locked: nothing in Deform mode changes it (click or K)")
-                    : tr("Lock the volume (click or K)");
+    return item->setToolTip(kLock, tr("An open surface has no volume to lock; click to close its holes"));
+  QString tip = organ.volumeLocked ? tr("The volume is locked: Deform mode keeps it (click or K to unlock)")
+                                   : tr("Lock the volume (click or K)");
   const document::OrganList& all = workspace_.document().organs();
   if (std::any_of(all.begin(), all.end(), [&organ](const auto& other) { return other->parent == organ.id; }))
     tip += tr("\nThis is the volume within the outer surface; cavities have locks of their own");
@@ -384,7 +422,7 @@ void OrganPanel::onChanged(QTreeWidgetItem* item, int column) {
   const document::OrganId id = organOf(item);
   const std::string name = item->text(kName).trimmed().toStdString();
   const auto present = workspace_.document().organ(id);
-  if (present && name == presentation::labelOf(*present))
+  if (present && item->text(kName) == inWords(presentation::labelOf(*present)))
     return; // What is written for its name.
   // A name that is refused goes back to what it was.
   if (!workspace_.perform(document::renameOrgan(id, name)))

@@ -42,6 +42,7 @@ public:
 
 protected:
   void changeEvent(QEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
   void contextMenuEvent(QContextMenuEvent* event) override;
 
 private:
@@ -57,6 +58,8 @@ private:
   void updateLock(const document::Organ& organ, QTreeWidgetItem* item);
   void updateVolumes();
   void syncSelection();
+  void giveNamesRoom();
+  void remove(const std::vector<document::OrganId>& organs);
   void onClicked(QTreeWidgetItem* item, int column);
   void onChanged(QTreeWidgetItem* item, int column);
   using LookChange = std::function<void(document::OrganLook&)>;

@@ -2,13 +2,16 @@
 
 #include <QHeaderView>
 #include <QLabel>
+#include <QPushButton>
 #include <QTableWidget>
 
 #include <algorithm>
 #include <cmath>
 
-#include "viscera/motion/clinical_numbers.h"
+#include "viscera/circulation/patient_fit.h"
+#include "viscera/document/circulation_commands.h"
 #include "window/circulation/circulation_box.h"
+#include "window/language.h"
 #include "window/panels/curve_box.h"
 #include "window/panels/sequence_list.h"
 #include "window/recorded/fit_box.h"
@@ -34,10 +37,12 @@ PlayPage::PlayPage(const ModeParts& parts, PlayMode& mode, const Actions& action
   makeCirculation(parts, actions);
   addSection(tr("Look"));
   addCheck(actions["view.seeThrough"]);
+  addCheck(actions["play.valves"]);
   addCheck(actions["view.labels"]);
   addButton(actions["play.compare"]);
   addButton(actions["play.compareFiles"]);
   makeTable();
+  makePatientCirculation(parts.workspace);
   makeRecording(parts.settings);
   makeOwnMotions(parts);
   finish();
@@ -114,6 +119,50 @@ void PlayPage::makeTable() {
   normal_ = addRemark(QString());
 }
 
+/// Of a heart that keeps its own motion: its volumes choose the circulation.
+void PlayPage::makePatientCirculation(Workspace& workspace) {
+  patient_ = new QPushButton(tr("Circulation of this heart"), this);
+  patient_->setObjectName(QStringLiteral("patientCirculation"));
+  patient_->setToolTip(
+      tr("Finds pressures, loops and sounds for the volume and the ejection fraction of this left "
+         "ventricle. The organ keeps its own motion."));
+  add(patient_);
+  patientFit_ = addRemark(QString());
+  patientFit_->setObjectName(QStringLiteral("patientCirculationFit"));
+  patient_->hide();
+  patientFit_->hide();
+  connect(patient_, &QAbstractButton::clicked, this, [this, &workspace] {
+    if (!ventricle_)
+      return;
+    workspace.guarded([this, &workspace] {
+      Progress quiet;
+      const circulation::PatientFit fit = circulation::fitToVentricle(
+          {ventricle_->endDiastolicMl, ventricle_->ejectionFraction, playback_.player().ratePerMinute(), 0},
+          quiet);
+      if (!workspace.perform(
+              document::takeCirculation(tr("Circulation of this heart").toStdString(), fit.parameters)))
+        return;
+      patientFit_->setText(asSentence(fit.remark()));
+      syncPatientCirculation();
+    });
+  });
+}
+
+void PlayPage::syncPatientCirculation() {
+  const auto isLeft = [](const VolumeMonitor::Line& line) {
+    const auto ranges = motion::normalRanges(line.label);
+    return line.side == 0 && std::any_of(ranges.begin(), ranges.end(),
+                                         [](const auto& range) { return range.norm == "lv.edv"; });
+  };
+  const auto& lines = volumes_.lines();
+  ventricle_.reset();
+  for (std::size_t line = 0; line < lines.size() && !ventricle_ && !mode_.hasSampleHeart(); ++line)
+    if (isLeft(lines[line]))
+      ventricle_ = volumes_.indices(line);
+  patient_->setVisible(ventricle_.has_value());
+  patientFit_->setVisible(ventricle_ && mode_.circulation().on() && !patientFit_->text().isEmpty());
+}
+
 void PlayPage::makeRecording(Settings& settings) {
   record_ = new RecordBox(settings, this);
   add(new Fold(tr("Record a movie"), record_, true, this));
@@ -138,29 +187,28 @@ void PlayPage::syncState() {
   const motion::Player& player = playback_.player();
   const sequences::Sequence* sequence = playback_.sequence();
   rate_->setText(sequence ? tr("%1 / min, one cycle %2 s")
-                                .arg(player.ratePerMinute(), 0, 'f', 0)
-                                .arg(player.periodSeconds(), 0, 'f', 2)
+                                .arg(formatNumber(player.ratePerMinute(), 0))
+                                .arg(formatNumber(player.periodSeconds(), 2))
                           : nothing());
-  phase_->setText(sequence ? text(player.phase()) : nothing());
+  phase_->setText(sequence ? inWords(player.phase()) : nothing());
   record_->setName(
-      sequence ? QStringLiteral("%1_%2").arg(text(sequence->id())).arg(player.ratePerMinute(), 0, 'f', 0)
-               : QString());
+      sequence
+          ? QStringLiteral("%1_%2").arg(text(sequence->id())).arg(formatNumber(player.ratePerMinute(), 0))
+          : QString());
 }
 
 void PlayPage::fillRow(std::size_t line) {
   const VolumeMonitor::Line& shown = volumes_.lines()[line];
   const auto range = volumes_.range(line);
   const auto indices = volumes_.indices(line);
-  const auto number = [](bool known, double value) {
-    return known ? QString::number(value, 'f', 1) : nothing();
-  };
+  const auto number = [](bool known, double value) { return known ? formatNumber(value, 1) : nothing(); };
   const QString name = !volumes_.hasSecond() ? shown.name
                        : shown.side == 0     ? tr("A: %1").arg(shown.name)
                                              : tr("B: %1").arg(shown.name);
   const QStringList cells = {name, number(range.has_value(), range ? range->high : 0),
                              number(range.has_value(), range ? range->low : 0),
                              number(indices.has_value(), indices ? indices->strokeVolumeMl : 0),
-                             indices ? tr("%1 %").arg(kPercent * indices->ejectionFraction, 0, 'f', 0)
+                             indices ? tr("%1 %").arg(formatNumber(kPercent * indices->ejectionFraction, 0))
                                      : nothing()};
   for (int column = 0; column < kColumns; ++column) {
     auto* item = new QTableWidgetItem(cells[column]);
@@ -173,7 +221,7 @@ void PlayPage::syncTable() {
   const auto& lines = volumes_.lines();
   if (!isVisible() && table_->rowCount() == static_cast<int>(lines.size()))
     return;
-  phase_->setText(playback_.sequence() ? text(playback_.player().phase()) : nothing());
+  phase_->setText(playback_.sequence() ? inWords(playback_.player().phase()) : nothing());
   table_->setRowCount(static_cast<int>(lines.size()));
   for (std::size_t line = 0; line < lines.size(); ++line)
     fillRow(line);
@@ -196,10 +244,10 @@ void PlayPage::syncWalls() {
     const sequences::WallMotionRange& range = ranges[i];
     setFactShown(walls_[i], wall || !fraction_->isHidden());
     walls_[i]->setText(wall ? tr("%1 %2 (%3 - %4)")
-                                  .arg((*wall).*range.value, 0, 'f', 1)
+                                  .arg(formatNumber((*wall).*range.value, 1))
                                   .arg(tr(range.unit))
-                                  .arg(range.low, 0, 'f', 0)
-                                  .arg(range.high, 0, 'f', 0)
+                                  .arg(formatNumber(range.low, 0))
+                                  .arg(formatNumber(range.high, 0))
                             : nothing());
     walls_[i]->setToolTip(tr("%1, measured on the surfaces. Healthy adults: %2")
                               .arg(tr(range.about), QLatin1String(range.source)));
@@ -212,26 +260,28 @@ void PlayPage::syncIndices() {
   std::size_t best = lines.size();
   for (std::size_t line = 0; line < lines.size(); ++line)
     if (lines[line].cavity && lines[line].side == 0 &&
-        (best == lines.size() || lines[line].name == QLatin1String("LV cavity")))
+        (best == lines.size() || lines[line].label == "LV cavity"))
       best = line;
   const auto indices = best < lines.size() ? volumes_.indices(best) : std::nullopt;
+  syncPatientCirculation();
   for (QLabel* fact : {fraction_, stroke_, output_})
     setFactShown(fact, best < lines.size());
-  fraction_->setText(indices ? tr("%1 %").arg(kPercent * indices->ejectionFraction, 0, 'f', 1) : nothing());
-  stroke_->setText(indices ? tr("%1 ml").arg(indices->strokeVolumeMl, 0, 'f', 1) : nothing());
-  output_->setText(indices ? tr("%1 l/min").arg(indices->cardiacOutputLPerMinute, 0, 'f', 1) : nothing());
+  fraction_->setText(indices ? tr("%1 %").arg(formatNumber(kPercent * indices->ejectionFraction, 1))
+                             : nothing());
+  stroke_->setText(indices ? tr("%1 ml").arg(formatNumber(indices->strokeVolumeMl, 1)) : nothing());
+  output_->setText(indices ? tr("%1 l/min").arg(formatNumber(indices->cardiacOutputLPerMinute, 1))
+                           : nothing());
   QStringList normal;
   QStringList sources;
   if (best < lines.size())
-    for (const motion::NormalRange& range :
-         motion::normalRanges(lines[best].name.toStdString(), view_.state().person)) {
+    for (const motion::NormalRange& range : motion::normalRanges(lines[best].label, view_.state().person)) {
       const bool percent = range.quantity == motion::NormalRange::Quantity::ejectionPercent;
       normal.push_back(tr("%1 %2 - %3 %4")
-                           .arg(text(range.name))
-                           .arg(range.low, 0, 'f', 0)
-                           .arg(range.high, 0, 'f', 0)
+                           .arg(inWords(range.name))
+                           .arg(formatNumber(range.low, 0))
+                           .arg(formatNumber(range.high, 0))
                            .arg(percent ? tr("%") : tr("ml")));
-      sources.push_back(tr("%1: %2; %3").arg(text(range.name), text(range.people), text(range.source)));
+      sources.push_back(tr("%1: %2; %3").arg(inWords(range.name), inWords(range.people), text(range.source)));
     }
   normal_->setText(normal.isEmpty() ? QString()
                                     : tr("Normal for %1: %2.").arg(lines[best].name, normal.join(tr(", "))));

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
+#include "viscera/motion/clinical_numbers.h"
 #include "window/actions.h"
 #include "window/modes/play_mode.h"
 #include "window/recorded/fit_offer.h"
@@ -9,6 +11,7 @@
 #include "window/timeline/volume_monitor.h"
 #include "window/widgets/page.h"
 
+class QAbstractButton;
 class QTableWidget;
 
 namespace viscera::app {
@@ -25,6 +28,8 @@ private:
   void makeMotion(const ModeParts& parts, const Actions& actions);
   void makeCirculation(const ModeParts& parts, const Actions& actions);
   void makeTable();
+  void makePatientCirculation(Workspace& workspace);
+  void syncPatientCirculation();
   void makeRecording(Settings& settings);
   void makeOwnMotions(const ModeParts& parts);
   void syncState();
@@ -46,6 +51,10 @@ private:
   QLabel* output_ = nullptr;
   std::vector<QLabel*> walls_; ///< In the order of `sequences::wallMotionRanges`.
   QLabel* normal_ = nullptr;
+  QAbstractButton* patient_ = nullptr; ///< Circulation of this heart.
+  QLabel* patientFit_ = nullptr;
+  /// The left ventricle of an organ with a motion of its own; nothing while there is none.
+  std::optional<motion::CardiacIndices> ventricle_;
   RecordBox* record_ = nullptr;
   Subscription subscription_;
 };

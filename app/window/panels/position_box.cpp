@@ -7,6 +7,7 @@
 #include <QSignalBlocker>
 
 #include "viscera/document/rig_commands.h"
+#include "window/language.h"
 #include "window/widgets/ready_made.h"
 
 namespace viscera::app {
@@ -80,7 +81,7 @@ void PositionBox::sync() {
   const double moved = (workspace_.document().pose().row(row).transpose() - handle.rest).norm();
   QString line = tr("Handle %1").arg(text(handle.label));
   if (what_ == Of::pose)
-    line += tr(", %1 mm from rest").arg(moved, 0, 'f', 1);
+    line += tr(", %1 mm from rest").arg(formatNumber(moved, 1));
   if (handle.locked)
     line += tr(", locked");
   title_->setText(line);
@@ -131,7 +132,7 @@ DisplacementBox::DisplacementBox(Workspace& workspace, PoseEditor& poses, QWidge
             &DisplacementBox::sync);
   }
   apply_->setObjectName(QStringLiteral("applyDisplacement"));
-  apply_->setToolTip(tr("Move the selected handles by this much, once; the locked volumes stay"));
+  apply_->setToolTip(tr("Move the selected handles once by this distance; locked volumes are kept"));
   grid->addWidget(apply_, 3, 1);
   result_->hide();
   grid->addWidget(result_, 4, 0, 1, 2);
@@ -156,9 +157,9 @@ void DisplacementBox::apply() {
   if (!moved)
     return;
   const bool asTyped = (*moved - by).norm() < kAsTyped;
-  result_->setText(tr("Moved by %1 of %2 mm: the locked volume allows no more that way.")
-                       .arg(moved->norm(), 0, 'f', 2)
-                       .arg(by.norm(), 0, 'f', 2));
+  result_->setText(tr("Moved by %1 of %2 mm: the locked volume allows no more in this direction.")
+                       .arg(formatNumber(moved->norm(), 2))
+                       .arg(formatNumber(by.norm(), 2)));
   result_->setVisible(!asTyped);
 }
 

@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "viscera/motion/sequence_setup.h"
+#include "window/language.h"
 #include "window/style/icon.h"
 
 namespace viscera::app {
@@ -75,13 +76,13 @@ std::vector<SequenceList::Item> SequenceList::wanted() const {
   const bool own = organ && organ->origin.sample.empty();
   for (const motion::SampleSequence& sample : motion::sampleSequences())
     if (own && motion::suits(sample, organ->name) == motion::Suits::yes)
-      add(text(sample.id), text(sample.name),
-          tr("%1: can be fitted to %2").arg(text(sample.name), text(organ->name)));
+      add(text(sample.id), inWords(sample.name),
+          tr("%1: can be fitted to %2").arg(inWords(sample.name), text(organ->name)));
   for (const motion::SampleSequence& sample : motion::sampleSequences())
-    add(text(sample.id), text(sample.name),
-        tr("%1: shows the sample organ and plays").arg(text(sample.name)));
+    add(text(sample.id), inWords(sample.name),
+        tr("%1: shows the sample organ and plays").arg(inWords(sample.name)));
   for (const Playback::Motion& motion : playback_.motions())
-    add(text(motion.sequence->id()), text(motion.sequence->name()), text(motion.sequence->name()));
+    add(text(motion.sequence->id()), inWords(motion.sequence->name()), inWords(motion.sequence->name()));
   return items;
 }
 

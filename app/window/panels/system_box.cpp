@@ -12,6 +12,7 @@
 
 #include "viscera/document/system_commands.h"
 #include "viscera/presentation/space_parts.h"
+#include "window/language.h"
 #include "window/widgets/flow_layout.h"
 #include "window/widgets/ready_made.h"
 #include "window/widgets/system_combo.h"
@@ -50,7 +51,7 @@ SystemBox::SystemBox(Workspace& workspace, QWidget* parent)
   column_->setSpacing(8);
   combo_->setObjectName(QStringLiteral("systems"));
   combo_->setAccessibleName(tr("Coordinates"));
-  combo_->setToolTip(tr("The coordinates that tie the organs to the handles"));
+  combo_->setToolTip(tr("Coordinate system that binds the organs to the handles"));
   new FlowLayout(badges_, 4);
   QSizePolicy policy(QSizePolicy::Preferred, QSizePolicy::Minimum);
   policy.setHeightForWidth(true);
@@ -78,7 +79,7 @@ void SystemBox::sync() {
   if (choice.id != shownSystem_ && workspace_.registry().contains(choice.id)) {
     shownSystem_ = choice.id;
     const auto system = workspace_.registry().find(choice.id);
-    summary_->setText(text(system->summary()));
+    summary_->setText(inWords(system->summary()));
     rebuildBadges(system->traits());
     rebuildParameters();
   }
@@ -137,9 +138,12 @@ QWidget* SystemBox::editorFor(const coordinates::Parameter& parameter) {
     auto* combo = new QComboBox(box);
     row->addWidget(new QLabel(name, box), 1);
     row->addWidget(combo);
-    for (const std::string& choice : parameter.choices)
-      combo->addItem(text(choice));
-    combo->setToolTip(text(parameter.help));
+    combo->setObjectName(QStringLiteral("parameter/") + text(parameter.name));
+    const plugin::Registry& registry = workspace_.registry();
+    for (const std::string& choice :
+         parameter.choices) // Systems are called what the list of them calls them.
+      combo->addItem(inWords(registry.contains(choice) ? registry.find(choice)->name() : choice));
+    combo->setToolTip(inWords(parameter.help));
     combo->setAccessibleName(name);
     connect(combo, QOverload<int>::of(&QComboBox::activated), this, [this, parameter](int index) {
       workspace_.perform(document::setParameter(parameter.name, index));
@@ -159,7 +163,7 @@ QWidget* SystemBox::sliderFor(const coordinates::Parameter& parameter, const QSt
   auto* column = makeLayout<QVBoxLayout>(box, 2);
   auto* slider = new ValueSlider(name, rangeOf(parameter, std::numeric_limits<double>::infinity()), box);
   slider->setObjectName(QStringLiteral("parameter/") + text(parameter.name));
-  slider->setToolTip(text(parameter.help));
+  slider->setToolTip(inWords(parameter.help));
   auto* remark = makeRemark({}, box);
   column->addWidget(slider);
   column->addWidget(remark);
@@ -173,8 +177,8 @@ QWidget* SystemBox::sliderFor(const coordinates::Parameter& parameter, const QSt
     const double value = workspace_.document().system().parameters.get(parameter);
     slider->setRange(rangeOf(parameter, most));
     slider->setValue(value);
-    const QString limit = tr("%1 %2").arg(most, 0, 'f', 1).arg(text(parameter.unit));
-    remark->setText(value > most ? tr("Set to %1 %2; these handles allow no more than %3, so that counts.")
+    const QString limit = tr("%1 %2").arg(formatNumber(most, 1)).arg(text(parameter.unit));
+    remark->setText(value > most ? tr("Set to %1 %2, but these handles allow %3 at most, which is used.")
                                        .arg(value)
                                        .arg(text(parameter.unit), limit)
                                  : tr("These handles allow up to %1.").arg(limit));

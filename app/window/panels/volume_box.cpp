@@ -24,6 +24,7 @@ VolumeBox::VolumeBox(Workspace& workspace, PoseEditor& poses, QWidget* parent)
   auto* label = new QLabel(tr("Target"), this);
   label->setObjectName(QStringLiteral("muted"));
   label->setBuddy(field_);
+  field_->setObjectName(QStringLiteral("targetVolume"));
   field_->setRange(kSmallestMl, kLargestMl);
   field_->setDecimals(1);
   field_->setSuffix(tr(" ml"));
@@ -31,8 +32,8 @@ VolumeBox::VolumeBox(Workspace& workspace, PoseEditor& poses, QWidget* parent)
   field_->setAlignment(Qt::AlignRight);
   field_->setKeyboardTracking(false);
   field_->setAccessibleName(tr("Target volume"));
-  field_->setToolTip(tr("Give the organ this volume: the compensating handles, or all that are free, move as "
-                        "little as that takes"));
+  field_->setToolTip(tr("Give the organ this volume with the smallest motion of the compensating handles, or "
+                        "of all free ones"));
   apply_->setObjectName(QStringLiteral("applyVolume"));
   apply_->setToolTip(field_->toolTip());
   row->addWidget(label);
@@ -40,8 +41,10 @@ VolumeBox::VolumeBox(Workspace& workspace, PoseEditor& poses, QWidget* parent)
   row->addWidget(apply_);
   connect(field_, QOverload<double>::of(&QDoubleSpinBox::valueChanged), this, [this] { typed_ = true; });
   connect(apply_, &QPushButton::clicked, this, [this] {
-    if (const auto organ = workspace_.currentOrgan())
-      poses_.setVolume(organ->id, field_->value());
+    const auto organ = workspace_.currentOrgan();
+    if (organ && poses_.setVolume(organ->id, field_->value()) && organ->volumeLocked)
+      workspace_.note(tr("%1 has the volume that was asked for; from here on its lock keeps that one.")
+                          .arg(text(organ->name)));
     apply_->setFocus();
     typed_ = false;
     sync();

@@ -2,6 +2,7 @@
 
 #include <QDateTime>
 
+#include "window/language.h"
 #include "window/view/picture.h"
 
 namespace viscera::app {
@@ -19,7 +20,7 @@ bool QuizTool::possible() const {
 }
 
 QString QuizTool::nameOf(const presentation::Part& part) const {
-  return text(translated(presentation::nameOf(part, workspace_.document().organs()).c_str()));
+  return inWords(presentation::nameOf(part, workspace_.document().organs()));
 }
 
 void QuizTool::begin() {

@@ -1,6 +1,7 @@
 #include "window/recorded/fit_box.h"
 
 #include <QComboBox>
+#include <QDoubleSpinBox>
 #include <QFormLayout>
 #include <QLabel>
 #include <QPushButton>
@@ -12,12 +13,17 @@
 
 #include "viscera/document/measured_values.h"
 #include "viscera/motion/motion_recipe.h"
+#include "viscera/motion/sequence_file.h"
 #include "viscera/motion/sequence_setup.h"
+#include "window/language.h"
 #include "window/style/icon.h"
 #include "window/widgets/ready_made.h"
 
 namespace viscera::app {
 namespace {
+
+constexpr const char* kHeartbeat = "heartbeat";
+constexpr double kPercent = 100, kLeastEjection = 11, kMostEjection = 79;
 
 QString placeText(const std::vector<Vec3>& places) {
   if (places.empty())
@@ -25,16 +31,17 @@ QString placeText(const std::vector<Vec3>& places) {
   if (places.size() > 1)
     return FitBox::tr("%n {point|points}", nullptr, static_cast<int>(places.size()));
   return QStringLiteral("%1, %2, %3")
-      .arg(places.front().x(), 0, 'f', 0)
-      .arg(places.front().y(), 0, 'f', 0)
-      .arg(places.front().z(), 0, 'f', 0);
+      .arg(formatNumber(places.front().x(), 0))
+      .arg(formatNumber(places.front().y(), 0))
+      .arg(formatNumber(places.front().z(), 0));
 }
 
 } // namespace
 
 FitBox::FitBox(Workspace& workspace, Playback& playback, Picture& picture, ViewWidget& view, QWidget* parent)
     : QWidget(parent), workspace_(workspace), playback_(playback), picture_(picture), view_(view),
-      sequence_(new QComboBox(this)), target_(makeRemark({}, this)),
+      sequence_(new QComboBox(this)), target_(makeRemark({}, this)), ejectionBox_(new QWidget(this)),
+      ejection_(new QDoubleSpinBox(ejectionBox_)),
       fit_(new QPushButton(icon("patient"), tr("Fit to this organ"), this)), glyphs_(view.view()) {
   setObjectName(QStringLiteral("fitBox"));
   auto* column = makeLayout<QVBoxLayout>(this, 6);
@@ -42,12 +49,26 @@ FitBox::FitBox(Workspace& workspace, Playback& playback, Picture& picture, ViewW
   sequence_->setObjectName(QStringLiteral("fitSequence"));
   sequence_->setAccessibleName(tr("Sequence to fit"));
   for (const motion::SampleSequence& sample : motion::sampleSequences())
-    sequence_->addItem(text(sample.name), text(sample.id));
+    sequence_->addItem(inWords(sample.name), text(sample.id));
   column->addWidget(sequence_);
+  ejection_->setObjectName(QStringLiteral("fitEjection"));
+  ejection_->setRange(kLeastEjection, kMostEjection);
+  ejection_->setDecimals(0);
+  ejection_->setSuffix(tr(" %"));
+  ejection_->setValue(kPercent * motion::TextbookBeat().ejectionFraction);
+  ejection_->setToolTip(
+      tr("Of the left ventricle. The right one ejects as much blood, and the muscle keeps its volume"));
+  auto* ejection = new QFormLayout(ejectionBox_);
+  ejection->setContentsMargins(0, 0, 0, 0);
+  ejection->addRow(tr("Ejection fraction"), ejection_);
+  column->addWidget(ejectionBox_);
   fit_->setObjectName(QStringLiteral("fitButton"));
-  fit_->setToolTip(tr("Puts the sequence's handles around the organ and plays"));
+  fit_->setToolTip(tr("Place the sequence's handles around the organ and play it"));
   column->addWidget(fit_);
-  connect(sequence_, QOverload<int>::of(&QComboBox::activated), this, &FitBox::rebuildRows);
+  connect(sequence_, QOverload<int>::of(&QComboBox::activated), this, [this] {
+    rebuildRows();
+    syncTarget();
+  });
   connect(fit_, &QPushButton::clicked, this, &FitBox::fitChosen);
   connect(&view, &ViewWidget::clicked, this, &FitBox::onClick);
   subscriptions_.push_back(workspace.onChange([this](const document::Change&) { syncTarget(); }));
@@ -77,9 +98,9 @@ void FitBox::rebuildRows() {
       Row row;
       row.pick = new QToolButton(rowsBox_);
       row.pick->setObjectName(QStringLiteral("landmark_%1").arg(text(role.role)));
-      row.pick->setText(text(role.name));
+      row.pick->setText(inWords(role.name));
       row.pick->setCheckable(true);
-      row.pick->setToolTip(tr("%1: choose it by a click in the view").arg(text(role.help)));
+      row.pick->setToolTip(tr("%1: set it by a click in the view").arg(inWords(role.help)));
       row.place = new QLabel(rowsBox_);
       row.place->setObjectName(QStringLiteral("muted"));
       row.place->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
@@ -185,23 +206,41 @@ void FitBox::syncGlyphs() {
   view_.scheduleRender();
 }
 
-void FitBox::syncTarget() {
+std::shared_ptr<const document::Organ> FitBox::hollowHeart() const {
   const auto organ = workspace_.currentOrgan();
+  return organ && sequenceId() == kHeartbeat
+             ? motion::heartWithCavities(workspace_.document().organs(), *organ)
+             : nullptr;
+}
+
+std::shared_ptr<const document::Organ> FitBox::target() const {
+  const auto heart = hollowHeart();
+  return heart ? heart : workspace_.currentOrgan();
+}
+
+void FitBox::syncTarget() {
+  if (const auto current = workspace_.currentOrgan(); current && !(organ_ && current->id == organ_->id))
+    chooseWhatSuits(*current);
+  const auto organ = target();
   if (organ ? !isMarked(*organ) : organ_ != nullptr) {
     organ_ = organ;
     landmarks_.points.clear(); // They were places on another surface.
-    if (organ)
-      chooseWhatSuits(*organ);
     syncRows();
   }
   fit_->setEnabled(organ && organ->closed());
+  const bool hollow = hollowHeart() != nullptr;
+  ejectionBox_->setVisible(hollow);
   if (!organ)
     target_->setText(tr("Open a patient's organ first."));
   else if (!organ->closed())
     target_->setText(tr("%1 is open; a sequence needs a closed surface.").arg(text(organ->name)));
+  else if (hollow)
+    target_->setText(tr("Moves %1 and its chambers as a textbook's heart, from how they are as the end of "
+                        "diastole. It becomes a recorded sequence.")
+                         .arg(text(organ->name)));
   else
     target_->setText(
-        tr("Moves %1 as the sample moves. Landmarks that you do not give are found by its shape.")
+        tr("Moves %1 like the sample organ. Landmarks that you do not set are found from its shape.")
             .arg(text(organ->name)));
 }
 
@@ -223,11 +262,13 @@ void FitBox::fit(const QString& sequence) {
 }
 
 void FitBox::fitChosen() {
-  const auto organ = workspace_.currentOrgan();
+  const auto organ = target();
   if (!organ)
     return;
   motion::Landmarks given = landmarks_;
   std::erase_if(given.points, [](const motion::Landmark& point) { return point.computed; });
+  if (hollowHeart())
+    return fitHeart(*organ, given);
   workspace_.inBackground<motion::RetargetedSequence>(
       tr("Fitting %1").arg(sequence_->currentText()), "fit",
       [id = sequenceId(), organ, given](Progress& progress) {
@@ -236,6 +277,31 @@ void FitBox::fitChosen() {
       [this, id = organ->id, sequence = sequenceId(), given](const motion::RetargetedSequence& fitted) {
         take(fitted, id, sequence, given);
       });
+}
+
+void FitBox::fitHeart(const document::Organ& heart, const motion::Landmarks& given) {
+  motion::TextbookBeat beat;
+  beat.ejectionFraction = ejection_->value() / kPercent;
+  beat.given = given;
+  workspace_.inBackground<motion::PatientMotion>(
+      tr("Fitting %1").arg(sequence_->currentText()), "fit",
+      [organs = workspace_.document().organs(), heart, beat](Progress& progress) {
+        return motion::textbookMotion(organs, heart, beat, progress);
+      },
+      [this, id = heart.id, mesh = heart.mesh](const motion::PatientMotion& found) {
+        // Only on the surface for which it was found.
+        if (const auto organ = workspace_.document().organ(id); organ && organ->mesh == mesh)
+          takeHeart(found, *organ);
+      });
+}
+
+void FitBox::takeHeart(const motion::PatientMotion& found, const document::Organ& heart) {
+  const std::string name = tr("Fit the textbook's beat to %1").arg(text(heart.name)).toStdString();
+  if (!workspace_.perform(document::combined(name, {motion::openSequence(found.sequence)})))
+    return;
+  for (const std::string& warning : found.warnings)
+    workspace_.say({Message::Severity::warning, asSentence(warning), {}, 0});
+  playback_.play();
 }
 
 void FitBox::take(const motion::RetargetedSequence& fitted, document::OrganId organ,

@@ -7,6 +7,7 @@
 
 #include "viscera/document/measurement.h"
 #include "viscera/motion/retarget.h"
+#include "viscera/motion/textbook_motion.h"
 #include "viscera/scene/measurement_glyphs.h"
 #include "window/timeline/playback.h"
 #include "window/view/picture.h"
@@ -14,6 +15,7 @@
 #include "window/workspace.h"
 
 class QComboBox;
+class QDoubleSpinBox;
 class QLabel;
 class QPushButton;
 class QToolButton;
@@ -22,7 +24,8 @@ namespace viscera::app {
 
 /// Fits a sequence to the organ that is there: a patient's heart beats, a patient's stomach moves its waves.
 /// The sequence that suits the organ is chosen. Landmarks are clicked in the view, or found by the shape of
-/// the organ; while the box is seen they stand in the view with their names, and follow the organ.
+/// the organ; while the box is seen they stand in the view with their names, and follow the organ. A heart
+/// with chambers gets a recorded sequence that moves these too, with the ejection fraction that is asked for.
 class FitBox final : public QWidget {
   Q_OBJECT
 
@@ -64,9 +67,15 @@ private:
   bool isMarked(const document::Organ& organ) const;
   void syncMarks();
   void syncGlyphs();
+  /// The organ that is fitted to: the current one; of a chamber, the heart around it.
+  std::shared_ptr<const document::Organ> target() const;
+  /// The same where it is a heart whose chambers move, too.
+  std::shared_ptr<const document::Organ> hollowHeart() const;
   void syncTarget();
   void chooseWhatSuits(const document::Organ& organ);
   void fitChosen();
+  void fitHeart(const document::Organ& heart, const motion::Landmarks& given);
+  void takeHeart(const motion::PatientMotion& found, const document::Organ& heart);
   void take(const motion::RetargetedSequence& fitted, document::OrganId organ, const std::string& sequence,
             const motion::Landmarks& given);
 
@@ -78,6 +87,8 @@ private:
   QLabel* target_;
   QWidget* rowsBox_ = nullptr;
   std::map<std::string, Row> rows_;
+  QWidget* ejectionBox_;
+  QDoubleSpinBox* ejection_;
   QPushButton* fit_;
   motion::Landmarks landmarks_;
   std::shared_ptr<const document::Organ> organ_; ///< Whose landmarks they are; null without organs.

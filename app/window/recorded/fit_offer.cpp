@@ -8,6 +8,7 @@
 #include <algorithm>
 
 #include "viscera/motion/sequence_setup.h"
+#include "window/language.h"
 #include "window/widgets/ready_made.h"
 
 namespace viscera::app {
@@ -31,7 +32,7 @@ FitOffer::FitOffer(Workspace& workspace, QWidget* parent)
   column->addWidget(question_);
   column->addWidget(fit_);
   column->addWidget(sample_);
-  sample_->setToolTip(tr("Takes the place of all organs that are open; Undo brings them back"));
+  sample_->setToolTip(tr("Replace all open organs; Undo brings them back"));
   connect(fit_, &QPushButton::clicked, this, [this] {
     hide();
     Q_EMIT fitChosen(sequence_);
@@ -68,12 +69,12 @@ void FitOffer::ask(const QString& sequence) {
   asked_ = organ;
   const QString name = text(organ->name), kind = text(sample->organ);
   const bool odd = motion::suits(*sample, organ->name) == motion::Suits::no;
-  question_->setText(
-      odd ? tr("%1 is made for a %2; by its name, %3 is another organ.").arg(text(sample->name), kind, name)
-          : tr("%1: fit it to %2?").arg(text(sample->name), name));
-  fit_->setText(odd ? tr("Fit it all the same") : tr("Fit it to %1").arg(name));
+  question_->setText(odd ? tr("%1 is made for a %2, and by its name %3 is another organ.")
+                               .arg(inWords(sample->name), kind, name)
+                         : tr("%1: fit it to %2?").arg(inWords(sample->name), name));
+  fit_->setText(odd ? tr("Fit it anyway") : tr("Fit it to %1").arg(name));
   fit_->setEnabled(organ->closed());
-  fit_->setToolTip(organ->closed() ? tr("Puts the sequence's handles around the organ and plays")
+  fit_->setToolTip(organ->closed() ? tr("Place the sequence's handles around the organ and play it")
                                    : tr("%1 is open; a sequence needs a closed surface").arg(name));
   sample_->setText(tr("Show the sample %1").arg(kind));
   setPrimary(fit_, !odd && organ->closed());

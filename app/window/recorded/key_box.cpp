@@ -15,6 +15,7 @@
 
 #include "viscera/document/recording.h"
 #include "viscera/document/recording_commands.h"
+#include "window/language.h"
 #include "window/style/icon.h"
 #include "window/widgets/ready_made.h"
 
@@ -32,7 +33,7 @@ constexpr Easing kEasings[] = {Easing::smooth, Easing::linear, Easing::in, Easin
 
 void fillEasings(QComboBox* box) {
   for (const Easing easing : kEasings)
-    box->addItem(text(sequences::nameOf(easing)), static_cast<int>(easing));
+    box->addItem(inWords(std::string(sequences::nameOf(easing))), static_cast<int>(easing));
 }
 
 QDoubleSpinBox* secondsBox(QWidget* parent) {
@@ -53,7 +54,7 @@ KeyBox::KeyBox(Workspace& workspace, Playback& playback, RecordedMotion& motion,
   setObjectName(QStringLiteral("keyBox"));
   auto* column = makeLayout<QVBoxLayout>(this, 6);
   column->addWidget(
-      makeRemark(tr("Pose the organ in Deform mode and press Ctrl+K: each key takes that pose."), this));
+      makeRemark(tr("Pose the organ in Deform mode and press Ctrl+K: each key stores that pose."), this));
   makeTop();
   makeTable();
   makeButtons();
@@ -76,7 +77,7 @@ void KeyBox::makeTop() {
   fillEasings(easing_);
   auto* add = new QPushButton(icon("add"), tr("Add key"), this);
   add->setObjectName(QStringLiteral("addKey"));
-  add->setToolTip(tr("Take the present pose as a key (Ctrl+K)"));
+  add->setToolTip(tr("Store the present pose as a key (Ctrl+K)"));
   row->addWidget(seconds_, 1);
   row->addWidget(easing_, 1);
   row->addWidget(add);
@@ -115,13 +116,13 @@ void KeyBox::makeButtons() {
     connect(made, &QPushButton::clicked, this, action);
     return made;
   };
-  take_ = button("takeKey", "deform", tr("Take pose"), tr("The pose of this key becomes the present one"), 0,
-                 0, [this] { motion_.takePose(selectedKey()); });
-  replace_ = button("replaceKey", "record", tr("Replace"), tr("This key takes the present pose"), 0, 1,
+  take_ = button("takeKey", "deform", tr("Take pose"), tr("Set the present pose to that of this key"), 0, 0,
+                 [this] { motion_.takePose(selectedKey()); });
+  replace_ = button("replaceKey", "record", tr("Replace"), tr("Store the present pose in this key"), 0, 1,
                     [this] { workspace_.perform(document::replaceKey(selectedKey())); });
   remove_ = button("removeKey", "remove", tr("Remove"), tr("Remove this key"), 1, 0,
                    [this] { workspace_.perform(document::removeKeys({selectedKey()})); });
-  play_ = button("playKeys", "play", tr("Play it"), tr("Play what is recorded"), 1, 1, [this] {
+  play_ = button("playKeys", "play", tr("Play it"), tr("Play the recorded sequence"), 1, 1, [this] {
     playback_.choose(motion_.sequence());
     playback_.toStart();
     playback_.play();
@@ -139,7 +140,7 @@ void KeyBox::makeButtons() {
   period_ = secondsBox(this);
   period_->setObjectName(QStringLiteral("keyPeriod"));
   period_->setPrefix(tr("lasts "));
-  period_->setToolTip(tr("How long one cycle is"));
+  period_->setToolTip(tr("Length of one cycle"));
   grid->addWidget(period_, 3, 0, 1, 2);
   connect(period_, QOverload<double>::of(&QDoubleSpinBox::valueChanged), this, [this](double seconds) {
     document::RecordingEdit edit;
@@ -162,17 +163,16 @@ document::KeyId KeyBox::selectedKey() const {
 }
 
 void KeyBox::onTimeEdited(int row) {
-  bool number = false;
-  const double seconds = table_->item(row, kTime)->text().toDouble(&number);
+  const std::optional<double> seconds = numberIn(table_->item(row, kTime)->text());
   const auto& keys = workspace_.document().recording().keys;
-  if (!number || row >= static_cast<int>(keys.size()) ||
-      !workspace_.perform(document::moveKey(keys[static_cast<std::size_t>(row)].id, seconds)))
+  if (!seconds || row >= static_cast<int>(keys.size()) ||
+      !workspace_.perform(document::moveKey(keys[static_cast<std::size_t>(row)].id, *seconds)))
     sync();
 }
 
 void KeyBox::fillRow(int row) {
   const document::RecordedKey& key = workspace_.document().recording().keys[static_cast<std::size_t>(row)];
-  auto* time = new QTableWidgetItem(QString::number(key.seconds, 'f', 2));
+  auto* time = new QTableWidgetItem(formatNumber(key.seconds, 2));
   time->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
   table_->setItem(row, kTime, time);
   auto* easing = new QComboBox(table_);

@@ -6,6 +6,7 @@
 #include "viscera/document/recording_commands.h"
 #include "viscera/document/rig_commands.h"
 #include "viscera/motion/sequence_file.h"
+#include "window/language.h"
 
 namespace viscera::app {
 namespace {
@@ -64,7 +65,7 @@ bool RecordedMotion::addKey(double seconds, sequences::Easing easing) {
   }
   commands.push_back(document::recordKey(seconds, easing));
   return workspace_.perform(document::combined(
-      tr("Record a key at %1 s").arg(seconds, 0, 'f', 2).toStdString(), std::move(commands)));
+      tr("Record a key at %1 s").arg(formatNumber(seconds, 2)).toStdString(), std::move(commands)));
 }
 
 bool RecordedMotion::takePose(document::KeyId key) {
@@ -72,7 +73,7 @@ bool RecordedMotion::takePose(document::KeyId key) {
   if (!found)
     return false;
   return workspace_.perform(document::setPose(document::poseOf(*found, workspace_.document().rig()),
-                                              tr("Take a key's pose").toStdString()));
+                                              tr("Use a key's pose").toStdString()));
 }
 
 void RecordedMotion::save(const QString& file) {

@@ -134,7 +134,7 @@ void RecordBox::setRunning(bool running) {
     control->setEnabled(!running);
   record_->setText(running ? tr("Cancel the recording") : tr("Record"));
   record_->setIcon(icon(running ? "close" : "record"));
-  record_->setToolTip(running ? tr("Nothing of it will be left") : tr("Record what the view shows"));
+  record_->setToolTip(running ? tr("Discard the recording") : tr("Record what the view shows"));
   if (ended)
     chosen_ = false;
   syncFormat();

@@ -9,6 +9,8 @@
 #include <vtkTextProperty.h>
 
 #include "viscera/presentation/presenter.h"
+#include "viscera/sequences/heart_valves.h"
+#include "window/language.h"
 
 namespace viscera::app {
 namespace {
@@ -68,12 +70,12 @@ void RecordingStage::writeCaption() {
   QString lines;
   if (const sequences::Sequence* sequence = runner_.sequence().get()) {
     lines = QCoreApplication::translate("viscera::app::RecordingStage", "%1, %2 / min")
-                .arg(text(sequence->name()))
-                .arg(runner_.ratePerMinute(), 0, 'f', 0);
+                .arg(inWords(sequence->name()))
+                .arg(formatNumber(runner_.ratePerMinute(), 0));
     const double fraction = std::fmod(seconds_, periodSeconds()) / periodSeconds();
     for (const sequences::Phase& phase : sequence->phases(runner_.ratePerMinute()))
       if (fraction >= phase.begin && fraction < phase.end)
-        lines += QLatin1Char('\n') + text(phase.name);
+        lines += QLatin1Char('\n') + inWords(phase.name);
   }
   for (std::size_t i = 0; i < names_.size(); ++i)
     lines += QStringLiteral("\n%1  %2").arg(text(names_[i]), formatMilliliters(milliliters_[i]));
@@ -84,7 +86,10 @@ vtkSmartPointer<vtkImageData> RecordingStage::picture() {
   if (!stage_)
     openStage();
   const live::StressFrame& stress = stress_.at(organs_.shownPose());
-  stage_->presenter().update({state_, organs_, view_, systems_, &stress});
+  presentation::Scene scene{state_, organs_, view_, systems_, &stress};
+  if (runner_.sequence())
+    scene.valves = sequences::valvesAt(*runner_.sequence(), seconds_, runner_.ratePerMinute());
+  stage_->presenter().update(scene);
   if (captionWanted_)
     writeCaption();
   return stage_->picture();

@@ -47,7 +47,8 @@ SessionFiles::SessionFiles(Workspace& workspace, Playback& playback, SessionView
 }
 
 void SessionFiles::addTo(Actions& actions) {
-  actions.add("file.new", {tr("&New session"), nullptr, {QKeySequence::New}, tr("Begin with nothing")},
+  actions.add("file.new",
+              {tr("&New session"), nullptr, {QKeySequence::New}, tr("Start with an empty session")},
               [this] { begin(); });
   actions.add("file.save", {tr("&Save"), "save", {QKeySequence::Save}, tr("Save the session")},
               [this] { save(); });
@@ -55,10 +56,10 @@ void SessionFiles::addTo(Actions& actions) {
               {tr("Save &as..."), nullptr, {tr("Ctrl+Shift+S")}, tr("Save the session in another file")},
               [this] { chooseAndSave(); });
   actions.add("file.recover",
-              {tr("&Bring back unsaved work"),
+              {tr("&Recover unsaved work"),
                nullptr,
                {},
-               tr("Open what Viscera kept when it ended without saving")},
+               tr("Open the copy that Viscera kept when it ended without saving")},
               [this] { recover(); });
   actions.enableWhile({"file.recover"}, [this] { return !recoveries_.empty(); });
   connect(this, &SessionFiles::changed, &actions, &Actions::sync);
@@ -158,7 +159,7 @@ SessionFiles::Answer SessionFiles::ask() const {
     return question_(name());
   QMessageBox box(QMessageBox::Question, tr("Save changes?"), tr("Save the changes of %1?").arg(name()),
                   QMessageBox::NoButton, window_);
-  box.setInformativeText(tr("They are lost otherwise."));
+  box.setInformativeText(tr("Unsaved changes will be lost."));
   QPushButton* save = box.addButton(tr("&Save"), QMessageBox::AcceptRole);
   QPushButton* discard = box.addButton(tr("&Discard"), QMessageBox::DestructiveRole);
   box.addButton(tr("&Cancel"), QMessageBox::RejectRole);
@@ -270,9 +271,9 @@ void SessionFiles::offerRecovery() {
   const QString when = QLocale().toString(dateOf(recoveries_.front()), QLocale::ShortFormat);
   Message message;
   message.severity = Message::Severity::warning;
-  message.text = tr("Viscera ended without saving. The work of %1 is still there.").arg(when);
-  message.offers.push_back({tr("Bring it back"), [this] { recover(); }});
-  message.offers.push_back({tr("Throw it away"), [this] {
+  message.text = tr("Viscera ended without saving. It has kept a copy of the work of %1.").arg(when);
+  message.offers.push_back({tr("Recover"), [this] { recover(); }});
+  message.offers.push_back({tr("Discard"), [this] {
                               document::discard(recoveries_.front());
                               recoveries_.erase(recoveries_.begin());
                               Q_EMIT changed();
@@ -298,8 +299,12 @@ void SessionFiles::endCleanly() {
     autosave_->clear();
 }
 
-void SessionFiles::sampleLoaded(const QString&, bool untouched) {
-  if (untouched && file_.isEmpty())
+void SessionFiles::sampleLoaded(const QString&, bool untouched, bool first) {
+  if (!untouched || !file_.isEmpty())
+    return;
+  if (first) // Work begins with it: there is nothing to go back to.
+    workspace_.undo().reset(workspace_.state());
+  else
     workspace_.undo().markSaved();
 }
 

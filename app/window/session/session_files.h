@@ -80,8 +80,9 @@ Q_SIGNALS:
   void opened();
 
 public Q_SLOTS:
-  /// A sample organ took the place of everything: nothing that somebody has to save when `untouched`.
-  void sampleLoaded(const QString& name, bool untouched);
+  /// A sample organ took the place of everything: nothing that somebody has to save when `untouched`, and no
+  /// step that could be undone when it is the `first` thing in the window.
+  void sampleLoaded(const QString& name, bool untouched, bool first);
 
 private:
   void read(const QString& file, std::optional<document::Recovery> recovery);

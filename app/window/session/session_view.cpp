@@ -4,13 +4,18 @@
 #include <utility>
 #include <vector>
 
+#include <nlohmann/json.hpp>
+
 #include "viscera/motion/motion_recipe.h"
 #include "viscera/presentation/presenter.h"
+#include "window/language.h"
 
 namespace viscera::app {
 namespace {
 /// A motion computed anew differs by rounding alone.
 constexpr double kSameMotionMm = 0.01;
+/// The field of a view with the numbers of a measured motion.
+constexpr const char* kMeasured = "measured";
 } // namespace
 
 /// The motions that a view asks for, and what is to be seen of the present one.
@@ -35,7 +40,20 @@ std::string SessionView::gather() const {
   gatherMotions(state);
   if (window_.playback.showing())
     state.shownPose = window_.workspace.live().shownPose();
-  return presentation::toJson(state);
+  const std::string view = presentation::toJson(state);
+  const std::string measured = window_.measured.record();
+  if (measured.empty())
+    return view;
+  auto with = nlohmann::ordered_json::parse(view);
+  with[kMeasured] = nlohmann::ordered_json::parse(measured);
+  return with.dump();
+}
+
+/// Before its sequence is shown, which draws it.
+void SessionView::recallMeasured(const std::string& text) {
+  const auto view = nlohmann::ordered_json::parse(text, nullptr, false);
+  if (const auto measured = view.find(kMeasured); view.is_object() && measured != view.end())
+    window_.workspace.guarded([&] { window_.measured.recall(measured->dump()); });
 }
 
 void SessionView::gatherMotions(presentation::ViewState& state) const {
@@ -64,6 +82,7 @@ void SessionView::apply(const std::string& text) {
   const presentation::SelectionState selection = std::exchange(state.selection, {});
   state.motions.clear();
   wanted.shownPose = std::exchange(state.shownPose, Points(0, 3));
+  recallMeasured(text);
   window_.modes.choose(state.mode);
   window_.view.change([&](presentation::ViewState& view) {
     state.mode = view.mode; // The mode that is on says what is to be seen.
@@ -126,9 +145,9 @@ void SessionView::sayWhatMovesOtherwise(const Points& saved) {
   const double apart = (saved - now).rowwise().norm().maxCoeff();
   if (apart > kSameMotionMm)
     window_.workspace.say({Message::Severity::warning,
-                           tr("This program moves the organ otherwise than the one that saved the session: "
-                              "handles stand up to %1 mm from where they stood.")
-                               .arg(apart, 0, 'g', 2),
+                           tr("This version moves the organ differently from the one that saved the session: "
+                              "handles differ by up to %1 mm.")
+                               .arg(formatDigits(apart, 2)),
                            {},
                            0});
 }

@@ -7,6 +7,7 @@
 #include "viscera/presentation/view_state.h"
 #include "window/modes/mode_controller.h"
 #include "window/timeline/playback.h"
+#include "window/track/measured_motion.h"
 #include "window/view/picture.h"
 #include "window/workspace.h"
 
@@ -26,6 +27,7 @@ public:
     ViewModel& view;
     const Picture& picture;
     ModeController& modes;
+    MeasuredMotion& measured;
   };
 
   explicit SessionView(Window window, QObject* parent = nullptr);
@@ -44,6 +46,7 @@ private:
   struct Wanted;
 
   void gatherMotions(presentation::ViewState& state) const;
+  void recallMeasured(const std::string& text);
   void makeMotions(const Wanted& wanted);
   void show(const Wanted& wanted);
   void sayWhatMovesOtherwise(const Points& saved);

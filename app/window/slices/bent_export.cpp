@@ -93,7 +93,7 @@ void BentExport::addTo(Actions& actions) {
               {tr("Export the &bent scan..."),
                "patient",
                {},
-               tr("Write the scan as the pose bends it, and the label map of the organs with it")},
+               tr("Write the scan as the pose bends it, with a label map of the posed organs")},
               [this] { chooseAndExport(); });
   actions.enableWhile({"export.scan"}, [this] { return workspace_.state().scan != nullptr; });
 }
@@ -133,8 +133,9 @@ void BentExport::exportScan(const QString& file) {
         if (!written.labels.isEmpty())
           said += QLatin1Char(' ') + tr("Its labels are beside it: %1.").arg(written.labels);
         if (written.folded > 0)
-          said += QLatin1Char(' ') + tr("The pose folds the tissue at %n {voxel|voxels}: a guess.", nullptr,
-                                        static_cast<int>(written.folded));
+          said += QLatin1Char(' ') +
+                  tr("The pose folds the tissue at %n {voxel|voxels}: their values are estimates.", nullptr,
+                     static_cast<int>(written.folded));
         workspace_.noteWritten(said, file);
       });
 }

@@ -58,7 +58,7 @@ void PatientOffer::lookBeside(const std::filesystem::path& image, ImageContents 
     return;
   // What goes wrong here is no news to anybody: nothing is offered then.
   workspace_.jobs().submit<std::optional<std::filesystem::path>>(
-      tr("Looking beside %1").arg(nameOf(image)).toStdString(), "beside",
+      tr("Searching beside %1").arg(nameOf(image)).toStdString(), "beside",
       [image, wanted](Progress& progress) { return medical_io::imageBeside(image, wanted, progress); },
       [this, image, wanted](const JobResult<std::optional<std::filesystem::path>>& result) {
         if (result.value && *result.value && misses(wanted) && !importing_())

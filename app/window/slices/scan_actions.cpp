@@ -111,7 +111,7 @@ void ScanActions::addTo(Actions& actions) {
   actions.add("file.openSeries",
               {tr("Open a DICOM &series..."), "patient", {}, tr("Open a folder of DICOM files as a scan")},
               [this] { chooseAndOpen(true); });
-  actions.add("scan.close", {tr("C&lose the scan"), nullptr, {}, tr("Take the scan away; organs stay")},
+  actions.add("scan.close", {tr("C&lose the scan"), nullptr, {}, tr("Close the scan; the organs stay")},
               [this] { workspace_.perform(document::closeScan()); });
   actions.enableWhile({"scan.close"}, [this] { return workspace_.state().scan != nullptr; });
   makeLayouts(actions);
@@ -150,7 +150,10 @@ void ScanActions::makePresets(Actions& actions) {
   const auto show = [this, &actions](const char* id) { menu_.addAction(actions[id]); };
   addChoice(
       actions, "scan.automatic",
-      {tr("A&utomatic"), nullptr, {}, tr("Level and width as the scan's file proposes, or by its values")},
+      {tr("A&utomatic"),
+       nullptr,
+       {},
+       tr("Level and width that the scan's file proposes, or found from its values")},
       [](const ScanLook& look) { return look.width <= 0; },
       [](ScanLook& look) { look.level = look.width = 0; });
   show("scan.automatic");
@@ -175,10 +178,10 @@ void ScanActions::makeSwitches(Actions& actions) {
   };
   const Switch all[] = {
       {"scan.contours",
-       {tr("&Contours"), nullptr, {}, tr("The organs' outlines on the slices")},
+       {tr("&Contours"), nullptr, {}, tr("Draw the organs' contours on the slices")},
        &ScanLook::contours},
       {"scan.rest",
-       {tr("Contours at &rest"), "ghost", {}, tr("Thin, beside those of posed organs")},
+       {tr("Contours at &rest"), "ghost", {}, tr("Draw thin contours of the organs at rest as well")},
        &ScanLook::rest},
       {"scan.standing", {tr("Slices in the &3D view"), "patient", {}, {}}, &ScanLook::standing},
       {"scan.bent",
@@ -219,7 +222,7 @@ void ScanActions::chooseAndOpen(bool folder) {
 
 void ScanActions::open(const QString& place) {
   workspace_.inBackground<std::vector<medical_io::ScanSeries>>(
-      tr("Looking at %1").arg(QFileInfo(place).fileName()), "scan",
+      tr("Reading %1").arg(QFileInfo(place).fileName()), "scan",
       [path = place.toStdString()](Progress& progress) { return medical_io::listScans(path, progress); },
       [this, place](const std::vector<medical_io::ScanSeries>& series) { choose(place, series); });
 }
@@ -232,8 +235,9 @@ void ScanActions::choose(const QString& place, const std::vector<medical_io::Sca
   for (const Offer& offer : offers)
     lines << offer.line;
   bool chosen = false;
-  const QString line = QInputDialog::getItem(window_, tr("Open a scan"), tr("There are several. Which one?"),
-                                             lines, offerOf(place, series), false, &chosen);
+  const QString line =
+      QInputDialog::getItem(window_, tr("Open a scan"), tr("The folder has several scans. Which one?"), lines,
+                            offerOf(place, series), false, &chosen);
   if (chosen)
     read(place, offers[static_cast<std::size_t>(lines.indexOf(line))].options);
 }
@@ -283,7 +287,7 @@ void ScanActions::sayOdd(const std::vector<std::string>& sentences) {
   for (std::size_t i = 0; i < std::min(kShownFindings, sentences.size()); ++i)
     lines << asSentence(sentences[i]);
   if (sentences.size() > kShownFindings)
-    lines << tr("%n more on the page of Explore, under Scan.", nullptr,
+    lines << tr("%n more: see Scan on the page of Explore.", nullptr,
                 static_cast<int>(sentences.size() - kShownFindings));
   workspace_.note(text(workspace_.state().scan->name) + QStringLiteral(": ") + lines.join(QLatin1Char('\n')),
                   15);

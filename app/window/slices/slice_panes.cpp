@@ -9,6 +9,7 @@
 #include "viscera/document/scan_item.h"
 #include "viscera/scene/vtkVisceraHandleSetRepresentation.h"
 #include "viscera/slices/slice_frame.h"
+#include "window/language.h"
 #include "window/view/picture.h"
 
 namespace viscera::app {
@@ -234,9 +235,9 @@ void SlicePanes::read(int direction, const std::optional<Eigen::Vector2d>& pixel
   QStringList parts;
   if (reading.value) {
     const std::string& unit = workspace_.state().scan->scan->unit;
-    parts << (QString::number(*reading.value, 'f', 0) + QLatin1Char(' ') + text(unit)).trimmed();
+    parts << (formatNumber(*reading.value, 0) + QLatin1Char(' ') + text(unit)).trimmed();
     if (reading.folded)
-      parts << tr("folded by the pose: a guess");
+      parts << tr("folded by the pose: estimated");
   }
   QStringList place;
   for (int axis = 0; axis < 3; ++axis)

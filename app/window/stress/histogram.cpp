@@ -20,7 +20,7 @@ Histogram::Histogram(QWidget* parent) : QWidget(parent) {
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
   setMinimumHeight(kHeight);
   setAccessibleName(tr("Histogram of the map"));
-  setToolTip(tr("How many witness points have which value; the lines are the mean and the 95th percentile"));
+  setToolTip(tr("Number of witness points with each value; the lines mark the mean and the 95th percentile"));
 }
 
 void Histogram::show(const Values& values, Eigen::Index count, const Contents& contents) {

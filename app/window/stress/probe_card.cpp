@@ -6,12 +6,13 @@
 
 #include <cmath>
 
+#include "window/language.h"
 #include "window/widgets/ready_made.h"
 
 namespace viscera::app {
 
 ProbeCard::ProbeCard(StressModel& model, QWidget* parent)
-    : QFrame(parent), model_(model), place_(new QLabel(this)) {
+    : QFrame(parent), model_(model), place_(new QLabel(this)), position_(new QLabel(this)) {
   setObjectName(QStringLiteral("badge"));
   auto* grid = makeLayout<QGridLayout>(this, -1, {12, 8, 8, 10});
   grid->setHorizontalSpacing(16);
@@ -22,9 +23,13 @@ ProbeCard::ProbeCard(StressModel& model, QWidget* parent)
   place_->setObjectName(QStringLiteral("probePlace"));
   grid->addWidget(place_, 0, 0);
   grid->addWidget(close, 0, 1, Qt::AlignRight);
-  int row = 1;
+  position_->setObjectName(QStringLiteral("probePosition"));
+  position_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  position_->setToolTip(tr("In the patient's axes, mm; left, posterior and superior count up"));
+  grid->addWidget(position_, 1, 0, 1, 2);
+  int row = 2;
   for (const live::StressQuantityDescription& quantity : live::stressQuantities()) {
-    auto* name = new QLabel(text(quantity.name), this);
+    auto* name = new QLabel(inWords(quantity.name), this);
     name->setObjectName(QStringLiteral("muted"));
     auto* value = new QLabel(this);
     value->setObjectName(QStringLiteral("probe_%1").arg(text(quantity.id)));
@@ -51,10 +56,10 @@ void ProbeCard::sync() {
   const Vec3 at = mesh->points.row(point);
   // In the words of the anatomy: LPS has left, posterior and superior positive.
   const auto axis = [](double mm, const QString& positive, const QString& negative) {
-    return QStringLiteral("%1 %2").arg(std::abs(mm), 0, 'f', 0).arg(mm >= 0 ? positive : negative);
+    return QStringLiteral("%1 %2").arg(formatNumber(std::abs(mm), 0)).arg(mm >= 0 ? positive : negative);
   };
   place_->setText(mesh->isWitness(point) ? tr("Witness %1").arg(point) : tr("Surface point %1").arg(point));
-  place_->setToolTip(tr("At rest: %1, %2, %3 mm")
+  position_->setText(tr("At rest %1, %2, %3 mm")
                          .arg(axis(at.x(), tr("L"), tr("R")), axis(at.y(), tr("P"), tr("A")),
                               axis(at.z(), tr("S"), tr("I"))));
   for (std::size_t i = 0; i < values_.size(); ++i) {
@@ -63,9 +68,10 @@ void ProbeCard::sync() {
     if (quantity.quantity == live::StressQuantity::folded)
       values_[i]->setText(value > 0 ? tr("yes") : tr("no"));
     else
-      values_[i]->setText(quantity.unit.empty()
-                              ? QString::number(value, 'f', quantity.decimals)
-                              : tr("%1 %2").arg(value, 0, 'f', quantity.decimals).arg(text(quantity.unit)));
+      values_[i]->setText(
+          quantity.unit.empty()
+              ? formatNumber(value, quantity.decimals)
+              : tr("%1 %2").arg(formatNumber(value, quantity.decimals)).arg(text(quantity.unit)));
   }
   adjustSize();
 }

@@ -20,6 +20,7 @@ private:
 
   StressModel& model_;
   QLabel* place_;
+  QLabel* position_;
   std::vector<QLabel*> values_; ///< One for each quantity.
 };
 

@@ -4,6 +4,7 @@
 #include <QStackedLayout>
 #include <QVBoxLayout>
 
+#include <algorithm>
 #include <numbers>
 
 #include <vtkGenericOpenGLRenderWindow.h>
@@ -13,7 +14,8 @@
 
 namespace viscera::app {
 namespace {
-constexpr double kShownSeconds = 5;
+constexpr double kShownSeconds = 5; ///< Or a cycle and a half, which of a stomach's waves are longer.
+constexpr double kShownCycles = 1.5;
 constexpr double kDegrees = 180 / std::numbers::pi;
 const Vec3 kMeanColor(0.31, 0.70, 0.75);
 const Vec3 kPercentileColor(0.90, 0.66, 0.25);
@@ -65,6 +67,7 @@ void StressChart::showEvent(QShowEvent* event) {
 void StressChart::refresh() {
   if (!isVisible())
     return;
+  chart_->setTimeSpan(std::max(kShownSeconds, kShownCycles * model_.periodSeconds()));
   const auto& samples = model_.record().samples();
   stack_->setCurrentIndex(samples.size() < 2 ? 0 : 1);
   if (samples.empty() || samples.size() < charted_ || samples.back().seconds < chartedUntil_) {

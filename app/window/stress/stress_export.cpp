@@ -27,13 +27,13 @@ void StressExport::addTo(Actions& actions) {
   };
   const QString tables = tr("Comma-separated values (*.csv)");
   add("stress.exportMap", tr("Export stress &map..."),
-      tr("Write all values at all points of the organ's inside, for ParaView"), tr("Export stress map"),
+      tr("Write all quantities at all points inside the organ, for ParaView"), tr("Export stress map"),
       tr("stress.vtu"), tr("VTK solids (*.vtu)"), &StressExport::exportMap);
   add("stress.exportPoints", tr("Export stress at the &points..."),
       tr("Write the values at the witness points as a table"), tr("Export stress at the points"),
       tr("stress.csv"), tables, &StressExport::exportPoints);
   add("stress.exportHistogram", tr("Export &histogram..."),
-      tr("Write how the quantity that is shown is spread over the witness points"), tr("Export histogram"),
+      tr("Write the distribution of the shown quantity over the witness points"), tr("Export histogram"),
       tr("histogram.csv"), tables, &StressExport::exportHistogram);
   add("stress.exportCurve", tr("Export &curve over the sequence..."),
       tr("Write the rotational stress over one whole cycle of the sequence"), tr("Export curve"),

@@ -1,4 +1,5 @@
 #include "window/stress/stress_model.h"
+#include "window/language.h"
 
 #include <algorithm>
 #include <utility>
@@ -18,6 +19,7 @@ StressLook habit(StressLook look) {
   look.pinned = look.threshold = look.peak = false;
   look.range = {0, 0};
   look.probe = -1;
+  look.glyphs = GlyphChoice::none; // They stand in the place of the tissue: nobody begins with them.
   return look;
 }
 
@@ -115,13 +117,13 @@ void StressModel::findWantedPeak() {
 }
 
 QString StressModel::title() const {
-  const QString name = text(live::describe(look().quantity).name);
+  const QString name = inWords(live::describe(look().quantity).name);
   return peakShown() ? tr("Peak of %1").arg(name.left(1).toLower() + name.mid(1)) : name;
 }
 
 QString StressModel::format(double value) const {
   const live::StressQuantityDescription& quantity = live::describe(look().quantity);
-  const QString number = QString::number(value, 'f', quantity.decimals);
+  const QString number = formatNumber(value, quantity.decimals);
   return quantity.unit.empty() ? number : tr("%1 %2").arg(number, text(quantity.unit));
 }
 

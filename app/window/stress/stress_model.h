@@ -41,6 +41,9 @@ public:
   /// Changes a part of the look.
   void change(const std::function<void(StressLook&)>& edit);
 
+  /// Of the sequence that is there, s.
+  double periodSeconds() const { return playback_.player().periodSeconds(); }
+
   /// The numbers that are shown, with their colours and range.
   const presentation::StressValues& shown() const { return picture_.presenter().stressValues(); }
   QString title() const;
@@ -62,6 +65,13 @@ public:
   int probe() const { return look().probe; }
   void setProbe(int point) {
     view_.change([point](presentation::ViewState& state) { state.stress.probe = point; });
+  }
+
+  /// What the map of the sequence that is shown does not tell; empty: it tells all.
+  const QString& caution() const { return caution_; }
+  void setCaution(const QString& caution) {
+    caution_ = caution;
+    Q_EMIT statusChanged();
   }
 
   /// Looks at the witness with the largest value of the quantity that is shown (the smallest, where that is
@@ -96,6 +106,7 @@ private:
   live::LiveStress& live_;
   StressLook known_; ///< That everybody was told of.
   bool knownActive_ = false;
+  QString caution_;
   live::StressRecord record_;
   QTimer throttle_;
   std::vector<Subscription> subscriptions_;

@@ -14,6 +14,7 @@
 
 #include <cmath>
 
+#include "window/language.h"
 #include "window/stress/histogram.h"
 #include "window/widgets/ready_made.h"
 #include "window/widgets/value_slider.h"
@@ -69,6 +70,7 @@ StressPage::StressPage(Workspace& workspace, Playback& playback, StressModel& mo
     syncThreshold();
   });
   connect(&playback, &Playback::stateChanged, this, &StressPage::syncStatus);
+  connect(&playback, &Playback::advanced, this, &StressPage::syncPose);
   syncLook();
   syncStatus();
   syncNumbers();
@@ -92,13 +94,13 @@ void StressPage::makeMap(const Actions& actions) {
   addSection(tr("Map"));
   QStringList names;
   for (const live::StressQuantityDescription& quantity : live::stressQuantities())
-    names.push_back(text(quantity.name));
+    names.push_back(inWords(quantity.name));
   quantity_ = addChoice("stressQuantity", tr("Map"), names, [](StressLook& look, int index) {
     look.quantity = live::stressQuantities()[static_cast<std::size_t>(index)].quantity;
   });
   quantity_->setToolTip(
-      tr("What the colours mean (M: the next one). Rotational stress is the largest angle "
-         "by which a direction is turned when the tissue is stretched; it is no pressure."));
+      tr("What the colours mean (M: next map). Rotational stress is the largest angle by which a direction "
+         "is turned when the tissue is stretched; it is not a pressure."));
   add(makePose());
   addCheck(actions["stress.peak"]);
   addCheck(actions["stress.surface"]);
@@ -121,9 +123,13 @@ QWidget* StressPage::makePose() {
   ownPose_ = addButton(tr("Your pose"), "stressOwnPose", tr("The map of your pose; handles can be dragged"));
   played_ = addButton(tr("Sequence"), "stressPlayed",
                       tr("The map of the sequence at the timeline's instant; Space plays"));
-  connect(ownPose_, &QPushButton::clicked, &playback_, &Playback::stop);
+  connect(ownPose_, &QPushButton::clicked, this, [this] {
+    instant_ = playback_.player().fraction();
+    playback_.stop();
+  });
   connect(played_, &QPushButton::clicked, this, [this] {
-    playback_.seek(playback_.player().fraction());
+    if (!playback_.showing())
+      playback_.seek(instant_);
     syncStatus(); // It may not be possible.
   });
   return box;
@@ -133,6 +139,8 @@ void StressPage::makeNumbers(const Actions& actions) {
   addSection(tr("Numbers"));
   state_ = addRemark(QString());
   state_->setObjectName(QStringLiteral("stressState"));
+  caution_ = addRemark(QString());
+  caution_->setObjectName(QStringLiteral("stressCaution"));
   min_ = addFact(tr("Smallest"));
   mean_ = addFact(tr("Mean"));
   percentile_ = addFact(tr("95th percentile"));
@@ -164,8 +172,7 @@ void StressPage::makeInside(const Actions& actions) {
   offset_ = new ValueSlider(tr("Depth"), {-100, 100, 1, 0, tr(" %")}, this);
   offset_->setObjectName(QStringLiteral("stressOffset"));
   offset_->setToolTip(
-      tr("Of the cut from the organ's middle; the arrow in the view moves it too, the rim tilts "
-         "it"));
+      tr("Distance of the cut from the organ's middle; the arrow in the view moves it, the rim tilts it"));
   connect(offset_, &ValueSlider::valueChanged, this,
           [this](double value) { model_.change([value](StressLook& look) { look.offset = value / 100; }); });
   add(offset_);
@@ -182,7 +189,7 @@ void StressPage::makeInside(const Actions& actions) {
   glyphs_ = addChoice("stressGlyphs", tr("Glyphs"),
                       {tr("No glyphs"), tr("Ellipsoids of the stretch"), tr("Crosses of the stretch")},
                       [](StressLook& look, int index) { look.glyphs = static_cast<GlyphChoice>(index); });
-  glyphs_->setToolTip(tr("What small balls of tissue have become, at some 300 places"));
+  glyphs_->setToolTip(tr("The shapes that small balls of tissue take, at about 300 places"));
   addCheck(actions["stress.handles"]);
   addCheck(actions["stress.others"]);
 }
@@ -238,7 +245,8 @@ QWidget* StressPage::makeWitnessCount() {
   countSlider_ = new QSlider(Qt::Horizontal, box);
   countSlider_->setRange(0, kCountSteps);
   countSlider_->setAccessibleName(tr("Number of witness points"));
-  countSlider_->setToolTip(tr("More points show finer detail and take longer: 20,000 follow a drag"));
+  countSlider_->setToolTip(
+      tr("More points show finer detail and take longer; up to 20,000 the map follows a drag"));
   grid->addWidget(name, 0, 0);
   grid->addWidget(countField_, 0, 1, Qt::AlignRight);
   grid->addWidget(countSlider_, 1, 0, 1, 2);
@@ -294,7 +302,10 @@ void StressPage::syncLook() {
 void StressPage::syncThreshold() {
   if (!model_.look().threshold)
     return;
-  limit_->setRange(model_.shown().range().low, model_.shown().range().high);
+  const scene::ValueRange& range = model_.shown().range();
+  const live::StressQuantityDescription& quantity = live::describe(model_.look().quantity);
+  limit_->setRange({range.low, range.high, std::pow(10.0, -quantity.decimals), quantity.decimals,
+                    quantity.unit.empty() ? QString() : QLatin1Char(' ') + text(quantity.unit)});
   limit_->setValue(model_.look().limit);
 }
 
@@ -310,10 +321,10 @@ void StressPage::syncStatus() {
     state = tr("Filling the organ with witness points...");
     break;
   case State::binding:
-    state = tr("Hanging the witness points on the handles...");
+    state = tr("Binding the witness points to the handles...");
     break;
   case State::cancelled:
-    state = tr("Cancelled. The map goes on when you try again.");
+    state = tr("Cancelled. Press Try again to go on.");
     break;
   case State::failed:
     state = text(status.message);
@@ -323,6 +334,8 @@ void StressPage::syncStatus() {
   }
   state_->setText(state);
   state_->setVisible(!state.isEmpty());
+  caution_->setText(model_.caution());
+  caution_->setVisible(!model_.caution().isEmpty() && playback_.showing());
   retry_->setVisible(status.state == State::cancelled || status.state == State::failed);
   const auto mesh = model_.live().mesh();
   const QString none = QStringLiteral("-");
@@ -336,16 +349,26 @@ void StressPage::syncStatus() {
                                                      : tr("differences"));
   QStringList lines;
   for (const std::string& remark : status.remarks)
-    lines.push_back(text(remark));
+    lines.push_back(inWords(remark));
   if (status.state == State::ready && status.outside > 0)
     lines.push_back(tr("%n {point lies|points lie} outside the handles' hull and stay where they are.",
                        nullptr, status.outside));
   remarks_->setText(lines.join(QLatin1Char('\n')));
   remarks_->setVisible(mesh && !lines.isEmpty());
+  syncPose();
+  syncNumbers();
+}
+
+/// Also when the mode begins with an instant of the sequence, of which the playback's state says nothing new.
+void StressPage::syncPose() {
   const QSignalBlocker quietOwn(ownPose_), quietPlayed(played_);
   played_->setEnabled(playback_.sequence());
   (playback_.showing() ? played_ : ownPose_)->setChecked(true);
-  syncNumbers();
+}
+
+void StressPage::showEvent(QShowEvent* event) {
+  Page::showEvent(event);
+  syncPose();
 }
 
 void StressPage::syncNumbers() {

@@ -24,6 +24,9 @@ public:
   StressPage(Workspace& workspace, Playback& playback, StressModel& model, CutController& cut,
              const Actions& actions, QWidget* parent = nullptr);
 
+protected:
+  void showEvent(QShowEvent* event) override;
+
 private:
   void makeMap(const Actions& actions);
   void makeNumbers(const Actions& actions);
@@ -38,6 +41,7 @@ private:
   QWidget* makeWitnessCount();
   void syncLook();
   void syncStatus();
+  void syncPose();
   void syncNumbers();
   void syncThreshold();
 
@@ -49,6 +53,7 @@ private:
   QPushButton* played_ = nullptr;
   QComboBox* quantity_ = nullptr;
   QLabel* state_ = nullptr;
+  QLabel* caution_ = nullptr;
   QLabel* min_ = nullptr;
   QLabel* mean_ = nullptr;
   QLabel* percentile_ = nullptr;
@@ -68,6 +73,7 @@ private:
   QComboBox* side_ = nullptr;
   ValueSlider* limit_ = nullptr;
   QComboBox* glyphs_ = nullptr;
+  double instant_ = 0; ///< Of the cycle, when the own pose was asked for: there the sequence is shown again.
 };
 
 } // namespace viscera::app

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "viscera/document/rig_commands.h"
+#include "window/language.h"
 
 namespace viscera::app {
 namespace {
@@ -134,7 +135,7 @@ QVariant HandleModel::data(const QModelIndex& index, int role) const {
   const double value = number(index.row(), column);
   if (role == Qt::EditRole)
     return value;
-  return QString::number(value, 'f', column == weight ? kWeightDigits : kMmDigits);
+  return formatNumber(value, column == weight ? kWeightDigits : kMmDigits);
 }
 
 Qt::ItemFlags HandleModel::flags(const QModelIndex& index) const {
@@ -151,18 +152,18 @@ bool HandleModel::setData(const QModelIndex& index, const QVariant& value, int r
   if (column == label)
     return workspace_.perform(
         document::editHandles({handle.id}, {value.toString().toStdString(), {}, {}, {}, {}}));
-  bool understood = false;
-  const double typed = value.toDouble(&understood);
-  if (!understood)
+  const std::optional<double> typed =
+      value.type() == QVariant::String ? numberIn(value.toString()) : std::optional(value.toDouble());
+  if (!typed)
     return false;
   Points place(1, 3);
   if (column <= restZ) {
     place.row(0) = handle.rest.transpose();
-    place(0, column - restX) = typed;
+    place(0, column - restX) = *typed;
     return workspace_.perform(document::moveRestHandles({handle.id}, place));
   }
   place.row(0) = workspace_.document().pose().row(index.row());
-  place(0, column - poseX) = typed;
+  place(0, column - poseX) = *typed;
   return workspace_.perform(document::moveHandles({handle.id}, place));
 }
 
@@ -178,7 +179,7 @@ QString HandleModel::textOf(const std::vector<int>& rows) const {
   for (const int row : rows)
     addRow([&](int column) {
       const QVariant value = data(index(row, column), Qt::EditRole);
-      return isNumber(column) && value.isValid() ? QString::number(value.toDouble(), 'g', kAllDigits)
+      return isNumber(column) && value.isValid() ? formatDigits(value.toDouble(), kAllDigits)
                                                  : value.toString().simplified();
     });
   return lines;

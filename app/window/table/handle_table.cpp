@@ -12,6 +12,7 @@
 #include <QVBoxLayout>
 
 #include "window/actions.h"
+#include "window/language.h"
 
 namespace viscera::app {
 
@@ -56,7 +57,7 @@ void HandleTable::addTo(Actions& actions) {
               {tr("&Table of handles..."),
                "handles",
                {tr("Ctrl+Shift+T")},
-               tr("All handles in numbers, and the coordinates of a vertex that you click")},
+               tr("Positions of all handles, and the coordinates of a vertex that you click")},
               [this] {
                 show();
                 raise();
@@ -81,17 +82,17 @@ void HandleTable::sayVertex() {
   const QString where = tr("Vertex %1 of %2, at rest at %3, %4, %5 mm (LPS)")
                             .arg(vertex->vertex)
                             .arg(text(organ->name))
-                            .arg(at.x(), 0, 'f', 2)
-                            .arg(at.y(), 0, 'f', 2)
-                            .arg(at.z(), 0, 'f', 2);
+                            .arg(formatNumber(at.x(), 2))
+                            .arg(formatNumber(at.y(), 2))
+                            .arg(formatNumber(at.z(), 2));
   const Values& weights = model_.weights();
   if (weights.size() == 0)
     return vertex_->setText(tr("%1: the organ is not bound to the handles.").arg(where));
   const Vec3 made = workspace_.document().rig().restPositions().transpose() * weights;
   vertex_->setText(tr("%1. Its coordinates sum to %2 and miss it by %3 mm.")
                        .arg(where)
-                       .arg(weights.sum(), 0, 'f', 9)
-                       .arg((made - at).norm(), 0, 'g', 2));
+                       .arg(formatNumber(weights.sum(), 9))
+                       .arg(formatDigits((made - at).norm(), 2)));
 }
 
 void HandleTable::selectInDocument() {

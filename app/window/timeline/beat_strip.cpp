@@ -41,9 +41,8 @@ bool BeatStrip::Valve::isOpen(double fraction) const {
 BeatStrip::BeatStrip(QWidget* parent) : QWidget(parent) {
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
   setAccessibleName(tr("Electrocardiogram, heart sounds and valves"));
-  setToolTip(
-      tr("Schematic electrocardiogram, S1 and S2 at the shutting of the valves, and when each valve is "
-         "open. The lamp is lit while it is."));
+  setToolTip(tr("Schematic electrocardiogram, heart sounds S1 and S2 when the valves close, and a bar for "
+                "each valve while it is open. The lamp is lit while the valve is open."));
 }
 
 void BeatStrip::setHeart(const sequences::Heartbeat* heart, double ratePerMinute) {

@@ -31,7 +31,8 @@ PersonBox::PersonBox(ViewModel& view, QWidget* parent)
   surface_->setRange(kAnySize, norms::kLargestBodySurfaceM2);
   surface_->setSuffix(tr(" m\u00b2"));
   surface_->setSpecialValueText(tr("any body size"));
-  surface_->setToolTip(tr("Body surface: ranges that the source gives a square metre are shown for it"));
+  surface_->setToolTip(
+      tr("Body surface area: ranges that the source gives per square metre are scaled by it"));
   row->addWidget(sex_);
   row->addWidget(surface_);
   connect(sex_, QOverload<int>::of(&QComboBox::currentIndexChanged), this, &PersonBox::choose);

@@ -11,6 +11,7 @@
 #include <cmath>
 
 #include "viscera/scene/label_layout.h"
+#include "window/language.h"
 #include "window/workspace.h"
 
 namespace viscera::app {
@@ -34,8 +35,8 @@ QString phaseText(const sequences::Phase& phase, double periodSeconds) {
   const double milliseconds = 1000 * periodSeconds * (phase.end - phase.begin);
   // A stomach's wave lasts for seconds, which nobody counts in thousandths.
   if (phase.group.empty() || milliseconds <= 0)
-    return text(phase.name);
-  return PhaseScrubber::tr("%1, %2 ms").arg(text(phase.name)).arg(milliseconds, 0, 'f', 0);
+    return inWords(phase.name);
+  return PhaseScrubber::tr("%1, %2 ms").arg(inWords(phase.name)).arg(formatNumber(milliseconds, 0));
 }
 
 void PhaseScrubber::setPhases(std::vector<sequences::Phase> phases, double periodSeconds) {
@@ -66,7 +67,7 @@ void PhaseScrubber::setFraction(double fraction) {
 
 QString PhaseScrubber::phaseName() const {
   const sequences::Phase* phase = phaseAt(fraction_);
-  return phase ? text(phase->name) : QString();
+  return phase ? inWords(phase->name) : QString();
 }
 
 QString PhaseScrubber::phaseText() const {
@@ -137,10 +138,10 @@ std::vector<PhaseScrubber::Name> PhaseScrubber::names() const {
   const QRectF area = strip();
   std::vector<Name> names;
   for (const sequences::NamedPlace& place : course_)
-    names.push_back({text(place.name), 0, area.left() + place.place * area.width(), false});
+    names.push_back({inWords(place.name), 0, area.left() + place.place * area.width(), false});
   if (course_.empty())
     for (const sequences::Phase& phase : phases_)
-      names.push_back({text(phase.name), 0, area.left() + (phase.begin + phase.end) / 2 * area.width(),
+      names.push_back({inWords(phase.name), 0, area.left() + (phase.begin + phase.end) / 2 * area.width(),
                        &phase == phaseAt(fraction_)});
   // The longest name goes first when there is no room for all; that of the present phase stays.
   for (;;) {
@@ -188,7 +189,7 @@ std::vector<PhaseScrubber::Group> PhaseScrubber::groups() const {
   for (const sequences::Phase& phase : phases_) {
     if (phase.group.empty())
       return {};
-    const QString name = text(phase.group);
+    const QString name = inWords(phase.group);
     if (groups.empty() || groups.back().text != name)
       groups.push_back({name, phase.begin, phase.end});
     groups.back().end = phase.end;
@@ -199,10 +200,18 @@ std::vector<PhaseScrubber::Group> PhaseScrubber::groups() const {
       length += group.text == name ? group.end - group.begin : 0;
     return length;
   };
+  const double room = strip().width();
   std::vector<Group> named = groups;
-  for (Group& group : named)
-    group.text = tr("%1 %2 ms").arg(group.text).arg(1000 * periodSeconds_ * lengthOf(group.text), 0, 'f', 0);
-  if (named.size() > 1 && named.front().text == named.back().text)
+  for (Group& group : named) {
+    const QString name = group.text;
+    group.text =
+        tr("%1 %2 ms").arg(group.text).arg(formatNumber(1000 * periodSeconds_ * lengthOf(group.text), 0));
+    // A narrow window has room for the name alone, or for none.
+    for (const QString& shorter : {name, QString()})
+      if (fontMetrics().horizontalAdvance(group.text) > (group.end - group.begin) * room)
+        group.text = shorter;
+  }
+  if (named.size() > 1 && groups.front().text == groups.back().text)
     (named.front().end - named.front().begin < named.back().end - named.back().begin ? named.front()
                                                                                      : named.back())
         .text.clear();

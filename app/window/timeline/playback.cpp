@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "viscera/document/rig_commands.h"
+#include "window/language.h"
 
 namespace viscera::app {
 namespace {
@@ -156,7 +157,7 @@ void Playback::offerOwnHandles() {
   Message message;
   message.severity = Message::Severity::warning;
   message.text =
-      tr("%1 moves handles of its own, and these are others.").arg(text(present_.sequence->name()));
+      tr("%1 moves its own handles, and these are different.").arg(inWords(present_.sequence->name()));
   message.offers.push_back(
       {tr("Use its handles"), [this] {
          if (workspace_.perform(document::replaceRig(document::rigOf(*present_.sequence),
@@ -180,6 +181,12 @@ void Playback::setRate(double perMinute) {
 void Playback::setSpeed(double speed) {
   if (!tell([&] { transport_->setSpeed(speed); }))
     Q_EMIT stateChanged();
+}
+
+std::optional<sequences::ValveInstants> Playback::valves() const {
+  if (!showing())
+    return std::nullopt;
+  return sequences::valvesAt(*sequence(), player_.secondsInCycle(), player_.ratePerMinute());
 }
 
 void Playback::seek(double fraction) {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "viscera/motion/player.h"
+#include "viscera/sequences/heart_valves.h"
 #include "window/workspace.h"
 
 namespace viscera::app {
@@ -58,9 +59,13 @@ public:
   /// The present one, for a worker that needs it longer; null when there is none.
   std::shared_ptr<const sequences::Sequence> sharedSequence() const { return motion().sequence; }
   const motion::Player& player() const { return player_; }
+  /// The valves of the heart that is shown beating; nothing when none is.
+  std::optional<sequences::ValveInstants> valves() const;
   /// Whether the organs show the sequence's pose.
   bool showing() const { return player_.showing(); }
 
+  /// Which pose the mode wants to be shown.
+  motion::WantedPose wantedPose() const { return transport_->pose(); }
   /// Which pose is wanted; a sequence that plays is paused when it is not its own.
   void setPose(motion::WantedPose pose) {
     tell([&] { transport_->setPose(pose); });

@@ -12,6 +12,7 @@
 
 #include <cmath>
 
+#include "window/language.h"
 #include "window/style/icon.h"
 #include "window/widgets/ready_made.h"
 
@@ -102,7 +103,7 @@ void TimelineBar::addRate() {
   speed_->setAccessibleName(tr("Speed"));
   speed_->setToolTip(tr("Slow motion: how fast time passes (S)"));
   for (const double speed : kSpeeds)
-    speed_->addItem(speed == 1 ? tr("1x") : tr("1/%1x").arg(1 / speed, 0, 'f', 0), speed);
+    speed_->addItem(speed == 1 ? tr("1x") : tr("1/%1x").arg(formatNumber(1 / speed, 0)), speed);
   for (QWidget* widget : std::initializer_list<QWidget*>{rateSlider_, rate_, speed_})
     layout()->addWidget(widget);
   connect(rate_, QOverload<int>::of(&QSpinBox::valueChanged), this, [this](int perMinute) {
@@ -136,10 +137,13 @@ void TimelineBar::syncSequence(const sequences::Sequence& sequence) {
   rate_->setRange(static_cast<int>(std::ceil(sequence.lowestRatePerMinute())),
                   static_cast<int>(std::floor(sequence.highestRatePerMinute())));
   rateSlider_->setRange(rate_->minimum(), rate_->maximum());
-  rate_->setToolTip(
-      tr("%1: %2 to %3 %4").arg(text(sequence.name())).arg(rate_->minimum()).arg(rate_->maximum()).arg(unit));
+  rate_->setToolTip(tr("%1: %2 to %3 %4")
+                        .arg(inWords(sequence.name()))
+                        .arg(rate_->minimum())
+                        .arg(rate_->maximum())
+                        .arg(unit));
   if (const std::string remark = sequence.rateRemark(player.ratePerMinute()); !remark.empty())
-    rate_->setToolTip(rate_->toolTip() + QLatin1Char('\n') + text(remark));
+    rate_->setToolTip(rate_->toolTip() + QLatin1Char('\n') + inWords(remark));
   rateSlider_->setToolTip(rate_->toolTip());
   rate_->setValue(static_cast<int>(std::lround(player.ratePerMinute())));
   rateSlider_->setValue(rate_->value());
@@ -162,6 +166,7 @@ void TimelineBar::syncSequence(const sequences::Sequence& sequence) {
 void TimelineBar::clearSequence() {
   const QString line = tr("No motion yet: choose a sequence in Play (5)");
   scrubber_->setPhases({{line.toStdString(), 0, 1}}, 0);
+  play_->setIcon(icon("play"));
   signs_->setHeart(nullptr, 0);
   syncSigns();
   scrubber_->setFraction(0);
@@ -177,7 +182,7 @@ void TimelineBar::syncInstant() {
   scrubber_->setFraction(player.fraction());
   signs_->setFraction(player.fraction());
   phase_->setText(scrubber_->phaseText());
-  phase_->setToolTip(tr("%1 s into the cycle").arg(player.secondsInCycle(), 0, 'f', 2));
+  phase_->setToolTip(tr("%1 s into the cycle").arg(formatNumber(player.secondsInCycle(), 2)));
 }
 
 void TimelineBar::setSignsShown(bool shown) {

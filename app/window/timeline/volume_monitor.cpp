@@ -6,6 +6,7 @@
 #include <QPointer>
 
 #include "viscera/presentation/presenter.h"
+#include "window/language.h"
 
 namespace viscera::app {
 namespace {
@@ -21,10 +22,7 @@ const char* const kSlot = "cycle";
 VolumeMonitor::VolumeMonitor(Workspace& workspace, Playback& playback, QObject* parent) : QObject(parent) {
   throttle_.setSingleShot(true);
   throttle_.setInterval(kUpdateMilliseconds);
-  connect(&throttle_, &QTimer::timeout, this, [this] {
-    refresh();
-    Q_EMIT updated();
-  });
+  connect(&throttle_, &QTimer::timeout, this, &VolumeMonitor::update);
   measureSoon_.setSingleShot(true);
   connect(&measureSoon_, &QTimer::timeout, this, &VolumeMonitor::measureCycles);
   connect(&playback, &Playback::advanced, this, &VolumeMonitor::sample);
@@ -54,8 +52,11 @@ void VolumeMonitor::watch(Side& side) {
       record_.clear();
     measureSoon_.start();
     const bool moved = change.pose() && !change.rig() && !change.organs();
-    if (first && (moved || (dragging_ && !change.interactive)))
+    const bool released = first && dragging_ && !change.interactive;
+    if (first && (moved || released))
       sampleDrag(change.interactive);
+    if (released || (change.pose() && !change.interactive)) // Nobody waits for numbers that are there.
+      sides_[first ? 0 : 1].workspace->afterChange([this] { update(); });
   }));
   side.subscriptions.push_back(side.workspace->live().onEvent([this](const live::LiveEvent& event) {
     if (event.status)
@@ -76,8 +77,9 @@ std::vector<VolumeMonitor::Line> VolumeMonitor::linesOf(int side) const {
     if (!organ->look.tracked || !organ->closed())
       continue;
     const double rest = organ->restVolumeMm3 / kMm3PerMl;
-    lines.push_back({organ->id, side, text(presentation::labelOf(*organ)), organ->look.color,
-                     organ->parent || motion::heartChamber(organ->name).has_value(), rest, rest});
+    const std::string label = presentation::labelOf(*organ);
+    lines.push_back({organ->id, side, inWords(label), presentation::shownColor(organ->look.color),
+                     organ->parent || motion::heartChamber(organ->name).has_value(), rest, rest, label});
   }
   return lines;
 }
@@ -94,7 +96,7 @@ void VolumeMonitor::rebuild() {
   lines_ = std::move(lines);
   std::vector<std::string> names;
   for (const Line& line : lines_)
-    names.push_back(line.name.toStdString());
+    names.push_back(line.label);
   record_ = motion::VolumeRecord(names, kRows);
   drags_ = motion::VolumeRecord(std::move(names), kDragRows);
   refresh();
@@ -108,6 +110,13 @@ void VolumeMonitor::refresh() {
     if (workspace.document().organ(line.organ))
       line.nowMl = workspace.live().volume(line.organ).nowMl;
   }
+}
+
+/// List, status bar and chart are told together, so that they say the same.
+void VolumeMonitor::update() {
+  throttle_.stop();
+  refresh();
+  Q_EMIT updated();
 }
 
 VolumeMonitor::Cause VolumeMonitor::causeOf(const Side& side) {

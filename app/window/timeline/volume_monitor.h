@@ -6,6 +6,7 @@
 
 #include <array>
 #include <optional>
+#include <string>
 #include <tuple>
 #include <vector>
 
@@ -30,11 +31,12 @@ public:
   struct Line {
     document::OrganId organ;
     int side = 0; ///< 1: in the second view; `organ` is one of that view's document.
-    QString name;
+    QString name; ///< In the language of the window.
     Vec3 color = Vec3::Ones();
     bool cavity = false; ///< A cavity, or a chamber by its name, has stroke volume and ejection fraction.
     double restMl = 0;
     double nowMl = 0;
+    std::string label; ///< The name as the numerical modules know it: for normal ranges and tables.
   };
 
   VolumeMonitor(Workspace& workspace, Playback& playback, QObject* parent = nullptr);
@@ -70,6 +72,7 @@ public:
   std::optional<sequences::WallMotion> wall() const;
   /// Volumes as they are this moment.
   void refresh();
+  void update();
 
 Q_SIGNALS:
   /// Other organs are followed: everything that was recorded is gone.

@@ -15,6 +15,7 @@
 #include <vtkNew.h>
 
 #include "viscera/motion/clinical_numbers.h"
+#include "window/language.h"
 #include "window/timeline/person_box.h"
 #include "window/track/measured_motion.h"
 #include "window/view/view_model.h"
@@ -45,7 +46,7 @@ QIcon swatch(const Vec3& color) {
 }
 
 QString rangeText(const motion::NormalRange& range) {
-  return QStringLiteral("%1 - %2").arg(range.low, 0, 'f', 0).arg(range.high, 0, 'f', 0);
+  return QStringLiteral("%1 - %2").arg(formatNumber(range.low, 0)).arg(formatNumber(range.high, 0));
 }
 
 /// Short enough to stand in the chart.
@@ -56,7 +57,7 @@ QString shortName(const motion::NormalRange& range) {
   case Quantity::endSystolicMl:
     return VolumePanel::tr("normal at the end of systole");
   default:
-    return VolumePanel::tr("normal %1").arg(text(range.name));
+    return VolumePanel::tr("normal %1").arg(inWords(range.name));
   }
 }
 /// ms: the picture of the organs comes first, for the chart takes as long as that.
@@ -203,7 +204,7 @@ void VolumePanel::rebuild() {
   chart_->setLines(lines);
   charted_ = 0;
   const auto hasNormals = [](const VolumeMonitor::Line& line) {
-    return !motion::normalRanges(line.name.toStdString()).empty();
+    return !motion::normalRanges(line.label).empty();
   };
   const auto first = std::find_if(monitor_.lines().begin(), monitor_.lines().end(), hasNormals);
   normalsOf_ = static_cast<std::size_t>(first - monitor_.lines().begin());
@@ -319,8 +320,7 @@ void VolumePanel::syncNormals() {
   for (std::size_t line = 0; line < monitor_.lines().size(); ++line) {
     std::vector<scene::ChartBand> bands;
     if (line == normalsOf_)
-      for (const motion::NormalRange& range :
-           motion::normalRanges(monitor_.lines()[line].name.toStdString(), person_))
+      for (const motion::NormalRange& range : motion::normalRanges(monitor_.lines()[line].label, person_))
         if (inMilliliters(range))
           bands.push_back({{range.low, range.high}, shortName(range).toStdString()});
     chart_->setBands(static_cast<int>(line), std::move(bands));
@@ -331,29 +331,29 @@ void VolumePanel::syncNormals() {
 QString VolumePanel::normalsText() const {
   if (normalsOf_ >= monitor_.lines().size())
     return {};
-  const QString name = monitor_.lines()[normalsOf_].name;
+  const VolumeMonitor::Line& line = monitor_.lines()[normalsOf_];
   QStringList parts;
   QString from;
-  for (const motion::NormalRange& range : motion::normalRanges(name.toStdString(), person_)) {
+  for (const motion::NormalRange& range : motion::normalRanges(line.label, person_)) {
     if (!inMilliliters(range))
       continue;
-    parts.push_back(tr("%1 %2 ml").arg(text(range.name), rangeText(range)));
-    from = tr("%1: %2").arg(text(range.source), text(range.people));
+    parts.push_back(tr("%1 %2 ml").arg(inWords(range.name), rangeText(range)));
+    from = tr("%1: %2").arg(text(range.source), inWords(range.people));
   }
   if (parts.isEmpty())
     return {};
-  return tr("Shaded: normal for %1, %2. %3").arg(name, parts.join(tr(", ")), from);
+  return tr("Shaded: normal for %1, %2. %3").arg(line.name, parts.join(tr(", ")), from);
 }
 
 QString VolumePanel::detailOf(std::size_t line) const {
   const VolumeMonitor::Line& shown = monitor_.lines()[line];
   if (const auto indices = monitor_.indices(line))
     return tr("EF %1 %  SV %2 ml")
-        .arg(kPercent * indices->ejectionFraction, 0, 'f', 0)
-        .arg(indices->strokeVolumeMl, 0, 'f', 0);
+        .arg(formatNumber(kPercent * indices->ejectionFraction, 0))
+        .arg(formatNumber(indices->strokeVolumeMl, 0));
   if (shown.restMl <= 0)
     return {};
-  return tr("%1 % of reference").arg(kPercent * shown.nowMl / shown.restMl, 0, 'f', 1);
+  return tr("%1 % of reference").arg(formatNumber(kPercent * shown.nowMl / shown.restMl, 1));
 }
 
 /// What the chart holds: one cycle, the sequence as played, or the drags. Another one begins with an empty

@@ -4,11 +4,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "viscera/document/rig_commands.h"
 #include "viscera/motion/clinical_numbers.h"
+#include "viscera/motion/measured_record.h"
 #include "viscera/motion/sequence_file.h"
 #include "viscera/scene/color_map.h"
+#include "window/language.h"
 
 namespace viscera::app {
 namespace {
@@ -33,7 +36,10 @@ std::vector<document::NewOrgan> organsOf(const motion::PatientMotion& motion) {
     else if (surfaces.size() > 1)
       organ.organ.look.opacity = kWallOpacity;
     if (const auto chamber = motion::heartChamber(surfaces[i].name))
-      organ.organ.look.color = *chamber == motion::HeartSide::left ? kArterialBlood : kVenousBlood;
+      organ.organ.look.color =
+          *chamber == motion::Chamber::leftVentricle || *chamber == motion::Chamber::leftAtrium
+              ? kArterialBlood
+              : kVenousBlood;
     organs.push_back(std::move(organ));
   }
   return organs;
@@ -48,7 +54,7 @@ QString summaryOf(const MeasuredMotion::Found& found) {
     for (const motion::TrackedPhase& phase : motion.phases)
       mean += phase.quality.surfaces[i].meanMm / static_cast<double>(motion.phases.size());
     parts.push_back(
-        MeasuredMotion::tr("%1 %2 mm").arg(text(motion.sequence.organs[i].name)).arg(mean, 0, 'f', 2));
+        MeasuredMotion::tr("%1 %2 mm").arg(text(motion.sequence.organs[i].name)).arg(formatNumber(mean, 2)));
   }
   return MeasuredMotion::tr("Motion of %n {phase|phases}. Mean distance from what was measured: %1.", nullptr,
                             static_cast<int>(motion.phases.size()))
@@ -118,12 +124,55 @@ void MeasuredMotion::find(const motion::SeriesRequest& request, const motion::Tr
                                    std::move(done));
 }
 
-void MeasuredMotion::take(const Found& found, const std::vector<document::NewOrgan>& organs) {
-  // Known first: the document tells of its new organs from within the step.
+void MeasuredMotion::know(const Found& found) {
   if (known_.size() == kKnown)
     known_.erase(known_.begin());
   known_.push_back(found);
   present_ = nullptr;
+}
+
+std::string MeasuredMotion::record() const {
+  if (!present_)
+    return {};
+  motion::MeasuredRecord record{{}, {}, *present_->motion};
+  record.series.names = present_->series->names;
+  record.series.times = present_->series->times;
+  for (const motion::SequenceOrgan& surface : present_->motion->sequence.organs)
+    for (const auto& organ : workspace_.document().organs())
+      if (organ->mesh == surface.mesh)
+        record.organs.push_back(organ->id);
+  return motion::toJson(record);
+}
+
+void MeasuredMotion::recall(const std::string& text) {
+  motion::MeasuredRecord record = motion::measuredRecordFrom(text);
+  for (std::size_t i = 0; i < record.organs.size(); ++i) {
+    const auto organ = workspace_.document().organ(record.organs[i]);
+    if (!organ)
+      return; // Organs of a session whose files are gone.
+    record.motion.sequence.organs.push_back({record.series.names[i], organ->mesh});
+  }
+  know({{},
+        {},
+        std::make_shared<const motion::MotionSeries>(std::move(record.series)),
+        std::make_shared<const motion::PatientMotion>(std::move(record.motion))});
+  sync();
+}
+
+bool MeasuredMotion::surfacesKnown() const {
+  return present_ && !(present_->series->masks.empty() && present_->series->meshes.empty() &&
+                       present_->series->corresponding.empty());
+}
+
+QString MeasuredMotion::caution() const {
+  return !present_ || present_->motion->corresponding
+             ? QString()
+             : tr("Where points of a wall move along it was not measured: mean and 95th percentile over the "
+                  "beat can be read, the local pattern of this map cannot.");
+}
+
+void MeasuredMotion::take(const Found& found, const std::vector<document::NewOrgan>& organs) {
+  know(found); // First: the document tells of its new organs from within the step.
   playback_.setSequence(nullptr, {});
   const bool done = workspace_.guarded([&] {
     document::UndoStack& undo = workspace_.undo();
@@ -155,9 +204,9 @@ void MeasuredMotion::say(const Found& found) {
   if (doubtful > 0) {
     message.severity = Message::Severity::warning;
     message.seconds = 0;
-    message.text += QLatin1Char(' ') + tr("%n {phase has|phases have} something to look at: the table below "
-                                          "the chart says what.",
-                                          nullptr, static_cast<int>(doubtful));
+    message.text +=
+        QLatin1Char(' ') + tr("%n {phase needs|phases need} attention: see the table below the chart.",
+                              nullptr, static_cast<int>(doubtful));
   }
   if (!motion.outliers.empty()) {
     motion::SeriesRequest fewer = found.request;
@@ -219,6 +268,7 @@ void MeasuredMotion::sync() {
   present_ = present;
   workspace_.jobs().cancelSlot(kPhaseSlot);
   phases_.clear();
+  reported_ = false;
   if (present_)
     phases_.resize(present_->series->phases());
   ghostOf_.reset();
@@ -292,10 +342,10 @@ const motion::MeasuredPhase* MeasuredMotion::measured(std::size_t phase) {
     return phases_[phase].get();
   const auto series = present_->series;
   if (series->masks.empty()) {
+    phases_[phase] = std::make_unique<motion::MeasuredPhase>();
     workspace_.guarded([&] {
       Progress progress;
-      phases_[phase] =
-          std::make_unique<motion::MeasuredPhase>(motion::measuredPhase(*series, phase, progress));
+      *phases_[phase] = motion::measuredPhase(*series, phase, progress);
     });
     return phases_[phase].get();
   }
@@ -307,10 +357,13 @@ const motion::MeasuredPhase* MeasuredMotion::measured(std::size_t phase) {
       [series, phase](Progress& progress) { return motion::measuredPhase(*series, phase, progress); },
       [this, series, phase](JobResult<motion::MeasuredPhase> result) {
         making_ = false;
-        if (result.error)
-          return workspace_.report(*result.error);
-        if (result.value && present_ && present_->series == series)
-          phases_[phase] = std::make_unique<motion::MeasuredPhase>(std::move(*result.value));
+        if (present_ && present_->series == series && !result.cancelled()) {
+          if (result.error && !std::exchange(reported_, true))
+            workspace_.report(*result.error);
+          // Without surfaces where they cannot be made: nobody asks for them again.
+          phases_[phase] = std::make_unique<motion::MeasuredPhase>(result.value ? std::move(*result.value)
+                                                                                : motion::MeasuredPhase());
+        }
         followSoon();
       });
   return nullptr;
@@ -335,12 +388,14 @@ presentation::SurfaceMap MeasuredMotion::distanceMap(const motion::MeasuredPhase
 }
 
 void MeasuredMotion::follow() {
-  if (!present_ || !playback_.showing() || (!ghost_ && !distances_))
+  if (!surfacesKnown() || !playback_.showing() || (!ghost_ && !distances_))
     return clearView();
   const std::size_t phase = phaseNow();
   const motion::MeasuredPhase* shown = measured(phase);
   if (!shown)
     return; // What was drawn stays until it is there.
+  if (shown->surfaces.empty())
+    return clearView();
   drawn_ = true;
   picture_.setMap(distances_ ? std::optional(distanceMap(*shown)) : std::nullopt);
   if (ghostOf_ == phase)

@@ -18,8 +18,8 @@ namespace viscera::app {
 /// Motions out of a patient's series: found on a worker, taken into the document as organs with handles and a
 /// recorded sequence in one undo step, and known here as long as these organs are in the document, with what
 /// was measured. While the sequence is shown, the surfaces that were measured in the nearest phase can stand
-/// in the view as glass, and the organs have the distances from them as colours. What was measured is kept in
-/// no session.
+/// in the view as glass, and the organs have the distances from them as colours. A session keeps the numbers:
+/// measured volumes and how well each phase fits; the surfaces themselves are in no session.
 class MeasuredMotion final : public QObject {
   Q_OBJECT
 
@@ -49,6 +49,14 @@ public:
   std::optional<std::size_t> surfaceBefore(std::size_t surface) const;
   /// Which surface of the present motion an organ is; none for any other.
   std::optional<std::size_t> surfaceOf(document::OrganId organ) const;
+  /// Whether the surfaces that were measured are known: not of a motion out of a session.
+  bool surfacesKnown() const;
+  /// What stress and strain of the present motion do not tell; empty where they tell all.
+  QString caution() const;
+  /// The numbers of the present motion as JSON for a session; empty without one.
+  std::string record() const;
+  /// Takes the numbers of a session whose organs are in the document. Throws `DataError` for other text.
+  void recall(const std::string& record);
   /// The phase nearest to the instant that is shown.
   std::size_t phaseNow() const;
   /// Shows the instant of a phase.
@@ -71,6 +79,7 @@ Q_SIGNALS:
 
 private:
   void take(const Found& found, const std::vector<document::NewOrgan>& organs);
+  void know(const Found& found);
   void say(const Found& found);
   void sync();
   void followSoon();
@@ -86,7 +95,8 @@ private:
   const Found* present_ = nullptr;
   std::vector<std::unique_ptr<motion::MeasuredPhase>> phases_; ///< Of the present one; null: not asked for.
   int searches_ = 0;
-  bool making_ = false; ///< A measured phase is on its way.
+  bool making_ = false;   ///< A measured phase is on its way.
+  bool reported_ = false; ///< That the surfaces of a phase of this motion cannot be made.
   bool ghost_ = true;
   bool distances_ = false;
   bool drawn_ = false; ///< The view holds something of it.

@@ -22,6 +22,7 @@
 #include <cmath>
 
 #include "viscera/motion/clinical_numbers.h"
+#include "window/language.h"
 #include "window/style/icon.h"
 #include "window/widgets/page.h"
 #include "window/widgets/ready_made.h"
@@ -92,12 +93,11 @@ bool MotionDialog::event(QEvent* event) {
 }
 
 void MotionDialog::makeFiles(QVBoxLayout& column) {
-  column.addWidget(
-      makeRemark(tr("One organ over one cycle becomes handles and a recorded sequence with a key "
-                    "for each phase: surfaces or label maps, one file a phase, or one file of "
-                    "several volumes. It takes the place of the organs that are open; Undo brings "
-                    "them back."),
-                 this));
+  column.addWidget(makeRemark(
+      tr("Turns one organ, given in several phases of a cycle, into handles and a recorded sequence with a "
+         "key for each phase. Choose surfaces or label maps, one file for each phase, or one file of several "
+         "volumes. The result replaces the open organs; Undo brings them back."),
+      this));
   auto* row = makeLayout<QHBoxLayout>(nullptr, 8);
   auto* folder = new QPushButton(icon("open"), tr("Folder..."), this);
   folder->setObjectName(QStringLiteral("seriesFolder"));
@@ -142,7 +142,7 @@ void MotionDialog::makeTimes(QVBoxLayout& column) {
   period_->setSingleStep(kPeriodStep);
   period_->setDecimals(1);
   period_->setSuffix(tr(" ms"));
-  period_->setToolTip(tr("Of one whole cycle: the number of phases times the step between them"));
+  period_->setToolTip(tr("Length of one whole cycle: the number of phases times the step between them"));
   connect(period_, QOverload<double>::of(&QDoubleSpinBox::valueChanged), this, &MotionDialog::sync);
   row->addWidget(period_);
   rate_ = new QLabel(this);
@@ -173,7 +173,7 @@ QWidget* MotionDialog::makeMore() {
   robust_->setDecimals(1);
   robust_->setSuffix(tr(" mm"));
   robust_->setSpecialValueText(tr("All alike"));
-  robust_->setToolTip(tr("Distances beyond it count less: for label maps with outliers"));
+  robust_->setToolTip(tr("Larger distances count less: for label maps with outliers"));
   form->addRow(tr("Distances count less beyond"), robust_);
   leaveOut_ = new QLineEdit(box);
   leaveOut_->setObjectName(QStringLiteral("seriesLeaveOut"));
@@ -208,7 +208,7 @@ void MotionDialog::look(const QStringList& files) {
   say({}, false);
   sync();
   workspace_.jobs().submit<motion::SeriesContents>(
-      tr("Looking into the series").toStdString(), kLookSlot,
+      tr("Reading the series").toStdString(), kLookSlot,
       [paths](Progress& progress) { return motion::lookIntoSeries(paths, progress); },
       [this, self = QPointer<MotionDialog>(this)](JobResult<motion::SeriesContents> result) {
         if (!self)
@@ -228,7 +228,12 @@ void MotionDialog::take(const motion::SeriesContents& contents) {
   contents_ = contents;
   if (contents.periodSeconds)
     period_->setValue(kMsPerSecond * *contents.periodSeconds);
-  say(text(contents.doubt), false);
+  say(contents.phases == 1
+          ? tr("One image has no motion of its own. Open it (File > Open), and Fit a sequence "
+               "to an organ in Play mode lets the heart and its chambers beat as the "
+               "textbook's.")
+          : text(contents.doubt),
+      false);
   fillItems();
 }
 
@@ -264,20 +269,21 @@ void MotionDialog::fillItems() {
 
 void MotionDialog::sync() {
   const double period = period_->value();
-  rate_->setText(period > 0 ? tr("%1 a minute").arg(kSecondsPerMinute * kMsPerSecond / period, 0, 'f', 0)
-                            : tr("The files do not say it"));
+  rate_->setText(period > 0
+                     ? tr("%1 a minute").arg(formatNumber(kSecondsPerMinute * kMsPerSecond / period, 0))
+                     : tr("The files do not state it"));
   rate_->setVisible(period > 0 || !contents_.items.empty());
   QString what = tr("No series is chosen.");
   if (looking_)
-    what = tr("Looking into %1 ...").arg(QFileInfo(files_.front()).fileName());
+    what = tr("Reading %1 ...").arg(QFileInfo(files_.front()).fileName());
   else if (!contents_.items.empty())
     what = (contents_.labels ? tr("%1: label maps, %n {phase|phases}", nullptr, int(contents_.phases))
                              : tr("%1: surfaces, %n {phase|phases}", nullptr, int(contents_.phases)))
                .arg(QFileInfo(files_.front()).fileName());
   what_->setText(what);
-  start_->setEnabled(!contents_.items.empty() && period > 0 && !finding_);
+  start_->setEnabled(!contents_.items.empty() && contents_.phases != 1 && period > 0 && !finding_);
   start_->setText(finding_ ? tr("Working...") : tr("Find the motion"));
-  start_->setToolTip(period > 0 ? QString() : tr("Say how long one cycle lasts first"));
+  start_->setToolTip(period > 0 ? QString() : tr("Enter the length of one cycle first"));
 }
 
 motion::SeriesRequest MotionDialog::request() const {
@@ -299,7 +305,7 @@ motion::SeriesRequest MotionDialog::request() const {
     bool isNumber = false;
     const int phase = number.toInt(&isNumber);
     if (!isNumber || phase < 1)
-      throw UsageError(tr("%1 is no phase").arg(number).toStdString(), {},
+      throw UsageError(tr("%1 is not a phase").arg(number).toStdString(), {},
                        tr("name phases by their numbers, counted from 1, as in 3, 7").toStdString());
     request.leftOut.push_back(static_cast<std::size_t>(phase - 1));
   }

@@ -12,6 +12,7 @@
 
 #include <algorithm>
 
+#include "window/language.h"
 #include "window/widgets/ready_made.h"
 
 namespace viscera::app {
@@ -102,14 +103,11 @@ QWidget* ResidualTable::makeHead() {
   row->addWidget(surfaces_);
   auto* ghost = new QCheckBox(tr("Measured surface"), head);
   ghost->setObjectName(QStringLiteral("measuredGhost"));
-  ghost->setToolTip(tr("The surfaces that were measured in the nearest phase, as glass in the view"));
   ghost->setChecked(measured_.ghostShown());
   connect(ghost, &QCheckBox::toggled, &measured_, &MeasuredMotion::setGhostShown);
   row->addWidget(ghost);
   auto* distances = new QCheckBox(tr("Distances"), head);
   distances->setObjectName(QStringLiteral("measuredDistances"));
-  distances->setToolTip(
-      tr("Colours the organs by their distance from what was measured in the nearest phase"));
   distances->setChecked(measured_.distancesShown());
   connect(distances, &QCheckBox::toggled, &measured_, &MeasuredMotion::setDistancesShown);
   row->addWidget(distances);
@@ -122,6 +120,8 @@ QWidget* ResidualTable::makeHead() {
     if (on)
       ghost->setChecked(false);
   });
+  ghost_ = ghost;
+  distances_ = distances;
   summary_->setObjectName(QStringLiteral("muted"));
   summary_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
   row->addWidget(summary_, 1);
@@ -134,7 +134,7 @@ void ResidualTable::makeTable() {
   table_->setHorizontalHeaderLabels({tr("Phase"), tr("ms"), tr("mean mm"), tr("95 % mm"), tr("max mm"),
                                      tr("measured ml"), tr("free ml"), tr("fitted ml"), tr("Dice"),
                                      tr("flipped"), tr("folded"), tr("steps")});
-  const QStringList tips = {tr("A mark says that there is something to look at; the row's tip says what"),
+  const QStringList tips = {tr("A mark shows that the phase needs attention; the row's tip says why"),
                             tr("Time of the phase"),
                             tr("Distance of the surface from what was measured, by area"),
                             tr("Below this distance are 95 % of the area"),
@@ -187,6 +187,7 @@ void ResidualTable::rebuild() {
 
 void ResidualTable::fill() {
   const MeasuredMotion::Found* found = measured_.present();
+  syncSwitches();
   table_->setRowCount(found ? static_cast<int>(found->motion->phases.size()) : 0);
   summary_->clear();
   if (!found)
@@ -204,17 +205,31 @@ void ResidualTable::fill() {
   for (const auto& [name, indices] : motion.indices)
     parts.push_back(tr("%1: EF %2 %, %3 to %4 ml, %5 l/min")
                         .arg(text(name))
-                        .arg(kPercent * indices.ejectionFraction, 0, 'f', 1)
-                        .arg(indices.endDiastolicMl, 0, 'f', 1)
-                        .arg(indices.endSystolicMl, 0, 'f', 1)
-                        .arg(indices.cardiacOutputLPerMinute, 0, 'f', 1));
+                        .arg(formatNumber(kPercent * indices.ejectionFraction, 1))
+                        .arg(formatNumber(indices.endDiastolicMl, 1))
+                        .arg(formatNumber(indices.endSystolicMl, 1))
+                        .arg(formatNumber(indices.cardiacOutputLPerMinute, 1)));
   if (!motion.tissueMl.empty()) {
     const auto [low, high] = std::minmax_element(motion.tissueMl.begin(), motion.tissueMl.end());
-    parts.push_back(tr("tissue %1 to %2 ml").arg(*low, 0, 'f', 1).arg(*high, 0, 'f', 1));
+    parts.push_back(tr("tissue %1 to %2 ml").arg(formatNumber(*low, 1)).arg(formatNumber(*high, 1)));
   }
   summary_->setText(parts.join(QStringLiteral("; ")));
   summary_->setToolTip(summary_->text());
   markPhase();
+}
+
+/// A session has the numbers, and not the surfaces.
+void ResidualTable::syncSwitches() {
+  const QString tip =
+      tr("A session does not keep what was measured. Find the motion again to see it: Sequence "
+         "> Motion from a series");
+  const bool known = measured_.surfacesKnown();
+  ghost_->setEnabled(known);
+  ghost_->setToolTip(known ? tr("The surfaces that were measured in the nearest phase, as glass in the view")
+                           : tip);
+  distances_->setEnabled(known);
+  distances_->setToolTip(
+      known ? tr("Colours the organs by their distance from what was measured in the nearest phase") : tip);
 }
 
 void ResidualTable::fillRow(int row, const motion::TrackedPhase& phase) {
@@ -222,7 +237,7 @@ void ResidualTable::fillRow(int row, const motion::TrackedPhase& phase) {
   tracking::SurfaceQuality own{all.meanMm, all.p95Mm, all.maxMm, 0, 0, 0, all.dice, 0};
   if (surface() >= 0)
     own = all.surfaces[static_cast<std::size_t>(surface())];
-  const auto number = [](double value, int digits) { return QString::number(value, 'f', digits); };
+  const auto number = [](double value, int digits) { return formatNumber(value, digits); };
   const bool good = phase.verdict.light == tracking::FitLight::good;
   const bool red = phase.verdict.light == tracking::FitLight::red;
   // A sign beside the colour, for people who tell colours badly.
@@ -268,7 +283,7 @@ void ResidualTable::fillDifferences() {
     for (const Compared& compared : kCompareds) {
       const double was = compared.scale * then->second.*compared.value;
       const double is = compared.scale * now->second.*compared.value;
-      const auto number = [&](double value) { return QString::number(value, 'f', compared.digits); };
+      const auto number = [&](double value) { return formatNumber(value, compared.digits); };
       const QStringList cells = {
           tr("%1, %2 (%3)").arg(text(names[i]), tr(compared.name), QLatin1String(compared.unit)), number(was),
           number(is), (is >= was ? QStringLiteral("+") : QString()) + number(is - was)};

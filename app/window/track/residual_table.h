@@ -5,6 +5,7 @@
 #include "window/style/theme.h"
 #include "window/track/measured_motion.h"
 
+class QCheckBox;
 class QComboBox;
 class QLabel;
 class QStackedLayout;
@@ -31,6 +32,7 @@ private:
   void makeTable();
   void rebuild();
   void fill();
+  void syncSwitches();
   void fillRow(int row, const motion::TrackedPhase& phase);
   void fillDifferences();
   void markPhase();
@@ -40,6 +42,8 @@ private:
   MeasuredMotion& measured_;
   Playback& playback_;
   QComboBox* surfaces_;
+  QCheckBox* ghost_ = nullptr;
+  QCheckBox* distances_ = nullptr;
   QLabel* summary_;
   QStackedLayout* stack_;
   QTableWidget* table_;

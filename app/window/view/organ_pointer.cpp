@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "viscera/presentation/presenter.h"
+#include "window/language.h"
 
 namespace viscera::app {
 namespace {
@@ -46,7 +47,7 @@ void OrganPointer::showName() {
   const auto organ = organAt(place_);
   if (!organ)
     return;
-  name_->setText(text(presentation::labelOf(*organ)));
+  name_->setText(inWords(presentation::labelOf(*organ)));
   name_->adjustSize();
   const QPoint at = place_.toPoint() + kBeside;
   name_->move(std::min(at.x(), view_.width() - name_->width()),

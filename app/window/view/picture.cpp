@@ -89,6 +89,11 @@ void Picture::setNamedParts(std::optional<std::vector<presentation::Part>> parts
   refresh();
 }
 
+void Picture::setValves(Valves valves) {
+  valves_ = std::move(valves);
+  refresh();
+}
+
 void Picture::setMap(std::optional<presentation::SurfaceMap> map) {
   map_ = std::move(map);
   refresh();
@@ -108,7 +113,7 @@ void Picture::refresh() {
     guests.insert(guests.end(), measured_.begin(), measured_.end());
     presenter_.update({shown, workspace_.live(), view, workspace_.registry(), &stress,
                        map_ ? &*map_ : nullptr, &measuring_, &guests, namedParts_ ? &*namedParts_ : nullptr,
-                       bending ? &*bending : nullptr});
+                       bending ? &*bending : nullptr, valves_ && !guestsAlone_ ? valves_() : std::nullopt});
   });
   drawn_ = model_.state();
   widget_.scheduleRender();

@@ -2,6 +2,7 @@
 
 #include <QObject>
 
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -43,6 +44,9 @@ public:
   void setMeasured(std::vector<presentation::Guest> surfaces);
   /// Numbers on the organs, in place of the map that the view's state asks for; nothing: as it says.
   void setMap(std::optional<presentation::SurfaceMap> map);
+  /// Where the valves of the heart are found that is shown beating, whenever the picture is drawn.
+  using Valves = std::function<std::optional<sequences::ValveInstants>()>;
+  void setValves(Valves valves);
   /// Names of these parts alone; nothing: as the view's state says.
   void setNamedParts(std::optional<std::vector<presentation::Part>> parts);
 
@@ -68,6 +72,7 @@ private:
   bool guestsAlone_ = false;
   std::optional<std::vector<presentation::Part>> namedParts_;
   std::optional<presentation::SurfaceMap> map_;
+  Valves valves_;
   std::optional<presentation::ViewState> drawn_; ///< The view's state in what was drawn last.
   std::vector<Subscription> subscriptions_;
 };

@@ -1,11 +1,15 @@
 #include "window/view/view_actions.h"
 
+#include <QAction>
 #include <QDateTime>
 
 #include "viscera/document/organ_commands.h"
 #include "viscera/scene/picture.h"
 
 namespace viscera::app {
+namespace {
+constexpr const char* kShading = "view/shading";
+} // namespace
 
 ViewActions::ViewActions(const Parts& parts, Actions& actions, QObject* parent)
     : QObject(parent), parts_(parts) {
@@ -18,6 +22,7 @@ ViewActions::ViewActions(const Parts& parts, Actions& actions, QObject* parent)
               [this] { focus(); });
   actions.enableWhile({"view.focus"}, [this] { return !parts_.workspace.document().organs().empty(); });
   makeSwitches(actions);
+  makeShading(actions);
 }
 
 void ViewActions::makeViews(Actions& actions) {
@@ -25,6 +30,7 @@ void ViewActions::makeViews(Actions& actions) {
     const char* id;
     QString name;
     QKeySequence key;
+    QKeySequence otherKey; ///< Where there is no keypad.
     scene::StandardView view;
   };
   // The digits of the keypad; those of the main row choose the mode.
@@ -34,14 +40,15 @@ void ViewActions::makeViews(Actions& actions) {
   };
   using scene::StandardView;
   const View views[] = {
-      {"view.anterior", tr("&Anterior"), keypad(Qt::Key_1, false), StandardView::anterior},
-      {"view.posterior", tr("&Posterior"), keypad(Qt::Key_1, true), StandardView::posterior},
-      {"view.left", tr("&Left"), keypad(Qt::Key_3, false), StandardView::left},
-      {"view.right", tr("&Right"), keypad(Qt::Key_3, true), StandardView::right},
-      {"view.superior", tr("&Superior"), keypad(Qt::Key_7, false), StandardView::superior},
-      {"view.inferior", tr("&Inferior"), keypad(Qt::Key_7, true), StandardView::inferior}};
+      {"view.anterior", tr("&Anterior"), keypad(Qt::Key_1, false), tr("Alt+1"), StandardView::anterior},
+      {"view.posterior", tr("&Posterior"), keypad(Qt::Key_1, true), tr("Alt+2"), StandardView::posterior},
+      {"view.left", tr("&Left"), keypad(Qt::Key_3, false), tr("Alt+3"), StandardView::left},
+      {"view.right", tr("&Right"), keypad(Qt::Key_3, true), tr("Alt+4"), StandardView::right},
+      {"view.superior", tr("&Superior"), keypad(Qt::Key_7, false), tr("Alt+5"), StandardView::superior},
+      {"view.inferior", tr("&Inferior"), keypad(Qt::Key_7, true), tr("Alt+6"), StandardView::inferior}};
   for (const View& view : views)
-    actions.add(view.id, {view.name, "view", {view.key}, {}}, [this, from = view.view] { lookFrom(from); });
+    actions.add(view.id, {view.name, "view", {view.key, view.otherKey}, {}},
+                [this, from = view.view] { lookFrom(from); });
 }
 
 void ViewActions::makeSwitches(Actions& actions) {
@@ -60,6 +67,28 @@ void ViewActions::makeSwitches(Actions& actions) {
   view.addToggle(actions, "view.cube", {tr("Orientation &cube"), "view", {}, {}},
                  &ViewState::orientationCube);
   view.addToggle(actions, "view.scale", {tr("Scale &bar"), nullptr, {}, {}}, &ViewState::scaleBar);
+}
+
+/// A habit of the user's and no part of a session: whether it can be drawn at all depends on the computer.
+void ViewActions::makeShading(Actions& actions) {
+  shading_ = std::make_unique<scene::DepthShading>(parts_.area.view()->view());
+  if (const QVariant kept = parts_.settings.value(kShading); kept.isValid())
+    shading_->setWanted(kept.toBool());
+  QAction* action = actions.addToggle(
+      "view.shading",
+      {tr("Sha&de in folds"),
+       nullptr,
+       {tr("Shift+D")},
+       tr("Darken the folds of organs and soften the light; takes time on a computer without a graphics "
+          "processor")},
+      shading_->wanted(), [this](bool on) {
+        if (on == shading_->wanted())
+          return;
+        shading_->setWanted(on);
+        parts_.settings.setValue(kShading, on);
+        parts_.area.view()->scheduleRender();
+      });
+  actions.whenSynced([this, action] { action->setChecked(shading_->wanted()); });
 }
 
 void ViewActions::lookFrom(scene::StandardView from) {

@@ -2,6 +2,9 @@
 
 #include <QObject>
 
+#include <memory>
+
+#include "viscera/scene/depth_shading.h"
 #include "window/actions.h"
 #include "window/settings.h"
 #include "window/view/picture.h"
@@ -34,9 +37,11 @@ public:
 private:
   void makeViews(Actions& actions);
   void makeSwitches(Actions& actions);
+  void makeShading(Actions& actions);
   void saveScreenshot();
 
   Parts parts_;
+  std::unique_ptr<scene::DepthShading> shading_; ///< Of the first view.
 };
 
 } // namespace viscera::app

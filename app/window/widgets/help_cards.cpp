@@ -68,7 +68,7 @@ WelcomeCard::WelcomeCard(QMenu* samples, QWidget* parent) : QFrame(parent) {
   };
   auto* open = addButton(tr("Open a patient..."), tr("Choose organ surfaces of a patient (Ctrl+O)"));
   auto* sample = addButton(tr("Sample organs"), tr("Organs that come with the program"));
-  auto* tour = addButton(tr("Two-minute tour"), tr("What there is in this window, step by step"));
+  auto* tour = addButton(tr("Two-minute tour"), tr("The parts of the window, step by step"));
   title->setMinimumHeight(open->sizeHint().height());
   title->setContentsMargins(0, 0, 4, 0);
   sample->setMenu(samples);

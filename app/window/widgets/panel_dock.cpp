@@ -7,8 +7,11 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QScrollArea>
+#include <QScrollBar>
 #include <QSlider>
 #include <QToolButton>
+
+#include <algorithm>
 
 #include "window/widgets/ready_made.h"
 
@@ -20,6 +23,25 @@ bool takesValuesFromTheWheel(const QObject* object) {
          qobject_cast<const QAbstractSpinBox*>(object) != nullptr ||
          qobject_cast<const QSlider*>(object) != nullptr;
 }
+
+/// A panel is as wide as its contents need: some languages have longer words.
+class WidthKeeper final : public QObject {
+public:
+  WidthKeeper(QScrollArea& scroll, QWidget* contents) : QObject(contents), scroll_(scroll) {
+    contents->installEventFilter(this);
+  }
+
+private:
+  bool eventFilter(QObject* watched, QEvent* event) override {
+    if (event->type() == QEvent::LayoutRequest)
+      scroll_.setMinimumWidth(std::min(kWidest, static_cast<QWidget*>(watched)->minimumSizeHint().width() +
+                                                    scroll_.verticalScrollBar()->sizeHint().width()));
+    return QObject::eventFilter(watched, event);
+  }
+
+  static constexpr int kWidest = 360;
+  QScrollArea& scroll_;
+};
 
 /// The wheel over a panel scrolls the panel, also where the pointer happens to be over a list of choices, a
 /// number or a slider: those keep their values. Guards all that is in `contents`, now and later; lives as
@@ -104,6 +126,7 @@ QWidget* scrolled(QWidget* contents) {
   contents->setAttribute(Qt::WA_StyledBackground);
   scroll->setWidget(contents);
   new WheelGuard(contents);
+  new WidthKeeper(*scroll, contents);
   return scroll;
 }
 

@@ -5,6 +5,8 @@
 
 #include <utility>
 
+#include "window/language.h"
+
 namespace viscera::app {
 namespace {
 
@@ -51,7 +53,7 @@ SystemCombo::SystemCombo(const plugin::Registry& registry, QWidget* parent) : QC
         heading->setFont(bold);
         model->appendRow(heading);
       }
-      auto* item = new QStandardItem(QString::fromStdString(entry.system->name()));
+      auto* item = new QStandardItem(inWords(entry.system->name()));
       item->setData(QString::fromStdString(entry.system->id()), Qt::UserRole);
       item->setToolTip(QString::fromStdString(entry.system->summary()));
       model->appendRow(item);

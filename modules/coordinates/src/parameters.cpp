@@ -61,7 +61,7 @@ double parsed(const Parameter& parameter, const std::string& text) {
   double value = 0;
   if (parameter.choices.empty() && stream >> value && stream.peek() == std::istringstream::traits_type::eof())
     return value;
-  throw UsageError(quoted(text) + " is no value for parameter " + quoted(parameter.name), {},
+  throw UsageError(quoted(text) + " is not a value for parameter " + quoted(parameter.name), {},
                    "give " + allowed(parameter));
 }
 

@@ -47,6 +47,15 @@ Command setCirculationParameter(const std::string& name, double value) {
       "circulation." + name);
 }
 
+Command takeCirculation(const std::string& title, const circulation::Parameters& parameters) {
+  circulation::checkParameters(parameters);
+  return edit::onPart(title, &DocumentState::circulation, [parameters](CirculationChoice& choice) {
+    choice.drives = true;
+    choice.scenario = "rest";
+    choice.parameters = parameters;
+  });
+}
+
 Command keepCirculation() {
   return edit::onPart("Keep as before", &DocumentState::circulation, [](CirculationChoice& choice) {
     choice.kept = KeptCirculation{nameOf(choice), choice.parameters};

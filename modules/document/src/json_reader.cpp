@@ -53,7 +53,7 @@ ordered_json JsonReader::parse(const std::string& text) const {
     // nlohmann's "[json.exception...] parse error at line 3, column 5: ..." without its prefix.
     const std::string message = error.what();
     const std::size_t end = message.find("] ");
-    fail("It is no complete JSON: " + (end == message.npos ? message : message.substr(end + 2)), "");
+    fail("It is not complete JSON: " + (end == message.npos ? message : message.substr(end + 2)), "");
   }
   requireFormat(root);
   return root;

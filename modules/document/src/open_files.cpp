@@ -12,11 +12,14 @@
 #include "organ_source.h"
 #include "viscera/core/error.h"
 #include "viscera/geometry/convex_hull.h"
+#include "viscera/medical_io/heart_labels.h"
 #include "viscera/medical_io/scan.h"
 #include "viscera/medical_io/surface_file.h"
 
 namespace viscera::document {
 namespace {
+
+constexpr const char* kSessionEnding = ".viscera";
 
 constexpr std::size_t kFewestHandles = 4; ///< Fewer have no inside.
 
@@ -70,7 +73,7 @@ void requireKnown(const std::filesystem::path& file) {
   for (const auto* list : {&extensions, &medical_io::labelMapExtensions()})
     for (const std::string& extension : *list)
       known += ", " + extension;
-  throw UsageError("Nothing is known about files of this kind", file.string(), "use one of " + known);
+  throw UsageError("This kind of file is not supported", file.string(), "use one of " + known);
 }
 
 void addWarnings(std::vector<std::string>& all, const std::filesystem::path& file,
@@ -90,8 +93,7 @@ std::string displayName(std::string name) {
 }
 
 /// As an organ, and as it is in the file.
-std::pair<Organ, ReadSurface> readBoth(const std::filesystem::path& file) {
-  medical_io::SurfaceFile surface = medical_io::readSurface(file);
+std::pair<Organ, ReadSurface> readBoth(medical_io::SurfaceFile surface, const std::filesystem::path& file) {
   ReadSurface read{std::make_shared<const geometry::TriangleMesh>(std::move(surface.mesh)),
                    surface.spaceStated ? std::optional(surface.space) : std::nullopt};
   const std::string name = surface.name.empty() ? file.stem().string() : surface.name;
@@ -126,6 +128,17 @@ Bounds boxOf(const medical_io::LabelMap& map, const std::vector<std::size_t>& se
   return box;
 }
 
+/// Chambers are called and, unless the file colours them, coloured as those of the sample heart.
+void nameChambers(medical_io::LabelMap& map, const medical_io::HeartLabels& heart) {
+  const Vec3 arterial(0.84, 0.16, 0.14), venous(0.20, 0.36, 0.80);
+  for (const medical_io::HeartLabels::Cavity& cavity : heart.cavities) {
+    medical_io::Segment& segment = map.segments[cavity.segment];
+    segment.name = cavity.chamber;
+    if (!segment.colored)
+      segment.color = cavity.chamber.front() == 'L' ? arterial : venous;
+  }
+}
+
 } // namespace
 
 bool isHandleFile(const std::filesystem::path& file) {
@@ -134,7 +147,7 @@ bool isHandleFile(const std::filesystem::path& file) {
 }
 
 Organ readOrgan(const std::filesystem::path& file) {
-  return readBoth(file).first;
+  return readBoth(medical_io::readSurface(file), file).first;
 }
 
 std::vector<Organ> organsFrom(const medical_io::LabelMap& map, std::vector<medical_io::LabelSurface> surfaces,
@@ -153,22 +166,70 @@ std::vector<Organ> organsFrom(const medical_io::LabelMap& map, std::vector<medic
   return organs;
 }
 
-std::vector<Organ> readLabelOrgans(const std::filesystem::path& file, const std::vector<std::string>& labels,
-                                   Progress& progress, const ArrivalListener& arrives) {
-  const medical_io::LabelMap map = medical_io::readLabelMap(file, progress);
+std::vector<NewOrgan> readLabelBatch(const std::filesystem::path& file,
+                                     const std::vector<std::string>& labels, Progress& progress,
+                                     const ArrivalListener& arrives) {
+  medical_io::LabelMap map = medical_io::readLabelMap(file, progress);
+  const auto heart = medical_io::heartLabels(map);
+  const auto whole = heart ? medical_io::addWholeHeart(map, *heart) : std::nullopt;
+  const bool joined = whole && labels.empty();
   medical_io::LabelSurfaceOptions options;
   options.segments = medical_io::segmentsNamed(map, labels, file.string());
+  if (joined) { // Its muscle is what the cavities leave of it.
+    std::erase_if(options.segments, [&](std::size_t segment) {
+      return segment == *whole || std::count(heart->muscle.begin(), heart->muscle.end(), segment) > 0;
+    });
+    options.segments.insert(options.segments.begin(), *whole);
+    nameChambers(map, *heart);
+  }
   medical_io::SurfaceListener made;
   if (arrives)
-    made = [&arrives, &map, whole = boxOf(map, options.segments)](const medical_io::LabelSurface& surface) {
+    made = [&arrives, &map, all = boxOf(map, options.segments)](const medical_io::LabelSurface& surface) {
       const medical_io::Segment& segment = map.segments[surface.segment];
       arrives(
-          {segment.name, segment.color, std::make_shared<const geometry::TriangleMesh>(surface.mesh), whole});
+          {segment.name, segment.color, std::make_shared<const geometry::TriangleMesh>(surface.mesh), all});
     };
-  return organsFrom(map, medical_io::labelSurfaces(map, options, progress, {}, made), file);
+  std::vector<NewOrgan> batch;
+  for (Organ& organ : organsFrom(map, medical_io::labelSurfaces(map, options, progress, {}, made), file)) {
+    const bool cavity = joined && std::any_of(heart->cavities.begin(), heart->cavities.end(),
+                                              [&](const auto& one) { return one.chamber == organ.name; });
+    batch.push_back({std::move(organ), cavity ? 0 : -1});
+  }
+  return batch;
+}
+
+std::vector<Organ> readLabelOrgans(const std::filesystem::path& file, const std::vector<std::string>& labels,
+                                   Progress& progress, const ArrivalListener& arrives) {
+  std::vector<Organ> organs;
+  for (NewOrgan& item : readLabelBatch(file, labels, progress, arrives))
+    organs.push_back(std::move(item.organ));
+  return organs;
 }
 
 namespace {
+
+/// The organs of a surface file: one, or those that a GLB holds with their colours and cavities.
+void addSurfaces(OpenedFiles& opened, const std::filesystem::path& file, const ArrivalListener& arrives) {
+  std::vector<medical_io::SurfacePart> parts = medical_io::readSurfaces(file);
+  std::vector<std::pair<Organ, ReadSurface>> made; // All of them, before any is added.
+  for (medical_io::SurfacePart& part : parts)
+    made.push_back(readBoth(std::move(part.surface), file));
+  const auto first = static_cast<int>(opened.organs.size());
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    const medical_io::SurfacePart& part = parts[i];
+    auto& [organ, read] = made[i];
+    if (parts.size() > 1) // A session cannot name one organ of a file, so it holds the surfaces.
+      organ.origin.fileHash.clear();
+    if (part.color)
+      organ.look.color = *part.color;
+    organ.look.opacity = part.opacity;
+    if (arrives)
+      arrives({organ.name, part.color, organ.mesh, boundsOf(organ.mesh->points)});
+    opened.surfaces.emplace(opened.organs.size(), std::move(read));
+    opened.organs.push_back({std::move(organ), part.cavityOf < 0 ? -1 : first + part.cavityOf});
+    addWarnings(opened.warnings, file, opened.organs.back().organ.warnings);
+  }
+}
 
 /// Adds what a file holds; nothing when it throws.
 void addFile(OpenedFiles& opened, const std::filesystem::path& file, Progress& progress,
@@ -179,18 +240,16 @@ void addFile(OpenedFiles& opened, const std::filesystem::path& file, Progress& p
     opened.rig = rigFrom(handles, file.string());
     addWarnings(opened.warnings, file, handles.warnings);
   } else if (medical_io::isLabelMap(file)) {
-    for (Organ& organ : readLabelOrgans(file, {}, progress, arrives)) {
-      for (const std::string& warning : organ.warnings)
-        opened.warnings.push_back(file.filename().string() + ": " + organ.name + ": " + warning);
-      opened.organs.push_back({std::move(organ), -1});
+    const auto before = static_cast<int>(opened.organs.size());
+    for (NewOrgan& item : readLabelBatch(file, {}, progress, arrives)) {
+      for (const std::string& warning : item.organ.warnings)
+        opened.warnings.push_back(file.filename().string() + ": " + item.organ.name + ": " + warning);
+      if (item.parentInBatch >= 0)
+        item.parentInBatch += before;
+      opened.organs.push_back(std::move(item));
     }
   } else {
-    auto [organ, read] = readBoth(file);
-    if (arrives)
-      arrives({organ.name, std::nullopt, organ.mesh, boundsOf(organ.mesh->points)});
-    opened.surfaces.emplace(opened.organs.size(), std::move(read));
-    opened.organs.push_back({std::move(organ), -1});
-    addWarnings(opened.warnings, file, opened.organs.back().organ.warnings);
+    addSurfaces(opened, file, arrives);
   }
 }
 
@@ -203,6 +262,11 @@ OpenedFiles openFiles(const std::vector<std::filesystem::path>& named, Progress&
   const std::vector<std::filesystem::path> files = withoutHalves(named);
   if (std::count_if(files.begin(), files.end(), isHandleFile) > 1)
     throw UsageError("Two handle files cannot be opened at a time", {}, "choose one of them");
+  const auto session = std::find_if(files.begin(), files.end(), [](const std::filesystem::path& file) {
+    return file.extension() == kSessionEnding;
+  });
+  if (session != files.end())
+    throw UsageError("A session is opened alone", session->string(), "open the other files after it");
   OpenedFiles opened;
   std::exception_ptr first;
   for (std::size_t i = 0; i < files.size(); ++i) {

@@ -208,7 +208,7 @@ private:
       const std::string place = SessionReader::at("organs", i);
       records.push_back(reader_.readOrganRecord(list[i], place));
       if (records[i].parent && !earlier.count(records[i].parent))
-        reader_.fail("its parent is no organ before it", place + ".parent");
+        reader_.fail("its parent is not an organ before it", place + ".parent");
       earlier.insert(records[i].id);
     }
     requireMeasuredOrgans(earlier);

@@ -47,7 +47,7 @@ void unpack(const JsonReader& reader, const nlohmann::ordered_json& stored, cons
       QByteArray::fromBase64Encoding(QByteArray::fromRawData(text.data(), static_cast<int>(text.size())),
                                      QByteArray::Base64Encoding | QByteArray::AbortOnBase64DecodingErrors);
   if (!decoded)
-    reader.fail("It is no base64", where);
+    reader.fail("It is not base64", where);
   const QByteArray& compressed = decoded.decoded;
   if (bytes / kMostCompression > compressed.size())
     reader.fail("It holds less than " + holds, where);

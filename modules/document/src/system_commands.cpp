@@ -64,7 +64,7 @@ Command takeCage(GivenCage cage) {
 }
 
 Command dropCage() {
-  return edit::onPart("Take the hull as the cage", &DocumentState::rig, [](Rig& rig) { rig.cage.clear(); });
+  return edit::onPart("Use the hull as the cage", &DocumentState::rig, [](Rig& rig) { rig.cage.clear(); });
 }
 
 } // namespace viscera::document

@@ -148,7 +148,7 @@ void addMotion(LessonPlan& plan, const LessonSource& source, const LessonSpec& s
     plan.rates.insert(std::upper_bound(plan.rates.begin(), plan.rates.end(), plan.rate), plan.rate);
   const double low = sequence.lowestRatePerMinute(), high = sequence.highestRatePerMinute();
   if (plan.rates.front() < low || plan.rates.back() > high)
-    throw UsageError("It is no rate at which the sequence can be played", "rates of the lesson",
+    throw UsageError("It is not a rate at which the sequence can be played", "rates of the lesson",
                      "from " + significant(low, 4) + " to " + significant(high, 4) + " a minute");
   for (const double rate : plan.rates)
     for (const sequences::Phase& phase : sequence.phases(rate)) {

@@ -82,7 +82,7 @@ HandleFile readAny(const FileBytes& file) {
     return readFcsv(file);
   const bool json = extension == ".json" || extension == ".mrk.json";
   if (!json && found != Signature::markups)
-    file.fail("It is no handle file" + looksLike(found), "handles come from .mrk.json or .fcsv files");
+    file.fail("It is not a handle file" + looksLike(found), "handles come from .mrk.json or .fcsv files");
   return readMarkups(file);
 }
 

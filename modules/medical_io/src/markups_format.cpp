@@ -61,7 +61,7 @@ private:
 
   void readList(const Json& list, std::size_t number) {
     if (!list.is_object())
-      file_.fail("markup list " + std::to_string(number + 1) + " is no JSON object");
+      file_.fail("markup list " + std::to_string(number + 1) + " is not a JSON object");
     HandleGroupRecord group;
     group.name = text(list, "name");
     if (group.name.empty())
@@ -69,7 +69,7 @@ private:
     const std::string type = text(list, "type");
     if (type != "Fiducial") {
       result_.warnings.push_back("the markup " + inQuotes(group.name) + " of type " + inQuotes(type) +
-                                 " is no list of points and was left out");
+                                 " is not a list of points and was left out");
       return;
     }
     const auto display = list.find("display");
@@ -137,7 +137,7 @@ private:
   void readPoint(const Json& point, std::size_t number, const Frame& frame, HandleGroupRecord& group) {
     const std::string where = "list " + inQuotes(group.name) + ", point " + std::to_string(number + 1);
     if (!point.is_object())
-      file_.fail(where + " is no JSON object");
+      file_.fail(where + " is not a JSON object");
     const std::string status = text(point, "positionStatus");
     if (!status.empty() && status != "defined") {
       result_.warnings.push_back(where + " has no place (" + status + ") and was left out");

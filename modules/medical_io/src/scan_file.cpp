@@ -45,7 +45,7 @@ HeaderReader headerReaderOf(const FileBytes& begin) {
   default:
     break;
   }
-  begin.fail("It is no scan that Viscera knows" + looksLike(found),
+  begin.fail("It is not a scan that Viscera knows" + looksLike(found),
              "open a NIfTI, NRRD or MetaImage file, or a DICOM series");
 }
 

@@ -96,6 +96,24 @@ SurfaceFile readSurface(const std::filesystem::path& file) {
   }
 }
 
+std::vector<SurfacePart> readSurfaces(const std::filesystem::path& file) {
+  std::vector<SurfacePart> parts;
+  if (extensionOf(file) == ".glb") {
+    const FileBytes bytes = readWholeFile(file);
+    requireKind(bytes, *formatOf(file));
+    try {
+      for (RawPart& raw : readGltfParts(bytes))
+        parts.push_back(
+            {assembleSurface(std::move(raw.surface), file), raw.color, raw.opacity, raw.cavityOf});
+    } catch (const std::bad_alloc&) {
+      bytes.fail("does not fit into memory", "reduce the surfaces first");
+    }
+  }
+  if (parts.empty())
+    parts.push_back({readSurface(file), {}, 1, -1});
+  return parts;
+}
+
 void writeSurface(const std::filesystem::path& file, const geometry::TriangleMesh& mesh,
                   const WriteSurface& options) {
   const Format* format = formatOf(file);

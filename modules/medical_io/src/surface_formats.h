@@ -1,7 +1,9 @@
 #pragma once
 
 #include <iosfwd>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "file_bytes.h"
 #include "raw_surface.h"
@@ -22,6 +24,16 @@ RawSurface readLegacyVtk(const FileBytes& file);
 RawSurface readVtp(const FileBytes& file);
 /// GLB, or the JSON of a GLTF, whose buffers are beside it.
 RawSurface readGltf(const FileBytes& file);
+
+/// One of the organs in a file that Viscera has written (SurfacePart).
+struct RawPart {
+  RawSurface surface;
+  std::optional<Vec3> color;
+  double opacity = 1;
+  int cavityOf = -1;
+};
+/// The organs of such a GLB; none when it is another program's, or holds one surface only.
+std::vector<RawPart> readGltfParts(const FileBytes& file);
 
 void writeStl(std::ostream& out, const geometry::TriangleMesh& mesh, const WriteSurface& options);
 void writeObj(std::ostream& out, const geometry::TriangleMesh& mesh, const WriteSurface& options);

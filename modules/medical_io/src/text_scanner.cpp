@@ -158,7 +158,7 @@ void TextScanner::failAtEnd(std::string_view part) const {
 void failAsJson(const FileBytes& file, const std::exception& error) {
   const std::string_view what = error.what();
   const std::size_t end = what.find("] ");
-  file.fail("It is no complete JSON: " + std::string(end == what.npos ? what : what.substr(end + 2)));
+  file.fail("It is not complete JSON: " + std::string(end == what.npos ? what : what.substr(end + 2)));
 }
 
 std::string inQuotes(std::string_view text) {

@@ -1,6 +1,7 @@
 #include "viscera/motion/circulating_heart.h"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 #include "measured_cavities.h"
@@ -10,6 +11,7 @@
 #include "viscera/circulation/scenario.h"
 #include "viscera/core/error.h"
 #include "viscera/document/rig_commands.h"
+#include "viscera/motion/motion_recipe.h"
 
 namespace viscera::motion {
 namespace {
@@ -57,6 +59,33 @@ std::vector<sequences::Phase> phasesOf(const circulation::Parameters& parameters
   return phases;
 }
 
+/// What the circulation calls a valve's opening, as the area that its leaflets leave.
+std::vector<sequences::ValveInstants> valvesOf(const circulation::Parameters& parameters,
+                                               const circulation::Beat& beat) {
+  constexpr double kMm2PerCm2 = 100;
+  using circulation::Valve;
+  using sequences::HeartValve;
+  struct Pair {
+    HeartValve drawn;
+    Valve solved;
+    const circulation::ValveAreas& areas;
+  };
+  const std::array<Pair, sequences::kHeartValves> pairs = {
+      Pair{HeartValve::mitral, Valve::mitral, parameters.mitral},
+      Pair{HeartValve::aortic, Valve::aortic, parameters.aortic},
+      Pair{HeartValve::tricuspid, Valve::tricuspid, parameters.tricuspid},
+      Pair{HeartValve::pulmonary, Valve::pulmonic, parameters.pulmonic}};
+  std::vector<sequences::ValveInstants> instants(beat.time.size() - 1);
+  for (const Pair& pair : pairs)
+    for (std::size_t i = 0; i < instants.size(); ++i) {
+      const double z = beat.openOf(pair.solved)[i];
+      instants[i][static_cast<std::size_t>(pair.drawn)] = {
+          kMm2PerCm2 * (pair.areas.leak + (pair.areas.open - pair.areas.leak) * z),
+          beat.flowOf(pair.solved)[i]};
+    }
+  return instants;
+}
+
 } // namespace
 
 sequences::HeartCourse heartCourse(const std::string& name, const circulation::Parameters& parameters,
@@ -87,7 +116,25 @@ sequences::HeartCourse heartCourse(const std::string& name, const circulation::P
         sequences::AtrialState{atria.leftMl / kRestAtria.leftMl, atria.rightMl / kRestAtria.rightMl};
     course.instants.push_back(instant);
   }
+  course.valves = valvesOf(parameters, beat);
   return course;
+}
+
+std::optional<sequences::ValveInstants> heartValves(const std::string& recipe,
+                                                    const document::CirculationChoice& choice,
+                                                    double fraction, double ratePerMinute,
+                                                    Progress& progress) {
+  if (!sampleHeartOf(recipe))
+    return std::nullopt;
+  if (!choice.drives)
+    return ratePerMinute > 0
+               ? std::optional(sequences::textbookValves(fraction * 60 / ratePerMinute, ratePerMinute))
+               : std::nullopt;
+  const circulation::PeriodicState found = circulation::findPeriodicState(choice.parameters, progress);
+  if (!found.converged)
+    return std::nullopt;
+  const circulation::Indices indices = circulation::indicesOf(choice.parameters, found.beat);
+  return heartCourse({}, choice.parameters, found.beat, indices).valvesAt(fraction);
 }
 
 struct CirculatingHeart::Parts {

@@ -88,7 +88,7 @@ std::vector<NormalRange> normalRanges(const std::string& organ, const norms::Per
   return ranges;
 }
 
-std::optional<HeartSide> heartChamber(const std::string& organ) {
+std::optional<Chamber> heartChamber(const std::string& organ) {
   std::set<std::string> words;
   std::string word;
   for (const char c : organ + ' ') {
@@ -103,11 +103,15 @@ std::optional<HeartSide> heartChamber(const std::string& organ) {
   for (const char* wall : {"wall", "muscle", "myocardium", "myo", "epi", "epicardium", "epicardial"})
     if (has(wall))
       return std::nullopt;
-  const bool chamber = has("ventricle") || has("atrium") || has("ventricular") || has("atrial");
-  if (has("lv") || has("la") || (chamber && has("left")))
-    return HeartSide::left;
-  if (has("rv") || has("ra") || (chamber && has("right")))
-    return HeartSide::right;
+  const bool ventricle = has("ventricle") || has("ventricular"), atrium = has("atrium") || has("atrial");
+  if (has("lv") || (ventricle && has("left")))
+    return Chamber::leftVentricle;
+  if (has("rv") || (ventricle && has("right")))
+    return Chamber::rightVentricle;
+  if (has("la") || (atrium && has("left")))
+    return Chamber::leftAtrium;
+  if (has("ra") || (atrium && has("right")))
+    return Chamber::rightAtrium;
   return std::nullopt;
 }
 

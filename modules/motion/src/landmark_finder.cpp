@@ -81,7 +81,7 @@ Landmarks LandmarkFinder::complete(const Landmarks& given) const {
   for (const Landmark& landmark : given.points) {
     if (std::none_of(roles.begin(), roles.end(),
                      [&](const LandmarkRole& role) { return role.role == landmark.role; }))
-      throw UsageError("\"" + landmark.role + "\" is no landmark of the " + sequence_, name_);
+      throw UsageError("\"" + landmark.role + "\" is not a landmark of the " + sequence_, name_);
     requireNear(landmark);
   }
   if (sequence_ == "heartbeat")

@@ -68,7 +68,7 @@ Landmarks landmarksFrom(const medical_io::HandleFile& file, const std::string& s
       const auto known = std::find_if(roles.begin(), roles.end(),
                                       [&role](const LandmarkRole& one) { return one.role == role; });
       if (known == roles.end())
-        throw DataError("the label \"" + record.label + "\" is no landmark of the " + sequence, where,
+        throw DataError("the label \"" + record.label + "\" is not a landmark of the " + sequence, where,
                         roles.empty() ? "leave the landmarks out" : "label the points " + listOf(roles));
       if (!known->several && landmarks.find(role))
         throw DataError("the landmark \"" + role + "\" comes twice", where, "remove one of the two");

@@ -401,7 +401,31 @@ double MotionSeries::sliceMm() const {
   return masks.empty() ? 0 : masks.front().front().spacing().maxCoeff();
 }
 
+MotionSeries readOnePhase(const SeriesRequest& request, Progress& progress) {
+  const bool masks = isHeartFolder(request.inputs);
+  const SeriesFiles files = masks ? SeriesFiles() : seriesFiles(request);
+  MotionSeries series;
+  if (!masks && files.kind == SeriesFiles::Kind::surfaces) {
+    readSurfaces(chosenOf(files, request), series, progress);
+  } else {
+    MaskReader reader(request, series);
+    Progress quiet;
+    const fs::path& image = masks ? request.inputs.front() : files.files.at("").front();
+    reader.add(masks ? medical_io::readLabelFolder(image, quiet) : medical_io::readLabelMap(image, quiet),
+               image.string());
+    reader.finish();
+  }
+  measureVolumes(series, 1);
+  series.outer = outerOf(series);
+  series.times = tracking::PhaseTimes::even(1, 1);
+  putOuterFirst(series);
+  requireCavitiesInside(series);
+  return series;
+}
+
 MotionSeries readMotionSeries(const SeriesRequest& request, Progress& progress) {
+  if (isHeartFolder(request.inputs))
+    requirePhases(1);
   const SeriesFiles files = seriesFiles(request);
   MotionSeries series;
   SeriesTimes stated;

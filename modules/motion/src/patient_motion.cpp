@@ -5,6 +5,7 @@
 #include <set>
 #include <utility>
 
+#include "tracked_volumes.h"
 #include "viscera/core/error.h"
 #include "viscera/core/text.h"
 #include "viscera/geometry/volume.h"
@@ -242,27 +243,6 @@ SequenceFile sequenceOf(const MotionSeries& series, const MotionRig& rig, const 
   return file;
 }
 
-/// Ejection fractions, and what is left for the tissue.
-void addVolumes(const MotionSeries& series, PatientMotion& motion) {
-  const double rate = kSecondsPerMinute / series.times.periodSeconds;
-  for (std::size_t i = 0; i < series.names.size(); ++i) {
-    if (series.names.size() > 1 && i == series.outer)
-      continue;
-    std::vector<double> volumes;
-    for (const TrackedPhase& phase : motion.phases)
-      volumes.push_back(phase.quality.surfaces[i].fittedMl);
-    motion.indices[series.names[i]] = cardiacIndices(volumes, rate);
-  }
-  if (series.names.size() < 2)
-    return;
-  for (const TrackedPhase& phase : motion.phases) {
-    double tissue = 0;
-    for (std::size_t i = 0; i < series.names.size(); ++i)
-      tissue += (i == series.outer ? 1 : -1) * phase.quality.surfaces[i].fittedMl;
-    motion.tissueMl.push_back(tissue);
-  }
-}
-
 /// What a user has to know of phases and of the whole.
 void warn(PatientMotion& motion) {
   for (std::size_t phase = 0; phase < motion.phases.size(); ++phase)
@@ -284,6 +264,26 @@ void warn(PatientMotion& motion) {
 }
 
 } // namespace
+
+void addVolumes(const MotionSeries& series, PatientMotion& motion) {
+  const double rate = kSecondsPerMinute / series.times.periodSeconds;
+  for (std::size_t i = 0; i < series.names.size(); ++i) {
+    if (series.names.size() > 1 && i == series.outer)
+      continue;
+    std::vector<double> volumes;
+    for (const TrackedPhase& phase : motion.phases)
+      volumes.push_back(phase.quality.surfaces[i].fittedMl);
+    motion.indices[series.names[i]] = cardiacIndices(volumes, rate);
+  }
+  if (series.names.size() < 2)
+    return;
+  for (const TrackedPhase& phase : motion.phases) {
+    double tissue = 0;
+    for (std::size_t i = 0; i < series.names.size(); ++i)
+      tissue += (i == series.outer ? 1 : -1) * phase.quality.surfaces[i].fittedMl;
+    motion.tissueMl.push_back(tissue);
+  }
+}
 
 tracking::FitLight PatientMotion::worst() const {
   tracking::FitLight light = tracking::FitLight::good;

@@ -81,7 +81,11 @@ void requirePhases(std::size_t count) {
   if (count < kFewestPhases)
     throw DataError("It has " + std::to_string(count) + (count == 1 ? " phase" : " phases") +
                         "; a motion needs four at least",
-                    "series", "name all phases of the cycle");
+                    "series",
+                    count == 1
+                        ? "name all phases of the cycle; a single image of a heart with cavities can "
+                          "beat as the textbook's (--textbook, in the window Fit a sequence to an organ)"
+                        : "name all phases of the cycle");
 }
 
 void requireSteadyVolumes(const MotionSeries& series) {
@@ -177,11 +181,12 @@ void requireClosedLoop(const MotionSeries& series) {
   const double gap = series.times.periodSeconds - series.times.seconds[last] + series.times.seconds[0];
   const double step = (series.times.seconds[last] - series.times.seconds[0]) / static_cast<double>(last);
   if (back > kMostReturn * std::max(1.0, gap / step) * largest)
-    throw DataError("The last phase does not lead back to the first: they lie " + fixed(back, 1) +
-                        " mm apart on average, neighbours " + fixed(largest, 1) + " mm at most",
-                    "series",
-                    "if it is no whole cycle, say that it is to be played once (--once); else add the phases "
-                    "that are missing");
+    throw DataError(
+        "The last phase does not lead back to the first: they lie " + fixed(back, 1) +
+            " mm apart on average, neighbours " + fixed(largest, 1) + " mm at most",
+        "series",
+        "if it is not a whole cycle, say that it is to be played once (--once); else add the phases "
+        "that are missing");
 }
 
 } // namespace viscera::motion

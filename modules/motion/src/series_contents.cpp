@@ -49,6 +49,13 @@ std::vector<SeriesItem> itemsOf(const LabelMap& map) {
 } // namespace
 
 SeriesContents lookIntoSeries(const std::vector<std::filesystem::path>& inputs, Progress& progress) {
+  if (isHeartFolder(inputs)) {
+    SeriesContents image;
+    image.labels = true;
+    image.phases = 1;
+    image.items = itemsOf(medical_io::readLabelFolder(inputs.front(), progress));
+    return image;
+  }
   SeriesRequest request;
   request.inputs = inputs;
   const SeriesFiles files = seriesFiles(request);

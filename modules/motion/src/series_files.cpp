@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "viscera/core/error.h"
+#include "viscera/medical_io/heart_labels.h"
 #include "viscera/medical_io/label_map.h"
 #include "viscera/medical_io/surface_file.h"
 
@@ -120,6 +121,19 @@ std::pair<std::string, std::optional<std::uint64_t>> seriesName(const fs::path& 
     name.pop_back();
   const std::string digits(last - std::min<std::ptrdiff_t>(last - first, kLongestNumber), last);
   return {name + std::string(last, stem.end()), std::stoull(digits)};
+}
+
+bool isHeartFolder(const std::vector<fs::path>& inputs) {
+  std::error_code error;
+  if (inputs.size() != 1 || !fs::is_directory(inputs.front(), error))
+    return false;
+  std::vector<std::string> names;
+  for (const fs::path& file : filesIn(inputs.front())) {
+    if (isSurface(file))
+      return false;
+    names.push_back(stemOf(file));
+  }
+  return medical_io::heartAmong(names).has_value();
 }
 
 SeriesFiles seriesFiles(const SeriesRequest& request) {

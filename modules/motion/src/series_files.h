@@ -21,6 +21,10 @@ struct SeriesFiles {
   std::size_t phases = 0; ///< 0 for volumes.
 };
 
+/// Whether the inputs are one folder with a mask for each part of one heart (TotalSegmentator): one image,
+/// and no phases.
+bool isHeartFolder(const std::vector<std::filesystem::path>& inputs);
+
 /// Sorts the inputs into phases. Throws `NoInputError`, `DataError` for kinds that are mixed and for surfaces
 /// that miss a phase, `UsageError` for no inputs.
 SeriesFiles seriesFiles(const SeriesRequest& request);

@@ -47,6 +47,8 @@ void Transport::stop() {
   const bool was = std::exchange(started_, false);
   if (!std::exchange(playing_, false) && !was)
     return;
+  rewind();
+  placeOthers();
   show();
   state_.emit();
 }
@@ -136,6 +138,8 @@ void Transport::rewind() {
 
 /// The other views go to the seconds at which the first one is.
 void Transport::placeOthers() {
+  if (players_.empty())
+    return;
   const double seconds = players_.front()->secondsInCycle();
   for (Player* player : players_)
     if (player != players_.front() && player->periodSeconds() > 0)

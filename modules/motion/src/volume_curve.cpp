@@ -53,7 +53,7 @@ public:
     } else if (instant && milliliters) {
       add(scale_ * *instant, *milliliters);
     } else {
-      fail("holds something that is no number", "write the instant and the volume in ml, as in 0.25,98.5");
+      fail("holds something that is not a number", "write the instant and the volume in ml, as in 0.25,98.5");
     }
   }
 

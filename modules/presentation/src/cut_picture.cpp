@@ -53,7 +53,8 @@ std::vector<scene::CutCaps::Face> CutPicture::facesOf(const Scene& scene) const 
   for (const auto& organ : *scene.state.organs) {
     if (!organ->look.visible || !organ->closed() || hollow(*organ, scene.state))
       continue;
-    scene::CutCaps::Face face{cutOf(*organ), {}, (1 - kPaler) * organ->look.color + kPaler * Vec3::Ones()};
+    scene::CutCaps::Face face{
+        cutOf(*organ), {}, (1 - kPaler) * shownColor(organ->look.color) + kPaler * Vec3::Ones()};
     for (const auto& other : *scene.state.organs)
       if (other->parent == organ->id && other->closed())
         face.cavities.push_back(cutOf(*other));

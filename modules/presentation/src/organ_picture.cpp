@@ -81,7 +81,7 @@ void OrganPicture::updateGuests(const std::vector<Guest>& guests) {
     const auto found = std::find_if(guests_.begin(), guests_.end(), same);
     now.push_back(found == guests_.end() ? std::make_shared<scene::OrganActor>(guest.mesh, threads_)
                                          : *found);
-    now.back()->setColor(guest.color);
+    now.back()->setColor(shownColor(guest.color));
     now.back()->setOpacity(guest.opacity);
     view_.add(now.back());
   }
@@ -150,7 +150,7 @@ void OrganPicture::updateLooks(const Scene& scene, const std::map<document::Orga
     const Appearance appearance =
         found == appearances.end() ? Appearance{look.visible, look.opacity} : found->second;
     scene::OrganActor& actor = *shown.actor;
-    actor.setColor(look.color);
+    actor.setColor(shownColor(look.color));
     if (std::exchange(shown.vertexColors, look.vertexColors) != look.vertexColors)
       actor.setVertexColorsShown(look.vertexColors);
     actor.setVisible(appearance.visible);

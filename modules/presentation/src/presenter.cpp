@@ -14,6 +14,7 @@
 #include "organ_picture.h"
 #include "standing_picture.h"
 #include "stress_picture.h"
+#include "valve_picture.h"
 #include "viscera/presentation/space_parts.h"
 
 namespace viscera::presentation {
@@ -61,7 +62,7 @@ struct LegendText {
 struct Presenter::Parts {
   Parts(scene::OrganView& viewIn, Threads threads, Translate translateIn)
       : view(viewIn), translate(translateIn ? std::move(translateIn) : same), organs(viewIn, threads),
-        handles(viewIn), stress(viewIn), cut(viewIn), labels(viewIn), measurements(viewIn),
+        handles(viewIn), stress(viewIn), cut(viewIn), valves(viewIn), labels(viewIn), measurements(viewIn),
         standing(viewIn, threads) {}
 
   scene::OrganView& view;
@@ -70,6 +71,7 @@ struct Presenter::Parts {
   HandlePicture handles;
   StressPicture stress;
   CutPicture cut;
+  ValvePicture valves;
   scene::OrganLabels labels;
   scene::MeasurementGlyphs measurements;
   StandingPicture standing;
@@ -135,6 +137,7 @@ void Presenter::Parts::updateColors(const Scene& scene) {
   const SurfaceMap* map = scene.map ? scene.map : influence.values.empty() ? nullptr : &influence;
   auto appearances = stress.appearances(scene);
   if (!map || !appearances.empty()) {
+    valves.apply(scene, appearances);
     cut.apply(scene, appearances);
     organs.updateLooks(scene, appearances, stress.colors());
     return updateLegend(stressLegend(scene));
@@ -265,6 +268,7 @@ void Presenter::update(const Scene& scene) {
   p.organs.updateGuests(scene.guests ? *scene.guests : std::vector<Guest>());
   p.stress.update(scene);
   p.cut.update(scene);
+  p.valves.update(scene, p.cut.plane());
   p.updateColors(scene);
   p.handles.update(scene, p.stress.shownWhere(scene));
   p.updateRegions(scene);
@@ -332,6 +336,15 @@ void lookFrom(const Camera& camera, scene::OrganView& view) {
   eye.SetParallelProjection(camera.parallel ? 1 : 0);
   eye.SetParallelScale(camera.parallelScaleMm);
   view.renderer()->ResetCameraClippingRange();
+}
+
+Vec3 shownColor(const Vec3& color) {
+  constexpr double kMostVivid = 0.7; // Between the largest and the smallest part.
+  const double vivid = color.maxCoeff() - color.minCoeff();
+  if (vivid <= kMostVivid + 1e-9)
+    return color;
+  const double middle = 0.5 * (color.maxCoeff() + color.minCoeff());
+  return (middle + (color.array() - middle) * (kMostVivid / vivid)).matrix();
 }
 
 std::string labelOf(const document::Organ& organ, const Presenter::Translate& translate) {

@@ -5,6 +5,8 @@
 #include <cstdio>
 #include <utility>
 
+#include "viscera/presentation/presenter.h"
+
 #include "slice_cuts.h"
 #include "slice_marks.h"
 #include "slice_values.h"
@@ -156,10 +158,11 @@ void SlicePresenter::Parts::outline(Slice& slice) {
   slice.picture.lines.clear();
   for (const SliceCuts::Organ& organ : cuts.organs())
     if (!organ.rest.empty())
-      addLines(organ.rest[slice.plane], slice.frame, kRestShade * organ.organ->look.color, true,
+      addLines(organ.rest[slice.plane], slice.frame, kRestShade * shownColor(organ.organ->look.color), true,
                slice.picture.lines);
   for (const SliceCuts::Organ& organ : cuts.organs())
-    addLines(organ.posed[slice.plane], slice.frame, organ.organ->look.color, false, slice.picture.lines);
+    addLines(organ.posed[slice.plane], slice.frame, shownColor(organ.organ->look.color), false,
+             slice.picture.lines);
 }
 
 void SlicePresenter::Parts::label(Slice& slice, const slices::SliceDirection& direction,

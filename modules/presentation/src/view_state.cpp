@@ -100,6 +100,7 @@ void visitSwitches(ViewState& view, Visit visit) {
   visit("chartOfCycle", "play.cycle", view.chartOfCycle);
   visit("circulationChart", "play.circulationChart", view.circulationChart);
   visit("beatSigns", "play.beatSigns", view.beatSigns);
+  visit("valves", "play.valves", view.valves);
 }
 
 template <class Visit>
@@ -364,9 +365,9 @@ bool ViewState::operator==(const ViewState& other) const {
     return std::tie(view.mode, view.shown, view.camera, view.handles, view.influence, view.ghost, view.labels,
                     view.partNames, view.measurements, view.orientationCube, view.scaleBar, view.gizmo,
                     view.mirror, view.layout.regions, view.layout.zones, view.layout.superRegions,
-                    view.chartOfCycle, view.circulationChart, view.beatSigns, view.stress, view.cut,
-                    view.person.sex, view.person.bodySurfaceM2, view.scan, view.selection, view.motions,
-                    view.playing, view.slides);
+                    view.chartOfCycle, view.circulationChart, view.beatSigns, view.valves, view.stress,
+                    view.cut, view.person.sex, view.person.bodySurfaceM2, view.scan, view.selection,
+                    view.motions, view.playing, view.slides);
   };
   return parts(*this) == parts(other) && shownPose.rows() == other.shownPose.rows() &&
          shownPose == other.shownPose;

@@ -21,7 +21,7 @@ py::array anyArray(const py::handle& value, const std::string& what) {
   py::array array = py::array::ensure(value);
   if (!array) {
     PyErr_Clear();
-    throw DataError("is no array", what, "give an array of numpy, or lists of equal length");
+    throw DataError("is not an array", what, "give an array of numpy, or lists of equal length");
   }
   return array;
 }

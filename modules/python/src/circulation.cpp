@@ -151,6 +151,8 @@ void addCatalogue(py::module_& module) {
       .def_readonly("id", &Scenario::id, "As `circulate` takes it: \"aortic-stenosis\".")
       .def_readonly("name", &Scenario::name, "For people.")
       .def_readonly("summary", &Scenario::summary, "What is changed, and what to look at.")
+      .def_readonly("left_muscle", &Scenario::leftMuscle,
+                    "Muscle of the left ventricle as a part of a healthy one's: drawn, in no equation.")
       .def_property_readonly(
           "changes", [](const Scenario& s) { return Given(s.changes.begin(), s.changes.end()); },
           "Parameters that differ from those at rest, and their values.")

@@ -124,6 +124,7 @@ class Scenario:
     id: str
     name: str
     summary: str
+    left_muscle: float
     @property
     def changes(self) -> dict[str, float]: ...
 

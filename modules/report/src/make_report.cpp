@@ -28,7 +28,7 @@ std::string milliliters(double value) {
 Vec3 swatchOf(const document::Organ& organ) {
   if (organ.look.vertexColors && organ.mesh->colors.rows() > 0)
     return organ.mesh->colors.cast<double>().colwise().mean().transpose() / 255.0;
-  return organ.look.color;
+  return presentation::shownColor(organ.look.color);
 }
 
 std::string poseOf(const ReportSource& source) {

@@ -7,6 +7,7 @@
 #include "viscera/scene/picture.h"
 #include "viscera/scene/surfaceless_window.h"
 #include "viscera/scene/theme.h"
+#include "viscera/sequences/heart_valves.h"
 #include "words.h"
 
 namespace viscera::report {
@@ -54,7 +55,12 @@ PictureGrid alone(Picture picture, const Format& format) {
 PictureGrid pictureAsSeen(const ReportSource& source, Threads threads) {
   const presentation::ViewState view = plainView(source.view);
   presentation::Stage stage = stageOf(kWide, threads);
-  stage.presenter().update({source.state, *source.organs, view, *source.systems});
+  presentation::Scene scene{source.state, *source.organs, view, *source.systems};
+  const auto& playing = source.view.playing;
+  if (source.sequence && playing && playing->shown && playing->ratePerMinute > 0)
+    scene.valves = sequences::valvesAt(*source.sequence, playing->fraction * 60 / playing->ratePerMinute,
+                                       playing->ratePerMinute);
+  stage.presenter().update(scene);
   if (view.camera)
     presentation::lookFrom(*view.camera, stage.view());
   else

@@ -157,7 +157,7 @@ Section stressSection(const ReportSource& source, const live::StressFrame& frame
                                                     std::to_string(folded), std::to_string(count))}};
   section.blocks.push_back(Paragraph{said(
       "Rotational stress is the largest angle by which a direction is turned when the tissue is stretched. "
-      "It measures distortion and is no pressure.")});
+      "It measures distortion and is not a pressure.")});
   section.blocks.push_back(std::move(facts));
   section.blocks.push_back(numbers(frame));
   for (const std::string& remark : source.stressStatus.remarks)

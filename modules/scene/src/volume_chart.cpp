@@ -42,6 +42,10 @@ constexpr float kLineWidth = 2;
 constexpr float kCursorWidth = 1.5;
 constexpr float kDotSize = 7; ///< Across, pixels.
 constexpr unsigned char kBandAlpha = 36;
+/// Bands may make the axis so many times as long as the curves do, whose own length is at least this part of
+/// their values.
+constexpr double kBandsStretch = 4;
+constexpr double kFlatPart = 0.25;
 constexpr int kFontSize = 12;
 /// Room above and below the curves, as a part of their range.
 constexpr double kRoom = 0.08;
@@ -317,11 +321,16 @@ ValueRange VolumeChart::Parts::valueRange(bool right) const {
     if (curve->line.rightAxis != right)
       continue;
     std::for_each(curve->values.begin(), curve->values.end(), include);
-    for (const ChartBand& stripe : curve->line.bands) {
-      include(stripe.range.low);
-      include(stripe.range.high);
-    }
   }
+  // What is normal is in the picture where the curves are not flattened by it.
+  const double most = kBandsStretch * std::max(high - low, kFlatPart * std::abs(high));
+  for (const auto& curve : curves)
+    for (const ChartBand& stripe : curve->line.bands)
+      if (curve->line.rightAxis == right &&
+          (low > high || std::max(high, stripe.range.high) - std::min(low, stripe.range.low) <= most)) {
+        include(stripe.range.low);
+        include(stripe.range.high);
+      }
   if (low > high)
     return {0, 1};
   const bool flat = high - low <= kFlat * std::max(std::abs(low), std::abs(high));

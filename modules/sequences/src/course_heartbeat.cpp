@@ -19,6 +19,8 @@ double mix(double from, double to, double part) {
 HeartCourse checked(HeartCourse course) {
   if (course.instants.size() < kFewest || !(course.period > 0))
     throw DataError("the course does not cover a beat", course.name);
+  if (!course.valves.empty() && course.valves.size() != course.instants.size())
+    throw DataError("the course tells of its valves at other instants than of its volumes", course.name);
   return course;
 }
 
@@ -48,6 +50,20 @@ HeartInstant HeartCourse::at(double phase) const {
   if (a.state.atria && b.state.atria)
     now.state.atria = AtrialState{mix(a.state.atria->leftPart, b.state.atria->leftPart, part),
                                   mix(a.state.atria->rightPart, b.state.atria->rightPart, part)};
+  return now;
+}
+
+std::optional<ValveInstants> HeartCourse::valvesAt(double phase) const {
+  if (valves.empty())
+    return std::nullopt;
+  const auto count = valves.size();
+  const double place = (phase - std::floor(phase)) * static_cast<double>(count);
+  const auto before = static_cast<std::size_t>(place) % count;
+  const double part = place - std::floor(place);
+  ValveInstants now = valves[before];
+  const ValveInstants& next = valves[(before + 1) % count];
+  for (std::size_t i = 0; i < kHeartValves; ++i)
+    now[i] = {mix(now[i].areaMm2, next[i].areaMm2, part), mix(now[i].flowMlPerS, next[i].flowMlPerS, part)};
   return now;
 }
 

@@ -127,7 +127,7 @@ TidySeries tidySeries(SurfaceSeries series) {
     tidy.series.triangles = reference.triangles;
   if (const geometry::SurfaceReport report = geometry::checkSurface(reference);
       !report.closed() || !report.manifold())
-    throw DataError("It is no closed surface, even with its holes filled: " +
+    throw DataError("It is not a closed surface, even with its holes filled: " +
                         geometry::faults(report).front(),
                     tidy.series.name, "repair the surfaces in the program that made them");
   return tidy;

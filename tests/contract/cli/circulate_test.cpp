@@ -115,6 +115,19 @@ TEST_F(CliCirculate, TheSampleHeartFollowsAScenario) {
   expectFailure(with({"--scenario", "sleep"}), kUsage, "exercise");
 }
 
+TEST_F(CliCirculate, FindsTheCirculationOfAPatientsVentricleAndSaysWhatItReached) {
+  const json found = runJson({"circulate", "--edv", "190", "--ef", "0.4", "--rate", "80"});
+  EXPECT_TRUE(found["fit"]["met"]);
+  EXPECT_NEAR(found["lv"]["edvMl"].get<double>(), 190, 0.5);
+  EXPECT_NEAR(found["lv"]["ef"].get<double>(), 0.4, 0.002);
+  EXPECT_EQ(found["ratePerMinute"], 80.0);
+  EXPECT_TRUE(found["parameters"].contains("lvEes"));
+  expectFailure({"circulate", "--edv", "190"}, kUsage, "ejection fraction");
+  expectFailure({"circulate", "--edv", "190", "--ef", "40"}, kUsage, "0.55");
+  expectFailure({"circulate", "--rate", "80"}, kUsage, "--param rate");
+  expectFailure({"circulate", "--edv", "190", "--ef", "0.4", "--param", "lvEes=2"}, kUsage, "fit");
+}
+
 TEST_F(CliCirculate, MistakesAreNamed) {
   expectFailure({"circulate", "--scenario", "sleep"}, kUsage, "heart-failure-reduced-ef");
   expectFailure({"circulate", "--param", "lvEse=2"}, kUsage, "lvEes");

@@ -122,7 +122,7 @@ INSTANTIATE_TEST_SUITE_P(Committed, CliCommands,
                          [](const auto& each) { return std::string(each.param); });
 
 TEST_F(CliReport, CommandsNeedASession) {
-  expectFailure({"commands", put("cube.off", cubeOff(30))}, kUsage, "no session");
+  expectFailure({"commands", put("cube.off", cubeOff(30))}, kUsage, "not a session");
   expectFailure({"commands", path("none.viscera")}, kNoInput, "none.viscera");
 }
 

@@ -68,7 +68,7 @@ TEST_F(CliReproduce, WritesAPageThatTakesNothingFromOutside) {
       continue;
     const auto svg =
         vtkSmartPointer<vtkXMLDataElement>::Take(vtkXMLUtilities::ReadElementFromFile(file.path().c_str()));
-    ASSERT_TRUE(svg) << name << " is no XML";
+    ASSERT_TRUE(svg) << name << " is not XML";
     EXPECT_STREQ(svg->GetName(), "svg");
     EXPECT_EQ(contents(file.path().string()).find("nan"), std::string::npos) << name;
   }

@@ -97,7 +97,7 @@ TEST_F(CliScan, ProbeReadsEveryMarkerAtItsPlace) {
   }
   EXPECT_EQ(values[4]["inside"], false);
   EXPECT_TRUE(values[4]["value"].is_null());
-  expectFailure({"probe", scan_, "--at", "1,2"}, kUsage, "It is no position X,Y,Z");
+  expectFailure({"probe", scan_, "--at", "1,2"}, kUsage, "It is not a position X,Y,Z");
   expectFailure({"probe", path("none.nii"), "--at", "1,2,3"}, kNoInput, "There is no such file");
 }
 

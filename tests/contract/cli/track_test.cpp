@@ -71,6 +71,22 @@ TEST_F(Track, KeepsItsContractAndIsPlayedAgainWithTheSameVolumes) {
   EXPECT_TRUE(std::filesystem::exists(path("h.mrk.json")));
 }
 
+TEST_F(Track, LetsOneImageOfAHeartBeatAsTheTextbooks) {
+  const std::string image =
+      put("heart.seg.nrrd", tests::nrrdFile(tests::beatingLabels(0, Vec3(4, 4, 4)), "right-anterior-superior",
+                                            tests::kHeartKeys));
+  const json found = runJson({"track", image, "--textbook", "--ejection-fraction", "0.25", "--rate", "60",
+                              "-o", path("t.sequence.json")});
+  EXPECT_NEAR(found["ejectionFraction"]["LV"].get<double>(), 0.25, 0.02);
+  EXPECT_NEAR(found["indices"]["RV"]["strokeVolumeMl"].get<double>() /
+                  found["indices"]["LV"]["strokeVolumeMl"].get<double>(),
+              1, 0.03);
+  EXPECT_NEAR(found["periodMs"].get<double>(), 1000, 1e-6);
+  const json played = runJson({"play", path("t.sequence.json"), "--fps", "25", "--csv", path("v.csv")});
+  EXPECT_NEAR(played["ejectionFraction"].get<double>(), found["ejectionFraction"]["LV"].get<double>(), 1e-4);
+  expectFailure({"track", image, "-o", path("n.sequence.json")}, kBadData, "--textbook");
+}
+
 TEST_F(Track, SaysWhatIsMissingAndLeavesNothing) {
   const std::string file = cine();
   const auto before = files();

@@ -77,7 +77,7 @@ TEST_P(BrokenScans, AreRefusedWithAReasonAndTakeLittleMemory) {
   for (int cut = 0; cut < kCuts; ++cut)
     refused +=
         tryReading(folder.put(GetParam(), good.substr(0, good.size() * std::size_t(cut) / kCuts))) ? 0 : 1;
-  EXPECT_GE(refused, kCuts - 1) << "a part of a file is no file";
+  EXPECT_GE(refused, kCuts - 1) << "a part of a file is not a file";
   std::mt19937 random(11);
   for (int flip = 0; flip < kFlips; ++flip) {
     std::string damaged = good;

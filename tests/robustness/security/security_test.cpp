@@ -59,7 +59,7 @@ TEST(Security, OnlyThePluginModuleLoadsCode) {
     std::vector<std::string> loaders;
     for (const std::string& name : importedBy(binary))
       if (name == "dlopen" || name == "dlmopen" || name.find("QPluginLoader") != std::string::npos ||
-          name.find("QLibrary") != std::string::npos)
+          name.find("8QLibrary") != std::string::npos) // As mangled: QLibraryInfo only tells folders.
         loaders.push_back(name);
     if (binary.filename().string().starts_with("libviscera_plugin."))
       EXPECT_FALSE(loaders.empty());

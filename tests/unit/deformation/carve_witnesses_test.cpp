@@ -37,6 +37,10 @@ TEST(WithoutCavities, TakesAwayTheirVolumeAndLeavesAUsableMeshWithWitnessesFirst
       middle += 0.25 * carved.points.row(carved.tetrahedra(t, c)).transpose();
     EXPECT_GT((middle - Vec3(-15, 0, 0)).norm(), 17.5);
   }
+  for (Eigen::Index point = 0; point < carved.witnesses; ++point) {
+    EXPECT_GT((carved.points.row(point).transpose() - Vec3(-15, 0, 0)).norm(), 17.5) << "no blood";
+    EXPECT_GT((carved.points.row(point).transpose() - Vec3(20, 5, 0)).norm(), 9.7) << "no blood";
+  }
   // Witnesses are those that were witnesses, in their order.
   Eigen::Index from = 0;
   for (Eigen::Index point = 0; point < carved.witnesses; ++point) {

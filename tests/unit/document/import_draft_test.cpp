@@ -99,7 +99,7 @@ TEST_F(ImportDrafts, WhatIsWrongWithSeveralOrgansAlikeIsSaidOnce) {
   open.triangles = open.triangles.bottomRows(open.triangles.rows() - 9).eval();
   const ImportDraft two = draft({{"liver.ply", insideOut()}, {"a.ply", insideOut()}, {"spleen.ply", open}});
   const auto shared = sharedFindings(two);
-  ASSERT_EQ(shared.size(), 1u) << "one organ alone is no crowd";
+  ASSERT_EQ(shared.size(), 1u) << "one organ alone is not a crowd";
   EXPECT_EQ(shared[0].subject, medical_io::FindingSubject::facing);
   EXPECT_EQ(shared[0].light, medical_io::Light::fault);
   EXPECT_THAT(shared[0].organs, testing::ElementsAre(0, 1));

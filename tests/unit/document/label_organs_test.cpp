@@ -9,6 +9,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "beating_labels.h"
 #include "label_files.h"
 #include "temporary_folder.h"
 #include "viscera/core/error.h"
@@ -68,6 +69,35 @@ TEST(LabelOrgans, OfAFolderOfMasksAreOnePatient) {
   const std::vector<Organ> organs = readLabelOrgans(folder.path(), {}, progress);
   ASSERT_EQ(organs.size(), 2U);
   EXPECT_EQ(organs[1].name, "spleen");
+}
+
+TEST(LabelOrgans, OfAHeartAreOneOrganWithItsChambersAsCavities) {
+  const TemporaryFolder folder;
+  LabelImage image = viscera::tests::beatingLabels(0, Vec3(3, 3, 3));
+  image.fill({1, 1, 1}, {5, 5, 20}, 4);
+  const auto file = folder.put(
+      "heart.seg.nrrd",
+      viscera::tests::nrrdFile(image, "right-anterior-superior",
+                               std::string(viscera::tests::kHeartKeys) +
+                                   "Segment3_ID:=S4\nSegment3_Name:=aorta\nSegment3_LabelValue:=4\n"));
+  Progress progress;
+  const OpenedFiles opened = openFiles({segmentation(folder), file}, progress);
+  ASSERT_EQ(opened.organs.size(), 6U);
+  const auto& organs = opened.organs;
+  EXPECT_EQ(organs[2].organ.name, "Heart");
+  EXPECT_EQ(organs[2].parentInBatch, -1);
+  EXPECT_EQ(organs[3].organ.name, "LV");
+  EXPECT_EQ(organs[4].organ.name, "RV");
+  for (const std::size_t cavity : {3, 4})
+    EXPECT_EQ(organs[cavity].parentInBatch, 2) << "behind the organs of the file before";
+  EXPECT_EQ(organs[5].organ.name, "aorta");
+  EXPECT_EQ(organs[5].parentInBatch, -1) << "a vessel is no cavity of the heart";
+  const auto voxels = std::count_if(image.voxels.begin(), image.voxels.end(),
+                                    [](auto label) { return label >= 1 && label <= 3; });
+  EXPECT_NEAR(organs[2].organ.restVolumeMm3, 27.0 * double(voxels), 0.01 * 27.0 * double(voxels))
+      << "muscle and chambers";
+  EXPECT_EQ(readLabelOrgans(file, {"myocardium"}, progress).at(0).name, "myocardium") << "as it is asked for";
+  EXPECT_EQ(readLabelOrgans(file, {"heart"}, progress).at(0).name, "Heart");
 }
 
 TEST(LabelOrgans, AreOpenedLikeOtherFiles) {

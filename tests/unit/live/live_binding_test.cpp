@@ -402,7 +402,7 @@ TEST(LiveBinding, ShowsRestOrAGivenPoseWithoutTouchingTheDocument) {
   l.live.showDocumentPose();
   EXPECT_EQ(l.points(), posed);
   EXPECT_EQ(l.document.state(), document);
-  EXPECT_EQ(l.undo.names().size(), 1u) << "looking is no step";
+  EXPECT_EQ(l.undo.names().size(), 1u) << "looking is not a step";
 }
 
 TEST(LiveBinding, TellsTheInfluenceOfAHandle) {

@@ -108,7 +108,7 @@ TEST(VolumeKeeper, MarkedHandlesCompensateAndLockedOnesNeverMove) {
   fix.locked = true;
   s.undo.perform(document::editHandles({s.handle(0)}, fix));
   LockedMotion motion = s.keeper.begin({s.handle(9), s.handle(0)});
-  EXPECT_EQ(motion.selection(), std::vector<int>{9}) << "a locked handle is no part of the motion";
+  EXPECT_EQ(motion.selection(), std::vector<int>{9}) << "a locked handle is not a part of the motion";
   const Points& pose = motion.translate({5, 0, 0});
   EXPECT_EQ(pose.row(9), motion.start().row(9) + Eigen::RowVector3d(5, 0, 0));
   EXPECT_NE(pose.row(8), motion.start().row(8));

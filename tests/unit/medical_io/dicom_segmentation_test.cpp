@@ -96,5 +96,23 @@ TEST(DicomFile, ThatIsCutOffIsRefused) {
     EXPECT_THROW(read(folder.put("a.dcm", bytes.substr(0, length))), DataError) << length;
 }
 
+TEST(DicomFile, WithUnevenSlicesIsRefusedAndSaysWhatToDo) {
+  const TemporaryFolder folder;
+  LabelImage image = twoOrgans();
+  image.fill({2, 3, 0}, {6, 8, image.size[2] - 1}, 1);
+  const auto put = [&](double off) {
+    return folder.put("a.dcm",
+                      tests::dicomFile(image, {.names = {"liver", "left kidney"}, .lastSliceOffMm = off}));
+  };
+  EXPECT_NO_THROW(read(put(0)));
+  try {
+    read(put(1.2));
+    ADD_FAILURE() << "not refused";
+  } catch (const DataError& error) {
+    EXPECT_THAT(error.problem(), ::testing::HasSubstr("Its slices are not equally far from each other"));
+    EXPECT_THAT(error.tryThis(), ::testing::HasSubstr("resample the segmentation"));
+  }
+}
+
 } // namespace
 } // namespace viscera::medical_io

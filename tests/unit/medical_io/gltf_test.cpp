@@ -249,6 +249,14 @@ TEST(WriteSurfaces, PutsEveryOrganWithItsNameAndColourIntoOneGlb) {
   const SurfaceFile both = readSurface(folder / "all.glb");
   EXPECT_EQ(both.mesh.triangles.rows(), colored->triangles.rows() + 12);
   EXPECT_TRUE(both.spaceStated);
+  const std::vector<SurfacePart> apart = readSurfaces(folder / "all.glb");
+  ASSERT_EQ(apart.size(), 2u);
+  EXPECT_EQ(apart[0].surface.name, "Liver");
+  EXPECT_EQ(apart[0].surface.mesh.colors, colored->colors);
+  EXPECT_EQ(apart[1].surface.name, "Spleen");
+  EXPECT_EQ(apart[1].color, Vec3(1, 0.5, 0));
+  EXPECT_EQ(apart[1].opacity, 0.5);
+  EXPECT_EQ(apart[1].surface.mesh.triangles, plain->triangles);
   EXPECT_THROW(writeSurfaces(folder / "all.ply", {{plain, "Spleen"}}), CannotCreateError);
   EXPECT_THROW(writeSurfaces(folder / "none.glb", {}), DataError);
 }

@@ -205,7 +205,7 @@ TEST(Off, CommentsNormalsColoursAndCountsInTheFirstLine) {
 TEST(Off, OtherKindsAreRefusedByName) {
   EXPECT_THAT(problemOf("a.off", "4OFF\n1 0 0\n0 0 0 0\n"), HasSubstr("more than three dimensions"));
   EXPECT_THAT(problemOf("a.off", "OFF BINARY\n\1\2"), HasSubstr("binary OFF"));
-  EXPECT_THAT(problemOf("a.off", "PUFF\n1 0 0\n"), HasSubstr("no OFF file"));
+  EXPECT_THAT(problemOf("a.off", "PUFF\n1 0 0\n"), HasSubstr("not an OFF file"));
   EXPECT_THAT(problemOf("a.off", "OFF\n1000000000000 1 0\n0 0 0\n"), HasSubstr("Line 2"));
   EXPECT_THAT(problemOf("a.off", "OFF\n3 2 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n"), HasSubstr("cut off"));
   EXPECT_THAT(problemOf("a.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1\n"), HasSubstr("fewer corners"));

@@ -212,6 +212,18 @@ TEST(MotionSeriesRefuses, ACavityThatTheImageCutsInSomePhases) {
       << refusal;
 }
 
+TEST(MotionSeries, SaysThatTheImageCutsTheOuterSurfaceAndGoesOn) {
+  Series series;
+  series.labels(5, [](std::size_t phase, tests::LabelImage& image) {
+    if (phase == 1)
+      image.fill({8, 9, 0}, {10, 11, 2}, 3);
+  });
+  const MotionSeries found = read(series.request(kHeart));
+  ASSERT_FALSE(found.warnings.empty());
+  EXPECT_NE(found.warnings.back().find("EPI touches the edge of the image in phase 2"), std::string::npos)
+      << found.warnings.back();
+}
+
 TEST(MotionSeriesRefuses, GridsThatDiffer) {
   Series series;
   series.labels(5, [](std::size_t phase, tests::LabelImage& image) {
@@ -318,6 +330,27 @@ TEST(MotionSeriesRefuses, AFileThatIsCutOff) {
   surfaces.put("outer_4.obj", ball.substr(0, ball.size() / 3));
   EXPECT_NE(refusalOf(surfaces.request()).find("outer_4.obj"), std::string::npos)
       << refusalOf(surfaces.request());
+}
+
+/// TotalSegmentator's folder is one image, however many files it has.
+TEST(MotionSeriesRefuses, AFolderOfMasksOfOneHeart) {
+  Series series;
+  const tests::LabelImage whole = tests::beatingLabels(0, Vec3(4, 4, 6));
+  const std::vector<std::string> names = {"heart_ventricle_left", "heart_ventricle_right",
+                                          "heart_myocardium"};
+  for (std::size_t label = 0; label < names.size(); ++label) {
+    tests::LabelImage mask = whole;
+    for (std::int16_t& voxel : mask.voxels)
+      voxel = voxel == std::int16_t(label + 1) ? 1 : 0;
+    series.put(names[label] + ".nii", tests::niftiFile(mask));
+  }
+  const std::string refusal = refusalOf(series.request());
+  EXPECT_NE(refusal.find("It has 1 phase; a motion needs four at least"), std::string::npos) << refusal;
+  EXPECT_NE(refusal.find("--textbook"), std::string::npos) << refusal;
+  Progress progress;
+  const MotionSeries image = readOnePhase(series.request(), progress);
+  EXPECT_EQ(image.names, (std::vector<std::string>{"heart", "LV", "RV"}));
+  EXPECT_EQ(image.masks.size(), 1U);
 }
 
 TEST(MotionSeriesRefuses, TwoVolumesInOneFile) {

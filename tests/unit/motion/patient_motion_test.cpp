@@ -7,6 +7,7 @@
 #include "temporary_folder.h"
 #include "viscera/core/error.h"
 #include "viscera/geometry/volume.h"
+#include "viscera/motion/measured_record.h"
 #include "viscera/motion/patient_motion.h"
 
 namespace viscera::motion {
@@ -49,6 +50,23 @@ TEST(PatientMotion, OfSurfacesHasTheirVolumesAtItsKeys) {
   // Handles in groups: the box, the outside, the cavity.
   ASSERT_EQ(found.sequence.track.groups.size(), 3U);
   EXPECT_EQ(found.sequence.track.groups[2].name, "cavity");
+}
+
+/// Its own fault: one phase of which half the cavity's points lie elsewhere.
+TEST(PatientMotion, NamesAPhaseThatFitsMuchWorseThanItsNeighbours) {
+  MotionSeries series = shellSeries(8);
+  Points& spoilt = series.corresponding[1].phases[3];
+  for (Eigen::Index v = 0; v < spoilt.rows(); v += 2)
+    spoilt.row(v) *= 0.6;
+  Progress progress;
+  TrackOptions options;
+  options.keepVolumes = false;
+  const PatientMotion found = trackMotion(series, options, progress);
+  EXPECT_EQ(found.outliers, std::vector<std::size_t>{3});
+  EXPECT_NE(found.worst(), tracking::FitLight::good);
+  ASSERT_FALSE(found.warnings.empty());
+  EXPECT_NE(found.warnings.back().find("phase 4 fits much worse than its neighbours"), std::string::npos)
+      << found.warnings.back();
 }
 
 TEST(PatientMotion, IsTheSameWhateverTheNumberOfThreads) {
@@ -124,6 +142,33 @@ TEST(PatientMotion, ComesBackFromItsFileWithItsOrgans) {
   EXPECT_EQ(back.organs[1].mesh->triangles, found.sequence.organs[1].mesh->triangles);
   for (std::size_t key = 0; key < 4; ++key)
     EXPECT_EQ(back.track.keys[key].pose, found.sequence.track.keys[key].pose);
+}
+
+TEST(MeasuredRecord, ComesBackWithItsNumbersAndRefusesOtherText) {
+  const MotionSeries series = shellSeries(4);
+  Progress progress;
+  TrackOptions options;
+  options.rig.handles = 40;
+  const PatientMotion found = trackMotion(series, options, progress);
+  const std::string text = toJson({{{7}, {9}}, series, found});
+  const MeasuredRecord back = measuredRecordFrom(text);
+  EXPECT_EQ(back.organs, (std::vector<document::OrganId>{{7}, {9}}));
+  EXPECT_EQ(back.series.names, series.names);
+  EXPECT_EQ(back.series.volumesMl, series.volumesMl);
+  EXPECT_EQ(back.series.times.seconds, series.times.seconds);
+  EXPECT_EQ(back.motion.tissueMl, found.tissueMl);
+  EXPECT_EQ(back.motion.indices.at("cavity").ejectionFraction, found.indices.at("cavity").ejectionFraction);
+  EXPECT_TRUE(back.motion.corresponding);
+  for (std::size_t phase = 0; phase < 4; ++phase) {
+    EXPECT_EQ(back.motion.phases[phase].quality.p95Mm, found.phases[phase].quality.p95Mm);
+    EXPECT_EQ(back.motion.phases[phase].quality.surfaces[1].freeMl,
+              found.phases[phase].quality.surfaces[1].freeMl);
+    EXPECT_EQ(back.motion.phases[phase].verdict.reasons, found.phases[phase].verdict.reasons);
+  }
+  EXPECT_EQ(toJson(back), text);
+  for (const std::string& other :
+       {std::string("{}"), std::string("nothing"), std::string("[1]"), text.substr(0, text.size() / 2)})
+    EXPECT_THROW(measuredRecordFrom(other), DataError) << other;
 }
 
 TEST(PatientMotion, CanBeCancelled) {

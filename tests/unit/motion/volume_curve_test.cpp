@@ -53,7 +53,7 @@ TEST_F(VolumeCurveFile, SaysWhichLineIsWrong) {
   EXPECT_THAT(refusal(""), HasSubstr("no volume"));
   EXPECT_THAT(refusal("0,130\n0.5\n"), HasSubstr("line 2"));
   EXPECT_THAT(refusal("time_s,Heart_ml,LV_ml\n"), HasSubstr("3 columns"));
-  EXPECT_THAT(refusal("0,130\n0.5,many\n"), HasSubstr("no number"));
+  EXPECT_THAT(refusal("0,130\n0.5,many\n"), HasSubstr("not a number"));
   EXPECT_THAT(refusal("0,130\n0.5,60\n0.4,70\n"), HasSubstr("line 3"));
   EXPECT_THAT(refusal("0,130\n1.2,60\n"), HasSubstr("outside the cycle"));
   EXPECT_THAT(refusal("0,130\n0.5,-60\n"), HasSubstr("not positive"));

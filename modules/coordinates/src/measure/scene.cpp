@@ -47,7 +47,7 @@ HandleSet handlesOfTable(std::istream& table, const std::string& where) {
     Vec3& row = rows.emplace_back();
     char comma = 0;
     if (!(cells >> row[0] >> comma >> row[1] >> comma >> row[2]))
-      throw DataError("It is no row of a fiducial table", where + ", line " + std::to_string(number),
+      throw DataError("It is not a row of a fiducial table", where + ", line " + std::to_string(number),
                       "it has to begin with id,x,y,z");
   }
   return {pointsOf(rows), {}, {}};

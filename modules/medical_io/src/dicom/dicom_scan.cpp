@@ -131,7 +131,7 @@ const SliceGroup& chosenGroup(const Folder& folder, const std::filesystem::path&
     for (const std::size_t f : group.frames)
       if (folder.list.files[folder.list.frames[f].file].file.filename() == place.filename())
         return group;
-  std::string why = "It is no slice of a scan";
+  std::string why = "It is not a slice of a scan";
   for (const DicomHeader& header : folder.list.files)
     if (header.file.filename() == place.filename() && !header.notAScan.empty())
       why += ": it " + header.notAScan;

@@ -36,7 +36,7 @@ private:
       if (trimmed(line).empty())
         continue;
       if (equals == line.npos)
-        scanner.fail("this is no line of a MetaImage header: " + inQuotes(line));
+        scanner.fail("this is not a line of a MetaImage header: " + inQuotes(line));
       const std::string key(trimmed(line.substr(0, equals)));
       values_[key] = trimmed(line.substr(equals + 1));
       if (key == "ElementDataFile") {
@@ -70,7 +70,7 @@ private:
          word = takeWord(*text)) {
       const auto number = parseNumber(word);
       if (!number)
-        file_.fail("its header is damaged: " + inQuotes(word) + " is no number of " + *keys.begin());
+        file_.fail("its header is damaged: " + inQuotes(word) + " is not a number of " + *keys.begin());
       list.push_back(*number);
     }
     if (list.size() != count)
@@ -141,7 +141,7 @@ private:
                                                                                 : std::endian::little;
     const auto headerSize = parseInteger(value({"HeaderSize"}).value_or("0"));
     if (!headerSize || *headerSize < -1)
-      file_.fail("its header is damaged: HeaderSize is no number of bytes");
+      file_.fail("its header is damaged: HeaderSize is not a number of bytes");
     stored.atEnd = *headerSize == -1;
     stored.skippedBytes = static_cast<std::uint64_t>(std::max<std::int64_t>(*headerSize, 0));
     return stored;

@@ -102,7 +102,8 @@ Header headerOf(const FileBytes& file, std::string_view bytes) {
   if (bytes.size() < kNifti1.bytes)
     file.fail("the file is cut off: it has " + counted(bytes.size(), "byte", "bytes") +
               ", a NIfTI header alone has 348");
-  file.fail("It is no NIfTI image: its header is not one", "check what the file is and where it came from");
+  file.fail("It is not a NIfTI image: its header is not one",
+            "check what the file is and where it came from");
 }
 
 /// `axes` of the grid: three, or four where volumes are phases.

@@ -58,7 +58,7 @@ Fields fieldsOf(const FileBytes& file) {
     else if (const std::size_t colon = line.find(':'); colon != line.npos)
       result.fields[lowered(trimmed(line.substr(0, colon)))] = trimmed(line.substr(colon + 1));
     else
-      scanner.fail("this is no line of an NRRD header: " + inQuotes(line));
+      scanner.fail("this is not a line of an NRRD header: " + inQuotes(line));
   }
   result.headerEnd = scanner.position();
   return result;
@@ -100,7 +100,7 @@ std::vector<std::optional<Vec3>> vectorsOf(const FileBytes& file, std::string_vi
     }
     const std::size_t end = text.find(')');
     if (text.front() != '(' || end == text.npos)
-      file.fail("its header is damaged: " + inQuotes(text) + " is no vector");
+      file.fail("its header is damaged: " + inQuotes(text) + " is not a vector");
     std::string_view numbers = text.substr(1, end - 1);
     text.remove_prefix(end + 1);
     Vec3 vector;
@@ -183,7 +183,7 @@ private:
     for (std::string_view word = takeWord(text); !word.empty(); word = takeWord(text)) {
       const auto size = parseInteger(word);
       if (!size || *size < 1 || sizes.size() == kMostDimensions)
-        file_.fail("its header is damaged: " + inQuotes(word) + " is no size of an axis");
+        file_.fail("its header is damaged: " + inQuotes(word) + " is not a size of an axis");
       sizes.push_back(*size);
     }
     if (!dimension || static_cast<std::size_t>(*dimension) != sizes.size())
@@ -271,7 +271,7 @@ private:
     if (const auto origin = header_.field("space origin")) {
       const auto vectors = vectorsOf(file_, *origin);
       if (vectors.size() != 1 || !vectors[0])
-        file_.fail("its header is damaged: " + inQuotes(*origin) + " is no origin");
+        file_.fail("its header is damaged: " + inQuotes(*origin) + " is not an origin");
       raw_.indexToLps.translation() = *vectors[0];
     }
     const Vec3 turn = turnToLps(header_.field("space").value_or(""), raw_);

@@ -78,7 +78,7 @@ void GltfDocument::parseGlb() {
     warnings_.push_back(counted(file_.bytes.size() - length, "byte", "bytes") + " after the end ignored");
   const auto jsonLength = cursor.take<std::uint32_t>("the first chunk's header");
   if (cursor.take<std::uint32_t>("the first chunk's header") != kJsonChunk)
-    file_.fail("its first chunk is no JSON: the file is damaged");
+    file_.fail("its first chunk is not JSON: the file is damaged");
   parseJson(cursor.takeBytes(jsonLength, "the JSON chunk"));
   while (cursor.remaining() >= 8 && !hasBinary_) {
     const auto chunkLength = cursor.take<std::uint32_t>("a chunk's header");
@@ -98,13 +98,13 @@ void GltfDocument::parseJson(std::string_view text) {
     failAsJson(file_, error);
   }
   if (!json_.is_object())
-    file_.fail("its JSON is no object: it is no glTF file");
+    file_.fail("its JSON is not an object: it is not a glTF file");
 }
 
 void GltfDocument::requireUnderstood() const {
   const auto asset = json_.find("asset");
   if (asset == json_.end() || !asset->is_object())
-    file_.fail("its JSON has no \"asset\": it is no glTF file");
+    file_.fail("its JSON has no \"asset\": it is not a glTF file");
   if (!text(*asset, "version").starts_with("2."))
     file_.fail("It is glTF version " + inQuotes(text(*asset, "version")) + ", but only 2 can be read",
                "export it as glTF 2.0");
@@ -130,7 +130,7 @@ void GltfDocument::loadBuffers() {
   for (std::size_t i = 0; i < list->size(); ++i) {
     const Json& buffer = (*list)[i];
     if (!buffer.is_object())
-      fail("buffer " + std::to_string(i) + " is no JSON object");
+      fail("buffer " + std::to_string(i) + " is not a JSON object");
     const std::string uri = text(buffer, "uri");
     if (uri.empty() && i == 0 && hasBinary_) {
       buffers_.push_back(binary_);
@@ -153,7 +153,7 @@ std::string GltfDocument::loadUri(const std::string& uri) const {
     const std::optional<std::string> bytes =
         comma == uri.npos ? std::nullopt : decodeBase64(std::string_view(uri).substr(comma + 8));
     if (!bytes)
-      fail("a buffer within the file is no valid base64");
+      fail("a buffer within the file is not valid base64");
     return *bytes;
   }
   const std::filesystem::path relative = decodedUri(uri);
@@ -181,7 +181,7 @@ std::uint64_t GltfDocument::whole(const Json& object, const char* key, std::uint
     return otherwise;
   // Not printed: a damaged file may have put a document of any depth there.
   if (!found->is_number_unsigned())
-    fail("\"" + std::string(key) + "\" is no number of things");
+    fail("\"" + std::string(key) + "\" is not a number of things");
   return found->get<std::uint64_t>();
 }
 

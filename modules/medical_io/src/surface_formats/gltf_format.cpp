@@ -66,8 +66,7 @@ public:
     if (names_.size() > 1)
       raw_.warnings.push_back("the file's " + std::to_string(names_.size()) +
                               " meshes were joined to one surface");
-    if (skipped_ > 0)
-      raw_.warnings.push_back(counted(skipped_, "set", "sets") + " of points or lines ignored");
+    warnOfSkipped();
     if (!marked_)
       raw_.warnings.push_back("glTF does not say which axes a patient's are: its numbers are taken as LPS "
                               "millimetres, though the "
@@ -75,7 +74,56 @@ public:
     return std::move(raw_);
   }
 
+  /// The organs of a file with the mark, which has a mesh, a node and a material for each; none for another
+  /// file.
+  std::vector<RawPart> runApart() {
+    const std::vector<std::string> warnings = document_.warnings();
+    readMark();
+    std::vector<RawPart> parts;
+    if (!marked_ || sizeOf("meshes") < 2 || sizeOf("nodes") != sizeOf("meshes"))
+      return parts;
+    const std::optional<Space> space = raw_.space;
+    for (std::size_t mesh = 0; mesh < sizeOf("meshes"); ++mesh) {
+      raw_ = {};
+      raw_.space = space;
+      raw_.warnings = parts.empty() ? warnings : std::vector<std::string>();
+      readMesh(mesh, Matrix::Identity());
+      raw_.name = names_.back();
+      warnOfSkipped();
+      skipped_ = 0;
+      parts.push_back({std::move(raw_), {}, 1, -1});
+      readLook(mesh, parts.back());
+    }
+    return parts;
+  }
+
 private:
+  void warnOfSkipped() {
+    if (skipped_ > 0)
+      raw_.warnings.push_back(counted(skipped_, "set", "sets") + " of points or lines ignored");
+  }
+
+  /// What `writeSurfaces` says of an organ beside its mesh. Whatever is not as it writes it is left out.
+  void readLook(std::size_t part, RawPart& read) const {
+    const Json& node = document_.entry("nodes", part);
+    const auto extras = node.find("extras");
+    if (extras == node.end() || !extras->is_object())
+      return;
+    const auto number = [](const Json& value, double low, double high) {
+      return value.is_number() && value.get<double>() >= low && value.get<double>() <= high;
+    };
+    if (const auto color = extras->find("color"); color != extras->end() && color->is_array() &&
+                                                  color->size() == 3 && number((*color)[0], 0, 1) &&
+                                                  number((*color)[1], 0, 1) && number((*color)[2], 0, 1))
+      read.color = Vec3((*color)[0].get<double>(), (*color)[1].get<double>(), (*color)[2].get<double>());
+    if (const auto opacity = extras->find("opacity"); opacity != extras->end() && number(*opacity, 0, 1))
+      read.opacity = opacity->get<double>();
+    // Outer surfaces go first.
+    if (const auto outer = extras->find("cavityOf");
+        outer != extras->end() && outer->is_number_unsigned() && outer->get<std::uint64_t>() < part)
+      read.cavityOf = outer->get<int>();
+  }
+
   void readMark() {
     const Json& asset = document_.json().at("asset");
     const auto extras = asset.find("extras");
@@ -164,7 +212,7 @@ private:
                      " numbers");
     for (std::size_t i = 0; i < count; ++i) {
       if (!(*found)[i].is_number())
-        document_.fail("a node's \"" + std::string(key) + "\" holds something that is no number");
+        document_.fail("a node's \"" + std::string(key) + "\" holds something that is not a number");
       values[i] = (*found)[i].get<double>();
     }
     return true;
@@ -297,13 +345,16 @@ public:
   explicit GlbBuilder(Space space) : space_(space) {}
 
   /// Adds a surface, whose coordinates are in the builder's space already, as a node of its own.
-  void add(const geometry::TriangleMesh& mesh, const std::string& name, const Json& material) {
+  void add(const geometry::TriangleMesh& mesh, const std::string& name, const Json& material,
+           const Json& extras = {}) {
     Json attributes = {{"POSITION", addPositions(mesh)}, {"NORMAL", addNormals(mesh)}};
     if (mesh.colors.rows() > 0)
       attributes["COLOR_0"] = addColors(mesh);
     const Json primitive = {
         {"attributes", attributes}, {"indices", addIndices(mesh)}, {"material", materials_.size()}};
     nodes_.push_back({{"name", name}, {"mesh", meshes_.size()}, {"matrix", uprightMatrix(space_)}});
+    if (!extras.is_null())
+      nodes_.back()["extras"] = extras;
     meshes_.push_back({{"name", name}, {"primitives", Json::array({primitive})}});
     materials_.push_back(material);
   }
@@ -443,10 +494,11 @@ Json plainMaterial() {
 /// With a colour of its own, which vertex colours would be multiplied by.
 Json materialOf(const NamedSurface& surface) {
   Json material = plainMaterial();
-  if (surface.mesh->colors.rows() == 0) {
+  const bool painted = surface.mesh->colors.rows() > 0;
+  if (!painted || surface.opacity < 1) {
     Json factor = Json::array();
     for (const double part : surface.color)
-      factor.push_back(linearFromEncoded(part));
+      factor.push_back(painted ? 1.0 : linearFromEncoded(part));
     factor.push_back(surface.opacity);
     material["pbrMetallicRoughness"]["baseColorFactor"] = factor;
     if (surface.opacity < 1)
@@ -455,10 +507,23 @@ Json materialOf(const NamedSurface& surface) {
   return material;
 }
 
+/// What only Viscera reads: colours without the way through linear ones, and what is a cavity of what.
+Json extrasOf(const NamedSurface& surface) {
+  Json extras = {{"color", {surface.color.x(), surface.color.y(), surface.color.z()}},
+                 {"opacity", surface.opacity}};
+  if (surface.cavityOf >= 0)
+    extras["cavityOf"] = surface.cavityOf;
+  return extras;
+}
+
 } // namespace
 
 RawSurface readGltf(const FileBytes& file) {
   return GltfReader(file).run();
+}
+
+std::vector<RawPart> readGltfParts(const FileBytes& file) {
+  return GltfReader(file).runApart();
 }
 
 void writeGlb(std::ostream& out, const geometry::TriangleMesh& mesh, const WriteSurface& options) {
@@ -476,7 +541,7 @@ void writeSurfaces(const std::filesystem::path& file, const std::vector<NamedSur
   GlbBuilder builder(Space::lps);
   for (const NamedSurface& surface : surfaces) {
     geometry::requireValid(*surface.mesh, surface.name);
-    builder.add(*surface.mesh, surface.name, materialOf(surface));
+    builder.add(*surface.mesh, surface.name, materialOf(surface), extrasOf(surface));
   }
   writeAtomically(file, [&](std::ostream& out) { out << builder.run(); });
 }

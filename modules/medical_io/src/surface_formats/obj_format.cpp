@@ -123,7 +123,7 @@ private:
   void readUnknown(std::string_view word) {
     const bool text = std::all_of(word.begin(), word.end(), [](char c) { return c > ' ' && c <= '~'; });
     if (!text || raw_.pointCount() == 0)
-      scanner_.fail(inQuotes(word) + " is no statement of an OBJ file");
+      scanner_.fail(inQuotes(word) + " is not a statement of an OBJ file");
     ++other_;
   }
 

@@ -49,7 +49,7 @@ private:
     if (!word.ends_with("OFF") || prefix.find_first_not_of("STCN") != prefix.npos)
       file_.fail(prefix.find_first_of("4n") != prefix.npos
                      ? "holds a surface in a space of more than three dimensions"
-                     : "does not begin with \"OFF\": it is no OFF file",
+                     : "does not begin with \"OFF\": it is not an OFF file",
                  "check its ending");
     hasNormals_ = prefix.find('N') != prefix.npos;
     // The counts may stand in the line of the first word.

@@ -92,7 +92,7 @@ public:
 private:
   void readHeader() {
     if (trimmed(text_.line()) != "ply")
-      file_.fail("does not begin with \"ply\": it is no PLY file", "check its ending");
+      file_.fail("does not begin with \"ply\": it is not a PLY file", "check its ending");
     for (;;) {
       if (text_.remaining() == 0)
         text_.failAtEnd("\"end_header\"");
@@ -109,7 +109,7 @@ private:
       else if (word == "comment" || word == "obj_info")
         raw_.takeComment(trimmed(line));
       else if (!word.empty())
-        text_.fail(inQuotes(word) + " is no word of a PLY header");
+        text_.fail(inQuotes(word) + " is not a word of a PLY header");
     }
     if (!formatKnown_)
       file_.fail("its header does not say its format");
@@ -130,7 +130,7 @@ private:
     const std::string_view number = takeWord(line);
     const std::optional<std::int64_t> count = parseInteger(number);
     if (!count || *count < 0)
-      text_.fail(inQuotes(number) + " is no number of elements");
+      text_.fail(inQuotes(number) + " is not a number of elements");
     element.count = static_cast<std::uint64_t>(*count);
     elements_.push_back(std::move(element));
   }
@@ -139,7 +139,7 @@ private:
     for (const ValueType& type : kTypes)
       if (type.names[0] == name || type.names[1] == name)
         return type;
-    text_.fail(inQuotes(name) + " is no type of a PLY file");
+    text_.fail(inQuotes(name) + " is not a type of a PLY file");
   }
 
   void readProperty(std::string_view line) {

@@ -45,7 +45,7 @@ std::uint64_t requireBinaryCount(const FileBytes& file, RawSurface& raw) {
   const std::uint64_t expected = kPrefixBytes + *count * kFacetBytes;
   const std::uint64_t size = file.bytes.size();
   if (expected > size)
-    file.fail("the file is cut off, or is no STL file: its header promises " +
+    file.fail("the file is cut off, or is not an STL file: its header promises " +
               counted(*count, "triangle", "triangles") + " (" + std::to_string(expected) +
               " bytes), but it has " + std::to_string(size) + " bytes");
   if (size - expected >= kFacetBytes)
@@ -106,7 +106,7 @@ void readSolid(TextScanner& scanner, RawSurface& raw) {
     } else if (word != "facet" && word != "outer" && word != "loop" && word != "endfacet") {
       if (scanner.atEnd())
         scanner.failAtEnd("\"endsolid\"");
-      scanner.fail(inQuotes(word) + " is no word of an STL file");
+      scanner.fail(inQuotes(word) + " is not a word of an STL file");
     }
   }
 }

@@ -72,7 +72,7 @@ private:
   void readHeader() {
     std::string_view first = scanner_.line();
     if (!first.starts_with("# vtk DataFile"))
-      file_.fail("does not begin with \"# vtk DataFile\": it is no legacy VTK file", "check its ending");
+      file_.fail("does not begin with \"# vtk DataFile\": it is not a legacy VTK file", "check its ending");
     const std::size_t version = first.find_first_of("0123456789");
     offsetsApart_ = version != first.npos && parseNumber(trimmed(first.substr(version))).value_or(0) >= 5.0;
     const std::string_view title = scanner_.line();
@@ -105,7 +105,7 @@ private:
     else if (attributes_)
       return stopAt(word);
     else
-      scanner_.fail(inQuotes(word) + " is no section of a legacy VTK surface");
+      scanner_.fail(inQuotes(word) + " is not a section of a legacy VTK surface");
     return true;
   }
 
@@ -126,7 +126,7 @@ private:
     const std::string_view word = scanner_.word();
     const auto type = lookUp(kTypes, lowered(word));
     if (!type)
-      scanner_.fail(inQuotes(word) + " is no type of numbers");
+      scanner_.fail(inQuotes(word) + " is not a type of numbers");
     return *type;
   }
 

@@ -115,7 +115,7 @@ private:
     std::optional<std::string> decoded =
         decodeBase64(text.substr(0, static_cast<std::size_t>(encodedSize(bytes))));
     if (!decoded || decoded->size() < bytes)
-      fail("It is damaged: it is no valid base64");
+      fail("It is damaged: it is not valid base64");
     decoded->resize(static_cast<std::size_t>(bytes));
     return std::move(*decoded);
   }

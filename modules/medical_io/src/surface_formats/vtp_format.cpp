@@ -68,7 +68,7 @@ private:
 
   void checkRoot() {
     if (!tree_.error.empty())
-      file_.fail("It is no complete XML: " + tree_.error);
+      file_.fail("It is not complete XML: " + tree_.error);
     const XmlElement& root = tree_.root;
     if (root.name != "VTKFile" || root.attribute("type") != "PolyData")
       file_.fail("It holds " + inQuotes(root.attribute("type")) + ", not a VTK surface (PolyData)",

@@ -69,7 +69,7 @@ SurfacePath VesselBuilder::pathFrom(Fields& fields) const {
 Vec3 VesselBuilder::branchPoint(Fields& from) const {
   const auto stem = named_.find(from.text("path"));
   if (stem == named_.end())
-    from.fail("path", "is no path before this one at this resolution",
+    from.fail("path", "is not a path before this one at this resolution",
               named_.empty() ? "give the stem a \"name\" and put it first"
                              : "there are " + listed(namesOf(named_)));
   const double share = from.number("at");

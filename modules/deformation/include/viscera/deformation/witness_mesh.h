@@ -19,7 +19,7 @@ using Tetrahedra = Eigen::Matrix<std::int32_t, Eigen::Dynamic, 4, Eigen::RowMajo
 /// tetrahedra so that what is measured can be drawn as a solid.
 struct WitnessMesh {
   /// `n x 3`, mm, LPS, at rest. The witness points, strictly inside the organ, come first; those behind them
-  /// lie on its surface and only close the solid.
+  /// lie on its surface, or stick out into a cavity, and only close the solid.
   Points points;
   Tetrahedra tetrahedra;      ///< `t x 4` indices into `points`, positive.
   Eigen::Index witnesses = 0; ///< Rows [0, witnesses) of `points` are witness points.
@@ -40,9 +40,9 @@ Triangles skinOf(const Tetrahedra& tetrahedra);
 void requireUsable(const WitnessMesh& mesh, const std::string& where);
 
 /// The mesh without what lies inside `cavities` (blood in a ventricle is no tissue that could be distorted):
-/// tetrahedra whose middle is inside one of them go, and points that no tetrahedron needs any more. The rest
-/// keeps its order, so witnesses stay first. Unchanged when nothing would be left. O(t log m) on several
-/// threads; the same answer whatever their number.
+/// tetrahedra whose middle is inside one go, points that none needs, and corners inside one are no witnesses
+/// any more. The rest keeps its order, witnesses first. Unchanged when nothing would be left. O((n + t) log
+/// m) on several threads; the same answer whatever their number.
 WitnessMesh withoutCavities(const WitnessMesh& mesh,
                             const std::vector<std::shared_ptr<const geometry::TriangleMesh>>& cavities,
                             Threads threads = {});

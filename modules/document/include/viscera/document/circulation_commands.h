@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "viscera/circulation/parameters.h"
 #include "viscera/document/command.h"
 
 /// Commands that change what moves the heart.
@@ -18,6 +19,10 @@ Command chooseScenario(const std::string& id);
 /// undo step. Throws `UsageError` for an unknown name, a value out of its range, and a valve that would leak
 /// through a larger area than it opens to.
 Command setCirculationParameter(const std::string& name, double value);
+
+/// Takes a circulation that was found elsewhere, as for a patient's ventricle, and lets it move the heart; it
+/// counts as rest, changed. What was kept stays. Throws `UsageError` for parameters out of their ranges.
+Command takeCirculation(const std::string& title, const circulation::Parameters& parameters);
 
 /// Keeps the present circulation, to compare what follows with it.
 Command keepCirculation();

@@ -59,14 +59,20 @@ bool isHandleFile(const std::filesystem::path& file);
 /// Reads all files, surfaces, label maps and folders of masks (an organ for each label) and at most one
 /// handle file. One that cannot be read is left out and told in `failures`; when nothing is left, throws what
 /// the first of them throws (`NoInputError`, `DataError`, `UsageError` for an ending that nothing is known
-/// about). Throws `UsageError` for two handle files or no file at all, `Cancelled`. Who is told by `arrives`
-/// gets a copy of each surface.
+/// about). Throws `UsageError` for two handle files, a session or no file at all, `Cancelled`. Who is told by
+/// `arrives` gets a copy of each surface.
 OpenedFiles openFiles(const std::vector<std::filesystem::path>& files, Progress& progress,
                       const ArrivalListener& arrives = {});
 
 /// Reads a label map or a folder of masks, and makes an organ, named and coloured, of each of the labels that
-/// are asked for by name or value; of all when none are. Throws what `medical_io::readLabelMap`,
-/// `medical_io::segmentsNamed` and `medical_io::labelSurfaces` throw.
+/// are asked for by name or value; of all when none are. A heart that is labelled part by part
+/// (`medical_io::heartLabels`) is then "Heart", muscle and chambers together, first, with the chambers "LV",
+/// "RV", "LA", "RA" as its cavities; by "heart" it may be asked for, too. Throws what
+/// `medical_io::readLabelMap`, `medical_io::segmentsNamed` and `medical_io::labelSurfaces` throw.
+std::vector<NewOrgan> readLabelBatch(const std::filesystem::path& file,
+                                     const std::vector<std::string>& labels, Progress& progress,
+                                     const ArrivalListener& arrives = {});
+/// The same without who is whose cavity.
 std::vector<Organ> readLabelOrgans(const std::filesystem::path& file, const std::vector<std::string>& labels,
                                    Progress& progress, const ArrivalListener& arrives = {});
 

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -32,6 +33,19 @@ struct SurfaceFile {
 /// what its header promises. O(n + m log m); may be called from several threads.
 SurfaceFile readSurface(const std::filesystem::path& file);
 
+/// One of the organs in a file that holds several.
+struct SurfacePart {
+  SurfaceFile surface;
+  std::optional<Vec3> color; ///< Red green blue, 0 to 1; none: the file gives it none.
+  double opacity = 1;        ///< 0 to 1.
+  int cavityOf = -1;         ///< The part whose cavity this is; -1: an organ of its own.
+};
+
+/// The organs of a file apart: those of a GLB that `writeSurfaces` has written, in its order, with names,
+/// colours and cavities; of any other file the one surface that `readSurface` gives, for nobody can know what
+/// the meshes of another program's scene are. Throws what `readSurface` throws. O(n + m log m).
+std::vector<SurfacePart> readSurfaces(const std::filesystem::path& file);
+
 /// Options of `writeSurface`.
 struct WriteSurface {
   Space space = Space::lps;
@@ -51,12 +65,13 @@ struct NamedSurface {
   std::shared_ptr<const geometry::TriangleMesh> mesh; ///< LPS mm.
   std::string name;
   Vec3 color = {0.8, 0.8, 0.8}; ///< Red green blue, 0 to 1; of a mesh without colours of its own.
-  double opacity = 1;           ///< 0 to 1; as `color`.
+  double opacity = 1;           ///< 0 to 1.
+  int cavityOf = -1;            ///< The place in the list of the surface whose cavity this is; -1: of none.
 };
 
 /// Writes several surfaces into one GLB, each a node with its name and colour, LPS mm as `writeSurface` has
-/// it. Atomic. Throws `CannotCreateError` when the file cannot be written or does not end in .glb,
-/// `DataError` for no surface, or one that is not valid.
+/// it; `readSurfaces` brings them back. Atomic. Throws `CannotCreateError` when the file cannot be written or
+/// does not end in .glb, `DataError` for no surface, or one that is not valid.
 void writeSurfaces(const std::filesystem::path& file, const std::vector<NamedSurface>& surfaces);
 
 /// Lower-case extensions with the dot that `readSurface` takes.

@@ -1,11 +1,13 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "viscera/circulation/beat.h"
 #include "viscera/circulation/indices.h"
 #include "viscera/circulation/parameters.h"
+#include "viscera/document/circulation_choice.h"
 #include "viscera/motion/sequence_setup.h"
 #include "viscera/sequences/course_heartbeat.h"
 
@@ -52,5 +54,13 @@ SequenceSetup circulatingHeart(const sample_organs::SampleLibrary& library, cons
                                const circulation::Parameters& parameters,
                                sample_organs::Resolution resolution, Progress& progress,
                                Threads threads = {});
+
+/// The valves at a place of the cycle, [0, 1], of the motion that a recipe makes and a circulation may drive,
+/// without making the motion; nothing unless it is the sample heart's, and for a circulation without a beat
+/// that repeats itself. Some 20 ms where a circulation drives. Throws `Cancelled`.
+std::optional<sequences::ValveInstants> heartValves(const std::string& recipe,
+                                                    const document::CirculationChoice& choice,
+                                                    double fraction, double ratePerMinute,
+                                                    Progress& progress);
 
 } // namespace viscera::motion

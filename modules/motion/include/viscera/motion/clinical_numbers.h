@@ -45,11 +45,11 @@ struct NormalRange {
 /// surface takes in stumps of the great vessels, and no spread of the whole organ is known.
 std::vector<NormalRange> normalRanges(const std::string& organ, const norms::Person& person = {});
 
-/// The sides of the heart.
-enum class HeartSide { left, right };
+/// The chambers of the heart.
+enum class Chamber { leftVentricle, rightVentricle, leftAtrium, rightAtrium };
 
-/// On which side a chamber's cavity is, by its name: "LV", "patient1_RV_ENDOCARDIAL", "left atrium of heart".
+/// Which chamber's cavity an organ is, by its name: "LV", "patient1_RV_ENDOCARDIAL", "left atrium of heart".
 /// None for anything else, walls and muscle too.
-std::optional<HeartSide> heartChamber(const std::string& organ);
+std::optional<Chamber> heartChamber(const std::string& organ);
 
 } // namespace viscera::motion

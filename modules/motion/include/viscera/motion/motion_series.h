@@ -68,6 +68,10 @@ struct MotionSeries {
 /// of surfaces, are not said. `Cancelled`.
 MotionSeries readMotionSeries(const SeriesRequest& request, Progress& progress);
 
+/// Reads one image of an organ, or one set of surfaces, as a series of one phase, the outer surface first:
+/// for what needs no time of its own. Throws what `readMotionSeries` throws of files, labels and cavities.
+MotionSeries readOnePhase(const SeriesRequest& request, Progress& progress);
+
 /// The name without its last number, and that number: ("LV", 3) for "LV_003.obj", ("scan", none) for
 /// "scan.nii.gz".
 std::pair<std::string, std::optional<std::uint64_t>> seriesName(const std::filesystem::path& file);

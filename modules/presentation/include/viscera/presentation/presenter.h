@@ -23,6 +23,7 @@
 #include "viscera/scene/organ_view.h"
 #include "viscera/scene/stretch_glyphs.h"
 #include "viscera/scene/tissue_actor.h"
+#include "viscera/sequences/heart_valves.h"
 
 class vtkVisceraCutPlaneRepresentation;
 
@@ -68,6 +69,8 @@ struct Scene {
   /// The parts whose names are written instead of those that `view` asks for; null: as it says.
   const std::vector<Part>* parts = nullptr;
   const Bending* bending = nullptr; ///< For slices in the view that are bent; null: they cannot be.
+  /// The valves of a heart that is shown beating, at this instant; nothing: none are known.
+  std::optional<sequences::ValveInstants> valves = std::nullopt;
 };
 
 /// Draws a document: the one place where organs, handles, ghosts, regions, cages, influence and stress maps,
@@ -130,6 +133,12 @@ void lookFrom(const Camera& camera, scene::OrganView& view);
 
 /// What is written beside an organ: "LV cavity" for the sample heart's organ LV, else its name.
 std::string labelOf(const document::Organ& organ, const Presenter::Translate& translate = {});
+
+/// The colour in which an organ of this colour is drawn, in pictures, lists and charts alike: tables of label
+/// maps have pure red and green, on which light and shade cannot be told apart. A colour is brought towards
+/// the grey of its own lightness where it is more vivid than blood; all others stay as they are. The document
+/// and what is exported keep the file's own. `color` and the result are red green blue, 0 to 1.
+Vec3 shownColor(const Vec3& color);
 
 /// A measured value for a reader: "83.4 mm", degrees with the sign for them, "41.3 HU"; "-" where there is
 /// none. UTF-8.

@@ -112,6 +112,7 @@ struct ViewState {
   scene::LayoutParts layout{.regions = true}; ///< Regions, zones, super-regions of the groups.
   bool chartOfCycle = true;                   ///< The chart shows one cycle, else the last seconds.
   bool circulationChart = true; ///< Where a circulation moves the heart: its curves in place of the volumes.
+  bool valves = true;           ///< Of a heart that beats: its valves, and what flows through them.
   bool beatSigns = false;       ///< Electrocardiogram, sounds and valves under the heart's phases.
   StressLook stress;
   ScanLook scan;

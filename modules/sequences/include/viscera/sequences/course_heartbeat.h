@@ -1,23 +1,28 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "viscera/core/progress.h"
 #include "viscera/sequences/cavity_fit.h"
+#include "viscera/sequences/heart_valves.h"
 #include "viscera/sequences/sequence.h"
 
 namespace viscera::sequences {
 
 /// One beat of a heart as somebody else has computed it (a circulation): what it is like at even instants.
 struct HeartCourse {
-  std::string name;                   ///< "Heartbeat: exercise"
-  double period = 0;                  ///< s
-  std::vector<HeartInstant> instants; ///< At 0, 1/n, 2/n ... of the beat.
-  std::vector<Phase> phases;          ///< Covering [0, 1].
+  std::string name;                    ///< "Heartbeat: exercise"
+  double period = 0;                   ///< s
+  std::vector<HeartInstant> instants;  ///< At 0, 1/n, 2/n ... of the beat.
+  std::vector<Phase> phases;           ///< Covering [0, 1].
+  std::vector<ValveInstants> valves{}; ///< As many as `instants`, or none: nothing is known of them.
 
   /// Between two instants: linear. O(1).
   HeartInstant at(double phase) const;
+  /// The valves then; nothing where nothing is known of them. Linear in between. O(1).
+  std::optional<ValveInstants> valvesAt(double phase) const;
 };
 
 /// The heart beating as a course says, so that its cavities hold the course's volumes at every instant. It

@@ -1,0 +1,80 @@
+#include "window/language.h"
+
+#include <QCoreApplication>
+#include <QLibraryInfo>
+#include <QTranslator>
+
+#include <algorithm>
+
+namespace viscera::app {
+namespace {
+
+constexpr const char* kEnglish = "en";
+
+} // namespace
+
+const std::vector<Language>& languages() {
+  static const std::vector<Language> all = {{QLatin1String(kEnglish), QStringLiteral("English")},
+                                            {QStringLiteral("ca"), QStringLiteral("Catal\u00e0")},
+                                            {QStringLiteral("de"), QStringLiteral("Deutsch")},
+                                            {QStringLiteral("es"), QStringLiteral("Espa\u00f1ol")},
+                                            {QStringLiteral("fr"), QStringLiteral("Fran\u00e7ais")}};
+  return all;
+}
+
+QLocale localeOf(const QString& code) {
+  QLocale locale(code == QLatin1String(kEnglish) ? QLocale(QLocale::English, QLocale::UnitedStates)
+                                                 : QLocale(code));
+  locale.setNumberOptions(QLocale::OmitGroupSeparator | QLocale::RejectGroupSeparator);
+  return locale;
+}
+
+QString languageFor(const QString& chosen, const QLocale& system) {
+  const auto known = [](const QString& code) {
+    return std::any_of(languages().begin(), languages().end(),
+                       [&](const Language& language) { return language.code == code; });
+  };
+  const QString ofSystem = system.name().section(QLatin1Char('_'), 0, 0);
+  return known(chosen) ? chosen : known(ofSystem) ? ofSystem : QString::fromLatin1(kEnglish);
+}
+
+InstalledLanguage::InstalledLanguage(const QString& code) {
+  QLocale::setDefault(localeOf(code));
+  const auto install = [this](const QString& file, const QString& folder) {
+    auto translator = std::make_unique<QTranslator>();
+    if (translator->load(file, folder) && QCoreApplication::installTranslator(translator.get()))
+      translators_.push_back(std::move(translator));
+  };
+  if (code == QLatin1String(kEnglish))
+    return;
+  // Of Qt's own dialogs, where Qt has them here; ours come first.
+  install(QStringLiteral("qtbase_") + code, QLibraryInfo::location(QLibraryInfo::TranslationsPath));
+  install(QStringLiteral("viscera_") + code, QStringLiteral(":/viscera/translations"));
+}
+
+InstalledLanguage::~InstalledLanguage() {
+  QLocale::setDefault(before_);
+}
+
+QString formatNumber(double value, int decimals) {
+  return QLocale().toString(value, 'f', decimals);
+}
+
+QString formatDigits(double value, int digits) {
+  return QLocale().toString(value, 'g', digits);
+}
+
+std::optional<double> numberIn(const QString& typed) {
+  bool number = false;
+  const double value = QLocale().toDouble(typed, &number);
+  if (number)
+    return value;
+  const double plain = QLocale::c().toDouble(typed, &number);
+  return number ? std::optional(plain) : std::nullopt;
+}
+
+QString inWords(const std::string& name) {
+  return QCoreApplication::translate("viscera::presentation", name.c_str());
+}
+
+} // namespace viscera::app

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <QLocale>
+#include <QString>
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+class QTranslator;
+
+namespace viscera::app {
+
+/// A language in which the window can be read.
+struct Language {
+  QString code; ///< Of ISO 639, such as "de"; also the name of its file in resources/translations.
+  QString name; ///< In itself: "Deutsch".
+};
+
+/// English first.
+const std::vector<Language>& languages();
+
+/// The code of the language that was chosen; when none was, or one that is not there, that of the system;
+/// when that is not there either, English.
+QString languageFor(const QString& chosen, const QLocale& system);
+
+/// How a language writes numbers and dates. Without marks between thousands: "1.500", typed in German, is one
+/// and a half here.
+QLocale localeOf(const QString& code);
+
+/// As long as it lives, texts that are made, numbers and dates are in one language. Made before the window,
+/// whose texts stay as they were made.
+///
+///     const InstalledLanguage language(languageFor(settings.value("window/language").toString(),
+///     QLocale::system()));
+class InstalledLanguage {
+public:
+  explicit InstalledLanguage(const QString& code);
+  ~InstalledLanguage();
+  InstalledLanguage(const InstalledLanguage&) = delete;
+  InstalledLanguage& operator=(const InstalledLanguage&) = delete;
+
+private:
+  QLocale before_;
+  std::vector<std::unique_ptr<QTranslator>> translators_;
+};
+
+/// A name of the numerical modules (a phase, a parameter, a part of an organ) in the language of the window;
+/// as it is when it has no translation.
+QString inWords(const std::string& name);
+
+/// Numbers as the language of the window writes them: "12,5" in German. With so many decimals, and with so
+/// many significant digits.
+QString formatNumber(double value, int decimals);
+QString formatDigits(double value, int digits);
+/// A number that somebody typed, with the language's decimal mark or a point; nothing when it is none.
+std::optional<double> numberIn(const QString& typed);
+
+} // namespace viscera::app

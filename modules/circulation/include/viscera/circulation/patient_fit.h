@@ -1,0 +1,53 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "viscera/circulation/indices.h"
+#include "viscera/circulation/parameters.h"
+#include "viscera/circulation/periodic_state.h"
+#include "viscera/core/progress.h"
+
+namespace viscera::circulation {
+
+/// What imaging tells of somebody's left ventricle.
+struct MeasuredVentricle {
+  double edvMl = 0; ///< Its largest volume.
+  double ef = 0;    ///< Its ejection fraction, 0 to 1.
+  double ratePerMinute = 72;
+  double meanAorticMmHg = 0; ///< The mean pressure in the aorta; 0: not measured, that of `start` is kept.
+};
+
+/// A circulation whose left ventricle is somebody's.
+struct PatientFit {
+  Parameters parameters;
+  PeriodicState state = {};
+  Indices indices = {};
+  double edvErrorMl = 0;                 ///< Fitted less measured.
+  double efError = 0;                    ///< The same of the ejection fraction.
+  double pressureErrorMmHg = 0;          ///< The same of the mean aortic pressure.
+  std::vector<std::string> atLimit = {}; ///< Names of parameters that would have to leave their ranges.
+
+  /// Whether volume, ejection fraction and pressure are those wanted: within 0.5 ml, 0.002 and 0.5 mmHg.
+  bool met() const;
+  /// What was reached, as a sentence.
+  std::string remark() const;
+};
+
+/// What the fit chooses, so that nobody else can: the names of parameters.
+const std::vector<std::string>& fittedParameters();
+
+/// Finds the circulation in which the left ventricle has the measured end-diastolic volume and ejection
+/// fraction. Two numbers do not tell everything, so this is chosen: the ventricle is that of `start` at
+/// another size (volumes by the ratio of the end-diastolic ones, elastances by its inverse), the right
+/// ventricle by the ratio of the stroke volumes; then contractility (`lvEes`), preload (`stressedVolume`) and
+/// afterload (`systemicResistance`) are found so that ejection fraction, volume and mean aortic pressure are
+/// met (Gauss-Newton steps on their logarithms, damped, within their ranges). What is out of reach is in
+/// `atLimit` and in the errors.
+///
+/// Takes 0.1 to 1 s. Throws `UsageError` for what cannot be a measurement, `DataError` where no beat repeats
+/// itself, `Cancelled`. Thread-safe.
+PatientFit fitToVentricle(const MeasuredVentricle& measured, Progress& progress,
+                          const Parameters& start = {});
+
+} // namespace viscera::circulation

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "viscera/document/ids.h"
+#include "viscera/motion/motion_series.h"
+#include "viscera/motion/patient_motion.h"
+
+namespace viscera::motion {
+
+/// What a session keeps of a motion that was found in a series: measured volumes and how well every phase
+/// fits. What was measured itself (voxels, surfaces) and the sequence, which the document has, are not in it.
+struct MeasuredRecord {
+  std::vector<document::OrganId> organs; ///< That are moved, one a surface.
+  MotionSeries series;                   ///< Names, times and volumes only.
+  PatientMotion motion;                  ///< Without its sequence.
+};
+
+/// As JSON text (docs/session_format.md, "measured"). O(phases x surfaces).
+std::string toJson(const MeasuredRecord& record);
+
+/// Reads what `toJson` wrote; verdicts, ejection fractions and tissue are computed again. Throws `DataError`
+/// for text that is no such record.
+MeasuredRecord measuredRecordFrom(const std::string& text);
+
+} // namespace viscera::motion

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <memory>
+
+#include "viscera/core/parallel.h"
+#include "viscera/core/progress.h"
+#include "viscera/document/document.h"
+#include "viscera/motion/motion_series.h"
+#include "viscera/motion/patient_motion.h"
+#include "viscera/motion/retarget.h"
+
+namespace viscera::motion {
+
+/// The textbook's beat that a heart with cavities is to have.
+struct TextbookBeat {
+  double ejectionFraction = 0.58; ///< Of the left ventricle: the mean of healthy men (docs/sequences.md).
+  double ratePerMinute = 75;
+  std::size_t phases = 25;
+  Landmarks given; ///< Of the outer surface; what is missing is found by its shape.
+};
+
+/// A series of phases that one image of a heart (`readOnePhase`; its outer surface first, a cavity for each
+/// chamber, named so that `heartChamber` knows it) has while it beats as the textbook's: what `trackMotion`
+/// takes. The first phase is the image, taken as the end of diastole. The outer surface moves as
+/// `retargetSequence` moves it; the left ventricle narrows about its long axis by what the ejection fraction
+/// wants, the right one towards the septum by as much blood; atria fill by what the outer surface leaves
+/// them, so that muscle keeps its volume, and where there are none the outer surface follows. Throws what
+/// `retargetSequence` throws, `DataError` without a ventricle, `UsageError` for an ejection fraction outside
+/// (0.1, 0.8), `Cancelled`. Some seconds.
+MotionSeries textbookSeries(const MotionSeries& heart, const TextbookBeat& beat, Progress& progress,
+                            Threads threads = {});
+
+/// The heart that an organ is, or is a chamber of: the organ around a chamber, else the organ itself. None
+/// where no ventricle is among its closed cavities.
+std::shared_ptr<const document::Organ> heartWithCavities(const document::OrganList& organs,
+                                                         const document::Organ& organ);
+
+/// The textbook's beat for a heart of a document and its chambers, as recorded poses of handles around and in
+/// them. Cavities that are no chambers, and open ones, are carried along. Throws what `textbookSeries` and
+/// `trackMotion` throw. Some seconds.
+PatientMotion textbookMotion(const document::OrganList& organs, const document::Organ& heart,
+                             const TextbookBeat& beat, Progress& progress, Threads threads = {});
+
+} // namespace viscera::motion

@@ -1,0 +1,142 @@
+#include "valve_picture.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include "viscera/sequences/valve_leaflets.h"
+
+namespace viscera::presentation {
+namespace {
+
+using sequences::HeartValve;
+using sequences::ValveRing;
+
+/// The cavity that carries each ring, and the blood that flows through it.
+constexpr std::array<std::size_t, sequences::kHeartValves> kCarrier = {0, 0, 1, 1};
+constexpr std::array<const char*, 2> kCavities = {"lv", "rv"};
+const std::array<Vec3, 2> kBlood = {Vec3(0.98, 0.25, 0.20), Vec3(0.33, 0.55, 0.98)};
+
+/// How long an arrow is at a metre a second, and at most, mm; its shaft has this part of the opening's
+/// radius.
+constexpr double kMmPerMetrePerSecond = 32;
+constexpr double kLongestMm = 75;
+/// Leaflets that shut push back a little blood through a gap that is gone in a moment: no long arrow.
+constexpr double kMmPerFlow = 0.25; ///< At most, for each ml/s.
+constexpr double kShaft = 0.34;
+constexpr double kThinnestMm = 0.9;
+/// The part of the arrow that is behind the valve.
+constexpr double kDownstream = 0.62;
+/// Below this nothing is said to flow, ml/s.
+constexpr double kLeastFlow = 8;
+/// The cavities' opacity is at most this while leaflets are in them.
+constexpr double kCavityOpacity = 0.3;
+
+Points lineOf(const sequences::Leaflets& leaflets, int leaflet, int across) {
+  using sequences::Leaflets;
+  Points line(Leaflets::kAlong + 1, 3);
+  for (int i = 0; i <= Leaflets::kAlong; ++i)
+    line.row(i) = leaflets.points.row(leaflet * Leaflets::kPointsEach + i * (Leaflets::kAcross + 1) + across);
+  return line;
+}
+
+scene::ValveGlyph glyphOf(HeartValve valve, const ValveRing& ring, double areaMm2) {
+  const sequences::ValveForm form = sequences::formOf(valve);
+  const sequences::Leaflets leaflets = sequences::leafletsOf(ring, form, areaMm2);
+  scene::ValveGlyph glyph{leaflets.points, leaflets.triangles, {}, {}};
+  for (int leaflet = 0; leaflet < form.leaflets; ++leaflet) {
+    glyph.rims.push_back(lineOf(leaflets, leaflet, 0));
+    glyph.edges.push_back(lineOf(leaflets, leaflet, sequences::Leaflets::kAcross));
+  }
+  return glyph;
+}
+
+/// As thick as the opening allows, as long as the blood is fast, and backwards where it flows back.
+std::optional<scene::FlowArrow> arrowOf(const ValveRing& ring, const sequences::ValveInstant& valve,
+                                        const Vec3& color) {
+  if (std::abs(valve.flowMlPerS) < kLeastFlow || !(valve.areaMm2 > 0))
+    return std::nullopt;
+  const double metresPerSecond = valve.flowMlPerS / valve.areaMm2;
+  const double length = std::min({kMmPerMetrePerSecond * std::abs(metresPerSecond),
+                                  kMmPerFlow * std::abs(valve.flowMlPerS), kLongestMm});
+  const Vec3 along = std::copysign(length, metresPerSecond) * ring.downstream;
+  const double radius = std::max(kThinnestMm, kShaft * std::sqrt(valve.areaMm2 / std::numbers::pi));
+  return scene::FlowArrow{ring.center - (1 - kDownstream) * along, ring.center + kDownstream * along, radius,
+                          color};
+}
+
+} // namespace
+
+/// Both cavities of the sample heart, when it is to be seen with its valves.
+std::optional<ValvePicture::Heart> ValvePicture::heartOf(const Scene& scene) const {
+  if (!scene.valves || !scene.view.valves || scene.view.shown.stress || scene.view.shown.rest)
+    return std::nullopt;
+  Heart heart;
+  bool seen = false;
+  for (const auto& organ : *scene.state.organs) {
+    if (organ->origin.sample.rfind("heart@", 0) != 0)
+      continue;
+    seen = seen || organ->look.visible;
+    for (std::size_t side = 0; side < kCavities.size(); ++side)
+      if (organ->origin.surface == kCavities[side])
+        heart[side] = organ;
+  }
+  return seen && heart[0] && heart[1] ? std::optional(heart) : std::nullopt;
+}
+
+void ValvePicture::update(const Scene& scene, const std::optional<scene::CutPlane>& cut) {
+  const auto heart = heartOf(scene);
+  if (!heart) {
+    if (std::exchange(drawn_, std::nullopt))
+      glyphs_.set({}, {});
+    return;
+  }
+  Moment moment{*scene.valves, {}, cut};
+  for (std::size_t side = 0; side < heart->size(); ++side) {
+    const document::Organ& cavity = *(*heart)[side];
+    moment.surfaces[side] = {scene.organs.sharedPoints(cavity.id), scene.organs.revision(cavity.id)};
+    Carrier& carrier = carriers_[side];
+    if (carrier.mesh == cavity.mesh)
+      continue;
+    carrier = {cavity.mesh, {}};
+    const sequences::ValveRings rings = sequences::sampleHeartRings();
+    for (std::size_t valve = 0; valve < rings.size(); ++valve)
+      if (kCarrier[valve] == side)
+        carrier.rings.emplace_back(rings[valve], cavity.mesh->points);
+  }
+  if (drawn_ == moment)
+    return;
+  draw(*scene.valves, moment);
+  drawn_ = std::move(moment);
+}
+
+void ValvePicture::draw(const sequences::ValveInstants& valves, const Moment& moment) {
+  std::vector<scene::ValveGlyph> glyphs;
+  std::vector<scene::FlowArrow> arrows;
+  std::array<std::size_t, 2> next{};
+  for (std::size_t i = 0; i < valves.size(); ++i) {
+    const std::size_t side = kCarrier[i];
+    const ValveRing ring = carriers_[side].rings[next[side]++].at(*moment.surfaces[side].first);
+    if (moment.cut && (ring.center - moment.cut->origin).dot(moment.cut->normal) < -ring.radius())
+      continue;
+    glyphs.push_back(glyphOf(static_cast<HeartValve>(i), ring, valves[i].areaMm2));
+    if (const auto arrow = arrowOf(ring, valves[i], kBlood[side]))
+      arrows.push_back(*arrow);
+  }
+  glyphs_.set(glyphs, arrows);
+}
+
+void ValvePicture::apply(const Scene& scene, std::map<document::OrganId, Appearance>& appearances) const {
+  const auto heart = drawn_ ? heartOf(scene) : std::nullopt;
+  if (!heart)
+    return;
+  for (const auto& cavity : *heart) {
+    const auto [found, fresh] = appearances.try_emplace(cavity->id);
+    if (fresh)
+      found->second = {cavity->look.visible, cavity->look.opacity};
+    found->second.opacity = std::min(found->second.opacity, kCavityOpacity);
+  }
+}
+
+} // namespace viscera::presentation

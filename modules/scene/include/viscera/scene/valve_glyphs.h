@@ -1,0 +1,51 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "viscera/core/arrays.h"
+
+class vtkRenderer;
+
+namespace viscera::scene {
+
+/// One valve as it is drawn.
+struct ValveGlyph {
+  Points points; ///< Of its leaflets, mm.
+  Triangles triangles;
+  std::vector<Points> rims; ///< Lines along which leaflets are fixed, and their free edges: drawn as cords.
+  std::vector<Points> edges;
+};
+
+/// Blood that flows: an arrow, mm.
+struct FlowArrow {
+  Vec3 tail = Vec3::Zero();
+  Vec3 head = Vec3::UnitX();
+  double radius = 1; ///< Of the shaft.
+  Vec3 color = Vec3::Ones();
+};
+
+/// Leaflets of heart valves, their rings, and arrows for the blood that flows through them. Nothing of it can
+/// be picked. Belongs to the thread that renders.
+class ValveGlyphs {
+public:
+  ValveGlyphs();
+  ~ValveGlyphs();
+  ValveGlyphs(const ValveGlyphs&) = delete;
+  ValveGlyphs& operator=(const ValveGlyphs&) = delete;
+
+  /// Draws in `renderer` from now on. Null: nowhere.
+  void setRenderer(vtkRenderer* renderer);
+
+  /// Draws these alone; none: nothing. O(points). An arrow without a length is left out.
+  void set(const std::vector<ValveGlyph>& valves, const std::vector<FlowArrow>& arrows);
+  /// How many are drawn.
+  int valves() const;
+  int arrows() const;
+
+private:
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
+};
+
+} // namespace viscera::scene

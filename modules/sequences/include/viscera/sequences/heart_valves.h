@@ -1,0 +1,71 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "viscera/core/arrays.h"
+#include "viscera/sequences/sequence.h"
+
+/// The valves of a beating heart: how far each is open, what flows through it, and where its ring is.
+namespace viscera::sequences {
+
+/// The four valves, in the order in which arrays hold them.
+enum class HeartValve { mitral, aortic, tricuspid, pulmonary };
+inline constexpr std::size_t kHeartValves = 4;
+
+/// One valve at one instant.
+struct ValveInstant {
+  double areaMm2 = 0;    ///< Through which blood can pass, forwards or back; 0: shut and tight.
+  double flowMlPerS = 0; ///< Forward positive; negative through a valve that leaks.
+
+  friend bool operator==(const ValveInstant&, const ValveInstant&) = default;
+};
+using ValveInstants = std::array<ValveInstant, kHeartValves>;
+
+/// The valves of the textbook's beat at `seconds`, see `valvesAt`. O(1).
+ValveInstants textbookValves(double seconds, double ratePerMinute);
+
+/// The valves of a heartbeat at `seconds` when played at `ratePerMinute`; nothing for sequences that are
+/// none, and for courses that say nothing of valves. The textbook's beat: open between the times of its
+/// phases, 40 ms of each spent on the way, to normal areas (doi 10.1016/j.echo.2017.02.009); what flows is
+/// what the ventricles' volumes gain and lose. O(1).
+std::optional<ValveInstants> valvesAt(const Sequence& sequence, double seconds, double ratePerMinute);
+
+/// The ring in which a valve's leaflets hang: an ellipse.
+struct ValveRing {
+  Vec3 center = Vec3::Zero();      ///< mm
+  Vec3 first = Vec3::UnitX();      ///< One half axis, mm.
+  Vec3 second = Vec3::UnitY();     ///< The other; orthogonal to it.
+  Vec3 downstream = Vec3::UnitZ(); ///< Unit, orthogonal to both: where blood flows when all is well.
+
+  double areaMm2() const;
+  /// Of the circle with the same area, mm.
+  double radius() const;
+};
+using ValveRings = std::array<ValveRing, kHeartValves>;
+
+/// The rings of the sample heart at rest: the mitral and the aortic one beside each other in the base of the
+/// left ventricle's cavity, the tricuspid one in that of the right one, the pulmonary one at the end of its
+/// outflow. They are a little larger than the normal areas, so that nothing is cut off in health.
+ValveRings sampleHeartRings();
+
+/// A ring that moves with the surface around it: with the similarity (turn, shift, scale) that fits the
+/// surface's vertices near the ring best (Umeyama 1991, doi 10.1109/34.88573). Immutable; thread-safe.
+class CarriedRing {
+public:
+  /// `surface` is the surface at rest, `n x 3` mm. Throws `DataError` when it has fewer than three points.
+  /// O(n).
+  CarriedRing(const ValveRing& rest, const Points& surface);
+
+  /// The ring where `surface` (the same vertices, moved) has it. O(vertices near the ring).
+  ValveRing at(const Points& surface) const;
+
+private:
+  ValveRing rest_;
+  std::vector<Eigen::Index> anchors_;
+  Eigen::Matrix3Xd atRest_; ///< The anchors, a column each.
+};
+
+} // namespace viscera::sequences

@@ -1,0 +1,188 @@
+#include <QCoreApplication>
+#include <QDir>
+#include <QFile>
+#include <QProcess>
+#include <QRegularExpression>
+#include <QTemporaryDir>
+#include <QTranslator>
+#include <QTreeWidget>
+#include <QXmlStreamReader>
+
+#include <set>
+
+#include <gtest/gtest.h>
+
+#include "play_fixture.h"
+#include "viscera/circulation/parameters.h"
+#include "viscera/circulation/readings.h"
+#include "viscera/circulation/scenario.h"
+#include "viscera/document/organ_system.h"
+#include "viscera/live/stress_quantity.h"
+#include "viscera/motion/retarget.h"
+#include "viscera/motion/sequence_setup.h"
+#include "window/language.h"
+#include "window/panels/organ_panel.h"
+
+namespace viscera::tests {
+namespace {
+
+using app::InstalledLanguage;
+
+/// One text of a file of translations.
+struct Text {
+  QString source;
+  QStringList translations; ///< Several where there are plural forms.
+  bool finished = true;
+};
+
+std::vector<Text> textsOf(const QString& file) {
+  QFile device(file);
+  EXPECT_TRUE(device.open(QIODevice::ReadOnly)) << file.toStdString();
+  QXmlStreamReader xml(&device);
+  std::vector<Text> texts;
+  bool plurals = false;
+  while (!xml.atEnd()) {
+    if (xml.readNext() != QXmlStreamReader::StartElement)
+      continue;
+    if (xml.name() == QLatin1String("message")) {
+      texts.emplace_back();
+      plurals = xml.attributes().hasAttribute(QLatin1String("numerus"));
+    } else if (xml.name() == QLatin1String("source")) {
+      texts.back().source = xml.readElementText();
+    } else if (xml.name() == QLatin1String("translation")) {
+      texts.back().finished = !xml.attributes().hasAttribute(QLatin1String("type"));
+      if (const QString text = plurals ? QString() : xml.readElementText(); !text.isEmpty())
+        texts.back().translations.push_back(text);
+    } else if (xml.name() == QLatin1String("numerusform")) {
+      texts.back().translations.push_back(xml.readElementText());
+    }
+  }
+  return texts;
+}
+
+/// What stands for something else in a text: %1, %n. Of "{voxel|voxels}" one is chosen.
+std::multiset<QString> placesIn(QString text) {
+  text.remove(QRegularExpression(QStringLiteral(R"(\{[^{}|]*\||\})")));
+  std::multiset<QString> places;
+  for (int i = 0; i + 1 < text.size(); ++i)
+    if (text[i] == QLatin1Char('%') && (text[i + 1].isDigit() || text[i + 1] == QLatin1Char('n')))
+      places.insert(text.mid(i, 2));
+  return places;
+}
+
+QString folderOfTranslations() {
+  return QStringLiteral(VISCERA_SOURCE_DIR "/resources/translations/");
+}
+
+class Translations : public ::testing::TestWithParam<const char*> {};
+
+/// The file is what lupdate would make of the sources, with nothing left to translate.
+TEST_P(Translations, HaveEveryTextOfTheWindow) {
+  const QTemporaryDir folder;
+  const QString name = QStringLiteral("viscera_%1.ts").arg(QLatin1String(GetParam()));
+  const QString copy = folder.filePath(name);
+  ASSERT_TRUE(QFile::copy(folderOfTranslations() + name, copy));
+  const QDir root(QStringLiteral(VISCERA_SOURCE_DIR));
+  const int code = QProcess::execute(QStringLiteral(VISCERA_LUPDATE),
+                                     {QStringLiteral("-silent"), QStringLiteral("-no-obsolete"),
+                                      QStringLiteral("-locations"), QStringLiteral("none"),
+                                      root.filePath(QStringLiteral("app")),
+                                      root.filePath(QStringLiteral("modules")), QStringLiteral("-ts"), copy});
+  ASSERT_EQ(code, 0);
+  const std::vector<Text> texts = textsOf(copy);
+  EXPECT_GT(texts.size(), 1000u);
+  for (const Text& text : texts)
+    EXPECT_TRUE(text.finished && !text.translations.isEmpty())
+        << text.source.toStdString()
+        << " has no translation; resources/scripts/update_translations.sh adds it to the file";
+}
+
+TEST_P(Translations, KeepWhatStandsForSomethingElse) {
+  for (const char* kind : {"viscera", "names"})
+    for (const Text& text :
+         textsOf(folderOfTranslations() +
+                 QStringLiteral("%1_%2.ts").arg(QLatin1String(kind), QLatin1String(GetParam()))))
+      for (const QString& translation : text.translations) {
+        EXPECT_EQ(placesIn(translation), placesIn(text.source)) << translation.toStdString();
+        EXPECT_EQ(translation.count(QLatin1Char('&')), text.source.count(QLatin1Char('&')))
+            << translation.toStdString();
+        EXPECT_FALSE(translation.contains(QLatin1Char('{'))) << translation.toStdString();
+      }
+}
+
+/// Names that the numerical modules give are in a file of their own.
+TEST_P(Translations, HaveTheNamesOfTheNumericalModules) {
+  QTranslator translator;
+  ASSERT_TRUE(
+      translator.load(QStringLiteral(":/viscera/translations/viscera_%1").arg(QLatin1String(GetParam()))));
+  const auto expect = [&](const std::string& name) {
+    EXPECT_FALSE(name.empty() || translator.translate("viscera::presentation", name.c_str()).isEmpty())
+        << name;
+  };
+  for (const auto& scenario : circulation::scenarios()) {
+    expect(scenario.name);
+    expect(scenario.summary);
+  }
+  for (const auto& reading : circulation::readings())
+    expect(reading.title);
+  for (const auto& parameter : circulation::parameterInfos())
+    expect(parameter.title);
+  for (const auto& system : document::organSystems())
+    expect(system);
+  for (const auto& sample : motion::sampleSequences()) {
+    expect(sample.name);
+    for (const auto& role : motion::landmarkRoles(sample.id)) {
+      expect(role.name);
+      expect(role.help);
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(All, Translations, ::testing::Values("ca", "de", "es", "fr"),
+                         [](const auto& language) { return std::string(language.param); });
+
+TEST(WindowLanguage, IsTheChosenOneElseTheSystemsElseEnglish) {
+  const QLocale catalan(QStringLiteral("ca_ES"));
+  EXPECT_EQ(app::languageFor({}, catalan), QStringLiteral("ca"));
+  EXPECT_EQ(app::languageFor(QStringLiteral("de"), catalan), QStringLiteral("de"));
+  EXPECT_EQ(app::languageFor(QStringLiteral("xx"), QLocale(QStringLiteral("fi_FI"))), QStringLiteral("en"));
+  EXPECT_EQ(app::languageFor({}, QLocale::c()), QStringLiteral("en"));
+}
+
+TEST(WindowLanguage, HasNumbersAndPluralsOfItsOwnAndGoesWithItsObject) {
+  const auto voxels = [](int n) {
+    return QCoreApplication::translate(
+        "viscera::app::BentExport",
+        "The pose folds the tissue at %n {voxel|voxels}: their values are estimates.", nullptr, n);
+  };
+  {
+    const InstalledLanguage german(QStringLiteral("de"));
+    EXPECT_EQ(app::formatNumber(1234.5, 1), QStringLiteral("1234,5"));
+    EXPECT_EQ(app::numberIn(QStringLiteral("0,25")), 0.25);
+    EXPECT_EQ(app::numberIn(QStringLiteral("0.25")), 0.25) << "as in a table of another program";
+    EXPECT_FALSE(app::numberIn(QStringLiteral("two")));
+    EXPECT_EQ(app::inWords("Aortic arch"), QStringLiteral("Aortenbogen"));
+    EXPECT_EQ(app::inWords("A name of somebody"), QStringLiteral("A name of somebody"));
+    EXPECT_TRUE(voxels(3).contains(QLatin1Char('3')) && !voxels(3).contains(QLatin1String("tissue")));
+  }
+  EXPECT_EQ(app::formatNumber(1234.5, 1), QStringLiteral("1234.5"));
+  EXPECT_EQ(voxels(1), QStringLiteral("The pose folds the tissue at 1 voxel: their values are estimates."));
+}
+
+class GermanWindow : public PlayMode {
+  InstalledLanguage german_{QStringLiteral("de")};
+};
+
+/// Names are translated where they are shown, and not where something is looked up by them.
+TEST_F(GermanWindow, KnowsNormalRangesAndRenamesNothingByItself) {
+  const auto* source = window().findChild<QWidget*>(QStringLiteral("chartSource"));
+  ASSERT_NE(source, nullptr);
+  EXPECT_TRUE(source->isVisible()) << "the stripes of the left ventricle";
+  const auto* list = window().findChild<app::OrganPanel*>()->findChild<QTreeWidget*>();
+  ASSERT_NE(list, nullptr);
+  EXPECT_EQ(list->topLevelItem(0)->text(1), QStringLiteral("Herz"));
+  EXPECT_EQ(document().organs().front()->name, "Heart");
+}
+
+} // namespace
+} // namespace viscera::tests

@@ -1,0 +1,346 @@
+#include <QAction>
+#include <QApplication>
+#include <QDoubleSpinBox>
+#include <QFrame>
+#include <QLabel>
+#include <QMenuBar>
+#include <QPushButton>
+#include <QTreeWidget>
+
+#include <vtkCamera.h>
+#include <vtkRenderer.h>
+
+#include "play_fixture.h"
+#include "shapes.h"
+#include "viscera/document/organ_commands.h"
+#include "viscera/document/rig_commands.h"
+#include "viscera/medical_io/surface_file.h"
+#include "window/export_actions.h"
+#include "window/import/import_desk.h"
+#include "window/modes/stress_mode.h"
+#include "window_probe.h"
+
+/// Small faults that trying the window as its users do has brought to light.
+namespace viscera::tests {
+namespace {
+
+using SmallFaults = PlayMode;
+using SmallFaultsOfAFile = WindowTest;
+
+TEST_F(SmallFaults, UndoOnAnUntouchedStartLeavesTheSample) {
+  EXPECT_FALSE(window().workspace().undo().canUndo());
+  EXPECT_TRUE(window().workspace().undo().isClean());
+  EXPECT_FALSE(window().isWindowModified());
+  key(Qt::Key_Z, Qt::ControlModifier);
+  ASSERT_FALSE(document().organs().empty());
+  EXPECT_TRUE(window().playback().sequence());
+  loadSample(QStringLiteral("liver"));
+  key(Qt::Key_Z, Qt::ControlModifier);
+  ASSERT_FALSE(document().organs().empty());
+  EXPECT_EQ(document().organs().front()->name, "Heart") << "another sample is a step";
+}
+
+TEST_F(SmallFaultsOfAFile, ASampleThatArrivesInDeformLeavesTheMode) {
+  key(Qt::Key_3);
+  window().samples().load(QStringLiteral("heart"), true);
+  ASSERT_TRUE(waitUntil([this] { return window().playback().sequence() != nullptr; }));
+  settle();
+  EXPECT_EQ(window().mode(), "deform");
+  EXPECT_FALSE(window().playback().player().playing());
+}
+
+TEST_F(SmallFaults, StressMarksWhosePoseItsMapIsOf) {
+  window().stress().model().change([](app::StressLook& look) { look.witnesses = 200; });
+  auto& own = find<QPushButton>("stressOwnPose");
+  auto& played = find<QPushButton>("stressPlayed");
+  key(Qt::Key_Space);
+  playFor(0.2);
+  key(Qt::Key_3); // While it plays.
+  key(Qt::Key_4);
+  ASSERT_TRUE(window().playback().showing());
+  EXPECT_TRUE(played.isChecked() && !own.isChecked()) << "an instant of the sequence is shown";
+  const double instant = window().playback().player().fraction();
+  own.click();
+  settle();
+  EXPECT_TRUE(own.isChecked() && !played.isChecked());
+  EXPECT_FALSE(window().playback().showing());
+  EXPECT_EQ(window().playback().player().fraction(), 0) << "nothing follows the timeline";
+  played.click();
+  settle();
+  EXPECT_NEAR(window().playback().player().fraction(), instant, 1e-12) << "back to where it was";
+}
+
+TEST_F(SmallFaults, StressShowsThePoseThatWasMadeJustBefore) {
+  window().stress().model().change([](app::StressLook& look) { look.witnesses = 200; });
+  window().playback().seek(0.4);
+  settle();
+  key(Qt::Key_3);
+  document::Command pose = document::setPose(1.02 * document().rig().restPositions());
+  window().workspace().perform(pose);
+  key(Qt::Key_4);
+  EXPECT_FALSE(window().playback().showing());
+  EXPECT_EQ(window().workspace().live().shownPose(), document().pose());
+  key(Qt::Key_5);
+  window().playback().seek(0.2);
+  key(Qt::Key_4);
+  EXPECT_TRUE(window().playback().showing()) << "the sequence was asked for since";
+}
+
+TEST_F(SmallFaultsOfAFile, AModeKeyDuringADragSaysThatTheDragIsTakenBack) {
+  open(sphereFile());
+  key(Qt::Key_3);
+  const QPoint at = onScreen(handleInView(reachableHandle()));
+  QTest::mouseMove(&view(), at);
+  QTest::mousePress(&view(), Qt::LeftButton, Qt::NoModifier, at);
+  QTest::mouseMove(&view(), at + QPoint(20, 10));
+  QTest::qWait(50);
+  key(Qt::Key_1);
+  EXPECT_TRUE(document::atRest(window().workspace().state()));
+  EXPECT_TRUE(message().contains(QStringLiteral("taken back"))) << message().toStdString();
+  QTest::mouseRelease(&view(), Qt::LeftButton, Qt::NoModifier, at);
+}
+
+TEST_F(SmallFaultsOfAFile, KeysOfTheHandlesLeaveThoseThatAreNotSeen) {
+  open(sphereFile());
+  const std::size_t handles = document().rig().handles.size();
+  key(Qt::Key_1);
+  key(Qt::Key_A, Qt::ControlModifier);
+  key(Qt::Key_Delete);
+  EXPECT_EQ(document().rig().handles.size(), handles);
+  key(Qt::Key_2);
+  find<QTreeWidget>("organList").setFocus();
+  key(Qt::Key_A, Qt::ControlModifier);
+  EXPECT_TRUE(window().workspace().selection().handles().empty()) << "the list has the focus";
+  view().setFocus();
+  key(Qt::Key_A, Qt::ControlModifier);
+  EXPECT_EQ(window().workspace().selection().handles().size(), handles);
+}
+
+/// The list has the colour that the view has, also for a surface that is painted.
+TEST_F(SmallFaultsOfAFile, ThreePaintedOrgansHaveThreeColoursInTheList) {
+  QStringList files;
+  const std::vector<std::array<std::uint8_t, 3>> paints = {{200, 60, 60}, {60, 160, 70}, {70, 90, 190}};
+  for (std::size_t i = 0; i < paints.size(); ++i) {
+    geometry::TriangleMesh mesh = sphere(3, 20);
+    mesh.points.col(0).array() += 60.0 * static_cast<double>(i);
+    mesh.colors.resize(mesh.points.rows(), 3);
+    for (int part = 0; part < 3; ++part)
+      mesh.colors.col(part).setConstant(paints[i][static_cast<std::size_t>(part)]);
+    files << path(QStringLiteral("painted%1.ply").arg(i));
+    medical_io::writeSurface(files.back().toStdString(), mesh);
+  }
+  window().files().open(files);
+  settle();
+  if (window().imports().isOpen())
+    window().imports().accept();
+  settle();
+  const auto& list = find<QTreeWidget>("organList");
+  ASSERT_EQ(list.topLevelItemCount(), 3);
+  for (int row = 0; row < 3; ++row) {
+    const QImage square = list.topLevelItem(row)->icon(1).pixmap(16, 16).toImage();
+    const QColor middle = square.pixelColor(square.width() / 2, square.height() / 2);
+    const auto& paint = paints[static_cast<std::size_t>(row)];
+    EXPECT_NEAR(middle.red(), paint[0], 2);
+    EXPECT_NEAR(middle.green(), paint[1], 2);
+    EXPECT_NEAR(middle.blue(), paint[2], 2);
+  }
+}
+
+/// Tables of label maps have pure colours, on which light and shade are lost.
+TEST_F(SmallFaultsOfAFile, PureColoursAreSoftenedInTheViewAndTheListAndStayInTheDocument) {
+  open(sphereFile());
+  document::OrganLook look = document().organs().front()->look;
+  look.color = Vec3(0, 1, 0);
+  window().workspace().perform(document::setOrganLook(document().organs().front()->id, look));
+  settle();
+  EXPECT_EQ(document().organs().front()->look.color, Vec3(0, 1, 0));
+  const Vec3 drawn = view().view().organs().front()->color();
+  EXPECT_LT(drawn.y() - drawn.x(), 0.71);
+  EXPECT_GT(drawn.y() - drawn.x(), 0.69) << "still green";
+  const QImage square = find<QTreeWidget>("organList").topLevelItem(0)->icon(1).pixmap(16, 16).toImage();
+  EXPECT_NEAR(square.pixelColor(square.width() / 2, square.height() / 2).greenF(), drawn.y(), 0.01);
+  look.color = Vec3(0.84, 0.16, 0.14);
+  window().workspace().perform(document::setOrganLook(document().organs().front()->id, look));
+  settle();
+  EXPECT_LT((view().view().organs().front()->color() - look.color).norm(), 1e-9) << "blood stays";
+}
+
+TEST_F(SmallFaultsOfAFile, TheLastOrganTakesItsHandlesWithIt) {
+  open(sphereFile());
+  const std::size_t handles = document().rig().handles.size();
+  window().actions()["organ.remove"]->trigger();
+  settle();
+  EXPECT_TRUE(document().organs().empty());
+  EXPECT_TRUE(document().rig().handles.empty());
+  key(Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_EQ(document().organs().size(), 1u);
+  EXPECT_EQ(document().rig().handles.size(), handles) << "one step";
+}
+
+TEST_F(SmallFaultsOfAFile, TheWelcomeLeavesWithTheFirstChangeOfTheMode) {
+  const auto shown = [this] { // The tour and the list of keys are such cards, too.
+    const auto cards = window().findChildren<QFrame*>(QStringLiteral("welcomeCard"));
+    return std::any_of(cards.begin(), cards.end(), [](const QFrame* card) { return card->isVisible(); });
+  };
+  window().showWelcome(true);
+  ASSERT_TRUE(shown());
+  key(Qt::Key_2);
+  EXPECT_FALSE(shown());
+}
+
+TEST_F(SmallFaultsOfAFile, ViewsHaveKeysWithoutAKeypad) {
+  open(sphereFile());
+  key(Qt::Key_3, Qt::AltModifier);
+  const Vec3 forward(view().view().renderer()->GetActiveCamera()->GetDirectionOfProjection());
+  EXPECT_LT((forward - Vec3(-1, 0, 0)).norm(), 1e-9) << "from the patient's left";
+}
+
+TEST_F(SmallFaultsOfAFile, DeformSaysWhichOrganItsNumbersAreOf) {
+  open(sphereFile());
+  key(Qt::Key_3);
+  EXPECT_EQ(find<QLabel>("deformOrgan").text().toStdString(), document().organs().front()->name);
+}
+
+TEST_F(SmallFaultsOfAFile, ATargetVolumeOfALockedOrganIsReachedAndKeptFromThereOn) {
+  open(sphereFile());
+  key(Qt::Key_3);
+  key(Qt::Key_K);
+  const document::OrganId organ = document().organs().front()->id;
+  const double target = 1.05 * window().workspace().live().volume(organ).restMl;
+  find<QDoubleSpinBox>("targetVolume").setValue(target);
+  find<QPushButton>("applyVolume").click();
+  settle();
+  const double now = window().workspace().live().volume(organ).nowMl;
+  EXPECT_NEAR(now, target, 0.1);
+  EXPECT_TRUE(message().contains(QStringLiteral("lock"))) << message().toStdString();
+  const QPoint at = onScreen(handleInView(reachableHandle()));
+  drag(at, at + QPoint(15, 10));
+  EXPECT_NEAR(window().workspace().live().volume(organ).nowMl, now, 1e-6 * now);
+}
+
+/// While the mouse holds a handle, and after: whoever reads one of the two numbers may look at the other.
+TEST_F(SmallFaultsOfAFile, ListAndStatusBarSayOneVolumeDuringAMirroredDrag) {
+  open(sphereFile());
+  key(Qt::Key_3);
+  key(Qt::Key_M);
+  auto& status = find<QLabel>("statusVolume");
+  const auto* row = find<QTreeWidget>("organList").topLevelItem(0);
+  constexpr int kVolume = 2;
+  const auto agree = [&] { return status.text().contains(row->text(kVolume)); };
+  const QPoint at = onScreen(handleInView(reachableHandle()));
+  QTest::mouseMove(&view(), at);
+  QTest::mousePress(&view(), Qt::LeftButton, Qt::NoModifier, at);
+  for (int step = 1; step <= 12; ++step) {
+    QTest::mouseMove(&view(), at + QPoint(6 * step, 4 * step));
+    QApplication::processEvents();
+    EXPECT_TRUE(agree()) << status.text().toStdString() << " beside " << row->text(kVolume).toStdString();
+  }
+  QTest::mouseRelease(&view(), Qt::LeftButton, Qt::NoModifier, at + QPoint(72, 48));
+  QApplication::processEvents();
+  const double now = window().workspace().live().volume(document().organs().front()->id).nowMl;
+  EXPECT_EQ(row->text(kVolume), app::formatMilliliters(now));
+  EXPECT_TRUE(agree()) << status.text().toStdString();
+}
+
+TEST_F(SmallFaults, OrgansThatWereWrittenAsOneGlbComeBackApart) {
+  const document::OrganList before = document().organs();
+  const QString file = path(QStringLiteral("all.glb"));
+  window().playback().stop();
+  window().exports().exportOrgans(file);
+  settle();
+  open(file);
+  ASSERT_TRUE(waitUntil([this] { return window().imports().isOpen() || !window().playback().sequence(); }));
+  if (window().imports().isOpen())
+    window().imports().accept();
+  settle();
+  const document::OrganList& back = document().organs();
+  ASSERT_EQ(back.size(), before.size());
+  for (std::size_t i = 0; i < back.size(); ++i) {
+    EXPECT_EQ(back[i]->name, before[i]->name);
+    EXPECT_EQ(back[i]->look.color, before[i]->look.color);
+    EXPECT_EQ(back[i]->look.opacity, before[i]->look.opacity);
+    EXPECT_NEAR(back[i]->restVolumeMm3, before[i]->restVolumeMm3, 1e-4 * before[i]->restVolumeMm3);
+    EXPECT_EQ(back[i]->parent ? document().organ(back[i]->parent)->name : std::string(),
+              before[i]->parent ? before.front()->name : std::string());
+  }
+}
+
+/// On a software renderer it is off until somebody asks; what is seen through and what means numbers is as
+/// without.
+TEST_F(SmallFaults, FoldsAreShadedWhereThatIsAskedForAndNothingIsSeenThrough) {
+  QAction* shade = window().actions()["view.shading"];
+  ASSERT_FALSE(shade->isChecked());
+  setViewSize(window(), 500, 400);
+  const auto differing = [](vtkImageData* a, vtkImageData* b) {
+    const auto* first = static_cast<const unsigned char*>(a->GetScalarPointer());
+    const auto* second = static_cast<const unsigned char*>(b->GetScalarPointer());
+    const vtkIdType count = a->GetNumberOfPoints() * a->GetNumberOfScalarComponents();
+    vtkIdType pixels = 0;
+    for (vtkIdType i = 0; i < count; ++i)
+      pixels += std::abs(first[i] - second[i]) > 12;
+    return static_cast<double>(pixels) / static_cast<double>(count);
+  };
+  const auto see = [&](bool shaded) {
+    shade->setChecked(shaded);
+    settle();
+    return grab(window());
+  };
+  const auto glass = see(false);
+  EXPECT_EQ(differing(glass, see(true)), 0) << "one sees through the wall";
+  shade->setChecked(false);
+  key(Qt::Key_X);
+  const auto plain = see(false);
+  EXPECT_GT(differing(plain, see(true)), 0.02);
+  EXPECT_EQ(differing(plain, see(false)), 0) << "and back";
+  reopenWindow();
+  EXPECT_FALSE(window().actions()["view.shading"]->isChecked());
+  window().actions()["view.shading"]->setChecked(true);
+  reopenWindow();
+  EXPECT_TRUE(window().actions()["view.shading"]->isChecked()) << "the settings keep it";
+}
+
+/// Alt+O, R: with two entries of one letter Qt only marks the first and leaves the menu open.
+TEST_F(SmallFaults, EveryLetterOfAMenuMeansOneEntry) {
+  for (QMenu* menu : window().menuBar()->findChildren<QMenu*>()) {
+    std::map<QChar, QString> known;
+    for (const QAction* action : menu->actions()) {
+      const int mark = action->text().indexOf(QLatin1Char('&'));
+      if (mark < 0 || !action->isVisible() || mark + 1 >= action->text().size())
+        continue;
+      const QString before = std::exchange(known[action->text()[mark + 1].toLower()], action->text());
+      EXPECT_TRUE(before.isEmpty()) << menu->title().toStdString() << ": " << before.toStdString() << " and "
+                                    << action->text().toStdString();
+    }
+  }
+}
+
+TEST_F(SmallFaults, AChartOfNothingFoldsAway) {
+  window().stress().model().change([](app::StressLook& look) { look.witnesses = 200; });
+  auto& chart = find<QWidget>("volumes");
+  EXPECT_TRUE(chart.isVisible());
+  window().playback().seek(0.3);
+  key(Qt::Key_4);
+  EXPECT_TRUE(chart.isVisible()) << "the sequence's stress";
+  find<QPushButton>("stressOwnPose").click();
+  settle();
+  EXPECT_FALSE(chart.isVisible()) << "nothing moves by itself";
+  open(sphereFile());
+  key(Qt::Key_5);
+  ASSERT_FALSE(window().playback().sequence());
+  EXPECT_FALSE(chart.isVisible()) << "nothing can move";
+}
+
+TEST_F(SmallFaults, TheCardOfALectureLeavesTheCubeAndTheScaleBarFree) {
+  key(Qt::Key_F5);
+  const auto& card = find<QFrame>("lectureCard");
+  ASSERT_TRUE(card.isVisible());
+  const QRect there(view().mapFromGlobal(card.mapToGlobal(QPoint(0, 0))), card.size());
+  const QRect cube(0, view().height() - 96, 96, 96);
+  const QRect scale(view().width() / 2 - 90, view().height() - 45, 180, 30);
+  EXPECT_FALSE(there.intersects(cube));
+  EXPECT_FALSE(there.intersects(scale));
+  key(Qt::Key_Escape);
+}
+
+} // namespace
+} // namespace viscera::tests
