@@ -24,15 +24,13 @@ constexpr double kStandardEjection = 0.58;
 constexpr double kStandardRightEjection = 0.547;
 /// What the sample heart's atria hold in the reference shape, ml.
 constexpr sequences::CavityVolumes kRestAtria{59.9, 56.6};
-/// What an atrium holds that no pressure has stretched and that the circulation leaves out, ml.
-constexpr sequences::CavityVolumes kUnstressedAtria{10, 20};
-/// With less than this (ml) the wall of a drawn atrium would cross itself; with more it would reach its
-/// neighbours.
-constexpr double kLeastAtriumMl = 26;
+/// What can be drawn of an atrium, ml: with less its wall would cross itself, with more it would reach its
+/// neighbours. No scenario comes there (24.5 to 122.1); a circulation of somebody's own may.
+constexpr double kLeastAtriumMl = 24;
 constexpr double kMostAtriumMl = 140;
 
-double drawnAtrium(double modelMl, double unstressedMl) {
-  return std::clamp(modelMl + unstressedMl, kLeastAtriumMl, kMostAtriumMl);
+double drawnAtrium(double modelMl) {
+  return std::clamp(modelMl, kLeastAtriumMl, kMostAtriumMl);
 }
 
 /// The parts of the beat, from the valves' times. Empty parts are left out.
@@ -109,8 +107,7 @@ sequences::HeartCourse heartCourse(const std::string& name, const circulation::P
     instant.state.twist = strength * beat.activation[static_cast<std::size_t>(Compartment::lv)][i];
     instant.state.muscle = leftMuscle;
     instant.state.atrialContraction = beat.activation[static_cast<std::size_t>(Compartment::la)][i];
-    const sequences::CavityVolumes atria{drawnAtrium(leftAtrium[i], kUnstressedAtria.leftMl),
-                                         drawnAtrium(rightAtrium[i], kUnstressedAtria.rightMl)};
+    const sequences::CavityVolumes atria{drawnAtrium(leftAtrium[i]), drawnAtrium(rightAtrium[i])};
     instant.atria = atria;
     instant.state.atria =
         sequences::AtrialState{atria.leftMl / kRestAtria.leftMl, atria.rightMl / kRestAtria.rightMl};

@@ -35,6 +35,13 @@ constexpr double kAtrialBody = 32;
 /// The part of an atrium that is cavity: the rest is its wall.
 constexpr double kAtrialCavity = 0.75;
 
+/// An atrium's wall of 2.5 mm is thinner than what coordinates average over, so it grows with its cavity.
+/// What it gains (260 ml of wall by 44 in exercise) the outside over the right ventricle gives back: its
+/// handles come so far inwards (mm) when both atria hold twice what they hold at rest. Tuned by hand on the
+/// surfaces of the sample heart: without it the wall changes by 8.2 % in exercise, with it by 4.6 %; the
+/// right ventricle's own wall then changes by less than 1 mm.
+constexpr double kAtrialRelief = 6;
+
 double square(double x) {
   return x * x;
 }
@@ -116,8 +123,11 @@ double HeartMotion::ventricularRho(const HeartHandle& handle, const HeartState& 
   const double scale = part + (1 - part) * ease;
   const double aroundRight =
       wallRho(state, septum, c) + (beyond - wall) * scale + wall / std::sqrt(shortening(state)) + gap;
-  const double share = inside || !wallsHandled_ ? 1 : smoothStep(beyond / kWhereRightBegins);
-  return aroundLeft + share * (aroundRight - aroundLeft);
+  if (inside || !wallsHandled_)
+    return aroundRight;
+  const double relief =
+      state.atria ? kAtrialRelief * 0.5 * (state.atria->leftPart + state.atria->rightPart - 2) : 0;
+  return aroundLeft + smoothStep(beyond / kWhereRightBegins) * (aroundRight - relief - aroundLeft);
 }
 
 Vec3 HeartMotion::movedVentricular(const HeartHandle& handle, const HeartState& state) const {

@@ -14,11 +14,11 @@
 namespace viscera::motion {
 
 /// One beat of a circulation as a course that the sample heart can follow: the ventricles' volumes are the
-/// circulation's; the base descends, and the apex turns, as far as the ejection fraction says (15 mm and 10
-/// degrees at 0.58). The atria hold what they hold in the circulation and the 10 ml (left) and 20 ml (right)
-/// that it leaves out, but no less than 26 and no more than 140 ml, so that they can be drawn. Time 0 is the
-/// beginning of the ventricles' contraction. The left ventricle has `leftMuscle` times the muscle of the
-/// sample heart. O(samples).
+/// circulation's, and so are the atria's between 24 and 140 ml, beyond which they cannot be drawn and stop
+/// there; the base descends, and the apex turns, as far as the ejection fraction says (15 mm and 10 degrees
+/// at 0.58). Time 0 is the beginning of the ventricles' contraction. The left ventricle has `leftMuscle`
+/// times the muscle of the sample heart.
+/// O(samples).
 sequences::HeartCourse heartCourse(const std::string& name, const circulation::Parameters& parameters,
                                    const circulation::Beat& beat, const circulation::Indices& indices,
                                    double leftMuscle = 1);
