@@ -189,7 +189,7 @@ TEST_F(PlayMode, LabelsNameTheOrgansBesideThem) {
   const auto labels = [this] { return window().picture().presenter().labels().drawn(); };
   EXPECT_TRUE(labels().empty());
   key(Qt::Key_N);
-  ASSERT_EQ(labels().size(), 3u);
+  ASSERT_EQ(labels().size(), 5u);
   EXPECT_EQ(labels()[1].text, "LV cavity");
   for (const auto& organ : document().organs()) {
     if (!organ->parent)
@@ -243,7 +243,7 @@ TEST_F(PlayMode, PhasesNormalRangesAndIndicesOfTheBeatAreShown) {
   whose->setCurrentIndex(0);
   surface->setValue(surface->minimum());
   const auto tiles = window().findChildren<QAbstractButton*>(QStringLiteral("tileName"));
-  ASSERT_EQ(tiles.size(), 3);
+  ASSERT_EQ(tiles.size(), 5);
   QTest::mouseClick(tiles[2], Qt::LeftButton);
   EXPECT_TRUE(chart->normalsText().contains(QStringLiteral("RV"))) << chart->normalsText().toStdString();
 
