@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::size_t kFewest = 8; ///< Instants.
 /// Instants of the beat at which the volumes are tried beforehand.
-constexpr int kTried = 48;
+constexpr int kTried = 24;
 
 double mix(double from, double to, double part) {
   return from + part * (to - from);
