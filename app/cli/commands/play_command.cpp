@@ -222,6 +222,12 @@ public:
                     "State of the circulation that the heart follows: rest, exercise, ..., "
                     "as 'viscera circulate --list' has them")
         ->type_name("NAME");
+    options
+        .add_option(
+            "--ejection-fraction", request_.ejectionFraction,
+            "Of the left ventricle of a heart with its chambers that --organ names; 0.58 when not said")
+        ->type_name("PART")
+        ->check(CLI::PositiveNumber);
     options.add_option("--rate", rate_, "Cycles a minute; the sequence's own when not said")
         ->type_name("PER_MINUTE")
         ->check(CLI::PositiveNumber);
@@ -291,8 +297,8 @@ private:
     if (landmarksOut_.empty())
       return;
     if (!played.retargeted)
-      throw UsageError("there are no landmarks: the sequence plays on its own organ", "--write-landmarks",
-                       "name another organ with --organ");
+      throw UsageError("There are no landmarks of this motion", "--write-landmarks",
+                       "name another organ without chambers with --organ");
     medical_io::writeHandles(landmarksOut_, motion::landmarkFile(played.retargeted->landmarks, "Landmarks"));
   }
 
@@ -314,8 +320,11 @@ private:
 
   /// The volumes of the walls out of those of a heart's surfaces.
   static double chambersMl(const PlayedSequence& played, const std::vector<double>& row) {
-    return row[played.surfaces.size()] - row[static_cast<std::size_t>(played.find("lv"))] -
-           row[static_cast<std::size_t>(played.find("rv"))];
+    double volume = row[played.surfaces.size()];
+    for (const char* cavity : {"lv", "rv", "la", "ra"})
+      if (const int found = played.find(cavity); found >= 0)
+        volume -= row[static_cast<std::size_t>(found)];
+    return volume;
   }
   static double muscleMl(const PlayedSequence& played, const std::vector<double>& row) {
     return row[played.surfaces.size() + 1] - row[static_cast<std::size_t>(played.find("lv"))];

@@ -1,6 +1,7 @@
 #include <cmath>
 #include <sstream>
 
+#include "beating_labels.h"
 #include "cli_test.h"
 
 namespace viscera::app::cli {
@@ -26,7 +27,7 @@ TEST_F(CliPlay, TheHeartbeatEmptiesTheVentriclesAsMeasured) {
   const json beat = runJson({"play", "heartbeat", "--csv", path("v.csv"), "--cycles", "2"});
   for (const std::string key : {"frames", "cycles", "ejectionFraction", "maxRelativeOuterChange", "seconds"})
     EXPECT_TRUE(beat[key].is_number()) << key;
-  for (const std::string surface : {"outer", "lv", "rv"})
+  for (const std::string surface : {"outer", "lv", "rv", "la", "ra"})
     for (const std::string key : {"minMl", "maxMl", "restMl"})
       EXPECT_TRUE(beat["volumes"][surface][key].is_number()) << surface << " " << key;
   EXPECT_EQ(beat["cycles"], 2);
@@ -39,11 +40,11 @@ TEST_F(CliPlay, TheHeartbeatEmptiesTheVentriclesAsMeasured) {
 
   std::string heading;
   const auto rows = rowsOf(contents(path("v.csv")), heading);
-  EXPECT_EQ(heading, "time_s,outer_ml,lv_ml,rv_ml");
+  EXPECT_EQ(heading, "time_s,outer_ml,lv_ml,rv_ml,la_ml,ra_ml");
   ASSERT_EQ(rows.size(), beat["frames"].get<std::size_t>());
   ASSERT_EQ(rows.size(), 40u); // Two beats of 0.8 s at 25 frames a second.
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    ASSERT_EQ(rows[i].size(), 4u);
+    ASSERT_EQ(rows[i].size(), 6u);
     EXPECT_NEAR(rows[i][0], static_cast<double>(i) / 25, 1e-6);
     EXPECT_NEAR(rows[i][2], rows[(i + 20) % 40][2], 1e-3) << "every beat is the same";
   }
@@ -82,6 +83,26 @@ TEST_F(CliPlay, SaysHowTheHeartsWallMovesAndThatItsMuscleKeepsItsVolume) {
   EXPECT_LT(muscle["massG"].get<double>(), 130);
   for (const char* number : {"mapseMm", "tapseMm", "twistDegrees", "thickeningPercent"})
     EXPECT_GT(beat["wallMotion"][number].get<double>(), 0) << number;
+}
+
+TEST_F(CliPlay, AHeartWithItsChambersEjectsWhatIsAskedFor) {
+  const std::string image =
+      put("heart.seg.nrrd", tests::nrrdFile(tests::beatingLabels(0, Vec3(4, 4, 4)), "right-anterior-superior",
+                                            tests::kHeartKeys));
+  const json beat = runJson(
+      {"play", "heartbeat", "--organ", image, "--ejection-fraction", "0.25", "--rate", "60", "--fps", "25"});
+  EXPECT_NEAR(beat["ejectionFraction"].get<double>(), 0.25, 0.01);
+  EXPECT_EQ(beat["frames"], 25);
+  const json& lv = beat["volumes"]["LV"];
+  const json& rv = beat["volumes"]["RV"];
+  EXPECT_NEAR((lv["maxMl"].get<double>() - lv["minMl"].get<double>()) /
+                  (rv["maxMl"].get<double>() - rv["minMl"].get<double>()),
+              1, 0.05);
+  runJson({"sample", "heart@low", "-o", path("outside.stl")});
+  expectFailure({"play", "heartbeat", "--organ", path("outside.stl"), "--ejection-fraction", "0.4"}, kUsage,
+                "Only a heart with its chambers");
+  expectFailure({"play", "heartbeat", "--ejection-fraction", "0.4"}, kUsage,
+                "Only a heart with its chambers");
 }
 
 TEST_F(CliPlay, FitsPeristalsisToAnotherStomachAndTakesItsLandmarksBack) {

@@ -62,7 +62,7 @@ TEST(CirculationChoice, WhatIsKeptStaysWhileTheCirculationGoesOn) {
   s.undo.perform(chooseScenario("rest"));
   ASSERT_TRUE(s.document.circulation().kept);
   EXPECT_EQ(s.document.circulation().kept->name, "Haemorrhage");
-  EXPECT_EQ(circulation::parameter(s.document.circulation().kept->parameters, "stressedVolume"), 705);
+  EXPECT_EQ(circulation::parameter(s.document.circulation().kept->parameters, "stressedVolume"), 745);
   s.undo.perform(forgetKeptCirculation());
   EXPECT_FALSE(s.document.circulation().kept);
 }
