@@ -35,10 +35,13 @@ void Help::showWelcome(bool shown) {
     welcome_->raise();
 }
 
-bool Help::closeShortcuts() {
-  const bool shown = shortcuts_->isVisible();
-  shortcuts_->hide();
-  return shown;
+bool Help::close() {
+  for (QWidget* card : {static_cast<QWidget*>(shortcuts_), static_cast<QWidget*>(tour_)})
+    if (card && card->isVisible()) {
+      card->hide();
+      return true;
+    }
+  return false;
 }
 
 void Help::tellAbout() {
@@ -58,11 +61,13 @@ void Help::startTour() {
             "to bring it into the picture; D measures distances, A angles. The eye in the list on the left "
             "hides it, the square changes its "
             "colour."),
+         {"view3d", "organs"},
          [this] { parts_.modes.choose("explore"); }},
         {tr("See it move"),
          tr("Space plays and pauses. The timeline shows the phases of the cycle: drag along it to look at "
             "one instant. "
             "Below, the volumes are drawn as they change."),
+         {"timeline", "volumes"},
          [this] {
            parts_.modes.choose("play");
            parts_.playback.play();
@@ -71,6 +76,7 @@ void Help::startTour() {
          tr("Organs follow handles around them. Here you edit them at rest: click the organ to add one, drag "
             "to move it, "
             "Delete to remove it. The organ is bound again at once. I shows how far a handle reaches."),
+         {"handles"},
          [this] { parts_.modes.choose("handles"); }},
         {tr("Deform"),
          tr("Drag a handle and the organ follows; its volume is in the status bar. The padlock in the list "
@@ -78,18 +84,21 @@ void Help::startTour() {
             "the left (K) keeps the volume whatever you do. T turns and scales selected handles, M mirrors "
             "drags. "
             "Ctrl+Z undoes any change, G shows the reference shape as an outline."),
+         {"organs", "statusVolume"},
          [this] { parts_.modes.choose("deform"); }},
         {tr("Stress"),
          tr("The colours say how much the pose distorts the tissue inside. Click the organ to read the "
             "values "
             "of a "
             "point, C cuts it open, M shows the next map. Space plays the sequence, and the map follows."),
+         {"properties"},
          [this] { parts_.modes.choose("stress"); }},
         {tr("Your own organs"),
          tr("Open surfaces (STL, OBJ, PLY, OFF, VTK, VTP, GLB) or label maps (NIfTI, NRRD, DICOM-SEG) with "
             "Ctrl+O or drop them here; they get "
             "handles at once. "
             "Ctrl+S saves all of it as a session. ? lists all keys."),
+         {"menus"},
          [this] { parts_.modes.choose("explore"); }}};
     tour_ = new TourCard(std::move(steps), &parts_.area);
     parts_.area.addCard(tour_, Qt::AlignBottom | Qt::AlignHCenter);

@@ -37,8 +37,8 @@ public:
   /// Makes the cards over the view, once the menus are there; `samples` is the one of sample organs.
   void makeCards(const QMenuBar& menus, QMenu* samples);
   void showWelcome(bool shown);
-  /// Puts the list of keys away; false when it was not there.
-  bool closeShortcuts();
+  /// Puts the list of keys away, or else ends the tour; false when neither was there.
+  bool close();
 
 private:
   void startTour();

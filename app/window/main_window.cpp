@@ -166,6 +166,7 @@ QWidget* MainWindow::makePages() {
 }
 
 void MainWindow::makeMenus() {
+  menuBar()->setObjectName(QStringLiteral("menus"));
   auto* menus = new Menus(
       *menuBar(), {actions_, *modes_, *files_, *samples_, *scans_, workspace_, settings_, layout_->docks()});
   connect(files_, &FileActions::recentFilesChanged, menus, &Menus::fillRecent);
@@ -297,7 +298,7 @@ void MainWindow::showWelcome(bool shown) {
 }
 
 void MainWindow::escape() {
-  if (lecture_->end() || modes_->escape() || help_->closeShortcuts())
+  if (lecture_->end() || modes_->escape() || help_->close())
     return;
   if (!viewArea_->messages()->isHidden())
     viewArea_->messages()->dismiss();

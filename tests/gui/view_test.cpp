@@ -12,6 +12,7 @@
 #include <vtkCamera.h>
 #include <vtkCellArray.h>
 #include <vtkCommand.h>
+#include <vtkImageData.h>
 #include <vtkNew.h>
 #include <vtkPolyData.h>
 #include <vtkRenderWindow.h>
@@ -37,6 +38,11 @@ protected:
     double direction[3];
     view().view().renderer()->GetActiveCamera()->GetDirectionOfProjection(direction);
     return {direction[0], direction[1], direction[2]};
+  }
+  QByteArray pixels() {
+    const auto picture = scene::grabPicture(view().renderWindow());
+    return {static_cast<const char*>(picture->GetScalarPointer()),
+            static_cast<int>(picture->GetNumberOfPoints() * picture->GetNumberOfScalarComponents())};
   }
   QTreeWidget& list() { return *window().findChild<QTreeWidget*>(QStringLiteral("organList")); }
 };
@@ -115,6 +121,38 @@ TEST_F(ViewTest, KeypadDigitsLookAlongTheBodysAxes) {
   key(Qt::Key_7, Qt::KeypadModifier);
   EXPECT_LT((sight() - Vec3(0, 0, -1)).norm(), 1e-6);
   EXPECT_EQ(window().mode(), "explore") << "the keypad does not choose modes";
+}
+
+TEST_F(ViewTest, AClickOnASideOfTheOrientationCubeLooksFromThereAndDoesNothingElse) {
+  key(Qt::Key_2); // Handles: a click on the organ would add one.
+  key(Qt::Key_1, Qt::KeypadModifier);
+  settle();
+  const auto handles = window().workspace().state().rig->handles.size();
+  const auto whole = view().view().renderer()->GetActiveCamera()->GetDistance();
+  const QPoint middle(52, view().height() - 52), left = middle + QPoint(38, 0);
+  const QByteArray before = pixels();
+  QTest::mouseMove(&view(), left);
+  EXPECT_TRUE(waitUntil([this] { return view().cursor().shape() == Qt::PointingHandCursor; }));
+  settle();
+  EXPECT_NE(pixels(), before) << "the letter under the mouse is highlighted";
+  QTest::mouseClick(&view(), Qt::LeftButton, {}, left);
+  settle();
+  EXPECT_LT((sight() - Vec3(-1, 0, 0)).norm(), 1e-6) << "from the left one looks to the right";
+  EXPECT_NEAR(view().view().renderer()->GetActiveCamera()->GetDistance(), whole, 1e-6 * whole);
+  QTest::mousePress(&view(), Qt::LeftButton, {}, left);
+  QTest::mouseRelease(&view(), Qt::LeftButton, {}, view().rect().center());
+  settle();
+  EXPECT_LT((sight() - Vec3(-1, 0, 0)).norm(), 1e-6) << "it was released elsewhere";
+  EXPECT_EQ(window().workspace().state().rig->handles.size(), handles);
+  QTest::mouseMove(&view(), view().rect().center());
+  EXPECT_TRUE(waitUntil([this] { return view().cursor().shape() != Qt::PointingHandCursor; }));
+}
+
+TEST_F(ViewTest, AnEmptyViewHasNoOrientationCube) {
+  EXPECT_TRUE(view().view().orientationSideAt(52, 52));
+  window().actions()["organ.remove"]->trigger();
+  settle();
+  EXPECT_FALSE(view().view().orientationSideAt(52, 52));
 }
 
 TEST_F(ViewTest, TheOpenedOrganFillsTheView) {

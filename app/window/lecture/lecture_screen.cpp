@@ -17,7 +17,7 @@ constexpr double kNumbersFactor = 1.8;
 /// As many volumes as one reads at a glance.
 constexpr std::size_t kMostVolumes = 4;
 /// Logical pixels beside and below the card, where the view has its orientation cube and its scale bar.
-constexpr int kCorner = 88;
+constexpr int kCorner = 104;
 constexpr int kScaleBar = 36;
 
 } // namespace

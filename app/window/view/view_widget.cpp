@@ -129,7 +129,39 @@ void ViewWidget::draw(bool quick) {
     smoothFrame_.stop();
 }
 
+std::optional<scene::StandardView> ViewWidget::orientationSideAt(const QPointF& place) const {
+  const double ratio = devicePixelRatioF();
+  return view_->orientationSideAt(ratio * place.x(), ratio * (height() - 1 - place.y()));
+}
+
+void ViewWidget::pointAtCube(const std::optional<QPointF>& place) {
+  const auto side = place ? orientationSideAt(*place) : std::nullopt;
+  if (!view_->highlightOrientationSide(side))
+    return;
+  side ? setCursor(Qt::PointingHandCursor) : unsetCursor();
+  scheduleRender();
+}
+
+bool ViewWidget::pressCube(const QMouseEvent& event) {
+  if (event.button() == Qt::LeftButton)
+    pressedSide_ = orientationSideAt(event.localPos());
+  return pressedSide_.has_value();
+}
+
+bool ViewWidget::releaseCube(const QMouseEvent& event) {
+  if (event.button() != Qt::LeftButton || !pressedSide_)
+    return false;
+  const auto pressed = std::exchange(pressedSide_, std::nullopt);
+  if (orientationSideAt(event.localPos()) == pressed) {
+    view_->lookFrom(*pressed);
+    scheduleRender();
+  }
+  return true;
+}
+
 void ViewWidget::mousePressEvent(QMouseEvent* event) {
+  if (pressCube(*event))
+    return;
   pressing_ = event->button();
   pressed_ = event->localPos();
   Q_EMIT hovered(std::nullopt);
@@ -137,6 +169,8 @@ void ViewWidget::mousePressEvent(QMouseEvent* event) {
 }
 
 void ViewWidget::mouseReleaseEvent(QMouseEvent* event) {
+  if (releaseCube(*event))
+    return;
   QVTKOpenGLNativeWidget::mouseReleaseEvent(event);
   if (std::exchange(pressing_, Qt::NoButton) != event->button())
     return;
@@ -150,18 +184,23 @@ void ViewWidget::mouseReleaseEvent(QMouseEvent* event) {
 }
 
 void ViewWidget::mouseDoubleClickEvent(QMouseEvent* event) {
+  if (pressCube(*event)) // Two clicks: the camera has moved after the first one.
+    return;
   QVTKOpenGLNativeWidget::mouseDoubleClickEvent(event);
   if (event->button() == Qt::LeftButton)
     Q_EMIT doubleClicked(event->localPos());
 }
 
 void ViewWidget::mouseMoveEvent(QMouseEvent* event) {
+  if (event->buttons() == Qt::NoButton)
+    pointAtCube(event->localPos());
   QVTKOpenGLNativeWidget::mouseMoveEvent(event);
   if (event->buttons() == Qt::NoButton)
     Q_EMIT hovered(event->localPos());
 }
 
 void ViewWidget::leaveEvent(QEvent* event) {
+  pointAtCube(std::nullopt);
   QVTKOpenGLNativeWidget::leaveEvent(event);
   Q_EMIT hovered(std::nullopt);
 }

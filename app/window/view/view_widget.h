@@ -18,7 +18,7 @@ namespace viscera::app {
 /// The 3D view in the window. Renders at most once for all that changed since the event loop last came round,
 /// whoever asked for it, and tells a click from a drag. Where a whole, smooth frame takes long
 /// (`scene::OrganView::isSlow`), what happens is answered by a quick frame, and the smooth one follows when
-/// nothing else has happened for a moment.
+/// nothing else has happened for a moment. A click on a side of the orientation cube looks from that side.
 class ViewWidget final : public QVTKOpenGLNativeWidget {
   Q_OBJECT
 
@@ -67,11 +67,18 @@ protected:
 
 private:
   void onRenderWanted();
+  std::optional<scene::StandardView> orientationSideAt(const QPointF& place) const;
+  /// Highlights the side of the orientation cube under the mouse, if any.
+  void pointAtCube(const std::optional<QPointF>& place);
+  /// Presses and releases on the orientation cube are its own; says whether this one is.
+  bool pressCube(const QMouseEvent& event);
+  bool releaseCube(const QMouseEvent& event);
   void draw(bool quick);
 
   std::unique_ptr<scene::OrganView> view_;
   QPointF pressed_;
-  Qt::MouseButton pressing_ = Qt::NoButton; ///< Until it is released, or has moved away.
+  Qt::MouseButton pressing_ = Qt::NoButton;        ///< Until it is released, or has moved away.
+  std::optional<scene::StandardView> pressedSide_; ///< Of the orientation cube.
   bool renderScheduled_ = false;
   bool painting_ = false;
   QTimer smoothFrame_; ///< Runs from a quick frame to the whole one.

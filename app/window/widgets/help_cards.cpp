@@ -3,6 +3,7 @@
 #include <QAction>
 #include <QGridLayout>
 #include <QHBoxLayout>
+#include <QHideEvent>
 #include <QLabel>
 #include <QMenu>
 #include <QMenuBar>
@@ -13,6 +14,7 @@
 #include <utility>
 
 #include "window/widgets/flow_layout.h"
+#include "window/widgets/pointing_frame.h"
 #include "window/widgets/ready_made.h"
 
 namespace viscera::app {
@@ -122,9 +124,11 @@ TourCard::TourCard(std::vector<TourStep> steps, QWidget* parent)
   hide();
 }
 
+TourCard::~TourCard() = default;
+
 void TourCard::start() {
-  goTo(0);
   show();
+  goTo(0);
   raise();
   next_->setFocus();
 }
@@ -140,6 +144,16 @@ void TourCard::goTo(std::size_t step) {
   if (present.enter)
     present.enter();
   adjustSize();
+  frames_.clear();
+  for (const QString& name : present.targets)
+    if (auto* target = window()->findChild<QWidget*>(name))
+      frames_.push_back(std::make_unique<PointingFrame>(*target));
+}
+
+void TourCard::hideEvent(QHideEvent* event) {
+  QFrame::hideEvent(event);
+  if (!event->spontaneous()) // The window was not merely minimised.
+    frames_.clear();
 }
 
 ShortcutCard::ShortcutCard(const QMenuBar& menus, QWidget* parent) : QFrame(parent) {

@@ -1,6 +1,7 @@
 #include "viscera/document/open_files.h"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <exception>
 #include <limits>
@@ -92,11 +93,23 @@ std::string displayName(std::string name) {
   return name;
 }
 
-/// As an organ, and as it is in the file.
-std::pair<Organ, ReadSurface> readBoth(medical_io::SurfaceFile surface, const std::filesystem::path& file) {
+/// Whether a program called a surface so because nobody did: "Mesh1", "default", "Object_1".
+bool saysNothing(std::string name) {
+  std::transform(name.begin(), name.end(), name.begin(), [](unsigned char c) { return std::tolower(c); });
+  name.erase(name.find_last_not_of("0123456789 ._-#") + 1);
+  static constexpr std::array kNames = {"mesh",     "default", "object", "obj",     "model",    "group",
+                                        "surface",  "solid",   "shape",  "unnamed", "untitled", "node",
+                                        "geometry", "scene",   "root",   "noname",  "polydata"};
+  return name.empty() || std::find(kNames.begin(), kNames.end(), name) != kNames.end();
+}
+
+/// As an organ, and as it is in the file, which has no other surface when it is `alone`.
+std::pair<Organ, ReadSurface> readBoth(medical_io::SurfaceFile surface, const std::filesystem::path& file,
+                                       bool alone) {
   ReadSurface read{std::make_shared<const geometry::TriangleMesh>(std::move(surface.mesh)),
                    surface.spaceStated ? std::optional(surface.space) : std::nullopt};
-  const std::string name = surface.name.empty() ? file.stem().string() : surface.name;
+  const bool asFile = surface.name.empty() || (alone && saysNothing(surface.name));
+  const std::string name = asFile ? file.stem().string() : surface.name;
   Organ organ = makeOrgan(name, read.mesh);
   organ.file = file;
   organ.origin.fileHash = sha256OfFile(file);
@@ -147,7 +160,7 @@ bool isHandleFile(const std::filesystem::path& file) {
 }
 
 Organ readOrgan(const std::filesystem::path& file) {
-  return readBoth(medical_io::readSurface(file), file).first;
+  return readBoth(medical_io::readSurface(file), file, true).first;
 }
 
 std::vector<Organ> organsFrom(const medical_io::LabelMap& map, std::vector<medical_io::LabelSurface> surfaces,
@@ -213,7 +226,7 @@ void addSurfaces(OpenedFiles& opened, const std::filesystem::path& file, const A
   std::vector<medical_io::SurfacePart> parts = medical_io::readSurfaces(file);
   std::vector<std::pair<Organ, ReadSurface>> made; // All of them, before any is added.
   for (medical_io::SurfacePart& part : parts)
-    made.push_back(readBoth(std::move(part.surface), file));
+    made.push_back(readBoth(std::move(part.surface), file, parts.size() == 1));
   const auto first = static_cast<int>(opened.organs.size());
   for (std::size_t i = 0; i < parts.size(); ++i) {
     const medical_io::SurfacePart& part = parts[i];

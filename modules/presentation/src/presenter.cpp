@@ -275,7 +275,9 @@ void Presenter::update(const Scene& scene) {
   p.updateLabels(scene, others);
   p.updateMeasurements(scene);
   p.standing.update(scene);
-  view_.setOrientationCubeShown(scene.view.orientationCube);
+  const bool empty = scene.state.organs->empty() && scene.state.rig->handles.empty() &&
+                     (!scene.guests || scene.guests->empty());
+  view_.setOrientationCubeShown(scene.view.orientationCube && !empty);
   view_.setScaleBarShown(scene.view.scaleBar);
 }
 

@@ -18,8 +18,8 @@ namespace {
 
 /// A ball of 10 pixels is off a circle by a quarter of a pixel with so many sides.
 constexpr int kSides = 14;
-constexpr double kGhostOpacity = 0.5;
-constexpr double kGhostRimOpacity = 0.35;
+constexpr double kGhostOpacity = 0.28;
+constexpr double kGhostRimOpacity = 0.14;
 constexpr const char* kRadii = "radius";
 
 void configure(vtkGlyph3DMapper* mapper, vtkPolyData* glyphs, vtkSphereSource* ball) {
@@ -40,7 +40,7 @@ HandleGlyphs::Layer::Layer(vtkSphereSource* ball) {
 
   points->SetDataTypeToDouble();
   radii->SetName(kRadii);
-  colors->SetNumberOfComponents(3);
+  colors->SetNumberOfComponents(4);
   colors->SetName("color");
   data->SetPoints(points);
   data->GetPointData()->SetScalars(colors);
@@ -56,11 +56,13 @@ void HandleGlyphs::Layer::resize(vtkIdType count) {
   colors->SetNumberOfTuples(count);
 }
 
-void HandleGlyphs::Layer::put(vtkIdType i, const Vec3& position, double radius, const Vec3& color) {
+void HandleGlyphs::Layer::put(vtkIdType i, const Vec3& position, double radius, const Vec3& color,
+                              double opacity) {
   points->SetPoint(i, position.data());
   radii->SetValue(i, static_cast<float>(radius));
   for (int c = 0; c < 3; ++c)
     colors->SetTypedComponent(i, c, static_cast<unsigned char>(std::lround(255 * color[c])));
+  colors->SetTypedComponent(i, 3, static_cast<unsigned char>(std::lround(255 * opacity)));
 }
 
 void HandleGlyphs::Layer::changed() {
@@ -71,7 +73,7 @@ void HandleGlyphs::Layer::changed() {
   mapper->Update(); // The glyph mapper draws nothing when its input has changed since the last update.
 }
 
-HandleGlyphs::HandleGlyphs() : balls_(ball_), rims_(ball_) {
+HandleGlyphs::HandleGlyphs() : balls_(ball_), rims_(ball_), ghosts_(ball_), ghostRims_(ball_) {
   ball_->SetRadius(1);
   ball_->SetThetaResolution(kSides);
   ball_->SetPhiResolution(kSides * 2 / 3);
@@ -84,16 +86,13 @@ HandleGlyphs::HandleGlyphs() : balls_(ball_), rims_(ball_) {
   rimActor_->SetMapper(rims_.mapper);
   rimActor_->GetProperty()->LightingOff();
   rimActor_->GetProperty()->FrontfaceCullingOn();
-  configure(ghostMapper_, balls_.data, ball_);
-  ghostActor_->SetMapper(ghostMapper_);
+  ghostActor_->SetMapper(ghosts_.mapper);
   ghostActor_->GetProperty()->BackfaceCullingOn();
-  configure(ghostRimMapper_, rims_.data, ball_);
-  ghostRimActor_->SetMapper(ghostRimMapper_);
+  ghostRimActor_->SetMapper(ghostRims_.mapper);
   ghostRimActor_->GetProperty()->FrontfaceCullingOn();
   for (BlendedActor* ghost : {ghostActor_.Get(), ghostRimActor_.Get()}) {
     ghost->setBehindOnly(true);
     ghost->GetProperty()->LightingOff();
-    ghost->GetProperty()->SetOpacity(ghost == ghostActor_ ? kGhostOpacity : kGhostRimOpacity);
   }
 }
 
@@ -101,17 +100,17 @@ HandleGlyphs::~HandleGlyphs() = default;
 
 void HandleGlyphs::set(const std::vector<HandleGlyph>& glyphs) {
   const auto count = static_cast<vtkIdType>(glyphs.size());
-  balls_.resize(count);
-  rims_.resize(count);
+  for (Layer* layer : {&balls_, &rims_, &ghosts_, &ghostRims_})
+    layer->resize(count);
   for (vtkIdType i = 0; i < count; ++i) {
     const auto& glyph = glyphs[std::size_t(i)];
     balls_.put(i, glyph.position, glyph.radius, glyph.color);
     rims_.put(i, glyph.position, glyph.rimRadius, glyph.rimColor);
+    ghosts_.put(i, glyph.position, glyph.radius, glyph.color, kGhostOpacity * glyph.ghost);
+    ghostRims_.put(i, glyph.position, glyph.rimRadius, glyph.rimColor, kGhostRimOpacity * glyph.ghost);
   }
-  balls_.changed();
-  rims_.changed();
-  ghostMapper_->Update();
-  ghostRimMapper_->Update();
+  for (Layer* layer : {&balls_, &rims_, &ghosts_, &ghostRims_})
+    layer->changed();
 }
 
 int HandleGlyphs::render(vtkViewport* viewport) {

@@ -28,6 +28,7 @@ struct HandleGlyph {
   double rimRadius = 0; ///< mm, of the line around it; 0 draws none.
   Vec3 color = Vec3::Ones();
   Vec3 rimColor = Vec3::Ones();
+  double ghost = 1; ///< How much of it is seen through what hides it: a part of what a ghost has at most.
 };
 
 /// Draws the balls: their fronts, the lines around them (the back half of slightly larger balls), and as
@@ -53,16 +54,15 @@ private:
     explicit Layer(vtkSphereSource* ball);
     ~Layer();
     void resize(vtkIdType count);
-    void put(vtkIdType i, const Vec3& position, double radius, const Vec3& color);
+    void put(vtkIdType i, const Vec3& position, double radius, const Vec3& color, double opacity = 1);
     void changed();
   };
 
   vtkNew<vtkSphereSource> ball_;
   Layer balls_;
   Layer rims_;
-  /// For the ghosts of both layers: one mapper cannot serve two actors of different opacity.
-  vtkNew<vtkGlyph3DMapper> ghostMapper_;
-  vtkNew<vtkGlyph3DMapper> ghostRimMapper_;
+  Layer ghosts_; ///< The same balls, each as opaque as its ghost is.
+  Layer ghostRims_;
   vtkNew<vtkActor> actor_;
   vtkNew<vtkActor> rimActor_;
   vtkNew<BlendedActor> ghostActor_;

@@ -33,12 +33,17 @@ constexpr int kTitleFontSize = 13;
 /// The bar takes at most this part of the view's height.
 constexpr double kMostOfView = 0.5;
 constexpr int kMostTicks = 6;
+constexpr double kGroundOpacity = 0.7;
 /// Beyond these, labels may be written with an exponent.
 constexpr double kLargestPlain = 1e5;
 constexpr double kSmallestPlain = 1e-4;
 
-void setColor(vtkTextActor* actor, const Vec3& color) {
-  actor->GetTextProperty()->SetColor(color.x(), color.y(), color.z());
+/// On a ground of its own, so that it can be read over organs and rings.
+void setColors(vtkTextActor* actor, const Theme& theme) {
+  auto* letters = actor->GetTextProperty();
+  letters->SetColor(theme.text.x(), theme.text.y(), theme.text.z());
+  letters->SetBackgroundColor(theme.panel.x(), theme.panel.y(), theme.panel.z());
+  letters->SetBackgroundOpacity(kGroundOpacity);
 }
 
 } // namespace
@@ -178,10 +183,10 @@ void Legend::Parts::setShown(bool on) {
 void Legend::Parts::applyTheme() {
   const Vec3& text = theme.text;
   lines.actor->GetProperty()->SetColor(text.x(), text.y(), text.z());
-  setColor(title, text);
-  setColor(markLabel, text);
+  setColors(title, theme);
+  setColors(markLabel, theme);
   for (const auto& label : labels)
-    setColor(label, text);
+    setColors(label, theme);
 }
 
 Legend::Legend() : parts_(std::make_unique<Parts>()) {

@@ -30,6 +30,7 @@
 
 #include "before_render.h"
 #include "blended_actor.h"
+#include "orientation_cube.h"
 #include "standard_view.h"
 #include "text_guard.h"
 #include "view_furniture.h"
@@ -453,6 +454,15 @@ Legend& OrganView::legend() {
 }
 void OrganView::setOrientationCubeShown(bool shown) {
   parts_->cube.setShown(shown);
+}
+std::optional<StandardView> OrganView::orientationSideAt(double x, double y) const {
+  return parts_->cube.sideAt(x, y);
+}
+bool OrganView::highlightOrientationSide(std::optional<StandardView> side) {
+  if (side == parts_->cube.highlighted())
+    return false;
+  parts_->cube.highlight(side);
+  return true;
 }
 void OrganView::setScaleBarShown(bool shown) {
   parts_->scaleBar.setShown(shown);

@@ -10,8 +10,6 @@
 
 #include <vtkAxis.h>
 #include <vtkBrush.h>
-#include <vtkChartLegend.h>
-#include <vtkChartXY.h>
 #include <vtkContext2D.h>
 #include <vtkContextScene.h>
 #include <vtkDoubleArray.h>
@@ -32,6 +30,7 @@
 #include "viscera/scene/legend.h"
 #include "viscera/scene/organ_view.h"
 
+#include "labelled_chart.h"
 #include "text_guard.h"
 
 namespace viscera::scene {
@@ -51,8 +50,6 @@ constexpr int kFontSize = 12;
 constexpr double kRoom = 0.08;
 /// Curves that vary by less of their value are drawn flat: what is left of a locked volume is rounding.
 constexpr double kFlat = 1e-3;
-constexpr double kLabelOpacity = 0.65;
-constexpr double kLabelIndent = 0.008; ///< Of the width.
 constexpr int kMostTicks = 6;
 /// VTK's numbers for the pair of axes that a plot is drawn against.
 constexpr int kBottomLeft = 0, kBottomRight = 1;
@@ -101,17 +98,12 @@ public:
 
       /// Where it is, in the units of the axes.
       void setExtent(ValueRange x, ValueRange y);
-  /// Written at its left end, when it is high enough for it. `size` in points.
-  void setLabel(const std::string& label, int size);
-  void setLabelColor(const Vec3& color);
   bool Paint(vtkContext2D* painter) override;
   void GetBounds(double bounds[4]) override;
 
 private:
   ValueRange x_;
   ValueRange y_;
-  std::string label_;
-  vtkNew<vtkTextProperty> text_;
 };
 
 vtkStandardNewMacro(NormalBand);
@@ -120,19 +112,6 @@ void NormalBand::setExtent(ValueRange x, ValueRange y) {
   x_ = x;
   y_ = y;
   Modified();
-}
-
-void NormalBand::setLabel(const std::string& label, int size) {
-  label_ = label;
-  text_->SetFontSize(size);
-  text_->SetFontFamilyToArial();
-  text_->SetJustificationToLeft();
-  text_->SetVerticalJustificationToCentered();
-}
-
-void NormalBand::setLabelColor(const Vec3& color) {
-  text_->SetColor(color.x(), color.y(), color.z());
-  text_->SetOpacity(kLabelOpacity);
 }
 
 bool NormalBand::Paint(vtkContext2D* painter) {
@@ -146,16 +125,6 @@ bool NormalBand::Paint(vtkContext2D* painter) {
   painter->DrawRect(static_cast<float>(left), static_cast<float>(bottom),
                     static_cast<float>((x_.high - x_.low) * shiftScale.GetWidth()),
                     static_cast<float>((y_.high - y_.low) * shiftScale.GetHeight()));
-  if (label_.empty())
-    return true;
-  painter->ApplyTextProp(text_);
-  float box[4] = {0, 0, 0, 0};
-  painter->ComputeStringBounds(label_, box);
-  const double height = (y_.high - y_.low) * shiftScale.GetHeight();
-  const double width = (x_.high - x_.low) * shiftScale.GetWidth();
-  if (box[3] <= height)
-    painter->DrawString(static_cast<float>(left + kLabelIndent * width),
-                        static_cast<float>(bottom + height / 2), label_);
   return true;
 }
 
@@ -185,7 +154,7 @@ int cornerOf(const Curve& curve) {
 struct VolumeChart::Parts {
   vtkNew<vtkRenderer> renderer;
   vtkNew<ChartActor> actor;
-  vtkNew<vtkChartXY> chart;
+  vtkNew<LabelledChart> chart;
   vtkWeakPointer<vtkRenderWindow> window;
   Theme theme = lightTheme();
   std::vector<std::unique_ptr<Curve>> curves;
@@ -205,17 +174,14 @@ struct VolumeChart::Parts {
   ValueRange valueRange(bool right) const;
   void fillCurve(Curve& curve, ValueRange range);
   void fillCursor(ValueRange values);
+  /// Has the chart write the names of the curves that are seen, and the captions of their bands.
+  void nameCurves(double ratio);
 };
 
 void VolumeChart::Parts::build() {
   chart->SetAutoSize(true);
-  chart->SetShowLegend(true);
+  chart->SetShowLegend(false); // Names stand at the curves.
   chart->SetRenderEmpty(true);
-  chart->GetLegend()->SetHorizontalAlignment(vtkChartLegend::RIGHT);
-  chart->GetLegend()->SetVerticalAlignment(vtkChartLegend::TOP);
-  chart->GetLegend()->SetInline(false); // Beside the curves: the newest points are on the right.
-  chart->GetLegend()->SetLabelSize(kFontSize);
-  chart->GetLegend()->GetPen()->SetLineType(vtkPen::NO_PEN);
   for (const int which : kAxes) {
     auto* axis = chart->GetAxis(which);
     axis->SetBehavior(vtkAxis::FIXED);
@@ -242,13 +208,16 @@ void VolumeChart::Parts::applyTheme() {
     setPen(axis->GetPen(), theme.muted, 1);
     setPen(axis->GetGridPen(), theme.muted, which == vtkAxis::RIGHT ? 0 : 0.22);
   }
-  chart->GetLegend()->GetLabelProperties()->SetColor(text.x(), text.y(), text.z());
-  const Vec3& back = theme.panel;
-  chart->GetLegend()->GetBrush()->SetColor(byte(back.x()), byte(back.y()), byte(back.z()), 190);
   chart->GetBackgroundBrush()->SetOpacity(0);
-  for (const auto& curve : curves)
-    for (const auto& band : curve->bands)
-      band->setLabelColor(theme.text);
+  // The second axis has its curve's colour: one sees whose numbers stand there.
+  const auto second =
+      std::find_if(curves.begin(), curves.end(), [](const auto& curve) { return curve->line.rightAxis; });
+  if (second != curves.end()) {
+    auto* axis = chart->GetAxis(vtkAxis::RIGHT);
+    const Vec3 color = LabelledChart::letters((*second)->line.color, theme);
+    axis->GetLabelProperties()->SetColor(color.x(), color.y(), color.z());
+    setPen(axis->GetPen(), (*second)->line.color, 1);
+  }
   if (cursorPlot)
     setPen(cursorPlot->GetPen(), theme.text, 0.8);
 }
@@ -258,14 +227,13 @@ void VolumeChart::Parts::makePlots() {
   chart->ClearPlots();
   for (auto& curve : curves) {
     curve->bands.clear();
-    for (const ChartBand& stripe : curve->line.bands) {
+    for (std::size_t i = 0; i < curve->line.bands.size(); ++i) {
       const Vec3& c = curve->line.color;
       auto band = vtkSmartPointer<NormalBand>::New();
       band->GetBrush()->SetColor(byte(c.x()), byte(c.y()), byte(c.z()), kBandAlpha);
       band->GetPen()->SetLineType(vtkPen::NO_PEN);
       band->SetLegendVisibility(false);
       band->SetSelectable(false);
-      band->setLabel(stripe.label, kFontSize);
       chart->AddPlot(band);
       chart->SetPlotCorner(band, cornerOf(*curve));
       curve->bands.push_back(std::move(band));
@@ -280,7 +248,6 @@ void VolumeChart::Parts::makePlots() {
     if (auto* dots = vtkPlotPoints::SafeDownCast(curve->plot); dots && curve->line.dots)
       dots->SetMarkerStyle(vtkPlotPoints::CIRCLE);
     curve->plot->SetInputData(curve->table, 0, 1);
-    curve->plot->SetLabel(curve->line.name);
     curve->plot->SetWidth(kLineWidth);
     setPen(curve->plot->GetPen(), curve->line.color, 1);
     curve->plot->GetPen()->SetLineType(curve->line.dashed ? vtkPen::DASH_LINE : vtkPen::SOLID_LINE);
@@ -365,6 +332,22 @@ void VolumeChart::Parts::fillCursor(ValueRange values) {
   cursorTable->Modified();
 }
 
+void VolumeChart::Parts::nameCurves(double ratio) {
+  std::vector<LabelledChart::Line> lines;
+  std::vector<LabelledChart::Caption> captions;
+  for (const auto& curve : curves) {
+    const ChartLine& line = curve->line;
+    for (const ChartBand& band : line.bands)
+      captions.push_back({band.label, band.range, line.rightAxis});
+    if (curve->plot->GetVisible())
+      lines.push_back(
+          {line.name, line.color, line.dashed, line.dots, line.rightAxis, curve->table.GetPointer()});
+  }
+  chart->setLook(theme, kFontSize, ratio);
+  chart->setLines(std::move(lines));
+  chart->setCaptions(std::move(captions));
+}
+
 VolumeChart::VolumeChart() : parts_((guardText(), std::make_unique<Parts>())) {
   parts_->build();
   parts_->makePlots();
@@ -416,6 +399,7 @@ void VolumeChart::setLines(const std::vector<ChartLine>& lines) {
 void VolumeChart::setBands(int line, std::vector<ChartBand> bands) {
   parts_->curves.at(std::size_t(line))->line.bands = std::move(bands);
   parts_->makePlots();
+  update(); // New plots of empty curves must not be painted.
 }
 
 int VolumeChart::lineCount() const {
@@ -505,6 +489,7 @@ void VolumeChart::update() {
     }
     axis->SetCustomTickPositions(positions, labels);
   }
+  p.nameCurves(ratio);
   const auto atRight = [](const auto& curve) { return curve->line.rightAxis; };
   p.chart->GetAxis(vtkAxis::RIGHT)->SetVisible(std::any_of(p.curves.begin(), p.curves.end(), atRight));
   p.chart->RecalculateBounds();

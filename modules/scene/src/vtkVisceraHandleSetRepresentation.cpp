@@ -33,9 +33,30 @@ constexpr double kRimPixels = 3.0;
 constexpr double kGrazing = 0.25;
 /// Towards the plane's horizon a handle goes no farther than this many times its distance from the eye.
 constexpr double kFarthest = 2;
+/// Handles fade from this part of the way from near to far ones on; far ones lose so much of their radius,
+/// colour and ghost. The nearest and the farthest of all are this part of them.
+constexpr double kOutermost = 0.08;
+constexpr double kFadeFrom = 0.3;
+constexpr double kSmaller = 0.4;
+constexpr double kPaler = 0.5;
+constexpr double kThinner = 0.8;
+/// Where handles differ in depth by less than this part of their distance, none is far.
+constexpr double kLeastDepth = 0.05;
 const Vec3 kDefaultColor(0.95, 0.75, 0.25);
 /// From here on an actor lets the handles behind it be seen.
 constexpr double kOpaque = 0.999;
+
+/// How far near and far handles are from the eye, mm.
+struct Depths {
+  double nearest = 0;
+  double farthest = 0;
+  /// 0 for a near handle, 1 for a far one.
+  double fading(double depth) const {
+    const double part = (depth - nearest) / std::max(farthest - nearest, kLeastDepth * std::abs(nearest));
+    const double t = std::clamp((part - kFadeFrom) / (1 - kFadeFrom), 0.0, 1.0);
+    return t * t * (3 - 2 * t);
+  }
+};
 
 /// A handle near the cursor.
 struct HandleCandidate {
@@ -119,24 +140,49 @@ struct vtkVisceraHandleSetRepresentation::Parts {
   Vec3 position(int i) const { return positions.row(i).transpose(); }
   bool isSelected(int i) const { return std::binary_search(selection.begin(), selection.end(), i); }
   double radiusPixels(int i, double ratio) const { return ratio * (i == active ? activeRadius : radius); }
-  HandleGlyph glyph(const ViewGeometry& view, int i) const;
+  Depths depths(const ViewGeometry& view) const;
+  HandleGlyph glyph(const ViewGeometry& view, const Depths& depths, int i) const;
 };
 
-HandleGlyph vtkVisceraHandleSetRepresentation::Parts::glyph(const ViewGeometry& view, int i) const {
+/// Of the handles that are shown, without the few that are farthest out: those of a box around the organ
+/// would make all others alike. O(n).
+Depths vtkVisceraHandleSetRepresentation::Parts::depths(const ViewGeometry& view) const {
+  std::vector<double> all;
+  for (int i = 0; i < positions.rows(); ++i)
+    if (const double depth = (position(i) - view.eye).dot(view.forward); shown[std::size_t(i)] && depth > 0)
+      all.push_back(depth);
+  if (all.empty())
+    return {};
+  const auto at = [&all](double part) {
+    const auto place = all.begin() + static_cast<std::ptrdiff_t>(std::lround(part * double(all.size() - 1)));
+    std::nth_element(all.begin(), place, all.end());
+    return *place;
+  };
+  return {at(kOutermost), at(1 - kOutermost)};
+}
+
+HandleGlyph vtkVisceraHandleSetRepresentation::Parts::glyph(const ViewGeometry& view, const Depths& depths,
+                                                            int i) const {
   HandleGlyph glyph;
   glyph.position = position(i);
   const double depth = (glyph.position - view.eye).dot(view.forward);
   if (!shown[std::size_t(i)] || depth <= 0)
     return glyph;
   const double pixel = view.worldPerPixel(depth);
-  const double ratio = view.pixelRatio, pixels = radiusPixels(i, ratio);
   const bool selected = isSelected(i);
+  // The far ones are not to hide the organ; those somebody works with are always whole.
+  const double faded = selected || i == active ? 0 : depths.fading(depth);
+  const double ratio = view.pixelRatio, pixels = (1 - kSmaller * faded) * radiusPixels(i, ratio);
   glyph.radius = pixel * pixels;
   glyph.rimRadius = pixel * (pixels + ratio * (selected ? kRimPixels : kOutlinePixels));
   glyph.color = colors.row(i).transpose().cast<double>() / 255;
   glyph.rimColor = selected ? theme.rim : Vec3(0.25 * glyph.color);
   if (i == active)
     glyph.color = (glyph.color + 0.25 * (Vec3::Ones() - glyph.color)).eval();
+  const Vec3 air = 0.5 * (theme.backgroundTop + theme.backgroundBottom);
+  glyph.color += (kPaler * faded * (air - glyph.color)).eval();
+  glyph.rimColor += (kPaler * faded * (air - glyph.rimColor)).eval();
+  glyph.ghost = 1 - kThinner * faded;
   return glyph;
 }
 
@@ -416,7 +462,8 @@ void vtkVisceraHandleSetRepresentation::SetTheme(const Theme& theme) {
 double vtkVisceraHandleSetRepresentation::GetWorldRadius(int handle) {
   if (!Renderer)
     return 0;
-  return Internals->glyph(viewGeometry(Renderer), handle).radius;
+  const auto view = viewGeometry(Renderer);
+  return Internals->glyph(view, Internals->depths(view), handle).radius;
 }
 
 // ---- drawing
@@ -430,10 +477,11 @@ void vtkVisceraHandleSetRepresentation::BuildRepresentation() {
   if (!Renderer)
     return;
   const auto view = viewGeometry(Renderer);
+  const Depths depths = Internals->depths(view);
   std::vector<HandleGlyph> glyphs;
   glyphs.reserve(std::size_t(GetNumberOfHandles()));
   for (int i = 0; i < GetNumberOfHandles(); ++i)
-    glyphs.push_back(Internals->glyph(view, i));
+    glyphs.push_back(Internals->glyph(view, depths, i));
   Internals->glyphs.set(glyphs);
   BuildTime.Modified();
 }

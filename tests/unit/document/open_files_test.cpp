@@ -121,6 +121,20 @@ TEST_F(OpenFiles, RefuseHandlesThatNothingCanBeBoundTo) {
   EXPECT_THAT(refusal<DataError>({handles("twice.mrk.json", twice)}), HasSubstr("P2 and P10"));
 }
 
+TEST_F(OpenFiles, CallASurfaceAsItsFileWhereItsOwnNameSaysNothing) {
+  const fs::path file = folder_ / "left_kidney.obj";
+  const auto nameOf = [&](const std::string& object) {
+    std::ofstream(file) << "o " << object << "\nv 0 0 0\nv 9 0 0\nv 0 9 0\nv 0 0 9\n"
+                        << "f 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n";
+    Progress progress;
+    return openFiles({file}, progress).organs.front().organ.name;
+  };
+  for (const char* object : {"Mesh1", "default", "Object_1", "object", "42", "Untitled.003"})
+    EXPECT_EQ(nameOf(object), "left_kidney") << object;
+  for (const char* object : {"Spleen", "Mesh1_liver", "segment_4"})
+    EXPECT_EQ(nameOf(object), object);
+}
+
 TEST_F(OpenFiles, CanBeCancelled) {
   Progress progress;
   progress.cancel();

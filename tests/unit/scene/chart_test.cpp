@@ -1,5 +1,7 @@
 #include <cmath>
 #include <limits>
+#include <set>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -178,6 +180,107 @@ TEST(VolumeChart, OtherBandsLeaveTheCurvesAsTheyAre) {
   EXPECT_GT(comparePictures(without, with, 4).differing, 0.1);
   chart.setBands(0, {});
   EXPECT_LT(comparePictures(without, drawn.picture(), 4).differing, 0.001);
+}
+
+/// The rows in which letters of a pure colour, as names have it, stand right of the curves.
+std::set<int> nameRows(vtkImageData* picture, int channel) {
+  std::set<int> rows;
+  const int width = picture->GetDimensions()[0];
+  for (int y = 0; y < picture->GetDimensions()[1]; ++y)
+    for (int x = width - 40; x < width; ++x) {
+      const auto* p = static_cast<const unsigned char*>(picture->GetScalarPointer(x, y, 0));
+      if (p[channel] > 150 && p[channel] > p[(channel + 1) % 3] + 60 &&
+          p[channel] > p[(channel + 2) % 3] + 60)
+        rows.insert(y);
+    }
+  return rows;
+}
+
+TEST(VolumeChart, NamesStandAtTheEndsOfTheirCurves) {
+  for (const bool redAbove : {true, false}) {
+    DrawnChart drawn({{"first", {1, 0, 0}}, {"second", {0, 1, 0}}}, 1);
+    for (const double time : {0.0, 0.5, 1.0})
+      drawn.chart.append(time, redAbove ? two(90, 10) : two(10, 90));
+    const auto picture = drawn.picture();
+    const auto red = nameRows(picture, 0), green = nameRows(picture, 1);
+    ASSERT_FALSE(red.empty());
+    ASSERT_FALSE(green.empty());
+    EXPECT_GT(*(redAbove ? red : green).begin(), 120);
+    EXPECT_LT(*(redAbove ? green : red).rbegin(), 80);
+  }
+}
+
+TEST(VolumeChart, NamesOfCurvesThatEndTogetherStandBelowEachOther) {
+  for (const double end : {0.0, 50.0, 100.0}) {
+    DrawnChart drawn({{"first", {1, 0, 0}}, {"second", {0, 1, 0}}, {"third", {0, 0, 1}}}, 1);
+    Values last(3);
+    last << end, end + 0.1, end + 0.2;
+    drawn.chart.append(0, Values::LinSpaced(3, 0, 100));
+    drawn.chart.append(1, last);
+    const auto picture = drawn.picture();
+    const auto red = nameRows(picture, 0), green = nameRows(picture, 1);
+    ASSERT_FALSE(red.empty());
+    ASSERT_FALSE(green.empty());
+    EXPECT_LT(*red.rbegin(), *green.begin()) << end;
+  }
+}
+
+TEST(VolumeChart, TheSecondAxisHasItsCurvesColour) {
+  const auto redAt = [](bool right) {
+    DrawnChart drawn({{"", {1, 0, 0}, {}, right}, {"", {0, 1, 0}}}, 1, 500, lightTheme());
+    for (const double time : {0.0, 0.4})
+      drawn.chart.append(time, two(50, 60));
+    const auto picture = drawn.picture();
+    int red = 0;
+    for (int y = 0; y < 200; ++y)
+      for (int x = 460; x < 500; ++x) {
+        const auto* p = static_cast<const unsigned char*>(picture->GetScalarPointer(x, y, 0));
+        red += p[0] > p[1] + 60 && p[0] > p[2] + 60;
+      }
+    return red;
+  };
+  EXPECT_EQ(redAt(false), 0);
+  EXPECT_GT(redAt(true), 60) << "its numbers";
+}
+
+TEST(VolumeChart, TheCaptionOfABandStandsWhereNoCurvePasses) {
+  DrawnChart drawn({kRed}, 1);
+  VolumeChart& chart = drawn.chart;
+  // Through the middle of the band at the left, where a caption would stand, and out of it at the right.
+  for (int i = 0; i <= 40; ++i)
+    chart.append(i / 40.0, Values::Constant(1, i < 20 ? 50 : 50 + 2.5 * (i - 20)));
+  const auto differing = [&](const std::string& caption) {
+    chart.setBands(0, {{{30, 70}, {}}});
+    const auto without = drawn.picture();
+    chart.setBands(0, {{{30, 70}, caption}});
+    const auto with = drawn.picture();
+    int changed = 0, onCurve = 0;
+    for (int y = 1; y < 199; ++y)
+      for (int x = 60; x < 490; ++x) {
+        const auto at = [&](vtkImageData* picture, int dy) {
+          return static_cast<const unsigned char*>(picture->GetScalarPointer(x, y + dy, 0));
+        };
+        if (std::abs(at(without, 0)[1] - at(with, 0)[1]) < 16)
+          continue;
+        ++changed;
+        for (const int dy : {-1, 0, 1})
+          onCurve += at(without, dy)[0] > 200 && at(without, dy)[1] < 60;
+      }
+    return std::pair{changed, onCurve};
+  };
+  const auto [changed, onCurve] = differing("normal");
+  EXPECT_GT(changed, 40) << "it is there";
+  EXPECT_EQ(onCurve, 0);
+  EXPECT_EQ(differing(std::string(200, 'm')).first, 0) << "there is no room for this one";
+}
+
+TEST(VolumeChart, OtherBandsOfEmptyCurvesSayNothing) {
+  DrawnChart drawn({kRed, kGreen}, 1);
+  drawn.picture();
+  drawn.chart.setBands(0, {{{45, 55}, "normal"}});
+  testing::internal::CaptureStderr();
+  grabPicture(drawn.surface.window());
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "") << "drawn before it was brought up to date";
 }
 
 TEST(VolumeChart, EmptyAndSinglePointAreOrdinaryStates) {

@@ -7,7 +7,10 @@
 #include <vtkActor.h>
 #include <vtkCallbackCommand.h>
 #include <vtkCamera.h>
+#include <vtkImageData.h>
 #include <vtkNew.h>
+
+#include "viscera/scene/picture.h"
 
 #include "shapes.h"
 #include "view_fixture.h"
@@ -325,6 +328,55 @@ TEST_F(HandleWidget, HandlesKeepTheirSizeOnTheScreenAtAnyZoom) {
     EXPECT_NEAR(b[1] - a[1], handles->GetHandleRadius(), 0.05) << zoom;
     camera->Dolly(1 / zoom);
   }
+}
+
+TEST_F(HandleWidget, FarHandlesAreSmallerUnlessSomebodyWorksWithThem) {
+  std::vector<Vec3> row;
+  for (int i = 0; i < 12; ++i)
+    row.emplace_back(-60, -60 + 10 * i, 5 * i - 30);
+  place(row);
+  const auto pixels = [this](int handle) {
+    const Vec3 center = handles->GetPosition(handle);
+    const auto a = window.display(center),
+               b = window.display(center + handles->GetWorldRadius(handle) * Vec3::UnitZ());
+    return b[1] - a[1];
+  };
+  const double whole = handles->GetHandleRadius();
+  EXPECT_NEAR(pixels(0), whole, 0.05);
+  EXPECT_NEAR(pixels(2), whole, 0.05) << "near ones are alike";
+  EXPECT_LT(pixels(8), 0.9 * whole);
+  EXPECT_LT(pixels(11), pixels(8));
+  EXPECT_GT(pixels(11), 0.5 * whole) << "it can still be seen";
+  handles->SetSelection({11});
+  EXPECT_NEAR(pixels(11), whole, 0.05) << "selected";
+  EXPECT_LT(pixels(10), 0.9 * whole);
+  handles->SetActiveHandle(10);
+  EXPECT_GT(pixels(10), whole) << "under the mouse";
+}
+
+TEST_F(HandleWidget, GhostsOfFarHandlesHideLessOfTheOrgan) {
+  std::vector<Vec3> row; // All but one behind the organ, one behind the other.
+  for (int i = 0; i < 12; ++i)
+    row.emplace_back(i == 0 ? 0 : 30 * (i % 2 ? 1 : -1), -90 + 16 * i, 0);
+  const auto ghostAt = [&](int handle) {
+    place(row);
+    const auto at = window.display(handles->GetPosition(handle));
+    const auto x = static_cast<int>(at[0]), y = static_cast<int>(at[1]);
+    const auto brightness = [&] {
+      window.render();
+      const auto picture = grabPicture(window.surface.window());
+      const auto* p = static_cast<const unsigned char*>(picture->GetScalarPointer(x, y, 0));
+      return Vec3(p[0], p[1], p[2]);
+    };
+    const Vec3 with = brightness();
+    for (int i = 0; i < 12; ++i)
+      handles->SetHandleShown(i, false);
+    return (with - brightness()).norm();
+  };
+  organ->setColor({0.2, 0.2, 0.6});
+  const double near = ghostAt(4), far = ghostAt(11);
+  EXPECT_GT(near, 8);
+  EXPECT_LT(far, 0.5 * near);
 }
 
 TEST_F(HandleWidget, HandlesAreLargerOnADenseScreenAndUnderTheCursor) {

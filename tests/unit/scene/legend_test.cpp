@@ -4,7 +4,12 @@
 
 #include <gtest/gtest.h>
 
+#include <vtkImageData.h>
+
+#include "shapes.h"
+#include "view_fixture.h"
 #include "viscera/scene/legend.h"
+#include "viscera/scene/picture.h"
 
 namespace viscera::scene {
 namespace {
@@ -46,6 +51,33 @@ TEST(Legend, LabelsHaveJustTheDigitsNeeded) {
   EXPECT_EQ(tickLabel(-3, 1), "-3");
   EXPECT_EQ(tickLabel(150, 50), "150");
   EXPECT_EQ(tickLabel(0, 0.1), "0.0");
+}
+
+TEST(Legend, CanBeReadOverWhatLiesBehindIt) {
+  for (const Theme& theme : {darkTheme(), lightTheme()}) {
+    tests::ViewInWindow window(400, 300);
+    window.view.setTheme(theme);
+    window.addOrgan(tests::sphere(4, 60))->setColor(theme.text); // As its own letters.
+    window.view.lookFrom(StandardView::anterior, {Vec3::Constant(-20), Vec3::Constant(20)});
+    window.view.setScaleBarShown(false);
+    const auto picture = [&window] {
+      window.render();
+      return grabPicture(window.surface.window());
+    };
+    const auto without = picture();
+    window.view.legend().show("Stress", "deg", viridis(), {0, 1});
+    const auto with = picture();
+    int covered = 0; // Where the numbers stand.
+    for (int y = 60; y < 240; ++y)
+      for (int x = 344; x < 370; ++x) {
+        const auto at = [&](vtkImageData* seen) {
+          return *static_cast<const unsigned char*>(seen->GetScalarPointer(x, y, 0));
+        };
+        const double panel = 255 * theme.panel.x();
+        covered += std::abs(at(with) - panel) < 0.6 * std::abs(at(without) - panel);
+      }
+    EXPECT_GT(covered, 200) << (theme.dark ? "dark" : "light");
+  }
 }
 
 } // namespace

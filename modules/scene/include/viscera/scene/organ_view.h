@@ -86,6 +86,11 @@ public:
   Legend& legend();
 
   void setOrientationCubeShown(bool shown);
+  /// The side of the body whose face or letter of the orientation cube is at a display position (device
+  /// pixels from the lower left corner) in the last frame; none beside the cube, and while it is hidden.
+  std::optional<StandardView> orientationSideAt(double x, double y) const;
+  /// Highlights a side of the cube from the next frame on, or none; says whether that changes the picture.
+  bool highlightOrientationSide(std::optional<StandardView> side);
   void setScaleBarShown(bool shown);
 
   /// While something moves, a software renderer does not smooth edges, which takes as long as all the rest,

@@ -15,7 +15,7 @@ namespace viscera::scene {
 /// A pale stripe behind the curves: what healthy people have.
 struct ChartBand {
   ValueRange range;  ///< In the unit of the axis.
-  std::string label; ///< Written into the stripe where it is high enough; may be empty.
+  std::string label; ///< Written into the stripe where no curve passes, if there is room; may be empty.
 };
 
 /// One curve of a chart.
@@ -28,9 +28,10 @@ struct ChartLine {
   bool dots = false;                 ///< Its points alone, without a line: what was measured.
 };
 
-/// Curves over time that grow while a sequence plays: volumes in ml, usually. Draws into any vtkRenderWindow,
-/// which it has for itself. Nothing is drawn until the window is rendered: the caller decides how often (some
-/// 10 Hz is enough; a frame costs about 30 ms in software). Belongs to the thread that renders.
+/// Curves over time that grow while a sequence plays: volumes in ml, usually. Names stand at the right ends
+/// of the curves, in their colours, and never over each other. Draws into any vtkRenderWindow, which it has
+/// for itself. Nothing is drawn until the window is rendered: the caller decides how often (some 10 Hz is
+/// enough; a frame costs about 30 ms in software). Belongs to the thread that renders.
 class VolumeChart {
 public:
   VolumeChart();

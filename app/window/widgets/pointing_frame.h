@@ -1,0 +1,30 @@
+#pragma once
+
+#include <QPointer>
+#include <QWidget>
+
+namespace viscera::app {
+
+/// A frame around a widget of the same window that somebody speaks of. It goes with the widget, is hidden
+/// while that is, and takes no clicks.
+class PointingFrame final : public QWidget {
+  Q_OBJECT
+
+public:
+  /// The target may die first.
+  explicit PointingFrame(QWidget& target);
+  ~PointingFrame() override;
+
+  QWidget* target() const { return target_; }
+
+protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+  void paintEvent(QPaintEvent* event) override;
+
+private:
+  void follow();
+
+  QPointer<QWidget> target_;
+};
+
+} // namespace viscera::app

@@ -1,0 +1,72 @@
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include <vtkActor.h>
+#include <vtkNew.h>
+#include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
+#include <vtkTextActor.h>
+#include <vtkUnsignedCharArray.h>
+
+#include "viscera/scene/organ_view.h"
+#include "viscera/scene/theme.h"
+
+#include "before_render.h"
+
+class vtkRenderer;
+
+namespace viscera::scene {
+
+/// Logical pixels: the corner at the lower left that the orientation cube has for itself.
+constexpr double kOrientationCorner = 104;
+
+/// A small bevelled cube in the lower left corner, turned with the main camera. Its letters say where the
+/// patient's anterior, posterior, left, right, superior and inferior sides are; they stand upright from
+/// wherever one looks, and that of a side that is seen from its edge stands beside the cube. A side is found
+/// under the mouse and can be highlighted. Has a renderer of its own on the layer above.
+class OrientationCube {
+public:
+  explicit OrientationCube(vtkRenderer* followed);
+  ~OrientationCube();
+
+  void setTheme(const Theme& theme);
+  void setShown(bool shown);
+  vtkRenderer* renderer() const { return renderer_; }
+
+  /// The side whose face or letter is at a display position (device pixels from the lower left corner), as
+  /// the last frame showed it; none beside the cube, or while it is hidden. A face on the cube's far side is
+  /// not found.
+  std::optional<StandardView> sideAt(double x, double y) const;
+  void highlight(std::optional<StandardView> side);
+  std::optional<StandardView> highlighted() const { return highlighted_; }
+
+private:
+  /// Where a side's letter stands, and how large.
+  struct Letter {
+    Vec3 place = Vec3::Zero();
+    int size = 0; ///< Logical pixels; 0: the side looks away.
+    bool onFace = true;
+    double opacity = 1;
+  };
+
+  void follow();
+  void paint();
+  Letter letterOf(StandardView side, const Vec3& eye) const;
+  void placeLetters();
+
+  vtkRenderer* followed_;
+  vtkNew<vtkRenderer> renderer_;
+  vtkNew<vtkPolyData> cube_;
+  vtkNew<vtkUnsignedCharArray> colors_; ///< One a polygon of the cube: the six faces first.
+  vtkNew<vtkActor> actor_;
+  std::array<vtkSmartPointer<vtkTextActor>, 6> texts_;
+  std::array<Letter, 6> letters_;
+  std::optional<StandardView> highlighted_;
+  Theme theme_ = darkTheme();
+  bool shown_ = true;
+  BeforeRender beforeRender_;
+};
+
+} // namespace viscera::scene

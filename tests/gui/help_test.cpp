@@ -1,0 +1,74 @@
+#include "window_test.h"
+
+#include <QAction>
+#include <QLabel>
+#include <QPushButton>
+#include <QTest>
+
+#include "window/widgets/help_cards.h"
+#include "window/widgets/pointing_frame.h"
+
+namespace viscera::tests {
+namespace {
+
+class Tour : public WindowTest {
+protected:
+  void SetUp() override {
+    WindowTest::SetUp();
+    window().setMode("play");
+    chooseSequence("heartbeat");
+    settle();
+    window().findChild<QAction*>(QStringLiteral("help.tour"))->trigger();
+    settle();
+  }
+
+  app::TourCard& card() { return *window().findChild<app::TourCard*>(); }
+  QList<app::PointingFrame*> frames() { return window().findChildren<app::PointingFrame*>(); }
+  QRect placeOf(QWidget& widget) { return {widget.mapTo(&window(), QPoint(0, 0)), widget.size()}; }
+  /// Whether every frame lies just around what it is for.
+  bool framesFit() {
+    for (app::PointingFrame* frame : frames())
+      if (!frame->isVisible() || frame->geometry() != placeOf(*frame->target()))
+        return false;
+    return !frames().isEmpty();
+  }
+  void next() {
+    for (QPushButton* button : card().findChildren<QPushButton*>())
+      if (button->objectName() == QLatin1String("primary"))
+        QTest::mouseClick(button, Qt::LeftButton);
+    settle();
+  }
+};
+
+TEST_F(Tour, FramesWhatEachStepSpeaksOfAndCoversNothingOfIt) {
+  for (const app::TourStep& step : card().steps()) {
+    const std::string title = step.title.toStdString();
+    ASSERT_FALSE(step.targets.isEmpty()) << title;
+    EXPECT_EQ(frames().size(), step.targets.size()) << title << ": a target is missing";
+    EXPECT_TRUE(waitUntil([this] { return framesFit(); })) << title;
+    for (app::PointingFrame* frame : frames())
+      EXPECT_TRUE(frame->target() == &view() || // Which is large, and has the card in it.
+                  !placeOf(*frame->target()).intersects(placeOf(card())))
+          << title;
+    next();
+  }
+  EXPECT_FALSE(card().isVisible());
+  EXPECT_TRUE(frames().isEmpty());
+}
+
+TEST_F(Tour, FramesFollowTheWindowTakeNoClicksAndEndWithEscape) {
+  next();
+  ASSERT_TRUE(waitUntil([this] { return framesFit(); }));
+  const QRect before = frames().front()->geometry();
+  window().resize(window().width() - 120, window().height() - 40);
+  EXPECT_TRUE(waitUntil([&] { return framesFit() && frames().front()->geometry() != before; }));
+  QWidget* target = frames().front()->target();
+  EXPECT_TRUE(target == window().childAt(placeOf(*target).center()) ||
+              target->isAncestorOf(window().childAt(placeOf(*target).center())));
+  key(Qt::Key_Escape);
+  EXPECT_FALSE(card().isVisible());
+  EXPECT_TRUE(frames().isEmpty());
+}
+
+} // namespace
+} // namespace viscera::tests
