@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "viscera/core/error.h"
-#include "viscera/geometry/winding_number.h"
 
 namespace viscera::deformation {
 namespace {
@@ -32,36 +31,6 @@ double signedVolume(const Points& points, const Tetrahedra& tetrahedra, Eigen::I
              .cross(points.row(tetrahedra(t, 2)) - a)
              .dot(points.row(tetrahedra(t, 3)) - a) /
          6;
-}
-
-constexpr Eigen::Index kGrain = 1024;
-
-/// Which of the points are inside a cavity.
-std::vector<char> insideCavities(const Points& points,
-                                 const std::vector<std::shared_ptr<const geometry::TriangleMesh>>& cavities,
-                                 Threads threads) {
-  std::vector<char> inside(static_cast<std::size_t>(points.rows()), 0);
-  for (const auto& cavity : cavities) {
-    const geometry::WindingNumber winding(*cavity);
-    const Bounds box = boundsOf(cavity->points);
-    parallelRanges(points.rows(), kGrain, threads, [&](Eigen::Index begin, Eigen::Index end) {
-      for (Eigen::Index i = begin; i < end; ++i) {
-        const Vec3 at = points.row(i).transpose();
-        const bool near = (at.array() >= box.low.array()).all() && (at.array() <= box.high.array()).all();
-        if (near && winding.inside(at))
-          inside[static_cast<std::size_t>(i)] = 1;
-      }
-    });
-  }
-  return inside;
-}
-
-Points middlesOf(const WitnessMesh& mesh) {
-  Points middles = Points::Zero(mesh.tetrahedra.rows(), 3);
-  for (Eigen::Index t = 0; t < mesh.tetrahedra.rows(); ++t)
-    for (int c = 0; c < 4; ++c)
-      middles.row(t) += 0.25 * mesh.points.row(mesh.tetrahedra(t, c));
-  return middles;
 }
 
 constexpr int kHalvings = 24;
@@ -140,44 +109,6 @@ void requireUsable(const WitnessMesh& mesh, const std::string& where) {
     if (!(signedVolume(mesh.points, mesh.tetrahedra, t) > smallest))
       throw DataError("tetrahedron " + std::to_string(t) + " is flat or turned around", where);
   }
-}
-
-WitnessMesh withoutCavities(const WitnessMesh& mesh,
-                            const std::vector<std::shared_ptr<const geometry::TriangleMesh>>& cavities,
-                            Threads threads) {
-  const std::vector<char> inside = insideCavities(middlesOf(mesh), cavities, threads);
-  const auto left = static_cast<Eigen::Index>(std::count(inside.begin(), inside.end(), 0));
-  WitnessMesh carved;
-  carved.tetrahedra.resize(left, 4);
-  std::vector<std::int32_t> number(static_cast<std::size_t>(mesh.points.rows()), -1);
-  Eigen::Index row = 0;
-  for (Eigen::Index t = 0; t < mesh.tetrahedra.rows(); ++t) {
-    if (inside[static_cast<std::size_t>(t)] != 0)
-      continue;
-    carved.tetrahedra.row(row++) = mesh.tetrahedra.row(t);
-    for (int c = 0; c < 4; ++c)
-      number[static_cast<std::size_t>(mesh.tetrahedra(t, c))] = 0;
-  }
-  // Corners that stick out into a cavity close the solid, as those on the organ's surface do.
-  const std::vector<char> inBlood = insideCavities(mesh.points, cavities, threads);
-  std::int32_t points = 0;
-  for (const bool wanted : {true, false})
-    for (Eigen::Index point = 0; point < mesh.points.rows(); ++point) {
-      const auto at = static_cast<std::size_t>(point);
-      if (number[at] >= 0 && (mesh.isWitness(point) && inBlood[at] == 0) == wanted) {
-        number[at] = points++;
-        carved.witnesses += wanted ? 1 : 0;
-      }
-    }
-  if (left == mesh.tetrahedra.rows() || carved.witnesses == 0)
-    return mesh;
-  carved.points.resize(points, 3);
-  for (Eigen::Index point = 0; point < mesh.points.rows(); ++point)
-    if (number[static_cast<std::size_t>(point)] >= 0)
-      carved.points.row(number[static_cast<std::size_t>(point)]) = mesh.points.row(point);
-  for (Eigen::Index i = 0; i < carved.tetrahedra.size(); ++i)
-    carved.tetrahedra.data()[i] = number[static_cast<std::size_t>(carved.tetrahedra.data()[i])];
-  return carved;
 }
 
 std::vector<int> thinnedPoints(const Points& points, Eigen::Index count, int most) {

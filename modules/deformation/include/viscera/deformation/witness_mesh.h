@@ -19,7 +19,7 @@ using Tetrahedra = Eigen::Matrix<std::int32_t, Eigen::Dynamic, 4, Eigen::RowMajo
 /// tetrahedra so that what is measured can be drawn as a solid.
 struct WitnessMesh {
   /// `n x 3`, mm, LPS, at rest. The witness points, strictly inside the organ, come first; those behind them
-  /// lie on its surface, or stick out into a cavity, and only close the solid.
+  /// lie on its surface, or on a cavity's wall, and only close the solid.
   Points points;
   Tetrahedra tetrahedra;      ///< `t x 4` indices into `points`, positive.
   Eigen::Index witnesses = 0; ///< Rows [0, witnesses) of `points` are witness points.
@@ -39,10 +39,12 @@ Triangles skinOf(const Tetrahedra& tetrahedra);
 /// than points, or no witness at all. `where` names the mesh in the message. O(n + t).
 void requireUsable(const WitnessMesh& mesh, const std::string& where);
 
-/// The mesh without what lies inside `cavities` (blood in a ventricle is no tissue that could be distorted):
-/// tetrahedra whose middle is inside one go, points that none needs, and corners inside one are no witnesses
-/// any more. The rest keeps its order, witnesses first. Unchanged when nothing would be left. O((n + t) log
-/// m) on several threads; the same answer whatever their number.
+/// The mesh without what lies inside `cavities` (blood in a ventricle is no tissue that could be distorted),
+/// with their walls as its skin there: tetrahedra in a cavity go, those on its wall are cut along it, with a
+/// new point on every edge that goes through. Corners inside one are no witnesses any more, points that none
+/// needs go, all other witnesses stay where they are, in their order and first. Unchanged when no cavity
+/// meets the mesh or nothing would be left. O((n + t) log m) on several threads; the same answer whatever
+/// their number.
 WitnessMesh withoutCavities(const WitnessMesh& mesh,
                             const std::vector<std::shared_ptr<const geometry::TriangleMesh>>& cavities,
                             Threads threads = {});
