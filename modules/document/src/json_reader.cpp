@@ -39,7 +39,7 @@ void JsonReader::fail(const std::string& problem, const std::string& place) cons
 
 void JsonReader::fail(const std::string& problem, const std::string& place,
                       const std::string& tryThis) const {
-  throw DataError(problem, place.empty() ? where_ : phrase("%1, %2", where_, place), tryThis);
+  throw DataError(problem, place.empty() ? where_ : where_ + ", " + place, tryThis);
 }
 
 ordered_json JsonReader::parse(const std::string& text) const {

@@ -12,7 +12,7 @@
 /// (app/window/language.h). It recognises a text by its pattern, so a text with a number or a name in it is
 /// written as a pattern with its parts instead of being added up:
 ///
-///     throw DataError(phrase("The pose has %n {handle|handles}, the document %2", posed, count));
+///     throw DataError(phrase("The pose has %1 handles, the document %2", posed, count));
 ///
 /// `%1` to `%9` stand for the parts in their order. `%n` is the first part as a number, and chooses between
 /// the forms in braces: the first for 1, the second for any other. Each pattern stands as one literal, which

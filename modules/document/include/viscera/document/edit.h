@@ -38,7 +38,7 @@ template <class Item, class AnyId>
 Item& require(std::vector<Item>& list, AnyId id, const std::string& kind) {
   const auto found = std::find_if(list.begin(), list.end(), [id](const Item& item) { return item.id == id; });
   if (found == list.end())
-    throw UsageError(phrase("There is no such %1 any more", kind), phrase("%1 %2", kind, id.value));
+    throw UsageError(phrase("There is no such %1 any more", kind), kind + " " + std::to_string(id.value));
   return *found;
 }
 
