@@ -10,6 +10,7 @@
 #include "viscera/document/open_files.h"
 #include "viscera/document/session_file.h"
 #include "viscera/document/system_commands.h"
+#include "viscera/document/undo_stack.h"
 #include "viscera/medical_io/handle_file.h"
 #include "viscera/medical_io/label_map.h"
 
@@ -59,9 +60,7 @@ std::optional<LabelReference> labelReference(const std::filesystem::path& organ)
   return std::nullopt;
 }
 
-document::Organ organOf(const SessionReference& reference, const sample_organs::SampleLibrary& samples,
-                        Progress& progress) {
-  const document::OpenedSession opened = document::readSession(reference.session, samples, progress);
+document::Organ organOf(const SessionReference& reference, const document::OpenedSession& opened) {
   const document::OrganList& organs = *opened.contents.state.organs;
   std::vector<std::string> names;
   for (const auto& organ : organs) {
@@ -125,7 +124,7 @@ std::vector<document::Organ> organInputs(const std::string& organ,
       for (std::string& warning : one.warnings)
         warning = organ + ": " + one.name + ": " + warning;
   } else if (const auto session = isSample(organ) ? std::nullopt : sessionReference(organ)) {
-    result.push_back(organOf(*session, samples, progress));
+    result.push_back(organOf(*session, document::readSession(session->session, samples, progress)));
   } else if (!isSample(organ)) {
     result.push_back(document::readOrgan(organ));
     for (std::string& warning : result.back().warnings)
@@ -160,6 +159,24 @@ document::Organ organInput(const std::string& organ, const sample_organs::Sample
                          listed(names));
   }
   return std::move(organs.front());
+}
+
+OrgansAround organsAround(const std::string& organ, const sample_organs::SampleLibrary& samples,
+                          Progress& progress) {
+  if (isSample(organ))
+    return {};
+  if (const auto session = sessionReference(organ)) {
+    const document::OpenedSession opened = document::readSession(session->session, samples, progress);
+    return {*opened.contents.state.organs, organOf(*session, opened).name};
+  }
+  const auto labels = labelReference(organ);
+  const document::OpenedFiles opened =
+      document::openFiles({labels ? labels->file : std::filesystem::path(organ)}, progress);
+  document::Document holder;
+  document::UndoStack undo(holder);
+  if (!opened.organs.empty())
+    undo.perform(opened.command());
+  return {*holder.state().organs, labels && !labels->labels.empty() ? labels->labels.front() : ""};
 }
 
 int RigInput::indexOf(const std::string& label) const {

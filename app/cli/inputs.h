@@ -8,7 +8,7 @@
 
 #include "viscera/coordinates/handle_set.h"
 #include "viscera/core/progress.h"
-#include "viscera/document/organ.h"
+#include "viscera/document/document.h"
 #include "viscera/sample_organs/sample_organ.h"
 
 /// What commands take as ORGAN and as handle files.
@@ -52,6 +52,17 @@ document::Organ organInput(const std::string& organ, const sample_organs::Sample
 /// As above, but all surfaces of a sample organ, and all labels of a label map, when none is named.
 std::vector<document::Organ> organInputs(const std::string& organ,
                                          const sample_organs::SampleLibrary& samples, Progress& progress);
+
+/// All organs of the file or session that ORGAN names, or of which it names one, and which of them is whose
+/// cavity.
+struct OrgansAround {
+  document::OrganList organs;
+  std::string name; ///< Behind the slash; empty for a whole file.
+};
+
+/// Reads them. Of a file that cannot be read, and of a sample organ, none: `organInput` says why.
+OrgansAround organsAround(const std::string& organ, const sample_organs::SampleLibrary& samples,
+                          Progress& progress);
 
 /// The rest handles of a file.
 struct RigInput {

@@ -16,6 +16,7 @@
 #include "viscera/motion/player.h"
 #include "viscera/motion/sequence_file.h"
 #include "viscera/motion/sequence_setup.h"
+#include "viscera/motion/textbook_motion.h"
 
 namespace viscera::app::cli {
 namespace {
@@ -186,8 +187,79 @@ PlayedSequence onOwnOrgan(const PlayRequest& request, Surroundings& surroundings
   return played;
 }
 
+/// A measured heart's cavities are told apart by the blood in them, as atlases draw it.
+std::optional<Vec3> bloodColor(const std::string& cavity) {
+  const Vec3 arterial(0.81, 0.23, 0.20), venous(0.29, 0.40, 0.72);
+  if (cavity == "LV" || cavity == "LA")
+    return arterial;
+  if (cavity == "RV" || cavity == "RA")
+    return venous;
+  return std::nullopt;
+}
+
+/// The surfaces that a recorded motion holds.
+Surfaces surfacesOf(const motion::SequenceFile& file) {
+  Surfaces surfaces;
+  for (const motion::SequenceOrgan& organ : file.organs) {
+    document::Organ whole = document::makeOrgan(organ.name, organ.mesh);
+    whole.look.color = bloodColor(organ.name).value_or(whole.look.color);
+    surfaces.add(organ.name, std::move(whole));
+  }
+  return surfaces;
+}
+
+PlayedSequence playRecorded(const motion::SequenceFile& file, Surfaces surfaces, Surroundings& surroundings) {
+  PlayedSequence played;
+  played.sequence = std::make_shared<sequences::KeyframedSequence>(file.track);
+  played.rig = motion::rigOf(file);
+  bindAll(played, std::move(surfaces), file.system.value_or(document::SystemChoice()), surroundings);
+  return played;
+}
+
+/// The heart with chambers that is asked for: the one that is named, or has the named chamber; else the
+/// first.
+std::shared_ptr<const document::Organ> heartAmong(const OrgansAround& around) {
+  for (const auto& organ : around.organs)
+    if (around.name.empty() || organ->name == around.name)
+      if (auto heart = motion::heartWithCavities(around.organs, *organ))
+        return heart;
+  return nullptr;
+}
+
+/// The textbook's beat in a heart with its chambers; nothing for another organ.
+std::optional<PlayedSequence> onHeartWithChambers(const PlayRequest& request, Surroundings& surroundings) {
+  if (request.sequence != "heartbeat")
+    return std::nullopt;
+  const OrgansAround around = organsAround(request.organ, surroundings.samples, surroundings.progress);
+  const std::shared_ptr<const document::Organ> heart = heartAmong(around);
+  if (!heart)
+    return std::nullopt;
+  std::vector<std::string> warnings = heart->warnings;
+  motion::TextbookBeat beat;
+  beat.given = givenLandmarks(request, warnings);
+  if (request.ratePerMinute > 0)
+    beat.ratePerMinute = request.ratePerMinute;
+  if (request.ejectionFraction > 0)
+    beat.ejectionFraction = request.ejectionFraction;
+  const motion::PatientMotion found =
+      motion::textbookMotion(around.organs, *heart, beat, surroundings.progress, surroundings.threads);
+  PlayedSequence played = playRecorded(found.sequence, surfacesOf(found.sequence), surroundings);
+  played.warnings = std::move(warnings);
+  played.warnings.insert(played.warnings.end(), found.warnings.begin(), found.warnings.end());
+  return played;
+}
+
+void requireNoEjectionFraction(const PlayRequest& request) {
+  if (request.ejectionFraction > 0)
+    throw UsageError("Only a heart with its chambers can be given an ejection fraction",
+                     "--ejection-fraction", "name a label map of a heart with --organ");
+}
+
 /// A shipped sequence on an organ that it is not made for.
 PlayedSequence onOtherOrgan(const PlayRequest& request, Surroundings& surroundings) {
+  if (std::optional<PlayedSequence> heart = onHeartWithChambers(request, surroundings))
+    return std::move(*heart);
+  requireNoEjectionFraction(request);
   PlayedSequence played;
   const motion::Landmarks given = givenLandmarks(request, played.warnings);
   const std::string name = request.organ.empty() ? "sample:" + ownOrgan(request.sequence) : request.organ;
@@ -205,37 +277,21 @@ PlayedSequence onOtherOrgan(const PlayRequest& request, Surroundings& surroundin
   return played;
 }
 
-/// A measured heart's cavities are told apart by the blood in them, as atlases draw it.
-std::optional<Vec3> bloodColor(const std::string& cavity) {
-  const Vec3 arterial(0.81, 0.23, 0.20), venous(0.29, 0.40, 0.72);
-  if (cavity == "LV" || cavity == "LA")
-    return arterial;
-  if (cavity == "RV" || cavity == "RA")
-    return venous;
-  return std::nullopt;
-}
-
 PlayedSequence fromFile(const PlayRequest& request, Surroundings& surroundings) {
   const motion::SequenceFile file = motion::readSequence(request.sequence);
   if (request.organ.empty() && file.organs.empty())
     throw UsageError("It needs an organ to move", request.sequence, "name one with --organ");
-  PlayedSequence played;
-  played.sequence = std::make_shared<sequences::KeyframedSequence>(file.track);
-  played.rig = motion::rigOf(file);
-  Surfaces surfaces;
   if (request.organ.empty())
-    for (const motion::SequenceOrgan& organ : file.organs) {
-      document::Organ whole = document::makeOrgan(organ.name, organ.mesh);
-      whole.look.color = bloodColor(organ.name).value_or(whole.look.color);
-      surfaces.add(organ.name, std::move(whole));
-    }
-  else
-    for (document::Organ& organ : organInputs(request.organ, surroundings.samples, surroundings.progress)) {
-      played.warnings.insert(played.warnings.end(), organ.warnings.begin(), organ.warnings.end());
-      const std::string name = surfaces.names.empty() ? "outer" : organ.name.substr(organ.name.find('/') + 1);
-      surfaces.add(name, std::move(organ));
-    }
-  bindAll(played, std::move(surfaces), file.system.value_or(document::SystemChoice()), surroundings);
+    return playRecorded(file, surfacesOf(file), surroundings);
+  Surfaces surfaces;
+  std::vector<std::string> warnings;
+  for (document::Organ& organ : organInputs(request.organ, surroundings.samples, surroundings.progress)) {
+    warnings.insert(warnings.end(), organ.warnings.begin(), organ.warnings.end());
+    const std::string name = surfaces.names.empty() ? "outer" : organ.name.substr(organ.name.find('/') + 1);
+    surfaces.add(name, std::move(organ));
+  }
+  PlayedSequence played = playRecorded(file, std::move(surfaces), surroundings);
+  played.warnings = std::move(warnings);
   return played;
 }
 
@@ -276,6 +332,8 @@ PlayedSequence playedSequence(const PlayRequest& request, Surroundings& surround
   if (!request.scenario.empty() && (request.sequence != "heartbeat" || isOther(request)))
     throw UsageError("Only the sample heart follows a circulation", "--scenario " + request.scenario,
                      "play heartbeat without --organ and landmarks");
+  if (isFile || !isOther(request))
+    requireNoEjectionFraction(request);
   PlayedSequence played = isFile             ? fromFile(request, surroundings)
                           : isOther(request) ? onOtherOrgan(request, surroundings)
                                              : onOwnOrgan(request, surroundings);

@@ -20,8 +20,9 @@ struct PlayRequest {
   std::string handles;               ///< A handle file that has to hold the sequence's handles; or empty.
   std::string landmarks;             ///< A handle file with landmarks of the organ; or empty.
   std::vector<std::string> landmark; ///< "apex=1,2,3"; these go before those of the file.
-  std::string scenario;     ///< Of the circulation that the heart follows; empty: the textbook's beat.
-  double ratePerMinute = 0; ///< Of that circulation; 0: the scenario's own.
+  std::string scenario;        ///< Of the circulation that the heart follows; empty: the textbook's beat.
+  double ratePerMinute = 0;    ///< Of that circulation; 0: the scenario's own.
+  double ejectionFraction = 0; ///< Of a heart with its chambers; 0: the textbook's.
 };
 
 /// One surface that a sequence moves.
@@ -69,7 +70,8 @@ struct PlayedSequence {
 };
 
 /// Makes a sequence with the organ it is made for, or fits it to the organ that is asked for: by landmarks
-/// that are given or computed. A sequence file moves any organ that lies within its handles. Throws
+/// that are given or computed. A heart with its chambers (of a label map or a session) beats with them, by
+/// handles in them and around it. A sequence file moves any organ that lies within its handles. Throws
 /// `UsageError` that lists the sequences for an unknown name, and for a file that holds no organ, without
 /// `--organ`; what reading,
 /// fitting and binding throw.

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Draws every sample organ from three sides and film strips of the sequences into docs/pictures, by the program alone.
-# make_pictures.sh [PROGRAM]: the program is build/release/bin/viscera unless another one is named. No display is needed.
+# make_pictures.sh [PROGRAM]: the program is build/release/bin/viscera unless another one is named. A display is needed for pictures of the window only.
 set -eu
 source=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 program=${1:-$source/build/release/bin/viscera}
@@ -38,3 +38,12 @@ trap 'rm -rf "$work"' EXIT
 "$program" sample stomach@low -o "$work/stomach.stl"
 strip retargeted_heart heartbeat 10 4 340x260 anterior --organ "$work/heart.stl"
 strip retargeted_stomach peristalsis 0.4 4 340x260 anterior --organ "$work/stomach.stl"
+
+# The measured motions of docs/patient_motion.md, by the tests that hold them; the window's need a display, and the series of surfaces.
+tests=$(dirname "$program")
+if [ -x "$tests/test_motion_pictures" ]; then
+  VISCERA_UPDATE_PICTURES=1 "$tests/test_motion_pictures" --gtest_brief=1
+fi
+if [ -x "$tests/gui_tests" ] && [ -n "${DISPLAY:-}" ]; then
+  VISCERA_UPDATE_PICTURES=1 "$tests/gui_tests" --gtest_brief=1 --gtest_filter='RealSeries.Takes*'
+fi

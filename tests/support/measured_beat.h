@@ -85,25 +85,35 @@ public:
     return 1 - least / most;
   }
 
+  /// A found motion's surface where it is in a phase.
+  static Points foundAt(const motion::PatientMotion& found, std::size_t surface, std::size_t phase) {
+    Progress progress;
+    const auto& parameters = found.sequence.system->parameters.all();
+    const tracking::MotionRig rig({*found.sequence.organs[surface].mesh}, found.sequence.track.restHandles,
+                                  parameters.at("locality"), parameters.at("softness"), progress);
+    return rig.vertices(found.sequence.track.keys[phase].pose);
+  }
+
+  /// How far each vertex of it is from the true surface, mm.
+  Values apartMm(const Points& vertices, std::size_t surface, std::size_t phase) const {
+    const tracking::MeshDistance distance(
+        std::make_shared<const geometry::TriangleMesh>(truth[surface].at(phase)));
+    Values apart(vertices.rows());
+    Vec3 ignored;
+    for (Eigen::Index v = 0; v < vertices.rows(); ++v)
+      apart[v] = std::abs(distance.at(vertices.row(v).transpose(), ignored));
+    return apart;
+  }
+
   /// How far a found motion's surface is from the true one on average, over all phases, mm.
   double distanceTo(const motion::PatientMotion& found, std::size_t surface) const {
     const auto& organ = *found.sequence.organs[surface].mesh;
-    Progress progress;
-    std::vector<geometry::TriangleMesh> rest = {organ};
-    const auto& parameters = found.sequence.system->parameters.all();
-    const tracking::MotionRig rig(rest, found.sequence.track.restHandles, parameters.at("locality"),
-                                  parameters.at("softness"), progress);
     double sum = 0;
-    for (const auto& key : found.sequence.track.keys) {
-      const auto phase =
-          static_cast<std::size_t>(std::lround(key.seconds / kPeriod * static_cast<double>(times.count())));
-      const tracking::MeshDistance distance(
-          std::make_shared<const geometry::TriangleMesh>(truth[surface].at(phase)));
-      const Points vertices = rig.vertices(key.pose);
-      Values apart(vertices.rows());
-      Vec3 ignored;
-      for (Eigen::Index v = 0; v < vertices.rows(); ++v)
-        apart[v] = std::abs(distance.at(vertices.row(v).transpose(), ignored));
+    for (std::size_t key = 0; key < found.sequence.track.keys.size(); ++key) {
+      const double part = found.sequence.track.keys[key].seconds / kPeriod;
+      const auto phase = static_cast<std::size_t>(std::lround(part * static_cast<double>(times.count())));
+      const Points vertices = foundAt(found, surface, key);
+      const Values apart = apartMm(vertices, surface, phase);
       sum += tracking::spreadOf(apart, tracking::vertexAreas(vertices, organ.triangles)).mean;
     }
     return sum / static_cast<double>(found.sequence.track.keys.size());

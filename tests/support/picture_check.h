@@ -16,12 +16,13 @@ namespace viscera::tests {
 inline constexpr double kMostDiffering = 0.006; ///< Part of the pixels.
 inline constexpr double kMostMean = 1.0;        ///< Mean difference, of 255.
 
-/// Compares with `tests/image/reference/<name>.png`. What was drawn is left in `pictures/` of the build
-/// folder. With VISCERA_UPDATE_PICTURES set in the environment it becomes the reference instead: look at it
-/// before you commit it.
-inline void expectLooksLikeReference(vtkImageData* picture, const std::string& name) {
+/// Compares with `<folder>/<name>.png`, docs/pictures for one that a page shows. What was drawn is left in
+/// `pictures/` of the build folder. With VISCERA_UPDATE_PICTURES set in the environment it becomes the
+/// reference instead: look at it before you commit it.
+inline void expectLooksLikeReference(vtkImageData* picture, const std::string& name,
+                                     const std::string& folder = "tests/image/reference") {
   namespace fs = std::filesystem;
-  const fs::path reference = fs::path(VISCERA_SOURCE_DIR) / "tests/image/reference" / (name + ".png");
+  const fs::path reference = fs::path(VISCERA_SOURCE_DIR) / folder / (name + ".png");
   const fs::path drawn = fs::path(VISCERA_BINARY_DIR) / "pictures" / (name + ".png");
   fs::create_directories(drawn.parent_path());
   scene::writePng(drawn, picture);

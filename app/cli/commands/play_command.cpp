@@ -222,6 +222,12 @@ public:
                     "State of the circulation that the heart follows: rest, exercise, ..., "
                     "as 'viscera circulate --list' has them")
         ->type_name("NAME");
+    options
+        .add_option(
+            "--ejection-fraction", request_.ejectionFraction,
+            "Of the left ventricle of a heart with its chambers that --organ names; 0.58 when not said")
+        ->type_name("PART")
+        ->check(CLI::PositiveNumber);
     options.add_option("--rate", rate_, "Cycles a minute; the sequence's own when not said")
         ->type_name("PER_MINUTE")
         ->check(CLI::PositiveNumber);
@@ -291,8 +297,8 @@ private:
     if (landmarksOut_.empty())
       return;
     if (!played.retargeted)
-      throw UsageError("there are no landmarks: the sequence plays on its own organ", "--write-landmarks",
-                       "name another organ with --organ");
+      throw UsageError("There are no landmarks of this motion", "--write-landmarks",
+                       "name another organ without chambers with --organ");
     medical_io::writeHandles(landmarksOut_, motion::landmarkFile(played.retargeted->landmarks, "Landmarks"));
   }
 

@@ -20,7 +20,8 @@ constexpr double kMargin = 8;
 constexpr double kStripHeight = 18;
 constexpr double kBelow = 4; ///< Between the strip and the names.
 constexpr double kBetweenNames = 10;
-constexpr double kMarkRadius = 3; ///< Of the faintest mark; the strongest is as much larger again.
+constexpr std::size_t kMostDistinct = 12; ///< More phases than that are numbered keys.
+constexpr double kMarkRadius = 3;         ///< Of the faintest mark; the strongest is as much larger again.
 constexpr double kKeyStep = 0.01;
 } // namespace
 
@@ -143,23 +144,35 @@ std::vector<PhaseScrubber::Name> PhaseScrubber::names() const {
     for (const sequences::Phase& phase : phases_)
       names.push_back({inWords(phase.name), 0, area.left() + (phase.begin + phase.end) / 2 * area.width(),
                        &phase == phaseAt(fraction_)});
-  // The longest name goes first when there is no room for all; that of the present phase stays.
-  for (;;) {
-    std::vector<double> centers;
-    std::vector<double> sizes;
-    for (const Name& name : names) {
-      centers.push_back(name.at);
-      sizes.push_back(fontMetrics().horizontalAdvance(name.text));
+  if (place(names))
+    return names;
+  if (names.size() > kMostDistinct) // Numbered keys: every second, third, ... name.
+    for (std::size_t step = 2;; ++step) {
+      std::vector<Name> some;
+      for (std::size_t i = 0; i < names.size(); i += step)
+        some.push_back(names[i]);
+      if (place(some) || some.size() == 1)
+        return some;
     }
-    const auto placed = scene::spreadApart(centers, sizes, 0, width(), kBetweenNames);
-    for (std::size_t i = 0; placed && i < names.size(); ++i)
-      names[i].center = (*placed)[i];
-    if (placed)
-      return names;
+  do // The longest name goes first; that of the present phase stays.
     names.erase(std::max_element(names.begin(), names.end(), [](const Name& a, const Name& b) {
       return a.present != b.present ? a.present : a.text.size() < b.text.size();
     }));
+  while (!place(names));
+  return names;
+}
+
+bool PhaseScrubber::place(std::vector<Name>& names) const {
+  std::vector<double> centers;
+  std::vector<double> sizes;
+  for (const Name& name : names) {
+    centers.push_back(name.at);
+    sizes.push_back(fontMetrics().horizontalAdvance(name.text));
   }
+  const auto placed = scene::spreadApart(centers, sizes, 0, width(), kBetweenNames);
+  for (std::size_t i = 0; placed && i < names.size(); ++i)
+    names[i].center = (*placed)[i];
+  return placed.has_value();
 }
 
 QStringList PhaseScrubber::namesShown() const {

@@ -62,6 +62,8 @@ private:
   const sequences::Phase* phaseAt(double fraction) const;
   void scrubTo(double fraction);
   std::vector<Name> names() const;
+  /// Moves names apart; false when there is no room for all of them.
+  bool place(std::vector<Name>& names) const;
   void paintPhases(QPainter& painter, const QRectF& area) const;
   void paintNames(QPainter& painter, const QRectF& area) const;
   void paintGroups(QPainter& painter, const QRectF& area) const;

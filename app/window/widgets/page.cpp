@@ -104,7 +104,9 @@ void Page::addCheck(QAction* action) {
   auto* box = new QCheckBox(action->iconText(), this);
   box->setToolTip(action->toolTip());
   box->setChecked(action->isChecked());
+  box->setEnabled(action->isEnabled());
   connect(box, &QCheckBox::clicked, action, &QAction::trigger);
+  connect(action, &QAction::changed, box, [box, action] { box->setEnabled(action->isEnabled()); });
   connect(action, &QAction::toggled, box, &QCheckBox::setChecked);
   add(box);
 }

@@ -1,6 +1,7 @@
 #include <cmath>
 #include <sstream>
 
+#include "beating_labels.h"
 #include "cli_test.h"
 
 namespace viscera::app::cli {
@@ -82,6 +83,26 @@ TEST_F(CliPlay, SaysHowTheHeartsWallMovesAndThatItsMuscleKeepsItsVolume) {
   EXPECT_LT(muscle["massG"].get<double>(), 130);
   for (const char* number : {"mapseMm", "tapseMm", "twistDegrees", "thickeningPercent"})
     EXPECT_GT(beat["wallMotion"][number].get<double>(), 0) << number;
+}
+
+TEST_F(CliPlay, AHeartWithItsChambersEjectsWhatIsAskedFor) {
+  const std::string image =
+      put("heart.seg.nrrd", tests::nrrdFile(tests::beatingLabels(0, Vec3(4, 4, 4)), "right-anterior-superior",
+                                            tests::kHeartKeys));
+  const json beat = runJson(
+      {"play", "heartbeat", "--organ", image, "--ejection-fraction", "0.25", "--rate", "60", "--fps", "25"});
+  EXPECT_NEAR(beat["ejectionFraction"].get<double>(), 0.25, 0.01);
+  EXPECT_EQ(beat["frames"], 25);
+  const json& lv = beat["volumes"]["LV"];
+  const json& rv = beat["volumes"]["RV"];
+  EXPECT_NEAR((lv["maxMl"].get<double>() - lv["minMl"].get<double>()) /
+                  (rv["maxMl"].get<double>() - rv["minMl"].get<double>()),
+              1, 0.05);
+  runJson({"sample", "heart@low", "-o", path("outside.stl")});
+  expectFailure({"play", "heartbeat", "--organ", path("outside.stl"), "--ejection-fraction", "0.4"}, kUsage,
+                "Only a heart with its chambers");
+  expectFailure({"play", "heartbeat", "--ejection-fraction", "0.4"}, kUsage,
+                "Only a heart with its chambers");
 }
 
 TEST_F(CliPlay, FitsPeristalsisToAnotherStomachAndTakesItsLandmarksBack) {
