@@ -12,6 +12,9 @@ namespace {
 constexpr double kWallOpacity = 0.3;
 const Vec3 kArterialBlood(0.84, 0.16, 0.14);
 const Vec3 kVenousBlood(0.20, 0.36, 0.80);
+/// The atria's, lighter, so that they stand out against the ventricles that they reach to.
+const Vec3 kArterialAtrium(0.96, 0.52, 0.42);
+const Vec3 kVenousAtrium(0.46, 0.68, 0.96);
 
 } // namespace
 
@@ -74,6 +77,10 @@ void SampleLoader::dress(std::vector<document::NewOrgan>& organs) {
       look.color = kArterialBlood;
     if (organ.organ.name == "RV")
       look.color = kVenousBlood;
+    if (organ.organ.name == "LA")
+      look.color = kArterialAtrium;
+    if (organ.organ.name == "RA")
+      look.color = kVenousAtrium;
     look.vertexColors = organ.parentInBatch < 0;
   }
 }

@@ -28,7 +28,7 @@ class LessonOfTheHeart : public PlayMode {};
 TEST_F(LessonOfTheHeart, ShowsEveryTextAndTakesItBackChanged) {
   const app::LessonExport& lessons = window().lessons();
   lesson::LessonPlan plan = lessons.plan();
-  EXPECT_EQ(plan.surfaces.size(), 3u);
+  EXPECT_EQ(plan.surfaces.size(), 5u);
   EXPECT_EQ(plan.rate, 75);
   EXPECT_TRUE(plan.eye) << "the reader begins where the window looks from";
   EXPECT_GT(plan.surfaces[0].labels.size(), 6u) << "the sample heart's parts have names";

@@ -99,7 +99,7 @@ TEST_P(UndoOfAChangeOfSequence, ShowsTheHeartAgainAndRedoTheLiverWithoutAWord) {
     expectAllIsOne("after undo");
     ASSERT_EQ(document().rig().handles.size(), kHeartHandles);
     EXPECT_EQ(shownHandleCount(window()), int(kHeartHandles));
-    EXPECT_EQ(document().organs().size(), 3u);
+    EXPECT_EQ(document().organs().size(), 5u);
     ASSERT_NE(window().playback().sequence(), nullptr);
     EXPECT_EQ(window().playback().sequence()->id(), "heartbeat");
     EXPECT_FALSE(window().playback().player().playing()) << "another motion begins when it is asked to";

@@ -117,7 +117,7 @@ TEST_F(RealSeries, HoldsThroughUndoComparisonEditsAndSessions) {
   window().playback().play();
   undo->trigger();
   settle();
-  EXPECT_EQ(document().organs().size(), 3U) << "the sample heart is back";
+  EXPECT_EQ(document().organs().size(), 5U) << "the sample heart is back";
   EXPECT_EQ(measured().present(), nullptr);
   redo->trigger();
   settle();

@@ -320,8 +320,11 @@ private:
 
   /// The volumes of the walls out of those of a heart's surfaces.
   static double chambersMl(const PlayedSequence& played, const std::vector<double>& row) {
-    return row[played.surfaces.size()] - row[static_cast<std::size_t>(played.find("lv"))] -
-           row[static_cast<std::size_t>(played.find("rv"))];
+    double volume = row[played.surfaces.size()];
+    for (const char* cavity : {"lv", "rv", "la", "ra"})
+      if (const int found = played.find(cavity); found >= 0)
+        volume -= row[static_cast<std::size_t>(found)];
+    return volume;
   }
   static double muscleMl(const PlayedSequence& played, const std::vector<double>& row) {
     return row[played.surfaces.size() + 1] - row[static_cast<std::size_t>(played.find("lv"))];

@@ -17,6 +17,9 @@ struct Entry {
 
 constexpr auto kFitted = "fitted to the values at rest";
 constexpr auto kBurkhoff = "form: doi 10.1152/ajpheart.1993.265.5.H1819; value fitted to the values at rest";
+constexpr auto kAtria =
+    "form: doi 10.1152/ajpheart.1993.265.5.H1819; value: largest and stroke volume of atria, "
+    "doi 10.1080/10976640500295516";
 constexpr auto kWindkessel = "form: doi 10.1007/s11517-008-0359-2; value fitted to the values at rest";
 constexpr auto kValveForm = "form: doi 10.1002/cnm.1466; normal areas: doi 10.1016/j.echo.2017.02.009";
 constexpr auto kLeakForm = "grades: doi 10.1016/j.echo.2017.01.007";
@@ -42,8 +45,8 @@ const std::vector<Entry>& entries() {
       {{"rate", "Heart rate", "1/min", 72, 30, 200, "chosen", true,
         NormalValues{60, 100, "sinus rhythm at rest"}},
        VISCERA_AT(rate)},
-      {{"stressedVolume", "Preload: stressed blood volume", "ml", 940, 300, 2000, kFitted, true,
-        aboutRest(940)},
+      {{"stressedVolume", "Preload: stressed blood volume", "ml", 980, 300, 2000, kFitted, true,
+        aboutRest(980)},
        VISCERA_AT(stressedVolume)},
       {{"systemicResistance", "Afterload: systemic resistance", "mmHg s/ml", 1.02, 0.2, 4, kWindkessel, true,
         NormalValues{0.6, 1.2, "800 to 1600 dyn s cm^-5, customary at the bedside"}},
@@ -85,14 +88,14 @@ const std::vector<Entry>& entries() {
        VISCERA_AT(rv.b)},
       {{"rvTau", "Right ventricle, relaxation", "s", 0.035, 0.01, 0.12, kRelaxation}, VISCERA_AT(rv.tau)},
       {{"laEes", "Left atrium, contractility", "mmHg/ml", 0.4, 0, 2, kBurkhoff}, VISCERA_AT(la.ees)},
-      {{"laV0", "Left atrium, volume without pressure", "ml", 5, 0, 60, kBurkhoff}, VISCERA_AT(la.v0)},
+      {{"laV0", "Left atrium, volume without pressure", "ml", 20, 0, 60, kAtria}, VISCERA_AT(la.v0)},
       {{"laA", "Left atrium, scale of the passive filling curve", "mmHg", 2, 0.005, 5, kBurkhoff},
        VISCERA_AT(la.a)},
       {{"laB", "Left atrium, steepness of the passive filling curve", "1/ml", 0.0245, 0.005, 0.1, kBurkhoff},
        VISCERA_AT(la.b)},
       {{"laTau", "Left atrium, relaxation", "s", 0.02, 0.005, 0.1, kBurkhoff}, VISCERA_AT(la.tau)},
       {{"raEes", "Right atrium, contractility", "mmHg/ml", 0.25, 0, 2, kBurkhoff}, VISCERA_AT(ra.ees)},
-      {{"raV0", "Right atrium, volume without pressure", "ml", 5, 0, 60, kBurkhoff}, VISCERA_AT(ra.v0)},
+      {{"raV0", "Right atrium, volume without pressure", "ml", 30, 0, 60, kAtria}, VISCERA_AT(ra.v0)},
       {{"raA", "Right atrium, scale of the passive filling curve", "mmHg", 1, 0.005, 5, kBurkhoff},
        VISCERA_AT(ra.a)},
       {{"raB", "Right atrium, steepness of the passive filling curve", "1/ml", 0.027, 0.005, 0.1, kBurkhoff},
@@ -122,7 +125,7 @@ const std::vector<Entry>& entries() {
       {{"tricuspidLeak", "Tricuspid valve, leak", "cm2", 0, 0, 1, kLeakForm}, VISCERA_AT(tricuspid.leak)},
       {{"pulmonicArea", "Pulmonary valve, open", "cm2", 4, 0.3, 6, kValveForm}, VISCERA_AT(pulmonic.open)},
       {{"pulmonicLeak", "Pulmonary valve, leak", "cm2", 0, 0, 1, kLeakForm}, VISCERA_AT(pulmonic.leak)},
-      {{"pericardialRoom", "What the pericardium holds without pressing", "ml", 480, 200, 1500, kPericardium},
+      {{"pericardialRoom", "What the pericardium holds without pressing", "ml", 520, 200, 1500, kPericardium},
        VISCERA_AT(pericardialRoom)},
       {{"pericardialScale", "Filling that multiplies the pericardium's pressure by e", "ml", 40, 10, 200,
         kPericardium},

@@ -95,9 +95,9 @@ double totalVolume(const State& state) {
 State guessedState(const Parameters& p) {
   // At the end of diastole at rest, ml: the four chambers, then the vessels; the systemic veins take what is
   // left.
-  constexpr std::array<double, kCompartments> kRest = {130, 137, 40, 35, 130, 0, 75, 58};
-  constexpr double kRestTotal = 900;
-  constexpr double kHeart = 342;
+  constexpr std::array<double, kCompartments> kRest = {130, 137, 55, 60, 130, 0, 75, 58};
+  constexpr double kRestTotal = 940;
+  constexpr double kHeart = 382;
   constexpr double kFullest =
       2; // Scales of the pericardium, so that its pressure does not start beyond all bounds.
   constexpr double kHighest = 20; // Pressure, mmHg, to which a stiff chamber is filled.

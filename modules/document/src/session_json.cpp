@@ -1,5 +1,6 @@
 #include "session_json.h"
 
+#include <algorithm>
 #include <cstring>
 #include <limits>
 #include <utility>
@@ -138,10 +139,32 @@ ordered_json measurementsJson(const MeasurementList& measurements,
 
 namespace {
 
+/// Always written: without it a session is of a time when atria were smaller.
+constexpr auto kAtriumSaid = "laV0";
+
+/// What atria held less without pressure in sessions that do not say it, ml; the blood in the loop and the
+/// pericardium's room were smaller by as much, so that their pressures are those of today.
+constexpr double kSmallerLeftAtriumMl = 15, kSmallerRightAtriumMl = 25;
+
+void addToAtria(circulation::Parameters& parameters, double leftMl, double rightMl) {
+  parameters.la.v0 += leftMl;
+  parameters.ra.v0 += rightMl;
+  parameters.stressedVolume += leftMl + rightMl;
+  parameters.pericardialRoom += leftMl + rightMl;
+}
+
+double mostOf(const std::string& parameter) {
+  for (const circulation::ParameterInfo& info : circulation::parameterInfos())
+    if (info.name == parameter)
+      return info.highest;
+  return std::numeric_limits<double>::infinity();
+}
+
 ordered_json parametersJson(const circulation::Parameters& parameters) {
   ordered_json changed = ordered_json::object();
   for (const circulation::ParameterInfo& info : circulation::parameterInfos())
-    if (const double value = circulation::parameter(parameters, info.name); value != info.rest)
+    if (const double value = circulation::parameter(parameters, info.name);
+        value != info.rest || info.name == kAtriumSaid)
       changed[info.name] = value;
   return changed;
 }
@@ -371,12 +394,22 @@ circulation::Parameters SessionReader::readParameters(const ordered_json& item,
                                                       const std::string& place) const {
   requireObject(item, place);
   circulation::Parameters parameters;
+  const bool older = !item.contains(kAtriumSaid);
+  if (older)
+    addToAtria(parameters, -kSmallerLeftAtriumMl, -kSmallerRightAtriumMl);
   for (const auto& [name, value] : item.items()) {
     try {
       circulation::setParameter(parameters, name, numberOf(value, place + "." + name));
     } catch (const UsageError& error) {
       fail(error.problem(), place + "." + name);
     }
+  }
+  if (older) {
+    addToAtria(parameters, kSmallerLeftAtriumMl, kSmallerRightAtriumMl);
+    // The most that a control allows is no more than before.
+    for (const char* name : {"raV0", "stressedVolume", "pericardialRoom"})
+      circulation::setParameter(parameters, name,
+                                std::min(circulation::parameter(parameters, name), mostOf(name)));
   }
   return parameters;
 }

@@ -46,10 +46,14 @@ std::string kindOf(const Organ& organ, const PageWords& words) {
 }
 
 std::string titleOf(const Organ& organ, const PageWords& words) {
-  static const std::array<std::pair<const char*, const char*>, 4> kLong = {{{"LV", "Left ventricle"},
+  static const std::array<std::pair<const char*, const char*>, 8> kLong = {{{"LV", "Left ventricle"},
                                                                             {"lv", "Left ventricle"},
                                                                             {"RV", "Right ventricle"},
-                                                                            {"rv", "Right ventricle"}}};
+                                                                            {"rv", "Right ventricle"},
+                                                                            {"LA", "Left atrium"},
+                                                                            {"la", "Left atrium"},
+                                                                            {"RA", "Right atrium"},
+                                                                            {"ra", "Right atrium"}}};
   for (const auto& [name, title] : kLong)
     if (organ.name == name)
       return words.said(title);

@@ -22,6 +22,16 @@ using sequences::CardiacCycle;
 /// The ejection fractions with which the sample heart's base descends as far as `HeartExcursions` has it.
 constexpr double kStandardEjection = 0.58;
 constexpr double kStandardRightEjection = 0.547;
+/// What the sample heart's atria hold in the reference shape, ml.
+constexpr sequences::CavityVolumes kRestAtria{59.9, 56.6};
+/// What can be drawn of an atrium, ml: with less its wall would cross itself, with more it would reach its
+/// neighbours. No scenario comes there (24.5 to 122.1); a circulation of somebody's own may.
+constexpr double kLeastAtriumMl = 24;
+constexpr double kMostAtriumMl = 140;
+
+double drawnAtrium(double modelMl) {
+  return std::clamp(modelMl, kLeastAtriumMl, kMostAtriumMl);
+}
 
 /// The parts of the beat, from the valves' times. Empty parts are left out.
 std::vector<sequences::Phase> phasesOf(const circulation::Parameters& parameters,
@@ -82,6 +92,8 @@ sequences::HeartCourse heartCourse(const std::string& name, const circulation::P
   sequences::HeartCourse course{name, beat.period, {}, phasesOf(parameters, beat, indices)};
   const auto& left = beat.volumeOf(Compartment::lv);
   const auto& right = beat.volumeOf(Compartment::rv);
+  const auto& leftAtrium = beat.volumeOf(Compartment::la);
+  const auto& rightAtrium = beat.volumeOf(Compartment::ra);
   const double full = indices.of(Compartment::lv).edvMl;
   const double rightFull = indices.of(Compartment::rv).edvMl;
   const double strength = std::min(1.0, indices.of(Compartment::lv).ef / kStandardEjection);
@@ -95,6 +107,10 @@ sequences::HeartCourse heartCourse(const std::string& name, const circulation::P
     instant.state.twist = strength * beat.activation[static_cast<std::size_t>(Compartment::lv)][i];
     instant.state.muscle = leftMuscle;
     instant.state.atrialContraction = beat.activation[static_cast<std::size_t>(Compartment::la)][i];
+    const sequences::CavityVolumes atria{drawnAtrium(leftAtrium[i]), drawnAtrium(rightAtrium[i])};
+    instant.atria = atria;
+    instant.state.atria =
+        sequences::AtrialState{atria.leftMl / kRestAtria.leftMl, atria.rightMl / kRestAtria.rightMl};
     course.instants.push_back(instant);
   }
   course.valves = valvesOf(parameters, beat);
@@ -155,8 +171,12 @@ std::shared_ptr<const sequences::CourseHeartbeat> CirculatingHeart::follow(seque
                                                                            Progress& progress) const {
   const SampleHeart& heart = parts_->heart;
   const auto measured = [cavities = parts_->cavities](const Points& pose) { return cavities->at(pose); };
+  const auto measuredAtria = [cavities = parts_->cavities](const Points& pose) {
+    return cavities->atriaAt(pose);
+  };
   return std::make_shared<sequences::CourseHeartbeat>(
-      sequences::CavityFit(heart.motion, heart.compensation, measured), std::move(course), progress);
+      sequences::CavityFit(heart.motion, heart.compensation, measured, measuredAtria), std::move(course),
+      progress);
 }
 
 SequenceSetup CirculatingHeart::setup(sequences::HeartCourse course, Progress& progress) const {

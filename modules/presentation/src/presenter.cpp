@@ -353,6 +353,10 @@ std::string labelOf(const document::Organ& organ, const Presenter::Translate& tr
     return say("LV cavity");
   if (organ.name == "RV")
     return say("RV cavity");
+  if (organ.name == "LA")
+    return say("LA cavity");
+  if (organ.name == "RA")
+    return say("RA cavity");
   return organ.name;
 }
 

@@ -16,6 +16,7 @@ using sequences::ValveRing;
 /// The cavity that carries each ring, and the blood that flows through it.
 constexpr std::array<std::size_t, sequences::kHeartValves> kCarrier = {0, 0, 1, 1};
 constexpr std::array<const char*, 2> kCavities = {"lv", "rv"};
+constexpr std::array<const char*, 2> kAtria = {"la", "ra"};
 const std::array<Vec3, 2> kBlood = {Vec3(0.98, 0.25, 0.20), Vec3(0.33, 0.55, 0.98)};
 
 /// How long an arrow is at a metre a second, and at most, mm; its shaft has this part of the opening's
@@ -68,7 +69,7 @@ std::optional<scene::FlowArrow> arrowOf(const ValveRing& ring, const sequences::
 
 } // namespace
 
-/// Both cavities of the sample heart, when it is to be seen with its valves.
+/// The cavities of the sample heart, when it is to be seen with its valves.
 std::optional<ValvePicture::Heart> ValvePicture::heartOf(const Scene& scene) const {
   if (!scene.valves || !scene.view.valves || scene.view.shown.stress || scene.view.shown.rest)
     return std::nullopt;
@@ -80,9 +81,11 @@ std::optional<ValvePicture::Heart> ValvePicture::heartOf(const Scene& scene) con
     seen = seen || organ->look.visible;
     for (std::size_t side = 0; side < kCavities.size(); ++side)
       if (organ->origin.surface == kCavities[side])
-        heart[side] = organ;
+        heart.ventricles[side] = organ;
+    if (std::find(kAtria.begin(), kAtria.end(), organ->origin.surface) != kAtria.end())
+      heart.atria.push_back(organ);
   }
-  return seen && heart[0] && heart[1] ? std::optional(heart) : std::nullopt;
+  return seen && heart.ventricles[0] && heart.ventricles[1] ? std::optional(heart) : std::nullopt;
 }
 
 void ValvePicture::update(const Scene& scene, const std::optional<scene::CutPlane>& cut) {
@@ -93,8 +96,8 @@ void ValvePicture::update(const Scene& scene, const std::optional<scene::CutPlan
     return;
   }
   Moment moment{*scene.valves, {}, cut};
-  for (std::size_t side = 0; side < heart->size(); ++side) {
-    const document::Organ& cavity = *(*heart)[side];
+  for (std::size_t side = 0; side < heart->ventricles.size(); ++side) {
+    const document::Organ& cavity = *heart->ventricles[side];
     moment.surfaces[side] = {scene.organs.sharedPoints(cavity.id), scene.organs.revision(cavity.id)};
     Carrier& carrier = carriers_[side];
     if (carrier.mesh == cavity.mesh)
@@ -131,12 +134,16 @@ void ValvePicture::apply(const Scene& scene, std::map<document::OrganId, Appeara
   const auto heart = drawn_ ? heartOf(scene) : std::nullopt;
   if (!heart)
     return;
-  for (const auto& cavity : *heart) {
-    const auto [found, fresh] = appearances.try_emplace(cavity->id);
+  const auto seeThrough = [&](const document::Organ& cavity) {
+    const auto [found, fresh] = appearances.try_emplace(cavity.id);
     if (fresh)
-      found->second = {cavity->look.visible, cavity->look.opacity};
+      found->second = {cavity.look.visible, cavity.look.opacity};
     found->second.opacity = std::min(found->second.opacity, kCavityOpacity);
-  }
+  };
+  for (const auto& ventricle : heart->ventricles)
+    seeThrough(*ventricle);
+  for (const auto& atrium : heart->atria)
+    seeThrough(*atrium);
 }
 
 } // namespace viscera::presentation

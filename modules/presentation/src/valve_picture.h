@@ -4,6 +4,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "organ_picture.h"
 #include "viscera/presentation/presenter.h"
@@ -36,7 +37,11 @@ private:
     std::optional<scene::CutPlane> cut;
     bool operator==(const Moment&) const = default;
   };
-  using Heart = std::array<std::shared_ptr<const document::Organ>, 2>; ///< Left and right cavity.
+  /// The ventricles' cavities, left and right, and those of the atria that there are.
+  struct Heart {
+    std::array<std::shared_ptr<const document::Organ>, 2> ventricles;
+    std::vector<std::shared_ptr<const document::Organ>> atria;
+  };
 
   std::optional<Heart> heartOf(const Scene& scene) const;
   void draw(const sequences::ValveInstants& valves, const Moment& moment);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include <Eigen/LU>
 
@@ -16,96 +17,140 @@ constexpr int kMostSteps = 40;
 constexpr double kProbe = 0.02;
 constexpr double kLargestStep = 0.2;
 
-/// The two corrections, and how far the volumes then are from what they should be (ml).
-using Pair = Eigen::Vector2d;
+constexpr int kMost = 4; ///< Corrections.
 
-/// The handles as `base + gain alongGain + shift alongShift`.
+/// The corrections, or how far the volumes then are from what they should be (ml): left and right ventricle,
+/// left and right atrium where they are known.
+using Values = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, kMost, 1>;
+using Derivatives = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, kMost, kMost>;
+
+/// The state with these corrections.
+HeartState corrected(HeartState state, const Values& corrections) {
+  state.leftGain = corrections[0];
+  state.rightShift = corrections[1];
+  if (corrections.size() == kMost) {
+    state.atria->leftShift = corrections[2];
+    state.atria->rightShift = corrections[3];
+  }
+  return state;
+}
+
+/// The handles as `base + sum of corrections[i] along[i]`.
 struct AffineHandles {
-  Points base, alongGain, alongShift;
+  Points base;
+  std::vector<Points> along;
 
-  Points at(const Pair& corrections) const {
-    return base + corrections[0] * alongGain + corrections[1] * alongShift;
+  Points at(const Values& corrections) const {
+    Points pose = base;
+    for (std::size_t i = 0; i < along.size(); ++i)
+      pose += corrections[static_cast<Eigen::Index>(i)] * along[i];
+    return pose;
   }
 };
 
 AffineHandles affineHandles(const HeartMotion& motion, const PoseCompensation& compensation,
-                            const Points& rest, HeartState state) {
+                            const Points& rest, const HeartState& state, Eigen::Index count) {
   AffineHandles handles;
-  const auto posed = [&](double gain, double shift) {
+  const auto posed = [&](const Values& corrections) {
     Points pose;
-    state.leftGain = gain;
-    state.rightShift = shift;
-    motion.pose(state, pose);
+    motion.pose(corrected(state, corrections), pose);
     compensation.apply(rest, pose);
     return pose;
   };
-  handles.base = posed(0, 0);
-  handles.alongGain = posed(1, 0) - handles.base;
-  handles.alongShift = posed(0, 1) - handles.base;
+  handles.base = posed(Values::Zero(count));
+  for (Eigen::Index i = 0; i < count; ++i)
+    handles.along.push_back(posed(Values::Unit(count, i)) - handles.base);
   return handles;
 }
+
+/// What the cavities are to hold, and how that is measured; one of the two is null where atria are free.
+struct Wanted {
+  const MeasureCavities& measure;
+  const MeasureCavities* measureAtria;
+  const HeartInstant& instant;
+
+  Eigen::Index count() const { return measureAtria ? 4 : 2; }
+};
 
 /// Finds the corrections of one instant.
 class Search {
 public:
-  Search(const AffineHandles& handles, const MeasureCavities& measure, const CavityVolumes& wanted)
-      : handles_(handles), measure_(measure), wanted_(wanted) {}
+  Search(const AffineHandles& handles, const Wanted& wanted) : handles_(handles), wanted_(wanted) {}
 
-  Pair run() const {
-    Pair corrections(1, 0);
-    Pair error = errorAt(corrections);
-    Eigen::Matrix2d jacobian = Eigen::Matrix2d::Identity();
+  /// Starts with `found` where that is of as many cavities.
+  FoundCavities run(const FoundCavities* found) const {
+    const bool warm = found && found->corrections.size() == wanted_.count();
+    Values corrections = warm ? Values(found->corrections) : Values(Values::Unit(wanted_.count(), 0));
+    Values error = errorAt(corrections);
+    Derivatives jacobian = warm ? Derivatives(found->jacobian) : derivatives(corrections, error);
     for (int step = 0; !fits(error); ++step) {
       if (step == kMostSteps)
         throwUnreached(error);
-      if (step % 8 == 0)
-        differentiate(corrections, error, jacobian);
-      Pair change = -jacobian.partialPivLu().solve(error);
+      if (step > 0 && step % 8 == 0)
+        jacobian = derivatives(corrections, error);
+      Values change = -jacobian.partialPivLu().solve(error);
       const double size = change.cwiseAbs().maxCoeff();
       if (!(size < 1e6))
         throwUnreached(error);
       change *= std::min(1.0, kLargestStep / size);
-      const Pair next = errorAt(corrections + change);
+      const Values next = errorAt(corrections + change);
       corrections += change;
       jacobian += (next - error - jacobian * change) * change.transpose() / change.squaredNorm();
       error = next;
     }
-    return corrections;
+    return {corrections, jacobian};
   }
 
 private:
-  static bool fits(const Pair& error) { return error.cwiseAbs().maxCoeff() < CavityFit::kToleranceMl; }
+  static bool fits(const Values& error) { return error.cwiseAbs().maxCoeff() < CavityFit::kToleranceMl; }
 
-  Pair errorAt(const Pair& corrections) const {
-    const CavityVolumes measured = measure_(handles_.at(corrections));
-    const Pair error(measured.leftMl - wanted_.leftMl, measured.rightMl - wanted_.rightMl);
+  Values errorAt(const Values& corrections) const {
+    const Points pose = handles_.at(corrections);
+    const CavityVolumes measured = wanted_.measure(pose);
+    const CavityVolumes& ventricles = wanted_.instant.volumes;
+    Values error(wanted_.count());
+    error[0] = measured.leftMl - ventricles.leftMl;
+    error[1] = measured.rightMl - ventricles.rightMl;
+    if (wanted_.measureAtria) {
+      const CavityVolumes atria = (*wanted_.measureAtria)(pose);
+      error[2] = atria.leftMl - wanted_.instant.atria->leftMl;
+      error[3] = atria.rightMl - wanted_.instant.atria->rightMl;
+    }
     if (!error.allFinite())
       throw DataError("The volume of a cavity is not a number", place(), "check the cavities' surfaces");
     return error;
   }
 
-  void differentiate(const Pair& corrections, const Pair& error, Eigen::Matrix2d& jacobian) const {
-    for (int i = 0; i < 2; ++i) {
-      Pair probe = corrections;
+  Derivatives derivatives(const Values& corrections, const Values& error) const {
+    Derivatives jacobian(error.size(), error.size());
+    for (Eigen::Index i = 0; i < error.size(); ++i) {
+      Values probe = corrections;
       probe[i] += kProbe;
       jacobian.col(i) = (errorAt(probe) - error) / kProbe;
     }
+    return jacobian;
   }
 
   std::string place() const {
-    return "heart with " + std::to_string(wanted_.leftMl) + " ml left and " +
-           std::to_string(wanted_.rightMl) + " ml right";
+    const auto both = [](const CavityVolumes& volumes) {
+      return std::to_string(volumes.leftMl) + " ml left and " + std::to_string(volumes.rightMl) + " ml right";
+    };
+    return "heart with " + both(wanted_.instant.volumes) +
+           (wanted_.measureAtria ? ", atria with " + both(*wanted_.instant.atria) : "");
   }
 
-  [[noreturn]] void throwUnreached(const Pair& error) const {
-    throw DataError("The ventricles cannot be brought to their volumes: left off by " +
-                        std::to_string(error[0]) + " ml, right by " + std::to_string(error[1]) + " ml",
+  [[noreturn]] void throwUnreached(const Values& error) const {
+    const auto both = [&](Eigen::Index first) {
+      return "left off by " + std::to_string(error[first]) + " ml, right by " +
+             std::to_string(error[first + 1]) + " ml";
+    };
+    throw DataError("The ventricles cannot be brought to their volumes: " + both(0) +
+                        (wanted_.measureAtria ? "; atria: " + both(2) : ""),
                     place(), "check that the cavities lie inside the handles of their walls");
   }
 
   const AffineHandles& handles_;
-  const MeasureCavities& measure_;
-  const CavityVolumes& wanted_;
+  const Wanted wanted_;
 };
 
 } // namespace
@@ -122,19 +167,22 @@ HeartInstant heartInstant(const CardiacCycle& cycle, const CardiacInstant& now) 
   return instant;
 }
 
-CavityFit::CavityFit(HeartMotion motion, PoseCompensation compensation, MeasureCavities measure)
+CavityFit::CavityFit(HeartMotion motion, PoseCompensation compensation, MeasureCavities measure,
+                     MeasureCavities measureAtria)
     : motion_(std::move(motion)), compensation_(std::move(compensation)), measure_(std::move(measure)),
-      rest_(motion_.rig().restHandles()) {
+      measureAtria_(std::move(measureAtria)), rest_(motion_.rig().restHandles()) {
   compensation_.requireFor(rest_.rows(), "heart", "heartbeat");
 }
 
-HeartState CavityFit::pose(const HeartInstant& instant, Points& pose) const {
-  const AffineHandles handles = affineHandles(motion_, compensation_, rest_, instant.state);
-  const Pair corrections = Search(handles, measure_, instant.volumes).run();
-  pose = handles.at(corrections);
-  HeartState state = instant.state;
-  state.leftGain = corrections[0];
-  state.rightShift = corrections[1];
+HeartState CavityFit::pose(const HeartInstant& instant, Points& pose, FoundCavities* found) const {
+  const bool atria = measureAtria_ && instant.atria && instant.state.atria;
+  const Wanted wanted{measure_, atria ? &measureAtria_ : nullptr, instant};
+  const AffineHandles handles = affineHandles(motion_, compensation_, rest_, instant.state, wanted.count());
+  FoundCavities now = Search(handles, wanted).run(found);
+  pose = handles.at(now.corrections);
+  const HeartState state = corrected(instant.state, now.corrections);
+  if (found)
+    *found = std::move(now);
   return state;
 }
 

@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::size_t kFewest = 8; ///< Instants.
 /// Instants of the beat at which the volumes are tried beforehand.
-constexpr int kTried = 48;
+constexpr int kTried = 24;
 
 double mix(double from, double to, double part) {
   return from + part * (to - from);
@@ -41,8 +41,15 @@ HeartInstant HeartCourse::at(double phase) const {
   now.state.twist = mix(a.state.twist, b.state.twist, part);
   now.state.atrialContraction = mix(a.state.atrialContraction, b.state.atrialContraction, part);
   now.state.muscle = mix(a.state.muscle, b.state.muscle, part);
-  now.volumes = {mix(a.volumes.leftMl, b.volumes.leftMl, part),
-                 mix(a.volumes.rightMl, b.volumes.rightMl, part)};
+  const auto mixed = [&](const CavityVolumes& from, const CavityVolumes& to) {
+    return CavityVolumes{mix(from.leftMl, to.leftMl, part), mix(from.rightMl, to.rightMl, part)};
+  };
+  now.volumes = mixed(a.volumes, b.volumes);
+  if (a.atria && b.atria)
+    now.atria = mixed(*a.atria, *b.atria);
+  if (a.state.atria && b.state.atria)
+    now.state.atria = AtrialState{mix(a.state.atria->leftPart, b.state.atria->leftPart, part),
+                                  mix(a.state.atria->rightPart, b.state.atria->rightPart, part)};
   return now;
 }
 
@@ -63,16 +70,20 @@ std::optional<ValveInstants> HeartCourse::valvesAt(double phase) const {
 CourseHeartbeat::CourseHeartbeat(CavityFit fit, HeartCourse course, Progress& progress)
     : fit_(std::move(fit)), course_(checked(std::move(course))) {
   Points pose;
+  FoundCavities found;
   for (int i = 0; i < kTried; ++i) {
     progress.throwIfCancelled();
     progress.report(static_cast<double>(i) / kTried, "calibrating the heartbeat");
-    fit_.pose(course_.at(static_cast<double>(i) / kTried), pose);
+    fit_.pose(course_.at(static_cast<double>(i) / kTried), pose, &found);
+    found_.push_back(found);
   }
   progress.report(1);
 }
 
 void CourseHeartbeat::poseAt(double seconds, double /*ratePerMinute*/, Points& pose) const {
-  fit_.pose(course_.at(seconds / course_.period), pose);
+  const double phase = seconds / course_.period - std::floor(seconds / course_.period);
+  FoundCavities start = found_[static_cast<std::size_t>(std::lround(phase * kTried)) % kTried];
+  fit_.pose(course_.at(phase), pose, &start);
 }
 
 } // namespace viscera::sequences

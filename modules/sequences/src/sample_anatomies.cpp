@@ -65,7 +65,7 @@ HeartAnatomy sampleHeartAnatomy(const SampleHeartSurfaces& surfaces) {
   anatomy.rightCavity = surfaces.rightCavity;
   anatomy.greatVessels = surfaces.greatVessels;
   anatomy.atria = {{surfaces.rightAtrium, {-52, 12, 14}, {{-40, -28, 42}, {-18, -28, 50}}},
-                   {surfaces.leftAtrium, {-14, 47, 28}, {{32, 14, 54}, {40, -6, 42}}}};
+                   {surfaces.leftAtrium, {-14, 47, 28}, {{32, 14, 54}, {40, -6, 42}}, true}};
   anatomy.vessels = greatVessels();
   anatomy.box = {{-105, -80, -95}, {95, 110, 165}};
   return anatomy;

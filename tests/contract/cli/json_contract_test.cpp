@@ -88,7 +88,7 @@ TEST_F(CliJson, SampleListAndSample) {
   expectStrings(heart, {"organ"});
   expectNumbers(heart, {"vertices", "triangles", "volumeMl"});
   EXPECT_EQ(heart["organ"], "heart");
-  ASSERT_EQ(heart["surfaces"].size(), 3u);
+  ASSERT_EQ(heart["surfaces"].size(), 5u);
   for (const json& surface : heart["surfaces"]) {
     EXPECT_EQ(surface["closed"], true);
     const json info = runJson({"info", surface["file"].get<std::string>()});

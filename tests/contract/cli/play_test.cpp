@@ -27,7 +27,7 @@ TEST_F(CliPlay, TheHeartbeatEmptiesTheVentriclesAsMeasured) {
   const json beat = runJson({"play", "heartbeat", "--csv", path("v.csv"), "--cycles", "2"});
   for (const std::string key : {"frames", "cycles", "ejectionFraction", "maxRelativeOuterChange", "seconds"})
     EXPECT_TRUE(beat[key].is_number()) << key;
-  for (const std::string surface : {"outer", "lv", "rv"})
+  for (const std::string surface : {"outer", "lv", "rv", "la", "ra"})
     for (const std::string key : {"minMl", "maxMl", "restMl"})
       EXPECT_TRUE(beat["volumes"][surface][key].is_number()) << surface << " " << key;
   EXPECT_EQ(beat["cycles"], 2);
@@ -40,11 +40,11 @@ TEST_F(CliPlay, TheHeartbeatEmptiesTheVentriclesAsMeasured) {
 
   std::string heading;
   const auto rows = rowsOf(contents(path("v.csv")), heading);
-  EXPECT_EQ(heading, "time_s,outer_ml,lv_ml,rv_ml");
+  EXPECT_EQ(heading, "time_s,outer_ml,lv_ml,rv_ml,la_ml,ra_ml");
   ASSERT_EQ(rows.size(), beat["frames"].get<std::size_t>());
   ASSERT_EQ(rows.size(), 40u); // Two beats of 0.8 s at 25 frames a second.
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    ASSERT_EQ(rows[i].size(), 4u);
+    ASSERT_EQ(rows[i].size(), 6u);
     EXPECT_NEAR(rows[i][0], static_cast<double>(i) / 25, 1e-6);
     EXPECT_NEAR(rows[i][2], rows[(i + 20) % 40][2], 1e-3) << "every beat is the same";
   }

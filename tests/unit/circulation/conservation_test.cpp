@@ -24,6 +24,30 @@ TEST(CirculationConservation, TheSearchKeepsTheBloodVolumeInEveryScenario) {
   }
 }
 
+TEST(CirculationConservation, AnAtriumThatIsLargerWithoutPressureMovesNoPressureInAnyScenario) {
+  constexpr double kLeft = -15, kRight = -25;
+  for (const Scenario& scenario : scenarios()) {
+    const Solved ours = solve(scenario.id);
+    Parameters smaller = ours.parameters;
+    smaller.la.v0 += kLeft;
+    smaller.ra.v0 += kRight;
+    smaller.stressedVolume += kLeft + kRight;
+    smaller.pericardialRoom += kLeft + kRight;
+    const Solved other = solve(smaller);
+    for (std::size_t i = 0; i < ours.state.beat.time.size(); ++i) {
+      for (const Compartment c : {Compartment::lv, Compartment::rv, Compartment::la, Compartment::ra,
+                                  Compartment::systemicArteries, Compartment::pulmonaryArteries})
+        ASSERT_NEAR(other.state.beat.pressureOf(c)[i], ours.state.beat.pressureOf(c)[i], 1e-4) << scenario.id;
+      ASSERT_NEAR(other.state.beat.volumeOf(Compartment::lv)[i], ours.state.beat.volumeOf(Compartment::lv)[i],
+                  1e-4);
+      ASSERT_NEAR(other.state.beat.volumeOf(Compartment::la)[i] - kLeft,
+                  ours.state.beat.volumeOf(Compartment::la)[i], 1e-4);
+      ASSERT_NEAR(other.state.beat.volumeOf(Compartment::ra)[i] - kRight,
+                  ours.state.beat.volumeOf(Compartment::ra)[i], 1e-4);
+    }
+  }
+}
+
 TEST(CirculationConservation, AreaOfEachLoopIsTheWorkThatWasIntegrated) {
   for (const Scenario& scenario : scenarios()) {
     const Solved solved = solve(scenario.id);

@@ -62,7 +62,7 @@ TEST(CirculationChoice, WhatIsKeptStaysWhileTheCirculationGoesOn) {
   s.undo.perform(chooseScenario("rest"));
   ASSERT_TRUE(s.document.circulation().kept);
   EXPECT_EQ(s.document.circulation().kept->name, "Haemorrhage");
-  EXPECT_EQ(circulation::parameter(s.document.circulation().kept->parameters, "stressedVolume"), 705);
+  EXPECT_EQ(circulation::parameter(s.document.circulation().kept->parameters, "stressedVolume"), 745);
   s.undo.perform(forgetKeptCirculation());
   EXPECT_FALSE(s.document.circulation().kept);
 }
@@ -109,6 +109,26 @@ TEST_F(SavedCirculation, IsRefusedWhereItIsDamaged) {
   EXPECT_THAT(failureOf([](Json& item) { item["kept"]["parameters"]["rate"] = "fast"; }),
               HasSubstr("circulation.kept.parameters.rate"));
   EXPECT_THAT(failureOf([](Json& item) { item["kept"]["name"] = ""; }), HasSubstr("kept"));
+}
+
+TEST_F(SavedCirculation, OfATimeWhenAtriaWereSmallerHasThePressuresThatItHadAndTheAtriaOfToday) {
+  SessionContents contents = tests::fullContents(folder_);
+  tests::write(folder_ / "a.viscera", contents);
+  auto root = nlohmann::ordered_json::parse(viscera::tests::contentsOf(folder_ / "a.viscera"));
+  root["circulation"]["scenario"] = "haemorrhage";
+  root["circulation"]["parameters"] = {{"stressedVolume", 705}};
+  root["circulation"]["kept"]["parameters"] = {{"laV0", 5}, {"stressedVolume", 2000}};
+  std::ofstream(folder_ / "b.viscera") << root.dump();
+  const auto opened = tests::readBack(folder_ / "b.viscera");
+  const CirculationChoice& choice = *opened.contents.state.circulation;
+  EXPECT_EQ(nameOf(choice), "Haemorrhage");
+  EXPECT_EQ(choice.kept->parameters.la.v0, 5) << "of today: it says what its atria hold";
+  EXPECT_EQ(choice.kept->parameters.stressedVolume, 2000);
+
+  root["circulation"]["parameters"] = {{"stressedVolume", 1990}};
+  std::ofstream(folder_ / "c.viscera") << root.dump();
+  EXPECT_EQ(tests::readBack(folder_ / "c.viscera").contents.state.circulation->parameters.stressedVolume,
+            2000);
 }
 
 } // namespace

@@ -7,6 +7,8 @@
 
 #include "self_intersections.h"
 #include "sequence_scene.h"
+#include "viscera/circulation/indices.h"
+#include "viscera/circulation/periodic_state.h"
 #include "viscera/circulation/scenario.h"
 #include "viscera/core/error.h"
 #include "viscera/sequences/wall_motion.h"
@@ -79,7 +81,10 @@ TEST(CirculatingHeart, CavitiesHoldTheCirculationsVolumesInEveryScenarioWithoutC
   for (const circulation::Scenario& scenario : circulation::scenarios()) {
     ScenarioHeart heart(scenario.id);
     const double rate = heart.heartbeat().standardRatePerMinute();
-    double leftOff = 0, rightOff = 0;
+    Progress progress;
+    heart.add(
+        sample_organs::sampleSurface(tests::cachedLibrary(), "heart", "chambers", Resolution::low, progress));
+    double leftOff = 0, rightOff = 0, atriaOff = 0, leastWall = 1e9, mostWall = 0;
     for (int frame = 0; frame < kFrames; ++frame) {
       // Not at the phases where it was calibrated.
       const double phase = (frame + 0.37) / kFrames;
@@ -87,15 +92,47 @@ TEST(CirculatingHeart, CavitiesHoldTheCirculationsVolumesInEveryScenarioWithoutC
       const sequences::CavityVolumes wanted = heart.heartbeat().heartCourse().at(phase).volumes;
       leftOff = std::max(leftOff, std::abs(heart.volumeMl("lv") - wanted.leftMl));
       rightOff = std::max(rightOff, std::abs(heart.volumeMl("rv") - wanted.rightMl));
+      const sequences::CavityVolumes atria = heart.heartbeat().heartCourse().at(phase).atria.value();
+      atriaOff = std::max({atriaOff, std::abs(heart.volumeMl("la") - atria.leftMl),
+                           std::abs(heart.volumeMl("ra") - atria.rightMl)});
+      const double wall = heart.volumeMl("chambers") - heart.volumeMl("lv") - heart.volumeMl("rv") -
+                          heart.volumeMl("la") - heart.volumeMl("ra");
+      leastWall = std::min(leastWall, wall);
+      mostWall = std::max(mostWall, wall);
       if (frame % kChecked != 0)
         continue;
-      for (const char* surface : {"outer", "lv", "rv"})
+      for (const char* surface : {"outer", "lv", "rv", "la", "ra"})
         EXPECT_EQ(tests::selfIntersections(heart.posed(surface)), 0)
             << scenario.id << ", " << surface << " in frame " << frame;
     }
     EXPECT_LT(leftOff, 0.5) << scenario.id;
     EXPECT_LT(rightOff, 1.0) << scenario.id;
+    EXPECT_LT(atriaOff, 1.0) << scenario.id;
+    // Either way from its middle.
+    const double wallChange = (mostWall - leastWall) / (mostWall + leastWall);
+    RecordProperty(scenario.id + "WallChange", std::to_string(wallChange));
+    EXPECT_LT(wallChange, 0.05) << scenario.id;
   }
+}
+
+TEST(CirculatingHeart, AtriaFillWhileTheVentriclesEmptyAndHoldWhatTheCirculationSays) {
+  const circulation::Parameters parameters;
+  Progress progress;
+  const circulation::PeriodicState found = circulation::findPeriodicState(parameters, progress);
+  const sequences::HeartCourse course =
+      heartCourse("rest", parameters, found.beat, circulation::indicesOf(parameters, found.beat));
+  const auto& left = found.beat.volumeOf(circulation::Compartment::la);
+  const auto& right = found.beat.volumeOf(circulation::Compartment::ra);
+  const auto& instants = course.instants;
+  for (std::size_t i = 0; i < instants.size(); ++i) {
+    EXPECT_NEAR(instants[i].atria->leftMl, left[i], 1e-9);
+    EXPECT_NEAR(instants[i].atria->rightMl, right[i], 1e-9);
+  }
+  const auto emptiest = std::min_element(instants.begin(), instants.end(), [](const auto& a, const auto& b) {
+    return a.volumes.leftMl < b.volumes.leftMl;
+  });
+  EXPECT_GT(emptiest->atria->leftMl, 1.5 * instants.front().atria->leftMl);
+  EXPECT_GT(emptiest->atria->rightMl, 1.5 * instants.front().atria->rightMl);
 }
 
 TEST(CirculatingHeart, HasTheRateAndThePhasesOfItsCirculation) {

@@ -190,7 +190,7 @@ TEST(HeartbeatSetup, fitsTheDocument) {
   undo.perform(document::combined("Show", {document::addOrgans(document::organsFrom(heart.setup().organ)),
                                            document::replaceRig(heart.setup().rig),
                                            document::setSystem(heart.setup().system)}));
-  EXPECT_EQ(document.organs().size(), 3u);
+  EXPECT_EQ(document.organs().size(), 5u);
   EXPECT_EQ(document.rig().restPositions(), heart.setup().sequence->restHandles());
   EXPECT_EQ(document.system().parameters.all(), heart.setup().system.parameters.all());
   undo.undo();

@@ -32,7 +32,9 @@ const std::map<std::string, std::map<std::string, Expected>>& expectedOrgans() {
       {"heart",
        {{"outer", {886, 0.02, {{kLow, 3000}, {kMedium, 30000}, {kHigh, 200000}}}},
         {"lv", {130.5, 0.015, {{kLow, 1000}, {kMedium, 6000}, {kHigh, 30000}}}},
-        {"rv", {138, 0.03, {{kLow, 1000}, {kMedium, 8000}, {kHigh, 40000}}}}}},
+        {"rv", {138, 0.03, {{kLow, 1000}, {kMedium, 8000}, {kHigh, 40000}}}},
+        {"la", {59.9, 0.03, {{kLow, 800}, {kMedium, 4000}, {kHigh, 20000}}}},
+        {"ra", {56.6, 0.03, {{kLow, 800}, {kMedium, 4000}, {kHigh, 20000}}}}}},
       {"stomach", {{"outer", {860, 0.015, {{kLow, 3000}, {kMedium, 30000}, {kHigh, 150000}}}}}},
       {"liver", {{"outer", {1622, 0.015, {{kLow, 3000}, {kMedium, 30000}, {kHigh, 130000}}}}}},
       {"kidney_left", {{"outer", {151, 0.03, {{kLow, 3000}, {kMedium, 30000}, {kHigh, 150000}}}}}},
@@ -106,14 +108,14 @@ TEST(SampleOrgans, HeartCavitiesLieInsideTheWallAndApart) {
   Progress progress;
   const sample_organs::SampleOrgan heart =
       sample_organs::sampleOrgan(projectLibrary(), "heart", kMedium, progress);
-  const auto& [outer, lv, rv] = std::tie(heart.surfaces[0], heart.surfaces[1], heart.surfaces[2]);
-  EXPECT_FALSE(surfacesMeet(*outer.mesh, *lv.mesh));
-  EXPECT_FALSE(surfacesMeet(*outer.mesh, *rv.mesh));
-  EXPECT_FALSE(surfacesMeet(*lv.mesh, *rv.mesh));
+  for (std::size_t i = 0; i < heart.surfaces.size(); ++i)
+    for (std::size_t j = i + 1; j < heart.surfaces.size(); ++j)
+      EXPECT_FALSE(surfacesMeet(*heart.surfaces[i].mesh, *heart.surfaces[j].mesh))
+          << heart.surfaces[i].name << ", " << heart.surfaces[j].name;
   const sample_organs::ImplicitSurface wall =
       sample_organs::implicitSurface(projectLibrary(), "heart", "surf outer");
-  EXPECT_LT(wall(lv.mesh->points.row(0)), 0);
-  EXPECT_LT(wall(rv.mesh->points.row(0)), 0);
+  for (std::size_t i = 1; i < heart.surfaces.size(); ++i)
+    EXPECT_LT(wall(heart.surfaces[i].mesh->points.row(0)), 0) << heart.surfaces[i].name;
 }
 
 TEST(SampleOrgans, OfTheDigestiveSystemLieBesideEachOther) {

@@ -14,9 +14,11 @@
 namespace viscera::motion {
 
 /// One beat of a circulation as a course that the sample heart can follow: the ventricles' volumes are the
-/// circulation's; the base descends, and the apex turns, as far as the ejection fraction says (15 mm and 10
-/// degrees at 0.58); the atria contract with their activation. Time 0 is the beginning of the ventricles'
-/// contraction. The left ventricle has `leftMuscle` times the muscle of the sample heart. O(samples).
+/// circulation's, and so are the atria's between 24 and 140 ml, beyond which they cannot be drawn and stop
+/// there; the base descends, and the apex turns, as far as the ejection fraction says (15 mm and 10 degrees
+/// at 0.58). Time 0 is the beginning of the ventricles' contraction. The left ventricle has `leftMuscle`
+/// times the muscle of the sample heart.
+/// O(samples).
 sequences::HeartCourse heartCourse(const std::string& name, const circulation::Parameters& parameters,
                                    const circulation::Beat& beat, const circulation::Indices& indices,
                                    double leftMuscle = 1);
@@ -33,8 +35,8 @@ public:
   const sample_organs::SampleOrgan& organ() const;
 
   /// The heartbeat of a course: at any time the left ventricle holds the course's volume within 0.5 ml, the
-  /// right one within 1 ml. Some 50 ms. Throws `DataError` when the heart cannot take such volumes,
-  /// `Cancelled`.
+  /// right one and the atria within 1 ml. Some 100 ms. Throws `DataError` when the heart cannot take such
+  /// volumes, `Cancelled`.
   std::shared_ptr<const sequences::CourseHeartbeat> follow(sequences::HeartCourse course,
                                                            Progress& progress) const;
   /// The same with all that it moves.

@@ -1,6 +1,9 @@
 #pragma once
 
 #include <functional>
+#include <optional>
+
+#include <Eigen/Core>
 
 #include "viscera/sequences/cardiac_cycle.h"
 #include "viscera/sequences/heart_motion.h"
@@ -15,35 +18,49 @@ using MeasureCavities = std::function<CavityVolumes(const Points& pose)>;
 /// What a heart is to be like at one instant of its beat.
 struct HeartInstant {
   HeartState state;      ///< Without corrections.
-  CavityVolumes volumes; ///< What its cavities are to hold.
+  CavityVolumes volumes; ///< What its ventricles are to hold.
+  /// What its atria are to hold, where that is known; `state.atria` is then too.
+  std::optional<CavityVolumes> atria;
+};
+
+/// What was found for one instant, from which the search for one near it may begin.
+struct FoundCavities {
+  /// The left cavity's gain, the right one's shift and, where the atria are known, theirs.
+  Eigen::VectorXd corrections;
+  Eigen::MatrixXd jacobian; ///< Of the volumes (ml) by the corrections.
 };
 
 /// The heart at an instant of a beat, without corrections.
 HeartInstant heartInstant(const CardiacCycle& cycle, const CardiacInstant& now);
 
-/// The handles of a heart whose cavities hold what they are to hold: in every pose the left cavity's gain and
-/// the right one's shift are found on the measured cavities. The handles are affine in the two, so that only
-/// measuring is repeated, about eight times (two equations by Broyden's method). Immutable; as thread-safe as
-/// `measure`.
+/// The handles of a heart whose cavities hold what they are to hold: in every pose the left cavity's gain,
+/// the right one's shift and, where the atria's volumes are known, theirs are found on the measured cavities.
+/// The handles are affine in them, so that only measuring is repeated, about eight times (two or four
+/// equations by Broyden's method). Immutable; as thread-safe as `measure` and `measureAtria`.
 class CavityFit {
 public:
   /// How near the cavities come to what they are to hold, ml.
   static constexpr double kToleranceMl = 1e-5;
 
-  /// Throws `DataError` when the compensation is for another number of handles.
-  CavityFit(HeartMotion motion, PoseCompensation compensation, MeasureCavities measure);
+  /// Without `measureAtria` atria move as the state says and hold what comes of it. Throws `DataError` when
+  /// the compensation is for another number of handles.
+  CavityFit(HeartMotion motion, PoseCompensation compensation, MeasureCavities measure,
+            MeasureCavities measureAtria = {});
 
   const HeartMotion& motion() const { return motion_; }
   const Points& restHandles() const { return rest_; }
 
   /// Fills `pose`, and returns the state with the corrections that were found. Throws `DataError` when the
   /// volumes cannot be reached, or are not finite. O(n^2) with a compensation, and eight measurements.
-  HeartState pose(const HeartInstant& instant, Points& pose) const;
+  ///
+  /// The search begins with what `found` holds, if anything, and leaves there what it came to: near it, two
+  /// measurements are enough.
+  HeartState pose(const HeartInstant& instant, Points& pose, FoundCavities* found = nullptr) const;
 
 private:
   HeartMotion motion_;
   PoseCompensation compensation_;
-  MeasureCavities measure_;
+  MeasureCavities measure_, measureAtria_;
   Points rest_;
 };
 

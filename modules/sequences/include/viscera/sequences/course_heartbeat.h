@@ -44,7 +44,7 @@ public:
 
   double finestStepSeconds() const override { return 0.01; }
 
-  /// Costs what `CavityFit::pose` costs.
+  /// Costs what `CavityFit::pose` costs that begins near what is looked for.
   void poseAt(double seconds, double ratePerMinute, Points& pose) const override;
 
   const HeartMotion& motion() const { return fit_.motion(); }
@@ -53,6 +53,7 @@ public:
 private:
   CavityFit fit_;
   HeartCourse course_;
+  std::vector<FoundCavities> found_; ///< At the instants that were tried, from which others begin.
 };
 
 } // namespace viscera::sequences

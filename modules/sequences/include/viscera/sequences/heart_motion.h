@@ -1,9 +1,22 @@
 #pragma once
 
+#include <optional>
+#include <vector>
+
 #include "viscera/core/arrays.h"
 #include "viscera/sequences/heart_rig.h"
 
 namespace viscera::sequences {
+
+/// What the atria hold, where that is known.
+struct AtrialState {
+  double leftPart = 1; ///< What the left atrium holds, as a part of what it holds at rest.
+  double rightPart = 1;
+  /// What is added to the displacement of the atrium's walls, as a part of their distance from its centre.
+  /// `CavityFit` finds it; 0 before.
+  double leftShift = 0;
+  double rightShift = 0;
+};
 
 /// Where in its beat a heart is.
 struct HeartState {
@@ -12,8 +25,9 @@ struct HeartState {
   double leftPart = 1;          ///< What the left ventricle holds, as a part of what it holds at rest.
   double rightPart = 1;         ///< The same of the right one.
   double twist = 0;             ///< Part of the largest twist.
-  double atrialContraction = 0; ///< 0 to 1.
-  double muscle = 1;            ///< The volume of the left ventricle's muscle, as a part of that at rest.
+  double atrialContraction = 0; ///< 0 to 1; without effect where `atria` are known.
+  std::optional<AtrialState> atria;
+  double muscle = 1; ///< The volume of the left ventricle's muscle, as a part of that at rest.
   /// The left cavity's radius as a multiple of what its volume asks for. `CavityFit` finds it; 1 before.
   double leftGain = 1;
   /// What is added to the right cavity's thickness, as a part of that at rest. `CavityFit` finds it; 0
@@ -40,8 +54,9 @@ struct HeartExcursions {
 /// thickens so that its volume stays (rho'^2 = (f rho_en)^2 + m (rho^2 - rho_en^2) / lambda, with f the
 /// cavity's scale, lambda the shortening of the long axis and m the muscle there is); the right ventricle's
 /// free wall follows the septum and comes closer to it, least near its outflow; the ventricles twist; the
-/// atria lengthen with the descent, fill, and contract; the vessels give way near their roots. Immutable;
-/// thread-safe.
+/// atria lengthen with the descent, fill, and contract; the vessels give way near their roots. Atria whose
+/// volumes are known move what is around them as sources and sinks of blood would, so that walls keep their
+/// volume. Immutable; thread-safe.
 class HeartMotion {
 public:
   explicit HeartMotion(HeartRig rig, const HeartExcursions& excursions = {});
@@ -65,15 +80,20 @@ public:
   double descent(const HeartState& state, double phi, double c) const;
 
 private:
-  Vec3 moved(const HeartHandle& handle, const HeartState& state) const;
+  Vec3 moved(std::size_t row, const HeartState& state) const;
   Vec3 movedVentricular(const HeartHandle& handle, const HeartState& state) const;
-  Vec3 movedAtrial(const HeartHandle& handle, const HeartState& state) const;
+  Vec3 movedAtrial(std::size_t row, const HeartState& state) const;
+  /// How far the atria push a handle that rests outside the ventricles, mm.
+  Vec3 pushedByAtria(std::size_t row, const AtrialState& atria) const;
   /// By how much the left ventricle's wall is thicker at `c` than at rest, mm; not negative.
   double thickening(const HeartState& state, double c) const;
   double ventricularRho(const HeartHandle& handle, const HeartState& state) const;
 
   HeartRig rig_;
   HeartExcursions excursions_;
+  /// By atrium and handle: the volume of the atrium's body by that of the sphere through the handle around
+  /// it, 1 inside the atrium.
+  std::vector<std::vector<double>> atrialShares_;
   bool wallsHandled_; ///< The cavities' walls have handles of their own.
 };
 

@@ -37,6 +37,8 @@ struct AtriumAnatomy {
   AnatomySurface surface;
   Vec3 center = Vec3::Zero();  ///< Towards this point it contracts, mm.
   std::vector<Vec3> appendage; ///< Where handles go along its ear, mm.
+  /// Whether it is the left one: what `AtrialState` says of it moves it.
+  bool left = false;
 };
 
 /// Handles around a great vessel.
