@@ -12,6 +12,7 @@
 #include "viscera/medical_io/surface_file.h"
 #include "window/import/arrival.h"
 #include "window/panels/color_palette.h"
+#include "window/phrase_translator.h"
 
 namespace viscera::app {
 namespace {
@@ -242,7 +243,7 @@ void FileActions::sayWarnings(const std::vector<std::string>& warnings) {
     return;
   QStringList lines;
   for (const std::string& warning : warnings)
-    lines.push_back(text(warning));
+    lines.push_back(messageInWords(warning));
   if (lines.size() > kShownWarnings) {
     const int more = static_cast<int>(lines.size()) - kShownWarnings;
     lines = lines.mid(0, kShownWarnings);

@@ -63,7 +63,7 @@ void Help::startTour() {
             "colour."),
          {"view3d", "organs"},
          [this] { parts_.modes.choose("explore"); }},
-        {tr("See it move"),
+        {tr("Play a motion"),
          tr("Space plays and pauses. The timeline shows the phases of the cycle: drag along it to look at "
             "one instant. "
             "Below, the volumes are drawn as they change."),

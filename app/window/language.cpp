@@ -6,6 +6,8 @@
 
 #include <algorithm>
 
+#include "window/phrase_translator.h"
+
 namespace viscera::app {
 namespace {
 
@@ -40,16 +42,20 @@ QString languageFor(const QString& chosen, const QLocale& system) {
 
 InstalledLanguage::InstalledLanguage(const QString& code) {
   QLocale::setDefault(localeOf(code));
-  const auto install = [this](const QString& file, const QString& folder) {
-    auto translator = std::make_unique<QTranslator>();
+  const auto install = [this](std::unique_ptr<QTranslator> translator, const QString& file,
+                              const QString& folder) {
     if (translator->load(file, folder) && QCoreApplication::installTranslator(translator.get()))
       translators_.push_back(std::move(translator));
   };
   if (code == QLatin1String(kEnglish))
     return;
   // Of Qt's own dialogs, where Qt has them here; ours come first.
-  install(QStringLiteral("qtbase_") + code, QLibraryInfo::location(QLibraryInfo::TranslationsPath));
-  install(QStringLiteral("viscera_") + code, QStringLiteral(":/viscera/translations"));
+  install(std::make_unique<QTranslator>(), QStringLiteral("qtbase_") + code,
+          QLibraryInfo::location(QLibraryInfo::TranslationsPath));
+  const QString folder = QStringLiteral(":/viscera/translations");
+  auto ours = std::make_unique<PhraseTranslator>();
+  ours->readPatterns(folder + QStringLiteral("/names_%1.ts").arg(code));
+  install(std::move(ours), QStringLiteral("viscera_") + code, folder);
 }
 
 InstalledLanguage::~InstalledLanguage() {
@@ -74,7 +80,7 @@ std::optional<double> numberIn(const QString& typed) {
 }
 
 QString inWords(const std::string& name) {
-  return QCoreApplication::translate("viscera::presentation", name.c_str());
+  return name.empty() ? QString() : QCoreApplication::translate("viscera::presentation", name.c_str());
 }
 
 } // namespace viscera::app

@@ -46,8 +46,9 @@ private:
   std::vector<std::unique_ptr<QTranslator>> translators_;
 };
 
-/// A name of the numerical modules (a phase, a parameter, a part of an organ) in the language of the window;
-/// as it is when it has no translation.
+/// What the numerical modules say in English, in the language of the window: a name (a phase, a parameter, a
+/// part of an organ), or a text that is put together from a pattern and its parts (viscera/core/phrase.h). As
+/// it is when it has no translation.
 QString inWords(const std::string& name);
 
 /// Numbers as the language of the window writes them: "12,5" in German. With so many decimals, and with so

@@ -265,7 +265,7 @@ void MainWindow::connectHints() {
     if (obstacle.isEmpty())
       hint();
     else
-      status_->setHint(tr("As far as it goes: %1").arg(obstacle));
+      status_->setHint(tr("Only partly possible: %1").arg(obstacle));
   });
 }
 

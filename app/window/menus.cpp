@@ -10,6 +10,7 @@
 #include <algorithm>
 
 #include "window/language.h"
+#include "window/phrase_translator.h"
 #include "window/slices/scan_actions.h"
 #include "window/style/icon.h"
 #include "window/widgets/panel_dock.h"
@@ -20,10 +21,10 @@ namespace {
 /// The steps on each side of the present one that the list of steps shows.
 constexpr std::size_t kShownSteps = 20;
 
-/// Gives an entry whose letter another one of the menu has already another letter (none, when it stands in
-/// several menus): the first of a word, else any, else none. With two entries of one letter a key only marks
-/// the first of them.
-void giveLetters(const QMenu& menu) {
+/// Gives an entry whose letter another one of the menu (or of the bar) has already another letter (none, when
+/// it stands in several menus): the first of a word, else any, else none. With two entries of one letter a
+/// key only marks the first of them.
+void giveLetters(const QWidget& menu) {
   QSet<QChar> taken;
   for (QAction* action : menu.actions()) {
     QString label = action->text();
@@ -61,6 +62,7 @@ Menus::Menus(QMenuBar& bar, const Parts& parts) : QObject(&bar), bar_(bar), part
   makeViewMenu();
   makeOrganMenus();
   makeLastMenus();
+  giveLetters(bar);
   for (QMenu* menu : bar.findChildren<QMenu*>()) {
     menu->setToolTipsVisible(true);
     giveLetters(*menu);
@@ -80,8 +82,8 @@ void Menus::addEditActions() {
   actions.whenSynced([&steps, undo, redo] {
     undo->setEnabled(steps.canUndo());
     redo->setEnabled(steps.canRedo());
-    undo->setText(steps.canUndo() ? tr("&Undo: %1").arg(inWords(steps.undoName())) : tr("&Undo"));
-    redo->setText(steps.canRedo() ? tr("&Redo: %1").arg(inWords(steps.redoName())) : tr("&Redo"));
+    undo->setText(steps.canUndo() ? tr("&Undo: %1").arg(messageInWords(steps.undoName())) : tr("&Undo"));
+    redo->setText(steps.canRedo() ? tr("&Redo: %1").arg(messageInWords(steps.redoName())) : tr("&Redo"));
   });
 }
 
@@ -211,7 +213,7 @@ void Menus::fillSteps(QMenu* menu) {
     action->setFont(font);
   };
   for (std::size_t step = last; step > first; --step)
-    add(inWords(names[step - 1]), step);
+    add(messageInWords(names[step - 1]), step);
   if (first > 0)
     menu->addAction(tr("%n earlier {step|steps}", nullptr, static_cast<int>(first)))->setEnabled(false);
   else

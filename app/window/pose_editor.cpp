@@ -5,6 +5,7 @@
 #include "viscera/document/organ_commands.h"
 #include "viscera/document/rig_commands.h"
 #include "viscera/presentation/space_parts.h"
+#include "window/phrase_translator.h"
 
 namespace viscera::app {
 
@@ -30,11 +31,11 @@ void PoseEditor::follow(const std::function<void(live::LockedMotion&)>& wish) {
   try {
     wish(*motion_);
     workspace_.undo().perform(document::setPose(motion_->pose()));
-    setObstacle(text(motion_->obstacle()));
+    setObstacle(messageInWords(motion_->obstacle()));
   } catch (const Error& error) {
     if (obstacle_.isEmpty())
       workspace_.report(error);
-    setObstacle(text(error.problem()));
+    setObstacle(messageInWords(error.problem()));
   }
   Q_EMIT gestureChanged();
 }
@@ -90,10 +91,11 @@ void PoseEditor::reset(const std::vector<document::HandleId>& handles) {
         tr("Reset %n {handle|handles}", nullptr, static_cast<int>(handles.size())).toStdString()));
     if (motion.obstacle().empty())
       return;
-    workspace_.say({Message::Severity::warning,
-                    tr("The handles could not move back all the way: %1.").arg(text(motion.obstacle())),
-                    {},
-                    0});
+    workspace_.say(
+        {Message::Severity::warning,
+         tr("The handles could not move back all the way: %1.").arg(messageInWords(motion.obstacle())),
+         {},
+         0});
   });
 }
 

@@ -10,6 +10,7 @@
 
 #include "viscera/presentation/space_parts.h"
 #include "window/language.h"
+#include "window/phrase_translator.h"
 
 namespace viscera::app {
 
@@ -39,11 +40,13 @@ bool Workspace::guarded(const std::function<void()>& work) {
 }
 
 QString sentenceOf(const Error& error) {
-  QString sentence = text(error.where().empty() ? error.problem() : error.where() + ": " + error.problem());
+  QString sentence = messageInWords(error.problem());
+  if (!error.where().empty())
+    sentence = messageInWords(error.where()) + QStringLiteral(": ") + sentence;
   if (!sentence.isEmpty())
     sentence[0] = sentence[0].toUpper();
   if (!error.tryThis().empty()) {
-    QString advice = text(error.tryThis());
+    QString advice = messageInWords(error.tryThis());
     advice[0] = advice[0].toUpper();
     sentence += Workspace::tr(". %1.").arg(advice);
   }
@@ -71,7 +74,7 @@ std::shared_ptr<const document::Organ> Workspace::currentOrgan() const {
 }
 
 QString asSentence(const std::string& utf8) {
-  QString sentence = text(utf8);
+  QString sentence = messageInWords(utf8);
   if (sentence.isEmpty())
     return sentence;
   sentence[0] = sentence[0].toUpper();

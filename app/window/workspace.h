@@ -101,7 +101,7 @@ QString formatMilliliters(double milliliters);
 
 /// What went wrong, where, and what to try, as sentences.
 QString sentenceOf(const Error& error);
-/// What a module says, as a sentence: with a capital and a full stop.
+/// What a module says, in the language of the window and as a sentence: with a capital and a full stop.
 QString asSentence(const std::string& utf8);
 /// The change of a volume: "+12.3 ml" and "+1.3 %". One too small for the digits is "+0.0".
 QString formatChange(const live::OrganVolume& volume);

@@ -4,12 +4,179 @@
 <context>
     <name>viscera::presentation</name>
     <message>
+        <source>&quot;%1&quot; is %2 instead of &quot;%3&quot;</source>
+        <translation>« %1 » est %2 au lieu de « %3 »</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is neither true nor false</source>
+        <translation>« %1 » n’est ni vrai ni faux</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a list</source>
+        <translation>« %1 » n’est pas une liste</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a text</source>
+        <translation>« %1 » n’est pas un texte</translation>
+    </message>
+    <message>
+        <source>&quot;version&quot; is not a positive whole number</source>
+        <translation>« version » n’est pas un entier positif</translation>
+    </message>
+    <message>
+        <source>%1 and %2 more</source>
+        <translation>%1 et %2 autres</translation>
+    </message>
+    <message>
+        <source>%1 gives another surface than the one that was saved</source>
+        <translation>%1 donne une autre surface que celle qui a été enregistrée</translation>
+    </message>
+    <message>
+        <source>%1 has changed since the session was saved</source>
+        <translation>%1 a changé depuis l’enregistrement de la session</translation>
+    </message>
+    <message>
+        <source>%1 is farther away than a thousand kilometres</source>
+        <translation>%1 est à plus de mille kilomètres</translation>
+    </message>
+    <message>
+        <source>%1 is not a finite number</source>
+        <translation>%1 n’est pas un nombre fini</translation>
+    </message>
+    <message>
+        <source>%1 of more than 1 GB cannot be kept in a session file</source>
+        <translation>%1 de plus de 1 Go ne peut pas être gardé dans un fichier de session</translation>
+    </message>
+    <message>
+        <source>%1 rows</source>
+        <translation>%1 lignes</translation>
+    </message>
+    <message>
+        <source>%1 voxels</source>
+        <translation>%1 voxels</translation>
+    </message>
+    <message>
+        <source>%1, %2 of them crumbs of less than 2 % of its area</source>
+        <translation>%1, dont %2 miettes de moins de 2 % de son aire</translation>
+    </message>
+    <message>
+        <source>%1, changed</source>
+        <translation>%1, modifié</translation>
+    </message>
+    <message>
+        <source>%1, handle %2</source>
+        <translation>%1, poignée %2</translation>
+    </message>
+    <message>
+        <source>%1, handles %2 and %3</source>
+        <translation>%1, poignées %2 et %3</translation>
+    </message>
+    <message>
+        <source>%1, key at %2 s</source>
+        <translation>%1, clé à %2 s</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1 : %2</translation>
+    </message>
+    <message>
+        <source>%1: nothing is known about &quot;%2&quot;; it will not be saved again</source>
+        <translation>%1 : « %2 » est inconnu et ne sera pas enregistré de nouveau</translation>
+    </message>
+    <message numerus="yes">
+        <source>%2 {lies|lie} outside of the scan; look whether both are of one patient and their files agree on the axes (RAS or LPS)</source>
+        <translation>
+            <numerusform>%2 se trouve hors de l’examen ; vérifiez que les deux viennent du même patient et ont les mêmes axes (RAS ou LPS)</numerusform>
+            <numerusform>%2 se trouvent hors de l’examen ; vérifiez que tous viennent du même patient et ont les mêmes axes (RAS ou LPS)</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n boundary {edge|edges}: the surface is open and has no volume</source>
+        <translation>
+            <numerusform>%n arête de bord : la surface est ouverte et n’a pas de volume</numerusform>
+            <numerusform>%n arêtes de bord : la surface est ouverte et n’a pas de volume</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {edge joins|edges join} more than two triangles</source>
+        <translation>
+            <numerusform>%n arête joint plus de deux triangles</numerusform>
+            <numerusform>%n arêtes joignent plus de deux triangles</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {edge lies|edges lie} between triangles of opposite orientation</source>
+        <translation>
+            <numerusform>%n arête est entre des triangles d’orientation opposée</numerusform>
+            <numerusform>%n arêtes sont entre des triangles d’orientation opposée</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {handle|handles}</source>
+        <translation>
+            <numerusform>%n poignée</numerusform>
+            <numerusform>%n poignées</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {pair of triangles crosses|pairs of triangles cross} each other: stress mode may have to repair the surface first</source>
+        <translation>
+            <numerusform>%n paire de triangles se traverse : le mode de contrainte devra peut-être d’abord réparer la surface</numerusform>
+            <numerusform>%n paires de triangles se traversent : le mode de contrainte devra peut-être d’abord réparer la surface</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {triangle has|triangles have} no area</source>
+        <translation>
+            <numerusform>%n triangle n’a pas d’aire</numerusform>
+            <numerusform>%n triangles n’ont pas d’aire</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {triangle was|triangles were} turned around to face outward.</source>
+        <translation>
+            <numerusform>%n triangle a été retourné vers l’extérieur.</numerusform>
+            <numerusform>%n triangles ont été retournés vers l’extérieur.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n {triangle without area or that came twice is|triangles without area or that came twice are} left out.</source>
+        <translation>
+            <numerusform>%n triangle sans aire ou en double est laissé de côté.</numerusform>
+            <numerusform>%n triangles sans aire ou en double sont laissés de côté.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>A cavity has to come after the organ that it is in</source>
+        <translation>Une cavité doit venir après l’organe où elle se trouve</translation>
+    </message>
+    <message>
+        <source>A group names a handle that is not there</source>
+        <translation>Un groupe nomme une poignée qui n’existe pas</translation>
+    </message>
+    <message>
         <source>A healthy adult lying down.</source>
         <translation>Un adulte sain couché.</translation>
     </message>
     <message>
         <source>A quarter of the stressed blood volume is lost; no reflex answers, so that pressures fall more than in life.</source>
         <translation>Un quart du volume sanguin sous tension est perdu ; aucun réflexe ne répond, si bien que les pressions baissent plus qu’en réalité.</translation>
+    </message>
+    <message>
+        <source>A rectangle lies in an axial, coronal or sagittal slice</source>
+        <translation>Un rectangle se trouve dans une coupe axiale, coronale ou sagittale</translation>
+    </message>
+    <message>
+        <source>A row has four numbers</source>
+        <translation>Une ligne a quatre nombres</translation>
+    </message>
+    <message>
+        <source>A scan has three axes</source>
+        <translation>Un examen a trois axes</translation>
+    </message>
+    <message>
+        <source>A session is opened alone</source>
+        <translation>Une session s’ouvre seule</translation>
     </message>
     <message>
         <source>A stiff left ventricle that relaxes slowly: it empties well and fills only at a high pressure.</source>
@@ -24,8 +191,15 @@
         <translation>Un fil dans l’espace des vecteurs équilibrés ; pour beaucoup de points il n’a pas de réponse</translation>
     </message>
     <message>
-        <source>Add</source>
-        <translation>Ajouter</translation>
+        <source>Add %1</source>
+        <translation>Ajouter %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>Add %n {organ|organs}</source>
+        <translation>
+            <numerusform>Ajouter %n organe</numerusform>
+            <numerusform>Ajouter %n organes</numerusform>
+        </translation>
     </message>
     <message>
         <source>Add enclosing group</source>
@@ -40,8 +214,19 @@
         <translation>Ajouter un groupe</translation>
     </message>
     <message>
+        <source>Add group %1</source>
+        <translation>Ajouter le groupe %1</translation>
+    </message>
+    <message>
         <source>Add to group</source>
         <translation>Ajouter au groupe</translation>
+    </message>
+    <message numerus="yes">
+        <source>Add {handle|%n handles}</source>
+        <translation>
+            <numerusform>Ajouter une poignée</numerusform>
+            <numerusform>Ajouter %n poignées</numerusform>
+        </translation>
     </message>
     <message>
         <source>Afterload: pulmonary resistance</source>
@@ -52,8 +237,16 @@
         <translation>Postcharge : résistance systémique</translation>
     </message>
     <message>
-        <source>An organ needs at least four handles around it: add</source>
-        <translation>Un organe demande au moins quatre poignées autour de lui : ajoutez</translation>
+        <source>An angle needs three points, any other measurement two</source>
+        <translation>Un angle demande trois points, toute autre mesure deux</translation>
+    </message>
+    <message>
+        <source>An organ needs a surface</source>
+        <translation>Un organe a besoin d’une surface</translation>
+    </message>
+    <message>
+        <source>An organ needs at least four handles around it: add %1 more</source>
+        <translation>Un organe a besoin d’au moins quatre poignées autour de lui : ajoutez-en encore %1</translation>
     </message>
     <message>
         <source>An organ needs handles around it</source>
@@ -168,8 +361,8 @@
         <translation>Conduit cholédoque</translation>
     </message>
     <message>
-        <source>Binding</source>
-        <translation>Liaison</translation>
+        <source>Binding %1</source>
+        <translation>Liaison de %1</translation>
     </message>
     <message>
         <source>Body</source>
@@ -240,24 +433,31 @@
         <translation>Modifier l’enregistrement</translation>
     </message>
     <message>
-        <source>Checking</source>
-        <translation>Contrôle</translation>
+        <source>Checking %1</source>
+        <translation>Vérification de %1</translation>
     </message>
     <message>
-        <source>Circulation:</source>
-        <translation>Circulation :</translation>
+        <source>Circulation: %1</source>
+        <translation>Circulation : %1</translation>
     </message>
     <message>
         <source>Close holes</source>
         <translation>Fermer les trous</translation>
     </message>
     <message>
+        <source>Close scan</source>
+        <translation>Fermer l’examen</translation>
+    </message>
+    <message>
         <source>Colour group</source>
         <translation>Colorer le groupe</translation>
     </message>
-    <message>
-        <source>Compensate with</source>
-        <translation>Compenser avec</translation>
+    <message numerus="yes">
+        <source>Compensate with {handle|%n handles}</source>
+        <translation>
+            <numerusform>Compenser avec cette poignée</numerusform>
+            <numerusform>Compenser avec %n poignées</numerusform>
+        </translation>
     </message>
     <message>
         <source>Contractility of the left ventricle</source>
@@ -272,6 +472,10 @@
         <translation>Coordonnées</translation>
     </message>
     <message>
+        <source>Coordinates %1</source>
+        <translation>Coordonnées %1</translation>
+    </message>
+    <message>
         <source>Coupling Ea/Ees</source>
         <translation>Couplage Ea/Ees</translation>
     </message>
@@ -283,9 +487,12 @@
         <source>Descending colon</source>
         <translation>Côlon descendant</translation>
     </message>
-    <message>
-        <source>Describe</source>
-        <translation>Décrire</translation>
+    <message numerus="yes">
+        <source>Describe {handle|%n handles}</source>
+        <translation>
+            <numerusform>Décrire la poignée</numerusform>
+            <numerusform>Décrire %n poignées</numerusform>
+        </translation>
     </message>
     <message>
         <source>Determinants approach</source>
@@ -328,8 +535,8 @@
         <translation>ECG</translation>
     </message>
     <message>
-        <source>Easing</source>
-        <translation>Transition</translation>
+        <source>Easing %1</source>
+        <translation>Transition %1</translation>
     </message>
     <message>
         <source>Edges of tetrahedra across the handles; more are finer and slower</source>
@@ -483,6 +690,13 @@
         <source>Hide</source>
         <translation>Masquer</translation>
     </message>
+    <message numerus="yes">
+        <source>Hide {handle|%n handles}</source>
+        <translation>
+            <numerusform>Cacher la poignée</numerusform>
+            <numerusform>Cacher %n poignées</numerusform>
+        </translation>
+    </message>
     <message>
         <source>How far beyond the handles' hull the weights are computed</source>
         <translation>Jusqu’où au-delà de l’enveloppe des poignées les poids sont calculés</translation>
@@ -526,6 +740,112 @@
     <message>
         <source>Inner handles of each layer</source>
         <translation>Poignées internes de chaque couche</translation>
+    </message>
+    <message>
+        <source>It cannot be read</source>
+        <translation>Il est illisible</translation>
+    </message>
+    <message numerus="yes">
+        <source>It crosses itself, at %n {pair|pairs} of triangles</source>
+        <translation>
+            <numerusform>Elle se traverse elle-même, à %n paire de triangles</numerusform>
+            <numerusform>Elle se traverse elle-même, à %n paires de triangles</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>It has %n {vertex|vertices}</source>
+        <translation>
+            <numerusform>Elle a %n sommet</numerusform>
+            <numerusform>Elle a %n sommets</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>It has no &quot;%1&quot;</source>
+        <translation>« %1 » manque</translation>
+    </message>
+    <message>
+        <source>It has no surface &quot;%1&quot;</source>
+        <translation>Il n’a pas de surface « %1 »</translation>
+    </message>
+    <message>
+        <source>It has to be a text</source>
+        <translation>Ce doit être un texte</translation>
+    </message>
+    <message>
+        <source>It holds less than %1</source>
+        <translation>Il contient moins que %1</translation>
+    </message>
+    <message>
+        <source>It is a scan and no organ</source>
+        <translation>C’est un examen et non un organe</translation>
+    </message>
+    <message>
+        <source>It is damaged: it does not hold %1</source>
+        <translation>Il est endommagé : il ne contient pas %1</translation>
+    </message>
+    <message>
+        <source>It is damaged: its SHA-256 is not %1</source>
+        <translation>Il est endommagé : son SHA-256 n’est pas %1</translation>
+    </message>
+    <message>
+        <source>It is neither &quot;embedded&quot; nor &quot;linked&quot;</source>
+        <translation>Ce n’est ni « embedded » ni « linked »</translation>
+    </message>
+    <message>
+        <source>It is nested too deeply</source>
+        <translation>L’imbrication est trop profonde</translation>
+    </message>
+    <message>
+        <source>It is no %1: its &quot;format&quot; is not &quot;%2&quot;</source>
+        <translation>Ce n’est pas un fichier de type %1 : son « format » n’est pas « %2 »</translation>
+    </message>
+    <message>
+        <source>It is not a file that can be read</source>
+        <translation>Ce n’est pas un fichier lisible</translation>
+    </message>
+    <message>
+        <source>It is not a finite number</source>
+        <translation>Ce n’est pas un nombre fini</translation>
+    </message>
+    <message>
+        <source>It is not a list of three numbers</source>
+        <translation>Ce n’est pas une liste de trois nombres</translation>
+    </message>
+    <message>
+        <source>It is not a text</source>
+        <translation>Ce n’est pas un texte</translation>
+    </message>
+    <message>
+        <source>It is not a triangle of three handles</source>
+        <translation>Ce n’est pas un triangle de trois poignées</translation>
+    </message>
+    <message>
+        <source>It is not a whole number from 0 to 2^53</source>
+        <translation>Ce n’est pas un entier de 0 à 2^53</translation>
+    </message>
+    <message>
+        <source>It is not an object</source>
+        <translation>Ce n’est pas un objet</translation>
+    </message>
+    <message>
+        <source>It is not base64</source>
+        <translation>Ce n’est pas du base64</translation>
+    </message>
+    <message>
+        <source>It is not complete JSON: %1</source>
+        <translation>Ce n’est pas du JSON complet : %1</translation>
+    </message>
+    <message>
+        <source>It is of version %1; this program reads up to %2</source>
+        <translation>Il est de la version %1 ; ce programme lit jusqu’à %2</translation>
+    </message>
+    <message>
+        <source>It is too long</source>
+        <translation>Il est trop long</translation>
+    </message>
+    <message>
+        <source>Its axes lie in one plane</source>
+        <translation>Ses axes sont dans un même plan</translation>
     </message>
     <message>
         <source>Keep as before</source>
@@ -612,11 +932,11 @@
         <translation>Atrium gauche, ventricule droit</translation>
     </message>
     <message>
-        <source>Left atrium, scale of the relaxed curve</source>
+        <source>Left atrium, scale of the passive filling curve</source>
         <translation>Atrium gauche, échelle de la courbe relâchée</translation>
     </message>
     <message>
-        <source>Left atrium, steepness of the relaxed curve</source>
+        <source>Left atrium, steepness of the passive filling curve</source>
         <translation>Atrium gauche, pente de la courbe relâchée</translation>
     </message>
     <message>
@@ -652,7 +972,7 @@
         <translation>Ventricule gauche, relaxation</translation>
     </message>
     <message>
-        <source>Left ventricle, scale of the relaxed curve</source>
+        <source>Left ventricle, scale of the passive filling curve</source>
         <translation>Ventricule gauche, échelle de la courbe relâchée</translation>
     </message>
     <message>
@@ -682,6 +1002,13 @@
     <message>
         <source>Lock volume</source>
         <translation>Verrouiller le volume</translation>
+    </message>
+    <message numerus="yes">
+        <source>Lock {handle|%n handles}</source>
+        <translation>
+            <numerusform>Verrouiller la poignée</numerusform>
+            <numerusform>Verrouiller %n poignées</numerusform>
+        </translation>
     </message>
     <message>
         <source>Lower pole</source>
@@ -728,8 +1055,8 @@
         <translation>Valeur moyenne sur les triangles dans lesquels chaque point voit les poignées ; sauts, ou rugueux si mêlé</translation>
     </message>
     <message>
-        <source>Measure</source>
-        <translation>Mesurer</translation>
+        <source>Measure %1</source>
+        <translation>Mesurer : %1</translation>
     </message>
     <message>
         <source>Measured</source>
@@ -756,16 +1083,26 @@
         <translation>Valve mitrale, ouverture</translation>
     </message>
     <message>
-        <source>Move</source>
-        <translation>Déplacer</translation>
-    </message>
-    <message>
         <source>Move key</source>
         <translation>Déplacer la clé</translation>
     </message>
     <message>
         <source>Move measured point</source>
         <translation>Déplacer un point mesuré</translation>
+    </message>
+    <message numerus="yes">
+        <source>Move {handle|%n handles}</source>
+        <translation>
+            <numerusform>Déplacer la poignée</numerusform>
+            <numerusform>Déplacer %n poignées</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Move {handle|%n handles} at rest</source>
+        <translation>
+            <numerusform>Déplacer la poignée au repos</numerusform>
+            <numerusform>Déplacer %n poignées au repos</numerusform>
+        </translation>
     </message>
     <message>
         <source>Muscles</source>
@@ -788,6 +1125,10 @@
         <translation>Système nerveux</translation>
     </message>
     <message>
+        <source>No scan has %1 voxels along an axis</source>
+        <translation>Aucun examen n’a %1 voxels le long d’un axe</translation>
+    </message>
+    <message>
         <source>Numerical integration approach</source>
         <translation>Méthode de l’intégration numérique</translation>
     </message>
@@ -802,6 +1143,21 @@
     <message>
         <source>Open</source>
         <translation>Ouvrir</translation>
+    </message>
+    <message>
+        <source>Open %1</source>
+        <translation>Ouvrir %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>Open %n {file|files}</source>
+        <translation>
+            <numerusform>Ouvrir %n fichier</numerusform>
+            <numerusform>Ouvrir %n fichiers</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Open scan %1</source>
+        <translation>Ouvrir l’examen %1</translation>
     </message>
     <message>
         <source>Organ</source>
@@ -944,10 +1300,6 @@
         <translation>Rectum</translation>
     </message>
     <message>
-        <source>Remove</source>
-        <translation>Supprimer</translation>
-    </message>
-    <message>
         <source>Remove all measurements</source>
         <translation>Supprimer toutes les mesures</translation>
     </message>
@@ -962,6 +1314,34 @@
     <message>
         <source>Remove group</source>
         <translation>Supprimer le groupe</translation>
+    </message>
+    <message numerus="yes">
+        <source>Remove {handle|%n handles}</source>
+        <translation>
+            <numerusform>Retirer la poignée</numerusform>
+            <numerusform>Retirer %n poignées</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Remove {key|%n keys}</source>
+        <translation>
+            <numerusform>Retirer la clé</numerusform>
+            <numerusform>Retirer %n clés</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Remove {measurement|%n measurements}</source>
+        <translation>
+            <numerusform>Retirer la mesure</numerusform>
+            <numerusform>Retirer %n mesures</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Remove {organ|%n organs}</source>
+        <translation>
+            <numerusform>Retirer l’organe</numerusform>
+            <numerusform>Retirer %n organes</numerusform>
+        </translation>
     </message>
     <message>
         <source>Renal artery</source>
@@ -992,8 +1372,12 @@
         <translation>Renommer l’organe</translation>
     </message>
     <message>
-        <source>Repairing</source>
-        <translation>Réparation</translation>
+        <source>Repairing %1</source>
+        <translation>Réparation de %1</translation>
+    </message>
+    <message>
+        <source>Replace handles</source>
+        <translation>Remplacer les poignées</translation>
     </message>
     <message>
         <source>Replace pose of key</source>
@@ -1036,11 +1420,11 @@
         <translation>Atrium droit, relaxation</translation>
     </message>
     <message>
-        <source>Right atrium, scale of the relaxed curve</source>
+        <source>Right atrium, scale of the passive filling curve</source>
         <translation>Atrium droit, échelle de la courbe relâchée</translation>
     </message>
     <message>
-        <source>Right atrium, steepness of the relaxed curve</source>
+        <source>Right atrium, steepness of the passive filling curve</source>
         <translation>Atrium droit, pente de la courbe relâchée</translation>
     </message>
     <message>
@@ -1072,11 +1456,11 @@
         <translation>Ventricule droit, relaxation</translation>
     </message>
     <message>
-        <source>Right ventricle, scale of the relaxed curve</source>
+        <source>Right ventricle, scale of the passive filling curve</source>
         <translation>Ventricule droit, échelle de la courbe relâchée</translation>
     </message>
     <message>
-        <source>Right ventricle, steepness of the relaxed curve</source>
+        <source>Right ventricle, steepness of the passive filling curve</source>
         <translation>Ventricule droit, pente de la courbe relâchée</translation>
     </message>
     <message>
@@ -1108,12 +1492,23 @@
         <translation>Septum</translation>
     </message>
     <message>
-        <source>Set</source>
-        <translation>Régler</translation>
+        <source>Set %1</source>
+        <translation>Régler %1</translation>
+    </message>
+    <message>
+        <source>Set pose</source>
+        <translation>Définir la pose</translation>
     </message>
     <message>
         <source>Show</source>
         <translation>Afficher</translation>
+    </message>
+    <message numerus="yes">
+        <source>Show {handle|%n handles}</source>
+        <translation>
+            <numerusform>Montrer la poignée</numerusform>
+            <numerusform>Montrer %n poignées</numerusform>
+        </translation>
     </message>
     <message>
         <source>Sibson's coordinates: what a point takes from its neighbours' Voronoi cells; positive and local</source>
@@ -1171,9 +1566,12 @@
         <source>Stomach and bowel</source>
         <translation>Estomac et intestin</translation>
     </message>
-    <message>
-        <source>Stop compensating with</source>
-        <translation>Ne plus compenser avec</translation>
+    <message numerus="yes">
+        <source>Stop compensating with {handle|%n handles}</source>
+        <translation>
+            <numerusform>Ne plus compenser avec cette poignée</numerusform>
+            <numerusform>Ne plus compenser avec %n poignées</numerusform>
+        </translation>
     </message>
     <message>
         <source>Stress at the witness points</source>
@@ -1194,6 +1592,10 @@
     <message>
         <source>Superior vena cava</source>
         <translation>Veine cave supérieure</translation>
+    </message>
+    <message>
+        <source>Surfaces are cut by at most 8 planes at once, not by %1</source>
+        <translation>Les surfaces sont coupées par 8 plans au plus à la fois, et non par %1</translation>
     </message>
     <message>
         <source>System used inside each region</source>
@@ -1224,16 +1626,24 @@
         <translation>Queue</translation>
     </message>
     <message>
-        <source>Take the cage</source>
-        <translation>Prendre la cage</translation>
+        <source>Take the cage %1</source>
+        <translation>Prendre la cage %1</translation>
     </message>
     <message>
         <source>Tamponade</source>
         <translation>Tamponnade</translation>
     </message>
     <message>
+        <source>TetGen placed no point inside the surface</source>
+        <translation>TetGen n’a placé aucun point à l’intérieur de la surface</translation>
+    </message>
+    <message>
         <source>The aortic valve opens to 0.8 cm2: the pressure of the hypertrophied ventricle towers above that of the aorta.</source>
         <translation>La valve aortique s’ouvre à 0,8 cm2 : la pression du ventricule hypertrophié dépasse de loin celle de l’aorte.</translation>
+    </message>
+    <message>
+        <source>The cage names a handle that is not there</source>
+        <translation>La cage nomme une poignée qui n’existe pas</translation>
     </message>
     <message>
         <source>The centre of all positive answers, by sampling; as good as the number of samples</source>
@@ -1242,6 +1652,10 @@
     <message>
         <source>The classical coordinates of a closed cage; positive where the cage is convex</source>
         <translation>Les coordonnées classiques d’une cage fermée ; positives là où la cage est convexe</translation>
+    </message>
+    <message>
+        <source>The label map of %1 has another grid (%2) than the scan (%3); each lies where its file says, and nothing is resampled</source>
+        <translation>La carte d’étiquettes de %1 a une autre grille (%2) que l’examen (%3) ; chacune est là où son fichier le dit, et rien n’est rééchantillonné</translation>
     </message>
     <message>
         <source>The mean over all tetrahedra of handles around a point; jumps where their number changes</source>
@@ -1260,8 +1674,16 @@
         <translation>La valve mitrale fuit par 0,4 cm2 : la moitié de ce que le ventricule éjecte retourne dans l’atrium.</translation>
     </message>
     <message>
+        <source>The number of witness points must be from %1 to %2</source>
+        <translation>Le nombre de points témoins doit être de %1 à %2</translation>
+    </message>
+    <message>
         <source>The numbers to stay near to</source>
         <translation>Les nombres dont rester proche</translation>
+    </message>
+    <message>
+        <source>The organ that this cavity is in is not there any more</source>
+        <translation>L’organe où se trouve cette cavité n’existe plus</translation>
     </message>
     <message>
         <source>The outlet of the stomach</source>
@@ -1272,12 +1694,36 @@
         <translation>Les points de l’espace à n dimensions que le fil relie</translation>
     </message>
     <message>
+        <source>The pose has %1 handles, the document %2</source>
+        <translation>La pose a %1 poignées, le document %2</translation>
+    </message>
+    <message>
+        <source>The pose has a position that is not a finite number, or too far away</source>
+        <translation>La pose a une position qui n’est pas un nombre fini, ou trop éloignée</translation>
+    </message>
+    <message>
+        <source>The sequence moves %1 handles, but there are %2</source>
+        <translation>La séquence déplace %1 poignées, mais il y en a %2</translation>
+    </message>
+    <message>
+        <source>The sequence was made for another place of a handle</source>
+        <translation>La séquence a été faite pour une autre position d’une poignée</translation>
+    </message>
+    <message>
         <source>The smallest number is raised as high as it goes; positive, with kinks</source>
         <translation>Le plus petit nombre est élevé autant que possible ; positif, avec des plis</translation>
     </message>
     <message>
+        <source>The surface has no triangle</source>
+        <translation>La surface n’a aucun triangle</translation>
+    </message>
+    <message>
         <source>The surface was repaired before it was filled.</source>
         <translation>La surface a été réparée avant d’être remplie.</translation>
+    </message>
+    <message>
+        <source>The surface was repaired before it was filled. %1. Details smaller than %2 mm are lost.</source>
+        <translation>La surface a été réparée avant d’être remplie. %1. Les détails de moins de %2 mm sont perdus.</translation>
     </message>
     <message>
         <source>The thesis's radius; it cancels in the coordinates and changes nothing</source>
@@ -1292,16 +1738,84 @@
         <translation>Le sommet du fundus</translation>
     </message>
     <message>
+        <source>The width has to be positive</source>
+        <translation>La largeur doit être positive</translation>
+    </message>
+    <message>
         <source>The witness points lie on a regular grid inside the surface.</source>
         <translation>Les points témoins sont sur une grille régulière dans la surface.</translation>
     </message>
     <message>
-        <source>There are</source>
-        <translation>Il y a</translation>
+        <source>The witness points lie on a regular grid inside the surface. %1.</source>
+        <translation>Les points témoins sont sur une grille régulière à l’intérieur de la surface. %1.</translation>
+    </message>
+    <message>
+        <source>There are %1 positions for %2 handles</source>
+        <translation>Il y a %1 positions pour %2 poignées</translation>
+    </message>
+    <message>
+        <source>There are %1 witness points; %2 do not fit this shape or the limits of time and memory.</source>
+        <translation>Il y a %1 points témoins ; %2 ne conviennent pas à cette forme ou aux limites de temps et de mémoire.</translation>
+    </message>
+    <message>
+        <source>There are no handles to group</source>
+        <translation>Il n’y a pas de poignées à grouper</translation>
+    </message>
+    <message>
+        <source>There are no handles whose pose could be recorded</source>
+        <translation>Il n’y a pas de poignées dont la pose puisse être enregistrée</translation>
+    </message>
+    <message>
+        <source>There are no such vertices to enclose</source>
+        <translation>Ces sommets à entourer n’existent pas</translation>
+    </message>
+    <message>
+        <source>There is no file to open</source>
+        <translation>Il n’y a pas de fichier à ouvrir</translation>
+    </message>
+    <message>
+        <source>There is no organ to enclose</source>
+        <translation>Il n’y a pas d’organe à entourer</translation>
+    </message>
+    <message>
+        <source>There is no organ to make groups for</source>
+        <translation>Il n’y a pas d’organe pour lequel former des groupes</translation>
+    </message>
+    <message>
+        <source>There is no scan to close</source>
+        <translation>Il n’y a pas d’examen à fermer</translation>
+    </message>
+    <message>
+        <source>There is no stress map yet</source>
+        <translation>Il n’y a pas encore de carte de contrainte</translation>
+    </message>
+    <message>
+        <source>There is no such %1 any more</source>
+        <translation>Cela n’existe plus : %1</translation>
+    </message>
+    <message>
+        <source>There is no such handle any more</source>
+        <translation>Cette poignée n’existe plus</translation>
+    </message>
+    <message>
+        <source>There is no such organ any more</source>
+        <translation>Cet organe n’existe plus</translation>
+    </message>
+    <message>
+        <source>There is no such point</source>
+        <translation>Ce point n’existe pas</translation>
+    </message>
+    <message>
+        <source>There is no type of samples &quot;%1&quot;</source>
+        <translation>Il n’y a pas de type d’échantillons « %1 »</translation>
     </message>
     <message>
         <source>Thickening</source>
         <translation>Épaississement</translation>
+    </message>
+    <message>
+        <source>This kind of file is not supported</source>
+        <translation>Ce type de fichier n’est pas pris en charge</translation>
     </message>
     <message>
         <source>Time (s)</source>
@@ -1328,6 +1842,14 @@
         <translation>Torsion</translation>
     </message>
     <message>
+        <source>Two handle files cannot be opened at a time</source>
+        <translation>Deux fichiers de poignées ne peuvent pas être ouverts à la fois</translation>
+    </message>
+    <message>
+        <source>Two handles are at one place</source>
+        <translation>Deux poignées sont au même endroit</translation>
+    </message>
+    <message>
         <source>Uncinate process</source>
         <translation>Processus unciné</translation>
     </message>
@@ -1338,6 +1860,13 @@
     <message>
         <source>Unlock volume</source>
         <translation>Déverrouiller le volume</translation>
+    </message>
+    <message numerus="yes">
+        <source>Unlock {handle|%n handles}</source>
+        <translation>
+            <numerusform>Déverrouiller la poignée</numerusform>
+            <numerusform>Déverrouiller %n poignées</numerusform>
+        </translation>
     </message>
     <message>
         <source>Upper pole</source>
@@ -1420,8 +1949,80 @@
         <translation>Témoin</translation>
     </message>
     <message>
-        <source>Witness points of</source>
-        <translation>Points témoins de</translation>
+        <source>Witness points of %1</source>
+        <translation>Points témoins de %1</translation>
+    </message>
+    <message>
+        <source>a cage is a coarse surface: take one of at most %1 vertices</source>
+        <translation>une cage est une surface grossière : prenez-en une de %1 sommets au plus</translation>
+    </message>
+    <message>
+        <source>a coarse surface needs at least four vertices</source>
+        <translation>une surface grossière demande au moins quatre sommets</translation>
+    </message>
+    <message>
+        <source>a convex hull needs at least 4 points, there are %1</source>
+        <translation>une enveloppe convexe demande au moins 4 points, il y en a %1</translation>
+    </message>
+    <message>
+        <source>a displacement</source>
+        <translation>un déplacement</translation>
+    </message>
+    <message>
+        <source>a distance grid of this spacing is too large</source>
+        <translation>une grille de distances de ce pas est trop grande</translation>
+    </message>
+    <message>
+        <source>a handle of a recorded key</source>
+        <translation>une poignée d’une clé enregistrée</translation>
+    </message>
+    <message>
+        <source>a part of the scan is on no organ</source>
+        <translation>une partie de l’examen n’est sur aucun organe</translation>
+    </message>
+    <message>
+        <source>a point of its surface</source>
+        <translation>un point de sa surface</translation>
+    </message>
+    <message>
+        <source>a recorded key</source>
+        <translation>une clé enregistrée</translation>
+    </message>
+    <message>
+        <source>a remark on it is not UTF-8</source>
+        <translation>une remarque à son sujet n’est pas en UTF-8</translation>
+    </message>
+    <message>
+        <source>a surface without triangles has no inside</source>
+        <translation>une surface sans triangles n’a pas d’intérieur</translation>
+    </message>
+    <message>
+        <source>a triangle has a handle at two corners</source>
+        <translation>un triangle a une poignée à deux coins</translation>
+    </message>
+    <message>
+        <source>a triangle names a handle that is not there</source>
+        <translation>un triangle nomme une poignée qui n’existe pas</translation>
+    </message>
+    <message>
+        <source>add handles, or place them automatically</source>
+        <translation>ajoutez des poignées, ou placez-les automatiquement</translation>
+    </message>
+    <message>
+        <source>added by automatic grouping</source>
+        <translation>ajoutée par le groupement automatique</translation>
+    </message>
+    <message>
+        <source>all points lie in one plane</source>
+        <translation>tous les points sont dans un même plan</translation>
+    </message>
+    <message>
+        <source>an angle has three points, any other measurement two</source>
+        <translation>un angle a trois points, toute autre mesure deux</translation>
+    </message>
+    <message>
+        <source>angle</source>
+        <translation>angle</translation>
     </message>
     <message>
         <source>antrum</source>
@@ -1432,12 +2033,92 @@
         <translation>systole auriculaire</translation>
     </message>
     <message>
+        <source>bind it first</source>
+        <translation>liez-le d’abord</translation>
+    </message>
+    <message>
         <source>body</source>
         <translation>corps</translation>
     </message>
     <message>
+        <source>cannot be opened: %1</source>
+        <translation>ne peut pas être ouvert : %1</translation>
+    </message>
+    <message>
+        <source>cannot place %1 witness points</source>
+        <translation>impossible de placer %1 points témoins</translation>
+    </message>
+    <message>
         <source>cardiac output</source>
         <translation>débit cardiaque</translation>
+    </message>
+    <message>
+        <source>check its permissions</source>
+        <translation>vérifiez ses droits d’accès</translation>
+    </message>
+    <message>
+        <source>check its unit; coordinates are in mm</source>
+        <translation>vérifiez l’unité ; les coordonnées sont en mm</translation>
+    </message>
+    <message>
+        <source>check the name</source>
+        <translation>vérifiez le nom</translation>
+    </message>
+    <message>
+        <source>choose %1 to %2</source>
+        <translation>choisissez de %1 à %2</translation>
+    </message>
+    <message>
+        <source>choose a closed surface</source>
+        <translation>choisissez une surface fermée</translation>
+    </message>
+    <message>
+        <source>choose a file that Viscera has saved as .viscera</source>
+        <translation>choisissez un fichier que Viscera a enregistré en .viscera</translation>
+    </message>
+    <message>
+        <source>choose a file with a triangle surface</source>
+        <translation>choisissez un fichier avec une surface de triangles</translation>
+    </message>
+    <message>
+        <source>choose a larger spacing</source>
+        <translation>choisissez un pas plus grand</translation>
+    </message>
+    <message>
+        <source>choose a volume nearer to the present one, or let more handles compensate</source>
+        <translation>choisissez un volume plus proche de l’actuel, ou laissez compenser plus de poignées</translation>
+    </message>
+    <message>
+        <source>choose another one</source>
+        <translation>choisissez-en un autre</translation>
+    </message>
+    <message>
+        <source>choose one of them</source>
+        <translation>choisissez l’un d’eux</translation>
+    </message>
+    <message>
+        <source>choose organ, axis or cluster</source>
+        <translation>choisissez organ, axis ou cluster</translation>
+    </message>
+    <message>
+        <source>choose two ends of one surface</source>
+        <translation>choisissez deux extrémités d’une même surface</translation>
+    </message>
+    <message>
+        <source>circulation that was kept</source>
+        <translation>circulation gardée</translation>
+    </message>
+    <message>
+        <source>close its holes first</source>
+        <translation>fermez d’abord ses trous</translation>
+    </message>
+    <message>
+        <source>close other programs, or work with fewer organs or coarser surfaces</source>
+        <translation>fermez d’autres programmes, ou travaillez avec moins d’organes ou des surfaces plus grossières</translation>
+    </message>
+    <message>
+        <source>coordinates need at least four handles, there are %1</source>
+        <translation>les coordonnées demandent au moins quatre poignées, il y en a %1</translation>
     </message>
     <message>
         <source>diastasis</source>
@@ -1446,6 +2127,14 @@
     <message>
         <source>diastole</source>
         <translation>diastole</translation>
+    </message>
+    <message>
+        <source>distance</source>
+        <translation>distance</translation>
+    </message>
+    <message>
+        <source>does not lie between 0 and 1</source>
+        <translation>n’est pas entre 0 et 1</translation>
     </message>
     <message>
         <source>ejection fraction</source>
@@ -1464,8 +2153,44 @@
         <translation>expiration</translation>
     </message>
     <message>
+        <source>export the surface again</source>
+        <translation>exportez de nouveau la surface</translation>
+    </message>
+    <message>
+        <source>filling the organ with tetrahedra</source>
+        <translation>remplissage de l’organe par des tétraèdres</translation>
+    </message>
+    <message>
         <source>fundus</source>
         <translation>fundus</translation>
+    </message>
+    <message>
+        <source>give it another one</source>
+        <translation>donnez-lui-en un autre</translation>
+    </message>
+    <message>
+        <source>give it one</source>
+        <translation>donnez-lui-en un</translation>
+    </message>
+    <message>
+        <source>group</source>
+        <translation>groupe</translation>
+    </message>
+    <message>
+        <source>group %1</source>
+        <translation>groupe %1</translation>
+    </message>
+    <message>
+        <source>handle</source>
+        <translation>poignée</translation>
+    </message>
+    <message>
+        <source>handle %1</source>
+        <translation>poignée %1</translation>
+    </message>
+    <message>
+        <source>handles %1 and %2</source>
+        <translation>poignées %1 et %2</translation>
     </message>
     <message>
         <source>hold</source>
@@ -1488,16 +2213,231 @@
         <translation>relaxation isovolumique</translation>
     </message>
     <message>
+        <source>it does not lie within the period</source>
+        <translation>elle n’est pas dans la période</translation>
+    </message>
+    <message>
+        <source>it follows no handles, so nothing can change its volume</source>
+        <translation>il ne suit aucune poignée, rien ne peut donc changer son volume</translation>
+    </message>
+    <message>
+        <source>it has %1 triangles</source>
+        <translation>elle a %1 triangles</translation>
+    </message>
+    <message>
+        <source>it has no name</source>
+        <translation>il n’a pas de nom</translation>
+    </message>
+    <message>
+        <source>it is not a millisecond at least behind the key before it</source>
+        <translation>elle n’est pas au moins une milliseconde après la clé précédente</translation>
+    </message>
+    <message>
+        <source>its colour does not lie between 0 and 1</source>
+        <translation>sa couleur n’est pas entre 0 et 1</translation>
+    </message>
+    <message>
+        <source>its description is not UTF-8</source>
+        <translation>sa description n’est pas en UTF-8</translation>
+    </message>
+    <message>
+        <source>its file %1 is not there any more (put it beside the session and open that again)</source>
+        <translation>son fichier %1 n’est plus là (mettez-le à côté de la session et rouvrez-la)</translation>
+    </message>
+    <message>
+        <source>its file was found as %1</source>
+        <translation>son fichier a été trouvé sous %1</translation>
+    </message>
+    <message>
+        <source>its handles are not handles of the rig, each once and in their order</source>
+        <translation>ses poignées ne sont pas celles de l’ensemble, chacune une fois et dans l’ordre</translation>
+    </message>
+    <message>
+        <source>its id is another thing's, too</source>
+        <translation>son identifiant est aussi celui d’autre chose</translation>
+    </message>
+    <message>
+        <source>its id is not a whole number from 1 to 2^52</source>
+        <translation>son identifiant n’est pas un entier de 1 à 2^52</translation>
+    </message>
+    <message>
+        <source>its name is not UTF-8</source>
+        <translation>son nom n’est pas en UTF-8</translation>
+    </message>
+    <message>
+        <source>its opacity does not lie between 0 and 1</source>
+        <translation>son opacité n’est pas entre 0 et 1</translation>
+    </message>
+    <message>
+        <source>its parent is not an organ before it</source>
+        <translation>son organe parent n’est pas avant lui</translation>
+    </message>
+    <message>
+        <source>its position</source>
+        <translation>sa position</translation>
+    </message>
+    <message>
+        <source>its position at rest</source>
+        <translation>sa position au repos</translation>
+    </message>
+    <message>
+        <source>its surface is open, so it has no volume that could be locked</source>
+        <translation>sa surface est ouverte, elle n’a donc pas de volume à verrouiller</translation>
+    </message>
+    <message numerus="yes">
+        <source>its surface was closed by %n {cap|caps}</source>
+        <translation>
+            <numerusform>sa surface a été fermée par %n couvercle</numerusform>
+            <numerusform>sa surface a été fermée par %n couvercles</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>its triangles were turned around to face outward</source>
+        <translation>ses triangles ont été retournés vers l’extérieur</translation>
+    </message>
+    <message>
+        <source>its two ends are at one place</source>
+        <translation>ses deux extrémités sont au même endroit</translation>
+    </message>
+    <message>
+        <source>its two ends are on separate pieces</source>
+        <translation>ses deux extrémités sont sur des morceaux séparés</translation>
+    </message>
+    <message>
+        <source>its value is not a finite number</source>
+        <translation>sa valeur n’est pas un nombre fini</translation>
+    </message>
+    <message>
+        <source>its volume can be kept only when it is bound to the handles there are</source>
+        <translation>son volume ne peut être gardé que s’il est lié aux poignées présentes</translation>
+    </message>
+    <message>
+        <source>its volume is not locked any more: the surface is open now</source>
+        <translation>son volume n’est plus verrouillé : la surface est maintenant ouverte</translation>
+    </message>
+    <message>
+        <source>its weights are no place in a triangle: they have to be 0 at least, and 1 together</source>
+        <translation>ses poids ne sont pas un lieu d’un triangle : ils doivent être d’au moins 0, et 1 ensemble</translation>
+    </message>
+    <message>
+        <source>key</source>
+        <translation>clé</translation>
+    </message>
+    <message>
+        <source>lengthen the period first</source>
+        <translation>allongez d’abord la période</translation>
+    </message>
+    <message>
         <source>linear</source>
         <translation>linéaire</translation>
+    </message>
+    <message>
+        <source>measurement</source>
+        <translation>mesure</translation>
+    </message>
+    <message>
+        <source>measurement %1</source>
+        <translation>mesure %1</translation>
+    </message>
+    <message>
+        <source>middle line</source>
+        <translation>ligne médiane</translation>
+    </message>
+    <message>
+        <source>move it elsewhere, or remove one of the two</source>
+        <translation>déplacez-la, ou retirez l’une des deux</translation>
+    </message>
+    <message>
+        <source>move one out of the plane</source>
+        <translation>déplacez-en un hors du plan</translation>
+    </message>
+    <message>
+        <source>move or remove one of them</source>
+        <translation>déplacez ou retirez l’une d’elles</translation>
+    </message>
+    <message>
+        <source>move the vertices there apart, or take another cage</source>
+        <translation>écartez les sommets à cet endroit, ou prenez une autre cage</translation>
+    </message>
+    <message>
+        <source>name it %1</source>
+        <translation>nommez-le %1</translation>
+    </message>
+    <message>
+        <source>no edge joins more than two triangles</source>
+        <translation>aucune arête ne joint plus de deux triangles</translation>
+    </message>
+    <message>
+        <source>no harmonic function can be found on the surface</source>
+        <translation>aucune fonction harmonique ne se trouve sur la surface</translation>
+    </message>
+    <message>
+        <source>no motion near to this one keeps the volume</source>
+        <translation>aucun mouvement proche de celui-ci ne garde le volume</translation>
+    </message>
+    <message>
+        <source>no surface has so many triangles</source>
+        <translation>aucune surface n’a autant de triangles</translation>
+    </message>
+    <message>
+        <source>one of its points</source>
+        <translation>un de ses points</translation>
+    </message>
+    <message>
+        <source>open it beside the organs (File &gt; Open a scan), or make a label map of it first, with 3D Slicer or TotalSegmentator</source>
+        <translation>ouvrez-le à côté des organes (Fichier &gt; Ouvrir un examen), ou faites-en d’abord une carte d’étiquettes, avec 3D Slicer ou TotalSegmentator</translation>
+    </message>
+    <message>
+        <source>open one first</source>
+        <translation>ouvrez-en un d’abord</translation>
+    </message>
+    <message>
+        <source>open the other files after it</source>
+        <translation>ouvrez les autres fichiers ensuite</translation>
+    </message>
+    <message>
+        <source>organ</source>
+        <translation>organe</translation>
+    </message>
+    <message>
+        <source>organ %1</source>
+        <translation>organe %1</translation>
     </message>
     <message>
         <source>out</source>
         <translation>sortie</translation>
     </message>
     <message>
+        <source>parameter %1</source>
+        <translation>paramètre %1</translation>
+    </message>
+    <message>
         <source>pause</source>
         <translation>pause</translation>
+    </message>
+    <message>
+        <source>peak stress over the sequence</source>
+        <translation>contrainte maximale sur la séquence</translation>
+    </message>
+    <message>
+        <source>pick the point on the surface again</source>
+        <translation>choisissez de nouveau le point sur la surface</translation>
+    </message>
+    <message>
+        <source>place handles around it</source>
+        <translation>placez des poignées autour</translation>
+    </message>
+    <message>
+        <source>place some first</source>
+        <translation>placez-en d’abord</translation>
+    </message>
+    <message>
+        <source>point %1 has a coordinate that is not a finite number</source>
+        <translation>le point %1 a une coordonnée qui n’est pas un nombre fini</translation>
+    </message>
+    <message>
+        <source>points that coincide or are almost flat cause this</source>
+        <translation>des points confondus ou presque plans en sont la cause</translation>
     </message>
     <message>
         <source>pylorus</source>
@@ -1512,12 +2452,52 @@
         <translation>remplissage rapide</translation>
     </message>
     <message>
+        <source>rectangle</source>
+        <translation>rectangle</translation>
+    </message>
+    <message>
         <source>reduced ejection</source>
         <translation>éjection lente</translation>
     </message>
     <message>
+        <source>remove one of them from the file</source>
+        <translation>retirez l’une d’elles du fichier</translation>
+    </message>
+    <message>
+        <source>repair the surface</source>
+        <translation>réparez la surface</translation>
+    </message>
+    <message>
+        <source>repair the surface in another program first</source>
+        <translation>réparez d’abord la surface dans un autre programme</translation>
+    </message>
+    <message>
+        <source>repaired on import: %1</source>
+        <translation>réparé à l’importation : %1</translation>
+    </message>
+    <message>
+        <source>repairing the surface</source>
+        <translation>réparation de la surface</translation>
+    </message>
+    <message>
+        <source>right and left are exchanged, front and back are not: mirrored</source>
+        <translation>droite et gauche sont échangées, avant et arrière non : en miroir</translation>
+    </message>
+    <message>
+        <source>save it as a file of its own first</source>
+        <translation>enregistrez-le d’abord dans un fichier à part</translation>
+    </message>
+    <message>
+        <source>save often, or make room there</source>
+        <translation>enregistrez souvent, ou faites-y de la place</translation>
+    </message>
+    <message>
         <source>smooth</source>
         <translation>douce</translation>
+    </message>
+    <message>
+        <source>sphere</source>
+        <translation>sphère</translation>
     </message>
     <message>
         <source>stroke volume</source>
@@ -1528,8 +2508,230 @@
         <translation>systole</translation>
     </message>
     <message>
+        <source>take a backup of the file, or begin a new session with the organs' own files</source>
+        <translation>prenez une sauvegarde du fichier, ou commencez une nouvelle session avec les fichiers des organes</translation>
+    </message>
+    <message>
+        <source>take the sequence's own handles</source>
+        <translation>prenez les poignées de la séquence</translation>
+    </message>
+    <message>
         <source>terminal antral contraction</source>
         <translation>contraction antrale terminale</translation>
+    </message>
+    <message>
+        <source>the Delaunay tetrahedra of %1 points cannot be computed</source>
+        <translation>les tétraèdres de Delaunay de %1 points ne peuvent pas être calculés</translation>
+    </message>
+    <message>
+        <source>the convex hull of %1 points cannot be computed</source>
+        <translation>l’enveloppe convexe de %1 points ne peut pas être calculée</translation>
+    </message>
+    <message>
+        <source>the file does not state its axes: LPS is assumed</source>
+        <translation>le fichier n’indique pas ses axes : LPS est supposé</translation>
+    </message>
+    <message>
+        <source>the file states its axes: %1</source>
+        <translation>le fichier indique ses axes : %1</translation>
+    </message>
+    <message>
+        <source>the handle %1 comes twice</source>
+        <translation>la poignée %1 apparaît deux fois</translation>
+    </message>
+    <message>
+        <source>the handles enclose nothing: %1</source>
+        <translation>les poignées n’entourent rien : %1</translation>
+    </message>
+    <message>
+        <source>the id %1 comes twice</source>
+        <translation>l’identifiant %1 apparaît deux fois</translation>
+    </message>
+    <message>
+        <source>the limits of time and memory must be above 0</source>
+        <translation>les limites de temps et de mémoire doivent être supérieures à 0</translation>
+    </message>
+    <message>
+        <source>the name of a session file ends in .viscera</source>
+        <translation>le nom d’un fichier de session se termine par .viscera</translation>
+    </message>
+    <message>
+        <source>the organ that it is a cavity of is not before it</source>
+        <translation>l’organe dont il est une cavité n’est pas avant lui</translation>
+    </message>
+    <message>
+        <source>the parts of its colour do not lie between 0 and 1</source>
+        <translation>les parts de sa couleur ne sont pas entre 0 et 1</translation>
+    </message>
+    <message>
+        <source>the period is not a positive number of seconds</source>
+        <translation>la période n’est pas un nombre positif de secondes</translation>
+    </message>
+    <message>
+        <source>the pose has another number of handles than the document</source>
+        <translation>la pose n’a pas le même nombre de poignées que le document</translation>
+    </message>
+    <message>
+        <source>the quality of tetrahedra is a ratio from 1.1 (best) to 10</source>
+        <translation>la qualité des tétraèdres est un rapport de 1,1 (meilleur) à 10</translation>
+    </message>
+    <message>
+        <source>the scan %1 is not there any more (put it beside the session and open that again)</source>
+        <translation>l’examen %1 n’est plus là (mettez-le à côté de la session et rouvrez-la)</translation>
+    </message>
+    <message>
+        <source>the scan cannot be opened: %1</source>
+        <translation>l’examen ne peut pas être ouverte : %1</translation>
+    </message>
+    <message>
+        <source>the size is plausible: %1</source>
+        <translation>la taille est plausible : %1</translation>
+    </message>
+    <message>
+        <source>the surface consists of %1 separate pieces</source>
+        <translation>la surface se compose de %1 morceaux séparés</translation>
+    </message>
+    <message>
+        <source>the surface does not cross itself</source>
+        <translation>la surface ne se traverse pas</translation>
+    </message>
+    <message>
+        <source>the surface has %1 usable triangles, so it encloses nothing</source>
+        <translation>la surface a %1 triangles utilisables, elle n’enferme donc rien</translation>
+    </message>
+    <message>
+        <source>the surface has no such triangle</source>
+        <translation>la surface n’a pas ce triangle</translation>
+    </message>
+    <message>
+        <source>the surface is closed</source>
+        <translation>la surface est fermée</translation>
+    </message>
+    <message>
+        <source>the surface is inside out</source>
+        <translation>la surface est à l’envers</translation>
+    </message>
+    <message>
+        <source>the surface is of one piece</source>
+        <translation>la surface est d’un seul morceau</translation>
+    </message>
+    <message numerus="yes">
+        <source>the surface is open (%n boundary {edge|edges}), so it has no volume</source>
+        <translation>
+            <numerusform>la surface est ouverte (%n arête de bord), elle n’a donc pas de volume</numerusform>
+            <numerusform>la surface est ouverte (%n arêtes de bord), elle n’a donc pas de volume</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>the surface is open (%n boundary {edge|edges}), so it has no volume that could be locked</source>
+        <translation>
+            <numerusform>la surface est ouverte (%n arête de bord), elle n’a donc pas de volume à verrouiller</numerusform>
+            <numerusform>la surface est ouverte (%n arêtes de bord), elle n’a donc pas de volume à verrouiller</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>the triangles beside a hole do not all run the same way round, so it cannot be closed</source>
+        <translation>les triangles autour d’un trou ne tournent pas tous dans le même sens, il ne peut donc pas être fermé</translation>
+    </message>
+    <message>
+        <source>the triangles face outward</source>
+        <translation>les triangles sont tournés vers l’extérieur</translation>
+    </message>
+    <message>
+        <source>the volume cannot be kept here: %1</source>
+        <translation>le volume ne peut pas être gardé ici : %1</translation>
+    </message>
+    <message>
+        <source>the weights of a measured point are no place in its triangle</source>
+        <translation>les poids d’un point mesuré ne sont pas un lieu de son triangle</translation>
+    </message>
+    <message>
+        <source>there is no %1 &quot;%2&quot;</source>
+        <translation>« %2 » n’est pas une valeur de %1</translation>
+    </message>
+    <message>
+        <source>there is no organ %1</source>
+        <translation>il n’y a pas d’organe %1</translation>
+    </message>
+    <message>
+        <source>there is no such slice</source>
+        <translation>cette coupe n’existe pas</translation>
+    </message>
+    <message>
+        <source>there is no triangle %1</source>
+        <translation>il n’y a pas de triangle %1</translation>
+    </message>
+    <message>
+        <source>there is no way &quot;%1&quot; to make groups</source>
+        <translation>il n’y a pas de façon « %1 » de former des groupes</translation>
+    </message>
+    <message>
+        <source>there is not enough memory for this</source>
+        <translation>il n’y a pas assez de mémoire pour cela</translation>
+    </message>
+    <message>
+        <source>thinning out the surface</source>
+        <translation>simplification de la surface</translation>
+    </message>
+    <message>
+        <source>this is a fault of the program; please report it</source>
+        <translation>c’est une faute du programme ; merci de la signaler</translation>
+    </message>
+    <message>
+        <source>triangle %1</source>
+        <translation>triangle %1</translation>
+    </message>
+    <message>
+        <source>triangle %1 refers to vertex %2, but there are %3</source>
+        <translation>le triangle %1 renvoie au sommet %2, mais il y en a %3</translation>
+    </message>
+    <message>
+        <source>two groups have this name</source>
+        <translation>deux groupes ont ce nom</translation>
+    </message>
+    <message>
+        <source>two handles are at one place</source>
+        <translation>deux poignées sont au même endroit</translation>
+    </message>
+    <message>
+        <source>two handles have this label</source>
+        <translation>deux poignées portent ce nom</translation>
+    </message>
+    <message>
+        <source>unlock it, or let more handles compensate</source>
+        <translation>déverrouillez-le, ou laissez compenser plus de poignées</translation>
+    </message>
+    <message>
+        <source>unsaved work</source>
+        <translation>travail non enregistré</translation>
+    </message>
+    <message>
+        <source>unsaved work cannot be kept safe: the folder cannot be written to</source>
+        <translation>le travail non enregistré ne peut pas être protégé : le dossier n’est pas accessible en écriture</translation>
+    </message>
+    <message>
+        <source>update Viscera</source>
+        <translation>mettez Viscera à jour</translation>
+    </message>
+    <message>
+        <source>use a pose of the same handles</source>
+        <translation>prenez une pose des mêmes poignées</translation>
+    </message>
+    <message>
+        <source>use one of %1</source>
+        <translation>utilisez l’un de %1</translation>
+    </message>
+    <message>
+        <source>use one of: %1</source>
+        <translation>utilisez l’un de : %1</translation>
+    </message>
+    <message>
+        <source>vertex %1</source>
+        <translation>sommet %1</translation>
+    </message>
+    <message>
+        <source>vertex %1 has a coordinate that is not a finite number</source>
+        <translation>le sommet %1 a une coordonnée qui n’est pas un nombre fini</translation>
     </message>
     <message>
         <source>volume after a meal</source>
@@ -1544,6 +2746,14 @@
         <translation>volume avec son sang</translation>
     </message>
     <message>
+        <source>wait a moment</source>
+        <translation>attendez un instant</translation>
+    </message>
+    <message>
+        <source>wait until the witness points are there</source>
+        <translation>attendez que les points témoins soient là</translation>
+    </message>
+    <message>
         <source>wave fades at the pylorus</source>
         <translation>l’onde s’éteint au pylore</translation>
     </message>
@@ -1554,6 +2764,14 @@
     <message>
         <source>wave in the body</source>
         <translation>onde dans le corps</translation>
+    </message>
+    <message>
+        <source>what is measured on it is now at the nearest places of that surface</source>
+        <translation>ce qui y est mesuré est maintenant aux endroits les plus proches de cette surface</translation>
+    </message>
+    <message>
+        <source>witness points</source>
+        <translation>points témoins</translation>
     </message>
 </context>
 </TS>

@@ -886,11 +886,11 @@ N: noms, H: tiradors, X: paret, R: restableix, T: clar o fosc, Inici: principi</
         <translation>Retalla la part superior</translation>
     </message>
     <message>
-        <source>Facing me</source>
-        <translation>De cara a mi</translation>
+        <source>Facing the viewer</source>
+        <translation>De cara a l’observador</translation>
     </message>
     <message>
-        <source>Cut away what is nearest to the viewer</source>
+        <source>Cut away the part nearest to the viewer</source>
         <translation>Retalla el que és més a prop de l’observador</translation>
     </message>
 </context>
@@ -1717,7 +1717,7 @@ N: noms, H: tiradors, X: paret, R: restableix, T: clar o fosc, Inici: principi</
         <translation>Col·loca els tiradors de la seqüència al voltant de l’òrgan i la reprodueix</translation>
     </message>
     <message>
-        <source>%1: set it by a click in the view</source>
+        <source>%1: click its place in the view</source>
         <translation>%1: definiu-lo amb un clic a la vista</translation>
     </message>
     <message>
@@ -2261,8 +2261,8 @@ Moveu el lliscador de dalt per col·locar-ne, o feu clic a l’òrgan en el mode
         <translation>Arrossegueu amb el botó esquerre per girar, amb Maj per desplaçar; la roda apropa i allunya. Feu clic en un òrgan per seleccionar-lo, premeu F per enquadrar-lo; D mesura distàncies i A angles. L’ull de la llista de l’esquerra l’amaga, el quadrat en canvia el color.</translation>
     </message>
     <message>
-        <source>See it move</source>
-        <translation>Mireu com es mou</translation>
+        <source>Play a motion</source>
+        <translation>Reprodueix un moviment</translation>
     </message>
     <message>
         <source>Space plays and pauses. The timeline shows the phases of the cycle: drag along it to look at one instant. Below, the volumes are drawn as they change.</source>
@@ -2349,7 +2349,7 @@ Moveu el lliscador de dalt per col·locar-ne, o feu clic a l’òrgan en el mode
         <translation>Reviseu primer les troballes. Encara no hi ha res al document, i no es canvia cap fitxer.</translation>
     </message>
     <message>
-        <source>%1 organs: %2 with faults, %3 to look at, %4 without problems. Nothing is in the document yet, and no file is changed.</source>
+        <source>%1 organs: %2 with faults, %3 to check, %4 without problems. Nothing is in the document yet, and no file is changed.</source>
         <translation>%1 òrgans: %2 amb errors, %3 per revisar, %4 sense problemes. Encara no hi ha res al document, i no es canvia cap fitxer.</translation>
     </message>
     <message>
@@ -2412,7 +2412,7 @@ Moveu el lliscador de dalt per col·locar-ne, o feu clic a l’òrgan en el mode
         <translation>Tots els òrgans</translation>
     </message>
     <message>
-        <source>To look at</source>
+        <source>To check</source>
         <translation>Per revisar</translation>
     </message>
     <message>
@@ -2451,8 +2451,8 @@ Moveu el lliscador de dalt per col·locar-ne, o feu clic a l’òrgan en el mode
         <translation>temps (s)</translation>
     </message>
     <message>
-        <source>then</source>
-        <translation>després</translation>
+        <source>easing</source>
+        <translation>transició</translation>
     </message>
     <message>
         <source>Take pose</source>
@@ -2503,8 +2503,8 @@ Moveu el lliscador de dalt per col·locar-ne, o feu clic a l’òrgan en el mode
         <translation>Obre un fitxer de seqüència</translation>
     </message>
     <message>
-        <source>lasts </source>
-        <translation>dura </translation>
+        <source>Duration </source>
+        <translation>Durada </translation>
     </message>
     <message>
         <source>Length of one cycle</source>
@@ -2581,7 +2581,7 @@ Moveu el lliscador de dalt per col·locar-ne, o feu clic a l’òrgan en el mode
         <translation>Notes</translation>
     </message>
     <message>
-        <source>Becomes</source>
+        <source>Format</source>
         <translation>Format</translation>
     </message>
     <message>
@@ -2671,8 +2671,8 @@ Moveu el lliscador de dalt per col·locar-ne, o feu clic a l’òrgan en el mode
         <translation>L’arrossegament s’ha desfet perquè s’ha triat un altre mode.</translation>
     </message>
     <message>
-        <source>As far as it goes: %1</source>
-        <translation>Fins on és possible: %1</translation>
+        <source>Only partly possible: %1</source>
+        <translation>Només és possible en part: %1</translation>
     </message>
 </context>
 <context>
@@ -2771,7 +2771,7 @@ Moveu el lliscador de dalt per col·locar-ne, o feu clic a l’òrgan en el mode
         <translation>Superfície de la fase %1</translation>
     </message>
     <message>
-        <source>Distance from what was measured</source>
+        <source>Distance from the measured surface</source>
         <translation>Distància al que s’ha mesurat</translation>
     </message>
 </context>
@@ -3581,8 +3581,8 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
         <translation>&amp;Oblida</translation>
     </message>
     <message>
-        <source>Compare with nothing</source>
-        <translation>No comparis amb res</translation>
+        <source>End the comparison</source>
+        <translation>Acaba la comparació</translation>
     </message>
     <message>
         <source>Organ &amp;labels</source>
@@ -3620,7 +3620,7 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
 <context>
     <name>viscera::app::PlayPage</name>
     <message>
-        <source>Look</source>
+        <source>Appearance</source>
         <translation>Aspecte</translation>
     </message>
     <message>
@@ -3636,11 +3636,11 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
         <translation>Fase</translation>
     </message>
     <message>
-        <source>What moves the heart</source>
-        <translation>Què mou el cor</translation>
+        <source>Source of the motion</source>
+        <translation>Origen del moviment</translation>
     </message>
     <message>
-        <source>Over the cycle</source>
+        <source>During one cycle</source>
         <translation>Al llarg del cicle</translation>
     </message>
     <message>
@@ -3950,7 +3950,7 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
         <translation>Tipus</translation>
     </message>
     <message>
-        <source>Choose where to</source>
+        <source>Choose a destination</source>
         <translation>Tria la destinació</translation>
     </message>
     <message>
@@ -4046,7 +4046,7 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
 <context>
     <name>viscera::app::Repairs</name>
     <message>
-        <source>Face outward</source>
+        <source>Turn triangles outward</source>
         <translation>Orienta cap enfora</translation>
     </message>
     <message>
@@ -4066,16 +4066,16 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
         <translation>Inverteix esquerra i dreta</translation>
     </message>
     <message>
-        <source>It is RAS: turn to LPS</source>
-        <translation>És RAS: converteix a LPS</translation>
+        <source>Convert from RAS to LPS</source>
+        <translation>Converteix de RAS a LPS</translation>
     </message>
     <message>
-        <source>Y is up: quarter turn</source>
-        <translation>Y és amunt: quart de volta</translation>
+        <source>Convert from Y up to LPS</source>
+        <translation>Converteix de Y amunt a LPS</translation>
     </message>
     <message>
-        <source>It is in %1</source>
-        <translation>És en %1</translation>
+        <source>Coordinates are in %1</source>
+        <translation>Les coordenades són en %1</translation>
     </message>
 </context>
 <context>
@@ -4150,8 +4150,8 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
         <translation>fracció d’ejecció</translation>
     </message>
     <message>
-        <source>output</source>
-        <translation>cabal</translation>
+        <source>cardiac output</source>
+        <translation>cabal cardíac</translation>
     </message>
     <message>
         <source>Surface whose fit is shown</source>
@@ -4194,7 +4194,7 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
         <translation>ml mesurats</translation>
     </message>
     <message>
-        <source>free ml</source>
+        <source>unconstrained ml</source>
         <translation>ml lliures</translation>
     </message>
     <message>
@@ -4266,7 +4266,7 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
         <translation>Passos que ha necessitat l’ajust</translation>
     </message>
     <message>
-        <source>What differs from the series before</source>
+        <source>Differences from the previous series</source>
         <translation>Què canvia respecte a la sèrie anterior</translation>
     </message>
     <message>
@@ -4286,7 +4286,7 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
         <translation>Totes les superfícies</translation>
     </message>
     <message>
-        <source>Compared with the series before</source>
+        <source>Compared with the previous series</source>
         <translation>Comparat amb la sèrie anterior</translation>
     </message>
     <message>
@@ -5204,8 +5204,8 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
         <translation>Retalla la part superior</translation>
     </message>
     <message>
-        <source>Facing me</source>
-        <translation>De cara a mi</translation>
+        <source>Facing the viewer</source>
+        <translation>De cara a l’observador</translation>
     </message>
     <message>
         <source>Cut through the middle, across the line of sight</source>
@@ -5723,7 +5723,7 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
         <translation>Els òrgans tancats mostren aquí el seu volum.</translation>
     </message>
     <message>
-        <source>%1: show what is normal for it in the chart</source>
+        <source>%1: show its normal range in the chart</source>
         <translation>%1: mostra al gràfic què és normal</translation>
     </message>
     <message>
@@ -5748,7 +5748,7 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
     </message>
     <message>
         <source>%1 % of reference</source>
-        <translation>%1 % de la referència</translation>
+        <translation>%1 % de referència</translation>
     </message>
     <message>
         <source>Part of the cycle</source>
@@ -5763,7 +5763,7 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
         <translation>Temps en el cicle</translation>
     </message>
     <message>
-        <source>Time dragged</source>
+        <source>Time while dragging</source>
         <translation>Temps d’arrossegament</translation>
     </message>
     <message>

@@ -886,11 +886,11 @@ N: Namen, H: Griffe, X: Wand, R: zurück, T: hell oder dunkel, Pos1: Anfang</tra
         <translation>Oberen Teil wegschneiden</translation>
     </message>
     <message>
-        <source>Facing me</source>
-        <translation>Zu mir hin</translation>
+        <source>Facing the viewer</source>
+        <translation>Zum Betrachter</translation>
     </message>
     <message>
-        <source>Cut away what is nearest to the viewer</source>
+        <source>Cut away the part nearest to the viewer</source>
         <translation>Wegschneiden, was dem Betrachter am nächsten ist</translation>
     </message>
 </context>
@@ -1717,7 +1717,7 @@ N: Namen, H: Griffe, X: Wand, R: zurück, T: hell oder dunkel, Pos1: Anfang</tra
         <translation>Die Griffe der Sequenz um das Organ setzen und sie abspielen</translation>
     </message>
     <message>
-        <source>%1: set it by a click in the view</source>
+        <source>%1: click its place in the view</source>
         <translation>%1: durch Klick in die Ansicht setzen</translation>
     </message>
     <message>
@@ -2261,8 +2261,8 @@ Bewegen Sie den Regler oben, um welche zu setzen, oder klicken Sie im Modus Grif
         <translation>Ziehen mit der linken Taste dreht, mit Umschalt verschiebt; das Rad zoomt. Ein Klick wählt ein Organ, F holt es ins Bild; D misst Abstände, A Winkel. Das Auge in der Liste links blendet es aus, das Quadrat ändert seine Farbe.</translation>
     </message>
     <message>
-        <source>See it move</source>
-        <translation>In Bewegung sehen</translation>
+        <source>Play a motion</source>
+        <translation>Eine Bewegung abspielen</translation>
     </message>
     <message>
         <source>Space plays and pauses. The timeline shows the phases of the cycle: drag along it to look at one instant. Below, the volumes are drawn as they change.</source>
@@ -2349,7 +2349,7 @@ Bewegen Sie den Regler oben, um welche zu setzen, oder klicken Sie im Modus Grif
         <translation>Prüfen Sie zuerst die Befunde. Noch ist nichts im Dokument, und keine Datei wird geändert.</translation>
     </message>
     <message>
-        <source>%1 organs: %2 with faults, %3 to look at, %4 without problems. Nothing is in the document yet, and no file is changed.</source>
+        <source>%1 organs: %2 with faults, %3 to check, %4 without problems. Nothing is in the document yet, and no file is changed.</source>
         <translation>%1 Organe: %2 mit Fehlern, %3 zum Ansehen, %4 ohne Probleme. Noch ist nichts im Dokument, und keine Datei wird geändert.</translation>
     </message>
     <message>
@@ -2412,7 +2412,7 @@ Bewegen Sie den Regler oben, um welche zu setzen, oder klicken Sie im Modus Grif
         <translation>Jedes Organ</translation>
     </message>
     <message>
-        <source>To look at</source>
+        <source>To check</source>
         <translation>Zum Ansehen</translation>
     </message>
     <message>
@@ -2451,8 +2451,8 @@ Bewegen Sie den Regler oben, um welche zu setzen, oder klicken Sie im Modus Grif
         <translation>Zeit (s)</translation>
     </message>
     <message>
-        <source>then</source>
-        <translation>dann</translation>
+        <source>easing</source>
+        <translation>Übergang</translation>
     </message>
     <message>
         <source>Take pose</source>
@@ -2503,8 +2503,8 @@ Bewegen Sie den Regler oben, um welche zu setzen, oder klicken Sie im Modus Grif
         <translation>Eine Sequenzdatei öffnen</translation>
     </message>
     <message>
-        <source>lasts </source>
-        <translation>dauert </translation>
+        <source>Duration </source>
+        <translation>Dauer </translation>
     </message>
     <message>
         <source>Length of one cycle</source>
@@ -2581,8 +2581,8 @@ Bewegen Sie den Regler oben, um welche zu setzen, oder klicken Sie im Modus Grif
         <translation>Bemerkungen</translation>
     </message>
     <message>
-        <source>Becomes</source>
-        <translation>Wird zu</translation>
+        <source>Format</source>
+        <translation>Format</translation>
     </message>
     <message>
         <source>Language</source>
@@ -2671,8 +2671,8 @@ Bewegen Sie den Regler oben, um welche zu setzen, oder klicken Sie im Modus Grif
         <translation>Das Ziehen wurde zurückgenommen, weil ein anderer Modus gewählt wurde.</translation>
     </message>
     <message>
-        <source>As far as it goes: %1</source>
-        <translation>So weit wie möglich: %1</translation>
+        <source>Only partly possible: %1</source>
+        <translation>Nur teilweise möglich: %1</translation>
     </message>
 </context>
 <context>
@@ -2771,7 +2771,7 @@ Bewegen Sie den Regler oben, um welche zu setzen, oder klicken Sie im Modus Grif
         <translation>Oberfläche der Phase %1</translation>
     </message>
     <message>
-        <source>Distance from what was measured</source>
+        <source>Distance from the measured surface</source>
         <translation>Abstand von den Messdaten</translation>
     </message>
 </context>
@@ -3581,8 +3581,8 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
         <translation>Ver&amp;gessen</translation>
     </message>
     <message>
-        <source>Compare with nothing</source>
-        <translation>Mit nichts vergleichen</translation>
+        <source>End the comparison</source>
+        <translation>Den Vergleich beenden</translation>
     </message>
     <message>
         <source>Organ &amp;labels</source>
@@ -3620,7 +3620,7 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
 <context>
     <name>viscera::app::PlayPage</name>
     <message>
-        <source>Look</source>
+        <source>Appearance</source>
         <translation>Darstellung</translation>
     </message>
     <message>
@@ -3636,11 +3636,11 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
         <translation>Phase</translation>
     </message>
     <message>
-        <source>What moves the heart</source>
-        <translation>Was das Herz bewegt</translation>
+        <source>Source of the motion</source>
+        <translation>Quelle der Bewegung</translation>
     </message>
     <message>
-        <source>Over the cycle</source>
+        <source>During one cycle</source>
         <translation>Über den Zyklus</translation>
     </message>
     <message>
@@ -3950,7 +3950,7 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
         <translation>Art</translation>
     </message>
     <message>
-        <source>Choose where to</source>
+        <source>Choose a destination</source>
         <translation>Ziel wählen</translation>
     </message>
     <message>
@@ -4046,7 +4046,7 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
 <context>
     <name>viscera::app::Repairs</name>
     <message>
-        <source>Face outward</source>
+        <source>Turn triangles outward</source>
         <translation>Nach außen richten</translation>
     </message>
     <message>
@@ -4066,16 +4066,16 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
         <translation>Links und rechts spiegeln</translation>
     </message>
     <message>
-        <source>It is RAS: turn to LPS</source>
-        <translation>Ist RAS: nach LPS drehen</translation>
+        <source>Convert from RAS to LPS</source>
+        <translation>Von RAS in LPS umrechnen</translation>
     </message>
     <message>
-        <source>Y is up: quarter turn</source>
-        <translation>Y ist oben: Vierteldrehung</translation>
+        <source>Convert from Y up to LPS</source>
+        <translation>Von Y oben in LPS umrechnen</translation>
     </message>
     <message>
-        <source>It is in %1</source>
-        <translation>Ist in %1</translation>
+        <source>Coordinates are in %1</source>
+        <translation>Koordinaten sind in %1</translation>
     </message>
 </context>
 <context>
@@ -4150,8 +4150,8 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
         <translation>Ejektionsfraktion</translation>
     </message>
     <message>
-        <source>output</source>
-        <translation>Minutenvolumen</translation>
+        <source>cardiac output</source>
+        <translation>Herzzeitvolumen</translation>
     </message>
     <message>
         <source>Surface whose fit is shown</source>
@@ -4194,7 +4194,7 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
         <translation>gemessen ml</translation>
     </message>
     <message>
-        <source>free ml</source>
+        <source>unconstrained ml</source>
         <translation>frei ml</translation>
     </message>
     <message>
@@ -4266,7 +4266,7 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
         <translation>Schritte, die die Anpassung brauchte</translation>
     </message>
     <message>
-        <source>What differs from the series before</source>
+        <source>Differences from the previous series</source>
         <translation>Was sich von der vorigen Serie unterscheidet</translation>
     </message>
     <message>
@@ -4286,7 +4286,7 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
         <translation>Alle Oberflächen</translation>
     </message>
     <message>
-        <source>Compared with the series before</source>
+        <source>Compared with the previous series</source>
         <translation>Verglichen mit der vorigen Serie</translation>
     </message>
     <message>
@@ -5204,8 +5204,8 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
         <translation>Oberen Teil wegschneiden</translation>
     </message>
     <message>
-        <source>Facing me</source>
-        <translation>Zu mir hin</translation>
+        <source>Facing the viewer</source>
+        <translation>Zum Betrachter</translation>
     </message>
     <message>
         <source>Cut through the middle, across the line of sight</source>
@@ -5723,7 +5723,7 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
         <translation>Geschlossene Organe zeigen hier ihr Volumen.</translation>
     </message>
     <message>
-        <source>%1: show what is normal for it in the chart</source>
+        <source>%1: show its normal range in the chart</source>
         <translation>%1: im Diagramm zeigen, was dafür normal ist</translation>
     </message>
     <message>
@@ -5763,7 +5763,7 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
         <translation>Zeit im Zyklus</translation>
     </message>
     <message>
-        <source>Time dragged</source>
+        <source>Time while dragging</source>
         <translation>Zeit beim Ziehen</translation>
     </message>
     <message>

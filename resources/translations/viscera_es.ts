@@ -886,11 +886,11 @@ N: nombres, H: tiradores, X: pared, R: restablecer, T: claro u oscuro, Inicio: p
         <translation>Retirar la parte superior</translation>
     </message>
     <message>
-        <source>Facing me</source>
-        <translation>Hacia mí</translation>
+        <source>Facing the viewer</source>
+        <translation>Frente al observador</translation>
     </message>
     <message>
-        <source>Cut away what is nearest to the viewer</source>
+        <source>Cut away the part nearest to the viewer</source>
         <translation>Retirar lo más cercano al observador</translation>
     </message>
 </context>
@@ -1717,7 +1717,7 @@ N: nombres, H: tiradores, X: pared, R: restablecer, T: claro u oscuro, Inicio: p
         <translation>Colocar los tiradores de la secuencia en torno al órgano y reproducirla</translation>
     </message>
     <message>
-        <source>%1: set it by a click in the view</source>
+        <source>%1: click its place in the view</source>
         <translation>%1: fíjelo con un clic en la vista</translation>
     </message>
     <message>
@@ -2261,8 +2261,8 @@ Mueva el control de arriba para colocar algunos o haga clic en el órgano en el 
         <translation>Arrastre con el botón izquierdo para girar, con Mayús para desplazar; la rueda acerca y aleja. Haga clic en un órgano para seleccionarlo, pulse F para encuadrarlo; D mide distancias y A ángulos. El ojo de la lista de la izquierda lo oculta, el cuadrado cambia su color.</translation>
     </message>
     <message>
-        <source>See it move</source>
-        <translation>Verlo en movimiento</translation>
+        <source>Play a motion</source>
+        <translation>Reproducir un movimiento</translation>
     </message>
     <message>
         <source>Space plays and pauses. The timeline shows the phases of the cycle: drag along it to look at one instant. Below, the volumes are drawn as they change.</source>
@@ -2349,7 +2349,7 @@ Mueva el control de arriba para colocar algunos o haga clic en el órgano en el 
         <translation>Revise primero los hallazgos. Aún no hay nada en el documento y no se modifica ningún archivo.</translation>
     </message>
     <message>
-        <source>%1 organs: %2 with faults, %3 to look at, %4 without problems. Nothing is in the document yet, and no file is changed.</source>
+        <source>%1 organs: %2 with faults, %3 to check, %4 without problems. Nothing is in the document yet, and no file is changed.</source>
         <translation>%1 órganos: %2 con defectos, %3 por revisar, %4 sin problemas. Aún no hay nada en el documento y no se modifica ningún archivo.</translation>
     </message>
     <message>
@@ -2412,7 +2412,7 @@ Mueva el control de arriba para colocar algunos o haga clic en el órgano en el 
         <translation>Todos los órganos</translation>
     </message>
     <message>
-        <source>To look at</source>
+        <source>To check</source>
         <translation>Por revisar</translation>
     </message>
     <message>
@@ -2451,8 +2451,8 @@ Mueva el control de arriba para colocar algunos o haga clic en el órgano en el 
         <translation>tiempo (s)</translation>
     </message>
     <message>
-        <source>then</source>
-        <translation>después</translation>
+        <source>easing</source>
+        <translation>transición</translation>
     </message>
     <message>
         <source>Take pose</source>
@@ -2503,8 +2503,8 @@ Mueva el control de arriba para colocar algunos o haga clic en el órgano en el 
         <translation>Abrir un archivo de secuencia</translation>
     </message>
     <message>
-        <source>lasts </source>
-        <translation>dura </translation>
+        <source>Duration </source>
+        <translation>Duración </translation>
     </message>
     <message>
         <source>Length of one cycle</source>
@@ -2581,7 +2581,7 @@ Mueva el control de arriba para colocar algunos o haga clic en el órgano en el 
         <translation>Notas</translation>
     </message>
     <message>
-        <source>Becomes</source>
+        <source>Format</source>
         <translation>Formato</translation>
     </message>
     <message>
@@ -2671,8 +2671,8 @@ Mueva el control de arriba para colocar algunos o haga clic en el órgano en el 
         <translation>El arrastre se ha deshecho porque se ha elegido otro modo.</translation>
     </message>
     <message>
-        <source>As far as it goes: %1</source>
-        <translation>Hasta donde es posible: %1</translation>
+        <source>Only partly possible: %1</source>
+        <translation>Solo es posible en parte: %1</translation>
     </message>
 </context>
 <context>
@@ -2771,7 +2771,7 @@ Mueva el control de arriba para colocar algunos o haga clic en el órgano en el 
         <translation>Superficie de la fase %1</translation>
     </message>
     <message>
-        <source>Distance from what was measured</source>
+        <source>Distance from the measured surface</source>
         <translation>Distancia a lo medido</translation>
     </message>
 </context>
@@ -3581,8 +3581,8 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
         <translation>Olvi&amp;dar</translation>
     </message>
     <message>
-        <source>Compare with nothing</source>
-        <translation>No comparar con nada</translation>
+        <source>End the comparison</source>
+        <translation>Terminar la comparación</translation>
     </message>
     <message>
         <source>Organ &amp;labels</source>
@@ -3620,7 +3620,7 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
 <context>
     <name>viscera::app::PlayPage</name>
     <message>
-        <source>Look</source>
+        <source>Appearance</source>
         <translation>Aspecto</translation>
     </message>
     <message>
@@ -3636,11 +3636,11 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
         <translation>Fase</translation>
     </message>
     <message>
-        <source>What moves the heart</source>
-        <translation>Qué mueve el corazón</translation>
+        <source>Source of the motion</source>
+        <translation>Origen del movimiento</translation>
     </message>
     <message>
-        <source>Over the cycle</source>
+        <source>During one cycle</source>
         <translation>En el ciclo</translation>
     </message>
     <message>
@@ -3950,8 +3950,8 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
         <translation>Tipo</translation>
     </message>
     <message>
-        <source>Choose where to</source>
-        <translation>Elegir dónde</translation>
+        <source>Choose a destination</source>
+        <translation>Elegir el destino</translation>
     </message>
     <message>
         <source>File</source>
@@ -4046,7 +4046,7 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
 <context>
     <name>viscera::app::Repairs</name>
     <message>
-        <source>Face outward</source>
+        <source>Turn triangles outward</source>
         <translation>Orientar hacia fuera</translation>
     </message>
     <message>
@@ -4066,16 +4066,16 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
         <translation>Reflejar izquierda y derecha</translation>
     </message>
     <message>
-        <source>It is RAS: turn to LPS</source>
-        <translation>Es RAS: pasar a LPS</translation>
+        <source>Convert from RAS to LPS</source>
+        <translation>Convertir de RAS a LPS</translation>
     </message>
     <message>
-        <source>Y is up: quarter turn</source>
-        <translation>Y es arriba: cuarto de vuelta</translation>
+        <source>Convert from Y up to LPS</source>
+        <translation>Convertir de Y arriba a LPS</translation>
     </message>
     <message>
-        <source>It is in %1</source>
-        <translation>Está en %1</translation>
+        <source>Coordinates are in %1</source>
+        <translation>Las coordenadas están en %1</translation>
     </message>
 </context>
 <context>
@@ -4150,8 +4150,8 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
         <translation>fracción de eyección</translation>
     </message>
     <message>
-        <source>output</source>
-        <translation>gasto</translation>
+        <source>cardiac output</source>
+        <translation>gasto cardíaco</translation>
     </message>
     <message>
         <source>Surface whose fit is shown</source>
@@ -4194,7 +4194,7 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
         <translation>medido ml</translation>
     </message>
     <message>
-        <source>free ml</source>
+        <source>unconstrained ml</source>
         <translation>libre ml</translation>
     </message>
     <message>
@@ -4266,7 +4266,7 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
         <translation>Pasos que necesitó el ajuste</translation>
     </message>
     <message>
-        <source>What differs from the series before</source>
+        <source>Differences from the previous series</source>
         <translation>Qué cambia respecto a la serie anterior</translation>
     </message>
     <message>
@@ -4286,7 +4286,7 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
         <translation>Todas las superficies</translation>
     </message>
     <message>
-        <source>Compared with the series before</source>
+        <source>Compared with the previous series</source>
         <translation>En comparación con la serie anterior</translation>
     </message>
     <message>
@@ -5204,8 +5204,8 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
         <translation>Retirar la parte superior</translation>
     </message>
     <message>
-        <source>Facing me</source>
-        <translation>Hacia mí</translation>
+        <source>Facing the viewer</source>
+        <translation>Frente al observador</translation>
     </message>
     <message>
         <source>Cut through the middle, across the line of sight</source>
@@ -5723,7 +5723,7 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
         <translation>Los órganos cerrados muestran aquí su volumen.</translation>
     </message>
     <message>
-        <source>%1: show what is normal for it in the chart</source>
+        <source>%1: show its normal range in the chart</source>
         <translation>%1: mostrar en la gráfica sus valores normales</translation>
     </message>
     <message>
@@ -5748,7 +5748,7 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
     </message>
     <message>
         <source>%1 % of reference</source>
-        <translation>%1 % de la referencia</translation>
+        <translation>%1 % de referencia</translation>
     </message>
     <message>
         <source>Part of the cycle</source>
@@ -5763,7 +5763,7 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
         <translation>Tiempo en el ciclo</translation>
     </message>
     <message>
-        <source>Time dragged</source>
+        <source>Time while dragging</source>
         <translation>Tiempo de arrastre</translation>
     </message>
     <message>

@@ -886,11 +886,11 @@ N : noms, H : poignées, X : paroi, R : rétablir, T : clair ou sombre, Origine 
         <translation>Retirer la partie supérieure</translation>
     </message>
     <message>
-        <source>Facing me</source>
-        <translation>Face à moi</translation>
+        <source>Facing the viewer</source>
+        <translation>Face à l’observateur</translation>
     </message>
     <message>
-        <source>Cut away what is nearest to the viewer</source>
+        <source>Cut away the part nearest to the viewer</source>
         <translation>Retirer ce qui est le plus proche de l’observateur</translation>
     </message>
 </context>
@@ -1717,7 +1717,7 @@ N : noms, H : poignées, X : paroi, R : rétablir, T : clair ou sombre, Origine 
         <translation>Placer les poignées de la séquence autour de l’organe et la lire</translation>
     </message>
     <message>
-        <source>%1: set it by a click in the view</source>
+        <source>%1: click its place in the view</source>
         <translation>%1 : placez-le d’un clic dans la vue</translation>
     </message>
     <message>
@@ -2261,8 +2261,8 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez l’organe en mode Poi
         <translation>Glissez avec le bouton gauche pour tourner, avec Maj pour déplacer ; la molette zoome. Cliquez sur un organe pour le sélectionner, appuyez sur F pour le cadrer ; D mesure des distances, A des angles. L’œil de la liste de gauche le masque, le carré change sa couleur.</translation>
     </message>
     <message>
-        <source>See it move</source>
-        <translation>Le voir bouger</translation>
+        <source>Play a motion</source>
+        <translation>Jouer un mouvement</translation>
     </message>
     <message>
         <source>Space plays and pauses. The timeline shows the phases of the cycle: drag along it to look at one instant. Below, the volumes are drawn as they change.</source>
@@ -2349,7 +2349,7 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez l’organe en mode Poi
         <translation>Examinez d’abord les constats. Rien n’est encore dans le document, et aucun fichier n’est modifié.</translation>
     </message>
     <message>
-        <source>%1 organs: %2 with faults, %3 to look at, %4 without problems. Nothing is in the document yet, and no file is changed.</source>
+        <source>%1 organs: %2 with faults, %3 to check, %4 without problems. Nothing is in the document yet, and no file is changed.</source>
         <translation>%1 organes : %2 avec défauts, %3 à examiner, %4 sans problème. Rien n’est encore dans le document, et aucun fichier n’est modifié.</translation>
     </message>
     <message>
@@ -2412,7 +2412,7 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez l’organe en mode Poi
         <translation>Chaque organe</translation>
     </message>
     <message>
-        <source>To look at</source>
+        <source>To check</source>
         <translation>À examiner</translation>
     </message>
     <message>
@@ -2451,8 +2451,8 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez l’organe en mode Poi
         <translation>temps (s)</translation>
     </message>
     <message>
-        <source>then</source>
-        <translation>ensuite</translation>
+        <source>easing</source>
+        <translation>transition</translation>
     </message>
     <message>
         <source>Take pose</source>
@@ -2503,8 +2503,8 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez l’organe en mode Poi
         <translation>Ouvrir un fichier de séquence</translation>
     </message>
     <message>
-        <source>lasts </source>
-        <translation>dure </translation>
+        <source>Duration </source>
+        <translation>Durée </translation>
     </message>
     <message>
         <source>Length of one cycle</source>
@@ -2581,8 +2581,8 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez l’organe en mode Poi
         <translation>Notes</translation>
     </message>
     <message>
-        <source>Becomes</source>
-        <translation>Devient</translation>
+        <source>Format</source>
+        <translation>Format</translation>
     </message>
     <message>
         <source>Language</source>
@@ -2671,8 +2671,8 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez l’organe en mode Poi
         <translation>Le glissement a été annulé, car un autre mode a été choisi.</translation>
     </message>
     <message>
-        <source>As far as it goes: %1</source>
-        <translation>Résultat partiel : %1</translation>
+        <source>Only partly possible: %1</source>
+        <translation>Possible en partie seulement : %1</translation>
     </message>
 </context>
 <context>
@@ -2771,7 +2771,7 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez l’organe en mode Poi
         <translation>Surface de la phase %1</translation>
     </message>
     <message>
-        <source>Distance from what was measured</source>
+        <source>Distance from the measured surface</source>
         <translation>Distance à ce qui a été mesuré</translation>
     </message>
 </context>
@@ -3581,8 +3581,8 @@ C’est le volume de la cavité ; la paroi qui l’entoure a son propre verrou
         <translation>&amp;Oublier</translation>
     </message>
     <message>
-        <source>Compare with nothing</source>
-        <translation>Ne comparer avec rien</translation>
+        <source>End the comparison</source>
+        <translation>Terminer la comparaison</translation>
     </message>
     <message>
         <source>Organ &amp;labels</source>
@@ -3620,8 +3620,8 @@ C’est le volume de la cavité ; la paroi qui l’entoure a son propre verrou
 <context>
     <name>viscera::app::PlayPage</name>
     <message>
-        <source>Look</source>
-        <translation>Aspect</translation>
+        <source>Appearance</source>
+        <translation>Apparence</translation>
     </message>
     <message>
         <source>Sequence</source>
@@ -3636,11 +3636,11 @@ C’est le volume de la cavité ; la paroi qui l’entoure a son propre verrou
         <translation>Phase</translation>
     </message>
     <message>
-        <source>What moves the heart</source>
-        <translation>Ce qui meut le cœur</translation>
+        <source>Source of the motion</source>
+        <translation>Source du mouvement</translation>
     </message>
     <message>
-        <source>Over the cycle</source>
+        <source>During one cycle</source>
         <translation>Sur le cycle</translation>
     </message>
     <message>
@@ -3950,7 +3950,7 @@ C’est le volume de la cavité ; la paroi qui l’entoure a son propre verrou
         <translation>Type</translation>
     </message>
     <message>
-        <source>Choose where to</source>
+        <source>Choose a destination</source>
         <translation>Choisir la destination</translation>
     </message>
     <message>
@@ -4046,7 +4046,7 @@ C’est le volume de la cavité ; la paroi qui l’entoure a son propre verrou
 <context>
     <name>viscera::app::Repairs</name>
     <message>
-        <source>Face outward</source>
+        <source>Turn triangles outward</source>
         <translation>Tourner vers l’extérieur</translation>
     </message>
     <message>
@@ -4066,16 +4066,16 @@ C’est le volume de la cavité ; la paroi qui l’entoure a son propre verrou
         <translation>Inverser gauche et droite</translation>
     </message>
     <message>
-        <source>It is RAS: turn to LPS</source>
-        <translation>C’est RAS : tourner en LPS</translation>
+        <source>Convert from RAS to LPS</source>
+        <translation>Convertir de RAS en LPS</translation>
     </message>
     <message>
-        <source>Y is up: quarter turn</source>
-        <translation>Y est en haut : quart de tour</translation>
+        <source>Convert from Y up to LPS</source>
+        <translation>Convertir de Y en haut en LPS</translation>
     </message>
     <message>
-        <source>It is in %1</source>
-        <translation>C’est en %1</translation>
+        <source>Coordinates are in %1</source>
+        <translation>Les coordonnées sont en %1</translation>
     </message>
 </context>
 <context>
@@ -4150,8 +4150,8 @@ C’est le volume de la cavité ; la paroi qui l’entoure a son propre verrou
         <translation>fraction d’éjection</translation>
     </message>
     <message>
-        <source>output</source>
-        <translation>débit</translation>
+        <source>cardiac output</source>
+        <translation>débit cardiaque</translation>
     </message>
     <message>
         <source>Surface whose fit is shown</source>
@@ -4194,7 +4194,7 @@ C’est le volume de la cavité ; la paroi qui l’entoure a son propre verrou
         <translation>mesuré ml</translation>
     </message>
     <message>
-        <source>free ml</source>
+        <source>unconstrained ml</source>
         <translation>libre ml</translation>
     </message>
     <message>
@@ -4266,7 +4266,7 @@ C’est le volume de la cavité ; la paroi qui l’entoure a son propre verrou
         <translation>Étapes de l’ajustement</translation>
     </message>
     <message>
-        <source>What differs from the series before</source>
+        <source>Differences from the previous series</source>
         <translation>Ce qui diffère de la série précédente</translation>
     </message>
     <message>
@@ -4286,7 +4286,7 @@ C’est le volume de la cavité ; la paroi qui l’entoure a son propre verrou
         <translation>Toutes les surfaces</translation>
     </message>
     <message>
-        <source>Compared with the series before</source>
+        <source>Compared with the previous series</source>
         <translation>Comparé à la série précédente</translation>
     </message>
     <message>
@@ -5204,8 +5204,8 @@ C’est le volume de la cavité ; la paroi qui l’entoure a son propre verrou
         <translation>Retirer la partie supérieure</translation>
     </message>
     <message>
-        <source>Facing me</source>
-        <translation>Face à moi</translation>
+        <source>Facing the viewer</source>
+        <translation>Face à l’observateur</translation>
     </message>
     <message>
         <source>Cut through the middle, across the line of sight</source>
@@ -5723,7 +5723,7 @@ C’est le volume de la cavité ; la paroi qui l’entoure a son propre verrou
         <translation>Les organes fermés montrent ici leur volume.</translation>
     </message>
     <message>
-        <source>%1: show what is normal for it in the chart</source>
+        <source>%1: show its normal range in the chart</source>
         <translation>%1 : montrer dans le graphique ce qui est normal pour lui</translation>
     </message>
     <message>
@@ -5748,7 +5748,7 @@ C’est le volume de la cavité ; la paroi qui l’entoure a son propre verrou
     </message>
     <message>
         <source>%1 % of reference</source>
-        <translation>%1 % de la référence</translation>
+        <translation>%1 % de référence</translation>
     </message>
     <message>
         <source>Part of the cycle</source>
@@ -5763,7 +5763,7 @@ C’est le volume de la cavité ; la paroi qui l’entoure a son propre verrou
         <translation>Temps dans le cycle</translation>
     </message>
     <message>
-        <source>Time dragged</source>
+        <source>Time while dragging</source>
         <translation>Temps de glissement</translation>
     </message>
     <message>

@@ -103,7 +103,11 @@ TEST_P(Translations, KeepWhatStandsForSomethingElse) {
          textsOf(folderOfTranslations() +
                  QStringLiteral("%1_%2.ts").arg(QLatin1String(kind), QLatin1String(GetParam()))))
       for (const QString& translation : text.translations) {
-        EXPECT_EQ(placesIn(translation), placesIn(text.source)) << translation.toStdString();
+        std::multiset<QString> expected = placesIn(text.source), found = placesIn(translation);
+        if (text.translations.size() > 1 && &translation == &text.translations.front())
+          for (auto* places : {&expected, &found}) // "Lock handle" is better than "Lock 1 handle".
+            places->erase(QStringLiteral("%n"));
+        EXPECT_EQ(found, expected) << translation.toStdString();
         EXPECT_EQ(translation.count(QLatin1Char('&')), text.source.count(QLatin1Char('&')))
             << translation.toStdString();
         EXPECT_FALSE(translation.contains(QLatin1Char('{'))) << translation.toStdString();

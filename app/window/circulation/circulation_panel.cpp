@@ -3,6 +3,7 @@
 #include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QLocale>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -38,6 +39,7 @@ CirculationPanel::CirculationPanel(CirculationModel& model, Playback& playback, 
       chart_(new QVTKOpenGLNativeWidget(this)), numbers_(new NumbersTable(this)), legend_(new QLabel(this)) {
   setObjectName(QStringLiteral("panel"));
   setAttribute(Qt::WA_StyledBackground);
+  panels_->setDecimalMark(QLocale().decimalPoint().toLatin1());
   auto* row = makeLayout<QHBoxLayout>(this, 8, {8, 4, 8, 4});
   auto* column = makeLayout<QVBoxLayout>(nullptr, 2);
   legend_->setObjectName(QStringLiteral("circulationLegend"));

@@ -48,7 +48,7 @@ QString summaryOf(const document::ImportDraft& draft) {
     return ImportPanel::tr(
         "Check the findings first. Nothing is in the document yet, and no file is changed.");
   const int faults = of(medical_io::Light::fault), doubts = of(medical_io::Light::doubt);
-  return ImportPanel::tr("%1 organs: %2 with faults, %3 to look at, %4 without problems. Nothing is in the "
+  return ImportPanel::tr("%1 organs: %2 with faults, %3 to check, %4 without problems. Nothing is in the "
                          "document yet, and no file is changed.")
       .arg(draft.organs.size())
       .arg(faults)
@@ -217,7 +217,7 @@ void ImportPanel::fillFindings() {
   const QVariant chosen = finding_->currentData();
   finding_->clear();
   finding_->addItem(tr("Every organ"), -2);
-  finding_->addItem(tr("To look at"), -1);
+  finding_->addItem(tr("To check"), -1);
   for (const document::SharedFinding& shared : shared_)
     finding_->addItem(
         tr("%1 (%2)").arg(subjectName(shared.subject)).arg(static_cast<int>(shared.organs.size())),

@@ -63,19 +63,19 @@ QString translated(const char* text) {
 
 QString repairName(const std::string& id) {
   static const std::map<std::string, const char*> kNames = {
-      {"orient", QT_TRANSLATE_NOOP("viscera::app::Repairs", "Face outward")},
+      {"orient", QT_TRANSLATE_NOOP("viscera::app::Repairs", "Turn triangles outward")},
       {"fill-holes", QT_TRANSLATE_NOOP("viscera::app::Repairs", "Fill holes")},
       {"keep-largest", QT_TRANSLATE_NOOP("viscera::app::Repairs", "Keep the largest piece")},
       {"remesh", QT_TRANSLATE_NOOP("viscera::app::Repairs", "Remesh")},
       {"mirror", QT_TRANSLATE_NOOP("viscera::app::Repairs", "Mirror left and right")},
-      {"ras-to-lps", QT_TRANSLATE_NOOP("viscera::app::Repairs", "It is RAS: turn to LPS")},
-      {"y-up", QT_TRANSLATE_NOOP("viscera::app::Repairs", "Y is up: quarter turn")}};
+      {"ras-to-lps", QT_TRANSLATE_NOOP("viscera::app::Repairs", "Convert from RAS to LPS")},
+      {"y-up", QT_TRANSLATE_NOOP("viscera::app::Repairs", "Convert from Y up to LPS")}};
   const auto known = kNames.find(id);
   if (known != kNames.end())
     return translated(known->second);
   for (const medical_io::LengthUnit& unit : medical_io::lengthUnits())
     if (id == "unit-" + std::string(unit.id))
-      return translated(QT_TRANSLATE_NOOP("viscera::app::Repairs", "It is in %1"))
+      return translated(QT_TRANSLATE_NOOP("viscera::app::Repairs", "Coordinates are in %1"))
           .arg(text(std::string(unit.name)));
   return text(id);
 }

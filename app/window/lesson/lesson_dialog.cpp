@@ -50,7 +50,7 @@ LessonDialog::LessonDialog(const lesson::LessonPlan& plan, QWidget* parent)
   auto* form = new QFormLayout;
   form->addRow(tr("Title"), title_);
   form->addRow(tr("Notes"), notes_);
-  form->addRow(tr("Becomes"), format_);
+  form->addRow(tr("Format"), format_);
   form->addRow(tr("Language"), language_);
   form->addRow(QString(), handles_);
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Save | QDialogButtonBox::Cancel);

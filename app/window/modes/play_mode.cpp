@@ -174,7 +174,7 @@ void PlayMode::makeCirculationActions(Actions& actions) {
                {tr("Ctrl+B")},
                tr("Keep this circulation to compare with: dashed loops and a second column of numbers")},
               [this] { parts_.workspace.perform(document::keepCirculation()); });
-  actions.add("play.forgetBefore", {tr("For&get"), "remove", {}, tr("Compare with nothing")},
+  actions.add("play.forgetBefore", {tr("For&get"), "remove", {}, tr("End the comparison")},
               [this] { parts_.workspace.perform(document::forgetKeptCirculation()); });
   actions.enableWhile({"play.keepBefore", "play.circulationChart"}, [this] { return circulation_->on(); });
   actions.enableWhile({"play.valves"}, [this] { return hasSampleHeart(); });

@@ -51,7 +51,7 @@ QWidget* CutBox::makeDirections() {
       {tr("Coronal"), tr("Cut away the front"), Vec3::UnitY()},
       {tr("Sagittal"), tr("Cut away the left side"), -Vec3::UnitX()},
       {tr("Axial"), tr("Cut away the upper part"), -Vec3::UnitZ()},
-      {tr("Facing me"), tr("Cut away what is nearest to the viewer"), Vec3::Zero()}};
+      {tr("Facing the viewer"), tr("Cut away the part nearest to the viewer"), Vec3::Zero()}};
   int index = 0;
   for (const Direction& direction : directions) {
     auto* button = new QPushButton(direction.name, box);

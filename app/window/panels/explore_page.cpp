@@ -12,6 +12,7 @@
 #include "viscera/document/scan_item.h"
 #include "viscera/presentation/presenter.h"
 #include "window/language.h"
+#include "window/phrase_translator.h"
 #include "window/widgets/ready_made.h"
 
 namespace viscera::app {
@@ -106,7 +107,7 @@ void ExplorePage::sync() {
   QStringList lines;
   if (organ)
     for (const std::string& warning : organ->warnings)
-      lines.push_back(text(warning));
+      lines.push_back(messageInWords(warning));
   warnings_->setText(lines.join(QLatin1Char('\n')));
   warnings_->setVisible(!lines.isEmpty());
 }

@@ -212,6 +212,9 @@ void GroupPanel::chooseColorOf(const document::Group& group) {
 void GroupPanel::rename(QTreeWidgetItem* item) {
   if (updating_)
     return;
+  for (const document::Group& group : workspace_.document().rig().groups)
+    if (group.id == groupOf(item) && item->text(0) == inWords(group.name))
+      return; // Left as it was shown, which may be a translation.
   document::GroupEdit edit;
   edit.name = item->text(0).trimmed().toStdString();
   // Later: the list is made anew, and the item that is telling us would be gone.
@@ -229,7 +232,7 @@ void GroupPanel::rebuild() {
     auto* item = new QTreeWidgetItem(list_);
     item->setFlags(item->flags() | Qt::ItemIsEditable);
     item->setData(0, kIdRole, static_cast<qlonglong>(group.id.value));
-    item->setText(0, text(group.name));
+    item->setText(0, inWords(group.name));
     item->setIcon(0, swatch(asColor(group.color)));
     item->setText(1, QString::number(group.handles.size()));
     item->setTextAlignment(1, Qt::AlignRight | Qt::AlignVCenter);

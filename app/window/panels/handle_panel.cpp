@@ -12,6 +12,7 @@
 #include <map>
 
 #include "viscera/document/rig_commands.h"
+#include "window/language.h"
 #include "window/panels/color_palette.h"
 #include "window/style/icon.h"
 #include "window/widgets/ready_made.h"
@@ -115,7 +116,7 @@ void HandlePanel::rebuild() {
       members[nullptr].push_back(&handle);
   list_->clear();
   for (const document::Group& group : rig.groups)
-    addGroup(text(group.name), asColor(group.color), members[&group]);
+    addGroup(inWords(group.name), asColor(group.color), members[&group]);
   if (const auto& alone = members[nullptr]; !alone.empty())
     addGroup(tr("Handles"), kUngrouped, alone);
   if (list_->topLevelItemCount() == 1)

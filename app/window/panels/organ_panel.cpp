@@ -17,6 +17,7 @@
 #include "viscera/presentation/presenter.h"
 #include "window/language.h"
 #include "window/panels/color_palette.h"
+#include "window/phrase_translator.h"
 #include "window/style/icon.h"
 #include "window/widgets/ready_made.h"
 #include "window/widgets/value_slider.h"
@@ -335,7 +336,7 @@ void OrganPanel::updateRow(const document::Organ& organ, QTreeWidgetItem* item) 
   QString tip = tr("%1\n%n {triangle|triangles}", nullptr, static_cast<int>(organ.mesh->triangles.rows()))
                     .arg(text(organ.name));
   for (const std::string& warning : organ.warnings)
-    tip += QStringLiteral("\n") + text(warning);
+    tip += QStringLiteral("\n") + messageInWords(warning);
   updateLock(organ, item);
   item->setToolTip(kName, tip + tr("\nDouble click or F2 renames; a click on the square changes the colour"));
 }

@@ -35,7 +35,7 @@ PlayPage::PlayPage(const ModeParts& parts, PlayMode& mode, const Actions& action
     : Page(parent), playback_(parts.playback), volumes_(parts.volumes), mode_(mode), view_(parts.view) {
   makeMotion(parts, actions);
   makeCirculation(parts, actions);
-  addSection(tr("Look"));
+  addSection(tr("Appearance"));
   addCheck(actions["view.seeThrough"]);
   addCheck(actions["play.valves"]);
   addCheck(actions["view.labels"]);
@@ -74,7 +74,7 @@ void PlayPage::makeMotion(const ModeParts& parts, const Actions& actions) {
 }
 
 void PlayPage::makeCirculation(const ModeParts& parts, const Actions& actions) {
-  QWidget* head = addSection(tr("What moves the heart"));
+  QWidget* head = addSection(tr("Source of the motion"));
   auto* box = new CirculationBox(parts.workspace, mode_.circulation(), actions, this);
   add(box);
   connect(box, &CirculationBox::scenarioChosen, &mode_, &PlayMode::chooseScenario);
@@ -91,7 +91,7 @@ void PlayPage::makeCirculation(const ModeParts& parts, const Actions& actions) {
 }
 
 void PlayPage::makeTable() {
-  addSection(tr("Over the cycle"));
+  addSection(tr("During one cycle"));
   table_ = new QTableWidget(0, kColumns, this);
   table_->setHorizontalHeaderLabels({QString(), tr("max"), tr("min"), tr("SV"), tr("EF")});
   table_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);

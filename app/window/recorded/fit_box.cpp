@@ -16,6 +16,7 @@
 #include "viscera/motion/sequence_file.h"
 #include "viscera/motion/sequence_setup.h"
 #include "window/language.h"
+#include "window/phrase_translator.h"
 #include "window/style/icon.h"
 #include "window/widgets/ready_made.h"
 
@@ -100,7 +101,7 @@ void FitBox::rebuildRows() {
       row.pick->setObjectName(QStringLiteral("landmark_%1").arg(text(role.role)));
       row.pick->setText(inWords(role.name));
       row.pick->setCheckable(true);
-      row.pick->setToolTip(tr("%1: set it by a click in the view").arg(inWords(role.help)));
+      row.pick->setToolTip(tr("%1: click its place in the view").arg(inWords(role.help)));
       row.place = new QLabel(rowsBox_);
       row.place->setObjectName(QStringLiteral("muted"));
       row.place->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
@@ -313,7 +314,7 @@ void FitBox::take(const motion::RetargetedSequence& fitted, document::OrganId or
     landmarks_ = fitted.landmarks;
   syncRows();
   for (const std::string& warning : fitted.warnings)
-    workspace_.say({Message::Severity::warning, text(warning), {}, 0});
+    workspace_.say({Message::Severity::warning, messageInWords(warning), {}, 0});
   playback_.play();
 }
 

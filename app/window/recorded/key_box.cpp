@@ -88,7 +88,7 @@ void KeyBox::makeTop() {
 void KeyBox::makeTable() {
   table_ = new QTableWidget(0, kColumns, this);
   table_->setObjectName(QStringLiteral("keyTable"));
-  table_->setHorizontalHeaderLabels({tr("time (s)"), tr("then")});
+  table_->setHorizontalHeaderLabels({tr("time (s)"), tr("easing")});
   table_->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
   table_->horizontalHeader()->setHighlightSections(false);
   table_->verticalHeader()->hide();
@@ -139,7 +139,7 @@ void KeyBox::makeButtons() {
   });
   period_ = secondsBox(this);
   period_->setObjectName(QStringLiteral("keyPeriod"));
-  period_->setPrefix(tr("lasts "));
+  period_->setPrefix(tr("Duration "));
   period_->setToolTip(tr("Length of one cycle"));
   grid->addWidget(period_, 3, 0, 1, 2);
   connect(period_, QOverload<double>::of(&QDoubleSpinBox::valueChanged), this, [this](double seconds) {

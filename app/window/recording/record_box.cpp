@@ -74,7 +74,7 @@ void RecordBox::makeControls() {
   addRow(tr("Kind"), format_);
   file_ = new QLineEdit(this);
   file_->setObjectName(QStringLiteral("recordFile"));
-  auto* browse = makeIconButton("open", tr("Choose where to"), this);
+  auto* browse = makeIconButton("open", tr("Choose a destination"), this);
   connect(browse, &QToolButton::clicked, this, &RecordBox::chooseFile);
   auto* place = new QWidget(this);
   auto* row = makeLayout<QHBoxLayout>(place, 4);

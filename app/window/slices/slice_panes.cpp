@@ -10,6 +10,7 @@
 #include "viscera/scene/vtkVisceraHandleSetRepresentation.h"
 #include "viscera/slices/slice_frame.h"
 #include "window/language.h"
+#include "window/phrase_translator.h"
 #include "window/view/picture.h"
 
 namespace viscera::app {
@@ -163,7 +164,7 @@ void SlicePanes::refresh() {
 
 void SlicePanes::followBend() {
   if (const std::string& problem = workspace_.bend().problem(); !problem.empty())
-    workspace_.note(tr("The scan cannot be bent: %1").arg(text(problem)));
+    workspace_.note(tr("The scan cannot be bent: %1").arg(messageInWords(problem)));
   refresh();
 }
 

@@ -1,5 +1,6 @@
 #include "window/stress/histogram.h"
 
+#include <QLocale>
 #include <QPainter>
 
 #include <algorithm>
@@ -74,7 +75,8 @@ void Histogram::paintEvent(QPaintEvent*) {
   const auto ticks = scene::niceTicks(contents_.range, kMostTicks);
   const double spacing = ticks.size() > 1 ? ticks[1] - ticks[0] : 0;
   for (const double tick : ticks) {
-    const QString label = QString::fromStdString(scene::tickLabel(tick, spacing));
+    const QString label = QString::fromStdString(scene::tickLabel(tick, spacing))
+                              .replace(QLatin1Char('.'), QLocale().decimalPoint());
     const double half = 0.5 * fontMetrics().horizontalAdvance(label);
     const double x = std::clamp(xOf(tick) - half, 0.0, std::max(0.0, width() - 2 * half));
     painter.drawText(QPointF(x, height() - fontMetrics().descent()), label);

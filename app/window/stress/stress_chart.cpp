@@ -1,6 +1,7 @@
 #include "window/stress/stress_chart.h"
 
 #include <QLabel>
+#include <QLocale>
 #include <QStackedLayout>
 #include <QVBoxLayout>
 
@@ -27,6 +28,7 @@ StressChart::StressChart(StressModel& model, QWidget* parent)
       widget_(new QVTKOpenGLNativeWidget(this)), stack_(new QStackedLayout) {
   setObjectName(QStringLiteral("panel"));
   setAttribute(Qt::WA_StyledBackground);
+  chart_->setDecimalMark(QLocale().decimalPoint().toLatin1());
   auto* column = makeLayout<QVBoxLayout>(this, -1, {8, 4, 8, 4});
   column->addLayout(stack_);
   auto* hint = new QLabel(tr("The stress over time is drawn here while a sequence plays (Space)."), this);

@@ -15,6 +15,7 @@
 #include <cmath>
 
 #include "window/language.h"
+#include "window/phrase_translator.h"
 #include "window/stress/histogram.h"
 #include "window/widgets/ready_made.h"
 #include "window/widgets/value_slider.h"
@@ -222,7 +223,7 @@ QWidget* StressPage::makeDirections() {
         look.offset = 0;
       });
     });
-  addButton(tr("Facing me"), tr("Cut through the middle, across the line of sight"),
+  addButton(tr("Facing the viewer"), tr("Cut through the middle, across the line of sight"),
             [this] { cut_.faceReader(); });
   return box;
 }
@@ -327,7 +328,7 @@ void StressPage::syncStatus() {
     state = tr("Cancelled. Press Try again to go on.");
     break;
   case State::failed:
-    state = text(status.message);
+    state = messageInWords(status.message);
     break;
   case State::ready:
     break;
@@ -349,7 +350,7 @@ void StressPage::syncStatus() {
                                                      : tr("differences"));
   QStringList lines;
   for (const std::string& remark : status.remarks)
-    lines.push_back(inWords(remark));
+    lines.push_back(messageInWords(remark));
   if (status.state == State::ready && status.outside > 0)
     lines.push_back(tr("%n {point lies|points lie} outside the handles' hull and stay where they are.",
                        nullptr, status.outside));

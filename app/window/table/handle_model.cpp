@@ -103,7 +103,7 @@ QString HandleModel::groupsOf(const document::Handle& handle) const {
   QStringList names;
   for (const document::Group& group : workspace_.document().rig().groups)
     if (std::find(group.handles.begin(), group.handles.end(), handle.id) != group.handles.end())
-      names.push_back(text(group.name));
+      names.push_back(inWords(group.name));
   return names.join(QStringLiteral(", "));
 }
 

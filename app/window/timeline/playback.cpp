@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "viscera/core/phrase.h"
 #include "viscera/document/rig_commands.h"
 #include "window/language.h"
 
@@ -210,8 +211,8 @@ void Playback::stepFinely(int steps) {
 void Playback::onShown() {
   const std::string& obstacle = player_.runner().obstacle();
   if (!obstacle.empty() && !outOfReach_ && !workspace_.live().busy())
-    workspace_.report(DataError("the volume cannot be kept here: " + obstacle, present_.sequence->name(),
-                                "unlock it, or let more handles compensate"));
+    workspace_.report(DataError(phrase("the volume cannot be kept here: %1", obstacle),
+                                present_.sequence->name(), "unlock it, or let more handles compensate"));
   outOfReach_ = !obstacle.empty();
   Q_EMIT advanced();
 }

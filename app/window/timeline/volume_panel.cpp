@@ -3,6 +3,7 @@
 #include <QGridLayout>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QLocale>
 #include <QPixmap>
 #include <QStackedLayout>
 #include <QToolButton>
@@ -71,6 +72,7 @@ VolumePanel::VolumePanel(VolumeMonitor& monitor, Playback& playback, ViewModel& 
       stack_(new QStackedLayout), tileArea_(new QWidget(this)) {
   setObjectName(QStringLiteral("panel"));
   setAttribute(Qt::WA_StyledBackground);
+  chart_->setDecimalMark(QLocale().decimalPoint().toLatin1());
   auto* row = makeLayout<QHBoxLayout>(this, 8, {0, 4, 8, 4});
   row->addWidget(makeTiles());
   column_ = makeLayout<QVBoxLayout>(nullptr, 0);
@@ -297,7 +299,7 @@ VolumePanel::Tile VolumePanel::addTile(const VolumeMonitor::Line& line) {
   name->setIcon(swatch(line.color));
   name->setIconSize(QSize(kSwatch, kSwatch));
   name->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
-  name->setToolTip(tr("%1: show what is normal for it in the chart").arg(nameOf(line)));
+  name->setToolTip(tr("%1: show its normal range in the chart").arg(nameOf(line)));
   connect(name, &QToolButton::clicked, this,
           [this, index] { setNormalsOf(static_cast<std::size_t>(index)); });
   Tile tile{new QLabel(box), new QLabel(box)};
@@ -421,8 +423,8 @@ void VolumePanel::drawRecord() {
   const bool drags = dragsShown();
   const motion::VolumeRecord& record = drags ? monitor_.drags() : monitor_.record();
   take(&record);
-  chart_->setAxes((drags ? tr("Time dragged") : tr("Time")).toStdString(), "s", tr("Volume").toStdString(),
-                  "ml");
+  chart_->setAxes((drags ? tr("Time while dragging") : tr("Time")).toStdString(), "s",
+                  tr("Volume").toStdString(), "ml");
   chart_->setTimeSpan(drags ? kShownDragSeconds
                             : std::max(kShownSeconds, 1.5 * playback_.player().periodSeconds()));
   const std::size_t rows = record.rows();

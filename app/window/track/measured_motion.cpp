@@ -372,7 +372,7 @@ const motion::MeasuredPhase* MeasuredMotion::measured(std::size_t phase) {
 presentation::SurfaceMap MeasuredMotion::distanceMap(const motion::MeasuredPhase& measured) const {
   presentation::SurfaceMap map;
   map.colors = scene::viridis();
-  map.title = tr("Distance from what was measured").toStdString();
+  map.title = tr("Distance from the measured surface").toStdString();
   map.unit = "mm";
   double reach = kLeastReach; // The same in all phases, so that a colour means the same.
   for (const motion::TrackedPhase& phase : present_->motion->phases)

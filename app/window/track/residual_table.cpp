@@ -56,8 +56,8 @@ const Compared kCompareds[] = {{QT_TRANSLATE_NOOP("viscera::app::ResidualTable",
                                 &motion::CardiacIndices::strokeVolumeMl},
                                {QT_TRANSLATE_NOOP("viscera::app::ResidualTable", "ejection fraction"), "%", 1,
                                 kPercent, &motion::CardiacIndices::ejectionFraction},
-                               {QT_TRANSLATE_NOOP("viscera::app::ResidualTable", "output"), "l/min", 2, 1,
-                                &motion::CardiacIndices::cardiacOutputLPerMinute}};
+                               {QT_TRANSLATE_NOOP("viscera::app::ResidualTable", "cardiac output"), "l/min",
+                                2, 1, &motion::CardiacIndices::cardiacOutputLPerMinute}};
 
 /// What both tables have in common.
 void makePlain(QTableWidget& table) {
@@ -132,7 +132,7 @@ void ResidualTable::makeTable() {
   table_->setObjectName(QStringLiteral("residuals"));
   table_->setAccessibleName(tr("Fit of the motion, phase by phase"));
   table_->setHorizontalHeaderLabels({tr("Phase"), tr("ms"), tr("mean mm"), tr("95 % mm"), tr("max mm"),
-                                     tr("measured ml"), tr("free ml"), tr("fitted ml"), tr("Dice"),
+                                     tr("measured ml"), tr("unconstrained ml"), tr("fitted ml"), tr("Dice"),
                                      tr("flipped"), tr("folded"), tr("steps")});
   const QStringList tips = {tr("A mark shows that the phase needs attention; the row's tip says why"),
                             tr("Time of the phase"),
@@ -151,7 +151,7 @@ void ResidualTable::makeTable() {
   makePlain(*table_);
   makePlain(*differences_);
   differences_->setObjectName(QStringLiteral("seriesDifferences"));
-  differences_->setAccessibleName(tr("What differs from the series before"));
+  differences_->setAccessibleName(tr("Differences from the previous series"));
   differences_->setHorizontalHeaderLabels({QString(), tr("before"), tr("now"), tr("difference")});
   differences_->setSelectionMode(QAbstractItemView::NoSelection);
   table_->setSelectionBehavior(QAbstractItemView::SelectRows);
@@ -180,7 +180,7 @@ void ResidualTable::rebuild() {
     for (std::size_t i = 0; i < count; ++i)
       surfaces_->addItem(text(found->motion->sequence.organs[i].name), static_cast<int>(i));
     if (found && measured_.before())
-      surfaces_->addItem(tr("Compared with the series before"), kCompared);
+      surfaces_->addItem(tr("Compared with the previous series"), kCompared);
   }
   fill();
 }

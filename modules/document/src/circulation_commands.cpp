@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "viscera/circulation/scenario.h"
+#include "viscera/core/phrase.h"
 #include "viscera/document/edit.h"
 
 namespace viscera::document {
@@ -19,7 +20,8 @@ std::string titleOf(const std::string& parameter) {
 
 std::string nameOf(const CirculationChoice& choice) {
   const bool changed = !(choice.parameters == circulation::scenarioParameters(choice.scenario));
-  return circulation::scenario(choice.scenario).name + (changed ? ", changed" : "");
+  return changed ? phrase("%1, changed", circulation::scenario(choice.scenario).name)
+                 : circulation::scenario(choice.scenario).name;
 }
 
 Command driveHeart(bool byCirculation) {
@@ -30,11 +32,12 @@ Command driveHeart(bool byCirculation) {
 
 Command chooseScenario(const std::string& id) {
   const std::string name = circulation::scenario(id).name;
-  return edit::onPart("Circulation: " + name, &DocumentState::circulation, [id](CirculationChoice& choice) {
-    choice.drives = true;
-    choice.scenario = id;
-    choice.parameters = circulation::scenarioParameters(id);
-  });
+  return edit::onPart(phrase("Circulation: %1", name), &DocumentState::circulation,
+                      [id](CirculationChoice& choice) {
+                        choice.drives = true;
+                        choice.scenario = id;
+                        choice.parameters = circulation::scenarioParameters(id);
+                      });
 }
 
 Command setCirculationParameter(const std::string& name, double value) {

@@ -5,6 +5,7 @@
 #include <set>
 #include <utility>
 
+#include "viscera/core/phrase.h"
 #include "viscera/document/edit.h"
 #include "viscera/document/rig_commands.h"
 #include "viscera/geometry/connected_pieces.h"
@@ -114,7 +115,7 @@ DocumentState regrouped(const GroupingChoice& choice, const DocumentState& befor
 
 Command addGroup(std::string name, Vec3 color, std::vector<HandleId> handles) {
   return edit::onPart(
-      "Add group " + name, &DocumentState::rig,
+      phrase("Add group %1", name), &DocumentState::rig,
       [name, color, handles = std::move(handles)](Rig& rig, const DocumentState&, IdSource& ids) {
         rig.groups.push_back({ids.next<GroupId>(), name, color, inOrder(rig, handles)});
       });
@@ -164,7 +165,8 @@ GroupingChoice::By groupingFromName(const std::string& name) {
        {std::pair{By::organ, "organ"}, std::pair{By::axis, "axis"}, std::pair{By::cluster, "cluster"}})
     if (name == text)
       return by;
-  throw UsageError("there is no way \"" + name + "\" to make groups", {}, "choose organ, axis or cluster");
+  throw UsageError(phrase("there is no way \"%1\" to make groups", name), {},
+                   "choose organ, axis or cluster");
 }
 
 Vec3 groupColor(std::size_t number) {

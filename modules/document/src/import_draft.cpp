@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "viscera/core/error.h"
+#include "viscera/core/phrase.h"
 #include "viscera/medical_io/surface_repairs.h"
 
 namespace viscera::document {
@@ -113,7 +114,7 @@ Organ finished(const Organ& read, const DraftOrgan& organ) {
   result.parent = read.parent;
   result.file = read.file;
   if (!organ.repairs.empty())
-    result.warnings.push_back("repaired on import: " + listed(organ.repairs));
+    result.warnings.push_back(phrase("repaired on import: %1", listed(organ.repairs)));
   return result;
 }
 
@@ -136,7 +137,7 @@ ImportDraft draftOf(OpenedFiles files, Progress& progress) {
   const auto count = static_cast<double>(draft.files.organs.size());
   for (std::size_t i = 0; i < draft.files.organs.size(); ++i) {
     const Organ& read = draft.files.organs[i].organ;
-    progress.report(static_cast<double>(i) / count, "Checking " + read.name);
+    progress.report(static_cast<double>(i) / count, phrase("Checking %1", read.name));
     const auto known = draft.files.surfaces.find(i);
     DraftOrgan organ;
     organ.name = read.name;
@@ -157,7 +158,7 @@ ImportDraft repaired(ImportDraft draft, const std::vector<std::size_t>& organs, 
   for (std::size_t done = 0; done < organs.size(); ++done) {
     DraftOrgan& organ = draft.organs.at(organs[done]);
     progress.report(static_cast<double>(done) / static_cast<double>(organs.size()),
-                    "Repairing " + organ.name);
+                    phrase("Repairing %1", organ.name));
     try {
       organ.mesh = std::make_shared<const geometry::TriangleMesh>(what.apply(*organ.mesh, progress, {}));
     } catch (const DataError& error) {

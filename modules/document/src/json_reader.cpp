@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "viscera/core/error.h"
+#include "viscera/core/phrase.h"
 #include "viscera/core/text.h"
 
 namespace viscera::document {
@@ -53,7 +54,7 @@ ordered_json JsonReader::parse(const std::string& text) const {
     // nlohmann's "[json.exception...] parse error at line 3, column 5: ..." without its prefix.
     const std::string message = error.what();
     const std::size_t end = message.find("] ");
-    fail("It is not complete JSON: " + (end == message.npos ? message : message.substr(end + 2)), "");
+    fail(phrase("It is not complete JSON: %1", end == message.npos ? message : message.substr(end + 2)), "");
   }
   requireFormat(root);
   return root;
@@ -61,20 +62,17 @@ ordered_json JsonReader::parse(const std::string& text) const {
 
 void JsonReader::requireFormat(const ordered_json& root) const {
   if (!root.is_object() || root.value("format", ordered_json()) != format_.id)
-    fail("It is no " + std::string(format_.kind) + ": its \"format\" is not \"" + format_.id + "\"", "",
-         format_.advice);
+    fail(phrase("It is no %1: its \"format\" is not \"%2\"", format_.kind, format_.id), "", format_.advice);
   const ordered_json& version = field(root, "version", "");
   if (!version.is_number_integer() || version.get<std::int64_t>() < 1)
     fail("\"version\" is not a positive whole number", "");
   if (version.get<std::int64_t>() > format_.version)
-    fail("It is of version " + version.dump() + "; this program reads up to " +
-             std::to_string(format_.version),
-         "", "update Viscera");
+    fail(phrase("It is of version %1; this program reads up to %2", version.dump(), format_.version), "",
+         "update Viscera");
   for (const auto& [key, wanted] : {std::pair("coordinateSystem", "LPS"), std::pair("units", "mm")})
     if (root.contains(key) && root.at(key) != wanted)
-      fail("\"" + std::string(key) + "\" is " +
-               (root.at(key).is_string() ? root.at(key).dump() : root.at(key).type_name()) +
-               " instead of \"" + wanted + "\"",
+      fail(phrase("\"%1\" is %2 instead of \"%3\"", key,
+                  root.at(key).is_string() ? root.at(key).dump() : root.at(key).type_name(), wanted),
            "");
 }
 
@@ -82,21 +80,21 @@ const ordered_json& JsonReader::field(const ordered_json& object, const char* ke
                                       const std::string& place) const {
   const auto found = object.find(key);
   if (found == object.end())
-    fail("It has no \"" + std::string(key) + "\"", place);
+    fail(phrase("It has no \"%1\"", key), place);
   return *found;
 }
 
 std::string JsonReader::textOf(const ordered_json& object, const char* key, const std::string& place) const {
   const ordered_json& value = field(object, key, place);
   if (!value.is_string() || value.get_ref<const std::string&>().empty())
-    fail("\"" + std::string(key) + "\" is not a text", place);
+    fail(phrase("\"%1\" is not a text", key), place);
   return value.get<std::string>();
 }
 
 bool JsonReader::flagOf(const ordered_json& object, const char* key, const std::string& place) const {
   const ordered_json& value = field(object, key, place);
   if (!value.is_boolean())
-    fail("\"" + std::string(key) + "\" is neither true nor false", place);
+    fail(phrase("\"%1\" is neither true nor false", key), place);
   return value.get<bool>();
 }
 
@@ -129,7 +127,7 @@ const ordered_json& JsonReader::listOf(const ordered_json& object, const char* k
                                        const std::string& place) const {
   const ordered_json& list = field(object, key, place);
   if (!list.is_array())
-    fail("\"" + std::string(key) + "\" is not a list", place);
+    fail(phrase("\"%1\" is not a list", key), place);
   return list;
 }
 

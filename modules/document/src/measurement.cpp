@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "viscera/core/error.h"
+#include "viscera/core/phrase.h"
 #include "viscera/document/organ.h"
 
 namespace viscera::document {
@@ -82,7 +83,7 @@ std::optional<MeasurementKind> measurementKindFromName(const std::string& name) 
 
 MeasuredPoint surfacePoint(const Organ& organ, int triangle, const Vec3& weights) {
   if (triangle < 0 || triangle >= organ.mesh->triangles.rows())
-    throw DataError("there is no triangle " + std::to_string(triangle), organ.name,
+    throw DataError(phrase("there is no triangle %1", triangle), organ.name,
                     "pick the point on the surface again");
   if (!(weights.minCoeff() >= -kWeightTolerance && std::abs(weights.sum() - 1) <= kWeightTolerance))
     throw DataError("the weights of a measured point are no place in its triangle", organ.name,

@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "viscera/core/phrase.h"
 #include "viscera/document/edit.h"
 
 namespace viscera::document {
@@ -57,7 +58,7 @@ Command addMeasurement(std::vector<MeasuredPoint> points, std::string name) {
 
 Command addMeasurement(Measurement wanted) {
   return edit::onPart(
-      "Measure " + nameOf(wanted.kind), &DocumentState::measurements,
+      phrase("Measure %1", nameOf(wanted.kind)), &DocumentState::measurements,
       [wanted = std::move(wanted)](MeasurementList& measurements, const DocumentState& state, IdSource& ids) {
         if (wanted.points.size() != pointCount(wanted.kind))
           throw UsageError("An angle needs three points, any other measurement two");
@@ -102,7 +103,7 @@ Command renameMeasurement(MeasurementId measurement, std::string name) {
 }
 
 Command removeMeasurements(std::vector<MeasurementId> ids) {
-  const std::string name = edit::counted("Remove", ids.size(), kKind);
+  const std::string name = phrase("Remove {measurement|%n measurements}", ids.size());
   return edit::onPart(
       name, &DocumentState::measurements,
       [ids = std::move(ids)](MeasurementList& measurements) { edit::remove(measurements, ids, kKind); });

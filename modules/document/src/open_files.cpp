@@ -12,6 +12,7 @@
 
 #include "organ_source.h"
 #include "viscera/core/error.h"
+#include "viscera/core/phrase.h"
 #include "viscera/geometry/convex_hull.h"
 #include "viscera/medical_io/heart_labels.h"
 #include "viscera/medical_io/scan.h"
@@ -74,13 +75,13 @@ void requireKnown(const std::filesystem::path& file) {
   for (const auto* list : {&extensions, &medical_io::labelMapExtensions()})
     for (const std::string& extension : *list)
       known += ", " + extension;
-  throw UsageError("This kind of file is not supported", file.string(), "use one of " + known);
+  throw UsageError("This kind of file is not supported", file.string(), phrase("use one of %1", known));
 }
 
 void addWarnings(std::vector<std::string>& all, const std::filesystem::path& file,
                  const std::vector<std::string>& warnings) {
   for (const std::string& warning : warnings)
-    all.push_back(file.filename().string() + ": " + warning);
+    all.push_back(phrase("%1: %2", file.filename().string(), warning));
 }
 
 /// "LV" for "lv", "Outer wall" for "outer wall": the definitions' names are written small.
@@ -256,7 +257,8 @@ void addFile(OpenedFiles& opened, const std::filesystem::path& file, Progress& p
     const auto before = static_cast<int>(opened.organs.size());
     for (NewOrgan& item : readLabelBatch(file, {}, progress, arrives)) {
       for (const std::string& warning : item.organ.warnings)
-        opened.warnings.push_back(file.filename().string() + ": " + item.organ.name + ": " + warning);
+        opened.warnings.push_back(
+            phrase("%1: %2", phrase("%1: %2", file.filename().string(), item.organ.name), warning));
       if (item.parentInBatch >= 0)
         item.parentInBatch += before;
       opened.organs.push_back(std::move(item));
@@ -297,8 +299,8 @@ OpenedFiles openFiles(const std::vector<std::filesystem::path>& named, Progress&
   }
   if (first && opened.organs.empty() && !opened.rig)
     std::rethrow_exception(first);
-  opened.name = files.size() == 1 ? "Open " + files.front().filename().string()
-                                  : "Open " + std::to_string(files.size()) + " files";
+  opened.name = files.size() == 1 ? phrase("Open %1", files.front().filename().string())
+                                  : phrase("Open %n {file|files}", files.size());
   progress.report(1);
   return opened;
 }
@@ -327,23 +329,23 @@ NewRig rigFrom(const medical_io::HandleFile& file, const std::string& where) {
             {p, std::nullopt, record.label, record.description, record.locked, record.visible});
       if (!inList.insert(found->second).second)
         throw DataError("Two handles are at one place",
-                        where + ", handles " + rig.handles[static_cast<std::size_t>(found->second)].label +
-                            " and " + record.label,
+                        phrase("%1, handles %2 and %3", where,
+                               rig.handles[static_cast<std::size_t>(found->second)].label, record.label),
                         "remove one of them from the file");
       group.handles.push_back(found->second);
     }
     rig.groups.push_back(std::move(group));
   }
   if (rig.handles.size() < kFewestHandles)
-    throw DataError("coordinates need at least four handles, there are " + std::to_string(rig.handles.size()),
-                    where, "add handles, or place them automatically");
+    throw DataError(phrase("coordinates need at least four handles, there are %1", rig.handles.size()), where,
+                    "add handles, or place them automatically");
   Points positions(static_cast<Eigen::Index>(rig.handles.size()), 3);
   for (std::size_t i = 0; i < rig.handles.size(); ++i)
     positions.row(static_cast<Eigen::Index>(i)) = rig.handles[i].rest.transpose();
   try {
     geometry::ConvexHull hull(positions);
   } catch (const DataError& error) {
-    throw DataError("the handles enclose nothing: " + error.problem(), where, error.tryThis());
+    throw DataError(phrase("the handles enclose nothing: %1", error.problem()), where, error.tryThis());
   }
   return rig;
 }

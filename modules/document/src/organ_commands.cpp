@@ -4,6 +4,7 @@
 #include <set>
 #include <utility>
 
+#include "viscera/core/phrase.h"
 #include "viscera/core/text.h"
 #include "viscera/document/edit.h"
 #include "viscera/geometry/close_holes.h"
@@ -110,8 +111,7 @@ Organ withoutHoles(const Organ& open) {
   std::erase_if(warnings, [&outdated](const std::string& warning) {
     return std::find(outdated.begin(), outdated.end(), warning) != outdated.end();
   });
-  warnings.push_back(
-      edit::counted("its surface was closed by", static_cast<std::size_t>(filled.holes), "cap"));
+  warnings.push_back(phrase("its surface was closed by %n {cap|caps}", filled.holes));
   warnings.insert(warnings.end(), closed.warnings.begin(), closed.warnings.end());
   closed.warnings = std::move(warnings);
   return closed;
@@ -120,15 +120,15 @@ Organ withoutHoles(const Organ& open) {
 } // namespace
 
 Command addOrgans(std::vector<NewOrgan> organs) {
-  const std::string name =
-      organs.size() == 1 ? "Add " + organs.front().organ.name : edit::counted("Add", organs.size(), "organ");
+  const std::string name = organs.size() == 1 ? phrase("Add %1", organs.front().organ.name)
+                                              : phrase("Add %n {organ|organs}", organs.size());
   return {name, [organs = std::move(organs)](const DocumentState& state, IdSource& ids) {
             return added(state, ids, organs);
           }};
 }
 
 Command removeOrgans(std::vector<OrganId> organs) {
-  const std::string name = edit::counted("Remove", organs.size(), "organ");
+  const std::string name = phrase("Remove {organ|%n organs}", organs.size());
   return {name, [organs = std::move(organs)](const DocumentState& state, IdSource&) {
             return removed(state, organs);
           }};
@@ -153,9 +153,10 @@ Command setOrganLook(OrganId organ, OrganLook look) {
 Command setVolumeLocked(OrganId organ, bool locked) {
   return onOrgan(locked ? "Lock volume" : "Unlock volume", organ, [locked](Organ& changed) {
     if (locked && !changed.closed())
-      throw DataError("the surface is open (" + std::to_string(changed.boundaryEdges) +
-                          " boundary edges), so it has no volume that could be locked",
-                      changed.name, "close its holes first");
+      throw DataError(
+          phrase("the surface is open (%n boundary {edge|edges}), so it has no volume that could be locked",
+                 changed.boundaryEdges),
+          changed.name, "close its holes first");
     changed.volumeLocked = locked;
   });
 }

@@ -9,6 +9,7 @@
 #include <QFile>
 
 #include "viscera/core/error.h"
+#include "viscera/core/phrase.h"
 #include "viscera/document/open_files.h"
 
 namespace viscera::document {
@@ -120,7 +121,7 @@ Organ SampleMaker::make(const std::string& sample, const std::string& surface, P
   for (const NewOrgan& organ : made->second)
     if (organ.organ.origin.surface == surface)
       return organ.organ;
-  throw UsageError("It has no surface \"" + surface + "\"", "sample:" + sample);
+  throw UsageError(phrase("It has no surface \"%1\"", surface), "sample:" + sample);
 }
 
 std::vector<geometry::NamedPlace> SampleMaker::placesOf(const std::string& sample,

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "viscera/core/phrase.h"
 #include "viscera/core/text.h"
 #include "viscera/document/edit.h"
 
@@ -84,14 +85,14 @@ Command replaceKey(KeyId key) {
 }
 
 Command removeKeys(std::vector<KeyId> keys) {
-  const std::string name = edit::counted("Remove", keys.size(), kKind);
+  const std::string name = phrase("Remove {key|%n keys}", keys.size());
   return edit::onPart(name, &DocumentState::recording, [keys = std::move(keys)](Recording& recording) {
     edit::remove(recording.keys, keys, kKind);
   });
 }
 
 Command setEasing(std::vector<KeyId> keys, sequences::Easing easing) {
-  return edit::onPart("Easing " + nameOf(easing), &DocumentState::recording,
+  return edit::onPart(phrase("Easing %1", nameOf(easing)), &DocumentState::recording,
                       [keys = std::move(keys), easing](Recording& recording) {
                         for (const KeyId key : keys)
                           edit::require(recording.keys, key, kKind).easing = easing;

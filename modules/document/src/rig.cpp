@@ -4,6 +4,8 @@
 #include <map>
 #include <set>
 
+#include "viscera/core/phrase.h"
+
 namespace viscera::document {
 namespace {
 
@@ -63,8 +65,8 @@ int Rig::cornerCount() const {
 std::string describe(const Rig& rig, const std::vector<HandleId>& handles) {
   if (handles.size() == 1)
     if (const int row = rig.indexOf(handles.front()); row >= 0)
-      return "handle " + rig.handles[static_cast<std::size_t>(row)].label;
-  return std::to_string(handles.size()) + (handles.size() == 1 ? " handle" : " handles");
+      return phrase("handle %1", rig.handles[static_cast<std::size_t>(row)].label);
+  return phrase("%n {handle|handles}", handles.size());
 }
 
 coordinates::HandleSet handleSet(const Rig& rig) {

@@ -4,6 +4,7 @@
 #include <set>
 #include <utility>
 
+#include "viscera/core/phrase.h"
 #include "viscera/core/text.h"
 #include "viscera/deformation/place_handles.h"
 #include "viscera/document/edit.h"
@@ -157,12 +158,15 @@ std::string nameOf(const HandleEdit& change, std::size_t count) {
   if (change.label)
     return "Rename handle";
   if (change.locked)
-    return edit::counted(*change.locked ? "Lock" : "Unlock", count, "handle");
+    return *change.locked ? phrase("Lock {handle|%n handles}", count)
+                          : phrase("Unlock {handle|%n handles}", count);
   if (change.compensates)
-    return edit::counted(*change.compensates ? "Compensate with" : "Stop compensating with", count, "handle");
+    return *change.compensates ? phrase("Compensate with {handle|%n handles}", count)
+                               : phrase("Stop compensating with {handle|%n handles}", count);
   if (change.visible)
-    return edit::counted(*change.visible ? "Show" : "Hide", count, "handle");
-  return edit::counted("Describe", count, "handle");
+    return *change.visible ? phrase("Show {handle|%n handles}", count)
+                           : phrase("Hide {handle|%n handles}", count);
+  return phrase("Describe {handle|%n handles}", count);
 }
 
 } // namespace
@@ -175,7 +179,7 @@ std::vector<NewHandle> newHandles(const Points& positions) {
 }
 
 Command addHandles(std::vector<NewHandle> handles, GroupId group) {
-  const std::string name = edit::counted("Add", handles.size(), "handle");
+  const std::string name = phrase("Add {handle|%n handles}", handles.size());
   return {name, [handles = std::move(handles), group](const DocumentState& state, IdSource& ids) {
             Rig rig = *state.rig;
             Points pose = *state.pose;
@@ -200,14 +204,14 @@ Command addEnclosingGroup(OrganId organ, std::vector<int> vertices) {
 }
 
 Command removeHandles(std::vector<HandleId> handles) {
-  const std::string name = edit::counted("Remove", handles.size(), "handle");
+  const std::string name = phrase("Remove {handle|%n handles}", handles.size());
   return {name, [handles = std::move(handles)](const DocumentState& state, IdSource&) {
             return withoutHandles(state, handles);
           }};
 }
 
 Command moveRestHandles(std::vector<HandleId> handles, Points positions) {
-  const std::string name = edit::counted("Move", handles.size(), "handle") + " at rest";
+  const std::string name = phrase("Move {handle|%n handles} at rest", handles.size());
   return {name,
           [handles = std::move(handles), positions = std::move(positions)](
               const DocumentState& state, IdSource&) { return movedAtRest(state, handles, positions); }};
@@ -235,7 +239,7 @@ Command editHandles(std::vector<HandleId> handles, HandleEdit change) {
 }
 
 Command moveHandles(std::vector<HandleId> handles, Points positions) {
-  const std::string name = edit::counted("Move", handles.size(), "handle");
+  const std::string name = phrase("Move {handle|%n handles}", handles.size());
   return edit::onPart(name, &DocumentState::pose,
                       [handles = std::move(handles), positions = std::move(positions)](
                           Points& pose, const DocumentState& state, IdSource&) {
@@ -248,9 +252,8 @@ Command moveHandles(std::vector<HandleId> handles, Points positions) {
 Command setPose(Points pose, std::string name) {
   return edit::onPart(std::move(name), &DocumentState::pose, [pose = std::move(pose)](Points& now) {
     if (pose.rows() != now.rows())
-      throw DataError("The pose has " + std::to_string(pose.rows()) + " handles, the document " +
-                          std::to_string(now.rows()),
-                      {}, "use a pose of the same handles");
+      throw DataError(phrase("The pose has %1 handles, the document %2", pose.rows(), now.rows()), {},
+                      "use a pose of the same handles");
     now = pose;
   });
 }
@@ -266,14 +269,14 @@ void requireFits(const Rig& rig, const sequences::Sequence& sequence) {
   const Points rest = rig.restPositions();
   const std::string advice = "take the sequence's own handles";
   if (own.rows() != rest.rows())
-    throw DataError("The sequence moves " + std::to_string(own.rows()) + " handles, but there are " +
-                        std::to_string(rest.rows()),
+    throw DataError(phrase("The sequence moves %1 handles, but there are %2", own.rows(), rest.rows()),
                     sequence.name(), advice);
   const double size = std::max(boundsOf(own).diagonal(), 1.0);
   for (Eigen::Index i = 0; i < rest.rows(); ++i)
     if (!((own.row(i) - rest.row(i)).norm() <= kSameRest * size))
-      throw DataError("The sequence was made for another place of a handle",
-                      sequence.name() + ", handle " + rig.handles[static_cast<std::size_t>(i)].label, advice);
+      throw DataError(
+          "The sequence was made for another place of a handle",
+          phrase("%1, handle %2", sequence.name(), rig.handles[static_cast<std::size_t>(i)].label), advice);
 }
 
 NewRig rigOf(const sequences::Sequence& sequence) {

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "viscera/core/error.h"
+#include "viscera/core/phrase.h"
 #include "viscera/document/scan_item.h"
 #include "viscera/medical_io/label_map.h"
 
@@ -91,7 +92,7 @@ std::string listed(const std::vector<std::string>& names) {
   std::string list;
   for (std::size_t i = 0; i < std::min(kNamed, names.size()); ++i)
     list += (i > 0 ? ", " : "") + names[i];
-  return names.size() > kNamed ? list + " and " + std::to_string(names.size() - kNamed) + " more" : list;
+  return names.size() > kNamed ? phrase("%1 and %2 more", list, names.size() - kNamed) : list;
 }
 
 } // namespace
@@ -114,13 +115,13 @@ std::vector<std::string> scanFit(const DocumentState& state) {
       outside.push_back(organ->name);
   }
   if (!otherGrid.empty())
-    sentences.push_back("The label map of " + listed(otherGrid) + " has another grid (" + grid +
-                        ") than the scan (" + described(scan.size, scan.indexToLps) +
-                        "); each lies where its file says, and nothing is resampled");
+    sentences.push_back(phrase("The label map of %1 has another grid (%2) than the scan (%3); each lies "
+                               "where its file says, and nothing is resampled",
+                               listed(otherGrid), grid, described(scan.size, scan.indexToLps)));
   if (!outside.empty())
-    sentences.push_back(listed(outside) + (outside.size() == 1 ? " lies" : " lie") +
-                        " outside of the scan; look whether both are of one patient and their files agree on "
-                        "the axes (RAS or LPS)");
+    sentences.push_back(phrase("%2 {lies|lie} outside of the scan; look whether both are of one patient and "
+                               "their files agree on the axes (RAS or LPS)",
+                               outside.size(), listed(outside)));
   return sentences;
 }
 

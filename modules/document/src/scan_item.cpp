@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "viscera/core/error.h"
+#include "viscera/core/phrase.h"
 #include "viscera/medical_io/label_map.h"
 
 namespace viscera::document {
@@ -90,7 +91,7 @@ std::optional<ScanItem> takeScan(std::vector<std::filesystem::path>& files, Prog
 }
 
 Command openScan(ScanItem item) {
-  const std::string name = "Open scan " + item.name;
+  const std::string name = phrase("Open scan %1", item.name);
   auto shared = std::make_shared<const ScanItem>(std::move(item));
   return {name, [shared](DocumentState state, IdSource&) {
             state.scan = shared;

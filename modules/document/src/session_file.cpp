@@ -14,6 +14,7 @@
 #include "stored_surface.h"
 #include "viscera/core/atomic_file.h"
 #include "viscera/core/error.h"
+#include "viscera/core/phrase.h"
 #include "viscera/document/open_files.h"
 #include "viscera/document/validate.h"
 
@@ -194,8 +195,8 @@ public:
       readSessionScan(reader_, root.at("scan"), folder_, opened_, progress_);
     reader_.requireValid(contents.state, cheap);
     for (const std::string& key : reader_.unknownKeys())
-      opened_.warnings.push_back(reader_.where() + ": nothing is known about \"" + key +
-                                 "\"; it will not be saved again");
+      opened_.warnings.push_back(
+          phrase("%1: nothing is known about \"%2\"; it will not be saved again", reader_.where(), key));
     progress_.report(1);
     return std::move(opened_);
   }
@@ -239,7 +240,7 @@ private:
   void requireMeasuredOrgans(const std::set<OrganId>& organs) {
     eachMeasuredPoint([&](const MeasuredPoint& point, const std::string& place) {
       if (point.organ && !organs.count(point.organ))
-        reader_.fail("there is no organ " + std::to_string(point.organ.value), place + ".organ");
+        reader_.fail(phrase("there is no organ %1", point.organ.value), place + ".organ");
     });
   }
 
@@ -298,7 +299,7 @@ private:
                  SurfaceFinding& finding) {
     geometry::TriangleMesh mesh = surfaceFrom(reader_, item.at("surface"), place + ".surface");
     if (surfaceHash(mesh) != hash)
-      reader_.fail("It is damaged: its SHA-256 is not " + hash, place + ".surface");
+      reader_.fail(phrase("It is damaged: its SHA-256 is not %1", hash), place + ".surface");
     Organ organ;
     try {
       organ = makeOrgan(place, std::move(mesh));
@@ -356,7 +357,7 @@ private:
                                                        : fromSample(origin.sample, origin.surface, finding);
     if (organ && finding.state != State::changed && surfaceHash(*organ->mesh) != hash) {
       finding.state = State::changed;
-      warn(finding.organ, finding.source + " gives another surface than the one that was saved");
+      warn(finding.organ, phrase("%1 gives another surface than the one that was saved", finding.source));
     }
     return organ;
   }
@@ -373,8 +374,9 @@ private:
     const auto found = findFile(source, folder_);
     if (!found) {
       finding.state = State::missing;
-      warn(finding.organ, "its file " + finding.source +
-                              " is not there any more (put it beside the session and open that again)");
+      warn(finding.organ,
+           phrase("its file %1 is not there any more (put it beside the session and open that again)",
+                  finding.source));
       return std::nullopt;
     }
     finding.source = found->file.string();
@@ -382,10 +384,10 @@ private:
     const bool expected = found->file == (folder_ / source.relative).lexically_normal();
     if (organ && !found->same) {
       finding.state = State::changed;
-      warn(finding.organ, finding.source + " has changed since the session was saved");
+      warn(finding.organ, phrase("%1 has changed since the session was saved", finding.source));
     } else if (organ && !expected) {
       finding.state = State::moved;
-      warn(finding.organ, "its file was found as " + finding.source);
+      warn(finding.organ, phrase("its file was found as %1", finding.source));
     }
     return organ;
   }
@@ -398,13 +400,13 @@ private:
       throw;
     } catch (const Error& error) {
       finding.state = State::missing;
-      warn(finding.organ, "cannot be opened: " + std::string(error.what()));
+      warn(finding.organ, phrase("cannot be opened: %1", error.what()));
       return std::nullopt;
     }
   }
 
   void warn(const std::string& organ, const std::string& problem) {
-    opened_.warnings.push_back(organ + ": " + problem);
+    opened_.warnings.push_back(phrase("%1: %2", organ, problem));
   }
 
   SessionReader reader_;
@@ -437,7 +439,7 @@ OpenedSession readSession(const fs::path& file, const sample_organs::SampleLibra
 void writeSession(const fs::path& file, const SessionContents& contents, Progress& progress) {
   if (!isSessionFile(file))
     throw CannotCreateError("the name of a session file ends in .viscera", file.string(),
-                            "name it " + file.filename().string() + std::string(kEnding));
+                            phrase("name it %1", file.filename().string() + std::string(kEnding)));
   const fs::path folder = fs::absolute(file).parent_path();
   const DocumentState& state = contents.state;
   validate(state);

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "viscera/core/error.h"
+#include "viscera/core/phrase.h"
 #include "viscera/document/validate.h"
 #include "viscera/slices/slice_frame.h"
 
@@ -191,7 +192,7 @@ std::string SessionReader::optionalText(const ordered_json& object, const char* 
   if (found == object.end())
     return {};
   if (!found->is_string())
-    fail("\"" + std::string(key) + "\" is not a text", place);
+    fail(phrase("\"%1\" is not a text", key), place);
   return found->get<std::string>();
 }
 
@@ -209,7 +210,7 @@ AnyId SessionReader::newId(const ordered_json& object, const std::string& place)
   if (!id || id.value > kLargestId)
     fail("its id is not a whole number from 1 to 2^52", place);
   if (!ids_.insert(id.value).second)
-    fail("the id " + std::to_string(id.value) + " comes twice", place);
+    fail(phrase("the id %1 comes twice", id.value), place);
   return id;
 }
 
@@ -317,7 +318,7 @@ RecordedKey SessionReader::readKey(const ordered_json& item, const std::string& 
     takeObject(list[i], {"handle", "by"}, inList);
     const HandleId handle{wholeOf(field(list[i], "handle", inList), inList + ".handle")};
     if (!key.displacements.emplace(handle, vectorOf(field(list[i], "by", inList), inList + ".by")).second)
-      fail("the handle " + std::to_string(handle.value) + " comes twice", inList);
+      fail(phrase("the handle %1 comes twice", handle.value), inList);
   }
   return key;
 }

@@ -5,6 +5,7 @@
 
 #include "stored_scan.h"
 #include "viscera/core/error.h"
+#include "viscera/core/phrase.h"
 
 namespace viscera::document {
 namespace {
@@ -63,12 +64,12 @@ void readSessionScan(SessionReader& reader, const ordered_json& item, const fs::
   }
   const auto missing = [&](const std::string& problem) {
     opened.contents.missingScan = item.dump();
-    opened.warnings.push_back(name + ": " + problem);
+    opened.warnings.push_back(phrase("%1: %2", name, problem));
   };
   const auto file = findScan(relative, absolute, folder);
   if (!file)
-    return missing("the scan " + absolute.string() +
-                   " is not there any more (put it beside the session and open that again)");
+    return missing(phrase("the scan %1 is not there any more (put it beside the session and open that again)",
+                          absolute.string()));
   try {
     ScanItem scan = openScanFile(*file, options, progress);
     scan.name = name;
@@ -76,7 +77,7 @@ void readSessionScan(SessionReader& reader, const ordered_json& item, const fs::
   } catch (const Cancelled&) {
     throw;
   } catch (const Error& error) {
-    missing("the scan cannot be opened: " + std::string(error.what()));
+    missing(phrase("the scan cannot be opened: %1", error.what()));
   }
 }
 

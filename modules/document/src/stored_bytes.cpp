@@ -7,6 +7,7 @@
 #include <zlib.h>
 
 #include "viscera/core/error.h"
+#include "viscera/core/phrase.h"
 
 namespace viscera::document {
 namespace {
@@ -23,7 +24,7 @@ constexpr int kEffort = Z_BEST_SPEED;
 
 std::string packed(std::string_view bytes, const char* what) {
   if (static_cast<std::int64_t>(bytes.size()) > kLargest)
-    throw CannotCreateError(std::string(what) + " of more than 1 GB cannot be kept in a session file", {},
+    throw CannotCreateError(phrase("%1 of more than 1 GB cannot be kept in a session file", what), {},
                             "save it as a file of its own first");
   uLongf size = compressBound(bytes.size());
   QByteArray compressed(static_cast<int>(size), Qt::Uninitialized);
@@ -50,13 +51,13 @@ void unpack(const JsonReader& reader, const nlohmann::ordered_json& stored, cons
     reader.fail("It is not base64", where);
   const QByteArray& compressed = decoded.decoded;
   if (bytes / kMostCompression > compressed.size())
-    reader.fail("It holds less than " + holds, where);
+    reader.fail(phrase("It holds less than %1", holds), where);
   auto size = static_cast<uLongf>(bytes);
   const int outcome = uncompress(static_cast<Bytef*>(reserve()), &size,
                                  reinterpret_cast<const Bytef*>(compressed.constData()),
                                  static_cast<uLong>(compressed.size()));
   if (outcome != Z_OK || size != static_cast<uLongf>(bytes))
-    reader.fail("It is damaged: it does not hold " + holds, where);
+    reader.fail(phrase("It is damaged: it does not hold %1", holds), where);
 }
 
 } // namespace viscera::document

@@ -10,6 +10,8 @@
 
 #include "stored_bytes.h"
 
+#include "viscera/core/phrase.h"
+
 namespace viscera::document {
 namespace {
 
@@ -78,7 +80,7 @@ public:
     const std::string type = reader_.textOf(stored_, "type", place_);
     if (!readSamples<std::int8_t, std::uint8_t, std::int16_t, std::uint16_t, std::int32_t, std::uint32_t,
                      float>(type))
-      reader_.fail("There is no type of samples \"" + type + "\"", place_);
+      reader_.fail(phrase("There is no type of samples \"%1\"", type), place_);
     return std::move(scan_);
   }
 
@@ -96,7 +98,7 @@ private:
     for (std::size_t k = 0; k < 3; ++k) {
       const std::int64_t count = reader_.wholeOf(size[k], at("size"));
       if (count < 1 || count > kLongestSide)
-        reader_.fail("No scan has " + std::to_string(count) + " voxels along an axis", at("size"));
+        reader_.fail(phrase("No scan has %1 voxels along an axis", count), at("size"));
       scan_.size[k] = static_cast<int>(count);
       if (!rows[k].is_array() || rows[k].size() != 4)
         reader_.fail("A row has four numbers", at("indexToLps"));
@@ -152,7 +154,7 @@ private:
     // No overflow: a side has at most a million voxels, and 10^18 samples of four bytes are 4 * 10^18.
     const auto voxels = static_cast<std::int64_t>(scan_.voxelCount());
     unpack(reader_, stored_, "samples", place_, voxels * std::int64_t{sizeof(Sample)},
-           std::to_string(voxels) + " voxels", [this, voxels]() -> void* {
+           phrase("%1 voxels", voxels), [this, voxels]() -> void* {
              auto& samples = scan_.samples.emplace<std::vector<Sample>>();
              samples.resize(static_cast<std::size_t>(voxels));
              return samples.data();

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "viscera/coordinates/cage/cage.h"
+#include "viscera/core/phrase.h"
 #include "viscera/document/edit.h"
 #include "viscera/document/rig_commands.h"
 #include "viscera/geometry/self_intersections.h"
@@ -28,26 +29,26 @@ DocumentState withCage(const DocumentState& state, const GivenCage& cage, IdSour
 } // namespace
 
 Command setSystem(SystemChoice choice) {
-  return edit::onPart("Coordinates " + choice.id, &DocumentState::system,
+  return edit::onPart(phrase("Coordinates %1", choice.id), &DocumentState::system,
                       [choice](SystemChoice& system) { system = choice; });
 }
 
 Command setParameter(std::string name, double value) {
   return edit::onPart(
-      "Set " + name, &DocumentState::system,
+      phrase("Set %1", name), &DocumentState::system,
       [name, value](SystemChoice& system) { system.parameters.set(name, value); }, "parameter/" + name);
 }
 
 GivenCage readCage(const std::filesystem::path& file, Progress& progress) {
   geometry::TriangleMesh mesh = medical_io::readSurface(file).mesh;
   if (mesh.points.rows() > kMostCageVertices)
-    throw DataError("It has " + std::to_string(mesh.points.rows()) + " vertices", file.string(),
-                    "a cage is a coarse surface: take one of at most " + std::to_string(kMostCageVertices));
+    throw DataError(phrase("It has %n {vertex|vertices}", mesh.points.rows()), file.string(),
+                    phrase("a cage is a coarse surface: take one of at most %1 vertices", kMostCageVertices));
   coordinates::requireCage(mesh, file.string());
   const int crossings = geometry::countSelfIntersections(mesh, progress);
   if (crossings > 0)
-    throw DataError("It crosses itself, at " + std::to_string(crossings) + " pairs of triangles",
-                    file.string(), "move the vertices there apart, or take another cage");
+    throw DataError(phrase("It crosses itself, at %n {pair|pairs} of triangles", crossings), file.string(),
+                    "move the vertices there apart, or take another cage");
   geometry::orientOutward(mesh);
   return {file.filename().string(), std::make_shared<const geometry::TriangleMesh>(std::move(mesh))};
 }
@@ -59,7 +60,7 @@ bool standAt(const Rig& rig, const geometry::TriangleMesh& cage) {
 }
 
 Command takeCage(GivenCage cage) {
-  return {"Take the cage " + cage.name,
+  return {phrase("Take the cage %1", cage.name),
           [cage](const DocumentState& state, IdSource& ids) { return withCage(state, cage, ids); }};
 }
 

@@ -8,6 +8,7 @@
 
 #include "viscera/circulation/scenario.h"
 #include "viscera/core/error.h"
+#include "viscera/core/phrase.h"
 #include "viscera/core/text.h"
 
 namespace viscera::document {
@@ -36,9 +37,9 @@ void requireColor(const Vec3& color, const std::string& where) {
 template <class Place>
 void requirePlace(const Place& place, const char* which, const std::string& where) {
   if (!place.allFinite())
-    throw DataError(std::string(which) + " is not a finite number", where);
+    throw DataError(phrase("%1 is not a finite number", which), where);
   if (!(place.array().abs() <= kFarthestMm).all())
-    throw DataError(std::string(which) + " is farther away than a thousand kilometres", where,
+    throw DataError(phrase("%1 is farther away than a thousand kilometres", which), where,
                     "check its unit; coordinates are in mm");
 }
 
@@ -53,22 +54,22 @@ void validateIds(const DocumentState& state) {
     require(taken.insert(id).second, "its id is another thing's, too", where);
   };
   for (const auto& organ : *state.organs)
-    take(organ->id.value, "organ " + organ->name);
+    take(organ->id.value, phrase("organ %1", organ->name));
   for (const Handle& handle : state.rig->handles)
-    take(handle.id.value, "handle " + handle.label);
+    take(handle.id.value, phrase("handle %1", handle.label));
   for (const Group& group : state.rig->groups)
-    take(group.id.value, "group " + group.name);
+    take(group.id.value, phrase("group %1", group.name));
   for (const RecordedKey& key : state.recording->keys) {
     take(key.id.value, "a recorded key");
     for (const auto& [handle, moved] : key.displacements)
       requireId(handle.value, "a handle of a recorded key");
   }
   for (const Measurement& measurement : *state.measurements)
-    take(measurement.id.value, "measurement " + measurement.name);
+    take(measurement.id.value, phrase("measurement %1", measurement.name));
 }
 
 void validateOrgan(const Organ& organ, const DocumentState& known) {
-  const std::string where = "organ " + organ.name;
+  const std::string where = phrase("organ %1", organ.name);
   requireName(organ.name, where);
   requireColor(organ.look.color, where);
   require(organ.look.opacity >= 0 && organ.look.opacity <= 1, "its opacity does not lie between 0 and 1",
@@ -88,7 +89,7 @@ void validateOrgans(const DocumentState& state, const DocumentState& known) {
     if (known.organ(organ->id) != organ)
       validateOrgan(*organ, known);
     require(earlier.count(organ->parent) > 0, "the organ that it is a cavity of is not before it",
-            "organ " + organ->name);
+            phrase("organ %1", organ->name));
     earlier.insert(organ->id);
   }
 }
@@ -104,8 +105,8 @@ void requireApart(const Rig& rig) {
     for (std::size_t j = i + 1; j < order.size() && rest(order[j], 0) - rest(order[i], 0) <= apart; ++j)
       if ((rest.row(order[i]) - rest.row(order[j])).norm() <= apart)
         throw DataError("two handles are at one place",
-                        "handles " + rig.handles[static_cast<std::size_t>(order[i])].label + " and " +
-                            rig.handles[static_cast<std::size_t>(order[j])].label,
+                        phrase("handles %1 and %2", rig.handles[static_cast<std::size_t>(order[i])].label,
+                               rig.handles[static_cast<std::size_t>(order[j])].label),
                         "move or remove one of them");
 }
 
@@ -113,7 +114,7 @@ void validateRig(const Rig& rig) {
   std::map<HandleId, int> rows;
   std::set<std::string> labels, names;
   for (const Handle& handle : rig.handles) {
-    const std::string where = "handle " + handle.label;
+    const std::string where = phrase("handle %1", handle.label);
     requireName(handle.label, where);
     require(labels.insert(handle.label).second, "two handles have this label", where, "choose another one");
     require(isUtf8(handle.description), "its description is not UTF-8", where);
@@ -121,7 +122,7 @@ void validateRig(const Rig& rig) {
     rows.emplace(handle.id, static_cast<int>(rows.size()));
   }
   for (const Group& group : rig.groups) {
-    const std::string where = "group " + group.name;
+    const std::string where = phrase("group %1", group.name);
     requireName(group.name, where);
     require(names.insert(group.name).second, "two groups have this name", where, "choose another one");
     requireColor(group.color, where);
@@ -147,14 +148,14 @@ void validatePose(const DocumentState& state) {
           "the pose has another number of handles than the document", "pose");
   for (std::size_t i = 0; i < state.rig->handles.size(); ++i)
     requirePlace(state.pose->row(static_cast<Eigen::Index>(i)), "its position",
-                 "handle " + state.rig->handles[i].label);
+                 phrase("handle %1", state.rig->handles[i].label));
 }
 
 void validateSystem(const SystemChoice& system) {
   requireName(system.id, "coordinates");
   for (const auto& [name, value] : system.parameters.all()) {
     require(isUtf8(name), "its name is not UTF-8", "parameter");
-    require(std::isfinite(value), "its value is not a finite number", "parameter " + name);
+    require(std::isfinite(value), "its value is not a finite number", phrase("parameter %1", name));
   }
 }
 
@@ -164,7 +165,7 @@ void validateRecording(const Recording& recording) {
           "the period is not a positive number of seconds", recording.name);
   double earliest = 0;
   for (const RecordedKey& key : recording.keys) {
-    const std::string where = recording.name + ", key at " + std::to_string(key.seconds) + " s";
+    const std::string where = phrase("%1, key at %2 s", recording.name, std::to_string(key.seconds));
     require(&key == recording.keys.data() ? key.seconds >= 0
                                           : key.seconds - earliest >= sequences::kShortestSpan,
             "it is not a millisecond at least behind the key before it", where,
@@ -179,7 +180,7 @@ void validateRecording(const Recording& recording) {
 
 void validateMeasurements(const DocumentState& state) {
   for (const Measurement& measurement : *state.measurements) {
-    const std::string where = "measurement " + measurement.name;
+    const std::string where = phrase("measurement %1", measurement.name);
     requireName(measurement.name, where);
     require(measurement.points.size() == pointCount(measurement.kind),
             "an angle has three points, any other measurement two", where);

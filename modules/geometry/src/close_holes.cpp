@@ -8,6 +8,7 @@
 
 #include "edge_uses.h"
 #include "viscera/core/error.h"
+#include "viscera/core/phrase.h"
 
 namespace viscera::geometry {
 namespace {
@@ -36,7 +37,7 @@ Loop takeLoop(OpenEdges& open) {
     const auto next = open.find(path.back());
     if (next == open.end())
       throw DataError("the triangles beside a hole do not all run the same way round, so it cannot be closed",
-                      "vertex " + std::to_string(path.back()), "repair the surface in another program first");
+                      phrase("vertex %1", path.back()), "repair the surface in another program first");
     const std::int32_t vertex = next->second;
     open.erase(next);
     const auto met = std::find(path.begin(), path.end(), vertex);

@@ -14,6 +14,7 @@ extern "C" {
 #include <Eigen/Eigenvalues>
 
 #include "viscera/core/error.h"
+#include "viscera/core/phrase.h"
 
 namespace viscera::geometry {
 namespace {
@@ -63,10 +64,10 @@ constexpr double kFlat = 1e-9;
 
 void requireUsable(const Points& points) {
   if (points.rows() < 4)
-    throw DataError("a convex hull needs at least 4 points, there are " + std::to_string(points.rows()));
+    throw DataError(phrase("a convex hull needs at least 4 points, there are %1", points.rows()));
   for (Eigen::Index i = 0; i < points.rows(); ++i)
     if (!points.row(i).allFinite())
-      throw DataError("point " + std::to_string(i) + " has a coordinate that is not a finite number");
+      throw DataError(phrase("point %1 has a coordinate that is not a finite number", i));
   // The extent along the direction in which the points are thinnest.
   const Points centered = points.rowwise() - points.colwise().mean();
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(centered.transpose() * centered);
@@ -115,9 +116,8 @@ Tetrahedra delaunayTetrahedra(const Points& points) {
     }
   }
   if (found.empty())
-    throw DataError("the Delaunay tetrahedra of " + std::to_string(points.rows()) +
-                        " points cannot be computed",
-                    {}, "points that coincide or are almost flat cause this");
+    throw DataError(phrase("the Delaunay tetrahedra of %1 points cannot be computed", points.rows()), {},
+                    "points that coincide or are almost flat cause this");
   Tetrahedra tetrahedra(static_cast<Eigen::Index>(found.size()), 4);
   for (std::size_t i = 0; i < found.size(); ++i)
     tetrahedra.row(static_cast<Eigen::Index>(i)) = found[i].transpose();
@@ -130,7 +130,7 @@ ConvexHull::ConvexHull(const Points& points) : diagonal_(boundsOf(points).diagon
   const Vec3 center = boundsOf(points).center();
   const auto facets = hullFacets(points.rowwise() - center.transpose());
   if (!facets)
-    throw DataError("the convex hull of " + std::to_string(points.rows()) + " points cannot be computed", {},
+    throw DataError(phrase("the convex hull of %1 points cannot be computed", points.rows()), {},
                     "points that coincide or are almost flat cause this");
   triangles_ = facets->triangles;
   std::vector<Eigen::Vector4d> planes;

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "viscera/core/error.h"
+#include "viscera/core/phrase.h"
 
 namespace viscera::geometry {
 namespace {
@@ -206,7 +207,7 @@ std::vector<Segment> segmentsOf(const Triangles& triangles, const std::vector<st
 std::vector<std::vector<PlaneCut>> cutSurfaces(const std::vector<SurfaceView>& surfaces,
                                                const std::vector<Plane>& planes, Threads threads) {
   if (planes.size() > kMostPlanes)
-    throw UsageError("Surfaces are cut by at most 8 planes at once, not by " + std::to_string(planes.size()));
+    throw UsageError(phrase("Surfaces are cut by at most 8 planes at once, not by %1", planes.size()));
   std::vector<Sides> sides(surfaces.size());
   for (std::size_t s = 0; s < surfaces.size(); ++s)
     sides[s].resize(static_cast<std::size_t>(surfaces[s].points->rows()));

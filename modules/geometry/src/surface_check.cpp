@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "edge_uses.h"
+#include "viscera/core/phrase.h"
 #include "viscera/geometry/connected_pieces.h"
 #include "viscera/geometry/volume.h"
 
@@ -40,10 +41,6 @@ int countDegenerate(const TriangleMesh& mesh) {
   return count;
 }
 
-std::string counted(int count, const std::string& one, const std::string& many) {
-  return std::to_string(count) + " " + (count == 1 ? one : many);
-}
-
 } // namespace
 
 SurfaceReport checkSurface(const TriangleMesh& mesh) {
@@ -59,17 +56,17 @@ SurfaceReport checkSurface(const TriangleMesh& mesh) {
 std::vector<std::string> faults(const SurfaceReport& report) {
   std::vector<std::string> list;
   if (report.boundaryEdges > 0)
-    list.push_back(counted(report.boundaryEdges, "boundary edge", "boundary edges") +
-                   ": the surface is open and has no volume");
+    list.push_back(
+        phrase("%n boundary {edge|edges}: the surface is open and has no volume", report.boundaryEdges));
   if (report.nonManifoldEdges > 0)
-    list.push_back(counted(report.nonManifoldEdges, "edge joins", "edges join") + " more than two triangles");
+    list.push_back(phrase("%n {edge joins|edges join} more than two triangles", report.nonManifoldEdges));
   if (report.misorientedEdges > 0)
-    list.push_back(counted(report.misorientedEdges, "edge lies", "edges lie") +
-                   " between triangles of opposite orientation");
+    list.push_back(phrase("%n {edge lies|edges lie} between triangles of opposite orientation",
+                          report.misorientedEdges));
   if (report.degenerateTriangles > 0)
-    list.push_back(counted(report.degenerateTriangles, "triangle has", "triangles have") + " no area");
+    list.push_back(phrase("%n {triangle has|triangles have} no area", report.degenerateTriangles));
   if (report.components > 1)
-    list.push_back("the surface consists of " + std::to_string(report.components) + " separate pieces");
+    list.push_back(phrase("the surface consists of %1 separate pieces", report.components));
   if (report.closed() && report.volumeMm3 < 0)
     list.push_back("the surface is inside out");
   return list;

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "viscera/core/error.h"
+#include "viscera/core/phrase.h"
 
 namespace viscera::geometry {
 namespace {
@@ -37,14 +38,13 @@ VertexTriangles vertexTriangles(Eigen::Index vertexCount, const Triangles& trian
 void requireValid(const TriangleMesh& mesh, const std::string& where) {
   for (Eigen::Index v = 0; v < mesh.points.rows(); ++v)
     if (!mesh.points.row(v).allFinite())
-      throw DataError("vertex " + std::to_string(v) + " has a coordinate that is not a finite number", where,
+      throw DataError(phrase("vertex %1 has a coordinate that is not a finite number", v), where,
                       "export the surface again");
   for (Eigen::Index t = 0; t < mesh.triangles.rows(); ++t)
     for (int k = 0; k < 3; ++k)
       if (mesh.triangles(t, k) < 0 || mesh.triangles(t, k) >= mesh.points.rows())
-        throw DataError("triangle " + std::to_string(t) + " refers to vertex " +
-                            std::to_string(mesh.triangles(t, k)) + ", but there are " +
-                            std::to_string(mesh.points.rows()),
+        throw DataError(phrase("triangle %1 refers to vertex %2, but there are %3", t, mesh.triangles(t, k),
+                               mesh.points.rows()),
                         where, "export the surface again");
 }
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "viscera/core/error.h"
+#include "viscera/core/phrase.h"
 #include "viscera/deformation/bind_organ.h"
 #include "viscera/document/validate.h"
 #include "viscera/geometry/convex_hull.h"
@@ -85,8 +86,8 @@ std::optional<BindingStatus> statusWithoutBinding(const BindingTarget& target) {
   if (count == 0)
     return BindingStatus{State::unbound};
   if (count < kFewestHandles)
-    return BindingStatus{State::unbound, "An organ needs at least four handles around it: add " +
-                                             std::to_string(kFewestHandles - count) + " more"};
+    return BindingStatus{State::unbound, phrase("An organ needs at least four handles around it: add %1 more",
+                                                kFewestHandles - count)};
   if (!target.system)
     return BindingStatus{State::failed, target.problem};
   return std::nullopt;
@@ -240,15 +241,14 @@ std::unique_ptr<BoundOrgans> BoundOrgans::copy() const {
 const BoundOrgan& BoundOrgans::require(document::OrganId id) const {
   const auto found = organs.find(id);
   if (found == organs.end())
-    throw UsageError("There is no such organ any more", "organ " + std::to_string(id.value));
+    throw UsageError("There is no such organ any more", phrase("organ %1", id.value));
   return found->second;
 }
 
 void BoundOrgans::requirePose(const Points& pose) const {
   const auto handles = static_cast<Eigen::Index>(target->ids.size());
   if (pose.rows() != handles)
-    throw DataError("The pose has " + std::to_string(pose.rows()) + " handles, the document " +
-                    std::to_string(handles));
+    throw DataError(phrase("The pose has %1 handles, the document %2", pose.rows(), handles));
   if (!(pose.array().abs() <= document::kFarthestMm).all())
     throw DataError("The pose has a position that is not a finite number, or too far away");
 }

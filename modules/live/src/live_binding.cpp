@@ -6,6 +6,7 @@
 
 #include "bound_organ.h"
 #include "viscera/core/error.h"
+#include "viscera/core/phrase.h"
 #include "viscera/document/validate.h"
 
 namespace viscera::live {
@@ -163,7 +164,7 @@ void LiveBinding::Impl::bindLater(BoundOrgan& organ) {
     if (const auto alive = weak.lock())
       (*alive)->arrived(id, ticket, std::move(result));
   };
-  jobs.submit<BindingResult>("Binding " + organ.organ->name, organ.slot(), work, done);
+  jobs.submit<BindingResult>(phrase("Binding %1", organ.organ->name), organ.slot(), work, done);
 }
 
 /// A result from the queue, perhaps for an organ or a target that nobody wants any more: each job has its

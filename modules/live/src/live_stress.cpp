@@ -5,6 +5,7 @@
 
 #include "bound_organ.h"
 #include "viscera/core/error.h"
+#include "viscera/core/phrase.h"
 #include "viscera/deformation/tetrahedralise.h"
 #include "viscera/deformation/witness_gradients.h"
 #include "viscera/deformation/witness_mesh.h"
@@ -193,7 +194,7 @@ void LiveStress::Impl::sampleLater() {
         std::make_shared<const deformation::WitnessInterpolation>(*sample.mesh, mesh->points, wanted.threads);
     return SampledOrgan{std::move(sample), std::move(toSurface)};
   };
-  jobs.submit<SampledOrgan>("Witness points of " + item->name, kSampleSlot, work,
+  jobs.submit<SampledOrgan>(phrase("Witness points of %1", item->name), kSampleSlot, work,
                             ending<SampledOrgan>(&Impl::sampled));
 }
 
@@ -366,8 +367,8 @@ document::OrganId LiveStress::organ() const {
 
 void LiveStress::setWanted(int witnesses) {
   if (witnesses < WitnessOptions::kFewest || witnesses > WitnessOptions::kMost)
-    throw UsageError("The number of witness points must be from " + std::to_string(WitnessOptions::kFewest) +
-                     " to " + std::to_string(WitnessOptions::kMost));
+    throw UsageError(phrase("The number of witness points must be from %1 to %2", WitnessOptions::kFewest,
+                            WitnessOptions::kMost));
   if (witnesses == impl_->options.witnesses.wanted)
     return;
   impl_->options.witnesses.wanted = witnesses;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "viscera/core/error.h"
+#include "viscera/core/phrase.h"
 #include "viscera/deformation/deformer.h"
 #include "viscera/document/edit.h"
 
@@ -124,9 +125,9 @@ LockedMotion VolumeKeeper::begin(const std::vector<document::HandleId>& handles,
 std::shared_ptr<const document::Organ> VolumeKeeper::requireVolume(document::OrganId id) const {
   const auto organ = document::edit::requireOrgan(state_, id);
   if (!organ->closed())
-    throw DataError("the surface is open (" + std::to_string(organ->boundaryEdges) +
-                        " boundary edges), so it has no volume",
-                    organ->name, "close its holes first");
+    throw DataError(
+        phrase("the surface is open (%n boundary {edge|edges}), so it has no volume", organ->boundaryEdges),
+        organ->name, "close its holes first");
   if (!organs_.bound(id))
     throw DataError("it follows no handles, so nothing can change its volume", organ->name,
                     "place handles around it");

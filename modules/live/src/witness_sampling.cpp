@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "viscera/core/error.h"
+#include "viscera/core/phrase.h"
 #include "viscera/deformation/grid_witnesses.h"
 #include "viscera/deformation/tetrahedralise.h"
 #include "viscera/geometry/clean_surface.h"
@@ -44,9 +45,8 @@ constexpr double kMuchFiner = 4; ///< Times that many triangles.
 
 void requireInRange(const WitnessOptions& options) {
   if (options.wanted < WitnessOptions::kFewest || options.wanted > WitnessOptions::kMost)
-    throw UsageError("cannot place " + std::to_string(options.wanted) + " witness points", "witnesses",
-                     "choose " + std::to_string(WitnessOptions::kFewest) + " to " +
-                         std::to_string(WitnessOptions::kMost));
+    throw UsageError(phrase("cannot place %1 witness points", options.wanted), "witnesses",
+                     phrase("choose %1 to %2", WitnessOptions::kFewest, WitnessOptions::kMost));
   if (!(options.radiusEdgeRatio >= 1.1 && options.radiusEdgeRatio <= 10))
     throw UsageError("the quality of tetrahedra is a ratio from 1.1 (best) to 10", "quality");
   if (!(options.timeLimitSeconds > 0) || options.memoryLimitBytes == 0)
@@ -75,16 +75,16 @@ public:
       result.mesh = std::move(mesh);
       result.origin = WitnessOrigin::repairedSurface;
     } else {
-      remarks_.push_back("The witness points lie on a regular grid inside the surface. " +
-                         failure->problem() + ".");
+      remarks_.push_back(
+          phrase("The witness points lie on a regular grid inside the surface. %1.", failure->problem()));
       result.mesh = std::make_shared<const WitnessMesh>(
           deformation::gridWitnesses(cleaned, options_.wanted, progress_, options_.threads));
       result.origin = WitnessOrigin::grid;
     }
     if (relativeMiss(*result.mesh) > kWitnessCountTolerance)
-      remarks_.push_back("There are " + std::to_string(result.mesh->witnesses) + " witness points; " +
-                         std::to_string(options_.wanted) +
-                         " do not fit this shape or the limits of time and memory.");
+      remarks_.push_back(
+          phrase("There are %1 witness points; %2 do not fit this shape or the limits of time and memory.",
+                 result.mesh->witnesses, options_.wanted));
     result.remarks = std::move(remarks_);
     return result;
   }
@@ -94,15 +94,16 @@ private:
     geometry::requireValid(surface, "surface");
     geometry::CleanedSurface cleaned = geometry::cleanSurface(surface);
     if (cleaned.mesh.triangles.rows() < 4)
-      throw DataError("the surface has " + std::to_string(cleaned.mesh.triangles.rows()) +
-                          " usable triangles, so it encloses nothing",
+      throw DataError(phrase("the surface has %1 usable triangles, so it encloses nothing",
+                             cleaned.mesh.triangles.rows()),
                       "surface", "choose a closed surface");
     if (cleaned.removedTriangles > 0)
-      remarks_.push_back(std::to_string(cleaned.removedTriangles) +
-                         " triangles without area or that came twice are left out.");
+      remarks_.push_back(phrase("%n {triangle without area or that came twice is|triangles without area or "
+                                "that came twice are} left out.",
+                                cleaned.removedTriangles));
     if (cleaned.turnedTriangles > 0)
-      remarks_.push_back(std::to_string(cleaned.turnedTriangles) +
-                         " triangles were turned around to face outward.");
+      remarks_.push_back(
+          phrase("%n {triangle was|triangles were} turned around to face outward.", cleaned.turnedTriangles));
     return std::move(cleaned.mesh);
   }
 
@@ -114,7 +115,7 @@ private:
       const auto triangles = static_cast<double>(surface.triangles.rows());
       if (surface.triangles.rows() > kTooFineTriangles)
         throw TetrahedraError(TetrahedraError::Reason::refused,
-                              "it has " + std::to_string(surface.triangles.rows()) + " triangles");
+                              phrase("it has %1 triangles", surface.triangles.rows()));
       if (triangles > most && geometry::checkSurface(surface).closed()) {
         progress_.report(0.1, "thinning out the surface");
         return std::make_shared<const WitnessMesh>(fill(thinned(surface, most / triangles)));
@@ -138,8 +139,9 @@ private:
         auto mesh = std::make_shared<const WitnessMesh>(fill(repaired));
         const Bounds box = boundsOf(surface.points);
         const double cell = (box.high - box.low).maxCoeff() / cells;
-        remarks_.push_back("The surface was repaired before it was filled. " + why.problem() +
-                           ". Details smaller than " + formatted("%.2g", cell) + " mm are lost.");
+        remarks_.push_back(
+            phrase("The surface was repaired before it was filled. %1. Details smaller than %2 mm are lost.",
+                   why.problem(), formatted("%.2g", cell)));
         return mesh;
       } catch (const TetrahedraError& error) {
         if (error.reason() != TetrahedraError::Reason::refused &&

@@ -9,6 +9,7 @@
 #include "file_bytes.h"
 #include "space_tag.h"
 #include "viscera/core/error.h"
+#include "viscera/core/phrase.h"
 #include "viscera/geometry/close_holes.h"
 #include "viscera/geometry/connected_pieces.h"
 #include "viscera/geometry/self_intersections.h"
@@ -115,15 +116,14 @@ private:
     if (volumeMl > 0)
       if (auto doubt = doubtAboutVolume(origin_.name, volumeMl))
         return add(Light::doubt, std::move(*doubt), std::move(repairs));
-    add(Light::good, "the size is plausible: " + sizeText(result_.sizeMm));
+    add(Light::good, phrase("the size is plausible: %1", sizeText(result_.sizeMm)));
   }
 
   void lookAtHoles() {
     if (report().closed())
       return add(Light::good, "the surface is closed");
     add(Light::fault,
-        counted(static_cast<std::uint64_t>(report().boundaryEdges), "boundary edge", "boundary edges") +
-            ": the surface is open and has no volume",
+        phrase("%n boundary {edge|edges}: the surface is open and has no volume", report().boundaryEdges),
         signedMl_ != 0 ? std::vector<std::string>{"fill-holes", "remesh"}
                        : std::vector<std::string>{"remesh"});
   }
@@ -131,24 +131,20 @@ private:
   void lookAtEdges() {
     if (report().nonManifoldEdges > 0)
       add(Light::fault,
-          counted(static_cast<std::uint64_t>(report().nonManifoldEdges), "edge joins", "edges join") +
-              " more than two triangles",
+          phrase("%n {edge joins|edges join} more than two triangles", report().nonManifoldEdges),
           {"remesh"});
     else
       add(Light::good, "no edge joins more than two triangles");
     if (report().degenerateTriangles > 0)
-      add(Light::note,
-          counted(static_cast<std::uint64_t>(report().degenerateTriangles), "triangle has",
-                  "triangles have") +
-              " no area",
+      add(Light::note, phrase("%n {triangle has|triangles have} no area", report().degenerateTriangles),
           {"remesh"});
   }
 
   void lookAtFacing() {
     if (report().misorientedEdges > 0)
       add(Light::fault,
-          counted(static_cast<std::uint64_t>(report().misorientedEdges), "edge lies", "edges lie") +
-              " between triangles of opposite orientation",
+          phrase("%n {edge lies|edges lie} between triangles of opposite orientation",
+                 report().misorientedEdges),
           {"orient"});
     else if (signedMl_ < 0)
       add(Light::fault, "the surface is inside out", {"orient"});
@@ -163,11 +159,10 @@ private:
     const double whole = report().areaMm2;
     const auto crumbs =
         std::count_if(areas.begin(), areas.end(), [&](double area) { return area < kCrumb * whole; });
-    std::string text = "the surface consists of " + std::to_string(report().components) + " separate pieces";
+    std::string text = phrase("the surface consists of %1 separate pieces", report().components);
     if (crumbs == 0)
       return add(Light::note, std::move(text), {"keep-largest"});
-    add(Light::doubt,
-        std::move(text) + ", " + std::to_string(crumbs) + " of them crumbs of less than 2 % of its area",
+    add(Light::doubt, phrase("%1, %2 of them crumbs of less than 2 % of its area", text, crumbs),
         {"keep-largest"});
   }
 
@@ -175,9 +170,9 @@ private:
     if (result_.selfIntersections == 0)
       return add(Light::good, "the surface does not cross itself");
     add(Light::doubt,
-        counted(static_cast<std::uint64_t>(result_.selfIntersections), "pair of triangles crosses",
-                "pairs of triangles cross") +
-            " each other: stress mode may have to repair the surface first",
+        phrase("%n {pair of triangles crosses|pairs of triangles cross} each other: stress mode may have to "
+               "repair the surface first",
+               result_.selfIntersections),
         {"remesh"});
   }
 

@@ -86,7 +86,8 @@ struct Panel {
   ValueRange y;
 };
 
-void setAxis(vtkAxis* axis, const ValueRange& range, const std::string& title, bool labels, int mostTicks) {
+void setAxis(vtkAxis* axis, const ValueRange& range, const std::string& title, bool labels, int mostTicks,
+             char decimalMark) {
   axis->SetBehavior(vtkAxis::FIXED);
   axis->SetRange(range.low, range.high);
   axis->SetTitle(title);
@@ -96,7 +97,9 @@ void setAxis(vtkAxis* axis, const ValueRange& range, const std::string& title, b
   vtkNew<vtkStringArray> names;
   for (const double tick : ticks) {
     positions->InsertNextValue(tick);
-    names->InsertNextValue(labels ? tickLabel(tick, spacing) : std::string());
+    std::string label = labels ? tickLabel(tick, spacing) : std::string();
+    std::replace(label.begin(), label.end(), '.', decimalMark);
+    names->InsertNextValue(label);
   }
   axis->SetCustomTickPositions(positions, names);
   axis->SetLabelsVisible(labels);
@@ -152,6 +155,7 @@ void applyTheme(vtkChartXY* chart, const Theme& theme) {
 } // namespace
 
 struct CurvePanels::Parts {
+  char decimalMark = '.';
   vtkNew<vtkRenderer> renderer;
   vtkNew<ChartActor> actor;
   vtkWeakPointer<vtkRenderWindow> window;
@@ -206,6 +210,10 @@ void CurvePanels::setWindow(vtkRenderWindow* window) {
   window->AddRenderer(p.renderer);
 }
 
+void CurvePanels::setDecimalMark(char mark) {
+  parts_->decimalMark = mark;
+}
+
 void CurvePanels::setTheme(const Theme& theme) {
   parts_->theme = theme;
   parts_->renderer->SetBackground(theme.panel.data());
@@ -225,9 +233,9 @@ void CurvePanels::setPanels(std::vector<CurvePanel> panels) {
     panel.y = panel.wanted.yRange.value_or(rangeOf(panel.wanted, &PanelCurve::y, kRoom));
     const ValueRange x = panel.wanted.xRange.value_or(rangeOf(panel.wanted, &PanelCurve::x, 0));
     setAxis(panel.chart->GetAxis(vtkAxis::BOTTOM), x, panel.wanted.xTitle, panel.wanted.xLabels,
-            panel.wanted.mostXTicks);
+            panel.wanted.mostXTicks, p.decimalMark);
     setAxis(panel.chart->GetAxis(vtkAxis::LEFT), panel.y, panel.wanted.yTitle, panel.wanted.yLabels,
-            panel.wanted.mostYTicks);
+            panel.wanted.mostYTicks, p.decimalMark);
     panel.cursor = panel.chart->AddPlot(vtkChart::LINE);
     panel.cursor->SetLegendVisibility(false);
     panel.mark = panel.chart->AddPlot(vtkChart::POINTS);

@@ -152,6 +152,7 @@ int cornerOf(const Curve& curve) {
 } // namespace
 
 struct VolumeChart::Parts {
+  char decimalMark = '.';
   vtkNew<vtkRenderer> renderer;
   vtkNew<ChartActor> actor;
   vtkNew<LabelledChart> chart;
@@ -375,6 +376,11 @@ void VolumeChart::setTheme(const Theme& theme) {
   parts_->applyTheme();
 }
 
+void VolumeChart::setDecimalMark(char mark) {
+  parts_->decimalMark = mark;
+  update();
+}
+
 void VolumeChart::setAxes(const std::string& xTitle, const std::string& xUnit, const std::string& yTitle,
                           const std::string& yUnit) {
   const auto joined = [](const std::string& title, const std::string& unit) {
@@ -485,7 +491,9 @@ void VolumeChart::update() {
     vtkNew<vtkStringArray> labels;
     for (const double tick : ticks) {
       positions->InsertNextValue(tick);
-      labels->InsertNextValue(tickLabel(tick, spacing));
+      std::string label = tickLabel(tick, spacing);
+      std::replace(label.begin(), label.end(), '.', p.decimalMark);
+      labels->InsertNextValue(label);
     }
     axis->SetCustomTickPositions(positions, labels);
   }

@@ -283,6 +283,21 @@ TEST(VolumeChart, OtherBandsOfEmptyCurvesSayNothing) {
   EXPECT_EQ(testing::internal::GetCapturedStderr(), "") << "drawn before it was brought up to date";
 }
 
+TEST(VolumeChart, WritesDecimalsWithTheMarkOfTheLanguage) {
+  DrawnChart drawn({kRed}, 1);
+  const auto point = drawn.picture();
+  drawn.chart.setDecimalMark(',');
+  const auto comma = drawn.picture();
+  int changed = 0;
+  const int* size = point->GetDimensions();
+  for (int y = 0; y < size[1]; ++y)
+    for (int x = 0; x < size[0]; ++x)
+      changed +=
+          point->GetScalarComponentAsDouble(x, y, 0, 0) != comma->GetScalarComponentAsDouble(x, y, 0, 0);
+  EXPECT_GT(changed, 0);
+  EXPECT_LT(changed, 400) << "nothing but the marks";
+}
+
 TEST(VolumeChart, EmptyAndSinglePointAreOrdinaryStates) {
   SurfacelessWindow surface(300, 150);
   VolumeChart chart;

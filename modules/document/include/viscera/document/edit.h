@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "viscera/core/error.h"
+#include "viscera/core/phrase.h"
 #include "viscera/document/command.h"
 
 /// What the commands have in common.
@@ -37,7 +38,7 @@ template <class Item, class AnyId>
 Item& require(std::vector<Item>& list, AnyId id, const std::string& kind) {
   const auto found = std::find_if(list.begin(), list.end(), [id](const Item& item) { return item.id == id; });
   if (found == list.end())
-    throw UsageError("There is no such " + kind + " any more", kind + " " + std::to_string(id.value));
+    throw UsageError(phrase("There is no such %1 any more", kind), kind + " " + std::to_string(id.value));
   return *found;
 }
 
@@ -54,7 +55,7 @@ void remove(std::vector<Item>& list, const std::vector<AnyId>& ids, const std::s
 inline std::shared_ptr<const Organ> requireOrgan(const DocumentState& state, OrganId id) {
   auto organ = state.organ(id);
   if (!organ)
-    throw UsageError("There is no such organ any more", "organ " + std::to_string(id.value));
+    throw UsageError("There is no such organ any more", phrase("organ %1", id.value));
   return organ;
 }
 
@@ -62,7 +63,7 @@ inline std::shared_ptr<const Organ> requireOrgan(const DocumentState& state, Org
 inline int requireHandle(const Rig& rig, HandleId id) {
   const int row = rig.indexOf(id);
   if (row < 0)
-    throw UsageError("There is no such handle any more", "handle " + std::to_string(id.value));
+    throw UsageError("There is no such handle any more", phrase("handle %1", id.value));
   return row;
 }
 
@@ -80,8 +81,7 @@ inline std::vector<std::pair<int, int>> freeRows(const Rig& rig, const std::vect
 /// Throws `UsageError` unless there is one position for each handle.
 inline void requireMatch(const Points& positions, const std::vector<HandleId>& ids) {
   if (positions.rows() != static_cast<Eigen::Index>(ids.size()))
-    throw UsageError("There are " + std::to_string(positions.rows()) + " positions for " +
-                     std::to_string(ids.size()) + " handles");
+    throw UsageError(phrase("There are %1 positions for %2 handles", positions.rows(), ids.size()));
 }
 
 /// `wanted`, or with the first number from 2 that makes it new.
@@ -99,7 +99,7 @@ inline std::vector<CageTriangle> cageOf(const Rig& rig, const Triangles& rows) {
     for (std::size_t k = 0; k < 3; ++k) {
       const auto row = rows(static_cast<Eigen::Index>(t), static_cast<Eigen::Index>(k));
       if (row < 0 || static_cast<std::size_t>(row) >= rig.handles.size())
-        throw UsageError("The cage names a handle that is not there", "triangle " + std::to_string(t));
+        throw UsageError("The cage names a handle that is not there", phrase("triangle %1", t));
       cage[t][k] = rig.handles[static_cast<std::size_t>(row)].id;
     }
   return cage;
@@ -131,11 +131,6 @@ inline Points allPoints(const OrganList& organs) {
     count -= organ->mesh->points.rows();
   }
   return points;
-}
-
-/// "Remove handle", "Remove 5 handles".
-inline std::string counted(const std::string& verb, std::size_t count, const std::string& one) {
-  return count == 1 ? verb + " " + one : verb + " " + std::to_string(count) + " " + one + "s";
 }
 
 } // namespace viscera::document::edit

@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "viscera/core/arrays.h"
+#include "viscera/core/phrase.h"
 
 namespace viscera::document {
 
@@ -61,7 +62,7 @@ public:
     const std::string name = textOf(object, key, place);
     const auto value = find(name);
     if (!value)
-      fail("there is no " + std::string(key) + " \"" + name + "\"", place, "use one of: " + known);
+      fail(phrase("there is no %1 \"%2\"", key, name), place, phrase("use one of: %1", known));
     return *value;
   }
 

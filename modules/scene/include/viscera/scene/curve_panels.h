@@ -59,6 +59,8 @@ public:
   /// Draws in `window`. Null leaves the present one.
   void setWindow(vtkRenderWindow* window);
   void setTheme(const Theme& theme);
+  /// What numbers have before their decimals, a point at first: ',' in German. Before `setPanels`.
+  void setDecimalMark(char mark);
   /// Replaces all panels. Throws `UsageError` when a curve has not as many x as y. O(points); some ms.
   void setPanels(std::vector<CurvePanel> panels);
   /// A vertical line at this x in every panel that wants it; nothing: no line.

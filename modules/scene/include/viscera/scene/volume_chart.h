@@ -42,6 +42,8 @@ public:
   /// Draws in `window`. Null leaves the present one.
   void setWindow(vtkRenderWindow* window);
   void setTheme(const Theme& theme);
+  /// What numbers have before their decimals, a point at first: ',' in German.
+  void setDecimalMark(char mark);
   /// "Time", "s", "Volume", "ml".
   void setAxes(const std::string& xTitle, const std::string& xUnit, const std::string& yTitle,
                const std::string& yUnit);

@@ -1,0 +1,152 @@
+#include "window/phrase_translator.h"
+
+#include <QCoreApplication>
+#include <QFile>
+#include <QRegularExpression>
+#include <QXmlStreamReader>
+
+#include <algorithm>
+#include <numeric>
+
+namespace viscera::app {
+namespace {
+
+constexpr const char* kContext = "viscera::presentation"; ///< In the files of translations.
+constexpr const char* kMessages = "viscera::messages";
+constexpr int kNumber = 0; ///< The place of `%n`, which is also the first part.
+
+const QRegularExpression& place() {
+  static const QRegularExpression expression(QStringLiteral("%([n1-9])"));
+  return expression;
+}
+
+int placeOf(const QString& sign) {
+  return sign == QLatin1String("n") ? kNumber : sign.toInt();
+}
+
+QString capitalised(QString text) {
+  if (!text.isEmpty())
+    text[0] = text[0].toUpper();
+  return text;
+}
+
+} // namespace
+
+void PhraseTranslator::readPatterns(const QString& file) {
+  QFile device(file);
+  if (!device.open(QIODevice::ReadOnly))
+    return;
+  QXmlStreamReader xml(&device);
+  while (!xml.atEnd()) {
+    if (xml.readNext() != QXmlStreamReader::StartElement || xml.name() != QLatin1String("source"))
+      continue;
+    const QString source = xml.readElementText();
+    if (!source.contains(place()))
+      continue;
+    forms_.push_back(formOf(source, true));
+    if (Form several = formOf(source, false); several.literals != forms_.back().literals)
+      forms_.push_back(std::move(several));
+  }
+  const auto letters = [](const Form& form) {
+    return std::accumulate(form.literals.begin(), form.literals.end(), 0,
+                           [](int sum, const QString& literal) { return sum + literal.size(); });
+  };
+  std::stable_sort(forms_.begin(), forms_.end(),
+                   [&](const Form& a, const Form& b) { return letters(a) > letters(b); });
+}
+
+PhraseTranslator::Form PhraseTranslator::formOf(const QString& source, bool one) {
+  static const QRegularExpression choice(QStringLiteral(R"(\{([^{}|]*)\|([^{}|]*)\})"));
+  Form form{source, one, {}, {}};
+  QString text = source;
+  text.replace(choice, one ? QStringLiteral("\\1") : QStringLiteral("\\2"));
+  int from = 0;
+  for (auto places = place().globalMatch(text); places.hasNext();) {
+    const QRegularExpressionMatch found = places.next();
+    form.literals.push_back(text.mid(from, found.capturedStart() - from));
+    form.places.push_back(placeOf(found.captured(1)));
+    from = found.capturedEnd();
+  }
+  form.literals.push_back(text.mid(from));
+  return form;
+}
+
+std::optional<QStringList> PhraseTranslator::partsIn(const QString& text, const Form& form) {
+  const QStringList& literals = form.literals;
+  if (!text.startsWith(literals.front()) || !text.endsWith(literals.back()))
+    return std::nullopt;
+  QStringList parts;
+  int from = literals.front().size();
+  for (std::size_t i = 0; i < form.places.size(); ++i) {
+    const QString& next = literals[static_cast<int>(i) + 1];
+    const bool last = i + 1 == form.places.size();
+    const int end = last ? text.size() - next.size() : text.indexOf(next, from + 1);
+    if (end <= from)
+      return std::nullopt;
+    parts.push_back(text.mid(from, end - from));
+    bool number = false;
+    const int value = parts.back().toInt(&number);
+    if (form.places[i] == kNumber && (!number || form.one != (value == 1)))
+      return std::nullopt;
+    from = end + next.size();
+  }
+  return from == text.size() ? std::optional(parts) : std::nullopt;
+}
+
+QString PhraseTranslator::made(const Form& form, const QStringList& parts) const {
+  int number = form.one ? 1 : 2;
+  for (int i = 0; i < parts.size(); ++i)
+    if (form.places[static_cast<std::size_t>(i)] == kNumber)
+      number = parts[i].toInt();
+  const QString pattern = QTranslator::translate(kContext, form.source.toUtf8().constData(), nullptr, number);
+  QString text;
+  int from = 0;
+  for (auto places = place().globalMatch(pattern); places.hasNext();) {
+    const QRegularExpressionMatch found = places.next();
+    text += pattern.midRef(from, found.capturedStart() - from);
+    from = found.capturedEnd();
+    const int wanted = placeOf(found.captured(1));
+    const auto at = std::find(form.places.begin(), form.places.end(), wanted);
+    if (at != form.places.end())
+      text += inWords(parts[static_cast<int>(at - form.places.begin())]);
+    else if (wanted == kNumber)
+      text += QString::number(number);
+  }
+  return text + pattern.midRef(from);
+}
+
+QString PhraseTranslator::translateWhole(const QString& text) const {
+  if (const QString exact = QTranslator::translate(kContext, text.toUtf8().constData()); !exact.isEmpty())
+    return exact;
+  for (const Form& form : forms_)
+    if (const auto parts = partsIn(text, form))
+      return made(form, *parts);
+  return {};
+}
+
+QString PhraseTranslator::inWords(const QString& text) const {
+  const QString found = translate(kMessages, text.toUtf8().constData());
+  return found.isEmpty() ? text : found;
+}
+
+QString PhraseTranslator::translate(const char* context, const char* source, const char* disambiguation,
+                                    int n) const {
+  const QString exact = QTranslator::translate(context, source, disambiguation, n);
+  if (!exact.isEmpty() || !context || !source || qstrcmp(context, kMessages) != 0)
+    return exact;
+  const QString text = QString::fromUtf8(source);
+  if (text.isEmpty())
+    return {};
+  if (const QString whole = translateWhole(text); !whole.isEmpty())
+    return whole;
+  // An error begins with a capital letter, whoever says it (viscera/core/error.h).
+  QString small = text;
+  small[0] = small[0].toLower();
+  return small == text ? QString() : capitalised(translateWhole(small));
+}
+
+QString messageInWords(const std::string& text) {
+  return text.empty() ? QString() : QCoreApplication::translate(kMessages, text.c_str());
+}
+
+} // namespace viscera::app

@@ -1,0 +1,160 @@
+#include <QAction>
+#include <QDirIterator>
+#include <QFile>
+#include <QMenu>
+#include <QRegularExpression>
+#include <QTextStream>
+
+#include <set>
+
+#include <gtest/gtest.h>
+
+#include "play_fixture.h"
+#include "viscera/core/error.h"
+#include "viscera/core/phrase.h"
+#include "viscera/document/rig_commands.h"
+#include "window/language.h"
+#include "window/phrase_translator.h"
+#include "window/widgets/message_bar.h"
+
+namespace viscera::tests {
+namespace {
+
+using app::InstalledLanguage;
+using app::messageInWords;
+
+/// Modules of whose texts the window shows nearly all: everything in words there needs its translations.
+constexpr const char* kSpeaking[] = {"document", "live", "geometry"};
+
+QStringList sourcesOf(const QString& folder) {
+  QStringList files;
+  QDirIterator all(QStringLiteral(VISCERA_SOURCE_DIR "/") + folder, {"*.cpp", "*.h"}, QDir::Files,
+                   QDirIterator::Subdirectories);
+  while (all.hasNext())
+    files.push_back(all.next());
+  return files;
+}
+
+QString contentsOf(const QString& file) {
+  QFile device(file);
+  EXPECT_TRUE(device.open(QIODevice::ReadOnly)) << file.toStdString();
+  return QString::fromUtf8(device.readAll());
+}
+
+QString unquoted(const QString& literals) {
+  static const QRegularExpression between(QStringLiteral(R"("\s*")"));
+  QString text = literals.trimmed();
+  text = text.mid(1, text.size() - 2);
+  text.replace(QStringLiteral("\\\""), QStringLiteral("\x01"));
+  text.remove(between);
+  return text.replace(QLatin1Char('\x01'), QLatin1Char('"'));
+}
+
+/// The patterns of `phrase("...", ...)` in a source.
+std::set<QString> patternsIn(const QString& source) {
+  static const QRegularExpression call(QStringLiteral(R"(\bphrase\(\s*((?:"(?:[^"\\\n]|\\.)*"\s*)+))"));
+  std::set<QString> patterns;
+  for (auto calls = call.globalMatch(source); calls.hasNext();)
+    patterns.insert(unquoted(calls.next().captured(1)));
+  return patterns;
+}
+
+/// Literals of several words that a user may read: no includes, no formats of printf, no keys of files,
+/// no texts for developers.
+std::set<QString> textsIn(const QString& source) {
+  static const QRegularExpression token(
+      QStringLiteral(R"re(//[^\n]*|R"\([\s\S]*?\)"|'(?:[^'\\\n]|\\.)'|((?:"(?:[^"\\\n]|\\.)*"\s*)+))re"));
+  static const QRegularExpression words(QStringLiteral(R"([A-Za-z]{2,} +[A-Za-z0-9%"])"));
+  static const QRegularExpression none(QStringLiteral(
+      R"(%[.0-9]*[dgfsxu]\b|^qhull|^group color/|^(doubled|missing) slice$|^mixed sizes$|^uneven spacing$)"));
+  static const QRegularExpression forDevelopers(
+      QStringLiteral(R"((static_assert|logic_error|assert)\([^;]*$)"));
+  std::set<QString> texts;
+  for (auto tokens = token.globalMatch(source); tokens.hasNext();) {
+    const QRegularExpressionMatch found = tokens.next();
+    const QString text = unquoted(found.captured(1));
+    const QString before =
+        source.mid(std::max(0, found.capturedStart() - 200), std::min(200, found.capturedStart()));
+    if (text.contains(words) && !text.contains(none) && !before.contains(forDevelopers))
+      texts.insert(text);
+  }
+  return texts;
+}
+
+class Phrases : public ::testing::TestWithParam<const char*> {};
+
+TEST_P(Phrases, OfTheNumericalModulesAreTranslated) {
+  QTranslator translator;
+  ASSERT_TRUE(
+      translator.load(QStringLiteral(":/viscera/translations/viscera_%1").arg(QLatin1String(GetParam()))));
+  std::set<QString> texts;
+  for (const QString& file : sourcesOf(QStringLiteral("modules")) + sourcesOf(QStringLiteral("app/window")))
+    texts.merge(patternsIn(contentsOf(file)));
+  EXPECT_GT(texts.size(), 80u);
+  for (const char* module : kSpeaking)
+    for (const QString& file : sourcesOf(QStringLiteral("modules/") + QLatin1String(module)))
+      texts.merge(textsIn(contentsOf(file)));
+  EXPECT_GT(texts.size(), 200u);
+  for (const QString& text : texts)
+    EXPECT_FALSE(translator.translate("viscera::presentation", text.toUtf8().constData()).isEmpty())
+        << text.toStdString() << " has no translation; write it into resources/translations/names_"
+        << GetParam() << ".ts";
+}
+
+INSTANTIATE_TEST_SUITE_P(All, Phrases, ::testing::Values("ca", "de", "es", "fr"),
+                         [](const auto& language) { return std::string(language.param); });
+
+TEST(PhraseTranslator, KnowsThePatternOfATextAndTranslatesItsParts) {
+  const InstalledLanguage german(QStringLiteral("de"));
+  EXPECT_EQ(messageInWords("Lock 3 handles"), QStringLiteral("3 Griffe sperren"));
+  EXPECT_EQ(messageInWords("Lock handle"), QStringLiteral("Griff sperren"));
+  EXPECT_EQ(messageInWords("Circulation: Exercise, changed"),
+            QStringLiteral("Kreislauf: Belastung, geändert"));
+  EXPECT_EQ(messageInWords("heart.stl: the surface is inside out"),
+            QStringLiteral("heart.stl: die Oberfläche ist umgestülpt"));
+  EXPECT_EQ(messageInWords("Add %1 of Mr. Schmidt"), QStringLiteral("%1 of Mr. Schmidt hinzufügen"))
+      << "a name is no pattern";
+  EXPECT_EQ(messageInWords("The pose has 12 handles, the document 8"),
+            QStringLiteral("Die Pose hat 12 Griffe, das Dokument 8"));
+}
+
+TEST(PhraseTranslator, BeginsWhatAnErrorSaysWithACapital) {
+  const InstalledLanguage german(QStringLiteral("de"));
+  const DataError error(phrase("the surface is open (%n boundary {edge|edges}), so it has no volume", 1),
+                        "Heart", "close its holes first");
+  EXPECT_EQ(app::sentenceOf(error),
+            QStringLiteral("Herz: Die Oberfläche ist offen (1 Randkante) und hat kein Volumen. Schließen Sie "
+                           "zuerst ihre Löcher."));
+}
+
+TEST(PhraseTranslator, LeavesEnglishAndWhatNobodyTranslatedAsItIs) {
+  EXPECT_EQ(messageInWords("Lock 3 handles"), QStringLiteral("Lock 3 handles"));
+  const InstalledLanguage german(QStringLiteral("de"));
+  EXPECT_EQ(messageInWords("Schmidt's second liver"), QStringLiteral("Schmidt's second liver"));
+  EXPECT_EQ(messageInWords("Lock many handles"), QStringLiteral("Lock many handles"));
+  EXPECT_EQ(app::inWords("Open heart"), QStringLiteral("Open heart")) << "a name and no step";
+}
+
+class GermanSteps : public PlayMode {
+  InstalledLanguage german_{QStringLiteral("de")};
+};
+
+TEST_F(GermanSteps, AreNamedInGermanAndSoIsARefusal) {
+  std::vector<document::HandleId> handles;
+  for (const document::Handle& handle : document().rig().handles)
+    if (handles.size() < 3)
+      handles.push_back(handle.id);
+  document::HandleEdit lock;
+  lock.locked = true;
+  window().workspace().perform(document::editHandles(handles, lock));
+  EXPECT_EQ(window().workspace().undo().undoName(), "Lock 3 handles");
+  const QList<QAction*> actions = window().findChildren<QAction*>();
+  EXPECT_TRUE(std::any_of(actions.begin(), actions.end(), [](const QAction* action) {
+    return action->text().contains(QStringLiteral("3 Griffe sperren"));
+  }));
+  window().workspace().guarded([this] { window().workspace().perform(document::setPose(Points(2, 3))); });
+  EXPECT_TRUE(message().contains(QStringLiteral("Die Pose hat 2 Griffe"))) << message().toStdString();
+}
+
+} // namespace
+} // namespace viscera::tests
