@@ -5,6 +5,7 @@
 #include <QMenu>
 #include <QMenuBar>
 #include <QTest>
+#include <QToolButton>
 
 #include <set>
 
@@ -38,6 +39,9 @@ int lackOf(const QLabel& label) {
 }
 
 int lackOf(const QAbstractButton& button) {
+  const auto* tool = qobject_cast<const QToolButton*>(&button);
+  if (tool && tool->toolButtonStyle() == Qt::ToolButtonIconOnly && !tool->icon().isNull())
+    return 0;
   const int wide = button.fontMetrics().size(Qt::TextShowMnemonic, button.text()).width();
   return mayBeCut(button.text(), button) ? 0 : std::max(0, wide - button.width());
 }
