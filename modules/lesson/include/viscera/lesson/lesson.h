@@ -52,7 +52,7 @@ inline constexpr Eigen::Index kCurveSamples = 96;
 
 /// Steps to which a lesson's numbers are rounded.
 inline constexpr double kStepMm = 0.01;
-inline constexpr double kWeightStep = 1.0 / 4096;
+inline constexpr double kWeightStep = 1.0 / 1024;
 
 /// Makes a lesson: samples the motion at the plan's rates until cubic pieces between the samples meet it,
 /// finds its modes, and the weights of the handles to drag. `organs` are those of `source.state`,
