@@ -96,7 +96,7 @@ TEST_F(CliJson, SampleListAndSample) {
     EXPECT_EQ(info["triangles"], surface["triangles"]);
     EXPECT_NEAR(info["volumeMl"].get<double>(), surface["volumeMl"].get<double>(), 1e-3);
   }
-  EXPECT_EQ(files(), 3);
+  EXPECT_EQ(files(), 5);
   const json cavity = runJson({"info", "sample:heart/lv@low"});
   EXPECT_EQ(cavity["vertices"], heart["surfaces"][1]["vertices"]);
 }

@@ -285,6 +285,8 @@ TEST(VolumeChart, OtherBandsOfEmptyCurvesSayNothing) {
 
 TEST(VolumeChart, WritesDecimalsWithTheMarkOfTheLanguage) {
   DrawnChart drawn({kRed}, 1);
+  for (const double time : {0.0, 0.5, 1.0})
+    drawn.chart.append(time, Values::Constant(1, time));
   const auto point = drawn.picture();
   drawn.chart.setDecimalMark(',');
   const auto comma = drawn.picture();
