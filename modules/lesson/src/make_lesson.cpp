@@ -14,7 +14,7 @@ namespace {
 constexpr int kAnchors = 40;
 constexpr std::array<double, 4> kChecked = {0.131, 0.377, 0.613, 0.871}; ///< Fractions that are no samples.
 constexpr double kBetweenMm = 0.012; ///< How far the motion may be off between samples,
-constexpr double kModesMm = 0.01;   ///< and by the modes that are left out.
+constexpr double kModesMm = 0.01;    ///< and by the modes that are left out.
 constexpr double kSampled = 0.5;     ///< Of the progress.
 
 /// Rounded as the page will have it.
