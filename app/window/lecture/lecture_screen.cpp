@@ -14,8 +14,7 @@ namespace {
 /// How much larger than the window's type the caption and the numbers are.
 constexpr double kCaptionFactor = 2.4;
 constexpr double kNumbersFactor = 1.8;
-/// As many volumes as one reads at a glance.
-constexpr std::size_t kMostVolumes = 4;
+constexpr std::size_t kMostVolumes = 5; ///< A heart and its chambers.
 /// Logical pixels beside and below the card, where the view has its orientation cube and its scale bar.
 constexpr int kCorner = 104;
 constexpr int kScaleBar = 36;
