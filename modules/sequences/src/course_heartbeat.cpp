@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "viscera/core/error.h"
+#include "viscera/core/parallel.h"
 
 namespace viscera::sequences {
 namespace {
@@ -11,6 +12,7 @@ namespace {
 constexpr std::size_t kFewest = 8; ///< Instants.
 /// Instants of the beat at which the volumes are tried beforehand.
 constexpr int kTried = 24;
+constexpr Eigen::Index kInARow = 6; ///< Each but the first of them begins where the one before ended.
 
 double mix(double from, double to, double part) {
   return from + part * (to - from);
@@ -69,14 +71,17 @@ std::optional<ValveInstants> HeartCourse::valvesAt(double phase) const {
 
 CourseHeartbeat::CourseHeartbeat(CavityFit fit, HeartCourse course, Progress& progress)
     : fit_(std::move(fit)), course_(checked(std::move(course))) {
-  Points pose;
-  FoundCavities found;
-  for (int i = 0; i < kTried; ++i) {
-    progress.throwIfCancelled();
-    progress.report(static_cast<double>(i) / kTried, "calibrating the heartbeat");
-    fit_.pose(course_.at(static_cast<double>(i) / kTried), pose, &found);
-    found_.push_back(found);
-  }
+  progress.report(0, "calibrating the heartbeat");
+  found_.resize(kTried);
+  parallelRanges(kTried, kInARow, {}, [&](Eigen::Index begin, Eigen::Index end) {
+    Points pose;
+    FoundCavities found;
+    for (Eigen::Index i = begin; i < end; ++i) {
+      progress.throwIfCancelled();
+      fit_.pose(course_.at(static_cast<double>(i) / kTried), pose, &found);
+      found_[static_cast<std::size_t>(i)] = found;
+    }
+  });
   progress.report(1);
 }
 
