@@ -1,4 +1,6 @@
+#include <QAbstractButton>
 #include <QApplication>
+#include <QSlider>
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -18,6 +20,7 @@
 #include "viscera/deformation/place_handles.h"
 #include "viscera/document/organ_commands.h"
 #include "viscera/document/rig_commands.h"
+#include "viscera/sequences/course_heartbeat.h"
 #include "window/run_window.h"
 #include "window/session/session_files.h"
 #include "window_test.h"
@@ -211,6 +214,36 @@ void playTheHeart(benchmark::State& state) {
   }
 }
 BENCHMARK(playTheHeart)->Unit(benchmark::kMillisecond)->UseManualTime()->Iterations(120);
+
+/// A control of the circulation is moved, until the heart and the curves that follow it are drawn.
+void moveAControl(benchmark::State& state) {
+  BenchedWindow bench;
+  bench.loadHeart();
+  bench.key(Qt::Key_5);
+  bench.window().playback().pause();
+  bench.window().findChild<QAbstractButton*>(QStringLiteral("scenario.rest"))->click();
+  const auto& playback = bench.window().playback();
+  const auto follows = [&] {
+    return dynamic_cast<const sequences::CourseHeartbeat*>(playback.sequence()) != nullptr;
+  };
+  bench.waitUntil(follows);
+  bench.settle();
+  auto* slider =
+      bench.window().findChild<QWidget*>(QStringLiteral("circulation.stressedVolume"))->findChild<QSlider*>();
+  int step = 3;
+  for (auto _ : state) {
+    const auto* before = playback.sequence();
+    const auto start = Clock::now();
+    slider->setValue(slider->value() + step);
+    while (playback.sequence() == before && secondsSince(start) < 5)
+      QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents, 10);
+    bench.untilDrawn([] {});
+    state.SetIterationTime(secondsSince(start));
+    step = -step;
+    bench.settle();
+  }
+}
+BENCHMARK(moveAControl)->Unit(benchmark::kMillisecond)->UseManualTime()->Iterations(20);
 
 /// A click on one of many organs, until it is drawn as chosen.
 void clickAnOrgan(benchmark::State& state) {
