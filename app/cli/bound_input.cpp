@@ -22,21 +22,20 @@ void BoundInputOptions::addTo(CLI::App& options, bool posed) {
   system_.addTo(options);
 }
 
-BoundInput BoundInputOptions::read(const Surroundings& surroundings,
-                                   std::vector<std::string>& warnings) const {
+BoundInput BoundInputOptions::read(const CommandContext& context, std::vector<std::string>& warnings) const {
   BoundInput input;
-  input.system = system_.system(surroundings);
-  input.options = system_.bindOptions(*input.system, surroundings);
+  input.system = system_.system(context);
+  input.options = system_.bindOptions(*input.system, context);
   input.rig = rigInput(handles_, warnings, system_.cage());
   input.pose = pose_.empty() ? input.rig.handles.positions : poseInput(pose_, input.rig, warnings);
-  input.organ = organInput(organ_, surroundings.samples, surroundings.progress);
+  input.organ = organInput(organ_, context.samples, context.progress);
   return input;
 }
 
-Interior interiorOf(const BoundInput& input, const live::WitnessOptions& witnesses,
-                    std::vector<std::string>& warnings, Progress& progress,
-                    const std::vector<std::shared_ptr<const geometry::TriangleMesh>>& cavities) {
-  Interior interior;
+WitnessedOrgan interiorOf(const BoundInput& input, const live::WitnessOptions& witnesses,
+                          std::vector<std::string>& warnings, Progress& progress,
+                          const std::vector<std::shared_ptr<const geometry::TriangleMesh>>& cavities) {
+  WitnessedOrgan interior;
   interior.sample = live::sampleWitnesses(*input.organ.mesh, witnesses, progress);
   if (!cavities.empty())
     interior.sample.mesh = std::make_shared<const deformation::WitnessMesh>(

@@ -28,7 +28,7 @@ public:
 
   /// Reads what is named; without a pose the handles are at rest. Adds to `warnings` what was odd about the
   /// handles. Throws what `SystemOptions` and the readers of inputs throw.
-  BoundInput read(const Surroundings& surroundings, std::vector<std::string>& warnings) const;
+  BoundInput read(const CommandContext& context, std::vector<std::string>& warnings) const;
 
   /// ORGAN as it was given, for messages.
   const std::string& organ() const { return organ_; }
@@ -41,7 +41,7 @@ private:
 };
 
 /// An organ's inside, ready for any pose of its handles.
-struct Interior {
+struct WitnessedOrgan {
   live::WitnessSample sample;
   std::shared_ptr<const deformation::WitnessGradients> gradients; ///< At all points of the sample's mesh.
 
@@ -53,8 +53,8 @@ struct Interior {
 /// `DataError` when witness points have no coordinates: they would pass for points without stress.
 ///
 /// `cavities` are closed surfaces in the organ: what they hold is no tissue.
-Interior interiorOf(const BoundInput& input, const live::WitnessOptions& witnesses,
-                    std::vector<std::string>& warnings, Progress& progress,
-                    const std::vector<std::shared_ptr<const geometry::TriangleMesh>>& cavities = {});
+WitnessedOrgan interiorOf(const BoundInput& input, const live::WitnessOptions& witnesses,
+                          std::vector<std::string>& warnings, Progress& progress,
+                          const std::vector<std::shared_ptr<const geometry::TriangleMesh>>& cavities = {});
 
 } // namespace viscera::app::cli

@@ -24,7 +24,7 @@ struct Outcome {
 };
 
 /// What every command works with. Lives as long as the command runs.
-struct Surroundings {
+struct CommandContext {
   Progress& progress;                          ///< Cancelled by Ctrl+C.
   Threads threads;                             ///< As the user wants it.
   const sample_organs::SampleLibrary& samples; ///< Where `sample:heart` comes from.
@@ -43,7 +43,7 @@ public:
   virtual void addOptions(CLI::App& options) = 0;
 
   /// Does it. Throws `Error`; leaves no half-written file behind.
-  virtual Outcome run(Surroundings& surroundings) = 0;
+  virtual Outcome run(CommandContext& context) = 0;
 };
 
 } // namespace viscera::app::cli

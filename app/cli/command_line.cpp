@@ -157,8 +157,8 @@ int runCommand(Command& command, const CommonOptions& common, std::ostream& out,
     const sample_organs::SampleLibrary samples = sample_organs::standardLibrary();
     const AvailableSystems systems = availableSystems(common.pluginPath);
     warn(err, systems.problems);
-    Surroundings surroundings{progress, Threads{common.threads}, samples, systems.registry};
-    const Outcome outcome = command.run(surroundings);
+    CommandContext context{progress, Threads{common.threads}, samples, systems.registry};
+    const Outcome outcome = command.run(context);
     bar.clear();
     warn(err, outcome.warnings);
     print(out, outcome, common.json);

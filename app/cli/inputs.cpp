@@ -203,9 +203,9 @@ RigInput rigInput(const std::filesystem::path& file, std::vector<std::string>& w
     input.groupColors.push_back(group.color);
   }
   if (!cage.empty()) {
-    Progress nobodyLooks;
+    Progress ignored;
     input.handles.cage =
-        coordinates::cageOver(input.handles.positions, *document::readCage(cage, nobodyLooks).mesh);
+        coordinates::cageOver(input.handles.positions, *document::readCage(cage, ignored).mesh);
   }
   return input;
 }

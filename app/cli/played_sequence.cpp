@@ -131,12 +131,12 @@ motion::Landmarks givenLandmarks(const PlayRequest& request, std::vector<std::st
 
 /// Puts the surfaces into a document with the handles, and binds them.
 void bindAll(PlayedSequence& played, Surfaces surfaces, const document::SystemChoice& system,
-             Surroundings& surroundings) {
+             CommandContext& context) {
   surfaces.showCavities();
   played.document = std::make_unique<BoundDocument>(
       document::combined("Play", {document::addOrgans(std::move(surfaces.organs)),
                                   document::replaceRig(played.rig), document::setSystem(system)}),
-      surroundings);
+      context);
   const document::OrganList& organs = *played.document->state().organs;
   for (std::size_t i = 0; i < surfaces.names.size(); ++i)
     played.surfaces.push_back({surfaces.names[i], organs[i]->id});
@@ -149,23 +149,23 @@ void bindAll(PlayedSequence& played, Surfaces surfaces, const document::SystemCh
 
 /// The sequence itself, or the heart that follows a circulation.
 motion::SequenceSetup setUpFor(const PlayRequest& request, sample_organs::Resolution resolution,
-                               Surroundings& surroundings) {
+                               CommandContext& context) {
   if (request.scenario.empty())
-    return motion::setUpSequence(surroundings.samples, request.sequence, resolution, surroundings.progress,
-                                 surroundings.threads);
+    return motion::setUpSequence(context.samples, request.sequence, resolution, context.progress,
+                                 context.threads);
   circulation::Parameters parameters = circulation::scenarioParameters(request.scenario);
   if (request.ratePerMinute > 0)
     circulation::setParameter(parameters, "rate", request.ratePerMinute);
-  return motion::circulatingHeart(surroundings.samples, circulation::scenario(request.scenario).name,
-                                  parameters, resolution, surroundings.progress, surroundings.threads);
+  return motion::circulatingHeart(context.samples, circulation::scenario(request.scenario).name, parameters,
+                                  resolution, context.progress, context.threads);
 }
 
 /// A shipped sequence on its own organ, or on one of that organ's surfaces.
-PlayedSequence onOwnOrgan(const PlayRequest& request, Surroundings& surroundings) {
+PlayedSequence onOwnOrgan(const PlayRequest& request, CommandContext& context) {
   const std::optional<sample_organs::Resolution> resolution =
       resolutionOf(request.organ, ownOrgan(request.sequence));
   const motion::SequenceSetup setup =
-      setUpFor(request, resolution.value_or(sample_organs::Resolution::medium), surroundings);
+      setUpFor(request, resolution.value_or(sample_organs::Resolution::medium), context);
   PlayedSequence played;
   played.sequence = setup.sequence;
   played.rig = setup.rig;
@@ -173,17 +173,17 @@ PlayedSequence onOwnOrgan(const PlayRequest& request, Surroundings& surroundings
   if (resolution)
     surfaces = surfacesOf(setup.organ);
   else
-    surfaces.add("outer", organInput(request.organ, surroundings.samples, surroundings.progress));
+    surfaces.add("outer", organInput(request.organ, context.samples, context.progress));
   played.hasWalls = std::count(surfaces.names.begin(), surfaces.names.end(), "lv") > 0;
   for (const char* wall : {"chambers", "lv_wall"}) {
     if (!played.hasWalls)
       break;
     const sample_organs::SampleSurface surface = sample_organs::sampleSurface(
-        surroundings.samples, "heart", wall, *resolution, surroundings.progress, surroundings.threads);
+        context.samples, "heart", wall, *resolution, context.progress, context.threads);
     surfaces.organs.push_back({document::makeOrgan(wall, surface.mesh), -1});
     surfaces.organs.back().organ.look.visible = false;
   }
-  bindAll(played, std::move(surfaces), setup.system, surroundings);
+  bindAll(played, std::move(surfaces), setup.system, context);
   return played;
 }
 
@@ -208,11 +208,11 @@ Surfaces surfacesOf(const motion::SequenceFile& file) {
   return surfaces;
 }
 
-PlayedSequence playRecorded(const motion::SequenceFile& file, Surfaces surfaces, Surroundings& surroundings) {
+PlayedSequence playRecorded(const motion::SequenceFile& file, Surfaces surfaces, CommandContext& context) {
   PlayedSequence played;
   played.sequence = std::make_shared<sequences::KeyframedSequence>(file.track);
   played.rig = motion::rigOf(file);
-  bindAll(played, std::move(surfaces), file.system.value_or(document::SystemChoice()), surroundings);
+  bindAll(played, std::move(surfaces), file.system.value_or(document::SystemChoice()), context);
   return played;
 }
 
@@ -227,10 +227,10 @@ std::shared_ptr<const document::Organ> heartAmong(const OrgansAround& around) {
 }
 
 /// The textbook's beat in a heart with its chambers; nothing for another organ.
-std::optional<PlayedSequence> onHeartWithChambers(const PlayRequest& request, Surroundings& surroundings) {
+std::optional<PlayedSequence> onHeartWithChambers(const PlayRequest& request, CommandContext& context) {
   if (request.sequence != "heartbeat")
     return std::nullopt;
-  const OrgansAround around = organsAround(request.organ, surroundings.samples, surroundings.progress);
+  const OrgansAround around = organsAround(request.organ, context.samples, context.progress);
   const std::shared_ptr<const document::Organ> heart = heartAmong(around);
   if (!heart)
     return std::nullopt;
@@ -242,8 +242,8 @@ std::optional<PlayedSequence> onHeartWithChambers(const PlayRequest& request, Su
   if (request.ejectionFraction > 0)
     beat.ejectionFraction = request.ejectionFraction;
   const motion::PatientMotion found =
-      motion::textbookMotion(around.organs, *heart, beat, surroundings.progress, surroundings.threads);
-  PlayedSequence played = playRecorded(found.sequence, surfacesOf(found.sequence), surroundings);
+      motion::textbookMotion(around.organs, *heart, beat, context.progress, context.threads);
+  PlayedSequence played = playRecorded(found.sequence, surfacesOf(found.sequence), context);
   played.warnings = std::move(warnings);
   played.warnings.insert(played.warnings.end(), found.warnings.begin(), found.warnings.end());
   return played;
@@ -256,41 +256,41 @@ void requireNoEjectionFraction(const PlayRequest& request) {
 }
 
 /// A shipped sequence on an organ that it is not made for.
-PlayedSequence onOtherOrgan(const PlayRequest& request, Surroundings& surroundings) {
-  if (std::optional<PlayedSequence> heart = onHeartWithChambers(request, surroundings))
+PlayedSequence onOtherOrgan(const PlayRequest& request, CommandContext& context) {
+  if (std::optional<PlayedSequence> heart = onHeartWithChambers(request, context))
     return std::move(*heart);
   requireNoEjectionFraction(request);
   PlayedSequence played;
   const motion::Landmarks given = givenLandmarks(request, played.warnings);
   const std::string name = request.organ.empty() ? "sample:" + ownOrgan(request.sequence) : request.organ;
-  document::Organ organ = organInput(name, surroundings.samples, surroundings.progress);
+  document::Organ organ = organInput(name, context.samples, context.progress);
   motion::RetargetedSequence fitted =
-      motion::retargetSequence(request.sequence, organ, given, surroundings.progress, surroundings.threads);
+      motion::retargetSequence(request.sequence, organ, given, context.progress, context.threads);
   played.warnings.insert(played.warnings.end(), organ.warnings.begin(), organ.warnings.end());
   played.warnings.insert(played.warnings.end(), fitted.warnings.begin(), fitted.warnings.end());
   played.sequence = fitted.sequence;
   played.rig = fitted.rig;
   Surfaces surfaces;
   surfaces.add("outer", std::move(organ));
-  bindAll(played, std::move(surfaces), fitted.system, surroundings);
+  bindAll(played, std::move(surfaces), fitted.system, context);
   played.retargeted = std::move(fitted);
   return played;
 }
 
-PlayedSequence fromFile(const PlayRequest& request, Surroundings& surroundings) {
+PlayedSequence fromFile(const PlayRequest& request, CommandContext& context) {
   const motion::SequenceFile file = motion::readSequence(request.sequence);
   if (request.organ.empty() && file.organs.empty())
     throw UsageError("It needs an organ to move", request.sequence, "name one with --organ");
   if (request.organ.empty())
-    return playRecorded(file, surfacesOf(file), surroundings);
+    return playRecorded(file, surfacesOf(file), context);
   Surfaces surfaces;
   std::vector<std::string> warnings;
-  for (document::Organ& organ : organInputs(request.organ, surroundings.samples, surroundings.progress)) {
+  for (document::Organ& organ : organInputs(request.organ, context.samples, context.progress)) {
     warnings.insert(warnings.end(), organ.warnings.begin(), organ.warnings.end());
     const std::string name = surfaces.names.empty() ? "outer" : organ.name.substr(organ.name.find('/') + 1);
     surfaces.add(name, std::move(organ));
   }
-  PlayedSequence played = playRecorded(file, std::move(surfaces), surroundings);
+  PlayedSequence played = playRecorded(file, std::move(surfaces), context);
   played.warnings = std::move(warnings);
   return played;
 }
@@ -307,15 +307,15 @@ bool isOther(const PlayRequest& request) {
 
 } // namespace
 
-BoundDocument::BoundDocument(const document::Command& filling, Surroundings& surroundings)
+BoundDocument::BoundDocument(const document::Command& filling, CommandContext& context)
     : undo_(document_), jobs_([](const std::function<void()>& work) { work(); }),
-      live_((undo_.perform(filling), document_), surroundings.systems, jobs_,
-            {std::numeric_limits<double>::infinity(), surroundings.threads}) {}
+      live_((undo_.perform(filling), document_), context.systems, jobs_,
+            {std::numeric_limits<double>::infinity(), context.threads}) {}
 
-BoundDocument::BoundDocument(const document::DocumentState& state, Surroundings& surroundings)
+BoundDocument::BoundDocument(const document::DocumentState& state, CommandContext& context)
     : undo_(document_), jobs_([](const std::function<void()>& work) { work(); }),
-      live_((undo_.reset(state), document_), surroundings.systems, jobs_,
-            {std::numeric_limits<double>::infinity(), surroundings.threads}) {}
+      live_((undo_.reset(state), document_), context.systems, jobs_,
+            {std::numeric_limits<double>::infinity(), context.threads}) {}
 
 int PlayedSequence::find(const std::string& name) const {
   for (std::size_t i = 0; i < surfaces.size(); ++i)
@@ -324,7 +324,7 @@ int PlayedSequence::find(const std::string& name) const {
   return -1;
 }
 
-PlayedSequence playedSequence(const PlayRequest& request, Surroundings& surroundings) {
+PlayedSequence playedSequence(const PlayRequest& request, CommandContext& context) {
   const bool isFile = motion::isSequenceFile(request.sequence);
   if (isFile && (!request.landmarks.empty() || !request.landmark.empty()))
     throw UsageError("It is played on the handles that it holds", request.sequence,
@@ -334,9 +334,9 @@ PlayedSequence playedSequence(const PlayRequest& request, Surroundings& surround
                      "play heartbeat without --organ and landmarks");
   if (isFile || !isOther(request))
     requireNoEjectionFraction(request);
-  PlayedSequence played = isFile             ? fromFile(request, surroundings)
-                          : isOther(request) ? onOtherOrgan(request, surroundings)
-                                             : onOwnOrgan(request, surroundings);
+  PlayedSequence played = isFile             ? fromFile(request, context)
+                          : isOther(request) ? onOtherOrgan(request, context)
+                                             : onOwnOrgan(request, context);
   if (!request.handles.empty())
     requireOwnHandles(request.handles, *played.sequence, played.warnings);
   return played;

@@ -34,9 +34,9 @@ struct PlayedSurface {
 /// A document for one command: its organs are bound at once, and nobody undoes anything.
 class BoundDocument {
 public:
-  BoundDocument(const document::Command& filling, Surroundings& surroundings);
+  BoundDocument(const document::Command& filling, CommandContext& context);
   /// Of a state that is there already, as a session has it.
-  BoundDocument(const document::DocumentState& state, Surroundings& surroundings);
+  BoundDocument(const document::DocumentState& state, CommandContext& context);
 
   const document::DocumentState& state() const { return document_.state(); }
   live::LiveBinding& organs() { return live_; }
@@ -75,6 +75,6 @@ struct PlayedSequence {
 /// `UsageError` that lists the sequences for an unknown name, and for a file that holds no organ, without
 /// `--organ`; what reading,
 /// fitting and binding throw.
-PlayedSequence playedSequence(const PlayRequest& request, Surroundings& surroundings);
+PlayedSequence playedSequence(const PlayRequest& request, CommandContext& context);
 
 } // namespace viscera::app::cli

@@ -100,9 +100,9 @@ void appendFindings(std::vector<std::string>& warnings, const medical_io::Scan& 
       warnings.push_back(finding.sentence);
 }
 
-Outcome describeScan(const std::string& file, const ScanInputOptions& options, Surroundings& surroundings) {
-  const std::vector<medical_io::ScanSeries> series = medical_io::listScans(file, surroundings.progress);
-  const medical_io::Scan scan = options.read(file, surroundings.progress);
+Outcome describeScan(const std::string& file, const ScanInputOptions& options, CommandContext& context) {
+  const std::vector<medical_io::ScanSeries> series = medical_io::listScans(file, context.progress);
+  const medical_io::Scan scan = options.read(file, context.progress);
   const std::array<double, 2> range = scan.range();
   const medical_io::ValueWindow window = scan.firstWindow();
   const Bounds bounds = scan.bounds();
@@ -111,7 +111,7 @@ Outcome describeScan(const std::string& file, const ScanInputOptions& options, S
     directions.push_back(numbersJson(scan.indexToLps.linear().col(axis).normalized()));
   Outcome outcome;
   appendFindings(outcome.warnings, scan);
-  const auto labels = medical_io::imageBeside(file, medical_io::ImageContents::labels, surroundings.progress);
+  const auto labels = medical_io::imageBeside(file, medical_io::ImageContents::labels, context.progress);
   outcome.json = {
       {"kind", "scan"},
       {"file", file},

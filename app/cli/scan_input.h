@@ -29,6 +29,6 @@ private:
 void appendFindings(std::vector<std::string>& warnings, const medical_io::Scan& scan);
 
 /// What is in a scan, and which other series lie beside it.
-Outcome describeScan(const std::string& file, const ScanInputOptions& options, Surroundings& surroundings);
+Outcome describeScan(const std::string& file, const ScanInputOptions& options, CommandContext& context);
 
 } // namespace viscera::app::cli

@@ -59,8 +59,8 @@ live::LiveStress::Options stressAtOnce(Threads threads) {
 
 /// The peak over the sequence that the session was playing.
 void findPeak(live::LiveStress& stress, const document::DocumentState& state,
-              const presentation::ViewState& view, Surroundings& surroundings) {
-  if (auto sequence = view.playing ? sequenceOf(state, view, surroundings) : nullptr)
+              const presentation::ViewState& view, CommandContext& context) {
+  if (auto sequence = view.playing ? sequenceOf(state, view, context) : nullptr)
     stress.findPeak(std::move(sequence), view.playing->ratePerMinute);
 }
 
@@ -92,23 +92,21 @@ std::optional<sequences::ValveInstants> valvesOf(const document::DocumentState& 
 
 std::shared_ptr<const sequences::Sequence> sequenceOf(const document::DocumentState& state,
                                                       const presentation::ViewState& view,
-                                                      Surroundings& surroundings) {
+                                                      CommandContext& context) {
   const int motion = view.playing ? view.playing->motion : view.motions.empty() ? -1 : 0;
   const auto chosen = static_cast<std::size_t>(motion);
   if (motion >= 0 && chosen < view.motions.size())
     if (const auto organ = state.organ(view.motions[chosen].organ))
-      return motion::makeMotion(view.motions[chosen].recipe, *organ, surroundings.samples,
-                                surroundings.progress);
-  return document::sequenceOf(*state.recording, *state.rig);
+      return motion::makeMotion(view.motions[chosen].recipe, *organ, context.samples, context.progress);
+  return document::sequenceOf(*state.keySequence, *state.rig);
 }
 
 PosedSession::PosedSession(const document::DocumentState& state, const presentation::ViewState& view,
-                           Surroundings& surroundings)
-    : live_(document_, surroundings.systems, jobs_,
-            {std::numeric_limits<double>::infinity(), surroundings.threads}),
-      stress_(document_, surroundings.systems, live_, jobs_, stressAtOnce(surroundings.threads)),
-      bend_(document_, live_, surroundings.systems, jobs_,
-            {std::numeric_limits<double>::infinity(), surroundings.threads}) {
+                           CommandContext& context)
+    : live_(document_, context.systems, jobs_, {std::numeric_limits<double>::infinity(), context.threads}),
+      stress_(document_, context.systems, live_, jobs_, stressAtOnce(context.threads)),
+      bend_(document_, live_, context.systems, jobs_,
+            {std::numeric_limits<double>::infinity(), context.threads}) {
   undo_.reset(state);
   if (view.shown.rest)
     live_.showRest();
@@ -116,7 +114,7 @@ PosedSession::PosedSession(const document::DocumentState& state, const presentat
     live_.showPose(view.shownPose);
 }
 
-std::string PosedSession::makeStress(const presentation::ViewState& view, Surroundings& surroundings) {
+std::string PosedSession::makeStress(const presentation::ViewState& view, CommandContext& context) {
   stress_.setWanted(view.stress.witnesses);
   if (const auto organ = presentation::currentOrgan(state(), view.selection.organ))
     stress_.follow(organ->id);
@@ -125,7 +123,7 @@ std::string PosedSession::makeStress(const presentation::ViewState& view, Surrou
   if (status.state != live::StressStatus::State::ready)
     return status.message.empty() ? "there is no organ" : status.message;
   if (view.stress.peak)
-    findPeak(stress_, state(), view, surroundings);
+    findPeak(stress_, state(), view, context);
   box_.runUntil([&] { return jobs_.idle(); });
   return {};
 }
@@ -138,9 +136,8 @@ live::LiveBend* PosedSession::makeBend() {
   return bend_.map() ? &bend_ : nullptr;
 }
 
-Outcome describeSession(const std::string& file, Surroundings& surroundings) {
-  const document::OpenedSession opened =
-      document::readSession(file, surroundings.samples, surroundings.progress);
+Outcome describeSession(const std::string& file, CommandContext& context) {
+  const document::OpenedSession opened = document::readSession(file, context.samples, context.progress);
   const document::DocumentState& state = opened.contents.state;
   Listing listing;
   listing.add("kind", "session");
@@ -171,7 +168,7 @@ Outcome describeSession(const std::string& file, Surroundings& surroundings) {
                   {"cageTriangles", state.rig->cage.size()},
                   {"posed", !document::atRest(state)},
                   {"system", {{"id", state.system->id}, {"parameters", std::move(parameters)}}},
-                  {"recordedKeys", state.recording->keys.size()},
+                  {"recordedKeys", state.keySequence->keys.size()},
                   {"measurements", measurementsJson(state)},
                   {"warnings", opened.warnings}};
   listing.add("handles", std::to_string(state.rig->handles.size()) +
@@ -181,7 +178,7 @@ Outcome describeSession(const std::string& file, Surroundings& surroundings) {
   if (!state.rig->cage.empty())
     listing.add("cage", std::to_string(state.rig->cage.size()) + " triangles");
   listing.add("coordinates", state.system->id)
-      .add("recorded keys", std::to_string(state.recording->keys.size()));
+      .add("recorded keys", std::to_string(state.keySequence->keys.size()));
   for (const ordered_json& item : outcome.json["measurements"]) {
     const ordered_json& value = item["valueAtRest"];
     listing.add("measurement", item["name"].get<std::string>() + ": " +
@@ -195,37 +192,37 @@ Outcome describeSession(const std::string& file, Surroundings& surroundings) {
 }
 
 SliceOutcome sessionSlice(const document::OpenedSession& opened, const SliceRequest& slice, double level,
-                          double width, const StageOptions& options, Surroundings& surroundings) {
+                          double width, const StageOptions& options, CommandContext& context) {
   presentation::ViewState view = viewOf(opened, true);
   if (width > 0) {
     view.scan.level = level;
     view.scan.width = width;
   }
-  PosedSession posed(opened.contents.state, view, surroundings);
+  PosedSession posed(opened.contents.state, view, context);
   std::optional<presentation::Bending> bending;
   if (view.scan.bent)
     if (live::LiveBend* bend = posed.makeBend())
       bending = presentation::bendingOf(*bend);
   return slicePicture({posed.state(), posed.organs(), view, bending ? &*bending : nullptr}, slice, options,
-                      surroundings.threads);
+                      context.threads);
 }
 
 SessionPicture sessionPicture(const document::OpenedSession& opened, const StageOptions& options,
-                              bool fromSide, Surroundings& surroundings) {
+                              bool fromSide, CommandContext& context) {
   const document::DocumentState& state = opened.contents.state;
   const presentation::ViewState view = viewOf(opened, fromSide);
-  PosedSession posed(state, view, surroundings);
+  PosedSession posed(state, view, context);
   SessionPicture picture;
   if (view.shown.stress)
-    if (const std::string missing = posed.makeStress(view, surroundings); !missing.empty())
+    if (const std::string missing = posed.makeStress(view, context); !missing.empty())
       picture.leftOut.push_back("the stress map (" + missing + ")");
   const live::StressFrame frame = posed.stress().frame();
   std::optional<presentation::Bending> bending;
   if (view.scan.standing && view.scan.bent)
     if (live::LiveBend* bend = posed.makeBend())
       bending = presentation::bendingOf(*bend);
-  presentation::Stage stage = stageFor(options, surroundings.threads);
-  presentation::Scene scene{posed.state(), posed.organs(), view, surroundings.systems, &frame};
+  presentation::Stage stage = stageFor(options, context.threads);
+  presentation::Scene scene{posed.state(), posed.organs(), view, context.systems, &frame};
   scene.bending = bending ? &*bending : nullptr;
   scene.valves = valvesOf(state, view);
   stage.presenter().update(scene);

@@ -24,20 +24,20 @@ class vtkImageData;
 namespace viscera::app::cli {
 
 /// What is in a session, with what became of its organs' files. Throws as `document::readSession`.
-Outcome describeSession(const std::string& file, Surroundings& surroundings);
+Outcome describeSession(const std::string& file, CommandContext& context);
 
 /// The sequence that a session plays, made again by its recipe; else the first that it offers, else the one
 /// that it has recorded; null for none.
 std::shared_ptr<const sequences::Sequence> sequenceOf(const document::DocumentState& state,
                                                       const presentation::ViewState& view,
-                                                      Surroundings& surroundings);
+                                                      CommandContext& context);
 
 /// A session that is bound, posed and looked at as the window had it, in a program without an event loop.
 class PosedSession {
 public:
   /// Poses the organs of `state` as the view shows them. Throws what binding throws.
   PosedSession(const document::DocumentState& state, const presentation::ViewState& view,
-               Surroundings& surroundings);
+               CommandContext& context);
   PosedSession(const PosedSession&) = delete;
   PosedSession& operator=(const PosedSession&) = delete;
 
@@ -50,12 +50,12 @@ public:
   live::LiveBend* makeBend();
   /// Makes the stress map of the organ that the view is about, with the peak where it shows that. Returns why
   /// there is none; empty when there is one.
-  std::string makeStress(const presentation::ViewState& view, Surroundings& surroundings);
+  std::string makeStress(const presentation::ViewState& view, CommandContext& context);
 
 private:
   document::Document document_;
   document::UndoStack undo_{document_};
-  PostBox box_;
+  ManualEventLoop box_;
   JobQueue jobs_{box_.post()};
   live::LiveBinding live_;
   live::LiveStress stress_;
@@ -70,12 +70,12 @@ struct SessionPicture {
 /// The session as the window showed it: looks, pose, the instant of its motion, the influence of a handle or
 /// the stress map, and the camera, unless `fromSide` asks for the side of `options`.
 SessionPicture sessionPicture(const document::OpenedSession& opened, const StageOptions& options,
-                              bool fromSide, Surroundings& surroundings);
+                              bool fromSide, CommandContext& context);
 
 /// A slice of the session's scan and organs in the pose that the window showed, with its looks; bent along
 /// when it was. `width` 0: level and width are the session's too. Throws as `slicePicture` and what binding
 /// throws.
 SliceOutcome sessionSlice(const document::OpenedSession& opened, const SliceRequest& slice, double level,
-                          double width, const StageOptions& options, Surroundings& surroundings);
+                          double width, const StageOptions& options, CommandContext& context);
 
 } // namespace viscera::app::cli

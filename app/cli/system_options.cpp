@@ -42,15 +42,15 @@ void SystemOptions::addTo(CLI::App& options) {
 }
 
 std::shared_ptr<const coordinates::CoordinateSystem>
-SystemOptions::system(const Surroundings& surroundings) const {
-  return surroundings.systems.find(id_);
+SystemOptions::system(const CommandContext& context) const {
+  return context.systems.find(id_);
 }
 
 coordinates::BindOptions SystemOptions::bindOptions(const coordinates::CoordinateSystem& system,
-                                                    const Surroundings& surroundings,
+                                                    const CommandContext& context,
                                                     const coordinates::CoordinateSystem* beside) const {
   coordinates::BindOptions options;
-  options.threads = surroundings.threads;
+  options.threads = context.threads;
   for (const std::string& text : parameters_) {
     const auto [name, value] = nameAndValue(text);
     if (beside && !takes(system, name) && takes(*beside, name))

@@ -15,13 +15,13 @@ public:
   void addTo(CLI::App& options);
 
   /// The system asked for. Throws `UsageError` that lists those there are.
-  std::shared_ptr<const coordinates::CoordinateSystem> system(const Surroundings& surroundings) const;
+  std::shared_ptr<const coordinates::CoordinateSystem> system(const CommandContext& context) const;
 
   /// The values given for it, checked, with the threads. Throws `UsageError` for what is not `name=value`,
   /// and for a name or value that the system does not take. Of two systems that are compared, `beside` being
   /// the other one, each is given what it takes.
   coordinates::BindOptions bindOptions(const coordinates::CoordinateSystem& system,
-                                       const Surroundings& surroundings,
+                                       const CommandContext& context,
                                        const coordinates::CoordinateSystem* beside = nullptr) const;
 
   /// The surface file whose triangles are the cage over the handles; empty: none is given.

@@ -14,7 +14,7 @@
 #include "window/export_actions.h"
 #include "window/help.h"
 #include "window/import/arrival.h"
-#include "window/import/import_desk.h"
+#include "window/import/import_controller.h"
 #include "window/import/import_panel.h"
 #include "window/lecture/lecture_screen.h"
 #include "window/lecture/slide_panel.h"
@@ -63,7 +63,7 @@ MainWindow::MainWindow(Settings& settings, plugin::Registry registry, motion::Tr
   picture_ = std::make_unique<Picture>(workspace_, view_, *viewArea_->view());
   picture_->setValves([this] { return playback_.valves(); });
   handles_ = std::make_unique<HandleController>(workspace_, poses_, *picture_);
-  imports_ = std::make_unique<ImportDesk>(workspace_, *files_, *picture_, nullptr);
+  imports_ = std::make_unique<ImportController>(workspace_, *files_, *picture_, nullptr);
   arrival_ = new Arrival(playback_, *picture_, this);
   files_->setArrival(arrival_);
   bindingMessages_ = new BindingMessages(workspace_, viewArea_->messages(), this);
@@ -241,11 +241,11 @@ void MainWindow::connectFiles() {
   files_->setChecker([this](document::ImportDraft draft, const QStringList& files) {
     imports_->begin(std::move(draft), files);
   });
-  connect(imports_.get(), &ImportDesk::opened, this, [this] {
+  connect(imports_.get(), &ImportController::opened, this, [this] {
     showWelcome(false);
     layout_->showImports();
   });
-  connect(imports_.get(), &ImportDesk::closed, this, [this] {
+  connect(imports_.get(), &ImportController::closed, this, [this] {
     layout_->hideImports();
     viewArea_->view()->view().frame();
   });

@@ -26,7 +26,7 @@ class ExploreMode;
 class ExportActions;
 class HandleGrip;
 class Help;
-class ImportDesk;
+class ImportController;
 class LectureScreen;
 class LessonExport;
 class OrganPanel;
@@ -60,7 +60,7 @@ public:
   PoseEditor& poses() { return poses_; }
   const VolumeMonitor& volumes() const { return volumes_; }
   FileActions& files() { return *files_; }
-  ImportDesk& imports() { return *imports_; }
+  ImportController& imports() { return *imports_; }
   ExportActions& exports() { return *exports_; }
   LessonExport& lessons() { return *lessons_; }
   SampleLoader& samples() { return *samples_; }
@@ -120,7 +120,7 @@ private:
   std::unique_ptr<HandleController> handles_;
   std::unique_ptr<SlicePanes> slices_;
   Arrival* arrival_;
-  std::unique_ptr<ImportDesk> imports_;
+  std::unique_ptr<ImportController> imports_;
   BindingMessages* bindingMessages_ = nullptr;
   std::unique_ptr<ModeController> modes_;
   ExploreMode* explore_ = nullptr; ///< Among the modes, as the next two.

@@ -14,7 +14,7 @@
 
 #include "available_systems.h"
 #include "window/application.h"
-#include "window/import/import_desk.h"
+#include "window/import/import_controller.h"
 #include "window/language.h"
 #include "window/main_window.h"
 #include "window/modes/mode_controller.h"

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "viscera/document/organ_commands.h"
-#include "window/import/import_desk.h"
+#include "window/import/import_controller.h"
 #include "window_test.h"
 
 namespace viscera::tests {

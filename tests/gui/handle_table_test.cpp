@@ -51,8 +51,8 @@ TEST_F(HandleTableTest, TellsTheCoordinatesOfTheVertexThatIsClicked) {
   key(Qt::Key_1); // A click in Handles mode adds a handle.
   click(QPoint(view().width() / 2, view().height() / 2));
   settle();
-  ASSERT_TRUE(model().lookedAt());
-  const app::LookedAtVertex vertex = *model().lookedAt();
+  ASSERT_TRUE(model().shownVertex());
+  const app::ShownVertex vertex = *model().shownVertex();
   const Values& weights = model().weights();
   ASSERT_EQ(weights.size(), model().rowCount());
   EXPECT_NEAR(weights.sum(), 1, 1e-9);

@@ -26,7 +26,7 @@
 #include "window/export_actions.h"
 #include "window/file_actions.h"
 #include "window/import/arrival.h"
-#include "window/import/import_desk.h"
+#include "window/import/import_controller.h"
 #include "window/import/import_panel.h"
 
 namespace viscera::tests {

@@ -13,7 +13,7 @@
 #include "viscera/medical_io/surface_file.h"
 #include "viscera/scene/vtkVisceraGizmoRepresentation.h"
 #include "viscera/scene/vtkVisceraHandleSetRepresentation.h"
-#include "window/import/import_desk.h"
+#include "window/import/import_controller.h"
 
 namespace viscera::tests {
 namespace {

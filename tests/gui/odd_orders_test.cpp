@@ -13,8 +13,8 @@
 #include "window/compare/compared_system.h"
 #include "window/compare/comparison.h"
 #include "window/compare/difference_map.h"
+#include "window/key_sequence/fit_box.h"
 #include "window/modes/play_mode.h"
-#include "window/recorded/fit_box.h"
 #include "window/session/session_files.h"
 #include "window/widgets/page.h"
 
@@ -81,7 +81,7 @@ TEST_F(OddOrders, TheMapOfDifferencesComesAndGoesWithItsViewAndItsOrgans) {
 TEST_F(OddOrders, LandmarksLeaveWithTheirOrganAndComeBackForNoOther) {
   open(sphereFile(QStringLiteral("heart.stl"), 50));
   key(Qt::Key_5);
-  for (app::Fold* fold : window().findChildren<app::Fold*>())
+  for (app::CollapsibleSection* fold : window().findChildren<app::CollapsibleSection*>())
     fold->setOpen(true);
   settle();
   EXPECT_EQ(find<QComboBox>("fitSequence").currentData(), QStringLiteral("heartbeat"));
@@ -121,7 +121,7 @@ TEST_F(OddOrders, LandmarksDoNotOutliveADocumentWhoseOrganHadTheSameNumber) {
   ASSERT_FALSE(document().organs().empty()) << message().toStdString();
   ASSERT_EQ(document().organs().front()->id, id);
   key(Qt::Key_5);
-  for (app::Fold* fold : window().findChildren<app::Fold*>())
+  for (app::CollapsibleSection* fold : window().findChildren<app::CollapsibleSection*>())
     fold->setOpen(true);
   settle();
   press("landmark_apex");

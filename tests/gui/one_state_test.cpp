@@ -7,7 +7,7 @@
 #include <ostream>
 #include <random>
 
-#include "viscera/document/recording_commands.h"
+#include "viscera/document/key_sequence_commands.h"
 #include "viscera/document/rig_commands.h"
 #include "viscera/document/system_commands.h"
 #include "window/compare/side_header.h"
@@ -361,10 +361,10 @@ TEST_F(OneState, AKeysPoseThatIsTakenIsWhereTheTimelineStands) {
   pose.col(2).array() += 9;
   ASSERT_TRUE(window().workspace().perform(document::setPose(pose)));
   ASSERT_TRUE(window().workspace().perform(document::recordKey(0.8)));
-  const auto& keys = document().recording().keys;
+  const auto& keys = document().keySequence().keys;
   ASSERT_EQ(keys.size(), 2u);
   window().playback().choose(parts().recorded().sequence());
-  window().playback().seek(0.8 / document().recording().periodSeconds);
+  window().playback().seek(0.8 / document().keySequence().periodSeconds);
   EXPECT_LT((window().workspace().live().shownPose() - pose).cwiseAbs().maxCoeff(), 1e-9);
   ASSERT_TRUE(parts().recorded().takePose(keys[0].id));
   waitForPeace();

@@ -13,10 +13,10 @@
 #include "viscera/medical_io/surface_file.h"
 #include "viscera/scene/vtkVisceraHandleSetRepresentation.h"
 #include "viscera/sequences/keyframes.h"
-#include "window/import/import_desk.h"
+#include "window/import/import_controller.h"
+#include "window/key_sequence/fit_box.h"
+#include "window/key_sequence/key_box.h"
 #include "window/modes/play_mode.h"
-#include "window/recorded/fit_box.h"
-#include "window/recorded/key_box.h"
 #include "window/widgets/page.h"
 
 #include "beating_labels.h"
@@ -32,7 +32,7 @@ protected:
     WindowTest::SetUp();
     open(sphereFile());
     key(Qt::Key_5);
-    for (app::Fold* fold : window().findChildren<app::Fold*>())
+    for (app::CollapsibleSection* fold : window().findChildren<app::CollapsibleSection*>())
       fold->setOpen(true);
     settle();
   }
@@ -49,7 +49,7 @@ protected:
         window().workspace().perform(document::moveHandles(all, factor * document().rig().restPositions())));
     settle();
   }
-  const document::Recording& recording() { return document().recording(); }
+  const document::KeySequence& keySequence() { return document().keySequence(); }
   double volume() { return window().workspace().live().volume(document().organs().front()->id).nowMl; }
 };
 
@@ -58,8 +58,8 @@ TEST_F(OwnMotion, KeysOfPosesBecomeASequenceThatPlays) {
   key(Qt::Key_K, Qt::ControlModifier);
   pose(1.2);
   key(Qt::Key_K, Qt::ControlModifier);
-  ASSERT_EQ(recording().keys.size(), 2u);
-  EXPECT_EQ(recording().keys[1].seconds, 0.5);
+  ASSERT_EQ(keySequence().keys.size(), 2u);
+  EXPECT_EQ(keySequence().keys[1].seconds, 0.5);
   EXPECT_EQ(find<QTableWidget>("keyTable").rowCount(), 2);
   ASSERT_NE(window().playback().sequence(), nullptr);
   press("playKeys");
@@ -96,25 +96,25 @@ TEST_F(OwnMotion, EveryChangeOfAKeyIsOneStepThatUndoTakesBack) {
   auto& table = find<QTableWidget>("keyTable");
   table.item(1, 0)->setText(QStringLiteral("0.8"));
   settle();
-  EXPECT_EQ(recording().keys[1].seconds, 0.8);
+  EXPECT_EQ(keySequence().keys[1].seconds, 0.8);
   auto* easing = qobject_cast<QComboBox*>(table.cellWidget(0, 1));
   ASSERT_NE(easing, nullptr);
   easing->setCurrentIndex(1);
   Q_EMIT easing->activated(1);
   settle();
-  EXPECT_EQ(recording().keys[0].easing, sequences::Easing::linear);
+  EXPECT_EQ(keySequence().keys[0].easing, sequences::Easing::linear);
   table.selectRow(1);
   press("removeKey");
-  EXPECT_EQ(recording().keys.size(), 1u);
+  EXPECT_EQ(keySequence().keys.size(), 1u);
   key(Qt::Key_Z, Qt::ControlModifier);
-  EXPECT_EQ(recording().keys.size(), 2u);
+  EXPECT_EQ(keySequence().keys.size(), 2u);
   key(Qt::Key_Z, Qt::ControlModifier);
-  EXPECT_EQ(recording().keys[0].easing, sequences::Easing::smooth);
+  EXPECT_EQ(keySequence().keys[0].easing, sequences::Easing::smooth);
   key(Qt::Key_Z, Qt::ControlModifier);
-  EXPECT_EQ(recording().keys[1].seconds, 0.5);
+  EXPECT_EQ(keySequence().keys[1].seconds, 0.5);
   table.item(1, 0)->setText(QStringLiteral("never"));
   settle();
-  EXPECT_EQ(recording().keys[1].seconds, 0.5) << "what is not a time changes nothing";
+  EXPECT_EQ(keySequence().keys[1].seconds, 0.5) << "what is not a time changes nothing";
 }
 
 TEST_F(OwnMotion, AKeysPoseComesBackForChangingAndTheFileHoldsItAll) {
@@ -128,7 +128,7 @@ TEST_F(OwnMotion, AKeysPoseComesBackForChangingAndTheFileHoldsItAll) {
   pose(0.9);
   table.selectRow(0);
   press("replaceKey");
-  const document::Recording saved = recording();
+  const document::KeySequence saved = keySequence();
   const QString file = path(QStringLiteral("mine.sequence.json"));
   window().play().recorded().save(file);
   ASSERT_TRUE(QFile::exists(file)) << message().toStdString();
@@ -136,12 +136,12 @@ TEST_F(OwnMotion, AKeysPoseComesBackForChangingAndTheFileHoldsItAll) {
     table.selectRow(0);
     press("removeKey");
   }
-  EXPECT_TRUE(recording().keys.empty());
+  EXPECT_TRUE(keySequence().keys.empty());
   EXPECT_EQ(window().playback().sequence(), nullptr);
   window().play().recorded().open(file);
   settle();
-  ASSERT_EQ(recording().keys.size(), 2u) << message().toStdString();
-  EXPECT_EQ(recording().keys[0].displacements, saved.keys[0].displacements);
+  ASSERT_EQ(keySequence().keys.size(), 2u) << message().toStdString();
+  EXPECT_EQ(keySequence().keys[0].displacements, saved.keys[0].displacements);
   EXPECT_NE(window().playback().sequence(), nullptr);
 }
 
@@ -212,19 +212,19 @@ TEST_F(OwnMotion, AHeartBeatsWithItsChambersByTheEjectionFractionThatIsAskedFor)
   settle();
   EXPECT_EQ(window().workspace().undo().position(), steps + 1) << "the fit is one step";
   EXPECT_EQ(document().organs()[0], heart) << "no organ is replaced";
-  ASSERT_FALSE(recording().keys.empty()) << "saved and edited as any recorded sequence";
+  ASSERT_FALSE(keySequence().keys.empty()) << "saved and edited as any recorded sequence";
   const auto leftMl = [&] { return window().workspace().live().volume(left->id).nowMl; };
   window().playback().seek(0);
   const double full = leftMl();
   double least = full;
-  for (const document::RecordedKey& key : recording().keys) {
-    window().playback().seek(key.seconds / recording().periodSeconds);
+  for (const document::SequenceKey& key : keySequence().keys) {
+    window().playback().seek(key.seconds / keySequence().periodSeconds);
     least = std::min(least, leftMl());
   }
   EXPECT_NEAR(1 - least / full, 0.30, 0.02);
   key(Qt::Key_Z, Qt::ControlModifier);
   settle();
-  EXPECT_TRUE(recording().keys.empty());
+  EXPECT_TRUE(keySequence().keys.empty());
   EXPECT_EQ(document().organs().size(), 3u);
 }
 

@@ -11,7 +11,7 @@
 #include "viscera/document/rig_commands.h"
 #include "viscera/document/scan_item.h"
 #include "viscera/medical_io/image_file.h"
-#include "window/import/import_desk.h"
+#include "window/import/import_controller.h"
 #include "window/session/session_files.h"
 #include "window/slices/bent_export.h"
 #include "window/slices/scan_actions.h"

@@ -8,7 +8,7 @@
 
 #include <cstdlib>
 
-#include "viscera/document/recording_commands.h"
+#include "viscera/document/key_sequence_commands.h"
 #include "viscera/document/rig_commands.h"
 #include "window/modes/play_mode.h"
 #include "window/session/session_files.h"
@@ -78,7 +78,7 @@ protected:
 /// The pictures of docs/patient_motion.md.
 TEST_F(RealSeries, TakesThePlaceOfTheSampleAndShowsWhatWasMeasured) {
   ASSERT_EQ(document().organs().size(), 1U);
-  EXPECT_EQ(document().recording().keys.size(), kPhases);
+  EXPECT_EQ(document().keySequence().keys.size(), kPhases);
   EXPECT_EQ(document().rig().handles.size(), 60U);
   auto& table = find<QTableWidget>("residuals");
   EXPECT_EQ(table.rowCount(), int(kPhases));

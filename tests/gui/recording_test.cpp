@@ -109,8 +109,8 @@ TEST_F(Recordings, OfTheStressModeShowTheMapAsTheWindowDoes) {
   ASSERT_TRUE(waitUntil([this] { return atPeace(window()); }));
   window().playback().seek(0.5);
   ASSERT_TRUE(waitUntil([this] { return atPeace(window()); }));
-  app::RecordingPlan plan;
-  plan.format = app::RecordingFormat::pictures;
+  app::MoviePlan plan;
+  plan.format = app::MovieFormat::pictures;
   plan.file = path(QStringLiteral("map"));
   plan.size = {640, 480};
   plan.framesPerSecond = 10;
@@ -200,14 +200,14 @@ TEST_F(Recordings, ATableNeedsNoPicturesAndWhatCannotBeDoneIsSaid) {
 
   const QByteArray search = qgetenv("PATH");
   qputenv("PATH", path(QStringLiteral("empty")).toLocal8Bit());
-  find<app::RecordBox>("recordBox").refresh();
+  find<app::MovieBox>("recordBox").refresh();
   auto& format = find<QComboBox>("recordFormat");
   const auto* items = qobject_cast<QStandardItemModel*>(format.model());
   const int mp4 = format.findText(QStringLiteral("MP4"), Qt::MatchContains);
   EXPECT_FALSE(items->item(mp4)->isEnabled());
   bool said = false;
-  for (const QLabel* label : find<app::RecordBox>("recordBox").findChildren<QLabel*>())
-    said = said || (label->isVisibleTo(&find<app::RecordBox>("recordBox")) &&
+  for (const QLabel* label : find<app::MovieBox>("recordBox").findChildren<QLabel*>())
+    said = said || (label->isVisibleTo(&find<app::MovieBox>("recordBox")) &&
                     label->text().contains(QStringLiteral("ffmpeg")));
   EXPECT_TRUE(said);
   qputenv("PATH", search);

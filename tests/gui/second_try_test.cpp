@@ -16,7 +16,7 @@
 #include "viscera/document/rig_commands.h"
 #include "viscera/medical_io/surface_file.h"
 #include "window/export_actions.h"
-#include "window/import/import_desk.h"
+#include "window/import/import_controller.h"
 #include "window/modes/stress_mode.h"
 #include "window_probe.h"
 

@@ -9,8 +9,8 @@
 
 #include "temporary_folder.h"
 #include "viscera/document/autosave.h"
+#include "viscera/document/key_sequence_commands.h"
 #include "viscera/document/organ_commands.h"
-#include "viscera/document/recording_commands.h"
 #include "viscera/document/rig_commands.h"
 #include "window/session/session_files.h"
 
@@ -212,7 +212,7 @@ TEST_F(SessionTest, UnsavedWorkIsOfferedAfterACrashAndComesBackUnsaved) {
   const document::DocumentState state = document().state();
   {
     // Another program that worked on this and was killed: its lock is gone, its file is not.
-    PostBox box;
+    ManualEventLoop box;
     document::Autosave killed(folder, box.post(), [] { return 0.0; });
     document::SessionContents contents = sessions().contents();
     contents.recovers = path(QStringLiteral("work.viscera")).toStdString();

@@ -66,10 +66,10 @@ protected:
   int handleInSlice() {
     Eigen::Index row = 0;
     document().pose().col(2).cwiseAbs().minCoeff(&row);
-    lookAt(document().pose().row(row).transpose());
+    cutThrough(document().pose().row(row).transpose());
     return static_cast<int>(row);
   }
-  void lookAt(const Vec3& place) {
+  void cutThrough(const Vec3& place) {
     window().viewModel().change([&](presentation::ViewState& view) { view.scan.focus = place; });
     settle();
   }
@@ -213,7 +213,7 @@ TEST_F(SlicesTest, ADragInASliceKeepsALockedVolumeAndEscapePutsTheHandleBack) {
   EXPECT_FALSE(document::atRest(window().workspace().state()));
   EXPECT_LT(std::abs(volume.relativeChange()), 1e-6);
   const document::DocumentState dragged = window().workspace().state();
-  lookAt(document().pose().row(row).transpose());
+  cutThrough(document().pose().row(row).transpose());
   const QPoint from = placeIn(0, document().pose().row(row).transpose());
   const auto send = [&](QEvent::Type type, const QPoint& at, Qt::MouseButton which, Qt::MouseButtons down) {
     QMouseEvent event(type, at, slice(0).mapToGlobal(at), which, down, Qt::NoModifier);

@@ -13,7 +13,7 @@
 #include <QTest>
 
 #include "beating_labels.h"
-#include "viscera/document/recording_commands.h"
+#include "viscera/document/key_sequence_commands.h"
 #include "viscera/document/rig_commands.h"
 #include "viscera/geometry/winding_number.h"
 #include "viscera/scene/legend.h"
@@ -82,7 +82,7 @@ TEST_F(Track, ALabelSeriesBecomesARecordedSequenceWithWhatWasMeasured) {
   EXPECT_EQ(document().organs()[0]->name, "Heart");
   EXPECT_EQ(document().organs()[1]->name, "LV");
   EXPECT_EQ(document().organs()[1]->parent, document().organs()[0]->id);
-  EXPECT_EQ(document().recording().keys.size(), 6U);
+  EXPECT_EQ(document().keySequence().keys.size(), 6U);
   EXPECT_EQ(document().rig().handles.size(), 60U);
   ASSERT_NE(window().playback().sequence(), nullptr);
 
@@ -145,7 +145,7 @@ TEST_F(Track, IsOneStepThatUndoTakesBackWithItsTable) {
   settle();
   ASSERT_EQ(document().organs().size(), 1U);
   EXPECT_EQ(document().organs().front()->mesh, ball);
-  EXPECT_TRUE(document().recording().keys.empty());
+  EXPECT_TRUE(document().keySequence().keys.empty());
   EXPECT_EQ(measured().present(), nullptr);
   EXPECT_FALSE(residuals().isVisible());
   key(Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
@@ -159,7 +159,7 @@ TEST_F(Track, IsOneStepThatUndoTakesBackWithItsTable) {
 
 TEST_F(Track, IsSavedAndEditedLikeAnyRecordedSequence) {
   findMotion();
-  const document::Recording found = document().recording();
+  const document::KeySequence found = document().keySequence();
   const QString file = path(QStringLiteral("beat.sequence.json"));
   window().play().recorded().save(file);
   ASSERT_TRUE(QFile::exists(file));
@@ -171,10 +171,10 @@ TEST_F(Track, IsSavedAndEditedLikeAnyRecordedSequence) {
   ASSERT_TRUE(window().workspace().perform(document::setPose(pose)));
   ASSERT_TRUE(window().workspace().perform(document::replaceKey(found.keys[2].id)));
   for (std::size_t key = 0; key < 6; ++key) {
-    const auto& now = document().recording().keys[key].displacements;
+    const auto& now = document().keySequence().keys[key].displacements;
     EXPECT_EQ(now == found.keys[key].displacements, key != 2) << "key " << key;
   }
-  EXPECT_NEAR((document().recording().keys[2].displacements.at(handle) -
+  EXPECT_NEAR((document().keySequence().keys[2].displacements.at(handle) -
                found.keys[2].displacements.at(handle) - Vec3(1, 2, 3))
                   .norm(),
               0, 1e-9);

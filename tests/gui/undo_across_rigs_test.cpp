@@ -17,8 +17,8 @@
 #include "session_scene.h"
 #include "shapes.h"
 #include "sway.h"
+#include "viscera/document/key_sequence_commands.h"
 #include "viscera/document/measurement_commands.h"
-#include "viscera/document/recording_commands.h"
 #include "viscera/document/rig_commands.h"
 #include "window_probe.h"
 
@@ -424,7 +424,7 @@ std::string Walk::checkAgainstFresh() {
     return "once all work was done: " + wrong;
   document::Document document;
   document::UndoStack undo(document);
-  PostBox box;
+  ManualEventLoop box;
   JobQueue jobs(box.post());
   live::LiveBinding fresh(document, window_.workspace().registry(), jobs,
                           {std::numeric_limits<double>::infinity(), {}});

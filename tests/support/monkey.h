@@ -9,8 +9,8 @@
 
 #include "session_fixture.h"
 #include "viscera/core/error.h"
+#include "viscera/document/key_sequence_commands.h"
 #include "viscera/document/measurement_commands.h"
-#include "viscera/document/recording_commands.h"
 
 namespace viscera::tests {
 
@@ -140,7 +140,7 @@ private:
       return document::recordKey(real(0, 2.2),
                                  number(2) == 0 ? sequences::Easing::hold : sequences::Easing::smooth);
     case 19:
-      return anyRecordingEdit();
+      return anyKeySequenceEdit();
     case 20:
     case 21:
       return number(2) == 0 ? document::addMeasurement({aPoint(), aPoint()})
@@ -165,13 +165,13 @@ private:
     return document::takeCage({text, cage});
   }
 
-  document::Command anyRecordingEdit() {
-    document::RecordingEdit edit;
+  document::Command anyKeySequenceEdit() {
+    document::KeySequenceEdit edit;
     edit.name = "R" + std::to_string(number(5));
     edit.periodSeconds = real(1.5, 4);
     edit.loop = number(2) == 0;
     edit.interpolation = number(2) == 0 ? sequences::Interpolation::curve : sequences::Interpolation::eased;
-    return document::editRecording(edit);
+    return document::editKeySequence(edit);
   }
 
   document::MeasuredPoint aPoint() {

@@ -6,9 +6,9 @@
 #include "temporary_folder.h"
 #include "viscera/core/error.h"
 #include "viscera/document/circulation_commands.h"
+#include "viscera/document/key_sequence_commands.h"
 #include "viscera/document/measurement_commands.h"
 #include "viscera/document/open_files.h"
-#include "viscera/document/recording_commands.h"
 #include "viscera/document/session_file.h"
 #include "viscera/medical_io/surface_file.h"
 

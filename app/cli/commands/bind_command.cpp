@@ -66,15 +66,15 @@ public:
         ->type_name("FILE");
   }
 
-  Outcome run(Surroundings& surroundings) override {
+  Outcome run(CommandContext& context) override {
     Outcome outcome;
-    const auto [system, options, rig, pose, organ] = input_.read(surroundings, outcome.warnings);
+    const auto [system, options, rig, pose, organ] = input_.read(context, outcome.warnings);
     const auto binding =
-        deformation::bindOrgan(*system, rig.handles, organ.mesh->points, options, surroundings.progress);
+        deformation::bindOrgan(*system, rig.handles, organ.mesh->points, options, context.progress);
     const coordinates::BindingReport& report = binding->report();
     const double identity = report.identityError / boundsOf(organ.mesh->points).diagonal();
     if (!output_.empty()) {
-      surroundings.progress.throwIfCancelled();
+      context.progress.throwIfCancelled();
       writeNpy(output_, weightsOf(*binding));
     }
 

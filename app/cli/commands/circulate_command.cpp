@@ -34,13 +34,13 @@ public:
     return "Compute pressures, volumes and flows of heart and circulation";
   }
   void addOptions(CLI::App& options) override;
-  Outcome run(Surroundings& surroundings) override;
+  Outcome run(CommandContext& context) override;
 
 private:
   Outcome list() const;
-  Outcome published(Surroundings& surroundings) const;
-  Outcome vary(Surroundings& surroundings) const;
-  std::optional<circulation::PatientFit> fit(Surroundings& surroundings) const;
+  Outcome published(CommandContext& context) const;
+  Outcome vary(CommandContext& context) const;
+  std::optional<circulation::PatientFit> fit(CommandContext& context) const;
 
   std::string scenario_ = "rest";
   std::vector<std::string> parameters_;
@@ -165,22 +165,22 @@ void CirculateCommand::addOptions(CLI::App& options) {
   options.add_flag("--published", published_, "Compare with published values in a table, and end");
 }
 
-Outcome CirculateCommand::run(Surroundings& surroundings) {
+Outcome CirculateCommand::run(CommandContext& context) {
   if (list_)
     return list();
   if (published_)
-    return published(surroundings);
+    return published(context);
   if (!vary_.empty())
-    return vary(surroundings);
+    return vary(context);
   const auto begin = std::chrono::steady_clock::now();
   const PictureSize size = pictureSize(size_);
   for (const std::string& target : {csv_, png_})
     if (!target.empty())
       const AtomicFile writable(target); // Said before the work, not after it.
-  const std::optional<circulation::PatientFit> patient = fit(surroundings);
+  const std::optional<circulation::PatientFit> patient = fit(context);
   const Parameters parameters = patient ? patient->parameters : parametersOf(scenario_, parameters_);
   const PeriodicState found =
-      patient ? patient->state : circulation::findPeriodicState(parameters, surroundings.progress);
+      patient ? patient->state : circulation::findPeriodicState(parameters, context.progress);
   const std::string& scenarioName = circulation::scenario(scenario_).name;
   const auto shown = shownOf(patient ? scenarioName + ", of a patient" : scenarioName, parameters, found);
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
@@ -189,9 +189,9 @@ Outcome CirculateCommand::run(Surroundings& surroundings) {
   if (!png_.empty()) {
     const Parameters rest;
     const bool changed = !changes(parameters).empty();
-    const auto before =
-        changed ? shownOf("Rest", rest, circulation::findPeriodicState(rest, surroundings.progress))
-                : presentation::ShownCirculation{};
+    const auto before = changed
+                            ? shownOf("Rest", rest, circulation::findPeriodicState(rest, context.progress))
+                            : presentation::ShownCirculation{};
     drawPicture(png_, shown, changed ? &before : nullptr, size);
   }
   Outcome outcome;
@@ -224,7 +224,7 @@ Outcome CirculateCommand::run(Surroundings& surroundings) {
 }
 
 /// What the fit of a patient's ventricle found; nothing when none is given.
-std::optional<circulation::PatientFit> CirculateCommand::fit(Surroundings& surroundings) const {
+std::optional<circulation::PatientFit> CirculateCommand::fit(CommandContext& context) const {
   if (measured_.edvMl == 0 && measured_.ef == 0) {
     if (measured_.ratePerMinute != 0 || measured_.meanAorticMmHg != 0)
       throw UsageError("Rate and pressure of a patient belong to a ventricle", "--rate, --mean-pressure",
@@ -242,7 +242,7 @@ std::optional<circulation::PatientFit> CirculateCommand::fit(Surroundings& surro
   circulation::MeasuredVentricle measured = measured_;
   if (measured.ratePerMinute == 0)
     measured.ratePerMinute = start.rate;
-  return circulation::fitToVentricle(measured, surroundings.progress, start);
+  return circulation::fitToVentricle(measured, context.progress, start);
 }
 
 Outcome CirculateCommand::list() const {
@@ -276,8 +276,8 @@ Outcome CirculateCommand::list() const {
   return outcome;
 }
 
-Outcome CirculateCommand::published(Surroundings& surroundings) const {
-  const auto values = circulation::publishedValues(surroundings.progress);
+Outcome CirculateCommand::published(CommandContext& context) const {
+  const auto values = circulation::publishedValues(context.progress);
   Outcome outcome;
   for (const circulation::PublishedValue& value : values)
     outcome.json["rows"].push_back({{"scenario", value.scenario},
@@ -292,7 +292,7 @@ Outcome CirculateCommand::published(Surroundings& surroundings) const {
   return outcome;
 }
 
-Outcome CirculateCommand::vary(Surroundings& surroundings) const {
+Outcome CirculateCommand::vary(CommandContext& context) const {
   const auto [name, range] = splitAssignment(vary_, "--vary", "stressedVolume=600:1400");
   const std::size_t colon = range.find(':');
   if (colon == std::string::npos)
@@ -303,10 +303,9 @@ Outcome CirculateCommand::vary(Surroundings& surroundings) const {
   std::vector<double> values;
   for (int i = 0; i < kVaried; ++i)
     values.push_back(from + (to - from) * i / (kVaried - 1));
-  const std::optional<circulation::PatientFit> patient = fit(surroundings);
-  const auto points =
-      circulation::responseTo(patient ? patient->parameters : parametersOf(scenario_, parameters_), name,
-                              values, surroundings.progress);
+  const std::optional<circulation::PatientFit> patient = fit(context);
+  const auto points = circulation::responseTo(
+      patient ? patient->parameters : parametersOf(scenario_, parameters_), name, values, context.progress);
   Outcome outcome;
   outcome.json = {{"scenario", scenario_}, {"parameter", name}};
   Listing listing;

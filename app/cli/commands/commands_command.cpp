@@ -24,12 +24,11 @@ public:
     options.add_option("SESSION", file_, "A session (.viscera)")->required();
   }
 
-  Outcome run(Surroundings& surroundings) override {
+  Outcome run(CommandContext& context) override {
     if (!document::isSessionFile(file_))
       throw UsageError("It is not a session", file_,
                        "name a .viscera file; the window saves one by File > Save");
-    const document::OpenedSession opened =
-        document::readSession(file_, surroundings.samples, surroundings.progress);
+    const document::OpenedSession opened = document::readSession(file_, context.samples, context.progress);
     const report::SessionScript script = report::sessionScript(
         {opened.contents.state, presentation::viewFromJson(opened.contents.view), file_});
     Outcome outcome;

@@ -69,12 +69,12 @@ public:
     options.add_flag("--mirror", mirror_, "Exchange left and right");
   }
 
-  Outcome run(Surroundings& surroundings) override {
-    return document::isHandleFile(in_) ? convertHandles() : convertSurface(surroundings);
+  Outcome run(CommandContext& context) override {
+    return document::isHandleFile(in_) ? convertHandles() : convertSurface(context);
   }
 
 private:
-  Outcome convertSurface(Surroundings& surroundings) const {
+  Outcome convertSurface(CommandContext& context) const {
     if (document::isHandleFile(out_))
       throw UsageError("a surface cannot be written as a handle file", out_,
                        "viscera handles places handles");
@@ -82,7 +82,7 @@ private:
     const auto assess = [&](const geometry::TriangleMesh& mesh) {
       return medical_io::assessSurface(
                  mesh, {surface.name, surface.spaceStated ? std::optional(surface.space) : std::nullopt},
-                 surroundings.progress, surroundings.threads)
+                 context.progress, context.threads)
           .findings;
     };
     Outcome outcome;
@@ -94,10 +94,10 @@ private:
     if (millimetres(unit_) != 1)
       mesh = geometry::scaled(std::move(mesh), millimetres(unit_));
     for (const std::string& repair : repairs())
-      mesh = medical_io::surfaceRepair(repair).apply(mesh, surroundings.progress, surroundings.threads);
+      mesh = medical_io::surfaceRepair(repair).apply(mesh, context.progress, context.threads);
     if (remesh_)
-      mesh = medical_io::remeshed(mesh, *remesh_, surroundings.progress, surroundings.threads);
-    surroundings.progress.throwIfCancelled();
+      mesh = medical_io::remeshed(mesh, *remesh_, context.progress, context.threads);
+    context.progress.throwIfCancelled();
     medical_io::writeSurface(out_, mesh, {.space = written(), .name = surface.name});
     const geometry::SurfaceReport report = geometry::checkSurface(mesh);
     std::vector<std::string> done = repairs();

@@ -76,17 +76,17 @@ public:
         ->capture_default_str();
   }
 
-  Outcome run(Surroundings& surroundings) override {
+  Outcome run(CommandContext& context) override {
     const auto begin = std::chrono::steady_clock::now();
     Outcome outcome;
-    const BoundInput input = input_.read(surroundings, outcome.warnings);
+    const BoundInput input = input_.read(context, outcome.warnings);
     const auto& [system, options, rig, pose, organ] = input;
     deformation::Deformer deformer(
         organ.mesh,
-        deformation::bindOrgan(*system, rig.handles, organ.mesh->points, options, surroundings.progress),
-        rig.handles.positions, surroundings.threads);
+        deformation::bindOrgan(*system, rig.handles, organ.mesh->points, options, context.progress),
+        rig.handles.positions, context.threads);
     deformer.setPose(pose);
-    keepVolume(deformer, input, outcome.warnings, surroundings.progress);
+    keepVolume(deformer, input, outcome.warnings, context.progress);
 
     const double restMl = deformer.restVolumeMm3() / kMm3PerMl;
     const double nowMl = deformer.volumeMm3() / kMm3PerMl;
@@ -108,7 +108,7 @@ public:
       listing.add("volume", "none: the surface is open");
     listing.add("moved handles", std::to_string(moved))
         .add("largest displacement", fixed(deformer.maxDisplacementMm(), 2) + " mm");
-    writeOutputs(input, deformer, surroundings.progress, outcome, listing);
+    writeOutputs(input, deformer, context.progress, outcome, listing);
     outcome.text = listing.text();
     outcome.warnings.insert(outcome.warnings.end(), organ.warnings.begin(), organ.warnings.end());
     const auto& notes = deformer.binding().report().notes;
@@ -149,7 +149,7 @@ private:
     live::WitnessOptions witnesses;
     witnesses.wanted = witnesses_;
     witnesses.threads = input.options.threads;
-    const Interior interior = interiorOf(input, witnesses, warnings, progress);
+    const WitnessedOrgan interior = interiorOf(input, witnesses, warnings, progress);
     return std::make_unique<deformation::LeastStress>(interior.gradients, interior.mesh().witnesses,
                                                       input.options.threads);
   }

@@ -125,23 +125,23 @@ public:
         ->check(CLI::IsMember({"axis", "cluster", "organ"}));
   }
 
-  Outcome run(Surroundings& surroundings) override {
+  Outcome run(CommandContext& context) override {
     if (enclosing_ && count_ < kEnclosing)
       throw UsageError("It is too few for the eight enclosing handles", "--count " + std::to_string(count_),
                        "ask for 8 or more");
     document::GroupingChoice choice;
     choice.by = groupBy_.empty() ? choice.by : document::groupingFromName(groupBy_);
     choice.count = groups_ > 0 ? groups_ : choice.count;
-    const document::Organ organ = organInput(organ_, surroundings.samples, surroundings.progress);
+    const document::Organ organ = organInput(organ_, context.samples, context.progress);
     deformation::Placement placement;
     placement.count = count_;
     placement.enclosing = enclosing_;
-    const auto cage = cage_.empty() ? nullptr : document::readCage(cage_, surroundings.progress).mesh;
+    const auto cage = cage_.empty() ? nullptr : document::readCage(cage_, context.progress).mesh;
     const Points positions = cage ? cage->points : deformation::placeHandles(*organ.mesh, placement);
     const Rig rig = grouped() ? groupedRig(positions, organ, choice) : plainRig(positions, enclosing_);
     const std::size_t outside = cage ? outsideCage(*cage, organ.mesh->points)
                                      : geometry::ConvexHull(rig.positions).outside(organ.mesh->points).size();
-    surroundings.progress.throwIfCancelled();
+    context.progress.throwIfCancelled();
     medical_io::writeHandles(output_, fileOf(rig));
 
     Outcome outcome;

@@ -44,11 +44,10 @@ std::string yesNo(bool value) {
 }
 
 /// A surface as the file has it, before anything is mended but what reading mends.
-Outcome describe(const medical_io::SurfaceFile& surface, const std::string& file,
-                 Surroundings& surroundings) {
+Outcome describe(const medical_io::SurfaceFile& surface, const std::string& file, CommandContext& context) {
   const medical_io::SurfaceAssessment assessment = medical_io::assessSurface(
       surface.mesh, {surface.name, surface.spaceStated ? std::optional(surface.space) : std::nullopt},
-      surroundings.progress, surroundings.threads);
+      context.progress, context.threads);
   const geometry::SurfaceReport& report = assessment.report;
   const Bounds bounds = boundsOf(surface.mesh.points);
   const double volumeMl = report.volumeMm3 / kMm3PerMl;
@@ -196,25 +195,25 @@ public:
     scan_.addChoiceTo(options);
   }
 
-  Outcome run(Surroundings& surroundings) override {
+  Outcome run(CommandContext& context) override {
     if (isSample(file_) || namesLabel(file_)) {
-      const document::Organ organ = organInput(file_, surroundings.samples, surroundings.progress);
+      const document::Organ organ = organInput(file_, context.samples, context.progress);
       medical_io::SurfaceFile surface;
       surface.mesh = *organ.mesh;
       surface.name = organ.name;
       surface.spaceStated = true;
       surface.warnings = organ.warnings;
-      return describe(surface, file_, surroundings);
+      return describe(surface, file_, context);
     }
     if (document::isSessionFile(file_))
-      return describeSession(file_, surroundings);
+      return describeSession(file_, context);
     if (document::isHandleFile(file_))
       return describe(medical_io::readHandles(file_), file_);
-    if (isScanOfValues(surroundings.progress))
-      return describeScan(file_, scan_, surroundings);
+    if (isScanOfValues(context.progress))
+      return describeScan(file_, scan_, context);
     if (medical_io::isLabelMap(file_))
-      return describe(medical_io::readLabelMap(file_, surroundings.progress), file_, surroundings.progress);
-    return describe(medical_io::readSurface(file_), file_, surroundings);
+      return describe(medical_io::readLabelMap(file_, context.progress), file_, context.progress);
+    return describe(medical_io::readSurface(file_), file_, context);
   }
 
 private:

@@ -81,7 +81,7 @@ public:
     return "Make a lesson of organs in motion that opens in any browser, or animated glTF";
   }
   void addOptions(CLI::App& options) override;
-  Outcome run(Surroundings& surroundings) override;
+  Outcome run(CommandContext& context) override;
 
 private:
   /// What a lesson is made of, bound.
@@ -91,13 +91,13 @@ private:
     std::vector<std::string> warnings;
   };
 
-  Material material(Surroundings& surroundings) const;
-  Material ofSession(Surroundings& surroundings) const;
-  Material ofSequence(Surroundings& surroundings) const;
-  Material ofStillOrgans(Surroundings& surroundings) const;
+  Material material(CommandContext& context) const;
+  Material ofSession(CommandContext& context) const;
+  Material ofSequence(CommandContext& context) const;
+  Material ofStillOrgans(CommandContext& context) const;
   lesson::LessonSpec spec(const lesson::LessonSource& source) const;
-  Outcome write(const std::filesystem::path& file, Surroundings& surroundings) const;
-  Outcome writeReady(Surroundings& surroundings);
+  Outcome write(const std::filesystem::path& file, CommandContext& context) const;
+  Outcome writeReady(CommandContext& context);
 
   PlayRequest request_; ///< `sequence` is the file, sequence or organ that was named.
   std::string output_;
@@ -145,25 +145,25 @@ void LessonCommand::addOptions(CLI::App& options) {
       ->type_name("FILE");
 }
 
-Outcome LessonCommand::run(Surroundings& surroundings) {
+Outcome LessonCommand::run(CommandContext& context) {
   if (ready_)
-    return writeReady(surroundings);
+    return writeReady(context);
   if (request_.sequence.empty())
     throw UsageError("It needs to know what the lesson is about", "viscera lesson",
                      "name a sequence, a session or an organ, or give --ready");
   const std::string ending = std::filesystem::path(output_).extension().string();
   if (ending != ".html" && ending != ".glb")
     throw UsageError("It is not a file that a lesson can be", output_, "let it end in .html or .glb");
-  return write(output_, surroundings);
+  return write(output_, context);
 }
 
-Outcome LessonCommand::writeReady(Surroundings& surroundings) {
+Outcome LessonCommand::writeReady(CommandContext& context) {
   std::filesystem::create_directories(output_);
   Outcome all;
   all.json = {{"folder", output_}, {"lessons", nlohmann::ordered_json::array()}};
   for (const motion::SampleSequence& sequence : motion::sampleSequences()) {
     request_.sequence = sequence.id;
-    Outcome one = write(std::filesystem::path(output_) / (sequence.id + ".html"), surroundings);
+    Outcome one = write(std::filesystem::path(output_) / (sequence.id + ".html"), context);
     all.json["lessons"].push_back(std::move(one.json));
     all.text += one.text;
     all.warnings.insert(all.warnings.end(), one.warnings.begin(), one.warnings.end());
@@ -171,14 +171,14 @@ Outcome LessonCommand::writeReady(Surroundings& surroundings) {
   return all;
 }
 
-LessonCommand::Material LessonCommand::ofSession(Surroundings& surroundings) const {
+LessonCommand::Material LessonCommand::ofSession(CommandContext& context) const {
   const document::OpenedSession opened =
-      document::readSession(request_.sequence, surroundings.samples, surroundings.progress);
+      document::readSession(request_.sequence, context.samples, context.progress);
   const presentation::ViewState view = presentation::viewFromJson(opened.contents.view);
   Material material;
   material.warnings = opened.warnings;
-  material.document = std::make_unique<BoundDocument>(opened.contents.state, surroundings);
-  material.source.sequence = sequenceOf(opened.contents.state, view, surroundings);
+  material.document = std::make_unique<BoundDocument>(opened.contents.state, context);
+  material.source.sequence = sequenceOf(opened.contents.state, view, context);
   if (view.playing)
     material.source.ratePerMinute = view.playing->ratePerMinute;
   material.source.camera = view.camera;
@@ -186,26 +186,26 @@ LessonCommand::Material LessonCommand::ofSession(Surroundings& surroundings) con
   return material;
 }
 
-LessonCommand::Material LessonCommand::ofSequence(Surroundings& surroundings) const {
-  PlayedSequence played = playedSequence(request_, surroundings);
+LessonCommand::Material LessonCommand::ofSequence(CommandContext& context) const {
+  PlayedSequence played = playedSequence(request_, context);
   return {std::move(played.document), {.state = {}, .sequence = played.sequence}, std::move(played.warnings)};
 }
 
-LessonCommand::Material LessonCommand::ofStillOrgans(Surroundings& surroundings) const {
+LessonCommand::Material LessonCommand::ofStillOrgans(CommandContext& context) const {
   Material material;
   std::vector<document::NewOrgan> organs;
-  for (document::Organ& organ : organInputs(request_.sequence, surroundings.samples, surroundings.progress)) {
+  for (document::Organ& organ : organInputs(request_.sequence, context.samples, context.progress)) {
     material.warnings.insert(material.warnings.end(), organ.warnings.begin(), organ.warnings.end());
     organs.push_back({std::move(organ), -1});
   }
-  material.document = std::make_unique<BoundDocument>(document::addOrgans(std::move(organs)), surroundings);
+  material.document = std::make_unique<BoundDocument>(document::addOrgans(std::move(organs)), context);
   return material;
 }
 
-LessonCommand::Material LessonCommand::material(Surroundings& surroundings) const {
-  Material material = document::isSessionFile(request_.sequence) ? ofSession(surroundings)
-                      : isSequence(request_.sequence)            ? ofSequence(surroundings)
-                                                                 : ofStillOrgans(surroundings);
+LessonCommand::Material LessonCommand::material(CommandContext& context) const {
+  Material material = document::isSessionFile(request_.sequence) ? ofSession(context)
+                      : isSequence(request_.sequence)            ? ofSequence(context)
+                                                                 : ofStillOrgans(context);
   material.source.state = material.document->state();
   if (rate_ > 0)
     material.source.ratePerMinute = rate_;
@@ -232,8 +232,8 @@ lesson::LessonSpec LessonCommand::spec(const lesson::LessonSource& source) const
   return spec;
 }
 
-Outcome LessonCommand::write(const std::filesystem::path& file, Surroundings& surroundings) const {
-  Material material = this->material(surroundings);
+Outcome LessonCommand::write(const std::filesystem::path& file, CommandContext& context) const {
+  Material material = this->material(context);
   const lesson::LessonPlan plan = lesson::planLesson(material.source, spec(material.source));
   const auto begin = std::chrono::steady_clock::now();
   Outcome outcome;
@@ -242,13 +242,13 @@ Outcome LessonCommand::write(const std::filesystem::path& file, Surroundings& su
   live::PosedOrgans& organs = material.document->organs();
   double error = 0;
   if (file.extension() == ".glb") {
-    const lesson::WrittenGltf written = lesson::writeAnimatedGltf(
-        file, plan, material.source, organs, surroundings.progress, surroundings.threads);
+    const lesson::WrittenGltf written =
+        lesson::writeAnimatedGltf(file, plan, material.source, organs, context.progress, context.threads);
     outcome.json.update({{"bytes", written.bytes}, {"frames", written.frames}, {"modes", written.modes}});
     error = written.largestErrorMm;
   } else {
     const lesson::Lesson made =
-        lesson::makeLesson(plan, material.source, organs, surroundings.progress, surroundings.threads);
+        lesson::makeLesson(plan, material.source, organs, context.progress, context.threads);
     lesson::writePage(file, made);
     outcome.json.update({{"bytes", std::filesystem::file_size(file)},
                          {"frames", made.instants()},

@@ -39,12 +39,11 @@ constexpr double kHighestRate = 240;  ///< Frames a second that a movie is good 
 constexpr double kDrawingShare = 0.9; ///< Of the progress; the rest is closing the movie.
 
 /// The surfaces on a stage, and the writers that take the pictures.
-class Recording {
+class RecordedPlay {
 public:
-  Recording(const PlayedSequence& played, const StageOptions& options, double room,
-            const Surroundings& surroundings)
-      : systems_(surroundings.systems), played_(*played.document),
-        stage_(stageFor(options, surroundings.threads)) {
+  RecordedPlay(const PlayedSequence& played, const StageOptions& options, double room,
+               const CommandContext& context)
+      : systems_(context.systems), played_(*played.document), stage_(stageFor(options, context.threads)) {
     show(std::nullopt);
     stage_.compose(scene::standardViewFromName(options.view), room);
   }
@@ -251,17 +250,17 @@ public:
     addStageOptions(options, stage_, size_);
   }
 
-  Outcome run(Surroundings& surroundings) override {
+  Outcome run(CommandContext& context) override {
     const auto begin = std::chrono::steady_clock::now();
     stage_.size = pictureSize(size_);
     if (!csv_.empty())
       const AtomicFile writable(csv_); // Said before the work, not after it.
     request_.ratePerMinute = rate_;
-    PlayedSequence played = playedSequence(request_, surroundings);
+    PlayedSequence played = playedSequence(request_, context);
     writeRig(played);
     const double rate = rateOf(*played.sequence);
     const int frames = std::max(1, static_cast<int>(std::lround(cycles_ * 60.0 / rate * framesPerSecond_)));
-    const Measured measured = play(played, rate, frames, surroundings);
+    const Measured measured = play(played, rate, frames, context);
     if (!csv_.empty())
       motion::writeVolumeTable(csv_, measured.volumes);
     Outcome outcome = report(played, measured, rate);
@@ -344,14 +343,14 @@ private:
   }
 
   /// Plays every frame, and records those that are asked for.
-  Measured play(PlayedSequence& played, double rate, int frames, Surroundings& surroundings) const {
+  Measured play(PlayedSequence& played, double rate, int frames, CommandContext& context) const {
     std::vector<std::string> names;
     for (const PlayedSurface& surface : played.surfaces)
       names.push_back(surface.name);
     Measured measured{motion::VolumeRecord(names), motion::VolumeRecord(names), {}};
-    std::optional<Recording> recording;
+    std::optional<RecordedPlay> recording;
     if (!frames_.empty() || !movie_.empty() || !sheet_.empty())
-      recording.emplace(played, stage_, sheet_.empty() ? 0 : kRoomOnASheet, surroundings);
+      recording.emplace(played, stage_, sheet_.empty() ? 0 : kRoomOnASheet, context);
     if (!frames_.empty())
       recording->addWriter(std::filesystem::path(frames_) / "",
                            framesPerSecond_); // A folder, whatever its name.
@@ -363,11 +362,11 @@ private:
                          "ask for fewer with --fps; " + std::to_string(kMostOnASheet) + " at most");
       recording->keep();
     }
-    motion::MotionRunner runner = runnerOf(played, rate, surroundings.threads);
+    motion::MotionRunner runner = runnerOf(played, rate, context.threads);
     if (played.hasWalls)
       measured.walls = wallsAtRest(played);
     for (int frame = 0; frame < frames; ++frame) {
-      surroundings.progress.throwIfCancelled();
+      context.progress.throwIfCancelled();
       const double seconds = frame / framesPerSecond_;
       std::vector<double> row = runner.show(seconds);
       if (!runner.obstacle().empty())
@@ -379,7 +378,7 @@ private:
       measured.volumes.add(seconds, row);
       if (recording)
         recording->addFrame(sequences::valvesAt(*played.sequence, seconds, rate));
-      surroundings.progress.report(kDrawingShare * (frame + 1) / frames, "playing");
+      context.progress.report(kDrawingShare * (frame + 1) / frames, "playing");
     }
     measureKeys(played, runner, rate, measured.atKeys);
     if (measured.walls) {
@@ -387,7 +386,7 @@ private:
       measured.walls->motion = motion::measureCycle(runner, quiet).wall;
     }
     if (recording)
-      recording->finish(surroundings.progress);
+      recording->finish(context.progress);
     if (!sheet_.empty())
       scene::writeSmallPng(sheet_, scene::contactSheet(recording->kept(), columns_));
     return measured;

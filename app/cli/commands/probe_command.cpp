@@ -44,11 +44,11 @@ public:
         ->required();
   }
 
-  Outcome run(Surroundings& surroundings) override {
+  Outcome run(CommandContext& context) override {
     std::vector<Vec3> places;
     for (const std::string& text : positions_)
       places.push_back(positionOf(text));
-    const medical_io::Scan scan = scan_.read(surroundings.progress);
+    const medical_io::Scan scan = scan_.read(context.progress);
     Outcome outcome;
     appendFindings(outcome.warnings, scan);
     ordered_json values = ordered_json::array();

@@ -203,14 +203,14 @@ constexpr int kMostPoints = 100'000;
 constexpr int kOrganHandles = 24; ///< Before those that grouping adds.
 constexpr auto kOrgan = "liver";
 
-std::vector<coordinates::Scene> scenesFor(int points, Surroundings& surroundings) {
+std::vector<coordinates::Scene> scenesFor(int points, CommandContext& context) {
   std::vector<coordinates::Scene> scenes;
   for (const int handles : reproduction::kLineHandles)
     scenes.push_back(reproduction::lineScene(handles));
   scenes.push_back(coordinates::cloudScene(points));
-  surroundings.progress.report(0, "organ");
+  context.progress.report(0, "organ");
   Progress quiet;
-  scenes.push_back(reproduction::organScene(kOrgan, kOrganHandles, points, surroundings.samples, quiet));
+  scenes.push_back(reproduction::organScene(kOrgan, kOrganHandles, points, context.samples, quiet));
   return scenes;
 }
 
@@ -236,19 +236,18 @@ public:
         ->capture_default_str();
   }
 
-  Outcome run(Surroundings& surroundings) override {
+  Outcome run(CommandContext& context) override {
     std::vector<std::shared_ptr<const coordinates::CoordinateSystem>> systems;
     for (const std::string& id : systems_)
-      systems.push_back(surroundings.systems.find(id));
+      systems.push_back(context.systems.find(id));
     if (systems.empty())
-      for (const plugin::Registry::Entry& entry : surroundings.systems.list())
+      for (const plugin::Registry::Entry& entry : context.systems.list())
         systems.push_back(entry.system);
     const auto variants = variantsOf(systems, parameters_);
-    const auto scenes = scenesFor(points_, surroundings);
-    const auto measured =
-        coordinates::measureSystems(variants, scenes, surroundings.threads,
-                                    deformation::withTetgen({}).tetrahedralise, surroundings.progress);
-    surroundings.progress.throwIfCancelled();
+    const auto scenes = scenesFor(points_, context);
+    const auto measured = coordinates::measureSystems(
+        variants, scenes, context.threads, deformation::withTetgen({}).tetrahedralise, context.progress);
+    context.progress.throwIfCancelled();
     if (!output_.empty())
       writeAtomically(output_, [&](std::ostream& out) { out << propertiesCsv(measured); });
 

@@ -47,10 +47,10 @@ public:
     options.add_flag("--markdown", markdown_, "As a table in Markdown, as in docs/reference_values.md");
   }
 
-  Outcome run(Surroundings& surroundings) override {
+  Outcome run(CommandContext& context) override {
     const norms::Person person{norms::sexFromId(sex_), surfaceM2_};
     const std::vector<TaughtQuantity> rows =
-        motion::taughtQuantities(surroundings.samples, surroundings.progress, surroundings.threads);
+        motion::taughtQuantities(context.samples, context.progress, context.threads);
     Outcome outcome;
     outcome.json = {{"sex", sex_}, {"bodySurfaceM2", surfaceM2_}, {"rows", ordered_json::array()}};
     Listing listing;

@@ -65,11 +65,11 @@ std::shared_ptr<const document::ScanItem> takeScan(std::vector<std::string>& fil
   return nullptr;
 }
 
-Contents read(std::vector<std::string> files, const std::string& cage, const Surroundings& surroundings,
+Contents read(std::vector<std::string> files, const std::string& cage, const CommandContext& context,
               bool withScan) {
   Contents contents;
   if (withScan)
-    contents.scan = takeScan(files, surroundings.progress);
+    contents.scan = takeScan(files, context.progress);
   for (const std::string& file : files) {
     if (document::isHandleFile(file)) {
       if (contents.rig)
@@ -77,7 +77,7 @@ Contents read(std::vector<std::string> files, const std::string& cage, const Sur
       contents.rig = rigInput(file, contents.warnings, cage);
       continue;
     }
-    for (document::Organ& organ : organInputs(file, surroundings.samples, surroundings.progress)) {
+    for (document::Organ& organ : organInputs(file, context.samples, context.progress)) {
       contents.warnings.insert(contents.warnings.end(), organ.warnings.begin(), organ.warnings.end());
       contents.organs.push_back(std::move(organ));
     }
@@ -195,15 +195,15 @@ public:
     system_.addTo(options);
   }
 
-  Outcome run(Surroundings& surroundings) override {
+  Outcome run(CommandContext& context) override {
     if (std::any_of(files_.begin(), files_.end(),
                     [](const auto& file) { return document::isSessionFile(file); }))
-      return drawSession(surroundings);
-    std::vector<Shown> all = shown(surroundings);
+      return drawSession(context);
+    std::vector<Shown> all = shown(context);
     stage_.size = pictureSize(size_);
     if (views_.empty())
       views_.push_back(stage_.view);
-    Contents contents = read(files_, system_.cage(), surroundings, !slice_.empty());
+    Contents contents = read(files_, system_.cage(), context, !slice_.empty());
     if (!contents.rig && (!influence_.empty() || parts_.any()))
       throw UsageError("It needs a handle file among the files", influence_.empty()
                                                                      ? "--regions, --zones or --super-regions"
@@ -214,7 +214,7 @@ public:
       contents.pose = poseInput(pose_, *contents.rig, contents.warnings);
     }
     if (!slice_.empty())
-      return drawSlice(contents, all.front(), surroundings);
+      return drawSlice(contents, all.front(), context);
     Outcome outcome;
     outcome.json = {{"png", output_},
                     {"height", stage_.size.height},
@@ -227,7 +227,7 @@ public:
       if (influence_.empty())
         continue;
       one.influences = influencesOf(contents, contents.rig->indexOf(influence_), *one.system, one.options,
-                                    surroundings.progress);
+                                    context.progress);
       Eigen::Index reached = 0, vertices = 0;
       for (const auto& values : one.influences) {
         range.low = std::min(range.low, values->minCoeff());
@@ -240,10 +240,9 @@ public:
     }
     Pictures pictures;
     for (Shown& one : all) {
-      surroundings.progress.throwIfCancelled();
+      context.progress.throwIfCancelled();
       one.range = range;
-      const Pictures drawn =
-          draw(one, contents, stage_.size.width / static_cast<int>(all.size()), surroundings);
+      const Pictures drawn = draw(one, contents, stage_.size.width / static_cast<int>(all.size()), context);
       pictures.insert(pictures.end(), drawn.begin(), drawn.end());
     }
     const auto sheet = scene::contactSheet(pictures, static_cast<int>(pictures.size()));
@@ -258,19 +257,19 @@ public:
   }
 
 private:
-  std::vector<Shown> shown(const Surroundings& surroundings) const {
-    const auto system = system_.system(surroundings);
+  std::vector<Shown> shown(const CommandContext& context) const {
+    const auto system = system_.system(context);
     if (beside_.empty())
-      return {{system, system_.bindOptions(*system, surroundings), {}}};
-    const auto beside = surroundings.systems.find(beside_);
-    return {{system, system_.bindOptions(*system, surroundings, beside.get()), {}},
-            {beside, system_.bindOptions(*beside, surroundings, system.get()), {}}};
+      return {{system, system_.bindOptions(*system, context), {}}};
+    const auto beside = context.systems.find(beside_);
+    return {{system, system_.bindOptions(*system, context, beside.get()), {}},
+            {beside, system_.bindOptions(*beside, context, system.get()), {}}};
   }
 
   using Pictures = std::vector<vtkSmartPointer<vtkImageData>>;
 
   /// One picture a side that is asked for.
-  Pictures draw(const Shown& shown, const Contents& contents, int width, Surroundings& surroundings) const {
+  Pictures draw(const Shown& shown, const Contents& contents, int width, CommandContext& context) const {
     std::vector<document::Organ> seen = contents.organs;
     for (document::Organ& organ : seen)
       organ.look.opacity = opacity_;
@@ -288,16 +287,15 @@ private:
       view.selection.handles = {organs.handle(contents.rig->indexOf(influence_))};
     }
     if (contents.pose) {
-      Progress& progress = surroundings.progress;
+      Progress& progress = context.progress;
       showPose(organs, contents, *shown.system, shown.options, progress);
       if (stress_)
         map = stressOf(organs, contents, *shown.system, shown.options, progress);
     }
     StageOptions options = stage_;
     options.size.width = width;
-    presentation::Stage stage = stageFor(options, surroundings.threads);
-    stage.presenter().update(
-        {organs.state(), organs, view, surroundings.systems, nullptr, map ? &*map : nullptr});
+    presentation::Stage stage = stageFor(options, context.threads);
+    stage.presenter().update({organs.state(), organs, view, context.systems, nullptr, map ? &*map : nullptr});
     Pictures pictures;
     for (const std::string& side : views_) {
       stage.compose(scene::standardViewFromName(side), views_.size() > 1 ? kRoomOnASheet : 0);
@@ -317,18 +315,18 @@ private:
   }
 
   /// A slice of a scan, with the organs' contours.
-  Outcome drawSlice(const Contents& contents, const Shown& shown, Surroundings& surroundings) const {
+  Outcome drawSlice(const Contents& contents, const Shown& shown, CommandContext& context) const {
     StillOrgans organs(contents.organs);
     if (contents.rig)
       organs.setRig(*contents.rig, {shown.system->id(), shown.options.parameters});
     if (contents.pose)
-      showPose(organs, contents, *shown.system, shown.options, surroundings.progress);
+      showPose(organs, contents, *shown.system, shown.options, context.progress);
     organs.setScan(contents.scan);
     presentation::ViewState view;
     view.scan.level = level_;
     view.scan.width = width_;
     const SliceOutcome slice =
-        slicePicture({organs.state(), organs, view}, sliceRequest(slice_), stage_, surroundings.threads);
+        slicePicture({organs.state(), organs, view}, sliceRequest(slice_), stage_, context.threads);
     scene::writePng(output_, slice.image);
     Outcome outcome;
     outcome.json = {{"png", output_},
@@ -343,7 +341,7 @@ private:
   }
 
   /// A session as the window showed it.
-  Outcome drawSession(Surroundings& surroundings) {
+  Outcome drawSession(CommandContext& context) {
     const bool more = files_.size() > 1 || !views_.empty() || !influence_.empty() || !pose_.empty() ||
                       !beside_.empty() || parts_.any();
     if (more)
@@ -351,10 +349,10 @@ private:
                        files_.front(), "draw its organs' and handles' own files for anything else");
     stage_.size = pictureSize(size_);
     const document::OpenedSession opened =
-        document::readSession(files_.front(), surroundings.samples, surroundings.progress);
+        document::readSession(files_.front(), context.samples, context.progress);
     if (!slice_.empty())
-      return drawSlice(opened, surroundings);
-    const SessionPicture picture = sessionPicture(opened, stage_, viewGiven_->count() > 0, surroundings);
+      return drawSlice(opened, context);
+    const SessionPicture picture = sessionPicture(opened, stage_, viewGiven_->count() > 0, context);
     scene::writePng(output_, picture.image);
     Outcome outcome;
     outcome.json = {{"png", output_},
@@ -374,10 +372,9 @@ private:
 
   /// A slice of a session's scan, as the window showed it but for its place, size and, where they are given,
   /// level and width.
-  Outcome drawSlice(const document::OpenedSession& opened, Surroundings& surroundings) const {
+  Outcome drawSlice(const document::OpenedSession& opened, CommandContext& context) const {
     const document::DocumentState& state = opened.contents.state;
-    const SliceOutcome slice =
-        sessionSlice(opened, sliceRequest(slice_), level_, width_, stage_, surroundings);
+    const SliceOutcome slice = sessionSlice(opened, sliceRequest(slice_), level_, width_, stage_, context);
     scene::writePng(output_, slice.image);
     Outcome outcome;
     outcome.json = {{"png", output_},

@@ -37,34 +37,34 @@ public:
                      "Tell the stress of the pose, also where the session does not show it");
   }
 
-  Outcome run(Surroundings& surroundings) override {
+  Outcome run(CommandContext& context) override {
     const auto begin = std::chrono::steady_clock::now();
     if (!report::isReportFile(output_))
       throw UsageError("It is not a file that a report can be", output_, "let it end in .pdf or .html");
     Outcome outcome;
-    Material material = this->material(surroundings, outcome.warnings);
-    PosedSession posed(material.state, material.view, surroundings);
+    Material material = this->material(context, outcome.warnings);
+    PosedSession posed(material.state, material.view, context);
     report::ReportSource source;
     source.state = posed.state();
     source.view = material.view;
     source.organs = &posed.organs();
-    source.systems = &surroundings.systems;
+    source.systems = &context.systems;
     source.title = title_;
     source.file = material.file;
     source.notes = material.notes;
-    source.sequence = sequenceOf(posed.state(), material.view, surroundings);
+    source.sequence = sequenceOf(posed.state(), material.view, context);
     if (material.view.playing)
       source.ratePerMinute = material.view.playing->ratePerMinute;
     live::StressCopy stress;
     if (material.view.shown.stress || stress_) {
-      if (const std::string missing = posed.makeStress(material.view, surroundings); !missing.empty())
+      if (const std::string missing = posed.makeStress(material.view, context); !missing.empty())
         outcome.warnings.push_back("there is no stress to report: " + missing);
       stress = posed.stress().copy();
       source.stress = &stress;
       source.stressStatus = posed.stress().status();
     }
-    const report::Report made = report::makeReport(source, surroundings.threads, surroundings.progress);
-    surroundings.progress.throwIfCancelled();
+    const report::Report made = report::makeReport(source, context.threads, context.progress);
+    context.progress.throwIfCancelled();
     const int pages = report::writeReport(output_, made);
     outcome.json = {{"file", output_},
                     {"pages", pages},
@@ -93,13 +93,13 @@ private:
     std::vector<std::string> notes; ///< Of the files, for its reader.
   };
 
-  Material material(Surroundings& surroundings, std::vector<std::string>& warnings) const {
+  Material material(CommandContext& context, std::vector<std::string>& warnings) const {
     Material material;
     if (document::isSessionFile(files_.front())) {
       if (files_.size() > 1)
         throw UsageError("A session is reported on alone", files_[1], "name one session, or organs only");
       const document::OpenedSession opened =
-          document::readSession(files_.front(), surroundings.samples, surroundings.progress);
+          document::readSession(files_.front(), context.samples, context.progress);
       material.state = opened.contents.state;
       material.view = presentation::viewFromJson(opened.contents.view);
       material.view.shown.rest = false; // A report is on the pose, also of one who edits the handles.
@@ -109,7 +109,7 @@ private:
     }
     std::vector<document::NewOrgan> organs;
     for (const std::string& file : files_)
-      for (document::Organ& organ : organInputs(file, surroundings.samples, surroundings.progress))
+      for (document::Organ& organ : organInputs(file, context.samples, context.progress))
         organs.push_back({std::move(organ), -1});
     document::Document document;
     document::UndoStack undo(document);

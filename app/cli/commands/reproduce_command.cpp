@@ -50,10 +50,10 @@ public:
     options.add_option("--only", only_, "Only these, as 4.11 or table-4.1")->type_name("FIGURE");
   }
 
-  Outcome run(Surroundings& surroundings) override {
-    const reproduction::Bench bench{surroundings.systems, surroundings.samples, surroundings.threads};
+  Outcome run(CommandContext& context) override {
+    const reproduction::Bench bench{context.systems, context.samples, context.threads};
     const std::vector<Result> results =
-        reproduction::makeAll(reproduction::chosenItems(only_), bench, surroundings.progress);
+        reproduction::makeAll(reproduction::chosenItems(only_), bench, context.progress);
     reproduction::writePage(output_, results);
     Outcome outcome;
     outcome.json["figures"] = ordered_json::array();

@@ -45,29 +45,28 @@ public:
         ->excludes(list);
   }
 
-  Outcome run(Surroundings& surroundings) override {
+  Outcome run(CommandContext& context) override {
     if (list_)
-      return list(surroundings);
+      return list(context);
     if (organ_.empty())
       throw UsageError("no sample organ is named", {}, "viscera sample --list shows them");
-    return make(surroundings);
+    return make(context);
   }
 
 private:
-  Outcome list(const Surroundings& surroundings) const {
+  Outcome list(const CommandContext& context) const {
     Outcome outcome;
-    outcome.json["organs"] = sample_organs::sampleNames(surroundings.samples);
+    outcome.json["organs"] = sample_organs::sampleNames(context.samples);
     for (const auto& name : outcome.json["organs"])
       outcome.text += name.get<std::string>() + "\n";
     return outcome;
   }
 
-  Outcome make(Surroundings& surroundings) const {
+  Outcome make(CommandContext& context) const {
     std::string reference = isSample(organ_) ? organ_ : "sample:" + organ_;
     if (!resolution_.empty())
       reference = reference.substr(0, reference.rfind('@')) + "@" + resolution_;
-    const std::vector<document::Organ> surfaces =
-        organInputs(reference, surroundings.samples, surroundings.progress);
+    const std::vector<document::Organ> surfaces = organInputs(reference, context.samples, context.progress);
 
     Outcome outcome;
     ordered_json& json = outcome.json;
@@ -91,7 +90,7 @@ private:
           std::to_string(surface.mesh->triangles.rows()) + " triangles, " + fixed(volumeMl, 1) + " ml";
       if (!output_.empty()) {
         const std::filesystem::path file = fileOf(output_, lastPart(surface.name), first);
-        surroundings.progress.throwIfCancelled();
+        context.progress.throwIfCancelled();
         medical_io::writeSurface(file, *surface.mesh, {.name = surface.name});
         row["file"] = file.string();
         text += ", " + file.string();

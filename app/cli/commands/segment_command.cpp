@@ -148,14 +148,14 @@ public:
         ->capture_default_str();
   }
 
-  Outcome run(Surroundings& surroundings) override {
+  Outcome run(CommandContext& context) override {
     const auto start = std::chrono::steady_clock::now();
-    Progress& progress = surroundings.progress;
+    Progress& progress = context.progress;
     const medical_io::LabelMap map = medical_io::readLabelMap(file_, progress);
     options_.segments = medical_io::segmentsNamed(map, labels_, file_);
     OutputFolder folder(folder_);
     std::vector<medical_io::LabelSurface> surfaces =
-        medical_io::labelSurfaces(map, options_, progress, surroundings.threads);
+        medical_io::labelSurfaces(map, options_, progress, context.threads);
 
     Outcome outcome;
     for (const std::string& warning : map.warnings)

@@ -32,7 +32,7 @@ const char* nameOf(live::WitnessOrigin origin) {
 
 /// What is measured, at all points of the mesh: the witnesses first.
 struct Measured {
-  Interior interior;
+  WitnessedOrgan interior;
   Points posed; ///< The points in the pose, mm.
   deformation::StressMap map;
   deformation::StressStatistics statistics;
@@ -40,7 +40,7 @@ struct Measured {
   const deformation::WitnessMesh& mesh() const { return interior.mesh(); }
 };
 
-Measured measure(Interior interior, const BoundInput& input, Progress& progress) {
+Measured measure(WitnessedOrgan interior, const BoundInput& input, Progress& progress) {
   Measured measured;
   measured.interior = std::move(interior);
   input.system
@@ -129,19 +129,19 @@ public:
         ->take_all();
   }
 
-  Outcome run(Surroundings& surroundings) override {
+  Outcome run(CommandContext& context) override {
     const auto begin = std::chrono::steady_clock::now();
     std::vector<std::string> warnings;
-    const BoundInput input = input_.read(surroundings, warnings);
+    const BoundInput input = input_.read(context, warnings);
     live::WitnessOptions witnesses = witnesses_;
     witnesses.memoryLimitBytes = static_cast<std::uint64_t>(memoryMb_ * 1024 * 1024);
-    witnesses.threads = surroundings.threads;
+    witnesses.threads = context.threads;
     std::vector<std::shared_ptr<const geometry::TriangleMesh>> hollow;
     for (const std::string& cavity : cavities_)
-      hollow.push_back(organInput(cavity, surroundings.samples, surroundings.progress).mesh);
-    const Measured measured = measure(interiorOf(input, witnesses, warnings, surroundings.progress, hollow),
-                                      input, surroundings.progress);
-    surroundings.progress.throwIfCancelled();
+      hollow.push_back(organInput(cavity, context.samples, context.progress).mesh);
+    const Measured measured =
+        measure(interiorOf(input, witnesses, warnings, context.progress, hollow), input, context.progress);
+    context.progress.throwIfCancelled();
     if (!output_.empty())
       live::writeStressSolid(output_, measured.mesh(), measured.posed, measured.map);
     if (!csv_.empty())

@@ -68,10 +68,10 @@ public:
 
   void addOptions(CLI::App&) override {}
 
-  Outcome run(Surroundings& surroundings) override {
+  Outcome run(CommandContext& context) override {
     Outcome outcome;
     outcome.json["systems"] = ordered_json::array();
-    for (const plugin::Registry::Entry& entry : surroundings.systems.list()) {
+    for (const plugin::Registry::Entry& entry : context.systems.list()) {
       const coordinates::CoordinateSystem& system = *entry.system;
       ordered_json parameters = ordered_json::array();
       Listing listing;

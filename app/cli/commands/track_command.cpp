@@ -28,7 +28,7 @@ public:
   std::string name() const override { return "track"; }
   std::string summary() const override { return "Find a patient's own motion in a series of phases"; }
   void addOptions(CLI::App& options) override;
-  Outcome run(Surroundings& surroundings) override;
+  Outcome run(CommandContext& context) override;
 
 private:
   /// What is asked for, checked. Throws `UsageError`.
@@ -246,7 +246,7 @@ motion::TrackOptions TrackCommand::trackOptions(std::vector<std::string>& warnin
   return options;
 }
 
-Outcome TrackCommand::run(Surroundings& surroundings) {
+Outcome TrackCommand::run(CommandContext& context) {
   const auto begin = std::chrono::steady_clock::now();
   if (!motion::isSequenceFile(output_))
     throw UsageError("The name of a sequence file ends in .sequence.json", "-o " + output_,
@@ -258,11 +258,10 @@ Outcome TrackCommand::run(Surroundings& surroundings) {
   std::vector<std::string> warnings;
   const motion::TrackOptions options = trackOptions(warnings);
   motion::MotionSeries series;
-  runPart(surroundings.progress, 0, 0.1,
-          [&](Progress& part) { series = read(asked, part, surroundings.threads); });
+  runPart(context.progress, 0, 0.1, [&](Progress& part) { series = read(asked, part, context.threads); });
   motion::PatientMotion found;
-  runPart(surroundings.progress, 0.1, 1,
-          [&](Progress& part) { found = motion::trackMotion(series, options, part, surroundings.threads); });
+  runPart(context.progress, 0.1, 1,
+          [&](Progress& part) { found = motion::trackMotion(series, options, part, context.threads); });
   found.warnings.insert(found.warnings.begin(), warnings.begin(), warnings.end());
   write(found);
   Outcome outcome = report(found);

@@ -43,24 +43,24 @@ public:
         ->required();
   }
 
-  Outcome run(Surroundings& surroundings) override {
+  Outcome run(CommandContext& context) override {
     const auto begin = std::chrono::steady_clock::now();
     Outcome outcome;
-    const auto system = system_.system(surroundings);
-    const coordinates::BindOptions options = system_.bindOptions(*system, surroundings);
+    const auto system = system_.system(context);
+    const coordinates::BindOptions options = system_.bindOptions(*system, context);
     const RigInput rig = rigInput(handles_, outcome.warnings, system_.cage());
     const Points pose = poseInput(pose_, rig, outcome.warnings);
     const auto mapFor = [&](const Vec3& spacing) {
       return deformation::InverseMap(*system, rig.handles, pose, options, medical_io::bendOptions(spacing),
-                                     surroundings.progress);
+                                     context.progress);
     };
     const bool labels =
-        medical_io::imageContents(scan_.file(), surroundings.progress) == medical_io::ImageContents::labels;
+        medical_io::imageContents(scan_.file(), context.progress) == medical_io::ImageContents::labels;
     Bent bent;
     if (labels)
-      bendLabels(bent, mapFor, *system, outcome.warnings, surroundings.progress);
+      bendLabels(bent, mapFor, *system, outcome.warnings, context.progress);
     else
-      bendScan(bent, mapFor, *system, outcome.warnings, surroundings.progress);
+      bendScan(bent, mapFor, *system, outcome.warnings, context.progress);
     report(bent, std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count(), outcome);
     return outcome;
   }

@@ -151,11 +151,11 @@ QWidget* CirculationBox::makeComparison(const Actions& actions) {
 QWidget* CirculationBox::makeControls() {
   auto* box = new QWidget(details_);
   auto* column = makeLayout<QVBoxLayout>(box, 8);
-  column->addWidget(new Fold(
+  column->addWidget(new CollapsibleSection(
       tr("Rate, preload, afterload"),
       makeGroup({"rate", "stressedVolume", "systemicResistance", "pulmonaryResistance"}), true, box));
-  column->addWidget(new Fold(tr("Muscle"), makeGroup({"lvEes", "rvEes", "lvB"}), true, box));
-  column->addWidget(new Fold(
+  column->addWidget(new CollapsibleSection(tr("Muscle"), makeGroup({"lvEes", "rvEes", "lvB"}), true, box));
+  column->addWidget(new CollapsibleSection(
       tr("Valves and pericardium"),
       makeGroup({"aorticArea", "aorticLeak", "mitralArea", "mitralLeak", "pericardialFluid"}), true, box));
   return box;

@@ -43,11 +43,11 @@ PlayMode::PlayMode(const ModeParts& parts, Actions& actions)
                    tr("Space plays or pauses; drag the timeline to look at one instant")}),
       comparison_(std::make_unique<Comparison>(Comparison::First{
           parts.workspace, parts.playback, parts.volumes, parts.area, parts.settings, parts.view})),
-      recorder_(std::make_unique<Recorder>(parts.workspace)),
-      recorded_(std::make_unique<RecordedMotion>(parts.workspace, parts.playback)),
+      recorder_(std::make_unique<MovieRecorder>(parts.workspace)),
+      recorded_(std::make_unique<KeySequencePlayback>(parts.workspace, parts.playback)),
       circulation_(std::make_unique<CirculationModel>(parts.workspace, parts.playback)),
       measured_(std::make_unique<MeasuredMotion>(parts.workspace, parts.playback, parts.picture)) {
-  connect(recorder_.get(), &Recorder::finished, this, &PlayMode::sayRecorded);
+  connect(recorder_.get(), &MovieRecorder::finished, this, &PlayMode::sayRecorded);
   makeLookActions(actions);
   makeMotionActions(actions);
   makeComparisonActions(actions);
@@ -333,14 +333,14 @@ void PlayMode::addKey() {
     parts_.area.showBadge(tr("Key at %1 s").arg(formatNumber(seconds, 2)));
 }
 
-bool PlayMode::record(const RecordingPlan& plan) {
-  std::vector<RecordingStage::Source> sources = {{parts_.workspace, parts_.playback, parts_.picture}};
+bool PlayMode::record(const MoviePlan& plan) {
+  std::vector<MovieStage::Source> sources = {{parts_.workspace, parts_.playback, parts_.picture}};
   if (comparison_->on())
     sources.push_back({comparison_->workspace(), comparison_->playback(), comparison_->picture()});
   return recorder_->start(plan, sources);
 }
 
-void PlayMode::sayRecorded(bool complete, const RecordingPlan& plan) {
+void PlayMode::sayRecorded(bool complete, const MoviePlan& plan) {
   if (complete)
     parts_.workspace.noteWritten(tr("Recorded as %1").arg(plan.file), plan.file);
 }

@@ -8,9 +8,9 @@
 #include "window/circulation/circulation_model.h"
 #include "window/circulation/circulation_panel.h"
 #include "window/compare/comparison.h"
+#include "window/key_sequence/key_sequence_playback.h"
 #include "window/modes/mode.h"
-#include "window/recorded/recorded_motion.h"
-#include "window/recording/recorder.h"
+#include "window/movie/movie_recorder.h"
 #include "window/timeline/volume_monitor.h"
 #include "window/track/measured_motion.h"
 #include "window/track/motion_dialog.h"
@@ -41,8 +41,8 @@ public:
   void setStatus(StatusLine& status);
 
   Comparison& comparison() { return *comparison_; }
-  Recorder& recorder() { return *recorder_; }
-  RecordedMotion& recorded() { return *recorded_; }
+  MovieRecorder& recorder() { return *recorder_; }
+  KeySequencePlayback& recorded() { return *recorded_; }
   CirculationModel& circulation() { return *circulation_; }
   MeasuredMotion& measured() { return *measured_; }
   /// The table for a motion out of a series; the caller owns it.
@@ -60,7 +60,7 @@ public:
   /// it is there, else it is loaded.
   void chooseScenario(const QString& id);
   /// Records what the view, or both views, show.
-  bool record(const RecordingPlan& plan);
+  bool record(const MoviePlan& plan);
 
 private:
   void makeMotionActions(Actions& actions);
@@ -71,11 +71,11 @@ private:
   bool seesThrough() const;
   void slower();
   void addKey();
-  void sayRecorded(bool complete, const RecordingPlan& plan);
+  void sayRecorded(bool complete, const MoviePlan& plan);
 
   std::unique_ptr<Comparison> comparison_;
-  std::unique_ptr<Recorder> recorder_;
-  std::unique_ptr<RecordedMotion> recorded_;
+  std::unique_ptr<MovieRecorder> recorder_;
+  std::unique_ptr<KeySequencePlayback> recorded_;
   std::unique_ptr<CirculationModel> circulation_;
   std::unique_ptr<MeasuredMotion> measured_;
   QPointer<MotionDialog> seriesDialog_; ///< The window's.

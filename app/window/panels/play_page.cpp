@@ -11,11 +11,11 @@
 #include "viscera/circulation/patient_fit.h"
 #include "viscera/document/circulation_commands.h"
 #include "window/circulation/circulation_box.h"
+#include "window/key_sequence/fit_box.h"
+#include "window/key_sequence/key_box.h"
 #include "window/language.h"
 #include "window/panels/curve_box.h"
 #include "window/panels/sequence_list.h"
-#include "window/recorded/fit_box.h"
-#include "window/recorded/key_box.h"
 #include "window/view/view_area.h"
 #include "window/view/view_model.h"
 
@@ -164,22 +164,22 @@ void PlayPage::syncPatientCirculation() {
 }
 
 void PlayPage::makeRecording(Settings& settings) {
-  record_ = new RecordBox(settings, this);
-  add(new Fold(tr("Record a movie"), record_, true, this));
-  Recorder& recorder = mode_.recorder();
-  connect(record_, &RecordBox::recordRequested, &mode_, &PlayMode::record);
-  connect(record_, &RecordBox::cancelRequested, &recorder, &Recorder::cancel);
-  connect(&recorder, &Recorder::stateChanged, this,
+  record_ = new MovieBox(settings, this);
+  add(new CollapsibleSection(tr("Record a movie"), record_, true, this));
+  MovieRecorder& recorder = mode_.recorder();
+  connect(record_, &MovieBox::recordRequested, &mode_, &PlayMode::record);
+  connect(record_, &MovieBox::cancelRequested, &recorder, &MovieRecorder::cancel);
+  connect(&recorder, &MovieRecorder::stateChanged, this,
           [this, &recorder] { record_->setRunning(recorder.running()); });
 }
 
 void PlayPage::makeOwnMotions(const ModeParts& parts) {
   auto* curve = new CurveBox(parts.workspace, playback_, parts.settings, this);
-  add(new Fold(tr("Prescribe a volume"), curve, false, this));
+  add(new CollapsibleSection(tr("Prescribe a volume"), curve, false, this));
   auto* keys = new KeyBox(parts.workspace, playback_, mode_.recorded(), parts.settings, this);
-  add(new Fold(tr("Record a sequence"), keys, false, this));
+  add(new CollapsibleSection(tr("Record a sequence"), keys, false, this));
   auto* fit = new FitBox(parts.workspace, playback_, parts.picture, *parts.area.view(), this);
-  add(new Fold(tr("Fit a sequence to an organ"), fit, false, this));
+  add(new CollapsibleSection(tr("Fit a sequence to an organ"), fit, false, this));
   connect(offer_, &FitOffer::fitChosen, fit, &FitBox::fit);
 }
 

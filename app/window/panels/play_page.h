@@ -5,9 +5,9 @@
 
 #include "viscera/motion/clinical_numbers.h"
 #include "window/actions.h"
+#include "window/key_sequence/fit_offer.h"
 #include "window/modes/play_mode.h"
-#include "window/recorded/fit_offer.h"
-#include "window/recording/record_box.h"
+#include "window/movie/movie_box.h"
 #include "window/timeline/volume_monitor.h"
 #include "window/widgets/page.h"
 
@@ -55,7 +55,7 @@ private:
   QLabel* patientFit_ = nullptr;
   /// The left ventricle of an organ with a motion of its own; nothing while there is none.
   std::optional<motion::CardiacIndices> ventricle_;
-  RecordBox* record_ = nullptr;
+  MovieBox* record_ = nullptr;
   Subscription subscription_;
 };
 

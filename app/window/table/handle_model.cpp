@@ -39,7 +39,7 @@ void HandleModel::refresh() {
     Q_EMIT dataChanged(index(0, 0), index(rows_ - 1, columns - 1));
 }
 
-void HandleModel::lookAt(std::optional<LookedAtVertex> vertex) {
+void HandleModel::showVertex(std::optional<ShownVertex> vertex) {
   vertex_ = std::move(vertex);
   measure();
 }

@@ -9,7 +9,7 @@
 namespace viscera::app {
 
 /// One vertex of an organ, whose coordinates are looked at.
-struct LookedAtVertex {
+struct ShownVertex {
   document::OrganId organ;
   int vertex = -1;
 };
@@ -26,8 +26,8 @@ public:
   explicit HandleModel(Workspace& workspace, QObject* parent = nullptr);
 
   /// Looks at the coordinates of that vertex from now on; none: at none.
-  void lookAt(std::optional<LookedAtVertex> vertex);
-  const std::optional<LookedAtVertex>& lookedAt() const { return vertex_; }
+  void showVertex(std::optional<ShownVertex> vertex);
+  const std::optional<ShownVertex>& shownVertex() const { return vertex_; }
   /// The coordinates of the vertex, one a handle; empty without one, or while its organ is not bound.
   const Values& weights() const { return weights_; }
 
@@ -54,7 +54,7 @@ private:
   QString groupsOf(const document::Handle& handle) const;
 
   Workspace& workspace_;
-  std::optional<LookedAtVertex> vertex_;
+  std::optional<ShownVertex> vertex_;
   Values weights_;
   int rows_ = 0;
   std::vector<Subscription> subscriptions_;

@@ -70,11 +70,11 @@ void HandleTable::onClick(const QPointF& place) {
   if (!isVisible())
     return;
   if (const auto pick = view_.pickNear(place))
-    model_.lookAt(LookedAtVertex{picture_.organOf(pick->organ), pick->vertex});
+    model_.showVertex(ShownVertex{picture_.organOf(pick->organ), pick->vertex});
 }
 
 void HandleTable::sayVertex() {
-  const auto& vertex = model_.lookedAt();
+  const auto& vertex = model_.shownVertex();
   const auto organ = vertex ? workspace_.document().organ(vertex->organ) : nullptr;
   if (!organ)
     return vertex_->setText(tr("Click the organ in the view to see the coordinates of its nearest vertex."));

@@ -63,7 +63,7 @@ MotionDialog::MotionDialog(Workspace& workspace, MeasuredMotion& measured, Setti
   makeFiles(*column);
   makeItems(*column);
   makeTimes(*column);
-  column->addWidget(new Fold(tr("More"), makeMore(), false, this));
+  column->addWidget(new CollapsibleSection(tr("More"), makeMore(), false, this));
   said_ = new QLabel(this);
   said_->setObjectName(QStringLiteral("motionSaid"));
   said_->setWordWrap(true);

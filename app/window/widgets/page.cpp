@@ -12,7 +12,7 @@
 
 namespace viscera::app {
 
-Fold::Fold(const QString& title, QWidget* contents, bool open, QWidget* parent)
+CollapsibleSection::CollapsibleSection(const QString& title, QWidget* contents, bool open, QWidget* parent)
     : QWidget(parent), title_(new QToolButton(this)), contents_(contents) {
   auto* column = makeLayout<QVBoxLayout>(this, 4);
   title_->setObjectName(QStringLiteral("foldTitle"));
@@ -23,17 +23,17 @@ Fold::Fold(const QString& title, QWidget* contents, bool open, QWidget* parent)
   embolden(title_);
   column->addWidget(title_);
   column->addWidget(contents_);
-  connect(title_, &QToolButton::toggled, this, &Fold::setOpen);
+  connect(title_, &QToolButton::toggled, this, &CollapsibleSection::setOpen);
   setOpen(open);
 }
 
-void Fold::setOpen(bool open) {
+void CollapsibleSection::setOpen(bool open) {
   title_->setChecked(open);
   title_->setArrowType(open ? Qt::DownArrow : Qt::RightArrow);
   contents_->setVisible(open);
 }
 
-bool Fold::isOpen() const {
+bool CollapsibleSection::isOpen() const {
   return title_->isChecked();
 }
 

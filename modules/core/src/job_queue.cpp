@@ -223,15 +223,15 @@ Subscription JobQueue::onChange(std::function<void()> observer) {
   return shared_->changed.connect(std::move(observer));
 }
 
-struct PostBox::Shared {
+struct ManualEventLoop::Shared {
   std::mutex mutex;
   std::condition_variable arrived;
   std::deque<std::function<void()>> functions;
 };
 
-PostBox::PostBox() : shared_(std::make_shared<Shared>()) {}
+ManualEventLoop::ManualEventLoop() : shared_(std::make_shared<Shared>()) {}
 
-JobQueue::Post PostBox::post() const {
+JobQueue::Post ManualEventLoop::post() const {
   return [shared = shared_](std::function<void()> function) {
     {
       const std::lock_guard lock(shared->mutex);
@@ -241,7 +241,7 @@ JobQueue::Post PostBox::post() const {
   };
 }
 
-int PostBox::run() {
+int ManualEventLoop::run() {
   std::deque<std::function<void()>> functions;
   {
     const std::lock_guard lock(shared_->mutex);
@@ -252,7 +252,7 @@ int PostBox::run() {
   return static_cast<int>(functions.size());
 }
 
-void PostBox::runUntil(const std::function<bool()>& done) {
+void ManualEventLoop::runUntil(const std::function<bool()>& done) {
   while (!done()) {
     if (run() > 0)
       continue;

@@ -40,7 +40,8 @@ bool identical(const OrganList& a, const OrganList& b) {
 DocumentState::DocumentState()
     : organs(std::make_shared<const OrganList>()), rig(std::make_shared<const Rig>()),
       pose(std::make_shared<const Points>(0, 3)), system(std::make_shared<const SystemChoice>()),
-      recording(std::make_shared<const Recording>()), measurements(std::make_shared<const MeasurementList>()),
+      keySequence(std::make_shared<const KeySequence>()),
+      measurements(std::make_shared<const MeasurementList>()),
       circulation(std::make_shared<const CirculationChoice>()) {}
 
 std::shared_ptr<const Organ> DocumentState::organ(OrganId id) const {
@@ -55,7 +56,7 @@ bool identical(const DocumentState& a, const DocumentState& b) {
   return identical(*a.organs, *b.organs) && *a.rig == *b.rig &&
          sameBits(a.rig->restPositions(), b.rig->restPositions()) && sameBits(*a.pose, *b.pose) &&
          a.system->id == b.system->id && a.system->parameters.all() == b.system->parameters.all() &&
-         *a.recording == *b.recording && *a.measurements == *b.measurements &&
+         *a.keySequence == *b.keySequence && *a.measurements == *b.measurements &&
          *a.circulation == *b.circulation && identical(a.scan, b.scan);
 }
 

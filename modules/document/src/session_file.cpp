@@ -75,7 +75,7 @@ public:
       taken_.insert(handle.id.value);
     for (const Group& group : state.rig->groups)
       taken_.insert(group.id.value);
-    for (const RecordedKey& key : state.recording->keys) {
+    for (const SequenceKey& key : state.keySequence->keys) {
       taken_.insert(key.id.value);
       for (const auto& [handle, moved] : key.displacements)
         taken_.insert(handle.value);
@@ -181,7 +181,7 @@ public:
     // What is cheap to read comes first: a damaged file is refused before a sample organ is made.
     reader_.readRig(reader_.field(root, "rig", ""), contents.state);
     reader_.readSystem(reader_.field(root, "system", ""), contents.state);
-    reader_.readRecording(reader_.field(root, "recording", ""), contents.state);
+    reader_.readKeySequence(reader_.field(root, "recording", ""), contents.state);
     reader_.readMeasurements(root, contents.state);
     reader_.readCirculation(root, contents.state);
     const DocumentState cheap = contents.state;
@@ -453,7 +453,7 @@ void writeSession(const fs::path& file, const SessionContents& contents, Progres
   root["organs"] = OrganRecords(contents).write(folder, progress);
   root["rig"] = rigJson(*state.rig, *state.pose);
   root["system"] = systemJson(*state.system);
-  root["recording"] = recordingJson(*state.recording);
+  root["recording"] = keySequenceJson(*state.keySequence);
   if (!state.measurements->empty())
     root["measurements"] =
         measurementsJson(*state.measurements, [&](OrganId id) { return isKnown(contents, id); });

@@ -83,9 +83,9 @@ ordered_json systemJson(const SystemChoice& system) {
   return {{"id", system.id}, {"parameters", std::move(parameters)}};
 }
 
-ordered_json recordingJson(const Recording& recording) {
+ordered_json keySequenceJson(const KeySequence& keySequence) {
   ordered_json keys = ordered_json::array();
-  for (const RecordedKey& key : recording.keys) {
+  for (const SequenceKey& key : keySequence.keys) {
     ordered_json displacements = ordered_json::array();
     for (const auto& [handle, moved] : key.displacements)
       displacements.push_back({{"handle", handle.value}, {"by", listOf(moved)}});
@@ -94,10 +94,10 @@ ordered_json recordingJson(const Recording& recording) {
                     {"easing", nameOf(key.easing)},
                     {"displacements", std::move(displacements)}});
   }
-  return {{"name", recording.name},
-          {"periodSeconds", recording.periodSeconds},
-          {"loop", recording.loop},
-          {"interpolation", nameOf(recording.interpolation)},
+  return {{"name", keySequence.name},
+          {"periodSeconds", keySequence.periodSeconds},
+          {"loop", keySequence.loop},
+          {"interpolation", nameOf(keySequence.interpolation)},
           {"keys", std::move(keys)}};
 }
 
@@ -306,9 +306,9 @@ void SessionReader::readSystem(const ordered_json& item, DocumentState& state) {
   state.system = std::make_shared<const SystemChoice>(std::move(choice));
 }
 
-RecordedKey SessionReader::readKey(const ordered_json& item, const std::string& place) {
+SequenceKey SessionReader::readKey(const ordered_json& item, const std::string& place) {
   takeObject(item, {"id", "seconds", "easing", "displacements"}, place);
-  RecordedKey key;
+  SequenceKey key;
   key.id = newId<KeyId>(item, place);
   key.seconds = numberOf(field(item, "seconds", place), place + ".seconds");
   key.easing = named(sequences::easingFromName, item, "easing", place, "linear, smooth, in, out, hold");
@@ -323,19 +323,19 @@ RecordedKey SessionReader::readKey(const ordered_json& item, const std::string& 
   return key;
 }
 
-void SessionReader::readRecording(const ordered_json& item, DocumentState& state) {
+void SessionReader::readKeySequence(const ordered_json& item, DocumentState& state) {
   takeObject(item, {"name", "periodSeconds", "loop", "interpolation", "keys"}, "recording");
-  Recording recording;
+  KeySequence keySequence;
   if (const std::string name = optionalText(item, "name", "recording"); !name.empty())
-    recording.name = name;
-  recording.periodSeconds = numberOf(field(item, "periodSeconds", "recording"), "recording.periodSeconds");
-  recording.loop = flagOf(item, "loop", "recording");
-  recording.interpolation =
+    keySequence.name = name;
+  keySequence.periodSeconds = numberOf(field(item, "periodSeconds", "recording"), "recording.periodSeconds");
+  keySequence.loop = flagOf(item, "loop", "recording");
+  keySequence.interpolation =
       named(sequences::interpolationFromName, item, "interpolation", "recording", "eased, curve");
   const ordered_json& keys = listOf(item, "keys", "recording");
   for (std::size_t i = 0; i < keys.size(); ++i)
-    recording.keys.push_back(readKey(keys[i], at("recording.keys", i)));
-  state.recording = std::make_shared<const Recording>(std::move(recording));
+    keySequence.keys.push_back(readKey(keys[i], at("recording.keys", i)));
+  state.keySequence = std::make_shared<const KeySequence>(std::move(keySequence));
 }
 
 MeasuredPoint SessionReader::readMeasuredPoint(const ordered_json& item, const std::string& place) {

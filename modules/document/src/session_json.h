@@ -17,7 +17,7 @@ namespace viscera::document {
 nlohmann::ordered_json organJson(const Organ& organ);
 nlohmann::ordered_json rigJson(const Rig& rig, const Points& pose);
 nlohmann::ordered_json systemJson(const SystemChoice& system);
-nlohmann::ordered_json recordingJson(const Recording& recording);
+nlohmann::ordered_json keySequenceJson(const KeySequence& keySequence);
 /// Points on an organ that `isKnown` does not know are written as places that stay.
 nlohmann::ordered_json measurementsJson(const MeasurementList& measurements,
                                         const std::function<bool(OrganId)>& isKnown);
@@ -33,7 +33,7 @@ public:
   Organ readOrganRecord(const nlohmann::ordered_json& item, const std::string& place);
   void readRig(const nlohmann::ordered_json& item, DocumentState& state);
   void readSystem(const nlohmann::ordered_json& item, DocumentState& state);
-  void readRecording(const nlohmann::ordered_json& item, DocumentState& state);
+  void readKeySequence(const nlohmann::ordered_json& item, DocumentState& state);
   /// Whether the organs and triangles that points name are there is not looked at.
   void readMeasurements(const nlohmann::ordered_json& root, DocumentState& state);
 
@@ -54,7 +54,7 @@ private:
   Handle readHandle(const nlohmann::ordered_json& item, const std::string& place);
   Group readGroup(const nlohmann::ordered_json& item, const std::string& place);
   void readCage(const nlohmann::ordered_json& list, Rig& rig) const;
-  RecordedKey readKey(const nlohmann::ordered_json& item, const std::string& place);
+  SequenceKey readKey(const nlohmann::ordered_json& item, const std::string& place);
   circulation::Parameters readParameters(const nlohmann::ordered_json& item, const std::string& place) const;
   void readMeasurementKind(const nlohmann::ordered_json& item, const std::string& place,
                            Measurement& measurement) const;

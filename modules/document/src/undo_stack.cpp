@@ -22,7 +22,7 @@ void shareEqualParts(const DocumentState& before, DocumentState& after) {
   share(&DocumentState::rig);
   share(&DocumentState::pose);
   share(&DocumentState::system);
-  share(&DocumentState::recording);
+  share(&DocumentState::keySequence);
   share(&DocumentState::measurements);
   share(&DocumentState::circulation);
 }
@@ -53,8 +53,8 @@ std::size_t newBytes(const DocumentState& before, const DocumentState& after) {
   }
   if (after.pose != before.pose)
     bytes += bytesOf(*after.pose);
-  if (after.recording != before.recording)
-    for (const RecordedKey& key : after.recording->keys)
+  if (after.keySequence != before.keySequence)
+    for (const SequenceKey& key : after.keySequence->keys)
       bytes += sizeof(key) + key.displacements.size() * sizeof(*key.displacements.begin());
   if (after.measurements != before.measurements)
     for (const Measurement& measurement : *after.measurements)
@@ -247,7 +247,7 @@ void UndoStack::reset(DocumentState state) {
     document_.ids_.reserve(handle.id);
   for (const Group& group : state.rig->groups)
     document_.ids_.reserve(group.id);
-  for (const RecordedKey& key : state.recording->keys) {
+  for (const SequenceKey& key : state.keySequence->keys) {
     document_.ids_.reserve(key.id);
     for (const auto& [handle, moved] : key.displacements) // Handles that were removed are still meant.
       document_.ids_.reserve(handle);

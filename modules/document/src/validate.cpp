@@ -59,7 +59,7 @@ void validateIds(const DocumentState& state) {
     take(handle.id.value, phrase("handle %1", handle.label));
   for (const Group& group : state.rig->groups)
     take(group.id.value, phrase("group %1", group.name));
-  for (const RecordedKey& key : state.recording->keys) {
+  for (const SequenceKey& key : state.keySequence->keys) {
     take(key.id.value, "a recorded key");
     for (const auto& [handle, moved] : key.displacements)
       requireId(handle.value, "a handle of a recorded key");
@@ -159,18 +159,18 @@ void validateSystem(const SystemChoice& system) {
   }
 }
 
-void validateRecording(const Recording& recording) {
-  requireName(recording.name, "recording");
-  require(recording.periodSeconds >= sequences::kShortestSpan && std::isfinite(recording.periodSeconds),
-          "the period is not a positive number of seconds", recording.name);
+void validateKeySequence(const KeySequence& keySequence) {
+  requireName(keySequence.name, "recording");
+  require(keySequence.periodSeconds >= sequences::kShortestSpan && std::isfinite(keySequence.periodSeconds),
+          "the period is not a positive number of seconds", keySequence.name);
   double earliest = 0;
-  for (const RecordedKey& key : recording.keys) {
-    const std::string where = phrase("%1, key at %2 s", recording.name, std::to_string(key.seconds));
-    require(&key == recording.keys.data() ? key.seconds >= 0
-                                          : key.seconds - earliest >= sequences::kShortestSpan,
+  for (const SequenceKey& key : keySequence.keys) {
+    const std::string where = phrase("%1, key at %2 s", keySequence.name, std::to_string(key.seconds));
+    require(&key == keySequence.keys.data() ? key.seconds >= 0
+                                            : key.seconds - earliest >= sequences::kShortestSpan,
             "it is not a millisecond at least behind the key before it", where,
             "move it elsewhere, or remove one of the two");
-    require(key.seconds < recording.periodSeconds, "it does not lie within the period", where,
+    require(key.seconds < keySequence.periodSeconds, "it does not lie within the period", where,
             "lengthen the period first");
     earliest = key.seconds;
     for (const auto& [handle, moved] : key.displacements)
@@ -219,7 +219,7 @@ void validateCirculation(const CirculationChoice& choice) {
 
 void validate(const DocumentState& state, const DocumentState& known) {
   const bool organs = state.organs != known.organs, rig = state.rig != known.rig;
-  const bool recording = state.recording != known.recording;
+  const bool keySequence = state.keySequence != known.keySequence;
   const bool measurements = state.measurements != known.measurements;
   if (organs)
     validateOrgans(state, known);
@@ -229,13 +229,13 @@ void validate(const DocumentState& state, const DocumentState& known) {
     validatePose(state);
   if (state.system != known.system)
     validateSystem(*state.system);
-  if (recording)
-    validateRecording(*state.recording);
+  if (keySequence)
+    validateKeySequence(*state.keySequence);
   if (measurements || organs)
     validateMeasurements(state);
   if (state.circulation != known.circulation)
     validateCirculation(*state.circulation);
-  if (organs || rig || recording || measurements)
+  if (organs || rig || keySequence || measurements)
     validateIds(state);
 }
 

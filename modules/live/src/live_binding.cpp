@@ -148,8 +148,8 @@ double LiveBinding::Impl::expectedSeconds(const BoundOrgan& organ) const {
 }
 
 void LiveBinding::Impl::bindNow(BoundOrgan& organ) {
-  Progress nobodyLooks;
-  take(organ, bindToTarget(*organ.organ, *target, options.threads, nobodyLooks), target);
+  Progress ignored;
+  take(organ, bindToTarget(*organ.organ, *target, options.threads, ignored), target);
 }
 
 void LiveBinding::Impl::bindLater(BoundOrgan& organ) {

@@ -244,8 +244,8 @@ void LiveStress::Impl::refreshBinding() {
     return bindLater();
   ++ticket;
   try {
-    Progress nobodyLooks;
-    takeBound(bindTo(*target, mesh->points, options.threads, nobodyLooks));
+    Progress ignored;
+    takeBound(bindTo(*target, mesh->points, options.threads, ignored));
   } catch (const Error& error) {
     dropBinding();
     setState(State::failed, error.what());

@@ -49,19 +49,19 @@ public:
     progress.throwIfCancelled();
     result_.selfIntersections = geometry::countSelfIntersections(mesh_, progress, threads);
     subject_ = FindingSubject::axes;
-    lookAtAxes(box);
+    checkAxes(box);
     subject_ = FindingSubject::size;
-    lookAtSize(box);
+    checkSize(box);
     subject_ = FindingSubject::holes;
-    lookAtHoles();
+    checkHoles();
     subject_ = FindingSubject::edges;
-    lookAtEdges();
+    checkEdges();
     subject_ = FindingSubject::facing;
-    lookAtFacing();
+    checkFacing();
     subject_ = FindingSubject::pieces;
-    lookAtPieces();
+    checkPieces();
     subject_ = FindingSubject::crossings;
-    lookAtIntersections();
+    checkIntersections();
     return std::move(result_);
   }
 
@@ -72,7 +72,7 @@ private:
     result_.findings.push_back({light, std::move(text), std::move(repairs), subject_});
   }
 
-  void lookAtAxes(const Bounds& box) {
+  void checkAxes(const Bounds& box) {
     const auto norm = organNorm(origin_.name);
     const double x = box.center().x();
     const bool telling = norm && norm->side != BodySide::middle && std::abs(x) > kBesideMiddleMm &&
@@ -104,7 +104,7 @@ private:
     }
   }
 
-  void lookAtSize(const Bounds& box) {
+  void checkSize(const Bounds& box) {
     const double volumeMl = std::abs(signedMl_);
     std::vector<std::string> repairs;
     if (!origin_.unitStated) {
@@ -119,7 +119,7 @@ private:
     add(Light::good, phrase("the size is plausible: %1", sizeText(result_.sizeMm)));
   }
 
-  void lookAtHoles() {
+  void checkHoles() {
     if (report().closed())
       return add(Light::good, "the surface is closed");
     add(Light::fault,
@@ -128,7 +128,7 @@ private:
                        : std::vector<std::string>{"remesh"});
   }
 
-  void lookAtEdges() {
+  void checkEdges() {
     if (report().nonManifoldEdges > 0)
       add(Light::fault,
           phrase("%n {edge joins|edges join} more than two triangles", report().nonManifoldEdges),
@@ -140,7 +140,7 @@ private:
           {"remesh"});
   }
 
-  void lookAtFacing() {
+  void checkFacing() {
     if (report().misorientedEdges > 0)
       add(Light::fault,
           phrase("%n {edge lies|edges lie} between triangles of opposite orientation",
@@ -152,7 +152,7 @@ private:
       add(Light::good, "the triangles face outward");
   }
 
-  void lookAtPieces() {
+  void checkPieces() {
     if (report().components <= 1)
       return add(Light::good, "the surface is of one piece");
     const std::vector<double> areas = geometry::areasOf(geometry::connectedPieces(mesh_), mesh_);
@@ -166,7 +166,7 @@ private:
         {"keep-largest"});
   }
 
-  void lookAtIntersections() {
+  void checkIntersections() {
     if (result_.selfIntersections == 0)
       return add(Light::good, "the surface does not cross itself");
     add(Light::doubt,

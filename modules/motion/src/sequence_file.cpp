@@ -13,7 +13,7 @@
 #include "viscera/core/atomic_file.h"
 #include "viscera/core/error.h"
 #include "viscera/document/json_reader.h"
-#include "viscera/document/recording_commands.h"
+#include "viscera/document/key_sequence_commands.h"
 #include "viscera/document/system_commands.h"
 
 namespace viscera::motion {
@@ -242,20 +242,21 @@ bool hasHandles(const document::Rig& rig, const SequenceFile& sequence,
   return true;
 }
 
-document::Recording recordingFrom(const SequenceFile& sequence, const std::vector<document::HandleId>& ids) {
+document::KeySequence keySequenceFrom(const SequenceFile& sequence,
+                                      const std::vector<document::HandleId>& ids) {
   const auto& track = sequence.track;
-  document::Recording recording{track.name, track.periodSeconds, track.loop, track.interpolation, {}};
+  document::KeySequence keySequence{track.name, track.periodSeconds, track.loop, track.interpolation, {}};
   for (const sequences::Keyframe& frame : track.keys) {
-    document::RecordedKey key{{}, frame.seconds, frame.easing, {}};
+    document::SequenceKey key{{}, frame.seconds, frame.easing, {}};
     for (std::size_t i = 0; i < ids.size(); ++i) {
       const auto row = static_cast<Eigen::Index>(i);
       const Vec3 moved = (frame.pose.row(row) - track.restHandles.row(row)).transpose();
       if (moved != Vec3::Zero())
         key.displacements[ids[i]] = moved;
     }
-    recording.keys.push_back(std::move(key));
+    keySequence.keys.push_back(std::move(key));
   }
-  return recording;
+  return keySequence;
 }
 
 } // namespace
@@ -280,7 +281,7 @@ void writeSequence(const std::filesystem::path& file, const SequenceFile& sequen
 }
 
 SequenceFile sequenceFile(const document::DocumentState& state) {
-  const auto sequence = document::sequenceOf(*state.recording, *state.rig);
+  const auto sequence = document::sequenceOf(*state.keySequence, *state.rig);
   if (!sequence)
     throw UsageError("Nothing is recorded", {}, "record a pose first");
   SequenceFile file{sequence->track(), {}, *state.system, {}};
@@ -314,7 +315,7 @@ document::Command openSequence(SequenceFile sequence) {
           for (const document::Handle& handle : state.rig->handles)
             handles.push_back(handle.id);
         }
-        return document::replaceRecording(recordingFrom(sequence, handles)).apply(state, ids);
+        return document::replaceKeySequence(keySequenceFrom(sequence, handles)).apply(state, ids);
       },
       {}};
 }

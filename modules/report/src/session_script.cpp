@@ -137,7 +137,7 @@ private:
   void writeStress();
   void writeMotion();
   void writeChosen(const presentation::MotionChoice& motion);
-  void writeRecording();
+  void writeKeySequence();
   void writePicture();
   void writeLeftOut();
   std::string landmarksText(const ordered_json& recipe) const;
@@ -345,7 +345,7 @@ void Writer::writeMotion() {
   const presentation::ViewState& view = source_.view;
   const int chosen = view.playing ? view.playing->motion : view.motions.empty() ? -1 : 0;
   if (chosen < 0 || static_cast<std::size_t>(chosen) >= view.motions.size())
-    return writeRecording();
+    return writeKeySequence();
   try {
     writeChosen(view.motions[static_cast<std::size_t>(chosen)]);
   } catch (const ordered_json::exception&) {
@@ -389,8 +389,8 @@ void Writer::writeChosen(const presentation::MotionChoice& motion) {
   command(words);
 }
 
-void Writer::writeRecording() {
-  if (state_.recording->keys.empty() || state_.rig->handles.empty())
+void Writer::writeKeySequence() {
+  if (state_.keySequence->keys.empty() || state_.rig->handles.empty())
     return;
   paragraph("The recorded sequence, over one cycle.");
   file(kSequence, motion::textOf(motion::sequenceFile(state_)));

@@ -240,8 +240,8 @@ struct OrganLabels::Parts {
 
   void follow();
   void hideAll();
-  void lookAtOrgans(const ViewGeometry& geometry, Footprint& all,
-                    std::vector<std::optional<Sighting>>& sightings) const;
+  void checkOrgans(const ViewGeometry& geometry, Footprint& all,
+                   std::vector<std::optional<Sighting>>& sightings) const;
   LabelSpace space(const ViewGeometry& geometry) const;
   bool stillFits(const ViewGeometry& geometry, const Footprint& all,
                  const std::vector<std::optional<Sighting>>& sightings) const;
@@ -261,8 +261,8 @@ void OrganLabels::Parts::hideAll() {
   drawn.clear();
 }
 
-void OrganLabels::Parts::lookAtOrgans(const ViewGeometry& geometry, Footprint& all,
-                                      std::vector<std::optional<Sighting>>& sightings) const {
+void OrganLabels::Parts::checkOrgans(const ViewGeometry& geometry, Footprint& all,
+                                     std::vector<std::optional<Sighting>>& sightings) const {
   sightings.assign(items.size(), std::nullopt);
   Fronts fronts{FrontGrid(geometry), FrontGrid(geometry)};
   std::map<const OrganActor*, Sighting> seen;
@@ -403,7 +403,7 @@ void OrganLabels::Parts::follow() {
   const ViewGeometry geometry = viewGeometry(view.renderer());
   Footprint all(geometry.pixelHeight);
   std::vector<std::optional<Sighting>> sightings;
-  lookAtOrgans(geometry, all, sightings);
+  checkOrgans(geometry, all, sightings);
   if (!stillFits(geometry, all, sightings))
     layOut(geometry, all, sightings);
   draw(geometry.pixelRatio, sightings);

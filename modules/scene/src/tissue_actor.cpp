@@ -72,16 +72,16 @@ struct Sheet {
     property->SetColor(0.82, 0.84, 0.86);
   }
 
-  void lookAtPoints(const double* at, std::size_t count) {
+  void checkPoints(const double* at, std::size_t count) {
     look(points.Get(), at, 3 * count);
     data->GetPoints()->Modified();
     data->Modified();
   }
-  void lookAtValues(const double* at, std::size_t count) {
+  void checkValues(const double* at, std::size_t count) {
     look(values.Get(), at, count);
     data->Modified();
   }
-  void lookAtTriangles(const std::vector<std::int32_t>& corners) {
+  void checkTriangles(const std::vector<std::int32_t>& corners) {
     vtkNew<vtkTypeInt32Array> array;
     look(array.Get(), corners.data(), corners.size());
     vtkNew<vtkCellArray> cells;
@@ -188,7 +188,7 @@ void TissueActor::Parts::collectFaces() {
       faceCorners.insert(faceCorners.end(), {c[0], c[2], c[1]});
     faceOwners.push_back(first ? face.first : face.second);
   }
-  faceSheet.lookAtTriangles(faceCorners);
+  faceSheet.checkTriangles(faceCorners);
 }
 
 void TissueActor::Parts::updateCut() {
@@ -196,9 +196,9 @@ void TissueActor::Parts::updateCut() {
     section.make(*tetrahedra, *points, values.get(), shown, *plane);
   else
     section.clear();
-  cutSheet.lookAtPoints(section.points.data(), section.points.size() / 3);
-  cutSheet.lookAtValues(section.values.data(), section.values.size());
-  cutSheet.lookAtTriangles(section.corners);
+  cutSheet.checkPoints(section.points.data(), section.points.size() / 3);
+  cutSheet.checkValues(section.values.data(), section.values.size());
+  cutSheet.checkTriangles(section.corners);
 }
 
 void TissueActor::Parts::update() {
@@ -257,7 +257,7 @@ void TissueActor::setRenderer(vtkRenderer* renderer) {
 void TissueActor::setPoints(std::shared_ptr<const Points> points) {
   auto& p = *parts_;
   p.points = std::move(points);
-  p.faceSheet.lookAtPoints(p.points->data(), static_cast<std::size_t>(p.points->rows()));
+  p.faceSheet.checkPoints(p.points->data(), static_cast<std::size_t>(p.points->rows()));
   p.cutOld = p.cutOld || p.cutsSmoothly();
 }
 
@@ -267,7 +267,7 @@ void TissueActor::setValues(std::shared_ptr<const Values> values) {
     throw UsageError("the values to show are " + std::to_string(values->size()) + ", the tissue has " +
                      std::to_string(p.points->rows()) + " points");
   p.values = std::move(values);
-  p.faceSheet.lookAtValues(p.values->data(), static_cast<std::size_t>(p.values->size()));
+  p.faceSheet.checkValues(p.values->data(), static_cast<std::size_t>(p.values->size()));
   p.facesOld = p.facesOld || p.range;
   p.cutOld = p.cutOld || p.cutsSmoothly();
   p.applyLook();

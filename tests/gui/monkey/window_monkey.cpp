@@ -26,7 +26,7 @@
 #include "viscera/document/validate.h"
 #include "viscera/geometry/volume.h"
 #include "viscera/medical_io/surface_file.h"
-#include "window/import/import_desk.h"
+#include "window/import/import_controller.h"
 #include "window/session/session_files.h"
 #include "window/view/view_area.h"
 

@@ -162,12 +162,12 @@ TEST(KilledSaves, LeaveTheOldRecoveryOrTheNewOne) {
   std::mt19937 random(21);
   std::map<std::string, int> seen;
   for (int i = 0; i < kKills; ++i) {
-    std::unique_ptr<PostBox> box; // Its thread has to be the other program's.
+    std::unique_ptr<ManualEventLoop> box; // Its thread has to be the other program's.
     std::unique_ptr<Autosave> autosave;
     killWhileItRepeats(
         [&, next = i % 2 == 0]() mutable {
           if (!box) {
-            box = std::make_unique<PostBox>();
+            box = std::make_unique<ManualEventLoop>();
             autosave = std::make_unique<Autosave>(folder / "state", box->post(), [] { return 0.0; });
           }
           bool done = false;

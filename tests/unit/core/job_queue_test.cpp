@@ -51,7 +51,7 @@ int forever(Progress& progress) {
 }
 
 struct Queue {
-  PostBox box;
+  ManualEventLoop box;
   JobQueue jobs{box.post()};
   void finishAll() {
     box.runUntil([this] { return jobs.idle(); });
@@ -202,7 +202,7 @@ TEST(JobQueue, ReportsProgressOnTheMainThread) {
 }
 
 TEST(JobQueue, CancelsAndWaitsWhenDestroyedAndDeliversNothingAfterwards) {
-  PostBox box;
+  ManualEventLoop box;
   bool delivered = false;
   std::atomic<bool> ended{false};
   {
@@ -230,7 +230,7 @@ TEST(JobQueue, CancelsAndWaitsWhenDestroyedAndDeliversNothingAfterwards) {
 }
 
 TEST(JobQueue, MayBeDestroyedByTheReceiverOfAResult) {
-  PostBox box;
+  ManualEventLoop box;
   auto jobs = std::make_unique<JobQueue>(box.post());
   jobs->submit<int>(
       "Last", "", [](Progress&) { return 1; }, [&jobs](JobResult<int>) { jobs.reset(); });

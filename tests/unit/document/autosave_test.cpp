@@ -28,7 +28,7 @@ struct Program {
   }
 
   double now = 100;
-  PostBox box;
+  ManualEventLoop box;
   Autosave autosave;
 };
 

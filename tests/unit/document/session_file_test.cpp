@@ -93,7 +93,7 @@ TEST(SessionFile, IdsOfRemovedHandlesThatKeysKnowAreNotGivenAgain) {
   UndoStack undo(document);
   undo.reset(readBack(folder / "a.viscera").contents.state);
   undo.perform(addHandles(newHandles(tests::row(1, 2, 3))));
-  for (const RecordedKey& key : document.recording().keys)
+  for (const SequenceKey& key : document.keySequence().keys)
     EXPECT_EQ(key.displacements.count(document.rig().handles.back().id), 0u);
 }
 

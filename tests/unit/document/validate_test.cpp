@@ -71,7 +71,7 @@ private:
     return ids.empty() ? AnyId{} : ids.front();
   }
   GroupId group() { return one(some<GroupId>(s_.document.rig().groups)); }
-  KeyId key() { return one(some<KeyId>(s_.document.recording().keys)); }
+  KeyId key() { return one(some<KeyId>(s_.document.keySequence().keys)); }
   MeasurementId measurement() { return one(some<MeasurementId>(s_.document.measurements())); }
   OrganId organ() { return s_.document.organs().empty() ? OrganId{} : s_.document.organs().front()->id; }
   Points places(std::size_t count) {
@@ -104,18 +104,18 @@ private:
       return addGroup(text(), color(), some);
     }
   }
-  Command recordingCommand() {
+  Command keySequenceCommand() {
     static const double times[] = {0.5, 0.5005, 0.5012, 0.501, 1.9995, 0};
     const double seconds = number(4) == 0 ? value() : times[number(6)];
     switch (number(6)) {
     case 0:
-      return editRecording({text(), value(), number(2) == 0});
+      return editKeySequence({text(), value(), number(2) == 0});
     case 1:
-      return removeKeys(some<KeyId>(s_.document.recording().keys));
+      return removeKeys(some<KeyId>(s_.document.keySequence().keys));
     case 2: {
-      Recording recording = s_.document.recording();
-      recording.name = text();
-      return replaceRecording(recording);
+      KeySequence keySequence = s_.document.keySequence();
+      keySequence.name = text();
+      return replaceKeySequence(keySequence);
     }
     case 3:
       return recordKey(seconds);
@@ -161,7 +161,7 @@ private:
       return editGroup(group(), {text(), color(), handles()});
     case 5:
     case 6:
-      return recordingCommand();
+      return keySequenceCommand();
     case 7:
       return organCommand();
     default:
@@ -214,11 +214,11 @@ TEST(Validate, WhatHasNoNameInAFileIsGivenOne) {
   EXPECT_EQ(s.document.organs()[2]->name, "Organ 2");
   s.undo.perform(replaceRig({tests::cubeHandles(), {{"", {1, 0, 0}, {0, 1}}}}));
   EXPECT_EQ(s.document.rig().groups[0].name, "Group");
-  Recording recording;
-  recording.name.clear();
-  recording.loop = false;
-  s.undo.perform(replaceRecording(recording));
-  EXPECT_EQ(s.document.recording().name, "Recorded");
+  KeySequence keySequence;
+  keySequence.name.clear();
+  keySequence.loop = false;
+  s.undo.perform(replaceKeySequence(keySequence));
+  EXPECT_EQ(s.document.keySequence().name, "Recorded");
 }
 
 TEST(Validate, ALabelWithTheLargestNumberIsNotCountedOnFrom) {
@@ -264,9 +264,9 @@ TEST(Validate, RefusesDamagedFilesThatWouldMakeTheNextSaveUnreadable) {
 TEST(Validate, TheWriterRefusesWhatTheReaderWould) {
   const TemporaryFolder folder;
   SessionContents contents = tests::fullContents(folder);
-  Recording recording = *contents.state.recording;
-  recording.keys.at(1).seconds = recording.keys.at(0).seconds;
-  contents.state.recording = std::make_shared<const Recording>(recording);
+  KeySequence keySequence = *contents.state.keySequence;
+  keySequence.keys.at(1).seconds = keySequence.keys.at(0).seconds;
+  contents.state.keySequence = std::make_shared<const KeySequence>(keySequence);
   EXPECT_THROW(tests::write(folder / "a.viscera", contents), DataError);
   EXPECT_FALSE(std::filesystem::exists(folder / "a.viscera"));
 }

@@ -8,8 +8,8 @@
 #include "lesson_scene.h"
 #include "page_json.h"
 #include "viscera/core/error.h"
+#include "viscera/document/key_sequence_commands.h"
 #include "viscera/document/measurement_commands.h"
-#include "viscera/document/recording_commands.h"
 
 namespace viscera::lesson {
 namespace {
@@ -170,7 +170,7 @@ TEST(LessonPlan, OfASampleOrganTakesWhatSpeaksOfItsMotionOnlyWithThatMotion) {
   source.slides.clear();
   scene.undo.perform(document::recordKey(0));
   source.state = scene.document.state();
-  source.sequence = document::sequenceOf(*source.state.recording, *source.state.rig);
+  source.sequence = document::sequenceOf(*source.state.keySequence, *source.state.rig);
   const LessonSpec recorded = readySpecFor(source);
   EXPECT_TRUE(recorded.slides.empty() && recorded.rates.empty() && recorded.title.empty());
   EXPECT_THAT(planLesson(source, recorded).notes, HasSubstr("not a medical device"));

@@ -80,7 +80,7 @@ struct MotionFileScene {
 
   LessonSource source() const {
     return {.state = document.state(),
-            .sequence = document::sequenceOf(*document.state().recording, *document.state().rig)};
+            .sequence = document::sequenceOf(*document.state().keySequence, *document.state().rig)};
   }
 };
 

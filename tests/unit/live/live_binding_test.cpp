@@ -53,7 +53,7 @@ constexpr double kAtOnce = std::numeric_limits<double>::infinity();
 struct Live : tests::Session {
   plugin::Registry registry = plugin::builtInRegistry();
   std::shared_ptr<PatientSystem> patient = std::make_shared<PatientSystem>(registry.find("s-celestial"));
-  PostBox box;
+  ManualEventLoop box;
   JobQueue jobs{box.post()};
   LiveBinding live;
 
@@ -373,7 +373,7 @@ TEST(LiveBinding, ForgetsAnOrganThatIsRemovedWhileItIsBound) {
 
 TEST(LiveBinding, MayEndWhileAWorkerBinds) {
   Live s(kAtOnce);
-  PostBox box;
+  ManualEventLoop box;
   JobQueue jobs(box.post());
   {
     s.undo.perform(document::setSystem({"s-celestial", {}}));

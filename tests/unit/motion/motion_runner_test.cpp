@@ -66,7 +66,7 @@ protected:
   document::Document document_;
   document::UndoStack undo_{document_};
   plugin::Registry registry_ = plugin::builtInRegistry();
-  PostBox box_;
+  ManualEventLoop box_;
   JobQueue jobs_{box_.post()};
   live::LiveBinding live_{document_, registry_, jobs_, {std::numeric_limits<double>::infinity(), {2}}};
   MotionRunner runner_{document_.state(), live_};

@@ -62,8 +62,8 @@ TEST(TextbookMotion, IsARecordedSequenceForTheHeartOfADocument) {
   for (std::size_t i = 0; i < 3; ++i)
     EXPECT_EQ(found.sequence.organs[i].mesh->points, organs[i]->mesh->points) << "the image, to the bit";
   undo.perform(openSequence(found.sequence));
-  EXPECT_EQ(document.recording().keys.size(), 8U);
-  EXPECT_EQ(document.recording().name, "Textbook heartbeat");
+  EXPECT_EQ(document.keySequence().keys.size(), 8U);
+  EXPECT_EQ(document.keySequence().name, "Textbook heartbeat");
   EXPECT_EQ(document.rig().handles.size(), 120U);
   EXPECT_EQ(document.organs(), organs);
 }

@@ -4,8 +4,8 @@
 #include <variant>
 
 #include "session_scene.h"
+#include "viscera/document/key_sequence_commands.h"
 #include "viscera/document/measurement_commands.h"
-#include "viscera/document/recording_commands.h"
 #include "viscera/report/report.h"
 
 /// A bound session and the report on it.

@@ -57,7 +57,7 @@ TEST(Report, GivesAnEjectionFractionToVentriclesOnlyAndKeepsThePose) {
   ReportedSession session({"Ball", "LV"});
   session.record();
   report::ReportSource source = session.source();
-  source.sequence = document::sequenceOf(session.document.recording(), session.document.rig());
+  source.sequence = document::sequenceOf(session.document.keySequence(), session.document.rig());
   source.ratePerMinute = 30;
   const Points before = session.live.shownPose();
   const report::Report report = session.report(source);
@@ -77,7 +77,7 @@ TEST(Report, GivesAnEjectionFractionToVentriclesOnlyAndKeepsThePose) {
   ReportedSession still({"Ball"});
   still.record();
   source = still.source();
-  source.sequence = document::sequenceOf(still.document.recording(), still.document.rig());
+  source.sequence = document::sequenceOf(still.document.keySequence(), still.document.rig());
   EXPECT_EQ(tablesOf(*sectionOf(still.report(source), "Motion")).size(), 1u)
       << "a ball has no ejection fraction";
 }

@@ -93,9 +93,9 @@ private:
 };
 
 /// A `Post` for programs without an event loop, and for tests: keeps the functions until somebody runs them.
-class PostBox {
+class ManualEventLoop {
 public:
-  PostBox();
+  ManualEventLoop();
   /// What the constructor of `JobQueue` wants. The box may be destroyed before the queue.
   JobQueue::Post post() const;
   /// Runs what has been posted, on this thread; returns how many there were.

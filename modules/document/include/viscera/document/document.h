@@ -10,9 +10,9 @@
 #include "viscera/core/signal.h"
 #include "viscera/document/circulation_choice.h"
 #include "viscera/document/ids.h"
+#include "viscera/document/key_sequence.h"
 #include "viscera/document/measurement.h"
 #include "viscera/document/organ.h"
-#include "viscera/document/recording.h"
 #include "viscera/document/rig.h"
 
 namespace viscera::document {
@@ -37,7 +37,7 @@ struct DocumentState {
   std::shared_ptr<const Rig> rig;          ///< Never null.
   std::shared_ptr<const Points> pose; ///< `handles x 3` mm, row i belongs to `rig->handles[i]`. Never null.
   std::shared_ptr<const SystemChoice> system;           ///< Never null.
-  std::shared_ptr<const Recording> recording;           ///< The keys that a user has recorded. Never null.
+  std::shared_ptr<const KeySequence> keySequence;       ///< The keys that a user has recorded. Never null.
   std::shared_ptr<const MeasurementList> measurements;  ///< In the order in which they were made. Never null.
   std::shared_ptr<const CirculationChoice> circulation; ///< What moves the heart. Never null.
   std::shared_ptr<const ScanItem> scan; ///< The image beside the organs (scan_item.h); null: there is none.
@@ -69,7 +69,7 @@ struct Change {
   bool rig() const { return before.rig != after.rig; }
   bool pose() const { return before.pose != after.pose; }
   bool system() const { return before.system != after.system; }
-  bool recording() const { return before.recording != after.recording; }
+  bool keySequence() const { return before.keySequence != after.keySequence; }
   bool measurements() const { return before.measurements != after.measurements; }
   bool circulation() const { return before.circulation != after.circulation; }
   bool scan() const { return before.scan != after.scan; }
@@ -95,7 +95,7 @@ public:
   const Rig& rig() const { return *state_.rig; }
   const Points& pose() const { return *state_.pose; }
   const SystemChoice& system() const { return *state_.system; }
-  const Recording& recording() const { return *state_.recording; }
+  const KeySequence& keySequence() const { return *state_.keySequence; }
   const MeasurementList& measurements() const { return *state_.measurements; }
   const CirculationChoice& circulation() const { return *state_.circulation; }
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "viscera/document/command.h"
-#include "viscera/document/recording.h"
+#include "viscera/document/key_sequence.h"
 #include "viscera/document/rig_commands.h"
 
 /// Recorded sequences as `.sequence.json` files (docs/file_formats.md).

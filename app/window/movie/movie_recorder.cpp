@@ -1,4 +1,4 @@
-#include "window/recording/recorder.h"
+#include "window/movie/movie_recorder.h"
 
 #include <QFileInfo>
 
@@ -19,22 +19,22 @@ constexpr double kStillSeconds = 2;
 
 /// What the recording thread is handed: nothing in it belongs to the window any more.
 struct Take {
-  RecordingPlan plan;
-  std::vector<std::unique_ptr<RecordingStage>> stages;
+  MoviePlan plan;
+  std::vector<std::unique_ptr<MovieStage>> stages;
   std::vector<std::string> names; ///< Of the tracked volumes of all stages.
   double secondsAFrame = 0;
   int frames = 0;
 };
 
 /// The views as they are now. For the main thread.
-Take prepare(const RecordingPlan& plan, const std::vector<RecordingStage::Source>& sources) {
+Take prepare(const MoviePlan& plan, const std::vector<MovieStage::Source>& sources) {
   Take take{plan, {}, {}, 0, 0};
   QSize size = plan.size;
   // Both halves of two views, of even widths: some movies cannot have others.
   size.setWidth(size.width() / static_cast<int>(sources.size()) / 2 * 2);
   double seconds = 0;
-  for (const RecordingStage::Source& source : sources) {
-    auto stage = std::make_unique<RecordingStage>(source, size, plan.caption);
+  for (const MovieStage::Source& source : sources) {
+    auto stage = std::make_unique<MovieStage>(source, size, plan.caption);
     if (seconds == 0)
       seconds = plan.cycles * stage->periodSeconds();
     for (const std::string& name : stage->names())
@@ -49,11 +49,11 @@ Take prepare(const RecordingPlan& plan, const std::vector<RecordingStage::Source
   return take;
 }
 
-std::unique_ptr<scene::MovieWriter> openMovie(const RecordingPlan& plan) {
+std::unique_ptr<scene::MovieWriter> openMovie(const MoviePlan& plan) {
   if (!infoOf(plan.format).drawn)
     return nullptr;
   std::filesystem::path target = plan.file.toStdString();
-  if (plan.format == RecordingFormat::pictures)
+  if (plan.format == MovieFormat::pictures)
     target /= ""; // A folder, whatever its name.
   return std::make_unique<scene::MovieWriter>(target,
                                               scene::MovieOptions{.framesPerSecond = plan.framesPerSecond});
@@ -104,12 +104,12 @@ int record(Take take, Progress& progress) {
 
 } // namespace
 
-Recorder::Recorder(Workspace& workspace, QObject* parent)
+MovieRecorder::MovieRecorder(Workspace& workspace, QObject* parent)
     : QObject(parent), workspace_(workspace), jobs_([this](std::function<void()> work) {
         QMetaObject::invokeMethod(this, std::move(work), Qt::QueuedConnection);
       }) {}
 
-bool Recorder::start(const RecordingPlan& plan, const std::vector<RecordingStage::Source>& sources) {
+bool MovieRecorder::start(const MoviePlan& plan, const std::vector<MovieStage::Source>& sources) {
   if (running_)
     return false;
   auto take = std::make_shared<Take>();
@@ -124,11 +124,11 @@ bool Recorder::start(const RecordingPlan& plan, const std::vector<RecordingStage
   return true;
 }
 
-void Recorder::cancel() {
+void MovieRecorder::cancel() {
   jobs_.cancelSlot(kSlot);
 }
 
-void Recorder::end(const JobResult<int>& result, const RecordingPlan& plan) {
+void MovieRecorder::end(const JobResult<int>& result, const MoviePlan& plan) {
   running_ = false;
   if (result.error)
     workspace_.report(*result.error);

@@ -1,4 +1,4 @@
-#include "viscera/document/recording_commands.h"
+#include "viscera/document/key_sequence_commands.h"
 
 #include <cmath>
 
@@ -23,13 +23,13 @@ struct Recorded : tests::Session {
     undo.perform(resetPose());
     undo.perform(recordKey(1.5));
   }
-  const Recording& recording() const { return document.recording(); }
-  KeyId key(std::size_t i) const { return recording().keys.at(i).id; }
+  const KeySequence& keySequence() const { return document.keySequence(); }
+  KeyId key(std::size_t i) const { return keySequence().keys.at(i).id; }
 };
 
-TEST(Recording, playsThePosesThatWereRecorded) {
+TEST(KeySequence, playsThePosesThatWereRecorded) {
   const Recorded session;
-  const auto sequence = sequenceOf(session.recording(), session.document.rig());
+  const auto sequence = sequenceOf(session.keySequence(), session.document.rig());
   ASSERT_TRUE(sequence);
   Points pose;
   sequence->poseAt(1, sequence->standardRatePerMinute(), pose);
@@ -39,7 +39,7 @@ TEST(Recording, playsThePosesThatWereRecorded) {
   EXPECT_LT((pose.row(8) - row(2.5, 3, 45)).norm(), 1e-12) << "linear: half of the way in half of the time";
 }
 
-TEST(Recording, everyCommandIsOneUndoStepAndUndoingIsExact) {
+TEST(KeySequence, everyCommandIsOneUndoStepAndUndoingIsExact) {
   Recorded session;
   const auto check = [&](const Command& command) {
     const DocumentState before = session.document.state();
@@ -57,24 +57,24 @@ TEST(Recording, everyCommandIsOneUndoStepAndUndoingIsExact) {
   check(moveKey(session.key(1), 0.75));
   check(setEasing({session.key(0), session.key(1)}, Easing::out));
   check(removeKeys({session.key(1)}));
-  check(editRecording({.name = "Hop", .periodSeconds = 8, .stretch = true}));
-  check(editRecording({.loop = false, .interpolation = sequences::Interpolation::curve}));
+  check(editKeySequence({.name = "Hop", .periodSeconds = 8, .stretch = true}));
+  check(editKeySequence({.loop = false, .interpolation = sequences::Interpolation::curve}));
   session.undo.perform(moveHandles({session.handle(8)}, row(1, 1, 41)));
   check(replaceKey(session.key(0)));
-  check(replaceRecording(Recording()));
+  check(replaceKeySequence(KeySequence()));
 }
 
-TEST(Recording, aKeyRecordedAtTheTimeOfAnotherTakesItsPlace) {
+TEST(KeySequence, aKeyRecordedAtTheTimeOfAnotherTakesItsPlace) {
   Recorded session;
   const KeyId first = session.key(0);
   session.undo.perform(moveHandles({session.handle(9)}, row(44, 3, 1)));
   session.undo.perform(recordKey(0));
-  EXPECT_EQ(session.recording().keys.size(), 3u);
+  EXPECT_EQ(session.keySequence().keys.size(), 3u);
   EXPECT_EQ(session.key(0), first);
-  EXPECT_EQ(session.recording().keys[0].displacements.at(session.handle(9)), Vec3(4, 0, 2));
+  EXPECT_EQ(session.keySequence().keys[0].displacements.at(session.handle(9)), Vec3(4, 0, 2));
 }
 
-TEST(Recording, movingAKeyPastAnotherKeepsThemInOrderOfTimeAndADragIsOneStep) {
+TEST(KeySequence, movingAKeyPastAnotherKeepsThemInOrderOfTimeAndADragIsOneStep) {
   Recorded session;
   const KeyId first = session.key(0);
   const std::size_t steps = session.undo.position();
@@ -82,15 +82,15 @@ TEST(Recording, movingAKeyPastAnotherKeepsThemInOrderOfTimeAndADragIsOneStep) {
     session.undo.perform(moveKey(first, seconds));
   EXPECT_EQ(session.undo.position(), steps + 1);
   EXPECT_EQ(session.key(2), first);
-  EXPECT_EQ(session.recording().keys[2].seconds, 1.7);
+  EXPECT_EQ(session.keySequence().keys[2].seconds, 1.7);
 }
 
-TEST(Recording, outlivesHandlesThatAreAddedRemovedAndMovedAtRest) {
+TEST(KeySequence, outlivesHandlesThatAreAddedRemovedAndMovedAtRest) {
   Recorded session;
   session.undo.perform(moveRestHandles({session.handle(8)}, row(0, 0, 45)));
   session.undo.perform(removeHandles({session.handle(9)}));
   session.undo.perform(addHandles(newHandles(row(-40, 2, 3))));
-  const auto sequence = sequenceOf(session.recording(), session.document.rig());
+  const auto sequence = sequenceOf(session.keySequence(), session.document.rig());
   Points pose;
   sequence->poseAt(1, sequence->standardRatePerMinute(), pose);
   ASSERT_EQ(pose.rows(), 10);
@@ -98,23 +98,23 @@ TEST(Recording, outlivesHandlesThatAreAddedRemovedAndMovedAtRest) {
   EXPECT_EQ(pose.row(9), row(-40, 2, 3));
 }
 
-TEST(Recording, aKeyIsNotMovedOntoAnotherThatIsNearerThanAMillisecondToIt) {
+TEST(KeySequence, aKeyIsNotMovedOntoAnotherThatIsNearerThanAMillisecondToIt) {
   Recorded session;
   session.undo.perform(recordKey(0.5));
   session.undo.perform(recordKey(0.5012));
   const KeyId moved = session.key(1);
   session.undo.perform(moveKey(moved, 0.5002));
   EXPECT_THROW(session.undo.perform(moveKey(moved, 0.5012)), DataError);
-  EXPECT_EQ(session.recording().keys[1].seconds, 0.5002);
+  EXPECT_EQ(session.keySequence().keys[1].seconds, 0.5002);
 }
 
-TEST(Recording, aKeyThatIsNamedTwiceIsRemovedOnce) {
+TEST(KeySequence, aKeyThatIsNamedTwiceIsRemovedOnce) {
   Recorded session;
   session.undo.perform(removeKeys({session.key(1), session.key(1)}));
-  EXPECT_EQ(session.recording().keys.size(), 2u);
+  EXPECT_EQ(session.keySequence().keys.size(), 2u);
 }
 
-TEST(Recording, refusesTimesAndKeysThatCannotBe) {
+TEST(KeySequence, refusesTimesAndKeysThatCannotBe) {
   Recorded session;
   const DocumentState before = session.document.state();
   const auto refused = [&](const Command& command) {
@@ -127,21 +127,21 @@ TEST(Recording, refusesTimesAndKeysThatCannotBe) {
   refused(moveKey(session.key(0), 1));
   refused(moveKey(KeyId{12345}, 0.5));
   refused(removeKeys({KeyId{12345}}));
-  refused(editRecording({.periodSeconds = 1.2}));
-  refused(editRecording({.periodSeconds = -1}));
-  refused(editRecording({.periodSeconds = 1e-4, .stretch = true}));
-  refused(editRecording({.name = ""}));
+  refused(editKeySequence({.periodSeconds = 1.2}));
+  refused(editKeySequence({.periodSeconds = -1}));
+  refused(editKeySequence({.periodSeconds = 1e-4, .stretch = true}));
+  refused(editKeySequence({.name = ""}));
   tests::Session empty;
   EXPECT_THROW(motion::sequenceFile(empty.document.state()), UsageError);
-  EXPECT_EQ(sequenceOf(empty.document.recording(), empty.document.rig()), nullptr);
+  EXPECT_EQ(sequenceOf(empty.document.keySequence(), empty.document.rig()), nullptr);
 }
 
-TEST(Recording, comesBackFromAFileIntoTheSameHandlesOrIntoItsOwn) {
+TEST(KeySequence, comesBackFromAFileIntoTheSameHandlesOrIntoItsOwn) {
   Recorded session;
-  session.undo.perform(editRecording({.name = "Hop", .periodSeconds = 3}));
+  session.undo.perform(editKeySequence({.name = "Hop", .periodSeconds = 3}));
   const motion::SequenceFile file = motion::sequenceFile(session.document.state());
-  const auto wanted = sequenceOf(session.recording(), session.document.rig());
-  session.undo.perform(replaceRecording(Recording()));
+  const auto wanted = sequenceOf(session.keySequence(), session.document.rig());
+  session.undo.perform(replaceKeySequence(KeySequence()));
   const auto rig = session.document.state().rig;
   session.undo.perform(motion::openSequence(file));
   EXPECT_EQ(session.document.state().rig, rig) << "the handles are there already";
@@ -150,7 +150,7 @@ TEST(Recording, comesBackFromAFileIntoTheSameHandlesOrIntoItsOwn) {
   undo.perform(motion::openSequence(file));
   EXPECT_EQ(other.rig().restPositions(), session.document.rig().restPositions());
   for (const Document* document : {&session.document, &other}) {
-    const auto sequence = sequenceOf(document->recording(), document->rig());
+    const auto sequence = sequenceOf(document->keySequence(), document->rig());
     ASSERT_TRUE(sequence);
     EXPECT_EQ(sequence->name(), "Hop");
     Points a, b;

@@ -1,9 +1,9 @@
-#include "window/recorded/recorded_motion.h"
+#include "window/key_sequence/key_sequence_playback.h"
 
 #include <algorithm>
 
-#include "viscera/document/recording.h"
-#include "viscera/document/recording_commands.h"
+#include "viscera/document/key_sequence.h"
+#include "viscera/document/key_sequence_commands.h"
 #include "viscera/document/rig_commands.h"
 #include "viscera/motion/sequence_file.h"
 #include "window/language.h"
@@ -14,8 +14,8 @@ namespace {
 constexpr double kKeyStep = 0.5; ///< s
 
 /// Whether any key moves a handle that there is: another rig leaves nothing of a recording.
-bool movesAny(const document::Recording& recording, const document::Rig& rig) {
-  return std::any_of(recording.keys.begin(), recording.keys.end(), [&](const document::RecordedKey& key) {
+bool movesAny(const document::KeySequence& keySequence, const document::Rig& rig) {
+  return std::any_of(keySequence.keys.begin(), keySequence.keys.end(), [&](const document::SequenceKey& key) {
     return std::any_of(key.displacements.begin(), key.displacements.end(),
                        [&](const auto& moved) { return rig.indexOf(moved.first) >= 0; });
   });
@@ -23,26 +23,26 @@ bool movesAny(const document::Recording& recording, const document::Rig& rig) {
 
 } // namespace
 
-RecordedMotion::RecordedMotion(Workspace& workspace, Playback& playback, QObject* parent)
+KeySequencePlayback::KeySequencePlayback(Workspace& workspace, Playback& playback, QObject* parent)
     : QObject(parent), workspace_(workspace), playback_(playback) {
   subscription_ = workspace.onChange([this](const document::Change& change) {
-    if (change.recording() || change.rig() || change.organs())
-      sync(change.recording());
+    if (change.keySequence() || change.rig() || change.organs())
+      sync(change.keySequence());
   });
 }
 
-void RecordedMotion::sync(bool choose) {
-  const document::Recording& recording = workspace_.document().recording();
-  if (!present_ && recording.keys.empty())
+void KeySequencePlayback::sync(bool choose) {
+  const document::KeySequence& keySequence = workspace_.document().keySequence();
+  if (!present_ && keySequence.keys.empty())
     return;
   const bool present = present_ && playback_.sequence() == present_.get();
   if (present_)
     playback_.forget(present_.get());
   present_.reset();
   const auto& organs = workspace_.document().organs();
-  if (organs.empty() || !movesAny(recording, workspace_.document().rig()))
+  if (organs.empty() || !movesAny(keySequence, workspace_.document().rig()))
     return;
-  workspace_.guarded([&] { present_ = document::sequenceOf(recording, workspace_.document().rig()); });
+  workspace_.guarded([&] { present_ = document::sequenceOf(keySequence, workspace_.document().rig()); });
   if (!present_)
     return;
   if (choose || present)
@@ -51,32 +51,32 @@ void RecordedMotion::sync(bool choose) {
     playback_.offer(present_, organs.front()->id);
 }
 
-double RecordedMotion::nextSeconds() const {
-  const auto& keys = workspace_.document().recording().keys;
+double KeySequencePlayback::nextSeconds() const {
+  const auto& keys = workspace_.document().keySequence().keys;
   return keys.empty() ? 0 : keys.back().seconds + kKeyStep;
 }
 
-bool RecordedMotion::addKey(double seconds, sequences::Easing easing) {
+bool KeySequencePlayback::addKey(double seconds, sequences::Easing easing) {
   std::vector<document::Command> commands;
-  if (seconds >= workspace_.document().recording().periodSeconds) {
-    document::RecordingEdit longer;
+  if (seconds >= workspace_.document().keySequence().periodSeconds) {
+    document::KeySequenceEdit longer;
     longer.periodSeconds = seconds + kKeyStep;
-    commands.push_back(document::editRecording(longer));
+    commands.push_back(document::editKeySequence(longer));
   }
   commands.push_back(document::recordKey(seconds, easing));
   return workspace_.perform(document::combined(
       tr("Record a key at %1 s").arg(formatNumber(seconds, 2)).toStdString(), std::move(commands)));
 }
 
-bool RecordedMotion::takePose(document::KeyId key) {
-  const document::RecordedKey* found = workspace_.document().recording().key(key);
+bool KeySequencePlayback::takePose(document::KeyId key) {
+  const document::SequenceKey* found = workspace_.document().keySequence().key(key);
   if (!found)
     return false;
   return workspace_.perform(document::setPose(document::poseOf(*found, workspace_.document().rig()),
                                               tr("Use a key's pose").toStdString()));
 }
 
-void RecordedMotion::save(const QString& file) {
+void KeySequencePlayback::save(const QString& file) {
   const bool done = workspace_.guarded([&] {
     motion::writeSequence(file.toStdString(), motion::sequenceFile(workspace_.document().state()));
   });
@@ -84,7 +84,7 @@ void RecordedMotion::save(const QString& file) {
     workspace_.note(tr("Sequence saved as %1").arg(file));
 }
 
-void RecordedMotion::open(const QString& file) {
+void KeySequencePlayback::open(const QString& file) {
   workspace_.guarded(
       [&] { workspace_.undo().perform(motion::openSequence(motion::readSequence(file.toStdString()))); });
 }

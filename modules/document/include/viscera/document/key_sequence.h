@@ -14,34 +14,35 @@ namespace viscera::document {
 
 /// One recorded pose. Handles are known by their ids, so that a recording outlives handles that are added,
 /// removed, or moved at rest.
-struct RecordedKey {
+struct SequenceKey {
   KeyId id;
   double seconds = 0;
   sequences::Easing easing = sequences::Easing::smooth; ///< From here to the next key.
   std::map<HandleId, Vec3> displacements;               ///< From rest, mm; handles at rest are not in it.
 
-  friend bool operator==(const RecordedKey&, const RecordedKey&) = default;
+  friend bool operator==(const SequenceKey&, const SequenceKey&) = default;
 };
 
 /// The sequence that a user records, part of the document. An empty one has no keys.
-struct Recording {
+struct KeySequence {
   std::string name = "Recorded";
   double periodSeconds = 2;
   bool loop = true;
   sequences::Interpolation interpolation = sequences::Interpolation::eased;
-  std::vector<RecordedKey> keys; ///< In order of time.
+  std::vector<SequenceKey> keys; ///< In order of time.
 
   /// The key with that id, or null.
-  const RecordedKey* key(KeyId id) const;
+  const SequenceKey* key(KeyId id) const;
 
-  friend bool operator==(const Recording&, const Recording&) = default;
+  friend bool operator==(const KeySequence&, const KeySequence&) = default;
 };
 
 /// The pose of a key for the handles of `rig`, `n x 3` mm: a handle that the key does not know is at rest.
-Points poseOf(const RecordedKey& key, const Rig& rig);
+Points poseOf(const SequenceKey& key, const Rig& rig);
 
 /// The recording as a sequence for these handles, with the rig's groups (those that share no handle with an
 /// earlier one); null when it has no keys or there are no handles.
-std::shared_ptr<const sequences::KeyframedSequence> sequenceOf(const Recording& recording, const Rig& rig);
+std::shared_ptr<const sequences::KeyframedSequence> sequenceOf(const KeySequence& keySequence,
+                                                               const Rig& rig);
 
 } // namespace viscera::document

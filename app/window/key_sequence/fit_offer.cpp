@@ -1,4 +1,4 @@
-#include "window/recorded/fit_offer.h"
+#include "window/key_sequence/fit_offer.h"
 
 #include <QLabel>
 #include <QPushButton>

@@ -1,4 +1,4 @@
-#include "window/recording/record_box.h"
+#include "window/movie/movie_box.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -31,7 +31,7 @@ QFormLayout* formOf(QWidget* widget) {
 
 } // namespace
 
-RecordBox::RecordBox(Settings& settings, QWidget* parent) : QWidget(parent), settings_(settings) {
+MovieBox::MovieBox(Settings& settings, QWidget* parent) : QWidget(parent), settings_(settings) {
   setObjectName(QStringLiteral("recordBox"));
   auto* column = makeLayout<QVBoxLayout>(this, 8);
   auto* form = new QFormLayout;
@@ -58,7 +58,7 @@ RecordBox::RecordBox(Settings& settings, QWidget* parent) : QWidget(parent), set
   refresh();
 }
 
-void RecordBox::addRow(const QString& name, QWidget* control) {
+void MovieBox::addRow(const QString& name, QWidget* control) {
   auto* label = new QLabel(name, this);
   label->setObjectName(QStringLiteral("muted"));
   label->setBuddy(control);
@@ -66,16 +66,16 @@ void RecordBox::addRow(const QString& name, QWidget* control) {
   formOf(this)->addRow(label, control);
 }
 
-void RecordBox::makeControls() {
+void MovieBox::makeControls() {
   format_ = new QComboBox(this);
   format_->setObjectName(QStringLiteral("recordFormat"));
-  for (const RecordingFormatInfo& info : recordingFormats())
+  for (const MovieFormatInfo& info : movieFormats())
     format_->addItem(info.name, static_cast<int>(info.format));
   addRow(tr("Kind"), format_);
   file_ = new QLineEdit(this);
   file_->setObjectName(QStringLiteral("recordFile"));
   auto* browse = makeIconButton("open", tr("Choose a destination"), this);
-  connect(browse, &QToolButton::clicked, this, &RecordBox::chooseFile);
+  connect(browse, &QToolButton::clicked, this, &MovieBox::chooseFile);
   auto* place = new QWidget(this);
   auto* row = makeLayout<QHBoxLayout>(place, 4);
   row->addWidget(file_, 1);
@@ -105,12 +105,12 @@ void RecordBox::makeControls() {
   record_->setObjectName(QStringLiteral("recordButton"));
 }
 
-RecordingFormat RecordBox::format() const {
-  return static_cast<RecordingFormat>(format_->currentData().toInt());
+MovieFormat MovieBox::format() const {
+  return static_cast<MovieFormat>(format_->currentData().toInt());
 }
 
-RecordingPlan RecordBox::plan() const {
-  RecordingPlan plan;
+MoviePlan MovieBox::plan() const {
+  MoviePlan plan;
   plan.format = format();
   plan.file = file_->text();
   plan.size = size_->currentData().toSize();
@@ -121,13 +121,13 @@ RecordingPlan RecordBox::plan() const {
   return plan;
 }
 
-void RecordBox::setName(const QString& name) {
+void MovieBox::setName(const QString& name) {
   name_ = name;
   chosen_ = false;
   proposeFile();
 }
 
-void RecordBox::setRunning(bool running) {
+void MovieBox::setRunning(bool running) {
   const bool ended = running_ && !running;
   running_ = running;
   for (QWidget* control : std::initializer_list<QWidget*>{format_, file_, size_, rate_, cycles_, caption_})
@@ -140,26 +140,26 @@ void RecordBox::setRunning(bool running) {
   syncFormat();
 }
 
-void RecordBox::refresh() {
+void MovieBox::refresh() {
   const bool ffmpeg = scene::ffmpegInstalled();
   auto* items = qobject_cast<QStandardItemModel*>(format_->model());
-  for (const RecordingFormatInfo& info : recordingFormats()) {
+  for (const MovieFormatInfo& info : movieFormats()) {
     const int row = format_->findData(static_cast<int>(info.format));
     items->item(row)->setEnabled(ffmpeg || !info.needsFfmpeg);
   }
   if (!ffmpeg && infoOf(format()).needsFfmpeg)
-    format_->setCurrentIndex(format_->findData(static_cast<int>(RecordingFormat::ogg)));
+    format_->setCurrentIndex(format_->findData(static_cast<int>(MovieFormat::ogg)));
   missing_->setText(tr("MP4 and GIF need the program ffmpeg, which is not installed on this computer."));
   missing_->setVisible(!ffmpeg);
   setRunning(running_);
 }
 
-void RecordBox::showEvent(QShowEvent* event) {
+void MovieBox::showEvent(QShowEvent* event) {
   QWidget::showEvent(event);
   refresh();
 }
 
-void RecordBox::syncFormat() {
+void MovieBox::syncFormat() {
   const bool drawn = infoOf(format()).drawn;
   size_->setEnabled(drawn && !running_);
   caption_->setEnabled(drawn && !running_);
@@ -167,16 +167,16 @@ void RecordBox::syncFormat() {
   proposeFile();
 }
 
-void RecordBox::proposeFile() {
+void MovieBox::proposeFile() {
   if (chosen_ || running_)
     return;
   const QString folder = settings_.folder(kFolderKey, QStandardPaths::MoviesLocation);
-  file_->setText(freeRecordingFile(folder, name_.isEmpty() ? QStringLiteral("viscera") : name_, format()));
+  file_->setText(freeMovieFile(folder, name_.isEmpty() ? QStringLiteral("viscera") : name_, format()));
   file_->setToolTip(file_->text());
 }
 
-void RecordBox::chooseFile() {
-  const RecordingFormatInfo info = infoOf(format());
+void MovieBox::chooseFile() {
+  const MovieFormatInfo info = infoOf(format());
   const QString file =
       info.ending.isEmpty()
           ? QFileDialog::getExistingDirectory(this, tr("Folder for the pictures"), file_->text())

@@ -8,11 +8,11 @@
 namespace viscera::app {
 
 /// What a recording becomes.
-enum class RecordingFormat { ogg, mp4, gif, pictures, table };
+enum class MovieFormat { ogg, mp4, gif, pictures, table };
 
 /// A format as a user meets it.
-struct RecordingFormatInfo {
-  RecordingFormat format = RecordingFormat::ogg;
+struct MovieFormatInfo {
+  MovieFormat format = MovieFormat::ogg;
   QString name;   ///< "Ogg movie (.ogv)"
   QString ending; ///< ".ogv"; empty for a folder of pictures.
   bool needsFfmpeg = false;
@@ -20,12 +20,12 @@ struct RecordingFormatInfo {
 };
 
 /// All formats, in the order in which a list shows them.
-std::vector<RecordingFormatInfo> recordingFormats();
-RecordingFormatInfo infoOf(RecordingFormat format);
+std::vector<MovieFormatInfo> movieFormats();
+MovieFormatInfo infoOf(MovieFormat format);
 
 /// What is to be recorded, and where to.
-struct RecordingPlan {
-  RecordingFormat format = RecordingFormat::ogg;
+struct MoviePlan {
+  MovieFormat format = MovieFormat::ogg;
   QString file; ///< For pictures a folder.
   QSize size = {1280, 720};
   double framesPerSecond = 25;
@@ -38,6 +38,6 @@ struct RecordingPlan {
 };
 
 /// A file in the folder that is not there yet: "heartbeat_75.ogv", "heartbeat_75_2.ogv".
-QString freeRecordingFile(const QString& folder, const QString& name, RecordingFormat format);
+QString freeMovieFile(const QString& folder, const QString& name, MovieFormat format);
 
 } // namespace viscera::app

@@ -1,4 +1,4 @@
-#include "window/recording/recording_stage.h"
+#include "window/movie/movie_stage.h"
 
 #include <QCoreApplication>
 
@@ -18,7 +18,7 @@ constexpr int kCaptionSize = 18;
 constexpr double kCaptionMargin = 16;
 } // namespace
 
-RecordingStage::RecordingStage(const Source& source, const QSize& size, bool caption)
+MovieStage::MovieStage(const Source& source, const QSize& size, bool caption)
     : systems_(source.workspace.registry()), state_(source.workspace.state()),
       organs_(source.workspace.live().copy()), stress_(source.workspace.stress().copy()),
       runner_(state_, organs_), view_(source.picture.state()), theme_(source.picture.view().theme()),
@@ -37,7 +37,7 @@ RecordingStage::RecordingStage(const Source& source, const QSize& size, bool cap
       names_.push_back(organ->name);
 }
 
-void RecordingStage::openStage() {
+void MovieStage::openStage() {
   stage_ =
       std::make_unique<presentation::Stage>(size_.width(), size_.height(), theme_, Threads(), translated);
   presentation::lookFrom(*view_.camera, stage_->view());
@@ -45,7 +45,7 @@ void RecordingStage::openStage() {
     addCaption();
 }
 
-void RecordingStage::addCaption() {
+void MovieStage::addCaption() {
   vtkTextProperty* style = caption_->GetTextProperty();
   style->SetColor(theme_.text.x(), theme_.text.y(), theme_.text.z());
   style->SetFontFamilyToArial();
@@ -56,7 +56,7 @@ void RecordingStage::addCaption() {
   stage_->view().renderer()->AddActor2D(caption_);
 }
 
-const std::vector<double>& RecordingStage::show(double seconds) {
+const std::vector<double>& MovieStage::show(double seconds) {
   seconds_ = seconds;
   const std::vector<double> all = runner_.show(seconds);
   milliliters_.clear();
@@ -66,7 +66,7 @@ const std::vector<double>& RecordingStage::show(double seconds) {
   return milliliters_;
 }
 
-void RecordingStage::writeCaption() {
+void MovieStage::writeCaption() {
   QString lines;
   if (const sequences::Sequence* sequence = runner_.sequence().get()) {
     lines = QCoreApplication::translate("viscera::app::RecordingStage", "%1, %2 / min")
@@ -82,7 +82,7 @@ void RecordingStage::writeCaption() {
   caption_->SetInput(lines.trimmed().toUtf8().constData());
 }
 
-vtkSmartPointer<vtkImageData> RecordingStage::picture() {
+vtkSmartPointer<vtkImageData> MovieStage::picture() {
   if (!stage_)
     openStage();
   const live::StressFrame& stress = stress_.at(organs_.shownPose());

@@ -1,4 +1,4 @@
-#include "window/import/import_desk.h"
+#include "window/import/import_controller.h"
 
 #include <QEvent>
 #include <QFileInfo>
@@ -20,20 +20,21 @@ constexpr double kElsewhere = 0.01;
 
 } // namespace
 
-ImportDesk::ImportDesk(Workspace& workspace, FileActions& files, Picture& picture, QObject* parent)
+ImportController::ImportController(Workspace& workspace, FileActions& files, Picture& picture,
+                                   QObject* parent)
     : QObject(parent), workspace_(workspace), files_(files), panel_(new ImportPanel), picture_(picture) {
-  connect(panel_, &ImportPanel::accepted, this, &ImportDesk::accept);
-  connect(panel_, &ImportPanel::cancelled, this, &ImportDesk::cancel);
-  connect(panel_, &ImportPanel::repairRequested, this, &ImportDesk::repair);
-  connect(panel_, &ImportPanel::revertRequested, this, &ImportDesk::revert);
-  connect(panel_, &ImportPanel::includedChanged, this, &ImportDesk::include);
+  connect(panel_, &ImportPanel::accepted, this, &ImportController::accept);
+  connect(panel_, &ImportPanel::cancelled, this, &ImportController::cancel);
+  connect(panel_, &ImportPanel::repairRequested, this, &ImportController::repair);
+  connect(panel_, &ImportPanel::revertRequested, this, &ImportController::revert);
+  connect(panel_, &ImportPanel::includedChanged, this, &ImportController::include);
 }
 
-ImportDesk::~ImportDesk() {
+ImportController::~ImportController() {
   picture_.setGuests({});
 }
 
-void ImportDesk::begin(document::ImportDraft draft, const QStringList& files) {
+void ImportController::begin(document::ImportDraft draft, const QStringList& files) {
   if (open_)
     return workspace_.say({Message::Severity::warning,
                            tr("Import or cancel the files in the panel first, then open the others."),
@@ -46,7 +47,7 @@ void ImportDesk::begin(document::ImportDraft draft, const QStringList& files) {
   Q_EMIT opened();
 }
 
-void ImportDesk::accept() {
+void ImportController::accept() {
   if (!open_)
     return;
   const document::ImportDraft draft = std::move(draft_);
@@ -55,27 +56,27 @@ void ImportDesk::accept() {
   files_.take(draft, files);
 }
 
-void ImportDesk::cancel() {
+void ImportController::cancel() {
   if (!open_)
     return;
   workspace_.jobs().cancelSlot(kSlot);
   close();
 }
 
-bool ImportDesk::eventFilter(QObject* watched, QEvent* event) {
+bool ImportController::eventFilter(QObject* watched, QEvent* event) {
   if (event->type() == QEvent::Close)
     cancel();
   return QObject::eventFilter(watched, event);
 }
 
-void ImportDesk::close() {
+void ImportController::close() {
   open_ = false;
   draft_ = {};
   picture_.setGuests({});
   Q_EMIT closed();
 }
 
-void ImportDesk::show() {
+void ImportController::show() {
   panel_->showDraft(draft_, names_.size() == 1
                                 ? tr("Check of %1").arg(QFileInfo(names_.front()).fileName())
                                 : tr("Check of %n {file|files}", nullptr, static_cast<int>(names_.size())));
@@ -84,7 +85,7 @@ void ImportDesk::show() {
 
 /// The organs in the view: as glass beside what the document holds, solid and alone where they will take its
 /// place. They come into the picture when they lie elsewhere or are of another size.
-void ImportDesk::preview() {
+void ImportController::preview() {
   const bool alone = files_.replacesPresent();
   std::vector<presentation::Guest> guests;
   Bounds box;
@@ -110,7 +111,7 @@ void ImportDesk::preview() {
   previewed_ = box;
 }
 
-void ImportDesk::work(const QString& name, std::function<document::ImportDraft(Progress&)> next) {
+void ImportController::work(const QString& name, std::function<document::ImportDraft(Progress&)> next) {
   panel_->setBusy(true);
   workspace_.jobs().submit<document::ImportDraft>(name.toStdString(), kSlot, std::move(next),
                                                   [this](JobResult<document::ImportDraft> result) {
@@ -124,20 +125,20 @@ void ImportDesk::work(const QString& name, std::function<document::ImportDraft(P
                                                   });
 }
 
-void ImportDesk::repair(const std::vector<std::size_t>& organs, const std::string& repair) {
+void ImportController::repair(const std::vector<std::size_t>& organs, const std::string& repair) {
   if (open_)
     work(tr("Repairing: %1").arg(repairName(repair)), [draft = draft_, organs, repair](Progress& progress) {
       return document::repaired(draft, organs, repair, progress);
     });
 }
 
-void ImportDesk::revert(std::size_t organ) {
+void ImportController::revert(std::size_t organ) {
   if (open_)
     work(tr("Checking again"),
          [draft = draft_, organ](Progress& progress) { return document::reverted(draft, organ, progress); });
 }
 
-void ImportDesk::include(const std::vector<std::size_t>& organs, bool included) {
+void ImportController::include(const std::vector<std::size_t>& organs, bool included) {
   if (!open_)
     return;
   draft_ = document::withIncluded(std::move(draft_), organs, included);

@@ -11,11 +11,11 @@
 namespace viscera::app {
 
 /// What the user records pose by pose, as a motion that can be played: it follows the document's recording.
-class RecordedMotion final : public QObject {
+class KeySequencePlayback final : public QObject {
   Q_OBJECT
 
 public:
-  RecordedMotion(Workspace& workspace, Playback& playback, QObject* parent = nullptr);
+  KeySequencePlayback(Workspace& workspace, Playback& playback, QObject* parent = nullptr);
 
   /// The recording as a sequence; null without keys for the handles there are.
   const sequences::Sequence* sequence() const { return present_.get(); }

@@ -16,12 +16,12 @@ class Workspace;
 
 /// Files that are looked at before they are accepted: keeps the draft, lets a worker repair it, shows it in
 /// panel and view. Accepting is one undo step; cancelling leaves everything as it was.
-class ImportDesk final : public QObject {
+class ImportController final : public QObject {
   Q_OBJECT
 
 public:
-  ImportDesk(Workspace& workspace, FileActions& files, Picture& picture, QObject* parent);
-  ~ImportDesk() override;
+  ImportController(Workspace& workspace, FileActions& files, Picture& picture, QObject* parent);
+  ~ImportController() override;
 
   /// The panel; whoever shows it owns it.
   ImportPanel* panel() const { return panel_; }

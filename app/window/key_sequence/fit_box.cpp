@@ -1,4 +1,4 @@
-#include "window/recorded/fit_box.h"
+#include "window/key_sequence/fit_box.h"
 
 #include <QComboBox>
 #include <QDoubleSpinBox>

@@ -4,7 +4,7 @@
 
 #include <functional>
 
-#include "window/recording/recording_plan.h"
+#include "window/movie/movie_plan.h"
 #include "window/settings.h"
 
 class QCheckBox;
@@ -18,28 +18,28 @@ namespace viscera::app {
 
 /// Where a recording is described and started: kind, file, size, frames a second, cycles. Kinds that this
 /// computer cannot write are not offered, and it says why.
-class RecordBox final : public QWidget {
+class MovieBox final : public QWidget {
   Q_OBJECT
 
 public:
-  explicit RecordBox(Settings& settings, QWidget* parent = nullptr);
+  explicit MovieBox(Settings& settings, QWidget* parent = nullptr);
 
   /// What files are called: "heartbeat_75".
   void setName(const QString& name);
   void setRunning(bool running);
-  RecordingPlan plan() const;
+  MoviePlan plan() const;
   /// Looks again for what is installed and for a file name that is free.
   void refresh();
 
 Q_SIGNALS:
-  void recordRequested(const viscera::app::RecordingPlan& plan);
+  void recordRequested(const viscera::app::MoviePlan& plan);
   void cancelRequested();
 
 protected:
   void showEvent(QShowEvent* event) override;
 
 private:
-  RecordingFormat format() const;
+  MovieFormat format() const;
   void makeControls();
   void addRow(const QString& name, QWidget* control);
   void chooseFile();

@@ -1,4 +1,4 @@
-#include "window/recording/recording_plan.h"
+#include "window/movie/movie_plan.h"
 
 #include <QCoreApplication>
 #include <QFileInfo>
@@ -7,13 +7,13 @@ namespace viscera::app {
 namespace {
 
 QString translated(const char* text) {
-  return QCoreApplication::translate("viscera::app::RecordingPlan", text);
+  return QCoreApplication::translate("viscera::app::MoviePlan", text);
 }
 
 } // namespace
 
-std::vector<RecordingFormatInfo> recordingFormats() {
-  using Format = RecordingFormat;
+std::vector<MovieFormatInfo> movieFormats() {
+  using Format = MovieFormat;
   return {{Format::ogg, translated("Ogg movie (.ogv)"), QStringLiteral(".ogv"), false, true},
           {Format::mp4, translated("MP4 movie (.mp4)"), QStringLiteral(".mp4"), true, true},
           {Format::gif, translated("Animated GIF (.gif)"), QStringLiteral(".gif"), true, true},
@@ -21,19 +21,19 @@ std::vector<RecordingFormatInfo> recordingFormats() {
           {Format::table, translated("Table of volumes (.csv)"), QStringLiteral(".csv"), false, false}};
 }
 
-RecordingFormatInfo infoOf(RecordingFormat format) {
-  for (const RecordingFormatInfo& info : recordingFormats())
+MovieFormatInfo infoOf(MovieFormat format) {
+  for (const MovieFormatInfo& info : movieFormats())
     if (info.format == format)
       return info;
   return {};
 }
 
-QString RecordingPlan::tableFile() const {
+QString MoviePlan::tableFile() const {
   const QFileInfo info(file);
   return info.path() + QLatin1Char('/') + info.completeBaseName() + QStringLiteral(".csv");
 }
 
-QString freeRecordingFile(const QString& folder, const QString& name, RecordingFormat format) {
+QString freeMovieFile(const QString& folder, const QString& name, MovieFormat format) {
   const QString ending = infoOf(format).ending;
   for (int number = 1;; ++number) {
     const QString suffix = number == 1 ? QString() : QStringLiteral("_%1").arg(number);

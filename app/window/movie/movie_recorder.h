@@ -6,22 +6,22 @@
 #include <vector>
 
 #include "viscera/core/job_queue.h"
-#include "window/recording/recording_plan.h"
-#include "window/recording/recording_stage.h"
+#include "window/movie/movie_plan.h"
+#include "window/movie/movie_stage.h"
 
 namespace viscera::app {
 
 /// Records one view, or two side by side: a job on a thread of its own poses, draws off the screen, encodes
 /// and writes, shows its progress and can be cancelled. What is cancelled or fails leaves nothing behind.
-class Recorder final : public QObject {
+class MovieRecorder final : public QObject {
   Q_OBJECT
 
 public:
   /// `workspace` is told what went wrong.
-  explicit Recorder(Workspace& workspace, QObject* parent = nullptr);
+  explicit MovieRecorder(Workspace& workspace, QObject* parent = nullptr);
 
   /// Starts; false when it cannot (and says why), or when one is being made.
-  bool start(const RecordingPlan& plan, const std::vector<RecordingStage::Source>& sources);
+  bool start(const MoviePlan& plan, const std::vector<MovieStage::Source>& sources);
   bool running() const { return running_; }
   void cancel();
   /// The jobs of the recorder, for the status bar.
@@ -30,7 +30,7 @@ public:
 Q_SIGNALS:
   void stateChanged();
   /// It ended: complete, or cancelled or failed with nothing left.
-  void finished(bool complete, const viscera::app::RecordingPlan& plan);
+  void finished(bool complete, const viscera::app::MoviePlan& plan);
 
 private:
   Workspace& workspace_;
@@ -38,7 +38,7 @@ private:
   /// Last: it waits for its thread before anything else goes.
   JobQueue jobs_;
 
-  void end(const JobResult<int>& result, const RecordingPlan& plan);
+  void end(const JobResult<int>& result, const MoviePlan& plan);
 };
 
 } // namespace viscera::app

@@ -3,7 +3,7 @@
 #include <QWidget>
 
 #include "window/actions.h"
-#include "window/recorded/recorded_motion.h"
+#include "window/key_sequence/key_sequence_playback.h"
 #include "window/settings.h"
 
 class QComboBox;
@@ -20,7 +20,7 @@ class KeyBox final : public QWidget {
   Q_OBJECT
 
 public:
-  KeyBox(Workspace& workspace, Playback& playback, RecordedMotion& motion, Settings& settings,
+  KeyBox(Workspace& workspace, Playback& playback, KeySequencePlayback& motion, Settings& settings,
          QWidget* parent = nullptr);
 
   /// Adds a key at the time and with the easing that are set.
@@ -39,7 +39,7 @@ private:
 
   Workspace& workspace_;
   Playback& playback_;
-  RecordedMotion& motion_;
+  KeySequencePlayback& motion_;
   Settings& settings_;
   QDoubleSpinBox* seconds_ = nullptr;
   QComboBox* easing_ = nullptr;

@@ -24,16 +24,16 @@ Command setEasing(std::vector<KeyId> keys, sequences::Easing easing);
 
 /// What is given is changed, all else stays. A shorter period than the last key needs is refused; with
 /// `stretch` the keys keep their part of the period.
-struct RecordingEdit {
+struct KeySequenceEdit {
   std::optional<std::string> name = {};
   std::optional<double> periodSeconds = {};
   bool stretch = false;
   std::optional<bool> loop = {};
   std::optional<sequences::Interpolation> interpolation = {};
 };
-Command editRecording(RecordingEdit change);
+Command editKeySequence(KeySequenceEdit change);
 
 /// Takes another recording in place of the one there is; its keys get new ids.
-Command replaceRecording(Recording recording);
+Command replaceKeySequence(KeySequence keySequence);
 
 } // namespace viscera::document

@@ -23,7 +23,7 @@ namespace viscera::app {
 
 /// One view as it was when a recording began, with organs of its own: whatever the user does in the meantime,
 /// the recording goes on as it was. Made on the main thread, drawn on one other.
-class RecordingStage {
+class MovieStage {
 public:
   /// What is recorded; only looked at while the stage is made.
   struct Source {
@@ -33,7 +33,7 @@ public:
   };
 
   /// For pictures of this size.
-  RecordingStage(const Source& source, const QSize& size, bool caption);
+  MovieStage(const Source& source, const QSize& size, bool caption);
 
   /// Poses the organs at `seconds` of the sequence, as the window would show them; organs without one stay as
   /// they are. Returns the volumes of what is tracked, ml.

@@ -1,17 +1,17 @@
-#include "viscera/document/recording.h"
+#include "viscera/document/key_sequence.h"
 
 #include <algorithm>
 #include <set>
 
 namespace viscera::document {
 
-const RecordedKey* Recording::key(KeyId id) const {
+const SequenceKey* KeySequence::key(KeyId id) const {
   const auto found =
-      std::find_if(keys.begin(), keys.end(), [id](const RecordedKey& one) { return one.id == id; });
+      std::find_if(keys.begin(), keys.end(), [id](const SequenceKey& one) { return one.id == id; });
   return found == keys.end() ? nullptr : &*found;
 }
 
-Points poseOf(const RecordedKey& key, const Rig& rig) {
+Points poseOf(const SequenceKey& key, const Rig& rig) {
   Points pose = rig.restPositions();
   for (std::size_t i = 0; i < rig.handles.size(); ++i)
     if (const auto moved = key.displacements.find(rig.handles[i].id); moved != key.displacements.end())
@@ -19,16 +19,17 @@ Points poseOf(const RecordedKey& key, const Rig& rig) {
   return pose;
 }
 
-std::shared_ptr<const sequences::KeyframedSequence> sequenceOf(const Recording& recording, const Rig& rig) {
-  if (recording.keys.empty() || rig.handles.empty())
+std::shared_ptr<const sequences::KeyframedSequence> sequenceOf(const KeySequence& keySequence,
+                                                               const Rig& rig) {
+  if (keySequence.keys.empty() || rig.handles.empty())
     return nullptr;
   sequences::KeyframedSequence::Track track;
-  track.name = recording.name;
+  track.name = keySequence.name;
   track.restHandles = rig.restPositions();
-  track.periodSeconds = recording.periodSeconds;
-  track.loop = recording.loop;
-  track.interpolation = recording.interpolation;
-  for (const RecordedKey& key : recording.keys)
+  track.periodSeconds = keySequence.periodSeconds;
+  track.loop = keySequence.loop;
+  track.interpolation = keySequence.interpolation;
+  for (const SequenceKey& key : keySequence.keys)
     track.keys.push_back({key.seconds, poseOf(key, rig), key.easing});
   std::set<int> grouped;
   for (const Group& group : rig.groups) {

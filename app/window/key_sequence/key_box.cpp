@@ -1,4 +1,4 @@
-#include "window/recorded/key_box.h"
+#include "window/key_sequence/key_box.h"
 
 #include <QComboBox>
 #include <QDoubleSpinBox>
@@ -13,8 +13,8 @@
 #include <QTableWidget>
 #include <QVBoxLayout>
 
-#include "viscera/document/recording.h"
-#include "viscera/document/recording_commands.h"
+#include "viscera/document/key_sequence.h"
+#include "viscera/document/key_sequence_commands.h"
 #include "window/language.h"
 #include "window/style/icon.h"
 #include "window/widgets/ready_made.h"
@@ -48,7 +48,7 @@ QDoubleSpinBox* secondsBox(QWidget* parent) {
 
 } // namespace
 
-KeyBox::KeyBox(Workspace& workspace, Playback& playback, RecordedMotion& motion, Settings& settings,
+KeyBox::KeyBox(Workspace& workspace, Playback& playback, KeySequencePlayback& motion, Settings& settings,
                QWidget* parent)
     : QWidget(parent), workspace_(workspace), playback_(playback), motion_(motion), settings_(settings) {
   setObjectName(QStringLiteral("keyBox"));
@@ -59,7 +59,7 @@ KeyBox::KeyBox(Workspace& workspace, Playback& playback, RecordedMotion& motion,
   makeTable();
   makeButtons();
   subscription_ = workspace.onChange([this](const document::Change& change) {
-    if (change.recording() || change.rig() || change.organs())
+    if (change.keySequence() || change.rig() || change.organs())
       sync();
   });
   sync();
@@ -143,9 +143,9 @@ void KeyBox::makeButtons() {
   period_->setToolTip(tr("Length of one cycle"));
   grid->addWidget(period_, 3, 0, 1, 2);
   connect(period_, QOverload<double>::of(&QDoubleSpinBox::valueChanged), this, [this](double seconds) {
-    document::RecordingEdit edit;
+    document::KeySequenceEdit edit;
     edit.periodSeconds = seconds;
-    if (!workspace_.perform(document::editRecording(edit)))
+    if (!workspace_.perform(document::editKeySequence(edit)))
       sync();
   });
   static_cast<QVBoxLayout*>(layout())->addLayout(grid);
@@ -156,7 +156,7 @@ void KeyBox::addKey() {
 }
 
 document::KeyId KeyBox::selectedKey() const {
-  const auto& keys = workspace_.document().recording().keys;
+  const auto& keys = workspace_.document().keySequence().keys;
   const int row = table_->currentRow();
   return row >= 0 && row < static_cast<int>(keys.size()) ? keys[static_cast<std::size_t>(row)].id
                                                          : document::KeyId{};
@@ -164,14 +164,14 @@ document::KeyId KeyBox::selectedKey() const {
 
 void KeyBox::onTimeEdited(int row) {
   const std::optional<double> seconds = numberIn(table_->item(row, kTime)->text());
-  const auto& keys = workspace_.document().recording().keys;
+  const auto& keys = workspace_.document().keySequence().keys;
   if (!seconds || row >= static_cast<int>(keys.size()) ||
       !workspace_.perform(document::moveKey(keys[static_cast<std::size_t>(row)].id, *seconds)))
     sync();
 }
 
 void KeyBox::fillRow(int row) {
-  const document::RecordedKey& key = workspace_.document().recording().keys[static_cast<std::size_t>(row)];
+  const document::SequenceKey& key = workspace_.document().keySequence().keys[static_cast<std::size_t>(row)];
   auto* time = new QTableWidgetItem(formatNumber(key.seconds, 2));
   time->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
   table_->setItem(row, kTime, time);
@@ -190,10 +190,10 @@ void KeyBox::fillRow(int row) {
 
 void KeyBox::sync() {
   const QScopedValueRollback<bool> quiet(filling_, true);
-  const document::Recording& recording = workspace_.document().recording();
+  const document::KeySequence& keySequence = workspace_.document().keySequence();
   const int selected = table_->currentRow();
   table_->setRowCount(0);
-  table_->setRowCount(static_cast<int>(recording.keys.size()));
+  table_->setRowCount(static_cast<int>(keySequence.keys.size()));
   for (int row = 0; row < table_->rowCount(); ++row)
     fillRow(row);
   if (selected >= 0 && selected < table_->rowCount())
@@ -203,7 +203,7 @@ void KeyBox::sync() {
                          rows * table_->verticalHeader()->defaultSectionSize() + 4);
   table_->setVisible(table_->rowCount() > 0);
   const QSignalBlocker quietPeriod(period_);
-  period_->setValue(recording.periodSeconds);
+  period_->setValue(keySequence.periodSeconds);
   seconds_->setValue(motion_.nextSeconds());
   syncButtons();
 }
