@@ -15,6 +15,16 @@ std::string translated(const char* text) {
 
 namespace {
 
+/// Whether the change may have changed what is drawn. What moves the heart and the recorded keys are seen
+/// only by the poses that come of them, which the organs announce: drawing the old pose once more, while a
+/// control moves, would keep the new one waiting for as long as a frame takes.
+bool isDrawn(const document::Change& change) {
+  document::DocumentState drawnBefore = change.before;
+  drawnBefore.circulation = change.after.circulation;
+  drawnBefore.keySequence = change.after.keySequence;
+  return drawnBefore != change.after || change.before == change.after;
+}
+
 /// Nothing of the document is seen; it stays as it is.
 void hide(document::DocumentState& state, presentation::ViewState& view) {
   auto organs = std::make_shared<document::OrganList>();
@@ -35,7 +45,10 @@ Picture::Picture(Workspace& workspace, ViewModel& model, ViewWidget& view, Role 
     : QObject(parent), workspace_(workspace), model_(model), widget_(view), role_(role),
       presenter_(view.view(), {}, translated) {
   view.view().handleWidget()->SetRenderOnChange(false);
-  subscriptions_.push_back(workspace.onChange([this](const document::Change&) { refresh(); }));
+  subscriptions_.push_back(workspace.onChange([this](const document::Change& change) {
+    if (isDrawn(change))
+      refresh();
+  }));
   subscriptions_.push_back(workspace.live().onEvent([this](const live::LiveEvent&) { refresh(); }));
   subscriptions_.push_back(workspace.stress().onEvent([this](const live::StressEvent&) { refresh(); }));
   subscriptions_.push_back(workspace.selection().onChange([this] { refresh(); }));
