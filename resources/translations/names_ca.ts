@@ -575,6 +575,10 @@
         <translation>Ompliment que multiplica per e la pressió del pericardi</translation>
     </message>
     <message>
+        <source>Fitted circulation</source>
+        <translation>Circulació ajustada</translation>
+    </message>
+    <message>
         <source>Fixed</source>
         <translation>Fixos</translation>
     </message>

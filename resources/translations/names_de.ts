@@ -575,6 +575,10 @@
         <translation>Füllung, die den Druck des Perikards mit e multipliziert</translation>
     </message>
     <message>
+        <source>Fitted circulation</source>
+        <translation>Angepasster Kreislauf</translation>
+    </message>
+    <message>
         <source>Fixed</source>
         <translation>Fest</translation>
     </message>

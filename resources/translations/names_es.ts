@@ -575,6 +575,10 @@
         <translation>Llenado que multiplica por e la presión del pericardio</translation>
     </message>
     <message>
+        <source>Fitted circulation</source>
+        <translation>Circulación ajustada</translation>
+    </message>
+    <message>
         <source>Fixed</source>
         <translation>Fijos</translation>
     </message>

@@ -575,6 +575,10 @@
         <translation>Remplissage qui multiplie la pression du péricarde par e</translation>
     </message>
     <message>
+        <source>Fitted circulation</source>
+        <translation>Circulation ajustée</translation>
+    </message>
+    <message>
         <source>Fixed</source>
         <translation>Fixe</translation>
     </message>

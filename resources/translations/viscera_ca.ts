@@ -730,6 +730,10 @@ N: noms, H: tiradors, X: paret, R: restableix, T: clar o fosc, Inici: principi</
         <source>Before: %1</source>
         <translation>Abans: %1</translation>
     </message>
+    <message>
+        <source>Fitted to the volume and the ejection fraction of a left ventricle.</source>
+        <translation>Ajustada al volum i a la fracció d’ejecció d’un ventricle esquerre.</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::CirculationModel</name>
@@ -2313,7 +2317,7 @@ Moveu el lliscador de dalt per col·locar-ne, o feu clic a l’òrgan en el mode
     </message>
 </context>
 <context>
-    <name>viscera::app::ImportDesk</name>
+    <name>viscera::app::ImportController</name>
     <message>
         <source>Import or cancel the files in the panel first, then open the others.</source>
         <translation>Primer importeu o cancel·leu els fitxers del panell, després obriu els altres.</translation>
@@ -2521,6 +2525,21 @@ Moveu el lliscador de dalt per col·locar-ne, o feu clic a l’òrgan en el mode
     <message>
         <source>Open a sequence</source>
         <translation>Obre una seqüència</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::KeySequencePlayback</name>
+    <message>
+        <source>Record a key at %1 s</source>
+        <translation>Enregistra una clau a %1 s</translation>
+    </message>
+    <message>
+        <source>Use a key&apos;s pose</source>
+        <translation>Usa la postura d’una clau</translation>
+    </message>
+    <message>
+        <source>Sequence saved as %1</source>
+        <translation>Seqüència desada com a %1</translation>
     </message>
 </context>
 <context>
@@ -3120,6 +3139,91 @@ Moveu el lliscador de dalt per col·locar-ne, o feu clic a l’òrgan en el mode
     <message>
         <source>name phases by their numbers, counted from 1, as in 3, 7</source>
         <translation>indiqueu les fases amb el número, comptant des d’1, p. ex. 3, 7</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::MovieBox</name>
+    <message>
+        <source>Kind</source>
+        <translation>Tipus</translation>
+    </message>
+    <message>
+        <source>Choose a destination</source>
+        <translation>Tria la destinació</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Fitxer</translation>
+    </message>
+    <message>
+        <source>%1 x %2</source>
+        <translation>%1 x %2</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Mida</translation>
+    </message>
+    <message>
+        <source> / s</source>
+        <translation> / s</translation>
+    </message>
+    <message>
+        <source>Frames</source>
+        <translation>Fotogrames</translation>
+    </message>
+    <message>
+        <source>Cycles</source>
+        <translation>Cicles</translation>
+    </message>
+    <message>
+        <source>Write phase and volumes into it</source>
+        <translation>Escriu-hi la fase i els volums</translation>
+    </message>
+    <message>
+        <source>Table of volumes beside it (.csv)</source>
+        <translation>Taula de volums al costat (.csv)</translation>
+    </message>
+    <message>
+        <source>Cancel the recording</source>
+        <translation>Cancel·la l’enregistrament</translation>
+    </message>
+    <message>
+        <source>Record</source>
+        <translation>Enregistra</translation>
+    </message>
+    <message>
+        <source>Discard the recording</source>
+        <translation>Descarta l’enregistrament</translation>
+    </message>
+    <message>
+        <source>Record what the view shows</source>
+        <translation>Enregistra el que mostra la vista</translation>
+    </message>
+    <message>
+        <source>MP4 and GIF need the program ffmpeg, which is not installed on this computer.</source>
+        <translation>MP4 i GIF necessiten el programa ffmpeg, que no està instal·lat en aquest ordinador.</translation>
+    </message>
+    <message>
+        <source>Folder for the pictures</source>
+        <translation>Carpeta per a les imatges</translation>
+    </message>
+    <message>
+        <source>Record as</source>
+        <translation>Enregistra com a</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::MovieRecorder</name>
+    <message>
+        <source>Recording %1</source>
+        <translation>S’enregistra %1</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::MovieStage</name>
+    <message>
+        <source>%1, %2 / min</source>
+        <translation>%1, %2 / min</translation>
     </message>
 </context>
 <context>
@@ -3941,106 +4045,6 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
     <message>
         <source>No, that is nearer to: %1</source>
         <translation>No, això és més a prop de: %1</translation>
-    </message>
-</context>
-<context>
-    <name>viscera::app::RecordBox</name>
-    <message>
-        <source>Kind</source>
-        <translation>Tipus</translation>
-    </message>
-    <message>
-        <source>Choose a destination</source>
-        <translation>Tria la destinació</translation>
-    </message>
-    <message>
-        <source>File</source>
-        <translation>Fitxer</translation>
-    </message>
-    <message>
-        <source>%1 x %2</source>
-        <translation>%1 x %2</translation>
-    </message>
-    <message>
-        <source>Size</source>
-        <translation>Mida</translation>
-    </message>
-    <message>
-        <source> / s</source>
-        <translation> / s</translation>
-    </message>
-    <message>
-        <source>Frames</source>
-        <translation>Fotogrames</translation>
-    </message>
-    <message>
-        <source>Cycles</source>
-        <translation>Cicles</translation>
-    </message>
-    <message>
-        <source>Write phase and volumes into it</source>
-        <translation>Escriu-hi la fase i els volums</translation>
-    </message>
-    <message>
-        <source>Table of volumes beside it (.csv)</source>
-        <translation>Taula de volums al costat (.csv)</translation>
-    </message>
-    <message>
-        <source>Cancel the recording</source>
-        <translation>Cancel·la l’enregistrament</translation>
-    </message>
-    <message>
-        <source>Record</source>
-        <translation>Enregistra</translation>
-    </message>
-    <message>
-        <source>Discard the recording</source>
-        <translation>Descarta l’enregistrament</translation>
-    </message>
-    <message>
-        <source>Record what the view shows</source>
-        <translation>Enregistra el que mostra la vista</translation>
-    </message>
-    <message>
-        <source>MP4 and GIF need the program ffmpeg, which is not installed on this computer.</source>
-        <translation>MP4 i GIF necessiten el programa ffmpeg, que no està instal·lat en aquest ordinador.</translation>
-    </message>
-    <message>
-        <source>Folder for the pictures</source>
-        <translation>Carpeta per a les imatges</translation>
-    </message>
-    <message>
-        <source>Record as</source>
-        <translation>Enregistra com a</translation>
-    </message>
-</context>
-<context>
-    <name>viscera::app::RecordedMotion</name>
-    <message>
-        <source>Record a key at %1 s</source>
-        <translation>Enregistra una clau a %1 s</translation>
-    </message>
-    <message>
-        <source>Use a key&apos;s pose</source>
-        <translation>Usa la postura d’una clau</translation>
-    </message>
-    <message>
-        <source>Sequence saved as %1</source>
-        <translation>Seqüència desada com a %1</translation>
-    </message>
-</context>
-<context>
-    <name>viscera::app::Recorder</name>
-    <message>
-        <source>Recording %1</source>
-        <translation>S’enregistra %1</translation>
-    </message>
-</context>
-<context>
-    <name>viscera::app::RecordingStage</name>
-    <message>
-        <source>%1, %2 / min</source>
-        <translation>%1, %2 / min</translation>
     </message>
 </context>
 <context>

@@ -730,6 +730,10 @@ N: Namen, H: Griffe, X: Wand, R: zurück, T: hell oder dunkel, Pos1: Anfang</tra
         <source>Before: %1</source>
         <translation>Vorher: %1</translation>
     </message>
+    <message>
+        <source>Fitted to the volume and the ejection fraction of a left ventricle.</source>
+        <translation>Angepasst an das Volumen und die Ejektionsfraktion eines linken Ventrikels.</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::CirculationModel</name>
@@ -2313,7 +2317,7 @@ Bewegen Sie den Regler oben, um welche zu setzen, oder klicken Sie im Modus Grif
     </message>
 </context>
 <context>
-    <name>viscera::app::ImportDesk</name>
+    <name>viscera::app::ImportController</name>
     <message>
         <source>Import or cancel the files in the panel first, then open the others.</source>
         <translation>Importieren oder verwerfen Sie zuerst die Dateien im Bereich und öffnen Sie dann die anderen.</translation>
@@ -2521,6 +2525,21 @@ Bewegen Sie den Regler oben, um welche zu setzen, oder klicken Sie im Modus Grif
     <message>
         <source>Open a sequence</source>
         <translation>Sequenz öffnen</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::KeySequencePlayback</name>
+    <message>
+        <source>Record a key at %1 s</source>
+        <translation>Schlüssel bei %1 s aufzeichnen</translation>
+    </message>
+    <message>
+        <source>Use a key&apos;s pose</source>
+        <translation>Pose eines Schlüssels verwenden</translation>
+    </message>
+    <message>
+        <source>Sequence saved as %1</source>
+        <translation>Sequenz als %1 gespeichert</translation>
     </message>
 </context>
 <context>
@@ -3120,6 +3139,91 @@ Bewegen Sie den Regler oben, um welche zu setzen, oder klicken Sie im Modus Grif
     <message>
         <source>name phases by their numbers, counted from 1, as in 3, 7</source>
         <translation>Nennen Sie Phasen mit ihrer Nummer, ab 1 gezählt, wie in 3, 7</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::MovieBox</name>
+    <message>
+        <source>Kind</source>
+        <translation>Art</translation>
+    </message>
+    <message>
+        <source>Choose a destination</source>
+        <translation>Ziel wählen</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Datei</translation>
+    </message>
+    <message>
+        <source>%1 x %2</source>
+        <translation>%1 x %2</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source> / s</source>
+        <translation> / s</translation>
+    </message>
+    <message>
+        <source>Frames</source>
+        <translation>Bilder</translation>
+    </message>
+    <message>
+        <source>Cycles</source>
+        <translation>Zyklen</translation>
+    </message>
+    <message>
+        <source>Write phase and volumes into it</source>
+        <translation>Phase und Volumina hineinschreiben</translation>
+    </message>
+    <message>
+        <source>Table of volumes beside it (.csv)</source>
+        <translation>Volumentabelle daneben (.csv)</translation>
+    </message>
+    <message>
+        <source>Cancel the recording</source>
+        <translation>Aufnahme abbrechen</translation>
+    </message>
+    <message>
+        <source>Record</source>
+        <translation>Aufnehmen</translation>
+    </message>
+    <message>
+        <source>Discard the recording</source>
+        <translation>Aufnahme verwerfen</translation>
+    </message>
+    <message>
+        <source>Record what the view shows</source>
+        <translation>Aufnehmen, was die Ansicht zeigt</translation>
+    </message>
+    <message>
+        <source>MP4 and GIF need the program ffmpeg, which is not installed on this computer.</source>
+        <translation>MP4 und GIF brauchen das Programm ffmpeg, das auf diesem Rechner nicht installiert ist.</translation>
+    </message>
+    <message>
+        <source>Folder for the pictures</source>
+        <translation>Ordner für die Bilder</translation>
+    </message>
+    <message>
+        <source>Record as</source>
+        <translation>Aufnehmen als</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::MovieRecorder</name>
+    <message>
+        <source>Recording %1</source>
+        <translation>%1 wird aufgenommen</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::MovieStage</name>
+    <message>
+        <source>%1, %2 / min</source>
+        <translation>%1, %2 / min</translation>
     </message>
 </context>
 <context>
@@ -3941,106 +4045,6 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
     <message>
         <source>No, that is nearer to: %1</source>
         <translation>Nein, näher liegt: %1</translation>
-    </message>
-</context>
-<context>
-    <name>viscera::app::RecordBox</name>
-    <message>
-        <source>Kind</source>
-        <translation>Art</translation>
-    </message>
-    <message>
-        <source>Choose a destination</source>
-        <translation>Ziel wählen</translation>
-    </message>
-    <message>
-        <source>File</source>
-        <translation>Datei</translation>
-    </message>
-    <message>
-        <source>%1 x %2</source>
-        <translation>%1 x %2</translation>
-    </message>
-    <message>
-        <source>Size</source>
-        <translation>Größe</translation>
-    </message>
-    <message>
-        <source> / s</source>
-        <translation> / s</translation>
-    </message>
-    <message>
-        <source>Frames</source>
-        <translation>Bilder</translation>
-    </message>
-    <message>
-        <source>Cycles</source>
-        <translation>Zyklen</translation>
-    </message>
-    <message>
-        <source>Write phase and volumes into it</source>
-        <translation>Phase und Volumina hineinschreiben</translation>
-    </message>
-    <message>
-        <source>Table of volumes beside it (.csv)</source>
-        <translation>Volumentabelle daneben (.csv)</translation>
-    </message>
-    <message>
-        <source>Cancel the recording</source>
-        <translation>Aufnahme abbrechen</translation>
-    </message>
-    <message>
-        <source>Record</source>
-        <translation>Aufnehmen</translation>
-    </message>
-    <message>
-        <source>Discard the recording</source>
-        <translation>Aufnahme verwerfen</translation>
-    </message>
-    <message>
-        <source>Record what the view shows</source>
-        <translation>Aufnehmen, was die Ansicht zeigt</translation>
-    </message>
-    <message>
-        <source>MP4 and GIF need the program ffmpeg, which is not installed on this computer.</source>
-        <translation>MP4 und GIF brauchen das Programm ffmpeg, das auf diesem Rechner nicht installiert ist.</translation>
-    </message>
-    <message>
-        <source>Folder for the pictures</source>
-        <translation>Ordner für die Bilder</translation>
-    </message>
-    <message>
-        <source>Record as</source>
-        <translation>Aufnehmen als</translation>
-    </message>
-</context>
-<context>
-    <name>viscera::app::RecordedMotion</name>
-    <message>
-        <source>Record a key at %1 s</source>
-        <translation>Schlüssel bei %1 s aufzeichnen</translation>
-    </message>
-    <message>
-        <source>Use a key&apos;s pose</source>
-        <translation>Pose eines Schlüssels verwenden</translation>
-    </message>
-    <message>
-        <source>Sequence saved as %1</source>
-        <translation>Sequenz als %1 gespeichert</translation>
-    </message>
-</context>
-<context>
-    <name>viscera::app::Recorder</name>
-    <message>
-        <source>Recording %1</source>
-        <translation>%1 wird aufgenommen</translation>
-    </message>
-</context>
-<context>
-    <name>viscera::app::RecordingStage</name>
-    <message>
-        <source>%1, %2 / min</source>
-        <translation>%1, %2 / min</translation>
     </message>
 </context>
 <context>

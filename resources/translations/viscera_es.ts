@@ -730,6 +730,10 @@ N: nombres, H: tiradores, X: pared, R: restablecer, T: claro u oscuro, Inicio: p
         <source>Before: %1</source>
         <translation>Antes: %1</translation>
     </message>
+    <message>
+        <source>Fitted to the volume and the ejection fraction of a left ventricle.</source>
+        <translation>Ajustada al volumen y a la fracción de eyección de un ventrículo izquierdo.</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::CirculationModel</name>
@@ -2313,7 +2317,7 @@ Mueva el control de arriba para colocar algunos o haga clic en el órgano en el 
     </message>
 </context>
 <context>
-    <name>viscera::app::ImportDesk</name>
+    <name>viscera::app::ImportController</name>
     <message>
         <source>Import or cancel the files in the panel first, then open the others.</source>
         <translation>Importe o cancele primero los archivos del panel y abra después los demás.</translation>
@@ -2521,6 +2525,21 @@ Mueva el control de arriba para colocar algunos o haga clic en el órgano en el 
     <message>
         <source>Open a sequence</source>
         <translation>Abrir una secuencia</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::KeySequencePlayback</name>
+    <message>
+        <source>Record a key at %1 s</source>
+        <translation>Grabar una clave en %1 s</translation>
+    </message>
+    <message>
+        <source>Use a key&apos;s pose</source>
+        <translation>Usar la pose de una clave</translation>
+    </message>
+    <message>
+        <source>Sequence saved as %1</source>
+        <translation>Secuencia guardada como %1</translation>
     </message>
 </context>
 <context>
@@ -3120,6 +3139,91 @@ Mueva el control de arriba para colocar algunos o haga clic en el órgano en el 
     <message>
         <source>name phases by their numbers, counted from 1, as in 3, 7</source>
         <translation>indique las fases por su número, contando desde 1, p. ej. 3, 7</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::MovieBox</name>
+    <message>
+        <source>Kind</source>
+        <translation>Tipo</translation>
+    </message>
+    <message>
+        <source>Choose a destination</source>
+        <translation>Elegir el destino</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Archivo</translation>
+    </message>
+    <message>
+        <source>%1 x %2</source>
+        <translation>%1 x %2</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Tamaño</translation>
+    </message>
+    <message>
+        <source> / s</source>
+        <translation> / s</translation>
+    </message>
+    <message>
+        <source>Frames</source>
+        <translation>Fotogramas</translation>
+    </message>
+    <message>
+        <source>Cycles</source>
+        <translation>Ciclos</translation>
+    </message>
+    <message>
+        <source>Write phase and volumes into it</source>
+        <translation>Incluir fase y volúmenes</translation>
+    </message>
+    <message>
+        <source>Table of volumes beside it (.csv)</source>
+        <translation>Tabla de volúmenes al lado (.csv)</translation>
+    </message>
+    <message>
+        <source>Cancel the recording</source>
+        <translation>Cancelar la grabación</translation>
+    </message>
+    <message>
+        <source>Record</source>
+        <translation>Grabar</translation>
+    </message>
+    <message>
+        <source>Discard the recording</source>
+        <translation>Descartar la grabación</translation>
+    </message>
+    <message>
+        <source>Record what the view shows</source>
+        <translation>Grabar lo que muestra la vista</translation>
+    </message>
+    <message>
+        <source>MP4 and GIF need the program ffmpeg, which is not installed on this computer.</source>
+        <translation>MP4 y GIF necesitan el programa ffmpeg, que no está instalado en este equipo.</translation>
+    </message>
+    <message>
+        <source>Folder for the pictures</source>
+        <translation>Carpeta para las imágenes</translation>
+    </message>
+    <message>
+        <source>Record as</source>
+        <translation>Grabar como</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::MovieRecorder</name>
+    <message>
+        <source>Recording %1</source>
+        <translation>Grabando %1</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::MovieStage</name>
+    <message>
+        <source>%1, %2 / min</source>
+        <translation>%1, %2 / min</translation>
     </message>
 </context>
 <context>
@@ -3941,106 +4045,6 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
     <message>
         <source>No, that is nearer to: %1</source>
         <translation>No, eso está más cerca de: %1</translation>
-    </message>
-</context>
-<context>
-    <name>viscera::app::RecordBox</name>
-    <message>
-        <source>Kind</source>
-        <translation>Tipo</translation>
-    </message>
-    <message>
-        <source>Choose a destination</source>
-        <translation>Elegir el destino</translation>
-    </message>
-    <message>
-        <source>File</source>
-        <translation>Archivo</translation>
-    </message>
-    <message>
-        <source>%1 x %2</source>
-        <translation>%1 x %2</translation>
-    </message>
-    <message>
-        <source>Size</source>
-        <translation>Tamaño</translation>
-    </message>
-    <message>
-        <source> / s</source>
-        <translation> / s</translation>
-    </message>
-    <message>
-        <source>Frames</source>
-        <translation>Fotogramas</translation>
-    </message>
-    <message>
-        <source>Cycles</source>
-        <translation>Ciclos</translation>
-    </message>
-    <message>
-        <source>Write phase and volumes into it</source>
-        <translation>Incluir fase y volúmenes</translation>
-    </message>
-    <message>
-        <source>Table of volumes beside it (.csv)</source>
-        <translation>Tabla de volúmenes al lado (.csv)</translation>
-    </message>
-    <message>
-        <source>Cancel the recording</source>
-        <translation>Cancelar la grabación</translation>
-    </message>
-    <message>
-        <source>Record</source>
-        <translation>Grabar</translation>
-    </message>
-    <message>
-        <source>Discard the recording</source>
-        <translation>Descartar la grabación</translation>
-    </message>
-    <message>
-        <source>Record what the view shows</source>
-        <translation>Grabar lo que muestra la vista</translation>
-    </message>
-    <message>
-        <source>MP4 and GIF need the program ffmpeg, which is not installed on this computer.</source>
-        <translation>MP4 y GIF necesitan el programa ffmpeg, que no está instalado en este equipo.</translation>
-    </message>
-    <message>
-        <source>Folder for the pictures</source>
-        <translation>Carpeta para las imágenes</translation>
-    </message>
-    <message>
-        <source>Record as</source>
-        <translation>Grabar como</translation>
-    </message>
-</context>
-<context>
-    <name>viscera::app::RecordedMotion</name>
-    <message>
-        <source>Record a key at %1 s</source>
-        <translation>Grabar una clave en %1 s</translation>
-    </message>
-    <message>
-        <source>Use a key&apos;s pose</source>
-        <translation>Usar la pose de una clave</translation>
-    </message>
-    <message>
-        <source>Sequence saved as %1</source>
-        <translation>Secuencia guardada como %1</translation>
-    </message>
-</context>
-<context>
-    <name>viscera::app::Recorder</name>
-    <message>
-        <source>Recording %1</source>
-        <translation>Grabando %1</translation>
-    </message>
-</context>
-<context>
-    <name>viscera::app::RecordingStage</name>
-    <message>
-        <source>%1, %2 / min</source>
-        <translation>%1, %2 / min</translation>
     </message>
 </context>
 <context>

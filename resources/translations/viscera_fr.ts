@@ -602,13 +602,13 @@ N : noms, H : poignées, X : paroi, R : rétablir, T : clair ou sombre, Origine 
     </message>
     <message>
         <source>Its labels are beside it: %1.</source>
-        <translation>Ses étiquettes sont à côté : %1.</translation>
+        <translation>Ses étiquettes sont à côté&#x202f;: %1.</translation>
     </message>
     <message numerus="yes">
         <source>The pose folds the tissue at %n {voxel|voxels}: their values are estimates.</source>
         <translation>
-            <numerusform>La pose replie le tissu dans %n voxel : sa valeur est une estimation.</numerusform>
-            <numerusform>La pose replie le tissu dans %n voxels : leurs valeurs sont des estimations.</numerusform>
+            <numerusform>La pose replie le tissu dans %n voxel&#x202f;: sa valeur est une estimation.</numerusform>
+            <numerusform>La pose replie le tissu dans %n voxels&#x202f;: leurs valeurs sont des estimations.</numerusform>
         </translation>
     </message>
 </context>
@@ -616,7 +616,7 @@ N : noms, H : poignées, X : paroi, R : rétablir, T : clair ou sombre, Origine 
     <name>viscera::app::BindingMessages</name>
     <message>
         <source>%1 is not bound to these handles: binding was cancelled.</source>
-        <translation>%1 n’est pas lié à ces poignées : la liaison a été annulée.</translation>
+        <translation>%1 n’est pas lié à ces poignées&#x202f;: la liaison a été annulée.</translation>
     </message>
     <message>
         <source>Bind now</source>
@@ -664,15 +664,15 @@ N : noms, H : poignées, X : paroi, R : rétablir, T : clair ou sombre, Origine 
     <name>viscera::app::CirculationBox</name>
     <message>
         <source>Preload: stressed blood</source>
-        <translation>Précharge : sang sous tension</translation>
+        <translation>Précharge&#x202f;: sang sous tension</translation>
     </message>
     <message>
         <source>Afterload: body</source>
-        <translation>Postcharge : corps</translation>
+        <translation>Postcharge&#x202f;: corps</translation>
     </message>
     <message>
         <source>Afterload: lungs</source>
-        <translation>Postcharge : poumons</translation>
+        <translation>Postcharge&#x202f;: poumons</translation>
     </message>
     <message>
         <source>Contractility, left</source>
@@ -692,11 +692,11 @@ N : noms, H : poignées, X : paroi, R : rétablir, T : clair ou sombre, Origine 
     </message>
     <message>
         <source>%1. Marked: normal, %2 %3 (%4)</source>
-        <translation>%1. Repère : normale, %2 %3 (%4)</translation>
+        <translation>%1. Repère&#x202f;: normale, %2 %3 (%4)</translation>
     </message>
     <message>
         <source>Only the sample heart can be moved by the circulation model; the charts show its results for any organ.</source>
-        <translation>Seul le cœur type peut être mû par le modèle de circulation ; les graphiques montrent ses résultats pour tout organe.</translation>
+        <translation>Seul le cœur type peut être mû par le modèle de circulation&#x202f;; les graphiques montrent ses résultats pour tout organe.</translation>
     </message>
     <message>
         <source>Textbook beat</source>
@@ -712,7 +712,7 @@ N : noms, H : poignées, X : paroi, R : rétablir, T : clair ou sombre, Origine 
     </message>
     <message>
         <source>A model of heart and vessels: pressures, pressure-volume loops, valves and sounds</source>
-        <translation>Un modèle du cœur et des vaisseaux : pressions, boucles pression-volume, valves et bruits</translation>
+        <translation>Un modèle du cœur et des vaisseaux&#x202f;: pressions, boucles pression-volume, valves et bruits</translation>
     </message>
     <message>
         <source>Rate, preload, afterload</source>
@@ -728,7 +728,11 @@ N : noms, H : poignées, X : paroi, R : rétablir, T : clair ou sombre, Origine 
     </message>
     <message>
         <source>Before: %1</source>
-        <translation>Avant : %1</translation>
+        <translation>Avant&#x202f;: %1</translation>
+    </message>
+    <message>
+        <source>Fitted to the volume and the ejection fraction of a left ventricle.</source>
+        <translation>Ajustée au volume et à la fraction d’éjection d’un ventricule gauche.</translation>
     </message>
 </context>
 <context>
@@ -832,7 +836,7 @@ N : noms, H : poignées, X : paroi, R : rétablir, T : clair ou sombre, Origine 
     </message>
     <message>
         <source>A .csv file with two columns: the fraction of the cycle (or time_s) and the volume in ml. At each instant the handles move as little as possible to reach that volume</source>
-        <translation>Un fichier .csv à deux colonnes : la fraction du cycle (ou time_s) et le volume en ml. À chaque instant, les poignées bougent le moins possible pour atteindre ce volume</translation>
+        <translation>Un fichier .csv à deux colonnes&#x202f;: la fraction du cycle (ou time_s) et le volume en ml. À chaque instant, les poignées bougent le moins possible pour atteindre ce volume</translation>
     </message>
     <message>
         <source>Let the sequence alone determine the volume again</source>
@@ -848,7 +852,7 @@ N : noms, H : poignées, X : paroi, R : rétablir, T : clair ou sombre, Origine 
     </message>
     <message>
         <source>%1 follows %2; dashed in the chart.</source>
-        <translation>%1 suit %2 ; en tirets dans le graphique.</translation>
+        <translation>%1 suit %2&#x202f;; en tirets dans le graphique.</translation>
     </message>
 </context>
 <context>
@@ -902,7 +906,7 @@ N : noms, H : poignées, X : paroi, R : rétablir, T : clair ou sombre, Origine 
     </message>
     <message>
         <source>Drag a handle and the organ follows; K locks the volume, T turns and scales, M mirrors</source>
-        <translation>Faites glisser une poignée et l’organe suit ; K verrouille le volume, T tourne et met à l’échelle, M met en miroir</translation>
+        <translation>Faites glisser une poignée et l’organe suit&#x202f;; K verrouille le volume, T tourne et met à l’échelle, M met en miroir</translation>
     </message>
     <message>
         <source>&amp;Turn and scale</source>
@@ -942,7 +946,7 @@ N : noms, H : poignées, X : paroi, R : rétablir, T : clair ou sombre, Origine 
     </message>
     <message>
         <source>Keep the organ&apos;s volume constant in Deform mode; for an organ with cavities, the volume within its outer surface</source>
-        <translation>Garder constant le volume de l’organe en mode Déformer ; pour un organe à cavités, le volume dans sa surface externe</translation>
+        <translation>Garder constant le volume de l’organe en mode Déformer&#x202f;; pour un organe à cavités, le volume dans sa surface externe</translation>
     </message>
     <message>
         <source>Restore &amp;rest volume</source>
@@ -1072,7 +1076,7 @@ N : noms, H : poignées, X : paroi, R : rétablir, T : clair ou sombre, Origine 
     </message>
     <message>
         <source>A drag moves the mirrored handles too; the mirror plane passes through the middle of the organ at rest (M: next plane)</source>
-        <translation>Un glissement déplace aussi les poignées symétriques ; le plan de miroir passe par le milieu de l’organe au repos (M : plan suivant)</translation>
+        <translation>Un glissement déplace aussi les poignées symétriques&#x202f;; le plan de miroir passe par le milieu de l’organe au repos (M&#x202f;: plan suivant)</translation>
     </message>
     <message>
         <source>Moves along</source>
@@ -1126,23 +1130,23 @@ N : noms, H : poignées, X : paroi, R : rétablir, T : clair ou sombre, Origine 
     </message>
     <message>
         <source>Towards the patient&apos;s left; negative: right (R/L)</source>
-        <translation>Vers la gauche du patient ; négatif : droite (R/L)</translation>
+        <translation>Vers la gauche du patient&#x202f;; négatif&#x202f;: droite (R/L)</translation>
     </message>
     <message>
         <source>Towards the patient&apos;s back; negative: front (A/P)</source>
-        <translation>Vers le dos du patient ; négatif : avant (A/P)</translation>
+        <translation>Vers le dos du patient&#x202f;; négatif&#x202f;: avant (A/P)</translation>
     </message>
     <message>
         <source>Towards the patient&apos;s head; negative: feet (S/I)</source>
-        <translation>Vers la tête du patient ; négatif : pieds (S/I)</translation>
+        <translation>Vers la tête du patient&#x202f;; négatif&#x202f;: pieds (S/I)</translation>
     </message>
     <message>
         <source>Move the selected handles once by this distance; locked volumes are kept</source>
-        <translation>Déplacer une fois les poignées sélectionnées de cette distance ; les volumes verrouillés sont gardés</translation>
+        <translation>Déplacer une fois les poignées sélectionnées de cette distance&#x202f;; les volumes verrouillés sont gardés</translation>
     </message>
     <message>
         <source>Moved by %1 of %2 mm: the locked volume allows no more in this direction.</source>
-        <translation>Déplacé de %1 sur %2 mm : le volume verrouillé ne permet pas plus dans cette direction.</translation>
+        <translation>Déplacé de %1 sur %2 mm&#x202f;: le volume verrouillé ne permet pas plus dans cette direction.</translation>
     </message>
 </context>
 <context>
@@ -1157,7 +1161,7 @@ N : noms, H : poignées, X : paroi, R : rétablir, T : clair ou sombre, Origine 
     </message>
     <message>
         <source>Click two points on an organ or on a slice; Esc ends</source>
-        <translation>Cliquez deux points sur un organe ou une coupe ; Échap termine</translation>
+        <translation>Cliquez deux points sur un organe ou une coupe&#x202f;; Échap termine</translation>
     </message>
     <message>
         <source>Measure &amp;distance</source>
@@ -1173,7 +1177,7 @@ N : noms, H : poignées, X : paroi, R : rétablir, T : clair ou sombre, Origine 
     </message>
     <message>
         <source>Click three points on an organ or on a slice, the corner second; Esc ends</source>
-        <translation>Cliquez trois points sur un organe ou une coupe, le sommet de l’angle en deuxième ; Échap termine</translation>
+        <translation>Cliquez trois points sur un organe ou une coupe, le sommet de l’angle en deuxième&#x202f;; Échap termine</translation>
     </message>
     <message>
         <source>Angle</source>
@@ -1189,7 +1193,7 @@ N : noms, H : poignées, X : paroi, R : rétablir, T : clair ou sombre, Origine 
     </message>
     <message>
         <source>Drag on a slice from corner to corner: mean and deviation of the scan&apos;s values; Esc ends</source>
-        <translation>Faites glisser sur une coupe de coin à coin : moyenne et écart type des valeurs de l’examen ; Échap termine</translation>
+        <translation>Faites glisser sur une coupe de coin à coin&#x202f;: moyenne et écart type des valeurs de l’examen&#x202f;; Échap termine</translation>
     </message>
     <message>
         <source>Rectangle</source>
@@ -1205,7 +1209,7 @@ N : noms, H : poignées, X : paroi, R : rétablir, T : clair ou sombre, Origine 
     </message>
     <message>
         <source>Drag on a slice from the middle to the border: mean and deviation of the scan&apos;s values; Esc ends</source>
-        <translation>Faites glisser sur une coupe du centre au bord : moyenne et écart type des valeurs de l’examen ; Échap termine</translation>
+        <translation>Faites glisser sur une coupe du centre au bord&#x202f;: moyenne et écart type des valeurs de l’examen&#x202f;; Échap termine</translation>
     </message>
     <message>
         <source>Sphere</source>
@@ -1237,7 +1241,7 @@ N : noms, H : poignées, X : paroi, R : rétablir, T : clair ou sombre, Origine 
     </message>
     <message>
         <source>Hide the names and ask for one part after the other; answer with a click on the organ</source>
-        <translation>Masquer les noms et demander une partie après l’autre ; répondez par un clic sur l’organe</translation>
+        <translation>Masquer les noms et demander une partie après l’autre&#x202f;; répondez par un clic sur l’organe</translation>
     </message>
     <message>
         <source>%1. Drags turn the view, Esc ends the quiz</source>
@@ -1245,19 +1249,19 @@ N : noms, H : poignées, X : paroi, R : rétablir, T : clair ou sombre, Origine 
     </message>
     <message>
         <source>Click two points on an organ or on a slice; drags turn the view, Esc ends</source>
-        <translation>Cliquez deux points sur un organe ou une coupe ; glisser tourne la vue, Échap termine</translation>
+        <translation>Cliquez deux points sur un organe ou une coupe&#x202f;; glisser tourne la vue, Échap termine</translation>
     </message>
     <message>
         <source>Click three points on an organ or on a slice, the corner second; drags turn the view, Esc ends</source>
-        <translation>Cliquez trois points sur un organe ou une coupe, le sommet de l’angle en deuxième ; glisser tourne la vue, Échap termine</translation>
+        <translation>Cliquez trois points sur un organe ou une coupe, le sommet de l’angle en deuxième&#x202f;; glisser tourne la vue, Échap termine</translation>
     </message>
     <message>
         <source>Drag on a slice from corner to corner; Esc ends</source>
-        <translation>Faites glisser sur une coupe de coin à coin ; Échap termine</translation>
+        <translation>Faites glisser sur une coupe de coin à coin&#x202f;; Échap termine</translation>
     </message>
     <message>
         <source>Drag on a slice from the middle of a sphere to its border; Esc ends</source>
-        <translation>Faites glisser sur une coupe du centre d’une sphère à son bord ; Échap termine</translation>
+        <translation>Faites glisser sur une coupe du centre d’une sphère à son bord&#x202f;; Échap termine</translation>
     </message>
 </context>
 <context>
@@ -1450,7 +1454,7 @@ N : noms, H : poignées, X : paroi, R : rétablir, T : clair ou sombre, Origine 
     </message>
     <message>
         <source>Exporting %1</source>
-        <translation>Exportation : %1</translation>
+        <translation>Exportation&#x202f;: %1</translation>
     </message>
     <message>
         <source>Written to %1.</source>
@@ -1492,7 +1496,7 @@ N : noms, H : poignées, X : paroi, R : rétablir, T : clair ou sombre, Origine 
     </message>
     <message>
         <source>Open one patient: a folder with one mask for each organ, as TotalSegmentator writes it</source>
-        <translation>Ouvrir un patient : un dossier avec un masque par organe, tel que TotalSegmentator l’écrit</translation>
+        <translation>Ouvrir un patient&#x202f;: un dossier avec un masque par organe, tel que TotalSegmentator l’écrit</translation>
     </message>
     <message>
         <source>&amp;Import with check...</source>
@@ -1532,7 +1536,7 @@ N : noms, H : poignées, X : paroi, R : rétablir, T : clair ou sombre, Origine 
     </message>
     <message>
         <source>For coordinates that need a cage: load a closed surface around the organ; its vertices become the handles</source>
-        <translation>Pour les coordonnées qui demandent une cage : charger une surface fermée autour de l’organe ; ses sommets deviennent les poignées</translation>
+        <translation>Pour les coordonnées qui demandent une cage&#x202f;: charger une surface fermée autour de l’organe&#x202f;; ses sommets deviennent les poignées</translation>
     </message>
     <message>
         <source>Sessions, organs, label maps, handles and scans (*.viscera %1 %2 %3)</source>
@@ -1637,7 +1641,7 @@ N : noms, H : poignées, X : paroi, R : rétablir, T : clair ou sombre, Origine 
     </message>
     <message>
         <source>Exporting %1</source>
-        <translation>Exportation : %1</translation>
+        <translation>Exportation&#x202f;: %1</translation>
     </message>
     <message>
         <source>%1 written to %2</source>
@@ -1718,7 +1722,7 @@ N : noms, H : poignées, X : paroi, R : rétablir, T : clair ou sombre, Origine 
     </message>
     <message>
         <source>%1: click its place in the view</source>
-        <translation>%1 : placez-le d’un clic dans la vue</translation>
+        <translation>%1&#x202f;: placez-le d’un clic dans la vue</translation>
     </message>
     <message>
         <source>click the organ</source>
@@ -1730,7 +1734,7 @@ N : noms, H : poignées, X : paroi, R : rétablir, T : clair ou sombre, Origine 
     </message>
     <message>
         <source>%1 is open; a sequence needs a closed surface.</source>
-        <translation>%1 : surface ouverte ; une séquence demande une surface fermée.</translation>
+        <translation>%1&#x202f;: surface ouverte&#x202f;; une séquence demande une surface fermée.</translation>
     </message>
     <message>
         <source>Moves %1 and its chambers as a textbook&apos;s heart, from how they are as the end of diastole. It becomes a recorded sequence.</source>
@@ -1753,15 +1757,15 @@ N : noms, H : poignées, X : paroi, R : rétablir, T : clair ou sombre, Origine 
     <name>viscera::app::FitOffer</name>
     <message>
         <source>Replace all open organs; Undo brings them back</source>
-        <translation>Remplacer tous les organes ouverts ; Annuler les ramène</translation>
+        <translation>Remplacer tous les organes ouverts&#x202f;; Annuler les ramène</translation>
     </message>
     <message>
         <source>%1 is made for a %2, and by its name %3 is another organ.</source>
-        <translation>%1 est faite pour un organe « %2 » et, d’après son nom, %3 est un autre organe.</translation>
+        <translation>%1 est faite pour un organe «&#x202f;%2&#x202f;» et, d’après son nom, %3 est un autre organe.</translation>
     </message>
     <message>
         <source>%1: fit it to %2?</source>
-        <translation>%1 : ajuster à %2 ?</translation>
+        <translation>%1&#x202f;: ajuster à %2&#x202f;?</translation>
     </message>
     <message>
         <source>Fit it anyway</source>
@@ -1777,18 +1781,18 @@ N : noms, H : poignées, X : paroi, R : rétablir, T : clair ou sombre, Origine 
     </message>
     <message>
         <source>%1 is open; a sequence needs a closed surface</source>
-        <translation>%1 : surface ouverte ; une séquence demande une surface fermée</translation>
+        <translation>%1&#x202f;: surface ouverte&#x202f;; une séquence demande une surface fermée</translation>
     </message>
     <message>
         <source>Show the sample %1</source>
-        <translation>Montrer l’organe type : %1</translation>
+        <translation>Montrer l’organe type&#x202f;: %1</translation>
     </message>
 </context>
 <context>
     <name>viscera::app::GroupPanel</name>
     <message>
         <source>No groups: all handles act everywhere. Select handles and make a group of them, or make groups automatically below.</source>
-        <translation>Pas de groupes : toutes les poignées agissent partout. Sélectionnez des poignées et faites-en un groupe, ou créez des groupes automatiquement ci-dessous.</translation>
+        <translation>Pas de groupes&#x202f;: toutes les poignées agissent partout. Sélectionnez des poignées et faites-en un groupe, ou créez des groupes automatiquement ci-dessous.</translation>
     </message>
     <message>
         <source>Groups</source>
@@ -1840,7 +1844,7 @@ N : noms, H : poignées, X : paroi, R : rétablir, T : clair ou sombre, Origine 
     </message>
     <message>
         <source>Remove the chosen group; its handles stay</source>
-        <translation>Supprimer le groupe choisi ; ses poignées restent</translation>
+        <translation>Supprimer le groupe choisi&#x202f;; ses poignées restent</translation>
     </message>
     <message>
         <source>How groups are made</source>
@@ -1888,7 +1892,7 @@ N : noms, H : poignées, X : paroi, R : rétablir, T : clair ou sombre, Origine 
     </message>
     <message>
         <source>No coordinate system that uses groups is loaded: the plugin is missing.</source>
-        <translation>Aucun système de coordonnées à groupes n’est chargé : le plugin manque.</translation>
+        <translation>Aucun système de coordonnées à groupes n’est chargé&#x202f;: le plugin manque.</translation>
     </message>
     <message>
         <source>Use %1</source>
@@ -1980,7 +1984,7 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez l’organe en mode Poi
     </message>
     <message>
         <source>Place this many handles evenly, a little outside the organ&apos;s surface; they replace the present ones</source>
-        <translation>Placer ce nombre de poignées régulièrement, un peu hors de la surface de l’organe ; elles remplacent les actuelles</translation>
+        <translation>Placer ce nombre de poignées régulièrement, un peu hors de la surface de l’organe&#x202f;; elles remplacent les actuelles</translation>
     </message>
     <message>
         <source>Enclosing box</source>
@@ -2054,7 +2058,7 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez l’organe en mode Poi
     </message>
     <message>
         <source>%1: the organ is not bound to the handles.</source>
-        <translation>%1 : l’organe n’est pas lié aux poignées.</translation>
+        <translation>%1&#x202f;: l’organe n’est pas lié aux poignées.</translation>
     </message>
     <message>
         <source>%1. Its coordinates sum to %2 and miss it by %3 mm.</source>
@@ -2069,7 +2073,7 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez l’organe en mode Poi
     </message>
     <message>
         <source>Click the organ to add a handle, drag to move it, Delete removes it; the reference shape stays</source>
-        <translation>Cliquez l’organe pour ajouter une poignée, glissez pour la déplacer, Suppr la supprime ; la forme de référence reste</translation>
+        <translation>Cliquez l’organe pour ajouter une poignée, glissez pour la déplacer, Suppr la supprime&#x202f;; la forme de référence reste</translation>
     </message>
     <message>
         <source>&amp;Place automatically</source>
@@ -2250,7 +2254,7 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez l’organe en mode Poi
     </message>
     <message>
         <source>Viscera %1: organs deformed by handles, without a cage. BSD-3-Clause; a program for research and teaching, not a medical device.</source>
-        <translation>Viscera %1 : des organes déformés par des poignées, sans cage. BSD-3-Clause ; un programme pour la recherche et l’enseignement, pas un dispositif médical.</translation>
+        <translation>Viscera %1&#x202f;: des organes déformés par des poignées, sans cage. BSD-3-Clause&#x202f;; un programme pour la recherche et l’enseignement, pas un dispositif médical.</translation>
     </message>
     <message>
         <source>Look around</source>
@@ -2266,7 +2270,7 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez l’organe en mode Poi
     </message>
     <message>
         <source>Space plays and pauses. The timeline shows the phases of the cycle: drag along it to look at one instant. Below, the volumes are drawn as they change.</source>
-        <translation>Espace lit et met en pause. La barre de temps montre les phases du cycle : faites-la glisser pour regarder un instant. Dessous, les volumes sont tracés à mesure qu’ils changent.</translation>
+        <translation>Espace lit et met en pause. La barre de temps montre les phases du cycle&#x202f;: faites-la glisser pour regarder un instant. Dessous, les volumes sont tracés à mesure qu’ils changent.</translation>
     </message>
     <message>
         <source>Handles</source>
@@ -2274,7 +2278,7 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez l’organe en mode Poi
     </message>
     <message>
         <source>Organs follow handles around them. Here you edit them at rest: click the organ to add one, drag to move it, Delete to remove it. The organ is bound again at once. I shows how far a handle reaches.</source>
-        <translation>Les organes suivent les poignées qui les entourent. Ici vous les modifiez au repos : cliquez l’organe pour en ajouter une, glissez pour la déplacer, Suppr pour la supprimer. L’organe est aussitôt relié. I montre jusqu’où porte une poignée.</translation>
+        <translation>Les organes suivent les poignées qui les entourent. Ici vous les modifiez au repos&#x202f;: cliquez l’organe pour en ajouter une, glissez pour la déplacer, Suppr pour la supprimer. L’organe est aussitôt relié. I montre jusqu’où porte une poignée.</translation>
     </message>
     <message>
         <source>Deform</source>
@@ -2282,7 +2286,7 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez l’organe en mode Poi
     </message>
     <message>
         <source>Drag a handle and the organ follows; its volume is in the status bar. The padlock in the list on the left (K) keeps the volume whatever you do. T turns and scales selected handles, M mirrors drags. Ctrl+Z undoes any change, G shows the reference shape as an outline.</source>
-        <translation>Faites glisser une poignée et l’organe suit ; son volume est dans la barre d’état. Le cadenas dans la liste de gauche (K) garde le volume quoi que vous fassiez. T tourne et met à l’échelle les poignées sélectionnées, M met les glissements en miroir. Ctrl+Z annule tout changement, G montre le contour de la forme de référence.</translation>
+        <translation>Faites glisser une poignée et l’organe suit&#x202f;; son volume est dans la barre d’état. Le cadenas dans la liste de gauche (K) garde le volume quoi que vous fassiez. T tourne et met à l’échelle les poignées sélectionnées, M met les glissements en miroir. Ctrl+Z annule tout changement, G montre le contour de la forme de référence.</translation>
     </message>
     <message>
         <source>Stress</source>
@@ -2309,11 +2313,11 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez l’organe en mode Poi
     </message>
     <message>
         <source>Number of witness points with each value; the lines mark the mean and the 95th percentile</source>
-        <translation>Nombre de points témoins pour chaque valeur ; les lignes marquent la moyenne et le 95e centile</translation>
+        <translation>Nombre de points témoins pour chaque valeur&#x202f;; les lignes marquent la moyenne et le 95e centile</translation>
     </message>
 </context>
 <context>
-    <name>viscera::app::ImportDesk</name>
+    <name>viscera::app::ImportController</name>
     <message>
         <source>Import or cancel the files in the panel first, then open the others.</source>
         <translation>Importez ou annulez d’abord les fichiers du panneau, puis ouvrez les autres.</translation>
@@ -2331,7 +2335,7 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez l’organe en mode Poi
     </message>
     <message>
         <source>Repairing: %1</source>
-        <translation>Réparation : %1</translation>
+        <translation>Réparation&#x202f;: %1</translation>
     </message>
     <message>
         <source>Checking again</source>
@@ -2350,15 +2354,15 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez l’organe en mode Poi
     </message>
     <message>
         <source>%1 organs: %2 with faults, %3 to check, %4 without problems. Nothing is in the document yet, and no file is changed.</source>
-        <translation>%1 organes : %2 avec défauts, %3 à examiner, %4 sans problème. Rien n’est encore dans le document, et aucun fichier n’est modifié.</translation>
+        <translation>%1 organes&#x202f;: %2 avec défauts, %3 à examiner, %4 sans problème. Rien n’est encore dans le document, et aucun fichier n’est modifié.</translation>
     </message>
     <message>
         <source>%1 of %2 organs are not life-sized; the unit of length is one for the patient</source>
-        <translation>%1 organes sur %2 ne sont pas grandeur nature ; l’unité de longueur est commune au patient</translation>
+        <translation>%1 organes sur %2 ne sont pas grandeur nature&#x202f;; l’unité de longueur est commune au patient</translation>
     </message>
     <message>
         <source>%1: %2 of %3 organs</source>
-        <translation>%1 : %2 organes sur %3</translation>
+        <translation>%1&#x202f;: %2 organes sur %3</translation>
     </message>
     <message>
         <source>Import</source>
@@ -2428,7 +2432,7 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez l’organe en mode Poi
     </message>
     <message>
         <source>Pose the organ in Deform mode and press Ctrl+K: each key stores that pose.</source>
-        <translation>Posez l’organe en mode Déformer et pressez Ctrl+K : chaque clé mémorise cette pose.</translation>
+        <translation>Posez l’organe en mode Déformer et pressez Ctrl+K&#x202f;: chaque clé mémorise cette pose.</translation>
     </message>
     <message>
         <source>Time of the next key</source>
@@ -2524,6 +2528,21 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez l’organe en mode Poi
     </message>
 </context>
 <context>
+    <name>viscera::app::KeySequencePlayback</name>
+    <message>
+        <source>Record a key at %1 s</source>
+        <translation>Enregistrer une clé à %1 s</translation>
+    </message>
+    <message>
+        <source>Use a key&apos;s pose</source>
+        <translation>Utiliser la pose d’une clé</translation>
+    </message>
+    <message>
+        <source>Sequence saved as %1</source>
+        <translation>Séquence enregistrée dans %1</translation>
+    </message>
+</context>
+<context>
     <name>viscera::app::LectureScreen</name>
     <message>
         <source>&amp;Lecture</source>
@@ -2531,7 +2550,7 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez l’organe en mode Poi
     </message>
     <message>
         <source>The view alone on the whole screen, in large letters; Page Down shows the next slide, Escape ends it</source>
-        <translation>La vue seule sur tout l’écran, en grandes lettres ; Page suiv. montre la diapositive suivante, Échap termine</translation>
+        <translation>La vue seule sur tout l’écran, en grandes lettres&#x202f;; Page suiv. montre la diapositive suivante, Échap termine</translation>
     </message>
     <message>
         <source>&amp;Darken the screen</source>
@@ -2566,11 +2585,11 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez l’organe en mode Poi
     </message>
     <message>
         <source>Language of the page&apos;s buttons and messages; the texts below stay as they are</source>
-        <translation>Langue des boutons et messages de la page ; les textes ci-dessous restent tels quels</translation>
+        <translation>Langue des boutons et messages de la page&#x202f;; les textes ci-dessous restent tels quels</translation>
     </message>
     <message>
         <source>This is all that a reader will be able to read: names of files, dates and what is hidden are not in the lesson. Look for names of patients; double-click a text to change it.</source>
-        <translation>C’est tout ce qu’un lecteur pourra lire : noms de fichiers, dates et éléments masqués ne sont pas dans la leçon. Cherchez des noms de patients ; double-cliquez un texte pour le changer.</translation>
+        <translation>C’est tout ce qu’un lecteur pourra lire&#x202f;: noms de fichiers, dates et éléments masqués ne sont pas dans la leçon. Cherchez des noms de patients&#x202f;; double-cliquez un texte pour le changer.</translation>
     </message>
     <message>
         <source>Title</source>
@@ -2664,7 +2683,7 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez l’organe en mode Poi
     </message>
     <message>
         <source>%1: checked, no problems found</source>
-        <translation>%1 : contrôlé, aucun problème trouvé</translation>
+        <translation>%1&#x202f;: contrôlé, aucun problème trouvé</translation>
     </message>
     <message>
         <source>The drag was taken back, because another mode was chosen.</source>
@@ -2711,7 +2730,7 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez l’organe en mode Poi
     </message>
     <message>
         <source>Points stay on the organ while it moves, and can be dragged along it; those on a slice stay there.</source>
-        <translation>Les points restent sur l’organe quand il bouge, et glissent le long de lui ; ceux d’une coupe y restent.</translation>
+        <translation>Les points restent sur l’organe quand il bouge, et glissent le long de lui&#x202f;; ceux d’une coupe y restent.</translation>
     </message>
     <message>
         <source>Click two points on an organ or on a slice. Esc ends.</source>
@@ -2739,8 +2758,8 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez l’organe en mode Poi
     <message numerus="yes">
         <source>Motion of %n {phase|phases}. Mean distance from what was measured: %1.</source>
         <translation>
-            <numerusform>Mouvement de %n phase. Distance moyenne à ce qui a été mesuré : %1.</numerusform>
-            <numerusform>Mouvement de %n phases. Distance moyenne à ce qui a été mesuré : %1.</numerusform>
+            <numerusform>Mouvement de %n phase. Distance moyenne à ce qui a été mesuré&#x202f;: %1.</numerusform>
+            <numerusform>Mouvement de %n phases. Distance moyenne à ce qui a été mesuré&#x202f;: %1.</numerusform>
         </translation>
     </message>
     <message>
@@ -2758,8 +2777,8 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez l’organe en mode Poi
     <message numerus="yes">
         <source>%n {phase needs|phases need} attention: see the table below the chart.</source>
         <translation>
-            <numerusform>%n phase demande attention : voir le tableau sous le graphique.</numerusform>
-            <numerusform>%n phases demandent attention : voir le tableau sous le graphique.</numerusform>
+            <numerusform>%n phase demande attention&#x202f;: voir le tableau sous le graphique.</numerusform>
+            <numerusform>%n phases demandent attention&#x202f;: voir le tableau sous le graphique.</numerusform>
         </translation>
     </message>
     <message>
@@ -2795,11 +2814,11 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez l’organe en mode Poi
     </message>
     <message>
         <source>&amp;Undo: %1</source>
-        <translation>&amp;Annuler : %1</translation>
+        <translation>&amp;Annuler&#x202f;: %1</translation>
     </message>
     <message>
         <source>&amp;Redo: %1</source>
-        <translation>&amp;Rétablir : %1</translation>
+        <translation>&amp;Rétablir&#x202f;: %1</translation>
     </message>
     <message>
         <source>&amp;File</source>
@@ -2957,7 +2976,7 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez l’organe en mode Poi
     </message>
     <message>
         <source>Turns one organ, given in several phases of a cycle, into handles and a recorded sequence with a key for each phase. Choose surfaces or label maps, one file for each phase, or one file of several volumes. The result replaces the open organs; Undo brings them back.</source>
-        <translation>Transforme un organe, donné en plusieurs phases d’un cycle, en poignées et en une séquence enregistrée avec une clé par phase. Choisissez des surfaces ou des cartes d’étiquettes, un fichier par phase, ou un fichier de plusieurs volumes. Le résultat remplace les organes ouverts ; Annuler les ramène.</translation>
+        <translation>Transforme un organe, donné en plusieurs phases d’un cycle, en poignées et en une séquence enregistrée avec une clé par phase. Choisissez des surfaces ou des cartes d’étiquettes, un fichier par phase, ou un fichier de plusieurs volumes. Le résultat remplace les organes ouverts&#x202f;; Annuler les ramène.</translation>
     </message>
     <message>
         <source>Folder...</source>
@@ -2981,7 +3000,7 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez l’organe en mode Poi
     </message>
     <message>
         <source>Length of one whole cycle: the number of phases times the step between them</source>
-        <translation>Durée d’un cycle entier : le nombre de phases multiplié par le pas entre elles</translation>
+        <translation>Durée d’un cycle entier&#x202f;: le nombre de phases multiplié par le pas entre elles</translation>
     </message>
     <message>
         <source>One cycle lasts</source>
@@ -3017,7 +3036,7 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez l’organe en mode Poi
     </message>
     <message>
         <source>Larger distances count less: for label maps with outliers</source>
-        <translation>Les grandes distances comptent moins : pour des cartes d’étiquettes aberrantes</translation>
+        <translation>Les grandes distances comptent moins&#x202f;: pour des cartes d’étiquettes aberrantes</translation>
     </message>
     <message>
         <source>Distances count less beyond</source>
@@ -3025,7 +3044,7 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez l’organe en mode Poi
     </message>
     <message>
         <source>None; as in 3, 7</source>
-        <translation>Aucune ; comme 3, 7</translation>
+        <translation>Aucune&#x202f;; comme 3, 7</translation>
     </message>
     <message>
         <source>Leave out phases</source>
@@ -3061,7 +3080,7 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez l’organe en mode Poi
     </message>
     <message>
         <source>Label %1; a double click gives the surface another name</source>
-        <translation>Étiquette %1 ; un double-clic donne un autre nom à la surface</translation>
+        <translation>Étiquette %1&#x202f;; un double-clic donne un autre nom à la surface</translation>
     </message>
     <message>
         <source>What %1 is</source>
@@ -3086,15 +3105,15 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez l’organe en mode Poi
     <message numerus="yes">
         <source>%1: label maps, %n {phase|phases}</source>
         <translation>
-            <numerusform>%1 : cartes d’étiquettes, %n phase</numerusform>
-            <numerusform>%1 : cartes d’étiquettes, %n phases</numerusform>
+            <numerusform>%1&#x202f;: cartes d’étiquettes, %n phase</numerusform>
+            <numerusform>%1&#x202f;: cartes d’étiquettes, %n phases</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%1: surfaces, %n {phase|phases}</source>
         <translation>
-            <numerusform>%1 : surfaces, %n phase</numerusform>
-            <numerusform>%1 : surfaces, %n phases</numerusform>
+            <numerusform>%1&#x202f;: surfaces, %n phase</numerusform>
+            <numerusform>%1&#x202f;: surfaces, %n phases</numerusform>
         </translation>
     </message>
     <message>
@@ -3120,6 +3139,91 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez l’organe en mode Poi
     <message>
         <source>name phases by their numbers, counted from 1, as in 3, 7</source>
         <translation>nommez les phases par leurs numéros, comptés à partir de 1, comme 3, 7</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::MovieBox</name>
+    <message>
+        <source>Kind</source>
+        <translation>Type</translation>
+    </message>
+    <message>
+        <source>Choose a destination</source>
+        <translation>Choisir la destination</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Fichier</translation>
+    </message>
+    <message>
+        <source>%1 x %2</source>
+        <translation>%1 x %2</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Taille</translation>
+    </message>
+    <message>
+        <source> / s</source>
+        <translation> / s</translation>
+    </message>
+    <message>
+        <source>Frames</source>
+        <translation>Images</translation>
+    </message>
+    <message>
+        <source>Cycles</source>
+        <translation>Cycles</translation>
+    </message>
+    <message>
+        <source>Write phase and volumes into it</source>
+        <translation>Y inscrire la phase et les volumes</translation>
+    </message>
+    <message>
+        <source>Table of volumes beside it (.csv)</source>
+        <translation>Tableau des volumes à côté (.csv)</translation>
+    </message>
+    <message>
+        <source>Cancel the recording</source>
+        <translation>Annuler l’enregistrement</translation>
+    </message>
+    <message>
+        <source>Record</source>
+        <translation>Enregistrer</translation>
+    </message>
+    <message>
+        <source>Discard the recording</source>
+        <translation>Abandonner l’enregistrement</translation>
+    </message>
+    <message>
+        <source>Record what the view shows</source>
+        <translation>Enregistrer ce que montre la vue</translation>
+    </message>
+    <message>
+        <source>MP4 and GIF need the program ffmpeg, which is not installed on this computer.</source>
+        <translation>MP4 et GIF demandent le programme ffmpeg, qui n’est pas installé sur cet ordinateur.</translation>
+    </message>
+    <message>
+        <source>Folder for the pictures</source>
+        <translation>Dossier des images</translation>
+    </message>
+    <message>
+        <source>Record as</source>
+        <translation>Enregistrer sous</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::MovieRecorder</name>
+    <message>
+        <source>Recording %1</source>
+        <translation>Enregistrement de %1</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::MovieStage</name>
+    <message>
+        <source>%1, %2 / min</source>
+        <translation>%1, %2 / min</translation>
     </message>
 </context>
 <context>
@@ -3172,7 +3276,7 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez l’organe en mode Poi
     </message>
     <message>
         <source>Done: %1</source>
-        <translation>Fait : %1</translation>
+        <translation>Fait&#x202f;: %1</translation>
     </message>
     <message>
         <source>More repairs</source>
@@ -3289,15 +3393,15 @@ Ouvrez un fichier (Ctrl+O), déposez-en un ici, ou prenez un organe type dans le
         <source>
 Double click or F2 renames; a click on the square changes the colour</source>
         <translation>
-Un double-clic ou F2 renomme ; un clic sur le carré change la couleur</translation>
+Un double-clic ou F2 renomme&#x202f;; un clic sur le carré change la couleur</translation>
     </message>
     <message>
         <source>An open surface has no volume to lock; click to close its holes</source>
-        <translation>Une surface ouverte n’a pas de volume à verrouiller ; cliquez pour fermer ses trous</translation>
+        <translation>Une surface ouverte n’a pas de volume à verrouiller&#x202f;; cliquez pour fermer ses trous</translation>
     </message>
     <message>
         <source>The volume is locked: Deform mode keeps it (click or K to unlock)</source>
-        <translation>Le volume est verrouillé : le mode Déformer le garde (clic ou K pour déverrouiller)</translation>
+        <translation>Le volume est verrouillé&#x202f;: le mode Déformer le garde (clic ou K pour déverrouiller)</translation>
     </message>
     <message>
         <source>Lock the volume (click or K)</source>
@@ -3307,13 +3411,13 @@ Un double-clic ou F2 renomme ; un clic sur le carré change la couleur</transl
         <source>
 This is the volume within the outer surface; cavities have locks of their own</source>
         <translation>
-C’est le volume dans la surface externe ; les cavités ont leurs propres verrous</translation>
+C’est le volume dans la surface externe&#x202f;; les cavités ont leurs propres verrous</translation>
     </message>
     <message>
         <source>
 This is the volume of the cavity; the wall around it has a lock of its own</source>
         <translation>
-C’est le volume de la cavité ; la paroi qui l’entoure a son propre verrou</translation>
+C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre verrou</translation>
     </message>
     <message>
         <source>open</source>
@@ -3414,7 +3518,7 @@ C’est le volume de la cavité ; la paroi qui l’entoure a son propre verrou
     </message>
     <message>
         <source>Body surface area: ranges that the source gives per square metre are scaled by it</source>
-        <translation>Surface corporelle : les intervalles que la source donne par mètre carré sont multipliés par elle</translation>
+        <translation>Surface corporelle&#x202f;: les intervalles que la source donne par mètre carré sont multipliés par elle</translation>
     </message>
 </context>
 <context>
@@ -3450,7 +3554,7 @@ C’est le volume de la cavité ; la paroi qui l’entoure a son propre verrou
     </message>
     <message>
         <source>Space plays or pauses; drag the timeline to look at one instant</source>
-        <translation>Espace lit ou met en pause ; faites glisser la barre de temps pour regarder un instant</translation>
+        <translation>Espace lit ou met en pause&#x202f;; faites glisser la barre de temps pour regarder un instant</translation>
     </message>
     <message>
         <source>Slow &amp;motion</source>
@@ -3458,7 +3562,7 @@ C’est le volume de la cavité ; la paroi qui l’entoure a son propre verrou
     </message>
     <message>
         <source>Slower, down to a tenth; then real time again</source>
-        <translation>Plus lent, jusqu’à un dixième ; puis de nouveau temps réel</translation>
+        <translation>Plus lent, jusqu’à un dixième&#x202f;; puis de nouveau temps réel</translation>
     </message>
     <message>
         <source>&amp;Chart of one cycle</source>
@@ -3474,7 +3578,7 @@ C’est le volume de la cavité ; la paroi qui l’entoure a son propre verrou
     </message>
     <message>
         <source>Under the phases of a heart: a schematic electrocardiogram, S1 and S2, and which valves are open</source>
-        <translation>Sous les phases d’un cœur : un électrocardiogramme schématique, B1 et B2, et quelles valves sont ouvertes</translation>
+        <translation>Sous les phases d’un cœur&#x202f;: un électrocardiogramme schématique, B1 et B2, et quelles valves sont ouvertes</translation>
     </message>
     <message>
         <source>&amp;Valves and flow</source>
@@ -3574,7 +3678,7 @@ C’est le volume de la cavité ; la paroi qui l’entoure a son propre verrou
     </message>
     <message>
         <source>Keep this circulation to compare with: dashed loops and a second column of numbers</source>
-        <translation>Garder cette circulation pour comparer : boucles en tirets et seconde colonne de valeurs</translation>
+        <translation>Garder cette circulation pour comparer&#x202f;: boucles en tirets et seconde colonne de valeurs</translation>
     </message>
     <message>
         <source>For&amp;get</source>
@@ -3661,7 +3765,7 @@ C’est le volume de la cavité ; la paroi qui l’entoure a son propre verrou
     </message>
     <message>
         <source>Volumes in ml. SV is the stroke volume, EF the ejection fraction.</source>
-        <translation>Volumes en ml. VES : volume d’éjection systolique, FE : fraction d’éjection.</translation>
+        <translation>Volumes en ml. VES&#x202f;: volume d’éjection systolique, FE&#x202f;: fraction d’éjection.</translation>
     </message>
     <message>
         <source>Ejection fraction</source>
@@ -3705,11 +3809,11 @@ C’est le volume de la cavité ; la paroi qui l’entoure a son propre verrou
     </message>
     <message>
         <source>A: %1</source>
-        <translation>A : %1</translation>
+        <translation>A&#x202f;: %1</translation>
     </message>
     <message>
         <source>B: %1</source>
-        <translation>B : %1</translation>
+        <translation>B&#x202f;: %1</translation>
     </message>
     <message>
         <source>%1 %</source>
@@ -3721,7 +3825,7 @@ C’est le volume de la cavité ; la paroi qui l’entoure a son propre verrou
     </message>
     <message>
         <source>%1, measured on the surfaces. Healthy adults: %2</source>
-        <translation>%1, mesuré sur les surfaces. Adultes sains : %2</translation>
+        <translation>%1, mesuré sur les surfaces. Adultes sains&#x202f;: %2</translation>
     </message>
     <message>
         <source>%1 ml</source>
@@ -3745,11 +3849,11 @@ C’est le volume de la cavité ; la paroi qui l’entoure a son propre verrou
     </message>
     <message>
         <source>%1: %2; %3</source>
-        <translation>%1 : %2 ; %3</translation>
+        <translation>%1&#x202f;: %2&#x202f;; %3</translation>
     </message>
     <message>
         <source>Normal for %1: %2.</source>
-        <translation>Normale pour %1 : %2.</translation>
+        <translation>Normale pour %1&#x202f;: %2.</translation>
     </message>
     <message>
         <source>, </source>
@@ -3793,7 +3897,7 @@ C’est le volume de la cavité ; la paroi qui l’entoure a son propre verrou
     </message>
     <message>
         <source>The handles could not move back all the way: %1.</source>
-        <translation>Les poignées n’ont pas pu revenir jusqu’au bout : %1.</translation>
+        <translation>Les poignées n’ont pas pu revenir jusqu’au bout&#x202f;: %1.</translation>
     </message>
     <message>
         <source>Volume %1</source>
@@ -3802,8 +3906,8 @@ C’est le volume de la cavité ; la paroi qui l’entoure a son propre verrou
     <message numerus="yes">
         <source>%1 is open (%n boundary {edge|edges}), so it has no volume that could be locked.</source>
         <translation>
-            <numerusform>%1 : surface ouverte (%n arête de bord), donc sans volume à verrouiller.</numerusform>
-            <numerusform>%1 : surface ouverte (%n arêtes de bord), donc sans volume à verrouiller.</numerusform>
+            <numerusform>%1&#x202f;: surface ouverte (%n arête de bord), donc sans volume à verrouiller.</numerusform>
+            <numerusform>%1&#x202f;: surface ouverte (%n arêtes de bord), donc sans volume à verrouiller.</numerusform>
         </translation>
     </message>
     <message>
@@ -3917,7 +4021,7 @@ C’est le volume de la cavité ; la paroi qui l’entoure a son propre verrou
     <name>viscera::app::QuizTool</name>
     <message>
         <source>Click: %1</source>
-        <translation>Cliquez : %1</translation>
+        <translation>Cliquez&#x202f;: %1</translation>
     </message>
     <message>
         <source>All %1 found without a mistake.</source>
@@ -3936,111 +4040,11 @@ C’est le volume de la cavité ; la paroi qui l’entoure a son propre verrou
     </message>
     <message>
         <source>Right: %1</source>
-        <translation>Exact : %1</translation>
+        <translation>Exact&#x202f;: %1</translation>
     </message>
     <message>
         <source>No, that is nearer to: %1</source>
-        <translation>Non, c’est plus proche de : %1</translation>
-    </message>
-</context>
-<context>
-    <name>viscera::app::RecordBox</name>
-    <message>
-        <source>Kind</source>
-        <translation>Type</translation>
-    </message>
-    <message>
-        <source>Choose a destination</source>
-        <translation>Choisir la destination</translation>
-    </message>
-    <message>
-        <source>File</source>
-        <translation>Fichier</translation>
-    </message>
-    <message>
-        <source>%1 x %2</source>
-        <translation>%1 x %2</translation>
-    </message>
-    <message>
-        <source>Size</source>
-        <translation>Taille</translation>
-    </message>
-    <message>
-        <source> / s</source>
-        <translation> / s</translation>
-    </message>
-    <message>
-        <source>Frames</source>
-        <translation>Images</translation>
-    </message>
-    <message>
-        <source>Cycles</source>
-        <translation>Cycles</translation>
-    </message>
-    <message>
-        <source>Write phase and volumes into it</source>
-        <translation>Y inscrire la phase et les volumes</translation>
-    </message>
-    <message>
-        <source>Table of volumes beside it (.csv)</source>
-        <translation>Tableau des volumes à côté (.csv)</translation>
-    </message>
-    <message>
-        <source>Cancel the recording</source>
-        <translation>Annuler l’enregistrement</translation>
-    </message>
-    <message>
-        <source>Record</source>
-        <translation>Enregistrer</translation>
-    </message>
-    <message>
-        <source>Discard the recording</source>
-        <translation>Abandonner l’enregistrement</translation>
-    </message>
-    <message>
-        <source>Record what the view shows</source>
-        <translation>Enregistrer ce que montre la vue</translation>
-    </message>
-    <message>
-        <source>MP4 and GIF need the program ffmpeg, which is not installed on this computer.</source>
-        <translation>MP4 et GIF demandent le programme ffmpeg, qui n’est pas installé sur cet ordinateur.</translation>
-    </message>
-    <message>
-        <source>Folder for the pictures</source>
-        <translation>Dossier des images</translation>
-    </message>
-    <message>
-        <source>Record as</source>
-        <translation>Enregistrer sous</translation>
-    </message>
-</context>
-<context>
-    <name>viscera::app::RecordedMotion</name>
-    <message>
-        <source>Record a key at %1 s</source>
-        <translation>Enregistrer une clé à %1 s</translation>
-    </message>
-    <message>
-        <source>Use a key&apos;s pose</source>
-        <translation>Utiliser la pose d’une clé</translation>
-    </message>
-    <message>
-        <source>Sequence saved as %1</source>
-        <translation>Séquence enregistrée dans %1</translation>
-    </message>
-</context>
-<context>
-    <name>viscera::app::Recorder</name>
-    <message>
-        <source>Recording %1</source>
-        <translation>Enregistrement de %1</translation>
-    </message>
-</context>
-<context>
-    <name>viscera::app::RecordingStage</name>
-    <message>
-        <source>%1, %2 / min</source>
-        <translation>%1, %2 / min</translation>
+        <translation>Non, c’est plus proche de&#x202f;: %1</translation>
     </message>
 </context>
 <context>
@@ -4115,8 +4119,8 @@ C’est le volume de la cavité ; la paroi qui l’entoure a son propre verrou
     <message numerus="yes">
         <source>%1: %n {page|pages}.</source>
         <translation>
-            <numerusform>%1 : %n page.</numerusform>
-            <numerusform>%1 : %n pages.</numerusform>
+            <numerusform>%1&#x202f;: %n page.</numerusform>
+            <numerusform>%1&#x202f;: %n pages.</numerusform>
         </translation>
     </message>
     <message>
@@ -4219,7 +4223,7 @@ C’est le volume de la cavité ; la paroi qui l’entoure a son propre verrou
     </message>
     <message>
         <source>A mark shows that the phase needs attention; the row&apos;s tip says why</source>
-        <translation>Une marque montre que la phase demande attention ; l’infobulle de la ligne dit pourquoi</translation>
+        <translation>Une marque montre que la phase demande attention&#x202f;; l’infobulle de la ligne dit pourquoi</translation>
     </message>
     <message>
         <source>Time of the phase</source>
@@ -4251,7 +4255,7 @@ C’est le volume de la cavité ; la paroi qui l’entoure a son propre verrou
     </message>
     <message>
         <source>How well the voxels agree: 1 for all</source>
-        <translation>Concordance des voxels : 1 si totale</translation>
+        <translation>Concordance des voxels&#x202f;: 1 si totale</translation>
     </message>
     <message>
         <source>Triangles that face the wrong way</source>
@@ -4291,7 +4295,7 @@ C’est le volume de la cavité ; la paroi qui l’entoure a son propre verrou
     </message>
     <message>
         <source>%1: EF %2 %, %3 to %4 ml, %5 l/min</source>
-        <translation>%1 : FE %2 %, %3 à %4 ml, %5 l/min</translation>
+        <translation>%1&#x202f;: FE %2 %, %3 à %4 ml, %5 l/min</translation>
     </message>
     <message>
         <source>tissue %1 to %2 ml</source>
@@ -4393,7 +4397,7 @@ C’est le volume de la cavité ; la paroi qui l’entoure a son propre verrou
     </message>
     <message>
         <source>Close the scan; the organs stay</source>
-        <translation>Fermer l’examen ; les organes restent</translation>
+        <translation>Fermer l’examen&#x202f;; les organes restent</translation>
     </message>
     <message>
         <source>A&amp;utomatic</source>
@@ -4477,7 +4481,7 @@ C’est le volume de la cavité ; la paroi qui l’entoure a son propre verrou
     </message>
     <message>
         <source>The folder has several scans. Which one?</source>
-        <translation>Le dossier contient plusieurs examens. Lequel ?</translation>
+        <translation>Le dossier contient plusieurs examens. Lequel&#x202f;?</translation>
     </message>
     <message>
         <source>Opening %1</source>
@@ -4486,8 +4490,8 @@ C’est le volume de la cavité ; la paroi qui l’entoure a son propre verrou
     <message numerus="yes">
         <source>%n more: see Scan on the page of Explore.</source>
         <translation>
-            <numerusform>%n autre : voir Examen sur la page d’Explorer.</numerusform>
-            <numerusform>%n autres : voir Examen sur la page d’Explorer.</numerusform>
+            <numerusform>%n autre&#x202f;: voir Examen sur la page d’Explorer.</numerusform>
+            <numerusform>%n autres&#x202f;: voir Examen sur la page d’Explorer.</numerusform>
         </translation>
     </message>
 </context>
@@ -4499,11 +4503,11 @@ C’est le volume de la cavité ; la paroi qui l’entoure a son propre verrou
     </message>
     <message>
         <source>%1: can be fitted to %2</source>
-        <translation>%1 : peut être ajustée à %2</translation>
+        <translation>%1&#x202f;: peut être ajustée à %2</translation>
     </message>
     <message>
         <source>%1: shows the sample organ and plays</source>
-        <translation>%1 : montre l’organe type et joue</translation>
+        <translation>%1&#x202f;: montre l’organe type et joue</translation>
     </message>
 </context>
 <context>
@@ -4578,11 +4582,11 @@ C’est le volume de la cavité ; la paroi qui l’entoure a son propre verrou
     </message>
     <message>
         <source>Save changes?</source>
-        <translation>Enregistrer les modifications ?</translation>
+        <translation>Enregistrer les modifications&#x202f;?</translation>
     </message>
     <message>
         <source>Save the changes of %1?</source>
-        <translation>Enregistrer les modifications de %1 ?</translation>
+        <translation>Enregistrer les modifications de %1&#x202f;?</translation>
     </message>
     <message>
         <source>Unsaved changes will be lost.</source>
@@ -4628,7 +4632,7 @@ C’est le volume de la cavité ; la paroi qui l’entoure a son propre verrou
     </message>
     <message>
         <source>This version moves the organ differently from the one that saved the session: handles differ by up to %1 mm.</source>
-        <translation>Cette version meut l’organe autrement que celle qui a enregistré la session : les poignées diffèrent de %1 mm au plus.</translation>
+        <translation>Cette version meut l’organe autrement que celle qui a enregistré la session&#x202f;: les poignées diffèrent de %1 mm au plus.</translation>
     </message>
 </context>
 <context>
@@ -4698,11 +4702,11 @@ C’est le volume de la cavité ; la paroi qui l’entoure a son propre verrou
     <name>viscera::app::SlicePanes</name>
     <message>
         <source>The scan cannot be bent: %1</source>
-        <translation>L’examen ne peut pas être courbé : %1</translation>
+        <translation>L’examen ne peut pas être courbé&#x202f;: %1</translation>
     </message>
     <message>
         <source>folded by the pose: estimated</source>
-        <translation>replié par la pose : estimé</translation>
+        <translation>replié par la pose&#x202f;: estimé</translation>
     </message>
 </context>
 <context>
@@ -4759,7 +4763,7 @@ C’est le volume de la cavité ; la paroi qui l’entoure a son propre verrou
     </message>
     <message>
         <source>%1: open surface, no volume</source>
-        <translation>%1 : surface ouverte, pas de volume</translation>
+        <translation>%1&#x202f;: surface ouverte, pas de volume</translation>
     </message>
     <message>
         <source>%1  %2  (%3, %4)</source>
@@ -4802,7 +4806,7 @@ C’est le volume de la cavité ; la paroi qui l’entoure a son propre verrou
     </message>
     <message>
         <source>%1: %2</source>
-        <translation>%1 : %2</translation>
+        <translation>%1&#x202f;: %2</translation>
     </message>
 </context>
 <context>
@@ -4908,7 +4912,7 @@ C’est le volume de la cavité ; la paroi qui l’entoure a son propre verrou
     </message>
     <message>
         <source>Exporting %1</source>
-        <translation>Exportation : %1</translation>
+        <translation>Exportation&#x202f;: %1</translation>
     </message>
     <message>
         <source>Written to %1.</source>
@@ -4939,7 +4943,7 @@ C’est le volume de la cavité ; la paroi qui l’entoure a son propre verrou
     </message>
     <message>
         <source>Tissue distortion (rotational stress) by the pose: click it to see its values; C cuts the organ open; drag a handle, the map follows</source>
-        <translation>Distorsion tissulaire (contrainte rotationnelle) due à la pose : cliquez-la pour voir ses valeurs ; C ouvre l’organe ; faites glisser une poignée, la carte suit</translation>
+        <translation>Distorsion tissulaire (contrainte rotationnelle) due à la pose&#x202f;: cliquez-la pour voir ses valeurs&#x202f;; C ouvre l’organe&#x202f;; faites glisser une poignée, la carte suit</translation>
     </message>
     <message>
         <source>&amp;Next map</source>
@@ -5038,7 +5042,7 @@ C’est le volume de la cavité ; la paroi qui l’entoure a son propre verrou
     <name>viscera::app::StressModel</name>
     <message>
         <source>Peak of %1</source>
-        <translation>Pic de : %1</translation>
+        <translation>Pic de&#x202f;: %1</translation>
     </message>
     <message>
         <source>%1 %2</source>
@@ -5065,7 +5069,7 @@ C’est le volume de la cavité ; la paroi qui l’entoure a son propre verrou
     </message>
     <message>
         <source>What the colours mean (M: next map). Rotational stress is the largest angle by which a direction is turned when the tissue is stretched; it is not a pressure.</source>
-        <translation>Ce que signifient les couleurs (M : carte suivante). La contrainte rotationnelle est le plus grand angle dont une direction tourne quand le tissu est étiré ; ce n’est pas une pression.</translation>
+        <translation>Ce que signifient les couleurs (M&#x202f;: carte suivante). La contrainte rotationnelle est le plus grand angle dont une direction tourne quand le tissu est étiré&#x202f;; ce n’est pas une pression.</translation>
     </message>
     <message>
         <source>Your pose</source>
@@ -5073,7 +5077,7 @@ C’est le volume de la cavité ; la paroi qui l’entoure a son propre verrou
     </message>
     <message>
         <source>The map of your pose; handles can be dragged</source>
-        <translation>La carte de votre pose ; les poignées peuvent être déplacées</translation>
+        <translation>La carte de votre pose&#x202f;; les poignées peuvent être déplacées</translation>
     </message>
     <message>
         <source>Sequence</source>
@@ -5081,7 +5085,7 @@ C’est le volume de la cavité ; la paroi qui l’entoure a son propre verrou
     </message>
     <message>
         <source>The map of the sequence at the timeline&apos;s instant; Space plays</source>
-        <translation>La carte de la séquence à l’instant de la barre de temps ; Espace lit</translation>
+        <translation>La carte de la séquence à l’instant de la barre de temps&#x202f;; Espace lit</translation>
     </message>
     <message>
         <source>Numbers</source>
@@ -5109,7 +5113,7 @@ C’est le volume de la cavité ; la paroi qui l’entoure a son propre verrou
     </message>
     <message>
         <source>Witness points at which the tissue is turned inside out; in magenta on every map</source>
-        <translation>Points témoins où le tissu est retourné ; en magenta sur chaque carte</translation>
+        <translation>Points témoins où le tissu est retourné&#x202f;; en magenta sur chaque carte</translation>
     </message>
     <message>
         <source>Export</source>
@@ -5125,11 +5129,11 @@ C’est le volume de la cavité ; la paroi qui l’entoure a son propre verrou
     </message>
     <message>
         <source>Smooth: through the tetrahedra</source>
-        <translation>Lisse : à travers les tétraèdres</translation>
+        <translation>Lisse&#x202f;: à travers les tétraèdres</translation>
     </message>
     <message>
         <source>Crinkle: whole tetrahedra</source>
-        <translation>Crénelée : tétraèdres entiers</translation>
+        <translation>Crénelée&#x202f;: tétraèdres entiers</translation>
     </message>
     <message>
         <source>Depth</source>
@@ -5141,7 +5145,7 @@ C’est le volume de la cavité ; la paroi qui l’entoure a son propre verrou
     </message>
     <message>
         <source>Distance of the cut from the organ&apos;s middle; the arrow in the view moves it, the rim tilts it</source>
-        <translation>Distance de la section au milieu de l’organe ; la flèche dans la vue la déplace, le bord l’incline</translation>
+        <translation>Distance de la section au milieu de l’organe&#x202f;; la flèche dans la vue la déplace, le bord l’incline</translation>
     </message>
     <message>
         <source>Shown</source>
@@ -5221,7 +5225,7 @@ C’est le volume de la cavité ; la paroi qui l’entoure a son propre verrou
     </message>
     <message>
         <source>More points show finer detail and take longer; up to 20,000 the map follows a drag</source>
-        <translation>Plus de points montrent des détails plus fins et prennent plus de temps ; jusqu’à 20 000, la carte suit un glissement</translation>
+        <translation>Plus de points montrent des détails plus fins et prennent plus de temps&#x202f;; jusqu’à 20&#x202f;000, la carte suit un glissement</translation>
     </message>
     <message>
         <source>Witness points</source>
@@ -5303,7 +5307,7 @@ C’est le volume de la cavité ; la paroi qui l’entoure a son propre verrou
     </message>
     <message>
         <source>Works with a closed surface over the handles: their convex hull, or a cage that was loaded</source>
-        <translation>Fonctionne avec une surface fermée sur les poignées : leur enveloppe convexe, ou une cage chargée</translation>
+        <translation>Fonctionne avec une surface fermée sur les poignées&#x202f;: leur enveloppe convexe, ou une cage chargée</translation>
     </message>
     <message>
         <source>positive</source>
@@ -5481,7 +5485,7 @@ C’est le volume de la cavité ; la paroi qui l’entoure a son propre verrou
     </message>
     <message>
         <source>Slow motion: how fast time passes (S)</source>
-        <translation>Ralenti : vitesse à laquelle passe le temps (S)</translation>
+        <translation>Ralenti&#x202f;: vitesse à laquelle passe le temps (S)</translation>
     </message>
     <message>
         <source>1x</source>
@@ -5497,11 +5501,11 @@ C’est le volume de la cavité ; la paroi qui l’entoure a son propre verrou
     </message>
     <message>
         <source>%1: %2 to %3 %4</source>
-        <translation>%1 : %2 à %3 %4</translation>
+        <translation>%1&#x202f;: %2 à %3 %4</translation>
     </message>
     <message>
         <source>No motion yet: choose a sequence in Play (5)</source>
-        <translation>Pas encore de mouvement : choisissez une séquence dans Lire (5)</translation>
+        <translation>Pas encore de mouvement&#x202f;: choisissez une séquence dans Lire (5)</translation>
     </message>
     <message>
         <source>%1 s into the cycle</source>
@@ -5615,7 +5619,7 @@ C’est le volume de la cavité ; la paroi qui l’entoure a son propre verrou
     </message>
     <message>
         <source>Cut all organs open by a plane; their cavities are hollow then</source>
-        <translation>Ouvrir tous les organes par un plan ; leurs cavités sont alors creuses</translation>
+        <translation>Ouvrir tous les organes par un plan&#x202f;; leurs cavités sont alors creuses</translation>
     </message>
     <message>
         <source>Orientation &amp;cube</source>
@@ -5696,11 +5700,11 @@ C’est le volume de la cavité ; la paroi qui l’entoure a son propre verrou
     </message>
     <message>
         <source>A: %1</source>
-        <translation>A : %1</translation>
+        <translation>A&#x202f;: %1</translation>
     </message>
     <message>
         <source>B: %1</source>
-        <translation>B : %1</translation>
+        <translation>B&#x202f;: %1</translation>
     </message>
     <message>
         <source>%1 (right axis)</source>
@@ -5724,7 +5728,7 @@ C’est le volume de la cavité ; la paroi qui l’entoure a son propre verrou
     </message>
     <message>
         <source>%1: show its normal range in the chart</source>
-        <translation>%1 : montrer dans le graphique ce qui est normal pour lui</translation>
+        <translation>%1&#x202f;: montrer dans le graphique ce qui est normal pour lui</translation>
     </message>
     <message>
         <source>%1 %2 ml</source>
@@ -5732,11 +5736,11 @@ C’est le volume de la cavité ; la paroi qui l’entoure a son propre verrou
     </message>
     <message>
         <source>%1: %2</source>
-        <translation>%1 : %2</translation>
+        <translation>%1&#x202f;: %2</translation>
     </message>
     <message>
         <source>Shaded: normal for %1, %2. %3</source>
-        <translation>Ombré : normale pour %1, %2. %3</translation>
+        <translation>Ombré&#x202f;: normale pour %1, %2. %3</translation>
     </message>
     <message>
         <source>, </source>

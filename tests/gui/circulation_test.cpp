@@ -179,6 +179,8 @@ TEST_F(PlayedCirculation, OfAPatientsHeartHasItsVentricleAndLeavesItItsMotion) {
   EXPECT_NEAR(lv.ef, 0.579, 0.005);
   EXPECT_EQ(window().playback().sequence(), own.sequence.get());
   EXPECT_EQ(window().workspace().undo().undoName(), "Circulation of this heart");
+  EXPECT_EQ(model().present()->name, "Fitted circulation");
+  EXPECT_FALSE(window().findChild<QAbstractButton*>(QStringLiteral("scenario.rest"))->isChecked());
 }
 
 } // namespace

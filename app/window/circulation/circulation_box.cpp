@@ -189,8 +189,9 @@ void CirculationBox::sync() {
   circulation_->setChecked(choice.drives);
   details_->setVisible(choice.drives);
   for (const auto& [id, button] : scenarios_)
-    button->setChecked(id == choice.scenario);
-  summary_->setText(inWords(circulation::scenario(choice.scenario).summary));
+    button->setChecked(!choice.fitted && id == choice.scenario);
+  summary_->setText(choice.fitted ? tr("Fitted to the volume and the ejection fraction of a left ventricle.")
+                                  : inWords(circulation::scenario(choice.scenario).summary));
   for (const auto& [name, control] : controls_)
     control->setValue(circulation::parameter(choice.parameters, name));
   complaint_->setText(model_.complaint());

@@ -69,7 +69,7 @@ const std::vector<double>& MovieStage::show(double seconds) {
 void MovieStage::writeCaption() {
   QString lines;
   if (const sequences::Sequence* sequence = runner_.sequence().get()) {
-    lines = QCoreApplication::translate("viscera::app::RecordingStage", "%1, %2 / min")
+    lines = QCoreApplication::translate("viscera::app::MovieStage", "%1, %2 / min")
                 .arg(inWords(sequence->name()))
                 .arg(formatNumber(runner_.ratePerMinute(), 0));
     const double fraction = std::fmod(seconds_, periodSeconds()) / periodSeconds();

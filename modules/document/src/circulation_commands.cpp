@@ -19,9 +19,10 @@ std::string titleOf(const std::string& parameter) {
 } // namespace
 
 std::string nameOf(const CirculationChoice& choice) {
-  const bool changed = !(choice.parameters == circulation::scenarioParameters(choice.scenario));
-  return changed ? phrase("%1, changed", circulation::scenario(choice.scenario).name)
-                 : circulation::scenario(choice.scenario).name;
+  const std::string name = choice.fitted ? "Fitted circulation" : circulation::scenario(choice.scenario).name;
+  const circulation::Parameters chosen =
+      choice.fitted ? *choice.fitted : circulation::scenarioParameters(choice.scenario);
+  return choice.parameters == chosen ? name : phrase("%1, changed", name);
 }
 
 Command driveHeart(bool byCirculation) {
@@ -36,6 +37,7 @@ Command chooseScenario(const std::string& id) {
                       [id](CirculationChoice& choice) {
                         choice.drives = true;
                         choice.scenario = id;
+                        choice.fitted.reset();
                         choice.parameters = circulation::scenarioParameters(id);
                       });
 }
@@ -56,6 +58,7 @@ Command takeCirculation(const std::string& title, const circulation::Parameters&
     choice.drives = true;
     choice.scenario = "rest";
     choice.parameters = parameters;
+    choice.fitted = parameters;
   });
 }
 

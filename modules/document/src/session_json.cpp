@@ -175,6 +175,8 @@ ordered_json circulationJson(const CirculationChoice& choice) {
   ordered_json item{{"drives", choice.drives},
                     {"scenario", choice.scenario},
                     {"parameters", parametersJson(choice.parameters)}};
+  if (choice.fitted)
+    item["fitted"] = parametersJson(*choice.fitted);
   if (choice.kept)
     item["kept"] = {{"name", choice.kept->name}, {"parameters", parametersJson(choice.kept->parameters)}};
   return item;
@@ -418,11 +420,13 @@ void SessionReader::readCirculation(const ordered_json& root, DocumentState& sta
   if (!root.contains("circulation"))
     return;
   const ordered_json& item = root.at("circulation");
-  takeObject(item, {"drives", "scenario", "parameters", "kept"}, "circulation");
+  takeObject(item, {"drives", "scenario", "parameters", "fitted", "kept"}, "circulation");
   CirculationChoice choice;
   choice.drives = flagOf(item, "drives", "circulation");
   choice.scenario = textOf(item, "scenario", "circulation");
   choice.parameters = readParameters(field(item, "parameters", "circulation"), "circulation.parameters");
+  if (item.contains("fitted"))
+    choice.fitted = readParameters(item.at("fitted"), "circulation.fitted");
   if (item.contains("kept")) {
     const ordered_json& kept = item.at("kept");
     takeObject(kept, {"name", "parameters"}, "circulation.kept");

@@ -206,6 +206,8 @@ void validateCirculation(const CirculationChoice& choice) {
   try {
     circulation::scenario(choice.scenario);
     circulation::checkParameters(choice.parameters);
+    if (choice.fitted)
+      circulation::checkParameters(*choice.fitted);
     if (choice.kept)
       circulation::checkParameters(choice.kept->parameters);
   } catch (const UsageError& error) {

@@ -67,6 +67,20 @@ TEST(CirculationChoice, WhatIsKeptStaysWhileTheCirculationGoesOn) {
   EXPECT_FALSE(s.document.circulation().kept);
 }
 
+TEST(CirculationChoice, OneThatWasFittedToAHeartIsNoScenarioUntilOneIsChosen) {
+  Session s;
+  circulation::Parameters found;
+  circulation::setParameter(found, "lvEes", 1.1);
+  s.undo.perform(takeCirculation("Circulation of this heart", found));
+  EXPECT_EQ(nameOf(s.document.circulation()), "Fitted circulation");
+  s.undo.perform(setCirculationParameter("rate", 95));
+  EXPECT_EQ(nameOf(s.document.circulation()), "Fitted circulation, changed");
+  s.undo.undo();
+  EXPECT_EQ(nameOf(s.document.circulation()), "Fitted circulation");
+  s.undo.perform(chooseScenario("exercise"));
+  EXPECT_EQ(nameOf(s.document.circulation()), "Exercise");
+}
+
 TEST(CirculationChoice, RefusesWhatNoCirculationCanHave) {
   Session s;
   EXPECT_THROW(chooseScenario("holiday"), UsageError);
@@ -109,6 +123,17 @@ TEST_F(SavedCirculation, IsRefusedWhereItIsDamaged) {
   EXPECT_THAT(failureOf([](Json& item) { item["kept"]["parameters"]["rate"] = "fast"; }),
               HasSubstr("circulation.kept.parameters.rate"));
   EXPECT_THAT(failureOf([](Json& item) { item["kept"]["name"] = ""; }), HasSubstr("kept"));
+}
+
+TEST_F(SavedCirculation, ThatWasFittedIsNoScenarioWhenItIsOpened) {
+  circulation::Parameters found;
+  circulation::setParameter(found, "lvEes", 1.1);
+  SessionContents contents = tests::fullContents(folder_);
+  CirculationChoice choice = *contents.state.circulation;
+  choice.fitted = choice.parameters = found;
+  contents.state.circulation = std::make_shared<const CirculationChoice>(choice);
+  tests::write(folder_ / "a.viscera", contents);
+  EXPECT_EQ(*tests::readBack(folder_ / "a.viscera").contents.state.circulation, choice);
 }
 
 TEST_F(SavedCirculation, OfATimeWhenAtriaWereSmallerHasThePressuresThatItHadAndTheAtriaOfToday) {

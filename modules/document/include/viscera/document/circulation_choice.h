@@ -20,12 +20,14 @@ struct CirculationChoice {
   bool drives = false;           ///< The circulation does; else the textbook's beat.
   std::string scenario = "rest"; ///< The one chosen last (`circulation::scenario`), which controls vary.
   circulation::Parameters parameters;
+  /// What was found for a heart's volumes, in place of the scenario; controls vary this. None: the scenario.
+  std::optional<circulation::Parameters> fitted;
   std::optional<KeptCirculation> kept; ///< "As before".
 
   friend bool operator==(const CirculationChoice&, const CirculationChoice&) = default;
 };
 
-/// The scenario's name, and whether its controls were moved since: "Rest", "Rest, changed".
+/// The scenario's name, or "Fitted circulation", and whether controls were moved since: "Rest, changed".
 std::string nameOf(const CirculationChoice& choice);
 
 } // namespace viscera::document

@@ -20,8 +20,9 @@ Command chooseScenario(const std::string& id);
 /// through a larger area than it opens to.
 Command setCirculationParameter(const std::string& name, double value);
 
-/// Takes a circulation that was found elsewhere, as for a patient's ventricle, and lets it move the heart; it
-/// counts as rest, changed. What was kept stays. Throws `UsageError` for parameters out of their ranges.
+/// Takes a circulation that was fitted to a heart, such as a patient's, and lets it move the heart. It is
+/// called "Fitted circulation" until a scenario is chosen. What was kept stays. Throws `UsageError` for
+/// parameters out of their ranges.
 Command takeCirculation(const std::string& title, const circulation::Parameters& parameters);
 
 /// Keeps the present circulation, to compare what follows with it.
