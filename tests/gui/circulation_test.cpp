@@ -88,6 +88,26 @@ TEST_F(PlayedCirculation, AControlMovesTheHeartWhichGoesOnFromItsInstant) {
   EXPECT_LT(off(0.3), 1);
 }
 
+TEST_F(PlayedCirculation, TheHeartFollowsAControlWithTheCurvesAndIsFoundAnewWhenItRests) {
+  choose("rest");
+  window().playback().pause();
+  window().playback().seek(0.3);
+  settle();
+  auto* slider =
+      window().findChild<QWidget*>(QStringLiteral("circulation.stressedVolume"))->findChild<QSlider*>();
+  const sequences::Sequence* resting = course();
+  const auto* solved = model().present();
+  slider->setValue(slider->value() - 3);
+  ASSERT_TRUE(waitUntil([&] { return model().present() != solved; }));
+  const sequences::Sequence* atOnce = course();
+  EXPECT_NE(atOnce, resting) << "curves and heart are told together";
+  EXPECT_FALSE(model().settled());
+  EXPECT_LT(off(0.3), 1);
+  ASSERT_TRUE(settled());
+  EXPECT_NE(course(), atOnce);
+  EXPECT_LT(off(0.3), 1);
+}
+
 TEST_F(PlayedCirculation, WhatWasKeptStandsBesideWhatFollows) {
   choose("rest");
   const QString resting = cell(0, 1);

@@ -47,8 +47,10 @@ public:
                                                           {setup_.system.parameters, {}}, progress_)};
   }
 
-  void show(double seconds, double ratePerMinute) {
-    setup_.sequence->poseAt(seconds, ratePerMinute, pose_);
+  void show(double seconds, double ratePerMinute) { show(*setup_.sequence, seconds, ratePerMinute); }
+  /// The same by another sequence of the same handles.
+  void show(const sequences::Sequence& sequence, double seconds, double ratePerMinute) {
+    sequence.poseAt(seconds, ratePerMinute, pose_);
     for (auto& [name, surface] : surfaces_)
       surface.binding->deform(pose_, surface.points);
   }

@@ -4,19 +4,26 @@
 
 #include "viscera/circulation/indices.h"
 #include "viscera/circulation/scenario.h"
+#include "viscera/core/error.h"
 #include "viscera/motion/motion_recipe.h"
 #include "viscera/sample_organs/sample_organ.h"
-#include "viscera/sequences/course_heartbeat.h"
 
 namespace viscera::app {
 namespace {
 
 /// One solves while the other lets the heart follow.
 constexpr int kWorkers = 2;
+/// ms after which a control rests.
+constexpr int kRest = 200;
 
 /// Whether a circulation moves the heart, be it the present one.
 bool followsOne(const Playback::Motion& motion) {
   return dynamic_cast<const sequences::CourseHeartbeat*>(motion.sequence.get()) != nullptr;
+}
+
+sequences::HeartCourse courseOf(const CirculationModel::Shown& shown) {
+  return motion::heartCourse("Heartbeat: " + shown.name, shown.parameters, shown.beat, shown.indices,
+                             circulation::leftMuscleOf(shown.name));
 }
 
 } // namespace
@@ -33,6 +40,9 @@ CirculationModel::CirculationModel(Workspace& workspace, Playback& playback, QOb
       soon();
   });
   connect(&playback, &Playback::stateChanged, this, &CirculationModel::soon);
+  rests_.setSingleShot(true);
+  rests_.setInterval(kRest);
+  connect(&rests_, &QTimer::timeout, this, &CirculationModel::sync);
 }
 
 /// A motion cannot be exchanged while others hear of a change.
@@ -50,6 +60,7 @@ void CirculationModel::sync() {
 }
 
 void CirculationModel::clear() {
+  rests_.stop();
   giveTextbookBack();
   if (!present_ && !kept_ && complaint_.isEmpty())
     return;
@@ -94,10 +105,13 @@ bool CirculationModel::solve() {
     return false;
   jobs_.submit<Solutions>(
       tr("Circulation").toStdString(), {},
-      [wanted, name, present, kept, nearby = present_](Progress& progress) {
+      [wanted, name, present, kept, nearby = present_, beat = shownBeat()](Progress& progress) {
         Solutions found;
-        if (!present)
+        if (!present) {
           found.present = solved(name, wanted.parameters, nearby, progress);
+          if (found.present->complaint.empty())
+            found.similarBeat = beat.similar(found.present->shown);
+        }
         if (!kept)
           found.kept = solved(wanted.kept->name, wanted.kept->parameters, {}, progress);
         return found;
@@ -118,9 +132,43 @@ void CirculationModel::take(const JobResult<Solutions>& result) {
   }
   if (result.value->kept)
     kept_ = result.value->kept;
-  follow();
+  if (showSimilar(result.value->similarBeat))
+    rests_.start();
+  else
+    follow();
   Q_EMIT changed();
   sync(); // The choice may be another one by now.
+}
+
+CirculationModel::ShownBeat CirculationModel::shownBeat() const {
+  const auto motion = heartMotion();
+  if (!motion || motion->sequence != followed_.sequence)
+    return {};
+  return {std::dynamic_pointer_cast<const sequences::CourseHeartbeat>(motion->sequence),
+          playback_.player().fraction()};
+}
+
+/// For a worker. The heart must be able to take the shape in which it will be drawn first.
+std::shared_ptr<const sequences::Sequence> CirculationModel::ShownBeat::similar(const Shown& shown) const {
+  if (!beat)
+    return nullptr;
+  try {
+    auto found = std::make_shared<const sequences::CourseHeartbeat>(*beat, courseOf(shown));
+    Points pose;
+    found->poseAt(fraction * shown.beat.period, found->standardRatePerMinute(), pose);
+    return found;
+  } catch (const DataError&) { // They are not that similar: `follow` will tell.
+    return nullptr;
+  }
+}
+
+bool CirculationModel::showSimilar(const std::shared_ptr<const sequences::Sequence>& beat) {
+  const auto motion = heartMotion();
+  if (!beat || !motion || !followed_.sequence || motion->sequence != followed_.sequence)
+    return false;
+  followed_.sequence = beat;
+  playback_.exchange(motion->sequence.get(), beat);
+  return true;
 }
 
 std::optional<Playback::Motion> CirculationModel::heartMotion() const {
@@ -132,7 +180,7 @@ std::optional<Playback::Motion> CirculationModel::heartMotion() const {
 
 void CirculationModel::follow() {
   const auto motion = heartMotion();
-  if (!motion || !present_ || following_)
+  if (!motion || !present_ || following_ || rests_.isActive())
     return;
   const bool present =
       refused_ == present_ || (motion->sequence == followed_.sequence && followedBy_ == present_);
@@ -148,12 +196,7 @@ void CirculationModel::follow() {
         Followed next{resolution, known.heart, nullptr, nullptr};
         if (!next.heart || known.resolution != resolution)
           next.heart = std::make_shared<const motion::CirculatingHeart>(library, resolution, progress);
-        const auto beatOf = [&](const Shown& shown) {
-          return next.heart->follow(motion::heartCourse("Heartbeat: " + shown.name, shown.parameters,
-                                                        shown.beat, shown.indices,
-                                                        circulation::leftMuscleOf(shown.name)),
-                                    progress);
-        };
+        const auto beatOf = [&](const Shown& shown) { return next.heart->follow(courseOf(shown), progress); };
         if (by)
           next.sequence = beatOf(by->shown);
         if (keptBy)
@@ -179,7 +222,8 @@ void CirculationModel::take(JobResult<Followed> result, const SolvedPointer& by,
   if (result.value && on() && motion && motion->organ == organ) {
     followed_.heart = result.value->heart;
     followed_.resolution = result.value->resolution;
-    if (result.value->sequence) {
+    const bool late = rests_.isActive() && by != present_; // A similar beat of a newer choice is shown.
+    if (result.value->sequence && !late) {
       if (!followsOne(*motion))
         textbook_[organ] = motion->sequence;
       followed_.sequence = result.value->sequence;

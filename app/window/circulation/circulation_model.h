@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QObject>
+#include <QTimer>
 
 #include <map>
 #include <memory>
@@ -10,6 +11,7 @@
 #include "viscera/core/job_queue.h"
 #include "viscera/motion/circulating_heart.h"
 #include "viscera/presentation/circulation_figure.h"
+#include "viscera/sequences/course_heartbeat.h"
 #include "window/timeline/playback.h"
 #include "window/workspace.h"
 
@@ -17,8 +19,9 @@ namespace viscera::app {
 
 /// The circulation that the document has chosen, solved, and the sample heart that follows it. Both are done
 /// by workers: what is under way is let finish and shown, and the next one begins with the newest choice, so
-/// that a control that moves is seen to move. Where the document lets the textbook's beat move the heart, the
-/// heart gets that back.
+/// that a control that moves is seen to move. While it moves, the heart's beat is taken from that of the
+/// choice before; it is found anew, and tried at all instants, as soon as the control rests. Where the
+/// document lets the textbook's beat move the heart, the heart gets that back.
 class CirculationModel final : public QObject {
   Q_OBJECT
 
@@ -41,7 +44,7 @@ public:
   /// Whether there is a heart that can follow: the sample heart.
   bool hasHeart() const { return heartMotion().has_value(); }
   /// Whether nothing is being solved or calibrated.
-  bool settled() const { return !solving_ && !following_; }
+  bool settled() const { return !solving_ && !following_ && !rests_.isActive(); }
 
 Q_SIGNALS:
   /// Another circulation is present or kept, or none is, or the complaint is another one.
@@ -57,6 +60,9 @@ private:
   using SolvedPointer = std::shared_ptr<const Solved>;
   struct Solutions {
     SolvedPointer present, kept; ///< Null: as before.
+    /// The heart's beat of what is present, from that of the one before; null where there is none to begin
+    /// with.
+    std::shared_ptr<const sequences::Sequence> similarBeat;
   };
   /// The heart that follows, and its beat.
   struct Followed {
@@ -66,6 +72,14 @@ private:
     std::shared_ptr<const sequences::Sequence> keptBeat; ///< Of what was kept; null: as before.
   };
 
+  /// The present beat of the heart, and where it stands, from which that of the next choice is taken.
+  struct ShownBeat {
+    std::shared_ptr<const sequences::CourseHeartbeat> beat; ///< Null: none is shown.
+    double fraction = 0;
+
+    std::shared_ptr<const sequences::Sequence> similar(const Shown& shown) const;
+  };
+
   static SolvedPointer solved(std::string name, const circulation::Parameters& parameters,
                               const SolvedPointer& nearby, Progress& progress);
   void soon();
@@ -73,6 +87,8 @@ private:
   void clear();
   bool solve();
   void take(const JobResult<Solutions>& result);
+  ShownBeat shownBeat() const;
+  bool showSimilar(const std::shared_ptr<const sequences::Sequence>& beat);
   void follow();
   void take(JobResult<Followed> result, const SolvedPointer& by, const SolvedPointer& kept,
             document::OrganId organ);
@@ -93,6 +109,7 @@ private:
   std::map<document::OrganId, std::shared_ptr<const sequences::Sequence>> textbook_;
   bool solving_ = false;
   bool following_ = false;
+  QTimer rests_; ///< Runs while a similar beat is shown, until the heart is to follow as exactly as it can.
   bool asked_ = false; ///< `sync` comes after what is being told.
   Subscription subscription_;
   JobQueue jobs_;

@@ -85,10 +85,18 @@ CourseHeartbeat::CourseHeartbeat(CavityFit fit, HeartCourse course, Progress& pr
   progress.report(1);
 }
 
+CourseHeartbeat::CourseHeartbeat(const CourseHeartbeat& similar, HeartCourse course)
+    : fit_(similar.fit_), course_(checked(std::move(course))), found_(similar.found_) {}
+
 void CourseHeartbeat::poseAt(double seconds, double /*ratePerMinute*/, Points& pose) const {
   const double phase = seconds / course_.period - std::floor(seconds / course_.period);
   FoundCavities start = found_[static_cast<std::size_t>(std::lround(phase * kTried)) % kTried];
-  fit_.pose(course_.at(phase), pose, &start);
+  const HeartInstant instant = course_.at(phase);
+  try {
+    fit_.pose(instant, pose, &start);
+  } catch (const DataError&) { // What was found for a similar course may lead astray.
+    fit_.pose(instant, pose);
+  }
 }
 
 } // namespace viscera::sequences

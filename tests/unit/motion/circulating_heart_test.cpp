@@ -77,6 +77,28 @@ TEST(CirculatingHeart, HypertrophiedAndDilatedHeartsAreDrawnWithTheirMuscle) {
   }
 }
 
+TEST(CirculatingHeart, ABeatTakenFromAnotherOneHoldsItsOwnVolumes) {
+  ScenarioHeart resting("rest");
+  // A control that moved a little, one that jumped, and another scenario altogether.
+  circulation::Parameters little, much;
+  circulation::setParameter(little, "stressedVolume", 1000);
+  circulation::setParameter(much, "stressedVolume", 700);
+  Progress progress;
+  for (const auto& parameters : {little, much, circulation::scenarioParameters("exercise")}) {
+    const circulation::Beat beat = circulation::findPeriodicState(parameters, progress).beat;
+    const sequences::HeartCourse course =
+        heartCourse("Taken", parameters, beat, circulation::indicesOf(parameters, beat));
+    const sequences::CourseHeartbeat taken(resting.heartbeat(), course);
+    EXPECT_EQ(taken.name(), "Taken");
+    EXPECT_NEAR(taken.standardRatePerMinute(), parameters.rate, 1e-9);
+    for (const double phase : {0.02, 0.21, 0.38, 0.55, 0.83}) {
+      resting.show(taken, phase * beat.period, parameters.rate);
+      EXPECT_NEAR(resting.volumeMl("lv"), course.at(phase).volumes.leftMl, 0.5) << phase;
+      EXPECT_NEAR(resting.volumeMl("rv"), course.at(phase).volumes.rightMl, 1) << phase;
+    }
+  }
+}
+
 TEST(CirculatingHeart, CavitiesHoldTheCirculationsVolumesInEveryScenarioWithoutCrossingThemselves) {
   for (const circulation::Scenario& scenario : circulation::scenarios()) {
     ScenarioHeart heart(scenario.id);

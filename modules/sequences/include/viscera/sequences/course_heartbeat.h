@@ -32,6 +32,11 @@ public:
   /// Throws `DataError` when the course has fewer than eight instants or no period, or when its volumes
   /// cannot be reached somewhere; `Cancelled`.
   CourseHeartbeat(CavityFit fit, HeartCourse course, Progress& progress);
+  /// The same heart with a course that is similar to that of `similar`: its search begins where that of
+  /// `similar` ended, and nothing is tried beforehand, so that it is made at once. `poseAt` throws
+  /// `DataError` where the volumes cannot be reached. Throws `DataError` for a course without instants or
+  /// period.
+  CourseHeartbeat(const CourseHeartbeat& similar, HeartCourse course);
 
   std::string id() const override { return "heartbeat"; }
   std::string name() const override { return course_.name; }
