@@ -27,6 +27,7 @@
 #include "window/compare/comparison.h"
 #include "window/modes/play_mode.h"
 #include "window/modes/stress_mode.h"
+#include "window/session/session_files.h"
 #include "window/stress/histogram.h"
 #include "window/stress/profile_chart.h"
 #include "window/stress/stress_export.h"
