@@ -106,7 +106,7 @@ void Menus::makeFileMenu() {
   fill(file->addMenu(icon("export"), tr("Export &more")),
        {"export.scan", "export.organs", "export.displacements", "export.transform", "export.table",
         "export.measurements", "", "stress.exportMap", "stress.exportPoints", "stress.exportHistogram",
-        "stress.exportCurve"});
+        "stress.exportCurve", "stress.exportProbes", "stress.exportProfiles"});
   fill(file, {"file.screenshot", "", "file.quit"});
 }
 

@@ -2777,5 +2777,68 @@
         <source>witness points</source>
         <translation>punts testimoni</translation>
     </message>
+    <message>
+        <source>Pin stress probe</source>
+        <translation>Fixa una sonda de tensió</translation>
+    </message>
+    <message>
+        <source>Draw stress profile</source>
+        <translation>Dibuixa un perfil de tensió</translation>
+    </message>
+    <message>
+        <source>Remove stress profile</source>
+        <translation>Elimina un perfil de tensió</translation>
+    </message>
+    <message>
+        <source>Remove all stress probes</source>
+        <translation>Elimina totes les sondes de tensió</translation>
+    </message>
+    <message numerus="yes">
+        <source>Remove {stress probe|%n stress probes}</source>
+        <translation>
+            <numerusform>Elimina una sonda de tensió</numerusform>
+            <numerusform>Elimina %n sondes de tensió</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>stress probe %1</source>
+        <translation>sonda de tensió %1</translation>
+    </message>
+    <message>
+        <source>stress line %1</source>
+        <translation>línia de tensió %1</translation>
+    </message>
+    <message>
+        <source>stress probe</source>
+        <translation>sonda de tensió</translation>
+    </message>
+    <message>
+        <source>stress line</source>
+        <translation>línia de tensió</translation>
+    </message>
+    <message>
+        <source>its number is not a whole number from 1</source>
+        <translation>el seu número no és un enter a partir d’1</translation>
+    </message>
+    <message>
+        <source>two stress probes have this number</source>
+        <translation>dues sondes de tensió tenen aquest número</translation>
+    </message>
+    <message>
+        <source>its place at rest</source>
+        <translation>el seu lloc en repòs</translation>
+    </message>
+    <message>
+        <source>it does not join two stress probes of one organ</source>
+        <translation>no uneix dues sondes de tensió d’un òrgan</translation>
+    </message>
+    <message>
+        <source>A profile needs two probes of one organ</source>
+        <translation>Un perfil necessita dues sondes d’un òrgan</translation>
+    </message>
+    <message>
+        <source>These two probes have a profile already</source>
+        <translation>Aquestes dues sondes ja tenen un perfil</translation>
+    </message>
 </context>
 </TS>

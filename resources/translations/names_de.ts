@@ -2777,5 +2777,68 @@
         <source>witness points</source>
         <translation>Messpunkte</translation>
     </message>
+    <message>
+        <source>Pin stress probe</source>
+        <translation>Stresssonde anheften</translation>
+    </message>
+    <message>
+        <source>Draw stress profile</source>
+        <translation>Stressprofil zeichnen</translation>
+    </message>
+    <message>
+        <source>Remove stress profile</source>
+        <translation>Stressprofil entfernen</translation>
+    </message>
+    <message>
+        <source>Remove all stress probes</source>
+        <translation>Alle Stresssonden entfernen</translation>
+    </message>
+    <message numerus="yes">
+        <source>Remove {stress probe|%n stress probes}</source>
+        <translation>
+            <numerusform>Stresssonde entfernen</numerusform>
+            <numerusform>%n Stresssonden entfernen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>stress probe %1</source>
+        <translation>Stresssonde %1</translation>
+    </message>
+    <message>
+        <source>stress line %1</source>
+        <translation>Stresslinie %1</translation>
+    </message>
+    <message>
+        <source>stress probe</source>
+        <translation>Stresssonde</translation>
+    </message>
+    <message>
+        <source>stress line</source>
+        <translation>Stresslinie</translation>
+    </message>
+    <message>
+        <source>its number is not a whole number from 1</source>
+        <translation>seine Nummer ist keine ganze Zahl ab 1</translation>
+    </message>
+    <message>
+        <source>two stress probes have this number</source>
+        <translation>zwei Stresssonden haben diese Nummer</translation>
+    </message>
+    <message>
+        <source>its place at rest</source>
+        <translation>ihr Ort in Ruhe</translation>
+    </message>
+    <message>
+        <source>it does not join two stress probes of one organ</source>
+        <translation>sie verbindet nicht zwei Stresssonden eines Organs</translation>
+    </message>
+    <message>
+        <source>A profile needs two probes of one organ</source>
+        <translation>Ein Profil braucht zwei Sonden eines Organs</translation>
+    </message>
+    <message>
+        <source>These two probes have a profile already</source>
+        <translation>Diese beiden Sonden haben schon ein Profil</translation>
+    </message>
 </context>
 </TS>

@@ -2777,5 +2777,68 @@
         <source>witness points</source>
         <translation>puntos testigo</translation>
     </message>
+    <message>
+        <source>Pin stress probe</source>
+        <translation>Fijar sonda de estrés</translation>
+    </message>
+    <message>
+        <source>Draw stress profile</source>
+        <translation>Dibujar perfil de estrés</translation>
+    </message>
+    <message>
+        <source>Remove stress profile</source>
+        <translation>Quitar perfil de estrés</translation>
+    </message>
+    <message>
+        <source>Remove all stress probes</source>
+        <translation>Quitar todas las sondas de estrés</translation>
+    </message>
+    <message numerus="yes">
+        <source>Remove {stress probe|%n stress probes}</source>
+        <translation>
+            <numerusform>Quitar sonda de estrés</numerusform>
+            <numerusform>Quitar %n sondas de estrés</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>stress probe %1</source>
+        <translation>sonda de estrés %1</translation>
+    </message>
+    <message>
+        <source>stress line %1</source>
+        <translation>línea de estrés %1</translation>
+    </message>
+    <message>
+        <source>stress probe</source>
+        <translation>sonda de estrés</translation>
+    </message>
+    <message>
+        <source>stress line</source>
+        <translation>línea de estrés</translation>
+    </message>
+    <message>
+        <source>its number is not a whole number from 1</source>
+        <translation>su número no es un entero desde 1</translation>
+    </message>
+    <message>
+        <source>two stress probes have this number</source>
+        <translation>dos sondas de estrés tienen este número</translation>
+    </message>
+    <message>
+        <source>its place at rest</source>
+        <translation>su lugar en reposo</translation>
+    </message>
+    <message>
+        <source>it does not join two stress probes of one organ</source>
+        <translation>no une dos sondas de estrés de un órgano</translation>
+    </message>
+    <message>
+        <source>A profile needs two probes of one organ</source>
+        <translation>Un perfil necesita dos sondas de un órgano</translation>
+    </message>
+    <message>
+        <source>These two probes have a profile already</source>
+        <translation>Estas dos sondas ya tienen un perfil</translation>
+    </message>
 </context>
 </TS>

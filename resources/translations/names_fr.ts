@@ -2777,5 +2777,68 @@
         <source>witness points</source>
         <translation>points témoins</translation>
     </message>
+    <message>
+        <source>Pin stress probe</source>
+        <translation>Fixer une sonde de contrainte</translation>
+    </message>
+    <message>
+        <source>Draw stress profile</source>
+        <translation>Tracer un profil de contrainte</translation>
+    </message>
+    <message>
+        <source>Remove stress profile</source>
+        <translation>Supprimer un profil de contrainte</translation>
+    </message>
+    <message>
+        <source>Remove all stress probes</source>
+        <translation>Supprimer toutes les sondes de contrainte</translation>
+    </message>
+    <message numerus="yes">
+        <source>Remove {stress probe|%n stress probes}</source>
+        <translation>
+            <numerusform>Supprimer une sonde de contrainte</numerusform>
+            <numerusform>Supprimer %n sondes de contrainte</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>stress probe %1</source>
+        <translation>sonde de contrainte %1</translation>
+    </message>
+    <message>
+        <source>stress line %1</source>
+        <translation>ligne de contrainte %1</translation>
+    </message>
+    <message>
+        <source>stress probe</source>
+        <translation>sonde de contrainte</translation>
+    </message>
+    <message>
+        <source>stress line</source>
+        <translation>ligne de contrainte</translation>
+    </message>
+    <message>
+        <source>its number is not a whole number from 1</source>
+        <translation>son numéro n’est pas un entier à partir de 1</translation>
+    </message>
+    <message>
+        <source>two stress probes have this number</source>
+        <translation>deux sondes de contrainte ont ce numéro</translation>
+    </message>
+    <message>
+        <source>its place at rest</source>
+        <translation>son lieu au repos</translation>
+    </message>
+    <message>
+        <source>it does not join two stress probes of one organ</source>
+        <translation>elle ne relie pas deux sondes de contrainte d’un organe</translation>
+    </message>
+    <message>
+        <source>A profile needs two probes of one organ</source>
+        <translation>Un profil demande deux sondes d’un organe</translation>
+    </message>
+    <message>
+        <source>These two probes have a profile already</source>
+        <translation>Ces deux sondes ont déjà un profil</translation>
+    </message>
 </context>
 </TS>

@@ -819,6 +819,10 @@ N: noms, H: tiradors, X: paret, R: restableix, T: clar o fosc, Inici: principi</
         <source>  %1 / min</source>
         <translation>  %1 / min</translation>
     </message>
+    <message>
+        <source>The same organ in the present pose, kept</source>
+        <translation>El mateix òrgan en la postura actual, fixada</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::CurveBox</name>
@@ -2695,6 +2699,69 @@ Moveu el lliscador de dalt per col·locar-ne, o feu clic a l’òrgan en el mode
     </message>
 </context>
 <context>
+    <name>viscera::app::MarksBox</name>
+    <message>
+        <source>Profile</source>
+        <translation>Perfil</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Elimina</translation>
+    </message>
+    <message>
+        <source>Draw the values along the straight line at rest between two chosen probes, or between the last two</source>
+        <translation>Dibuixa els valors al llarg de la recta en repòs entre dues sondes triades, o entre les dues últimes</translation>
+    </message>
+    <message>
+        <source>Remove the chosen probes and profiles (Delete in the list)</source>
+        <translation>Elimina les sondes i els perfils triats (Supr a la llista)</translation>
+    </message>
+    <message>
+        <source>Probes and profiles</source>
+        <translation>Sondes i perfils</translation>
+    </message>
+    <message>
+        <source>No.</source>
+        <translation>Núm.</translation>
+    </message>
+    <message>
+        <source>Place (mm)</source>
+        <translation>Lloc (mm)</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Valor</translation>
+    </message>
+    <message>
+        <source>Organ</source>
+        <translation>Òrgan</translation>
+    </message>
+    <message>
+        <source>In the pose, in the patient&apos;s axes; left, posterior and superior count up</source>
+        <translation>En la postura, en els eixos del pacient; esquerra, posterior i superior són positius</translation>
+    </message>
+    <message>
+        <source>%1: at rest %2 mm</source>
+        <translation>%1: en repòs %2 mm</translation>
+    </message>
+    <message>
+        <source>no tissue</source>
+        <translation>sense teixit</translation>
+    </message>
+    <message>
+        <source>folded</source>
+        <translation>plegat</translation>
+    </message>
+    <message>
+        <source>%1 mm long</source>
+        <translation>%1 mm de llarg</translation>
+    </message>
+    <message>
+        <source>Profile along the line between two probes; the value is the largest</source>
+        <translation>Perfil al llarg de la línia entre dues sondes; el valor és el més gran</translation>
+    </message>
+</context>
+<context>
     <name>viscera::app::MeasureBox</name>
     <message>
         <source>Remove</source>
@@ -3720,6 +3787,14 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
         <source>Recorded as %1</source>
         <translation>Enregistrat com a %1</translation>
     </message>
+    <message>
+        <source>Compare with the present &amp;pose</source>
+        <translation>Compara amb la pos&amp;tura actual</translation>
+    </message>
+    <message>
+        <source>Keep these organs as they are posed now in a second view, and go on here</source>
+        <translation>Fixa aquests òrgans en la postura actual en una segona vista i continua aquí</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::PlayPage</name>
@@ -4015,6 +4090,21 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
     <message>
         <source>%1 %2</source>
         <translation>%1 %2</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::ProfileChart</name>
+    <message>
+        <source>Profile along the line</source>
+        <translation>Perfil al llarg de la línia</translation>
+    </message>
+    <message>
+        <source>Distance at rest (mm)</source>
+        <translation>Distància en repòs (mm)</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
     </message>
 </context>
 <context>
@@ -4934,6 +5024,46 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
         <source>the curve</source>
         <translation>la corba</translation>
     </message>
+    <message>
+        <source>Export pro&amp;bes...</source>
+        <translation>Exporta les &amp;sondes...</translation>
+    </message>
+    <message>
+        <source>Write place and values of the pinned probes as a table</source>
+        <translation>Escriu el lloc i els valors de les sondes fixades en una taula</translation>
+    </message>
+    <message>
+        <source>Export probes</source>
+        <translation>Exporta les sondes</translation>
+    </message>
+    <message>
+        <source>probes.csv</source>
+        <translation>probes.csv</translation>
+    </message>
+    <message>
+        <source>Export prof&amp;iles...</source>
+        <translation>Exporta els perfi&amp;ls...</translation>
+    </message>
+    <message>
+        <source>Write the values along the lines between probes as a table</source>
+        <translation>Escriu els valors al llarg de les línies entre sondes en una taula</translation>
+    </message>
+    <message>
+        <source>Export profiles</source>
+        <translation>Exporta els perfils</translation>
+    </message>
+    <message>
+        <source>profiles.csv</source>
+        <translation>profiles.csv</translation>
+    </message>
+    <message>
+        <source>the probes</source>
+        <translation>les sondes</translation>
+    </message>
+    <message>
+        <source>the profiles</source>
+        <translation>els perfils</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::StressMode</name>
@@ -5037,6 +5167,42 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
         <source>Show the other organs as well</source>
         <translation>Mostra també els altres òrgans</translation>
     </message>
+    <message>
+        <source>P&amp;in the probe</source>
+        <translation>Fi&amp;xa la sonda</translation>
+    </message>
+    <message>
+        <source>Shift+P</source>
+        <translation>Shift+P</translation>
+    </message>
+    <message>
+        <source>Keep the point that was clicked: its place and value follow the pose in the table</source>
+        <translation>Conserva el punt triat: el seu lloc i el seu valor segueixen la postura a la taula</translation>
+    </message>
+    <message>
+        <source>&amp;Logarithmic range</source>
+        <translation>&amp;Escala logarítmica</translation>
+    </message>
+    <message>
+        <source>Let the colours go by factors, so that small values can be told apart beside large ones</source>
+        <translation>Gradua els colors per factors, per distingir valors petits al costat de grans</translation>
+    </message>
+    <message>
+        <source>Same range in both &amp;views</source>
+        <translation>La mateixa escala a les &amp;dues vistes</translation>
+    </message>
+    <message>
+        <source>Beside another view: one range of colours for both stress maps, so that they can be compared</source>
+        <translation>Al costat d’una altra vista: una sola escala de colors per als dos mapes de tensió, perquè es puguin comparar</translation>
+    </message>
+    <message>
+        <source>Go to the &amp;time of the peak</source>
+        <translation>Vés al moment del pic</translation>
+    </message>
+    <message>
+        <source>Show the sequence at the instant at which the rotational stress is largest</source>
+        <translation>Mostra la seqüència a l’instant en què la tensió rotacional és més gran</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::StressModel</name>
@@ -5047,6 +5213,10 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
     <message>
         <source>%1 %2</source>
         <translation>%1 %2</translation>
+    </message>
+    <message>
+        <source>This point is probe %1 already.</source>
+        <translation>Aquest punt ja és la sonda %1.</translation>
     </message>
 </context>
 <context>
@@ -5281,6 +5451,18 @@ This is the volume of the cavity; the wall around it has a lock of its own</sour
             <numerusform>%n punt és fora de l’envolupant dels tiradors i es queda on és.</numerusform>
             <numerusform>%n punts són fora de l’envolupant dels tiradors i es queden on són.</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Probes</source>
+        <translation>Sondes</translation>
+    </message>
+    <message>
+        <source>Time of the peak</source>
+        <translation>Moment del pic</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
     </message>
 </context>
 <context>

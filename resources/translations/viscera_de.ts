@@ -819,6 +819,10 @@ N: Namen, H: Griffe, X: Wand, R: zurück, T: hell oder dunkel, Pos1: Anfang</tra
         <source>  %1 / min</source>
         <translation>  %1 / min</translation>
     </message>
+    <message>
+        <source>The same organ in the present pose, kept</source>
+        <translation>Dasselbe Organ in der jetzigen Pose, festgehalten</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::CurveBox</name>
@@ -2695,6 +2699,69 @@ Bewegen Sie den Regler oben, um welche zu setzen, oder klicken Sie im Modus Grif
     </message>
 </context>
 <context>
+    <name>viscera::app::MarksBox</name>
+    <message>
+        <source>Profile</source>
+        <translation>Profil</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>Draw the values along the straight line at rest between two chosen probes, or between the last two</source>
+        <translation>Die Werte entlang der in Ruhe geraden Linie zwischen zwei gewählten Sonden zeichnen, sonst zwischen den letzten beiden</translation>
+    </message>
+    <message>
+        <source>Remove the chosen probes and profiles (Delete in the list)</source>
+        <translation>Die gewählten Sonden und Profile entfernen (Entf in der Liste)</translation>
+    </message>
+    <message>
+        <source>Probes and profiles</source>
+        <translation>Sonden und Profile</translation>
+    </message>
+    <message>
+        <source>No.</source>
+        <translation>Nr.</translation>
+    </message>
+    <message>
+        <source>Place (mm)</source>
+        <translation>Ort (mm)</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Wert</translation>
+    </message>
+    <message>
+        <source>Organ</source>
+        <translation>Organ</translation>
+    </message>
+    <message>
+        <source>In the pose, in the patient&apos;s axes; left, posterior and superior count up</source>
+        <translation>In der Pose, in den Achsen des Patienten; links, hinten und oben zählen positiv</translation>
+    </message>
+    <message>
+        <source>%1: at rest %2 mm</source>
+        <translation>%1: in Ruhe %2 mm</translation>
+    </message>
+    <message>
+        <source>no tissue</source>
+        <translation>kein Gewebe</translation>
+    </message>
+    <message>
+        <source>folded</source>
+        <translation>gefaltet</translation>
+    </message>
+    <message>
+        <source>%1 mm long</source>
+        <translation>%1 mm lang</translation>
+    </message>
+    <message>
+        <source>Profile along the line between two probes; the value is the largest</source>
+        <translation>Profil entlang der Linie zwischen zwei Sonden; der Wert ist der größte</translation>
+    </message>
+</context>
+<context>
     <name>viscera::app::MeasureBox</name>
     <message>
         <source>Remove</source>
@@ -3720,6 +3787,14 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
         <source>Recorded as %1</source>
         <translation>Aufgezeichnet als %1</translation>
     </message>
+    <message>
+        <source>Compare with the present &amp;pose</source>
+        <translation>Mit der &amp;jetzigen Pose vergleichen</translation>
+    </message>
+    <message>
+        <source>Keep these organs as they are posed now in a second view, and go on here</source>
+        <translation>Diese Organe in ihrer jetzigen Pose in einer zweiten Ansicht festhalten und hier weiterarbeiten</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::PlayPage</name>
@@ -4015,6 +4090,21 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
     <message>
         <source>%1 %2</source>
         <translation>%1 %2</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::ProfileChart</name>
+    <message>
+        <source>Profile along the line</source>
+        <translation>Profil entlang der Linie</translation>
+    </message>
+    <message>
+        <source>Distance at rest (mm)</source>
+        <translation>Abstand in Ruhe (mm)</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
     </message>
 </context>
 <context>
@@ -4934,6 +5024,46 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
         <source>the curve</source>
         <translation>die Kurve</translation>
     </message>
+    <message>
+        <source>Export pro&amp;bes...</source>
+        <translation>&amp;Sonden exportieren...</translation>
+    </message>
+    <message>
+        <source>Write place and values of the pinned probes as a table</source>
+        <translation>Ort und Werte der angehefteten Sonden als Tabelle schreiben</translation>
+    </message>
+    <message>
+        <source>Export probes</source>
+        <translation>Sonden exportieren</translation>
+    </message>
+    <message>
+        <source>probes.csv</source>
+        <translation>probes.csv</translation>
+    </message>
+    <message>
+        <source>Export prof&amp;iles...</source>
+        <translation>Profi&amp;le exportieren...</translation>
+    </message>
+    <message>
+        <source>Write the values along the lines between probes as a table</source>
+        <translation>Die Werte entlang der Linien zwischen Sonden als Tabelle schreiben</translation>
+    </message>
+    <message>
+        <source>Export profiles</source>
+        <translation>Profile exportieren</translation>
+    </message>
+    <message>
+        <source>profiles.csv</source>
+        <translation>profiles.csv</translation>
+    </message>
+    <message>
+        <source>the probes</source>
+        <translation>die Sonden</translation>
+    </message>
+    <message>
+        <source>the profiles</source>
+        <translation>die Profile</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::StressMode</name>
@@ -5037,6 +5167,42 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
         <source>Show the other organs as well</source>
         <translation>Auch die anderen Organe zeigen</translation>
     </message>
+    <message>
+        <source>P&amp;in the probe</source>
+        <translation>Sonde an&amp;heften</translation>
+    </message>
+    <message>
+        <source>Shift+P</source>
+        <translation>Shift+P</translation>
+    </message>
+    <message>
+        <source>Keep the point that was clicked: its place and value follow the pose in the table</source>
+        <translation>Den angeklickten Punkt festhalten: Ort und Wert folgen in der Tabelle der Pose</translation>
+    </message>
+    <message>
+        <source>&amp;Logarithmic range</source>
+        <translation>Logarith&amp;mischer Bereich</translation>
+    </message>
+    <message>
+        <source>Let the colours go by factors, so that small values can be told apart beside large ones</source>
+        <translation>Die Farben nach Faktoren abstufen, damit kleine Werte neben großen unterscheidbar sind</translation>
+    </message>
+    <message>
+        <source>Same range in both &amp;views</source>
+        <translation>Gleicher Bereich in beiden Ansi&amp;chten</translation>
+    </message>
+    <message>
+        <source>Beside another view: one range of colours for both stress maps, so that they can be compared</source>
+        <translation>Neben einer zweiten Ansicht: ein Farbbereich für beide Stresskarten, damit sie verglichen werden können</translation>
+    </message>
+    <message>
+        <source>Go to the &amp;time of the peak</source>
+        <translation>Zur Zeit der Spitze gehen</translation>
+    </message>
+    <message>
+        <source>Show the sequence at the instant at which the rotational stress is largest</source>
+        <translation>Die Sequenz zu dem Zeitpunkt zeigen, an dem der Rotationsstress am größten ist</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::StressModel</name>
@@ -5047,6 +5213,10 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
     <message>
         <source>%1 %2</source>
         <translation>%1 %2</translation>
+    </message>
+    <message>
+        <source>This point is probe %1 already.</source>
+        <translation>Dieser Punkt ist schon Sonde %1.</translation>
     </message>
 </context>
 <context>
@@ -5281,6 +5451,18 @@ Dies ist das Volumen des Hohlraums; die Wand um ihn hat eine eigene Sperre</tran
             <numerusform>%n Punkt liegt außerhalb der Hülle der Griffe und bleibt, wo er ist.</numerusform>
             <numerusform>%n Punkte liegen außerhalb der Hülle der Griffe und bleiben, wo sie sind.</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Probes</source>
+        <translation>Sonden</translation>
+    </message>
+    <message>
+        <source>Time of the peak</source>
+        <translation>Zeit der Spitze</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
     </message>
 </context>
 <context>

@@ -819,6 +819,10 @@ N: nombres, H: tiradores, X: pared, R: restablecer, T: claro u oscuro, Inicio: p
         <source>  %1 / min</source>
         <translation>  %1 / min</translation>
     </message>
+    <message>
+        <source>The same organ in the present pose, kept</source>
+        <translation>El mismo órgano en la pose actual, conservada</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::CurveBox</name>
@@ -2695,6 +2699,69 @@ Mueva el control de arriba para colocar algunos o haga clic en el órgano en el 
     </message>
 </context>
 <context>
+    <name>viscera::app::MarksBox</name>
+    <message>
+        <source>Profile</source>
+        <translation>Perfil</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Quitar</translation>
+    </message>
+    <message>
+        <source>Draw the values along the straight line at rest between two chosen probes, or between the last two</source>
+        <translation>Dibujar los valores a lo largo de la recta en reposo entre dos sondas elegidas, o entre las dos últimas</translation>
+    </message>
+    <message>
+        <source>Remove the chosen probes and profiles (Delete in the list)</source>
+        <translation>Quitar las sondas y los perfiles elegidos (Supr en la lista)</translation>
+    </message>
+    <message>
+        <source>Probes and profiles</source>
+        <translation>Sondas y perfiles</translation>
+    </message>
+    <message>
+        <source>No.</source>
+        <translation>N.º</translation>
+    </message>
+    <message>
+        <source>Place (mm)</source>
+        <translation>Lugar (mm)</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Valor</translation>
+    </message>
+    <message>
+        <source>Organ</source>
+        <translation>Órgano</translation>
+    </message>
+    <message>
+        <source>In the pose, in the patient&apos;s axes; left, posterior and superior count up</source>
+        <translation>En la pose, en los ejes del paciente; izquierda, posterior y superior son positivos</translation>
+    </message>
+    <message>
+        <source>%1: at rest %2 mm</source>
+        <translation>%1: en reposo %2 mm</translation>
+    </message>
+    <message>
+        <source>no tissue</source>
+        <translation>sin tejido</translation>
+    </message>
+    <message>
+        <source>folded</source>
+        <translation>plegado</translation>
+    </message>
+    <message>
+        <source>%1 mm long</source>
+        <translation>%1 mm de largo</translation>
+    </message>
+    <message>
+        <source>Profile along the line between two probes; the value is the largest</source>
+        <translation>Perfil a lo largo de la línea entre dos sondas; el valor es el mayor</translation>
+    </message>
+</context>
+<context>
     <name>viscera::app::MeasureBox</name>
     <message>
         <source>Remove</source>
@@ -3720,6 +3787,14 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
         <source>Recorded as %1</source>
         <translation>Grabado como %1</translation>
     </message>
+    <message>
+        <source>Compare with the present &amp;pose</source>
+        <translation>Comparar con la pose a&amp;ctual</translation>
+    </message>
+    <message>
+        <source>Keep these organs as they are posed now in a second view, and go on here</source>
+        <translation>Conservar estos órganos en su pose actual en una segunda vista y seguir aquí</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::PlayPage</name>
@@ -4015,6 +4090,21 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
     <message>
         <source>%1 %2</source>
         <translation>%1 %2</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::ProfileChart</name>
+    <message>
+        <source>Profile along the line</source>
+        <translation>Perfil a lo largo de la línea</translation>
+    </message>
+    <message>
+        <source>Distance at rest (mm)</source>
+        <translation>Distancia en reposo (mm)</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
     </message>
 </context>
 <context>
@@ -4934,6 +5024,46 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
         <source>the curve</source>
         <translation>la curva</translation>
     </message>
+    <message>
+        <source>Export pro&amp;bes...</source>
+        <translation>Exportar &amp;sondas...</translation>
+    </message>
+    <message>
+        <source>Write place and values of the pinned probes as a table</source>
+        <translation>Escribir el lugar y los valores de las sondas fijadas como tabla</translation>
+    </message>
+    <message>
+        <source>Export probes</source>
+        <translation>Exportar sondas</translation>
+    </message>
+    <message>
+        <source>probes.csv</source>
+        <translation>probes.csv</translation>
+    </message>
+    <message>
+        <source>Export prof&amp;iles...</source>
+        <translation>Exportar perfi&amp;les...</translation>
+    </message>
+    <message>
+        <source>Write the values along the lines between probes as a table</source>
+        <translation>Escribir los valores a lo largo de las líneas entre sondas como tabla</translation>
+    </message>
+    <message>
+        <source>Export profiles</source>
+        <translation>Exportar perfiles</translation>
+    </message>
+    <message>
+        <source>profiles.csv</source>
+        <translation>profiles.csv</translation>
+    </message>
+    <message>
+        <source>the probes</source>
+        <translation>las sondas</translation>
+    </message>
+    <message>
+        <source>the profiles</source>
+        <translation>los perfiles</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::StressMode</name>
@@ -5037,6 +5167,42 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
         <source>Show the other organs as well</source>
         <translation>Mostrar también los demás órganos</translation>
     </message>
+    <message>
+        <source>P&amp;in the probe</source>
+        <translation>&amp;Fijar la sonda</translation>
+    </message>
+    <message>
+        <source>Shift+P</source>
+        <translation>Shift+P</translation>
+    </message>
+    <message>
+        <source>Keep the point that was clicked: its place and value follow the pose in the table</source>
+        <translation>Conservar el punto pulsado: su lugar y su valor siguen a la pose en la tabla</translation>
+    </message>
+    <message>
+        <source>&amp;Logarithmic range</source>
+        <translation>I&amp;ntervalo logarítmico</translation>
+    </message>
+    <message>
+        <source>Let the colours go by factors, so that small values can be told apart beside large ones</source>
+        <translation>Graduar los colores por factores, para distinguir valores pequeños junto a grandes</translation>
+    </message>
+    <message>
+        <source>Same range in both &amp;views</source>
+        <translation>Mismo intervalo en ambas &amp;vistas</translation>
+    </message>
+    <message>
+        <source>Beside another view: one range of colours for both stress maps, so that they can be compared</source>
+        <translation>Junto a otra vista: un solo intervalo de colores para ambos mapas de estrés, para poder compararlos</translation>
+    </message>
+    <message>
+        <source>Go to the &amp;time of the peak</source>
+        <translation>Ir al momento del máximo</translation>
+    </message>
+    <message>
+        <source>Show the sequence at the instant at which the rotational stress is largest</source>
+        <translation>Mostrar la secuencia en el instante en que el estrés rotacional es mayor</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::StressModel</name>
@@ -5047,6 +5213,10 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
     <message>
         <source>%1 %2</source>
         <translation>%1 %2</translation>
+    </message>
+    <message>
+        <source>This point is probe %1 already.</source>
+        <translation>Este punto ya es la sonda %1.</translation>
     </message>
 </context>
 <context>
@@ -5281,6 +5451,18 @@ Este es el volumen de la cavidad; la pared que la rodea tiene su propio bloqueo<
             <numerusform>%n punto está fuera de la envolvente de los tiradores y no se mueve.</numerusform>
             <numerusform>%n puntos están fuera de la envolvente de los tiradores y no se mueven.</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Probes</source>
+        <translation>Sondas</translation>
+    </message>
+    <message>
+        <source>Time of the peak</source>
+        <translation>Momento del máximo</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
     </message>
 </context>
 <context>

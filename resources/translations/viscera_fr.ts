@@ -819,6 +819,10 @@ N : noms, H : poignées, X : paroi, R : rétablir, T : clair ou sombre, Origine 
         <source>  %1 / min</source>
         <translation>  %1 / min</translation>
     </message>
+    <message>
+        <source>The same organ in the present pose, kept</source>
+        <translation>Le même organe dans la pose actuelle, gardée</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::CurveBox</name>
@@ -2695,6 +2699,69 @@ Déplacez le curseur ci-dessus pour en placer, ou cliquez l’organe en mode Poi
     </message>
 </context>
 <context>
+    <name>viscera::app::MarksBox</name>
+    <message>
+        <source>Profile</source>
+        <translation>Profil</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Supprimer</translation>
+    </message>
+    <message>
+        <source>Draw the values along the straight line at rest between two chosen probes, or between the last two</source>
+        <translation>Tracer les valeurs le long de la droite au repos entre deux sondes choisies, ou entre les deux dernières</translation>
+    </message>
+    <message>
+        <source>Remove the chosen probes and profiles (Delete in the list)</source>
+        <translation>Supprimer les sondes et les profils choisis (Suppr dans la liste)</translation>
+    </message>
+    <message>
+        <source>Probes and profiles</source>
+        <translation>Sondes et profils</translation>
+    </message>
+    <message>
+        <source>No.</source>
+        <translation>N°</translation>
+    </message>
+    <message>
+        <source>Place (mm)</source>
+        <translation>Lieu (mm)</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Valeur</translation>
+    </message>
+    <message>
+        <source>Organ</source>
+        <translation>Organe</translation>
+    </message>
+    <message>
+        <source>In the pose, in the patient&apos;s axes; left, posterior and superior count up</source>
+        <translation>Dans la pose, dans les axes du patient ; gauche, postérieur et supérieur sont positifs</translation>
+    </message>
+    <message>
+        <source>%1: at rest %2 mm</source>
+        <translation>%1 : au repos %2 mm</translation>
+    </message>
+    <message>
+        <source>no tissue</source>
+        <translation>hors tissu</translation>
+    </message>
+    <message>
+        <source>folded</source>
+        <translation>replié</translation>
+    </message>
+    <message>
+        <source>%1 mm long</source>
+        <translation>%1 mm de long</translation>
+    </message>
+    <message>
+        <source>Profile along the line between two probes; the value is the largest</source>
+        <translation>Profil le long de la ligne entre deux sondes ; la valeur est la plus grande</translation>
+    </message>
+</context>
+<context>
     <name>viscera::app::MeasureBox</name>
     <message>
         <source>Remove</source>
@@ -3720,6 +3787,14 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
         <source>Recorded as %1</source>
         <translation>Enregistré comme %1</translation>
     </message>
+    <message>
+        <source>Compare with the present &amp;pose</source>
+        <translation>Comparer avec la pose act&amp;uelle</translation>
+    </message>
+    <message>
+        <source>Keep these organs as they are posed now in a second view, and go on here</source>
+        <translation>Garder ces organes dans leur pose actuelle dans une seconde vue, et continuer ici</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::PlayPage</name>
@@ -4015,6 +4090,21 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
     <message>
         <source>%1 %2</source>
         <translation>%1 %2</translation>
+    </message>
+</context>
+<context>
+    <name>viscera::app::ProfileChart</name>
+    <message>
+        <source>Profile along the line</source>
+        <translation>Profil le long de la ligne</translation>
+    </message>
+    <message>
+        <source>Distance at rest (mm)</source>
+        <translation>Distance au repos (mm)</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
     </message>
 </context>
 <context>
@@ -4934,6 +5024,46 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
         <source>the curve</source>
         <translation>la courbe</translation>
     </message>
+    <message>
+        <source>Export pro&amp;bes...</source>
+        <translation>Exporter les &amp;sondes...</translation>
+    </message>
+    <message>
+        <source>Write place and values of the pinned probes as a table</source>
+        <translation>Écrire le lieu et les valeurs des sondes fixées dans un tableau</translation>
+    </message>
+    <message>
+        <source>Export probes</source>
+        <translation>Exporter les sondes</translation>
+    </message>
+    <message>
+        <source>probes.csv</source>
+        <translation>probes.csv</translation>
+    </message>
+    <message>
+        <source>Export prof&amp;iles...</source>
+        <translation>Exporter les profi&amp;ls...</translation>
+    </message>
+    <message>
+        <source>Write the values along the lines between probes as a table</source>
+        <translation>Écrire les valeurs le long des lignes entre sondes dans un tableau</translation>
+    </message>
+    <message>
+        <source>Export profiles</source>
+        <translation>Exporter les profils</translation>
+    </message>
+    <message>
+        <source>profiles.csv</source>
+        <translation>profiles.csv</translation>
+    </message>
+    <message>
+        <source>the probes</source>
+        <translation>les sondes</translation>
+    </message>
+    <message>
+        <source>the profiles</source>
+        <translation>les profils</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::StressMode</name>
@@ -5037,6 +5167,42 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
         <source>Show the other organs as well</source>
         <translation>Afficher aussi les autres organes</translation>
     </message>
+    <message>
+        <source>P&amp;in the probe</source>
+        <translation>&amp;Fixer la sonde</translation>
+    </message>
+    <message>
+        <source>Shift+P</source>
+        <translation>Shift+P</translation>
+    </message>
+    <message>
+        <source>Keep the point that was clicked: its place and value follow the pose in the table</source>
+        <translation>Garder le point choisi : son lieu et sa valeur suivent la pose dans le tableau</translation>
+    </message>
+    <message>
+        <source>&amp;Logarithmic range</source>
+        <translation>É&amp;chelle logarithmique</translation>
+    </message>
+    <message>
+        <source>Let the colours go by factors, so that small values can be told apart beside large ones</source>
+        <translation>Graduer les couleurs par facteurs, pour distinguer les petites valeurs à côté des grandes</translation>
+    </message>
+    <message>
+        <source>Same range in both &amp;views</source>
+        <translation>Même échelle dans les &amp;deux vues</translation>
+    </message>
+    <message>
+        <source>Beside another view: one range of colours for both stress maps, so that they can be compared</source>
+        <translation>À côté d’une autre vue : une seule échelle de couleurs pour les deux cartes de contrainte, pour les comparer</translation>
+    </message>
+    <message>
+        <source>Go to the &amp;time of the peak</source>
+        <translation>Aller au moment du pic</translation>
+    </message>
+    <message>
+        <source>Show the sequence at the instant at which the rotational stress is largest</source>
+        <translation>Montrer la séquence à l’instant où la contrainte rotationnelle est la plus grande</translation>
+    </message>
 </context>
 <context>
     <name>viscera::app::StressModel</name>
@@ -5047,6 +5213,10 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
     <message>
         <source>%1 %2</source>
         <translation>%1 %2</translation>
+    </message>
+    <message>
+        <source>This point is probe %1 already.</source>
+        <translation>Ce point est déjà la sonde %1.</translation>
     </message>
 </context>
 <context>
@@ -5281,6 +5451,18 @@ C’est le volume de la cavité&#x202f;; la paroi qui l’entoure a son propre v
             <numerusform>%n point est hors de l’enveloppe des poignées et reste où il est.</numerusform>
             <numerusform>%n points sont hors de l’enveloppe des poignées et restent où ils sont.</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Probes</source>
+        <translation>Sondes</translation>
+    </message>
+    <message>
+        <source>Time of the peak</source>
+        <translation>Moment du pic</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
     </message>
 </context>
 <context>

@@ -20,6 +20,7 @@
 #include "viscera/document/open_files.h"
 #include "viscera/document/organ_commands.h"
 #include "viscera/document/rig_commands.h"
+#include "viscera/document/stress_mark_commands.h"
 #include "viscera/document/system_commands.h"
 #include "viscera/motion/motion_recipe.h"
 #include "viscera/motion/sequence_setup.h"
@@ -55,6 +56,7 @@ struct Case {
   const char* name;
   void (*arrange)(app::MainWindow&) = nothingMore;
   const char* theme = "dark";
+  const char* file = nullptr; ///< The session, where several cases begin with one.
 };
 
 void PrintTo(const Case& one, std::ostream* stream) {
@@ -82,6 +84,22 @@ void pinTheRangeAndHideAboveALimit(app::MainWindow& window) {
     look.limit = 0.9;
     look.below = true;
   });
+}
+
+/// Two probes with a line between them, in colours that go by factors.
+void pinProbesOnALogarithmicRange(app::MainWindow& window) {
+  changeLook(window, [](app::StressLook& look) { look.logarithmic = true; });
+  app::StressModel& model = window.stress().model();
+  const Points& points = model.live().mesh()->points;
+  for (const Eigen::Index axis : {0, 2}) {
+    Eigen::Index most = 0;
+    points.topRows(model.live().mesh()->witnesses).col(axis).maxCoeff(&most);
+    model.setProbe(static_cast<int>(most));
+    model.pinProbe();
+  }
+  const auto& probes = window.workspace().document().stressMarks().probes;
+  ASSERT_EQ(probes.size(), 2u);
+  window.workspace().perform(document::addStressLine(probes[0].id, probes[1].id));
 }
 
 void showThePeak(app::MainWindow& window) {
@@ -196,8 +214,8 @@ class OnePicture : public PictureTest, public testing::WithParamInterface<Case> 
 };
 
 TEST_P(OnePicture, OfWindowAndCommandIsOneAndComesBackFromAFile) {
-  const QString fixture =
-      QStringLiteral(VISCERA_SOURCE_DIR "/tests/gui/sessions/%1.viscera").arg(GetParam().name);
+  const QString fixture = QStringLiteral(VISCERA_SOURCE_DIR "/tests/gui/sessions/%1.viscera")
+                              .arg(GetParam().file ? GetParam().file : GetParam().name);
   ASSERT_NE(contentsOf(fixture.toStdString()).find("\"version\": 1,"), std::string::npos);
   openAndWait(fixture);
   if (HasFatalFailure())
@@ -223,6 +241,7 @@ constexpr Case kCases[] = {
     {"stress_stretch_max_limit", hideBelowALimit},
     {"stress_stretch_min_pinned_crosses", pinTheRangeAndHideAboveALimit},
     {"stress_rotational_ellipsoids"},
+    {"stress_probes_logarithmic", pinProbesOnALogarithmicRange, "light", "stress_rotational_smooth_handles"},
     {"stress_peak_recorded", showThePeak},
     {"play_recorded_locked"},
 };

@@ -7,20 +7,30 @@
 #include <QSpinBox>
 #include <QTest>
 #include <QTimer>
+#include <QTreeWidget>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include <vtkActor.h>
 #include <vtkMapper.h>
 #include <vtkPlaneCollection.h>
+#include <vtkScalarsToColors.h>
 
 #include "sway.h"
+#include "temporary_folder.h"
+#include "viscera/live/stress_mark_files.h"
 #include "viscera/live/stress_quantity.h"
 #include "viscera/presentation/stress_values.h"
 #include "viscera/scene/vtkVisceraHandleSetRepresentation.h"
+#include "window/compare/comparison.h"
+#include "window/modes/play_mode.h"
 #include "window/modes/stress_mode.h"
+#include "window/session/session_files.h"
 #include "window/stress/histogram.h"
+#include "window/stress/profile_chart.h"
+#include "window/stress/stress_export.h"
 
 namespace viscera::tests {
 namespace {
@@ -249,6 +259,18 @@ TEST_F(StressModeTest, APlayingSequenceMovesTheMapAndIsRecorded) {
   const Eigen::Index witnesses = model().live().mesh()->witnesses;
   EXPECT_GE((*model().shown().values() - now).minCoeff(), -0.2);
   EXPECT_GT(model().shown().summary().max, now.head(witnesses).maxCoeff() - 0.2);
+  // The peak's instant is that of the largest value of the cycle.
+  EXPECT_TRUE(find<QLabel>("stressPeakTime")->isVisible());
+  const double largest = model().peakInstant()->statistics.max;
+  for (const live::StressSample& sample : model().live().peak()->cycle)
+    EXPECT_LE(sample.statistics.max, largest);
+  window().actions()["stress.peakTime"]->trigger();
+  settle();
+  EXPECT_FALSE(model().peakShown());
+  EXPECT_NEAR(model().live().statistics().max, largest, 1e-9);
+  window().actions()["stress.peak"]->trigger();
+  settle();
+  EXPECT_TRUE(model().peakShown());
   // Back to the own pose, which is at rest.
   window().actions()["stress.peak"]->trigger();
   QTest::mouseClick(find<QPushButton>("stressOwnPose"), Qt::LeftButton);
@@ -273,6 +295,223 @@ TEST_F(StressModeTest, TheNumberOfWitnessesAndTheLookAreKeptInTheSettings) {
   EXPECT_EQ(model().look().style, scene::CutStyle::crinkle);
   EXPECT_EQ(model().look().quantity, live::StressQuantity::stretchMin);
   EXPECT_EQ(model().look().witnesses, 1500);
+}
+
+TEST_F(StressModeTest, ALogarithmicRangeIsThatOfLegendHistogramAndEveryColour) {
+  enter();
+  dragAHandle();
+  const auto linear = find<app::Histogram>("stressHistogram")->bars();
+  window().actions()["stress.logarithmic"]->trigger();
+  waitForNumbers();
+  const scene::ValueRange range = model().shown().range();
+  EXPECT_TRUE(range.logarithmic);
+  EXPECT_GT(range.low, 0);
+  EXPECT_GE(range.high, model().shown().summary().percentile95);
+  EXPECT_TRUE(organ().actor()->GetMapper()->GetLookupTable()->UsingLogScale());
+  EXPECT_TRUE(drawn().tissue()->cut()->GetMapper()->GetLookupTable()->UsingLogScale());
+  EXPECT_NE(find<app::Histogram>("stressHistogram")->bars(), linear);
+  key(Qt::Key_M);
+  EXPECT_NEAR(model().shown().range().low * model().shown().range().high, 1, 1e-12) << "of a ratio";
+  look([](app::StressLook& look) { look.quantity = live::StressQuantity::folded; });
+  EXPECT_FALSE(model().shown().range().logarithmic) << "what is or is not";
+  look([](app::StressLook& look) { look.quantity = live::StressQuantity::rotationalStress; });
+  window().actions()["stress.pin"]->trigger();
+  window().actions()["stress.logarithmic"]->trigger();
+  EXPECT_EQ(model().shown().range(), (scene::ValueRange{range.low, range.high})) << "it is kept";
+  window().actions()["stress.logarithmic"]->trigger();
+  reopenWindow();
+  EXPECT_TRUE(model().look().logarithmic);
+}
+
+/// Probes and profiles of the ball.
+class StressMarksInTheWindow : public StressModeTest {
+protected:
+  /// Pins the point of the mesh that is nearest to a place at rest.
+  void pin(const Vec3& place) {
+    Eigen::Index nearest = 0;
+    (model().live().mesh()->points.rowwise() - place.transpose()).rowwise().squaredNorm().minCoeff(&nearest);
+    model().setProbe(static_cast<int>(nearest));
+    window().actions()["stress.pinProbe"]->trigger();
+    waitForNumbers();
+  }
+  QTreeWidget& list() { return *find<QTreeWidget>("stressMarks"); }
+  QString cell(int row, int column) { return list().topLevelItem(row)->text(column); }
+  const std::vector<document::StressProbe>& probes() { return document().stressMarks().probes; }
+  QString read(int point) {
+    return model().format(live::quantityAt(model().live().map(), model().look().quantity, point));
+  }
+};
+
+TEST_F(StressMarksInTheWindow, AProbeFollowsTheTissueAndIsAStepToUndo) {
+  enter();
+  EXPECT_FALSE(window().actions()["stress.pinProbe"]->isEnabled()) << "nothing was clicked";
+  EXPECT_FALSE(list().isVisible());
+  pin({0, 10, 15});
+  ASSERT_EQ(probes().size(), 1u);
+  const int point = model().probe();
+  EXPECT_EQ(probes()[0].rest, Vec3(model().live().mesh()->points.row(point).transpose()));
+  ASSERT_EQ(list().topLevelItemCount(), 1);
+  EXPECT_EQ(cell(0, 0), QStringLiteral("1"));
+  const QString place = cell(0, 1);
+  dragAHandle();
+  EXPECT_EQ(cell(0, 2), read(point)) << "the number of the point that was clicked";
+  EXPECT_EQ(cell(0, 2), label("probe_rotational-stress")) << "and of the card";
+  EXPECT_NE(cell(0, 1), place);
+  const auto& items = drawn().stressMarks().items();
+  ASSERT_EQ(items.size(), 1u);
+  EXPECT_EQ(items[0].text, "1");
+  EXPECT_LT((items[0].points[0] - model().live().points().row(point).transpose()).norm(), 1e-9);
+  pin(probes()[0].rest);
+  EXPECT_EQ(probes().size(), 1u) << "it is there already";
+  EXPECT_FALSE(message().isEmpty());
+  key(Qt::Key_Z, Qt::ControlModifier);
+  waitForNumbers();
+  EXPECT_EQ(cell(0, 1), place) << "undo takes the pose back";
+  key(Qt::Key_Z, Qt::ControlModifier);
+  waitForNumbers();
+  EXPECT_TRUE(probes().empty());
+  EXPECT_FALSE(list().isVisible());
+  EXPECT_TRUE(drawn().stressMarks().items().empty());
+}
+
+TEST_F(StressMarksInTheWindow, StayWithOtherWitnessPointsAndGoWithTheMode) {
+  enter();
+  pin({0, 10, 15});
+  dragAHandle();
+  const double before = drawn().readMarks().probes[0].reading.stressDegrees;
+  look([](app::StressLook& look) { look.witnesses = 2000; });
+  ASSERT_TRUE(
+      waitUntil([this] { return model().shown().ready() && model().live().mesh()->witnesses > 1500; }));
+  settle();
+  ASSERT_EQ(drawn().readMarks().probes.size(), 1u);
+  EXPECT_NEAR(drawn().readMarks().probes[0].reading.stressDegrees, before, 0.2 * before);
+  key(Qt::Key_1);
+  EXPECT_TRUE(drawn().stressMarks().items().empty());
+}
+
+TEST_F(StressMarksInTheWindow, AProfileIsDrawnBetweenTwoProbesAndFollowsThePose) {
+  enter();
+  pin({0, 20, 0});
+  EXPECT_FALSE(find<QPushButton>("stressProfile")->isEnabled());
+  pin({0, -20, 10});
+  auto& chart = *find<app::ProfileChart>("profileChart");
+  EXPECT_FALSE(chart.isVisible());
+  QTest::mouseClick(find<QPushButton>("stressProfile"), Qt::LeftButton);
+  waitForNumbers();
+  ASSERT_EQ(document().stressMarks().lines.size(), 1u);
+  EXPECT_TRUE(chart.isVisible());
+  dragAHandle();
+  ASSERT_EQ(chart.curves().size(), 1u) << "a ball has no gaps";
+  const scene::PanelCurve& curve = chart.curves()[0];
+  EXPECT_EQ(curve.name, "1-2");
+  EXPECT_EQ(curve.x.size(), static_cast<std::size_t>(live::kProfilePoints));
+  EXPECT_NEAR(curve.x.back(), (probes()[0].rest - probes()[1].rest).norm(), 1e-9);
+  EXPECT_NEAR(curve.y.front(), drawn().readMarks().probes[0].reading.stressDegrees, 1e-9);
+  EXPECT_NEAR(curve.y.back(), drawn().readMarks().probes[1].reading.stressDegrees, 1e-9);
+  EXPECT_EQ(cell(2, 0), QStringLiteral("1-2"));
+  EXPECT_EQ(cell(2, 2), model().format(*std::max_element(curve.y.begin(), curve.y.end())));
+  EXPECT_TRUE(drawn().stressMarks().items()[0].path);
+  key(Qt::Key_M);
+  waitForNumbers();
+  EXPECT_NEAR(chart.curves()[0].y.front(), drawn().readMarks().probes[0].reading.volumeRatio, 1e-9);
+  list().topLevelItem(0)->setSelected(true);
+  QTest::mouseClick(find<QPushButton>("stressRemoveMarks"), Qt::LeftButton);
+  waitForNumbers();
+  EXPECT_EQ(probes().size(), 1u);
+  EXPECT_TRUE(document().stressMarks().lines.empty()) << "it goes with its end";
+  EXPECT_FALSE(chart.isVisible());
+  key(Qt::Key_Z, Qt::ControlModifier);
+  waitForNumbers();
+  EXPECT_TRUE(chart.isVisible());
+}
+
+TEST_F(StressMarksInTheWindow, AreWrittenAsTheCommandLineWritesThem) {
+  enter();
+  app::StressExport& exports = window().stress().exports();
+  EXPECT_FALSE(window().actions()["stress.exportProbes"]->isEnabled());
+  pin({0, 20, 0});
+  pin({0, -20, 10});
+  dragAHandle();
+  EXPECT_TRUE(window().actions()["stress.exportProbes"]->isEnabled());
+  EXPECT_FALSE(window().actions()["stress.exportProfiles"]->isEnabled()) << "there is no line";
+  QTest::mouseClick(find<QPushButton>("stressProfile"), Qt::LeftButton);
+  waitForNumbers();
+  exports.exportProbes(path(QStringLiteral("p.csv")));
+  settle();
+  exports.exportProfiles(path(QStringLiteral("l.csv")));
+  settle();
+  // What viscera stress --probe and --profile call, on the same mesh and pose.
+  const auto mesh = model().live().mesh();
+  Points rest(2, 3);
+  rest << probes()[0].rest.transpose(), probes()[1].rest.transpose();
+  const auto readings = live::TissuePoints(mesh, rest, live::probeReach(*mesh))
+                            .read(model().live().points(), model().live().map());
+  const auto file = [this](const char* name) { return path(QLatin1String(name)).toStdString(); };
+  live::writeStressProbes(file("c.csv"), {{"1", readings[0]}, {"2", readings[1]}});
+  EXPECT_EQ(contentsOf(file("p.csv")), contentsOf(file("c.csv")));
+  const std::string along = contentsOf(file("l.csv"));
+  EXPECT_EQ(std::count(along.begin(), along.end(), '\n'), 1 + live::kProfilePoints);
+  EXPECT_NE(along.find("\n1-2,0,"), std::string::npos);
+}
+
+TEST_F(StressMarksInTheWindow, AreInASession) {
+  enter();
+  pin({0, 20, 0});
+  pin({0, -20, 10});
+  QTest::mouseClick(find<QPushButton>("stressProfile"), Qt::LeftButton);
+  settle();
+  const document::StressMarks before = document().stressMarks();
+  bool done = false;
+  window().sessions().saveTo(path(QStringLiteral("s.viscera")), true, [&] { done = true; });
+  ASSERT_TRUE(waitUntil([&] { return done; }));
+  reopenWindow();
+  window().files().open({path(QStringLiteral("s.viscera"))});
+  ASSERT_TRUE(waitUntil([this] { return !document().organs().empty() && model().shown().ready(); }));
+  settle();
+  EXPECT_EQ(document().stressMarks(), before);
+  EXPECT_EQ(list().topLevelItemCount(), 3);
+}
+
+/// Two views: the pose that was kept, and the one that goes on.
+class TwoStressMaps : public StressModeTest {
+protected:
+  const presentation::Presenter& beside() { return window().play().comparison().picture().presenter(); }
+  bool legend() { return view().view().legend().visible(); }
+  bool legendBeside() { return window().play().comparison().view().view().legend().visible(); }
+};
+
+TEST_F(TwoStressMaps, OfTwoPosesHaveOneRangeAndOneLegendWhileThatIsWanted) {
+  enter();
+  dragAHandle();
+  window().actions()["play.comparePose"]->trigger();
+  ASSERT_TRUE(waitUntil([this] { return beside().stressValues().ready(); }));
+  settle();
+  const Values kept = *beside().stressValues().values();
+  EXPECT_EQ(kept, *model().shown().values()) << "the pose that was kept";
+  key(Qt::Key_Z, Qt::ControlModifier);
+  settle();
+  EXPECT_LT(model().shown().summary().max, 1e-6) << "this one is at rest again";
+  EXPECT_EQ(*beside().stressValues().values(), kept);
+  EXPECT_EQ(model().shown().range(), beside().stressValues().range());
+  EXPECT_EQ(model().shown().range().high, beside().stressValues().ownRange().high);
+  EXPECT_TRUE(legend());
+  EXPECT_FALSE(legendBeside()) << "it is said once";
+  window().actions()["stress.sameRange"]->trigger();
+  settle();
+  EXPECT_LT(model().shown().range().high, beside().stressValues().range().high);
+  EXPECT_TRUE(legend());
+  EXPECT_TRUE(legendBeside());
+  window().actions()["stress.sameRange"]->trigger();
+  settle();
+  EXPECT_EQ(model().shown().range(), beside().stressValues().range());
+  key(Qt::Key_1);
+  settle();
+  EXPECT_FALSE(beside().stressValues().ready()) << "no map without the mode";
+  key(Qt::Key_4);
+  ASSERT_TRUE(waitUntil([this] { return beside().stressValues().ready(); }));
+  window().play().comparison().end();
+  settle();
+  EXPECT_EQ(model().shown().range(), model().shown().ownRange());
 }
 
 TEST_F(StressModeTest, ACancelledTaskSaysSoAndGoesOnWhenAsked) {

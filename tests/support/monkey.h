@@ -11,6 +11,7 @@
 #include "viscera/core/error.h"
 #include "viscera/document/key_sequence_commands.h"
 #include "viscera/document/measurement_commands.h"
+#include "viscera/document/stress_mark_commands.h"
 
 namespace viscera::tests {
 
@@ -96,7 +97,7 @@ private:
 
   document::Command anyCommand() {
     const std::string text = "T" + std::to_string(number(12));
-    switch (number(25)) {
+    switch (number(26)) {
     case 0:
       return document::addOrgans({ball(text, real(5, 40), 1, place())});
     case 1:
@@ -149,6 +150,8 @@ private:
       return anyMeasurementEdit(text);
     case 23:
       return anyCageEdit(text);
+    case 24:
+      return anyStressMark();
     default:
       return poseMove();
     }
@@ -196,6 +199,22 @@ private:
       return document::renameMeasurement(one, text);
     default:
       return document::moveMeasuredPoint(one, static_cast<std::size_t>(number(3)), aPoint());
+    }
+  }
+
+  document::Command anyStressMark() {
+    const auto one = [this] {
+      return pick<document::StressProbeId>(s_.document.stressMarks().probes,
+                                           [](const document::StressProbe& probe) { return probe.id; });
+    };
+    switch (number(6)) {
+    case 0:
+      return document::removeStressProbes({one()});
+    case 1:
+    case 2:
+      return document::addStressLine(one(), one());
+    default:
+      return document::addStressProbe(anOrgan(), place());
     }
   }
 

@@ -10,6 +10,7 @@
 #include "viscera/document/measurement_commands.h"
 #include "viscera/document/open_files.h"
 #include "viscera/document/session_file.h"
+#include "viscera/document/stress_mark_commands.h"
 #include "viscera/medical_io/surface_file.h"
 
 /// Sessions to save and open, for tests.
@@ -33,7 +34,7 @@ inline std::filesystem::path ballFile(const viscera::tests::TemporaryFolder& fol
 }
 
 /// One of everything: organs from a file, edited and with a cavity, handles, groups, a cage, a pose,
-/// parameters, locks, a recording, measurements, a circulation, a view.
+/// parameters, locks, a recording, measurements, stress probes, a circulation, a view.
 inline document::SessionContents fullContents(const viscera::tests::TemporaryFolder& folder) {
   Session s;
   s.undo.perform(document::addOrgans({{document::readOrgan(ballFile(folder, "liver.vtp")), -1}}));
@@ -67,6 +68,10 @@ inline document::SessionContents fullContents(const viscera::tests::TemporaryFol
   document::MeasuredPoint fixed;
   fixed.rest = {0.1, -1e-310, 1.0 / 3};
   s.undo.perform(document::addMeasurement({onLiver, fixed, {}}, "Angle \"at\" the \xC3\xBC"));
+  s.undo.perform(document::addStressProbe(liver, {1.0 / 3, -1e-310, 4}));
+  s.undo.perform(document::addStressProbe(liver, {0.1, 0.2, 20}));
+  const auto& probes = s.document.stressMarks().probes;
+  s.undo.perform(document::addStressLine(probes[0].id, probes[1].id));
   s.undo.perform(document::chooseScenario("exercise"));
   s.undo.perform(document::keepCirculation());
   s.undo.perform(document::setCirculationParameter("lvEes", 1.0 / 3));

@@ -1,11 +1,11 @@
 #include "cli/commands/all_commands.h"
 
-#include <charconv>
 #include <optional>
 
 #include <CLI/CLI.hpp>
 
 #include "cli/listing.h"
+#include "cli/positions.h"
 #include "cli/scan_input.h"
 #include "viscera/core/error.h"
 
@@ -13,21 +13,6 @@ namespace viscera::app::cli {
 namespace {
 
 using nlohmann::ordered_json;
-
-/// "12,-40,310"
-Vec3 positionOf(const std::string& text) {
-  Vec3 position;
-  const char* at = text.data();
-  const char* const end = text.data() + text.size();
-  for (int axis = 0; axis < 3; ++axis) {
-    const auto [next, error] = std::from_chars(at, end, position[axis]);
-    const bool separated = axis == 2 ? next == end : next != end && *next == ',';
-    if (error != std::errc() || !separated || !std::isfinite(position[axis]))
-      throw UsageError("It is not a position X,Y,Z in mm", "--at " + text, "for instance --at 12,-40,310");
-    at = next + 1;
-  }
-  return position;
-}
 
 /// `viscera probe`: values of a scan at places of the patient.
 class ProbeCommand final : public Command {
@@ -47,7 +32,7 @@ public:
   Outcome run(CommandContext& context) override {
     std::vector<Vec3> places;
     for (const std::string& text : positions_)
-      places.push_back(positionOf(text));
+      places.push_back(positionOf(text, "--at"));
     const medical_io::Scan scan = scan_.read(context.progress);
     Outcome outcome;
     appendFindings(outcome.warnings, scan);

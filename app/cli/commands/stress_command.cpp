@@ -10,6 +10,7 @@
 
 #include "cli/bound_input.h"
 #include "cli/listing.h"
+#include "cli/stress_marks.h"
 #include "viscera/deformation/tetrahedralise.h"
 #include "viscera/live/stress_files.h"
 
@@ -127,10 +128,12 @@ public:
         ->type_name("ORGAN")
         ->expected(1)
         ->take_all();
+    marks_.addTo(options);
   }
 
   Outcome run(CommandContext& context) override {
     const auto begin = std::chrono::steady_clock::now();
+    marks_.check();
     std::vector<std::string> warnings;
     const BoundInput input = input_.read(context, warnings);
     live::WitnessOptions witnesses = witnesses_;
@@ -159,6 +162,7 @@ public:
       outcome.json["histogram"] = histogram_;
     warnings.insert(warnings.end(), input.organ.warnings.begin(), input.organ.warnings.end());
     outcome.warnings = std::move(warnings);
+    marks_.read(measured.interior.sample.mesh, measured.posed, measured.map, outcome);
     return outcome;
   }
 
@@ -176,6 +180,7 @@ private:
   std::string csv_;
   std::string histogram_;
   std::vector<std::string> cavities_;
+  StressMarkOptions marks_;
   double memoryMb_ = 2048;
   live::WitnessOptions witnesses_;
 };

@@ -11,6 +11,7 @@
 
 #include <cmath>
 
+#include "window/compare/compared_stress.h"
 #include "window/compare/compared_system.h"
 #include "window/compare/difference_map.h"
 #include "window/compare/side_header.h"
@@ -41,6 +42,7 @@ struct Comparison::Second {
   FileActions files;
   ViewWidget* view; ///< The window's, once it is there.
   std::unique_ptr<Picture> picture;
+  std::unique_ptr<ComparedStress> stress;
   std::unique_ptr<CameraLink> cameras;
   std::unique_ptr<ComparedSystem> system; ///< While other coordinates are compared.
   std::unique_ptr<DifferenceMap> differences;
@@ -89,6 +91,9 @@ void Comparison::begin() {
   firstHeader_ = new SideHeader(tr("A"));
   first_.area.splitView(firstHeader_, makeSecondPane());
   setTheme(theme_);
+  second.stress = std::make_unique<ComparedStress>(
+      ComparedStress::Side{first_.workspace, first_.playback, first_.picture},
+      ComparedStress::Side{second.workspace, second.playback, *second.picture}, first_.view);
   connect(&second.workspace, &Workspace::messageRaised, &first_.workspace, &Workspace::messageRaised);
   connect(&second.playback, &Playback::stateChanged, this, &Comparison::syncHeaders);
   connect(&second.playback, &Playback::advanced, this, &Comparison::syncHeaders);
@@ -138,6 +143,7 @@ void Comparison::fillHeader(SideHeader& header) {
   auto* menu = new QMenu(choose);
   menu->addAction(tr("The same organ at another rate"), this, &Comparison::showSameOrgan);
   menu->addAction(tr("The same organ with other coordinates"), this, &Comparison::showOtherCoordinates);
+  menu->addAction(tr("The same organ in the present pose, kept"), this, &Comparison::showKeptPose);
   menu->addSeparator();
   first_.workspace.guarded([&] {
     for (const QString& name : second_->samples.names()) {
@@ -224,6 +230,20 @@ void Comparison::showSameOrgan() {
   syncHeaders();
 }
 
+void Comparison::showKeptPose() {
+  begin();
+  dropSystem();
+  same_ = false;
+  document::DocumentState state = first_.workspace.state();
+  const Points& pose = first_.workspace.live().shownPose();
+  if (pose.rows() == state.pose->rows())
+    state.pose = std::make_shared<const Points>(pose);
+  second_->playback.setSequence(nullptr, {});
+  second_->workspace.undo().reset(state);
+  second_->cameras = std::make_unique<CameraLink>(*first_.area.view(), *second_->view);
+  syncHeaders();
+}
+
 void Comparison::setBeside(std::shared_ptr<const sequences::Sequence> sequence) {
   beside_ = std::move(sequence);
   if (on() && same_)
@@ -268,6 +288,7 @@ void Comparison::end() {
   second->differences.reset();
   second->system.reset();
   second->cameras.reset();
+  second->stress.reset();
   second->picture.reset();
   first_.area.joinViews();
   Q_EMIT toggled(false);

@@ -39,6 +39,7 @@ public:
     ViewArea& area;
     Settings& settings;
     ViewModel& view;
+    Picture& picture;
   };
 
   explicit Comparison(const First& first, QObject* parent = nullptr);
@@ -49,6 +50,8 @@ public:
   void showSameOrgan();
   /// Another motion of the same organs for `showSameOrgan` to show, at its own rate; null: the first view's.
   void setBeside(std::shared_ptr<const sequences::Sequence> sequence);
+  /// The organs of the first view as they are posed at this moment; they stay so.
+  void showKeptPose();
   /// The organs of the first view under the same motion, tied to the same handles by other coordinates.
   void showOtherCoordinates();
   void showSample(const QString& name);

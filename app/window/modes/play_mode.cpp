@@ -41,8 +41,9 @@ std::vector<std::shared_ptr<const document::Organ>> wallsOf(const document::Orga
 PlayMode::PlayMode(const ModeParts& parts, Actions& actions)
     : Mode(parts, {"play", "beat", 5, tr("Play"),
                    tr("Space plays or pauses; drag the timeline to look at one instant")}),
-      comparison_(std::make_unique<Comparison>(Comparison::First{
-          parts.workspace, parts.playback, parts.volumes, parts.area, parts.settings, parts.view})),
+      comparison_(std::make_unique<Comparison>(Comparison::First{parts.workspace, parts.playback,
+                                                                 parts.volumes, parts.area, parts.settings,
+                                                                 parts.view, parts.picture})),
       recorder_(std::make_unique<MovieRecorder>(parts.workspace)),
       recorded_(std::make_unique<KeySequencePlayback>(parts.workspace, parts.playback)),
       circulation_(std::make_unique<CirculationModel>(parts.workspace, parts.playback)),
@@ -130,6 +131,12 @@ void PlayMode::makeComparisonActions(Actions& actions) {
                {tr("Ctrl+3")},
                tr("Show the same organs and handles beside these with another coordinate system")},
               [this] { comparison_->showOtherCoordinates(); });
+  actions.add("play.comparePose",
+              {tr("Compare with the present &pose"),
+               "compare",
+               {},
+               tr("Keep these organs as they are posed now in a second view, and go on here")},
+              [this] { comparison_->showKeptPose(); });
   actions.add("play.compareFiles",
               {tr("Compare with another &organ..."),
                "patient",
@@ -250,6 +257,7 @@ std::vector<const char*> PlayMode::actions() const {
           "",
           "play.compare",
           "play.compareSystems",
+          "play.comparePose",
           "play.compareFiles",
           "play.compareTextbook",
           "play.single"};

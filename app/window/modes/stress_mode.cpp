@@ -11,8 +11,9 @@
 namespace viscera::app {
 namespace {
 constexpr const char* kActionIds[] = {
-    "stress.next", "stress.maximum",   "stress.peak",   "stress.surface", "stress.pin",
-    "stress.cut",  "stress.threshold", "stress.glyphs", "stress.handles", "stress.others"};
+    "stress.next",      "stress.maximum", "stress.pinProbe",    "stress.peak",      "stress.peakTime",
+    "stress.surface",   "stress.pin",     "stress.logarithmic", "stress.sameRange", "stress.cut",
+    "stress.threshold", "stress.glyphs",  "stress.handles",     "stress.others"};
 } // namespace
 
 StressMode::StressMode(const ModeParts& parts, Actions& actions)
@@ -22,15 +23,16 @@ StressMode::StressMode(const ModeParts& parts, Actions& actions)
                       "open; drag a handle, the map follows")}),
       actions_(actions), model_(parts.workspace, parts.playback, parts.settings, parts.view, parts.picture),
       cut_(parts.workspace, model_, *parts.area.view(), parts.picture, parts.handles),
-      card_(new ProbeCard(model_, &parts.area)),
       exports_(new StressExport(workspace_, parts.playback, model_, parts.settings, &parts.area)) {
   Playback& playback = parts.playback;
-  parts_.area.addCard(card_, Qt::AlignVCenter | Qt::AlignLeft);
   makeActions();
+  card_ = new ProbeCard(model_, actions_["stress.pinProbe"], &parts.area);
+  parts_.area.addCard(card_, Qt::AlignVCenter | Qt::AlignLeft);
   exports_->addTo(actions_);
   connect(&model_, &StressModel::lookChanged, this, &StressMode::syncActions);
   connect(&model_, &StressModel::statusChanged, this, &StressMode::syncActions);
   connect(&model_, &StressModel::activeChanged, this, &StressMode::syncActions);
+  connect(&model_, &StressModel::probeChanged, this, &StressMode::syncActions);
   connect(&playback, &Playback::stateChanged, this, &StressMode::syncActions);
   connect(&playback, &Playback::stateChanged, this, &Mode::shownChanged);
   connect(&playback, &Playback::advanced, this, [this] {
@@ -58,6 +60,18 @@ void StressMode::makeActions() {
                 {tr("Shift+X")},
                 tr("Show the values where the map is largest, and cut the organ open there")},
                [this] { model_.goToMaximum(); });
+  actions_.add("stress.pinProbe",
+               {tr("P&in the probe"),
+                "place",
+                {tr("Shift+P")},
+                tr("Keep the point that was clicked: its place and value follow the pose in the table")},
+               [this] { model_.pinProbe(); });
+  actions_.add("stress.peakTime",
+               {tr("Go to the &time of the peak"),
+                "chart",
+                {},
+                tr("Show the sequence at the instant at which the rotational stress is largest")},
+               [this] { model_.goToPeak(); });
   actions_.addToggle("stress.peak",
                      {tr("&Peak over the sequence"),
                       "chart",
@@ -88,6 +102,18 @@ void StressMode::makeActions() {
           {},
           tr("Keep the range of colours, so that poses can be compared")},
          &StressLook::pinned);
+  toggle("stress.logarithmic",
+         {tr("&Logarithmic range"),
+          nullptr,
+          {},
+          tr("Let the colours go by factors, so that small values can be told apart beside large ones")},
+         &StressLook::logarithmic);
+  toggle("stress.sameRange",
+         {tr("Same range in both &views"),
+          nullptr,
+          {},
+          tr("Beside another view: one range of colours for both stress maps, so that they can be compared")},
+         &StressLook::sameRange);
   toggle("stress.cut", {tr("&Cut open"), nullptr, {Qt::Key_C}, tr("Cut the organ open by a plane")},
          &StressLook::cut);
   actions_.addToggle(
@@ -126,6 +152,8 @@ void StressMode::syncActions() {
   };
   check("stress.surface", look.onSurface);
   check("stress.pin", look.pinned);
+  check("stress.logarithmic", look.logarithmic);
+  check("stress.sameRange", look.sameRange);
   check("stress.cut", look.cut);
   check("stress.threshold", look.threshold);
   check("stress.handles", look.handles);
@@ -133,6 +161,9 @@ void StressMode::syncActions() {
   check("stress.peak", model_.peakShown());
   for (const char* id : kActionIds)
     actions_[id]->setEnabled(model_.active());
+  actions_["stress.peakTime"]->setEnabled(model_.active() && model_.peakInstant() &&
+                                          parts_.playback.sequence());
+  actions_["stress.pinProbe"]->setEnabled(model_.active() && model_.probe() >= 0);
   actions_["stress.peak"]->setEnabled(model_.active() && model_.shown().ready() &&
                                       parts_.playback.sequence());
 }
@@ -147,7 +178,8 @@ void StressMode::enter() {
 }
 
 QWidget* StressMode::makePage(const Actions& actions) {
-  return new StressPage(workspace_, parts_.playback, model_, cut_, actions);
+  page_ = new StressPage(workspace_, parts_.playback, model_, cut_, actions);
+  return page_;
 }
 
 QWidget* StressMode::makeChart() {
@@ -163,6 +195,8 @@ presentation::Shown StressMode::shown() const {
 void StressMode::setTheme(const Theme& theme) {
   if (chart_)
     chart_->setTheme(theme);
+  if (page_)
+    page_->setTheme(theme);
 }
 
 bool StressMode::escape() {

@@ -10,6 +10,7 @@ namespace viscera::app {
 class ProbeCard;
 class StressChart;
 class StressExport;
+class StressPage;
 
 /// Stress mode as the window has it: model, view, page, chart, probe card and actions.
 class StressMode final : public Mode {
@@ -50,7 +51,8 @@ private:
   Actions& actions_;
   StressModel model_;
   CutController cut_;
-  ProbeCard* card_;
+  ProbeCard* card_ = nullptr;
+  StressPage* page_ = nullptr;
   StressChart* chart_ = nullptr;
   StressExport* exports_;
   bool posed_ = false; ///< In a mode that shows the own pose, and no sequence was shown since.

@@ -55,6 +55,8 @@ private:
   live::StressCopy stress_;
   motion::MotionRunner runner_;
   presentation::ViewState view_;
+  std::optional<scene::ValueRange> stressRange_; ///< Of both views, as it was.
+  bool stressLegend_;
   scene::Theme theme_;
   QSize size_;
   bool captionWanted_;

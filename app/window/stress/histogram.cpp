@@ -27,10 +27,9 @@ Histogram::Histogram(QWidget* parent) : QWidget(parent) {
 void Histogram::show(const Values& values, Eigen::Index count, const Contents& contents) {
   contents_ = contents;
   bars_.assign(kBars, 0);
-  const double scale = kBars / (contents.range.high - contents.range.low);
   for (Eigen::Index i = 0; i < count; ++i)
     if (std::isfinite(values[i])) {
-      const double bar = std::clamp((values[i] - contents.range.low) * scale, 0.0, kBars - 1.0);
+      const double bar = std::clamp(kBars * scene::partOf(contents.range, values[i]), 0.0, kBars - 1.0);
       ++bars_[static_cast<std::size_t>(bar)];
     }
   update();
@@ -42,8 +41,7 @@ void Histogram::clear() {
 }
 
 double Histogram::xOf(double value) const {
-  const double part = (value - contents_.range.low) / (contents_.range.high - contents_.range.low);
-  return std::clamp(part, 0.0, 1.0) * (width() - 1);
+  return std::clamp(scene::partOf(contents_.range, value), 0.0, 1.0) * (width() - 1);
 }
 
 void Histogram::paintEvent(QPaintEvent*) {
@@ -55,8 +53,7 @@ void Histogram::paintEvent(QPaintEvent*) {
     return;
   const int most = std::max(1, *std::max_element(bars_.begin(), bars_.end()));
   for (int bar = 0; bar < kBars; ++bar) {
-    const double value =
-        contents_.range.low + (bar + 0.5) / kBars * (contents_.range.high - contents_.range.low);
+    const double value = scene::valueAt(contents_.range, (bar + 0.5) / kBars);
     const auto row = contents_.colors.colors.row((contents_.colors.colors.rows() - 1) * bar / (kBars - 1));
     QColor color(row[0], row[1], row[2]);
     if (value < contents_.shown.low || value > contents_.shown.high)
@@ -73,12 +70,12 @@ void Histogram::paintEvent(QPaintEvent*) {
   painter.drawLine(QPointF(xOf(contents_.percentile95), 2), QPointF(xOf(contents_.percentile95), base));
   painter.setPen(ink);
   const auto ticks = scene::niceTicks(contents_.range, kMostTicks);
-  const double spacing = ticks.size() > 1 ? ticks[1] - ticks[0] : 0;
-  for (const double tick : ticks) {
-    const QString label = QString::fromStdString(scene::tickLabel(tick, spacing))
-                              .replace(QLatin1Char('.'), QLocale().decimalPoint());
+  const auto labels = scene::tickLabels(ticks);
+  for (std::size_t i = 0; i < ticks.size(); ++i) {
+    const QString label =
+        QString::fromStdString(labels[i]).replace(QLatin1Char('.'), QLocale().decimalPoint());
     const double half = 0.5 * fontMetrics().horizontalAdvance(label);
-    const double x = std::clamp(xOf(tick) - half, 0.0, std::max(0.0, width() - 2 * half));
+    const double x = std::clamp(xOf(ticks[i]) - half, 0.0, std::max(0.0, width() - 2 * half));
     painter.drawText(QPointF(x, height() - fontMetrics().descent()), label);
   }
 }

@@ -2,6 +2,7 @@
 
 #include <QGridLayout>
 #include <QLabel>
+#include <QPushButton>
 #include <QToolButton>
 
 #include <cmath>
@@ -11,7 +12,7 @@
 
 namespace viscera::app {
 
-ProbeCard::ProbeCard(StressModel& model, QWidget* parent)
+ProbeCard::ProbeCard(StressModel& model, QAction* pin, QWidget* parent)
     : QFrame(parent), model_(model), place_(new QLabel(this)), position_(new QLabel(this)) {
   setObjectName(QStringLiteral("badge"));
   auto* grid = makeLayout<QGridLayout>(this, -1, {12, 8, 8, 10});
@@ -39,6 +40,7 @@ ProbeCard::ProbeCard(StressModel& model, QWidget* parent)
     grid->addWidget(value, row++, 1);
     values_.push_back(value);
   }
+  grid->addWidget(makeActionButton(pin, this), row, 0, 1, 2);
   connect(&model, &StressModel::probeChanged, this, &ProbeCard::sync);
   connect(&model, &StressModel::activeChanged, this, &ProbeCard::sync);
   connect(&model, &StressModel::updated, this, &ProbeCard::sync);

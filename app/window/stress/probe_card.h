@@ -4,6 +4,7 @@
 
 #include "window/stress/stress_model.h"
 
+class QAction;
 class QLabel;
 
 namespace viscera::app {
@@ -13,7 +14,8 @@ class ProbeCard final : public QFrame {
   Q_OBJECT
 
 public:
-  explicit ProbeCard(StressModel& model, QWidget* parent = nullptr);
+  /// `pin` is the action that keeps the point.
+  ProbeCard(StressModel& model, QAction* pin, QWidget* parent = nullptr);
 
 private:
   void sync();

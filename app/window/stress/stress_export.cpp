@@ -4,6 +4,7 @@
 #include <QFileInfo>
 
 #include "viscera/live/stress_files.h"
+#include "viscera/live/stress_mark_files.h"
 #include "window/actions.h"
 
 namespace viscera::app {
@@ -38,13 +39,24 @@ void StressExport::addTo(Actions& actions) {
   add("stress.exportCurve", tr("Export &curve over the sequence..."),
       tr("Write the rotational stress over one whole cycle of the sequence"), tr("Export curve"),
       tr("curve.csv"), tables, &StressExport::exportCurve);
+  add("stress.exportProbes", tr("Export pro&bes..."),
+      tr("Write place and values of the pinned probes as a table"), tr("Export probes"), tr("probes.csv"),
+      tables, &StressExport::exportProbes);
+  add("stress.exportProfiles", tr("Export prof&iles..."),
+      tr("Write the values along the lines between probes as a table"), tr("Export profiles"),
+      tr("profiles.csv"), tables, &StressExport::exportProfiles);
   const auto ready = [this] {
     return model_.active() && model_.live().status().state == live::StressStatus::State::ready;
   };
   actions.enableWhile({std::begin(kMapActions), std::end(kMapActions)}, ready);
   actions.enableWhile({"stress.exportCurve"},
                       [this, ready] { return ready() && playback_.player().movable(); });
+  actions.enableWhile({"stress.exportProbes"},
+                      [this, ready] { return ready() && !model_.marks().probes.empty(); });
+  actions.enableWhile({"stress.exportProfiles"},
+                      [this, ready] { return ready() && !model_.marks().profiles.empty(); });
   connect(&model_, &StressModel::statusChanged, &actions, &Actions::sync);
+  connect(&model_, &StressModel::updated, &actions, &Actions::sync);
   connect(&model_, &StressModel::activeChanged, &actions, &Actions::sync);
   connect(&playback_, &Playback::stateChanged, &actions, &Actions::sync);
 }
@@ -101,6 +113,22 @@ void StressExport::exportCurve(const QString& file) {
               live::stressPeak(*gradients, count, *sequence, rate, live::kPeakFrames, {}, progress);
           live::writeStressCurve(path, peak.cycle);
         });
+}
+
+void StressExport::exportProbes(const QString& file) {
+  std::vector<live::NamedReading> rows;
+  for (const live::ReadProbe& read : model_.marks().probes)
+    rows.push_back({std::to_string(read.probe.number), read.reading});
+  write(tr("the probes"), file,
+        [rows, path = file.toStdString()](Progress&) { live::writeStressProbes(path, rows); });
+}
+
+void StressExport::exportProfiles(const QString& file) {
+  std::vector<live::NamedProfile> rows;
+  for (const live::ReadProfile& read : model_.marks().profiles)
+    rows.push_back({read.name, read.profile});
+  write(tr("the profiles"), file,
+        [rows, path = file.toStdString()](Progress&) { live::writeStressProfiles(path, rows); });
 }
 
 } // namespace viscera::app

@@ -19,7 +19,8 @@ public:
   StressExport(Workspace& workspace, Playback& playback, StressModel& model, Settings& settings,
                QWidget* window);
 
-  /// Adds "stress.exportMap", "stress.exportPoints", "stress.exportHistogram" and "stress.exportCurve".
+  /// Adds "stress.exportMap", "stress.exportPoints", "stress.exportHistogram", "stress.exportCurve",
+  /// "stress.exportProbes" and "stress.exportProfiles".
   void addTo(Actions& actions);
 
   /// Every value at every point (.vtu).
@@ -30,6 +31,10 @@ public:
   void exportHistogram(const QString& file);
   /// The rotational stress over one cycle of the sequence (.csv).
   void exportCurve(const QString& file);
+  /// The pinned probes of the organ with what they say (.csv).
+  void exportProbes(const QString& file);
+  /// What lies along the lines between them (.csv).
+  void exportProfiles(const QString& file);
 
 private:
   void choose(const QString& title, const QString& name, const QString& filter,

@@ -1,8 +1,10 @@
 #include "window/stress/stress_model.h"
-#include "window/language.h"
 
 #include <algorithm>
 #include <utility>
+
+#include "viscera/document/stress_mark_commands.h"
+#include "window/language.h"
 
 namespace viscera::app {
 namespace {
@@ -46,6 +48,11 @@ StressModel::StressModel(Workspace& workspace, Playback& playback, Settings& set
   subscriptions_.push_back(workspace.onChange([this](const document::Change& change) {
     if (change.organs())
       follow();
+    if (change.stressMarks() || change.organs()) {
+      Q_EMIT marksChanged();
+      if (!throttle_.isActive()) // The picture may not have read them yet.
+        throttle_.start();
+    }
   }));
   const std::string kept = settings.value(kSetting).toString().toStdString();
   view.change([&](presentation::ViewState& state) { state.stress = presentation::stressLookFromJson(kept); });
@@ -144,6 +151,26 @@ void StressModel::findPeak() {
   workspace_.guarded([&] { live_.findPeak(playback_.sharedSequence(), playback_.player().ratePerMinute()); });
 }
 
+const live::StressSample* StressModel::peakInstant() const {
+  if (!live_.peak())
+    return nullptr;
+  const std::vector<live::StressSample>& cycle = live_.peak()->cycle;
+  const auto worst = std::max_element(cycle.begin(), cycle.end(), [](const auto& a, const auto& b) {
+    return a.statistics.max < b.statistics.max;
+  });
+  return worst == cycle.end() ? nullptr : &*worst;
+}
+
+void StressModel::goToPeak() {
+  const live::StressSample* instant = peakInstant();
+  if (!instant || !playback_.sequence())
+    return;
+  const auto& cycle = live_.peak()->cycle;
+  const double fraction = static_cast<double>(instant - cycle.data()) / static_cast<double>(cycle.size());
+  setPeakShown(false);
+  playback_.seek(fraction);
+}
+
 void StressModel::goToMaximum() {
   const deformation::StressMap& map = shownMap();
   const auto mesh = live_.mesh();
@@ -169,6 +196,17 @@ void StressModel::goToMaximum() {
     if (look.cut && drawn.stressRadius() > 0)
       look.offset = std::clamp(from.dot(look.normal) / drawn.stressRadius(), -1.0, 1.0);
   });
+}
+
+void StressModel::pinProbe() {
+  const auto mesh = live_.mesh();
+  if (!active() || !mesh || probe() < 0 || probe() >= mesh->points.rows())
+    return;
+  const Vec3 rest = mesh->points.row(probe()).transpose();
+  for (const document::StressProbe& pinned : workspace_.document().stressMarks().probes)
+    if (pinned.organ == live_.organ() && pinned.rest == rest)
+      return workspace_.note(tr("This point is probe %1 already.").arg(pinned.number));
+  workspace_.perform(document::addStressProbe(live_.organ(), rest));
 }
 
 void StressModel::sample() {

@@ -55,6 +55,10 @@ public:
   bool peakShown() const { return look().peak && live_.peak(); }
   /// Looks for the peak over one cycle of the sequence that is there, and shows it.
   void findPeak();
+  /// When the largest rotational stress of the cycle is reached; none without a peak.
+  const live::StressSample* peakInstant() const;
+  /// Shows the sequence at that instant instead of the peak over it.
+  void goToPeak();
   /// The map that is shown.
   const deformation::StressMap& shownMap() const { return peakShown() ? live_.peak()->map : live_.map(); }
 
@@ -66,6 +70,11 @@ public:
   void setProbe(int point) {
     view_.change([point](presentation::ViewState& state) { state.stress.probe = point; });
   }
+
+  /// Pins the point that is being looked at to the tissue, as a step to undo; nothing happens without one.
+  void pinProbe();
+  /// What the pinned probes and lines of the current organ say in the map that is shown.
+  const live::ReadMarks& marks() const { return picture_.presenter().readMarks(); }
 
   /// What the map of the sequence that is shown does not tell; empty: it tells all.
   const QString& caution() const { return caution_; }
@@ -88,6 +97,8 @@ Q_SIGNALS:
   /// Points, numbers or legend are new: every frame.
   void shownChanged();
   void probeChanged();
+  /// Probes and lines, or the organs that they are in, are others.
+  void marksChanged();
   /// The same, at most ten times a second: for numbers to be read.
   void updated();
 

@@ -17,6 +17,7 @@
 #include "window/language.h"
 #include "window/phrase_translator.h"
 #include "window/stress/histogram.h"
+#include "window/stress/marks_box.h"
 #include "window/widgets/ready_made.h"
 #include "window/widgets/value_slider.h"
 
@@ -59,6 +60,7 @@ StressPage::StressPage(Workspace& workspace, Playback& playback, StressModel& mo
     : Page(parent), workspace_(workspace), playback_(playback), model_(model), cut_(cut) {
   makeMap(actions);
   makeNumbers(actions);
+  makeMarks(actions);
   makeInside(actions);
   makeWitnesses();
   makeExport(actions);
@@ -106,6 +108,9 @@ void StressPage::makeMap(const Actions& actions) {
   addCheck(actions["stress.peak"]);
   addCheck(actions["stress.surface"]);
   addCheck(actions["stress.pin"]);
+  addCheck(actions["stress.logarithmic"]);
+  addCheck(actions["stress.sameRange"]);
+  addButton(actions["play.comparePose"]);
 }
 
 QWidget* StressPage::makePose() {
@@ -147,12 +152,25 @@ void StressPage::makeNumbers(const Actions& actions) {
   percentile_ = addFact(tr("95th percentile"));
   max_ = addFact(tr("Largest"));
   folded_ = addFact(tr("Folded"));
+  peakTime_ = addFact(tr("Time of the peak"));
+  peakTime_->setObjectName(QStringLiteral("stressPeakTime"));
   mean_->setObjectName(QStringLiteral("stressMean"));
   max_->setObjectName(QStringLiteral("stressMax"));
   folded_->setToolTip(tr("Witness points at which the tissue is turned inside out; in magenta on every map"));
   histogram_ = new Histogram(this);
   add(histogram_);
   addButton(actions["stress.maximum"]);
+  toPeak_ = addButton(actions["stress.peakTime"]);
+}
+
+void StressPage::makeMarks(const Actions& actions) {
+  addSection(tr("Probes"));
+  marks_ = new MarksBox(workspace_, model_, actions, this);
+  add(marks_);
+}
+
+void StressPage::setTheme(const Theme& theme) {
+  marks_->setTheme(theme);
 }
 
 void StressPage::makeExport(const Actions& actions) {
@@ -380,6 +398,11 @@ void StressPage::syncNumbers() {
   mean_->setText(any ? model_.format(summary.mean) : none);
   percentile_->setText(any ? model_.format(summary.percentile95) : none);
   max_->setText(any ? model_.format(summary.max) : none);
+  const live::StressSample* peak = model_.peakShown() ? model_.peakInstant() : nullptr;
+  setFactShown(peakTime_, peak);
+  toPeak_->setVisible(peak);
+  if (peak)
+    peakTime_->setText(tr("%1 s").arg(formatNumber(peak->seconds, 2)));
   folded_->setText(any ? locale().toString(model_.shown().folded()) : none);
   if (!any)
     return histogram_->clear();

@@ -2,6 +2,7 @@
 
 #include "window/actions.h"
 #include "window/stress/cut_controller.h"
+#include "window/style/theme.h"
 #include "window/widgets/page.h"
 
 class QComboBox;
@@ -13,16 +14,19 @@ class QSpinBox;
 namespace viscera::app {
 
 class Histogram;
+class MarksBox;
 class ValueSlider;
 
-/// Stress: which map, its numbers and how they are spread, the witness points and where they come from, and
-/// how to look inside.
+/// Stress: which map, its numbers and how they are spread, what was pinned, the witness points and where they
+/// come from, and how to look inside.
 class StressPage final : public Page {
   Q_OBJECT
 
 public:
   StressPage(Workspace& workspace, Playback& playback, StressModel& model, CutController& cut,
              const Actions& actions, QWidget* parent = nullptr);
+
+  void setTheme(const Theme& theme);
 
 protected:
   void showEvent(QShowEvent* event) override;
@@ -33,6 +37,7 @@ private:
   void makeWitnesses();
   void makeInside(const Actions& actions);
   void makeExport(const Actions& actions);
+  void makeMarks(const Actions& actions);
   /// A list of choices for a part of the look; `change` is given the place of the one that was taken.
   QComboBox* addChoice(const char* id, const QString& name, const QStringList& items,
                        std::function<void(StressLook&, int)> change);
@@ -59,7 +64,10 @@ private:
   QLabel* percentile_ = nullptr;
   QLabel* max_ = nullptr;
   QLabel* folded_ = nullptr;
+  QLabel* peakTime_ = nullptr; ///< Of the cycle; only while the peak is shown.
+  QPushButton* toPeak_ = nullptr;
   Histogram* histogram_ = nullptr;
+  MarksBox* marks_ = nullptr;
   QSlider* countSlider_ = nullptr;
   QSpinBox* countField_ = nullptr;
   QLabel* origin_ = nullptr;

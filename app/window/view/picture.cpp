@@ -35,6 +35,7 @@ void hide(document::DocumentState& state, presentation::ViewState& view) {
   }
   state.organs = std::move(organs);
   state.measurements = std::make_shared<const document::MeasurementList>();
+  state.stressMarks = std::make_shared<const document::StressMarks>();
   view.shown = {.rest = view.shown.rest};
   view.handles = false;
 }
@@ -76,8 +77,10 @@ presentation::ViewState Picture::state() const {
   presentation::ViewState state = model_.state();
   const document::Selection& selection = workspace_.selection();
   state.selection = {selection.organ(), selection.group(), selection.handles()};
-  if (role_ == Role::showing)
-    state.shown.movable = state.shown.tools = state.shown.stress = state.shown.regions = false;
+  if (role_ == Role::showing) {
+    state.shown.movable = state.shown.tools = state.shown.regions = false;
+    state.stress.probe = -1; // A point of the other view's mesh.
+  }
   return state;
 }
 
@@ -107,6 +110,14 @@ void Picture::setValves(Valves valves) {
   refresh();
 }
 
+void Picture::setStressRange(std::optional<scene::ValueRange> range, bool legend) {
+  if (stressRange_ == range && stressLegend_ == legend)
+    return;
+  stressRange_ = range;
+  stressLegend_ = legend;
+  refresh();
+}
+
 void Picture::setMap(std::optional<presentation::SurfaceMap> map) {
   map_ = std::move(map);
   refresh();
@@ -126,7 +137,8 @@ void Picture::refresh() {
     guests.insert(guests.end(), measured_.begin(), measured_.end());
     presenter_.update({shown, workspace_.live(), view, workspace_.registry(), &stress,
                        map_ ? &*map_ : nullptr, &measuring_, &guests, namedParts_ ? &*namedParts_ : nullptr,
-                       bending ? &*bending : nullptr, valves_ && !guestsAlone_ ? valves_() : std::nullopt});
+                       bending ? &*bending : nullptr, valves_ && !guestsAlone_ ? valves_() : std::nullopt,
+                       stressRange_, stressLegend_});
   });
   drawn_ = model_.state();
   widget_.scheduleRender();

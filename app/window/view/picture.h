@@ -44,6 +44,11 @@ public:
   void setMeasured(std::vector<presentation::Guest> surfaces);
   /// Numbers on the organs, in place of the map that the view's state asks for; nothing: as it says.
   void setMap(std::optional<presentation::SurfaceMap> map);
+  /// The range of the stress map's colours that another picture has, too, and whether this one has the
+  /// legend; nothing: a range of its own.
+  void setStressRange(std::optional<scene::ValueRange> range, bool legend = true);
+  std::optional<scene::ValueRange> stressRange() const { return stressRange_; }
+  bool stressLegend() const { return stressLegend_; }
   /// Where the valves of the heart are found that is shown beating, whenever the picture is drawn.
   using Valves = std::function<std::optional<sequences::ValveInstants>()>;
   void setValves(Valves valves);
@@ -73,6 +78,8 @@ private:
   std::optional<std::vector<presentation::Part>> namedParts_;
   std::optional<presentation::SurfaceMap> map_;
   Valves valves_;
+  std::optional<scene::ValueRange> stressRange_;
+  bool stressLegend_ = true;
   std::optional<presentation::ViewState> drawn_; ///< The view's state in what was drawn last.
   std::vector<Subscription> subscriptions_;
 };

@@ -35,25 +35,34 @@ public:
     listNeighbours();
   }
 
-  void locate(const Vec3& target, Eigen::Ref<Eigen::RowVector4i> corners,
-              Eigen::Ref<Eigen::RowVector4d> weights) const {
+  /// The distance of the target to the place that it was given.
+  double locate(const Vec3& target, Eigen::Ref<Eigen::RowVector4i> corners,
+                Eigen::Ref<Eigen::RowVector4d> weights) const {
     const std::int32_t nearest = nearestPoint(target);
     corners = Eigen::RowVector4i::Constant(nearest);
     weights = Eigen::RowVector4d::Unit(0);
-    if (mesh_.points.row(nearest).transpose() == target)
-      return;
+    const double toNearest = (mesh_.points.row(nearest).transpose() - target).norm();
+    if (toNearest == 0)
+      return 0;
     Best best;
     tetrahedra_.visit(tetrahedra_.cellOf(target), [&](std::int32_t t) { consider(t, target, best); });
-    if (best.least < kInside) { // Outside: the tetrahedra at the nearest point reach furthest towards it.
+    const bool inside = best.least >= kInside;
+    if (!inside) { // Outside: the tetrahedra at the nearest point reach furthest towards it.
       best = {};
       for (auto i = around_[std::size_t(nearest)]; i < around_[std::size_t(nearest) + 1]; ++i)
         consider(neighbours_[static_cast<std::size_t>(i)], target, best);
     }
     if (best.tetrahedron < 0)
-      return;
+      return toNearest;
     corners = mesh_.tetrahedra.row(best.tetrahedron);
     weights = best.weights.cwiseMax(0.0);
     weights /= weights.sum();
+    if (inside)
+      return 0;
+    Vec3 given = Vec3::Zero();
+    for (int k = 0; k < 4; ++k)
+      given += weights[k] * mesh_.points.row(corners[k]).transpose();
+    return (given - target).norm();
   }
 
 private:
@@ -132,12 +141,12 @@ private:
 } // namespace
 
 WitnessInterpolation::WitnessInterpolation(const WitnessMesh& mesh, const Points& targets, Threads threads)
-    : corners_(targets.rows(), 4), weights_(targets.rows(), 4) {
+    : corners_(targets.rows(), 4), weights_(targets.rows(), 4), distances_(targets.rows()) {
   assert(mesh.points.rows() > 0);
   const Locator locator(mesh);
   parallelRanges(targets.rows(), 256, threads, [&](Eigen::Index begin, Eigen::Index end) {
     for (Eigen::Index i = begin; i < end; ++i)
-      locator.locate(targets.row(i).transpose(), corners_.row(i), weights_.row(i));
+      distances_[i] = locator.locate(targets.row(i).transpose(), corners_.row(i), weights_.row(i));
   });
 }
 

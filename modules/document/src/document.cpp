@@ -42,6 +42,7 @@ DocumentState::DocumentState()
       pose(std::make_shared<const Points>(0, 3)), system(std::make_shared<const SystemChoice>()),
       keySequence(std::make_shared<const KeySequence>()),
       measurements(std::make_shared<const MeasurementList>()),
+      stressMarks(std::make_shared<const StressMarks>()),
       circulation(std::make_shared<const CirculationChoice>()) {}
 
 std::shared_ptr<const Organ> DocumentState::organ(OrganId id) const {
@@ -57,7 +58,7 @@ bool identical(const DocumentState& a, const DocumentState& b) {
          sameBits(a.rig->restPositions(), b.rig->restPositions()) && sameBits(*a.pose, *b.pose) &&
          a.system->id == b.system->id && a.system->parameters.all() == b.system->parameters.all() &&
          *a.keySequence == *b.keySequence && *a.measurements == *b.measurements &&
-         *a.circulation == *b.circulation && identical(a.scan, b.scan);
+         *a.stressMarks == *b.stressMarks && *a.circulation == *b.circulation && identical(a.scan, b.scan);
 }
 
 bool atRest(const DocumentState& state) {

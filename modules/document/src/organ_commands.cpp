@@ -68,6 +68,20 @@ DocumentState withoutMeasurementsOf(DocumentState state, const std::set<OrganId>
   return state;
 }
 
+/// A stress probe goes with the organ whose tissue it is pinned to, and a line with its probes.
+DocumentState withoutStressMarksOf(DocumentState state, const std::set<OrganId>& gone) {
+  StressMarks marks = *state.stressMarks;
+  const auto removed =
+      std::erase_if(marks.probes, [&gone](const StressProbe& probe) { return gone.count(probe.organ) > 0; });
+  if (removed == 0)
+    return state;
+  std::erase_if(marks.lines, [&marks](const StressLine& line) {
+    return !marks.probe(line.from) || !marks.probe(line.to);
+  });
+  state.stressMarks = std::make_shared<const StressMarks>(std::move(marks));
+  return state;
+}
+
 /// Puts the measured points of an organ onto the surface that it has now.
 DocumentState withPointsOnSurfaceOf(DocumentState state, OrganId id) {
   const Organ& organ = *state.organ(id);
@@ -94,7 +108,7 @@ DocumentState removed(DocumentState state, const std::vector<OrganId>& ids) {
       organs.push_back(organ);
   }
   state.organs = std::make_shared<const OrganList>(std::move(organs));
-  return withoutMeasurementsOf(std::move(state), gone);
+  return withoutStressMarksOf(withoutMeasurementsOf(std::move(state), gone), gone);
 }
 
 /// The organ with the surface that its holes leave when they are filled.

@@ -82,6 +82,10 @@ public:
     }
     for (const Measurement& measurement : *state.measurements)
       taken_.insert(measurement.id.value);
+    for (const StressProbe& probe : state.stressMarks->probes)
+      taken_.insert(probe.id.value);
+    for (const StressLine& line : state.stressMarks->lines)
+      taken_.insert(line.id.value);
   }
 
   ordered_json write(const fs::path& folder, Progress& progress) {
@@ -169,7 +173,8 @@ public:
     const ordered_json root = reader_.parse(text);
     reader_.takeObject(root,
                        {"format", "version", "coordinateSystem", "units", "surfaces", "recovers", "organs",
-                        "rig", "system", "recording", "measurements", "circulation", "scan", "view"},
+                        "rig", "system", "recording", "measurements", "stressMarks", "circulation", "scan",
+                        "view"},
                        "");
     SessionContents& contents = opened_.contents;
     const std::string surfaces = reader_.textOf(root, "surfaces", "");
@@ -183,6 +188,7 @@ public:
     reader_.readSystem(reader_.field(root, "system", ""), contents.state);
     reader_.readKeySequence(reader_.field(root, "recording", ""), contents.state);
     reader_.readMeasurements(root, contents.state);
+    reader_.readStressMarks(root, contents.state);
     reader_.readCirculation(root, contents.state);
     const DocumentState cheap = contents.state;
     reader_.requireValid(cheap, {});
@@ -213,6 +219,7 @@ private:
       earlier.insert(records[i].id);
     }
     requireMeasuredOrgans(earlier);
+    requireProbedOrgans(earlier);
     OrganList organs;
     for (std::size_t i = 0; i < list.size(); ++i) {
       progress_.throwIfCancelled();
@@ -242,6 +249,14 @@ private:
       if (point.organ && !organs.count(point.organ))
         reader_.fail(phrase("there is no organ %1", point.organ.value), place + ".organ");
     });
+  }
+
+  void requireProbedOrgans(const std::set<OrganId>& organs) {
+    const std::vector<StressProbe>& probes = opened_.contents.state.stressMarks->probes;
+    for (std::size_t i = 0; i < probes.size(); ++i)
+      if (!organs.count(probes[i].organ))
+        reader_.fail(phrase("there is no organ %1", probes[i].organ.value),
+                     SessionReader::at("stressMarks.probes", i) + ".organ");
   }
 
   /// Points of a surface that is another one now go to the nearest places of it; those of a missing organ are
@@ -457,6 +472,9 @@ void writeSession(const fs::path& file, const SessionContents& contents, Progres
   if (!state.measurements->empty())
     root["measurements"] =
         measurementsJson(*state.measurements, [&](OrganId id) { return isKnown(contents, id); });
+  if (!state.stressMarks->empty())
+    root["stressMarks"] =
+        stressMarksJson(*state.stressMarks, [&](OrganId id) { return isKnown(contents, id); });
   if (!(*state.circulation == CirculationChoice()))
     root["circulation"] = circulationJson(*state.circulation);
   if (state.scan)

@@ -137,6 +137,24 @@ ordered_json measurementsJson(const MeasurementList& measurements,
   return list;
 }
 
+ordered_json stressMarksJson(const StressMarks& marks, const std::function<bool(OrganId)>& isKnown) {
+  ordered_json probes = ordered_json::array(), lines = ordered_json::array();
+  const auto kept = [&](StressProbeId id) {
+    const StressProbe* probe = marks.probe(id);
+    return probe && isKnown(probe->organ);
+  };
+  for (const StressProbe& probe : marks.probes)
+    if (kept(probe.id))
+      probes.push_back({{"id", probe.id.value},
+                        {"number", probe.number},
+                        {"organ", probe.organ.value},
+                        {"rest", listOf(probe.rest)}});
+  for (const StressLine& line : marks.lines)
+    if (kept(line.from) && kept(line.to))
+      lines.push_back({{"id", line.id.value}, {"from", line.from.value}, {"to", line.to.value}});
+  return {{"probes", std::move(probes)}, {"lines", std::move(lines)}};
+}
+
 namespace {
 
 /// Always written: without it a session is of a time when atria were smaller.
@@ -390,6 +408,39 @@ void SessionReader::readMeasurements(const ordered_json& root, DocumentState& st
     measurements.push_back(std::move(measurement));
   }
   state.measurements = std::make_shared<const MeasurementList>(std::move(measurements));
+}
+
+void SessionReader::readStressMarks(const ordered_json& root, DocumentState& state) {
+  if (!root.contains("stressMarks"))
+    return;
+  const ordered_json& item = root.at("stressMarks");
+  takeObject(item, {"probes", "lines"}, "stressMarks");
+  StressMarks marks;
+  const ordered_json& probes = listOf(item, "probes", "stressMarks");
+  for (std::size_t i = 0; i < probes.size(); ++i) {
+    const std::string place = at("stressMarks.probes", i);
+    takeObject(probes[i], {"id", "number", "organ", "rest"}, place);
+    StressProbe probe;
+    probe.id = newId<StressProbeId>(probes[i], place);
+    const std::int64_t number = wholeOf(field(probes[i], "number", place), place + ".number");
+    if (number < 1 || number > std::numeric_limits<int>::max())
+      fail("its number is not a whole number from 1", place + ".number");
+    probe.number = static_cast<int>(number);
+    probe.organ = OrganId{wholeOf(field(probes[i], "organ", place), place + ".organ")};
+    probe.rest = vectorOf(field(probes[i], "rest", place), place + ".rest");
+    marks.probes.push_back(probe);
+  }
+  const ordered_json& lines = listOf(item, "lines", "stressMarks");
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    const std::string place = at("stressMarks.lines", i);
+    takeObject(lines[i], {"id", "from", "to"}, place);
+    StressLine line;
+    line.id = newId<StressLineId>(lines[i], place);
+    line.from = StressProbeId{wholeOf(field(lines[i], "from", place), place + ".from")};
+    line.to = StressProbeId{wholeOf(field(lines[i], "to", place), place + ".to")};
+    marks.lines.push_back(line);
+  }
+  state.stressMarks = std::make_shared<const StressMarks>(std::move(marks));
 }
 
 circulation::Parameters SessionReader::readParameters(const ordered_json& item,

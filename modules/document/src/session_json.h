@@ -21,6 +21,8 @@ nlohmann::ordered_json keySequenceJson(const KeySequence& keySequence);
 /// Points on an organ that `isKnown` does not know are written as places that stay.
 nlohmann::ordered_json measurementsJson(const MeasurementList& measurements,
                                         const std::function<bool(OrganId)>& isKnown);
+/// Probes in organs that `isKnown` does not know are left out, and the lines that end at them.
+nlohmann::ordered_json stressMarksJson(const StressMarks& marks, const std::function<bool(OrganId)>& isKnown);
 /// Parameters that are as at rest are left out.
 nlohmann::ordered_json circulationJson(const CirculationChoice& choice);
 
@@ -36,6 +38,9 @@ public:
   void readKeySequence(const nlohmann::ordered_json& item, DocumentState& state);
   /// Whether the organs and triangles that points name are there is not looked at.
   void readMeasurements(const nlohmann::ordered_json& root, DocumentState& state);
+
+  /// Whether the organs are there is not looked at.
+  void readStressMarks(const nlohmann::ordered_json& root, DocumentState& state);
 
   void readCirculation(const nlohmann::ordered_json& root, DocumentState& state);
 

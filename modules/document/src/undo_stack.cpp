@@ -24,6 +24,7 @@ void shareEqualParts(const DocumentState& before, DocumentState& after) {
   share(&DocumentState::system);
   share(&DocumentState::keySequence);
   share(&DocumentState::measurements);
+  share(&DocumentState::stressMarks);
   share(&DocumentState::circulation);
 }
 
@@ -59,6 +60,9 @@ std::size_t newBytes(const DocumentState& before, const DocumentState& after) {
   if (after.measurements != before.measurements)
     for (const Measurement& measurement : *after.measurements)
       bytes += sizeof(measurement) + measurement.points.size() * sizeof(MeasuredPoint);
+  if (after.stressMarks != before.stressMarks)
+    bytes += sizeof(StressMarks) + after.stressMarks->probes.size() * sizeof(StressProbe) +
+             after.stressMarks->lines.size() * sizeof(StressLine);
   if (after.circulation != before.circulation)
     bytes += sizeof(CirculationChoice);
   return bytes;
@@ -257,6 +261,12 @@ void UndoStack::reset(DocumentState state) {
     for (const MeasuredPoint& point : measurement.points) // An organ whose file is missing is still meant.
       document_.ids_.reserve(point.organ);
   }
+  for (const StressProbe& probe : state.stressMarks->probes) {
+    document_.ids_.reserve(probe.id);
+    document_.ids_.reserve(probe.organ); // Also of one whose file is missing.
+  }
+  for (const StressLine& line : state.stressMarks->lines)
+    document_.ids_.reserve(line.id);
   seal();
   saved_ = state;
   change(std::move(state));

@@ -66,6 +66,10 @@ void validateIds(const DocumentState& state) {
   }
   for (const Measurement& measurement : *state.measurements)
     take(measurement.id.value, phrase("measurement %1", measurement.name));
+  for (const StressProbe& probe : state.stressMarks->probes)
+    take(probe.id.value, phrase("stress probe %1", probe.number));
+  for (const StressLine& line : state.stressMarks->lines)
+    take(line.id.value, phrase("stress line %1", state.stressMarks->nameOf(line)));
 }
 
 void validateOrgan(const Organ& organ, const DocumentState& known) {
@@ -202,6 +206,22 @@ void validateMeasurements(const DocumentState& state) {
   }
 }
 
+void validateStressMarks(const StressMarks& marks) {
+  std::set<int> numbers;
+  for (const StressProbe& probe : marks.probes) {
+    const std::string where = phrase("stress probe %1", probe.number);
+    require(probe.number > 0, "its number is not a whole number from 1", where);
+    require(numbers.insert(probe.number).second, "two stress probes have this number", where);
+    requireId(probe.organ.value, where);
+    requirePlace(probe.rest, "its place at rest", where);
+  }
+  for (const StressLine& line : marks.lines) {
+    const StressProbe *from = marks.probe(line.from), *to = marks.probe(line.to);
+    require(from && to && from != to && from->organ == to->organ,
+            "it does not join two stress probes of one organ", phrase("stress line %1", marks.nameOf(line)));
+  }
+}
+
 void validateCirculation(const CirculationChoice& choice) {
   try {
     circulation::scenario(choice.scenario);
@@ -235,9 +255,12 @@ void validate(const DocumentState& state, const DocumentState& known) {
     validateKeySequence(*state.keySequence);
   if (measurements || organs)
     validateMeasurements(state);
+  const bool stressMarks = state.stressMarks != known.stressMarks;
+  if (stressMarks)
+    validateStressMarks(*state.stressMarks);
   if (state.circulation != known.circulation)
     validateCirculation(*state.circulation);
-  if (organs || rig || keySequence || measurements)
+  if (organs || rig || keySequence || measurements || stressMarks)
     validateIds(state);
 }
 

@@ -152,7 +152,7 @@ void Presenter::Parts::updateColors(const Scene& scene) {
 
 std::optional<LegendText> Presenter::Parts::stressLegend(const Scene& scene) const {
   const StressValues& values = stress.values();
-  if (!scene.view.shown.stress || !stress.drawn())
+  if (!scene.view.shown.stress || !stress.drawn() || !scene.stressLegend)
     return std::nullopt;
   const live::StressQuantityDescription& quantity = live::describe(values.quantity());
   std::string title = translate(quantity.name.c_str());
@@ -304,6 +304,12 @@ const scene::StretchGlyphs& Presenter::glyphs() const {
 }
 const scene::ProbeMarker& Presenter::probe() const {
   return parts_->stress.probe();
+}
+const scene::MeasurementGlyphs& Presenter::stressMarks() const {
+  return parts_->stress.marks();
+}
+const live::ReadMarks& Presenter::readMarks() const {
+  return parts_->stress.readMarks();
 }
 vtkVisceraCutPlaneRepresentation* Presenter::cutPlane() const {
   return parts_->stress.plane();

@@ -27,7 +27,7 @@ bool inRange(double value, const StressLook& look) {
 
 } // namespace
 
-StressPicture::StressPicture(scene::OrganView& view) : view_(view) {
+StressPicture::StressPicture(scene::OrganView& view) : view_(view), markGlyphs_(view) {
   glyphs_.setRenderer(view.renderer());
   probe_.setRenderer(view.renderer());
   plane_->SetRenderer(view.renderer());
@@ -86,6 +86,8 @@ void StressPicture::hideAll() {
     tissue_->setVisible(false);
   glyphs_.setVisible(false);
   probe_.hide();
+  readMarks_ = {};
+  markGlyphs_.setItems({});
   view_.renderer()->RemoveViewProp(plane_);
 }
 
@@ -101,18 +103,21 @@ void StressPicture::update(const Scene& scene) {
   const StressLook& look = scene.view.stress;
   plane_->SetTheme(view_.theme());
   probe_.setTheme(view_.theme());
-  if (Made now{frame.revision, frame.mesh, frame.peak, look}; made_ == now)
+  markGlyphs_.setTheme(view_.theme());
+  if (Made now{frame.revision, frame.mesh, frame.peak, look, scene.state.stressMarks, scene.stressRange};
+      made_ == now)
     return;
   else
     made_ = std::move(now);
   if (frame.mesh != mesh_)
     takeMesh(frame);
-  values_.update(frame, look);
+  values_.update(frame, look, scene.stressRange);
   ++revision_;
   updateCut(look);
   updateTissue(scene);
   updateGlyphs(frame, look);
   updateProbe(frame, look);
+  updateMarks(scene);
 }
 
 void StressPicture::updateCut(const StressLook& look) {
@@ -230,6 +235,31 @@ void StressPicture::updateProbe(const live::StressFrame& frame, const StressLook
     probe_.show(frame.points->row(look.probe).transpose());
   else
     probe_.hide();
+}
+
+/// Pinned probes with their numbers, and their lines as the pose has bent them, as far as they are tissue.
+void StressPicture::updateMarks(const Scene& scene) {
+  const live::StressFrame& frame = *scene.stress;
+  const bool any = frame.points && drawn();
+  readMarks_ = any ? marksReader_.read(scene.state, frame.organ, frame.mesh, *frame.points,
+                                       values_.peak() ? frame.peak->map : *frame.map)
+                   : live::ReadMarks();
+  std::vector<scene::MeasurementGlyphs::Item> items;
+  for (const live::ReadProfile& read : readMarks_.profiles) {
+    bool joined = false;
+    for (const live::StressReading& reading : read.profile.readings) {
+      if (reading.inTissue && !joined)
+        items.push_back({{}, {}, false, true});
+      if (reading.inTissue)
+        items.back().points.push_back(reading.now);
+      joined = reading.inTissue;
+    }
+  }
+  for (const live::ReadProbe& read : readMarks_.probes)
+    items.push_back(
+        {{read.reading.inTissue ? read.reading.now : read.probe.rest}, std::to_string(read.probe.number)});
+  if (!items.empty() || !markGlyphs_.items().empty())
+    markGlyphs_.setItems(std::move(items));
 }
 
 } // namespace viscera::presentation

@@ -9,13 +9,15 @@
 
 #include "handle_picture.h"
 #include "organ_picture.h"
+#include "viscera/live/stress_marks_reader.h"
 #include "viscera/presentation/stress_values.h"
+#include "viscera/scene/measurement_glyphs.h"
 #include "viscera/scene/vtkVisceraCutPlaneRepresentation.h"
 
 namespace viscera::presentation {
 
 /// The stress map of one organ: its surface and its inside in the map's colours, the plane that cuts it open,
-/// glyphs and the probe. Says how the organs and handles around it are seen meanwhile.
+/// glyphs, the probe and what was pinned. Says how the organs and handles around it are seen meanwhile.
 class StressPicture {
 public:
   explicit StressPicture(scene::OrganView& view);
@@ -36,6 +38,8 @@ public:
   scene::TissueActor* tissue() const { return tissue_.get(); }
   const scene::StretchGlyphs& glyphs() const { return glyphs_; }
   const scene::ProbeMarker& probe() const { return probe_; }
+  const scene::MeasurementGlyphs& marks() const { return markGlyphs_; }
+  const live::ReadMarks& readMarks() const { return readMarks_; }
   vtkVisceraCutPlaneRepresentation* plane() const { return plane_; }
   Vec3 middle() const { return middle_; }
   double radius() const { return radius_; }
@@ -47,6 +51,8 @@ private:
     std::shared_ptr<const deformation::WitnessMesh> mesh;
     std::shared_ptr<const live::StressPeak> peak;
     StressLook look;
+    std::shared_ptr<const document::StressMarks> marks;
+    std::optional<scene::ValueRange> shared;
     bool operator==(const Made&) const = default;
   };
 
@@ -57,6 +63,7 @@ private:
   void updateTissue(const Scene& scene);
   void updateGlyphs(const live::StressFrame& frame, const StressLook& look);
   void updateProbe(const live::StressFrame& frame, const StressLook& look);
+  void updateMarks(const Scene& scene);
   void hideAll();
   bool kept(const Vec3& point, const StressLook& look) const;
 
@@ -66,6 +73,9 @@ private:
   std::unique_ptr<scene::TissueActor> tissue_;
   scene::StretchGlyphs glyphs_;
   scene::ProbeMarker probe_;
+  live::StressMarksReader marksReader_;
+  live::ReadMarks readMarks_;
+  scene::MeasurementGlyphs markGlyphs_;
   vtkNew<vtkVisceraCutPlaneRepresentation> plane_;
   std::shared_ptr<Values> surfaceValues_ = std::make_shared<Values>();
   std::vector<int> glyphPoints_;

@@ -19,11 +19,40 @@ constexpr double kWider = 1.5;
 constexpr double kSame = 1e-9; ///< Of ends that are the same but for rounding.
 constexpr double kDegrees[] = {1, 2, 5, 10, 15, 20, 30, 45, 60, 90};
 constexpr double kAroundOne[] = {0.02, 0.05, 0.1, 0.2, 0.3, 0.5, 1};
+constexpr double kFactors[] = {1.02, 1.05, 1.1, 1.2, 1.5, 2, 3, 5, 10};
+constexpr double kLowDegrees[] = {0.001, 0.002, 0.005, 0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1, 2, 5, 10};
+/// The lower end stays while what would do is at most so many times as large.
+constexpr double kLowStays = 6;
 
 template <std::size_t count>
 double stepAbove(const double (&steps)[count], double value) {
   const auto* step = std::lower_bound(std::begin(steps), std::end(steps), value);
   return step == std::end(steps) ? steps[count - 1] : *step;
+}
+
+double lowDegrees(double bulk, double high) {
+  const double most = std::clamp(bulk, kLowestPart * high, kHighestPart * high) * (1 + kSame);
+  const auto* above = std::upper_bound(std::begin(kLowDegrees), std::end(kLowDegrees), most);
+  return above == std::begin(kLowDegrees) ? *above : *(above - 1);
+}
+
+scene::ValueRange logarithmicRange(bool ratio, scene::ValueRange bulk, scene::ValueRange before) {
+  if (ratio) {
+    const double reach = std::max(bulk.high, bulk.low > 0 ? 1 / bulk.low : 0.0);
+    const double most = std::pow(std::max(reach, 1.0), kWider);
+    const bool stepped = before.high > 1 && std::abs(before.low * before.high - 1) < kSame;
+    if (stepped && most <= before.high && std::log(most) >= kLeastFilled * std::log(before.high))
+      return before;
+    const double factor = stepAbove(kFactors, most);
+    return {1 / factor, factor, true};
+  }
+  const double most = kWider * bulk.high;
+  const bool same = before.high > 0 && most <= before.high && most >= kLeastFilled * before.high;
+  const double high = same ? before.high : stepAbove(kDegrees, most);
+  const double low = lowDegrees(bulk.low, high);
+  if (same && before.low > 0 && low >= before.low && low <= kLowStays * before.low)
+    return before;
+  return {low, high, true};
 }
 
 } // namespace
@@ -39,6 +68,8 @@ scene::ValueRange steppedRange(live::StressQuantity quantity, scene::ValueRange 
   if (quantity == live::StressQuantity::folded)
     return {0, 1};
   const bool ratio = live::describe(quantity).ratio;
+  if (before.logarithmic)
+    return logarithmicRange(ratio, bulk, before);
   const double most =
       kWider * (ratio ? std::max(std::abs(bulk.low - 1), std::abs(bulk.high - 1)) : bulk.high);
   const double reach = ratio ? before.high - 1 : before.high;
@@ -49,7 +80,20 @@ scene::ValueRange steppedRange(live::StressQuantity quantity, scene::ValueRange 
                : scene::ValueRange{0, stepAbove(kDegrees, most)};
 }
 
-void StressValues::update(const live::StressFrame& frame, const StressLook& look) {
+scene::ValueRange onScale(live::StressQuantity quantity, scene::ValueRange range, bool logarithmic) {
+  range.logarithmic = logarithmic && quantity != live::StressQuantity::folded;
+  if (range.logarithmic && valid(range) && !(range.low > 0))
+    range.low = live::describe(quantity).ratio && range.high > 1 ? 1 / range.high : kLowestPart * range.high;
+  return range;
+}
+
+scene::ValueRange joined(scene::ValueRange a, scene::ValueRange b) {
+  return {std::min(a.low, b.low), std::max(a.high, b.high), a.logarithmic && b.logarithmic};
+}
+
+void StressValues::update(const live::StressFrame& frame, const StressLook& look,
+                          std::optional<scene::ValueRange> shared) {
+  shared_ = look.pinned ? std::nullopt : shared;
   const bool peak = look.peak && frame.peak;
   const deformation::StressMap none;
   const deformation::StressMap& map = peak ? frame.peak->map : frame.map ? *frame.map : none;
@@ -60,6 +104,8 @@ void StressValues::update(const live::StressFrame& frame, const StressLook& look
       colors_ = stressColors(look.quantity);
     range_ = look.range;
   }
+  if (!look.pinned && range_.logarithmic != look.logarithmic)
+    range_ = {0, 0}; // Chosen anew for the other scale.
   quantity_ = look.quantity;
   mesh_ = frame.mesh;
   peak_ = peak;
@@ -70,9 +116,10 @@ void StressValues::update(const live::StressFrame& frame, const StressLook& look
   summary_ = live::summaryOf(*values_, frame.mesh->witnesses);
   folded_ = static_cast<int>((map.volumeRatio.head(frame.mesh->witnesses).array() <= 0).count());
   if (look.pinned && valid(look.range))
-    range_ = look.range;
+    range_ = onScale(look.quantity, look.range, look.logarithmic);
   else
-    range_ = steppedRange(look.quantity, {summary_.percentile5, summary_.percentile95}, range_);
+    range_ = steppedRange(look.quantity, {summary_.percentile5, summary_.percentile95},
+                          {range_.low, range_.high, look.logarithmic});
 }
 
 } // namespace viscera::presentation

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "viscera/core/error.h"
+#include "viscera/presentation/stress_values.h"
 
 // The view of a session as JSON: written in format 2, read in formats 1 and 2 (docs/session_format.md).
 namespace viscera::presentation {
@@ -117,6 +118,7 @@ template <class Visit>
 void visitStress(StressLook& look, Visit visit) {
   visit("onSurface", look.onSurface);
   visit("pinned", look.pinned);
+  visit("logarithmic", look.logarithmic);
   visit("peak", look.peak);
   visit("cut", look.cut);
   visit("offset", look.offset);
@@ -125,6 +127,7 @@ void visitStress(StressLook& look, Visit visit) {
   visit("below", look.below);
   visit("handles", look.handles);
   visit("others", look.others);
+  visit("sameRange", look.sameRange);
   visit("witnesses", look.witnesses);
   visit("probe", look.probe);
 }
@@ -145,6 +148,7 @@ void keepWithinBounds(StressLook& look) {
   look.witnesses = std::clamp(look.witnesses, live::WitnessOptions::kFewest, live::WitnessOptions::kMost);
   if (!std::isfinite(look.range.low) || !std::isfinite(look.range.high))
     look.range = {0, 0};
+  look.range = onScale(look.quantity, look.range, look.logarithmic);
 }
 
 StressLook stressFrom(const ordered_json& item) {

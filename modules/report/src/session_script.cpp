@@ -134,6 +134,7 @@ private:
   void begin();
   void writeHandles();
   void writeOrgan(const document::Organ& organ);
+  void addMarks(const document::Organ& organ, std::vector<std::string>& words) const;
   void writeStress();
   void writeMotion();
   void writeChosen(const presentation::MotionChoice& motion);
@@ -306,6 +307,23 @@ void Writer::writeOrgan(const document::Organ& organ) {
   command(words);
 }
 
+/// The probes and profiles that are pinned in the organ; those of the window have the same numbers.
+void Writer::addMarks(const document::Organ& organ, std::vector<std::string>& words) const {
+  constexpr int kDigits = 9;
+  const auto placeOf = [](const document::StressProbe& probe) {
+    return significant(probe.rest.x(), kDigits) + "," + significant(probe.rest.y(), kDigits) + "," +
+           significant(probe.rest.z(), kDigits);
+  };
+  const document::StressMarks& marks = *state_.stressMarks;
+  for (const document::StressProbe& probe : marks.probes)
+    if (probe.organ == organ.id)
+      words.insert(words.end(), {"--probe", placeOf(probe)});
+  for (const document::StressLine& line : marks.lines)
+    if (const document::StressProbe* from = marks.probe(line.from), *to = marks.probe(line.to);
+        from && to && from->organ == organ.id)
+      words.insert(words.end(), {"--profile", placeOf(*from) + ":" + placeOf(*to)});
+}
+
 void Writer::writeStress() {
   if (!source_.view.shown.stress || state_.rig->handles.empty())
     return;
@@ -325,6 +343,7 @@ void Writer::writeStress() {
   }
   words.insert(words.end(), {"--witnesses", std::to_string(source_.view.stress.witnesses), "-o",
                              outputOf(*organ, ".stress.vtu"), "--csv", outputOf(*organ, ".stress.csv")});
+  addMarks(*organ, words);
   command(words);
   if (source_.view.stress.peak)
     say("The peak over a cycle has no command: the window finds it in the Stress mode.");

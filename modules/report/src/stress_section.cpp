@@ -1,11 +1,13 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 #include <vector>
 
 #include "pictures.h"
 #include "sections.h"
 #include "viscera/core/text.h"
+#include "viscera/live/stress_marks_reader.h"
 #include "viscera/live/stress_quantity.h"
 #include "words.h"
 
@@ -137,6 +139,63 @@ PictureGrid cycleChart(const live::StressPeak& peak) {
   return chart(panel, said("Over one cycle of the sequence"));
 }
 
+/// The pinned probes: where they are in the pose, and what the map says there.
+Table probeTable(const live::ReadMarks& marks) {
+  Table table;
+  table.head = {said("Probe"), said("Place (mm)")};
+  table.numbers = {false, false};
+  for (const live::StressQuantityDescription& quantity : live::stressQuantities())
+    if (quantity.quantity != live::StressQuantity::folded) {
+      table.head.push_back(quantity.unit.empty() ? quantity.name
+                                                 : quantity.name + " (" + quantity.unit + ")");
+      table.numbers.push_back(true);
+    }
+  for (const live::ReadProbe& read : marks.probes) {
+    const Vec3& place = read.reading.inTissue ? read.reading.now : read.probe.rest;
+    std::vector<std::string> cells = {std::to_string(read.probe.number), fixed(place.x(), 1) + "; " +
+                                                                             fixed(place.y(), 1) + "; " +
+                                                                             fixed(place.z(), 1)};
+    for (const live::StressQuantityDescription& quantity : live::stressQuantities()) {
+      if (quantity.quantity == live::StressQuantity::folded)
+        continue;
+      const double value = live::valueOf(read.reading, quantity.quantity);
+      cells.push_back(!read.reading.inTissue ? said("no tissue")
+                      : std::isfinite(value) ? fixed(value, quantity.decimals)
+                                             : said("folded"));
+    }
+    table.rows.push_back(std::move(cells));
+  }
+  return table;
+}
+
+/// The quantity along the lines between probes; a curve ends where its line leaves the tissue.
+PictureGrid profileChart(const live::ReadMarks& marks, live::StressQuantity which) {
+  const live::StressQuantityDescription& quantity = live::describe(which);
+  scene::CurvePanel panel;
+  panel.xTitle = said("Distance at rest (mm)");
+  panel.yTitle = quantity.unit.empty() ? quantity.name : quantity.name + " (" + quantity.unit + ")";
+  panel.legend = true;
+  double length = 0;
+  for (std::size_t line = 0; line < marks.profiles.size(); ++line) {
+    const live::ReadProfile& read = marks.profiles[line];
+    length = std::max(length, read.profile.mm.back());
+    bool joined = false, named = false;
+    for (std::size_t i = 0; i < read.profile.mm.size(); ++i) {
+      const double value = live::valueOf(read.profile.readings[i], which);
+      if (std::isfinite(value) && !joined)
+        panel.curves.push_back(
+            {std::exchange(named, true) ? std::string() : read.name, curveColor(line), {}, {}});
+      joined = std::isfinite(value);
+      if (!joined)
+        continue;
+      panel.curves.back().x.push_back(read.profile.mm[i]);
+      panel.curves.back().y.push_back(value);
+    }
+  }
+  panel.xRange = scene::ValueRange{0, length};
+  return chart(panel, said("Along the straight lines at rest between probes"));
+}
+
 } // namespace
 
 Section stressSection(const ReportSource& source, const live::StressFrame& frame, Threads threads) {
@@ -163,6 +222,12 @@ Section stressSection(const ReportSource& source, const live::StressFrame& frame
   for (const std::string& remark : source.stressStatus.remarks)
     section.blocks.push_back(Paragraph{withoutFolders(remark)});
   section.blocks.push_back(pictureOfStress(source, frame, threads));
+  live::StressMarksReader reader;
+  const live::ReadMarks marks = reader.read(source.state, frame.organ, frame.mesh, *frame.points, *frame.map);
+  if (!marks.probes.empty())
+    section.blocks.push_back(probeTable(marks));
+  if (!marks.profiles.empty())
+    section.blocks.push_back(profileChart(marks, source.view.stress.quantity));
   for (Block& block : histogram(frame, source.view.stress.quantity))
     section.blocks.push_back(std::move(block));
   if (frame.peak && frame.peak->cycle.size() > 1)

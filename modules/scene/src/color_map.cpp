@@ -80,12 +80,26 @@ ValueRange rangeOf(const Values& values) {
   return {low, high};
 }
 
+double partOf(ValueRange range, double value) {
+  if (!range.logarithmic)
+    return (value - range.low) / (range.high - range.low);
+  return value > 0 ? std::log(value / range.low) / std::log(range.high / range.low)
+                   : -std::numeric_limits<double>::infinity();
+}
+
+double valueAt(ValueRange range, double part) {
+  return range.logarithmic ? range.low * std::pow(range.high / range.low, part)
+                           : range.low + part * (range.high - range.low);
+}
+
 vtkSmartPointer<vtkLookupTable> lookupTable(const ColorMap& map, ValueRange range) {
   auto table = vtkSmartPointer<vtkLookupTable>::New();
   table->SetNumberOfTableValues(map.colors.rows());
   for (Eigen::Index i = 0; i < map.colors.rows(); ++i)
     table->SetTableValue(i, map.colors(i, 0) / 255.0, map.colors(i, 1) / 255.0, map.colors(i, 2) / 255.0, 1);
   table->SetTableRange(range.low, range.high);
+  if (range.logarithmic)
+    table->SetScaleToLog10();
   table->SetNanColor(map.missing[0] / 255.0, map.missing[1] / 255.0, map.missing[2] / 255.0, 1);
   return table;
 }

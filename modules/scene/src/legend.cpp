@@ -48,7 +48,38 @@ void setColors(vtkTextActor* actor, const Theme& theme) {
 
 } // namespace
 
+namespace {
+
+constexpr std::size_t kFewestOfDecades = 3;
+constexpr double kSlack = 1e-9;
+
+/// `multiples` of every `step`-th power of ten inside the range.
+std::vector<double> decadeTicks(ValueRange range, const std::vector<double>& multiples, int step) {
+  std::vector<double> ticks;
+  for (int power = static_cast<int>(std::floor(std::log10(range.low) / step)) * step;
+       std::pow(10, power) <= range.high * (1 + kSlack); power += step)
+    for (const double multiple : multiples)
+      if (const double tick = multiple * std::pow(10, power);
+          tick >= range.low * (1 - kSlack) && tick <= range.high * (1 + kSlack))
+        ticks.push_back(tick);
+  return ticks;
+}
+
+std::vector<double> logarithmicTicks(ValueRange range, int most) {
+  std::vector<double> ticks;
+  for (const std::vector<double>& multiples : {std::vector<double>{1, 2, 5}, {1, 3}, {1}})
+    if (ticks = decadeTicks(range, multiples, 1); ticks.size() <= static_cast<std::size_t>(most))
+      break;
+  for (int step = 2; ticks.size() > static_cast<std::size_t>(most); ++step)
+    ticks = decadeTicks(range, {1}, step);
+  return ticks.size() < kFewestOfDecades ? niceTicks({range.low, range.high}, most) : ticks;
+}
+
+} // namespace
+
 std::vector<double> niceTicks(ValueRange range, int most) {
+  if (range.logarithmic && range.low > 0 && range.high > range.low && std::isfinite(range.high))
+    return logarithmicTicks(range, most);
   const double span = range.high - range.low;
   if (!(span > 0) || !std::isfinite(span))
     return {range.low};
@@ -80,6 +111,17 @@ std::string tickLabel(double value, double spacing) {
       spacing > 0 ? std::max(0, -static_cast<int>(std::floor(std::log10(spacing) + 1e-9))) : 2;
   std::snprintf(label, sizeof label, "%.*f", decimals, value);
   return label;
+}
+
+std::vector<std::string> tickLabels(const std::vector<double>& ticks) {
+  const double spacing = ticks.size() > 1 ? ticks[1] - ticks[0] : 0;
+  bool even = true;
+  for (std::size_t i = 2; i < ticks.size(); ++i)
+    even = even && std::abs(ticks[i] - ticks[i - 1] - spacing) < 1e-6 * spacing;
+  std::vector<std::string> labels;
+  for (const double tick : ticks)
+    labels.push_back(tickLabel(tick, even ? spacing : std::pow(10, std::floor(std::log10(tick) + kSlack))));
+  return labels;
 }
 
 struct Legend::Parts {
@@ -153,8 +195,7 @@ void Legend::Parts::layOutTicks(double left, double bottom, double width, double
   vtkNew<vtkCellArray> cells;
   lines.begin();
   for (std::size_t i = 0; i < ticks.size(); ++i) {
-    const double part = (ticks[i] - range.low) / (range.high - range.low);
-    const double y = bottom + height * std::clamp(part, 0.0, 1.0);
+    const double y = bottom + height * std::clamp(partOf(range, ticks[i]), 0.0, 1.0);
     cells->InsertNextCell({lines.add(left + width, y), lines.add(left + width + ratio * kTick, y)});
     labels[i]->SetPosition(left + width + ratio * (kTick + kGap), y);
   }
@@ -218,10 +259,9 @@ void Legend::show(const std::string& title, const std::string& unit, const Color
   p.title->SetInput((unit.empty() ? title : title + " (" + unit + ")").c_str());
   p.ticks = niceTicks(range, kMostTicks);
   p.labels.clear();
-  const double spacing = p.ticks.size() > 1 ? p.ticks[1] - p.ticks[0] : 0;
-  for (const double tick : p.ticks) {
+  for (const std::string& written : tickLabels(p.ticks)) {
     auto label = newText(kFontSize);
-    label->SetInput(tickLabel(tick, spacing).c_str());
+    label->SetInput(written.c_str());
     label->GetTextProperty()->SetVerticalJustificationToCentered();
     p.labels.push_back(label);
   }

@@ -192,6 +192,8 @@ void MeasurementGlyphs::Parts::addShapes(const Item& item, FacingShapes& shapes,
                                          const Vec3& color) {
   for (std::size_t i = 1; i < item.points.size(); ++i)
     shapes.addLine(item.points[i - 1], item.points[i], kLineRadius + rim, color);
+  if (item.path)
+    return;
   if (item.points.size() == 3) {
     const std::vector<Vec3> arc = arcOf(item.points, kArcRadius * shapes.view().logicalPixel(item.points[1]));
     for (std::size_t i = 1; i < arc.size(); ++i)
@@ -214,7 +216,7 @@ ScreenBox MeasurementGlyphs::Parts::labelBox(const Item& item, const ViewGeometr
   double x = 0, y = 1; // Where the label is seen from the anchor.
   const DisplayPoint first = geometry.project(item.points.front());
   const DisplayPoint second = geometry.project(item.points[std::min<std::size_t>(last, 1)]);
-  if (item.points.size() == 3) {
+  if (item.points.size() == 3 && !item.path) {
     const auto arc = arcOf(item.points, kArcRadius * geometry.logicalPixel(item.points[1]));
     anchor = arc.empty() ? item.points[1] : arc[arc.size() / 2];
     const DisplayPoint middle = geometry.project(anchor);
@@ -346,7 +348,7 @@ std::optional<MeasurementGlyphs::Mark> MeasurementGlyphs::markAt(double x, doubl
   double nearest = kReach * geometry.pixelRatio;
   std::optional<Mark> found;
   for (std::size_t i = 0; i < p.items.size(); ++i)
-    for (std::size_t k = 0; k < p.items[i].points.size(); ++k) {
+    for (std::size_t k = 0; k < p.items[i].points.size() && !p.items[i].path; ++k) {
       const DisplayPoint at = geometry.project(p.items[i].points[k]);
       const double away = std::hypot(at.x - x, at.y - y);
       if (!(at.depth > 0) || !(away <= nearest))

@@ -90,6 +90,93 @@ TEST_F(CliStress, WritesASolidThatVtkReadsAndATable) {
   EXPECT_EQ(rows, result["witnesses"].get<int>());
 }
 
+TEST_F(CliStress, SaysTheValuesAtProbes) {
+  const json result =
+      runJson(stress(stretched(3, 2, 1), {"--probe", "5,-1,2", "--probe", "-10,10,10", "--probe", "14,0,0",
+                                          "--probes-csv", path("p.csv")}));
+  const json& probes = result["probes"];
+  ASSERT_EQ(probes.size(), 3u);
+  for (const std::size_t i : {0u, 1u}) {
+    EXPECT_EQ(probes[i]["number"], i + 1);
+    EXPECT_EQ(probes[i]["inTissue"], true) << "a corner of the surface is tissue";
+    EXPECT_NEAR(probes[i]["stressDegrees"].get<double>(), 30, 1e-6);
+    EXPECT_NEAR(probes[i]["volumeRatio"].get<double>(), 6, 1e-6);
+    EXPECT_NEAR(probes[i]["stretchMax"].get<double>(), 3, 1e-6);
+    EXPECT_NEAR(probes[i]["stretchMin"].get<double>(), 1, 1e-6);
+    EXPECT_EQ(probes[i]["folded"], false);
+  }
+  EXPECT_EQ(probes[0]["restMm"], (json{5, -1, 2}));
+  for (const auto& [axis, mm] : {std::pair(0, 15.0), std::pair(1, -2.0), std::pair(2, 2.0)})
+    EXPECT_NEAR(probes[0]["positionMm"][static_cast<std::size_t>(axis)].get<double>(), mm, 1e-6);
+  EXPECT_EQ(probes[2]["inTissue"], false);
+  EXPECT_TRUE(probes[2]["stressDegrees"].is_null());
+  EXPECT_NE(result["warnings"].dump().find("Probe 3 lies 4.0 mm outside"), std::string::npos)
+      << result["warnings"];
+  const std::string table = contents(path("p.csv"));
+  EXPECT_EQ(table.find("probe,rest_x_mm,rest_y_mm,rest_z_mm,x_mm,y_mm,z_mm,RotationalStress_deg,VolumeRatio,"
+                       "StretchMax,StretchMin,Folded\n1,5,-1,2,15,-2,2,30,6,3,1,0\n"),
+            0u)
+      << table;
+  EXPECT_NE(table.find("\n3,14,0,0,,,,,,,,\n"), std::string::npos) << table;
+}
+
+TEST_F(CliStress, AProbeAtAWitnessSaysWhatItsRowOfTheTableSays) {
+  auto positions = corners(20);
+  positions[0] = {-31, -17, -24};
+  positions[5][2] += 9;
+  const std::string pose = put("uneven.mrk.json", markups(positions));
+  runJson(stress(pose, {"--csv", path("s.csv")}));
+  std::istringstream table(contents(path("s.csv")));
+  std::string row;
+  for (int line = 0; line < 40; ++line)
+    std::getline(table, row);
+  std::vector<std::string> cells;
+  std::istringstream parts(row);
+  for (std::string cell; std::getline(parts, cell, ',');)
+    cells.push_back(cell);
+  ASSERT_EQ(cells.size(), 11u);
+  const json probe =
+      runJson(stress(pose, {"--probe", cells[0] + "," + cells[1] + "," + cells[2]}))["probes"][0];
+  EXPECT_GT(probe["stressDegrees"].get<double>(), 0.1);
+  EXPECT_NEAR(probe["stressDegrees"].get<double>(), std::stod(cells[6]), 1e-5);
+  EXPECT_NEAR(probe["volumeRatio"].get<double>(), std::stod(cells[7]), 1e-6);
+  EXPECT_NEAR(probe["positionMm"][0].get<double>(), std::stod(cells[3]), 1e-5);
+}
+
+TEST_F(CliStress, SaysTheValuesAlongALineWithGapsOutside) {
+  const json result = runJson(stress(stretched(3, 2, 1), {"--profile", "-20,0,0:20,0,0:41", "--profile",
+                                                          "0,0,0:0,5,0", "--profile-csv", path("l.csv")}));
+  ASSERT_EQ(result["profiles"].size(), 2u);
+  const json& across = result["profiles"][0];
+  EXPECT_EQ(across["lengthMm"], 40.0);
+  ASSERT_EQ(across["points"].size(), 41u);
+  for (const json& point : across["points"]) {
+    const double x = point["restMm"][0].get<double>();
+    EXPECT_NEAR(point["distanceMm"].get<double>(), x + 20, 1e-9);
+    EXPECT_EQ(point["inTissue"].get<bool>(), std::abs(x) <= 10) << x;
+    if (std::abs(x) <= 10) {
+      EXPECT_NEAR(point["stressDegrees"].get<double>(), 30, 1e-6);
+    } else {
+      EXPECT_TRUE(point["stressDegrees"].is_null());
+    }
+  }
+  EXPECT_EQ(result["profiles"][1]["points"].size(), 101u);
+  const std::string table = contents(path("l.csv"));
+  EXPECT_EQ(table.find("profile,distance_mm,rest_x_mm,"), 0u);
+  EXPECT_EQ(std::count(table.begin(), table.end(), '\n'), 1 + 41 + 101);
+  EXPECT_NE(table.find("\n1,0,-20,0,0,,,,,,,,\n"), std::string::npos) << table;
+}
+
+TEST_F(CliStress, RefusesProbesAndLinesThatAreNone) {
+  const std::string pose = stretched(1, 1, 2);
+  expectFailure(stress(pose, {"--probe", "1,2"}), kUsage, "--probe 1,2");
+  expectFailure(stress(pose, {"--profile", "1,2,3"}), kUsage, "--profile 1,2,3");
+  expectFailure(stress(pose, {"--profile", "1,2,3:4,5,6:1"}), kUsage, "from 2 to");
+  expectFailure(stress(pose, {"--profile", "1,2,3:1,2,3"}), kUsage, "two places");
+  expectFailure(stress(pose, {"--probes-csv", path("p.csv")}), kUsage, "--probe X,Y,Z");
+  expectFailure(stress(pose, {"--profile-csv", path("p.csv")}), kUsage, "--profile X,Y,Z");
+}
+
 TEST_F(CliStress, ReadsASampleOrganAndSaysWhenTheSurfaceWasRepaired) {
   const std::string handles = path("h.mrk.json");
   runJson({"handles", "sample:stomach@low", "-o", handles, "--count", "20", "--enclosing"});

@@ -120,17 +120,29 @@ TEST(SessionSchema, DoesNotTakeWhatIsRefused) {
   const TemporaryFolder folder;
   const Schema schema = published();
   const json good = written(folder, tests::fullContents(folder));
-  for (const auto& [place, value] :
-       {std::pair("/version", json(3)), std::pair("/format", json("viscera-sequence")),
-        std::pair("/surfaces", json("somewhere")), std::pair("/organs/0/id", json(0)),
-        std::pair("/organs/0/name", json("")), std::pair("/organs/0/look/opacity", json(1.5)),
-        std::pair("/organs/0/look/color", json({1, 2})), std::pair("/rig/handles/0/locked", json(1)),
-        std::pair("/rig/cage", json("hull")), std::pair("/rig/cage/0", json({1, 2})),
-        std::pair("/rig/cage/0/1", json(-1)), std::pair("/recording/keys/0/easing", json("bouncing")),
-        std::pair("/view", json(nullptr)), std::pair("/system/parameters", json({{"softness", "much"}})),
-        std::pair("/measurements/0/name", json("")), std::pair("/measurements/0/points", json::array()),
-        std::pair("/measurements/0/points/0/triangle", json(-1)),
-        std::pair("/measurements/0/points/0/weights", json({1, 2, -2}))}) {
+  for (const auto& [place, value] : {std::pair("/version", json(3)),
+                                     std::pair("/format", json("viscera-sequence")),
+                                     std::pair("/surfaces", json("somewhere")),
+                                     std::pair("/organs/0/id", json(0)),
+                                     std::pair("/organs/0/name", json("")),
+                                     std::pair("/organs/0/look/opacity", json(1.5)),
+                                     std::pair("/organs/0/look/color", json({1, 2})),
+                                     std::pair("/rig/handles/0/locked", json(1)),
+                                     std::pair("/rig/cage", json("hull")),
+                                     std::pair("/rig/cage/0", json({1, 2})),
+                                     std::pair("/rig/cage/0/1", json(-1)),
+                                     std::pair("/recording/keys/0/easing", json("bouncing")),
+                                     std::pair("/view", json(nullptr)),
+                                     std::pair("/system/parameters", json({{"softness", "much"}})),
+                                     std::pair("/measurements/0/name", json("")),
+                                     std::pair("/measurements/0/points", json::array()),
+                                     std::pair("/measurements/0/points/0/triangle", json(-1)),
+                                     std::pair("/measurements/0/points/0/weights", json({1, 2, -2})),
+                                     std::pair("/stressMarks/probes/0/number", json(0)),
+                                     std::pair("/stressMarks/probes/0/organ", json(0)),
+                                     std::pair("/stressMarks/probes/1/rest", json({1, 2})),
+                                     std::pair("/stressMarks/lines/0/to", json("1")),
+                                     std::pair("/stressMarks/lines", json(nullptr))}) {
     json bad = good;
     bad[json::json_pointer(place)] = value;
     EXPECT_FALSE(schema.takes(bad)) << place;

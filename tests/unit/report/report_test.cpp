@@ -6,6 +6,7 @@
 #include "report_scene.h"
 #include "viscera/core/error.h"
 #include "viscera/core/text.h"
+#include "viscera/document/stress_mark_commands.h"
 #include "viscera/motion/cycle_curves.h"
 #include "words.h"
 
@@ -103,6 +104,22 @@ TEST(Report, TellsStressWithItsMethodPercentilesAndPictures) {
   EXPECT_EQ(numbers.rows[0][0], "Rotational stress (deg)");
   EXPECT_EQ(numbers.rows[0][5], fixed(180 / std::numbers::pi * stress.statistics().max, 1));
   EXPECT_EQ(report.pictures(), 9) << "the map and its histogram";
+  // What was pinned stands in a table of its own, and the profile in a chart.
+  const Vec3 first = stress.mesh()->points.row(0).transpose(),
+             last = stress.mesh()->points.row(9).transpose();
+  session.undo.perform(document::addStressProbe(session.organ(), first));
+  session.undo.perform(document::addStressProbe(session.organ(), last));
+  const auto& pinned = session.document.stressMarks().probes;
+  session.undo.perform(document::addStressLine(pinned[0].id, pinned[1].id));
+  report::ReportSource marked = session.source();
+  marked.stress = &copy;
+  marked.stressStatus = stress.status();
+  const report::Report with = session.report(marked);
+  const report::Table probes = tablesOf(*sectionOf(with, "Tissue distortion (rotational stress)")).at(1);
+  ASSERT_EQ(probes.rows.size(), 2u);
+  EXPECT_EQ(probes.rows[1][0], "2");
+  EXPECT_EQ(probes.rows[1][2], fixed(180 / std::numbers::pi * stress.map().rotationalStress[9], 1));
+  EXPECT_EQ(with.pictures(), 10);
 }
 
 TEST(Report, OfNothingIsRefused) {

@@ -7,6 +7,7 @@
 #include "report_scene.h"
 #include "temporary_folder.h"
 #include "viscera/document/rig_commands.h"
+#include "viscera/document/stress_mark_commands.h"
 #include "viscera/report/session_script.h"
 
 namespace viscera::tests {
@@ -61,6 +62,18 @@ TEST(SessionScript, TakesNoNameForACommand) {
     EXPECT_THAT(script.commands[0],
                 StartsWith("viscera deform '/tmp/it'\\''s.viscera/x'\\''; touch owned #\n"));
   }
+}
+
+TEST(SessionScript, HasTheProbesAndProfilesOfTheOrganUnderStress) {
+  ReportedSession session;
+  session.undo.perform(document::addStressProbe(session.organ(), {-1.5, 2, 3}));
+  session.undo.perform(document::addStressProbe(session.organ(), {4, 5, 6}));
+  const auto& probes = session.document.stressMarks().probes;
+  session.undo.perform(document::addStressLine(probes[1].id, probes[0].id));
+  presentation::ViewState view;
+  view.shown.stress = true;
+  const auto script = report::sessionScript({session.document.state(), view, "/tmp/a.viscera"});
+  EXPECT_THAT(script.text, HasSubstr("--probe -1.5,2,3 --probe 4,5,6 --profile 4,5,6:-1.5,2,3"));
 }
 
 TEST(SessionScript, SaysWhatNoCommandCanDo) {

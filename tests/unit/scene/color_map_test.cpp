@@ -79,5 +79,29 @@ TEST(ColorMap, TableGivesTheEndsBeyondTheRangeAndGreyForNoNumber) {
   EXPECT_EQ(none[1], none[2]);
 }
 
+TEST(ColorMap, OfALogarithmicRangeGoesByFactors) {
+  const ValueRange range{0.1, 10, true};
+  EXPECT_NEAR(partOf(range, 1), 0.5, 1e-12);
+  EXPECT_EQ(partOf(range, 0.1), 0);
+  EXPECT_LT(partOf(range, 0), -1e300);
+  EXPECT_NEAR(partOf({0, 4}, 1), 0.25, 1e-12);
+  for (const double part : {0.0, 0.3, 1.0}) {
+    EXPECT_NEAR(partOf(range, valueAt(range, part)), part, 1e-12);
+    EXPECT_NEAR(partOf({-2, 3}, valueAt({-2, 3}, part)), part, 1e-12);
+  }
+  const auto map = viridis();
+  const auto table = lookupTable(map, range);
+  const auto same = [&](double value, Eigen::Index row) {
+    const unsigned char* rgba = table->MapValue(value);
+    for (int c = 0; c < 3; ++c)
+      EXPECT_NEAR(rgba[c], map.colors(row, c), 1) << value;
+  };
+  for (const double below : {0.1, 0.01, 0.0, -3.0})
+    same(below, 0);
+  same(1, 128);
+  same(10, 255);
+  same(1e6, 255);
+}
+
 } // namespace
 } // namespace viscera::scene

@@ -53,6 +53,18 @@ TEST(Legend, LabelsHaveJustTheDigitsNeeded) {
   EXPECT_EQ(tickLabel(0, 0.1), "0.0");
 }
 
+TEST(Legend, LogarithmicTicksAreThoseOfDecadesAndAreWrittenAsSuch) {
+  const auto labels = [](double low, double high) { return tickLabels(niceTicks({low, high, true})); };
+  using Labels = std::vector<std::string>;
+  EXPECT_EQ(labels(0.5, 20), (Labels{"0.5", "1", "2", "5", "10", "20"}));
+  EXPECT_EQ(labels(0.05, 45), (Labels{"0.1", "0.3", "1", "3", "10", "30"}));
+  EXPECT_EQ(labels(0.01, 1000), (Labels{"0.01", "0.1", "1", "10", "100", "1000"}));
+  EXPECT_EQ(labels(0.5, 2), (Labels{"0.5", "1", "2"}));
+  EXPECT_EQ(labels(1 / 1.2, 1.2), (Labels{"0.9", "1.0", "1.1", "1.2"}));
+  EXPECT_LE(labels(1e-9, 1e9).size(), 6U);
+  EXPECT_EQ(tickLabels(niceTicks({0, 1})), (Labels{"0.0", "0.2", "0.4", "0.6", "0.8", "1.0"}));
+}
+
 TEST(Legend, CanBeReadOverWhatLiesBehindIt) {
   for (const Theme& theme : {darkTheme(), lightTheme()}) {
     tests::ViewInWindow window(400, 300);

@@ -17,12 +17,23 @@ public:
 
   Eigen::Index targets() const { return corners_.rows(); }
 
+  /// Of a target, mm: to the place in the mesh whose numbers it gets; 0 inside the mesh.
+  double distance(Eigen::Index target) const { return distances_[target]; }
+  /// Calls `visit(corner, weight)` for the four points of the mesh that a target's number is made of; the
+  /// weights are 0 at least, and 1 together.
+  template <class Visit>
+  void visitCorners(Eigen::Index target, Visit visit) const {
+    for (int k = 0; k < 4; ++k)
+      visit(static_cast<Eigen::Index>(corners_(target, k)), weights_(target, k));
+  }
+
   /// Fills `result` (resized to `targets`) from `values`, one a point of the mesh. O(m).
   void operator()(const Values& values, Values& result) const;
 
 private:
   Eigen::Matrix<std::int32_t, Eigen::Dynamic, 4, Eigen::RowMajor> corners_;
   Eigen::Matrix<double, Eigen::Dynamic, 4, Eigen::RowMajor> weights_;
+  Values distances_;
 };
 
 } // namespace viscera::deformation

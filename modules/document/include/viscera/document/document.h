@@ -14,6 +14,7 @@
 #include "viscera/document/measurement.h"
 #include "viscera/document/organ.h"
 #include "viscera/document/rig.h"
+#include "viscera/document/stress_marks.h"
 
 namespace viscera::document {
 
@@ -27,8 +28,8 @@ struct SystemChoice {
   coordinates::ParameterValues parameters;
 };
 
-/// Everything that is saved and undone, in eight immutable parts that states share with one another: a copy
-/// costs eight pointers, and a state that is kept (by the undo stack, by a worker that saves) never changes.
+/// Everything that is saved and undone, in nine immutable parts that states share with one another: a copy
+/// costs nine pointers, and a state that is kept (by the undo stack, by a worker that saves) never changes.
 ///
 /// What a user looks at is not in it: the selection (`Selection`), the camera, the mode, the time of a
 /// sequence.
@@ -39,6 +40,7 @@ struct DocumentState {
   std::shared_ptr<const SystemChoice> system;           ///< Never null.
   std::shared_ptr<const KeySequence> keySequence;       ///< The keys that a user has recorded. Never null.
   std::shared_ptr<const MeasurementList> measurements;  ///< In the order in which they were made. Never null.
+  std::shared_ptr<const StressMarks> stressMarks;       ///< Probes and lines in stress maps. Never null.
   std::shared_ptr<const CirculationChoice> circulation; ///< What moves the heart. Never null.
   std::shared_ptr<const ScanItem> scan; ///< The image beside the organs (scan_item.h); null: there is none.
 
@@ -71,6 +73,7 @@ struct Change {
   bool system() const { return before.system != after.system; }
   bool keySequence() const { return before.keySequence != after.keySequence; }
   bool measurements() const { return before.measurements != after.measurements; }
+  bool stressMarks() const { return before.stressMarks != after.stressMarks; }
   bool circulation() const { return before.circulation != after.circulation; }
   bool scan() const { return before.scan != after.scan; }
 };
@@ -97,6 +100,7 @@ public:
   const SystemChoice& system() const { return *state_.system; }
   const KeySequence& keySequence() const { return *state_.keySequence; }
   const MeasurementList& measurements() const { return *state_.measurements; }
+  const StressMarks& stressMarks() const { return *state_.stressMarks; }
   const CirculationChoice& circulation() const { return *state_.circulation; }
 
   /// Tells of every change. An observer may read the document; to change it is a `std::logic_error`.

@@ -19,6 +19,8 @@ using HandleId = Id<struct HandleTag>;
 using GroupId = Id<struct GroupTag>;
 using KeyId = Id<struct KeyTag>;
 using MeasurementId = Id<struct MeasurementTag>;
+using StressProbeId = Id<struct StressProbeTag>;
+using StressLineId = Id<struct StressLineTag>;
 
 /// Hands out the ids of one document, in order.
 class IdSource {

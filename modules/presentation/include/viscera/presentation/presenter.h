@@ -12,6 +12,7 @@
 #include "viscera/document/measured_values.h"
 #include "viscera/live/posed_organs.h"
 #include "viscera/live/stress_frame.h"
+#include "viscera/live/stress_marks_reader.h"
 #include "viscera/plugin/registry.h"
 #include "viscera/presentation/part_names.h"
 #include "viscera/presentation/stress_values.h"
@@ -71,6 +72,9 @@ struct Scene {
   const Bending* bending = nullptr; ///< For slices in the view that are bent; null: they cannot be.
   /// The valves of a heart that is shown beating, at this instant; nothing: none are known.
   std::optional<sequences::ValveInstants> valves = std::nullopt;
+  /// Of the stress map's colours, that another picture has, too; nothing: its own.
+  std::optional<scene::ValueRange> stressRange = std::nullopt;
+  bool stressLegend = true; ///< False: the other picture says it for both.
 };
 
 /// Draws a document: the one place where organs, handles, ghosts, regions, cages, influence and stress maps,
@@ -113,6 +117,10 @@ public:
   scene::TissueActor* tissue() const;
   const scene::StretchGlyphs& glyphs() const;
   const scene::ProbeMarker& probe() const;
+  /// The pinned probes and lines of the organ under stress as they are drawn, and what they say in the map
+  /// that is shown.
+  const scene::MeasurementGlyphs& stressMarks() const;
+  const live::ReadMarks& readMarks() const;
   /// The plane that cuts it open, for a widget to take hold of.
   vtkVisceraCutPlaneRepresentation* cutPlane() const;
   /// The middle of the organ under stress at rest, and the radius of the ball around it, mm.

@@ -21,7 +21,8 @@ struct StressLook {
   /// Of the legend, in the quantity's unit; empty (high <= low) before there was a map. Kept even when it is
   /// not pinned: the steps of the range depend on the range before.
   scene::ValueRange range = {0, 0};
-  bool peak = false; ///< The worst of one cycle of the sequence instead of this instant.
+  bool logarithmic = false; ///< The range goes by factors; what is 0 or 1 (folded tissue) has none.
+  bool peak = false;        ///< The worst of one cycle of the sequence instead of this instant.
   bool cut = true;
   scene::CutStyle style = scene::CutStyle::smooth;
   Vec3 normal = Vec3::UnitY(); ///< Of the cut, towards what stays. Unit.
@@ -33,7 +34,8 @@ struct StressLook {
   bool handles = true;
   bool others = false; ///< The other organs stay in the picture.
   int witnesses = live::WitnessOptions().wanted;
-  int probe = -1; ///< The point of the mesh that is looked at; -1: none.
+  bool sameRange = true; ///< Beside another view with a stress map: one range for both.
+  int probe = -1;        ///< The point of the mesh that is looked at; -1: none.
 
   bool operator==(const StressLook&) const = default;
 };

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "viscera/live/stress_frame.h"
@@ -14,8 +15,10 @@ namespace viscera::presentation {
 /// cycle. For one thread.
 class StressValues {
 public:
-  /// Takes the numbers of a frame as `look` wants them. O(points).
-  void update(const live::StressFrame& frame, const StressLook& look);
+  /// Takes the numbers of a frame as `look` wants them. `shared` is a range to be shown instead of their own,
+  /// unless the look keeps one. O(points).
+  void update(const live::StressFrame& frame, const StressLook& look,
+              std::optional<scene::ValueRange> shared = std::nullopt);
 
   /// Whether there are numbers to show.
   bool ready() const { return values_->size() > 0; }
@@ -30,7 +33,9 @@ public:
   live::StressQuantity quantity() const { return quantity_; }
   /// `missing` of the colours is for what is folded.
   const scene::ColorMap& colors() const { return colors_; }
-  scene::ValueRange range() const { return range_; }
+  scene::ValueRange range() const { return shared_.value_or(range_); }
+  /// The range that these numbers alone would have.
+  scene::ValueRange ownRange() const { return range_; }
 
 private:
   std::shared_ptr<Values> values_ = std::make_shared<Values>();
@@ -41,6 +46,7 @@ private:
   std::shared_ptr<const deformation::WitnessMesh> mesh_; ///< That the range belongs to.
   scene::ColorMap colors_;
   scene::ValueRange range_{0, 0};
+  std::optional<scene::ValueRange> shared_;
 };
 
 /// The colours of rotational stress and stretches, what is folded in magenta: it is in none of the maps.
@@ -49,10 +55,21 @@ scene::ColorMap stressColors(live::StressQuantity quantity);
 /// The range of a legend for a quantity of which nine tenths lie in `bulk`: from a list of round steps, so
 /// that it does not creep while something moves, and half as wide again as the bulk: a few extreme places do
 /// not take the colours from all others. Ratios lie around 1. It grows at once; it shrinks only when what
-/// would do fills less than `kLeastFilled` of `before`.
+/// would do fills less than `kLeastFilled` of `before`. `before.logarithmic` asks for a logarithmic range:
+/// of an angle it ends below where the bulk begins, within three decades; of a ratio it goes by one factor up
+/// and down from 1.
 scene::ValueRange steppedRange(live::StressQuantity quantity, scene::ValueRange bulk,
                                scene::ValueRange before);
 
+/// The range that holds both.
+scene::ValueRange joined(scene::ValueRange a, scene::ValueRange b);
+
+/// The same ends on a linear or a logarithmic scale; the lower end is brought above 0 where that needs it.
+/// Folded tissue, which is or is not, stays linear.
+scene::ValueRange onScale(live::StressQuantity quantity, scene::ValueRange range, bool logarithmic);
+
 inline constexpr double kLeastFilled = 0.35;
+/// The lower end of a logarithmic range, of its upper end, lies between these.
+inline constexpr double kLowestPart = 1e-3, kHighestPart = 0.1;
 
 } // namespace viscera::presentation

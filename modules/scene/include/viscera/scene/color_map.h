@@ -24,8 +24,15 @@ struct ColorMap {
 struct ValueRange {
   double low = 0;
   double high = 1;
+  bool logarithmic = false; ///< Equal factors take equal parts of the map; `low` is above 0 then.
   bool operator==(const ValueRange&) const = default;
 };
+
+/// Where a number lies between the two ends: 0 at `low`, 1 at `high`, beyond them further. On a logarithmic
+/// range what is not above 0 lies at minus infinity.
+double partOf(ValueRange range, double value);
+/// The number at a part of the way from `low` to `high`: the inverse of `partOf`.
+double valueAt(ValueRange range, double part);
 
 /// Dark blue over green to yellow, for amounts (influence, stress): 256 colours interpolated between samples
 /// of matplotlib's viridis (Smith and van der Walt, CC0).
@@ -43,7 +50,7 @@ ColorMap colorMapByName(const std::string& name);
 ValueRange rangeOf(const Values& values);
 
 /// A lookup table with those colours; values beyond the range take the end colours, values that are not
-/// numbers the map's `missing`.
+/// numbers the map's `missing`. Colours go by the logarithm where the range does.
 vtkSmartPointer<vtkLookupTable> lookupTable(const ColorMap& map, ValueRange range);
 
 } // namespace viscera::scene

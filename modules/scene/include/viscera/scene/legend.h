@@ -38,10 +38,15 @@ private:
   std::unique_ptr<Parts> parts_;
 };
 
-/// Round numbers (1, 2 or 5 times a power of ten apart) inside a range: at most `most` of them, ascending.
+/// Round numbers inside a range: at most `most` of them, ascending. They are 1, 2 or 5 times a power of ten
+/// apart; on a logarithmic range they are the 1, 2 and 5 of every decade, or 1 and 3, or whole decades alone,
+/// and evenly apart where it has less than a few of these.
 std::vector<double> niceTicks(ValueRange range, int most = 6);
 
 /// A tick's label with just the digits that tell it from its neighbours: "0.25", "-3", "1.2e-06".
 std::string tickLabel(double value, double spacing);
+
+/// The labels of all ticks: evenly spaced ones have the same digits, those of decades each its own.
+std::vector<std::string> tickLabels(const std::vector<double>& ticks);
 
 } // namespace viscera::scene

@@ -20,11 +20,13 @@ class OrganView;
 /// renders; the view has to live longer.
 class MeasurementGlyphs {
 public:
-  /// What is to be drawn: of one point only its mark, of two a line, of three an angle at the middle one.
+  /// What is to be drawn: of one point only its mark, of two a line, of three an angle at the middle one;
+  /// any number of a path.
   struct Item {
     std::vector<Vec3> points; ///< mm
     std::string text;         ///< UTF-8; none: no label.
     bool highlighted = false; ///< In the theme's accent.
+    bool path = false;        ///< Only a line through all points: no marks, no arc, nothing for the mouse.
   };
 
   /// A label as it was drawn last, in device pixels from the lower left corner.

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "cli/command.h"
+#include "viscera/live/stress_mark_files.h"
+#include "viscera/live/stress_reading.h"
+
+namespace viscera::app::cli {
+
+/// `--probe` and `--profile` of `viscera stress` with their tables: what the window's pinned probes and their
+/// profiles say, by the same numbers.
+class StressMarkOptions {
+public:
+  void addTo(CLI::App& options);
+
+  /// Throws `UsageError` for texts that are no points or lines, and for a table of what is not asked for.
+  void check() const;
+
+  /// Reads them from a map at the points of `mesh` and writes the tables; adds to the outcome's JSON, text
+  /// and warnings.
+  void read(const std::shared_ptr<const deformation::WitnessMesh>& mesh, const Points& posed,
+            const deformation::StressMap& map, Outcome& outcome) const;
+
+private:
+  struct Line {
+    Vec3 from, to;
+    int count = live::kProfilePoints;
+  };
+  static Line lineOf(const std::string& text);
+  void readProbes(const std::shared_ptr<const deformation::WitnessMesh>& mesh, const Points& posed,
+                  const deformation::StressMap& map, Outcome& outcome) const;
+  void readProfiles(const std::shared_ptr<const deformation::WitnessMesh>& mesh, const Points& posed,
+                    const deformation::StressMap& map, Outcome& outcome) const;
+
+  std::vector<std::string> probes_;
+  std::vector<std::string> profiles_;
+  std::string probesFile_;
+  std::string profilesFile_;
+};
+
+} // namespace viscera::app::cli

@@ -1,0 +1,71 @@
+#include "window/compare/compared_stress.h"
+
+namespace viscera::app {
+
+ComparedStress::ComparedStress(const Side& first, const Side& second, ViewModel& view, QObject* parent)
+    : QObject(parent), first_(first), second_(second), view_(view) {
+  connect(&view, &ViewModel::changed, this, &ComparedStress::follow);
+  connect(&first.picture, &Picture::changed, this, &ComparedStress::shareRange);
+  connect(&second.picture, &Picture::changed, this, &ComparedStress::shareRange);
+  connect(&second.playback, &Playback::stateChanged, this, &ComparedStress::findWantedPeak);
+  subscriptions_.push_back(second.workspace.onChange([this](const document::Change& change) {
+    if (change.organs())
+      follow();
+  }));
+  subscriptions_.push_back(first.workspace.selection().onChange([this] { follow(); }));
+  subscriptions_.push_back(second.workspace.stress().onEvent([this](const live::StressEvent& event) {
+    if (event.status || event.peak)
+      findWantedPeak();
+  }));
+  follow();
+}
+
+ComparedStress::~ComparedStress() {
+  first_.picture.setStressRange(std::nullopt);
+}
+
+/// The organ of the first view where the second one has it, too; else its own first one.
+void ComparedStress::follow() {
+  const presentation::ViewState& state = view_.state();
+  const auto wanted = first_.workspace.currentOrgan();
+  document::OrganId organ;
+  if (state.shown.stress) {
+    if (const auto own = second_.workspace.currentOrgan())
+      organ = own->id;
+    const auto same = wanted ? second_.workspace.document().organ(wanted->id) : nullptr;
+    if (same && same->mesh == wanted->mesh)
+      organ = wanted->id;
+  }
+  second_.workspace.guarded([&] {
+    second_.workspace.stress().setWanted(state.stress.witnesses);
+    second_.workspace.stress().follow(organ);
+  });
+  findWantedPeak();
+  shareRange();
+}
+
+/// The worst of the second view's own cycle, where the first one shows that of its own.
+void ComparedStress::findWantedPeak() {
+  live::LiveStress& stress = second_.workspace.stress();
+  const presentation::ViewState& state = view_.state();
+  if (!state.shown.stress || !state.stress.peak || stress.peak() || !second_.playback.sequence() ||
+      stress.status().state != live::StressStatus::State::ready)
+    return;
+  second_.workspace.guarded(
+      [&] { stress.findPeak(second_.playback.sharedSequence(), second_.playback.player().ratePerMinute()); });
+}
+
+void ComparedStress::shareRange() {
+  const presentation::StressValues& first = first_.picture.presenter().stressValues();
+  const presentation::StressValues& second = second_.picture.presenter().stressValues();
+  const presentation::StressLook& look = view_.state().stress;
+  const bool both =
+      view_.state().shown.stress && first.ready() && second.ready() && first.quantity() == second.quantity();
+  const bool shared = both && (look.sameRange || look.pinned);
+  const auto range =
+      shared ? std::optional(presentation::joined(first.ownRange(), second.ownRange())) : std::nullopt;
+  first_.picture.setStressRange(range);
+  second_.picture.setStressRange(range, !shared);
+}
+
+} // namespace viscera::app

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <QTimer>
+#include <QWidget>
+
+#include "window/actions.h"
+#include "window/stress/stress_model.h"
+#include "window/style/theme.h"
+
+class QPushButton;
+class QTreeWidget;
+class QTreeWidgetItem;
+
+namespace viscera::app {
+
+class ProfileChart;
+
+/// The pinned probes of all organs and the lines between them: a table with place and value in the pose that
+/// is shown, what pins, joins and removes them, and the profiles along the lines.
+class MarksBox final : public QWidget {
+  Q_OBJECT
+
+public:
+  MarksBox(Workspace& workspace, StressModel& model, const Actions& actions, QWidget* parent = nullptr);
+
+  void setTheme(const Theme& theme);
+
+protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
+private:
+  void makeList();
+  void rebuild();
+  void syncValues();
+  void syncButtons();
+  void fill(QTreeWidgetItem& item, const document::StressProbe& probe) const;
+  void fill(QTreeWidgetItem& item, const document::StressLine& line) const;
+  std::vector<document::StressProbeId> chosenProbes() const;
+  std::vector<document::StressLineId> chosenLines() const;
+  void removeChosen();
+  void drawProfile();
+
+  Workspace& workspace_;
+  StressModel& model_;
+  QTreeWidget* list_;
+  QPushButton* profile_;
+  QPushButton* remove_;
+  std::vector<QWidget*> forAll_; ///< Of use while there is any mark.
+  ProfileChart* chart_;
+  std::vector<Subscription> subscriptions_;
+};
+
+} // namespace viscera::app

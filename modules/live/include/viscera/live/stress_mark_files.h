@@ -1,0 +1,34 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "viscera/live/stress_reading.h"
+
+/// Probes and profiles as tables for other programs: what `viscera stress` and the window write, the same to
+/// the byte. All are atomic and throw `CannotCreateError`. Where there is no tissue the cells after the place
+/// at rest are empty.
+namespace viscera::live {
+
+/// A reading under the name that the user knows it by.
+struct NamedReading {
+  std::string name; ///< "1"
+  StressReading reading;
+};
+
+/// Comma-separated values, a row a probe: `probe`, its place at rest and in the pose
+/// (`rest_x_mm` ... `z_mm`), `RotationalStress_deg`, `VolumeRatio`, `StretchMax`, `StretchMin`, `Folded`.
+void writeStressProbes(const std::filesystem::path& file, const std::vector<NamedReading>& probes);
+
+/// A profile under its name.
+struct NamedProfile {
+  std::string name; ///< "1-2"
+  StressProfile profile;
+};
+
+/// Comma-separated values, a row a place, one profile after the other: `profile`, `distance_mm` from its
+/// beginning at rest, and the columns of a probe.
+void writeStressProfiles(const std::filesystem::path& file, const std::vector<NamedProfile>& profiles);
+
+} // namespace viscera::live

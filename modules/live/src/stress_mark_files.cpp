@@ -1,0 +1,50 @@
+#include "viscera/live/stress_mark_files.h"
+
+#include <ostream>
+
+#include "viscera/core/atomic_file.h"
+#include "viscera/core/text.h"
+
+namespace viscera::live {
+namespace {
+
+constexpr int kDigits = 9;
+constexpr const char* kColumns = "rest_x_mm,rest_y_mm,rest_z_mm,x_mm,y_mm,z_mm,RotationalStress_deg,"
+                                 "VolumeRatio,StretchMax,StretchMin,Folded\n";
+
+void writeCells(std::ostream& stream, const StressReading& reading) {
+  for (const double value : reading.rest)
+    stream << significant(value, kDigits) << ',';
+  const double values[] = {reading.now.x(),     reading.now.y(),    reading.now.z(),   reading.stressDegrees,
+                           reading.volumeRatio, reading.stretchMax, reading.stretchMin};
+  for (const double value : values)
+    stream << (reading.inTissue ? significant(value, kDigits) : std::string()) << ',';
+  if (reading.inTissue)
+    stream << (reading.folded ? 1 : 0);
+  stream << '\n';
+}
+
+} // namespace
+
+void writeStressProbes(const std::filesystem::path& file, const std::vector<NamedReading>& probes) {
+  writeAtomically(file, [&](std::ostream& stream) {
+    stream << "probe," << kColumns;
+    for (const NamedReading& probe : probes) {
+      stream << csvField(probe.name) << ',';
+      writeCells(stream, probe.reading);
+    }
+  });
+}
+
+void writeStressProfiles(const std::filesystem::path& file, const std::vector<NamedProfile>& profiles) {
+  writeAtomically(file, [&](std::ostream& stream) {
+    stream << "profile,distance_mm," << kColumns;
+    for (const auto& [name, profile] : profiles)
+      for (std::size_t i = 0; i < profile.mm.size(); ++i) {
+        stream << csvField(name) << ',' << significant(profile.mm[i], kDigits) << ',';
+        writeCells(stream, profile.readings[i]);
+      }
+  });
+}
+
+} // namespace viscera::live

@@ -1,0 +1,63 @@
+#include "viscera/presentation/stress_values.h"
+
+#include <gtest/gtest.h>
+
+#include "viscera/presentation/stress_look.h"
+
+namespace viscera::presentation {
+namespace {
+
+using Quantity = live::StressQuantity;
+using Range = scene::ValueRange;
+
+/// Asks for a logarithmic range without one before.
+constexpr Range kLogarithmic{0, 0, true};
+
+TEST(LogarithmicRange, OfAnAngleBeginsBelowTheBulkWithinThreeDecades) {
+  EXPECT_EQ(steppedRange(Quantity::rotationalStress, {0.4, 11}, kLogarithmic), (Range{0.2, 20, true}));
+  EXPECT_EQ(steppedRange(Quantity::rotationalStress, {0, 11}, kLogarithmic), (Range{0.02, 20, true}));
+  EXPECT_EQ(steppedRange(Quantity::rotationalStress, {9, 11}, kLogarithmic), (Range{2, 20, true}))
+      << "a decade at least";
+  EXPECT_EQ(steppedRange(Quantity::rotationalStress, {0, 1e-13}, kLogarithmic), (Range{0.001, 1, true}))
+      << "at rest";
+}
+
+TEST(LogarithmicRange, DoesNotCreep) {
+  const Range first = steppedRange(Quantity::rotationalStress, {0.4, 11}, kLogarithmic);
+  for (const Range bulk : {Range{0.3, 12}, Range{0.9, 9}, Range{0.25, 13}})
+    EXPECT_EQ(steppedRange(Quantity::rotationalStress, bulk, first), first);
+  EXPECT_LT(steppedRange(Quantity::rotationalStress, {0.05, 11}, first).low, first.low);
+  EXPECT_GT(steppedRange(Quantity::rotationalStress, {0.4, 20}, first).high, first.high);
+  EXPECT_FALSE(steppedRange(Quantity::rotationalStress, {0.4, 11}, {0, 20}).logarithmic);
+}
+
+TEST(LogarithmicRange, OfARatioGoesByOneFactorUpAndDown) {
+  for (const Range bulk : {Range{0.8, 1.25}, Range{0.9, 1.3}, Range{0.7, 1}}) {
+    const Range range = steppedRange(Quantity::volumeRatio, bulk, kLogarithmic);
+    EXPECT_TRUE(range.logarithmic);
+    EXPECT_NEAR(range.low * range.high, 1, 1e-12);
+    EXPECT_LE(range.low, bulk.low);
+    EXPECT_GE(range.high, bulk.high);
+    EXPECT_EQ(steppedRange(Quantity::volumeRatio, bulk, range), range);
+  }
+  EXPECT_EQ(steppedRange(Quantity::folded, {0, 1}, kLogarithmic), (Range{0, 1}));
+}
+
+TEST(LogarithmicRange, OfARangeThatIsKeptBringsItsLowerEndAboveZero) {
+  EXPECT_EQ(onScale(Quantity::rotationalStress, {0, 20}, true), (Range{0.02, 20, true}));
+  EXPECT_EQ(onScale(Quantity::rotationalStress, {1, 20}, true), (Range{1, 20, true}));
+  EXPECT_EQ(onScale(Quantity::volumeRatio, {0, 2}, true), (Range{0.5, 2, true}));
+  EXPECT_EQ(onScale(Quantity::rotationalStress, {1, 20, true}, false), (Range{1, 20}));
+  EXPECT_EQ(onScale(Quantity::folded, {0, 1}, true), (Range{0, 1}));
+}
+
+TEST(LogarithmicRange, IsAPartOfTheLook) {
+  StressLook look;
+  look.logarithmic = true;
+  look.range = {0.2, 20, true};
+  EXPECT_EQ(stressLookFromJson(toJson(look)), look);
+  EXPECT_FALSE(stressLookFromJson("{}").logarithmic) << "sessions of before have none";
+}
+
+} // namespace
+} // namespace viscera::presentation
