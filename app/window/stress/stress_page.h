@@ -15,8 +15,8 @@ namespace viscera::app {
 class Histogram;
 class ValueSlider;
 
-/// Stress: which map, its numbers and how they are spread, the witness points and where they come from, and
-/// how to look inside.
+/// The property page of the mode Stress: choice of the map, statistics and histogram, witness points, and the
+/// cut.
 class StressPage final : public Page {
   Q_OBJECT
 

@@ -11,9 +11,9 @@ class vtkRenderer;
 
 namespace viscera::scene {
 
-/// A scale bar of colours with title, unit and at most six ticks at round numbers, at the right edge of a
-/// view. Keeps its size in logical pixels, and follows the window's size and DPI. Belongs to the thread that
-/// renders.
+/// The legend of a colour map: a bar of colours with title, unit and at most six ticks at round numbers, at
+/// the right edge of a view. Keeps its size in logical pixels, and follows the window's size and DPI. Belongs
+/// to the thread that renders.
 class Legend {
 public:
   Legend();

@@ -23,8 +23,8 @@ class vtkVisceraHandleSetWidget;
 
 namespace viscera::scene {
 
-/// Where the camera looks from. In the anterior view the reader faces the patient: the patient's left is on
-/// the right.
+/// The standard directions from which the camera looks at the patient. In the anterior view the reader faces
+/// the patient: the patient's left is on the right.
 enum class StandardView { anterior, posterior, left, right, superior, inferior };
 
 /// "anterior" and so on. Throws `UsageError` that lists them for anything else.
