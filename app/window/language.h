@@ -55,6 +55,9 @@ QString inWords(const std::string& name);
 /// with so many significant digits.
 QString formatNumber(double value, int decimals);
 QString formatDigits(double value, int digits);
+/// What the language of the window writes before decimals, for texts that are drawn: ',' in German.
+char decimalMark();
+
 /// A number that somebody typed, with the language's decimal mark or a point; nothing when it is none.
 std::optional<double> numberIn(const QString& typed);
 

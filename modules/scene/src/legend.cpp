@@ -67,19 +67,24 @@ std::vector<double> niceTicks(ValueRange range, int most) {
     }
 }
 
-std::string tickLabel(double value, double spacing) {
+std::string withDecimalMark(std::string number, char decimalMark) {
+  std::replace(number.begin(), number.end(), '.', decimalMark);
+  return number;
+}
+
+std::string tickLabel(double value, double spacing, char decimalMark) {
   char label[32];
   const double largest = std::max(std::abs(value), std::abs(spacing));
   if (largest >= kLargestPlain || spacing < kSmallestPlain) {
     const int digits = spacing > 0 ? static_cast<int>(std::ceil(std::log10(largest / spacing))) + 2 : 3;
     std::snprintf(label, sizeof label, "%.*g", std::max(3, digits), value);
-    return label;
+    return withDecimalMark(label, decimalMark);
   }
   // The small push keeps a spacing such as 0.1 from asking for a digit too many.
   const int decimals =
       spacing > 0 ? std::max(0, -static_cast<int>(std::floor(std::log10(spacing) + 1e-9))) : 2;
   std::snprintf(label, sizeof label, "%.*f", decimals, value);
-  return label;
+  return withDecimalMark(label, decimalMark);
 }
 
 struct Legend::Parts {
@@ -87,6 +92,7 @@ struct Legend::Parts {
   ValueRange range;
   bool shown = false;
   Theme theme = darkTheme();
+  char decimalMark = '.';
 
   FlatShape bar;
   FlatShape lines;
@@ -209,6 +215,10 @@ void Legend::setTheme(const Theme& theme) {
   parts_->applyTheme();
 }
 
+void Legend::setDecimalMark(char mark) {
+  parts_->decimalMark = mark;
+}
+
 void Legend::show(const std::string& title, const std::string& unit, const ColorMap& map, ValueRange range) {
   auto& p = *parts_;
   auto* renderer = p.beforeRender.renderer();
@@ -221,7 +231,7 @@ void Legend::show(const std::string& title, const std::string& unit, const Color
   const double spacing = p.ticks.size() > 1 ? p.ticks[1] - p.ticks[0] : 0;
   for (const double tick : p.ticks) {
     auto label = newText(kFontSize);
-    label->SetInput(tickLabel(tick, spacing).c_str());
+    label->SetInput(tickLabel(tick, spacing, p.decimalMark).c_str());
     label->GetTextProperty()->SetVerticalJustificationToCentered();
     p.labels.push_back(label);
   }

@@ -141,12 +141,14 @@ std::string labelOf(const document::Organ& organ, const Presenter::Translate& tr
 Vec3 shownColor(const Vec3& color);
 
 /// A measured value for a reader: "83.4 mm", degrees with the sign for them, "41.3 HU"; "-" where there is
-/// none. UTF-8.
-std::string formatMeasured(document::MeasurementKind kind, double value, const std::string& unit = {});
+/// none. `decimalMark` stands before the decimals. UTF-8.
+std::string formatMeasured(document::MeasurementKind kind, double value, const std::string& unit = {},
+                           char decimalMark = '.');
 
 /// How the values of a rectangle or a sphere spread: deviation, least and largest value, size and number of
 /// voxels; empty for the other kinds, and where there are no values. UTF-8.
 std::string describeSpread(const document::Measurement& measurement, const document::MeasuredValues& values,
-                           const std::string& unit, const Presenter::Translate& translate = {});
+                           const std::string& unit, const Presenter::Translate& translate = {},
+                           char decimalMark = '.');
 
 } // namespace viscera::presentation

@@ -54,7 +54,7 @@ struct SliceScene {
 struct SliceReading {
   Vec3 position = Vec3::Zero(); ///< mm LPS.
   std::optional<double> value;  ///< Of the scan as it is shown; none where nothing was measured.
-  bool folded = false;          ///< The pose folds the tissue here: the value is a guess.
+  bool folded = false;          ///< The pose folds the tissue here: the value is an estimate.
   document::OrganId organ;      ///< The innermost organ around the place; none outside of all.
 };
 
@@ -82,6 +82,8 @@ public:
   ~SlicePresenter();
   SlicePresenter(const SlicePresenter&) = delete;
   SlicePresenter& operator=(const SlicePresenter&) = delete;
+  /// What numbers have before their decimals, a point at first: ',' in German. Before `update`.
+  void setDecimalMark(char mark);
 
   /// Brings the pictures of these panes up to date; of each direction one pane at most.
   void update(const SliceScene& scene, const std::vector<SlicePane>& panes);
@@ -118,7 +120,7 @@ Vec3 focusOf(const document::DocumentState& state, const ScanLook& look);
 double stepAlong(const document::DocumentState& state, int axis);
 
 /// "S 120.0 mm": how far a place lies along a slice's axis, by the letter of its side.
-std::string formatSlicePosition(int axis, double mm);
+std::string formatSlicePosition(int axis, double mm, char decimalMark = '.');
 
 /// The level and width that a scan is shown with: the view's, else what the scan proposes.
 medical_io::ValueWindow windowOf(const medical_io::Scan& scan, const ScanLook& look);

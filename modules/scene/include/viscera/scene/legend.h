@@ -24,6 +24,8 @@ public:
   /// Draws in `renderer` from now on. Null: nowhere.
   void setRenderer(vtkRenderer* renderer);
   void setTheme(const Theme& theme);
+  /// What numbers have before their decimals, a point at first: ',' in German. Before `show`.
+  void setDecimalMark(char mark);
 
   /// What the colours mean: "Influence of H-7", unit "%" or empty.
   void show(const std::string& title, const std::string& unit, const ColorMap& map, ValueRange range);
@@ -42,6 +44,10 @@ private:
 std::vector<double> niceTicks(ValueRange range, int most = 6);
 
 /// A tick's label with just the digits that tell it from its neighbours: "0.25", "-3", "1.2e-06".
-std::string tickLabel(double value, double spacing);
+/// `decimalMark` stands before the decimals.
+std::string tickLabel(double value, double spacing, char decimalMark = '.');
+
+/// A number that was written with a decimal point, with another decimal mark.
+std::string withDecimalMark(std::string number, char decimalMark);
 
 } // namespace viscera::scene

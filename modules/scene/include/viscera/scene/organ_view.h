@@ -92,6 +92,10 @@ public:
   /// Highlights a side of the cube from the next frame on, or none; says whether that changes the picture.
   bool highlightOrientationSide(std::optional<StandardView> side);
   void setScaleBarShown(bool shown);
+  /// What numbers in the view have before their decimals, a point at first: ',' in German. Before the legend
+  /// and measurements are shown.
+  void setDecimalMark(char mark);
+  char decimalMark() const;
 
   /// While something moves, a software renderer does not smooth edges, which takes as long as all the rest,
   /// blends translucent organs in order of their distance in place of peeling them, which takes four times as

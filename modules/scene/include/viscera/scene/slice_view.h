@@ -76,6 +76,8 @@ public:
   vtkRenderer* renderer() const;
   /// For crosshair and letters.
   void setTheme(const Theme& theme);
+  /// What the number of the scale bar has before its decimals, a point at first. Before `show`.
+  void setDecimalMark(char mark);
 
   /// Shows this from the next frame on. A picture of another size than the window lies at its lower left.
   /// O(pixels + points).
