@@ -21,8 +21,8 @@ struct Bend {
 
 /// Numbers of the moved and the folded voxels of a deformed image, and its largest error.
 struct BendReport {
-  std::size_t moved = 0;     ///< Voxels whose place at rest is another one.
-  std::size_t folded = 0;    ///< Voxels at which the pose folds the tissue, so that their value is an estimate.
+  std::size_t moved = 0;  ///< Voxels whose place at rest is another one.
+  std::size_t folded = 0; ///< Voxels at which the pose folds the tissue, so that their value is an estimate.
   double largestErrorMm = 0; ///< Of some thousand of the moved ones: `InverseMap::residualMm`.
 };
 
